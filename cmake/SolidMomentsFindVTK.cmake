@@ -1,0 +1,29 @@
+# Finds the VTK to build against: ParaView's own by default, a plain VTK when the plugin is off.
+set(_vtk_components
+  CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
+  FiltersCore FiltersGeneral FiltersSources IOImage IOXML RenderingCore RenderingOpenGL2
+  InteractionStyle RenderingAnnotation RenderingFreeType TestingRendering glew opengl)
+if (SOLIDMOMENTS_WRAP_PYTHON)
+  if (NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+    # VTK's wrappers are built for the system's Python, whatever comes first on PATH.
+    set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that VTK was built for")
+  endif ()
+  list(APPEND _vtk_components Python WrappingPythonCore)
+endif ()
+
+if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
+  # Without COMPONENTS ParaView asks for everything it was built with (Qt, GDAL, FFmpeg).
+  find_package(ParaView 5.11 QUIET
+    COMPONENTS RemotingCore RemotingServerManager RemotingViews VTKExtensionsFiltersRendering)
+  if (NOT ParaView_FOUND)
+    message(FATAL_ERROR "ParaView 5.11 was not found (${ParaView_NOT_FOUND_MESSAGE}). Install paraview-dev and "
+      "python3-paraview, set ParaView_DIR, or configure with -DSOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN=OFF and VTK_DIR "
+      "to build the modules against a plain VTK.")
+  endif ()
+  set(VTK_DIR "${ParaView_DIR}/vtk" CACHE PATH "ParaView's own VTK" FORCE)
+endif ()
+find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components})
+if (NOT VTK_FOUND)
+  message(FATAL_ERROR "VTK 9.1 or later was not found (${VTK_NOT_FOUND_MESSAGE}). Set VTK_DIR.")
+endif ()
+message(STATUS "VTK ${VTK_VERSION} from ${VTK_DIR}")

@@ -1,0 +1,16 @@
+# Python package `solidmoments` with one extension module per VTK module.
+if (NOT SOLIDMOMENTS_WRAP_PYTHON)
+  return ()
+endif ()
+find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+set(SOLIDMOMENTS_PYTHON_DESTINATION
+  "${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
+vtk_module_wrap_python(
+  MODULES             ${solidmoments_modules}
+  INSTALL_EXPORT      SolidMoments
+  INSTALL_HEADERS     OFF
+  PYTHON_PACKAGE      "solidmoments"
+  MODULE_DESTINATION  "${SOLIDMOMENTS_PYTHON_DESTINATION}"
+  CMAKE_DESTINATION   "${SOLIDMOMENTS_CMAKE_DESTINATION}"
+  WRAPPED_MODULES     solidmoments_python_modules
+  TARGET              SolidMoments::Python)
