@@ -1,0 +1,497 @@
+#include "smFacePanels.h"
+
+#include "smCoverage.h"
+#include "smTrimCutting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace sm
+{
+namespace
+{
+using Point2 = std::array<double, 2>;
+using Point3 = std::array<double, 3>;
+
+// Corners and ribbons whose gap is below this fraction of the coordinates' size hold less than the square of
+// it: far below rounding.
+constexpr double NegligibleGap = 1e-14;
+
+Point3 Subtract(const Point3& a, const Point3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+Point3 Cross(const Point3& a, const Point3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double Norm(const Point3& a)
+{
+  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
+
+class Builder
+{
+public:
+  explicit Builder(const Face& face);
+  FacePanels Build();
+
+private:
+  std::uint32_t GetPatch(int column, int row);
+  Point3 EvaluatePatch(const Patch& patch, const Point2& uv) const;
+  PanelShape Classify(const Patch& patch) const;
+  std::uint32_t AddTrim(const BernsteinPiece<2>& piece);
+  std::uint32_t AddEdge(const BernsteinPiece<3>& piece);
+
+  void AddLoop(const Loop& loop);
+  void AddCoedge(const Coedge& coedge, const Point2* loopStart, Point2& loopEnd);
+  void AddRibbons(const Coedge& coedge, int piece, std::uint32_t trim, const TrimSegment& segment);
+  void AddPanel(
+    const TrimSegment& segment, const BernsteinPiece<2>& piece, std::uint32_t trim, bool reversed);
+  void AddCorner(const Coedge& before, const Coedge& after, const Point2& from, const Point2& to);
+  void AddCap(const Point3& apex, const Point3& from, const Point3& to);
+  void AddCoveredEdges();
+  Point2 Turn(const Point2& uv) const { return this->Turned ? Point2{ uv[1], uv[0] } : uv; }
+
+  const Face& Source;
+  NURBSSurface Surface;
+  /// u and v are exchanged.
+  bool Turned;
+  CellGrid Grid;
+  Coverage Cover;
+  double Size = 0.0;
+  std::map<std::pair<int, int>, std::uint32_t> PatchOfCell;
+  std::vector<PanelShape> ShapeOfPatch;
+  std::map<const void*, std::uint32_t> EdgePieces;
+  FacePanels Result;
+};
+
+Builder::Builder(const Face& face)
+  : Source(face)
+  , Surface(face.Surface.Degree[0] > face.Surface.Degree[1] ? face.Surface.Transposed() : face.Surface)
+  , Turned(face.Surface.Degree[0] > face.Surface.Degree[1])
+  , Grid{ this->Surface.GetSpanBreaks(0), this->Surface.GetSpanBreaks(1) }
+  , Cover(this->Grid.GetNumberOfColumns(), this->Grid.GetNumberOfRows())
+{
+  for (const std::array<double, 4>& p : this->Surface.ControlPoints)
+  {
+    this->Size =
+      std::max({ this->Size, std::abs(p[0] / p[3]), std::abs(p[1] / p[3]), std::abs(p[2] / p[3]) });
+  }
+}
+
+std::uint32_t Builder::GetPatch(int column, int row)
+{
+  const auto [entry, isNew] = this->PatchOfCell.emplace(
+    std::make_pair(column, row), static_cast<std::uint32_t>(this->Result.Patches.size()));
+  if (!isNew)
+  {
+    return entry->second;
+  }
+  Patch patch{};
+  patch.FirstPoint = static_cast<std::uint32_t>(this->Result.Points.size());
+  patch.Degree[0] = this->Surface.Degree[0];
+  patch.Degree[1] = this->Surface.Degree[1];
+  patch.Start[0] = this->Grid.U[column];
+  patch.Start[1] = this->Grid.V[row];
+  patch.Width[0] = this->Grid.U[column + 1] - patch.Start[0];
+  patch.Width[1] = this->Grid.V[row + 1] - patch.Start[1];
+
+  std::array<double, 4> cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  const int count = (patch.Degree[0] + 1) * (patch.Degree[1] + 1);
+  this->Surface.ExtractBezier(
+    patch.Start[0], this->Grid.U[column + 1], patch.Start[1], this->Grid.V[row + 1], cell);
+  for (int c = 0; c < 3; ++c)
+  {
+    double low = cell[0][c] / cell[0][3];
+    double high = low;
+    for (int i = 1; i < count; ++i)
+    {
+      low = std::min(low, cell[i][c] / cell[i][3]);
+      high = std::max(high, cell[i][c] / cell[i][3]);
+    }
+    patch.Center[c] = 0.5 * (low + high);
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    std::array<double, 4> point = cell[i];
+    double squared = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double offset = cell[i][c] / cell[i][3] - patch.Center[c];
+      point[c] = cell[i][c] - patch.Center[c] * cell[i][3];
+      squared += offset * offset;
+    }
+    patch.Radius = std::max(patch.Radius, std::sqrt(squared));
+    this->Result.Points.push_back(point);
+  }
+  this->Result.Patches.push_back(patch);
+  this->ShapeOfPatch.push_back(this->Classify(patch));
+  return entry->second;
+}
+
+PanelShape Builder::Classify(const Patch& patch) const
+{
+  // Straight in s with weights that do not depend on s: S = A(r) + s B(r), so that n = B x (A' + s B').
+  // The normal keeps its direction along s iff n at s = 0 and s = 1 are parallel for every r; both are
+  // rational of degree <= 4q in r, so agreement at 4q+1 values of r would prove it. Rounding leaves 1e-13.
+  if (patch.Degree[0] != 1)
+  {
+    return PanelShape::General;
+  }
+  const int q = patch.Degree[1];
+  const std::array<double, 4>* cell = this->Result.Points.data() + patch.FirstPoint;
+  bool polynomial = true;
+  for (int j = 0; j <= q; ++j)
+  {
+    if (cell[2 * j][3] != cell[2 * j + 1][3])
+    {
+      return PanelShape::General;
+    }
+    polynomial = polynomial && cell[2 * j][3] == cell[0][3];
+  }
+  bool constant = true;
+  Point3 first{};
+  bool flat = q == 1 && polynomial;
+  for (int k = 0; k <= 4 * q; ++k)
+  {
+    const double r = static_cast<double>(k) / (4 * q);
+    std::array<double, 4> line[2][MaximumDegree + 1] = {};
+    Point3 position[2];
+    Point3 derivative[2];
+    for (int side = 0; side < 2; ++side)
+    {
+      for (int j = 0; j <= q; ++j)
+      {
+        line[side][j] = cell[2 * j + side];
+      }
+      std::array<double, 4> dr;
+      const std::array<double, 4> h = BernsteinPiece<4>{ line[side], q }.Evaluate(r, &dr);
+      for (int c = 0; c < 3; ++c)
+      {
+        position[side][c] = h[c] / h[3];
+        derivative[side][c] = (dr[c] - position[side][c] * dr[3]) / h[3];
+      }
+    }
+    const Point3 ruling = Subtract(position[1], position[0]);
+    const Point3 n0 = Cross(ruling, derivative[0]);
+    const Point3 n1 = Cross(ruling, derivative[1]);
+    const double scale = std::max(Norm(n0), Norm(n1));
+    if (Norm(Cross(n0, n1)) > 1e-13 * scale * scale || n0[0] * n1[0] + n0[1] * n1[1] + n0[2] * n1[2] < 0.0)
+    {
+      return PanelShape::General;
+    }
+    constant = constant && Norm(Subtract(n0, n1)) <= 1e-14 * scale;
+    if (k == 0)
+    {
+      first = n0;
+    }
+    flat = flat && constant && Norm(Subtract(n0, first)) <= 1e-14 * scale;
+  }
+  return flat ? PanelShape::Flat : constant ? PanelShape::Prismatic : PanelShape::Straight;
+}
+
+Point3 Builder::EvaluatePatch(const Patch& patch, const Point2& uv) const
+{
+  const double s = (uv[0] - patch.Start[0]) / patch.Width[0];
+  const double r = (uv[1] - patch.Start[1]) / patch.Width[1];
+  const int p = patch.Degree[0];
+  std::array<double, 4> line[MaximumDegree + 1] = {};
+  for (int j = 0; j <= patch.Degree[1]; ++j)
+  {
+    line[j] = BernsteinPiece<4>{ this->Result.Points.data() + patch.FirstPoint + j * (p + 1), p }.Evaluate(s);
+  }
+  const std::array<double, 4> h = BernsteinPiece<4>{ line, patch.Degree[1] }.Evaluate(r);
+  return { patch.Center[0] + h[0] / h[3], patch.Center[1] + h[1] / h[3], patch.Center[2] + h[2] / h[3] };
+}
+
+std::uint32_t Builder::AddTrim(const BernsteinPiece<2>& piece)
+{
+  const auto first = static_cast<std::uint32_t>(this->Result.Coefficients.size());
+  for (int i = 0; i <= piece.Degree; ++i)
+  {
+    this->Result.Coefficients.push_back(piece.Coefficients[i][0]);
+    this->Result.Coefficients.push_back(piece.Coefficients[i][1]);
+  }
+  return first;
+}
+
+std::uint32_t Builder::AddEdge(const BernsteinPiece<3>& piece)
+{
+  const auto [entry, isNew] = this->EdgePieces.emplace(
+    piece.Coefficients, static_cast<std::uint32_t>(this->Result.Coefficients.size()));
+  if (isNew)
+  {
+    for (int i = 0; i <= piece.Degree; ++i)
+    {
+      this->Result.Coefficients.insert(
+        this->Result.Coefficients.end(), piece.Coefficients[i].begin(), piece.Coefficients[i].end());
+    }
+  }
+  return entry->second;
+}
+
+void Builder::AddPanel(
+  const TrimSegment& segment, const BernsteinPiece<2>& piece, std::uint32_t trim, bool reversed)
+{
+  // In exchanged parameters a counter-clockwise loop runs clockwise.
+  const bool negative = reversed != this->Turned;
+  const double start = reversed ? segment.EndPoint[1] : segment.StartPoint[1];
+  const double end = reversed ? segment.StartPoint[1] : segment.EndPoint[1];
+  this->Cover.AddPiece(segment.Column, segment.Row, start, end, this->Turned ? -1 : 1);
+
+  const double left = this->Grid.U[segment.Column];
+  bool runsInV = false;
+  bool leavesLeft = false;
+  for (int i = 0; i <= piece.Degree; ++i)
+  {
+    runsInV = runsInV || piece.Coefficients[i][1] != piece.Coefficients[0][1];
+    leavesLeft = leavesLeft || piece.Coefficients[i][0] != left;
+  }
+  const std::uint32_t patch = this->GetPatch(segment.Column, segment.Row);
+  for (const Point2& point : { segment.StartPoint, segment.EndPoint })
+  {
+    const double cell[2] = { this->Result.Patches[patch].Width[0], this->Result.Patches[patch].Width[1] };
+    const double outside[2] = { std::max(this->Grid.U.front() - point[0], point[0] - this->Grid.U.back()),
+      std::max(this->Grid.V.front() - point[1], point[1] - this->Grid.V.back()) };
+    for (int d = 0; d < 2; ++d)
+    {
+      this->Result.Outside =
+        std::max(this->Result.Outside, 2.0 * this->Result.Patches[patch].Radius * outside[d] / cell[d]);
+    }
+  }
+  if (runsInV && leavesLeft)
+  {
+    this->Result.Panels.push_back(
+      { patch, trim, static_cast<std::uint8_t>(piece.Degree), this->ShapeOfPatch[patch], negative,
+        this->Source.Reversed != this->Turned, segment.Start, segment.End });
+  }
+}
+
+void Builder::AddRibbons(const Coedge& coedge, int piece, std::uint32_t trim, const TrimSegment& segment)
+{
+  const TrimCurve& curve = coedge.Curve;
+  const EdgeCurve& edge = coedge.Use->Curve;
+  const std::uint32_t patch = this->GetPatch(segment.Column, segment.Row);
+  const double start = curve.Breaks[piece];
+  const double width = curve.Breaks[piece + 1] - start;
+  const double end = start + width * segment.End;
+  double t = start + width * segment.Start;
+  double local = segment.Start;
+  int edgePiece = edge.FindPiece(t);
+  while (true)
+  {
+    const bool last = edgePiece + 1 == edge.GetNumberOfPieces() || edge.Breaks[edgePiece + 1] >= end;
+    const double next = last ? end : edge.Breaks[edgePiece + 1];
+    const double nextLocal = last ? segment.End : (next - start) / width;
+    if (nextLocal > local)
+    {
+      const double edgeStart = edge.Breaks[edgePiece];
+      const double edgeWidth = edge.Breaks[edgePiece + 1] - edgeStart;
+      this->Result.Ribbons.push_back({ patch, trim, this->AddEdge(edge.GetPiece(edgePiece)),
+        static_cast<std::uint8_t>(curve.GetDegree(piece)),
+        static_cast<std::uint8_t>(edge.GetDegree(edgePiece)), this->Source.Reversed != coedge.Reversed,
+        !coedge.Use->Degenerate, local, nextLocal, (t - edgeStart) / edgeWidth,
+        (next - edgeStart) / edgeWidth });
+    }
+    if (last)
+    {
+      return;
+    }
+    t = next;
+    local = nextLocal;
+    ++edgePiece;
+  }
+}
+
+void Builder::AddCoedge(const Coedge& coedge, const Point2* loopStart, Point2& loopEnd)
+{
+  const TrimCurve& curve = coedge.Curve;
+  if (curve.GetNumberOfPieces() == 0 || coedge.Use->Curve.GetNumberOfPieces() == 0)
+  {
+    throw std::runtime_error("a coedge has no trim curve or its edge has no curve");
+  }
+  std::vector<TrimSegment> segments;
+  std::vector<Point2> coefficients;
+  for (int k = 0; k < curve.GetNumberOfPieces(); ++k)
+  {
+    const BernsteinPiece<2> source = curve.GetPiece(k);
+    if (source.Degree > MaximumDegree)
+    {
+      throw std::runtime_error("a trim curve has a degree above 25");
+    }
+    coefficients.assign(source.Coefficients, source.Coefficients + source.Degree + 1);
+    for (Point2& c : coefficients)
+    {
+      c = this->Turn(c);
+    }
+    const BernsteinPiece<2> piece{ coefficients.data(), source.Degree };
+    const std::uint32_t trim = this->AddTrim(piece);
+    segments.clear();
+    CutAtKnotLines(piece, this->Grid, segments);
+    // The end of the coedge before: within rounding the same point, and then the same doubles.
+    if (loopStart && !coedge.Reversed && k == 0)
+    {
+      segments.front().StartPoint = *loopStart;
+    }
+    if (loopStart && coedge.Reversed && k + 1 == curve.GetNumberOfPieces())
+    {
+      segments.back().EndPoint = *loopStart;
+    }
+    for (const TrimSegment& segment : segments)
+    {
+      this->AddPanel(segment, piece, trim, coedge.Reversed);
+      this->AddRibbons(coedge, k, trim, segment);
+    }
+  }
+  loopEnd = this->Turn(coedge.Reversed ? curve.GetStartPoint() : curve.GetEndPoint());
+}
+
+void Builder::AddCap(const Point3& apex, const Point3& from, const Point3& to)
+{
+  const double gap = std::max(Norm(Subtract(from, apex)), Norm(Subtract(to, apex)));
+  if (gap > NegligibleGap * this->Size && Norm(Subtract(from, to)) > 0.0)
+  {
+    // Cones run over the loop with the sign opposite to the face's, see NUMERICS 5.
+    this->Result.Caps.push_back({ apex, from, to, !this->Source.Reversed });
+  }
+}
+
+void Builder::AddCorner(const Coedge& before, const Coedge& after, const Point2& from, const Point2& to)
+{
+  const Edge& edge0 = *before.Use;
+  const Edge& edge1 = *after.Use;
+  const Point3 vertex = before.Reversed ? edge0.StartVertex : edge0.EndVertex;
+  const Point3 curveEnd = before.Reversed ? edge0.Curve.GetStartPoint() : edge0.Curve.GetEndPoint();
+  const Point3 curveStart = after.Reversed ? edge1.Curve.GetEndPoint() : edge1.Curve.GetStartPoint();
+  const auto surfacePoint = [this](const Point2& uv)
+  {
+    const std::uint32_t patch =
+      this->GetPatch(CellGrid::Find(this->Grid.U, uv[0]), CellGrid::Find(this->Grid.V, uv[1]));
+    return this->EvaluatePatch(this->Result.Patches[patch], uv);
+  };
+  const Point3 surfaceEnd = surfacePoint(from);
+  const Point3 surfaceStart = surfacePoint(to);
+  this->AddCap(vertex, curveEnd, surfaceEnd);
+  this->AddCap(vertex, surfaceStart, curveStart);
+  if (from == to)
+  {
+    return;
+  }
+  // The straight piece that closes the loop in (u,v): part of the face's boundary like any other, and its
+  // ribbon leads to the vertex.
+  const Point2 line[2] = { from, to };
+  const BernsteinPiece<2> piece{ line, 1 };
+  const std::uint32_t trim = this->AddTrim(piece);
+  const auto apex = static_cast<std::uint32_t>(this->Result.Coefficients.size());
+  this->Result.Coefficients.insert(this->Result.Coefficients.end(), vertex.begin(), vertex.end());
+  const bool negligible = std::max(Norm(Subtract(surfaceEnd, vertex)),
+                            Norm(Subtract(surfaceStart, vertex))) <= NegligibleGap * this->Size &&
+    Norm(Subtract(surfaceEnd, surfaceStart)) <= NegligibleGap * this->Size;
+  std::vector<TrimSegment> segments;
+  CutAtKnotLines(piece, this->Grid, segments);
+  for (const TrimSegment& segment : segments)
+  {
+    this->AddPanel(segment, piece, trim, false);
+    if (!negligible)
+    {
+      this->Result.Ribbons.push_back({ this->GetPatch(segment.Column, segment.Row), trim, apex, 1, 0,
+        this->Source.Reversed, false, segment.Start, segment.End, 0.0, 1.0 });
+    }
+  }
+}
+
+void Builder::AddLoop(const Loop& loop)
+{
+  const std::size_t count = loop.Coedges.size();
+  const auto startOf = [this](const Coedge& c)
+  { return this->Turn(c.Reversed ? c.Curve.GetEndPoint() : c.Curve.GetStartPoint()); };
+  const auto endOf = [this](const Coedge& c)
+  { return this->Turn(c.Reversed ? c.Curve.GetStartPoint() : c.Curve.GetEndPoint()); };
+  const auto same = [this](const Point2& a, const Point2& b)
+  {
+    const double scale[2] = { std::max(std::abs(this->Grid.U.front()), std::abs(this->Grid.U.back())),
+      std::max(std::abs(this->Grid.V.front()), std::abs(this->Grid.V.back())) };
+    return std::abs(a[0] - b[0]) <= 4e-16 * scale[0] && std::abs(a[1] - b[1]) <= 4e-16 * scale[1];
+  };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Coedge& before = loop.Coedges[(i + count - 1) % count];
+    const Coedge& coedge = loop.Coedges[i];
+    if (before.Curve.GetNumberOfPieces() == 0 || coedge.Curve.GetNumberOfPieces() == 0)
+    {
+      throw std::runtime_error("a coedge has no trim curve");
+    }
+    const Point2 from = endOf(before);
+    const Point2 to = startOf(coedge);
+    const bool joined = same(from, to);
+    this->AddCorner(before, coedge, from, joined ? from : to);
+    Point2 end;
+    this->AddCoedge(coedge, joined ? &from : nullptr, end);
+  }
+}
+
+void Builder::AddCoveredEdges()
+{
+  for (const EdgePanel& edge : this->Cover.ComputeEdgePanels())
+  {
+    const std::uint32_t patch = this->GetPatch(edge.Column, edge.Row);
+    const Patch& cell = this->Result.Patches[patch];
+    const double right = this->Grid.U[edge.Column + 1];
+    const Point2 line[2] = { { right, edge.StartV }, { right, edge.EndV } };
+    const std::uint32_t trim = this->AddTrim({ line, 1 });
+    if (edge.Multiplicity != 1 && edge.EndV - edge.StartV > 1e-9 * cell.Width[1])
+    {
+      ++this->Result.CoverageDefects;
+    }
+    for (int m = 0; m < std::abs(edge.Multiplicity); ++m)
+    {
+      this->Result.Panels.push_back({ patch, trim, 1, this->ShapeOfPatch[patch], edge.Multiplicity < 0,
+        this->Source.Reversed != this->Turned, 0.0, 1.0 });
+    }
+  }
+}
+
+FacePanels Builder::Build()
+{
+  if (this->Source.Loops.empty())
+  {
+    const int right = this->Grid.GetNumberOfColumns();
+    for (int row = 0; row < this->Grid.GetNumberOfRows(); ++row)
+    {
+      this->Cover.AddPiece(right, row, this->Grid.V[row], this->Grid.V[row + 1], 1);
+    }
+  }
+  for (const Loop& loop : this->Source.Loops)
+  {
+    if (!loop.Coedges.empty())
+    {
+      this->AddLoop(loop);
+    }
+  }
+  this->AddCoveredEdges();
+  return std::move(this->Result);
+}
+}
+
+FacePanels BuildFacePanels(const Face& face)
+{
+  std::string reason = face.Surface.Check();
+  if (reason.empty())
+  {
+    try
+    {
+      return Builder(face).Build();
+    }
+    catch (const std::runtime_error& error)
+    {
+      reason = error.what();
+    }
+  }
+  throw std::runtime_error("face #" + std::to_string(face.FileId) + ": " + reason);
+}
+}

@@ -1,0 +1,111 @@
+/**
+ * @file smFacePanels.h
+ * @brief A face cut into the work items of integration: panels, ribbons and caps
+ *
+ * A **panel** is the part {(xi s(t), r(t)) : 0 <= xi <= 1} of one rational Bézier patch, left of one piece
+ * (s(t), r(t)) of a trim curve, in the patch's own parameters (s,r) in [0,1]^2. A **ribbon** is the ruled strip
+ * (1-l) S(c(t)) + l C(t) that leads a face's boundary to its edge's curve. A **cap** is a flat triangle at a
+ * corner of a loop. Together they are the closed chain of the face: what is left of its boundary are the
+ * edge curves and the stubs between vertices and the ends of the edge curves, which cancel between faces.
+ *
+ * Everything is local to the face: the items of a face depend on nothing but the face. Where the degree in
+ * u is the higher one, u and v are exchanged, so that the inner direction s is the one of lower degree.
+ */
+#ifndef smFacePanels_h
+#define smFacePanels_h
+
+#include "smFiltersNURBSModule.h"
+
+#include "smFace.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace sm
+{
+/// One rational Bézier patch.
+struct Patch
+{
+  /// Control points are relative to this point (in model coordinates).
+  double Center[3];
+  /// Largest distance of a control point from Center.
+  double Radius;
+  /// Local parameters: s = (u - Start[0]) / Width[0], r = (v - Start[1]) / Width[1].
+  double Start[2];
+  double Width[2];
+  /// Index of the first of (Degree[0]+1) x (Degree[1]+1) points in FacePanels::Points, s fastest.
+  std::uint32_t FirstPoint;
+  int Degree[2];
+};
+
+/// What a panel's shape says about the order of its Gauss rules.
+enum class PanelShape : std::uint8_t
+{
+  General,
+  /// Straight in s, with the normal's direction constant along s (cones): |n| and x.n are polynomial in s.
+  Straight,
+  /// The same, and the normal itself is constant along s (cylinders, extrusions).
+  Prismatic,
+  /// A parallelogram with constant normal.
+  Flat
+};
+
+struct Panel
+{
+  std::uint32_t Patch;
+  /// Trim piece: first double in FacePanels::Coefficients (u,v pairs) and degree.
+  std::uint32_t Trim;
+  std::uint8_t TrimDegree;
+  PanelShape Shape;
+  /// Sign of the coverage: -1 subtracts the part left of the piece.
+  bool Negative;
+  /// The outward normal is -(Ss x Sr).
+  bool FlipNormal;
+  /// Range of the piece's local parameter, and of xi.
+  double Start, End;
+};
+
+struct Ribbon
+{
+  std::uint32_t Patch;
+  std::uint32_t Trim;
+  /// Edge piece: first double in Coefficients (x,y,z triples).
+  std::uint32_t Edge;
+  std::uint8_t TrimDegree;
+  std::uint8_t EdgeDegree;
+  /// The outward normal of the chain is -(X_l x X_t).
+  bool FlipNormal;
+  /// False for the closing strip at a loop's corner: its width says nothing about the gap to the edge.
+  bool AlongEdge;
+  double Start, End;
+  double EdgeStart, EdgeEnd;
+};
+
+/// The triangle Apex, From, To of a corner cone; the area vector of the chain is (From-Apex) x (To-Apex) / 2,
+/// turned when FlipNormal.
+struct Cap
+{
+  std::array<double, 3> Apex, From, To;
+  bool FlipNormal;
+};
+
+struct FacePanels
+{
+  std::vector<Patch> Patches;
+  std::vector<std::array<double, 4>> Points;
+  std::vector<double> Coefficients;
+  std::vector<Panel> Panels;
+  std::vector<Ribbon> Ribbons;
+  std::vector<Cap> Caps;
+  /// Cells counted more than once or negatively, over more than a sliver: a loop is wrong.
+  int CoverageDefects = 0;
+  /// Largest distance (about, a length) of a trim curve outside the surface's domain.
+  double Outside = 0.0;
+};
+
+/// Cuts a face. Throws std::runtime_error naming the face when its surface or a trim curve is not valid.
+SMFILTERSNURBS_EXPORT FacePanels BuildFacePanels(const Face& face);
+}
+
+#endif

@@ -1,0 +1,195 @@
+#include "smNURBSSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace sm
+{
+namespace
+{
+using Homogeneous = std::array<double, 4>;
+
+/// Index k with knots[k] <= (a+b)/2 < knots[k+1]: the span that [a,b] lies in, clamped to the domain.
+int FindSpan(const std::vector<double>& knots, int degree, double middle)
+{
+  const int last = static_cast<int>(knots.size()) - 2 - degree;
+  const auto after = std::upper_bound(knots.begin() + degree, knots.begin() + last + 1, middle);
+  return std::clamp(static_cast<int>(after - knots.begin()) - 1, degree, last);
+}
+
+/// Bézier coefficients on [a,b] of the polynomial that the B-spline has on span k: coefficient i is the
+/// blossom (polar form) at (a, .., a, b, .., b) with i times b. `points` holds the degree+1 active de
+/// Boor points with stride `stride`.
+void Blossom(const std::vector<double>& knots, int degree, int k, double a, double b,
+  const Homogeneous* points, int stride, Homogeneous* result, int resultStride)
+{
+  Homogeneous d[MaximumDegree + 1];
+  for (int i = 0; i <= degree; ++i)
+  {
+    for (int j = 0; j <= degree; ++j)
+    {
+      d[j] = points[j * stride];
+    }
+    for (int level = 1; level <= degree; ++level)
+    {
+      const double argument = level <= degree - i ? a : b;
+      for (int j = degree; j >= level; --j)
+      {
+        const double low = knots[k - degree + j];
+        const double high = knots[k + 1 + j - level];
+        const double alpha = (argument - low) / (high - low);
+        for (int c = 0; c < 4; ++c)
+        {
+          d[j][c] = (1.0 - alpha) * d[j - 1][c] + alpha * d[j][c];
+        }
+      }
+    }
+    result[i * resultStride] = d[degree];
+  }
+}
+}
+
+std::vector<double> NURBSSurface::GetSpanBreaks(int direction) const
+{
+  const std::vector<double>& knots = this->Knots[direction];
+  std::vector<double> breaks;
+  for (std::size_t i = this->Degree[direction]; i + this->Degree[direction] < knots.size(); ++i)
+  {
+    if (breaks.empty() || knots[i] > breaks.back())
+    {
+      breaks.push_back(knots[i]);
+    }
+  }
+  return breaks;
+}
+
+std::string NURBSSurface::Check() const
+{
+  std::ostringstream what;
+  for (int d = 0; d < 2; ++d)
+  {
+    const char* name = d == 0 ? "u" : "v";
+    if (this->Degree[d] < 1 || this->Degree[d] > MaximumDegree)
+    {
+      what << "degree " << this->Degree[d] << " in " << name << " is outside 1.." << MaximumDegree;
+      return what.str();
+    }
+    if (this->NumberOfControlPoints[d] <= this->Degree[d] ||
+      this->Knots[d].size() != static_cast<std::size_t>(this->NumberOfControlPoints[d] + this->Degree[d] + 1))
+    {
+      what << this->Knots[d].size() << " knots in " << name << " do not fit "
+           << this->NumberOfControlPoints[d] << " control points of degree " << this->Degree[d];
+      return what.str();
+    }
+    if (!std::is_sorted(this->Knots[d].begin(), this->Knots[d].end()) ||
+      !(this->GetDomainEnd(d) > this->GetDomainStart(d)))
+    {
+      what << "knots in " << name << " decrease or span nothing";
+      return what.str();
+    }
+  }
+  if (this->ControlPoints.size() !=
+    static_cast<std::size_t>(this->NumberOfControlPoints[0]) * this->NumberOfControlPoints[1])
+  {
+    what << this->ControlPoints.size() << " control points instead of " << this->NumberOfControlPoints[0]
+         << " x " << this->NumberOfControlPoints[1];
+    return what.str();
+  }
+  for (std::size_t i = 0; i < this->ControlPoints.size(); ++i)
+  {
+    const Homogeneous& p = this->ControlPoints[i];
+    if (!(p[3] > 0.0) || !std::isfinite(p[0] + p[1] + p[2] + p[3]))
+    {
+      what << "control point " << i << " is not finite or its weight is not positive";
+      return what.str();
+    }
+  }
+  return {};
+}
+
+void NURBSSurface::ExtractBezier(
+  double u0, double u1, double v0, double v1, std::array<double, 4>* points) const
+{
+  const int p = this->Degree[0];
+  const int q = this->Degree[1];
+  const int ku = FindSpan(this->Knots[0], p, 0.5 * (u0 + u1));
+  const int kv = FindSpan(this->Knots[1], q, 0.5 * (v0 + v1));
+  Homogeneous partial[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  for (int j = 0; j <= q; ++j)
+  {
+    const Homogeneous* row = this->ControlPoints.data() + (ku - p) +
+      static_cast<std::size_t>(kv - q + j) * this->NumberOfControlPoints[0];
+    Blossom(this->Knots[0], p, ku, u0, u1, row, 1, partial + j * (p + 1), 1);
+  }
+  for (int i = 0; i <= p; ++i)
+  {
+    Blossom(this->Knots[1], q, kv, v0, v1, partial + i, p + 1, points + i, p + 1);
+  }
+}
+
+void NURBSSurface::Evaluate(double u, double v, double position[3], double du[3], double dv[3]) const
+{
+  const int p = this->Degree[0];
+  const int q = this->Degree[1];
+  const int ku = FindSpan(this->Knots[0], p, u);
+  const int kv = FindSpan(this->Knots[1], q, v);
+  const double u0 = this->Knots[0][ku], u1 = this->Knots[0][ku + 1];
+  const double v0 = this->Knots[1][kv], v1 = this->Knots[1][kv + 1];
+  Homogeneous cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  this->ExtractBezier(u0, u1, v0, v1, cell);
+
+  const double s = (u - u0) / (u1 - u0);
+  const double r = (v - v0) / (v1 - v0);
+  Homogeneous column[MaximumDegree + 1] = {};
+  Homogeneous columnR[MaximumDegree + 1];
+  for (int i = 0; i <= p; ++i)
+  {
+    Homogeneous line[MaximumDegree + 1] = {};
+    for (int j = 0; j <= q; ++j)
+    {
+      line[j] = cell[i + j * (p + 1)];
+    }
+    column[i] = BernsteinPiece<4>{ line, q }.Evaluate(r, &columnR[i]);
+  }
+  Homogeneous hs;
+  Homogeneous hr;
+  const Homogeneous h = BernsteinPiece<4>{ column, p }.Evaluate(s, &hs);
+  hr = BernsteinPiece<4>{ columnR, p }.Evaluate(s);
+  for (int c = 0; c < 3; ++c)
+  {
+    position[c] = h[c] / h[3];
+    if (du)
+    {
+      du[c] = (hs[c] - position[c] * hs[3]) / h[3] / (u1 - u0);
+    }
+    if (dv)
+    {
+      dv[c] = (hr[c] - position[c] * hr[3]) / h[3] / (v1 - v0);
+    }
+  }
+}
+
+NURBSSurface NURBSSurface::Transposed() const
+{
+  NURBSSurface other;
+  other.Degree[0] = this->Degree[1];
+  other.Degree[1] = this->Degree[0];
+  other.Knots[0] = this->Knots[1];
+  other.Knots[1] = this->Knots[0];
+  other.NumberOfControlPoints[0] = this->NumberOfControlPoints[1];
+  other.NumberOfControlPoints[1] = this->NumberOfControlPoints[0];
+  other.Rational = this->Rational;
+  other.Residual = this->Residual;
+  other.ControlPoints.resize(this->ControlPoints.size());
+  for (int j = 0; j < this->NumberOfControlPoints[1]; ++j)
+  {
+    for (int i = 0; i < this->NumberOfControlPoints[0]; ++i)
+    {
+      other.ControlPoints[j + static_cast<std::size_t>(i) * other.NumberOfControlPoints[0]] =
+        this->ControlPoints[i + static_cast<std::size_t>(j) * this->NumberOfControlPoints[0]];
+    }
+  }
+  return other;
+}
+}

@@ -1,0 +1,128 @@
+#include "vtkNURBSDataSet.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkTrimmedNURBSModel.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkNURBSDataSet);
+vtkStandardExtendedNewMacro(vtkNURBSDataSet);
+
+vtkNURBSDataSet::vtkNURBSDataSet()
+{
+  vtkMatrix4x4::Identity(this->Placement);
+}
+
+vtkNURBSDataSet::~vtkNURBSDataSet() = default;
+
+void vtkNURBSDataSet::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Model: " << (this->Model ? this->Model->GetName() : "(none)")
+     << (this->IsModelWithheld() ? " (withheld: the points changed)" : "") << "\n";
+}
+
+void vtkNURBSDataSet::SetModel(vtkTrimmedNURBSModel* model)
+{
+  this->Model = model;
+  this->ModelPoints = model ? this->GetPoints() : nullptr;
+  this->ModelPointsTime = this->ModelPoints ? this->ModelPoints->GetMTime() : 0;
+  this->Modified();
+}
+
+bool vtkNURBSDataSet::ArePointsOriginal()
+{
+  vtkPoints* points = this->GetPoints();
+  return points == this->ModelPoints && (!points || points->GetMTime() <= this->ModelPointsTime);
+}
+
+vtkTrimmedNURBSModel* vtkNURBSDataSet::GetModel()
+{
+  return this->Model && this->ArePointsOriginal() ? this->Model.Get() : nullptr;
+}
+
+bool vtkNURBSDataSet::IsModelWithheld()
+{
+  return this->Model && !this->ArePointsOriginal();
+}
+
+void vtkNURBSDataSet::SetPlacement(vtkMatrix4x4* placement)
+{
+  std::copy_n(placement->GetData(), 16, this->Placement);
+  this->Modified();
+}
+
+void vtkNURBSDataSet::GetPlacement(vtkMatrix4x4* placement)
+{
+  placement->DeepCopy(this->Placement);
+}
+
+void vtkNURBSDataSet::DropModel()
+{
+  this->Model = nullptr;
+  this->ModelPoints = nullptr;
+  this->ModelPointsTime = 0;
+  vtkMatrix4x4::Identity(this->Placement);
+}
+
+void vtkNURBSDataSet::CopyModel(vtkNURBSDataSet* source)
+{
+  if (!source || !source->GetModel())
+  {
+    this->DropModel();
+    return;
+  }
+  std::copy_n(source->Placement, 16, this->Placement);
+  this->SetModel(source->Model);
+}
+
+void vtkNURBSDataSet::Initialize()
+{
+  this->Superclass::Initialize();
+  this->DropModel();
+}
+
+void vtkNURBSDataSet::ShallowCopy(vtkDataObject* source)
+{
+  if (source == this)
+  {
+    return;
+  }
+  this->Superclass::ShallowCopy(source);
+  this->CopyModel(vtkNURBSDataSet::SafeDownCast(source));
+}
+
+void vtkNURBSDataSet::DeepCopy(vtkDataObject* source)
+{
+  if (source == this)
+  {
+    return;
+  }
+  this->Superclass::DeepCopy(source);
+  this->CopyModel(vtkNURBSDataSet::SafeDownCast(source));
+}
+
+void vtkNURBSDataSet::CopyStructure(vtkDataSet* source)
+{
+  this->Superclass::CopyStructure(source);
+  this->DropModel();
+}
+
+unsigned long vtkNURBSDataSet::GetActualMemorySize()
+{
+  return this->Superclass::GetActualMemorySize() + (this->Model ? this->Model->GetActualMemorySize() : 0);
+}
+
+vtkNURBSDataSet* vtkNURBSDataSet::GetData(vtkInformation* info)
+{
+  return info ? vtkNURBSDataSet::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT())) : nullptr;
+}
+
+vtkNURBSDataSet* vtkNURBSDataSet::GetData(vtkInformationVector* vector, int index)
+{
+  return vtkNURBSDataSet::GetData(vector->GetInformationObject(index));
+}

@@ -1,0 +1,83 @@
+/**
+ * @class   vtkNURBSDataSet
+ * @brief   one instance of a solid: a display mesh with its exact trimmed NURBS model beside it
+ *
+ * The polydata is what any VTK filter or ParaView view shows, in world coordinates. The model is the exact
+ * geometry that mass properties are computed from. World position = Placement * (part position), with a
+ * rigid or mirrored 4x4 placement.
+ *
+ * Arrays of the polydata that a reader fills:
+ * | name          | association | components | meaning                                             |
+ * |---------------|-------------|------------|-----------------------------------------------------|
+ * | FaceIndex     | cell, point | 1 (int)    | index of the face in the model                      |
+ * | Parameters    | point       | 2          | (u,v) of the point on that face's surface           |
+ *
+ * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it; and
+ * GetModel() withholds it when somebody replaced or changed the points (a deformed mesh must not answer with
+ * the volume of the part before). Such a mesh is an ordinary polydata from then on.
+ */
+#ifndef vtkNURBSDataSet_h
+#define vtkNURBSDataSet_h
+
+#include "smFiltersNURBSModule.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h" // for the model
+
+class vtkMatrix4x4;
+class vtkTrimmedNURBSModel;
+
+class SMFILTERSNURBS_EXPORT vtkNURBSDataSet : public vtkPolyData
+{
+public:
+  static vtkNURBSDataSet* New();
+  static vtkNURBSDataSet* ExtendedNew();
+  vtkTypeMacro(vtkNURBSDataSet, vtkPolyData);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Names of the arrays in the table above. */
+  static const char* FaceIndexArrayName() { return "FaceIndex"; }
+  static const char* ParametersArrayName() { return "Parameters"; }
+
+  /** Sets the exact geometry of the points that are there now. Set the points first. */
+  void SetModel(vtkTrimmedNURBSModel* model);
+
+  /** The exact geometry, or null: none was set, or the points are no longer the ones it came with. */
+  vtkTrimmedNURBSModel* GetModel();
+
+  /** True when a model was set but is withheld because the points changed since. */
+  bool IsModelWithheld();
+
+  /** Part to world: a row-major 4x4 matrix, a rotation (or reflection) and a translation. Default: identity. */
+  void SetPlacement(vtkMatrix4x4* placement);
+  void GetPlacement(vtkMatrix4x4* placement);
+  const double* GetPlacementData() const VTK_SIZEHINT(16) { return this->Placement; }
+
+  void Initialize() override;
+  void ShallowCopy(vtkDataObject* source) override;
+  void DeepCopy(vtkDataObject* source) override;
+  void CopyStructure(vtkDataSet* source) override;
+  unsigned long GetActualMemorySize() override;
+
+  static vtkNURBSDataSet* GetData(vtkInformation* info);
+  static vtkNURBSDataSet* GetData(vtkInformationVector* vector, int index = 0);
+
+protected:
+  vtkNURBSDataSet();
+  ~vtkNURBSDataSet() override;
+
+private:
+  vtkNURBSDataSet(const vtkNURBSDataSet&) = delete;
+  void operator=(const vtkNURBSDataSet&) = delete;
+
+  void DropModel();
+  void CopyModel(vtkNURBSDataSet* source);
+  bool ArePointsOriginal();
+
+  vtkSmartPointer<vtkTrimmedNURBSModel> Model;
+  double Placement[16];
+  /// The points that the model describes, and their age when it was set.
+  vtkSmartPointer<vtkPoints> ModelPoints;
+  vtkMTimeType ModelPointsTime = 0;
+};
+
+#endif

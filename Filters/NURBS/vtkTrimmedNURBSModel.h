@@ -1,0 +1,140 @@
+/**
+ * @class   vtkTrimmedNURBSModel
+ * @brief   the exact geometry of one body: trimmed NURBS faces joined along edges
+ *
+ * A model is one solid or one free shell, in the coordinates of its own part. It is shared by all its
+ * instances (vtkNURBSDataSet holds a model and the placement of the instance) and its faces are immutable
+ * values shared by pointer (smFace.h), so a shallow copy costs a vector of pointers.
+ *
+ * Every coordinate in the faces and edges is relative to Origin, so that a part far from the file's
+ * origin keeps its digits: position in part coordinates = Origin + stored coordinate.
+ *
+ * Lengths are in LengthUnit. Not thread safe while being changed; reading from several threads is safe.
+ */
+#ifndef vtkTrimmedNURBSModel_h
+#define vtkTrimmedNURBSModel_h
+
+#include "smFiltersNURBSModule.h"
+#include "vtkObject.h"
+
+#include "smFace.h" // for FacePointer
+
+#include <string> // for std::string
+#include <vector> // for std::vector
+
+class SMFILTERSNURBS_EXPORT vtkTrimmedNURBSModel : public vtkObject
+{
+public:
+  static vtkTrimmedNURBSModel* New();
+  vtkTypeMacro(vtkTrimmedNURBSModel, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** What the model is: a solid (its faces should close) or a free shell (a surface with area only). */
+  enum BodyType
+  {
+    SOLID = 0,
+    SHELL = 1
+  };
+  vtkSetClampMacro(Body, int, SOLID, SHELL);
+  vtkGetMacro(Body, int);
+
+  /** Product or body name from the file; may be empty. */
+  vtkSetMacro(Name, std::string);
+  vtkGetMacro(Name, std::string);
+
+  /** Entity number of the body in the file (1234 for #1234); 0 when it has none. */
+  vtkSetMacro(FileId, int);
+  vtkGetMacro(FileId, int);
+
+  /** Unit of every length: "mm" by default. */
+  vtkSetMacro(LengthUnit, std::string);
+  vtkGetMacro(LengthUnit, std::string);
+
+  /** Material name and density (kg/m^3) the file states; empty and 0 when it states none. */
+  vtkSetMacro(Material, std::string);
+  vtkGetMacro(Material, std::string);
+  vtkSetMacro(Density, double);
+  vtkGetMacro(Density, double);
+
+  /** Volume and area the originating CAD system wrote into the file, in LengthUnit; NaN when it wrote none. */
+  vtkSetMacro(FileVolume, double);
+  vtkGetMacro(FileVolume, double);
+  vtkSetMacro(FileArea, double);
+  vtkGetMacro(FileArea, double);
+
+  /** Part coordinates of the point that stored coordinates are relative to. Default: 0 0 0. */
+  vtkSetVector3Macro(Origin, double);
+  vtkGetVector3Macro(Origin, double);
+
+  /** xmin, xmax, ymin … of the body relative to Origin. It fixes the scale and the reference point of
+   * integration, so it belongs to the model and does not follow an edit of a face. Default: zeros. */
+  vtkSetVector6Macro(LocalBounds, double);
+  vtkGetVector6Macro(LocalBounds, double);
+
+  /** Fixed scales that tolerances are relative to: about the volume and the area of the body, from the
+   * display mesh. They set the accuracy asked of each face, not the result. 0: not known, use LocalBounds. */
+  vtkSetMacro(VolumeScale, double);
+  vtkGetMacro(VolumeScale, double);
+  vtkSetMacro(AreaScale, double);
+  vtkGetMacro(AreaScale, double);
+
+  vtkIdType GetNumberOfFaces() const { return static_cast<vtkIdType>(this->Faces.size()); }
+  /** Number of distinct edges that the faces use. */
+  vtkIdType GetNumberOfEdges() const;
+
+#ifndef __VTK_WRAP__
+  const std::vector<sm::FacePointer>& GetFaces() const
+  {
+    return this->Faces;
+  }
+  void SetFaces(std::vector<sm::FacePointer> faces);
+  /** Exchanges one face; the model is modified. */
+  void SetFace(vtkIdType index, sm::FacePointer face);
+
+  /** Shells as lists of face indices; the reader keeps the order of the file. */
+  const std::vector<std::vector<int>>& GetShells() const
+  {
+    return this->Shells;
+  }
+  void SetShells(std::vector<std::vector<int>> shells);
+
+  /** What the reader has to say about the body, one sentence each. */
+  const std::vector<std::string>& GetMessages() const
+  {
+    return this->Messages;
+  }
+  void SetMessages(std::vector<std::string> messages);
+#endif
+
+  /** Shares all faces of `source` and copies the rest. */
+  void ShallowCopy(vtkTrimmedNURBSModel* source);
+
+  /** Memory of faces and edges in kibibytes. Shared faces count in every model that uses them. */
+  unsigned long GetActualMemorySize() const;
+
+protected:
+  vtkTrimmedNURBSModel();
+  ~vtkTrimmedNURBSModel() override;
+
+private:
+  vtkTrimmedNURBSModel(const vtkTrimmedNURBSModel&) = delete;
+  void operator=(const vtkTrimmedNURBSModel&) = delete;
+
+  int Body = SOLID;
+  std::string Name;
+  int FileId = 0;
+  std::string LengthUnit = "mm";
+  std::string Material;
+  double Density = 0.0;
+  double FileVolume;
+  double FileArea;
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double LocalBounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  double VolumeScale = 0.0;
+  double AreaScale = 0.0;
+  std::vector<sm::FacePointer> Faces;
+  std::vector<std::vector<int>> Shells;
+  std::vector<std::string> Messages;
+};
+
+#endif
