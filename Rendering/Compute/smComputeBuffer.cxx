@@ -1,0 +1,277 @@
+#include "smComputeBuffer.h"
+
+#include "smContextResources.h"
+#include "smContextScope.h"
+#include "smOpenGL.h"
+#include "vtkComputeContext.h"
+
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace
+{
+/// A binding point needs some bytes behind it even when the buffer has none.
+constexpr std::size_t LeastBytes = 16;
+
+bool Enter(const sm::ContextResources& resources, std::optional<sm::ContextScope>& scope)
+{
+  if (sm::ContextScope::IsInside(resources.Context))
+  {
+    return true;
+  }
+  scope.emplace(resources.Context);
+  return static_cast<bool>(*scope);
+}
+}
+
+namespace sm
+{
+ComputeBuffer::ComputeBuffer() = default;
+
+ComputeBuffer::ComputeBuffer(vtkComputeContext* context)
+{
+  if (context)
+  {
+    this->Resources = context->GetResources();
+  }
+}
+
+ComputeBuffer::~ComputeBuffer()
+{
+  this->Free();
+}
+
+ComputeBuffer::ComputeBuffer(ComputeBuffer&& other) noexcept
+{
+  *this = std::move(other);
+}
+
+ComputeBuffer& ComputeBuffer::operator=(ComputeBuffer&& other) noexcept
+{
+  if (this != &other)
+  {
+    this->Free();
+    this->Resources = other.Resources;
+    this->Generation = std::exchange(other.Generation, 0);
+    this->Name = std::exchange(other.Name, 0);
+    this->Size = std::exchange(other.Size, 0);
+    this->Capacity = std::exchange(other.Capacity, 0);
+    this->Error = std::move(other.Error);
+  }
+  return *this;
+}
+
+bool ComputeBuffer::Fail(const std::string& what)
+{
+  this->Error = what;
+  return false;
+}
+
+bool ComputeBuffer::IsLost() const
+{
+  return this->Name != 0 && this->Generation != this->Resources->Generation;
+}
+
+std::size_t ComputeBuffer::GetSize() const
+{
+  return this->IsLost() ? 0 : this->Size;
+}
+
+void ComputeBuffer::Free()
+{
+  if (this->Name != 0 && !this->IsLost())
+  {
+    // When the context cannot be entered now, it frees the name itself when it ends.
+    std::optional<ContextScope> scope;
+    if (Enter(*this->Resources, scope))
+    {
+      this->Resources->FreeBuffer(this->Name);
+    }
+  }
+  this->Name = 0;
+  this->Generation = 0;
+  this->Size = 0;
+  this->Capacity = 0;
+}
+
+bool ComputeBuffer::Create(std::size_t bytes)
+{
+  this->Free();
+  GLuint name = 0;
+  DrainErrors();
+  glGenBuffers(1, &name);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, name);
+  glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+  const std::string error = TakeError();
+  if (!error.empty())
+  {
+    glDeleteBuffers(1, &name);
+    return this->Fail(error + " for a buffer of " + std::to_string(bytes) + " bytes");
+  }
+  this->Name = name;
+  this->Generation = this->Resources->Generation;
+  this->Capacity = bytes;
+  this->Resources->AddBuffer(name, bytes);
+  return true;
+}
+
+bool ComputeBuffer::Allocate(std::size_t bytes)
+{
+  this->Error.clear();
+  if (this->IsLost())
+  {
+    this->Free();
+  }
+  if (bytes <= this->Capacity)
+  {
+    this->Size = bytes;
+    return true;
+  }
+  std::optional<ContextScope> scope;
+  if (!this->Resources || !Enter(*this->Resources, scope))
+  {
+    return this->Fail("the compute context is not ready");
+  }
+  if (bytes > static_cast<std::size_t>(std::numeric_limits<GLsizeiptr>::max()))
+  {
+    this->Free();
+    return this->Fail(std::to_string(bytes) + " bytes are too many for a buffer");
+  }
+  if (!this->Create(bytes))
+  {
+    return false;
+  }
+  this->Size = bytes;
+  return true;
+}
+
+bool ComputeBuffer::Upload(const void* data, std::size_t bytes, std::size_t offset)
+{
+  this->Error.clear();
+  if (offset == 0 && bytes > this->GetSize() && !this->Allocate(bytes))
+  {
+    return false;
+  }
+  const std::size_t size = this->GetSize();
+  if (offset > size || bytes > size - offset)
+  {
+    return this->Fail("an upload of " + std::to_string(bytes) + " bytes at " + std::to_string(offset) +
+      " is outside a buffer of " + std::to_string(size));
+  }
+  if (bytes == 0)
+  {
+    return true;
+  }
+  std::optional<ContextScope> scope;
+  if (!Enter(*this->Resources, scope))
+  {
+    return this->Fail("the compute context is not ready");
+  }
+  DrainErrors();
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Name);
+  glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+  const std::string error = TakeError();
+  return error.empty() || this->Fail(error + " in an upload of " + std::to_string(bytes) + " bytes");
+}
+
+bool ComputeBuffer::Read(void* data, std::size_t bytes, std::size_t offset)
+{
+  this->Error.clear();
+  const std::size_t size = this->GetSize();
+  if (offset > size || bytes > size - offset)
+  {
+    return this->Fail("a read of " + std::to_string(bytes) + " bytes at " + std::to_string(offset) +
+      " is outside a buffer of " + std::to_string(size));
+  }
+  if (bytes == 0)
+  {
+    return true;
+  }
+  std::optional<ContextScope> scope;
+  if (!Enter(*this->Resources, scope))
+  {
+    return this->Fail("the compute context is not ready");
+  }
+  DrainErrors();
+  glBindBuffer(GL_COPY_READ_BUFFER, this->Name);
+  glGetBufferSubData(
+    GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+  const std::string error = TakeError();
+  return error.empty() || this->Fail(error + " in a read of " + std::to_string(bytes) + " bytes");
+}
+
+bool ComputeBuffer::Clear()
+{
+  this->Error.clear();
+  if (this->GetSize() == 0)
+  {
+    return true;
+  }
+  std::optional<ContextScope> scope;
+  if (!Enter(*this->Resources, scope))
+  {
+    return this->Fail("the compute context is not ready");
+  }
+  DrainErrors();
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Name);
+  glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
+  const std::string error = TakeError();
+  return error.empty() || this->Fail(error + " in clearing " + std::to_string(this->Size) + " bytes");
+}
+
+bool ComputeBuffer::Bind(unsigned int binding, std::size_t offset, std::size_t bytes)
+{
+  this->Error.clear();
+  if (!this->Resources || !ContextScope::IsInside(this->Resources->Context))
+  {
+    return this->Fail("a buffer can be bound inside a scope of its context only");
+  }
+  std::size_t size = this->GetSize();
+  if (offset > size || bytes > size - offset)
+  {
+    return this->Fail("the range of " + std::to_string(bytes) + " bytes at " + std::to_string(offset) +
+      " is outside a buffer of " + std::to_string(size));
+  }
+  if (bytes == 0)
+  {
+    bytes = size - offset;
+  }
+  if (bytes == 0)
+  {
+    if ((this->Name == 0 || this->IsLost() || this->Capacity < LeastBytes) && !this->Create(LeastBytes))
+    {
+      return false;
+    }
+    this->Size = size;
+    offset = 0;
+    bytes = LeastBytes;
+  }
+  const std::int64_t limit = this->Resources->MaximumStorageBlockSize;
+  if (static_cast<std::uint64_t>(bytes) > static_cast<std::uint64_t>(limit))
+  {
+    return this->Fail(std::to_string(bytes) + " bytes are more than a shader storage block may have (" +
+      std::to_string(limit) + "); bind parts");
+  }
+  if (offset % static_cast<std::size_t>(this->Resources->StorageOffsetAlignment) != 0)
+  {
+    return this->Fail("offset " + std::to_string(offset) + " is no multiple of " +
+      std::to_string(this->Resources->StorageOffsetAlignment));
+  }
+  DrainErrors();
+  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, this->Name, static_cast<GLintptr>(offset),
+    static_cast<GLsizeiptr>(bytes));
+  const std::string error = TakeError();
+  return error.empty() || this->Fail(error + " in binding point " + std::to_string(binding));
+}
+
+long ComputeBuffer::GetLiveCount()
+{
+  return ContextResources::GetLiveBuffers();
+}
+
+std::int64_t ComputeBuffer::GetLiveBytes()
+{
+  return ContextResources::GetLiveBytes();
+}
+}

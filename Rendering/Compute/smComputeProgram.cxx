@@ -1,0 +1,230 @@
+#include "smComputeProgram.h"
+
+#include "smContextResources.h"
+#include "smContextScope.h"
+#include "smOpenGL.h"
+#include "smShaderSource.h"
+#include "vtkComputeContext.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace
+{
+std::string GetLog(GLuint name, PFNGLGETSHADERIVPROC query, PFNGLGETSHADERINFOLOGPROC getLog)
+{
+  GLint length = 0;
+  query(name, GL_INFO_LOG_LENGTH, &length);
+  if (length <= 1)
+  {
+    return {};
+  }
+  std::vector<char> text(static_cast<std::size_t>(length), '\0');
+  getLog(name, length, nullptr, text.data());
+  return text.data();
+}
+}
+
+namespace sm
+{
+ComputeProgram::ComputeProgram() = default;
+
+ComputeProgram::~ComputeProgram()
+{
+  this->Free();
+}
+
+ComputeProgram::ComputeProgram(ComputeProgram&& other) noexcept
+{
+  *this = std::move(other);
+}
+
+ComputeProgram& ComputeProgram::operator=(ComputeProgram&& other) noexcept
+{
+  if (this != &other)
+  {
+    this->Free();
+    this->Resources = std::move(other.Resources);
+    this->Generation = std::exchange(other.Generation, 0);
+    this->Name = std::exchange(other.Name, 0);
+    this->LocalSize = std::exchange(other.LocalSize, 0);
+    this->Label = std::move(other.Label);
+    this->Error = std::move(other.Error);
+  }
+  return *this;
+}
+
+bool ComputeProgram::Fail(const std::string& what)
+{
+  this->Error = this->Label + ": " + what;
+  return false;
+}
+
+bool ComputeProgram::IsBuilt() const
+{
+  return this->Name != 0 && this->Generation == this->Resources->Generation;
+}
+
+void ComputeProgram::Free()
+{
+  if (this->IsBuilt())
+  {
+    // When the context cannot be entered now, it frees the name itself when it ends.
+    std::optional<ContextScope> scope;
+    if (ContextScope::IsInside(this->Resources->Context) || scope.emplace(this->Resources->Context))
+    {
+      this->Resources->FreeProgram(this->Name);
+    }
+  }
+  this->Name = 0;
+  this->Generation = 0;
+  this->LocalSize = 0;
+}
+
+bool ComputeProgram::Build(vtkComputeContext* context, const std::string& name, const std::string& source)
+{
+  this->Free();
+  this->Label = name;
+  this->Error.clear();
+  std::optional<ContextScope> scope;
+  if (!ContextScope::IsInside(context) && !scope.emplace(context))
+  {
+    return this->Fail("the compute context is not ready");
+  }
+  this->Resources = context->GetResources();
+
+  DrainErrors();
+  const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
+  const char* text = source.c_str();
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  GLint done = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
+  if (!done)
+  {
+    const std::string log = GetLog(shader, glGetShaderiv, glGetShaderInfoLog);
+    glDeleteShader(shader);
+    return this->Fail("does not compile\n" + log + "\n" + ShaderSource::NumberLines(source));
+  }
+
+  const GLuint program = glCreateProgram();
+  glAttachShader(program, shader);
+  glLinkProgram(program);
+  glGetProgramiv(program, GL_LINK_STATUS, &done);
+  glDetachShader(program, shader);
+  glDeleteShader(shader);
+  if (!done)
+  {
+    const std::string log = GetLog(program, glGetProgramiv, glGetProgramInfoLog);
+    glDeleteProgram(program);
+    return this->Fail("does not link\n" + log + "\n" + ShaderSource::NumberLines(source));
+  }
+  GLint size[3] = { 0, 0, 0 };
+  glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, size);
+  this->LocalSize = static_cast<unsigned int>(size[0]);
+  this->Name = program;
+  this->Generation = this->Resources->Generation;
+  this->Resources->AddProgram(program);
+  const std::string error = TakeError();
+  return error.empty() || this->Fail(error + " while the program was built");
+}
+
+int ComputeProgram::FindUniform(const char* name)
+{
+  this->Error.clear();
+  if (!this->IsBuilt() || !ContextScope::IsInside(this->Resources->Context))
+  {
+    this->Fail(std::string("uniform ") + name + " set outside a scope of a built program's context");
+    return -1;
+  }
+  DrainErrors();
+  const GLint location = glGetUniformLocation(this->Name, name);
+  if (location < 0)
+  {
+    this->Fail(std::string("has no active uniform ") + name);
+  }
+  return location;
+}
+
+bool ComputeProgram::CheckUniform(const char* name)
+{
+  const std::string error = TakeError();
+  return error.empty() || this->Fail(error + " for uniform " + name + ": is it of another type?");
+}
+
+bool ComputeProgram::SetUniform(const char* name, int value)
+{
+  const int location = this->FindUniform(name);
+  if (location < 0)
+  {
+    return false;
+  }
+  glProgramUniform1i(this->Name, location, value);
+  return this->CheckUniform(name);
+}
+
+bool ComputeProgram::SetUniform(const char* name, unsigned int value)
+{
+  const int location = this->FindUniform(name);
+  if (location < 0)
+  {
+    return false;
+  }
+  glProgramUniform1ui(this->Name, location, value);
+  return this->CheckUniform(name);
+}
+
+bool ComputeProgram::SetUniform(const char* name, double value)
+{
+  const int location = this->FindUniform(name);
+  if (location < 0)
+  {
+    return false;
+  }
+  glProgramUniform1d(this->Name, location, value);
+  return this->CheckUniform(name);
+}
+
+bool ComputeProgram::Dispatch(unsigned int invocations, unsigned int localSize)
+{
+  this->Error.clear();
+  if (!this->IsBuilt() || !ContextScope::IsInside(this->Resources->Context))
+  {
+    return this->Fail("dispatched outside a scope of a built program's context");
+  }
+  if (localSize == 0 || localSize != this->LocalSize)
+  {
+    return this->Fail("dispatched with local size " + std::to_string(localSize) + ", but the shader has " +
+      std::to_string(this->LocalSize));
+  }
+  if (invocations == 0)
+  {
+    return true;
+  }
+  const std::uint64_t groups = (static_cast<std::uint64_t>(invocations) + localSize - 1) / localSize;
+  const std::uint64_t maximumX = static_cast<std::uint64_t>(this->Resources->MaximumWorkGroupCount[0]);
+  const std::uint64_t maximumY = static_cast<std::uint64_t>(this->Resources->MaximumWorkGroupCount[1]);
+  const std::uint64_t rows = (groups + maximumX - 1) / maximumX;
+  const std::uint64_t columns = (groups + rows - 1) / rows;
+  // The shader's index is an unsigned 32-bit number, and those beyond the count must not wrap around to 0.
+  if (rows > maximumY || rows * columns * localSize > 0xffffffffu)
+  {
+    return this->Fail(std::to_string(invocations) + " invocations are too many for one dispatch");
+  }
+  DrainErrors();
+  glUseProgram(this->Name);
+  glDispatchCompute(static_cast<GLuint>(columns), static_cast<GLuint>(rows), 1);
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  ++this->Resources->Dispatches;
+  const std::string error = TakeError();
+  return error.empty() ||
+    this->Fail(
+      error + " in a dispatch of " + std::to_string(columns) + " x " + std::to_string(rows) + " groups");
+}
+
+long ComputeProgram::GetLiveCount()
+{
+  return ContextResources::GetLivePrograms();
+}
+}

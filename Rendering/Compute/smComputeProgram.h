@@ -1,0 +1,78 @@
+/**
+ * @file smComputeProgram.h
+ * @brief A compute program that frees itself in its own context
+ */
+#ifndef smComputeProgram_h
+#define smComputeProgram_h
+
+#include "smRenderingComputeModule.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+class vtkComputeContext;
+
+namespace sm
+{
+struct ContextResources;
+
+/**
+ * Owns one GL program with a compute shader. When the context ends the program is gone: IsBuilt() is false and
+ * Build() must be called again.
+ */
+class SMRENDERINGCOMPUTE_EXPORT ComputeProgram
+{
+public:
+  ComputeProgram();
+  ~ComputeProgram();
+  ComputeProgram(ComputeProgram&& other) noexcept;
+  ComputeProgram& operator=(ComputeProgram&& other) noexcept;
+  ComputeProgram(const ComputeProgram&) = delete;
+  ComputeProgram& operator=(const ComputeProgram&) = delete;
+
+  /** Compiles and links `source` (see ShaderSource) in the started `context`. May be called outside a
+   * ContextScope. On failure GetError() holds `name`, the driver's log and the source with line numbers. */
+  bool Build(vtkComputeContext* context, const std::string& name, const std::string& source);
+
+  /** Whether there is a program in the context's present generation. */
+  bool IsBuilt() const;
+
+  ///@{
+  /** Sets a uniform of the program, which keeps it between dispatches. Inside a ContextScope only. False when the
+   * program has no such active uniform (the compiler removes unused ones), or one of another type. */
+  bool SetUniform(const char* name, int value);
+  bool SetUniform(const char* name, unsigned int value);
+  bool SetUniform(const char* name, double value);
+  ///@}
+
+  /** Runs at least `invocations` invocations in groups of `localSize`, the shader's local_size_x, then a
+   * memory barrier. Inside a ContextScope only. When one axis has not enough groups the groups form a
+   * rectangle: the shader takes its index from smInvocationIndex() (chunk smInvocation) and returns when it is
+   * not below the count. Nothing to do for 0 invocations. Counts as one dispatch of the context. */
+  bool Dispatch(unsigned int invocations, unsigned int localSize);
+
+  /** Frees the program. */
+  void Free();
+
+  /** Why the last failed operation failed. */
+  const std::string& GetError() const { return this->Error; }
+
+  /** GL programs that exist in the process. Thread safe. */
+  static long GetLiveCount();
+
+private:
+  bool Fail(const std::string& what);
+  int FindUniform(const char* name);
+  bool CheckUniform(const char* name);
+
+  std::shared_ptr<ContextResources> Resources;
+  std::uint64_t Generation = 0;
+  unsigned int Name = 0;
+  unsigned int LocalSize = 0;
+  std::string Label;
+  std::string Error;
+};
+}
+
+#endif

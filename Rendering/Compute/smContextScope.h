@@ -1,0 +1,50 @@
+/**
+ * @file smContextScope.h
+ * @brief A scope in which a compute context is current; everything is as before when it ends
+ */
+#ifndef smContextScope_h
+#define smContextScope_h
+
+#include "smRenderingComputeModule.h"
+
+#include <memory>
+
+class vtkComputeContext;
+
+namespace sm
+{
+/**
+ * Makes the context current for the life of the object, whatever is current on the thread: a GLX context, an
+ * EGL context or none, for a filter's Update() may run in the middle of another window's Render().
+ *
+ * Saved on entry and restored at the end: the current context with its drawables and its API; within our
+ * context the current program (VTK's shader cache knows it again too), the indexed shader storage
+ * bindings 0 to 15, the generic shader storage, uniform, copy-read, copy-write and dispatch-indirect
+ * bindings. Compute code must not change any other state.
+ *
+ * Inside the scope of an EGL context no X window may render or end: VTK's would not release the context, and
+ * the X server ends the process. Scopes nest, of one context or of several. The context may end inside the scope; then the previous
+ * context is restored all the same.
+ */
+class SMRENDERINGCOMPUTE_EXPORT ContextScope
+{
+public:
+  /** `context` must be READY (call Start() before), or the scope is false and changes nothing. */
+  explicit ContextScope(vtkComputeContext* context);
+  ~ContextScope();
+  ContextScope(const ContextScope&) = delete;
+  ContextScope& operator=(const ContextScope&) = delete;
+
+  /** Whether the context was made current. */
+  explicit operator bool() const;
+
+  /** Whether this thread is inside a scope of `context` and that context is current. */
+  static bool IsInside(vtkComputeContext* context);
+
+private:
+  struct State;
+  std::unique_ptr<State> Saved;
+};
+}
+
+#endif

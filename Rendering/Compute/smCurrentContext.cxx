@@ -1,0 +1,150 @@
+#include "smCurrentContext.h"
+
+#include "smOpenGL.h"
+
+// After everything else: X defines common words as macros.
+#include "vtkXOpenGLRenderWindow.h"
+#include <EGL/egl.h>
+#include <GL/glx.h>
+
+namespace sm
+{
+CurrentContext::CurrentContext()
+  : GLXCurrentContext(glXGetCurrentContext())
+  , GLXCurrentDisplay(glXGetCurrentDisplay())
+  , GLXCurrentDraw(glXGetCurrentDrawable())
+  , GLXCurrentRead(glXGetCurrentReadDrawable())
+  , EGLCurrentApi(eglQueryAPI())
+  , EGLCurrentContext(eglGetCurrentContext())
+  , EGLCurrentDisplay(eglGetCurrentDisplay())
+  , EGLCurrentDraw(eglGetCurrentSurface(EGL_DRAW))
+  , EGLCurrentRead(eglGetCurrentSurface(EGL_READ))
+{
+}
+
+bool CurrentContext::Restore() const
+{
+  bool done = true;
+  if (eglGetCurrentContext() != this->EGLCurrentContext && !this->EGLCurrentContext)
+  {
+    ReleaseEGL();
+  }
+  if (this->GLXCurrentContext)
+  {
+    if (glXGetCurrentContext() != this->GLXCurrentContext ||
+      glXGetCurrentDrawable() != this->GLXCurrentDraw || glXGetCurrentReadDrawable() != this->GLXCurrentRead)
+    {
+      ReleaseEGL();
+      done = glXMakeContextCurrent(static_cast<Display*>(this->GLXCurrentDisplay), this->GLXCurrentDraw,
+        this->GLXCurrentRead, static_cast<GLXContext>(this->GLXCurrentContext));
+    }
+  }
+  else
+  {
+    ReleaseGLX();
+  }
+  if (this->EGLCurrentApi != EGL_NONE)
+  {
+    eglBindAPI(this->EGLCurrentApi);
+  }
+  if (this->EGLCurrentContext &&
+    (eglGetCurrentContext() != this->EGLCurrentContext ||
+      eglGetCurrentSurface(EGL_DRAW) != this->EGLCurrentDraw ||
+      eglGetCurrentSurface(EGL_READ) != this->EGLCurrentRead))
+  {
+    done = eglMakeCurrent(this->EGLCurrentDisplay, this->EGLCurrentDraw, this->EGLCurrentRead,
+             this->EGLCurrentContext) == EGL_TRUE;
+  }
+  return done;
+}
+
+void CurrentContext::ReleaseGLX()
+{
+  if (glXGetCurrentContext())
+  {
+    glXMakeContextCurrent(glXGetCurrentDisplay(), None, None, nullptr);
+  }
+}
+
+void CurrentContext::ReleaseEGL()
+{
+  if (eglGetCurrentContext() != EGL_NO_CONTEXT)
+  {
+    eglMakeCurrent(eglGetCurrentDisplay(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  }
+}
+
+int& GetOpenScopes()
+{
+  static thread_local int count = 0;
+  return count;
+}
+
+bool MakeWindowCurrent(vtkOpenGLRenderWindow* window)
+{
+  if (window->IsCurrent())
+  {
+    return true;
+  }
+  // glXMakeCurrent() with an EGL context current is an X error, and those end the process. The other way
+  // round only fails.
+  CurrentContext::ReleaseEGL();
+  window->MakeCurrent();
+  if (!window->IsCurrent())
+  {
+    CurrentContext::ReleaseGLX();
+    window->MakeCurrent();
+  }
+  return window->IsCurrent();
+}
+
+vtkOpenGLRenderWindow* NewXWindow(void* display)
+{
+  vtkXOpenGLRenderWindow* window = vtkXOpenGLRenderWindow::New();
+  window->SetDisplayId(display);
+  window->SetShowWindow(false);
+  window->SetUseOffScreenBuffers(true);
+  window->SetMultiSamples(0);
+  return window;
+}
+
+void* GetXDisplay(const char*& reason)
+{
+  static Display* display = nullptr;
+  if (!display)
+  {
+    Display* opened = XOpenDisplay(nullptr);
+    if (!opened)
+    {
+      reason = "no X display could be opened";
+      return nullptr;
+    }
+    int opcode = 0;
+    int event = 0;
+    int error = 0;
+    if (!XQueryExtension(opened, "GLX", &opcode, &event, &error))
+    {
+      XCloseDisplay(opened);
+      reason = "the X server has no GLX";
+      return nullptr;
+    }
+    // The least that vtkXOpenGLRenderWindow settles for; it aborts the process without.
+    static const int wanted[] = { GLX_DRAWABLE_TYPE, GLX_WINDOW_BIT, GLX_RENDER_TYPE, GLX_RGBA_BIT,
+      GLX_RED_SIZE, 1, GLX_GREEN_SIZE, 1, GLX_BLUE_SIZE, 1, GLX_ALPHA_SIZE, 1, GLX_DEPTH_SIZE, 1, None };
+    int count = 0;
+    GLXFBConfig* configurations = glXChooseFBConfig(opened, DefaultScreen(opened), wanted, &count);
+    if (configurations)
+    {
+      XFree(configurations);
+    }
+    if (count == 0)
+    {
+      XCloseDisplay(opened);
+      reason = "the X server's GLX has no usable configuration";
+      return nullptr;
+    }
+    display = opened;
+  }
+  return display;
+}
+}

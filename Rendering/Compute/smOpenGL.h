@@ -1,0 +1,45 @@
+/**
+ * @file smOpenGL.h
+ * @brief The one header of the module that includes the OpenGL loader; not installed
+ */
+#ifndef smOpenGL_h
+#define smOpenGL_h
+
+#include "vtk_glew.h"
+
+#include <string>
+
+namespace sm
+{
+/// Forgets errors that others left behind. A lost context may report errors for ever, hence the limit.
+inline void DrainErrors()
+{
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
+}
+
+/// The first pending error by name, empty when there is none; the rest is forgotten.
+inline std::string TakeError()
+{
+  const GLenum error = glGetError();
+  DrainErrors();
+  switch (error)
+  {
+    case GL_NO_ERROR:
+      return {};
+    case GL_INVALID_ENUM:
+      return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+      return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+      return "GL_INVALID_OPERATION";
+    case GL_OUT_OF_MEMORY:
+      return "GL_OUT_OF_MEMORY";
+    default:
+      return "GL error " + std::to_string(error);
+  }
+}
+}
+
+#endif

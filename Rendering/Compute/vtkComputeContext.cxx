@@ -1,0 +1,517 @@
+#include "vtkComputeContext.h"
+
+#include "smContextResources.h"
+#include "smCurrentContext.h"
+#include "smOpenGL.h"
+#include "smProbe.h"
+#include "smWindowWatch.h"
+#include "vtkEGLSurfacelessRenderWindow.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+namespace
+{
+std::string GetString(GLenum name)
+{
+  const GLubyte* text = glGetString(name);
+  return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+bool HasExtension(const char* wanted)
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    const GLubyte* name = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+    if (name && std::strcmp(reinterpret_cast<const char*>(name), wanted) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// vtkOpenGLRenderWindow says 2.0 until it has initialized OpenGL.
+bool IsInitialized(vtkOpenGLRenderWindow* window)
+{
+  int major = 0;
+  int minor = 0;
+  window->GetOpenGLVersion(major, minor);
+  return major > 2;
+}
+}
+
+class vtkComputeContext::vtkInternals
+{
+public:
+  explicit vtkInternals(vtkComputeContext* self)
+    : Self(self)
+  {
+    this->Deleted->SetClientData(this);
+    this->Deleted->SetCallback([](vtkObject*, unsigned long, void* internals, void*)
+      { static_cast<vtkInternals*>(internals)->WindowIsDeleted(); });
+  }
+
+  vtkComputeContext* Self;
+  vtkWeakPointer<vtkRenderWindow> Given;
+  bool WasGiven = false;
+  /// The given window was READY once; when it closes it is not opened again.
+  bool WasOpened = false;
+  vtkSmartPointer<vtkOpenGLRenderWindow> Own;
+  /// The window in use while READY, never dangling: the watch and DeleteEvent come before its end.
+  vtkOpenGLRenderWindow* Used = nullptr;
+  vtkSmartPointer<sm::EndWatch> Watch;
+  vtkNew<vtkCallbackCommand> Deleted;
+  int MaximumVersion[2] = { 0, 0 };
+  std::string Reason;
+  std::string Renderer;
+  std::string Version;
+  const char* SourceName = "";
+
+  int TryWindow();
+  int TryX();
+  int TryEGL();
+  int Use(vtkOpenGLRenderWindow* window, const char* name, const char* label);
+  void Adopt(vtkOpenGLRenderWindow* window);
+  void End(bool current, int status);
+  void Detach();
+  void WindowIsDeleted();
+
+  int Fail(const char* label, const std::string& what, int status)
+  {
+    this->Reason += (this->Reason.empty() ? "" : " ") + std::string(label) + ": " + what + ".";
+    return status;
+  }
+};
+
+int vtkComputeContext::vtkInternals::TryWindow()
+{
+  static const char* const label = "Given window";
+  if (!this->Given)
+  {
+    return this->Fail(label,
+      this->WasGiven ? "it no longer exists; give another one" : "none was given; call SetWindow()",
+      NO_CONTEXT);
+  }
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(this->Given);
+  if (!window)
+  {
+    return this->Fail(label, std::string(this->Given->GetClassName()) + " is no OpenGL window", NO_CONTEXT);
+  }
+  const sm::Hush hush(window);
+  if (!sm::MakeWindowCurrent(window) && !this->WasOpened)
+  {
+    // An X window without a display would abort the process.
+    if (window->IsA("vtkXOpenGLRenderWindow") && !window->GetGenericDisplayId())
+    {
+      const char* reason = "";
+      void* display = sm::GetXDisplay(reason);
+      if (!display)
+      {
+        return this->Fail(label, reason, NO_CONTEXT);
+      }
+      window->SetDisplayId(display);
+    }
+    window->Initialize();
+    sm::MakeWindowCurrent(window);
+  }
+  if (!window->IsCurrent())
+  {
+    return this->Fail(label,
+      this->WasOpened
+        ? "it was closed; render into it again"
+        : "its context cannot be made current; a vtkGenericOpenGLRenderWindow needs observers of "
+          "WindowMakeCurrentEvent and WindowIsCurrentEvent",
+      NO_CONTEXT);
+  }
+  if (!IsInitialized(window))
+  {
+    window->OpenGLInit();
+  }
+  if (!IsInitialized(window))
+  {
+    return this->Fail(label, "OpenGL could not be initialized. " + hush.Text, NO_CONTEXT);
+  }
+  const int status = this->Use(window, "window", label);
+  this->WasOpened = this->WasOpened || status == READY;
+  return status;
+}
+
+int vtkComputeContext::vtkInternals::TryX()
+{
+  static const char* const label = "X display";
+  const char* reason = "";
+  void* display = sm::GetXDisplay(reason);
+  if (!display)
+  {
+    return this->Fail(label, reason, NO_CONTEXT);
+  }
+  auto window = vtkSmartPointer<vtkOpenGLRenderWindow>::Take(sm::NewXWindow(display));
+  int status = NO_CONTEXT;
+  {
+    const sm::Hush hush(window);
+    window->Initialize();
+    if (!sm::MakeWindowCurrent(window) || !IsInitialized(window))
+    {
+      status = this->Fail(label, "no OpenGL 3.2 context could be made. " + hush.Text, NO_CONTEXT);
+    }
+    else
+    {
+      this->Own = window;
+      status = this->Use(window, "x", label);
+    }
+  }
+  if (status != READY)
+  {
+    this->Own = nullptr;
+  }
+  return status;
+}
+
+int vtkComputeContext::vtkInternals::TryEGL()
+{
+  static const char* const label = "EGL";
+  vtkNew<vtkEGLSurfacelessRenderWindow> window;
+  window->SetMaximumVersion(this->MaximumVersion[0], this->MaximumVersion[1]);
+  if (!window->CreateContext())
+  {
+    return this->Fail(label, window->GetReason(), NO_CONTEXT);
+  }
+  int status = NO_CONTEXT;
+  {
+    const sm::Hush hush(window);
+    window->Initialize();
+    if (!sm::MakeWindowCurrent(window) || !IsInitialized(window))
+    {
+      status = this->Fail(label, "OpenGL could not be initialized. " + hush.Text, NO_CONTEXT);
+    }
+    else
+    {
+      this->Own = window;
+      status = this->Use(window, "egl", label);
+    }
+  }
+  if (status != READY)
+  {
+    this->Own = nullptr;
+  }
+  return status;
+}
+
+int vtkComputeContext::vtkInternals::Use(vtkOpenGLRenderWindow* window, const char* name, const char* label)
+{
+  sm::DrainErrors();
+  GLint major = 0;
+  GLint minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  std::string limit;
+  if (this->MaximumVersion[0] > 0 &&
+    std::make_pair(major, minor) > std::make_pair(this->MaximumVersion[0], this->MaximumVersion[1]))
+  {
+    major = this->MaximumVersion[0];
+    minor = this->MaximumVersion[1];
+    limit = ", limited by SetMaximumVersion()";
+  }
+  const std::string renderer = GetString(GL_RENDERER);
+  if (std::make_pair(major, minor) < std::make_pair(4, 3) || !glDispatchCompute || !glGetInteger64i_v)
+  {
+    const char* forced = std::getenv("MESA_GL_VERSION_OVERRIDE");
+    if (forced && *forced)
+    {
+      limit += std::string(", with MESA_GL_VERSION_OVERRIDE=") + forced + " in the environment";
+    }
+    return this->Fail(label,
+      "OpenGL " + std::to_string(major) + "." + std::to_string(minor) + " (" + renderer + ")" + limit +
+        " has no compute shaders; they need OpenGL 4.3",
+      NO_COMPUTE);
+  }
+  if (!HasExtension("GL_ARB_gpu_shader_fp64"))
+  {
+    return this->Fail(label, renderer + " has no double precision (GL_ARB_gpu_shader_fp64)", NO_DOUBLES);
+  }
+
+  this->Adopt(window);
+  std::string complaint;
+  if (!sm::ProbeDoubles(this->Self, complaint))
+  {
+    this->End(true, NO_DOUBLES);
+    this->Detach();
+    return this->Fail(label, renderer + " " + complaint, NO_DOUBLES);
+  }
+  this->Renderer = renderer;
+  this->Version = GetString(GL_VERSION);
+  this->SourceName = name;
+  return READY;
+}
+
+void vtkComputeContext::vtkInternals::Adopt(vtkOpenGLRenderWindow* window)
+{
+  sm::ContextResources& resources = *this->Self->Resources;
+  GLint64 bytes = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+  resources.MaximumStorageBlockSize = bytes;
+  GLint value = 0;
+  glGetIntegerv(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT, &value);
+  resources.StorageOffsetAlignment = std::max(value, 1);
+  for (GLuint axis = 0; axis < 2; ++axis)
+  {
+    glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, axis, &value);
+    resources.MaximumWorkGroupCount[axis] = value;
+  }
+  resources.Generation = sm::ContextResources::NewGeneration();
+  this->Used = window;
+  this->Self->Status = READY;
+  this->Watch = vtkSmartPointer<sm::EndWatch>::New();
+  this->Watch->OnEnd = [this](vtkWindow* ended)
+  {
+    vtkRenderWindow* renderWindow = vtkRenderWindow::SafeDownCast(ended);
+    this->End(renderWindow && renderWindow->IsCurrent(), LOST);
+  };
+  this->Watch->SetContext(window);
+  window->AddObserver(vtkCommand::DeleteEvent, this->Deleted);
+}
+
+void vtkComputeContext::vtkInternals::End(bool current, int status)
+{
+  if (this->Self->Status != READY)
+  {
+    return;
+  }
+  this->Self->Resources->End(current);
+  this->Self->Status = status;
+  this->Used->RemoveObserver(this->Deleted);
+  this->Used = nullptr;
+  this->Renderer.clear();
+  this->Version.clear();
+  this->SourceName = "";
+  if (status == LOST)
+  {
+    this->Reason =
+      "The window whose OpenGL context was used has closed. Start() tries to get another context.";
+  }
+}
+
+/// Leaves the window. Not from within the watch's own callback.
+void vtkComputeContext::vtkInternals::Detach()
+{
+  if (this->Watch)
+  {
+    this->Watch->OnEnd = nullptr;
+    this->Watch->SetContext(nullptr);
+    this->Watch = nullptr;
+  }
+}
+
+/// Before the window's destructor: its observers, which may be what makes it current, still work.
+void vtkComputeContext::vtkInternals::WindowIsDeleted()
+{
+  if (this->Used)
+  {
+    const sm::CurrentContext::Guard guard;
+    this->End(sm::MakeWindowCurrent(this->Used), LOST);
+    this->Detach();
+  }
+}
+
+vtkStandardNewMacro(vtkComputeContext);
+
+vtkComputeContext::vtkComputeContext()
+  : Resources(std::make_shared<sm::ContextResources>())
+  , Internals(new vtkInternals(this))
+{
+  this->Resources->Context = this;
+}
+
+vtkComputeContext::~vtkComputeContext()
+{
+  this->Stop();
+  this->Resources->Context = nullptr;
+}
+
+void vtkComputeContext::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Source: " << this->Source << "\n"
+     << indent << "Status: " << this->GetStatusAsString() << "\n"
+     << indent << "Reason: " << this->Internals->Reason << "\n"
+     << indent << "SourceName: " << this->Internals->SourceName << "\n"
+     << indent << "Renderer: " << this->Internals->Renderer << "\n"
+     << indent << "VersionString: " << this->Internals->Version << "\n"
+     << indent << "Generation: " << this->Resources->Generation << "\n"
+     << indent << "Dispatches: " << this->Resources->Dispatches << "\n";
+}
+
+void vtkComputeContext::SetSource(int source)
+{
+  source = std::min(std::max(source, static_cast<int>(AUTOMATIC)), static_cast<int>(EGL));
+  if (source != this->Source)
+  {
+    this->Stop();
+    this->Source = source;
+    this->Modified();
+  }
+}
+
+void vtkComputeContext::SetWindow(vtkRenderWindow* window)
+{
+  if (window != this->Internals->Given || (!window && this->Internals->WasGiven))
+  {
+    this->Stop();
+    this->Internals->Given = window;
+    this->Internals->WasGiven = window != nullptr;
+    this->Internals->WasOpened = false;
+    this->Modified();
+  }
+}
+
+vtkRenderWindow* vtkComputeContext::GetWindow()
+{
+  return this->Internals->Given;
+}
+
+void vtkComputeContext::SetMaximumVersion(int major, int minor)
+{
+  int* maximum = this->Internals->MaximumVersion;
+  if (maximum[0] != major || maximum[1] != minor)
+  {
+    this->Stop();
+    maximum[0] = major;
+    maximum[1] = minor;
+    this->Modified();
+  }
+}
+
+int vtkComputeContext::Start()
+{
+  if (this->Status == READY)
+  {
+    return READY;
+  }
+  vtkInternals& internals = *this->Internals;
+  const sm::CurrentContext::Guard guard;
+  // An own X window that was closed must not end while an EGL context is current.
+  sm::CurrentContext::ReleaseEGL();
+  internals.Detach();
+  internals.Own = nullptr;
+  internals.Reason.clear();
+
+  const bool automatic = this->Source == AUTOMATIC;
+  int status = NOT_STARTED;
+  // The status of the attempt that came farthest.
+  const auto attempt = [&](bool wanted, int (vtkInternals::*method)())
+  {
+    if (wanted && status != READY)
+    {
+      const int result = (internals.*method)();
+      status = result == READY ? READY : std::max(status, result);
+    }
+  };
+  attempt(this->Source == WINDOW || (automatic && internals.Given), &vtkInternals::TryWindow);
+  attempt(this->Source == X || automatic, &vtkInternals::TryX);
+  attempt(this->Source == EGL || automatic, &vtkInternals::TryEGL);
+  this->Status = status;
+  if (status == READY)
+  {
+    internals.Reason.clear();
+  }
+  else
+  {
+    internals.Reason +=
+      " Install or choose an OpenGL driver with version 4.3 and double precision: a graphics "
+      "card's own, or Mesa's llvmpipe (libgl1-mesa-dri, with libegl1 where there is no display).";
+  }
+  return status;
+}
+
+void vtkComputeContext::Stop()
+{
+  vtkInternals& internals = *this->Internals;
+  if (internals.Own && internals.Own->IsCurrent())
+  {
+    // Who rendered with our window left it current; it must not be restored after its end.
+    internals.Own->ReleaseCurrent();
+  }
+  const sm::CurrentContext::Guard guard;
+  if (internals.Used)
+  {
+    internals.End(sm::MakeWindowCurrent(internals.Used), NOT_STARTED);
+  }
+  internals.Detach();
+  internals.Own = nullptr;
+  internals.Reason.clear();
+  this->Status = NOT_STARTED;
+}
+
+const char* vtkComputeContext::GetStatusAsString()
+{
+  static const char* const names[] = { "not-started", "ready", "no-context", "no-compute", "no-doubles",
+    "lost" };
+  return names[this->Status];
+}
+
+std::string vtkComputeContext::GetReason()
+{
+  return this->Internals->Reason;
+}
+
+std::string vtkComputeContext::GetRenderer()
+{
+  return this->Internals->Renderer;
+}
+
+std::string vtkComputeContext::GetVersionString()
+{
+  return this->Internals->Version;
+}
+
+std::string vtkComputeContext::GetSourceName()
+{
+  return this->Internals->SourceName;
+}
+
+vtkOpenGLRenderWindow* vtkComputeContext::GetRenderWindow()
+{
+  return this->Internals->Used;
+}
+
+vtkTypeUInt64 vtkComputeContext::GetGeneration()
+{
+  return this->Resources->Generation;
+}
+
+vtkTypeInt64 vtkComputeContext::GetMaximumStorageBlockSize()
+{
+  return this->Resources->MaximumStorageBlockSize;
+}
+
+int vtkComputeContext::GetStorageOffsetAlignment()
+{
+  return this->Resources->StorageOffsetAlignment;
+}
+
+int vtkComputeContext::GetMaximumWorkGroupCount()
+{
+  return std::min(this->Resources->MaximumWorkGroupCount[0], this->Resources->MaximumWorkGroupCount[1]);
+}
+
+vtkTypeUInt64 vtkComputeContext::GetNumberOfDispatches()
+{
+  return this->Resources->Dispatches;
+}
+
+void vtkComputeContext::ResetCounters()
+{
+  this->Resources->Dispatches = 0;
+}

@@ -1,0 +1,77 @@
+/**
+ * @class   vtkEGLSurfacelessRenderWindow
+ * @brief   a render window that needs no display: surfaceless EGL
+ *
+ * Renders into VTK's own framebuffers; vtkWindowToImageFilter reads them back. The context is an OpenGL core
+ * profile of the highest version the driver has, from 4.6 down to 3.2. Mesa's surfaceless platform is
+ * tried first. When that is a software renderer, or absent, the EGL devices with a hardware driver are
+ * tried, unless LIBGL_ALWAYS_SOFTWARE is set; then the remaining devices.
+ *
+ * The class needs no X server and no windowing library, and it stands in for vtkEGLRenderWindow,
+ * which Debian's VTK lacks.
+ *
+ * GLX and EGL exclude each other on a thread, and an X window that makes its context current while this one's is
+ * ends the process with an X error. So MakeCurrent() releases a current GLX context first, and Initialize(),
+ * Render() and reading pixels (also after MakeCurrent(), as vtkWindowToImageFilter does) restore what was
+ * current before. Who calls MakeCurrent() for another purpose beside X windows calls ReleaseCurrent(), or uses
+ * sm::ContextScope.
+ *
+ * Use one thread at a time.
+ */
+#ifndef vtkEGLSurfacelessRenderWindow_h
+#define vtkEGLSurfacelessRenderWindow_h
+
+#include "smRenderingComputeModule.h"
+#include "vtkGenericOpenGLRenderWindow.h"
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class SMRENDERINGCOMPUTE_EXPORT vtkEGLSurfacelessRenderWindow : public vtkGenericOpenGLRenderWindow
+{
+public:
+  static vtkEGLSurfacelessRenderWindow* New();
+  vtkTypeMacro(vtkEGLSurfacelessRenderWindow, vtkGenericOpenGLRenderWindow);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Requests at most this OpenGL version. Default: 0 0, the highest. Read when the context is made. A driver
+   * may give a later, compatible version. */
+  void SetMaximumVersion(int major, int minor);
+
+  /** Makes the context unless there is one and returns whether there is one now. Never prints; GetReason() says
+   * why it failed. Does not make it current. */
+  bool CreateContext();
+
+  /** Why CreateContext() failed; empty when it did not. */
+  std::string GetReason();
+
+  void Initialize() override;
+  void Finalize() override;
+  void Render() override;
+  void MakeCurrent() override;
+  bool IsCurrent() override;
+  void ReleaseCurrent() override;
+  void PushContext() override;
+  void PopContext() override;
+  int SupportsOpenGL() override;
+  vtkTypeBool IsDirect() override;
+  int GetColorBufferSizes(int* rgba) override;
+  void OpenGLInitContext() override;
+  /** The EGLContext, null when there is none. */
+  void* GetGenericContext() override;
+
+protected:
+  int ReadPixels(const vtkRecti& rect, int front, int glFormat, int glType, void* data, int right) override;
+
+  vtkEGLSurfacelessRenderWindow();
+  ~vtkEGLSurfacelessRenderWindow() override;
+
+private:
+  vtkEGLSurfacelessRenderWindow(const vtkEGLSurfacelessRenderWindow&) = delete;
+  void operator=(const vtkEGLSurfacelessRenderWindow&) = delete;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
