@@ -1,0 +1,356 @@
+#include "smResidentFaces.h"
+
+#include "smComputeBuffer.h"
+#include "smContextScope.h"
+
+#include "smBernstein.h"
+#include "smPatch.h"
+#include "smPortable.h"
+#include "smResident.h"
+
+#include "vtkComputeContext.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace sm
+{
+namespace
+{
+// As smPatchRecord in glsl/smResident.glsl, std430.
+struct PatchRecord
+{
+  double CenterRadius[4];
+  double Domain[4];
+  std::uint32_t Shape[4];
+  std::uint32_t Padding[4];
+};
+static_assert(sizeof(PatchRecord) == 96, "layout of smPatchRecord");
+
+// Faces cut between two reports of progress.
+constexpr std::size_t CutsPerReport = 256;
+
+/// What a page holds while it is being packed.
+struct PageData
+{
+  std::vector<std::array<double, 4>> Points;
+  std::vector<PatchRecord> Patches;
+  std::vector<double> Coefficients;
+  std::vector<double> Caps;
+  std::size_t Items = 0;
+
+  std::size_t GetLargestBlock() const
+  {
+    return std::max(
+      { this->Points.size() * sizeof(this->Points[0]), this->Patches.size() * sizeof(PatchRecord),
+        this->Coefficients.size() * sizeof(double), this->Caps.size() * sizeof(double) });
+  }
+};
+
+struct Page
+{
+  ComputeBuffer Points;
+  ComputeBuffer Patches;
+  ComputeBuffer Coefficients;
+  ComputeBuffer Caps;
+  std::vector<std::uint64_t> Faces;
+  std::uint64_t LastUse = 0;
+
+  std::size_t GetBytes() const
+  {
+    return this->Points.GetSize() + this->Patches.GetSize() + this->Coefficients.GetSize() +
+      this->Caps.GetSize();
+  }
+};
+
+void Append(const FacePanels& panels, PageData& page, ResidentFace& location)
+{
+  const auto firstPoint = static_cast<std::uint32_t>(page.Points.size());
+  location.FirstPatch = static_cast<std::uint32_t>(page.Patches.size());
+  location.FirstCoefficient = static_cast<std::uint32_t>(page.Coefficients.size());
+  location.FirstCap = static_cast<std::uint32_t>(page.Caps.size() / 9);
+  page.Points.insert(page.Points.end(), panels.Points.begin(), panels.Points.end());
+  page.Coefficients.insert(page.Coefficients.end(), panels.Coefficients.begin(), panels.Coefficients.end());
+  for (const Patch& patch : panels.Patches)
+  {
+    page.Patches.push_back({ { patch.Center[0], patch.Center[1], patch.Center[2], patch.Radius },
+      { patch.Start[0], patch.Start[1], patch.Width[0], patch.Width[1] },
+      { firstPoint + patch.FirstPoint, static_cast<std::uint32_t>(patch.Degree[0]),
+        static_cast<std::uint32_t>(patch.Degree[1]), 0 },
+      { 0, 0, 0, 0 } });
+  }
+  for (const Cap& cap : panels.Caps)
+  {
+    for (const std::array<double, 3>* point : { &cap.Apex, &cap.From, &cap.To })
+    {
+      page.Caps.insert(page.Caps.end(), point->begin(), point->end());
+    }
+  }
+  page.Items += panels.Panels.size() + panels.Ribbons.size() + panels.Caps.size();
+}
+}
+
+struct ResidentFaces::Internals
+{
+  vtkSmartPointer<vtkComputeContext> Context;
+  vtkTypeUInt64 Generation = 0;
+  std::size_t Budget = std::size_t{ 1 } << 30;
+  std::size_t MaximumItems = 262144;
+  std::map<int, Page> Pages;
+  int NextPage = 0;
+  std::unordered_map<std::uint64_t, ResidentFace> Faces;
+  std::uint64_t Clock = 0;
+  std::uint64_t Uploads = 0;
+  std::uint64_t Evictions = 0;
+  std::string Error;
+
+  void ForgetLostContext()
+  {
+    if (this->Context->GetGeneration() != this->Generation)
+    {
+      this->Pages.clear();
+      this->Faces.clear();
+      this->Generation = this->Context->GetGeneration();
+    }
+  }
+
+  std::size_t GetBytes() const
+  {
+    std::size_t bytes = 0;
+    for (const auto& [id, page] : this->Pages)
+    {
+      bytes += page.GetBytes();
+    }
+    return bytes;
+  }
+
+  /// Drops the pages used longest ago until the budget holds, but none used at `now`.
+  void Evict(std::uint64_t now)
+  {
+    while (this->GetBytes() > this->Budget)
+    {
+      const auto oldest = std::min_element(this->Pages.begin(), this->Pages.end(),
+        [](const auto& a, const auto& b) { return a.second.LastUse < b.second.LastUse; });
+      if (oldest == this->Pages.end() || oldest->second.LastUse == now)
+      {
+        return;
+      }
+      for (const std::uint64_t id : oldest->second.Faces)
+      {
+        this->Faces.erase(id);
+      }
+      this->Pages.erase(oldest);
+      ++this->Evictions;
+    }
+  }
+
+  bool Upload(const PageData& data, Page& page)
+  {
+    const ContextScope scope(this->Context);
+    if (!scope)
+    {
+      this->Error = this->Context->GetReason();
+      return false;
+    }
+    page.Points = ComputeBuffer(this->Context);
+    page.Patches = ComputeBuffer(this->Context);
+    page.Coefficients = ComputeBuffer(this->Context);
+    page.Caps = ComputeBuffer(this->Context);
+    for (const auto& [ok, buffer] : { std::make_pair(page.Points.Upload(data.Points), &page.Points),
+           std::make_pair(page.Patches.Upload(data.Patches), &page.Patches),
+           std::make_pair(page.Coefficients.Upload(data.Coefficients), &page.Coefficients),
+           std::make_pair(page.Caps.Upload(data.Caps), &page.Caps) })
+    {
+      if (!ok)
+      {
+        this->Error = "The faces do not fit on the GPU: " + buffer->GetError();
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+ResidentFaces::ResidentFaces(vtkComputeContext* context)
+  : Implementation(new Internals)
+{
+  this->Implementation->Context = context;
+}
+
+ResidentFaces::~ResidentFaces() = default;
+
+void ResidentFaces::SetBudget(std::size_t bytes)
+{
+  this->Implementation->Budget = bytes;
+}
+
+void ResidentFaces::SetMaximumItemsPerPage(std::size_t items)
+{
+  this->Implementation->MaximumItems = std::max<std::size_t>(items, 1);
+}
+
+bool ResidentFaces::Acquire(const std::vector<FacePointer>& faces, std::vector<ResidentFace>& locations,
+  const std::function<bool(double)>& progress)
+{
+  Internals& self = *this->Implementation;
+  self.ForgetLostContext();
+  const std::uint64_t now = ++self.Clock;
+
+  // Faces to cut, each once, in the order of the request.
+  std::vector<std::size_t> missing;
+  std::unordered_map<std::uint64_t, std::size_t> slots;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const auto found = self.Faces.find(faces[i]->Id);
+    if (found == self.Faces.end())
+    {
+      if (slots.emplace(faces[i]->Id, missing.size()).second)
+      {
+        missing.push_back(i);
+      }
+    }
+    else if (found->second.Page >= 0)
+    {
+      self.Pages.at(found->second.Page).LastUse = now;
+    }
+  }
+
+  PageData data;
+  std::vector<std::pair<std::uint64_t, ResidentFace>> packed;
+  const auto flush = [&]()
+  {
+    if (packed.empty())
+    {
+      return true;
+    }
+    Page page;
+    page.LastUse = now;
+    if (!self.Upload(data, page))
+    {
+      return false;
+    }
+    for (auto& [id, location] : packed)
+    {
+      location.Page = self.NextPage;
+      page.Faces.push_back(id);
+      self.Faces[id] = std::move(location);
+    }
+    self.Pages.emplace(self.NextPage++, std::move(page));
+    packed.clear();
+    data = PageData();
+    return true;
+  };
+
+  // Half the limit, so that a page that a face has just filled still fits.
+  const auto blockLimit = static_cast<std::size_t>(self.Context->GetMaximumStorageBlockSize()) / 2;
+  for (std::size_t begin = 0; begin < missing.size(); begin += CutsPerReport)
+  {
+    if (progress && !progress(static_cast<double>(begin) / missing.size()))
+    {
+      self.Error = "aborted";
+      return false;
+    }
+    const std::size_t count = std::min(CutsPerReport, missing.size() - begin);
+    std::vector<std::shared_ptr<FacePanels>> cut(count);
+    std::vector<std::string> errors(count);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 8,
+      [&](vtkIdType from, vtkIdType to)
+      {
+        for (vtkIdType i = from; i < to; ++i)
+        {
+          cut[i] = std::make_shared<FacePanels>();
+          try
+          {
+            *cut[i] = BuildFacePanels(*faces[missing[begin + i]]);
+          }
+          catch (const std::exception& error)
+          {
+            errors[i] = error.what();
+          }
+        }
+      });
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const FacePointer& face = faces[missing[begin + i]];
+      ResidentFace location;
+      location.Error = errors[i];
+      const bool turned = face->Surface.Degree[0] > face->Surface.Degree[1];
+      location.Degree[0] = face->Surface.Degree[turned ? 1 : 0];
+      location.Degree[1] = face->Surface.Degree[turned ? 0 : 1];
+      Append(*cut[i], data, location);
+      cut[i]->Patches = {};
+      cut[i]->Points = {};
+      cut[i]->Coefficients = {};
+      location.Panels = std::move(cut[i]);
+      packed.emplace_back(face->Id, std::move(location));
+      if ((data.Items >= self.MaximumItems || data.GetLargestBlock() >= blockLimit) && !flush())
+      {
+        return false;
+      }
+    }
+    self.Uploads += count;
+  }
+  if (!flush())
+  {
+    return false;
+  }
+
+  locations.clear();
+  locations.reserve(faces.size());
+  for (const FacePointer& face : faces)
+  {
+    locations.push_back(self.Faces.at(face->Id));
+  }
+  self.Evict(now);
+  return true;
+}
+
+bool ResidentFaces::Bind(int page)
+{
+  Page& bound = this->Implementation->Pages.at(page);
+  return bound.Points.Bind(0) && bound.Patches.Bind(1) && bound.Coefficients.Bind(2);
+}
+
+bool ResidentFaces::BindCaps(int page)
+{
+  return this->Implementation->Pages.at(page).Caps.Bind(2);
+}
+
+std::size_t ResidentFaces::GetNumberOfFaces() const
+{
+  return this->Implementation->Faces.size();
+}
+
+std::size_t ResidentFaces::GetBytes() const
+{
+  return this->Implementation->GetBytes();
+}
+
+std::uint64_t ResidentFaces::GetNumberOfUploads() const
+{
+  return this->Implementation->Uploads;
+}
+
+std::uint64_t ResidentFaces::GetNumberOfEvictions() const
+{
+  return this->Implementation->Evictions;
+}
+
+const std::string& ResidentFaces::GetError() const
+{
+  return this->Implementation->Error;
+}
+
+const char* GetNURBSShaderChunk(const std::string& name)
+{
+  static const std::map<std::string, const char*> chunks = { { "smPortable", smPortable },
+    { "smBernstein", smBernstein }, { "smPatch", smPatch }, { "smResident", smResident } };
+  const auto found = chunks.find(name);
+  return found == chunks.end() ? nullptr : found->second;
+}
+}
