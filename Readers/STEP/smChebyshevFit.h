@@ -1,0 +1,110 @@
+/**
+ * @file smChebyshevFit.h
+ * @brief Polynomial pieces in Bernstein form for a smooth function, to rounding level
+ */
+#ifndef smChebyshevFit_h
+#define smChebyshevFit_h
+
+#include "smPolynomialCurve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+/// Unit roundoff of double.
+constexpr double UnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
+
+/// A piece is sampled at FitOrder + 1 Chebyshev points of the second kind, both ends included.
+constexpr int FitOrder = 16;
+using FitSamples = std::array<double, FitOrder + 1>;
+
+/// The sample points in [0,1], increasing; the first is 0, the last 1 and the middle one 1/2, exactly.
+const FitSamples& GetFitNodes();
+
+/// Chebyshev coefficients (in the argument 1 - 2x) of the polynomial through the samples.
+void ComputeChebyshevCoefficients(const FitSamples& samples, FitSamples& coefficients);
+
+/// Bernstein coefficients, `degree` + 1 of them, of the Chebyshev series cut off after `degree`.
+void ConvertToBernstein(const FitSamples& chebyshev, int degree, double* bernstein);
+
+/// A smooth function's residual falls by far more than this when its interval is halved, even across a kink;
+/// what does not fall is rounding of the function itself, and no bisection helps.
+constexpr double NoiseRatio = 0.3;
+
+template <int Dimension>
+struct FittedPiece
+{
+  int Degree = 0;
+  std::array<std::array<double, Dimension>, FitOrder + 1> Coefficients;
+  /// Largest distance from the samples plus the size of what the samples may hide, per coordinate.
+  std::array<double, Dimension> Residual{};
+};
+
+/**
+ * Fits one polynomial to the samples: the least degree <= maximumDegree whose neglected Chebyshev
+ * coefficients stay below `tolerance` in each coordinate. The ends are interpolated exactly. Returns
+ * false, with the fit of the maximum degree, when the tolerance is not met.
+ */
+template <int Dimension>
+bool FitPiece(const std::array<std::array<double, Dimension>, FitOrder + 1>& samples, int maximumDegree,
+  const std::array<double, Dimension>& tolerance, FittedPiece<Dimension>& piece)
+{
+  std::array<FitSamples, Dimension> series;
+  int degree = 0;
+  bool met = true;
+  std::array<double, Dimension> hidden{};
+  for (int d = 0; d < Dimension; ++d)
+  {
+    FitSamples values;
+    const double reference = samples[0][d];
+    for (int i = 0; i <= FitOrder; ++i)
+    {
+      values[i] = samples[i][d] - reference;
+    }
+    ComputeChebyshevCoefficients(values, series[d]);
+    double tail = 0.0;
+    int needed = FitOrder;
+    while (needed > 0 && tail + std::abs(series[d][needed]) <= tolerance[d])
+    {
+      tail += std::abs(series[d][needed]);
+      --needed;
+    }
+    met = met && needed <= maximumDegree;
+    degree = std::max(degree, std::min(needed, maximumDegree));
+    hidden[d] = std::abs(series[d][FitOrder]) + std::abs(series[d][FitOrder - 1]);
+  }
+  // One value at both ends makes a constant of degree 0; a piece that moves needs degree 1 to hold its ends.
+  piece.Degree = degree = std::max(degree, 1);
+  for (int d = 0; d < Dimension; ++d)
+  {
+    double bernstein[FitOrder + 1];
+    ConvertToBernstein(series[d], degree, bernstein);
+    for (int i = 0; i <= degree; ++i)
+    {
+      piece.Coefficients[i][d] = bernstein[i] + samples[0][d];
+    }
+    piece.Coefficients[0][d] = samples[0][d];
+    piece.Coefficients[degree][d] = samples[FitOrder][d];
+    piece.Residual[d] = 0.0;
+  }
+  const BernsteinPiece<Dimension> polynomial{ piece.Coefficients.data(), degree };
+  for (int i = 1; i < FitOrder; ++i)
+  {
+    const auto point = polynomial.Evaluate(GetFitNodes()[i]);
+    for (int d = 0; d < Dimension; ++d)
+    {
+      piece.Residual[d] = std::max(piece.Residual[d], std::abs(point[d] - samples[i][d]));
+    }
+  }
+  for (int d = 0; d < Dimension; ++d)
+  {
+    piece.Residual[d] += hidden[d];
+  }
+  return met;
+}
+}
+
+#endif

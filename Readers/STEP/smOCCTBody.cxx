@@ -1,0 +1,499 @@
+#include "smOCCTBody.h"
+
+#include <BRep_Tool.hxx>
+#include <Geom_Plane.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+
+#include "vtkSMPTools.h"
+
+#include <stdexcept>
+
+namespace sm
+{
+namespace
+{
+/// Runs `work`; what it throws becomes a sentence.
+template <class Work>
+std::string Catch(const Work& work)
+{
+  try
+  {
+    work();
+    return {};
+  }
+  catch (const Standard_Failure& failure)
+  {
+    const char* text = failure.GetMessageString();
+    return std::string("OpenCASCADE raised ") + failure.DynamicType()->Name() + (text && *text ? ": " : "") +
+      (text ? text : "");
+  }
+  catch (const std::exception& failure)
+  {
+    return failure.what();
+  }
+}
+
+const ShapeInfo& Find(const ShapeTable& table, const TopoDS_Shape& shape)
+{
+  static const ShapeInfo none;
+  const auto found = table.find(shape.TShape().get());
+  return found == table.end() ? none : found->second;
+}
+
+std::string Label(const char* kind, int fileId, std::size_t index)
+{
+  return fileId > 0 ? std::string(kind) + " #" + std::to_string(fileId)
+                    : std::string(kind) + " number " + std::to_string(index + 1) + " of its body";
+}
+
+class BodyConverter
+{
+public:
+  BodyConverter(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
+    const ShapeTable& table)
+    : Shape(shape)
+    , Trsf(trsf)
+    , Unit(unit)
+    , Origin{ origin[0], origin[1], origin[2] }
+    , Table(table)
+  {
+  }
+
+  ConvertedBody Convert()
+  {
+    this->Collect();
+    this->Edges.resize(this->EdgeShapes.Extent());
+    this->Run(
+      this->EdgeShapes.Extent(), [this](std::size_t i) { return this->ConvertEdgeShape(i); }, "Edge");
+    this->Faces.resize(this->Drafts.size());
+    this->Run(
+      this->Drafts.size(), [this](std::size_t i) { return this->ConvertFace(i); }, "Face");
+    this->Gather();
+    return std::move(this->Result);
+  }
+
+private:
+  using Failure = std::string;
+
+  void Collect()
+  {
+    const auto add = [this](const TopoDS_Shape& face, std::vector<int>& shell)
+    {
+      if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED)
+      {
+        return;
+      }
+      DraftFace draft;
+      const std::string failure = Catch([&] { draft = CollectFace(TopoDS::Face(face), this->EdgeShapes); });
+      if (!failure.empty())
+      {
+        this->Result.Messages.push_back(Label("Face", Find(this->Table, face).FileId, this->Drafts.size()) +
+          " is left out: " + failure + ".");
+        return;
+      }
+      shell.push_back(static_cast<int>(this->Drafts.size()));
+      this->Drafts.push_back(std::move(draft));
+    };
+    for (TopExp_Explorer shells(this->Shape, TopAbs_SHELL); shells.More(); shells.Next())
+    {
+      std::vector<int> shell;
+      for (TopExp_Explorer faces(shells.Current(), TopAbs_FACE); faces.More(); faces.Next())
+      {
+        add(faces.Current(), shell);
+      }
+      this->Shells.push_back(shell);
+    }
+    std::vector<int> loose;
+    for (TopExp_Explorer faces(this->Shape, TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next())
+    {
+      add(faces.Current(), loose);
+    }
+    if (!loose.empty())
+    {
+      this->Shells.push_back(loose);
+    }
+    this->FirstUse.assign(this->EdgeShapes.Extent(), { nullptr, nullptr });
+    for (const DraftFace& face : this->Drafts)
+    {
+      for (const DraftLoop& loop : face.Loops)
+      {
+        for (const DraftCoedge& coedge : loop)
+        {
+          auto& use = this->FirstUse[coedge.EdgeIndex];
+          use = use.first ? use : std::make_pair(&face, &coedge);
+        }
+      }
+    }
+  }
+
+  /// Calls convert(i), which answers why it failed, for all i on the application's threads.
+  template <class Work>
+  void Run(std::size_t count, const Work& convert, const char* kind)
+  {
+    std::vector<Failure> failures(count);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 16,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          failures[i] = Catch([&] { convert(static_cast<std::size_t>(i)); });
+        }
+      });
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (!failures[i].empty())
+      {
+        const TopoDS_Shape& shape = *kind == 'E' ? this->EdgeShapes(static_cast<int>(i) + 1)
+                                                 : static_cast<const TopoDS_Shape&>(this->Drafts[i].Face);
+        this->Result.Messages.push_back(
+          Label(kind, Find(this->Table, shape).FileId, i) + " is left out: " + failures[i] + ".");
+      }
+    }
+  }
+
+  AffineMap MakeMap(const gp_Trsf& location) const
+  {
+    return AffineMap::Make(this->Trsf * location, this->Unit, this->Origin);
+  }
+
+  void ConvertEdgeShape(std::size_t index)
+  {
+    const TopoDS_Edge edge = TopoDS::Edge(this->EdgeShapes(static_cast<int>(index) + 1));
+    const ShapeInfo& info = Find(this->Table, edge);
+    auto result = std::make_shared<Edge>();
+    result->Id = NewId();
+    result->FileId = info.FileId;
+    result->Name = info.Name;
+    result->Tolerance = this->Unit * BRep_Tool::Tolerance(edge);
+    result->Degenerate = BRep_Tool::Degenerated(edge);
+
+    const AffineMap toModel = this->MakeMap(gp_Trsf());
+    const TopoDS_Vertex vertices[2] = { TopExp::FirstVertex(edge), TopExp::LastVertex(edge) };
+    Vector3* const points[2] = { &result->StartVertex, &result->EndVertex };
+    for (int i = 0; i < 2; ++i)
+    {
+      if (!vertices[i].IsNull())
+      {
+        *points[i] = toModel.MapPoint(BRep_Tool::Pnt(vertices[i]).XYZ());
+      }
+    }
+    double first = 0.0;
+    double last = 0.0;
+    TopLoc_Location location;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, first, last);
+    const auto& use = this->FirstUse[index];
+    if (result->Degenerate)
+    {
+      result->Curve.Breaks.push_back(use.second->Trim.First);
+      result->Curve.AppendPiece(use.second->Trim.Last, &result->StartVertex, 0);
+    }
+    else if (!curve.IsNull() && last > first)
+    {
+      result->Curve = ConvertEdge(curve, first, last, this->MakeMap(location.Transformation()));
+    }
+    else
+    {
+      // No curve of its own: the one its first face draws.
+      const AffineMap map = this->MakeMap(use.first->Location);
+      const NativeTrim& trim = use.second->Trim;
+      result->Curve = FitEdge(
+        [&](double t)
+        {
+          const auto uv = trim.Evaluate(t);
+          return map.MapPoint(use.first->Surface->Value(uv[0], uv[1]).XYZ());
+        },
+        trim.GetBreaks(),
+        std::max({ std::abs(this->Origin[0]), std::abs(this->Origin[1]), std::abs(this->Origin[2]) }));
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      if (vertices[i].IsNull())
+      {
+        *points[i] = i == 0 ? result->Curve.GetStartPoint() : result->Curve.GetEndPoint();
+      }
+    }
+    this->Edges[index] = result;
+  }
+
+  /// Trim curve of an edge on a plane that keeps no pcurve: u and v are linear in the position.
+  TrimCurve Project(const DraftFace& face, const AffineMap& map, const EdgeCurve& curve) const
+  {
+    const gp_Ax3& frame = Handle(Geom_Plane)::DownCast(face.Surface)->Position();
+    const Vector3 origin = map.MapPoint(frame.Location().XYZ());
+    const Vector3 axes[2] = { map.MapVector(frame.XDirection().XYZ()),
+      map.MapVector(frame.YDirection().XYZ()) };
+    TrimCurve result;
+    result.Breaks = curve.Breaks;
+    result.Offsets = curve.Offsets;
+    for (const Vector3& p : curve.Coefficients)
+    {
+      TrimCurve::Point uv{};
+      for (int d = 0; d < 2; ++d)
+      {
+        double square = 0.0;
+        for (int c = 0; c < 3; ++c)
+        {
+          uv[d] += (p[c] - origin[c]) * axes[d][c];
+          square += axes[d][c] * axes[d][c];
+        }
+        uv[d] /= square;
+      }
+      result.Coefficients.push_back(uv);
+    }
+    result.Residual = curve.Residual / map.GetScale();
+    return result;
+  }
+
+  static ParameterBox GetNaturalBox(const DraftFace& face)
+  {
+    ParameterBox box;
+    face.Surface->Bounds(box.Low[0], box.High[0], box.Low[1], box.High[1]);
+    for (int d = 0; d < 2; ++d)
+    {
+      if (Precision::IsInfinite(box.Low[d]) || Precision::IsInfinite(box.High[d]))
+      {
+        throw std::runtime_error("it has no loops and its surface is infinite");
+      }
+    }
+    return box;
+  }
+
+  /// Native parameters that the trims cover; never empty.
+  static ParameterBox GetBox(const DraftFace& face, const std::vector<std::vector<TrimCurve>>& projected)
+  {
+    if (face.Loops.empty())
+    {
+      return GetNaturalBox(face);
+    }
+    ParameterBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };
+    for (std::size_t l = 0; l < face.Loops.size(); ++l)
+    {
+      for (std::size_t i = 0; i < face.Loops[l].size(); ++i)
+      {
+        const DraftCoedge& coedge = face.Loops[l][i];
+        ParameterBox own{ { 1e300, 1e300 }, { -1e300, -1e300 } };
+        if (coedge.Projected)
+        {
+          for (const auto& p : projected[l][i].Coefficients)
+          {
+            for (int d = 0; d < 2; ++d)
+            {
+              own.Low[d] = std::min(own.Low[d], p[d]);
+              own.High[d] = std::max(own.High[d], p[d]);
+            }
+          }
+        }
+        else
+        {
+          coedge.Trim.AddTo(own);
+        }
+        for (int d = 0; d < 2; ++d)
+        {
+          box.Low[d] = std::min(box.Low[d], own.Low[d] + coedge.Trim.Shift[d]);
+          box.High[d] = std::max(box.High[d], own.High[d] + coedge.Trim.Shift[d]);
+        }
+      }
+    }
+    for (int d = 0; d < 2; ++d)
+    {
+      const double least = 1e-9 * std::max({ 1.0, std::abs(box.Low[d]), std::abs(box.High[d]) });
+      if (!(box.High[d] - box.Low[d] >= least))
+      {
+        box.Low[d] -= least;
+        box.High[d] += least;
+      }
+    }
+    return box;
+  }
+
+  /// Lines of constant parameter that are a knot line but for rounding become the knot line.
+  static void Snap(const std::vector<double> knots[2], TrimCurve& curve)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      const double value = curve.Coefficients[0][d];
+      if (!std::all_of(curve.Coefficients.begin(), curve.Coefficients.end(),
+            [d, value](const TrimCurve::Point& p) { return p[d] == value; }))
+      {
+        continue;
+      }
+      const auto after = std::lower_bound(knots[d].begin(), knots[d].end(), value);
+      for (auto knot = after == knots[d].begin() ? after : after - 1; knot != knots[d].end() && knot <= after;
+           ++knot)
+      {
+        const double scale = std::max({ std::abs(*knot), knots[d].back() - knots[d].front() });
+        if (*knot != value && std::abs(*knot - value) <= 1e-14 * scale)
+        {
+          for (auto& p : curve.Coefficients)
+          {
+            p[d] = *knot;
+          }
+          curve.Residual = std::max(curve.Residual, std::abs(*knot - value));
+          break;
+        }
+      }
+    }
+  }
+
+  void ConvertFace(std::size_t index)
+  {
+    DraftFace& draft = this->Drafts[index];
+    OrderLoops(draft);
+    ShiftLoops(draft);
+    const AffineMap map = this->MakeMap(draft.Location);
+
+    std::vector<std::vector<TrimCurve>> trims(draft.Loops.size());
+    for (std::size_t l = 0; l < draft.Loops.size(); ++l)
+    {
+      for (const DraftCoedge& coedge : draft.Loops[l])
+      {
+        const auto& edge = this->Edges[coedge.EdgeIndex];
+        trims[l].push_back(coedge.Projected && edge ? this->Project(draft, map, edge->Curve) : TrimCurve());
+      }
+    }
+    const ParameterBox box = GetBox(draft, trims);
+    ConvertedSurface surface = ConvertSurface(draft.Surface, box, map);
+
+    const ShapeInfo& info = Find(this->Table, draft.Face);
+    auto face = std::make_shared<Face>();
+    face->Id = NewId();
+    face->FileId = info.FileId;
+    face->Name = info.Name;
+    face->Color = info.Color;
+    face->Reversed = draft.Reversed != map.IsMirrored();
+    face->Messages = draft.Messages;
+    const std::vector<double> knots[2] = { surface.Surface.GetSpanBreaks(0),
+      surface.Surface.GetSpanBreaks(1) };
+    const double width[2] = { box.High[0] - box.Low[0], box.High[1] - box.Low[1] };
+    std::vector<std::vector<TopoDS_Edge>> sources;
+    for (std::size_t l = 0; l < draft.Loops.size(); ++l)
+    {
+      Loop loop;
+      std::vector<TopoDS_Edge> loopSources;
+      for (std::size_t i = 0; i < draft.Loops[l].size(); ++i)
+      {
+        const DraftCoedge& from = draft.Loops[l][i];
+        Coedge coedge;
+        coedge.Use = this->Edges[from.EdgeIndex];
+        if (!coedge.Use)
+        {
+          face->Messages.push_back(
+            "An edge could not be carried over; its loop is closed by a straight line.");
+          continue;
+        }
+        coedge.Reversed = from.Reversed;
+        coedge.Curve = from.Projected ? std::move(trims[l][i])
+                                      : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
+                                          coedge.Use->Curve.GetEnd(), surface.Map, width);
+        Snap(knots, coedge.Curve);
+        loop.Coedges.push_back(std::move(coedge));
+        loopSources.push_back(from.Edge);
+      }
+      if (!loop.Coedges.empty())
+      {
+        sources.push_back(std::move(loopSources));
+        face->Loops.push_back(std::move(loop));
+      }
+    }
+    face->Surface = std::move(surface.Surface);
+    this->CheckClosing(draft, *face);
+    ConvertedFace& result = this->Faces[index];
+    result.Source = draft.Face;
+    result.SourceEdges = std::move(sources);
+    for (int d = 0; d < 2; ++d)
+    {
+      result.Map[d] = surface.Map[d];
+      result.Period[d] = draft.Period[d];
+    }
+    result.Result = face;
+  }
+
+  /// Loops are judged in space, against the tolerances the file states (NUMERICS 1).
+  void CheckClosing(const DraftFace& draft, Face& face) const
+  {
+    double largest = 0.0;
+    for (const Loop& loop : face.Loops)
+    {
+      for (std::size_t i = 0; i < loop.Coedges.size(); ++i)
+      {
+        const Coedge& a = loop.Coedges[i];
+        const Coedge& b = loop.Coedges[(i + 1) % loop.Coedges.size()];
+        const auto from = a.Reversed ? a.Curve.GetStartPoint() : a.Curve.GetEndPoint();
+        const auto to = b.Reversed ? b.Curve.GetEndPoint() : b.Curve.GetStartPoint();
+        Vector3 p;
+        Vector3 q;
+        face.Surface.Evaluate(from[0], from[1], p.data());
+        face.Surface.Evaluate(to[0], to[1], q.data());
+        const double gap = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+        largest = std::max(largest, gap - 2.0 * (a.Use->Tolerance + b.Use->Tolerance));
+      }
+    }
+    TopoDS_Iterator vertex;
+    double tolerance = 0.0;
+    for (TopExp_Explorer it(draft.Face, TopAbs_VERTEX); it.More(); it.Next())
+    {
+      tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
+    }
+    if (largest > 2.0 * this->Unit * tolerance)
+    {
+      face.Messages.push_back("A loop does not close: its largest gap is " + std::to_string(largest) +
+        " beyond the file's tolerances. A straight line in (u,v) closes it.");
+    }
+  }
+
+  void Gather()
+  {
+    std::vector<int> place(this->Faces.size(), -1);
+    for (std::size_t i = 0; i < this->Faces.size(); ++i)
+    {
+      if (!this->Faces[i].Result)
+      {
+        continue;
+      }
+      place[i] = static_cast<int>(this->Result.Faces.size());
+      for (const std::string& message : this->Faces[i].Result->Messages)
+      {
+        this->Result.Messages.push_back(Label("Face", this->Faces[i].Result->FileId, i) + ": " + message);
+      }
+      this->Result.Faces.push_back(this->Faces[i]);
+    }
+    for (const std::vector<int>& shell : this->Shells)
+    {
+      std::vector<int> kept;
+      for (const int i : shell)
+      {
+        if (place[i] >= 0)
+        {
+          kept.push_back(place[i]);
+        }
+      }
+      this->Result.Shells.push_back(kept);
+    }
+  }
+
+  const TopoDS_Shape& Shape;
+  gp_Trsf Trsf;
+  double Unit;
+  double Origin[3];
+  const ShapeTable& Table;
+  TopTools_IndexedMapOfShape EdgeShapes;
+  std::vector<DraftFace> Drafts;
+  std::vector<std::vector<int>> Shells;
+  std::vector<std::pair<const DraftFace*, const DraftCoedge*>> FirstUse;
+  std::vector<std::shared_ptr<const Edge>> Edges;
+  std::vector<ConvertedFace> Faces;
+  ConvertedBody Result;
+};
+}
+
+ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
+  const ShapeTable& table)
+{
+  return BodyConverter(shape, trsf, unit, origin, table).Convert();
+}
+}

@@ -1,0 +1,58 @@
+/**
+ * @file smOCCTBody.h
+ * @brief One solid or shell of OpenCASCADE as faces, coedges and edges of a trimmed NURBS model
+ */
+#ifndef smOCCTBody_h
+#define smOCCTBody_h
+
+#include "smFace.h"
+#include "smOCCTLoop.h"
+
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_TShape.hxx>
+
+#include <functional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace sm
+{
+/// What the file says about a shape besides its geometry, keyed by the shape's TShape.
+struct ShapeInfo
+{
+  int FileId = 0;
+  std::string Name;
+  Vector3 Color{ -1.0, -1.0, -1.0 };
+};
+using ShapeTable = std::unordered_map<const TopoDS_TShape*, ShapeInfo>;
+
+struct ConvertedFace
+{
+  FacePointer Result;
+  /// The face it was made from, forward, and how its native parameters become ours.
+  TopoDS_Face Source;
+  /// The edge behind each coedge, as the loop uses it.
+  std::vector<std::vector<TopoDS_Edge>> SourceEdges;
+  ParameterMap Map[2];
+  double Period[2] = { 0.0, 0.0 };
+};
+
+struct ConvertedBody
+{
+  std::vector<ConvertedFace> Faces;
+  /// Lists of indices into Faces.
+  std::vector<std::vector<int>> Shells;
+  std::vector<std::string> Messages;
+};
+
+/**
+ * Converts all faces of `shape` (its own location included). `trsf` and then `unit` apply before `origin` is
+ * subtracted. A face that fails is reported and left out; nothing else is lost. Edges and faces are converted
+ * by vtkSMPTools with whatever backend the application chose.
+ */
+ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
+  const ShapeTable& table);
+}
+
+#endif

@@ -1,0 +1,398 @@
+#include "smOCCTDocument.h"
+
+#include "smOCCTFile.h"
+#include "smOCCTTable.h"
+
+#include <BRep_Builder.hxx>
+#include <Interface_Static.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <Standard_Failure.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TDF_Label.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <tuple>
+
+namespace sm
+{
+namespace
+{
+/// OpenCASCADE's STEP parameters and its messenger belong to the process.
+std::mutex& GetKernelMutex()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
+/// Share of the progress that parsing takes; the rest is the transfer.
+constexpr double ParsingShare = 0.3;
+
+class TreeBuilder
+{
+public:
+  explicit TreeBuilder(Document& document, const Handle(TDocStd_Document) & xde)
+    : Result(document)
+    , Xde(xde)
+  {
+  }
+
+  void Build()
+  {
+    const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(this->Xde->Main());
+    TDF_LabelSequence roots;
+    shapes->GetFreeShapes(roots);
+    for (const TDF_Label& label : roots)
+    {
+      this->OnlySolids = this->OnlySolids || HasSolid(XCAFDoc_ShapeTool::GetShape(label));
+    }
+    for (const TDF_Label& label : roots)
+    {
+      this->Result.Root.Children.push_back(this->Visit(label, gp_Trsf(), { -1.0, -1.0, -1.0 }));
+    }
+  }
+
+private:
+  static bool HasSolid(const TopoDS_Shape& shape)
+  {
+    return !shape.IsNull() && TopExp_Explorer(shape, TopAbs_SOLID).More();
+  }
+
+  /// `label` is a product or one occurrence of it; `parent` is where the occurrence's assembly stands.
+  ProductNode Visit(const TDF_Label& label, const gp_Trsf& parent, Vector3 color)
+  {
+    TDF_Label product = label;
+    gp_Trsf placement = parent;
+    ProductNode node;
+    if (XCAFDoc_ShapeTool::GetReferredShape(label, product))
+    {
+      placement = parent * XCAFDoc_ShapeTool::GetLocation(label).Transformation();
+      const Vector3 own = GetLabelColor(this->Xde, label);
+      color = own[0] >= 0.0 ? own : color;
+    }
+    node.Name = GetLabelName(product);
+    node.Name = node.Name.empty() ? GetLabelName(label) : node.Name;
+    node.Layer = GetLabelLayer(this->Xde, product);
+    if (XCAFDoc_ShapeTool::IsAssembly(product))
+    {
+      TDF_LabelSequence components;
+      XCAFDoc_ShapeTool::GetComponents(product, components);
+      for (const TDF_Label& component : components)
+      {
+        node.Children.push_back(this->Visit(component, placement, color));
+      }
+      return node;
+    }
+    this->AddPart(product, placement, color, node);
+    return node;
+  }
+
+  void AddPart(const TDF_Label& product, const gp_Trsf& placement, const Vector3& color, ProductNode& node)
+  {
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
+    if (shape.IsNull())
+    {
+      return;
+    }
+    const PartBody part = this->DescribePart(product);
+    int bodies = 0;
+    for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
+    {
+      this->AddBody(it.Current(), true, part, placement, color, node, bodies++);
+    }
+    int loose = 0;
+    for (TopExp_Explorer it(shape, TopAbs_FACE, TopAbs_SOLID); it.More(); it.Next())
+    {
+      ++loose;
+    }
+    if (this->OnlySolids)
+    {
+      this->Result.FreeFaces += loose;
+      return;
+    }
+    for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
+    {
+      this->AddBody(it.Current(), false, part, placement, color, node, bodies++);
+    }
+    TopExp_Explorer faces(shape, TopAbs_FACE, TopAbs_SHELL);
+    if (faces.More())
+    {
+      TopoDS_Compound& group = this->LooseFaces[shape.TShape().get()];
+      if (group.IsNull())
+      {
+        BRep_Builder builder;
+        builder.MakeCompound(group);
+        for (; faces.More(); faces.Next())
+        {
+          builder.Add(group, faces.Current());
+        }
+      }
+      this->AddBody(group, false, part, placement, color, node, bodies++);
+    }
+  }
+
+  PartBody DescribePart(const TDF_Label& product) const
+  {
+    PartBody part;
+    part.Name = GetLabelName(product);
+    part.Color = GetLabelColor(this->Xde, product);
+    GetLabelMaterial(product, part.Material, part.Density);
+    GetLabelProperties(product, part.FileVolume, part.FileArea);
+    // A validation property of a part with several bodies is their sum and belongs to none of them.
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
+    int solids = 0;
+    for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
+    {
+      ++solids;
+    }
+    if (solids > 1)
+    {
+      part.FileVolume = part.FileArea = std::numeric_limits<double>::quiet_NaN();
+    }
+    return part;
+  }
+
+  void AddBody(const TopoDS_Shape& shape, bool solid, const PartBody& part, const gp_Trsf& placement,
+    const Vector3& color, ProductNode& node, int ordinal)
+  {
+    const gp_Trsf total = placement * shape.Location().Transformation();
+    const double scale = std::abs(total.ScaleFactor());
+    const bool scaled = std::abs(scale - 1.0) > 1e-12;
+    const auto key = std::make_tuple(
+      static_cast<const void*>(shape.TShape().get()), shape.Orientation(), scaled ? scale : 1.0);
+    const auto known = this->Known.find(key);
+    BodyInstance instance;
+    if (known != this->Known.end())
+    {
+      instance.Body = known->second;
+    }
+    else
+    {
+      instance.Body = this->Known[key] = static_cast<int>(this->Result.Bodies.size());
+      PartBody body = part;
+      body.Shape = shape;
+      body.Shape.Location(TopLoc_Location());
+      body.Solid = solid;
+      if (scaled)
+      {
+        body.Scale.SetScaleFactor(scale);
+        // What the file says of the part holds for its own size only.
+        body.FileVolume *= scale * scale * scale;
+        body.FileArea *= scale * scale;
+      }
+      const auto info = this->Result.Table.find(shape.TShape().get());
+      if (info != this->Result.Table.end())
+      {
+        body.FileId = info->second.FileId;
+        body.Name = info->second.Name.empty() ? body.Name : info->second.Name;
+        body.Color = info->second.Color[0] >= 0.0 ? info->second.Color : body.Color;
+      }
+      if (body.Name.empty())
+      {
+        body.Name = solid ? "Solid" : "Shell";
+      }
+      this->Result.Bodies.push_back(body);
+    }
+    instance.Placement = total;
+    if (scaled)
+    {
+      gp_Trsf inverse;
+      inverse.SetScaleFactor(1.0 / scale);
+      instance.Placement = total * inverse;
+    }
+    instance.Name = node.Name.empty() ? this->Result.Bodies[instance.Body].Name : node.Name;
+    if (ordinal > 0)
+    {
+      instance.Name += " (" + std::to_string(ordinal + 1) + ")";
+    }
+    instance.Color = color;
+    node.Instances.push_back(static_cast<int>(this->Result.Instances.size()));
+    this->Result.Instances.push_back(instance);
+  }
+
+  Document& Result;
+  const Handle(TDocStd_Document) & Xde;
+  /// The file has solids: faces outside them are counted and kept apart.
+  bool OnlySolids = false;
+  std::map<std::tuple<const void*, TopAbs_Orientation, double>, int> Known;
+  std::map<const void*, TopoDS_Compound> LooseFaces;
+};
+
+/// Does the file hold geometry at all?
+bool HasGeometry(const Handle(Interface_InterfaceModel) & model)
+{
+  for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
+  {
+    if (model->Value(i)->IsKind(STANDARD_TYPE(StepShape_FaceSurface)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void ReadUnit(STEPCAFControl_Reader& reader, Document& document)
+{
+  TColStd_SequenceOfAsciiString lengths;
+  TColStd_SequenceOfAsciiString angles;
+  TColStd_SequenceOfAsciiString solidAngles;
+  reader.ChangeReader().FileUnits(lengths, angles, solidAngles);
+  if (lengths.IsEmpty())
+  {
+    return;
+  }
+  document.FileUnit = lengths.First().ToCString();
+  const double factor = GetUnitInMillimetres(document.FileUnit);
+  document.FileUnitInMillimetres = factor > 0.0 ? factor : 1.0;
+  for (const TCollection_AsciiString& name : lengths)
+  {
+    if (GetUnitInMillimetres(name.ToCString()) != factor)
+    {
+      document.Messages.push_back("The file mixes length units (" + document.FileUnit + ", " +
+        name.ToCString() + "); each part was read in its own.");
+      break;
+    }
+  }
+}
+
+void Read(const std::string& fileName, const FileCheck& check, const std::function<bool(double)>& report,
+  Document& document)
+{
+  const std::lock_guard<std::mutex> lock(GetKernelMutex());
+  const QuietKernel quiet;
+  STEPCAFControl_Reader reader;
+  reader.SetColorMode(true);
+  reader.SetNameMode(true);
+  reader.SetLayerMode(true);
+  reader.SetMatMode(true);
+  reader.SetPropsMode(true);
+  reader.SetGDTMode(false);
+  reader.SetViewMode(false);
+  reader.SetSHUOMode(false);
+  IFSelect_ReturnStatus status;
+  if (check.JunkBytes > 0)
+  {
+    std::ifstream stream(fileName, std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(check.JunkBytes));
+    status = reader.ChangeReader().ReadStream(fileName.c_str(), stream);
+  }
+  else
+  {
+    status = reader.ReadFile(fileName.c_str());
+  }
+  if (status != IFSelect_RetDone)
+  {
+    document.Problem = std::string("OpenCASCADE cannot parse it") +
+      (check.Truncated ? "; it ends in the middle: copy or export it again" : "; export it again");
+    return;
+  }
+  if (!report(ParsingShare))
+  {
+    document.Status = ReadStatus::Aborted;
+    return;
+  }
+  ReadUnit(reader, document);
+  Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
+  const Handle(KernelProgress) progress =
+    new KernelProgress([&report](double x) { return report(ParsingShare + (1.0 - ParsingShare) * x); });
+  reader.Transfer(xde, progress->Start());
+  if (!report(1.0))
+  {
+    document.Status = ReadStatus::Aborted;
+    return;
+  }
+  const Handle(XSControl_WorkSession) session = reader.Reader().WS();
+  FillTable(session, xde, document.Table);
+  TreeBuilder(document, xde).Build();
+  if (!document.Bodies.empty())
+  {
+    document.Status = ReadStatus::Ok;
+  }
+  else if (HasGeometry(session->Model()))
+  {
+    document.Problem =
+      "it has faces, but OpenCASCADE makes no shape of them: its product structure or its geometry "
+      "is malformed; export it again";
+  }
+  else
+  {
+    document.Status = ReadStatus::Empty;
+    document.Problem =
+      "it has no solid, shell or face; export the part as a boundary representation (AP203, AP214 "
+      "or AP242)";
+  }
+}
+}
+
+Document ReadDocument(const std::string& fileName, const std::function<bool(double)>& report)
+{
+  Document document;
+  const FileCheck check = CheckFile(fileName);
+  if (!check.Readable)
+  {
+    document.Problem = check.Problem;
+    return document;
+  }
+  if (check.JunkBytes > 0)
+  {
+    document.Messages.push_back(std::to_string(check.JunkBytes) +
+      " bytes before \"ISO-10303-21;\" do not belong to a STEP file and were skipped.");
+  }
+  if (check.Truncated)
+  {
+    document.Messages.push_back("The file does not end with END-ISO-10303-21: part of it may be missing.");
+  }
+  try
+  {
+    Read(fileName, check, report, document);
+  }
+  catch (const Standard_Failure& failure)
+  {
+    document.Status = ReadStatus::Unreadable;
+    document.Problem =
+      std::string("OpenCASCADE failed on it (") + failure.DynamicType()->Name() + "); export it again";
+  }
+  catch (const std::exception& failure)
+  {
+    document.Status = ReadStatus::Unreadable;
+    document.Problem = std::string("reading it failed (") + failure.what() + ")";
+  }
+  if (document.FreeFaces > 0)
+  {
+    document.Messages.push_back(std::to_string(document.FreeFaces) +
+      " faces lie in the file beside its solids; they belong to no body and are left out.");
+  }
+  return document;
+}
+
+double GetUnitInMillimetres(const std::string& unit)
+{
+  static const std::map<std::string, double> units = { { "mm", 1.0 }, { "millimetre", 1.0 },
+    { "millimeter", 1.0 }, { "cm", 10.0 }, { "centimetre", 10.0 }, { "centimeter", 10.0 }, { "dm", 100.0 },
+    { "decimetre", 100.0 }, { "decimeter", 100.0 }, { "m", 1000.0 }, { "metre", 1000.0 }, { "meter", 1000.0 },
+    { "km", 1e6 }, { "kilometre", 1e6 }, { "kilometer", 1e6 }, { "um", 1e-3 }, { "micrometre", 1e-3 },
+    { "micrometer", 1e-3 }, { "micron", 1e-3 }, { "inch", 25.4 }, { "in", 25.4 }, { "inches", 25.4 },
+    { "ft", 304.8 }, { "foot", 304.8 }, { "feet", 304.8 }, { "yard", 914.4 }, { "mile", 1609344.0 },
+    { "mil", 0.0254 }, { "thou", 0.0254 } };
+  std::string name;
+  for (const char c : unit)
+  {
+    name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  const auto found = units.find(name);
+  return found == units.end() ? 0.0 : found->second;
+}
+}

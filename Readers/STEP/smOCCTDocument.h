@@ -1,0 +1,86 @@
+/**
+ * @file smOCCTDocument.h
+ * @brief A STEP file as parts, instances and what the file says about them
+ */
+#ifndef smOCCTDocument_h
+#define smOCCTDocument_h
+
+#include "smOCCTBody.h"
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace sm
+{
+/// One solid or free shell, in the coordinates of its part: its own location is taken off.
+struct PartBody
+{
+  TopoDS_Shape Shape;
+  /// Applied to the shape before anything else: a scale that an instance asks for, else the identity.
+  gp_Trsf Scale;
+  bool Solid = true;
+  int FileId = 0;
+  std::string Name;
+  std::string Material;
+  double Density = 0.0;
+  /// mm^3 and mm^2; NaN when the file has none.
+  double FileVolume = std::numeric_limits<double>::quiet_NaN();
+  double FileArea = std::numeric_limits<double>::quiet_NaN();
+  Vector3 Color{ -1.0, -1.0, -1.0 };
+};
+
+/// One occurrence of a body. The placement is rigid or mirrored, in mm.
+struct BodyInstance
+{
+  int Body = 0;
+  gp_Trsf Placement;
+  std::string Name;
+  /// Colour the instance has whatever its part says; negative: none.
+  Vector3 Color{ -1.0, -1.0, -1.0 };
+};
+
+struct ProductNode
+{
+  std::string Name;
+  std::string Layer;
+  std::vector<int> Instances;
+  std::vector<ProductNode> Children;
+};
+
+enum class ReadStatus
+{
+  Ok,
+  Empty,
+  Unreadable,
+  Aborted
+};
+
+struct Document
+{
+  ReadStatus Status = ReadStatus::Unreadable;
+  /// Why Status is not Ok: a sentence without the file's name.
+  std::string Problem;
+  std::vector<std::string> Messages;
+  /// The file's own length unit as it spells it ("millimetre"), and in mm; empty and 1 when it gives none.
+  std::string FileUnit;
+  double FileUnitInMillimetres = 1.0;
+  std::vector<PartBody> Bodies;
+  std::vector<BodyInstance> Instances;
+  ProductNode Root;
+  int FreeFaces = 0;
+  ShapeTable Table;
+};
+
+/**
+ * Reads the file. `report` gets a fraction in [0,1] and answers false to stop. One call at a time in the
+ * process: OpenCASCADE's parameters and messenger are global. Throws nothing.
+ */
+Document ReadDocument(const std::string& fileName, const std::function<bool(double)>& report);
+
+/// Length of a unit in mm; 0 for a name that is not known. Knows STEP's spellings and short ones.
+double GetUnitInMillimetres(const std::string& unit);
+}
+
+#endif

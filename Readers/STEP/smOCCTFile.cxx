@@ -1,0 +1,132 @@
+#include "smOCCTFile.h"
+
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPControl_Controller.hxx>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <limits>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+const char Magic[] = "ISO-10303-21;";
+
+/// How far into a file its header is looked for.
+constexpr std::size_t SniffBytes = 1 << 16;
+
+std::string ReadBytes(std::ifstream& file, std::streamoff from, std::size_t count)
+{
+  std::string bytes(count, '\0');
+  file.clear();
+  file.seekg(from);
+  file.read(&bytes[0], static_cast<std::streamsize>(count));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+/// Blanks and comments may stand before the header.
+bool IsBlank(const std::string& text)
+{
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    if (text.compare(i, 2, "/*") == 0)
+    {
+      const std::size_t end = text.find("*/", i + 2);
+      if (end == std::string::npos)
+      {
+        return false;
+      }
+      i = end + 1;
+    }
+    else if (!std::isspace(static_cast<unsigned char>(text[i])))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+FileCheck CheckFile(const std::string& name)
+{
+  FileCheck check;
+  std::ifstream file(name, std::ios::binary);
+  file.seekg(0, std::ios::end);
+  const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
+  // A folder opens on some systems and tells a size that nothing can have.
+  if (size < 0 || !std::ifstream(name, std::ios::binary) ||
+    size == std::numeric_limits<std::streamoff>::max())
+  {
+    check.Problem = "it cannot be opened; check that it exists and may be read";
+    return check;
+  }
+  if (size == 0)
+  {
+    check.Problem = "it is empty; export it again";
+    return check;
+  }
+  const std::string head = ReadBytes(file, 0, SniffBytes);
+  const std::size_t start = head.find(Magic);
+  if (start == std::string::npos)
+  {
+    check.Problem = head.compare(0, 2, "PK") == 0 ? "it is a zip archive (.stpz?); unpack it first"
+      : head.compare(0, 2, "\x1f\x8b") == 0       ? "it is compressed with gzip; unpack it first"
+                                            : "it is not a STEP file: \"ISO-10303-21;\" is missing at its "
+                                              "start; export it as STEP (AP203, AP214 or AP242)";
+    return check;
+  }
+  check.Readable = true;
+  check.JunkBytes = IsBlank(head.substr(0, start)) ? 0 : start;
+  const std::size_t tail = static_cast<std::size_t>(std::min<std::streamoff>(size, 4096));
+  check.Truncated =
+    ReadBytes(file, size - static_cast<std::streamoff>(tail), tail).find("END-ISO-10303-21") ==
+    std::string::npos;
+  return check;
+}
+
+bool LooksLikeSTEP(const std::string& name)
+{
+  std::ifstream file(name, std::ios::binary);
+  return file && ReadBytes(file, 0, SniffBytes).find(Magic) != std::string::npos;
+}
+
+QuietKernel::QuietKernel()
+{
+  // Registers the parameters of the STEP translator, so that the unit exists to be set.
+  STEPControl_Controller::Init();
+  this->Printers = Message::DefaultMessenger()->Printers();
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  this->Unit = Interface_Static::CVal("xstep.cascade.unit");
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+}
+
+QuietKernel::~QuietKernel()
+{
+  Interface_Static::SetCVal("xstep.cascade.unit", this->Unit.ToCString());
+  Message::DefaultMessenger()->ChangePrinters() = this->Printers;
+}
+
+KernelProgress::KernelProgress(std::function<bool(double)> report)
+  : Report(std::move(report))
+{
+}
+
+void KernelProgress::Show(const Message_ProgressScope&, const Standard_Boolean force)
+{
+  const double position = this->GetPosition();
+  if (force || position > this->Last + 0.01)
+  {
+    this->Last = position;
+    if (!this->Report(position))
+    {
+      this->Stopped = true;
+    }
+  }
+}
+}

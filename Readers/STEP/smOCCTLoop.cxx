@@ -1,0 +1,406 @@
+#include "smOCCTLoop.h"
+
+#include <BRep_CurveRepresentation.hxx>
+#include <BRep_GCurve.hxx>
+#include <BRep_ListIteratorOfListOfCurveRepresentation.hxx>
+#include <BRep_TEdge.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Plane.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+
+#include <limits>
+#include <stdexcept>
+
+namespace sm
+{
+namespace
+{
+/// The pcurve the edge stores for this surface; BRep_Tool would make one up on a plane.
+bool FindStoredTrim(const TopoDS_Edge& edge, const Handle(Geom_Surface) & surface,
+  const TopLoc_Location& faceLocation, NativeTrim& trim)
+{
+  const TopLoc_Location location = faceLocation.Predivided(edge.Location());
+  const Handle(BRep_TEdge) shape = Handle(BRep_TEdge)::DownCast(edge.TShape());
+  for (BRep_ListIteratorOfListOfCurveRepresentation it(shape->ChangeCurves()); it.More(); it.Next())
+  {
+    const Handle(BRep_CurveRepresentation)& curve = it.Value();
+    if (curve->IsCurveOnSurface(surface, location))
+    {
+      const Handle(BRep_GCurve) ranged = Handle(BRep_GCurve)::DownCast(curve);
+      ranged->Range(trim.First, trim.Last);
+      const bool second = curve->IsCurveOnClosedSurface() && edge.Orientation() == TopAbs_REVERSED;
+      trim.Curve = second ? curve->PCurve2() : curve->PCurve();
+      return !trim.Curve.IsNull();
+    }
+  }
+  return false;
+}
+
+/// A pcurve for an edge that came without one on a curved surface.
+bool AddMissingTrim(const TopoDS_Edge& edge, const TopoDS_Face& face, NativeTrim& trim)
+{
+  try
+  {
+    const bool seam = BRep_Tool::IsClosed(edge, face);
+    ShapeFix_Edge().FixAddPCurve(edge, face, seam);
+    trim.Curve = BRep_Tool::CurveOnSurface(edge, face, trim.First, trim.Last);
+  }
+  catch (const Standard_Failure&)
+  {
+    trim.Curve.Nullify();
+  }
+  return !trim.Curve.IsNull();
+}
+
+/// Squared distance in native (u,v), whole periods left out; -1 when a pcurve is not there to ask.
+double GetGap(const DraftFace& face, const DraftCoedge& from, const DraftCoedge& to)
+{
+  if (from.Projected || to.Projected)
+  {
+    return -1.0;
+  }
+  const auto a = from.GetEndPoint();
+  const auto b = to.GetStartPoint();
+  double gap = 0.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    double delta = b[d] - a[d];
+    if (face.Period[d] > 0.0)
+    {
+      delta -= std::round(delta / face.Period[d]) * face.Period[d];
+    }
+    gap += delta * delta;
+  }
+  return gap;
+}
+
+bool Meet(const DraftCoedge& from, const DraftCoedge& to)
+{
+  return !from.End.IsNull() && !to.Start.IsNull() && from.End.IsSame(to.Start);
+}
+
+/// The same with periods left in: the side of a seam shows only so.
+double GetRawGap(const DraftCoedge& from, const DraftCoedge& to)
+{
+  if (from.Projected || to.Projected)
+  {
+    return 0.0;
+  }
+  const auto a = from.GetEndPoint();
+  const auto b = to.GetStartPoint();
+  return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+}
+
+/// Square of the distance between two vertices; infinite when one is missing.
+double GetVertexDistance(const DraftCoedge& from, const DraftCoedge& to)
+{
+  if (from.End.IsNull() || to.Start.IsNull())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  return BRep_Tool::Pnt(from.End).SquareDistance(BRep_Tool::Pnt(to.Start));
+}
+
+/// Whole periods by which the pcurves of the loop jump, signed: a closed loop has none left over.
+bool Winds(const DraftFace& face, const DraftLoop& loop)
+{
+  double turns[2] = { 0.0, 0.0 };
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const DraftCoedge& next = loop[(i + 1) % loop.size()];
+    if (loop[i].Projected || next.Projected)
+    {
+      return false;
+    }
+    const auto end = loop[i].GetEndPoint();
+    const auto start = next.GetStartPoint();
+    for (int d = 0; d < 2; ++d)
+    {
+      turns[d] += face.Period[d] > 0.0 ? std::round((end[d] - start[d]) / face.Period[d]) : 0.0;
+    }
+  }
+  return turns[0] != 0.0 || turns[1] != 0.0;
+}
+
+bool IsChain(const DraftFace& face, const DraftLoop& loop)
+{
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const DraftCoedge& next = loop[(i + 1) % loop.size()];
+    // A quarter of a period is beyond any tolerance, and far less than the wrong side of a seam.
+    double limit = std::numeric_limits<double>::infinity();
+    for (const double period : face.Period)
+    {
+      limit = period > 0.0 ? std::min(limit, 0.0625 * period * period) : limit;
+    }
+    if (!Meet(loop[i], next) || GetGap(face, loop[i], next) > limit)
+    {
+      return false;
+    }
+  }
+  return !Winds(face, loop);
+}
+
+/// Which of the unused coedges follows best: by vertex, then by (u,v), then by distance in space.
+std::size_t FindNext(const DraftLoop& loop, const std::vector<bool>& used, const DraftCoedge& last)
+{
+  std::size_t best = loop.size();
+  bool bestMeets = false;
+  double bestDistance = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    if (used[i])
+    {
+      continue;
+    }
+    const bool meets = Meet(last, loop[i]);
+    const double distance = meets ? GetRawGap(last, loop[i]) : GetVertexDistance(last, loop[i]);
+    if (best == loop.size() || (meets && !bestMeets) || (meets == bestMeets && distance < bestDistance))
+    {
+      best = i;
+      bestMeets = meets;
+      bestDistance = distance;
+    }
+  }
+  return best;
+}
+
+double GetTotalGap(const DraftFace& face, const DraftLoop& loop)
+{
+  double total = Winds(face, loop) ? 1e20 : 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const DraftCoedge& next = loop[(i + 1) % loop.size()];
+    total += Meet(loop[i], next) ? 0.0 : 1e30;
+    total += std::max(0.0, GetGap(face, loop[i], next));
+  }
+  return total;
+}
+
+/// Rebuilds chains from the coedges of one wire.
+std::vector<DraftLoop> Chain(const DraftLoop& loop)
+{
+  std::vector<DraftLoop> chains;
+  std::vector<bool> used(loop.size(), false);
+  for (std::size_t first = 0; first < loop.size(); ++first)
+  {
+    if (used[first])
+    {
+      continue;
+    }
+    DraftLoop chain{ loop[first] };
+    used[first] = true;
+    while (true)
+    {
+      const std::size_t next = FindNext(loop, used, chain.back());
+      if (next == loop.size())
+      {
+        break;
+      }
+      // A chain that closes ends here when nothing goes on from its last vertex.
+      if (Meet(chain.back(), chain.front()) && !Meet(chain.back(), loop[next]))
+      {
+        break;
+      }
+      chain.push_back(loop[next]);
+      used[next] = true;
+    }
+    chains.push_back(chain);
+  }
+  return chains;
+}
+
+void MoveLoop(DraftLoop& loop, int direction, double by)
+{
+  for (DraftCoedge& coedge : loop)
+  {
+    coedge.Trim.Shift[direction] += by;
+  }
+}
+
+ParameterBox GetBox(const DraftLoop& loop)
+{
+  ParameterBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };
+  for (const DraftCoedge& coedge : loop)
+  {
+    for (const auto& p : { coedge.GetStartPoint(), coedge.GetEndPoint() })
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        box.Low[d] = std::min(box.Low[d], p[d]);
+        box.High[d] = std::max(box.High[d], p[d]);
+      }
+    }
+  }
+  return box;
+}
+}
+
+DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edges)
+{
+  DraftFace face;
+  face.Reversed = source.Orientation() == TopAbs_REVERSED;
+  face.Face = TopoDS::Face(source.Oriented(TopAbs_FORWARD));
+  TopLoc_Location location;
+  const Handle(Geom_Surface) stored = BRep_Tool::Surface(face.Face, location);
+  if (stored.IsNull())
+  {
+    throw std::runtime_error("it has no surface");
+  }
+  face.Surface = GetBasisSurface(stored);
+  face.Location = location.Transformation();
+  face.Period[0] = face.Surface->IsUPeriodic() ? face.Surface->UPeriod() : 0.0;
+  face.Period[1] = face.Surface->IsVPeriodic() ? face.Surface->VPeriod() : 0.0;
+  const bool plane = !Handle(Geom_Plane)::DownCast(face.Surface).IsNull();
+
+  for (TopoDS_Iterator wires(face.Face); wires.More(); wires.Next())
+  {
+    const TopAbs_Orientation wireOrientation = wires.Value().Orientation();
+    if (wires.Value().ShapeType() != TopAbs_WIRE || wireOrientation == TopAbs_INTERNAL ||
+      wireOrientation == TopAbs_EXTERNAL)
+    {
+      continue;
+    }
+    DraftLoop loop;
+    for (TopoDS_Iterator it(wires.Value()); it.More(); it.Next())
+    {
+      const TopoDS_Edge edge = TopoDS::Edge(it.Value());
+      if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED)
+      {
+        continue;
+      }
+      DraftCoedge coedge;
+      coedge.Edge = edge;
+      coedge.Reversed = edge.Orientation() == TopAbs_REVERSED;
+      coedge.Degenerate = BRep_Tool::Degenerated(edge);
+      coedge.Start = TopExp::FirstVertex(edge, true);
+      coedge.End = TopExp::LastVertex(edge, true);
+      if (!FindStoredTrim(edge, stored, location, coedge.Trim))
+      {
+        double first;
+        double last;
+        TopLoc_Location edgeLocation;
+        const bool hasCurve = !BRep_Tool::Curve(edge, edgeLocation, first, last).IsNull();
+        if (plane && hasCurve)
+        {
+          coedge.Projected = true;
+        }
+        else if (!AddMissingTrim(edge, face.Face, coedge.Trim))
+        {
+          face.Messages.push_back(
+            "An edge has no curve in the face's parameters and none could be made; it is left out.");
+          continue;
+        }
+      }
+      if (!coedge.Projected && !(coedge.Trim.Last > coedge.Trim.First))
+      {
+        face.Messages.push_back("An edge has an empty parameter range on this face; it is left out.");
+        continue;
+      }
+      coedge.EdgeIndex = edges.Add(edge.Oriented(TopAbs_FORWARD)) - 1;
+      loop.push_back(coedge);
+    }
+    if (wireOrientation == TopAbs_REVERSED)
+    {
+      std::reverse(loop.begin(), loop.end());
+    }
+    if (!loop.empty())
+    {
+      face.Loops.push_back(loop);
+    }
+  }
+  return face;
+}
+
+void OrderLoops(DraftFace& face)
+{
+  std::vector<DraftLoop> ordered;
+  for (DraftLoop& loop : face.Loops)
+  {
+    if (IsChain(face, loop))
+    {
+      ordered.push_back(std::move(loop));
+      continue;
+    }
+    std::vector<DraftLoop> chains = Chain(loop);
+    double total = 0.0;
+    for (const DraftLoop& chain : chains)
+    {
+      total += GetTotalGap(face, chain);
+    }
+    if (total < GetTotalGap(face, loop))
+    {
+      ordered.insert(ordered.end(), chains.begin(), chains.end());
+    }
+    else
+    {
+      ordered.push_back(std::move(loop));
+    }
+  }
+  face.Loops = std::move(ordered);
+}
+
+void ShiftLoops(DraftFace& face)
+{
+  if (face.Period[0] <= 0.0 && face.Period[1] <= 0.0)
+  {
+    return;
+  }
+  std::size_t widest = 0;
+  std::vector<ParameterBox> boxes;
+  for (DraftLoop& loop : face.Loops)
+  {
+    for (std::size_t i = 1; i <= loop.size(); ++i)
+    {
+      const auto end = loop[i - 1].GetEndPoint();
+      const auto start = loop[i % loop.size()].GetStartPoint();
+      for (int d = 0; d < 2; ++d)
+      {
+        const double turns = face.Period[d] > 0.0 ? std::round((end[d] - start[d]) / face.Period[d]) : 0.0;
+        if (turns == 0.0)
+        {
+          continue;
+        }
+        if (i < loop.size())
+        {
+          loop[i].Trim.Shift[d] += turns * face.Period[d];
+        }
+        else
+        {
+          face.Messages.push_back(
+            "A loop goes round the surface without a seam; its face is not bounded in (u,v).");
+        }
+      }
+    }
+    boxes.push_back(GetBox(loop));
+  }
+  for (int d = 0; d < 2; ++d)
+  {
+    if (face.Period[d] <= 0.0)
+    {
+      continue;
+    }
+    for (std::size_t i = 1; i < boxes.size(); ++i)
+    {
+      if (boxes[i].High[d] - boxes[i].Low[d] > boxes[widest].High[d] - boxes[widest].Low[d])
+      {
+        widest = i;
+      }
+    }
+    const double middle = 0.5 * (boxes[widest].Low[d] + boxes[widest].High[d]);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+      const double own = 0.5 * (boxes[i].Low[d] + boxes[i].High[d]);
+      const double turns = std::round((middle - own) / face.Period[d]);
+      if (turns != 0.0)
+      {
+        MoveLoop(face.Loops[i], d, turns * face.Period[d]);
+      }
+    }
+  }
+}
+}

@@ -1,0 +1,72 @@
+/**
+ * @file smOCCTLoop.h
+ * @brief The loops of a face as OpenCASCADE has them: ordered, continuous in native (u,v), not yet converted
+ */
+#ifndef smOCCTLoop_h
+#define smOCCTLoop_h
+
+#include "smOCCTCurve.h"
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include <string>
+#include <vector>
+
+namespace sm
+{
+struct DraftCoedge
+{
+  TopoDS_Edge Edge;
+  /// Index of the edge in the body, from 0.
+  int EdgeIndex = -1;
+  bool Reversed = false;
+  bool Degenerate = false;
+  /// On a plane and without a pcurve of its own: the edge's curve projected.
+  bool Projected = false;
+  NativeTrim Trim;
+  /// In loop direction; null when the file gives none.
+  TopoDS_Vertex Start;
+  TopoDS_Vertex End;
+
+  std::array<double, 2> GetStartPoint() const
+  {
+    return this->Reversed ? this->Trim.GetEnd() : this->Trim.GetStart();
+  }
+  std::array<double, 2> GetEndPoint() const
+  {
+    return this->Reversed ? this->Trim.GetStart() : this->Trim.GetEnd();
+  }
+};
+using DraftLoop = std::vector<DraftCoedge>;
+
+struct DraftFace
+{
+  /// Taken forward.
+  TopoDS_Face Face;
+  /// The face's orientation in its body is reversed.
+  bool Reversed = false;
+  Handle(Geom_Surface) Surface;
+  gp_Trsf Location;
+  /// 0: not periodic.
+  double Period[2] = { 0.0, 0.0 };
+  std::vector<DraftLoop> Loops;
+  std::vector<std::string> Messages;
+};
+
+/**
+ * Collects surface, loops and pcurves of one face and adds its edges (forward) to `edges`. Serial: a missing
+ * pcurve is added to the shape here. Throws std::runtime_error when the face has no surface.
+ */
+DraftFace CollectFace(const TopoDS_Face& face, TopTools_IndexedMapOfShape& edges);
+
+/// Puts coedges into an order in which each ends where the next one starts; splits separate chains.
+void OrderLoops(DraftFace& face);
+
+/// Moves pcurves by whole periods so that every loop is continuous and all loops lie side by side.
+void ShiftLoops(DraftFace& face);
+}
+
+#endif

@@ -1,0 +1,218 @@
+#include "smOCCTMesh.h"
+
+#include <BRepBndLib.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <IMeshTools_Parameters.hxx>
+#include <Poly_Triangulation.hxx>
+#include <Standard_Failure.hxx>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+Vector3 Subtract(const Vector3& a, const Vector3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+Vector3 Cross(const Vector3& a, const Vector3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double Dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// A unit vector, or zero when `v` is too short to have a direction.
+Vector3 Normalized(const Vector3& v, double least)
+{
+  const double length = std::sqrt(Dot(v, v));
+  return length > least ? Vector3{ v[0] / length, v[1] / length, v[2] / length } : Vector3{ 0.0, 0.0, 0.0 };
+}
+
+/// Native parameter of a mesh node to ours; a node beyond the domain comes back by whole periods.
+double MapParameter(const ConvertedFace& face, int direction, double native)
+{
+  const ParameterMap& map = face.Map[direction];
+  const NURBSSurface& surface = face.Result->Surface;
+  const bool bent = map.Type != ParameterMap::Kind::Identity;
+  const double low = bent ? map.Start : surface.GetDomainStart(direction);
+  const double high = bent ? map.GetBorder(map.Count) : surface.GetDomainEnd(direction);
+  const double period = face.Period[direction];
+  if (period > 0.0)
+  {
+    const double slack = 1e-6 * period;
+    while (native < low - slack && native + period <= high + slack)
+    {
+      native += period;
+    }
+    while (native > high + slack && native - period >= low - slack)
+    {
+      native -= period;
+    }
+  }
+  return map.Evaluate(native);
+}
+
+/// Su x Sv as a unit vector; at a pole, where one derivative vanishes, that of a point just beside it. Zero when
+/// the surface has no direction there either.
+Vector3 EvaluateNormal(const NURBSSurface& surface, const std::array<double, 2>& uv)
+{
+  Vector3 position;
+  Vector3 du;
+  Vector3 dv;
+  for (const double step : { 0.0, 1e-6, 1e-3 })
+  {
+    double at[2];
+    for (int d = 0; d < 2; ++d)
+    {
+      const double middle = 0.5 * (surface.GetDomainStart(d) + surface.GetDomainEnd(d));
+      at[d] = (1.0 - step) * uv[d] + step * middle;
+    }
+    surface.Evaluate(at[0], at[1], position.data(), du.data(), dv.data());
+    const Vector3 normal = Normalized(Cross(du, dv), 1e-10 * std::sqrt(Dot(du, du) * Dot(dv, dv)));
+    if (Dot(normal, normal) > 0.0 && std::min(Dot(du, du), Dot(dv, dv)) > 0.0)
+    {
+      return normal;
+    }
+  }
+  return { 0.0, 0.0, 0.0 };
+}
+
+/// Adds the triangles of one face; false when it has none.
+bool AddFace(const ConvertedFace& face, int index, const gp_Trsf& trsf, double unit, DisplayMesh& mesh)
+{
+  TopLoc_Location location;
+  const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face.Source, location);
+  if (triangles.IsNull() || triangles->NbTriangles() == 0 || !triangles->HasUVNodes())
+  {
+    return false;
+  }
+  const double zero[3] = { 0.0, 0.0, 0.0 };
+  const AffineMap map = AffineMap::Make(trsf * location.Transformation(), unit, zero);
+  // Poly_Triangulation turns as (u,v) does, so its triangles point along Su x Sv of the mapped surface.
+  const bool flip = face.Result->Reversed;
+  const int first = static_cast<int>(mesh.Points.size());
+  const int count = triangles->NbNodes();
+  std::vector<Vector3> fallback(count, Vector3{ 0.0, 0.0, 0.0 });
+  for (int i = 1; i <= count; ++i)
+  {
+    mesh.Points.push_back(map.MapPoint(triangles->Node(i).XYZ()));
+    mesh.PointFace.push_back(index);
+    const gp_Pnt2d uv = triangles->UVNode(i);
+    mesh.Parameters.push_back({ MapParameter(face, 0, uv.X()), MapParameter(face, 1, uv.Y()) });
+  }
+  for (int i = 1; i <= triangles->NbTriangles(); ++i)
+  {
+    int a;
+    int b;
+    int c;
+    triangles->Triangle(i).Get(a, b, c);
+    if (flip)
+    {
+      std::swap(b, c);
+    }
+    const std::array<int, 3> corners{ first + a - 1, first + b - 1, first + c - 1 };
+    const Vector3& p = mesh.Points[corners[0]];
+    const Vector3 n = Cross(Subtract(mesh.Points[corners[1]], p), Subtract(mesh.Points[corners[2]], p));
+    for (const int k : corners)
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        fallback[k - first][d] += n[d];
+      }
+    }
+    mesh.Triangles.push_back(corners);
+    mesh.TriangleFace.push_back(index);
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    Vector3 normal = EvaluateNormal(face.Result->Surface, mesh.Parameters[first + i]);
+    if (flip)
+    {
+      normal = { -normal[0], -normal[1], -normal[2] };
+    }
+    mesh.Normals.push_back(Dot(normal, normal) > 0.0 ? normal : Normalized(fallback[i], 0.0));
+  }
+  return true;
+}
+}
+
+bool GetShapeBounds(const TopoDS_Shape& shape, double bounds[6])
+{
+  try
+  {
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box, true);
+    if (box.IsVoid() || box.IsOpen())
+    {
+      return false;
+    }
+    box.SetGap(0.0);
+    box.Get(bounds[0], bounds[2], bounds[4], bounds[1], bounds[3], bounds[5]);
+    return true;
+  }
+  catch (const Standard_Failure&)
+  {
+    return false;
+  }
+}
+
+std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, double angle)
+{
+  try
+  {
+    IMeshTools_Parameters parameters;
+    parameters.Deflection = deflection;
+    parameters.Angle = angle;
+    parameters.Relative = false;
+    parameters.InParallel = false;
+    parameters.MinSize = 0.01 * deflection;
+    BRepMesh_IncrementalMesh(shape, parameters);
+    return {};
+  }
+  catch (const Standard_Failure& failure)
+  {
+    return std::string("OpenCASCADE's mesher failed (") + failure.DynamicType()->Name() +
+      "); parts of the display mesh are missing.";
+  }
+  catch (const std::exception& failure)
+  {
+    return std::string("OpenCASCADE's mesher failed (") + failure.what() +
+      "); parts of the display mesh are missing.";
+  }
+}
+
+DisplayMesh BuildMesh(ConvertedBody& body, const gp_Trsf& trsf, double unit, const double origin[3])
+{
+  DisplayMesh mesh;
+  int missing = 0;
+  for (std::size_t i = 0; i < body.Faces.size(); ++i)
+  {
+    missing += AddFace(body.Faces[i], static_cast<int>(i), trsf, unit, mesh) ? 0 : 1;
+  }
+  if (missing > 0)
+  {
+    body.Messages.push_back(
+      std::to_string(missing) + " faces have no display triangles; their exact geometry is there.");
+  }
+  const Vector3 center{ origin[0], origin[1], origin[2] };
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    const Vector3 a = Subtract(mesh.Points[t[0]], center);
+    const Vector3 n =
+      Cross(Subtract(mesh.Points[t[1]], mesh.Points[t[0]]), Subtract(mesh.Points[t[2]], mesh.Points[t[0]]));
+    mesh.Area += 0.5 * std::sqrt(Dot(n, n));
+    mesh.Volume += Dot(a, n) / 6.0;
+  }
+  mesh.Volume = std::abs(mesh.Volume);
+  return mesh;
+}
+}

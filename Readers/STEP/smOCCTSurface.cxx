@@ -1,0 +1,708 @@
+#include "smOCCTSurface.h"
+
+#include "smChebyshevFit.h"
+#include "smOCCTCurve.h"
+#include "smOCCTSpline.h"
+
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_Hyperbola.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <Geom_Parabola.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
+
+#include <stdexcept>
+
+namespace sm
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+/// A pole of a surface of revolution: w * position = w * Center + cos(u) X + sin(u) Y, all homogeneous.
+struct RevolvedPole
+{
+  Vector3 Center;
+  Vector3 X;
+  Vector3 Y;
+  double Weight;
+};
+
+double SnapToZero(double value)
+{
+  return std::abs(value) < 4.0 * UnitRoundoff ? 0.0 : value;
+}
+
+std::vector<double> LinearKnots(double low, double high)
+{
+  return { low, low, high, high };
+}
+
+/// Rows of `poles` revolved over the arcs of map.Map[0]; direction v is the profile's.
+void Revolve(const std::vector<RevolvedPole>& poles, ConvertedSurface& result)
+{
+  const std::vector<Vector3> arcs = result.Map[0].GetControlPoints();
+  NURBSSurface& s = result.Surface;
+  s.Degree[0] = 2;
+  s.Knots[0] = result.Map[0].GetKnots();
+  s.NumberOfControlPoints[0] = static_cast<int>(arcs.size());
+  s.NumberOfControlPoints[1] = static_cast<int>(poles.size());
+  s.Rational = true;
+  for (const RevolvedPole& pole : poles)
+  {
+    for (const Vector3& arc : arcs)
+    {
+      std::array<double, 4> h;
+      for (int c = 0; c < 3; ++c)
+      {
+        h[c] = arc[2] * pole.Center[c] + (arc[0] * pole.X[c] + arc[1] * pole.Y[c]);
+      }
+      h[3] = arc[2] * pole.Weight;
+      s.ControlPoints.push_back(h);
+    }
+  }
+}
+
+/// Cylinder, cone, sphere and torus: profile poles as homogeneous (radius, height, weight).
+void RevolveElementary(
+  const gp_Ax3& frame, const std::vector<Vector3>& profile, const AffineMap& map, ConvertedSurface& result)
+{
+  const Vector3 origin = map.MapPoint(frame.Location().XYZ());
+  const Vector3 x = map.MapVector(frame.XDirection().XYZ());
+  const Vector3 y = map.MapVector(frame.YDirection().XYZ());
+  const Vector3 z = map.MapVector(frame.Direction().XYZ());
+  std::vector<RevolvedPole> poles;
+  for (const Vector3& p : profile)
+  {
+    RevolvedPole pole;
+    for (int c = 0; c < 3; ++c)
+    {
+      pole.Center[c] = p[2] * origin[c] + p[1] * z[c];
+      pole.X[c] = p[0] * x[c];
+      pole.Y[c] = p[0] * y[c];
+    }
+    pole.Weight = p[2];
+    poles.push_back(pole);
+  }
+  Revolve(poles, result);
+}
+
+void SetLinear(ConvertedSurface& result, int direction, double low, double high)
+{
+  result.Surface.Degree[direction] = 1;
+  result.Surface.Knots[direction] = LinearKnots(low, high);
+}
+
+void ConvertPlane(
+  const gp_Ax3& frame, const ParameterBox& box, const AffineMap& map, ConvertedSurface& result)
+{
+  SetLinear(result, 0, box.Low[0], box.High[0]);
+  SetLinear(result, 1, box.Low[1], box.High[1]);
+  NURBSSurface& s = result.Surface;
+  s.NumberOfControlPoints[0] = s.NumberOfControlPoints[1] = 2;
+  const Vector3 origin = map.MapPoint(frame.Location().XYZ());
+  const Vector3 x = map.MapVector(frame.XDirection().XYZ());
+  const Vector3 y = map.MapVector(frame.YDirection().XYZ());
+  for (const double v : { box.Low[1], box.High[1] })
+  {
+    for (const double u : { box.Low[0], box.High[0] })
+    {
+      std::array<double, 4> h{ 0.0, 0.0, 0.0, 1.0 };
+      for (int c = 0; c < 3; ++c)
+      {
+        h[c] = origin[c] + (u * x[c] + v * y[c]);
+      }
+      s.ControlPoints.push_back(h);
+    }
+  }
+}
+
+/// A straight profile radius(v), height(v) at both ends of v; a radius that is zero but for rounding is zero.
+std::vector<Vector3> StraightProfile(
+  const ParameterBox& box, double radius, double radiusSlope, double heightSlope)
+{
+  std::vector<Vector3> profile;
+  for (const double v : { box.Low[1], box.High[1] })
+  {
+    double r = radius + v * radiusSlope;
+    if (std::abs(r) <= 8.0 * UnitRoundoff * std::max(std::abs(radius), std::abs(v * radiusSlope)))
+    {
+      r = 0.0;
+    }
+    profile.push_back({ r, v * heightSlope, 1.0 });
+  }
+  return profile;
+}
+
+/// A circular profile around (major, 0) in the (radius, height) plane, over the arcs of v.
+std::vector<Vector3> CircularProfile(const ParameterMap& arcs, double major, double minor)
+{
+  std::vector<Vector3> profile;
+  for (const Vector3& p : arcs.GetControlPoints())
+  {
+    profile.push_back({ major * p[2] + minor * p[0], minor * p[1], p[2] });
+  }
+  return profile;
+}
+
+void SetArcs(ConvertedSurface& result, int direction, double low, double high)
+{
+  result.Map[direction] = ParameterMap::MakeCircular(low, high);
+  result.Surface.Degree[direction] = 2;
+  result.Surface.Knots[direction] = result.Map[direction].GetKnots();
+}
+
+void ConvertRevolution(const Handle(Geom_SurfaceOfRevolution) & surface, const ParameterBox& box,
+  const AffineMap& map, ConvertedSurface& result)
+{
+  const Profile profile = ConvertProfile(surface->BasisCurve(), box.Low[1], box.High[1]);
+  const gp_Ax1 axis = surface->Axis();
+  const gp_XYZ z = axis.Direction().XYZ();
+  const Vector3 origin = map.MapPoint(axis.Location().XYZ());
+  std::vector<RevolvedPole> poles;
+  for (const std::array<double, 4>& h : profile.Poles)
+  {
+    const gp_XYZ fromAxis = gp_XYZ(h[0], h[1], h[2]) - h[3] * axis.Location().XYZ();
+    const double height = fromAxis.Dot(z);
+    gp_XYZ radius = fromAxis - height * z;
+    if (radius.Modulus() < 8.0 * UnitRoundoff * (fromAxis.Modulus() + h[3] * axis.Location().XYZ().Modulus()))
+    {
+      radius = gp_XYZ(0.0, 0.0, 0.0);
+    }
+    RevolvedPole pole;
+    const Vector3 along = map.MapVector(height * z);
+    for (int c = 0; c < 3; ++c)
+    {
+      pole.Center[c] = h[3] * origin[c] + along[c];
+    }
+    pole.X = map.MapVector(radius);
+    pole.Y = map.MapVector(z.Crossed(radius));
+    pole.Weight = h[3];
+    poles.push_back(pole);
+  }
+  result.Map[1] = profile.Map;
+  result.Surface.Degree[1] = profile.Degree;
+  result.Surface.Knots[1] = profile.Knots;
+  result.Surface.Residual = profile.Residual * map.GetScale();
+  Revolve(poles, result);
+}
+
+void ConvertExtrusion(const Handle(Geom_SurfaceOfLinearExtrusion) & surface, const ParameterBox& box,
+  const AffineMap& map, ConvertedSurface& result)
+{
+  const Profile profile = ConvertProfile(surface->BasisCurve(), box.Low[0], box.High[0]);
+  const Vector3 direction = map.MapVector(surface->Direction().XYZ());
+  NURBSSurface& s = result.Surface;
+  result.Map[0] = profile.Map;
+  s.Degree[0] = profile.Degree;
+  s.Knots[0] = profile.Knots;
+  s.Residual = profile.Residual * map.GetScale();
+  SetLinear(result, 1, box.Low[1], box.High[1]);
+  s.NumberOfControlPoints[0] = static_cast<int>(profile.Poles.size());
+  s.NumberOfControlPoints[1] = 2;
+  for (const double v : { box.Low[1], box.High[1] })
+  {
+    for (const std::array<double, 4>& h : profile.Poles)
+    {
+      const Vector3 linear = map.MapVector(gp_XYZ(h[0], h[1], h[2]));
+      std::array<double, 4> point;
+      for (int c = 0; c < 3; ++c)
+      {
+        point[c] = linear[c] + h[3] * map.Translation[c] + h[3] * v * direction[c];
+      }
+      point[3] = h[3];
+      s.Rational = s.Rational || h[3] != profile.Poles[0][3];
+      s.ControlPoints.push_back(point);
+    }
+  }
+}
+
+template <class SplineSurface>
+std::array<double, 4> MapPole(
+  const Handle(SplineSurface) & surface, int i, int j, bool rational, const AffineMap& map)
+{
+  const double w = rational ? surface->Weight(i + 1, j + 1) : 1.0;
+  const Vector3 p = map.MapPoint(surface->Pole(i + 1, j + 1).XYZ());
+  return { w * p[0], w * p[1], w * p[2], w };
+}
+
+void ConvertBSpline(const Handle(Geom_BSplineSurface) & surface, const ParameterBox& box,
+  const AffineMap& map, ConvertedSurface& result)
+{
+  const FlatKnots flat[2] = { MakeFlatKnots(surface->UDegree(), surface->UKnots(), surface->UMultiplicities(),
+                                surface->IsUPeriodic(), box.Low[0], box.High[0]),
+    MakeFlatKnots(surface->VDegree(), surface->VKnots(), surface->VMultiplicities(), surface->IsVPeriodic(),
+      box.Low[1], box.High[1]) };
+  NURBSSurface& s = result.Surface;
+  for (int d = 0; d < 2; ++d)
+  {
+    s.Degree[d] = flat[d].Degree;
+    s.Knots[d] = flat[d].Knots;
+    s.NumberOfControlPoints[d] = static_cast<int>(flat[d].Poles.size());
+  }
+  s.Rational = surface->IsURational() || surface->IsVRational();
+  for (const int j : flat[1].Poles)
+  {
+    for (const int i : flat[0].Poles)
+    {
+      s.ControlPoints.push_back(MapPole(surface, i, j, s.Rational, map));
+    }
+  }
+}
+
+void ConvertBezier(const Handle(Geom_BezierSurface) & surface, const AffineMap& map, ConvertedSurface& result)
+{
+  NURBSSurface& s = result.Surface;
+  s.Degree[0] = surface->UDegree();
+  s.Degree[1] = surface->VDegree();
+  for (int d = 0; d < 2; ++d)
+  {
+    s.NumberOfControlPoints[d] = s.Degree[d] + 1;
+    s.Knots[d].assign(s.Degree[d] + 1, 0.0);
+    s.Knots[d].insert(s.Knots[d].end(), s.Degree[d] + 1, 1.0);
+  }
+  s.Rational = surface->IsURational() || surface->IsVRational();
+  for (int j = 0; j <= s.Degree[1]; ++j)
+  {
+    for (int i = 0; i <= s.Degree[0]; ++i)
+    {
+      s.ControlPoints.push_back(MapPole(surface, i, j, s.Rational, map));
+    }
+  }
+}
+
+/// Largest distance from the kernel's own evaluation, at a few points of the box.
+double MeasureDistance(const Handle(Geom_Surface) & surface, const ParameterBox& box, const AffineMap& map,
+  const ConvertedSurface& converted)
+{
+  double distance = 0.0;
+  for (const double x : { 0.03, 0.41, 0.77 })
+  {
+    for (const double y : { 0.11, 0.5, 0.96 })
+    {
+      const double u = (1.0 - x) * box.Low[0] + x * box.High[0];
+      const double v = (1.0 - y) * box.Low[1] + y * box.High[1];
+      const Vector3 expected = map.MapPoint(surface->Value(u, v).XYZ());
+      Vector3 actual;
+      converted.Surface.Evaluate(converted.Map[0].Evaluate(u), converted.Map[1].Evaluate(v), actual.data());
+      for (int c = 0; c < 3; ++c)
+      {
+        distance = std::max(distance, std::abs(actual[c] - expected[c]));
+      }
+    }
+  }
+  return distance;
+}
+
+double GetSize(const NURBSSurface& surface)
+{
+  double size = 0.0;
+  for (const std::array<double, 4>& h : surface.ControlPoints)
+  {
+    size = std::max({ size, std::abs(h[0] / h[3]), std::abs(h[1] / h[3]), std::abs(h[2] / h[3]) });
+  }
+  return size;
+}
+
+/// Dispatch on the surface's type; false when none of the exact conversions applies.
+bool ConvertExactly(const Handle(Geom_Surface) & surface, const ParameterBox& box, const AffineMap& map,
+  ConvertedSurface& result)
+{
+  if (const auto plane = Handle(Geom_Plane)::DownCast(surface))
+  {
+    ConvertPlane(plane->Position(), box, map, result);
+  }
+  else if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface))
+  {
+    SetArcs(result, 0, box.Low[0], box.High[0]);
+    SetLinear(result, 1, box.Low[1], box.High[1]);
+    RevolveElementary(cylinder->Position(), StraightProfile(box, cylinder->Radius(), 0.0, 1.0), map, result);
+  }
+  else if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface))
+  {
+    SetArcs(result, 0, box.Low[0], box.High[0]);
+    SetLinear(result, 1, box.Low[1], box.High[1]);
+    RevolveElementary(cone->Position(),
+      StraightProfile(box, cone->RefRadius(), std::sin(cone->SemiAngle()), std::cos(cone->SemiAngle())), map,
+      result);
+  }
+  else if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface))
+  {
+    SetArcs(result, 0, box.Low[0], box.High[0]);
+    // A latitude that is a pole but for rounding is the pole: its row of control points is one point.
+    SetArcs(result, 1, box.Low[1] < -0.5 * Pi + 1e-10 ? -0.5 * Pi : box.Low[1],
+      box.High[1] > 0.5 * Pi - 1e-10 ? 0.5 * Pi : box.High[1]);
+    RevolveElementary(sphere->Position(), CircularProfile(result.Map[1], 0.0, sphere->Radius()), map, result);
+  }
+  else if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface))
+  {
+    SetArcs(result, 0, box.Low[0], box.High[0]);
+    SetArcs(result, 1, box.Low[1], box.High[1]);
+    RevolveElementary(torus->Position(),
+      CircularProfile(result.Map[1], torus->MajorRadius(), torus->MinorRadius()), map, result);
+  }
+  else if (const auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(surface))
+  {
+    SetArcs(result, 0, box.Low[0], box.High[0]);
+    ConvertRevolution(revolution, box, map, result);
+  }
+  else if (const auto extrusion = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface))
+  {
+    ConvertExtrusion(extrusion, box, map, result);
+  }
+  else if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface))
+  {
+    ConvertBSpline(spline, box, map, result);
+  }
+  else if (const auto bezier = Handle(Geom_BezierSurface)::DownCast(surface))
+  {
+    ConvertBezier(bezier, map, result);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+/// Homogeneous poles of a conic: w * position = w * center + c X + s Y.
+void SetConic(Profile& profile, const gp_XYZ& center, const gp_XYZ& x, const gp_XYZ& y)
+{
+  profile.Degree = 2;
+  profile.Knots = profile.Map.GetKnots();
+  for (const Vector3& p : profile.Map.GetControlPoints())
+  {
+    const gp_XYZ h = p[2] * center + (p[0] * x + p[1] * y);
+    profile.Poles.push_back({ h.X(), h.Y(), h.Z(), p[2] });
+  }
+}
+
+void SetBezierKnots(Profile& profile, int degree, double low, double high)
+{
+  profile.Degree = degree;
+  profile.Knots.assign(degree + 1, low);
+  profile.Knots.insert(profile.Knots.end(), degree + 1, high);
+}
+
+/// A piecewise fit, raised to one degree, with knots as multiple as the degree.
+void SetFit(Profile& profile, const Handle(Geom_Curve) & curve, double low, double high)
+{
+  const EdgeCurve fit = FitEdge(curve, low, high, AffineMap());
+  const int pieces = fit.GetNumberOfPieces();
+  int degree = 1;
+  for (int i = 0; i < pieces; ++i)
+  {
+    degree = std::max(degree, fit.GetDegree(i));
+  }
+  profile.Degree = degree;
+  profile.Residual = fit.Residual;
+  profile.Knots.assign(1, fit.Breaks.front());
+  for (const double t : fit.Breaks)
+  {
+    profile.Knots.insert(profile.Knots.end(), degree, t);
+  }
+  profile.Knots.push_back(fit.Breaks.back());
+  for (int i = 0; i < pieces; ++i)
+  {
+    std::vector<Vector3> b(
+      fit.Coefficients.begin() + fit.Offsets[i], fit.Coefficients.begin() + fit.Offsets[i + 1]);
+    while (static_cast<int>(b.size()) <= degree)
+    {
+      const int n = static_cast<int>(b.size());
+      std::vector<Vector3> raised(n + 1, b[n - 1]);
+      raised[0] = b[0];
+      for (int j = 1; j < n; ++j)
+      {
+        const double share = static_cast<double>(j) / n;
+        for (int c = 0; c < 3; ++c)
+        {
+          raised[j][c] = share * b[j - 1][c] + (1.0 - share) * b[j][c];
+        }
+      }
+      b = raised;
+    }
+    for (int j = i == 0 ? 0 : 1; j <= degree; ++j)
+    {
+      profile.Poles.push_back({ b[j][0], b[j][1], b[j][2], 1.0 });
+    }
+  }
+}
+}
+
+AffineMap AffineMap::Make(const gp_Trsf& trsf, double unit, const double origin[3])
+{
+  AffineMap map;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      map.Linear[i][j] = unit * trsf.Value(i + 1, j + 1);
+    }
+    map.Translation[i] = unit * trsf.Value(i + 1, 4) - origin[i];
+  }
+  return map;
+}
+
+Vector3 AffineMap::MapVector(const gp_XYZ& v) const
+{
+  Vector3 r;
+  for (int i = 0; i < 3; ++i)
+  {
+    r[i] = this->Linear[i][0] * v.X() + this->Linear[i][1] * v.Y() + this->Linear[i][2] * v.Z();
+  }
+  return r;
+}
+
+Vector3 AffineMap::MapPoint(const gp_XYZ& p) const
+{
+  Vector3 r = this->MapVector(p);
+  for (int i = 0; i < 3; ++i)
+  {
+    r[i] += this->Translation[i];
+  }
+  return r;
+}
+
+bool AffineMap::IsMirrored() const
+{
+  const auto& m = this->Linear;
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) <
+    0.0;
+}
+
+double AffineMap::GetScale() const
+{
+  const auto& m = this->Linear;
+  return std::sqrt(m[0][0] * m[0][0] + m[1][0] * m[1][0] + m[2][0] * m[2][0]);
+}
+
+ParameterMap ParameterMap::MakeCircular(double low, double high)
+{
+  ParameterMap map;
+  map.Type = Kind::Circular;
+  map.Start = low;
+  double turn = high - low;
+  if (std::abs(turn - 2.0 * Pi) < 1e-9)
+  {
+    turn = 2.0 * Pi;
+  }
+  map.Count = std::max(1, static_cast<int>(std::ceil(turn / (0.5 * Pi) - 1e-9)));
+  map.Width = turn / map.Count;
+  return map;
+}
+
+ParameterMap ParameterMap::MakeHyperbolic(double low, double high)
+{
+  ParameterMap map;
+  map.Type = Kind::Hyperbolic;
+  map.Start = low;
+  map.Width = high - low;
+  return map;
+}
+
+int ParameterMap::FindArc(double native) const
+{
+  const double arc = std::floor((native - this->Start) / this->Width);
+  return static_cast<int>(std::clamp(arc, 0.0, this->Count - 1.0));
+}
+
+double ParameterMap::EvaluateInArc(int arc, double native) const
+{
+  const double phi = native - (this->Start + (arc + 0.5) * this->Width);
+  const double ratio = this->Type == Kind::Hyperbolic ? std::tanh(0.5 * phi) / std::tanh(0.25 * this->Width)
+                                                      : std::tan(0.5 * phi) / std::tan(0.25 * this->Width);
+  const double s = 0.5 * (1.0 + ratio);
+  // Within rounding of a border means on it: the cut that made the border is there.
+  const double rounding = this->GetRounding();
+  if (std::abs(s) <= rounding)
+  {
+    return arc;
+  }
+  if (std::abs(s - 1.0) <= rounding)
+  {
+    return arc + 1.0;
+  }
+  return arc + s;
+}
+
+double ParameterMap::GetRounding() const
+{
+  if (this->Type == Kind::Identity)
+  {
+    return 0.0;
+  }
+  const double largest = std::max(std::abs(this->Start), std::abs(this->GetBorder(this->Count)));
+  return 4.0 * UnitRoundoff * std::max(1.0, largest / this->Width);
+}
+
+std::vector<Vector3> ParameterMap::GetControlPoints() const
+{
+  std::vector<Vector3> points;
+  const double half = 0.5 * this->Width;
+  for (int k = 0; k <= 2 * this->Count; ++k)
+  {
+    const double angle = this->Start + k * half;
+    if (this->Type == Kind::Hyperbolic)
+    {
+      // Middle control point: where the tangents at the ends meet, times cosh of the half opening.
+      points.push_back({ std::cosh(angle), std::sinh(angle), k % 2 ? std::cosh(half) : 1.0 });
+    }
+    else
+    {
+      points.push_back(
+        { SnapToZero(std::cos(angle)), SnapToZero(std::sin(angle)), k % 2 ? std::cos(half) : 1.0 });
+    }
+  }
+  return points;
+}
+
+std::vector<double> ParameterMap::GetKnots() const
+{
+  std::vector<double> knots{ 0.0 };
+  for (int k = 0; k <= this->Count; ++k)
+  {
+    knots.insert(knots.end(), 2, k);
+  }
+  knots.push_back(this->Count);
+  return knots;
+}
+
+Handle(Geom_Surface) GetBasisSurface(Handle(Geom_Surface) surface)
+{
+  while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
+  {
+    surface = trimmed->BasisSurface();
+  }
+  return surface;
+}
+
+Profile ConvertProfile(const Handle(Geom_Curve) & source, double low, double high)
+{
+  Handle(Geom_Curve) curve = source;
+  while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
+  {
+    curve = trimmed->BasisCurve();
+  }
+  Profile profile;
+  if (Handle(Geom_Line)::DownCast(curve))
+  {
+    SetBezierKnots(profile, 1, low, high);
+    for (const double t : { low, high })
+    {
+      const gp_Pnt p = curve->Value(t);
+      profile.Poles.push_back({ p.X(), p.Y(), p.Z(), 1.0 });
+    }
+  }
+  else if (const auto circle = Handle(Geom_Circle)::DownCast(curve))
+  {
+    const gp_Ax2& f = circle->Position();
+    profile.Map = ParameterMap::MakeCircular(low, high);
+    SetConic(profile, f.Location().XYZ(), circle->Radius() * f.XDirection().XYZ(),
+      circle->Radius() * f.YDirection().XYZ());
+  }
+  else if (const auto ellipse = Handle(Geom_Ellipse)::DownCast(curve))
+  {
+    const gp_Ax2& f = ellipse->Position();
+    profile.Map = ParameterMap::MakeCircular(low, high);
+    SetConic(profile, f.Location().XYZ(), ellipse->MajorRadius() * f.XDirection().XYZ(),
+      ellipse->MinorRadius() * f.YDirection().XYZ());
+  }
+  else if (const auto hyperbola = Handle(Geom_Hyperbola)::DownCast(curve))
+  {
+    const gp_Ax2& f = hyperbola->Position();
+    profile.Map = ParameterMap::MakeHyperbolic(low, high);
+    SetConic(profile, f.Location().XYZ(), hyperbola->MajorRadius() * f.XDirection().XYZ(),
+      hyperbola->MinorRadius() * f.YDirection().XYZ());
+  }
+  else if (const auto parabola = Handle(Geom_Parabola)::DownCast(curve))
+  {
+    // P(t) = C + t^2/(4F) X + t Y; blossom t1 t2/(4F) X + (t1 + t2)/2 Y.
+    const gp_Ax2& f = parabola->Position();
+    SetBezierKnots(profile, 2, low, high);
+    for (const auto& t : { std::array<double, 2>{ low, low }, { low, high }, { high, high } })
+    {
+      const gp_XYZ p = f.Location().XYZ() + t[0] * t[1] / (4.0 * parabola->Focal()) * f.XDirection().XYZ() +
+        0.5 * (t[0] + t[1]) * f.YDirection().XYZ();
+      profile.Poles.push_back({ p.X(), p.Y(), p.Z(), 1.0 });
+    }
+  }
+  else if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve))
+  {
+    const FlatKnots flat = MakeFlatKnots(
+      spline->Degree(), spline->Knots(), spline->Multiplicities(), spline->IsPeriodic(), low, high);
+    profile.Degree = flat.Degree;
+    profile.Knots = flat.Knots;
+    for (const int i : flat.Poles)
+    {
+      const double w = spline->IsRational() ? spline->Weight(i + 1) : 1.0;
+      const gp_Pnt p = spline->Pole(i + 1);
+      profile.Poles.push_back({ w * p.X(), w * p.Y(), w * p.Z(), w });
+    }
+  }
+  else if (const auto bezier = Handle(Geom_BezierCurve)::DownCast(curve))
+  {
+    SetBezierKnots(profile, bezier->Degree(), 0.0, 1.0);
+    for (int i = 1; i <= bezier->NbPoles(); ++i)
+    {
+      const double w = bezier->IsRational() ? bezier->Weight(i) : 1.0;
+      const gp_Pnt p = bezier->Pole(i);
+      profile.Poles.push_back({ w * p.X(), w * p.Y(), w * p.Z(), w });
+    }
+  }
+  else
+  {
+    SetFit(profile, curve, low, high);
+  }
+  return profile;
+}
+
+ConvertedSurface ConvertSurface(
+  const Handle(Geom_Surface) & source, const ParameterBox& box, const AffineMap& map)
+{
+  const Handle(Geom_Surface) surface = GetBasisSurface(source);
+  ConvertedSurface result;
+  bool done = false;
+  if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface))
+  {
+    // An offset of an elementary surface may be one itself: taken when it is the same point by point.
+    const Handle(Geom_Surface) same = offset->Surface();
+    done = !same.IsNull() && ConvertExactly(GetBasisSurface(same), box, map, result) &&
+      MeasureDistance(surface, box, map, result) < 1e-13 * GetSize(result.Surface);
+  }
+  else
+  {
+    done = ConvertExactly(surface, box, map, result);
+  }
+  if (!done)
+  {
+    result = ConvertedSurface();
+    result.Surface = FitSurface(surface, box, map);
+  }
+  const std::string problem = result.Surface.Check();
+  if (!problem.empty())
+  {
+    throw std::runtime_error("its surface is not usable: " + problem);
+  }
+  const double distance = MeasureDistance(surface, box, map, result);
+  if (!(distance <= 1e-10 * GetSize(result.Surface) + result.Surface.Residual))
+  {
+    throw std::runtime_error(
+      "its surface differs from the file's by " + std::to_string(distance) + " after conversion");
+  }
+  return result;
+}
+}

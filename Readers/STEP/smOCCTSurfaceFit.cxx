@@ -1,0 +1,251 @@
+#include "smOCCTSurface.h"
+
+#include "smChebyshevFit.h"
+#include "smOCCTSpline.h"
+
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
+
+#include <stdexcept>
+
+namespace sm
+{
+namespace
+{
+constexpr int FitDegree = 10;
+constexpr int MaximumIntervals = 64;
+/// Relative to the size of the surface.
+constexpr double FitTolerance = 1e-13;
+
+using Grid = std::array<std::array<Vector3, FitOrder + 1>, FitOrder + 1>;
+
+/// Knots of the surface under an offset inside the box: the fit must not cross them.
+std::vector<double> GetBreaks(const Handle(Geom_Surface) & surface, int direction, double low, double high)
+{
+  std::vector<double> breaks{ low };
+  Handle(Geom_Surface) basis = surface;
+  while (const auto offset = Handle(Geom_OffsetSurface)::DownCast(basis))
+  {
+    basis = GetBasisSurface(offset->BasisSurface());
+  }
+  if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(basis))
+  {
+    const FlatKnots flat = direction == 0 ? MakeFlatKnots(spline->UDegree(), spline->UKnots(),
+                                              spline->UMultiplicities(), spline->IsUPeriodic(), low, high)
+                                          : MakeFlatKnots(spline->VDegree(), spline->VKnots(),
+                                              spline->VMultiplicities(), spline->IsVPeriodic(), low, high);
+    const double slack = 1e-12 * (high - low);
+    for (const double knot : flat.Knots)
+    {
+      if (knot > breaks.back() + slack && knot < high - slack)
+      {
+        breaks.push_back(knot);
+      }
+    }
+  }
+  breaks.push_back(high);
+  return breaks;
+}
+
+/// Chebyshev coefficients of one cell in both directions: grid[j][i] belongs to T_i(u) T_j(v).
+void Sample(const Handle(Geom_Surface) & surface, const AffineMap& map, const double u[2], const double v[2],
+  Grid& grid, double& size)
+{
+  const FitSamples& x = GetFitNodes();
+  for (int j = 0; j <= FitOrder; ++j)
+  {
+    for (int i = 0; i <= FitOrder; ++i)
+    {
+      grid[j][i] = map.MapPoint(
+        surface->Value((1.0 - x[i]) * u[0] + x[i] * u[1], (1.0 - x[j]) * v[0] + x[j] * v[1]).XYZ());
+      for (const double c : grid[j][i])
+      {
+        size = std::max(size, std::abs(c));
+      }
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    FitSamples line;
+    FitSamples series;
+    for (int j = 0; j <= FitOrder; ++j)
+    {
+      for (int i = 0; i <= FitOrder; ++i)
+      {
+        line[i] = grid[j][i][c];
+      }
+      ComputeChebyshevCoefficients(line, series);
+      for (int i = 0; i <= FitOrder; ++i)
+      {
+        grid[j][i][c] = series[i];
+      }
+    }
+    for (int i = 0; i <= FitOrder; ++i)
+    {
+      for (int j = 0; j <= FitOrder; ++j)
+      {
+        line[j] = grid[j][i][c];
+      }
+      ComputeChebyshevCoefficients(line, series);
+      for (int j = 0; j <= FitOrder; ++j)
+      {
+        grid[j][i][c] = series[j];
+      }
+    }
+  }
+}
+
+/// Sum of the coefficients beyond FitDegree in direction 0 and in direction 1.
+void MeasureTails(const Grid& grid, double tails[2])
+{
+  tails[0] = tails[1] = 0.0;
+  for (int j = 0; j <= FitOrder; ++j)
+  {
+    for (int i = 0; i <= FitOrder; ++i)
+    {
+      const Vector3& c = grid[j][i];
+      const double length = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
+      if (i > FitDegree)
+      {
+        tails[0] += length;
+      }
+      else if (j > FitDegree)
+      {
+        tails[1] += length;
+      }
+    }
+  }
+}
+
+/// Writes the Bernstein coefficients of a cell into the control net, whose knots are as multiple as the degree.
+void StoreCell(const Grid& grid, int column, int row, NURBSSurface& s)
+{
+  double rows[FitOrder + 1][FitDegree + 1];
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int j = 0; j <= FitDegree; ++j)
+    {
+      FitSamples series{};
+      for (int i = 0; i <= FitDegree; ++i)
+      {
+        series[i] = grid[j][i][c];
+      }
+      ConvertToBernstein(series, FitDegree, rows[j]);
+    }
+    for (int i = 0; i <= FitDegree; ++i)
+    {
+      FitSamples series{};
+      for (int j = 0; j <= FitDegree; ++j)
+      {
+        series[j] = rows[j][i];
+      }
+      double bernstein[FitDegree + 1];
+      ConvertToBernstein(series, FitDegree, bernstein);
+      for (int j = 0; j <= FitDegree; ++j)
+      {
+        s.ControlPoints[column * FitDegree + i +
+          static_cast<std::size_t>(row * FitDegree + j) * s.NumberOfControlPoints[0]][c] = bernstein[j];
+      }
+    }
+  }
+}
+
+/// Halves the marked intervals.
+std::vector<double> Refine(const std::vector<double>& breaks, const std::vector<bool>& marked)
+{
+  std::vector<double> refined{ breaks[0] };
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+  {
+    if (marked[i])
+    {
+      refined.push_back(0.5 * (breaks[i] + breaks[i + 1]));
+    }
+    refined.push_back(breaks[i + 1]);
+  }
+  return refined;
+}
+}
+
+NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const ParameterBox& box, const AffineMap& map)
+{
+  std::vector<double> breaks[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    breaks[d] = GetBreaks(surface, d, box.Low[d], box.High[d]);
+  }
+  std::vector<Grid> cells;
+  double size = 0.0;
+  double worst = 0.0;
+  while (true)
+  {
+    const std::size_t columns = breaks[0].size() - 1;
+    const std::size_t rows = breaks[1].size() - 1;
+    std::vector<std::array<double, 2>> tails(columns * rows);
+    cells.resize(columns * rows);
+    for (std::size_t j = 0; j < rows; ++j)
+    {
+      for (std::size_t i = 0; i < columns; ++i)
+      {
+        Sample(surface, map, &breaks[0][i], &breaks[1][j], cells[i + j * columns], size);
+        MeasureTails(cells[i + j * columns], tails[i + j * columns].data());
+      }
+    }
+    // A sum of coefficients that are noise of rounding is no reason to go on.
+    const double tolerance = size * std::max(FitTolerance, 64.0 * UnitRoundoff * FitOrder);
+    std::vector<bool> marked[2] = { std::vector<bool>(columns), std::vector<bool>(rows) };
+    bool refine = false;
+    worst = 0.0;
+    for (std::size_t k = 0; k < tails.size(); ++k)
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        worst = std::max(worst, tails[k][d]);
+        if (tails[k][d] > tolerance)
+        {
+          marked[d][d == 0 ? k % columns : k / columns] = true;
+          refine = refine || breaks[d].size() <= MaximumIntervals;
+        }
+      }
+    }
+    if (!refine)
+    {
+      break;
+    }
+    for (int d = 0; d < 2; ++d)
+    {
+      if (breaks[d].size() <= MaximumIntervals)
+      {
+        breaks[d] = Refine(breaks[d], marked[d]);
+      }
+    }
+  }
+
+  NURBSSurface s;
+  for (int d = 0; d < 2; ++d)
+  {
+    s.Degree[d] = FitDegree;
+    s.Knots[d].push_back(breaks[d].front());
+    for (const double b : breaks[d])
+    {
+      s.Knots[d].insert(s.Knots[d].end(), FitDegree, b);
+    }
+    s.Knots[d].push_back(breaks[d].back());
+    s.NumberOfControlPoints[d] = static_cast<int>(breaks[d].size() - 1) * FitDegree + 1;
+  }
+  s.ControlPoints.assign(static_cast<std::size_t>(s.NumberOfControlPoints[0]) * s.NumberOfControlPoints[1],
+    { 0.0, 0.0, 0.0, 1.0 });
+  const std::size_t columns = breaks[0].size() - 1;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+  {
+    StoreCell(cells[k], static_cast<int>(k % columns), static_cast<int>(k / columns), s);
+  }
+  // Neighbours were cut off separately and then made to share a border: three times the worst cell covers it.
+  s.Residual = 3.0 * worst + 8.0 * UnitRoundoff * size;
+  if (!(s.Residual < 1e-6 * size))
+  {
+    throw std::runtime_error("its surface (" + std::string(surface->DynamicType()->Name()) +
+      ") could not be fitted: a residual of " + std::to_string(s.Residual) + " is left");
+  }
+  return s;
+}
+}

@@ -1,0 +1,213 @@
+#include "smOCCTTable.h"
+
+#include <Quantity_Color.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepShape_EdgeCurve.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <StepShape_ShellBasedSurfaceModel.hxx>
+#include <StepShape_SolidModel.hxx>
+#include <TColStd_HSequenceOfExtendedString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDataStd_TreeNode.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_Binder.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XCAFDoc.hxx>
+#include <XCAFDoc_Area.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
+#include <XCAFDoc_Material.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <XCAFDoc_Volume.hxx>
+#include <XSControl_TransferReader.hxx>
+
+namespace sm
+{
+namespace
+{
+std::string ToUTF8(const TCollection_ExtendedString& text)
+{
+  std::string result(text.LengthOfCString() + 1, '\0');
+  Standard_PCharacter bytes = &result[0];
+  result.resize(text.ToUTF8CString(bytes));
+  return result;
+}
+
+/// What kind of shape the entity stands for; TopAbs_SHAPE when it is none of interest.
+TopAbs_ShapeEnum GetKind(const Handle(Standard_Transient) & entity)
+{
+  if (entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface)))
+  {
+    return TopAbs_FACE;
+  }
+  if (entity->IsKind(STANDARD_TYPE(StepShape_EdgeCurve)))
+  {
+    return TopAbs_EDGE;
+  }
+  if (entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)))
+  {
+    return TopAbs_SOLID;
+  }
+  if (entity->IsKind(STANDARD_TYPE(StepShape_ShellBasedSurfaceModel)))
+  {
+    return TopAbs_SHELL;
+  }
+  return TopAbs_SHAPE;
+}
+
+void AddEntity(const Handle(Standard_Transient) & entity, const Handle(StepData_StepModel) & model,
+  const TopoDS_Shape& shape, ShapeTable& table)
+{
+  const TopAbs_ShapeEnum kind = GetKind(entity);
+  if (kind == TopAbs_SHAPE || shape.IsNull())
+  {
+    return;
+  }
+  // The number that stands in the file; the place in the model where that is not kept.
+  int id = model->IdentLabel(entity);
+  id = id > 0 ? id : model->Number(entity);
+  std::string name;
+  const auto item = Handle(StepRepr_RepresentationItem)::DownCast(entity);
+  if (!item.IsNull() && !item->Name().IsNull())
+  {
+    name = item->Name()->ToCString();
+    name = name == "NONE" ? "" : name;
+  }
+  for (TopExp_Explorer it(shape, kind); it.More(); it.Next())
+  {
+    ShapeInfo& info = table[it.Current().TShape().get()];
+    if (info.FileId == 0)
+    {
+      info.FileId = id;
+      info.Name = name;
+    }
+  }
+}
+
+void AddLabel(
+  const Handle(TDocStd_Document) & document, const TDF_Label& label, bool named, ShapeTable& table)
+{
+  const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+  if (shape.IsNull())
+  {
+    return;
+  }
+  const Vector3 color = GetLabelColor(document, label);
+  const std::string name = named ? GetLabelName(label) : std::string();
+  if (color[0] >= 0.0 || !name.empty())
+  {
+    ShapeInfo& info = table[shape.TShape().get()];
+    info.Color = color[0] >= 0.0 ? color : info.Color;
+    info.Name = info.Name.empty() ? name : info.Name;
+  }
+}
+}
+
+void FillTable(
+  const Handle(XSControl_WorkSession) & session, const Handle(TDocStd_Document) & document, ShapeTable& table)
+{
+  const Handle(StepData_StepModel) model = Handle(StepData_StepModel)::DownCast(session->Model());
+  const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
+  for (int i = 1; !model.IsNull() && i <= process->NbMapped(); ++i)
+  {
+    const Handle(Transfer_Binder) binder = process->MapItem(i);
+    if (!binder.IsNull())
+    {
+      AddEntity(process->Mapped(i), model, TransferBRep::ShapeResult(binder), table);
+    }
+  }
+  const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  TDF_LabelSequence labels;
+  shapes->GetShapes(labels);
+  for (const TDF_Label& label : labels)
+  {
+    if (!XCAFDoc_ShapeTool::IsAssembly(label) && !XCAFDoc_ShapeTool::IsReference(label))
+    {
+      AddLabel(document, label, false, table);
+      TDF_LabelSequence parts;
+      XCAFDoc_ShapeTool::GetSubShapes(label, parts);
+      for (const TDF_Label& part : parts)
+      {
+        AddLabel(document, part, true, table);
+      }
+    }
+  }
+}
+
+std::string GetLabelName(const TDF_Label& label)
+{
+  Handle(TDataStd_Name) name;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), name))
+  {
+    return {};
+  }
+  const std::string text = ToUTF8(name->Get());
+  // OpenCASCADE names what the file leaves nameless after its type, or after the label it refers to.
+  static const char* const made[] = { "COMPOUND", "COMPSOLID", "SOLID", "SHELL", "FACE", "NONE", "ASSEMBLY" };
+  for (const char* word : made)
+  {
+    if (text == word)
+    {
+      return {};
+    }
+  }
+  return text.compare(0, 2, "=>") == 0 ? std::string() : text;
+}
+
+std::string GetLabelLayer(const Handle(TDocStd_Document) & document, const TDF_Label& label)
+{
+  Handle(TColStd_HSequenceOfExtendedString) layers;
+  if (!XCAFDoc_DocumentTool::LayerTool(document->Main())->GetLayers(label, layers) || layers.IsNull() ||
+    layers->IsEmpty())
+  {
+    return {};
+  }
+  return ToUTF8(layers->First());
+}
+
+Vector3 GetLabelColor(const Handle(TDocStd_Document) & document, const TDF_Label& label)
+{
+  Vector3 rgb{ -1.0, -1.0, -1.0 };
+  const Handle(XCAFDoc_ColorTool) colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  Quantity_Color color;
+  if (colors->GetColor(label, XCAFDoc_ColorSurf, color) || colors->GetColor(label, XCAFDoc_ColorGen, color))
+  {
+    color.Values(rgb[0], rgb[1], rgb[2], Quantity_TOC_sRGB);
+  }
+  return rgb;
+}
+
+void GetLabelMaterial(const TDF_Label& label, std::string& name, double& density)
+{
+  Handle(TDataStd_TreeNode) node;
+  if (!label.FindAttribute(XCAFDoc::MaterialRefGUID(), node) || !node->HasFather())
+  {
+    return;
+  }
+  Handle(XCAFDoc_Material) material;
+  if (node->Father()->Label().FindAttribute(XCAFDoc_Material::GetID(), material))
+  {
+    name = material->GetName().IsNull() ? "" : material->GetName()->ToCString();
+    // OpenCASCADE keeps g/cm^3.
+    density = 1000.0 * material->GetDensity();
+  }
+}
+
+void GetLabelProperties(const TDF_Label& label, double& volume, double& area)
+{
+  double value = 0.0;
+  if (XCAFDoc_Volume::Get(label, value))
+  {
+    volume = value;
+  }
+  if (XCAFDoc_Area::Get(label, value))
+  {
+    area = value;
+  }
+}
+}

@@ -1,0 +1,32 @@
+/**
+ * @file smOCCTTable.h
+ * @brief Names, colours, materials, properties and entity numbers that a STEP file gives its shapes
+ */
+#ifndef smOCCTTable_h
+#define smOCCTTable_h
+
+#include "smOCCTBody.h"
+
+#include <TDF_Label.hxx>
+#include <TDocStd_Document.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <string>
+
+namespace sm
+{
+/// Entity numbers and names of solids, shells, faces and edges; colours of shapes and their parts.
+void FillTable(const Handle(XSControl_WorkSession) & session, const Handle(TDocStd_Document) & document,
+  ShapeTable& table);
+
+std::string GetLabelName(const TDF_Label& label);
+std::string GetLabelLayer(const Handle(TDocStd_Document) & document, const TDF_Label& label);
+/// sRGB in [0,1]; negative when there is none.
+Vector3 GetLabelColor(const Handle(TDocStd_Document) & document, const TDF_Label& label);
+/// Density in kg/m^3; left alone when the file has none.
+void GetLabelMaterial(const TDF_Label& label, std::string& name, double& density);
+/// Volume (mm^3) and area (mm^2) the originating system wrote; left alone when it wrote none.
+void GetLabelProperties(const TDF_Label& label, double& volume, double& area);
+}
+
+#endif

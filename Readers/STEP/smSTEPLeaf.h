@@ -1,0 +1,67 @@
+/**
+ * @file smSTEPLeaf.h
+ * @brief A body's model and display mesh, made once, and its instances as leaves of the output
+ */
+#ifndef smSTEPLeaf_h
+#define smSTEPLeaf_h
+
+#include "smOCCTDocument.h"
+#include "smOCCTMesh.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkCellArray;
+class vtkDataArray;
+class vtkNURBSDataSet;
+class vtkTrimmedNURBSModel;
+
+namespace sm
+{
+struct LeafOptions
+{
+  /// Output lengths per mm, and the name of the output's unit.
+  double Unit = 1.0;
+  std::string UnitName = "mm";
+  double LinearDeflection = 0.001;
+  bool RelativeDeflection = true;
+  double AngularDeflection = 0.35;
+};
+
+class LeafMaker
+{
+public:
+  /// Triangulates and converts the body. Throws nothing: what fails is in the messages.
+  LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options);
+
+  /// One occurrence, in world coordinates; it shares the model, and all arrays that the placement leaves alone.
+  vtkSmartPointer<vtkNURBSDataSet> MakeLeaf(const BodyInstance& instance);
+
+  /// What a user should know of this body, with its name.
+  const std::vector<std::string>& GetMessages() const { return this->Messages; }
+  double GetMeshSeconds() const { return this->MeshSeconds; }
+  double GetConversionSeconds() const { return this->ConversionSeconds; }
+
+private:
+  void MakeModel(const PartBody& part, const double bounds[6], double deflection, ConvertedBody& body);
+  void MakeSharedArrays();
+  vtkSmartPointer<vtkCellArray> GetTriangles(bool mirrored);
+  vtkSmartPointer<vtkDataArray> MakeColors(const BodyInstance& instance) const;
+
+  LeafOptions Options;
+  Vector3 Color;
+  DisplayMesh Mesh;
+  vtkSmartPointer<vtkTrimmedNURBSModel> Model;
+  vtkSmartPointer<vtkCellArray> Triangles[2];
+  vtkSmartPointer<vtkDataArray> PointFace;
+  vtkSmartPointer<vtkDataArray> CellFace;
+  vtkSmartPointer<vtkDataArray> Parameters;
+  std::vector<std::string> Messages;
+  double MeshSeconds = 0.0;
+  double ConversionSeconds = 0.0;
+};
+}
+
+#endif

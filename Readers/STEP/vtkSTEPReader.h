@@ -1,0 +1,154 @@
+/**
+ * @class   vtkSTEPReader
+ * @brief   reads STEP files (AP203, AP214, AP242) into exact trimmed NURBS models with a display mesh
+ *
+ * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per solid instance; its partition
+ * 0 is a vtkNURBSDataSet. A file without solids gives one per free shell instead. Its name
+ * (vtkCompositeDataSet::NAME()) is that of the product. A vtkDataAssembly mirrors the product structure: its
+ * node names are valid XML names, the attribute "label" holds the name as the file has it, "layer" its
+ * layer. Instances of one part share a vtkTrimmedNURBSModel, which stays in the coordinates of the part.
+ *
+ * Surfaces become rational B-splines without error; a surface that has no such form (an offset surface) is
+ * fitted and NURBSSurface::Residual says how well. Trim and edge curves are exact polynomials or fitted to
+ * rounding level; TrimCurve::Residual says how well. See DESIGN 2 and NUMERICS 2.
+ *
+ * Arrays of each leaf, besides those vtkNURBSDataSet documents:
+ * | name    | association | components | meaning                                                             |
+ * |---------|-------------|------------|---------------------------------------------------------------------|
+ * | Normals | point       | 3 (float)  | outward unit normal of the exact surface                            |
+ * | Color   | cell        | 3 (uchar)  | sRGB colour of the face; only when the file gives the body a colour |
+ *
+ * Points are in world coordinates and OutputUnit. A face that cannot be carried over is left out and named in the
+ * messages of its model (vtkTrimmedNURBSModel::GetMessages); nothing else is lost. Faces that lie beside
+ * the solids of a file belong to no body: they are counted (GetNumberOfFreeFaces) and left out.
+ *
+ * A file that cannot be read raises one error that names it and the remedy; the output is empty then and
+ * GetStatus says why. Under MPI, piece 0 holds everything and the other pieces are empty.
+ *
+ * One file is read at a time in a process, other readers wait: OpenCASCADE's settings are global. Conversion
+ * uses vtkSMPTools. No OpenGL context is needed.
+ */
+#ifndef vtkSTEPReader_h
+#define vtkSTEPReader_h
+
+#include "smReadersSTEPModule.h"
+#include "vtkPartitionedDataSetCollectionAlgorithm.h"
+
+#include <memory> // for the messages and results
+#include <string> // for std::string
+
+class SMREADERSSTEP_EXPORT vtkSTEPReader : public vtkPartitionedDataSetCollectionAlgorithm
+{
+public:
+  static vtkSTEPReader* New();
+  vtkTypeMacro(vtkSTEPReader, vtkPartitionedDataSetCollectionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Path of the file. Default: none. Without one Update() raises an error. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /** 1 when the file's first 64 kB hold the header of a STEP file, else 0. */
+  static int CanReadFile(const char* fileName);
+  static const char* GetFileExtensions() { return ".step .stp .p21"; }
+  static const char* GetDescriptiveName() { return "STEP"; }
+
+  ///@{
+  /**
+   * Largest distance of the display mesh from the surface: a fraction of the part's bounding-box diagonal when
+   * RelativeDeflection is on (default), else a length in OutputUnit. Clamped to >= 1e-7. Default: 0.001. It does not
+   * touch the exact geometry.
+   */
+  vtkSetClampMacro(LinearDeflection, double, 1e-7, 1e30);
+  vtkGetMacro(LinearDeflection, double);
+  vtkSetMacro(RelativeDeflection, bool);
+  vtkGetMacro(RelativeDeflection, bool);
+  vtkBooleanMacro(RelativeDeflection, bool);
+  ///@}
+
+  ///@{
+  /** Largest angle between neighbouring triangles in radians, clamped to [0.01, 1.5]. Default: 0.35. */
+  vtkSetClampMacro(AngularDeflection, double, 0.01, 1.5);
+  vtkGetMacro(AngularDeflection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Unit of all lengths of the output: "mm" (default), "cm", "m", "um", "inch", "ft", or "file" for the unit that
+   * the file is written in. Update() raises an error for any other word.
+   */
+  vtkSetMacro(OutputUnit, std::string);
+  vtkGetMacro(OutputUnit, std::string);
+  ///@}
+
+  /** How the last Update() ended. */
+  enum StatusType
+  {
+    OK = 0,
+    EMPTY = 1,
+    UNREADABLE = 2,
+    ABORTED = 3
+  };
+  /** Status of the last Update(); EMPTY before the first. */
+  vtkGetMacro(Status, int);
+  /** The same as a word: "ok", "empty", "unreadable" or "aborted". */
+  const char* GetStatusAsString() const;
+
+  /** The length unit the last file was written in, as the file spells it; empty when it gives none. */
+  std::string GetFileUnit() const;
+  /** Unit of the last output's lengths, never "file": "mm", "cm", "m", "um", "inch", "ft". */
+  std::string GetLengthUnit() const;
+
+  ///@{
+  /** What the last Update() has to say about the file, one sentence each; an error is the last one. An
+   * index out of range gives an empty string. Messages about a body are in its model. */
+  int GetNumberOfMessages() const;
+  std::string GetMessage(int index) const;
+  ///@}
+
+  /** Bodies with geometry of their own, and instances of them, in the last output; 0 before the first. */
+  int GetNumberOfBodies() const;
+  int GetNumberOfInstances() const;
+  /** Faces that lay beside the solids of the last file and were left out. */
+  int GetNumberOfFreeFaces() const;
+
+  ///@{
+  /** Wall-clock seconds of the last Update(): OpenCASCADE's reading, the display mesh, and the conversion to
+   * NURBS models (with the making of the output). */
+  double GetReadSeconds() const;
+  double GetMeshSeconds() const;
+  double GetConversionSeconds() const;
+  ///@}
+
+protected:
+  vtkSTEPReader();
+  ~vtkSTEPReader() override;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkSTEPReader(const vtkSTEPReader&) = delete;
+  void operator=(const vtkSTEPReader&) = delete;
+
+  /// Reports `fraction`; false when the application asked to stop.
+  bool Report(double fraction);
+  int Fail(int status, const std::string& problem);
+
+  char* FileName = nullptr;
+  double LinearDeflection = 0.001;
+  bool RelativeDeflection = true;
+  double AngularDeflection = 0.35;
+  std::string OutputUnit = "mm";
+  int Status = EMPTY;
+
+  struct Results;
+  std::unique_ptr<Results> Last;
+};
+
+#endif
