@@ -1,0 +1,66 @@
+// Integrates one flat triangle X = apex + l (from + t (to - from) - apex) per invocation: SM_STRIP_POINTS squared Gauss
+// points, exact for the polynomial integrands asked for.
+//SM::Define
+layout(local_size_x = 32) in;
+//SM::Include smPortable
+//SM::Include smInvocation
+//SM::Include smWork
+
+// Apex, from and to: nine doubles each.
+layout(std430, binding = 2) readonly buffer smCapBuffer
+{
+  double smCaps[];
+};
+
+dvec3 smCapPoint(uint first)
+{
+  return dvec3(smCaps[first], smCaps[first + 1u], smCaps[first + 2u]);
+}
+
+void main()
+{
+  uint index = smInvocationIndex();
+  if (index >= smWorkCount)
+  {
+    return;
+  }
+  index += smFirstWork;
+  smWorkRecord work = smWork[index];
+  uint flags = work.detail.x >> 24;
+  double side = (flags & smFlagFlip) != 0u ? -1.0LF : 1.0LF;
+  dvec3 apex = smCapPoint(work.item.y);
+  dvec3 from = smCapPoint(work.item.y + 3u);
+  dvec3 to = smCapPoint(work.item.y + 6u);
+
+  double values[SM_INTEGRANDS];
+  double roundings[SM_ROUNDINGS];
+  for (int k = 0; k < SM_INTEGRANDS; ++k)
+  {
+    values[k] = 0.0LF;
+  }
+  for (int k = 0; k < SM_ROUNDINGS; ++k)
+  {
+    roundings[k] = 0.0LF;
+  }
+  dvec3 area = side * cross(from - apex, to - apex);
+  double magnitude = length(apex) + length(from) + length(to);
+  double reach = length(from - apex) + length(to - apex);
+  for (int it = 0; it < SM_STRIP_POINTS; ++it)
+  {
+    dvec2 ruleT = smRule(SM_STRIP_POINTS, it);
+    for (int il = 0; il < SM_STRIP_POINTS; ++il)
+    {
+      dvec2 ruleL = smRule(SM_STRIP_POINTS, il);
+      double l = ruleL.x;
+      dvec3 position = (1.0LF - l) * apex + l * ((1.0LF - ruleT.x) * from + ruleT.x * to);
+      dvec3 normal = l * area;
+      double noise = 16.0LF * ruleT.y * ruleL.y * magnitude * reach;
+      double weight = SM_PERTURBATION * ruleT.y * ruleL.y;
+      smPlace(work.item.w, position, normal);
+      double size = length(position);
+      //SM::AccumulateChain
+      //SM::AccumulateRoundings
+    }
+  }
+  smFinish(index, work, values, roundings);
+}

@@ -1,0 +1,244 @@
+#include "smBodyIntegrals.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace sm
+{
+namespace
+{
+// A trim curve this far outside its surface, relative to the body, is no rounding any more (NUMERICS 1).
+constexpr double SuspectOutside = 1e-5;
+
+constexpr double UnitRoundoff = 1.1102230246251565e-16;
+
+std::string NameOf(vtkInformation* info, const std::string& otherwise)
+{
+  const char* name = info ? info->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return name && *name ? name : otherwise;
+}
+
+void Collect(
+  vtkDataObject* data, const std::string& name, std::vector<BodyIntegrals>& bodies, RejectedInput& rejected)
+{
+  if (auto leaf = vtkNURBSDataSet::SafeDownCast(data))
+  {
+    if (vtkTrimmedNURBSModel* model = leaf->GetModel())
+    {
+      BodyIntegrals body;
+      body.Model = model;
+      std::copy_n(leaf->GetPlacementData(), 16, body.Placement.begin());
+      body.Name = name.empty() ? model->GetName() : name;
+      body.Id = std::to_string(bodies.size() + 1);
+      bodies.push_back(std::move(body));
+      return;
+    }
+    ++(leaf->IsModelWithheld() ? rejected.Withheld : rejected.Plain);
+  }
+  else if (auto collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
+  {
+    for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+    {
+      vtkInformation* info = collection->HasMetaData(i) ? collection->GetMetaData(i) : nullptr;
+      Collect(collection->GetPartitionedDataSet(i), NameOf(info, name), bodies, rejected);
+    }
+  }
+  else if (auto partitions = vtkPartitionedDataSet::SafeDownCast(data))
+  {
+    for (unsigned int i = 0; i < partitions->GetNumberOfPartitions(); ++i)
+    {
+      Collect(partitions->GetPartitionAsDataObject(i), name, bodies, rejected);
+    }
+  }
+  else if (auto blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+  {
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      vtkInformation* info = blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr;
+      Collect(blocks->GetBlock(i), NameOf(info, name), bodies, rejected);
+    }
+  }
+  else if (data)
+  {
+    ++rejected.Plain;
+  }
+}
+
+/// Neumaier's compensated sum.
+struct CompensatedSum
+{
+  double Sum = 0.0;
+  double Carry = 0.0;
+  void Add(double x)
+  {
+    const double t = this->Sum + x;
+    this->Carry += std::abs(this->Sum) >= std::abs(x) ? (this->Sum - t) + x : (x - t) + this->Sum;
+    this->Sum = t;
+  }
+  double Get() const { return this->Sum + this->Carry; }
+};
+
+void CountOpenEdges(BodyIntegrals& body)
+{
+  // Signed uses of every edge: a seam or a 2+2 non-manifold edge cancels, a border does not.
+  std::unordered_map<const Edge*, int> uses;
+  for (const FacePointer& face : body.Model->GetFaces())
+  {
+    for (const Loop& loop : face->Loops)
+    {
+      for (const Coedge& coedge : loop.Coedges)
+      {
+        if (!coedge.Use->Degenerate)
+        {
+          uses[coedge.Use.get()] += face->Reversed == coedge.Reversed ? 1 : -1;
+        }
+      }
+    }
+  }
+  std::vector<int> open;
+  for (const auto& [edge, sum] : uses)
+  {
+    if (sum != 0)
+    {
+      open.push_back(edge->FileId);
+    }
+  }
+  body.OpenEdges = static_cast<int>(open.size());
+  if (open.empty())
+  {
+    if (!body.IsSolid())
+    {
+      body.Messages.push_back("a closed shell that the file does not call a solid; its volume is given");
+    }
+    return;
+  }
+  if (!body.IsSolid())
+  {
+    body.Flag("open", "a surface, not a solid: it has an area and no volume");
+    return;
+  }
+  std::sort(open.begin(), open.end());
+  std::string list;
+  for (std::size_t i = 0; i < std::min<std::size_t>(open.size(), 5); ++i)
+  {
+    list += (i > 0 ? ", #" : "#") + std::to_string(open[i]);
+  }
+  body.Flag("open",
+    std::to_string(open.size()) + " edges are not shared by two faces (" + list +
+      (open.size() > 5 ? ", ..." : "") + "): the volume depends on the origin, see the leak");
+}
+}
+
+void BodyIntegrals::Flag(const std::string& status, const std::string& message)
+{
+  if (IsWorse(status, this->Status))
+  {
+    this->Status = status;
+  }
+  this->Messages.push_back(message);
+}
+
+bool IsWorse(const std::string& status, const std::string& than)
+{
+  static const std::string order[] = { "", "ok", "tolerance-not-met", "suspect", "open", "empty",
+    "unreadable" };
+  const auto rank = [](const std::string& s) { return std::find(std::begin(order), std::end(order), s); };
+  return rank(status) > rank(than);
+}
+
+std::vector<BodyIntegrals> CollectBodies(vtkDataObject* input, RejectedInput& rejected)
+{
+  std::vector<BodyIntegrals> bodies;
+  Collect(input, "", bodies, rejected);
+  return bodies;
+}
+
+void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
+{
+  const std::size_t count = integrands.size();
+  body.Status = "ok";
+  for (const std::string& message : body.Model->GetMessages())
+  {
+    body.Flag("suspect", message);
+  }
+  CountOpenEdges(body);
+
+  std::vector<CompensatedSum> face(count);
+  std::vector<CompensatedSum> all(count);
+  body.Bound.assign(count, 0.0);
+  body.Value.assign(count, 0.0);
+  body.FaceValue.assign(count, 0.0);
+  const double size = GetRadius(*body.Model);
+  for (std::size_t i = 0; i < body.Faces->size(); ++i)
+  {
+    const FaceIntegrals& result = (*body.Faces)[i];
+    const Face& source = *body.Model->GetFaces()[i];
+    const std::string label = "face #" + std::to_string(source.FileId);
+    if (!result.Error.empty())
+    {
+      body.Flag("suspect", result.Error + "; it is left out");
+      continue;
+    }
+    for (const std::string& message : source.Messages)
+    {
+      body.Messages.push_back(label + ": " + message);
+    }
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      face[k].Add(result.Face[k]);
+      all[k].Add(result.Face[k]);
+      all[k].Add(result.Closing[k]);
+      body.Bound[k] += result.Difference[k] + result.Rounding[k];
+    }
+    body.GapSquared += result.GapSquared;
+    body.GapArea += result.GapArea;
+    body.MaxGap = std::max(body.MaxGap, result.MaxGap);
+    body.Unconverged += result.Unconverged;
+    if (result.CoverageDefects > 0)
+    {
+      body.Flag("suspect", label + ": a loop covers part of the surface more than once or from outside");
+    }
+    if (result.Outside > SuspectOutside * size)
+    {
+      body.Flag(
+        "suspect", label + ": a trim curve leaves the surface by about " + std::to_string(result.Outside));
+    }
+  }
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    body.Value[k] = all[k].Get();
+    body.FaceValue[k] = face[k].Get();
+    body.Bound[k] += 4.0 * UnitRoundoff * std::abs(body.Value[k]);
+  }
+}
+
+double GetRadius(vtkTrimmedNURBSModel& model)
+{
+  const double* b = model.GetLocalBounds();
+  return 0.5 * std::sqrt(std::pow(b[1] - b[0], 2) + std::pow(b[3] - b[2], 2) + std::pow(b[5] - b[4], 2));
+}
+
+double GetVolumeScale(vtkTrimmedNURBSModel& model)
+{
+  const double radius = GetRadius(model);
+  const double box = radius * radius * radius;
+  const double known = model.GetVolumeScale();
+  // A scale outside what the box allows comes from a broken mesh.
+  return known > 1e-9 * box && known < 8.0 * box ? known : box;
+}
+
+double GetAreaScale(vtkTrimmedNURBSModel& model)
+{
+  const double radius = GetRadius(model);
+  const double known = model.GetAreaScale();
+  return known > 1e-9 * radius * radius ? known : radius * radius;
+}
+}

@@ -1,0 +1,79 @@
+/**
+ * @file smBodyIntegrals.h
+ * @brief The bodies of an input and what was integrated over each
+ */
+#ifndef smBodyIntegrals_h
+#define smBodyIntegrals_h
+
+#include "smIntegrand.h"
+#include "smSurfaceIntegrator.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkTrimmedNURBSModel.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace sm
+{
+/// One instance of a solid or of a free shell.
+struct BodyIntegrals
+{
+  vtkSmartPointer<vtkTrimmedNURBSModel> Model;
+  std::array<double, 16> Placement{};
+  std::string Name;
+  /// 1, 2, … in the order of the input.
+  std::string Id;
+
+  /// Results by face of the model; instances of one model may share them. Null: not computed.
+  std::shared_ptr<const std::vector<FaceIntegrals>> Faces;
+
+  /// Sums over the faces, per integrand: over faces, ribbons and caps; over the faces alone; and the bound.
+  std::vector<double> Value;
+  std::vector<double> FaceValue;
+  std::vector<double> Bound;
+  double GapSquared = 0.0;
+  double GapArea = 0.0;
+  double MaxGap = 0.0;
+  std::int64_t Unconverged = 0;
+
+  /// Edges whose signed uses do not cancel.
+  int OpenEdges = 0;
+  std::string Status;
+  std::vector<std::string> Messages;
+
+  bool IsSolid() const { return this->Model->GetBody() == vtkTrimmedNURBSModel::SOLID; }
+  /// A solid, or a free shell that is closed: it has a volume.
+  bool HasVolume() const { return this->IsSolid() || this->OpenEdges == 0; }
+  /// Raises the status when `status` is worse.
+  void Flag(const std::string& status, const std::string& message);
+};
+
+/// Meshes found in the input that have no exact geometry: none was there, or it was dropped.
+struct RejectedInput
+{
+  int Plain = 0;
+  int Withheld = 0;
+};
+
+/// Finds every vtkNURBSDataSet with a model in a data object, in depth-first order.
+std::vector<BodyIntegrals> CollectBodies(vtkDataObject* input, RejectedInput& rejected);
+
+/// Sums the faces' results in face order, with compensated sums, and sets the topological status.
+void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands);
+
+/// Order of badness: ok, tolerance-not-met, suspect, open, empty, unreadable.
+bool IsWorse(const std::string& status, const std::string& than);
+
+/// Half the diagonal of the body's bounding box.
+double GetRadius(vtkTrimmedNURBSModel& model);
+/// Scales that tolerances are relative to; from the bounding box where the reader knows none.
+double GetVolumeScale(vtkTrimmedNURBSModel& model);
+double GetAreaScale(vtkTrimmedNURBSModel& model);
+}
+
+#endif

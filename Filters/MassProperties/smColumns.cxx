@@ -1,0 +1,129 @@
+#include "smColumns.h"
+
+#include "smMassPropertyNames.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkLongLongArray.h"
+#include "vtkMath.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+namespace sm
+{
+namespace columns
+{
+Column::Column(const std::string& name, int components)
+{
+  this->Array->SetName(name.c_str());
+  this->Array->SetNumberOfComponents(components);
+}
+
+void Column::AddTo(vtkFieldData* data) const
+{
+  data->AddArray(this->Array);
+}
+
+void SetDoubles(vtkFieldData* data, const std::string& name, const double* values, int components)
+{
+  Column column(name, components);
+  column.Append(values);
+  column.AddTo(data);
+}
+
+void SetInteger(vtkFieldData* data, const std::string& name, vtkTypeInt64 value)
+{
+  vtkNew<vtkLongLongArray> array;
+  array->SetName(name.c_str());
+  array->InsertNextValue(value);
+  data->AddArray(array);
+}
+
+void SetString(vtkFieldData* data, const std::string& name, const std::string& value)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name.c_str());
+  array->InsertNextValue(value);
+  data->AddArray(array);
+}
+
+void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
+{
+  vtkNew<vtkStringArray> name;
+  vtkNew<vtkStringArray> id;
+  vtkNew<vtkStringArray> status;
+  vtkNew<vtkStringArray> unit;
+  vtkNew<vtkIntArray> open;
+  vtkNew<vtkIntArray> faces;
+  name->SetName(names::Name);
+  id->SetName(names::Id);
+  status->SetName(names::Status);
+  unit->SetName(names::LengthUnit);
+  open->SetName(names::OpenEdges);
+  faces->SetName(names::Faces);
+  for (const BodyIntegrals& body : bodies)
+  {
+    name->InsertNextValue(body.Name);
+    id->InsertNextValue(body.Id);
+    status->InsertNextValue(body.Status);
+    unit->InsertNextValue(body.Model->GetLengthUnit());
+    open->InsertNextValue(body.OpenEdges);
+    faces->InsertNextValue(static_cast<int>(body.Model->GetNumberOfFaces()));
+  }
+  // The label columns come first in a spreadsheet.
+  vtkNew<vtkDataSetAttributes> values;
+  values->ShallowCopy(solids->GetRowData());
+  solids->GetRowData()->Initialize();
+  solids->AddColumn(name);
+  solids->AddColumn(id);
+  solids->AddColumn(status);
+  for (int i = 0; i < values->GetNumberOfArrays(); ++i)
+  {
+    solids->AddColumn(values->GetAbstractArray(i));
+  }
+  solids->AddColumn(unit);
+  solids->AddColumn(open);
+  solids->AddColumn(faces);
+}
+
+void AddFaceRows(
+  const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands, vtkTable* faces)
+{
+  vtkNew<vtkIntArray> solid;
+  vtkNew<vtkIntArray> id;
+  solid->SetName(names::Solid);
+  id->SetName(names::FaceId);
+  std::vector<Column> values;
+  for (const Integrand& integrand : integrands)
+  {
+    values.emplace_back(integrand.Name, 1);
+    values.emplace_back(integrand.Name + names::BoundSuffix, 1);
+  }
+  for (std::size_t row = 0; row < bodies.size(); ++row)
+  {
+    const std::vector<FacePointer>& sources = bodies[row].Model->GetFaces();
+    for (std::size_t i = 0; i < sources.size(); ++i)
+    {
+      solid->InsertNextValue(static_cast<int>(row));
+      id->InsertNextValue(sources[i]->FileId);
+      const FaceIntegrals* result = bodies[row].Faces ? &(*bodies[row].Faces)[i] : nullptr;
+      const bool known = result && result->Error.empty();
+      for (std::size_t k = 0; k < integrands.size(); ++k)
+      {
+        const double value = known ? result->Face[k] + result->Closing[k] : vtkMath::Nan();
+        const double bound = known ? result->Difference[k] + result->Rounding[k] : vtkMath::Nan();
+        values[2 * k].Append(&value);
+        values[2 * k + 1].Append(&bound);
+      }
+    }
+  }
+  faces->AddColumn(solid);
+  faces->AddColumn(id);
+  for (const Column& column : values)
+  {
+    column.AddTo(faces->GetRowData());
+  }
+}
+}
+}

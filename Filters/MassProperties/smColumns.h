@@ -1,0 +1,50 @@
+/**
+ * @file smColumns.h
+ * @brief Field data and table columns, written in one way
+ */
+#ifndef smColumns_h
+#define smColumns_h
+
+#include "smBodyIntegrals.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+class vtkTable;
+
+namespace sm
+{
+namespace columns
+{
+/// A column of doubles that grows row by row.
+class Column
+{
+public:
+  Column(const std::string& name, int components);
+  void Append(const double* values) { this->Array->InsertNextTuple(values); }
+  void AddTo(vtkFieldData* data) const;
+
+private:
+  vtkNew<vtkDoubleArray> Array;
+};
+
+/// One-row arrays.
+void SetDoubles(vtkFieldData* data, const std::string& name, const double* values, int components);
+void SetInteger(vtkFieldData* data, const std::string& name, vtkTypeInt64 value);
+void SetString(vtkFieldData* data, const std::string& name, const std::string& value);
+
+/// Name, Id, Status, LengthUnit, OpenEdges and Faces of every body.
+void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids);
+
+/// A row per face and instance: Solid, FaceId, the integrands over face, ribbons and caps, and their bounds.
+void AddFaceRows(
+  const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands, vtkTable* faces);
+}
+}
+
+#endif

@@ -1,0 +1,67 @@
+#include "smIntegrand.h"
+
+#include <cstdio>
+
+namespace sm
+{
+namespace
+{
+std::string Literal(double value)
+{
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.17eLF", value);
+  return text;
+}
+
+std::string Monomial(int i, int j, int k)
+{
+  std::string text;
+  const char* const names[3] = { " * position.x", " * position.y", " * position.z" };
+  const int powers[3] = { i, j, k };
+  for (int d = 0; d < 3; ++d)
+  {
+    for (int n = 0; n < powers[d]; ++n)
+    {
+      text += names[d];
+    }
+  }
+  return text;
+}
+
+std::string SizePower(int power)
+{
+  std::string text;
+  for (int n = 0; n < power; ++n)
+  {
+    text += " * size";
+  }
+  return text;
+}
+}
+
+Integrand Integrand::VolumeMoment(const std::string& name, int i, int j, int k)
+{
+  const int degree = i + j + k;
+  const std::string factor = Literal(1.0 / (3 + degree));
+  return { name, factor + " * dot(position, normal)" + Monomial(i, j, k), true, degree,
+    factor + SizePower(degree + 1) };
+}
+
+Integrand Integrand::AreaMoment(const std::string& name, int i, int j, int k)
+{
+  return { name, "length(normal)" + Monomial(i, j, k), false, i + j + k,
+    Literal(1.0) + SizePower(i + j + k) };
+}
+
+Integrand Integrand::VectorArea(const std::string& name, int component)
+{
+  const char* const names[3] = { "normal.x", "normal.y", "normal.z" };
+  return { name, names[component], true, 0, Literal(1.0) };
+}
+
+Integrand Integrand::User(const std::string& name, const std::string& expression, bool closedChain)
+{
+  return { name, "(" + expression + ")", closedChain, -1,
+    "abs((" + expression + ") / max(length(normal), 1e-300LF))" };
+}
+}

@@ -1,0 +1,41 @@
+/**
+ * @file smIntegrand.h
+ * @brief What is integrated: GLSL expressions of position and normal
+ */
+#ifndef smIntegrand_h
+#define smIntegrand_h
+
+#include <string>
+#include <vector>
+
+namespace sm
+{
+struct Integrand
+{
+  std::string Name;
+  /// GLSL expression of `position` and `normal`, both dvec3.
+  std::string Expression;
+  /// Integrated over ribbons and caps too.
+  bool ClosedChain = false;
+  /// Total degree of the polynomial g in x.n g(x), n g(x) or |n| g(x); -1: not such a polynomial.
+  int Degree = -1;
+  /// GLSL expression of `size` = |position|: what multiplies a sample's relative rounding, see NUMERICS 4.
+  std::string Magnitude;
+
+  /// Flux of x g(x) / (3 + i + j + k) with g = x^i y^j z^k: the volume integral of g.
+  static Integrand VolumeMoment(const std::string& name, int i, int j, int k);
+  /// |n| x^i y^j z^k.
+  static Integrand AreaMoment(const std::string& name, int i, int j, int k);
+  /// A component of the vector area, 0 on a closed surface.
+  static Integrand VectorArea(const std::string& name, int component);
+  static Integrand User(const std::string& name, const std::string& expression, bool closedChain);
+
+  bool operator==(const Integrand& other) const
+  {
+    return this->Name == other.Name && this->Expression == other.Expression &&
+      this->ClosedChain == other.ClosedChain;
+  }
+};
+}
+
+#endif

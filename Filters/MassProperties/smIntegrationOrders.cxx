@@ -1,0 +1,71 @@
+#include "smIntegrationOrders.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sm
+{
+namespace
+{
+constexpr std::array<int, 13> Ladder = { 2, 3, 4, 5, 6, 8, 10, 12, 14, 17, 20, 24, 28 };
+// Where panels and ribbons start: 5 and 6 points, 3 and 4 points are compared first.
+constexpr int FirstPanelLevel = 3;
+constexpr int FirstRibbonLevel = 1;
+// A higher exact order costs more than climbing to convergence.
+constexpr int LargestExactOrder = 10;
+}
+
+OrderLadder::OrderLadder(const std::vector<Integrand>& integrands)
+  : Degree(0)
+{
+  for (const Integrand& integrand : integrands)
+  {
+    if (integrand.Degree < 0)
+    {
+      this->Degree = -1;
+      return;
+    }
+    this->Degree = std::max(this->Degree, integrand.Degree);
+  }
+}
+
+int OrderLadder::GetAcross(PanelShape shape) const
+{
+  // Along a straight ruling of constant normal direction x.n is constant (Flat, Prismatic) or linear
+  // (Straight), |n| too, and g has its degree D: rules exact to D or D + 1.
+  if (this->Degree < 0 || shape == PanelShape::General)
+  {
+    return 0;
+  }
+  return shape == PanelShape::Straight ? (this->Degree + 3) / 2 : (this->Degree + 2) / 2;
+}
+
+Orders OrderLadder::GetPanelOrders(const Panel& panel, int level) const
+{
+  const int across = this->GetAcross(panel.Shape);
+  if (panel.Shape == PanelShape::Flat && across > 0)
+  {
+    // In t: g(x(t)) of degree D d, s of degree d, r' of degree d - 1: exact to D d + 2 d - 1.
+    const int along = ((this->Degree + 2) * std::max<int>(panel.TrimDegree, 1) + 1) / 2;
+    if (along <= LargestExactOrder)
+    {
+      return { along, across, true, true };
+    }
+  }
+  const int rung = std::min<int>(FirstPanelLevel + level, Ladder.size() - 1);
+  const int along = Ladder[rung];
+  return { along, across > 0 ? across : along, false, rung + 1 == static_cast<int>(Ladder.size()) };
+}
+
+Orders OrderLadder::GetRibbonOrders(int level) const
+{
+  const int rung = std::min<int>(FirstRibbonLevel + level, Ladder.size() - 1);
+  return { Ladder[rung], 1, false, rung + 1 == static_cast<int>(Ladder.size()) };
+}
+
+int OrderLadder::GetStripPoints() const
+{
+  // In l: x.n of degree 1, times g of degree D, times a tangent linear in l: exact to D + 2.
+  return this->Degree < 0 ? 5 : (this->Degree + 4) / 2;
+}
+}

@@ -1,0 +1,67 @@
+/**
+ * @file smMassPropertyNames.h
+ * @brief The names of every array and status that vtkSurfaceIntegralGPU and vtkMassPropertiesGPU put out
+ *
+ * Field data of port 0 and columns of the table on port 1 use the same names. Tests, the ParaView plugin,
+ * the command line and the documentation use these constants. L is the length unit of the model.
+ */
+#ifndef smMassPropertyNames_h
+#define smMassPropertyNames_h
+
+namespace sm
+{
+namespace names
+{
+// Quantities: components, unit.
+constexpr const char* Volume = "Volume";               // 1, L^3
+constexpr const char* SurfaceArea = "SurfaceArea";     // 1, L^2
+constexpr const char* CenterOfMass = "CenterOfMass";   // 3, L
+constexpr const char* FirstMoments = "FirstMoments";   // 3, L^4, about the world origin
+constexpr const char* SecondMoments = "SecondMoments"; // 6 XX YY ZZ XY YZ XZ, L^5, about the centre
+constexpr const char* VolumeInertia = "VolumeInertia"; // 9 row-major, L^5, about the centre
+constexpr const char* VolumeInertiaAtOrigin = "VolumeInertiaAtOrigin";     // 9, L^5, about the world origin
+constexpr const char* PrincipalMoments = "PrincipalMoments";               // 3 ascending, L^5
+constexpr const char* PrincipalAxes = "PrincipalAxes";                     // 9, rows are unit vectors
+constexpr const char* PrincipalAxesDegenerate = "PrincipalAxesDegenerate"; // 1 (int), 1: moments coincide
+constexpr const char* RadiiOfGyration = "RadiiOfGyration";                 // 3, L, about the principal axes
+constexpr const char* Mass = "Mass";                                       // 1, kg; only with a density
+constexpr const char* MassInertia = "MassInertia"; // 9, kg L^2, about the centre; with a density
+
+// <quantity> + BoundSuffix: 1 number, the largest error of any component, in the quantity's unit.
+constexpr const char* BoundSuffix = "Bound";
+
+// The model's own doubt; no part of a bound.
+constexpr const char* MovedByClosing =
+  "MovedByClosing";                              // 1, L^3, |volume closed - volume of the faces alone|
+constexpr const char* GapSquared = "GapSquared"; // 1, L^3, integral of the squared gap along the coedges
+constexpr const char* MaxGap = "MaxGap";         // 1, L
+constexpr const char* GapArea = "GapArea";       // 1, L^2
+constexpr const char* Leak = "Leak";             // 1, relative change of V when the origin moves by cbrt(V)
+constexpr const char* OpenEdges = "OpenEdges";   // 1 (int)
+
+constexpr const char* LengthUnit = "LengthUnit";   // string
+constexpr const char* Status = "Status";           // string, see below
+constexpr const char* Backend = "Backend";         // string: "opengl", "none"
+constexpr const char* Renderer = "Renderer";       // string: GL_RENDERER
+constexpr const char* Evaluations = "Evaluations"; // 1 (int64), surface evaluations counted on the GPU
+constexpr const char* Dispatches = "Dispatches";   // 1 (int64)
+constexpr const char* Faces = "Faces";             // 1 (int)
+
+// Columns of the tables only.
+constexpr const char* Name = "Name";     // string
+constexpr const char* Id = "Id";         // string: instance id, unique in the file
+constexpr const char* Solid = "Solid";   // int: row of the solid in the table on port 1
+constexpr const char* FaceId = "FaceId"; // int: entity number in the file
+constexpr const char* Text = "Text";     // string, the one cell of the text table
+
+// One spelling of every status.
+constexpr const char* StatusOk = "ok";
+constexpr const char* StatusOpen = "open";
+constexpr const char* StatusToleranceNotMet = "tolerance-not-met";
+constexpr const char* StatusSuspect = "suspect";
+constexpr const char* StatusEmpty = "empty";
+constexpr const char* StatusUnreadable = "unreadable";
+}
+}
+
+#endif

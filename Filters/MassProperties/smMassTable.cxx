@@ -1,0 +1,167 @@
+#include "smMassTable.h"
+
+#include "smMassPropertyNames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace sm
+{
+namespace
+{
+template <typename... Values>
+std::string Format(const char* format, Values... values)
+{
+  char text[256];
+  std::snprintf(text, sizeof(text), format, values...);
+  return text;
+}
+
+struct Quantity
+{
+  const char* Name;
+  int Components;
+  bool HasBound;
+  const double* (*Values)(const MassRow&);
+  const double* (*Bound)(const MassRow&);
+};
+
+using Row = const MassRow&;
+
+const Quantity Quantities[] = {
+  { names::Volume, 1, true, [](Row r) { return &r.Properties.Volume; },
+    [](Row r) { return &r.Properties.VolumeBound; } },
+  { names::SurfaceArea, 1, true, [](Row r) { return &r.Area; }, [](Row r) { return &r.AreaBound; } },
+  { names::CenterOfMass, 3, true, [](Row r) { return r.Properties.Center.data(); },
+    [](Row r) { return &r.Properties.CenterBound; } },
+  { names::FirstMoments, 3, true, [](Row r) { return r.Properties.First.data(); },
+    [](Row r) { return &r.Properties.FirstBound; } },
+  { names::SecondMoments, 6, true, [](Row r) { return r.Properties.Second.data(); },
+    [](Row r) { return &r.Properties.SecondBound; } },
+  { names::VolumeInertia, 9, true, [](Row r) { return r.Properties.Inertia.data(); },
+    [](Row r) { return &r.Properties.InertiaBound; } },
+  { names::VolumeInertiaAtOrigin, 9, true, [](Row r) { return r.Properties.InertiaAtOrigin.data(); },
+    [](Row r) { return &r.Properties.InertiaAtOriginBound; } },
+  { names::PrincipalMoments, 3, true, [](Row r) { return r.Properties.Principal.data(); },
+    [](Row r) { return &r.Properties.PrincipalBound; } },
+  { names::PrincipalAxes, 9, true, [](Row r) { return r.Properties.Axes.data(); },
+    [](Row r) { return &r.Properties.AxesBound; } },
+  { names::RadiiOfGyration, 3, true, [](Row r) { return r.Properties.Gyration.data(); },
+    [](Row r) { return &r.Properties.GyrationBound; } },
+  { names::MovedByClosing, 1, false, [](Row r) { return &r.MovedByClosing; }, nullptr },
+  { names::GapSquared, 1, false, [](Row r) { return &r.GapSquared; }, nullptr },
+  { names::MaxGap, 1, false, [](Row r) { return &r.MaxGap; }, nullptr },
+  { names::GapArea, 1, false, [](Row r) { return &r.GapArea; }, nullptr },
+  { names::Leak, 1, false, [](Row r) { return &r.Leak; }, nullptr },
+};
+
+const Quantity MassQuantities[] = {
+  { names::Mass, 1, true, [](Row r) { return &r.Mass; }, [](Row r) { return &r.MassBound; } },
+  { names::MassInertia, 9, true, [](Row r) { return r.MassInertia.data(); },
+    [](Row r) { return &r.MassInertiaBound; } },
+};
+}
+
+MassColumns::MassColumns(bool withMass)
+  : WithMass(withMass)
+{
+  const auto add = [this](const Quantity& quantity)
+  {
+    this->Columns.emplace_back(quantity.Name, quantity.Components);
+    if (quantity.HasBound)
+    {
+      this->Columns.emplace_back(std::string(quantity.Name) + names::BoundSuffix, 1);
+    }
+  };
+  std::for_each(std::begin(Quantities), std::end(Quantities), add);
+  if (withMass)
+  {
+    std::for_each(std::begin(MassQuantities), std::end(MassQuantities), add);
+  }
+  this->Columns.emplace_back(names::PrincipalAxesDegenerate, 1);
+}
+
+void MassColumns::Append(const MassRow& row)
+{
+  std::size_t next = 0;
+  const auto append = [&](const Quantity& quantity)
+  {
+    this->Columns[next++].Append(quantity.Values(row));
+    if (quantity.HasBound)
+    {
+      this->Columns[next++].Append(quantity.Bound(row));
+    }
+  };
+  std::for_each(std::begin(Quantities), std::end(Quantities), append);
+  if (this->WithMass)
+  {
+    std::for_each(std::begin(MassQuantities), std::end(MassQuantities), append);
+  }
+  const double degenerate = row.Properties.AxesDegenerate ? 1.0 : 0.0;
+  this->Columns[next].Append(&degenerate);
+}
+
+void MassColumns::AddTo(vtkFieldData* data) const
+{
+  for (const columns::Column& column : this->Columns)
+  {
+    column.AddTo(data);
+  }
+}
+
+double GetMetres(const std::string& lengthUnit)
+{
+  static const std::pair<const char*, double> units[] = { { "um", 1e-6 }, { "mm", 1e-3 }, { "cm", 1e-2 },
+    { "dm", 1e-1 }, { "m", 1.0 }, { "km", 1e3 }, { "inch", 0.0254 }, { "in", 0.0254 }, { "ft", 0.3048 } };
+  for (const auto& [name, metres] : units)
+  {
+    if (lengthUnit == name)
+    {
+      return metres;
+    }
+  }
+  return 0.0;
+}
+
+std::string FormatWithBound(double value, double bound, const std::string& unit)
+{
+  if (!std::isfinite(value))
+  {
+    return "not known";
+  }
+  int digits = 12;
+  if (bound > 0.0 && std::abs(value) > 0.0)
+  {
+    digits = std::clamp(static_cast<int>(std::floor(std::log10(std::abs(value) / bound))) + 1, 1, 12);
+  }
+  return Format("%.*g %s (+- %.0e)", digits, value, unit.c_str(), bound);
+}
+
+std::string FormatSummary(
+  const MassRow& total, const std::string& status, const std::string& unit, int solids)
+{
+  const MassProperties& p = total.Properties;
+  std::string text;
+  if (status != names::StatusOk)
+  {
+    text += "Status: " + status + "\n";
+  }
+  if (solids > 1)
+  {
+    text += Format("Solids: %d\n", solids);
+  }
+  text += "Volume: " + FormatWithBound(p.Volume, p.VolumeBound, unit + "^3") + "\n";
+  text += "Area: " + FormatWithBound(total.Area, total.AreaBound, unit + "^2") + "\n";
+  if (std::isfinite(p.Center[0]))
+  {
+    text += Format("Centre of mass: %.9g  %.9g  %.9g %s (+- %.0e)\n", p.Center[0], p.Center[1], p.Center[2],
+      unit.c_str(), p.CenterBound);
+  }
+  if (std::isfinite(total.Mass))
+  {
+    text += "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg") + "\n";
+  }
+  return text;
+}
+}

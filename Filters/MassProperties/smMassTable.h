@@ -1,0 +1,60 @@
+/**
+ * @file smMassTable.h
+ * @brief The columns that describe the mass properties of a body or of all bodies, and their summary as text
+ */
+#ifndef smMassTable_h
+#define smMassTable_h
+
+#include "smColumns.h"
+#include "smMoments.h"
+
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+
+namespace sm
+{
+/// Everything that is put out for one body, or for the total.
+struct MassRow
+{
+  MassProperties Properties;
+  double Area = 0.0;
+  double AreaBound = 0.0;
+  /// NaN without a density.
+  double Mass = 0.0;
+  double MassBound = 0.0;
+  std::array<double, 9> MassInertia{};
+  double MassInertiaBound = 0.0;
+  double MovedByClosing = 0.0;
+  double GapSquared = 0.0;
+  double MaxGap = 0.0;
+  double GapArea = 0.0;
+  double Leak = 0.0;
+};
+
+/// Appends rows to arrays named as in smMassPropertyNames.h and hands them to field data or a table.
+class MassColumns
+{
+public:
+  explicit MassColumns(bool withMass);
+  void Append(const MassRow& row);
+  void AddTo(vtkFieldData* data) const;
+
+private:
+  std::vector<columns::Column> Columns;
+  bool WithMass;
+};
+
+/// Metres in a length unit as the reader names it ("mm", "inch", …); 0 when it is not known.
+double GetMetres(const std::string& lengthUnit);
+
+/// A value with no more digits than its bound leaves, and the bound.
+std::string FormatWithBound(double value, double bound, const std::string& unit);
+
+/// A few lines: status, volume, area, centre, mass, bounding box.
+std::string FormatSummary(
+  const MassRow& total, const std::string& status, const std::string& unit, int solids);
+}
+
+#endif

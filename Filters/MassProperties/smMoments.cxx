@@ -1,0 +1,307 @@
+#include "smMoments.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double UnitRoundoff = 1.1102230246251565e-16;
+
+// Position of (i,j) in XX YY ZZ XY YZ XZ.
+constexpr int Packed[3][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 } };
+
+using Vector = std::array<double, 3>;
+using Symmetric = std::array<double, 6>;
+
+double Largest(const double* values, int count)
+{
+  double largest = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    largest = std::max(largest, std::abs(values[i]));
+  }
+  return largest;
+}
+
+/// I_xx = C_yy + C_zz, I_xy = -C_xy: row-major 3x3 of second moments.
+std::array<double, 9> InertiaOf(const Symmetric& second)
+{
+  const double trace = second[0] + second[1] + second[2];
+  std::array<double, 9> inertia;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      inertia[3 * i + j] = i == j ? trace - second[i] : -second[Packed[i][j]];
+    }
+  }
+  // The trace minus one entry is the sum of the two others: without cancellation.
+  inertia[0] = second[1] + second[2];
+  inertia[4] = second[0] + second[2];
+  inertia[8] = second[0] + second[1];
+  return inertia;
+}
+
+/// Entry-wise bound of the inertia from that of the second moments, with the rounding of the sums.
+std::array<double, 9> InertiaBoundOf(const Symmetric& bound, const Symmetric& second)
+{
+  std::array<double, 9> result;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      result[3 * i + j] = bound[Packed[i][j]];
+    }
+    const int a = (i + 1) % 3;
+    const int b = (i + 2) % 3;
+    result[3 * i + i] =
+      bound[a] + bound[b] + 8.0 * UnitRoundoff * (std::abs(second[a]) + std::abs(second[b]));
+  }
+  return result;
+}
+}
+
+void Moments::Place(const double placement[16])
+{
+  const auto rotation = [placement](int i, int j) { return placement[4 * i + j]; };
+  Moments placed;
+  placed.Volume = this->Volume;
+  placed.VolumeBound = this->VolumeBound;
+  for (int i = 0; i < 3; ++i)
+  {
+    placed.Reference[i] = placement[4 * i + 3];
+    double magnitude = 0.0;
+    for (int j = 0; j < 3; ++j)
+    {
+      placed.Reference[i] += rotation(i, j) * this->Reference[j];
+      placed.First[i] += rotation(i, j) * this->First[j];
+      placed.FirstBound[i] += std::abs(rotation(i, j)) * this->FirstBound[j];
+      magnitude += std::abs(rotation(i, j) * this->First[j]);
+    }
+    placed.FirstBound[i] += 8.0 * UnitRoundoff * magnitude;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = i; j < 3; ++j)
+    {
+      double value = 0.0;
+      double bound = 0.0;
+      double magnitude = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        for (int l = 0; l < 3; ++l)
+        {
+          const double factor = rotation(i, k) * rotation(j, l);
+          value += factor * this->Second[Packed[k][l]];
+          bound += std::abs(factor) * this->SecondBound[Packed[k][l]];
+          magnitude += std::abs(factor * this->Second[Packed[k][l]]);
+        }
+      }
+      placed.Second[Packed[i][j]] = value;
+      placed.SecondBound[Packed[i][j]] = bound + 16.0 * UnitRoundoff * magnitude;
+    }
+  }
+  *this = placed;
+}
+
+void Moments::MoveReference(const std::array<double, 3>& reference)
+{
+  // r' = r + a with a = old reference - new one.
+  Vector a;
+  for (int i = 0; i < 3; ++i)
+  {
+    a[i] = this->Reference[i] - reference[i];
+  }
+  const double v = this->Volume;
+  const double b = this->VolumeBound;
+  const Vector m = this->First;
+  const Vector mb = this->FirstBound;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->First[i] = m[i] + a[i] * v;
+    this->FirstBound[i] =
+      mb[i] + std::abs(a[i]) * b + 4.0 * UnitRoundoff * (std::abs(m[i]) + std::abs(a[i] * v));
+    for (int j = i; j < 3; ++j)
+    {
+      const int k = Packed[i][j];
+      this->SecondBound[k] += std::abs(a[i]) * mb[j] + std::abs(a[j]) * mb[i] + std::abs(a[i] * a[j]) * b +
+        8.0 * UnitRoundoff *
+          (std::abs(this->Second[k]) + std::abs(a[i] * m[j]) + std::abs(a[j] * m[i]) +
+            std::abs(a[i] * a[j] * v));
+      this->Second[k] += a[i] * m[j] + a[j] * m[i] + a[i] * a[j] * v;
+    }
+  }
+  this->Reference = reference;
+}
+
+void Moments::Add(Moments other)
+{
+  other.MoveReference(this->Reference);
+  this->Volume += other.Volume;
+  this->VolumeBound += other.VolumeBound + 2.0 * UnitRoundoff * std::abs(this->Volume);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->First[i] += other.First[i];
+    this->FirstBound[i] += other.FirstBound[i] + 2.0 * UnitRoundoff * std::abs(this->First[i]);
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    this->Second[i] += other.Second[i];
+    this->SecondBound[i] += other.SecondBound[i] + 2.0 * UnitRoundoff * std::abs(this->Second[i]);
+  }
+}
+
+void Moments::Negate()
+{
+  this->Volume = -this->Volume;
+  for (double& value : this->First)
+  {
+    value = -value;
+  }
+  for (double& value : this->Second)
+  {
+    value = -value;
+  }
+}
+
+MassProperties::MassProperties()
+  : Volume(NaN)
+  , VolumeBound(NaN)
+  , CenterBound(NaN)
+  , FirstBound(NaN)
+  , SecondBound(NaN)
+  , InertiaBound(NaN)
+  , InertiaAtOriginBound(NaN)
+  , PrincipalBound(NaN)
+  , AxesBound(NaN)
+  , AxesDegenerate(false)
+  , GyrationBound(NaN)
+{
+  this->Center.fill(NaN);
+  this->First.fill(NaN);
+  this->Second.fill(NaN);
+  this->Inertia.fill(NaN);
+  this->InertiaAtOrigin.fill(NaN);
+  this->Principal.fill(NaN);
+  this->Axes.fill(NaN);
+  this->Gyration.fill(NaN);
+}
+
+MassProperties ComputeMassProperties(const Moments& moments)
+{
+  MassProperties result;
+  const double v = moments.Volume;
+  const double b = moments.VolumeBound;
+  if (!std::isfinite(v) || !std::isfinite(b))
+  {
+    return result;
+  }
+  result.Volume = v;
+  result.VolumeBound = b;
+
+  Moments atOrigin = moments;
+  atOrigin.MoveReference({ 0.0, 0.0, 0.0 });
+  result.First = atOrigin.First;
+  result.FirstBound = Largest(atOrigin.FirstBound.data(), 3);
+  result.InertiaAtOrigin = InertiaOf(atOrigin.Second);
+  const std::array<double, 9> originBound = InertiaBoundOf(atOrigin.SecondBound, atOrigin.Second);
+  result.InertiaAtOriginBound = Largest(originBound.data(), 9);
+  if (!(b < std::abs(v)))
+  {
+    return result;
+  }
+
+  Vector c;
+  Vector d;
+  for (int i = 0; i < 3; ++i)
+  {
+    c[i] = moments.First[i] / v;
+    d[i] =
+      (moments.FirstBound[i] + std::abs(c[i]) * b) / (std::abs(v) - b) + 4.0 * UnitRoundoff * std::abs(c[i]);
+    result.Center[i] = moments.Reference[i] + c[i];
+  }
+  result.CenterBound = Largest(d.data(), 3) + 2.0 * UnitRoundoff * Largest(result.Center.data(), 3);
+
+  Symmetric bound;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = i; j < 3; ++j)
+    {
+      const int k = Packed[i][j];
+      result.Second[k] = moments.Second[k] - c[i] * c[j] * v;
+      bound[k] = moments.SecondBound[k] + std::abs(c[i]) * moments.FirstBound[j] +
+        std::abs(c[j]) * moments.FirstBound[i] + std::abs(c[i] * c[j]) * b + (std::abs(v) + b) * d[i] * d[j] +
+        8.0 * UnitRoundoff * (std::abs(moments.Second[k]) + std::abs(c[i] * c[j] * v));
+    }
+  }
+  result.SecondBound = Largest(bound.data(), 6);
+  result.Inertia = InertiaOf(result.Second);
+  const std::array<double, 9> inertiaBound = InertiaBoundOf(bound, result.Second);
+  result.InertiaBound = Largest(inertiaBound.data(), 9);
+
+  // Weyl: eigenvalues move by at most the largest absolute row sum of the perturbation.
+  double e = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    e = std::max(e, inertiaBound[3 * i] + inertiaBound[3 * i + 1] + inertiaBound[3 * i + 2]);
+  }
+  e += 8.0 * UnitRoundoff * Largest(result.Inertia.data(), 9);
+  double matrix[3][3];
+  double vectors[3][3];
+  double* rows[3] = { matrix[0], matrix[1], matrix[2] };
+  double* columns[3] = { vectors[0], vectors[1], vectors[2] };
+  for (int i = 0; i < 9; ++i)
+  {
+    matrix[i / 3][i % 3] = result.Inertia[i];
+  }
+  double values[3];
+  vtkMath::Jacobi(rows, values, columns);
+  int order[3] = { 0, 1, 2 };
+  std::sort(order, order + 3, [&values](int x, int y) { return values[x] < values[y]; });
+  for (int i = 0; i < 3; ++i)
+  {
+    result.Principal[i] = values[order[i]];
+    for (int j = 0; j < 3; ++j)
+    {
+      result.Axes[3 * i + j] = vectors[j][order[i]];
+    }
+  }
+  result.PrincipalBound = e;
+  // A right-handed frame, each of the first two axes with its largest component positive.
+  for (int i = 0; i < 2; ++i)
+  {
+    double* axis = result.Axes.data() + 3 * i;
+    const double* largest =
+      std::max_element(axis, axis + 3, [](double x, double y) { return std::abs(x) < std::abs(y); });
+    if (*largest < 0.0)
+    {
+      std::transform(axis, axis + 3, axis, [](double x) { return -x; });
+    }
+  }
+  vtkMath::Cross(result.Axes.data(), result.Axes.data() + 3, result.Axes.data() + 6);
+
+  const double gap =
+    std::min(result.Principal[1] - result.Principal[0], result.Principal[2] - result.Principal[1]);
+  // Coinciding moments: within the bound, or within what rounding of the file's coordinates leaves.
+  result.AxesDegenerate = gap <= std::max(2.0 * e, 1e-9 * std::abs(result.Principal[2]));
+  result.AxesBound = result.AxesDegenerate ? NaN : std::asin(std::min(1.0, e / (gap - e)));
+
+  result.GyrationBound = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double lambda = result.Principal[i];
+    result.Gyration[i] = lambda / v >= 0.0 ? std::sqrt(lambda / v) : NaN;
+    const double low = std::sqrt(std::max(0.0, (std::abs(lambda) - e) / (std::abs(v) + b)));
+    const double high = std::sqrt((std::abs(lambda) + e) / (std::abs(v) - b));
+    result.GyrationBound =
+      std::max({ result.GyrationBound, high - result.Gyration[i], result.Gyration[i] - low });
+  }
+  return result;
+}
+}

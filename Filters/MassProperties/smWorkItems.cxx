@@ -1,0 +1,91 @@
+#include "smWorkItems.h"
+
+#include "smResidentFaces.h"
+
+#include <algorithm>
+
+namespace sm
+{
+namespace
+{
+// Flags of a work record, as in glsl/smWork.glsl.
+constexpr std::uint32_t Negative = 1;
+constexpr std::uint32_t Flip = 2;
+constexpr std::uint32_t First = 4;
+constexpr std::uint32_t Discard = 8;
+constexpr std::uint32_t AlongEdge = 16;
+
+}
+
+void AddItems(const ResidentFace& face, std::uint32_t slot, std::vector<WorkItem>& items)
+{
+  const int p = face.Degree[0];
+  const int q = face.Degree[1];
+  const int cost = std::max(1, (p * 4 + q) / 4);
+  for (const Panel& panel : face.Panels->Panels)
+  {
+    WorkItem item{ IntegrationPrograms::ChooseProgram(ItemKind::Panel, p, q), {}, panel, 0, cost };
+    const std::uint32_t flags = (panel.Negative ? Negative : 0u) | (panel.FlipNormal ? Flip : 0u);
+    item.Work = { { face.FirstPatch + panel.Patch, face.FirstCoefficient + panel.Trim, 0, slot },
+      { panel.TrimDegree | flags << 24, 0, 0, 0 }, { panel.Start, panel.End, 0.0, 1.0 } };
+    items.push_back(item);
+  }
+  for (const Ribbon& ribbon : face.Panels->Ribbons)
+  {
+    WorkItem item{ IntegrationPrograms::ChooseProgram(ItemKind::Ribbon, p, q), {}, {}, 0,
+      cost + (p + 1) * (q + 1) };
+    const std::uint32_t flags = (ribbon.FlipNormal ? Flip : 0u) | (ribbon.AlongEdge ? AlongEdge : 0u);
+    item.Work = { { face.FirstPatch + ribbon.Patch, face.FirstCoefficient + ribbon.Trim, 0, slot },
+      { ribbon.TrimDegree | flags << 24, face.FirstCoefficient + ribbon.Edge, ribbon.EdgeDegree, 0 },
+      { ribbon.Start, ribbon.End, ribbon.EdgeStart, ribbon.EdgeEnd } };
+    items.push_back(item);
+  }
+  for (std::size_t i = 0; i < face.Panels->Caps.size(); ++i)
+  {
+    WorkItem item{ IntegrationPrograms::ChooseProgram(ItemKind::Cap, p, q), {}, {}, 0, 1 };
+    const std::uint32_t flags = face.Panels->Caps[i].FlipNormal ? Flip : 0u;
+    item.Work = { { 0, static_cast<std::uint32_t>(9 * (face.FirstCap + i)), 0, slot },
+      { flags << 24, 0, 0, 0 }, { 0.0, 1.0, 0.0, 1.0 } };
+    items.push_back(item);
+  }
+}
+
+Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item)
+{
+  switch (std::get<0>(item.Program))
+  {
+    case ItemKind::Panel:
+      return ladder.GetPanelOrders(item.Shape, item.Level);
+    case ItemKind::Ribbon:
+      return ladder.GetRibbonOrders(item.Level);
+    default:
+      return { ladder.GetStripPoints(), ladder.GetStripPoints(), true, true };
+  }
+}
+
+void SetItemOrders(WorkItem& item, const Orders& orders, bool mayBisect)
+{
+  std::uint32_t flags = (item.Work.Detail[0] >> 24) & ~(First | Discard);
+  flags |= item.Level == 0 ? First : 0u;
+  flags |= orders.Last && !orders.Exact && mayBisect ? Discard : 0u;
+  item.Work.Detail[0] = (item.Work.Detail[0] & 255u) | static_cast<std::uint32_t>(orders.Along) << 8 |
+    static_cast<std::uint32_t>(orders.Across) << 16 | flags << 24;
+}
+
+void BisectItem(const WorkItem& parent, std::vector<WorkItem>& children)
+{
+  const double* range = parent.Work.Range;
+  const double middle[2] = { 0.5 * (range[0] + range[1]), 0.5 * (range[2] + range[3]) };
+  const bool isPanel = std::get<0>(parent.Program) == ItemKind::Panel;
+  for (int part = 0; part < (isPanel ? 4 : 2); ++part)
+  {
+    WorkItem child = parent;
+    child.Level = 0;
+    child.Work.Range[part & 1 ? 0 : 1] = middle[0];
+    // A ribbon's second range runs along the edge's curve with the first; a panel's is its own.
+    const bool upper = isPanel ? part & 2 : part & 1;
+    child.Work.Range[upper ? 2 : 3] = middle[1];
+    children.push_back(child);
+  }
+}
+}

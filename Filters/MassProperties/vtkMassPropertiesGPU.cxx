@@ -1,0 +1,434 @@
+#include "vtkMassPropertiesGPU.h"
+
+#include "smMassPropertyNames.h"
+#include "smMassTable.h"
+#include "vtkSurfaceIntegralGPUInternals.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkFieldData.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkMassPropertiesGPU);
+
+namespace
+{
+// Order of the integrands.
+enum
+{
+  VOLUME = 0,
+  FIRST = 1,
+  SECOND = 4,
+  VECTOR_AREA = 10,
+  AREA = 13
+};
+
+constexpr double UnitRoundoff = 1.1102230246251565e-16;
+
+std::vector<sm::Integrand> MakeIntegrands()
+{
+  std::vector<sm::Integrand> integrands;
+  integrands.push_back(sm::Integrand::VolumeMoment(sm::names::Volume, 0, 0, 0));
+  const int powers[9][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 },
+    { 1, 1, 0 }, { 0, 1, 1 }, { 1, 0, 1 } };
+  const char* const names[9] = { "X", "Y", "Z", "XX", "YY", "ZZ", "XY", "YZ", "XZ" };
+  for (int i = 0; i < 9; ++i)
+  {
+    integrands.push_back(sm::Integrand::VolumeMoment(names[i], powers[i][0], powers[i][1], powers[i][2]));
+  }
+  const char* const components[3] = { "NX", "NY", "NZ" };
+  for (int i = 0; i < 3; ++i)
+  {
+    integrands.push_back(sm::Integrand::VectorArea(components[i], i));
+  }
+  integrands.push_back(sm::Integrand::AreaMoment(sm::names::SurfaceArea, 0, 0, 0));
+  return integrands;
+}
+
+/// Tolerances about the part's own origin, such that the derived quantities meet theirs (DESIGN 3): with
+/// L = cbrt(V), an error tol V L of a first moment moves the centre by tol L, and no body of volume V has a
+/// trace of inertia below that of the ball, 0.46 V L^2, of which one second moment may spend a tenth. The
+/// volume's own error moves a centre at distance R of the origin by R / V.
+std::vector<double> GetTolerances(
+  const std::vector<sm::Integrand>& integrands, vtkTrimmedNURBSModel& model, double tolerance)
+{
+  const double v = sm::GetVolumeScale(model);
+  const double length = std::cbrt(v);
+  const double lever = std::max(1.0, sm::GetRadius(model) / length);
+  std::vector<double> tolerances(integrands.size());
+  tolerances[VOLUME] = 0.25 * tolerance * v / (lever * lever);
+  for (int i = 0; i < 3; ++i)
+  {
+    tolerances[FIRST + i] = 0.1 * tolerance * v * length / lever;
+    tolerances[VECTOR_AREA + i] = tolerance * length * length;
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    tolerances[SECOND + i] = 0.04 * tolerance * v * length * length;
+  }
+  tolerances[AREA] = 0.5 * tolerance * sm::GetAreaScale(model);
+  return tolerances;
+}
+
+/// Moments of a body in the world, about its placed origin.
+sm::Moments GetMoments(const sm::BodyIntegrals& body)
+{
+  sm::Moments moments;
+  std::copy_n(body.Model->GetOrigin(), 3, moments.Reference.begin());
+  moments.Volume = body.Value[VOLUME];
+  moments.VolumeBound = body.Bound[VOLUME];
+  std::copy_n(body.Value.begin() + FIRST, 3, moments.First.begin());
+  std::copy_n(body.Bound.begin() + FIRST, 3, moments.FirstBound.begin());
+  std::copy_n(body.Value.begin() + SECOND, 6, moments.Second.begin());
+  std::copy_n(body.Bound.begin() + SECOND, 6, moments.SecondBound.begin());
+  if (moments.Volume < 0.0)
+  {
+    moments.Negate();
+  }
+  moments.Place(body.Placement.data());
+  return moments;
+}
+
+void SetMass(sm::MassRow& row, double density, const std::string& unit)
+{
+  const double metres = sm::GetMetres(unit);
+  const double factor = density > 0.0 && metres > 0.0 ? density * metres * metres * metres : vtkMath::Nan();
+  row.Mass = factor * row.Properties.Volume;
+  row.MassBound = factor * row.Properties.VolumeBound + 4.0 * UnitRoundoff * std::abs(row.Mass);
+  for (int i = 0; i < 9; ++i)
+  {
+    row.MassInertia[i] = factor * row.Properties.Inertia[i];
+  }
+  row.MassInertiaBound = factor * row.Properties.InertiaBound;
+}
+
+/// Whether a quantity met the tolerance relative to its scale; one that does not exist did.
+bool IsMet(double bound, double scale, double tolerance)
+{
+  return !(bound > tolerance * std::abs(scale));
+}
+
+bool MeetsTolerance(const sm::MassRow& row, double tolerance)
+{
+  const sm::MassProperties& p = row.Properties;
+  const double trace = p.Inertia[0] + p.Inertia[4] + p.Inertia[8];
+  return IsMet(row.AreaBound, row.Area, tolerance) && IsMet(p.VolumeBound, p.Volume, tolerance) &&
+    IsMet(p.CenterBound, std::max(std::cbrt(p.Volume), 1e-6 * vtkMath::Norm(p.Center.data())), tolerance) &&
+    IsMet(p.InertiaBound, trace, tolerance);
+}
+
+void AppendAxes(vtkAppendPolyData* glyphs, const sm::MassProperties& properties, double length)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkIdType ends[2];
+    for (int side = 0; side < 2; ++side)
+    {
+      double p[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        p[i] = properties.Center[i] + (side ? length : -length) * properties.Axes[3 * axis + i];
+      }
+      ends[side] = points->InsertNextPoint(p);
+    }
+    lines->InsertNextCell(2, ends);
+  }
+  vtkNew<vtkPolyData> axes;
+  axes->SetPoints(points);
+  axes->SetLines(lines);
+  glyphs->AddInputData(axes);
+}
+}
+
+struct vtkMassPropertiesGPU::Totals
+{
+  sm::MassRow Row;
+};
+
+vtkMassPropertiesGPU::vtkMassPropertiesGPU()
+  : Last(new Totals)
+{
+  this->Implementation->Integrands = MakeIntegrands();
+  this->Implementation->LocalTolerances = GetTolerances;
+}
+
+vtkMassPropertiesGPU::~vtkMassPropertiesGPU() = default;
+
+void vtkMassPropertiesGPU::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Density: " << this->Density << "\n"
+     << indent << "GlyphScale: " << this->GlyphScale << "\n"
+     << indent << "ShowPrincipalAxes: " << this->ShowPrincipalAxes << "\n"
+     << indent << "GlyphPerSolid: " << this->GlyphPerSolid << "\n";
+}
+
+void vtkMassPropertiesGPU::RemoveAllIntegrands()
+{
+  vtkWarningMacro("The integrands of the mass properties are fixed; use vtkSurfaceIntegralGPU for others.");
+}
+
+double vtkMassPropertiesGPU::GetVolume() const
+{
+  return this->Last->Row.Properties.Volume;
+}
+
+double vtkMassPropertiesGPU::GetVolumeBound() const
+{
+  return this->Last->Row.Properties.VolumeBound;
+}
+
+double vtkMassPropertiesGPU::GetSurfaceArea() const
+{
+  return this->Last->Row.Area;
+}
+
+double vtkMassPropertiesGPU::GetSurfaceAreaBound() const
+{
+  return this->Last->Row.AreaBound;
+}
+
+void vtkMassPropertiesGPU::GetCenterOfMass(double center[3]) const
+{
+  std::copy_n(this->Last->Row.Properties.Center.begin(), 3, center);
+}
+
+double vtkMassPropertiesGPU::GetCenterOfMassBound() const
+{
+  return this->Last->Row.Properties.CenterBound;
+}
+
+void vtkMassPropertiesGPU::GetVolumeInertia(double inertia[9]) const
+{
+  std::copy_n(this->Last->Row.Properties.Inertia.begin(), 9, inertia);
+}
+
+double vtkMassPropertiesGPU::GetVolumeInertiaBound() const
+{
+  return this->Last->Row.Properties.InertiaBound;
+}
+
+void vtkMassPropertiesGPU::GetPrincipalMoments(double moments[3]) const
+{
+  std::copy_n(this->Last->Row.Properties.Principal.begin(), 3, moments);
+}
+
+void vtkMassPropertiesGPU::GetPrincipalAxes(double axes[9]) const
+{
+  std::copy_n(this->Last->Row.Properties.Axes.begin(), 9, axes);
+}
+
+double vtkMassPropertiesGPU::GetMass() const
+{
+  return this->Last->Row.Mass;
+}
+
+sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& moments)
+{
+  sm::MassRow row;
+  row.Area = body.Value[AREA];
+  row.AreaBound = body.Bound[AREA];
+  row.GapSquared = body.GapSquared;
+  row.MaxGap = body.MaxGap;
+  row.GapArea = body.GapArea;
+  row.MovedByClosing = row.Leak = vtkMath::Nan();
+  const bool computed = body.Faces != nullptr;
+  if (computed && body.HasVolume())
+  {
+    if (body.Value[VOLUME] < 0.0)
+    {
+      body.Messages.push_back("the solid is inside out in the file; it was turned");
+    }
+    moments = GetMoments(body);
+    row.Properties = sm::ComputeMassProperties(moments);
+    row.MovedByClosing = std::abs(body.Value[VOLUME] - body.FaceValue[VOLUME]);
+    row.Leak =
+      vtkMath::Norm(body.Value.data() + VECTOR_AREA) * std::cbrt(moments.Volume) / (3.0 * moments.Volume);
+    if (!(moments.Volume > moments.VolumeBound))
+    {
+      body.Flag(sm::names::StatusSuspect, "the volume is zero within its bound");
+    }
+  }
+  if (computed && !MeetsTolerance(row, this->RelativeTolerance))
+  {
+    body.Flag(sm::names::StatusToleranceNotMet, "a bound is above the tolerance");
+  }
+  return row;
+}
+
+void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals,
+  vtkTable* solids, vtkTable* text, vtkTable* faces)
+{
+  // Instances are named in the length unit of the first; a reader gives all its bodies one unit.
+  const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
+  sm::MassRow& total = this->Last->Row;
+  total = sm::MassRow();
+  total.Mass = vtkMath::Nan();
+  bool hasVolume = false;
+  bool withMass = this->Density > 0.0;
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    withMass = withMass || body.Model->GetDensity() > 0.0;
+  }
+
+  std::vector<sm::MassRow> rows;
+  sm::Moments sum;
+  double mass = 0.0;
+  double massBound = 0.0;
+  double vectorArea[3] = { 0.0, 0.0, 0.0 };
+  for (sm::BodyIntegrals& body : bodies)
+  {
+    sm::Moments moments;
+    sm::MassRow row = this->MakeRow(body, moments);
+    const double density = this->Density > 0.0 ? this->Density : body.Model->GetDensity();
+    SetMass(row, density, unit);
+    total.Area += row.Area;
+    total.AreaBound += row.AreaBound;
+    total.GapSquared += row.GapSquared;
+    total.GapArea += row.GapArea;
+    total.MaxGap = std::max(total.MaxGap, row.MaxGap);
+    if (body.Faces && body.HasVolume())
+    {
+      total.MovedByClosing += row.MovedByClosing;
+      for (int i = 0; i < 3; ++i)
+      {
+        vectorArea[i] += std::abs(body.Value[VECTOR_AREA + i]);
+      }
+      mass += row.Mass;
+      massBound += row.MassBound;
+      if (hasVolume)
+      {
+        sum.Add(moments);
+      }
+      else
+      {
+        sum = moments;
+      }
+      hasVolume = true;
+    }
+    rows.push_back(row);
+  }
+  if (hasVolume)
+  {
+    total.Properties = sm::ComputeMassProperties(sum);
+    total.Leak = vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
+    if (this->Density > 0.0 || rows.size() == 1)
+    {
+      SetMass(total, this->Density > 0.0 ? this->Density : bodies.front().Model->GetDensity(), unit);
+    }
+    else
+    {
+      // Densities differ from part to part: the sum has a mass, but its inertia is not density times VolumeInertia.
+      SetMass(total, 0.0, unit);
+      total.Mass = mass;
+      total.MassBound = massBound;
+    }
+  }
+  else
+  {
+    total.MovedByClosing = total.Leak = vtkMath::Nan();
+    SetMass(total, 0.0, unit);
+  }
+  if (bodies.empty())
+  {
+    total.Area = total.AreaBound = total.GapSquared = total.GapArea = total.MaxGap = vtkMath::Nan();
+  }
+
+  sm::MassColumns totalColumns(withMass);
+  totalColumns.Append(total);
+  totalColumns.AddTo(totals->GetFieldData());
+  sm::columns::SetString(totals->GetFieldData(), sm::names::LengthUnit, unit);
+  int openEdges = 0;
+  std::string status = bodies.empty() ? sm::names::StatusEmpty : sm::names::StatusOk;
+  sm::MassColumns columns(withMass);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    columns.Append(rows[i]);
+    openEdges += bodies[i].OpenEdges;
+    status = sm::IsWorse(bodies[i].Status, status) ? bodies[i].Status : status;
+  }
+  sm::columns::SetInteger(totals->GetFieldData(), sm::names::OpenEdges, openEdges);
+  columns.AddTo(solids->GetRowData());
+  sm::columns::AddBodyColumns(bodies, solids);
+  sm::columns::SetString(text->GetRowData(), sm::names::Text,
+    sm::FormatSummary(total, status, unit, static_cast<int>(bodies.size())));
+  sm::columns::AddFaceRows(bodies, this->Implementation->Integrands, faces);
+  this->MakeGlyphs(bodies, rows, totals);
+}
+
+void vtkMassPropertiesGPU::MakeGlyphs(
+  const std::vector<sm::BodyIntegrals>& bodies, const std::vector<sm::MassRow>& rows, vtkPolyData* output)
+{
+  vtkNew<vtkAppendPolyData> glyphs;
+  const auto add = [&](const sm::MassProperties& properties, double diagonal)
+  {
+    if (!std::isfinite(properties.Center[0]) || !(diagonal > 0.0))
+    {
+      return;
+    }
+    if (this->GlyphScale > 0.0)
+    {
+      vtkNew<vtkSphereSource> sphere;
+      sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+      sphere->SetCenter(properties.Center[0], properties.Center[1], properties.Center[2]);
+      sphere->SetRadius(this->GlyphScale * diagonal);
+      sphere->SetThetaResolution(32);
+      sphere->SetPhiResolution(24);
+      sphere->Update();
+      glyphs->AddInputData(sphere->GetOutput());
+    }
+    if (this->ShowPrincipalAxes && !properties.AxesDegenerate)
+    {
+      AppendAxes(glyphs, properties, 0.5 * diagonal);
+    }
+  };
+  vtkBoundingBox all;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    // The placed box of the part: its eight corners.
+    const double* b = bodies[i].Model->GetLocalBounds();
+    const double* origin = bodies[i].Model->GetOrigin();
+    const std::array<double, 16>& m = bodies[i].Placement;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double p[3];
+      for (int r = 0; r < 3; ++r)
+      {
+        p[r] = m[4 * r + 3];
+        for (int c = 0; c < 3; ++c)
+        {
+          p[r] += m[4 * r + c] * (origin[c] + b[2 * c + ((corner >> c) & 1)]);
+        }
+      }
+      all.AddPoint(p);
+    }
+    if (this->GlyphPerSolid && bodies.size() > 1)
+    {
+      add(rows[i].Properties, 2.0 * sm::GetRadius(*bodies[i].Model));
+    }
+  }
+  add(this->Last->Row.Properties, all.IsValid() ? all.GetDiagonalLength() : 0.0);
+  if (glyphs->GetNumberOfInputConnections(0) > 0)
+  {
+    glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    glyphs->Update();
+    output->SetPoints(glyphs->GetOutput()->GetPoints());
+    output->SetVerts(glyphs->GetOutput()->GetVerts());
+    output->SetLines(glyphs->GetOutput()->GetLines());
+    output->SetPolys(glyphs->GetOutput()->GetPolys());
+    output->GetPointData()->ShallowCopy(glyphs->GetOutput()->GetPointData());
+  }
+}

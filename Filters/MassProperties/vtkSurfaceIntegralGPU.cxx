@@ -1,0 +1,474 @@
+#include "vtkSurfaceIntegralGPU.h"
+
+#include "smBodyIntegrals.h"
+#include "smMassPropertyNames.h"
+#include "smSurfaceIntegrator.h"
+#include "vtkSurfaceIntegralGPUInternals.h"
+
+#include "vtkComputeContext.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkTable.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+vtkStandardNewMacro(vtkSurfaceIntegralGPU);
+
+vtkSurfaceIntegralGPU::vtkSurfaceIntegralGPU()
+  : Implementation(new Internals)
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(4);
+}
+
+vtkSurfaceIntegralGPU::~vtkSurfaceIntegralGPU() = default;
+
+void vtkSurfaceIntegralGPU::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n"
+     << indent << "MaximumEvaluations: " << this->MaximumEvaluations << "\n"
+     << indent << "Integrands: " << this->GetNumberOfIntegrands() << "\n"
+     << indent << "Status: " << this->GetStatus() << "\n"
+     << indent << "Backend: " << this->GetBackend() << "\n"
+     << indent << "Renderer: " << this->GetRenderer() << "\n";
+}
+
+void vtkSurfaceIntegralGPU::AddIntegrand(const std::string& name, const std::string& expression, int support)
+{
+  if (expression.empty())
+  {
+    vtkErrorMacro(
+      "AddIntegrand: the expression of '" << name << "' is empty; give GLSL of position and normal.");
+    return;
+  }
+  this->Implementation->Add(this, sm::Integrand::User(name, expression, support == CLOSED_CHAIN));
+}
+
+void vtkSurfaceIntegralGPU::AddVolumeMoment(const std::string& name, int i, int j, int k)
+{
+  if (std::min({ i, j, k }) < 0)
+  {
+    vtkErrorMacro("AddVolumeMoment: the powers " << i << ", " << j << ", " << k << " of '" << name
+                                                 << "' must not be negative.");
+    return;
+  }
+  this->Implementation->Add(this, sm::Integrand::VolumeMoment(name, i, j, k));
+}
+
+void vtkSurfaceIntegralGPU::AddAreaMoment(const std::string& name, int i, int j, int k)
+{
+  if (std::min({ i, j, k }) < 0)
+  {
+    vtkErrorMacro("AddAreaMoment: the powers " << i << ", " << j << ", " << k << " of '" << name
+                                               << "' must not be negative.");
+    return;
+  }
+  this->Implementation->Add(this, sm::Integrand::AreaMoment(name, i, j, k));
+}
+
+void vtkSurfaceIntegralGPU::Internals::Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand)
+{
+  const bool exists = std::any_of(this->Integrands.begin(), this->Integrands.end(),
+    [&integrand](const sm::Integrand& other) { return other.Name == integrand.Name; });
+  if (integrand.Name.empty() || exists)
+  {
+    vtkErrorWithObjectMacro(self, "The name '" << integrand.Name << "' of an integrand is empty or exists.");
+    return;
+  }
+  this->Integrands.push_back(integrand);
+  self->Modified();
+}
+
+void vtkSurfaceIntegralGPU::RemoveAllIntegrands()
+{
+  if (!this->Implementation->Integrands.empty())
+  {
+    this->Implementation->Integrands.clear();
+    this->Modified();
+  }
+}
+
+int vtkSurfaceIntegralGPU::GetNumberOfIntegrands() const
+{
+  return static_cast<int>(this->Implementation->Integrands.size());
+}
+
+std::string vtkSurfaceIntegralGPU::GetIntegrandName(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfIntegrands() ? this->Implementation->Integrands[index].Name
+                                                             : "";
+}
+
+void vtkSurfaceIntegralGPU::SetRenderWindow(vtkRenderWindow* window)
+{
+  if (this->Implementation->Context->GetWindow() != window)
+  {
+    this->Implementation->Context->SetWindow(window);
+    this->Modified();
+  }
+}
+
+vtkRenderWindow* vtkSurfaceIntegralGPU::GetRenderWindow()
+{
+  return this->Implementation->Context->GetWindow();
+}
+
+vtkComputeContext* vtkSurfaceIntegralGPU::GetComputeContext()
+{
+  return this->Implementation->Context;
+}
+
+double vtkSurfaceIntegralGPU::GetIntegral(const std::string& name) const
+{
+  const auto found = this->Implementation->Last.Integrals.find(name);
+  return found == this->Implementation->Last.Integrals.end() ? vtkMath::Nan() : found->second.first;
+}
+
+double vtkSurfaceIntegralGPU::GetIntegralBound(const std::string& name) const
+{
+  const auto found = this->Implementation->Last.Integrals.find(name);
+  return found == this->Implementation->Last.Integrals.end() ? vtkMath::Nan() : found->second.second;
+}
+
+std::string vtkSurfaceIntegralGPU::GetStatus() const
+{
+  return this->Implementation->Last.Status;
+}
+
+int vtkSurfaceIntegralGPU::GetNumberOfMessages() const
+{
+  return static_cast<int>(this->Implementation->Last.Messages.size());
+}
+
+std::string vtkSurfaceIntegralGPU::GetMessage(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfMessages() ? this->Implementation->Last.Messages[index] : "";
+}
+
+std::string vtkSurfaceIntegralGPU::GetBackend() const
+{
+  return this->Implementation->Last.Backend;
+}
+
+std::string vtkSurfaceIntegralGPU::GetRenderer() const
+{
+  return this->Implementation->Last.Renderer;
+}
+
+vtkTypeInt64 vtkSurfaceIntegralGPU::GetEvaluations() const
+{
+  return this->Implementation->Last.Evaluations;
+}
+
+vtkTypeInt64 vtkSurfaceIntegralGPU::GetDispatches() const
+{
+  return this->Implementation->Last.Dispatches;
+}
+
+int vtkSurfaceIntegralGPU::GetNumberOfSolids() const
+{
+  return this->Implementation->Last.Solids;
+}
+
+int vtkSurfaceIntegralGPU::GetNumberOfFaces() const
+{
+  return this->Implementation->Last.Faces;
+}
+
+double vtkSurfaceIntegralGPU::GetStartSeconds() const
+{
+  return this->Implementation->Last.StartSeconds;
+}
+
+double vtkSurfaceIntegralGPU::GetPrepareSeconds() const
+{
+  return this->Implementation->Last.PrepareSeconds;
+}
+
+double vtkSurfaceIntegralGPU::GetIntegrateSeconds() const
+{
+  return this->Implementation->Last.IntegrateSeconds;
+}
+
+int vtkSurfaceIntegralGPU::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkSurfaceIntegralGPU::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+double vtkSurfaceIntegralGPU::Internals::GetScale(
+  const sm::Integrand& integrand, vtkTrimmedNURBSModel& model, double reach)
+{
+  // The integral of a monomial over a body of volume V (area A) within a distance `reach` of the origin.
+  const double size = std::pow(reach, std::max(integrand.Degree, 0));
+  return size *
+    (integrand.ClosedChain && integrand.Degree >= 0 ? sm::GetVolumeScale(model) : sm::GetAreaScale(model));
+}
+
+void vtkSurfaceIntegralGPU::Internals::AddTasks(
+  const sm::BodyIntegrals& body, bool placed, double tolerance, std::vector<sm::FaceTask>& tasks) const
+{
+  vtkTrimmedNURBSModel& model = *body.Model;
+  const std::vector<sm::FacePointer>& faces = model.GetFaces();
+  sm::FaceTask task;
+  if (placed)
+  {
+    const double* origin = model.GetOrigin();
+    double squared = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      double translation = body.Placement[4 * i + 3];
+      for (int j = 0; j < 3; ++j)
+      {
+        task.Placement[4 * i + j] = body.Placement[4 * i + j];
+        translation += body.Placement[4 * i + j] * origin[j];
+      }
+      task.Placement[4 * i + 3] = translation;
+      squared += translation * translation;
+    }
+    const double reach = std::sqrt(squared) + sm::GetRadius(model);
+    for (const sm::Integrand& integrand : this->Integrands)
+    {
+      task.Tolerances.push_back(tolerance * GetScale(integrand, model, reach));
+    }
+  }
+  else
+  {
+    task.Tolerances = this->LocalTolerances(this->Integrands, model, tolerance);
+  }
+  for (double& t : task.Tolerances)
+  {
+    // An equal share for every face, whatever the others' results.
+    t /= std::max<std::size_t>(faces.size(), 1);
+  }
+  for (const sm::FacePointer& face : faces)
+  {
+    task.Source = face;
+    tasks.push_back(task);
+  }
+}
+
+bool vtkSurfaceIntegralGPU::Internals::Integrate(
+  vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies)
+{
+  Run& last = this->Last;
+  const double start = vtkTimerLog::GetUniversalTime();
+  if (this->Context->Start() != vtkComputeContext::READY)
+  {
+    last.Messages.push_back("nothing was computed: " + this->Context->GetReason());
+    return false;
+  }
+  last.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
+  last.Backend = "opengl";
+  last.Renderer = this->Context->GetRenderer();
+  if (!this->Integrator)
+  {
+    this->Integrator.reset(new sm::SurfaceIntegrator(this->Context));
+  }
+  if (this->Configured != this->Integrands)
+  {
+    this->Integrator->SetIntegrands(this->Integrands);
+    this->Configured = this->Integrands;
+  }
+  // Moments about each part's own origin are carried to the instances exactly; anything else is integrated
+  // in world coordinates, instance by instance.
+  const bool placed = !this->LocalTolerances;
+  this->Integrator->SetUsePlacements(placed);
+  this->Integrator->SetPerturbation(self->ShaderPerturbation);
+  this->Integrator->SetMaximumEvaluations(self->MaximumEvaluations);
+
+  std::vector<sm::FaceTask> tasks;
+  std::vector<std::size_t> firstTask;
+  std::map<vtkTrimmedNURBSModel*, std::size_t> known;
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    const auto shared = known.find(body.Model);
+    if (!placed && shared != known.end())
+    {
+      firstTask.push_back(shared->second);
+      continue;
+    }
+    known[body.Model] = tasks.size();
+    firstTask.push_back(tasks.size());
+    this->AddTasks(body, placed, self->RelativeTolerance, tasks);
+  }
+  std::vector<sm::FaceIntegrals> results;
+  const vtkTypeUInt64 dispatches = this->Context->GetNumberOfDispatches();
+  const bool done = this->Integrator->Integrate(tasks, results,
+    [self](double fraction)
+    {
+      self->UpdateProgress(fraction);
+      return !self->GetAbortExecute();
+    });
+  last.Evaluations = this->Integrator->GetEvaluations();
+  last.Dispatches = static_cast<vtkTypeInt64>(this->Context->GetNumberOfDispatches() - dispatches);
+  last.StartSeconds += this->Integrator->GetStartSeconds();
+  last.PrepareSeconds = this->Integrator->GetPrepareSeconds();
+  last.IntegrateSeconds = this->Integrator->GetIntegrateSeconds();
+  if (!done)
+  {
+    last.Messages.push_back("nothing was computed: " + this->Integrator->GetError());
+    return false;
+  }
+  std::map<std::size_t, std::shared_ptr<const std::vector<sm::FaceIntegrals>>> sharedFaces;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    auto& faces = sharedFaces[firstTask[i]];
+    if (!faces)
+    {
+      const auto first = results.begin() + static_cast<std::ptrdiff_t>(firstTask[i]);
+      faces = std::make_shared<const std::vector<sm::FaceIntegrals>>(
+        first, first + bodies[i].Model->GetNumberOfFaces());
+    }
+    bodies[i].Faces = faces;
+  }
+  return true;
+}
+
+int vtkSurfaceIntegralGPU::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  Internals::Run& last = this->Implementation->Last;
+  last = Internals::Run();
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
+  sm::RejectedInput rejected;
+  std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
+  if (bodies.empty() && rejected.Plain + rejected.Withheld > 0)
+  {
+    last.Status = sm::names::StatusEmpty;
+    last.Messages.push_back(rejected.Withheld > 0 ? "the points of the input were changed after it was read, "
+                                                    "so its exact geometry no longer describes it"
+                                                  : "the input is a mesh without exact geometry");
+    vtkErrorMacro(
+      "No exact geometry in the input: " << last.Messages.back()
+                                         << ". Connect the output of vtkSTEPReader directly: filters "
+                                            "that move or rebuild points drop the NURBS model.");
+    return 0;
+  }
+  if (rejected.Plain + rejected.Withheld > 0)
+  {
+    last.Messages.push_back(
+      std::to_string(rejected.Plain + rejected.Withheld) + " meshes without exact geometry were left out");
+  }
+  last.Solids = static_cast<int>(bodies.size());
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    last.Faces += static_cast<int>(body.Model->GetNumberOfFaces());
+  }
+  last.Status = bodies.empty() ? sm::names::StatusEmpty : sm::names::StatusOk;
+  if (bodies.empty())
+  {
+    last.Messages.push_back("the input holds no solid and no surface");
+  }
+  const bool computed = !bodies.empty() && this->Implementation->Integrate(this, bodies);
+  for (sm::BodyIntegrals& body : bodies)
+  {
+    if (computed)
+    {
+      sm::SumFaces(body, this->Implementation->Integrands);
+    }
+    else
+    {
+      // What was not computed has no bound, so no tolerance is met.
+      const double nan = vtkMath::Nan();
+      const std::size_t count = this->Implementation->Integrands.size();
+      body.Value.assign(count, nan);
+      body.FaceValue.assign(count, nan);
+      body.Bound.assign(count, nan);
+      body.GapSquared = body.GapArea = body.MaxGap = nan;
+      body.Status = sm::names::StatusToleranceNotMet;
+    }
+  }
+  this->ProduceOutputs(bodies, vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
+    vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3));
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    if (sm::IsWorse(body.Status, last.Status))
+    {
+      last.Status = body.Status;
+    }
+    for (const std::string& message : body.Messages)
+    {
+      last.Messages.push_back((body.Name.empty() ? "" : body.Name + ": ") + message);
+    }
+  }
+  if (last.Status != sm::names::StatusOk && !last.Messages.empty())
+  {
+    vtkWarningMacro("Status " << last.Status << ": " << last.Messages.front()
+                              << (last.Messages.size() > 1 ? " (and more, see GetMessage())" : ""));
+  }
+  this->Implementation->FillRunData(vtkPolyData::GetData(outputVector, 0)->GetFieldData());
+  return 1;
+}
+
+void vtkSurfaceIntegralGPU::Internals::FillRunData(vtkFieldData* data) const
+{
+  sm::columns::SetString(data, sm::names::Status, this->Last.Status);
+  sm::columns::SetString(data, sm::names::Backend, this->Last.Backend);
+  sm::columns::SetString(data, sm::names::Renderer, this->Last.Renderer);
+  sm::columns::SetInteger(data, sm::names::Evaluations, this->Last.Evaluations);
+  sm::columns::SetInteger(data, sm::names::Dispatches, this->Last.Dispatches);
+  sm::columns::SetInteger(data, sm::names::Faces, this->Last.Faces);
+}
+
+void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals,
+  vtkTable* solids, vtkTable* text, vtkTable* faces)
+{
+  const std::vector<sm::Integrand>& integrands = this->Implementation->Integrands;
+  std::string summary;
+  for (std::size_t k = 0; k < integrands.size(); ++k)
+  {
+    const std::string& name = integrands[k].Name;
+    double total = bodies.empty() ? vtkMath::Nan() : 0.0;
+    double bound = total;
+    sm::columns::Column values(name, 1);
+    sm::columns::Column bounds(name + sm::names::BoundSuffix, 1);
+    for (sm::BodyIntegrals& body : bodies)
+    {
+      double limit = 0.0;
+      for (const double scale : { sm::GetAreaScale(*body.Model), std::abs(body.Value[k]) })
+      {
+        limit = std::max(limit, scale * this->RelativeTolerance);
+      }
+      if (body.Unconverged > 0 && body.Bound[k] > limit)
+      {
+        body.Flag(sm::names::StatusToleranceNotMet, name + " did not converge to the tolerance");
+      }
+      values.Append(&body.Value[k]);
+      bounds.Append(&body.Bound[k]);
+      total += body.Value[k];
+      bound += body.Bound[k];
+    }
+    values.AddTo(solids->GetRowData());
+    bounds.AddTo(solids->GetRowData());
+    sm::columns::SetDoubles(totals->GetFieldData(), name, &total, 1);
+    sm::columns::SetDoubles(totals->GetFieldData(), name + sm::names::BoundSuffix, &bound, 1);
+    this->Implementation->Last.Integrals[name] = { total, bound };
+    char line[256];
+    std::snprintf(line, sizeof(line), "%s = %.12g (+- %.1e)\n", name.c_str(), total, bound);
+    summary += line;
+  }
+  sm::columns::AddBodyColumns(bodies, solids);
+  sm::columns::SetString(text->GetRowData(), sm::names::Text, summary);
+  sm::columns::AddFaceRows(bodies, integrands, faces);
+}

@@ -1,0 +1,161 @@
+/**
+ * @class   vtkSurfaceIntegralGPU
+ * @brief   integrals over the exact faces of trimmed NURBS solids, by compute shaders
+ *
+ * Integrates any list of integrands over the faces of every vtkNURBSDataSet in the input (one, or the
+ * leaves of a composite dataset), in double precision on the GPU, inside an OpenGL context of VTK.
+ * An integrand is a GLSL expression of
+ *   - `position`: dvec3, world coordinates, in the model's length unit,
+ *   - `normal`:   dvec3, outward Su x Sv of the surface element; length(normal) is the area element.
+ * An integrand on the CLOSED_CHAIN is also integrated over the ribbons and caps that join the faces along
+ * their common edges, so that fluxes are those of a closed surface; one on FACES (areas) is not.
+ *
+ * Outputs:
+ * | port | type     | what                                                                           |
+ * |------|----------|--------------------------------------------------------------------------------|
+ * | 0    | polydata | empty; field data: one array per integrand (total), its Bound, Status …        |
+ * | 1    | table    | a row per solid instance: Name, Id, every integrand, its Bound, Status         |
+ * | 2    | table    | 1x1, column Text: a readable summary                                           |
+ * | 3    | table    | a row per face and instance: Solid, FaceId, every integrand, its Bound         |
+ * The names are in smMassPropertyNames.h. What could not be computed is NaN with a Status, never 0.
+ *
+ * The order of the Gauss rules is raised panel by panel until two orders agree to the tolerance; a bound is
+ * the sum of these differences and of the rounding of every sample.
+ *
+ * Getters return the values of the last run and never run the pipeline: call Update() first.
+ * RequestData fails only for a wrong input (no exact geometry in it); without a GPU context the rows are
+ * there, with NaN and a status.
+ *
+ * Not thread safe. With SetRenderWindow the calling thread must be the one that renders in that window.
+ */
+#ifndef vtkSurfaceIntegralGPU_h
+#define vtkSurfaceIntegralGPU_h
+
+#include "smFiltersMassPropertiesModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for the implementation
+#include <string> // for std::string
+#include <vector> // for std::vector
+
+class vtkComputeContext;
+class vtkNURBSDataSet;
+class vtkRenderWindow;
+class vtkTable;
+
+namespace sm
+{
+struct BodyIntegrals;
+struct Integrand;
+}
+
+class SMFILTERSMASSPROPERTIES_EXPORT vtkSurfaceIntegralGPU : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSurfaceIntegralGPU* New();
+  vtkTypeMacro(vtkSurfaceIntegralGPU, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Where an integrand is integrated. */
+  enum SupportType
+  {
+    CLOSED_CHAIN = 0,
+    FACES = 1
+  };
+
+  /**
+   * Adds the integrand `expression` (GLSL, double precision, see above) under `name`. An empty name or
+   * expression, or a name that exists, is an error and adds nothing. An expression that does not compile is
+   * an error of the next Update(), with the compiler's message.
+   */
+  void AddIntegrand(const std::string& name, const std::string& expression, int support = FACES);
+  /** Volume integral of x^i y^j z^k, by the divergence theorem: flux of r x^i y^j z^k / (3 + i + j + k). */
+  void AddVolumeMoment(const std::string& name, int i, int j, int k);
+  /** Surface integral of x^i y^j z^k. */
+  void AddAreaMoment(const std::string& name, int i, int j, int k);
+  /** Forgets all integrands. */
+  virtual void RemoveAllIntegrands();
+  int GetNumberOfIntegrands() const;
+  std::string GetIntegrandName(int index) const;
+
+  ///@{
+  /** The window whose OpenGL context is used and shared with its renderers. Default: none; a context of the
+   * filter's own is made (X, or EGL without a display). */
+  void SetRenderWindow(vtkRenderWindow* window);
+  vtkRenderWindow* GetRenderWindow();
+  ///@}
+  /** The context, for its source, limits and counters. Never null. */
+  vtkComputeContext* GetComputeContext();
+
+  ///@{
+  /**
+   * Tolerance of every integral relative to the scale of its solid (volume or area times the matching power
+   * of its size). Range (0, 1], clamped to [1e-15, 1]. Default 1e-9. Unmet: Status tolerance-not-met, the
+   * value and its true bound are kept.
+   */
+  vtkSetClampMacro(RelativeTolerance, double, 1e-15, 1.0);
+  vtkGetMacro(RelativeTolerance, double);
+  ///@}
+
+  ///@{
+  /** Most surface evaluations that a run may spend; beyond, what is there is kept with its bound. Default
+   * 2e9. At least 1. */
+  vtkSetClampMacro(MaximumEvaluations, vtkTypeInt64, 1, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(MaximumEvaluations, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /** The last run: total of the integrand (NaN when absent or not computed) and its bound. */
+  double GetIntegral(const std::string& name) const;
+  double GetIntegralBound(const std::string& name) const;
+  ///@}
+
+  ///@{
+  /** The last run: worst status of all solids ("ok", "open", …), what to tell the user, and how it was done. */
+  std::string GetStatus() const;
+  int GetNumberOfMessages() const;
+  std::string GetMessage(int index) const;
+  std::string GetBackend() const;
+  std::string GetRenderer() const;
+  vtkTypeInt64 GetEvaluations() const;
+  vtkTypeInt64 GetDispatches() const;
+  int GetNumberOfSolids() const;
+  int GetNumberOfFaces() const;
+  /** Seconds of the last run: context and shaders; cutting into panels and upload; integration. */
+  double GetStartSeconds() const;
+  double GetPrepareSeconds() const;
+  double GetIntegrateSeconds() const;
+  ///@}
+
+  /** For tests: makes every shader multiply its samples by this factor, to show that the numbers come from
+   * the shaders. Default 1. */
+  vtkSetMacro(ShaderPerturbation, double);
+  vtkGetMacro(ShaderPerturbation, double);
+
+protected:
+  vtkSurfaceIntegralGPU();
+  ~vtkSurfaceIntegralGPU() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+#ifndef __VTK_WRAP__
+  /** Fills the four outputs from the results of all bodies. */
+  virtual void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
+    vtkTable* text, vtkTable* faces);
+
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+#endif
+
+  double RelativeTolerance = 1e-9;
+  vtkTypeInt64 MaximumEvaluations = 2000000000;
+  double ShaderPerturbation = 1.0;
+
+private:
+  vtkSurfaceIntegralGPU(const vtkSurfaceIntegralGPU&) = delete;
+  void operator=(const vtkSurfaceIntegralGPU&) = delete;
+};
+
+#endif

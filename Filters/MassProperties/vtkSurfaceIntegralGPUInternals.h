@@ -1,0 +1,60 @@
+/**
+ * @file vtkSurfaceIntegralGPUInternals.h
+ * @brief What vtkSurfaceIntegralGPU and its subclasses share; not installed
+ */
+#ifndef vtkSurfaceIntegralGPUInternals_h
+#define vtkSurfaceIntegralGPUInternals_h
+
+#include "smBodyIntegrals.h"
+#include "smColumns.h"
+#include "smSurfaceIntegrator.h"
+#include "vtkSurfaceIntegralGPU.h"
+
+#include "vtkComputeContext.h"
+#include "vtkNew.h"
+
+#include <functional>
+#include <map>
+
+class vtkFieldData;
+
+struct vtkSurfaceIntegralGPU::Internals
+{
+  /// What the getters return.
+  struct Run
+  {
+    std::string Status;
+    std::vector<std::string> Messages;
+    std::string Backend = "none";
+    std::string Renderer;
+    vtkTypeInt64 Evaluations = 0;
+    vtkTypeInt64 Dispatches = 0;
+    int Solids = 0;
+    int Faces = 0;
+    double StartSeconds = 0.0;
+    double PrepareSeconds = 0.0;
+    double IntegrateSeconds = 0.0;
+    std::map<std::string, std::pair<double, double>> Integrals;
+  };
+
+  /// Tolerances of the integrands for a body about the part's own origin. Set: integrate every model once about
+  /// its origin, without placements.
+  using ToleranceRule =
+    std::function<std::vector<double>(const std::vector<sm::Integrand>&, vtkTrimmedNURBSModel&, double)>;
+
+  vtkNew<vtkComputeContext> Context;
+  std::unique_ptr<sm::SurfaceIntegrator> Integrator;
+  std::vector<sm::Integrand> Integrands;
+  std::vector<sm::Integrand> Configured;
+  ToleranceRule LocalTolerances;
+  Run Last;
+
+  void Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand);
+  bool Integrate(vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies);
+  void AddTasks(
+    const sm::BodyIntegrals& body, bool placed, double tolerance, std::vector<sm::FaceTask>& tasks) const;
+  void FillRunData(vtkFieldData* data) const;
+  static double GetScale(const sm::Integrand& integrand, vtkTrimmedNURBSModel& model, double reach);
+};
+
+#endif
