@@ -1,0 +1,150 @@
+// solidmoments: mass properties of STEP files, integrated on the GPU.
+
+#include "smArguments.h"
+#include "smIsolatedJob.h"
+#include "smReport.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <unistd.h>
+
+namespace
+{
+// --- progress ----------------------------------------------------------------------------------
+
+/// One line on a terminal, and nothing anywhere else.
+class ProgressLine
+{
+public:
+  explicit ProgressLine(bool wanted)
+    : Active(wanted && isatty(STDERR_FILENO))
+  {
+  }
+
+  void Show(const std::string& head, const std::string& stage, double fraction)
+  {
+    if (this->Active)
+    {
+      std::fprintf(stderr, "\r%s  %s %3.0f %%\033[K", head.c_str(), stage.c_str(), 100.0 * fraction);
+      std::fflush(stderr);
+    }
+  }
+
+  void Clear()
+  {
+    if (this->Active)
+    {
+      std::fputs("\r\033[K", stderr);
+      std::fflush(stderr);
+    }
+  }
+
+private:
+  bool Active;
+};
+
+// --- output ------------------------------------------------------------------------------------
+
+bool Save(const std::string& name, const std::string& text)
+{
+  if (name == "-")
+  {
+    std::cout << text << std::flush;
+    return static_cast<bool>(std::cout);
+  }
+  std::ofstream file(name, std::ios::trunc);
+  file << text;
+  file.close();
+  return static_cast<bool>(file);
+}
+
+int StatusOf(const sm::Json& file)
+{
+  return file["status"] == "ok" ? sm::AllOk : file["status"] == "unreadable" ? sm::Unreadable : sm::Flagged;
+}
+
+int Worse(int a, int b)
+{
+  return a == sm::AllOk ? b : b == sm::AllOk ? a : std::min(a, b);
+}
+
+/// What a person sees of a file that is finished.
+void Print(const sm::Json& file, bool showTable, bool isFirst)
+{
+  if (showTable)
+  {
+    std::cout << (isFirst ? "" : "\n") << sm::FormatTable(file) << std::flush;
+  }
+  else if (file["status"] == "unreadable")
+  {
+    const sm::Json& messages = file["messages"];
+    sm::Complain(file["file"].get<std::string>() + " is unreadable" +
+      (messages.empty() ? "" : ": " + messages.back().get<std::string>()));
+  }
+}
+
+int WriteOutputs(const sm::Arguments& arguments, const sm::Json& files)
+{
+  int exitStatus = sm::AllOk;
+  if (!arguments.Json.empty() &&
+    !Save(arguments.Json, sm::FormatJson({ { "version", 1 }, { "files", files } })))
+  {
+    exitStatus = sm::Complain(arguments.Json + " cannot be written");
+  }
+  if (!arguments.Csv.empty() && !Save(arguments.Csv, sm::FormatCsv(files)))
+  {
+    exitStatus = sm::Complain(arguments.Csv + " cannot be written");
+  }
+  return exitStatus;
+}
+
+int Run(const sm::Arguments& arguments)
+{
+  const bool showTable = !arguments.Quiet && arguments.Json != "-" && arguments.Csv != "-";
+  const std::vector<std::string> pictures = sm::PictureNames(arguments);
+  const std::string count = std::to_string(arguments.Files.size());
+  ProgressLine line(!arguments.Quiet);
+  sm::Json files = sm::Json::array();
+  int exitStatus = sm::AllOk;
+  sm::CatchInterrupt();
+  for (size_t i = 0; i < arguments.Files.size() && !sm::IsInterrupted(); ++i)
+  {
+    sm::JobOptions job = arguments.Job;
+    job.FileName = arguments.Files[i];
+    job.PictureName = pictures[i];
+    const std::string head = "[" + std::to_string(i + 1) + "/" + count + "] " + sm::Stem(job.FileName);
+    sm::JobOutcome outcome = sm::RunIsolatedJob(
+      job, [&](const std::string& stage, double fraction) { line.Show(head, stage, fraction); });
+    line.Clear();
+    if (outcome.File.is_null())
+    {
+      break;
+    }
+    exitStatus = Worse(exitStatus, StatusOf(outcome.File));
+    if (!outcome.PictureError.empty())
+    {
+      const std::string message = "no picture " + job.PictureName + ": " + outcome.PictureError;
+      outcome.File["messages"].push_back(message);
+      exitStatus = Worse(exitStatus, sm::Complain(message));
+    }
+    Print(outcome.File, showTable, i == 0);
+    files.push_back(std::move(outcome.File));
+  }
+  exitStatus = Worse(exitStatus, WriteOutputs(arguments, files));
+  if (sm::IsInterrupted())
+  {
+    sm::Complain("interrupted; " + std::to_string(files.size()) + " of " + count + " files were finished");
+    sm::EndByInterrupt();
+  }
+  return exitStatus;
+}
+}
+
+int main(int argc, char** argv)
+{
+  sm::Arguments arguments;
+  const std::optional<int> done = sm::ParseArguments(argc, argv, arguments);
+  return done ? *done : Run(arguments);
+}

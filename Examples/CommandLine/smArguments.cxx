@@ -1,0 +1,209 @@
+#include "smArguments.h"
+
+#include "smVersion.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <set>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace
+{
+const char* Footer =
+  R"(Results are in millimetres unless --unit says otherwise; inertia is about the centre of mass, for unit
+density. The number after +/- is the bound of the numerical error; what the model itself leaves open (gaps
+between faces, open edges) is said apart. A value that does not exist is null in JSON, empty in CSV.
+Each file is read in a process of its own: one that crashes costs only itself.
+
+Examples:
+  solidmoments bracket.step
+  solidmoments bracket.step --png bracket.png
+  solidmoments --unit inch --density 2700 bracket.step
+  solidmoments *.step --quiet --json results.json --csv results.csv
+
+Exit status:
+  0  all files computed with status ok
+  1  wrong usage, or an output asked for (JSON, CSV, PNG) could not be written
+  2  some file is unreadable
+  3  some result is flagged: open, tolerance-not-met, suspect, empty
+The first of 1, 2, 3 that applies; 130 after Ctrl-C, and then the outputs hold the files finished before.)";
+
+std::string CheckScheme(const std::string& name)
+{
+  if (name == "midpoint" || name == "gauss2" || name == "gauss3")
+  {
+    return "scheme " + name + " is not available in this version; adaptive is";
+  }
+  return name == "adaptive" ? "" : "there is no scheme " + name + "; adaptive is available";
+}
+
+std::string CheckBackend(const std::string& name)
+{
+  if (name == "cpu")
+  {
+    return "the cpu backend is not available in this version; without a GPU, opengl runs on Mesa's CPU "
+           "driver";
+  }
+  const bool known = name == "auto" || name == "opengl" || name == "egl" || name == "x";
+  return known ? "" : "there is no backend " + name + "; use auto, opengl, x or egl";
+}
+
+std::string CheckUnit(const std::string& name)
+{
+  const std::set<std::string> known = { "mm", "cm", "m", "um", "inch", "in", "ft", "file" };
+  return known.count(name) ? "" : "there is no unit " + name + "; use mm, cm, m, um, inch, ft or file";
+}
+
+/// Whether an output can be written, asked before the work and not an hour later.
+std::string CheckOutput(const std::string& name)
+{
+  const size_t slash = name.find_last_of('/');
+  const std::string folder = slash == std::string::npos ? "." : name.substr(0, slash + 1);
+  struct stat info = {};
+  const bool exists = stat(name.c_str(), &info) == 0;
+  const bool good = exists ? !S_ISDIR(info.st_mode) && access(name.c_str(), W_OK) == 0
+                           : stat(folder.c_str(), &info) == 0 && access(folder.c_str(), W_OK) == 0;
+  return good ? "" : name + " cannot be written";
+}
+
+/// NaN when the text is not a number from end to end.
+double ParseNumber(const std::string& text)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return text.empty() || *end != '\0' ? std::numeric_limits<double>::quiet_NaN() : value;
+}
+
+std::string CheckTolerance(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value > 0.0 && value <= 1.0 ? "" : "the tolerance must be a number above 0, at most 1";
+}
+
+std::string CheckDensity(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value > 0.0 && value < 1e300 ? "" : "the density must be a positive number, in kg/m^3";
+}
+
+void Declare(CLI::App& app, sm::Arguments& arguments)
+{
+  app.add_option("FILE", arguments.Files, "STEP files")->required()->type_name("");
+  app
+    .add_option(
+      "--json", arguments.Json, "Write all results as JSON; - for standard output, and then no table")
+    ->type_name("FILE");
+  app.add_option("--csv", arguments.Csv, "Write a row per file and per solid; - as for --json")
+    ->type_name("FILE");
+  app
+    .add_option("--png", arguments.Picture,
+      "Draw the part, translucent, with its centre of mass marked. Of several\n"
+      "files, each picture has the STEP file's name added: out-bracket.png")
+    ->type_name("FILE");
+  app
+    .add_option("--tolerance", arguments.Job.Tolerance,
+      "Tolerance of every result, relative to the size of the solid (default 1e-9)")
+    ->type_name("NUMBER")
+    ->check(CheckTolerance);
+  app
+    .add_option("--unit", arguments.Job.Unit,
+      "Length unit of all results: mm (default), cm, m, um, inch, ft; or file:\n"
+      "the one that the file is written in")
+    ->type_name("UNIT")
+    ->check(CheckUnit);
+  app
+    .add_option("--density", arguments.Job.Density,
+      "Density in kg/m^3, for the mass in kg (default: what the file states)")
+    ->type_name("NUMBER")
+    ->check(CheckDensity);
+  app
+    .add_option("--backend", arguments.Job.Backend,
+      "auto (default) or opengl: OpenGL on the X display, or through EGL where\n"
+      "there is none; x or egl: only that one")
+    ->type_name("NAME")
+    ->check(CheckBackend);
+  app.add_option("--scheme", arguments.Scheme, "Integration scheme: adaptive (default)")
+    ->type_name("NAME")
+    ->check(CheckScheme);
+  app.add_flag("--quiet,-q", arguments.Quiet, "Print no table and no progress, only errors");
+  app.set_version_flag("--version", std::string("solidmoments ") + sm::Version);
+  app.footer(Footer);
+}
+}
+
+namespace sm
+{
+std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
+{
+  CLI::App app("Volume, area, centre of mass and inertia of the parts in STEP files, from their exact NURBS\n"
+               "geometry, integrated on the GPU, with error bounds.",
+    "solidmoments");
+  Declare(app, arguments);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return app.exit(error) == 0 ? AllOk : UsageOrOutput;
+  }
+  if (arguments.Job.Unit == "in")
+  {
+    arguments.Job.Unit = "inch";
+  }
+  if (arguments.Json == "-" && arguments.Csv == "-")
+  {
+    return Complain("only one of --json and --csv can go to standard output");
+  }
+  for (const std::string& output : { arguments.Json, arguments.Csv, arguments.Picture })
+  {
+    const std::string problem = output.empty() || output == "-" ? std::string() : CheckOutput(output);
+    if (!problem.empty())
+    {
+      return Complain(problem);
+    }
+  }
+  return std::nullopt;
+}
+
+int Complain(const std::string& what)
+{
+  std::cerr << "solidmoments: " << what << "\n";
+  return UsageOrOutput;
+}
+
+std::string Stem(const std::string& path)
+{
+  const size_t slash = path.find_last_of('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  const size_t dot = name.find_last_of('.');
+  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+}
+
+std::vector<std::string> PictureNames(const Arguments& arguments)
+{
+  std::vector<std::string> names(arguments.Files.size(), arguments.Picture);
+  if (arguments.Picture.empty() || names.size() == 1)
+  {
+    return names;
+  }
+  const size_t slash = arguments.Picture.find_last_of('/');
+  const size_t dot = arguments.Picture.find_last_of('.');
+  const bool hasExtension = dot != std::string::npos && (slash == std::string::npos || dot > slash);
+  const std::string base = arguments.Picture.substr(0, hasExtension ? dot : std::string::npos);
+  std::map<std::string, int> seen;
+  for (size_t i = 0; i < names.size(); ++i)
+  {
+    const std::string stem = Stem(arguments.Files[i]);
+    const int count = ++seen[stem];
+    names[i] = base + "-" + stem + (count > 1 ? "-" + std::to_string(count) : "") +
+      (hasExtension ? arguments.Picture.substr(dot) : "");
+  }
+  return names;
+}
+}

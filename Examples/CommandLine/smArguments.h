@@ -1,0 +1,51 @@
+/**
+ * @file smArguments.h
+ * @brief The arguments of the command line, checked
+ */
+#ifndef smArguments_h
+#define smArguments_h
+
+#include "smFileJob.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sm
+{
+/// 1, 2, 3: the first that applies.
+enum ExitStatus
+{
+  AllOk = 0,
+  UsageOrOutput = 1,
+  Unreadable = 2,
+  Flagged = 3
+};
+
+struct Arguments
+{
+  std::vector<std::string> Files;
+  std::string Json; ///< empty: none; "-": standard output
+  std::string Csv;  ///< likewise
+  std::string Picture;
+  std::string Scheme = "adaptive";
+  JobOptions Job; ///< what all files share
+  bool Quiet = false;
+};
+
+/// Reads the arguments. Returns an exit status when there is nothing more to do: help, version, wrong usage (explained
+/// on the standard error).
+std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments);
+
+/// Says `what` on the standard error; returns UsageOrOutput.
+int Complain(const std::string& what);
+
+/// "bracket" from "parts/bracket.step".
+std::string Stem(const std::string& path);
+
+/// The picture of every file: "out.png" for a single one; of several "out-bracket.png", and "out-bracket-2.png" for a
+/// second bracket.
+std::vector<std::string> PictureNames(const Arguments& arguments);
+}
+
+#endif

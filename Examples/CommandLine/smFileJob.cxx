@@ -1,0 +1,369 @@
+#include "smFileJob.h"
+
+#include "smMassPropertyNames.h"
+#include "smMessageCollector.h"
+#include "smPicture.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkComputeContext.h"
+#include "vtkDataArray.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkLogger.h"
+#include "vtkMassPropertiesGPU.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSTEPReader.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkTrimmedNURBSModel.h"
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+namespace
+{
+using sm::Json;
+namespace names = sm::names;
+
+// --- from arrays to JSON -----------------------------------------------------------------------
+
+/// Components of a row as JSON numbers; null when the array is missing or any component is not a number.
+Json Vector(vtkFieldData* data, vtkIdType row, const std::string& name, int components)
+{
+  vtkDataArray* array = data->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != components || row >= array->GetNumberOfTuples())
+  {
+    return nullptr;
+  }
+  Json values = Json::array();
+  for (int c = 0; c < components; ++c)
+  {
+    const double value = array->GetComponent(row, c);
+    if (!std::isfinite(value))
+    {
+      return nullptr;
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+Json Number(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  const Json values = Vector(data, row, name, 1);
+  return values.is_null() ? values : values[0];
+}
+
+Json Count(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  const Json value = Number(data, row, name);
+  return value.is_null() ? value : Json(static_cast<long long>(value.get<double>()));
+}
+
+Json Matrix(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  const Json values = Vector(data, row, name, 9);
+  if (values.is_null())
+  {
+    return values;
+  }
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i)
+  {
+    rows.push_back({ values[3 * i], values[3 * i + 1], values[3 * i + 2] });
+  }
+  return rows;
+}
+
+std::string Text(vtkFieldData* data, vtkIdType row, const char* name)
+{
+  vtkAbstractArray* array = data->GetAbstractArray(name);
+  return array && row < array->GetNumberOfTuples() ? array->GetVariantValue(row).ToString() : std::string();
+}
+
+/// The quantities of the whole (field data of port 0) or of one solid (a row of port 1).
+Json Quantities(vtkFieldData* data, vtkIdType row)
+{
+  const std::string bound = names::BoundSuffix;
+  Json q;
+  q["volume"] = Number(data, row, names::Volume);
+  q["area"] = Number(data, row, names::SurfaceArea);
+  q["center_of_mass"] = Vector(data, row, names::CenterOfMass, 3);
+  q["inertia"] = Matrix(data, row, names::VolumeInertia);
+  q["principal_moments"] = Vector(data, row, names::PrincipalMoments, 3);
+  q["principal_axes"] = Matrix(data, row, names::PrincipalAxes);
+  const Json degenerate = Count(data, row, names::PrincipalAxesDegenerate);
+  q["principal_axes_degenerate"] = degenerate.is_null() ? degenerate : Json(degenerate != 0);
+  q["mass"] = Number(data, row, names::Mass);
+  q["bounds"]["volume"] = Number(data, row, names::Volume + bound);
+  q["bounds"]["area"] = Number(data, row, names::SurfaceArea + bound);
+  q["bounds"]["center_of_mass"] = Number(data, row, names::CenterOfMass + bound);
+  q["bounds"]["inertia"] = Number(data, row, names::VolumeInertia + bound);
+  q["moved_by_closing"] = Number(data, row, names::MovedByClosing);
+  q["gap_squared"] = Number(data, row, names::GapSquared);
+  q["max_gap"] = Number(data, row, names::MaxGap);
+  q["gap_area"] = Number(data, row, names::GapArea);
+  q["open_edges"] = Count(data, row, names::OpenEdges);
+  q["leak"] = Number(data, row, names::Leak);
+  return q;
+}
+
+Json Solids(vtkTable* table)
+{
+  Json solids = Json::array();
+  vtkDataSetAttributes* columns = table->GetRowData();
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    Json solid;
+    solid["name"] = Text(columns, row, names::Name);
+    solid["id"] = Text(columns, row, names::Id);
+    solid["status"] = Text(columns, row, names::Status);
+    solid.update(Quantities(columns, row));
+    solids.push_back(std::move(solid));
+  }
+  return solids;
+}
+
+Json EmptyFile(const std::string& fileName)
+{
+  vtkNew<vtkFieldData> nothing;
+  Json file;
+  file["file"] = fileName;
+  file["length_unit"] = nullptr;
+  file["status"] = names::StatusUnreadable;
+  file["messages"] = Json::array();
+  file["backend"] = nullptr;
+  file["renderer"] = nullptr;
+  file["total"] = Quantities(nothing, 0);
+  file["solids"] = Json::array();
+  file["faces"] = nullptr;
+  file["free_faces"] = nullptr;
+  file["evaluations"] = nullptr;
+  file["dispatches"] = nullptr;
+  file["seconds"] = { { "start", nullptr }, { "read", nullptr }, { "prepare", nullptr },
+    { "integrate", nullptr } };
+  return file;
+}
+
+bool Says(const Json& file, const std::string& text)
+{
+  const Json& messages = file["messages"];
+  return std::any_of(messages.begin(), messages.end(),
+    [&text](const Json& message) { return message.get<std::string>().find(text) != std::string::npos; });
+}
+
+/// Adds what was not said before; an error of VTK's repeats a message with the file's name around it.
+void AddMessage(Json& file, const std::string& message)
+{
+  Json& messages = file["messages"];
+  const auto isPart = [&message](const Json& old)
+  { return message.find(old.get<std::string>()) != std::string::npos; };
+  if (!message.empty() && !Says(file, message) && std::none_of(messages.begin(), messages.end(), isPart))
+  {
+    messages.push_back(message);
+  }
+}
+
+// --- progress ----------------------------------------------------------------------------------
+
+/// Tells the listener about the progress of an algorithm while it lives.
+class ProgressScope
+{
+public:
+  ProgressScope(vtkAlgorithm* algorithm, const char* stage, const sm::JobListener& tell)
+    : Algorithm(algorithm)
+    , Stage(stage)
+    , Tell(tell)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* client, void*) { static_cast<ProgressScope*>(client)->Report(); });
+    this->Tag = algorithm->AddObserver(vtkCommand::ProgressEvent, this->Command);
+    this->Report();
+  }
+  ~ProgressScope() { this->Algorithm->RemoveObserver(this->Tag); }
+  ProgressScope(const ProgressScope&) = delete;
+  ProgressScope& operator=(const ProgressScope&) = delete;
+
+private:
+  void Report()
+  {
+    const double fraction = this->Algorithm->GetProgress();
+    if (std::abs(fraction - this->Last) >= 0.01)
+    {
+      this->Last = fraction;
+      this->Tell({ { "progress", { this->Stage, fraction } } });
+    }
+  }
+
+  vtkAlgorithm* Algorithm;
+  const char* Stage;
+  const sm::JobListener& Tell;
+  vtkNew<vtkCallbackCommand> Command;
+  unsigned long Tag = 0;
+  double Last = -1.0;
+};
+
+// --- the job -----------------------------------------------------------------------------------
+
+/// What the reader noted about single bodies.
+void AddBodyMessages(vtkSTEPReader* reader, Json& file)
+{
+  auto iterator = vtkSmartPointer<vtkDataObjectTreeIterator>::New();
+  iterator->SetDataSet(vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0)));
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    auto* leaf = vtkNURBSDataSet::SafeDownCast(iterator->GetCurrentDataObject());
+    vtkTrimmedNURBSModel* model = leaf ? leaf->GetModel() : nullptr;
+    if (model)
+    {
+      for (const std::string& message : model->GetMessages())
+      {
+        if (!Says(file, model->GetName()) || !Says(file, message))
+        {
+          AddMessage(file, model->GetName().empty() ? message : model->GetName() + ": " + message);
+        }
+      }
+    }
+  }
+}
+
+/// Reads the file; false when there is nothing to integrate, and then the entry says why.
+bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& tell, Json& file)
+{
+  reader->SetFileName(options.FileName.c_str());
+  reader->SetOutputUnit(options.Unit);
+  {
+    ProgressScope progress(reader, "read", tell);
+    reader->Update();
+  }
+  file["seconds"]["read"] = reader->GetReadSeconds();
+  // All that comes after OpenCASCADE has the shape in memory counts as preparing, the display mesh too.
+  file["seconds"]["prepare"] = reader->GetMeshSeconds() + reader->GetConversionSeconds();
+  file["status"] = reader->GetStatusAsString();
+  for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
+  {
+    AddMessage(file, reader->GetMessage(i));
+  }
+  if (reader->GetStatus() != vtkSTEPReader::OK && reader->GetStatus() != vtkSTEPReader::EMPTY)
+  {
+    file["status"] = names::StatusUnreadable;
+    return false;
+  }
+  AddBodyMessages(reader, file);
+  file["length_unit"] = reader->GetLengthUnit();
+  file["faces"] = 0;
+  file["free_faces"] = reader->GetNumberOfFreeFaces();
+  return reader->GetStatus() == vtkSTEPReader::OK;
+}
+
+vtkSmartPointer<vtkMassPropertiesGPU> MakeFilter(vtkSTEPReader* reader, const sm::JobOptions& options)
+{
+  auto filter = vtkSmartPointer<vtkMassPropertiesGPU>::New();
+  filter->SetInputConnection(reader->GetOutputPort());
+  filter->SetRelativeTolerance(options.Tolerance);
+  filter->SetDensity(options.Density);
+  filter->GetComputeContext()->SetSource(options.Backend == "egl" ? vtkComputeContext::EGL
+      : options.Backend == "x"                                    ? vtkComputeContext::X
+                                                                  : vtkComputeContext::AUTOMATIC);
+  return filter;
+}
+
+void Integrate(vtkMassPropertiesGPU* filter, const sm::JobListener& tell, Json& file)
+{
+  {
+    ProgressScope progress(filter, "integrate", tell);
+    filter->Update();
+  }
+  vtkFieldData* fields = filter->GetOutput()->GetFieldData();
+  file["length_unit"] = Text(fields, 0, names::LengthUnit);
+  file["status"] = filter->GetStatus();
+  for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
+  {
+    AddMessage(file, filter->GetMessage(i));
+  }
+  file["backend"] = filter->GetBackend();
+  file["renderer"] = filter->GetRenderer();
+  file["total"] = Quantities(fields, 0);
+  file["solids"] = Solids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)));
+  file["faces"] = filter->GetNumberOfFaces();
+  file["evaluations"] = filter->GetEvaluations();
+  file["dispatches"] = filter->GetDispatches();
+  file["seconds"]["start"] = filter->GetStartSeconds();
+  file["seconds"]["prepare"] = file["seconds"]["prepare"].get<double>() + filter->GetPrepareSeconds();
+  file["seconds"]["integrate"] = filter->GetIntegrateSeconds();
+}
+
+std::string Draw(
+  vtkSTEPReader* reader, vtkMassPropertiesGPU* filter, const sm::JobOptions& options, const Json& file)
+{
+  vtkComputeContext* context = filter->GetComputeContext();
+  context->Start();
+  sm::Picture picture;
+  picture.Window = context->GetRenderWindow();
+  picture.Body = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
+  picture.Mark = filter->GetOutput();
+  picture.Result = &file;
+  return picture.Window ? sm::WritePicture(picture, options.PictureName)
+                        : "there is no OpenGL context to draw in: " + context->GetReason();
+}
+
+void Run(const sm::JobOptions& options, const sm::JobListener& tell)
+{
+  vtkNew<smMessageCollector> collector;
+  vtkOutputWindow::SetInstance(collector);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkSMPTools::SetBackend("STDThread");
+
+  Json file = EmptyFile(options.FileName);
+  vtkNew<vtkSTEPReader> reader;
+  const bool isRead = Read(reader, options, tell, file);
+  const auto filter = MakeFilter(reader, options);
+  if (isRead)
+  {
+    Integrate(filter, tell, file);
+  }
+  for (const std::string& message : collector->GetMessages())
+  {
+    AddMessage(file, message);
+  }
+  tell({ { "result", file } });
+  if (!options.PictureName.empty() && isRead)
+  {
+    tell({ { "progress", { "draw", 0.0 } } });
+    tell({ { "picture", Draw(reader, filter, options, file) } });
+  }
+  vtkOutputWindow::SetInstance(nullptr);
+}
+}
+
+namespace sm
+{
+void RunFileJob(const JobOptions& options, const JobListener& tell)
+{
+  try
+  {
+    Run(options, tell);
+  }
+  catch (const std::exception& error)
+  {
+    tell({ { "result",
+      UnreadableFile(options.FileName, std::string("stopped by an error: ") + error.what()) } });
+  }
+}
+
+Json UnreadableFile(const std::string& fileName, const std::string& message)
+{
+  Json file = EmptyFile(fileName);
+  AddMessage(file, message);
+  return file;
+}
+}

@@ -1,0 +1,38 @@
+/**
+ * @file smFileJob.h
+ * @brief One file: read it, integrate, draw it; what is found goes out as JSON
+ */
+#ifndef smFileJob_h
+#define smFileJob_h
+
+#include "smJson.h"
+
+#include <functional>
+#include <string>
+
+namespace sm
+{
+struct JobOptions
+{
+  std::string FileName;
+  std::string PictureName; ///< PNG file to draw; empty: none
+  std::string Unit = "mm"; ///< length unit of all results, or "file"
+  std::string Backend = "auto";
+  double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
+  double Density = 0.0;    ///< kg/m^3; 0: what the file states
+};
+
+/// Takes what a job has to say, one of
+///   {"progress": [stage, fraction]}
+///   {"result": {the entry of "files" in DESIGN 6}}
+///   {"picture": reason why there is none, "" when it was written}
+using JobListener = std::function<void(const Json&)>;
+
+/// Runs the whole job in this process: see smIsolatedJob.h for why that should be a child. Never throws.
+void RunFileJob(const JobOptions& options, const JobListener& tell);
+
+/// The entry of a file that could not be read: every key is there, every value null.
+Json UnreadableFile(const std::string& fileName, const std::string& message);
+}
+
+#endif

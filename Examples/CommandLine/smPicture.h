@@ -1,0 +1,30 @@
+/**
+ * @file smPicture.h
+ * @brief A picture of a part: translucent, its centre of mass marked, its numbers in a corner
+ */
+#ifndef smPicture_h
+#define smPicture_h
+
+#include "smJson.h"
+
+#include <string>
+
+class vtkOpenGLRenderWindow;
+class vtkPartitionedDataSetCollection;
+class vtkPolyData;
+
+namespace sm
+{
+struct Picture
+{
+  vtkOpenGLRenderWindow* Window = nullptr;         ///< where to draw, off screen
+  vtkPartitionedDataSetCollection* Body = nullptr; ///< the reader's output
+  vtkPolyData* Mark = nullptr;                     ///< port 0 of vtkMassPropertiesGPU
+  const Json* Result = nullptr;                    ///< the file's entry, for the caption
+};
+
+/// Writes a PNG file. Returns why it could not; an empty string when it is written.
+std::string WritePicture(const Picture& picture, const std::string& fileName);
+}
+
+#endif

@@ -1,0 +1,395 @@
+#include "smReport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace
+{
+using sm::Json;
+
+const size_t MaximumSolids = 20;
+const size_t MaximumMessages = 12;
+
+std::string Print(const char* format, int digits, double value)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), format, digits, value);
+  return text;
+}
+
+/// Every byte but those that continue a character of UTF-8.
+bool StartsCharacter(char byte)
+{
+  return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+}
+
+size_t Length(const std::string& text)
+{
+  return static_cast<size_t>(std::count_if(text.begin(), text.end(), StartsCharacter));
+}
+
+std::string Shorten(const std::string& text, size_t width)
+{
+  size_t end = 0;
+  for (size_t count = 0; end < text.size(); ++end)
+  {
+    count += StartsCharacter(text[end]) ? 1 : 0;
+    if (count > width)
+    {
+      break;
+    }
+  }
+  return text.substr(0, end);
+}
+
+std::string Pad(const std::string& text, size_t width, bool right = false)
+{
+  const size_t length = Length(text);
+  const std::string blanks(length < width ? width - length : 0, ' ');
+  return right ? blanks + text : text + blanks;
+}
+
+std::string Dump(const Json& value)
+{
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string Plain(const Json& value)
+{
+  return value.is_string() ? value.get<std::string>() : value.is_null() ? "-" : Dump(value);
+}
+
+std::string Short(const Json& value)
+{
+  return value.is_number() ? Print("%.*g", 2, value.get<double>()) : "-";
+}
+
+// --- the table ---------------------------------------------------------------------------------
+
+std::string Row(
+  const std::string& label, const std::string& value, const std::string& unit, const Json& bound)
+{
+  std::string line = "  " + Pad(label, 22) + value;
+  if (value != "-" && !unit.empty())
+  {
+    line += " " + unit;
+  }
+  if (bound.is_number())
+  {
+    line = Pad(line, 80) + "  +/- " + Short(bound);
+  }
+  return line + "\n";
+}
+
+/// A matrix whose entries are known to within `limit`; the bound is shown when there is one to show.
+std::string Rows(
+  const std::string& label, const Json& matrix, const Json& limit, const std::string& unit, const Json& bound)
+{
+  if (matrix.is_null())
+  {
+    return Row(label, "-", unit, nullptr);
+  }
+  size_t width = 0;
+  std::string cells[3][3];
+  for (size_t i = 0; i < 3; ++i)
+  {
+    for (size_t j = 0; j < 3; ++j)
+    {
+      cells[i][j] = sm::FormatValue(matrix[i][j], limit, 10);
+      width = std::max(width, cells[i][j].size());
+    }
+  }
+  std::string text;
+  for (size_t i = 0; i < 3; ++i)
+  {
+    const std::string line = Pad(cells[i][0], width, true) + "  " + Pad(cells[i][1], width, true) + "  " +
+      Pad(cells[i][2], width, true);
+    text += Row(i == 0 ? label : "", line, i == 0 ? unit : "", i == 0 ? bound : Json());
+  }
+  return text;
+}
+
+std::string Doubt(const Json& total, const Json& file)
+{
+  std::string text;
+  if (total["open_edges"].is_number() && total["open_edges"] != 0)
+  {
+    text += Row("open edges", Dump(total["open_edges"]) + ", leak " + Short(total["leak"]), "", nullptr);
+  }
+  if (total["moved_by_closing"].is_number() && total["moved_by_closing"].get<double>() > 0.0)
+  {
+    text += Row("model's gaps",
+      "widest " + Short(total["max_gap"]) + " " + sm::FormatUnit(file, 1) +
+        "; closing them moved the volume by " + Short(total["moved_by_closing"]) + " " +
+        sm::FormatUnit(file, 3),
+      "", nullptr);
+  }
+  return text;
+}
+
+/// Everything of a file that was integrated, or should have been.
+std::string Results(const Json& file)
+{
+  const Json& total = file["total"];
+  const Json& bounds = total["bounds"];
+  const std::string length = sm::FormatUnit(file, 1);
+  const std::string inertiaUnit = sm::FormatUnit(file, 5);
+  const size_t solids = file["solids"].size();
+  const std::string renderer = Plain(file["renderer"]);
+  std::string text = "  " + std::to_string(solids) + (solids == 1 ? " body, " : " bodies, ") +
+    Plain(file["faces"]) + " faces, unit " + length + ", backend " + Plain(file["backend"]) +
+    (renderer.empty() ? "" : " on " + renderer) + "\n";
+  text += Row(
+    "volume", sm::FormatValue(total["volume"], bounds["volume"]), sm::FormatUnit(file, 3), bounds["volume"]);
+  text += Row(
+    "surface area", sm::FormatValue(total["area"], bounds["area"]), sm::FormatUnit(file, 2), bounds["area"]);
+  text += Row("centre of mass", sm::FormatVector(total["center_of_mass"], bounds["center_of_mass"]), length,
+    bounds["center_of_mass"]);
+  if (!total["mass"].is_null())
+  {
+    text += Row("mass", sm::FormatValue(total["mass"], nullptr), "kg", nullptr);
+  }
+  text += Rows("inertia about centre", total["inertia"], bounds["inertia"], inertiaUnit, bounds["inertia"]);
+  text += Row("principal moments", sm::FormatVector(total["principal_moments"], bounds["inertia"]),
+    inertiaUnit, bounds["inertia"]);
+  text += total["principal_axes_degenerate"] == true
+    ? Row("principal axes", "not unique, moments coincide", "", nullptr)
+    : Rows("principal axes", total["principal_axes"], 1e-9, "", nullptr);
+  text += Doubt(total, file);
+  return text +
+    Row("evaluations", Plain(file["evaluations"]) + " in " + Plain(file["dispatches"]) + " dispatches", "",
+      nullptr);
+}
+
+/// At most 9 digits of a number, or of the largest of three.
+std::string Brief(const Json& value, const Json& bound)
+{
+  if (value.is_null())
+  {
+    return "-";
+  }
+  double limit = bound.is_number() ? bound.get<double>() : 0.0;
+  for (const Json& number : value.is_array() ? value : Json::array({ value }))
+  {
+    limit = std::max(limit, 1e-9 * std::abs(number.get<double>()));
+  }
+  return value.is_array() ? sm::FormatVector(value, limit) : sm::FormatValue(value, limit);
+}
+
+std::string SolidRows(const Json& file)
+{
+  const Json& solids = file["solids"];
+  if (solids.size() < 2)
+  {
+    return {};
+  }
+  const std::string unit = sm::FormatUnit(file, 1);
+  std::string text = "\n  " + Pad("solid", 24) + Pad("volume " + sm::FormatUnit(file, 3), 18, true) +
+    Pad("area " + sm::FormatUnit(file, 2), 18, true) + "  " + Pad("centre of mass " + unit, 40) + "status\n";
+  for (size_t i = 0; i < std::min(solids.size(), MaximumSolids); ++i)
+  {
+    const Json& solid = solids[i];
+    const Json& bounds = solid["bounds"];
+    std::string name = Plain(solid["name"]);
+    name = name.empty() ? Plain(solid["id"]) : name;
+    text += "  " + Pad(Shorten(name, 23), 24) + Pad(Brief(solid["volume"], bounds["volume"]), 18, true) +
+      Pad(Brief(solid["area"], bounds["area"]), 18, true) + "  " +
+      Pad(Brief(solid["center_of_mass"], bounds["center_of_mass"]), 40) + Plain(solid["status"]) + "\n";
+  }
+  if (solids.size() > MaximumSolids)
+  {
+    text +=
+      "  ... and " + std::to_string(solids.size() - MaximumSolids) + " more solids, see --csv or --json\n";
+  }
+  return text;
+}
+
+std::string Messages(const Json& file)
+{
+  const Json& messages = file["messages"];
+  std::string text;
+  for (size_t i = 0; i < std::min(messages.size(), MaximumMessages); ++i)
+  {
+    text += "  note: " + Plain(messages[i]) + "\n";
+  }
+  if (messages.size() > MaximumMessages)
+  {
+    text += "  ... and " + std::to_string(messages.size() - MaximumMessages) + " more notes, see --json\n";
+  }
+  return text;
+}
+
+// --- JSON and CSV ------------------------------------------------------------------------------
+
+bool IsFlat(const Json& value)
+{
+  return std::none_of(value.begin(), value.end(), [](const Json& item) { return item.is_object(); });
+}
+
+std::string Write(const Json& value, const std::string& indent)
+{
+  if ((!value.is_object() && !value.is_array()) || value.empty() || (value.is_array() && IsFlat(value)))
+  {
+    return Dump(value);
+  }
+  const std::string inner = indent + "  ";
+  std::string text;
+  for (auto item = value.begin(); item != value.end(); ++item)
+  {
+    text += (text.empty() ? "" : ",") + ("\n" + inner) +
+      (value.is_object() ? Dump(Json(item.key())) + ": " : "") + Write(*item, inner);
+  }
+  return (value.is_object() ? "{" : "[") + text + "\n" + indent + (value.is_object() ? "}" : "]");
+}
+
+std::string Cell(const Json& value)
+{
+  if (!value.is_string())
+  {
+    return value.is_null() ? "" : Dump(value);
+  }
+  std::string text = value.get<std::string>();
+  if (text.find_first_of(",\"\n\r") == std::string::npos)
+  {
+    return text;
+  }
+  for (size_t i = text.find('"'); i != std::string::npos; i = text.find('"', i + 2))
+  {
+    text.insert(i, 1, '"');
+  }
+  return "\"" + text + "\"";
+}
+
+/// Heads and values of a row at once, so that they cannot differ.
+struct Columns
+{
+  std::string Head;
+  std::string Line;
+
+  void Add(const std::string& head, const Json& value)
+  {
+    this->Head += (this->Head.empty() ? "" : ",") + head;
+    this->Line += (this->Line.empty() ? "" : ",") + Cell(value);
+  }
+  void Add(const std::string& stem, const Json& values, const std::vector<std::string>& suffixes)
+  {
+    for (size_t i = 0; i < suffixes.size(); ++i)
+    {
+      this->Add(stem + "_" + suffixes[i], values.is_null() ? Json() : values[i]);
+    }
+  }
+};
+
+Columns CsvRow(const Json& file, const Json& row, bool isTotal)
+{
+  Columns columns;
+  columns.Add("file", file["file"]);
+  columns.Add("row", isTotal ? "total" : "solid");
+  columns.Add("name", isTotal ? Json() : row["name"]);
+  columns.Add("id", isTotal ? Json() : row["id"]);
+  columns.Add("status", isTotal ? file["status"] : row["status"]);
+  columns.Add("length_unit", file["length_unit"]);
+  columns.Add("volume", row["volume"]);
+  columns.Add("volume_bound", row["bounds"]["volume"]);
+  columns.Add("area", row["area"]);
+  columns.Add("area_bound", row["bounds"]["area"]);
+  columns.Add("center", row["center_of_mass"], { "x", "y", "z" });
+  columns.Add("center_bound", row["bounds"]["center_of_mass"]);
+  const Json& inertia = row["inertia"];
+  Json six;
+  if (!inertia.is_null())
+  {
+    six = { inertia[0][0], inertia[1][1], inertia[2][2], inertia[0][1], inertia[1][2], inertia[0][2] };
+  }
+  columns.Add("inertia", six, { "xx", "yy", "zz", "xy", "yz", "xz" });
+  columns.Add("inertia_bound", row["bounds"]["inertia"]);
+  columns.Add("principal", row["principal_moments"], { "1", "2", "3" });
+  for (size_t i = 0; i < 3; ++i)
+  {
+    const Json& axes = row["principal_axes"];
+    columns.Add("axis" + std::to_string(i + 1), axes.is_null() ? Json() : axes[i], { "x", "y", "z" });
+  }
+  columns.Add("mass", row["mass"]);
+  for (const char* key : { "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak" })
+  {
+    columns.Add(key, row[key]);
+  }
+  return columns;
+}
+}
+
+namespace sm
+{
+std::string FormatValue(const Json& value, const Json& bound, int digits)
+{
+  if (!value.is_number())
+  {
+    return "-";
+  }
+  double number = value.get<double>();
+  const double limit = bound.is_number() ? bound.get<double>() : 0.0;
+  if (limit > 0.0 && std::isfinite(limit))
+  {
+    // Entries of a tensor that vanish within its bound show as 0, not as noise.
+    const double unit = std::pow(10.0, std::floor(std::log10(limit)));
+    number = std::round(number / unit) * unit;
+  }
+  const std::string text = Print("%.*g", digits, number);
+  return text == "-0" ? "0" : text;
+}
+
+std::string FormatVector(const Json& values, const Json& bound)
+{
+  if (values.is_null())
+  {
+    return "-";
+  }
+  const int digits = 10;
+  return FormatValue(values[0], bound, digits) + "  " + FormatValue(values[1], bound, digits) + "  " +
+    FormatValue(values[2], bound, digits);
+}
+
+std::string FormatUnit(const Json& file, int power)
+{
+  const Json& unit = file["length_unit"];
+  return unit.is_null() || unit.empty() ? std::string()
+    : power == 1                        ? unit.get<std::string>()
+                                        : unit.get<std::string>() + "^" + std::to_string(power);
+}
+
+std::string FormatTable(const Json& file)
+{
+  std::string text = Plain(file["file"]) + "   " + Plain(file["status"]) + "\n";
+  text += file["backend"].is_null() ? std::string() : Results(file);
+  const Json& seconds = file["seconds"];
+  if (!seconds["read"].is_null())
+  {
+    text += Row("seconds",
+      "start " + Short(seconds["start"]) + ", read " + Short(seconds["read"]) + ", prepare " +
+        Short(seconds["prepare"]) + ", integrate " + Short(seconds["integrate"]),
+      "", nullptr);
+  }
+  return text + SolidRows(file) + Messages(file);
+}
+
+std::string FormatJson(const Json& document)
+{
+  return Write(document, "") + "\n";
+}
+
+std::string FormatCsv(const Json& files)
+{
+  std::string text;
+  for (const Json& file : files)
+  {
+    const Columns total = CsvRow(file, file["total"], true);
+    text += (text.empty() ? total.Head + "\n" : "") + total.Line + "\n";
+    for (const Json& solid : file["solids"])
+    {
+      text += CsvRow(file, solid, false).Line + "\n";
+    }
+  }
+  return text;
+}
+}

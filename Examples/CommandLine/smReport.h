@@ -1,0 +1,32 @@
+/**
+ * @file smReport.h
+ * @brief Results as text: a table to read, JSON and CSV to keep
+ *
+ * All take entries of "files" (DESIGN 6). JSON and CSV carry every number in the shortest form that reads back
+ * to the same bits; the table and captions show the digits that the bound vouches for.
+ */
+#ifndef smReport_h
+#define smReport_h
+
+#include "smJson.h"
+
+#include <string>
+
+namespace sm
+{
+/// Rounded to the first digit that the bound reaches, at most `digits`; "-" for null.
+std::string FormatValue(const Json& value, const Json& bound, int digits = 12);
+/// Three of at most 10 digits, two blanks apart.
+std::string FormatVector(const Json& values, const Json& bound);
+/// "mm^3" from "mm" and 3.
+std::string FormatUnit(const Json& file, int power);
+
+/// What a person wants to see of one file.
+std::string FormatTable(const Json& file);
+/// The whole document; objects over several lines, arrays of numbers on one.
+std::string FormatJson(const Json& document);
+/// A header and, for every file, a row of its total and a row for each solid; missing values are empty.
+std::string FormatCsv(const Json& files);
+}
+
+#endif

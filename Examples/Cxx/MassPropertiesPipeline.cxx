@@ -1,0 +1,116 @@
+// Reader, filter, actors and window in one pipeline and one OpenGL context:
+//   MassPropertiesPipeline FILE.step            shows the part on the display; the left button turns it
+//   MassPropertiesPipeline FILE.step OUT.png    draws it off screen, and needs no display
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCompositePolyDataMapper2.h>
+#include <vtkComputeContext.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkMassPropertiesGPU.h>
+#include <vtkNew.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkPNGWriter.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkSTEPReader.h>
+#include <vtkSmartPointer.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace
+{
+/// Builds the pipeline of `fileName` in `window`, runs it by rendering, and prints what came out.
+int Show(const char* fileName, vtkRenderWindow* window)
+{
+  // [twenty lines]
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(fileName);
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputConnection(reader->GetOutputPort());
+  mass->SetRenderWindow(window); // integrate in the context that draws
+
+  vtkNew<vtkCompositePolyDataMapper2> partMapper;
+  partMapper->SetInputConnection(reader->GetOutputPort());
+  vtkNew<vtkActor> part;
+  part->SetMapper(partMapper);
+  part->GetProperty()->SetOpacity(0.4);
+  vtkNew<vtkPolyDataMapper> centerMapper; // a sphere at the centre of mass
+  centerMapper->SetInputConnection(mass->GetOutputPort());
+  vtkNew<vtkActor> center;
+  center->SetMapper(centerMapper);
+  center->GetProperty()->SetColor(0.0, 0.7, 0.2);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(part);
+  renderer->AddActor(center);
+  window->AddRenderer(renderer);
+  window->Render(); // runs reader, filter and drawing
+  std::cout << "volume " << mass->GetVolume() << " +/- " << mass->GetVolumeBound() << "\n";
+  // [twenty lines]
+
+  renderer->SetBackground(0.92, 0.94, 0.97);
+  renderer->GetActiveCamera()->SetPosition(-1.0, -1.7, 1.1);
+  renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
+  renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+  renderer->ResetCamera();
+  window->Render();
+  std::cout << "status " << mass->GetStatus() << ", " << mass->GetBackend() << " on " << mass->GetRenderer()
+            << std::endl;
+  return mass->GetStatus() == "ok" ? 0 : 2;
+}
+
+int ShowOnDisplay(const char* fileName)
+{
+  if (!std::getenv("DISPLAY"))
+  {
+    std::cerr << "There is no display: name a picture to write as second argument.\n";
+    return 1;
+  }
+  vtkNew<vtkRenderWindow> window;
+  window->SetSize(900, 700);
+  window->SetWindowName("SolidMoments");
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(window);
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor->SetInteractorStyle(style);
+  const int status = Show(fileName, window);
+  interactor->Start();
+  return status;
+}
+
+int DrawToFile(const char* fileName, const char* pictureName)
+{
+  vtkNew<vtkComputeContext> context; // its window needs a GPU or Mesa, but no display
+  context->Start();
+  vtkRenderWindow* window = context->GetRenderWindow();
+  if (!window)
+  {
+    std::cerr << context->GetReason() << "\n";
+    return 1;
+  }
+  window->SetSize(900, 700);
+  const int status = Show(fileName, window);
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(pictureName);
+  writer->Write();
+  return writer->GetErrorCode() == 0 ? status : 1;
+}
+}
+
+int main(int argc, char** argv)
+{
+  if (argc != 2 && argc != 3)
+  {
+    std::cerr << "usage: MassPropertiesPipeline FILE.step [OUT.png]\n";
+    return 1;
+  }
+  return argc == 2 ? ShowOnDisplay(argv[1]) : DrawToFile(argv[1], argv[2]);
+}
