@@ -1,0 +1,185 @@
+// The chunks of mathematics that the shaders are made of, compiled as C++: against extended precision.
+#include "smPortableCxx.h"
+#include "smTesting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace
+{
+#define SM_BASIS_SIZE 26
+#define SM_ROW_SIZE 26
+
+std::vector<double> coefficients;
+std::vector<dvec4> controlPoints;
+
+double smCoefficient(uint index)
+{
+  return coefficients[index];
+}
+
+dvec4 smControlPoint(uint index)
+{
+  return controlPoints[index];
+}
+
+#include "glsl/smBernstein.glsl"
+#include "glsl/smPatch.glsl"
+
+/// B_i^n(x) and its derivative, directly from the definition.
+long double Bernstein(int n, int i, long double x)
+{
+  if (i < 0 || i > n)
+  {
+    return 0.0L;
+  }
+  long double value = 1.0L;
+  for (int k = 1; k <= i; ++k)
+  {
+    value = value * (n - i + k) / k;
+  }
+  return value * std::pow(x, static_cast<long double>(i)) *
+    std::pow(1.0L - x, static_cast<long double>(n - i));
+}
+
+long double BernsteinSlope(int n, int i, long double x)
+{
+  return n == 0 ? 0.0L : n * (Bernstein(n - 1, i - 1, x) - Bernstein(n - 1, i, x));
+}
+
+constexpr double Unit = 1.1102230246251565e-16;
+
+void CheckBasis()
+{
+  double worst = 0.0;
+  for (int n = 0; n <= 25; ++n)
+  {
+    for (double x = 0.0; x <= 1.0; x += 0.0625)
+    {
+      double basis[SM_BASIS_SIZE];
+      smBernsteinBasis(n, x, basis);
+      for (int i = 0; i <= n; ++i)
+      {
+        worst = std::max(worst, std::abs(basis[i] - static_cast<double>(Bernstein(n, i, x))));
+      }
+    }
+  }
+  smtest::Check(
+    "Bernstein basis, degrees 0 to 25", 0.0, worst, 3 * 25 * Unit, "3 roundings a level, terms below 1");
+}
+
+void CheckPieces()
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  double worst[4] = { 0.0, 0.0, 0.0, 0.0 };
+  for (int n = 0; n <= 25; ++n)
+  {
+    coefficients.assign(3 * (n + 1) + 1, 0.0);
+    std::generate(coefficients.begin(), coefficients.end(), [&]() { return uniform(random); });
+    for (double x = 0.0; x <= 1.0; x += 0.03125)
+    {
+      dvec2 point;
+      dvec2 derivative;
+      dvec3 edge;
+      dvec3 tangent;
+      smTrimEvaluate(1u, n, x, point, derivative);
+      smEdgeEvaluate(1u, n, x, edge, tangent);
+      long double expected[4] = { 0.0L, 0.0L, 0.0L, 0.0L };
+      for (int i = 0; i <= n; ++i)
+      {
+        expected[0] += Bernstein(n, i, x) * coefficients[1 + 2 * i + 1];
+        expected[1] += BernsteinSlope(n, i, x) * coefficients[1 + 2 * i + 1];
+        expected[2] += Bernstein(n, i, x) * coefficients[1 + 3 * i + 2];
+        expected[3] += BernsteinSlope(n, i, x) * coefficients[1 + 3 * i + 2];
+      }
+      const double actual[4] = { point.y, derivative.y, edge.z, tangent.z };
+      for (int k = 0; k < 4; ++k)
+      {
+        const double scale = k % 2 ? std::max(1, 2 * n) : 1.0;
+        worst[k] = std::max(worst[k], std::abs(actual[k] - static_cast<double>(expected[k])) / scale);
+      }
+    }
+  }
+  const char* names[4] = { "trim point", "trim derivative", "edge point", "edge derivative" };
+  for (int k = 0; k < 4; ++k)
+  {
+    smtest::Check(std::string(names[k]) + ", degrees 0 to 25", 0.0, worst[k], 6 * 26 * Unit,
+      "6 roundings a coefficient, relative to the largest");
+  }
+}
+
+void CheckPatches()
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const int degrees[][2] = { { 1, 1 }, { 1, 2 }, { 2, 2 }, { 3, 3 }, { 2, 7 }, { 5, 5 }, { 12, 25 },
+    { 25, 25 } };
+  for (const auto& degree : degrees)
+  {
+    const int p = degree[0];
+    const int q = degree[1];
+    controlPoints.assign((p + 1) * (q + 1) + 2, dvec4(0.0));
+    for (dvec4& c : controlPoints)
+    {
+      const double w = 1.0 + 0.5 * uniform(random);
+      c = dvec4(w * uniform(random), w * uniform(random), w * uniform(random), w);
+    }
+    double worst[3] = { 0.0, 0.0, 0.0 };
+    for (double s = 0.0; s <= 1.0; s += 0.125)
+    {
+      for (double r = 0.0; r <= 1.0; r += 0.125)
+      {
+        dvec4 row[SM_ROW_SIZE];
+        dvec4 rowR[SM_ROW_SIZE];
+        dvec3 position;
+        dvec3 ds;
+        dvec3 dr;
+        smCollapse(2u, p, q, r, row, rowR);
+        smEvaluateRow(p, s, row, rowR, position, ds, dr);
+        long double h[3][4] = {};
+        for (int i = 0; i <= p; ++i)
+        {
+          for (int j = 0; j <= q; ++j)
+          {
+            const dvec4& c = controlPoints[2 + i + j * (p + 1)];
+            for (int d = 0; d < 4; ++d)
+            {
+              h[0][d] += Bernstein(p, i, s) * Bernstein(q, j, r) * c[d];
+              h[1][d] += BernsteinSlope(p, i, s) * Bernstein(q, j, r) * c[d];
+              h[2][d] += Bernstein(p, i, s) * BernsteinSlope(q, j, r) * c[d];
+            }
+          }
+        }
+        for (int d = 0; d < 3; ++d)
+        {
+          const long double x = h[0][d] / h[0][3];
+          const long double expected[3] = { x, (h[1][d] - x * h[1][3]) / h[0][3],
+            (h[2][d] - x * h[2][3]) / h[0][3] };
+          const double actual[3] = { position[d], ds[d], dr[d] };
+          for (int k = 0; k < 3; ++k)
+          {
+            worst[k] = std::max(worst[k], std::abs(actual[k] - static_cast<double>(expected[k])));
+          }
+        }
+      }
+    }
+    const std::string name = "patch of degrees " + std::to_string(p) + "," + std::to_string(q);
+    // Coordinates and weights are of order 1, differences of neighbours of order 4, weights at least 1/2.
+    const double limit = 16 * (p + q) * Unit;
+    smtest::Check(name + " position", 0.0, worst[0], limit, "a few roundings a level");
+    smtest::Check(name + " ds", 0.0, worst[1], 8 * p * limit, "differences up to 4, times p");
+    smtest::Check(name + " dr", 0.0, worst[2], 8 * q * limit, "differences up to 4, times q");
+  }
+}
+}
+
+int main()
+{
+  CheckBasis();
+  CheckPieces();
+  CheckPatches();
+  return smtest::Finish();
+}

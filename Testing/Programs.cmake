@@ -1,0 +1,47 @@
+# Tests of what is built on the modules: examples, command line, package, Python modules, the sweep over real files.
+set(sample_part "${PROJECT_SOURCE_DIR}/Examples/Models/sample_part.step")
+
+solidmoments_add_test(NAME ExampleMassPropertiesPipeline LABELS gpu image NODISPLAY
+  COMMAND MassPropertiesPipeline "${sample_part}" "${SOLIDMOMENTS_TEST_OUTPUT}/pipeline_headless.png")
+solidmoments_add_test(NAME ExampleMassPropertiesPipelineDisplay LABELS gpu image XVFB
+  COMMAND MassPropertiesPipeline "${sample_part}" "${SOLIDMOMENTS_TEST_OUTPUT}/pipeline_display.png")
+
+set(command_line_test "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestCommandLine.py"
+  --program "$<TARGET_FILE:solidmoments>" --solids "${SOLIDMOMENTS_TEST_SOLIDS}"
+  --output "${SOLIDMOMENTS_TEST_OUTPUT}" --sample "${sample_part}")
+solidmoments_add_test(NAME CommandLine LABELS value error NODISPLAY COMMAND ${command_line_test} results)
+solidmoments_add_test(NAME CommandLineErrors LABELS error NODISPLAY COMMAND ${command_line_test} errors)
+solidmoments_add_test(NAME CommandLinePicture LABELS image NODISPLAY COMMAND ${command_line_test} picture)
+solidmoments_add_test(NAME CommandLinePictureDisplay LABELS image XVFB COMMAND ${command_line_test} picture)
+solidmoments_add_test(NAME CommandLineNoContext LABELS error gpu NODISPLAY
+  ENVIRONMENT MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 COMMAND ${command_line_test} no-context)
+
+# A project outside the tree, against an install in the build folder.
+solidmoments_add_test(NAME PackageConsumer LABELS package NODISPLAY TIMEOUT 600
+  COMMAND "${CMAKE_COMMAND}" "-DBUILD=${PROJECT_BINARY_DIR}" "-DPREFIX=${PROJECT_BINARY_DIR}/test-install"
+    "-DCONSUMER=${PROJECT_SOURCE_DIR}/Examples/Consumer" "-DGENERATOR=${CMAKE_GENERATOR}"
+    "-DCXX=${CMAKE_CXX_COMPILER}" "-DCC=${CMAKE_C_COMPILER}" "-DCONFIG=$<CONFIG>" "-DFLAGS=${CMAKE_CXX_FLAGS}"
+    "-DPART=${SOLIDMOMENTS_TEST_SOLIDS}/box-plain.step" -DVOLUME=6000
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/TestPackageConsumer.cmake")
+
+if (SOLIDMOMENTS_WRAP_PYTHON)
+  set(python_path
+    "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}:/usr/lib/python3/dist-packages")
+  solidmoments_add_test(NAME PythonModules LABELS package NODISPLAY ENVIRONMENT "${python_path}"
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestModules.py"
+      "${SOLIDMOMENTS_TEST_SOLIDS}")
+  if (SOLIDMOMENTS_PVPYTHON)
+    solidmoments_add_test(NAME PythonModulesPvpython LABELS package NODISPLAY ENVIRONMENT "${python_path}"
+      COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestModules.py"
+        "${SOLIDMOMENTS_TEST_SOLIDS}")
+  endif ()
+endif ()
+
+if (EXISTS "${SOLIDMOMENTS_MODELS_DIR}/reference.jsonl")
+  solidmoments_add_test(NAME SweepModels LABELS value robust NODISPLAY TIMEOUT 3600
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/SweepModels.py"
+      --program "$<TARGET_FILE:solidmoments>" --models "${SOLIDMOMENTS_MODELS_DIR}"
+      --exceptions "${CMAKE_CURRENT_SOURCE_DIR}/SweepExceptions.json"
+      --folder "${CMAKE_CURRENT_BINARY_DIR}/models")
+  set_tests_properties(SweepModels PROPERTIES RUN_SERIAL ON)
+endif ()

@@ -1,0 +1,37 @@
+"""TestModules.py FOLDER: the modules import, wrap their methods and compute, in python3 and in pvpython."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from smcheck import Manifest, check_equal, check_true, check_values, finish  # noqa: E402
+
+from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU, vtkSurfaceIntegralGPU  # noqa: E402
+from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkTrimmedNURBSModel  # noqa: E402
+from solidmoments.smReadersSTEP import vtkSTEPReader  # noqa: E402
+from solidmoments.smRenderingCompute import vtkComputeContext  # noqa: E402
+
+part = Manifest(sys.argv[1]).solid("slanted_hole", "moved")
+reader = vtkSTEPReader()
+reader.SetFileName(part["path"])
+mass = vtkMassPropertiesGPU()
+mass.SetInputConnection(reader.GetOutputPort())
+mass.Update()
+check_equal("status", "ok", mass.GetStatus())
+center = [0.0] * 3
+inertia = [0.0] * 9
+mass.GetCenterOfMass(center)
+mass.GetVolumeInertia(inertia)
+check_values(part, mass.GetVolume(), mass.GetSurfaceArea(), center, [inertia[0:3], inertia[3:6], inertia[6:9]])
+
+leaf = reader.GetOutputDataObject(0).GetPartition(0, 0)
+check_true("a leaf is a vtkNURBSDataSet", isinstance(leaf, vtkNURBSDataSet), leaf.GetClassName())
+check_true("with its model", isinstance(leaf.GetModel(), vtkTrimmedNURBSModel))
+check_equal("faces", 7, leaf.GetModel().GetNumberOfFaces())
+check_true("context", isinstance(mass.GetComputeContext(), vtkComputeContext), mass.GetRenderer())
+
+integral = vtkSurfaceIntegralGPU()
+integral.SetInputConnection(reader.GetOutputPort())
+integral.AddIntegrand("area", "length(normal)")
+integral.Update()
+check_true("own integrand", abs(integral.GetIntegral("area") / part["area"] - 1) < 1e-9, str(integral.GetIntegral("area")))
+finish()

@@ -1,0 +1,39 @@
+"""TestPluginDefaults.py PLUGIN.so: what the XML says about a property is what the C++ class does, and says it in full."""
+import os
+import sys
+import xml.etree.ElementTree as ElementTree
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from smcheck import check_equal, check_true, finish  # noqa: E402
+
+from paraview import simple  # noqa: E402
+
+from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
+from solidmoments.smReadersSTEP import vtkSTEPReader  # noqa: E402
+
+simple.LoadPlugin(sys.argv[1], ns=globals())
+folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "ParaViewPlugin", "SolidMoments")
+
+for file, instance, proxy in (("readers.xml", vtkSTEPReader(), STEPReader()),  # noqa: F821
+                              ("filters.xml", vtkMassPropertiesGPU(), MassPropertiesGPU())):  # noqa: F821
+    source = ElementTree.parse(os.path.join(folder, file)).getroot().find("ProxyGroup/SourceProxy")
+    check_equal("class", instance.GetClassName(), source.get("class"))
+    properties = [element for element in source if element.tag.endswith("VectorProperty")]
+    check_true("properties", len(properties) >= 4, str(len(properties)))
+    for element in properties:
+        name = element.get("name")
+        documentation = " ".join((element.findtext("Documentation") or "").split())
+        check_true(f"{name} is documented with its default", len(documentation) > 20 and "efault" in documentation)
+        if name == "FileName":
+            continue
+        actual = getattr(instance, "Get" + name)()
+        value = proxy.SMProxy.GetProperty(name).GetElement(0)
+        check_equal(f"{name}: the proxy's default is the class's", type(value)(actual), value)
+        limits = element.find("DoubleRangeDomain")
+        for limit in ("min", "max") if limits is not None else ():
+            if limits.get(limit) is None:
+                continue
+            bound = float(limits.get(limit))
+            getattr(instance, "Set" + name)(bound + (-1.0 if limit == "min" else 1.0))
+            check_equal(f"{name}: the class clamps at {limit}", bound, getattr(instance, "Get" + name)())
+finish()

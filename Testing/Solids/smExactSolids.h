@@ -1,0 +1,60 @@
+/**
+ * @file smExactSolids.h
+ * @brief The catalogue of exact solids: an OCCT shape and its closed-form moments, side by side
+ */
+#ifndef smExactSolids_h
+#define smExactSolids_h
+
+#include "smExactMoments.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace smtest
+{
+struct ExactSolid
+{
+  std::string Name;
+  TopoDS_Shape Shape;
+  ExactMoments Moments;
+  /// Diagonal of its bounding box.
+  double Size = 0;
+  /// True when BRepBuilderAPI_NurbsConvert gives the same solid without error (elementary surfaces).
+  bool ConvertsExactly = false;
+  /// False where both of OCCT's quadrature rules are off by percents.
+  bool Comparable = true;
+};
+
+struct NamedSolid
+{
+  std::string Name;
+  std::function<ExactSolid()> Make;
+};
+
+/// Every solid, in the order of the tests.
+const std::vector<NamedSolid>& GetExactSolids();
+
+/// One way to write a solid to a file.
+struct Variant
+{
+  std::string Name;
+  Placement Move;
+  bool WithPcurves = true;
+  bool AsNurbs = false;
+  /// Numbers with 17 digits; else as OCCT writes them by default.
+  bool AllDigits = true;
+  const char* Unit = "MM";
+};
+
+/// plain, nopcurves, moved, turned, digits12 (OCCT's own number format), scaled, large, mirrored, far, inch, and nurbs
+/// where it is exact.
+std::vector<Variant> GetVariants(const ExactSolid& solid);
+
+/// The shape moved, scaled or mirrored, with its geometry changed (no location).
+TopoDS_Shape MovedShape(const TopoDS_Shape& shape, const Placement& placement);
+}
+
+#endif

@@ -1,0 +1,134 @@
+// TestMassPropertiesContext MODE FOLDER: the numbers come from the shaders, in whatever context there is.
+//   x, egl   that context is taken; a perturbed shader changes the result by its factor; two runs give the same bits
+//   none     no usable context (the caller limits OpenGL): NaN, backend "none" and a clear message
+#include "smTestManifest.h"
+#include "smTestPipeline.h"
+
+#include <vtkComputeContext.h>
+#include <vtkTable.h>
+
+#include <cstdio>
+#include <cstring>
+
+namespace
+{
+using namespace smtest;
+namespace names = sm::names;
+
+/// All numbers of the field data in a fixed order.
+std::vector<double> GetNumbers(vtkMassPropertiesGPU* mass)
+{
+  std::vector<double> numbers;
+  vtkFieldData* fields = mass->GetOutput()->GetFieldData();
+  for (const char* name : { names::Volume, names::SurfaceArea, names::CenterOfMass, names::FirstMoments,
+         names::SecondMoments, names::VolumeInertia, names::PrincipalMoments, names::MovedByClosing,
+         names::GapSquared, names::Leak, names::Evaluations })
+  {
+    for (const std::string& full : { std::string(name), std::string(name) + names::BoundSuffix })
+    {
+      vtkDataArray* array = fields->GetArray(full.c_str());
+      for (int i = 0; array && i < array->GetNumberOfComponents(); ++i)
+      {
+        numbers.push_back(array->GetComponent(0, i));
+      }
+    }
+  }
+  return numbers;
+}
+
+/// Bit for bit; NaN equals NaN.
+bool AreSameBits(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() == b.size() && !a.empty() &&
+    std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+void CheckContext(const Expected& part, const std::string& mode)
+{
+  Pipeline pipeline(part.Path);
+  pipeline.Mass->Update();
+  CheckEqual("backend", "opengl", pipeline.Mass->GetBackend());
+  CheckEqual("source of the context", mode, pipeline.Mass->GetComputeContext()->GetSourceName());
+  Check("volume", part.Volume, pipeline.Mass->GetVolume(), 1e-9 * part.Volume);
+  CheckTrue("evaluations were counted on the GPU", pipeline.Mass->GetEvaluations() > 0);
+  CheckTrue("dispatches were counted", pipeline.Mass->GetDispatches() > 0);
+  const std::vector<double> first = GetNumbers(pipeline.Mass);
+
+  pipeline.Mass->Modified();
+  pipeline.Mass->Update();
+  CheckTrue("second run of the filter: same bits", AreSameBits(first, GetNumbers(pipeline.Mass)));
+  Pipeline again(part.Path);
+  again.Mass->Update();
+  CheckTrue("another reader and filter: same bits", AreSameBits(first, GetNumbers(again.Mass)));
+}
+
+/// Every sample times 1.001: integrals grow by that factor, the centre stays.
+void CheckPerturbation(const Expected& part)
+{
+  const double factor = 1.0 + 1e-3;
+  Pipeline pipeline(part.Path);
+  pipeline.Mass->SetShaderPerturbation(factor);
+  pipeline.Mass->Update();
+  Check(
+    "volume of the perturbed shader", factor * part.Volume, pipeline.Mass->GetVolume(), 1e-9 * part.Volume);
+  Check(
+    "area of the perturbed shader", factor * part.Area, pipeline.Mass->GetSurfaceArea(), 1e-8 * part.Area);
+  double center[3];
+  pipeline.Mass->GetCenterOfMass(center);
+  for (int i = 0; i < 3; ++i)
+  {
+    Check("centre of the perturbed shader", part.Center[i], center[i], 1e-9 * part.Size);
+  }
+  pipeline.Mass->SetShaderPerturbation(1.0);
+  pipeline.Mass->Update();
+  Check("volume without it", part.Volume, pipeline.Mass->GetVolume(), 1e-9 * part.Volume);
+}
+
+void CheckNone(const Expected& part)
+{
+  Pipeline pipeline(part.Path);
+  MessageTrap messages(pipeline.Mass);
+  MessageTrap executive(pipeline.Mass->GetExecutive());
+  pipeline.Mass->Update();
+  vtkFieldData* fields = pipeline.Mass->GetOutput()->GetFieldData();
+  CheckEqual("backend", "none", pipeline.Mass->GetBackend());
+  CheckEqual("backend in the field data", "none", GetFieldText(fields, names::Backend));
+  CheckTrue("status is not ok", pipeline.Mass->GetStatus() != names::StatusOk, pipeline.Mass->GetStatus());
+  CheckEqual("errors", 0, messages.NumberOfErrors);
+  CheckTrue("a message tells why",
+    pipeline.Mass->GetNumberOfMessages() > 0 && pipeline.Mass->GetMessage(0).size() > 20,
+    pipeline.Mass->GetMessage(0));
+  for (const char* name : { names::Volume, names::SurfaceArea, names::CenterOfMass, names::VolumeInertia })
+  {
+    vtkDataArray* array = fields->GetArray(name);
+    CheckTrue(std::string(name) + " is there and NaN", array && std::isnan(array->GetComponent(0, 0)));
+    CheckTrue(std::string(name) + " bound is NaN", std::isnan(GetFieldBound(fields, name)));
+  }
+  auto* table = vtkTable::SafeDownCast(pipeline.Mass->GetOutputDataObject(1));
+  CheckEqual("row of the solid", 1, table->GetNumberOfRows());
+  if (table->GetNumberOfRows() == 1)
+  {
+    CheckTrue("volume of the row is NaN", std::isnan(table->GetValueByName(0, names::Volume).ToDouble()));
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 3)
+  {
+    std::fprintf(stderr, "usage: TestMassPropertiesContext x|egl|none FOLDER\n");
+    return 1;
+  }
+  const std::string mode = argv[1];
+  const Manifest manifest(argv[2]);
+  const Expected part = manifest.GetSolid("slanted_hole", "moved")[0];
+  if (mode == "none")
+  {
+    CheckNone(part);
+    return Finish();
+  }
+  CheckContext(part, mode);
+  CheckPerturbation(part);
+  return Finish();
+}

@@ -1,0 +1,87 @@
+/**
+ * @file smTestPipeline.h
+ * @brief Reader and mass filter as most tests use them, and access to the filter's field data
+ */
+#ifndef smTestPipeline_h
+#define smTestPipeline_h
+
+#include "smMassPropertyNames.h"
+#include "smTesting.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkMassPropertiesGPU.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSTEPReader.h>
+#include <vtkStringArray.h>
+
+#include <limits>
+#include <string>
+
+namespace smtest
+{
+/// Collects what an object reports instead of letting it print.
+class MessageTrap
+{
+public:
+  explicit MessageTrap(vtkObject* object)
+  {
+    this->Callback->SetClientData(this);
+    this->Callback->SetCallback(
+      [](vtkObject*, unsigned long event, void* self, void* text)
+      {
+        auto* trap = static_cast<MessageTrap*>(self);
+        (event == vtkCommand::ErrorEvent ? trap->Errors : trap->Warnings) +=
+          text ? static_cast<const char*>(text) : "?";
+        ++(event == vtkCommand::ErrorEvent ? trap->NumberOfErrors : trap->NumberOfWarnings);
+      });
+    object->AddObserver(vtkCommand::ErrorEvent, this->Callback);
+    object->AddObserver(vtkCommand::WarningEvent, this->Callback);
+  }
+  std::string Errors;
+  std::string Warnings;
+  int NumberOfErrors = 0;
+  int NumberOfWarnings = 0;
+
+private:
+  vtkNew<vtkCallbackCommand> Callback;
+};
+
+struct Pipeline
+{
+  vtkNew<vtkSTEPReader> Reader;
+  vtkNew<vtkMassPropertiesGPU> Mass;
+
+  explicit Pipeline(const std::string& path)
+  {
+    this->Reader->SetFileName(path.c_str());
+    this->Mass->SetInputConnection(this->Reader->GetOutputPort());
+  }
+};
+
+/// A component of a field data array; NaN when the array or the component is missing.
+inline double GetField(vtkFieldData* fields, const std::string& name, int component = 0)
+{
+  vtkDataArray* array = fields ? fields->GetArray(name.c_str()) : nullptr;
+  return array && array->GetNumberOfTuples() > 0 && component < array->GetNumberOfComponents()
+    ? array->GetComponent(0, component)
+    : std::numeric_limits<double>::quiet_NaN();
+}
+
+inline std::string GetFieldText(vtkFieldData* fields, const std::string& name)
+{
+  auto* array = fields ? vtkStringArray::SafeDownCast(fields->GetAbstractArray(name.c_str())) : nullptr;
+  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : "(missing)";
+}
+
+inline double GetFieldBound(vtkFieldData* fields, const std::string& name)
+{
+  return GetField(fields, name + sm::names::BoundSuffix);
+}
+}
+
+#endif
