@@ -165,9 +165,12 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
 {
   const std::size_t count = integrands.size();
   body.Status = "ok";
-  for (const std::string& message : body.Model->GetMessages())
+  const std::vector<std::string>& said = body.Model->GetMessages();
+  body.Messages.insert(body.Messages.end(), said.begin(), said.end());
+  if (body.Model->GetNumberOfMissingFaces() > 0)
   {
-    body.Flag("suspect", message);
+    body.Flag("suspect",
+      std::to_string(body.Model->GetNumberOfMissingFaces()) + " faces of the file could not be carried over");
   }
   CountOpenEdges(body);
 
@@ -196,7 +199,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
       face[k].Add(result.Face[k]);
       all[k].Add(result.Face[k]);
       all[k].Add(result.Closing[k]);
-      body.Bound[k] += result.Difference[k] + result.Rounding[k];
+      body.Bound[k] += result.QuadratureError[k] + result.Rounding[k];
     }
     body.GapSquared += result.GapSquared;
     body.GapArea += result.GapArea;

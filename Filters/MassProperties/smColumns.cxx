@@ -112,7 +112,7 @@ void AddFaceRows(
       for (std::size_t k = 0; k < integrands.size(); ++k)
       {
         const double value = known ? result->Face[k] + result->Closing[k] : vtkMath::Nan();
-        const double bound = known ? result->Difference[k] + result->Rounding[k] : vtkMath::Nan();
+        const double bound = known ? result->QuadratureError[k] + result->Rounding[k] : vtkMath::Nan();
         values[2 * k].Append(&value);
         values[2 * k + 1].Append(&bound);
       }

@@ -69,7 +69,7 @@ ProgramKey IntegrationPrograms::ChooseProgram(ItemKind kind, int degreeS, int de
 
 int IntegrationPrograms::GetStride() const
 {
-  return GapColumns + 2 * static_cast<int>(this->Integrands.size()) + this->GetNumberOfRoundings();
+  return GapColumns + 3 * static_cast<int>(this->Integrands.size()) + this->GetNumberOfRoundings();
 }
 
 std::string IntegrationPrograms::MakeAccumulation(bool chainOnly) const

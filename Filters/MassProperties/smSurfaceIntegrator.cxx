@@ -307,7 +307,7 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
       for (std::size_t k = 0; k < count; ++k)
       {
         values[k] += sum[3 + k];
-        result.Difference[k] += sum[3 + count + k];
+        result.QuadratureError[k] += sum[3 + count + k];
         result.Rounding[k] += sum[3 + 2 * count + this->Programs.GetRoundingOf(static_cast<int>(k))];
       }
       result.GapSquared += sum[1];
@@ -465,7 +465,7 @@ bool SurfaceIntegrator::Integrate(
   {
     result.Face.assign(count, 0.0);
     result.Closing.assign(count, 0.0);
-    result.Difference.assign(count, 0.0);
+    result.QuadratureError.assign(count, 0.0);
     result.Rounding.assign(count, 0.0);
   }
   if (!self.Configure())

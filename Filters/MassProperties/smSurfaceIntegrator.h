@@ -35,8 +35,8 @@ struct FaceIntegrals
   /// Integral over the face alone, and over its ribbons and caps.
   std::vector<double> Face;
   std::vector<double> Closing;
-  /// Sum of the differences of two orders, and of the rounding of every sample, over both.
-  std::vector<double> Difference;
+  /// Estimated from the differences of orders, and the rounding of every sample, summed over both.
+  std::vector<double> QuadratureError;
   std::vector<double> Rounding;
   /// Gaps between coedges and their edges, at foot points: integral of the square, of the gap, and the largest.
   double GapSquared = 0.0;

@@ -8,6 +8,11 @@ namespace sm
 {
 namespace
 {
+/// Bits of the float 1.
+constexpr std::uint32_t One = 0x3f800000u;
+/// One in the exponent of a float.
+constexpr std::uint32_t Doubling = 0x00800000u;
+
 // Flags of a work record, as in glsl/smWork.glsl.
 constexpr std::uint32_t Negative = 1;
 constexpr std::uint32_t Flip = 2;
@@ -27,7 +32,7 @@ void AddItems(const ResidentFace& face, std::uint32_t slot, std::vector<WorkItem
     WorkItem item{ IntegrationPrograms::ChooseProgram(ItemKind::Panel, p, q), {}, panel, 0, cost };
     const std::uint32_t flags = (panel.Negative ? Negative : 0u) | (panel.FlipNormal ? Flip : 0u);
     item.Work = { { face.FirstPatch + panel.Patch, face.FirstCoefficient + panel.Trim, 0, slot },
-      { panel.TrimDegree | flags << 24, 0, 0, 0 }, { panel.Start, panel.End, 0.0, 1.0 } };
+      { panel.TrimDegree | flags << 24, 0, 0, One }, { panel.Start, panel.End, 0.0, 1.0 } };
     items.push_back(item);
   }
   for (const Ribbon& ribbon : face.Panels->Ribbons)
@@ -36,7 +41,7 @@ void AddItems(const ResidentFace& face, std::uint32_t slot, std::vector<WorkItem
       cost + (p + 1) * (q + 1) };
     const std::uint32_t flags = (ribbon.FlipNormal ? Flip : 0u) | (ribbon.AlongEdge ? AlongEdge : 0u);
     item.Work = { { face.FirstPatch + ribbon.Patch, face.FirstCoefficient + ribbon.Trim, 0, slot },
-      { ribbon.TrimDegree | flags << 24, face.FirstCoefficient + ribbon.Edge, ribbon.EdgeDegree, 0 },
+      { ribbon.TrimDegree | flags << 24, face.FirstCoefficient + ribbon.Edge, ribbon.EdgeDegree, One },
       { ribbon.Start, ribbon.End, ribbon.EdgeStart, ribbon.EdgeEnd } };
     items.push_back(item);
   }
@@ -45,7 +50,7 @@ void AddItems(const ResidentFace& face, std::uint32_t slot, std::vector<WorkItem
     WorkItem item{ IntegrationPrograms::ChooseProgram(ItemKind::Cap, p, q), {}, {}, 0, 1 };
     const std::uint32_t flags = face.Panels->Caps[i].FlipNormal ? Flip : 0u;
     item.Work = { { 0, static_cast<std::uint32_t>(9 * (face.FirstCap + i)), 0, slot },
-      { flags << 24, 0, 0, 0 }, { 0.0, 1.0, 0.0, 1.0 } };
+      { flags << 24, 0, 0, One }, { 0.0, 1.0, 0.0, 1.0 } };
     items.push_back(item);
   }
 }
@@ -81,6 +86,8 @@ void BisectItem(const WorkItem& parent, std::vector<WorkItem>& children)
   {
     WorkItem child = parent;
     child.Level = 0;
+    // The parts share the parent's tolerance.
+    child.Work.Detail[3] -= (isPanel ? 2 : 1) * Doubling;
     child.Work.Range[part & 1 ? 0 : 1] = middle[0];
     // A ribbon's second range runs along the edge's curve with the first; a panel's is its own.
     const bool upper = isPanel ? part & 2 : part & 1;

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 vtkStandardNewMacro(vtkMassPropertiesGPU);
 
@@ -112,19 +113,32 @@ void SetMass(sm::MassRow& row, double density, const std::string& unit)
   row.MassInertiaBound = factor * row.Properties.InertiaBound;
 }
 
-/// Whether a quantity met the tolerance relative to its scale; one that does not exist did.
-bool IsMet(double bound, double scale, double tolerance)
-{
-  return !(bound > tolerance * std::abs(scale));
-}
-
-bool MeetsTolerance(const sm::MassRow& row, double tolerance)
+/// What did not meet the tolerance relative to its scale, empty when everything did. A quantity that does not exist
+/// did.
+std::string FindUnmet(const sm::MassRow& row, double tolerance)
 {
   const sm::MassProperties& p = row.Properties;
-  const double trace = p.Inertia[0] + p.Inertia[4] + p.Inertia[8];
-  return IsMet(row.AreaBound, row.Area, tolerance) && IsMet(p.VolumeBound, p.Volume, tolerance) &&
-    IsMet(p.CenterBound, std::max(std::cbrt(p.Volume), 1e-6 * vtkMath::Norm(p.Center.data())), tolerance) &&
-    IsMet(p.InertiaBound, trace, tolerance);
+  const double length = std::max(std::cbrt(p.Volume), 1e-6 * vtkMath::Norm(p.Center.data()));
+  const struct
+  {
+    const char* Name;
+    double Bound;
+    double Scale;
+  } quantities[] = { { sm::names::Volume, p.VolumeBound, p.Volume },
+    { sm::names::SurfaceArea, row.AreaBound, row.Area }, { sm::names::CenterOfMass, p.CenterBound, length },
+    { sm::names::VolumeInertia, p.InertiaBound, p.Inertia[0] + p.Inertia[4] + p.Inertia[8] } };
+  std::string unmet;
+  for (const auto& quantity : quantities)
+  {
+    if (quantity.Bound > tolerance * std::abs(quantity.Scale))
+    {
+      char text[128];
+      std::snprintf(text, sizeof(text), "%s%s %.1e", unmet.empty() ? "" : ", ", quantity.Name,
+        quantity.Bound / std::abs(quantity.Scale));
+      unmet += text;
+    }
+  }
+  return unmet;
 }
 
 void AppendAxes(vtkAppendPolyData* glyphs, const sm::MassProperties& properties, double length)
@@ -262,9 +276,10 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
       body.Flag(sm::names::StatusSuspect, "the volume is zero within its bound");
     }
   }
-  if (computed && !MeetsTolerance(row, this->RelativeTolerance))
+  const std::string unmet = computed ? FindUnmet(row, this->RelativeTolerance) : std::string();
+  if (!unmet.empty())
   {
-    body.Flag(sm::names::StatusToleranceNotMet, "a bound is above the tolerance");
+    body.Flag(sm::names::StatusToleranceNotMet, "bounds above the tolerance, relative: " + unmet);
   }
   return row;
 }
@@ -299,7 +314,8 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
     total.AreaBound += row.AreaBound;
     total.GapSquared += row.GapSquared;
     total.GapArea += row.GapArea;
-    total.MaxGap = std::max(total.MaxGap, row.MaxGap);
+    // Not std::max, which loses a NaN.
+    total.MaxGap = row.MaxGap > total.MaxGap || std::isnan(row.MaxGap) ? row.MaxGap : total.MaxGap;
     if (body.Faces && body.HasVolume())
     {
       total.MovedByClosing += row.MovedByClosing;

@@ -87,6 +87,7 @@ void vtkTrimmedNURBSModel::ShallowCopy(vtkTrimmedNURBSModel* source)
   this->Density = source->Density;
   this->FileVolume = source->FileVolume;
   this->FileArea = source->FileArea;
+  this->NumberOfMissingFaces = source->NumberOfMissingFaces;
   for (int i = 0; i < 3; ++i)
   {
     this->Origin[i] = source->Origin[i];

@@ -62,6 +62,10 @@ public:
   vtkSetMacro(FileArea, double);
   vtkGetMacro(FileArea, double);
 
+  /** Faces of the file that could not be carried over and are missing here; GetMessages() names them. Default 0. */
+  vtkSetMacro(NumberOfMissingFaces, int);
+  vtkGetMacro(NumberOfMissingFaces, int);
+
   /** Part coordinates of the point that stored coordinates are relative to. Default: 0 0 0. */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -128,6 +132,7 @@ private:
   double Density = 0.0;
   double FileVolume;
   double FileArea;
+  int NumberOfMissingFaces = 0;
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double LocalBounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   double VolumeScale = 0.0;

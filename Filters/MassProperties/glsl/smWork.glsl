@@ -4,7 +4,7 @@
 struct smWorkRecord
 {
   uvec4 item;   // patch, first trim coefficient, row of the result, face
-  uvec4 detail; // trim degree | points in t << 8 | points across << 16 | flags << 24, first edge coefficient, edge degree, unused
+  uvec4 detail; // trim degree | points in t << 8 | points across << 16 | flags << 24, first edge coefficient, edge degree, bits of the float that scales the tolerance
   dvec4 range;  // panel: t start, t end, xi start, xi end; ribbon: t start, t end, edge start, edge end
 };
 
@@ -24,7 +24,7 @@ layout(std430, binding = 4) readonly buffer smParameterBuffer
 {
   double smParameters[];
 };
-// Result rows of SM_STRIDE doubles: largest gap, squared gap, gap area, values, differences, roundings.
+// Result rows of SM_STRIDE doubles: largest gap, squared gap, gap area, values, errors, roundings, differences.
 layout(std430, binding = 5) buffer smRowBuffer
 {
   double smRows[];
@@ -43,9 +43,10 @@ uniform uint smIntegrandCount; // SM_INTEGRANDS
 uniform uint smRoundingCount;  // SM_ROUNDINGS
 
 const uint smValueColumn = 3u;
-const uint smDifferenceColumn = smValueColumn + uint(SM_INTEGRANDS);
-const uint smRoundingColumn = smDifferenceColumn + uint(SM_INTEGRANDS);
-const uint SM_STRIDE = smRoundingColumn + uint(SM_ROUNDINGS);
+const uint smErrorColumn = smValueColumn + uint(SM_INTEGRANDS);
+const uint smRoundingColumn = smErrorColumn + uint(SM_INTEGRANDS);
+const uint smDifferenceColumn = smRoundingColumn + uint(SM_ROUNDINGS);
+const uint SM_STRIDE = smDifferenceColumn + uint(SM_INTEGRANDS);
 
 // u: half the spacing of doubles at 1.
 const double smUnitRoundoff = 1.1102230246251565e-16LF;
@@ -59,9 +60,22 @@ dvec2 smRule(int count, int index)
 // The roundings class of each integrand.
 const int smRoundingOf[SM_INTEGRANDS] = int[SM_INTEGRANDS](SM_ROUNDING_OF);
 
-// Compares with the row's values of a lower order, stores values, differences and roundings. False when the item was
-// discarded, to be bisected. The loops run to
-// uniforms, so that drivers do not unroll the memory accesses: llvmpipe would take a second longer to compile.
+// The error of a value whose last order changed it by `difference` and the one before by `before` (negative: there was
+// none). Where differences fall fast, the last one is far above the error; where they hardly fall (area near a
+// vanishing normal) the error is a geometric tail of them; and one small difference after a large one may be luck.
+double smEstimate(double difference, double before)
+{
+  if (before < 0.0LF)
+  {
+    return 10.0LF * difference;
+  }
+  double ratio = difference < before ? difference / before : 1.0LF;
+  return max(difference * max(1.0LF, 10.0LF * ratio), 1e-3LF * before);
+}
+
+// Compares with the row's values of a lower order, stores values, errors, roundings and differences. False when the
+// item was discarded, to be bisected. The loops run to uniforms, so that drivers do not unroll the memory accesses:
+// llvmpipe would take a second longer to compile.
 bool smFinish(uint index, smWorkRecord work, double values[SM_INTEGRANDS], double roundings[SM_ROUNDINGS])
 {
   double results[SM_INTEGRANDS];
@@ -79,13 +93,22 @@ bool smFinish(uint index, smWorkRecord work, double values[SM_INTEGRANDS], doubl
   uint flags = work.detail.x >> 24;
   bool isFirst = (flags & smFlagFirst) != 0u;
   bool converged = true;
+  double scale = double(uintBitsToFloat(work.detail.w));
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
-    uint value = row + smValueColumn + k;
-    double difference = isFirst ? 0.0LF : abs(results[k] - smRows[value]);
-    converged = converged && difference <= smParameters[tolerance + k] + noises[smRoundingOf[k]];
-    smRows[value] = results[k];
-    smRows[value + uint(SM_INTEGRANDS)] = difference;
+    double error = 0.0LF;
+    double difference = -1.0LF;
+    if (!isFirst)
+    {
+      difference = abs(results[k] - smRows[row + smValueColumn + k]);
+      error = smEstimate(difference, smRows[row + smDifferenceColumn + k]);
+      // Differences of the size of rounding say nothing more.
+      converged = converged &&
+        error <= scale * smParameters[tolerance + k] + 10.0LF * noises[smRoundingOf[k]];
+    }
+    smRows[row + smValueColumn + k] = results[k];
+    smRows[row + smErrorColumn + k] = error;
+    smRows[row + smDifferenceColumn + k] = difference;
   }
   for (uint k = 0u; k < smRoundingCount; ++k)
   {
@@ -94,7 +117,7 @@ bool smFinish(uint index, smWorkRecord work, double values[SM_INTEGRANDS], doubl
   bool kept = converged || (flags & smFlagDiscard) == 0u;
   if (!kept)
   {
-    for (uint k = 0u; k < 2u * smIntegrandCount + smRoundingCount; ++k)
+    for (uint k = 0u; k < 3u * smIntegrandCount + smRoundingCount; ++k)
     {
       smRows[row + smValueColumn + k] = 0.0LF;
     }
