@@ -33,6 +33,10 @@ void ConvertToBernstein(const FitSamples& chebyshev, int degree, double* bernste
 /// A smooth function's residual falls by far more than this when its interval is halved, even across a kink;
 /// what does not fall is rounding of the function itself, and no bisection helps.
 constexpr double NoiseRatio = 0.3;
+/// A residual that many times the tolerance is no rounding, whatever bisection does to it.
+constexpr double MaximumNoise = 1e5;
+/// Bisection ends here in any case.
+constexpr int MaximumDepth = 14;
 
 template <int Dimension>
 struct FittedPiece

@@ -1,5 +1,7 @@
 #include "smOCCTBody.h"
 
+#include "smOCCTCurve.h"
+
 #include <BRep_Tool.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
@@ -94,6 +96,7 @@ private:
       {
         this->Result.Messages.push_back(Label("Face", Find(this->Table, face).FileId, this->Drafts.size()) +
           " is left out: " + failure + ".");
+        ++this->Result.MissingFaces;
         return;
       }
       shell.push_back(static_cast<int>(this->Drafts.size()));
@@ -152,6 +155,7 @@ private:
                                                  : static_cast<const TopoDS_Shape&>(this->Drafts[i].Face);
         this->Result.Messages.push_back(
           Label(kind, Find(this->Table, shape).FileId, i) + " is left out: " + failures[i] + ".");
+        this->Result.MissingFaces += *kind == 'F' ? 1 : 0;
       }
     }
   }

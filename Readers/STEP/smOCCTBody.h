@@ -44,6 +44,8 @@ struct ConvertedBody
   /// Lists of indices into Faces.
   std::vector<std::vector<int>> Shells;
   std::vector<std::string> Messages;
+  /// Faces left out; Messages names them.
+  int MissingFaces = 0;
 };
 
 /**

@@ -1,15 +1,14 @@
 #include "smOCCTDocument.h"
 
+#include "smOCCTDamage.h"
 #include "smOCCTFile.h"
+#include "smOCCTModel.h"
 #include "smOCCTTable.h"
 
 #include <BRep_Builder.hxx>
-#include <Interface_Static.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <StepData_StepModel.hxx>
-#include <StepShape_FaceSurface.hxx>
-#include <TColStd_SequenceOfAsciiString.hxx>
 #include <TDF_Label.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDocStd_Document.hxx>
@@ -20,8 +19,6 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <map>
 #include <mutex>
@@ -57,22 +54,39 @@ public:
     shapes->GetFreeShapes(roots);
     for (const TDF_Label& label : roots)
     {
-      this->OnlySolids = this->OnlySolids || HasSolid(XCAFDoc_ShapeTool::GetShape(label));
+      this->OnlySolids = this->OnlySolids || CountSolids(XCAFDoc_ShapeTool::GetShape(label)) > 0;
     }
     for (const TDF_Label& label : roots)
     {
-      this->Result.Root.Children.push_back(this->Visit(label, gp_Trsf(), { -1.0, -1.0, -1.0 }));
+      this->Result.Root.Children.push_back(this->Visit(label, gp_Trsf(), Inherited()));
     }
   }
 
 private:
-  static bool HasSolid(const TopoDS_Shape& shape)
+  static constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
+
+  /// What an occurrence takes from the assemblies above it.
+  struct Inherited
   {
-    return !shape.IsNull() && TopExp_Explorer(shape, TopAbs_SOLID).More();
+    Vector3 Color{ -1.0, -1.0, -1.0 };
+    double Volume = Nothing;
+    double Area = Nothing;
+    std::string Material;
+    double Density = 0.0;
+  };
+
+  static int CountSolids(const TopoDS_Shape& shape)
+  {
+    int solids = 0;
+    for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
+    {
+      ++solids;
+    }
+    return solids;
   }
 
   /// `label` is a product or one occurrence of it; `parent` is where the occurrence's assembly stands.
-  ProductNode Visit(const TDF_Label& label, const gp_Trsf& parent, Vector3 color)
+  ProductNode Visit(const TDF_Label& label, const gp_Trsf& parent, Inherited inherited)
   {
     TDF_Label product = label;
     gp_Trsf placement = parent;
@@ -81,33 +95,44 @@ private:
     {
       placement = parent * XCAFDoc_ShapeTool::GetLocation(label).Transformation();
       const Vector3 own = GetLabelColor(this->Xde, label);
-      color = own[0] >= 0.0 ? own : color;
+      inherited.Color = own[0] >= 0.0 ? own : inherited.Color;
     }
     node.Name = GetLabelName(product);
     node.Name = node.Name.empty() ? GetLabelName(label) : node.Name;
     node.Layer = GetLabelLayer(this->Xde, product);
     if (XCAFDoc_ShapeTool::IsAssembly(product))
     {
+      // Some systems hang the validation properties and the material of their one solid on the product above it.
+      const bool single = CountSolids(XCAFDoc_ShapeTool::GetShape(product)) == 1;
+      inherited.Volume = single ? inherited.Volume : Nothing;
+      inherited.Area = single ? inherited.Area : Nothing;
+      if (single)
+      {
+        GetLabelProperties(product, inherited.Volume, inherited.Area);
+      }
+      GetLabelMaterial(product, inherited.Material, inherited.Density);
       TDF_LabelSequence components;
       XCAFDoc_ShapeTool::GetComponents(product, components);
       for (const TDF_Label& component : components)
       {
-        node.Children.push_back(this->Visit(component, placement, color));
+        node.Children.push_back(this->Visit(component, placement, inherited));
       }
       return node;
     }
-    this->AddPart(product, placement, color, node);
+    this->AddPart(product, placement, inherited, node);
     return node;
   }
 
-  void AddPart(const TDF_Label& product, const gp_Trsf& placement, const Vector3& color, ProductNode& node)
+  void AddPart(
+    const TDF_Label& product, const gp_Trsf& placement, const Inherited& inherited, ProductNode& node)
   {
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
     if (shape.IsNull())
     {
       return;
     }
-    const PartBody part = this->DescribePart(product);
+    const PartBody part = this->DescribePart(product, inherited);
+    const Vector3& color = inherited.Color;
     int bodies = 0;
     for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
     {
@@ -144,23 +169,21 @@ private:
     }
   }
 
-  PartBody DescribePart(const TDF_Label& product) const
+  PartBody DescribePart(const TDF_Label& product, const Inherited& inherited) const
   {
     PartBody part;
     part.Name = GetLabelName(product);
     part.Color = GetLabelColor(this->Xde, product);
+    part.FileVolume = inherited.Volume;
+    part.FileArea = inherited.Area;
+    part.Material = inherited.Material;
+    part.Density = inherited.Density;
     GetLabelMaterial(product, part.Material, part.Density);
     GetLabelProperties(product, part.FileVolume, part.FileArea);
     // A validation property of a part with several bodies is their sum and belongs to none of them.
-    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
-    int solids = 0;
-    for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
+    if (CountSolids(XCAFDoc_ShapeTool::GetShape(product)) > 1)
     {
-      ++solids;
-    }
-    if (solids > 1)
-    {
-      part.FileVolume = part.FileArea = std::numeric_limits<double>::quiet_NaN();
+      part.FileVolume = part.FileArea = Nothing;
     }
     return part;
   }
@@ -231,43 +254,6 @@ private:
   std::map<const void*, TopoDS_Compound> LooseFaces;
 };
 
-/// Does the file hold geometry at all?
-bool HasGeometry(const Handle(Interface_InterfaceModel) & model)
-{
-  for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
-  {
-    if (model->Value(i)->IsKind(STANDARD_TYPE(StepShape_FaceSurface)))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-void ReadUnit(STEPCAFControl_Reader& reader, Document& document)
-{
-  TColStd_SequenceOfAsciiString lengths;
-  TColStd_SequenceOfAsciiString angles;
-  TColStd_SequenceOfAsciiString solidAngles;
-  reader.ChangeReader().FileUnits(lengths, angles, solidAngles);
-  if (lengths.IsEmpty())
-  {
-    return;
-  }
-  document.FileUnit = lengths.First().ToCString();
-  const double factor = GetUnitInMillimetres(document.FileUnit);
-  document.FileUnitInMillimetres = factor > 0.0 ? factor : 1.0;
-  for (const TCollection_AsciiString& name : lengths)
-  {
-    if (GetUnitInMillimetres(name.ToCString()) != factor)
-    {
-      document.Messages.push_back("The file mixes length units (" + document.FileUnit + ", " +
-        name.ToCString() + "); each part was read in its own.");
-      break;
-    }
-  }
-}
-
 void Read(const std::string& fileName, const FileCheck& check, const std::function<bool(double)>& report,
   Document& document)
 {
@@ -304,7 +290,17 @@ void Read(const std::string& fileName, const FileCheck& check, const std::functi
     document.Status = ReadStatus::Aborted;
     return;
   }
-  ReadUnit(reader, document);
+  const Handle(StepData_StepModel) model =
+    Handle(StepData_StepModel)::DownCast(reader.Reader().WS()->Model());
+  document.FileUnit = ReadLengthUnit(reader.ChangeReader(), model, document.Messages);
+  const double factor = GetUnitInMillimetres(document.FileUnit);
+  document.FileUnitInMillimetres = factor > 0.0 ? factor : 1.0;
+  CheckOperators(model, document.Messages);
+  document.Problem = DropDamagedFaces(reader.Reader().WS(), model, document.Messages);
+  if (!document.Problem.empty())
+  {
+    return;
+  }
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   const Handle(KernelProgress) progress =
     new KernelProgress([&report](double x) { return report(ParsingShare + (1.0 - ParsingShare) * x); });
@@ -321,7 +317,7 @@ void Read(const std::string& fileName, const FileCheck& check, const std::functi
   {
     document.Status = ReadStatus::Ok;
   }
-  else if (HasGeometry(session->Model()))
+  else if (HasGeometry(model))
   {
     document.Problem =
       "it has faces, but OpenCASCADE makes no shape of them: its product structure or its geometry "
@@ -376,23 +372,5 @@ Document ReadDocument(const std::string& fileName, const std::function<bool(doub
       " faces lie in the file beside its solids; they belong to no body and are left out.");
   }
   return document;
-}
-
-double GetUnitInMillimetres(const std::string& unit)
-{
-  static const std::map<std::string, double> units = { { "mm", 1.0 }, { "millimetre", 1.0 },
-    { "millimeter", 1.0 }, { "cm", 10.0 }, { "centimetre", 10.0 }, { "centimeter", 10.0 }, { "dm", 100.0 },
-    { "decimetre", 100.0 }, { "decimeter", 100.0 }, { "m", 1000.0 }, { "metre", 1000.0 }, { "meter", 1000.0 },
-    { "km", 1e6 }, { "kilometre", 1e6 }, { "kilometer", 1e6 }, { "um", 1e-3 }, { "micrometre", 1e-3 },
-    { "micrometer", 1e-3 }, { "micron", 1e-3 }, { "inch", 25.4 }, { "in", 25.4 }, { "inches", 25.4 },
-    { "ft", 304.8 }, { "foot", 304.8 }, { "feet", 304.8 }, { "yard", 914.4 }, { "mile", 1609344.0 },
-    { "mil", 0.0254 }, { "thou", 0.0254 } };
-  std::string name;
-  for (const char c : unit)
-  {
-    name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  const auto found = units.find(name);
-  return found == units.end() ? 0.0 : found->second;
 }
 }

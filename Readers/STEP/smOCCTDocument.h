@@ -78,9 +78,6 @@ struct Document
  * process: OpenCASCADE's parameters and messenger are global. Throws nothing.
  */
 Document ReadDocument(const std::string& fileName, const std::function<bool(double)>& report);
-
-/// Length of a unit in mm; 0 for a name that is not known. Knows STEP's spellings and short ones.
-double GetUnitInMillimetres(const std::string& unit);
 }
 
 #endif

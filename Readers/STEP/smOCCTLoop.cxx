@@ -12,6 +12,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 

@@ -5,7 +5,7 @@
 #ifndef smOCCTLoop_h
 #define smOCCTLoop_h
 
-#include "smOCCTCurve.h"
+#include "smOCCTTrim.h"
 
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Edge.hxx>

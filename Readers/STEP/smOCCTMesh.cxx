@@ -1,5 +1,7 @@
 #include "smOCCTMesh.h"
 
+#include "smOCCTGridMesh.h"
+
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
@@ -15,6 +17,9 @@ namespace sm
 {
 namespace
 {
+/// Per direction, of the grid that stands in where the kernel's mesher fails.
+constexpr int GridCells = 160;
+
 Vector3 Subtract(const Vector3& a, const Vector3& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
@@ -86,8 +91,15 @@ Vector3 EvaluateNormal(const NURBSSurface& surface, const std::array<double, 2>&
   return { 0.0, 0.0, 0.0 };
 }
 
-/// Adds the triangles of one face; false when it has none.
-bool AddFace(const ConvertedFace& face, int index, const gp_Trsf& trsf, double unit, DisplayMesh& mesh)
+/// Triangles of one face, counter-clockwise in (u,v).
+struct FaceTriangles
+{
+  std::vector<Vector3> Points;
+  std::vector<std::array<double, 2>> Parameters;
+  std::vector<std::array<int, 3>> Triangles;
+};
+
+bool GetKernelTriangles(const ConvertedFace& face, const gp_Trsf& trsf, double unit, FaceTriangles& result)
 {
   TopLoc_Location location;
   const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face.Source, location);
@@ -97,51 +109,72 @@ bool AddFace(const ConvertedFace& face, int index, const gp_Trsf& trsf, double u
   }
   const double zero[3] = { 0.0, 0.0, 0.0 };
   const AffineMap map = AffineMap::Make(trsf * location.Transformation(), unit, zero);
-  // Poly_Triangulation turns as (u,v) does, so its triangles point along Su x Sv of the mapped surface.
-  const bool flip = face.Result->Reversed;
-  const int first = static_cast<int>(mesh.Points.size());
-  const int count = triangles->NbNodes();
-  std::vector<Vector3> fallback(count, Vector3{ 0.0, 0.0, 0.0 });
-  for (int i = 1; i <= count; ++i)
+  for (int i = 1; i <= triangles->NbNodes(); ++i)
   {
-    mesh.Points.push_back(map.MapPoint(triangles->Node(i).XYZ()));
-    mesh.PointFace.push_back(index);
     const gp_Pnt2d uv = triangles->UVNode(i);
-    mesh.Parameters.push_back({ MapParameter(face, 0, uv.X()), MapParameter(face, 1, uv.Y()) });
+    result.Points.push_back(map.MapPoint(triangles->Node(i).XYZ()));
+    result.Parameters.push_back({ MapParameter(face, 0, uv.X()), MapParameter(face, 1, uv.Y()) });
   }
   for (int i = 1; i <= triangles->NbTriangles(); ++i)
   {
-    int a;
-    int b;
-    int c;
-    triangles->Triangle(i).Get(a, b, c);
-    if (flip)
+    std::array<int, 3> t;
+    triangles->Triangle(i).Get(t[0], t[1], t[2]);
+    result.Triangles.push_back({ t[0] - 1, t[1] - 1, t[2] - 1 });
+  }
+  return true;
+}
+
+/// For a face that the kernel's mesher gave up on.
+bool GetGridTriangles(const ConvertedFace& face, const double origin[3], FaceTriangles& result)
+{
+  GridMesh grid = MakeGridMesh(*face.Result, GridCells);
+  result = FaceTriangles();
+  for (const auto& uv : grid.Parameters)
+  {
+    Vector3 p;
+    face.Result->Surface.Evaluate(uv[0], uv[1], p.data());
+    result.Points.push_back({ p[0] + origin[0], p[1] + origin[1], p[2] + origin[2] });
+  }
+  result.Parameters = std::move(grid.Parameters);
+  result.Triangles = std::move(grid.Triangles);
+  return !result.Triangles.empty();
+}
+
+/// Appends a face with outward winding and exact normals.
+void AddFace(const FaceTriangles& from, const Face& face, int index, DisplayMesh& mesh)
+{
+  const int first = static_cast<int>(mesh.Points.size());
+  std::vector<Vector3> fallback(from.Points.size(), Vector3{ 0.0, 0.0, 0.0 });
+  for (std::array<int, 3> t : from.Triangles)
+  {
+    if (face.Reversed)
     {
-      std::swap(b, c);
+      std::swap(t[1], t[2]);
     }
-    const std::array<int, 3> corners{ first + a - 1, first + b - 1, first + c - 1 };
-    const Vector3& p = mesh.Points[corners[0]];
-    const Vector3 n = Cross(Subtract(mesh.Points[corners[1]], p), Subtract(mesh.Points[corners[2]], p));
-    for (const int k : corners)
+    const Vector3& p = from.Points[t[0]];
+    const Vector3 n = Cross(Subtract(from.Points[t[1]], p), Subtract(from.Points[t[2]], p));
+    for (const int k : t)
     {
       for (int d = 0; d < 3; ++d)
       {
-        fallback[k - first][d] += n[d];
+        fallback[k][d] += n[d];
       }
     }
-    mesh.Triangles.push_back(corners);
+    mesh.Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
     mesh.TriangleFace.push_back(index);
   }
-  for (int i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < from.Points.size(); ++i)
   {
-    Vector3 normal = EvaluateNormal(face.Result->Surface, mesh.Parameters[first + i]);
-    if (flip)
+    mesh.Points.push_back(from.Points[i]);
+    mesh.Parameters.push_back(from.Parameters[i]);
+    mesh.PointFace.push_back(index);
+    Vector3 normal = EvaluateNormal(face.Surface, from.Parameters[i]);
+    if (face.Reversed)
     {
       normal = { -normal[0], -normal[1], -normal[2] };
     }
     mesh.Normals.push_back(Dot(normal, normal) > 0.0 ? normal : Normalized(fallback[i], 0.0));
   }
-  return true;
 }
 }
 
@@ -193,10 +226,24 @@ std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, doubl
 DisplayMesh BuildMesh(ConvertedBody& body, const gp_Trsf& trsf, double unit, const double origin[3])
 {
   DisplayMesh mesh;
+  int coarse = 0;
   int missing = 0;
   for (std::size_t i = 0; i < body.Faces.size(); ++i)
   {
-    missing += AddFace(body.Faces[i], static_cast<int>(i), trsf, unit, mesh) ? 0 : 1;
+    const ConvertedFace& face = body.Faces[i];
+    FaceTriangles triangles;
+    if (!GetKernelTriangles(face, trsf, unit, triangles))
+    {
+      const bool found = GetGridTriangles(face, origin, triangles);
+      coarse += found ? 1 : 0;
+      missing += found ? 0 : 1;
+    }
+    AddFace(triangles, *face.Result, static_cast<int>(i), mesh);
+  }
+  if (coarse > 0)
+  {
+    body.Messages.push_back("OpenCASCADE's mesher gave up on " + std::to_string(coarse) +
+      " faces; they are shown on a plain grid. Their exact geometry is not touched.");
   }
   if (missing > 0)
   {

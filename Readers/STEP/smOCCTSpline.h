@@ -5,8 +5,10 @@
 #ifndef smOCCTSpline_h
 #define smOCCTSpline_h
 
-#include "smPolynomialCurve.h"
+#include "smChebyshevFit.h"
 
+#include <Geom2d_TrimmedCurve.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 
@@ -121,6 +123,88 @@ void ExtractBezierPiece(const FlatKnots& flat, const std::vector<std::array<doub
     }
     result[i] = d[p];
   }
+}
+
+/// The curve below trims, whose parameter it shares.
+inline Handle(Geom2d_Curve) GetBasis(Handle(Geom2d_Curve) curve)
+{
+  while (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve))
+  {
+    curve = trimmed->BasisCurve();
+  }
+  return curve;
+}
+
+inline Handle(Geom_Curve) GetBasis(Handle(Geom_Curve) curve)
+{
+  while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
+  {
+    curve = trimmed->BasisCurve();
+  }
+  return curve;
+}
+
+/// first, last and those knots that lie between by more than rounding.
+inline std::vector<double> MakeBreaks(double first, double last, const std::vector<double>& knots)
+{
+  std::vector<double> breaks{ first };
+  const double slack =
+    std::max(1e-13 * (last - first), 4.0 * UnitRoundoff * std::max(std::abs(first), std::abs(last)));
+  for (const double knot : knots)
+  {
+    if (knot > breaks.back() + slack && knot < last - slack)
+    {
+      breaks.push_back(knot);
+    }
+  }
+  breaks.push_back(last);
+  return breaks;
+}
+
+template <class Spline>
+std::vector<double> GetSplineBreaks(const Handle(Spline) & spline, double first, double last)
+{
+  return MakeBreaks(first, last,
+    MakeFlatKnots(
+      spline->Degree(), spline->Knots(), spline->Multiplicities(), spline->IsPeriodic(), first, last)
+      .Knots);
+}
+
+/// Poles of a polynomial spline or Bézier curve together with its knots; false for any other curve.
+template <int Dimension, class Spline, class Bezier, class Curve, class MapPole>
+bool GetPolynomial(const Handle(Curve) & curve, double first, double last, FlatKnots& flat,
+  std::vector<std::array<double, Dimension>>& poles, const MapPole& mapPole)
+{
+  if (const auto spline = Handle(Spline)::DownCast(curve))
+  {
+    if (spline->IsRational())
+    {
+      return false;
+    }
+    flat = MakeFlatKnots(
+      spline->Degree(), spline->Knots(), spline->Multiplicities(), spline->IsPeriodic(), first, last);
+    for (const int i : flat.Poles)
+    {
+      poles.push_back(mapPole(spline->Pole(i + 1)));
+    }
+    return true;
+  }
+  if (const auto bezier = Handle(Bezier)::DownCast(curve))
+  {
+    if (bezier->IsRational())
+    {
+      return false;
+    }
+    flat.Degree = bezier->Degree();
+    flat.Knots.assign(flat.Degree + 1, 0.0);
+    flat.Knots.insert(flat.Knots.end(), flat.Degree + 1, 1.0);
+    for (int i = 1; i <= bezier->NbPoles(); ++i)
+    {
+      poles.push_back(mapPole(bezier->Pole(i)));
+    }
+    return true;
+  }
+  return false;
 }
 }
 

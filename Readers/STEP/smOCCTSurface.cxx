@@ -1,28 +1,20 @@
 #include "smOCCTSurface.h"
 
 #include "smChebyshevFit.h"
-#include "smOCCTCurve.h"
+#include "smOCCTProfile.h"
 #include "smOCCTSpline.h"
 
-#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
-#include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
-#include <Geom_Ellipse.hxx>
-#include <Geom_Hyperbola.hxx>
-#include <Geom_Line.hxx>
 #include <Geom_OffsetSurface.hxx>
-#include <Geom_Parabola.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
-#include <Geom_TrimmedCurve.hxx>
 
 #include <stdexcept>
 
@@ -40,11 +32,6 @@ struct RevolvedPole
   Vector3 Y;
   double Weight;
 };
-
-double SnapToZero(double value)
-{
-  return std::abs(value) < 4.0 * UnitRoundoff ? 0.0 : value;
-}
 
 std::vector<double> LinearKnots(double low, double high)
 {
@@ -377,208 +364,6 @@ bool ConvertExactly(const Handle(Geom_Surface) & surface, const ParameterBox& bo
   }
   return true;
 }
-
-/// Homogeneous poles of a conic: w * position = w * center + c X + s Y.
-void SetConic(Profile& profile, const gp_XYZ& center, const gp_XYZ& x, const gp_XYZ& y)
-{
-  profile.Degree = 2;
-  profile.Knots = profile.Map.GetKnots();
-  for (const Vector3& p : profile.Map.GetControlPoints())
-  {
-    const gp_XYZ h = p[2] * center + (p[0] * x + p[1] * y);
-    profile.Poles.push_back({ h.X(), h.Y(), h.Z(), p[2] });
-  }
-}
-
-void SetBezierKnots(Profile& profile, int degree, double low, double high)
-{
-  profile.Degree = degree;
-  profile.Knots.assign(degree + 1, low);
-  profile.Knots.insert(profile.Knots.end(), degree + 1, high);
-}
-
-/// A piecewise fit, raised to one degree, with knots as multiple as the degree.
-void SetFit(Profile& profile, const Handle(Geom_Curve) & curve, double low, double high)
-{
-  const EdgeCurve fit = FitEdge(curve, low, high, AffineMap());
-  const int pieces = fit.GetNumberOfPieces();
-  int degree = 1;
-  for (int i = 0; i < pieces; ++i)
-  {
-    degree = std::max(degree, fit.GetDegree(i));
-  }
-  profile.Degree = degree;
-  profile.Residual = fit.Residual;
-  profile.Knots.assign(1, fit.Breaks.front());
-  for (const double t : fit.Breaks)
-  {
-    profile.Knots.insert(profile.Knots.end(), degree, t);
-  }
-  profile.Knots.push_back(fit.Breaks.back());
-  for (int i = 0; i < pieces; ++i)
-  {
-    std::vector<Vector3> b(
-      fit.Coefficients.begin() + fit.Offsets[i], fit.Coefficients.begin() + fit.Offsets[i + 1]);
-    while (static_cast<int>(b.size()) <= degree)
-    {
-      const int n = static_cast<int>(b.size());
-      std::vector<Vector3> raised(n + 1, b[n - 1]);
-      raised[0] = b[0];
-      for (int j = 1; j < n; ++j)
-      {
-        const double share = static_cast<double>(j) / n;
-        for (int c = 0; c < 3; ++c)
-        {
-          raised[j][c] = share * b[j - 1][c] + (1.0 - share) * b[j][c];
-        }
-      }
-      b = raised;
-    }
-    for (int j = i == 0 ? 0 : 1; j <= degree; ++j)
-    {
-      profile.Poles.push_back({ b[j][0], b[j][1], b[j][2], 1.0 });
-    }
-  }
-}
-}
-
-AffineMap AffineMap::Make(const gp_Trsf& trsf, double unit, const double origin[3])
-{
-  AffineMap map;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      map.Linear[i][j] = unit * trsf.Value(i + 1, j + 1);
-    }
-    map.Translation[i] = unit * trsf.Value(i + 1, 4) - origin[i];
-  }
-  return map;
-}
-
-Vector3 AffineMap::MapVector(const gp_XYZ& v) const
-{
-  Vector3 r;
-  for (int i = 0; i < 3; ++i)
-  {
-    r[i] = this->Linear[i][0] * v.X() + this->Linear[i][1] * v.Y() + this->Linear[i][2] * v.Z();
-  }
-  return r;
-}
-
-Vector3 AffineMap::MapPoint(const gp_XYZ& p) const
-{
-  Vector3 r = this->MapVector(p);
-  for (int i = 0; i < 3; ++i)
-  {
-    r[i] += this->Translation[i];
-  }
-  return r;
-}
-
-bool AffineMap::IsMirrored() const
-{
-  const auto& m = this->Linear;
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) <
-    0.0;
-}
-
-double AffineMap::GetScale() const
-{
-  const auto& m = this->Linear;
-  return std::sqrt(m[0][0] * m[0][0] + m[1][0] * m[1][0] + m[2][0] * m[2][0]);
-}
-
-ParameterMap ParameterMap::MakeCircular(double low, double high)
-{
-  ParameterMap map;
-  map.Type = Kind::Circular;
-  map.Start = low;
-  double turn = high - low;
-  if (std::abs(turn - 2.0 * Pi) < 1e-9)
-  {
-    turn = 2.0 * Pi;
-  }
-  map.Count = std::max(1, static_cast<int>(std::ceil(turn / (0.5 * Pi) - 1e-9)));
-  map.Width = turn / map.Count;
-  return map;
-}
-
-ParameterMap ParameterMap::MakeHyperbolic(double low, double high)
-{
-  ParameterMap map;
-  map.Type = Kind::Hyperbolic;
-  map.Start = low;
-  map.Width = high - low;
-  return map;
-}
-
-int ParameterMap::FindArc(double native) const
-{
-  const double arc = std::floor((native - this->Start) / this->Width);
-  return static_cast<int>(std::clamp(arc, 0.0, this->Count - 1.0));
-}
-
-double ParameterMap::EvaluateInArc(int arc, double native) const
-{
-  const double phi = native - (this->Start + (arc + 0.5) * this->Width);
-  const double ratio = this->Type == Kind::Hyperbolic ? std::tanh(0.5 * phi) / std::tanh(0.25 * this->Width)
-                                                      : std::tan(0.5 * phi) / std::tan(0.25 * this->Width);
-  const double s = 0.5 * (1.0 + ratio);
-  // Within rounding of a border means on it: the cut that made the border is there.
-  const double rounding = this->GetRounding();
-  if (std::abs(s) <= rounding)
-  {
-    return arc;
-  }
-  if (std::abs(s - 1.0) <= rounding)
-  {
-    return arc + 1.0;
-  }
-  return arc + s;
-}
-
-double ParameterMap::GetRounding() const
-{
-  if (this->Type == Kind::Identity)
-  {
-    return 0.0;
-  }
-  const double largest = std::max(std::abs(this->Start), std::abs(this->GetBorder(this->Count)));
-  return 4.0 * UnitRoundoff * std::max(1.0, largest / this->Width);
-}
-
-std::vector<Vector3> ParameterMap::GetControlPoints() const
-{
-  std::vector<Vector3> points;
-  const double half = 0.5 * this->Width;
-  for (int k = 0; k <= 2 * this->Count; ++k)
-  {
-    const double angle = this->Start + k * half;
-    if (this->Type == Kind::Hyperbolic)
-    {
-      // Middle control point: where the tangents at the ends meet, times cosh of the half opening.
-      points.push_back({ std::cosh(angle), std::sinh(angle), k % 2 ? std::cosh(half) : 1.0 });
-    }
-    else
-    {
-      points.push_back(
-        { SnapToZero(std::cos(angle)), SnapToZero(std::sin(angle)), k % 2 ? std::cos(half) : 1.0 });
-    }
-  }
-  return points;
-}
-
-std::vector<double> ParameterMap::GetKnots() const
-{
-  std::vector<double> knots{ 0.0 };
-  for (int k = 0; k <= this->Count; ++k)
-  {
-    knots.insert(knots.end(), 2, k);
-  }
-  knots.push_back(this->Count);
-  return knots;
 }
 
 Handle(Geom_Surface) GetBasisSurface(Handle(Geom_Surface) surface)
@@ -588,86 +373,6 @@ Handle(Geom_Surface) GetBasisSurface(Handle(Geom_Surface) surface)
     surface = trimmed->BasisSurface();
   }
   return surface;
-}
-
-Profile ConvertProfile(const Handle(Geom_Curve) & source, double low, double high)
-{
-  Handle(Geom_Curve) curve = source;
-  while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
-  {
-    curve = trimmed->BasisCurve();
-  }
-  Profile profile;
-  if (Handle(Geom_Line)::DownCast(curve))
-  {
-    SetBezierKnots(profile, 1, low, high);
-    for (const double t : { low, high })
-    {
-      const gp_Pnt p = curve->Value(t);
-      profile.Poles.push_back({ p.X(), p.Y(), p.Z(), 1.0 });
-    }
-  }
-  else if (const auto circle = Handle(Geom_Circle)::DownCast(curve))
-  {
-    const gp_Ax2& f = circle->Position();
-    profile.Map = ParameterMap::MakeCircular(low, high);
-    SetConic(profile, f.Location().XYZ(), circle->Radius() * f.XDirection().XYZ(),
-      circle->Radius() * f.YDirection().XYZ());
-  }
-  else if (const auto ellipse = Handle(Geom_Ellipse)::DownCast(curve))
-  {
-    const gp_Ax2& f = ellipse->Position();
-    profile.Map = ParameterMap::MakeCircular(low, high);
-    SetConic(profile, f.Location().XYZ(), ellipse->MajorRadius() * f.XDirection().XYZ(),
-      ellipse->MinorRadius() * f.YDirection().XYZ());
-  }
-  else if (const auto hyperbola = Handle(Geom_Hyperbola)::DownCast(curve))
-  {
-    const gp_Ax2& f = hyperbola->Position();
-    profile.Map = ParameterMap::MakeHyperbolic(low, high);
-    SetConic(profile, f.Location().XYZ(), hyperbola->MajorRadius() * f.XDirection().XYZ(),
-      hyperbola->MinorRadius() * f.YDirection().XYZ());
-  }
-  else if (const auto parabola = Handle(Geom_Parabola)::DownCast(curve))
-  {
-    // P(t) = C + t^2/(4F) X + t Y; blossom t1 t2/(4F) X + (t1 + t2)/2 Y.
-    const gp_Ax2& f = parabola->Position();
-    SetBezierKnots(profile, 2, low, high);
-    for (const auto& t : { std::array<double, 2>{ low, low }, { low, high }, { high, high } })
-    {
-      const gp_XYZ p = f.Location().XYZ() + t[0] * t[1] / (4.0 * parabola->Focal()) * f.XDirection().XYZ() +
-        0.5 * (t[0] + t[1]) * f.YDirection().XYZ();
-      profile.Poles.push_back({ p.X(), p.Y(), p.Z(), 1.0 });
-    }
-  }
-  else if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve))
-  {
-    const FlatKnots flat = MakeFlatKnots(
-      spline->Degree(), spline->Knots(), spline->Multiplicities(), spline->IsPeriodic(), low, high);
-    profile.Degree = flat.Degree;
-    profile.Knots = flat.Knots;
-    for (const int i : flat.Poles)
-    {
-      const double w = spline->IsRational() ? spline->Weight(i + 1) : 1.0;
-      const gp_Pnt p = spline->Pole(i + 1);
-      profile.Poles.push_back({ w * p.X(), w * p.Y(), w * p.Z(), w });
-    }
-  }
-  else if (const auto bezier = Handle(Geom_BezierCurve)::DownCast(curve))
-  {
-    SetBezierKnots(profile, bezier->Degree(), 0.0, 1.0);
-    for (int i = 1; i <= bezier->NbPoles(); ++i)
-    {
-      const double w = bezier->IsRational() ? bezier->Weight(i) : 1.0;
-      const gp_Pnt p = bezier->Pole(i);
-      profile.Poles.push_back({ w * p.X(), w * p.Y(), w * p.Z(), w });
-    }
-  }
-  else
-  {
-    SetFit(profile, curve, low, high);
-  }
-  return profile;
 }
 
 ConvertedSurface ConvertSurface(

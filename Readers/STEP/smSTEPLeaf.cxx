@@ -97,9 +97,11 @@ LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOp
   {
     body.Messages.push_back(std::string("The body could not be carried over: OpenCASCADE raised ") +
       failure.DynamicType()->Name() + ".");
+    ++body.MissingFaces;
   }
   catch (const std::exception& failure)
   {
+    ++body.MissingFaces;
     body.Messages.push_back(std::string("The body could not be carried over: ") + failure.what() + ".");
   }
   this->MakeModel(part, bounds, deflection, body);
@@ -151,6 +153,7 @@ void LeafMaker::MakeModel(
   model->SetFaces(std::move(faces));
   model->SetShells(body.Shells);
   model->SetMessages(body.Messages);
+  model->SetNumberOfMissingFaces(body.MissingFaces);
 }
 
 void LeafMaker::MakeSharedArrays()

@@ -3,6 +3,7 @@
 #include "smOCCTDocument.h"
 #include "smOCCTFile.h"
 #include "smOCCTMesh.h"
+#include "smOCCTModel.h"
 #include "smSTEPLeaf.h"
 
 #include "vtkCompositeDataSet.h"

@@ -1,0 +1,25 @@
+/**
+ * @file smOCCTDamage.h
+ * @brief Faces with damaged entities, taken out of their shells before the transfer
+ */
+#ifndef smOCCTDamage_h
+#define smOCCTDamage_h
+
+#include <StepData_StepModel.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <string>
+#include <vector>
+
+namespace sm
+{
+/**
+ * OpenCASCADE 7.6 follows references that its own parser reported as unresolved, and crashes. This takes every
+ * face that leads to such an entity out of its shell and says which. Returns an empty string, or why the
+ * file cannot be transferred at all. Call between parsing and transfer.
+ */
+std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
+  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
+}
+
+#endif

@@ -1,0 +1,184 @@
+#include "smOCCTModel.h"
+
+#include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
+#include <StepBasic_HArray1OfNamedUnit.hxx>
+#include <StepBasic_SiUnitAndLengthUnit.hxx>
+#include <StepGeom_CartesianPoint.hxx>
+#include <StepGeom_CartesianTransformationOperator3d.hxx>
+#include <StepGeom_Direction.hxx>
+#include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
+#include <StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext.hxx>
+#include <StepRepr_GlobalUnitAssignedContext.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <gp_Dir.hxx>
+
+#include <cctype>
+#include <cmath>
+#include <map>
+
+namespace sm
+{
+namespace
+{
+std::string GetUnitName(const Handle(StepBasic_NamedUnit) & unit)
+{
+  if (const auto converted = Handle(StepBasic_ConversionBasedUnitAndLengthUnit)::DownCast(unit))
+  {
+    return converted->Name().IsNull() ? std::string() : converted->Name()->ToCString();
+  }
+  const auto si = Handle(StepBasic_SiUnitAndLengthUnit)::DownCast(unit);
+  if (si.IsNull() || si->Name() != StepBasic_sunMetre)
+  {
+    return {};
+  }
+  if (!si->HasPrefix())
+  {
+    return "metre";
+  }
+  switch (si->Prefix())
+  {
+    case StepBasic_spKilo:
+      return "kilometre";
+    case StepBasic_spDeci:
+      return "decimetre";
+    case StepBasic_spCenti:
+      return "centimetre";
+    case StepBasic_spMilli:
+      return "millimetre";
+    case StepBasic_spMicro:
+      return "micrometre";
+    default:
+      return {};
+  }
+}
+
+/// The units of the first context that names a length; OpenCASCADE looks only where a product leads it.
+std::string FindUnitInContexts(const Handle(StepData_StepModel) & model)
+{
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    Handle(StepRepr_GlobalUnitAssignedContext) context;
+    if (const auto a =
+          Handle(StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx)::DownCast(model->Value(i)))
+    {
+      context = a->GlobalUnitAssignedContext();
+    }
+    else if (const auto b =
+               Handle(StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext)::DownCast(
+                 model->Value(i)))
+    {
+      context = b->GlobalUnitAssignedContext();
+    }
+    for (int k = 1; !context.IsNull() && !context->Units().IsNull() && k <= context->NbUnits(); ++k)
+    {
+      const std::string name = GetUnitName(context->UnitsValue(k));
+      if (!name.empty())
+      {
+        return name;
+      }
+    }
+  }
+  return {};
+}
+
+bool GetDirection(const Handle(StepGeom_Direction) & entity, gp_XYZ& direction)
+{
+  if (entity.IsNull() || entity->NbDirectionRatios() != 3)
+  {
+    return false;
+  }
+  direction =
+    gp_XYZ(entity->DirectionRatiosValue(1), entity->DirectionRatiosValue(2), entity->DirectionRatiosValue(3));
+  return true;
+}
+}
+
+double GetUnitInMillimetres(const std::string& unit)
+{
+  static const std::map<std::string, double> units = { { "mm", 1.0 }, { "millimetre", 1.0 },
+    { "millimeter", 1.0 }, { "cm", 10.0 }, { "centimetre", 10.0 }, { "centimeter", 10.0 }, { "dm", 100.0 },
+    { "decimetre", 100.0 }, { "decimeter", 100.0 }, { "m", 1000.0 }, { "metre", 1000.0 }, { "meter", 1000.0 },
+    { "km", 1e6 }, { "kilometre", 1e6 }, { "kilometer", 1e6 }, { "um", 1e-3 }, { "micrometre", 1e-3 },
+    { "micrometer", 1e-3 }, { "micron", 1e-3 }, { "inch", 25.4 }, { "in", 25.4 }, { "inches", 25.4 },
+    { "ft", 304.8 }, { "foot", 304.8 }, { "feet", 304.8 }, { "yard", 914.4 }, { "mile", 1609344.0 },
+    { "mil", 0.0254 }, { "thou", 0.0254 } };
+  std::string name;
+  for (const char c : unit)
+  {
+    name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  const auto found = units.find(name);
+  return found == units.end() ? 0.0 : found->second;
+}
+
+std::string ReadLengthUnit(
+  STEPControl_Reader& reader, const Handle(StepData_StepModel) & model, std::vector<std::string>& messages)
+{
+  TColStd_SequenceOfAsciiString lengths;
+  TColStd_SequenceOfAsciiString angles;
+  TColStd_SequenceOfAsciiString solidAngles;
+  reader.FileUnits(lengths, angles, solidAngles);
+  std::string unit = lengths.IsEmpty() ? std::string() : lengths.First().ToCString();
+  for (const TCollection_AsciiString& name : lengths)
+  {
+    if (GetUnitInMillimetres(name.ToCString()) != GetUnitInMillimetres(unit))
+    {
+      messages.push_back("The file mixes length units (" + unit + ", " + name.ToCString() +
+        "); each part was read in its own.");
+      break;
+    }
+  }
+  return unit.empty() && !model.IsNull() ? FindUnitInContexts(model) : unit;
+}
+
+void CheckOperators(const Handle(StepData_StepModel) & model, std::vector<std::string>& messages)
+{
+  int dropped = 0;
+  int first = 0;
+  for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
+  {
+    const auto item = Handle(StepGeom_CartesianTransformationOperator3d)::DownCast(model->Value(i));
+    if (item.IsNull())
+    {
+      continue;
+    }
+    if (item->LocalOrigin().IsNull())
+    {
+      const Handle(StepGeom_CartesianPoint) origin = new StepGeom_CartesianPoint();
+      origin->Init3D(new TCollection_HAsciiString(""), 0.0, 0.0, 0.0);
+      item->SetLocalOrigin(origin);
+    }
+    gp_XYZ x;
+    gp_XYZ y;
+    gp_XYZ z;
+    const bool mirrored = GetDirection(item->Axis1(), x) && GetDirection(item->Axis2(), y) &&
+      GetDirection(item->Axis3(), z) && x.Crossed(y).Dot(z) < 0.0;
+    if (mirrored || (item->HasScale() && std::abs(item->Scale() - 1.0) > 1e-12))
+    {
+      ++dropped;
+      first = first > 0 ? first : model->IdentLabel(item);
+    }
+  }
+  if (dropped > 0)
+  {
+    messages.push_back(std::to_string(dropped) +
+      " instances are scaled or mirrored by a transformation operator (first: #" + std::to_string(first) +
+      "), which OpenCASCADE ignores: they are placed but neither scaled nor mirrored. Export the assembly "
+      "flattened.");
+  }
+}
+
+bool HasGeometry(const Handle(StepData_StepModel) & model)
+{
+  for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
+  {
+    if (model->Value(i)->IsKind(STANDARD_TYPE(StepShape_FaceSurface)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}

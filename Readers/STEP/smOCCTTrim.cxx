@@ -1,0 +1,379 @@
+#include "smOCCTTrim.h"
+
+#include "smOCCTSpline.h"
+
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_BezierCurve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom2d_OffsetCurve.hxx>
+
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+constexpr int TrimDegree = 9;
+
+/// Edge parameter of a pcurve parameter: the same, unless the file gave them different ranges.
+struct RangeMap
+{
+  double From[2];
+  double To[2];
+  double operator()(double t) const
+  {
+    if (t == this->From[0])
+    {
+      return this->To[0];
+    }
+    if (t == this->From[1])
+    {
+      return this->To[1];
+    }
+    if (this->From[0] == this->To[0] && this->From[1] == this->To[1])
+    {
+      return t;
+    }
+    return this->To[0] + (t - this->From[0]) / (this->From[1] - this->From[0]) * (this->To[1] - this->To[0]);
+  }
+};
+
+/// A component that all poles share is that value, not what blossoming makes of it.
+void KeepConstant(const std::vector<TrimCurve::Point>& poles, TrimCurve& curve)
+{
+  for (int d = 0; d < 2; ++d)
+  {
+    double low = poles[0][d];
+    double high = low;
+    for (const TrimCurve::Point& p : poles)
+    {
+      low = std::min(low, p[d]);
+      high = std::max(high, p[d]);
+    }
+    if (high - low <= 8.0 * UnitRoundoff * std::max(std::abs(low), std::abs(high)))
+    {
+      for (TrimCurve::Point& p : curve.Coefficients)
+      {
+        p[d] = poles[0][d];
+      }
+      curve.Residual = std::max(curve.Residual, high - low);
+    }
+  }
+}
+
+/// Fits a trim curve that at least one angle map bends.
+class TrimFitter
+{
+public:
+  TrimFitter(const NativeTrim& trim, const RangeMap& range, const ParameterMap maps[2], const double width[2])
+    : Trim(trim)
+    , Range(range)
+    , Maps(maps)
+  {
+    // Beside an angle, whose arcs are 1 wide, a length is fitted to rounding: the curve's one residual is charged to
+    // both coordinates, and 1e-13 of a long cylinder is far more than 1e-13 of an arc.
+    const bool plain = maps[0].Type == maps[1].Type;
+    for (int d = 0; d < 2; ++d)
+    {
+      this->Tolerance[d] = maps[d].Type == ParameterMap::Kind::Identity
+        ? (plain ? 1e-13 : 1e-15) * width[d]
+        : std::max(1e-13, 2.0 * maps[d].GetRounding());
+    }
+  }
+
+  TrimCurve Fit()
+  {
+    this->FindConstants();
+    this->Result.Breaks.push_back(this->Range(this->Trim.First));
+    if (this->IsStraight())
+    {
+      TrimCurve::Point ends[2] = { this->Trim.GetStart(), this->Trim.GetEnd() };
+      for (int d = 0; d < 2; ++d)
+      {
+        if (this->Constant[d])
+        {
+          ends[0][d] = ends[1][d] = this->Value[d];
+        }
+      }
+      this->Result.AppendPiece(this->Range(this->Trim.Last), ends, 1);
+      return std::move(this->Result);
+    }
+    const std::vector<double> breaks = this->Trim.GetBreaks();
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+    {
+      this->FitInterval(breaks[i], breaks[i + 1], Attempt());
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  using Samples = std::array<std::array<double, 2>, FitOrder + 1>;
+
+  /// How often an interval was halved, and what residual (in tolerances) its parent left.
+  struct Attempt
+  {
+    int Depth = 0;
+    double Excess = std::numeric_limits<double>::infinity();
+  };
+
+  void SampleNative(double a, double b, Samples& native) const
+  {
+    for (int i = 0; i <= FitOrder; ++i)
+    {
+      const double x = GetFitNodes()[i];
+      native[i] = this->Trim.Evaluate(i == FitOrder ? b : a + x * (b - a));
+    }
+  }
+
+  /// A component that moves by no more than the tolerance is a line of constant parameter, and stays one.
+  void FindConstants()
+  {
+    ParameterBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };
+    this->Trim.AddTo(box);
+    for (int d = 0; d < 2; ++d)
+    {
+      const double largest = std::max(std::abs(box.Low[d]), std::abs(box.High[d]));
+      const double cell = this->Maps[d].Type == ParameterMap::Kind::Identity ? 1.0 : this->Maps[d].Width;
+      const double spread = box.High[d] - box.Low[d];
+      this->Constant[d] = spread <= std::max(8.0 * UnitRoundoff * largest, 0.2 * this->Tolerance[d] * cell);
+      if (this->Constant[d])
+      {
+        const double middle = spread == 0.0 ? box.Low[d] : 0.5 * (box.Low[d] + box.High[d]);
+        this->Value[d] = this->Maps[d].Evaluate(middle + this->Trim.Shift[d]);
+        const double slope = this->Maps[d].Type == ParameterMap::Kind::Identity ? 1.0 : 1.0 / cell;
+        this->Result.Residual = std::max(this->Result.Residual, 0.5 * spread * slope);
+      }
+    }
+  }
+
+  /// A line along which no angle moves.
+  bool IsStraight() const
+  {
+    if (!Handle(Geom2d_Line)::DownCast(GetBasis(this->Trim.Curve)))
+    {
+      return false;
+    }
+    return (this->Constant[0] || this->Maps[0].Type == ParameterMap::Kind::Identity) &&
+      (this->Constant[1] || this->Maps[1].Type == ParameterMap::Kind::Identity);
+  }
+
+  /// Parameter where component d passes `border` inside [a, b], given values of different sign at the ends.
+  double FindCrossing(int d, double border, double a, double b, bool rising) const
+  {
+    for (int i = 0; i < 80; ++i)
+    {
+      const double middle = 0.5 * (a + b);
+      if (!(middle > a && middle < b))
+      {
+        break;
+      }
+      ((this->Trim.Evaluate(middle)[d] > border) == rising ? b : a) = middle;
+    }
+    return 0.5 * (a + b);
+  }
+
+  /// Cuts at the borders of arcs, then fits what lies between.
+  void FitInterval(double a, double b, const Attempt& attempt)
+  {
+    Samples native;
+    this->SampleNative(a, b, native);
+    std::vector<double> cuts;
+    for (int d = 0; d < 2; ++d)
+    {
+      const ParameterMap& map = this->Maps[d];
+      for (int k = 1; map.Type == ParameterMap::Kind::Circular && !this->Constant[d] && k < map.Count; ++k)
+      {
+        const double border = map.GetBorder(k);
+        // A piece that merely touches the border at an end is not cut there.
+        const double slack = 8.0 * UnitRoundoff * std::max({ 1.0, std::abs(map.Start), std::abs(border) });
+        for (int i = 0; i < FitOrder; ++i)
+        {
+          const double low = native[i][d] - border;
+          const double high = native[i + 1][d] - border;
+          if ((low < -slack && high > slack) || (low > slack && high < -slack))
+          {
+            const double x0 = a + GetFitNodes()[i] * (b - a);
+            const double x1 = a + GetFitNodes()[i + 1] * (b - a);
+            cuts.push_back(this->FindCrossing(d, border, x0, x1, high > 0.0));
+          }
+          else if (i > 0 && std::abs(low) <= slack &&
+            (native[i - 1][d] - border) * (native[i + 1][d] - border) < 0.0)
+          {
+            cuts.push_back(a + GetFitNodes()[i] * (b - a));
+          }
+        }
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    const double slack = std::max(1e-13 * (b - a), 4.0 * UnitRoundoff * std::max(std::abs(a), std::abs(b)));
+    double start = a;
+    for (const double cut : cuts)
+    {
+      if (cut > start + slack && cut < b - slack)
+      {
+        this->FitPieceWithin(start, cut, attempt);
+        start = cut;
+      }
+    }
+    if (start == a)
+    {
+      this->FitSampled(a, b, native, attempt);
+    }
+    else
+    {
+      this->FitPieceWithin(start, b, attempt);
+    }
+  }
+
+  void FitPieceWithin(double a, double b, const Attempt& attempt)
+  {
+    Samples native;
+    this->SampleNative(a, b, native);
+    this->FitSampled(a, b, native, attempt);
+  }
+
+  void FitSampled(double a, double b, const Samples& native, const Attempt& attempt)
+  {
+    Samples mapped;
+    for (int d = 0; d < 2; ++d)
+    {
+      const ParameterMap& map = this->Maps[d];
+      const int arc = map.FindArc(native[FitOrder / 2][d]);
+      for (int i = 0; i <= FitOrder; ++i)
+      {
+        mapped[i][d] = this->Constant[d]             ? this->Value[d]
+          : map.Type == ParameterMap::Kind::Identity ? native[i][d]
+                                                     : map.EvaluateInArc(arc, native[i][d]);
+      }
+    }
+    std::array<double, 2> tolerance = this->Tolerance;
+    for (int d = 0; d < 2; ++d)
+    {
+      tolerance[d] = std::max(
+        tolerance[d], 8.0 * UnitRoundoff * std::max(std::abs(mapped[0][d]), std::abs(mapped[FitOrder][d])));
+    }
+    FittedPiece<2> piece;
+    const bool met = FitPiece<2>(mapped, TrimDegree, tolerance, piece);
+    const double excess = std::max(piece.Residual[0] / tolerance[0], piece.Residual[1] / tolerance[1]);
+    const bool noise = excess > NoiseRatio * attempt.Excess && excess < MaximumNoise;
+    const double middle = 0.5 * (a + b);
+    if (!met && !noise && attempt.Depth < MaximumDepth && middle > a && middle < b)
+    {
+      const Attempt next{ attempt.Depth + 1, excess };
+      this->FitInterval(a, middle, next);
+      this->FitInterval(middle, b, next);
+      return;
+    }
+    for (int d = 0; d < 2; ++d)
+    {
+      if (this->Constant[d])
+      {
+        for (int i = 0; i <= piece.Degree; ++i)
+        {
+          piece.Coefficients[i][d] = this->Value[d];
+        }
+      }
+      else
+      {
+        this->Result.Residual = std::max(this->Result.Residual, piece.Residual[d]);
+      }
+    }
+    this->Result.AppendPiece(this->Range(b), piece.Coefficients.data(), piece.Degree);
+  }
+
+  const NativeTrim& Trim;
+  RangeMap Range;
+  const ParameterMap* Maps;
+  std::array<double, 2> Tolerance{};
+  bool Constant[2] = { false, false };
+  double Value[2] = { 0.0, 0.0 };
+  TrimCurve Result;
+};
+}
+
+std::array<double, 2> NativeTrim::Evaluate(double parameter) const
+{
+  const gp_Pnt2d p = this->Curve->Value(parameter);
+  return { p.X() + this->Shift[0], p.Y() + this->Shift[1] };
+}
+
+std::vector<double> NativeTrim::GetBreaks() const
+{
+  Handle(Geom2d_Curve) curve = GetBasis(this->Curve);
+  while (const auto offset = Handle(Geom2d_OffsetCurve)::DownCast(curve))
+  {
+    curve = GetBasis(offset->BasisCurve());
+  }
+  if (const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(curve))
+  {
+    return GetSplineBreaks(spline, this->First, this->Last);
+  }
+  return { this->First, this->Last };
+}
+
+void NativeTrim::AddTo(ParameterBox& box) const
+{
+  const auto add = [&box](double u, double v)
+  {
+    box.Low[0] = std::min(box.Low[0], u);
+    box.High[0] = std::max(box.High[0], u);
+    box.Low[1] = std::min(box.Low[1], v);
+    box.High[1] = std::max(box.High[1], v);
+  };
+  if (const auto line = Handle(Geom2d_Line)::DownCast(GetBasis(this->Curve)))
+  {
+    const gp_Pnt2d a = line->Value(this->First);
+    const gp_Pnt2d b = line->Value(this->Last);
+    add(a.X(), a.Y());
+    add(b.X(), b.Y());
+    return;
+  }
+  const std::vector<double> breaks = this->GetBreaks();
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    gp_Pnt2d p[FitOrder + 1];
+    for (int i = 0; i <= FitOrder; ++i)
+    {
+      p[i] = this->Curve->Value(breaks[k] + GetFitNodes()[i] * (breaks[k + 1] - breaks[k]));
+      add(p[i].X(), p[i].Y());
+    }
+    // Between samples a smooth curve rises above them by at most about an eighth of the second difference.
+    for (int i = 1; i < FitOrder; ++i)
+    {
+      const gp_XY bulge = 0.25 * (p[i].XY() - 0.5 * (p[i - 1].XY() + p[i + 1].XY()));
+      add(p[i].X() + bulge.X(), p[i].Y() + bulge.Y());
+    }
+  }
+}
+
+TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast, const ParameterMap maps[2],
+  const double width[2])
+{
+  const RangeMap range{ { trim.First, trim.Last }, { edgeFirst, edgeLast } };
+  const Handle(Geom2d_Curve) curve = GetBasis(trim.Curve);
+  const bool plain =
+    maps[0].Type == ParameterMap::Kind::Identity && maps[1].Type == ParameterMap::Kind::Identity;
+  const auto mapPole = [&trim](const gp_Pnt2d& p) {
+    return TrimCurve::Point{ p.X() + trim.Shift[0], p.Y() + trim.Shift[1] };
+  };
+  FlatKnots flat;
+  std::vector<TrimCurve::Point> poles;
+  if (plain &&
+    GetPolynomial<2, Geom2d_BSplineCurve, Geom2d_BezierCurve>(
+      curve, trim.First, trim.Last, flat, poles, mapPole))
+  {
+    TrimCurve result;
+    const std::vector<double> breaks = trim.GetBreaks();
+    result.Breaks.push_back(range(breaks[0]));
+    TrimCurve::Point piece[MaximumDegree + 1];
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+    {
+      ExtractBezierPiece<2>(flat, poles, breaks[i], breaks[i + 1], piece);
+      result.AppendPiece(range(breaks[i + 1]), piece, flat.Degree);
+    }
+    KeepConstant(poles, result);
+    return result;
+  }
+  return TrimFitter(trim, range, maps, width).Fit();
+}
+}

@@ -1,0 +1,44 @@
+/**
+ * @file smOCCTTrim.h
+ * @brief OpenCASCADE's pcurves as polynomial pieces in the parameters of the converted surface
+ */
+#ifndef smOCCTTrim_h
+#define smOCCTTrim_h
+
+#include "smOCCTSurface.h"
+#include "smPolynomialCurve.h"
+
+#include <Geom2d_Curve.hxx>
+
+#include <array>
+#include <vector>
+
+namespace sm
+{
+/// A pcurve over [First, Last], moved by whole periods of its surface.
+struct NativeTrim
+{
+  Handle(Geom2d_Curve) Curve;
+  double First = 0.0;
+  double Last = 0.0;
+  double Shift[2] = { 0.0, 0.0 };
+
+  std::array<double, 2> Evaluate(double parameter) const;
+  std::array<double, 2> GetStart() const { return this->Evaluate(this->First); }
+  std::array<double, 2> GetEnd() const { return this->Evaluate(this->Last); }
+  /// First, Last and the knots between.
+  std::vector<double> GetBreaks() const;
+  /// Widens the box by what the curve covers, before the shift.
+  void AddTo(ParameterBox& box) const;
+};
+
+/**
+ * The trim curve over the edge's range, in the parameters of the converted surface: exact for polynomial
+ * pcurves where both maps are the identity, else cut at arc borders and fitted to 1e-13 of an arc or of
+ * `width`, or to the floor that rounding of the angles sets.
+ */
+TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast, const ParameterMap maps[2],
+  const double width[2]);
+}
+
+#endif
