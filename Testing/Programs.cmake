@@ -16,13 +16,20 @@ solidmoments_add_test(NAME CommandLinePictureDisplay LABELS image XVFB COMMAND $
 solidmoments_add_test(NAME CommandLineNoContext LABELS error gpu NODISPLAY
   ENVIRONMENT MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 COMMAND ${command_line_test} no-context)
 
-# A project outside the tree, against an install in the build folder.
+# A project outside the tree, against an install in the build folder; and everything else that is installed.
+set(package_options)
+if (SOLIDMOMENTS_WRAP_PYTHON)
+  list(APPEND package_options "-DPYTHON=${Python3_EXECUTABLE}" "-DPYTHON_DESTINATION=${SOLIDMOMENTS_PYTHON_DESTINATION}")
+endif ()
+if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
+  list(APPEND package_options "-DPVPYTHON=${SOLIDMOMENTS_PVPYTHON}")
+endif ()
 solidmoments_add_test(NAME PackageConsumer LABELS package NODISPLAY TIMEOUT 600
   COMMAND "${CMAKE_COMMAND}" "-DBUILD=${PROJECT_BINARY_DIR}" "-DPREFIX=${PROJECT_BINARY_DIR}/test-install"
     "-DCONSUMER=${PROJECT_SOURCE_DIR}/Examples/Consumer" "-DGENERATOR=${CMAKE_GENERATOR}"
     "-DCXX=${CMAKE_CXX_COMPILER}" "-DCC=${CMAKE_C_COMPILER}" "-DCONFIG=$<CONFIG>" "-DFLAGS=${CMAKE_CXX_FLAGS}"
-    "-DPART=${SOLIDMOMENTS_TEST_SOLIDS}/box-plain.step" -DVOLUME=6000
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/TestPackageConsumer.cmake")
+    "-DSOLIDS=${SOLIDMOMENTS_TEST_SOLIDS}" "-DPART=${SOLIDMOMENTS_TEST_SOLIDS}/box-plain.step" -DVOLUME=6000
+    ${package_options} -P "${CMAKE_CURRENT_SOURCE_DIR}/TestPackageConsumer.cmake")
 
 if (SOLIDMOMENTS_WRAP_PYTHON)
   set(python_path

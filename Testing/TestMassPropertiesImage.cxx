@@ -22,6 +22,7 @@ int main(int argc, char* argv[])
   }
   smtest::Pipeline pipeline(argv[1]);
   pipeline.Mass->SetShowPrincipalAxes(true);
+  pipeline.Mass->SetGlyphScale(0.05);
   vtkNew<vtkRenderWindow> window;
   pipeline.Mass->SetRenderWindow(window);
 
@@ -55,11 +56,11 @@ int main(int argc, char* argv[])
   window->Render();
   smtest::CheckEqual("status", sm::names::StatusOk, pipeline.Mass->GetStatus());
 
-  // 15 (of 255, summed over the worst pixels by vtkImageDifference): another Mesa shifts the antialiasing of lines; a
-  // missing glyph or face costs hundreds.
+  // vtkImageDifference forgives shifts by a pixel and 16 of 255 in colour, and sums the rest: the same driver gives 0,
+  // a picture without the sphere 37, one without the axes 2100.
   vtkNew<vtkTesting> testing;
   testing->AddArguments(argc, const_cast<const char**>(argv));
   testing->SetRenderWindow(window);
-  smtest::CheckEqual("picture", vtkTesting::PASSED, testing->RegressionTest(15.0));
+  smtest::CheckEqual("picture", vtkTesting::PASSED, testing->RegressionTest(5.0));
   return smtest::Finish();
 }

@@ -41,7 +41,7 @@ void CheckValues(const Expected& expected, vtkFieldData* fields)
     CheckQuantity("area", expected.Area, GetField(fields, names::SurfaceArea),
       1e-8 * expected.Area + projected, GetFieldBound(fields, names::SurfaceArea), expected.AreaAccuracy,
       gapArea);
-    CheckRange("area of the gaps", 0.0, gapArea, 1e-6 * expected.Area, "(projected trims are good to 1e-7)");
+    CheckRange("area of the gaps", 0.0, gapArea, 1e-5 * expected.Area, "(OCCT projects trims to 1e-4 mm)");
   }
   const double areaBound = GetFieldBound(fields, names::SurfaceArea);
   CheckTrue("area bound is not zero", areaBound > 0.0);

@@ -1,4 +1,5 @@
-# Installs the build tree BUILD into PREFIX, builds the project CONSUMER against it and runs it on PART: it must print VOLUME.
+# Installs the build tree BUILD into PREFIX, builds the project CONSUMER against it and runs it on PART: it must print VOLUME. Then runs
+# what else is installed: the command line, the Python modules and the ParaView plugin.
 cmake_policy(VERSION 3.16)
 
 function(run_step what)
@@ -51,7 +52,17 @@ if (NOT result EQUAL 0 OR NOT printed MATCHES "^(${VOLUME}(\\.0000000[0-9]*)?|${
   message(FATAL_ERROR "the consumer did not print the volume")
 endif ()
 
-# The installed command line stands on its own, too.
+# What else is installed stands on its own, too.
 if (EXISTS "${PREFIX}/bin/solidmoments")
   run_step("installed solidmoments" "${PREFIX}/bin/solidmoments" "${PART}")
+endif ()
+if (PYTHON)
+  run_step("installed Python modules" "${CMAKE_COMMAND}" -E env
+    "PYTHONPATH=${PREFIX}/${PYTHON_DESTINATION}:/usr/lib/python3/dist-packages"
+    "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/Python/TestModules.py" "${SOLIDS}")
+endif ()
+if (PVPYTHON)
+  file(GLOB_RECURSE plugin "${PREFIX}/lib*/SolidMoments.so")
+  run_step("installed ParaView plugin" "${PVPYTHON}" "${CMAKE_CURRENT_LIST_DIR}/Python/TestPluginLoads.py"
+    "${plugin}" "${PART}" "${VOLUME}")
 endif ()

@@ -28,7 +28,7 @@ struct Expected
   std::array<double, 9> Inertia{};
   /// Diagonal of the bounding box.
   double Size = 0;
-  /// False: the file has no trim curves, the reader gets projections of the edges that are good to some 1e-7.
+  /// False: the file has no trim curves, the reader gets projections of the edges from OCCT, good to 1e-4 mm.
   bool HasPcurves = true;
   /// How far the digits in the file can move a value.
   double VolumeAccuracy = 0;

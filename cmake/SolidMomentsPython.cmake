@@ -5,6 +5,9 @@ endif ()
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
 set(SOLIDMOMENTS_PYTHON_DESTINATION
   "${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
+# The extension modules lie three folders below the libraries.
+set(solidmoments_install_rpath "${CMAKE_INSTALL_RPATH}")
+list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/../../..")
 vtk_module_wrap_python(
   MODULES             ${solidmoments_modules}
   INSTALL_EXPORT      SolidMoments
@@ -14,3 +17,4 @@ vtk_module_wrap_python(
   CMAKE_DESTINATION   "${SOLIDMOMENTS_CMAKE_DESTINATION}"
   WRAPPED_MODULES     solidmoments_python_modules
   TARGET              SolidMoments::Python)
+set(CMAKE_INSTALL_RPATH "${solidmoments_install_rpath}")

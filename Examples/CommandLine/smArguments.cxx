@@ -160,6 +160,10 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   {
     return Complain("only one of --json and --csv can go to standard output");
   }
+  if (arguments.Picture == "-")
+  {
+    return Complain("a picture needs a file: --png cannot go to standard output");
+  }
   for (const std::string& output : { arguments.Json, arguments.Csv, arguments.Picture })
   {
     const std::string problem = output.empty() || output == "-" ? std::string() : CheckOutput(output);

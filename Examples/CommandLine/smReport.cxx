@@ -363,7 +363,7 @@ std::string FormatTable(const Json& file)
   std::string text = Plain(file["file"]) + "   " + Plain(file["status"]) + "\n";
   text += file["backend"].is_null() ? std::string() : Results(file);
   const Json& seconds = file["seconds"];
-  if (!seconds["read"].is_null())
+  if (!seconds["start"].is_null())
   {
     text += Row("seconds",
       "start " + Short(seconds["start"]) + ", read " + Short(seconds["read"]) + ", prepare " +

@@ -37,7 +37,7 @@ def run_json(*arguments):
         document = json.loads(result.stdout, parse_constant=lambda text: (_ for _ in ()).throw(ValueError(text)))
     except ValueError as error:
         check_true("JSON is valid", False, f"{error}: {result.stdout[:300]} {result.stderr[:300]}")
-        finish()
+        sys.exit(1)
     check_equal("version", 1, document["version"])
     for file in document["files"]:
         check_equal("keys of a file", [], sorted(FILE_KEYS - set(file)))

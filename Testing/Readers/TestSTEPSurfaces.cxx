@@ -5,6 +5,7 @@
 #include "smTesting.h"
 
 #include "smOCCTCurve.h"
+#include "smOCCTTrim.h"
 
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Circle.hxx>
@@ -298,7 +299,8 @@ void CheckTrims()
   const sm::TrimCurve result = sm::ConvertTrim(line, 0.0, 1.0, maps, width);
   smtest::CheckEqual("a ruling has one piece", 1, result.GetNumberOfPieces());
   smtest::CheckTrue("its angle is one number", result.Coefficients[0][0] == result.Coefficients[1][0]);
-  smtest::Check("the border of the third arc", 3.0, result.Coefficients[0][0], 1e-14, "the file's direction is off by 1.8e-16");
+  smtest::Check("the border of the third arc", 3.0, result.Coefficients[0][0], 1e-14,
+    "the file's direction is off by 1.8e-16");
 }
 
 void CheckEdge(const char* name, const Handle(Geom_Curve) & curve, double first, double last, bool exact)
