@@ -12,10 +12,10 @@ solidmoments_packages() {
   echo libjpeg-dev libtiff-dev libfreetype-dev zlib1g-dev libutfcpp-dev
   # OpenGL on machines without a GPU, and a display for those without one
   echo libgl1-mesa-dri libegl1 xvfb xauth
-  # OpenCASCADE; its CMake files ask for TBB
-  echo libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev
+  # OpenCASCADE; its CMake files ask for TBB and fontconfig
+  echo libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev libfontconfig-dev
   # Header libraries
-  echo libglm-dev libcli11-dev nlohmann-json3-dev libbenchmark-dev
+  echo libglm-dev libcli11-dev nlohmann-json3-dev
 }
 
 solidmoments_step() {
