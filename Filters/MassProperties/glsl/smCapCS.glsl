@@ -34,14 +34,7 @@ void main()
 
   double values[SM_INTEGRANDS];
   double roundings[SM_ROUNDINGS];
-  for (int k = 0; k < SM_INTEGRANDS; ++k)
-  {
-    values[k] = 0.0LF;
-  }
-  for (int k = 0; k < SM_ROUNDINGS; ++k)
-  {
-    roundings[k] = 0.0LF;
-  }
+  smClear(values, roundings);
   dvec3 area = side * cross(from - apex, to - apex);
   double magnitude = length(apex) + length(from) + length(to);
   double reach = length(from - apex) + length(to - apex);

@@ -39,14 +39,7 @@ void main()
 
   double values[SM_INTEGRANDS];
   double roundings[SM_ROUNDINGS];
-  for (int k = 0; k < SM_INTEGRANDS; ++k)
-  {
-    values[k] = 0.0LF;
-  }
-  for (int k = 0; k < SM_ROUNDINGS; ++k)
-  {
-    roundings[k] = 0.0LF;
-  }
+  smClear(values, roundings);
 
   double tWidth = work.range.y - work.range.x;
   double xiWidth = work.range.w - work.range.z;

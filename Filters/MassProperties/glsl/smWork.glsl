@@ -60,6 +60,18 @@ dvec2 smRule(int count, int index)
 // The roundings class of each integrand.
 const int smRoundingOf[SM_INTEGRANDS] = int[SM_INTEGRANDS](SM_ROUNDING_OF);
 
+void smClear(out double values[SM_INTEGRANDS], out double roundings[SM_ROUNDINGS])
+{
+  for (int k = 0; k < SM_INTEGRANDS; ++k)
+  {
+    values[k] = 0.0LF;
+  }
+  for (int k = 0; k < SM_ROUNDINGS; ++k)
+  {
+    roundings[k] = 0.0LF;
+  }
+}
+
 // The error of a value whose last order changed it by `difference` and the one before by `before` (negative: there was
 // none). Where differences fall fast, the last one is far above the error; where they hardly fall (area near a
 // vanishing normal) the error is a geometric tail of them; and one small difference after a large one may be luck.
