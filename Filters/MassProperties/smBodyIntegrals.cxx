@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace sm
@@ -161,9 +162,8 @@ std::vector<BodyIntegrals> CollectBodies(vtkDataObject* input, RejectedInput& re
   return bodies;
 }
 
-void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
+void CheckTopology(BodyIntegrals& body)
 {
-  const std::size_t count = integrands.size();
   body.Status = "ok";
   const std::vector<std::string>& said = body.Model->GetMessages();
   body.Messages.insert(body.Messages.end(), said.begin(), said.end());
@@ -173,6 +173,12 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
       std::to_string(body.Model->GetNumberOfMissingFaces()) + " faces of the file could not be carried over");
   }
   CountOpenEdges(body);
+}
+
+void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
+{
+  const std::size_t count = integrands.size();
+  CheckTopology(body);
 
   std::vector<CompensatedSum> face(count);
   std::vector<CompensatedSum> all(count);
@@ -180,6 +186,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
   body.Value.assign(count, 0.0);
   body.FaceValue.assign(count, 0.0);
   const double size = GetRadius(*body.Model);
+  bool complete = body.Model->GetNumberOfMissingFaces() == 0 && !body.Faces->empty();
   for (std::size_t i = 0; i < body.Faces->size(); ++i)
   {
     const FaceIntegrals& result = (*body.Faces)[i];
@@ -188,6 +195,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     if (!result.Error.empty())
     {
       body.Flag("suspect", result.Error + "; it is left out");
+      complete = false;
       continue;
     }
     for (const std::string& message : source.Messages)
@@ -203,7 +211,8 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     }
     body.GapSquared += result.GapSquared;
     body.GapArea += result.GapArea;
-    body.MaxGap = std::max(body.MaxGap, result.MaxGap);
+    // Not std::max, which loses a NaN.
+    body.MaxGap = result.MaxGap <= body.MaxGap ? body.MaxGap : result.MaxGap;
     body.Unconverged += result.Unconverged;
     if (result.CoverageDefects > 0)
     {
@@ -219,14 +228,42 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
   {
     body.Value[k] = all[k].Get();
     body.FaceValue[k] = face[k].Get();
-    body.Bound[k] += 4.0 * UnitRoundoff * std::abs(body.Value[k]);
+    body.Bound[k] +=
+      complete ? 4.0 * UnitRoundoff * std::abs(body.Value[k]) : std::numeric_limits<double>::infinity();
   }
+}
+
+std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model)
+{
+  std::array<double, 6> box;
+  std::copy_n(model.GetLocalBounds(), 6, box.begin());
+  if (box[0] < box[1] || box[2] < box[3] || box[4] < box[5] || model.GetFaces().empty())
+  {
+    return box;
+  }
+  for (int d = 0; d < 3; ++d)
+  {
+    box[2 * d] = std::numeric_limits<double>::max();
+    box[2 * d + 1] = -box[2 * d];
+  }
+  for (const FacePointer& face : model.GetFaces())
+  {
+    for (const std::array<double, 4>& p : face->Surface.ControlPoints)
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        box[2 * d] = std::min(box[2 * d], p[d] / p[3]);
+        box[2 * d + 1] = std::max(box[2 * d + 1], p[d] / p[3]);
+      }
+    }
+  }
+  return box;
 }
 
 double GetRadius(vtkTrimmedNURBSModel& model)
 {
-  const double* b = model.GetLocalBounds();
-  return 0.5 * std::sqrt(std::pow(b[1] - b[0], 2) + std::pow(b[3] - b[2], 2) + std::pow(b[5] - b[4], 2));
+  const std::array<double, 6> b = GetBox(model);
+  return 0.5 * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
 }
 
 double GetVolumeScale(vtkTrimmedNURBSModel& model)

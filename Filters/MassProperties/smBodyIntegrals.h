@@ -43,6 +43,8 @@ struct BodyIntegrals
 
   /// Edges whose signed uses do not cancel.
   int OpenEdges = 0;
+  /// The faces' normals point inwards: the volume came out negative and was turned.
+  bool InsideOut = false;
   std::string Status;
   std::vector<std::string> Messages;
 
@@ -63,13 +65,19 @@ struct RejectedInput
 /// Finds every vtkNURBSDataSet with a model in a data object, in depth-first order.
 std::vector<BodyIntegrals> CollectBodies(vtkDataObject* input, RejectedInput& rejected);
 
-/// Sums the faces' results in face order, with compensated sums, and sets the topological status.
+/// Sets the status from the reader's findings and the signed uses of the edges, before anything is integrated.
+void CheckTopology(BodyIntegrals& body);
+
+/// Sums the faces' results in face order, with compensated sums. A face that could not be integrated makes
+/// every bound infinite.
 void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands);
 
 /// Order of badness: ok, tolerance-not-met, suspect, open, empty, unreadable.
 bool IsWorse(const std::string& status, const std::string& than);
 
-/// Half the diagonal of the body's bounding box.
+/// xmin, xmax, ymin … about the model's origin; from the control points where the model does not say.
+std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model);
+/// Half the diagonal of that box.
 double GetRadius(vtkTrimmedNURBSModel& model);
 /// Scales that tolerances are relative to; from the bounding box where the reader knows none.
 double GetVolumeScale(vtkTrimmedNURBSModel& model);

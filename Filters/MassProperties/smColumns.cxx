@@ -87,18 +87,18 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
   solids->AddColumn(faces);
 }
 
-void AddFaceRows(
-  const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands, vtkTable* faces)
+void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands,
+  vtkTable* faces, const std::vector<int>& wanted)
 {
   vtkNew<vtkIntArray> solid;
   vtkNew<vtkIntArray> id;
   solid->SetName(names::Solid);
   id->SetName(names::FaceId);
   std::vector<Column> values;
-  for (const Integrand& integrand : integrands)
+  for (const int k : wanted)
   {
-    values.emplace_back(integrand.Name, 1);
-    values.emplace_back(integrand.Name + names::BoundSuffix, 1);
+    values.emplace_back(integrands[k].Name, 1);
+    values.emplace_back(integrands[k].Name + names::BoundSuffix, 1);
   }
   for (std::size_t row = 0; row < bodies.size(); ++row)
   {
@@ -109,12 +109,14 @@ void AddFaceRows(
       id->InsertNextValue(sources[i]->FileId);
       const FaceIntegrals* result = bodies[row].Faces ? &(*bodies[row].Faces)[i] : nullptr;
       const bool known = result && result->Error.empty();
-      for (std::size_t k = 0; k < integrands.size(); ++k)
+      for (std::size_t column = 0; column < wanted.size(); ++column)
       {
-        const double value = known ? result->Face[k] + result->Closing[k] : vtkMath::Nan();
+        const int k = wanted[column];
+        const double side = bodies[row].InsideOut && integrands[k].ClosedChain ? -1.0 : 1.0;
+        const double value = known ? side * (result->Face[k] + result->Closing[k]) : vtkMath::Nan();
         const double bound = known ? result->QuadratureError[k] + result->Rounding[k] : vtkMath::Nan();
-        values[2 * k].Append(&value);
-        values[2 * k + 1].Append(&bound);
+        values[2 * column].Append(&value);
+        values[2 * column + 1].Append(&bound);
       }
     }
   }

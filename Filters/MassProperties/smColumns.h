@@ -41,9 +41,10 @@ void SetString(vtkFieldData* data, const std::string& name, const std::string& v
 /// Name, Id, Status, LengthUnit, OpenEdges and Faces of every body.
 void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids);
 
-/// A row per face and instance: Solid, FaceId, the integrands over face, ribbons and caps, and their bounds.
-void AddFaceRows(
-  const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands, vtkTable* faces);
+/// A row per face and instance: Solid, FaceId, the `wanted` integrands (indices) over face, ribbons and caps, and their
+/// bounds. A flux of a body that is inside out is turned with it.
+void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands,
+  vtkTable* faces, const std::vector<int>& wanted);
 }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace sm
 {
@@ -63,6 +64,14 @@ const Quantity MassQuantities[] = {
 };
 }
 
+MassRow::MassRow()
+{
+  this->Area = this->AreaBound = this->Mass = this->MassBound = this->MassInertiaBound =
+    this->MovedByClosing = this->GapSquared = this->MaxGap = this->GapArea = this->Leak =
+      std::numeric_limits<double>::quiet_NaN();
+  this->MassInertia.fill(this->Mass);
+}
+
 MassColumns::MassColumns(bool withMass)
   : WithMass(withMass)
 {
@@ -98,7 +107,9 @@ void MassColumns::Append(const MassRow& row)
   {
     std::for_each(std::begin(MassQuantities), std::end(MassQuantities), append);
   }
-  const double degenerate = row.Properties.AxesDegenerate ? 1.0 : 0.0;
+  const double degenerate = std::isnan(row.Properties.Principal[0]) ? row.Properties.Principal[0]
+    : row.Properties.AxesDegenerate                                 ? 1.0
+                                                                    : 0.0;
   this->Columns[next].Append(&degenerate);
 }
 

@@ -19,18 +19,21 @@ namespace sm
 struct MassRow
 {
   MassProperties Properties;
-  double Area = 0.0;
-  double AreaBound = 0.0;
+  double Area;
+  double AreaBound;
   /// NaN without a density.
-  double Mass = 0.0;
-  double MassBound = 0.0;
-  std::array<double, 9> MassInertia{};
-  double MassInertiaBound = 0.0;
-  double MovedByClosing = 0.0;
-  double GapSquared = 0.0;
-  double MaxGap = 0.0;
-  double GapArea = 0.0;
-  double Leak = 0.0;
+  double Mass;
+  double MassBound;
+  std::array<double, 9> MassInertia;
+  double MassInertiaBound;
+  double MovedByClosing;
+  double GapSquared;
+  double MaxGap;
+  double GapArea;
+  double Leak;
+
+  /// Everything NaN.
+  MassRow();
 };
 
 /// Appends rows to arrays named as in smMassPropertyNames.h and hands them to field data or a table.
@@ -52,7 +55,7 @@ double GetMetres(const std::string& lengthUnit);
 /// A value with no more digits than its bound leaves, and the bound.
 std::string FormatWithBound(double value, double bound, const std::string& unit);
 
-/// A few lines: status, volume, area, centre, mass, bounding box.
+/// A few lines: status, number of solids, volume, area, centre, mass.
 std::string FormatSummary(
   const MassRow& total, const std::string& status, const std::string& unit, int solids);
 }

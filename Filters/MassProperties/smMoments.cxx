@@ -88,6 +88,16 @@ void Moments::Place(const double placement[16])
   }
   for (int i = 0; i < 3; ++i)
   {
+    double reach = std::abs(placement[4 * i + 3]);
+    for (int j = 0; j < 3; ++j)
+    {
+      reach += std::abs(rotation(i, j) * this->Reference[j]);
+    }
+    placed.ReferenceBound += 8.0 * UnitRoundoff * reach;
+  }
+  placed.ReferenceBound += this->ReferenceBound;
+  for (int i = 0; i < 3; ++i)
+  {
     for (int j = i; j < 3; ++j)
     {
       double value = 0.0;
@@ -121,7 +131,22 @@ void Moments::MoveReference(const std::array<double, 3>& reference)
   const double v = this->Volume;
   const double b = this->VolumeBound;
   const Vector m = this->First;
-  const Vector mb = this->FirstBound;
+  Vector mb = this->FirstBound;
+  if (this->ReferenceBound > 0.0)
+  {
+    // The shift is off by up to e: first moments by V e, second ones by (|m_i| + |m_j|) e + V e^2.
+    const double e = this->ReferenceBound;
+    for (int k = 0; k < 6; ++k)
+    {
+      this->SecondBound[k] +=
+        2.0 * e * (Largest(m.data(), 3) + Largest(mb.data(), 3)) + (std::abs(v) + b) * e * e;
+    }
+    for (double& bound : mb)
+    {
+      bound += (std::abs(v) + b) * e;
+    }
+    this->ReferenceBound = 0.0;
+  }
   for (int i = 0; i < 3; ++i)
   {
     this->First[i] = m[i] + a[i] * v;
@@ -198,7 +223,7 @@ MassProperties ComputeMassProperties(const Moments& moments)
   MassProperties result;
   const double v = moments.Volume;
   const double b = moments.VolumeBound;
-  if (!std::isfinite(v) || !std::isfinite(b))
+  if (!std::isfinite(v))
   {
     return result;
   }
@@ -226,7 +251,8 @@ MassProperties ComputeMassProperties(const Moments& moments)
       (moments.FirstBound[i] + std::abs(c[i]) * b) / (std::abs(v) - b) + 4.0 * UnitRoundoff * std::abs(c[i]);
     result.Center[i] = moments.Reference[i] + c[i];
   }
-  result.CenterBound = Largest(d.data(), 3) + 2.0 * UnitRoundoff * Largest(result.Center.data(), 3);
+  result.CenterBound =
+    Largest(d.data(), 3) + 2.0 * UnitRoundoff * Largest(result.Center.data(), 3) + moments.ReferenceBound;
 
   Symmetric bound;
   for (int i = 0; i < 3; ++i)
@@ -299,8 +325,8 @@ MassProperties ComputeMassProperties(const Moments& moments)
     result.Gyration[i] = lambda / v >= 0.0 ? std::sqrt(lambda / v) : NaN;
     const double low = std::sqrt(std::max(0.0, (std::abs(lambda) - e) / (std::abs(v) + b)));
     const double high = std::sqrt((std::abs(lambda) + e) / (std::abs(v) - b));
-    result.GyrationBound =
-      std::max({ result.GyrationBound, high - result.Gyration[i], result.Gyration[i] - low });
+    const double error = std::max(high - result.Gyration[i], result.Gyration[i] - low);
+    result.GyrationBound = error <= result.GyrationBound ? result.GyrationBound : error;
   }
   return result;
 }

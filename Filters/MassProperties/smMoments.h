@@ -16,6 +16,8 @@ struct Moments
 {
   /// World point that first and second moments are about. Near the body, so that no digits are lost.
   std::array<double, 3> Reference{};
+  /// How far the true point may be from Reference.
+  double ReferenceBound = 0.0;
   double Volume = 0.0;
   std::array<double, 3> First{};
   std::array<double, 6> Second{};

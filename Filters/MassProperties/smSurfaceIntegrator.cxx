@@ -85,6 +85,8 @@ struct SurfaceIntegrator::Internals
     return false;
   }
   bool Tell(const Progress& progress, double fraction);
+  /// Items that one pass may have: their rows and work records fit into a storage block each.
+  std::size_t GetRowLimit() const;
   bool Configure();
   bool WarmUp(const std::vector<ResidentFace>& locations, double& seconds);
   bool UploadParameters(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
@@ -107,6 +109,13 @@ bool SurfaceIntegrator::Internals::Tell(const Progress& progress, double fractio
     return this->Fail("aborted");
   }
   return true;
+}
+
+std::size_t SurfaceIntegrator::Internals::GetRowLimit() const
+{
+  const std::size_t bytes = std::max(this->Programs.GetStride() * sizeof(double), sizeof(WorkRecord));
+  const auto block = static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize());
+  return std::clamp<std::size_t>(block / bytes, 1, ItemsPerBatch);
 }
 
 bool SurfaceIntegrator::Internals::Configure()
@@ -217,7 +226,8 @@ bool SurfaceIntegrator::Internals::RunDispatch(
     !program->SetUniform("smWorkCount", static_cast<unsigned int>(count)) ||
     !program->Dispatch(static_cast<unsigned int>(count), LocalSize))
   {
-    return this->Fail("a dispatch failed: " + program->GetError());
+    return this->Fail("a dispatch failed: " + program->GetError() + this->Work.GetError() +
+      this->Parameters.GetError() + this->Rows.GetError() + this->StatusFlags.GetError());
   }
   return true;
 }
@@ -312,7 +322,8 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
       }
       result.GapSquared += sum[1];
       result.GapArea += sum[2];
-      result.MaxGap = std::max(result.MaxGap, largest[segment]);
+      // Not std::max, which loses a NaN.
+      result.MaxGap = largest[segment] <= result.MaxGap ? result.MaxGap : largest[segment];
     }
   }
   return true;
@@ -338,11 +349,12 @@ bool SurfaceIntegrator::Internals::RunItems(int page, std::vector<WorkItem>& ite
   std::vector<std::uint32_t> status;
   for (int level = 0; !active.empty(); ++level)
   {
+    const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->MaximumEvaluations;
     for (const std::size_t index : active)
     {
       WorkItem& item = items[index];
       const Orders orders = GetItemOrders(ladder, item);
-      SetItemOrders(item, orders, depth < MaximumBisections);
+      SetItemOrders(item, orders, mayBisect);
     }
     if (!this->RunLevel(page, items, active))
     {
@@ -354,7 +366,6 @@ bool SurfaceIntegrator::Internals::RunItems(int page, std::vector<WorkItem>& ite
       return this->Fail(this->StatusFlags.GetError());
     }
     this->Evaluations += status[0];
-    const bool spent = this->Evaluations >= this->MaximumEvaluations;
 
     std::vector<std::size_t> next;
     for (std::size_t i = 0; i < active.size(); ++i)
@@ -366,11 +377,11 @@ bool SurfaceIntegrator::Internals::RunItems(int page, std::vector<WorkItem>& ite
       {
         continue;
       }
-      if (orders.Last && depth < MaximumBisections)
+      if (orders.Last && mayBisect)
       {
         bisected.push_back(active[i]);
       }
-      else if (orders.Last || (compared && spent))
+      else if (orders.Last || (compared && this->Evaluations >= this->MaximumEvaluations))
       {
         ++results[batch[item.Work.Item[3]]].Unconverged;
       }
@@ -400,7 +411,19 @@ bool SurfaceIntegrator::Internals::RunItems(int page, std::vector<WorkItem>& ite
   {
     BisectItem(items[index], children);
   }
-  return this->RunItems(page, children, batch, depth + 1, results);
+  // In portions that fit into the buffers; the results of a face add up in order.
+  const std::size_t portion = this->GetRowLimit();
+  for (std::size_t begin = 0; begin < children.size(); begin += portion)
+  {
+    const std::size_t end = std::min(begin + portion, children.size());
+    std::vector<WorkItem> part(children.begin() + static_cast<std::ptrdiff_t>(begin),
+      children.begin() + static_cast<std::ptrdiff_t>(end));
+    if (!this->RunItems(page, part, batch, depth + 1, results))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
@@ -414,8 +437,23 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
   }
   this->PlacementOffset = static_cast<unsigned int>(
     MaximumRuleSize * (MaximumRuleSize + 1) + batch.size() * this->Integrands.size());
-  return this->UploadParameters(tasks, batch, places) &&
-    this->RunItems(places[batch.front()].Page, items, batch, 0, results);
+  if (!this->UploadParameters(tasks, batch, places))
+  {
+    return false;
+  }
+  // More than one portion only for a face that alone exceeds the limit.
+  const std::size_t portion = this->GetRowLimit();
+  for (std::size_t begin = 0; begin < items.size(); begin += portion)
+  {
+    const std::size_t end = std::min(begin + portion, items.size());
+    std::vector<WorkItem> part(
+      items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end));
+    if (!this->RunItems(places[batch.front()].Page, part, batch, 0, results))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 SurfaceIntegrator::SurfaceIntegrator(vtkComputeContext* context)
@@ -510,8 +548,7 @@ bool SurfaceIntegrator::Integrate(
   }
   self.Report = progress;
   bool ok = true;
-  const std::size_t rowLimit =
-    self.Context->GetMaximumStorageBlockSize() / (self.Programs.GetStride() * sizeof(double));
+  const std::size_t rowLimit = self.GetRowLimit();
   for (const auto& [page, members] : pages)
   {
     std::vector<std::size_t> batch;
@@ -520,7 +557,7 @@ bool SurfaceIntegrator::Integrate(
     {
       const FacePanels& panels = *places[members[i]].Panels;
       const std::size_t more = panels.Panels.size() + panels.Ribbons.size() + panels.Caps.size();
-      if (!batch.empty() && items + more > std::min(ItemsPerBatch, rowLimit))
+      if (!batch.empty() && items + more > rowLimit)
       {
         ok = self.RunBatch(tasks, batch, places, results);
         batch.clear();
@@ -567,10 +604,5 @@ double SurfaceIntegrator::GetPrepareSeconds() const
 double SurfaceIntegrator::GetIntegrateSeconds() const
 {
   return this->Implementation->IntegrateSeconds;
-}
-
-std::uint64_t SurfaceIntegrator::GetUploads() const
-{
-  return this->Implementation->Resident.GetNumberOfUploads();
 }
 }

@@ -84,8 +84,6 @@ public:
   double GetStartSeconds() const;
   double GetPrepareSeconds() const;
   double GetIntegrateSeconds() const;
-  /// Faces cut and uploaded since construction.
-  std::uint64_t GetUploads() const;
 
 private:
   struct Internals;

@@ -36,6 +36,9 @@ enum
 
 constexpr double UnitRoundoff = 1.1102230246251565e-16;
 
+// The closed chain of a sound solid leaks rounding only: at most 2e-13 on 87 real files.
+constexpr double LargestLeak = 1e-9;
+
 std::vector<sm::Integrand> MakeIntegrands()
 {
   std::vector<sm::Integrand> integrands;
@@ -130,7 +133,7 @@ std::string FindUnmet(const sm::MassRow& row, double tolerance)
   std::string unmet;
   for (const auto& quantity : quantities)
   {
-    if (quantity.Bound > tolerance * std::abs(quantity.Scale))
+    if (std::isfinite(quantity.Scale) && !(quantity.Bound <= tolerance * std::abs(quantity.Scale)))
     {
       char text[128];
       std::snprintf(text, sizeof(text), "%s%s %.1e", unmet.empty() ? "" : ", ", quantity.Name,
@@ -193,6 +196,12 @@ void vtkMassPropertiesGPU::PrintSelf(ostream& os, vtkIndent indent)
 void vtkMassPropertiesGPU::RemoveAllIntegrands()
 {
   vtkWarningMacro("The integrands of the mass properties are fixed; use vtkSurfaceIntegralGPU for others.");
+}
+
+void vtkMassPropertiesGPU::ForgetLastRun()
+{
+  this->Superclass::ForgetLastRun();
+  this->Last->Row = sm::MassRow();
 }
 
 double vtkMassPropertiesGPU::GetVolume() const
@@ -264,6 +273,7 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
   {
     if (body.Value[VOLUME] < 0.0)
     {
+      body.InsideOut = true;
       body.Messages.push_back("the solid is inside out in the file; it was turned");
     }
     moments = GetMoments(body);
@@ -271,6 +281,24 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
     row.MovedByClosing = std::abs(body.Value[VOLUME] - body.FaceValue[VOLUME]);
     row.Leak =
       vtkMath::Norm(body.Value.data() + VECTOR_AREA) * std::cbrt(moments.Volume) / (3.0 * moments.Volume);
+    if (!body.IsSolid() && !(row.Leak <= LargestLeak))
+    {
+      // A surface whose border is no edge: a patch without loops.
+      body.Flag(sm::names::StatusOpen, "a surface, not a solid: it has an area and no volume");
+      row.Properties = sm::MassProperties();
+      row.MovedByClosing = row.Leak = vtkMath::Nan();
+      return row;
+    }
+    if (body.OpenEdges == 0 && !(row.Leak <= LargestLeak))
+    {
+      char leak[32];
+      std::snprintf(leak, sizeof(leak), "%.1e", row.Leak);
+      body.Flag(sm::names::StatusSuspect,
+        std::string(
+          "the faces do not close although every edge is shared: a loop is broken or a face is wrong. The "
+          "volume changes by ") +
+          leak + " of itself when the origin moves by its cube root");
+    }
     if (!(moments.Volume > moments.VolumeBound))
     {
       body.Flag(sm::names::StatusSuspect, "the volume is zero within its bound");
@@ -290,8 +318,20 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   // Instances are named in the length unit of the first; a reader gives all its bodies one unit.
   const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
   sm::MassRow& total = this->Last->Row;
-  total = sm::MassRow();
-  total.Mass = vtkMath::Nan();
+  if (!bodies.empty())
+  {
+    total.Area = total.AreaBound = total.MovedByClosing = total.GapSquared = total.GapArea = total.MaxGap =
+      0.0;
+  }
+  const bool oneUnit = std::all_of(bodies.begin(), bodies.end(),
+    [&unit](const sm::BodyIntegrals& body) { return body.Model->GetLengthUnit() == unit; });
+  if (!oneUnit)
+  {
+    // Cubic inches and cubic millimetres do not add up.
+    total = sm::MassRow();
+    this->Implementation->Last.Messages.push_back(
+      "the parts have different length units: there is no total; read all files with one OutputUnit");
+  }
   bool hasVolume = false;
   bool withMass = this->Density > 0.0;
   for (const sm::BodyIntegrals& body : bodies)
@@ -309,14 +349,14 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
     sm::Moments moments;
     sm::MassRow row = this->MakeRow(body, moments);
     const double density = this->Density > 0.0 ? this->Density : body.Model->GetDensity();
-    SetMass(row, density, unit);
+    SetMass(row, density, body.Model->GetLengthUnit());
     total.Area += row.Area;
     total.AreaBound += row.AreaBound;
     total.GapSquared += row.GapSquared;
     total.GapArea += row.GapArea;
     // Not std::max, which loses a NaN.
     total.MaxGap = row.MaxGap > total.MaxGap || std::isnan(row.MaxGap) ? row.MaxGap : total.MaxGap;
-    if (body.Faces && body.HasVolume())
+    if (std::isfinite(row.Properties.Volume))
     {
       total.MovedByClosing += row.MovedByClosing;
       for (int i = 0; i < 3; ++i)
@@ -337,7 +377,7 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
     }
     rows.push_back(row);
   }
-  if (hasVolume)
+  if (hasVolume && oneUnit)
   {
     total.Properties = sm::ComputeMassProperties(sum);
     total.Leak = vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
@@ -355,13 +395,11 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   }
   else
   {
-    total.MovedByClosing = total.Leak = vtkMath::Nan();
-    SetMass(total, 0.0, unit);
+    total.MovedByClosing = vtkMath::Nan();
   }
-  if (bodies.empty())
-  {
-    total.Area = total.AreaBound = total.GapSquared = total.GapArea = total.MaxGap = vtkMath::Nan();
-  }
+  this->Implementation->Last.Integrals = { { sm::names::Volume,
+                                             { total.Properties.Volume, total.Properties.VolumeBound } },
+    { sm::names::SurfaceArea, { total.Area, total.AreaBound } } };
 
   sm::MassColumns totalColumns(withMass);
   totalColumns.Append(total);
@@ -381,7 +419,7 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text,
     sm::FormatSummary(total, status, unit, static_cast<int>(bodies.size())));
-  sm::columns::AddFaceRows(bodies, this->Implementation->Integrands, faces);
+  sm::columns::AddFaceRows(bodies, this->Implementation->Integrands, faces, { VOLUME, AREA });
   this->MakeGlyphs(bodies, rows, totals);
 }
 
@@ -415,7 +453,7 @@ void vtkMassPropertiesGPU::MakeGlyphs(
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
     // The placed box of the part: its eight corners.
-    const double* b = bodies[i].Model->GetLocalBounds();
+    const std::array<double, 6> b = sm::GetBox(*bodies[i].Model);
     const double* origin = bodies[i].Model->GetOrigin();
     const std::array<double, 16>& m = bodies[i].Placement;
     for (int corner = 0; corner < 8; ++corner)

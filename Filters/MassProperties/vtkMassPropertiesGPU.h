@@ -13,7 +13,7 @@
  * | 0    | polydata | sphere at the centre of mass, and principal axes on request; field data as below   |
  * | 1    | table    | a row per solid instance with Name, Id and the same columns                        |
  * | 2    | table    | 1x1, column Text: a summary to show in a view                                      |
- * | 3    | table    | a row per face and instance: its part of volume and area                           |
+ * | 3    | table    | a row per face and instance: its area, and its part of the volume (flux about the part's origin) |
  *
  * Field data (smMassPropertyNames.h), each quantity with `<name>Bound`, one number in the quantity's unit:
  * | name                  | comp. | unit   | meaning                                                     |
@@ -104,6 +104,7 @@ protected:
   vtkMassPropertiesGPU();
   ~vtkMassPropertiesGPU() override;
 
+  void ForgetLastRun() override;
 #ifndef __VTK_WRAP__
   void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces) override;

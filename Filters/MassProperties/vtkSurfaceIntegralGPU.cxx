@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numeric>
 
 vtkStandardNewMacro(vtkSurfaceIntegralGPU);
 
@@ -85,6 +86,13 @@ void vtkSurfaceIntegralGPU::Internals::Add(vtkSurfaceIntegralGPU* self, const sm
   if (integrand.Name.empty() || exists)
   {
     vtkErrorWithObjectMacro(self, "The name '" << integrand.Name << "' of an integrand is empty or exists.");
+    return;
+  }
+  if (this->LocalTolerances)
+  {
+    vtkErrorWithObjectMacro(self,
+      "'" << integrand.Name << "' was not added: the integrands of " << self->GetClassName()
+          << " are fixed. Use vtkSurfaceIntegralGPU for others.");
     return;
   }
   this->Integrands.push_back(integrand);
@@ -225,6 +233,22 @@ double vtkSurfaceIntegralGPU::Internals::GetScale(
     (integrand.ClosedChain && integrand.Degree >= 0 ? sm::GetVolumeScale(model) : sm::GetAreaScale(model));
 }
 
+double vtkSurfaceIntegralGPU::Internals::GetReach(const sm::BodyIntegrals& body)
+{
+  const double* origin = body.Model->GetOrigin();
+  double squared = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    double x = body.Placement[4 * i + 3];
+    for (int j = 0; j < 3; ++j)
+    {
+      x += body.Placement[4 * i + j] * origin[j];
+    }
+    squared += x * x;
+  }
+  return std::sqrt(squared) + sm::GetRadius(*body.Model);
+}
+
 void vtkSurfaceIntegralGPU::Internals::AddTasks(
   const sm::BodyIntegrals& body, bool placed, double tolerance, std::vector<sm::FaceTask>& tasks) const
 {
@@ -234,7 +258,6 @@ void vtkSurfaceIntegralGPU::Internals::AddTasks(
   if (placed)
   {
     const double* origin = model.GetOrigin();
-    double squared = 0.0;
     for (int i = 0; i < 3; ++i)
     {
       double translation = body.Placement[4 * i + 3];
@@ -244,9 +267,8 @@ void vtkSurfaceIntegralGPU::Internals::AddTasks(
         translation += body.Placement[4 * i + j] * origin[j];
       }
       task.Placement[4 * i + 3] = translation;
-      squared += translation * translation;
     }
-    const double reach = std::sqrt(squared) + sm::GetRadius(model);
+    const double reach = GetReach(body);
     for (const sm::Integrand& integrand : this->Integrands)
     {
       task.Tolerances.push_back(tolerance * GetScale(integrand, model, reach));
@@ -327,7 +349,9 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   last.IntegrateSeconds = this->Integrator->GetIntegrateSeconds();
   if (!done)
   {
-    last.Messages.push_back("nothing was computed: " + this->Integrator->GetError());
+    last.Messages.push_back(this->Integrator->WasAborted()
+        ? "the run was aborted"
+        : "nothing was computed: " + this->Integrator->GetError());
     return false;
   }
   std::map<std::size_t, std::shared_ptr<const std::vector<sm::FaceIntegrals>>> sharedFaces;
@@ -345,11 +369,16 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   return true;
 }
 
+void vtkSurfaceIntegralGPU::ForgetLastRun()
+{
+  this->Implementation->Last = Internals::Run();
+}
+
 int vtkSurfaceIntegralGPU::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Internals::Run& last = this->Implementation->Last;
-  last = Internals::Run();
+  this->ForgetLastRun();
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
   sm::RejectedInput rejected;
   std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
@@ -396,7 +425,8 @@ int vtkSurfaceIntegralGPU::RequestData(
       body.FaceValue.assign(count, nan);
       body.Bound.assign(count, nan);
       body.GapSquared = body.GapArea = body.MaxGap = nan;
-      body.Status = sm::names::StatusToleranceNotMet;
+      sm::CheckTopology(body);
+      body.Flag(sm::names::StatusToleranceNotMet, "nothing was computed");
     }
   }
   this->ProduceOutputs(bodies, vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
@@ -445,14 +475,14 @@ void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodie
     sm::columns::Column bounds(name + sm::names::BoundSuffix, 1);
     for (sm::BodyIntegrals& body : bodies)
     {
-      double limit = 0.0;
-      for (const double scale : { sm::GetAreaScale(*body.Model), std::abs(body.Value[k]) })
+      const double scale = Internals::GetScale(integrands[k], *body.Model, Internals::GetReach(body));
+      if (body.Faces && !std::isfinite(body.Value[k]))
       {
-        limit = std::max(limit, scale * this->RelativeTolerance);
+        body.Flag(sm::names::StatusSuspect, name + " is not a finite number somewhere on the faces");
       }
-      if (body.Unconverged > 0 && body.Bound[k] > limit)
+      else if (body.Faces && !(body.Bound[k] <= this->RelativeTolerance * scale))
       {
-        body.Flag(sm::names::StatusToleranceNotMet, name + " did not converge to the tolerance");
+        body.Flag(sm::names::StatusToleranceNotMet, "the bound of " + name + " is above the tolerance");
       }
       values.Append(&body.Value[k]);
       bounds.Append(&body.Bound[k]);
@@ -470,5 +500,7 @@ void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodie
   }
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text, summary);
-  sm::columns::AddFaceRows(bodies, integrands, faces);
+  std::vector<int> all(integrands.size());
+  std::iota(all.begin(), all.end(), 0);
+  sm::columns::AddFaceRows(bodies, integrands, faces, all);
 }

@@ -141,6 +141,9 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 #ifndef __VTK_WRAP__
+  /** Makes the getters return what they do before the first run. Called at the start of every run. */
+  virtual void ForgetLastRun();
+
   /** Fills the four outputs from the results of all bodies. */
   virtual void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces);

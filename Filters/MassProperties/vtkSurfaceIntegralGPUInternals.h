@@ -54,6 +54,8 @@ struct vtkSurfaceIntegralGPU::Internals
   void AddTasks(
     const sm::BodyIntegrals& body, bool placed, double tolerance, std::vector<sm::FaceTask>& tasks) const;
   void FillRunData(vtkFieldData* data) const;
+  /// How far the body reaches from the world origin.
+  static double GetReach(const sm::BodyIntegrals& body);
   static double GetScale(const sm::Integrand& integrand, vtkTrimmedNURBSModel& model, double reach);
 };
 

@@ -48,7 +48,7 @@ private:
   std::uint32_t AddEdge(const BernsteinPiece<3>& piece);
 
   void AddLoop(const Loop& loop);
-  void AddCoedge(const Coedge& coedge, const Point2* loopStart, Point2& loopEnd);
+  void AddCoedge(const Coedge& coedge, const Point2* loopStart);
   void AddRibbons(const Coedge& coedge, int piece, std::uint32_t trim, const TrimSegment& segment);
   void AddPanel(
     const TrimSegment& segment, const BernsteinPiece<2>& piece, std::uint32_t trim, bool reversed);
@@ -308,7 +308,7 @@ void Builder::AddRibbons(const Coedge& coedge, int piece, std::uint32_t trim, co
   }
 }
 
-void Builder::AddCoedge(const Coedge& coedge, const Point2* loopStart, Point2& loopEnd)
+void Builder::AddCoedge(const Coedge& coedge, const Point2* loopStart)
 {
   const TrimCurve& curve = coedge.Curve;
   if (curve.GetNumberOfPieces() == 0 || coedge.Use->Curve.GetNumberOfPieces() == 0)
@@ -348,7 +348,6 @@ void Builder::AddCoedge(const Coedge& coedge, const Point2* loopStart, Point2& l
       this->AddRibbons(coedge, k, trim, segment);
     }
   }
-  loopEnd = this->Turn(coedge.Reversed ? curve.GetStartPoint() : curve.GetEndPoint());
 }
 
 void Builder::AddCap(const Point3& apex, const Point3& from, const Point3& to)
@@ -430,8 +429,7 @@ void Builder::AddLoop(const Loop& loop)
     const Point2 to = startOf(coedge);
     const bool joined = same(from, to);
     this->AddCorner(before, coedge, from, joined ? from : to);
-    Point2 end;
-    this->AddCoedge(coedge, joined ? &from : nullptr, end);
+    this->AddCoedge(coedge, joined ? &from : nullptr);
   }
 }
 

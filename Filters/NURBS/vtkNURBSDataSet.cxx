@@ -117,6 +117,12 @@ unsigned long vtkNURBSDataSet::GetActualMemorySize()
   return this->Superclass::GetActualMemorySize() + (this->Model ? this->Model->GetActualMemorySize() : 0);
 }
 
+vtkMTimeType vtkNURBSDataSet::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Model ? std::max(time, this->Model->GetMTime()) : time;
+}
+
 vtkNURBSDataSet* vtkNURBSDataSet::GetData(vtkInformation* info)
 {
   return info ? vtkNURBSDataSet::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT())) : nullptr;

@@ -57,6 +57,8 @@ public:
   void DeepCopy(vtkDataObject* source) override;
   void CopyStructure(vtkDataSet* source) override;
   unsigned long GetActualMemorySize() override;
+  /** Follows the model: an exchanged face runs the pipeline. */
+  vtkMTimeType GetMTime() override;
 
   static vtkNURBSDataSet* GetData(vtkInformation* info);
   static vtkNURBSDataSet* GetData(vtkInformationVector* vector, int index = 0);

@@ -24,6 +24,8 @@ struct ShapeInfo
   int FileId = 0;
   std::string Name;
   Vector3 Color{ -1.0, -1.0, -1.0 };
+  /// A shell that the file calls a solid; OpenCASCADE makes no solid of one that is not closed.
+  bool OpenSolid = false;
 };
 using ShapeTable = std::unordered_map<const TopoDS_TShape*, ShapeInfo>;
 

@@ -4,16 +4,36 @@
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <Interface_HGraph.hxx>
+#include <StepBasic_DerivedUnit.hxx>
+#include <StepBasic_DerivedUnitElement.hxx>
+#include <StepBasic_MeasureWithUnit.hxx>
 #include <StepGeom_GeometricRepresentationItem.hxx>
 #include <StepRepr_DefinitionalRepresentation.hxx>
 #include <StepRepr_ItemDefinedTransformation.hxx>
 #include <StepRepr_MappedItem.hxx>
+#include <StepRepr_MeasureRepresentationItem.hxx>
+#include <StepRepr_ProductDefinitionShape.hxx>
+#include <StepRepr_PropertyDefinition.hxx>
+#include <StepRepr_PropertyDefinitionRepresentation.hxx>
+#include <StepRepr_Representation.hxx>
+#include <StepRepr_RepresentationItem.hxx>
 #include <StepRepr_RepresentationMap.hxx>
+#include <StepRepr_RepresentedDefinition.hxx>
+#include <StepRepr_ShapeRepresentationRelationship.hxx>
 #include <StepShape_ConnectedFaceSet.hxx>
+#include <StepShape_ContextDependentShapeRepresentation.hxx>
 #include <StepShape_Face.hxx>
 #include <StepShape_HArray1OfFace.hxx>
+#include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <StepShape_TopologicalRepresentationItem.hxx>
+#include <StepVisual_FillAreaStyle.hxx>
+#include <StepVisual_FillAreaStyleColour.hxx>
+#include <StepVisual_StyledItem.hxx>
+#include <StepVisual_SurfaceSideStyle.hxx>
+#include <StepVisual_SurfaceStyleFillArea.hxx>
+#include <StepVisual_SurfaceStyleUsage.hxx>
+#include <TCollection_HAsciiString.hxx>
 
 #include <unordered_set>
 
@@ -23,13 +43,24 @@ namespace
 {
 using Entity = const Standard_Transient*;
 
+/// Entities that put a part into its assembly; without one of them the assembly is wrong.
+bool IsPlacing(const Handle(Standard_Transient) & entity)
+{
+  return entity->IsKind(STANDARD_TYPE(StepRepr_ItemDefinedTransformation)) ||
+    entity->IsKind(STANDARD_TYPE(StepRepr_ShapeRepresentationRelationship)) ||
+    entity->IsKind(STANDARD_TYPE(StepShape_ContextDependentShapeRepresentation)) ||
+    entity->IsKind(STANDARD_TYPE(StepShape_ShapeDefinitionRepresentation)) ||
+    entity->IsKind(STANDARD_TYPE(StepRepr_ProductDefinitionShape)) ||
+    entity->IsKind(STANDARD_TYPE(StepRepr_MappedItem)) ||
+    entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationMap));
+}
+
 /// Entities that the transfer of shapes follows.
 bool IsShapeEntity(const Handle(Standard_Transient) & entity)
 {
   return entity->IsKind(STANDARD_TYPE(StepGeom_GeometricRepresentationItem)) ||
     entity->IsKind(STANDARD_TYPE(StepShape_TopologicalRepresentationItem)) ||
-    entity->IsKind(STANDARD_TYPE(StepRepr_DefinitionalRepresentation)) ||
-    entity->IsKind(STANDARD_TYPE(StepRepr_ItemDefinedTransformation));
+    entity->IsKind(STANDARD_TYPE(StepRepr_DefinitionalRepresentation)) || IsPlacing(entity);
 }
 
 /// A name that is no string, or a value that the parser itself replaced, does no harm.
@@ -84,10 +115,7 @@ Damage FollowUsers(const Interface_Graph& graph, std::vector<Handle(Standard_Tra
       // Its missing faces are taken out of the list; it stays.
       continue;
     }
-    if (entity->IsKind(STANDARD_TYPE(StepRepr_ItemDefinedTransformation)) ||
-      entity->IsKind(STANDARD_TYPE(StepRepr_MappedItem)) ||
-      entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationMap)) ||
-      entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)))
+    if (IsPlacing(entity) || entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)))
     {
       damage.Fatal = entity;
     }
@@ -97,6 +125,36 @@ Damage FollowUsers(const Interface_Graph& graph, std::vector<Handle(Standard_Tra
     }
   }
   return damage;
+}
+
+/// A validation property with a hole in it. Real files have such holes in other properties, which nobody follows.
+bool IsBrokenValidation(const Handle(Standard_Transient) & entity)
+{
+  const auto property = Handle(StepRepr_PropertyDefinitionRepresentation)::DownCast(entity);
+  if (property.IsNull() || property->IsKind(STANDARD_TYPE(StepShape_ShapeDefinitionRepresentation)))
+  {
+    return false;
+  }
+  const Handle(StepRepr_PropertyDefinition) definition = property->Definition().PropertyDefinition();
+  const Handle(TCollection_HAsciiString) name =
+    definition.IsNull() ? Handle(TCollection_HAsciiString)() : definition->Name();
+  if (!name.IsNull() && name->String().Search("validation") < 0)
+  {
+    return false;
+  }
+  const Handle(StepRepr_Representation) values = property->UsedRepresentation();
+  if (values.IsNull() || values->Items().IsNull())
+  {
+    return true;
+  }
+  for (int i = 1; i <= values->NbItems(); ++i)
+  {
+    if (values->ItemsValue(i).IsNull())
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 std::string Number(const Handle(StepData_StepModel) & model, const Handle(Standard_Transient) & entity)
@@ -174,5 +232,32 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
     session->ComputeGraph(true);
   }
   return {};
+}
+
+Attributes FindDamagedAttributes(const Handle(StepData_StepModel) & model)
+{
+  Attributes damaged;
+  for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
+  {
+    const Handle(Standard_Transient)& entity = model->Value(i);
+    const bool color = entity->IsKind(STANDARD_TYPE(StepVisual_SurfaceSideStyle)) ||
+      entity->IsKind(STANDARD_TYPE(StepVisual_FillAreaStyleColour)) ||
+      entity->IsKind(STANDARD_TYPE(StepVisual_FillAreaStyle)) ||
+      entity->IsKind(STANDARD_TYPE(StepVisual_SurfaceStyleFillArea)) ||
+      entity->IsKind(STANDARD_TYPE(StepVisual_SurfaceStyleUsage)) ||
+      entity->IsKind(STANDARD_TYPE(StepVisual_StyledItem));
+    const bool unit = entity->IsKind(STANDARD_TYPE(StepRepr_MeasureRepresentationItem)) ||
+      entity->IsKind(STANDARD_TYPE(StepBasic_MeasureWithUnit)) ||
+      entity->IsKind(STANDARD_TYPE(StepBasic_DerivedUnit)) ||
+      entity->IsKind(STANDARD_TYPE(StepBasic_DerivedUnitElement));
+    if (color || unit)
+    {
+      const bool failed = !FindFailure(model, i).empty();
+      damaged.Colors = damaged.Colors || (color && failed);
+      damaged.Properties = damaged.Properties || (unit && failed);
+    }
+    damaged.Properties = damaged.Properties || IsBrokenValidation(entity);
+  }
+  return damaged;
 }
 }

@@ -20,6 +20,14 @@ namespace sm
  */
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
   const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
+
+/// Colours or properties (volumes, materials) whose entities have dangling references: not to be asked for.
+struct Attributes
+{
+  bool Colors = false;
+  bool Properties = false;
+};
+Attributes FindDamagedAttributes(const Handle(StepData_StepModel) & model);
 }
 
 #endif

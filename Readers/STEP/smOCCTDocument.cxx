@@ -12,13 +12,16 @@
 #include <TDF_Label.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <mutex>
@@ -54,7 +57,7 @@ public:
     shapes->GetFreeShapes(roots);
     for (const TDF_Label& label : roots)
     {
-      this->OnlySolids = this->OnlySolids || CountSolids(XCAFDoc_ShapeTool::GetShape(label)) > 0;
+      this->OnlySolids = this->OnlySolids || this->CountSolids(XCAFDoc_ShapeTool::GetShape(label)) > 0;
     }
     for (const TDF_Label& label : roots)
     {
@@ -75,12 +78,45 @@ private:
     double Density = 0.0;
   };
 
-  static int CountSolids(const TopoDS_Shape& shape)
+  static int CountFaces(const TopoDS_Shape& shape, TopAbs_ShapeEnum avoided)
+  {
+    int faces = 0;
+    for (TopExp_Explorer it(shape, TopAbs_FACE, avoided); it.More(); it.Next())
+    {
+      ++faces;
+    }
+    return faces;
+  }
+
+  bool IsOpenSolid(const TopoDS_Shape& shell) const
+  {
+    const auto info = this->Result.Table.find(shell.TShape().get());
+    return info != this->Result.Table.end() && info->second.OpenSolid;
+  }
+
+  /// What the file calls a solid and is closed at half of its edges or more is a solid with holes.
+  static bool IsMostlyClosed(const TopoDS_Shape& shell)
+  {
+    TopTools_IndexedDataMapOfShapeListOfShape users;
+    TopExp::MapShapesAndAncestors(shell, TopAbs_EDGE, TopAbs_FACE, users);
+    int open = 0;
+    for (const TopTools_ListOfShape& faces : users)
+    {
+      open += faces.Extent() == 1 ? 1 : 0;
+    }
+    return 2 * open <= users.Extent();
+  }
+
+  int CountSolids(const TopoDS_Shape& shape) const
   {
     int solids = 0;
     for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
     {
       ++solids;
+    }
+    for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
+    {
+      solids += this->IsOpenSolid(it.Current()) ? 1 : 0;
     }
     return solids;
   }
@@ -138,19 +174,34 @@ private:
     {
       this->AddBody(it.Current(), true, part, placement, color, node, bodies++);
     }
-    int loose = 0;
-    for (TopExp_Explorer it(shape, TopAbs_FACE, TopAbs_SOLID); it.More(); it.Next())
+    for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
     {
-      ++loose;
+      const bool open = this->IsOpenSolid(it.Current());
+      if (open || !this->OnlySolids)
+      {
+        const bool solid = open && IsMostlyClosed(it.Current());
+        if (open)
+        {
+          const std::string message = "Solid #" +
+            std::to_string(this->Result.Table.at(it.Current().TShape().get()).FileId) +
+            (solid ? " is not closed." : " is open at most of its edges and is read as a surface.");
+          std::vector<std::string>& said = this->Result.Messages;
+          if (std::find(said.begin(), said.end(), message) == said.end())
+          {
+            said.push_back(message);
+          }
+        }
+        this->AddBody(it.Current(), solid, part, placement, color, node, bodies++);
+      }
+      else
+      {
+        this->Result.FreeFaces += CountFaces(it.Current(), TopAbs_SHAPE);
+      }
     }
     if (this->OnlySolids)
     {
-      this->Result.FreeFaces += loose;
+      this->Result.FreeFaces += CountFaces(shape, TopAbs_SHELL);
       return;
-    }
-    for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
-    {
-      this->AddBody(it.Current(), false, part, placement, color, node, bodies++);
     }
     TopExp_Explorer faces(shape, TopAbs_FACE, TopAbs_SHELL);
     if (faces.More())
@@ -300,6 +351,19 @@ void Read(const std::string& fileName, const FileCheck& check, const std::functi
   if (!document.Problem.empty())
   {
     return;
+  }
+  const Attributes damaged = FindDamagedAttributes(model);
+  if (damaged.Colors)
+  {
+    reader.SetColorMode(false);
+    document.Messages.push_back("Entities of its colours are damaged: colours were not read.");
+  }
+  if (damaged.Properties)
+  {
+    reader.SetPropsMode(false);
+    reader.SetMatMode(false);
+    document.Messages.push_back(
+      "Entities of its properties are damaged: volumes and materials it states were not read.");
   }
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   const Handle(KernelProgress) progress =

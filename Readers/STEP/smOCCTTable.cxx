@@ -78,8 +78,10 @@ void AddEntity(const Handle(Standard_Transient) & entity, const Handle(StepData_
     name = item->Name()->ToCString();
     name = name == "NONE" ? "" : name;
   }
-  for (TopExp_Explorer it(shape, kind); it.More(); it.Next())
+  const bool open = kind == TopAbs_SOLID && !TopExp_Explorer(shape, TopAbs_SOLID).More();
+  for (TopExp_Explorer it(shape, open ? TopAbs_SHELL : kind); it.More(); it.Next())
   {
+    table[it.Current().TShape().get()].OpenSolid |= open;
     ShapeInfo& info = table[it.Current().TShape().get()];
     if (info.FileId == 0)
     {

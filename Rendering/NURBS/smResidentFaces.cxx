@@ -52,6 +52,13 @@ struct PageData
   }
 };
 
+std::size_t GetLargestBlock(const FacePanels& panels)
+{
+  return std::max(
+    { panels.Points.size() * sizeof(panels.Points[0]), panels.Patches.size() * sizeof(PatchRecord),
+      panels.Coefficients.size() * sizeof(double), panels.Caps.size() * 9 * sizeof(double) });
+}
+
 struct Page
 {
   ComputeBuffer Points;
@@ -207,6 +214,14 @@ bool ResidentFaces::Acquire(const std::vector<FacePointer>& faces, std::vector<R
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     const auto found = self.Faces.find(faces[i]->Id);
+    const auto slot = slots.find(faces[i]->Id);
+    if ((found != self.Faces.end() && found->second.Source != faces[i]) ||
+      (slot != slots.end() && faces[missing[slot->second]] != faces[i]))
+    {
+      self.Error = "two different faces have the id " + std::to_string(faces[i]->Id) +
+        "; give every new face an id of its own, sm::NewId()";
+      return false;
+    }
     if (found == self.Faces.end())
     {
       if (slots.emplace(faces[i]->Id, missing.size()).second)
@@ -246,8 +261,7 @@ bool ResidentFaces::Acquire(const std::vector<FacePointer>& faces, std::vector<R
     return true;
   };
 
-  // Half the limit, so that a page that a face has just filled still fits.
-  const auto blockLimit = static_cast<std::size_t>(self.Context->GetMaximumStorageBlockSize()) / 2;
+  const auto blockLimit = static_cast<std::size_t>(self.Context->GetMaximumStorageBlockSize());
   for (std::size_t begin = 0; begin < missing.size(); begin += CutsPerReport)
   {
     if (progress && !progress(static_cast<double>(begin) / missing.size()))
@@ -279,16 +293,28 @@ bool ResidentFaces::Acquire(const std::vector<FacePointer>& faces, std::vector<R
       const FacePointer& face = faces[missing[begin + i]];
       ResidentFace location;
       location.Error = errors[i];
+      location.Source = face;
       const bool turned = face->Surface.Degree[0] > face->Surface.Degree[1];
       location.Degree[0] = face->Surface.Degree[turned ? 1 : 0];
       location.Degree[1] = face->Surface.Degree[turned ? 0 : 1];
+      const std::size_t size = GetLargestBlock(*cut[i]);
+      if (size > blockLimit)
+      {
+        location.Error = "face #" + std::to_string(face->FileId) + " has " + std::to_string(size >> 20) +
+          " MiB of geometry, more than a storage block of this GPU may have";
+        *cut[i] = FacePanels();
+      }
+      else if (data.GetLargestBlock() + size > blockLimit && !flush())
+      {
+        return false;
+      }
       Append(*cut[i], data, location);
       cut[i]->Patches = {};
       cut[i]->Points = {};
       cut[i]->Coefficients = {};
       location.Panels = std::move(cut[i]);
       packed.emplace_back(face->Id, std::move(location));
-      if ((data.Items >= self.MaximumItems || data.GetLargestBlock() >= blockLimit) && !flush())
+      if (data.Items >= self.MaximumItems && !flush())
       {
         return false;
       }

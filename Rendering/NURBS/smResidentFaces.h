@@ -29,6 +29,8 @@ struct ResidentFace
   std::uint32_t FirstCap = 0;
   /// The work items. Patches, points and coefficients live on the GPU only and are empty here.
   std::shared_ptr<const FacePanels> Panels;
+  /// The face itself: an id stands for one face only.
+  FacePointer Source;
   /// Degrees of all patches of the face.
   int Degree[2] = { 1, 1 };
   /// Not empty: the face could not be cut; Panels is empty.

@@ -194,7 +194,9 @@ const std::vector<NamedSolid>& GetExactSolids()
 
 std::vector<Variant> GetVariants(const ExactSolid& solid)
 {
+  // Room for all, so that references to earlier ones stay valid.
   std::vector<Variant> variants;
+  variants.reserve(16);
   auto add = [&](const char* name) -> Variant&
   {
     variants.emplace_back();

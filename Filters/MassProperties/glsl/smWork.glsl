@@ -108,9 +108,11 @@ bool smFinish(uint index, smWorkRecord work, double values[SM_INTEGRANDS], doubl
   double scale = double(uintBitsToFloat(work.detail.w));
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
-    double error = 0.0LF;
+    // Not a number, or infinite: no order will mend it, and no bisection.
+    bool isNumber = results[k] - results[k] == 0.0LF;
+    double error = isNumber ? 0.0LF : results[k] - results[k];
     double difference = -1.0LF;
-    if (!isFirst)
+    if (!isFirst && isNumber)
     {
       difference = abs(results[k] - smRows[row + smValueColumn + k]);
       error = smEstimate(difference, smRows[row + smDifferenceColumn + k]);
