@@ -135,24 +135,51 @@ double GetMetres(const std::string& lengthUnit)
   return 0.0;
 }
 
+std::string FormatBound(double bound)
+{
+  if (!std::isfinite(bound) || bound <= 0.0)
+  {
+    return Format("%g", bound);
+  }
+  int exponent = static_cast<int>(std::floor(std::log10(bound)));
+  double digit = std::ceil(bound / std::pow(10.0, exponent));
+  if (digit > 9.0)
+  {
+    digit = 1.0;
+    ++exponent;
+  }
+  return Format("%.0fe%+03d", digit, exponent);
+}
+
+std::string FormatNumber(double value, double bound)
+{
+  if (!std::isfinite(bound))
+  {
+    return Format("%.6g", value);
+  }
+  if (std::abs(value) <= bound)
+  {
+    return "0";
+  }
+  const double ratio = bound > 0.0 ? std::log10(std::abs(value) / bound) : 12.0;
+  return Format("%.*g", std::clamp(static_cast<int>(std::floor(ratio)) + 1, 1, 12), value);
+}
+
 std::string FormatWithBound(double value, double bound, const std::string& unit)
 {
-  if (!std::isfinite(value))
-  {
-    return "not known";
-  }
-  int digits = 12;
-  if (bound > 0.0 && std::abs(value) > 0.0)
-  {
-    digits = std::clamp(static_cast<int>(std::floor(std::log10(std::abs(value) / bound))) + 1, 1, 12);
-  }
-  return Format("%.*g %s (+- %.0e)", digits, value, unit.c_str(), bound);
+  return std::isfinite(value) ? FormatNumber(value, bound) + " " + unit + " (+- " + FormatBound(bound) + ")"
+                              : std::string("not known");
 }
 
 std::string FormatSummary(
   const MassRow& total, const std::string& status, const std::string& unit, int solids)
 {
   const MassProperties& p = total.Properties;
+  const auto triple = [&unit](const std::array<double, 3>& values, double bound, const std::string& power)
+  {
+    return FormatNumber(values[0], bound) + "  " + FormatNumber(values[1], bound) + "  " +
+      FormatNumber(values[2], bound) + " " + unit + power + " (+- " + FormatBound(bound) + ")\n";
+  };
   std::string text;
   if (status != names::StatusOk)
   {
@@ -166,8 +193,8 @@ std::string FormatSummary(
   text += "Area: " + FormatWithBound(total.Area, total.AreaBound, unit + "^2") + "\n";
   if (std::isfinite(p.Center[0]))
   {
-    text += Format("Centre of mass: %.9g  %.9g  %.9g %s (+- %.0e)\n", p.Center[0], p.Center[1], p.Center[2],
-      unit.c_str(), p.CenterBound);
+    text += "Centre of mass: " + triple(p.Center, p.CenterBound, "");
+    text += "Principal moments: " + triple(p.Principal, p.PrincipalBound, "^5");
   }
   if (std::isfinite(total.Mass))
   {

@@ -52,10 +52,14 @@ private:
 /// Metres in a length unit as the reader names it ("mm", "inch", …); 0 when it is not known.
 double GetMetres(const std::string& lengthUnit);
 
-/// A value with no more digits than its bound leaves, and the bound.
+/// A bound with one digit, rounded up.
+std::string FormatBound(double bound);
+/// A value with no more digits than its bound leaves; 0 within its bound.
+std::string FormatNumber(double value, double bound);
+/// Value, unit and bound.
 std::string FormatWithBound(double value, double bound, const std::string& unit);
 
-/// A few lines: status, number of solids, volume, area, centre, mass.
+/// A few lines: status, number of solids, volume, area, centre, principal moments, mass.
 std::string FormatSummary(
   const MassRow& total, const std::string& status, const std::string& unit, int solids);
 }

@@ -193,6 +193,21 @@ void vtkMassPropertiesGPU::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GlyphPerSolid: " << this->GlyphPerSolid << "\n";
 }
 
+void vtkMassPropertiesGPU::SetDensity(double density)
+{
+  if (!std::isfinite(density) || density < 0.0)
+  {
+    vtkErrorMacro(
+      "SetDensity: " << density << " is no density; give kg/m^3, for example 7850 for steel, or 0.");
+    return;
+  }
+  if (this->Density != density)
+  {
+    this->Density = density;
+    this->Modified();
+  }
+}
+
 void vtkMassPropertiesGPU::RemoveAllIntegrands()
 {
   vtkWarningMacro("The integrands of the mass properties are fixed; use vtkSurfaceIntegralGPU for others.");

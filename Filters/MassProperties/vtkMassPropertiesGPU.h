@@ -56,8 +56,8 @@ public:
 
   ///@{
   /** Density of all solids in kg/m^3. 0 (default): the density each part's file states, if any; no mass
-   * without one. Negative values are clamped to 0. */
-  vtkSetClampMacro(Density, double, 0.0, VTK_DOUBLE_MAX);
+   * without one. A negative or infinite value, or not a number, is an error and changes nothing. */
+  void SetDensity(double density);
   vtkGetMacro(Density, double);
   ///@}
 

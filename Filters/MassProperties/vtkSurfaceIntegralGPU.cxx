@@ -46,6 +46,21 @@ void vtkSurfaceIntegralGPU::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Renderer: " << this->GetRenderer() << "\n";
 }
 
+void vtkSurfaceIntegralGPU::SetRelativeTolerance(double tolerance)
+{
+  if (std::isnan(tolerance))
+  {
+    vtkErrorMacro("SetRelativeTolerance: not a number; give a value in (0, 1], for example 1e-9.");
+    return;
+  }
+  const double clamped = std::clamp(tolerance, 1e-15, 1.0);
+  if (this->RelativeTolerance != clamped)
+  {
+    this->RelativeTolerance = clamped;
+    this->Modified();
+  }
+}
+
 void vtkSurfaceIntegralGPU::AddIntegrand(const std::string& name, const std::string& expression, int support)
 {
   if (expression.empty())

@@ -90,10 +90,10 @@ public:
   ///@{
   /**
    * Tolerance of every integral relative to the scale of its solid (volume or area times the matching power
-   * of its size). Range (0, 1], clamped to [1e-15, 1]. Default 1e-9. Unmet: Status tolerance-not-met, the
+   * of its size). Range (0, 1], clamped to [1e-15, 1]; not a number is an error and changes nothing. Default 1e-9. Unmet: Status tolerance-not-met, the
    * value and its true bound are kept.
    */
-  vtkSetClampMacro(RelativeTolerance, double, 1e-15, 1.0);
+  void SetRelativeTolerance(double tolerance);
   vtkGetMacro(RelativeTolerance, double);
   ///@}
 

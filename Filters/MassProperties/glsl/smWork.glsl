@@ -51,6 +51,8 @@ const uint SM_STRIDE = smDifferenceColumn + uint(SM_INTEGRANDS);
 // u: half the spacing of doubles at 1.
 const double smUnitRoundoff = 1.1102230246251565e-16LF;
 
+const double smLargest = 1.7976931348623157e308LF;
+
 dvec2 smRule(int count, int index)
 {
   uint at = uint(count * (count - 1) + 2 * index);
@@ -108,9 +110,9 @@ bool smFinish(uint index, smWorkRecord work, double values[SM_INTEGRANDS], doubl
   double scale = double(uintBitsToFloat(work.detail.w));
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
-    // Not a number, or infinite: no order will mend it, and no bisection.
-    bool isNumber = results[k] - results[k] == 0.0LF;
-    double error = isNumber ? 0.0LF : results[k] - results[k];
+    // Not a number, or infinite: no order and no bisection will mend it, so it counts as converged, with that error.
+    bool isNumber = abs(results[k]) <= smLargest;
+    double error = isNumber ? 0.0LF : abs(results[k]);
     double difference = -1.0LF;
     if (!isFirst && isNumber)
     {
@@ -118,7 +120,7 @@ bool smFinish(uint index, smWorkRecord work, double values[SM_INTEGRANDS], doubl
       error = smEstimate(difference, smRows[row + smDifferenceColumn + k]);
       // Differences of the size of rounding say nothing more.
       converged = converged &&
-        error <= scale * smParameters[tolerance + k] + 10.0LF * noises[smRoundingOf[k]];
+        !(error > scale * smParameters[tolerance + k] + 10.0LF * noises[smRoundingOf[k]]);
     }
     smRows[row + smValueColumn + k] = results[k];
     smRows[row + smErrorColumn + k] = error;
