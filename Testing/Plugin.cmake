@@ -9,6 +9,9 @@ endif ()
 solidmoments_add_test(NAME PluginMassProperties LABELS plugin value XVFB
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginMassProperties.py"
     "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
+solidmoments_add_test(NAME PluginApply LABELS plugin XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginApply.py"
+    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}/slanted_hole-moved.step")
 solidmoments_add_test(NAME PluginDefaults LABELS plugin NODISPLAY
   ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginDefaults.py"
