@@ -18,6 +18,10 @@ solidmoments_packages() {
   echo libglm-dev libcli11-dev nlohmann-json3-dev
 }
 
+solidmoments_has_tools() {
+  command -v cmake >/dev/null 2>&1 && command -v ninja >/dev/null 2>&1 && command -v g++ >/dev/null 2>&1
+}
+
 solidmoments_step() {
   _log=$1 _title=$2
   shift 2
@@ -38,8 +42,8 @@ solidmoments_install() {
   if ! command -v apt-get >/dev/null 2>&1 || ! command -v dpkg-query >/dev/null 2>&1; then
     echo "This machine has no apt-get. Needed are the equivalents of these Debian 12 packages:" >&2
     solidmoments_packages | fold -s -w 100 >&2
-    if command -v cmake >/dev/null 2>&1 && command -v ninja >/dev/null 2>&1; then
-      echo "cmake and ninja are here; going on with what is installed." >&2
+    if solidmoments_has_tools; then
+      echo "cmake, ninja and g++ are here; going on with what is installed." >&2
       return 0
     fi
     exit 1
@@ -48,7 +52,8 @@ solidmoments_install() {
   _missing=
   for _package in $(solidmoments_packages); do
     case $(dpkg-query -W -f='${db:Status-Abbrev}' "$_package" 2>/dev/null) in
-      ii*) ;;
+      # Held packages are "hi": what counts is the second letter, installed.
+      ?i*) ;;
       *) _missing="$_missing $_package" ;;
     esac
   done
@@ -58,7 +63,11 @@ solidmoments_install() {
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null 2>&1; then
       echo "Packages are missing, and installing them needs root or sudo. As root, run:" >&2
-      echo "  apt-get install --no-install-recommends$_missing" >&2
+      echo "  apt-get update && apt-get install --no-install-recommends$_missing" >&2
+      if solidmoments_has_tools; then
+        echo "cmake, ninja and g++ are here; going on with what is installed." >&2
+        return 0
+      fi
       exit 1
     fi
     _sudo=sudo

@@ -6,11 +6,24 @@ solidmoments_add_test(NAME ExampleMassPropertiesPipeline LABELS gpu image NODISP
 solidmoments_add_test(NAME ExampleMassPropertiesPipelineDisplay LABELS gpu image XVFB
   COMMAND MassPropertiesPipeline "${sample_part}" "${SOLIDMOMENTS_TEST_OUTPUT}/pipeline_display.png")
 
+# A display that does not answer, and a part with nothing in it: sentences, no crash and no picture.
+solidmoments_add_test(NAME ExampleMassPropertiesPipelineDeadDisplay LABELS error NODISPLAY
+  COMMAND "${CMAKE_COMMAND}" -E env DISPLAY=:77 $<TARGET_FILE:MassPropertiesPipeline> "${sample_part}")
+set_tests_properties(ExampleMassPropertiesPipelineDeadDisplay PROPERTIES
+  PASS_REGULAR_EXPRESSION "Name a picture to write")
+solidmoments_add_test(NAME ExampleMassPropertiesPipelineEmpty LABELS error NODISPLAY
+  COMMAND MassPropertiesPipeline "${SOLIDMOMENTS_TEST_SOLIDS}/no_geometry.step"
+    "${SOLIDMOMENTS_TEST_OUTPUT}/pipeline_empty.png")
+set_tests_properties(ExampleMassPropertiesPipelineEmpty PROPERTIES
+  PASS_REGULAR_EXPRESSION "There is nothing to show" FAIL_REGULAR_EXPRESSION "volume")
+
 set(command_line_test "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestCommandLine.py"
   --program "$<TARGET_FILE:solidmoments>" --solids "${SOLIDMOMENTS_TEST_SOLIDS}"
   --output "${SOLIDMOMENTS_TEST_OUTPUT}" --sample "${sample_part}")
 solidmoments_add_test(NAME CommandLine LABELS value error NODISPLAY COMMAND ${command_line_test} results)
 solidmoments_add_test(NAME CommandLineErrors LABELS error NODISPLAY COMMAND ${command_line_test} errors)
+solidmoments_add_test(NAME CommandLineOutputs LABELS error NODISPLAY COMMAND ${command_line_test} outputs)
+solidmoments_add_test(NAME CommandLinePackages LABELS package NODISPLAY COMMAND ${command_line_test} packages)
 solidmoments_add_test(NAME CommandLinePicture LABELS image NODISPLAY COMMAND ${command_line_test} picture)
 solidmoments_add_test(NAME CommandLinePictureDisplay LABELS image XVFB COMMAND ${command_line_test} picture)
 solidmoments_add_test(NAME CommandLineNoContext LABELS error gpu NODISPLAY

@@ -2,13 +2,16 @@
 
 #include "smArguments.h"
 #include "smIsolatedJob.h"
+#include "smOutputFiles.h"
 #include "smReport.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <fcntl.h>
 #include <fstream>
 #include <iostream>
 #include <unistd.h>
+#include <utility>
 
 namespace
 {
@@ -47,6 +50,20 @@ private:
 
 // --- output ------------------------------------------------------------------------------------
 
+/// The results and a child's pipe never take the place of a standard stream that was closed by the caller: writing to
+/// such an output then fails as it should.
+void HoldStandardStreams()
+{
+  for (const auto& [stream, mode] : { std::pair(STDIN_FILENO, O_RDONLY), std::pair(STDOUT_FILENO, O_RDONLY),
+         std::pair(STDERR_FILENO, O_WRONLY) })
+  {
+    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", mode) < 0)
+    {
+      _exit(sm::UsageOrOutput);
+    }
+  }
+}
+
 bool Save(const std::string& name, const std::string& text)
 {
   if (name == "-")
@@ -70,6 +87,21 @@ int Worse(int a, int b)
   return a == sm::AllOk ? b : b == sm::AllOk ? a : std::min(a, b);
 }
 
+/// Why there are no numbers: the sentence that says so, or else the last one.
+std::string FindReason(const sm::Json& file)
+{
+  std::string reason;
+  for (const sm::Json& message : file["messages"])
+  {
+    reason = message.get<std::string>();
+    if (reason.rfind("nothing was computed: ", 0) == 0)
+    {
+      break;
+    }
+  }
+  return reason;
+}
+
 /// What a person sees of a file that is finished.
 void Print(const sm::Json& file, bool showTable, bool isFirst)
 {
@@ -77,12 +109,17 @@ void Print(const sm::Json& file, bool showTable, bool isFirst)
   {
     std::cout << (isFirst ? "" : "\n") << sm::FormatTable(file) << std::flush;
   }
-  else if (file["status"] == "unreadable")
+  else if (file["total"]["area"].is_null())
   {
-    const sm::Json& messages = file["messages"];
-    sm::Complain(file["file"].get<std::string>() + " is unreadable" +
-      (messages.empty() ? "" : ": " + messages.back().get<std::string>()));
+    const std::string reason = FindReason(file);
+    sm::Complain(file["file"].get<std::string>() + " is " + file["status"].get<std::string>() +
+      (reason.empty() ? "" : ": " + reason));
   }
+}
+
+std::string Describe(const std::string& output)
+{
+  return output == "-" ? "the standard output" : output;
 }
 
 int WriteOutputs(const sm::Arguments& arguments, const sm::Json& files)
@@ -91,11 +128,11 @@ int WriteOutputs(const sm::Arguments& arguments, const sm::Json& files)
   if (!arguments.Json.empty() &&
     !Save(arguments.Json, sm::FormatJson({ { "version", 1 }, { "files", files } })))
   {
-    exitStatus = sm::Complain(arguments.Json + " cannot be written");
+    exitStatus = sm::Complain(Describe(arguments.Json) + " cannot be written");
   }
   if (!arguments.Csv.empty() && !Save(arguments.Csv, sm::FormatCsv(files)))
   {
-    exitStatus = sm::Complain(arguments.Csv + " cannot be written");
+    exitStatus = sm::Complain(Describe(arguments.Csv) + " cannot be written");
   }
   return exitStatus;
 }
@@ -132,6 +169,10 @@ int Run(const sm::Arguments& arguments)
     Print(outcome.File, showTable, i == 0);
     files.push_back(std::move(outcome.File));
   }
+  if (showTable && !std::cout)
+  {
+    exitStatus = Worse(exitStatus, sm::Complain("the table cannot be written to the standard output"));
+  }
   exitStatus = Worse(exitStatus, WriteOutputs(arguments, files));
   if (sm::IsInterrupted())
   {
@@ -144,7 +185,12 @@ int Run(const sm::Arguments& arguments)
 
 int main(int argc, char** argv)
 {
+  HoldStandardStreams();
   sm::Arguments arguments;
   const std::optional<int> done = sm::ParseArguments(argc, argv, arguments);
-  return done ? *done : Run(arguments);
+  if (!done)
+  {
+    return Run(arguments);
+  }
+  return std::cout.flush() ? *done : sm::Complain("the standard output cannot be written");
 }

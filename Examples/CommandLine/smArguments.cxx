@@ -1,16 +1,15 @@
 #include "smArguments.h"
 
+#include "smOutputFiles.h"
 #include "smVersion.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
-#include <map>
 #include <set>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace
 {
@@ -28,10 +27,11 @@ Examples:
 
 Exit status:
   0  all files computed with status ok
-  1  wrong usage, or an output asked for (JSON, CSV, PNG) could not be written
+  1  wrong usage, or an output (table, JSON, CSV, PNG) could not be written
   2  some file is unreadable
   3  some result is flagged: open, tolerance-not-met, suspect, empty
-The first of 1, 2, 3 that applies; 130 after Ctrl-C, and then the outputs hold the files finished before.)";
+The first of 1, 2, 3 that applies. 130 after Ctrl-C, 143 when told to end (SIGTERM): then the outputs hold
+the files finished before.)";
 
 std::string CheckScheme(const std::string& name)
 {
@@ -56,19 +56,9 @@ std::string CheckBackend(const std::string& name)
 std::string CheckUnit(const std::string& name)
 {
   const std::set<std::string> known = { "mm", "cm", "m", "um", "inch", "in", "ft", "file" };
-  return known.count(name) ? "" : "there is no unit " + name + "; use mm, cm, m, um, inch, ft or file";
-}
-
-/// Whether an output can be written, asked before the work and not an hour later.
-std::string CheckOutput(const std::string& name)
-{
-  const size_t slash = name.find_last_of('/');
-  const std::string folder = slash == std::string::npos ? "." : name.substr(0, slash + 1);
-  struct stat info = {};
-  const bool exists = stat(name.c_str(), &info) == 0;
-  const bool good = exists ? !S_ISDIR(info.st_mode) && access(name.c_str(), W_OK) == 0
-                           : stat(folder.c_str(), &info) == 0 && access(folder.c_str(), W_OK) == 0;
-  return good ? "" : name + " cannot be written";
+  return known.count(sm::LowerCase(name))
+    ? ""
+    : "there is no unit " + name + "; use mm, cm, m, um, inch, ft or file";
 }
 
 /// NaN when the text is not a number from end to end.
@@ -134,6 +124,36 @@ void Declare(CLI::App& app, sm::Arguments& arguments)
   app.set_version_flag("--version", std::string("solidmoments ") + sm::Version);
   app.footer(Footer);
 }
+
+/// What is wrong with arguments that are well-formed one by one; empty when nothing is.
+std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
+{
+  if (std::count(arguments.Files.begin(), arguments.Files.end(), "") > 0)
+  {
+    return "a file name is empty; name a STEP file";
+  }
+  for (const char* option : { "--json", "--csv", "--png" })
+  {
+    if (app.count(option) > 0 && app[option]->as<std::string>().empty())
+    {
+      return std::string("the file name of ") + option + " is empty";
+    }
+  }
+  if (arguments.Json == "-" && arguments.Csv == "-")
+  {
+    return "only one of --json and --csv can go to standard output";
+  }
+  if (arguments.Picture == "-")
+  {
+    return "a picture needs a file: --png cannot go to standard output";
+  }
+  const std::string picture = sm::LowerCase(arguments.Picture);
+  if (!picture.empty() && (picture.size() < 4 || picture.compare(picture.size() - 4, 4, ".png") != 0))
+  {
+    return "--png writes PNG files only: the name must end in .png, and " + arguments.Picture + " does not";
+  }
+  return sm::CheckOutputs(arguments);
+}
 }
 
 namespace sm
@@ -152,25 +172,15 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   {
     return app.exit(error) == 0 ? AllOk : UsageOrOutput;
   }
+  const std::string problem = FindProblem(app, arguments);
+  if (!problem.empty())
+  {
+    return Complain(problem);
+  }
+  arguments.Job.Unit = LowerCase(arguments.Job.Unit);
   if (arguments.Job.Unit == "in")
   {
     arguments.Job.Unit = "inch";
-  }
-  if (arguments.Json == "-" && arguments.Csv == "-")
-  {
-    return Complain("only one of --json and --csv can go to standard output");
-  }
-  if (arguments.Picture == "-")
-  {
-    return Complain("a picture needs a file: --png cannot go to standard output");
-  }
-  for (const std::string& output : { arguments.Json, arguments.Csv, arguments.Picture })
-  {
-    const std::string problem = output.empty() || output == "-" ? std::string() : CheckOutput(output);
-    if (!problem.empty())
-    {
-      return Complain(problem);
-    }
   }
   return std::nullopt;
 }
@@ -181,33 +191,18 @@ int Complain(const std::string& what)
   return UsageOrOutput;
 }
 
+std::string LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
 std::string Stem(const std::string& path)
 {
   const size_t slash = path.find_last_of('/');
   const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
   const size_t dot = name.find_last_of('.');
   return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
-}
-
-std::vector<std::string> PictureNames(const Arguments& arguments)
-{
-  std::vector<std::string> names(arguments.Files.size(), arguments.Picture);
-  if (arguments.Picture.empty() || names.size() == 1)
-  {
-    return names;
-  }
-  const size_t slash = arguments.Picture.find_last_of('/');
-  const size_t dot = arguments.Picture.find_last_of('.');
-  const bool hasExtension = dot != std::string::npos && (slash == std::string::npos || dot > slash);
-  const std::string base = arguments.Picture.substr(0, hasExtension ? dot : std::string::npos);
-  std::map<std::string, int> seen;
-  for (size_t i = 0; i < names.size(); ++i)
-  {
-    const std::string stem = Stem(arguments.Files[i]);
-    const int count = ++seen[stem];
-    names[i] = base + "-" + stem + (count > 1 ? "-" + std::to_string(count) : "") +
-      (hasExtension ? arguments.Picture.substr(dot) : "");
-  }
-  return names;
 }
 }

@@ -40,12 +40,11 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments);
 /// Says `what` on the standard error; returns UsageOrOutput.
 int Complain(const std::string& what);
 
+/// Letters beyond ASCII stay as they are.
+std::string LowerCase(std::string text);
+
 /// "bracket" from "parts/bracket.step".
 std::string Stem(const std::string& path);
-
-/// The picture of every file: "out.png" for a single one; of several "out-bracket.png", and "out-bracket-2.png" for a
-/// second bracket.
-std::vector<std::string> PictureNames(const Arguments& arguments);
 }
 
 #endif

@@ -2,18 +2,17 @@
 
 #include "smMassPropertyNames.h"
 #include "smMessageCollector.h"
+#include "smMessageList.h"
 #include "smPicture.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkComputeContext.h"
 #include "vtkDataArray.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkLogger.h"
 #include "vtkMassPropertiesGPU.h"
-#include "vtkNURBSDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
@@ -21,10 +20,8 @@
 #include "vtkSTEPReader.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
-#include "vtkTrimmedNURBSModel.h"
 #include "vtkVariant.h"
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 
@@ -153,25 +150,6 @@ Json EmptyFile(const std::string& fileName)
   return file;
 }
 
-bool Says(const Json& file, const std::string& text)
-{
-  const Json& messages = file["messages"];
-  return std::any_of(messages.begin(), messages.end(),
-    [&text](const Json& message) { return message.get<std::string>().find(text) != std::string::npos; });
-}
-
-/// Adds what was not said before; an error of VTK's repeats a message with the file's name around it.
-void AddMessage(Json& file, const std::string& message)
-{
-  Json& messages = file["messages"];
-  const auto isPart = [&message](const Json& old)
-  { return message.find(old.get<std::string>()) != std::string::npos; };
-  if (!message.empty() && !Says(file, message) && std::none_of(messages.begin(), messages.end(), isPart))
-  {
-    messages.push_back(message);
-  }
-}
-
 // --- progress ----------------------------------------------------------------------------------
 
 /// Tells the listener about the progress of an algorithm while it lives.
@@ -214,30 +192,9 @@ private:
 
 // --- the job -----------------------------------------------------------------------------------
 
-/// What the reader noted about single bodies.
-void AddBodyMessages(vtkSTEPReader* reader, Json& file)
-{
-  auto iterator = vtkSmartPointer<vtkDataObjectTreeIterator>::New();
-  iterator->SetDataSet(vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0)));
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    auto* leaf = vtkNURBSDataSet::SafeDownCast(iterator->GetCurrentDataObject());
-    vtkTrimmedNURBSModel* model = leaf ? leaf->GetModel() : nullptr;
-    if (model)
-    {
-      for (const std::string& message : model->GetMessages())
-      {
-        if (!Says(file, model->GetName()) || !Says(file, message))
-        {
-          AddMessage(file, model->GetName().empty() ? message : model->GetName() + ": " + message);
-        }
-      }
-    }
-  }
-}
-
 /// Reads the file; false when there is nothing to integrate, and then the entry says why.
-bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& tell, Json& file)
+bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& tell, Json& file,
+  sm::MessageList& messages)
 {
   reader->SetFileName(options.FileName.c_str());
   reader->SetOutputUnit(options.Unit);
@@ -249,16 +206,12 @@ bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobLis
   // All that comes after OpenCASCADE has the shape in memory counts as preparing, the display mesh too.
   file["seconds"]["prepare"] = reader->GetMeshSeconds() + reader->GetConversionSeconds();
   file["status"] = reader->GetStatusAsString();
-  for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
-  {
-    AddMessage(file, reader->GetMessage(i));
-  }
+  messages.AddReader(reader);
   if (reader->GetStatus() != vtkSTEPReader::OK && reader->GetStatus() != vtkSTEPReader::EMPTY)
   {
     file["status"] = names::StatusUnreadable;
     return false;
   }
-  AddBodyMessages(reader, file);
   file["length_unit"] = reader->GetLengthUnit();
   file["faces"] = 0;
   file["free_faces"] = reader->GetNumberOfFreeFaces();
@@ -277,7 +230,8 @@ vtkSmartPointer<vtkMassPropertiesGPU> MakeFilter(vtkSTEPReader* reader, const sm
   return filter;
 }
 
-void Integrate(vtkMassPropertiesGPU* filter, const sm::JobListener& tell, Json& file)
+void Integrate(
+  vtkMassPropertiesGPU* filter, const sm::JobListener& tell, Json& file, sm::MessageList& messages)
 {
   {
     ProgressScope progress(filter, "integrate", tell);
@@ -286,10 +240,7 @@ void Integrate(vtkMassPropertiesGPU* filter, const sm::JobListener& tell, Json& 
   vtkFieldData* fields = filter->GetOutput()->GetFieldData();
   file["length_unit"] = Text(fields, 0, names::LengthUnit);
   file["status"] = filter->GetStatus();
-  for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
-  {
-    AddMessage(file, filter->GetMessage(i));
-  }
+  messages.AddFilter(filter);
   file["backend"] = filter->GetBackend();
   file["renderer"] = filter->GetRenderer();
   file["total"] = Quantities(fields, 0);
@@ -325,16 +276,18 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
 
   Json file = EmptyFile(options.FileName);
   vtkNew<vtkSTEPReader> reader;
-  const bool isRead = Read(reader, options, tell, file);
+  sm::MessageList messages;
+  const bool isRead = Read(reader, options, tell, file, messages);
   const auto filter = MakeFilter(reader, options);
   if (isRead)
   {
-    Integrate(filter, tell, file);
+    Integrate(filter, tell, file, messages);
   }
   for (const std::string& message : collector->GetMessages())
   {
-    AddMessage(file, message);
+    messages.AddEcho(message);
   }
+  file["messages"] = messages.Get();
   tell({ { "result", file } });
   if (!options.PictureName.empty() && isRead)
   {
@@ -349,21 +302,29 @@ namespace sm
 {
 void RunFileJob(const JobOptions& options, const JobListener& tell)
 {
+  // A result that was told stands, whatever happens to the picture.
+  bool isTold = false;
   try
   {
-    Run(options, tell);
+    Run(options,
+      [&](const Json& message)
+      {
+        tell(message);
+        isTold = isTold || message.contains("result");
+      });
   }
   catch (const std::exception& error)
   {
-    tell({ { "result",
-      UnreadableFile(options.FileName, std::string("stopped by an error: ") + error.what()) } });
+    const std::string reason = std::string("stopped by an error: ") + error.what();
+    tell(isTold ? Json{ { "picture", reason } }
+                : Json{ { "result", UnreadableFile(options.FileName, reason) } });
   }
 }
 
 Json UnreadableFile(const std::string& fileName, const std::string& message)
 {
   Json file = EmptyFile(fileName);
-  AddMessage(file, message);
+  file["messages"].push_back(message);
   return file;
 }
 }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #ifdef __linux__
@@ -13,11 +14,11 @@
 
 namespace
 {
-volatile std::sig_atomic_t Interrupted = 0;
+volatile std::sig_atomic_t Interrupted = 0; ///< the signal
 
-void OnInterrupt(int)
+void OnInterrupt(int number)
 {
-  Interrupted = 1;
+  Interrupted = number;
 }
 
 /// One line of JSON. Names in files may be in any encoding: what is not UTF-8 is replaced, not refused.
@@ -39,6 +40,7 @@ void WriteLine(int descriptor, const sm::Json& message)
 [[noreturn]] void RunChild(const sm::JobOptions& options, int descriptor)
 {
   std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
@@ -141,6 +143,13 @@ namespace sm
 {
 JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& progress)
 {
+  struct stat info = {};
+  if (stat(options.FileName.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+  {
+    // Reading a pipe or a device may never end.
+    return { UnreadableFile(options.FileName, "Cannot read " + options.FileName + ": not a regular file."),
+      {} };
+  }
   int ends[2];
   if (pipe(ends) != 0)
   {
@@ -172,6 +181,11 @@ JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& pro
 
   JobOutcome outcome;
   outcome.File = listener.Result;
+  if (outcome.File.is_object())
+  {
+    // What came through the pipe has lost the bytes that are not UTF-8.
+    outcome.File["file"] = options.FileName;
+  }
   if (Interrupted)
   {
     return outcome;
@@ -204,6 +218,7 @@ void CatchInterrupt()
   struct sigaction action = {};
   action.sa_handler = OnInterrupt; // without SA_RESTART: a blocked read must return
   sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
 }
 
 bool IsInterrupted()
@@ -213,8 +228,9 @@ bool IsInterrupted()
 
 void EndByInterrupt()
 {
-  std::signal(SIGINT, SIG_DFL);
-  raise(SIGINT);
-  _exit(130);
+  const int number = Interrupted;
+  std::signal(number, SIG_DFL);
+  raise(number);
+  _exit(128 + number);
 }
 }

@@ -23,10 +23,10 @@ using ProgressListener = std::function<void(const std::string& stage, double fra
 /// Runs the job in a child and waits for it. Call from a process with one thread.
 JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& progress);
 
-/// From now on Ctrl-C ends the job that runs and is remembered, instead of ending this process at once.
+/// From now on Ctrl-C and SIGTERM end the job that runs and are remembered, instead of ending this process at once.
 void CatchInterrupt();
 bool IsInterrupted();
-/// Ends this process by the interrupt that was caught, as a shell expects it.
+/// Ends this process by the signal that was caught, as a shell expects it.
 [[noreturn]] void EndByInterrupt();
 }
 

@@ -104,10 +104,17 @@ vtkSmartPointer<vtkActor> AddActor(
   return actor;
 }
 
+/// Text of a file name may be in any encoding; VTK's fonts take UTF-8 only.
+std::string MakeUtf8(const std::string& text)
+{
+  using sm::Json;
+  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
 void AddText(vtkRenderer* renderer, const std::string& text, int size, bool bold, int height, bool fromTop)
 {
   vtkNew<vtkTextActor> actor;
-  actor->SetInput(text.c_str());
+  actor->SetInput(MakeUtf8(text).c_str());
   vtkTextProperty* style = actor->GetTextProperty();
   style->SetFontSize(size);
   style->SetBold(bold);

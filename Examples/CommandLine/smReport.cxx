@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace
 {
@@ -65,6 +66,25 @@ std::string Short(const Json& value)
   return value.is_number() ? Print("%.*g", 2, value.get<double>()) : "-";
 }
 
+/// Two digits that are not below the bound.
+std::string ShortBound(const Json& value)
+{
+  if (!value.is_number())
+  {
+    return "-";
+  }
+  const double bound = value.get<double>();
+  double shown = bound;
+  std::string text = Print("%.*g", 2, shown);
+  while (std::strtod(text.c_str(), nullptr) < bound)
+  {
+    // Half a unit of the second digit is at most a twentieth of the number.
+    shown *= 1.01;
+    text = Print("%.*g", 2, shown);
+  }
+  return text;
+}
+
 // --- the table ---------------------------------------------------------------------------------
 
 std::string Row(
@@ -77,7 +97,7 @@ std::string Row(
   }
   if (bound.is_number())
   {
-    line = Pad(line, 80) + "  +/- " + Short(bound);
+    line = Pad(line, 80) + "  +/- " + ShortBound(bound);
   }
   return line + "\n";
 }
@@ -120,7 +140,7 @@ std::string Doubt(const Json& total, const Json& file)
   if (total["moved_by_closing"].is_number() && total["moved_by_closing"].get<double>() > 0.0)
   {
     text += Row("model's gaps",
-      "widest " + Short(total["max_gap"]) + " " + sm::FormatUnit(file, 1) +
+      "widest " + ShortBound(total["max_gap"]) + " " + sm::FormatUnit(file, 1) +
         "; closing them moved the volume by " + Short(total["moved_by_closing"]) + " " +
         sm::FormatUnit(file, 3),
       "", nullptr);

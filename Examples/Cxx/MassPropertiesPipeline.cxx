@@ -18,12 +18,24 @@
 #include <vtkSmartPointer.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <cstdlib>
+#include <cmath>
 #include <iostream>
 
 namespace
 {
-/// Builds the pipeline of `fileName` in `window`, runs it by rendering, and prints what came out.
+const int NothingToShow = 2;
+
+void SayWhy(vtkSTEPReader* reader)
+{
+  for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
+  {
+    std::cerr << reader->GetMessage(i) << "\n";
+  }
+  std::cerr << "There is nothing to show.\n";
+}
+
+/// Builds the pipeline of `fileName` in `window`, runs it by rendering, and prints what came out. Returns the exit
+/// status: 0, 3 when the result is flagged, NothingToShow.
 int Show(const char* fileName, vtkRenderWindow* window)
 {
   // [twenty lines]
@@ -49,8 +61,16 @@ int Show(const char* fileName, vtkRenderWindow* window)
   renderer->AddActor(center);
   window->AddRenderer(renderer);
   window->Render(); // runs reader, filter and drawing
-  std::cout << "volume " << mass->GetVolume() << " +/- " << mass->GetVolumeBound() << "\n";
   // [twenty lines]
+  if (reader->GetStatus() != vtkSTEPReader::OK)
+  {
+    SayWhy(reader);
+    return NothingToShow;
+  }
+  if (std::isfinite(mass->GetVolume())) // a surface has none
+  {
+    std::cout << "volume " << mass->GetVolume() << " +/- " << mass->GetVolumeBound() << "\n";
+  }
 
   renderer->SetBackground(0.92, 0.94, 0.97);
   renderer->GetActiveCamera()->SetPosition(-1.0, -1.7, 1.1);
@@ -60,15 +80,21 @@ int Show(const char* fileName, vtkRenderWindow* window)
   window->Render();
   std::cout << "status " << mass->GetStatus() << ", " << mass->GetBackend() << " on " << mass->GetRenderer()
             << std::endl;
-  return mass->GetStatus() == "ok" ? 0 : 2;
+  return mass->GetStatus() == "ok" ? 0 : 3;
 }
 
 int ShowOnDisplay(const char* fileName)
 {
-  if (!std::getenv("DISPLAY"))
   {
-    std::cerr << "There is no display: name a picture to write as second argument.\n";
-    return 1;
+    // vtkRenderWindow ends the program when the display does not answer; a context only says so.
+    vtkNew<vtkComputeContext> probe;
+    probe->SetSource(vtkComputeContext::X);
+    if (probe->Start() != vtkComputeContext::READY)
+    {
+      std::cerr << "There is no display to draw on: " << probe->GetReason()
+                << "\nName a picture to write as second argument.\n";
+      return 1;
+    }
   }
   vtkNew<vtkRenderWindow> window;
   window->SetSize(900, 700);
@@ -78,7 +104,10 @@ int ShowOnDisplay(const char* fileName)
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   interactor->SetInteractorStyle(style);
   const int status = Show(fileName, window);
-  interactor->Start();
+  if (status != NothingToShow)
+  {
+    interactor->Start();
+  }
   return status;
 }
 
@@ -94,6 +123,10 @@ int DrawToFile(const char* fileName, const char* pictureName)
   }
   window->SetSize(900, 700);
   const int status = Show(fileName, window);
+  if (status == NothingToShow)
+  {
+    return status;
+  }
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(window);
   grab->ReadFrontBufferOff();

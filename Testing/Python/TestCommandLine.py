@@ -2,7 +2,9 @@
 import argparse
 import json
 import os
+import re
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -11,7 +13,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import Manifest, check, check_equal, check_true, check_values, finish  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["results", "errors", "picture", "no-context"])
+parser.add_argument("mode", choices=["results", "errors", "outputs", "packages", "picture", "no-context"])
 for name in ("--program", "--solids", "--output", "--sample"):
     parser.add_argument(name, required=True)
 options = parser.parse_args()
@@ -23,10 +25,10 @@ FILE_KEYS = {"file", "length_unit", "status", "messages", "backend", "renderer",
              "free_faces", "evaluations", "dispatches", "seconds"}
 
 
-def run(*arguments, cwd=None):
-    result = subprocess.run([options.program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            universal_newlines=True, timeout=200, cwd=cwd, check=False)
-    print("$ solidmoments", " ".join(arguments), "->", result.returncode)
+def run(*arguments, cwd=None, stdout=subprocess.PIPE):
+    result = subprocess.run([options.program, *arguments], stdout=stdout, stderr=subprocess.PIPE, encoding="utf-8",
+                            errors="surrogateescape", timeout=200, cwd=cwd, check=False)
+    print("$ solidmoments", ascii(" ".join(arguments)), "->", result.returncode)
     return result
 
 
@@ -103,6 +105,186 @@ def check_unreadable(file):
                str(file["messages"]))
 
 
+def make_folder(name):
+    folder = os.path.join(options.output, name)
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    return folder
+
+
+def check_inputs_that_are_no_files():
+    """Reading a pipe or a device may never end: each is refused at once."""
+    pipe = os.path.join(make_folder("special"), "pipe.step")
+    os.mkfifo(pipe)
+    for path in (pipe, "/dev/zero", options.solids):
+        result, files = run_json(path)
+        check_equal(f"exit status of {path}", 2, result.returncode)
+        check_unreadable(files[0])
+        check_true("it says what is wrong", "not a regular file" in files[0]["messages"][0], str(files[0]["messages"]))
+
+
+def check_quiet_reason(good):
+    """The caller has no display."""
+    result = run("-q", "--backend", "x", good)
+    check_equal("exit status without a display", 3, result.returncode)
+    check_equal("nothing on standard output", "", result.stdout)
+    check_true("the reason is told", "nothing was computed" in result.stderr and "display" in result.stderr, result.stderr)
+
+
+def check_name_that_is_not_utf8(good):
+    folder = make_folder("not-utf8")
+    path = os.path.join(folder, os.fsdecode(b"b\xff.step"))
+    shutil.copy(good, path)
+    target = os.path.join(folder, "out.json")
+    result = run("--json", target, "--png", os.path.join(folder, "out.png"), path)
+    check_equal("exit status of a name that is not UTF-8", 0, result.returncode)
+    check_true("the table has the name as it is", result.stdout.startswith(path), ascii(result.stdout[:200]))
+    check_true("the picture exists", os.path.exists(os.path.join(folder, "out.png")), ascii(result.stderr))
+    with open(target, encoding="utf-8") as file:
+        document = json.load(file)["files"][0]
+    check_equal("name in JSON", "b\ufffd.step", os.path.basename(document["file"]))
+    check_equal("status", "ok", document["status"])
+
+
+def check_facts_once():
+    """An assembly of 500 instances whose one part has a loop that does not close."""
+    path = os.path.join(make_folder("facts"), "damaged.step")
+    with open(manifest.special("assembly")["path"], encoding="ascii") as file:
+        text = file.read()
+    with open(path, "w", encoding="ascii") as file:
+        file.write(re.sub(r"(= EDGE_LOOP\('',\()#\d+,(#\d+)", r"\1\2,\2", text, count=1))
+    _, files = run_json(path)
+    messages = files[0]["messages"]
+    facts = [re.sub(r"^.*?[Ff]ace #", "face #", message.split(": ", 1)[-1]) for message in messages]
+    check_true("there is something to tell", len(facts) > 1, str(messages))
+    check_equal("facts told twice", [], sorted(fact for fact in set(facts) if facts.count(fact) > 1))
+    check_true("the body's name is not said for every instance", len(messages) < 10, f"{len(messages)} messages")
+    check_equal("messages on the loop", 1, sum("does not close" in message for message in messages))
+
+
+def check_termination(good):
+    """SIGTERM ends the run like Ctrl-C: what was finished is written."""
+    target = os.path.join(make_folder("termination"), "out.json")
+    count = 300
+    with subprocess.Popen([options.program, "--json", target, *[good] * count], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE) as process:
+        process.stdout.readline()  # the first file's table
+        process.send_signal(signal.SIGTERM)
+        _, complaint = process.communicate(timeout=100)
+    check_equal("ended by", -signal.SIGTERM, process.returncode)
+    check_true("it says so", b"interrupted" in complaint, str(complaint))
+    check_true("the output is there", os.path.exists(target))
+    if os.path.exists(target):
+        with open(target, encoding="utf-8") as file:
+            finished = len(json.load(file)["files"])
+        check_true("it holds the finished files", 1 <= finished < count, str(finished))
+
+
+def read_bytes(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def check_refused(what, folder, *arguments):
+    """Exit 1 with a sentence, and every file of the folder as it was."""
+    before = {name: read_bytes(os.path.join(folder, name)) for name in os.listdir(folder)}
+    result = run(*arguments, cwd=folder)
+    check_equal(f"exit status of {what}", 1, result.returncode)
+    check_true("it says why", result.stderr.startswith("solidmoments: ") and len(result.stderr) > 30, result.stderr)
+    check_equal("nothing was computed", "", result.stdout)
+    check_true("no file changed", before == {name: read_bytes(os.path.join(folder, name))
+                                             for name in os.listdir(folder)})
+
+
+def outputs():
+    good = manifest.solid("box")["path"]
+    folder = make_folder("outputs")
+    for name in ("a.step", "b.stp", "part", "out-a.png"):
+        shutil.copy(good, os.path.join(folder, name))
+    os.symlink("a.step", os.path.join(folder, "link.json"))
+    os.link(os.path.join(folder, "a.step"), os.path.join(folder, "hard.png"))
+    for flag in ("--json", "--csv"):
+        check_refused("an input as output", folder, "a.step", flag, "./a.step")
+        check_refused("a STEP file as output", folder, flag, "b.stp", "a.step")
+        check_refused("a STEP file without extension as output", folder, "a.step", flag, "part")
+        check_refused("a link to the input as output", folder, "a.step", flag, "link.json")
+        check_refused("an empty name as output", folder, "a.step", flag, "")
+    check_refused("another name of the input as picture", folder, "a.step", "--png", "hard.png")
+    check_refused("an input as a derived picture", folder, "a.step", "out-a.png", "--png", "out.png")
+    check_refused("one file for two outputs", folder, "a.step", "--json", "x.txt", "--csv", "./x.txt")
+    check_refused("a picture in another format", folder, "a.step", "--png", "x.jpg")
+    check_refused("an empty name", folder, "")
+
+    # Stems a, a, a-2: three pictures.
+    for name in ("one", "two"):
+        os.mkdir(os.path.join(folder, name))
+    paths = [os.path.join(folder, "a.step"), os.path.join(folder, "one", "a.step"),
+             os.path.join(folder, "two", "a-2.step")]
+    for path in paths[1:]:
+        shutil.copy(good, path)
+    result = run("-q", "--png", os.path.join(folder, "view.png"), *paths)
+    check_equal("exit status of three pictures", 0, result.returncode)
+    check_equal("pictures", 3, sum(name.startswith("view") for name in os.listdir(folder)))
+
+    # A table that goes nowhere.
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        result = run(good, stdout=full)
+    check_equal("exit status of a table on a full device", 1, result.returncode)
+    check_true("it says so", "standard output" in result.stderr, result.stderr)
+    result = subprocess.run(["sh", "-c", '"$0" "$1" >&-', options.program, good], stderr=subprocess.PIPE,
+                            universal_newlines=True, timeout=100, check=False)
+    check_equal("exit status of a table on a closed stream", 1, result.returncode)
+    check_true("it says so", "standard output" in result.stderr, result.stderr)
+
+    # Bounds are shown with two digits, and never below what they bound; units in any case.
+    target = os.path.join(folder, "bounds.json")
+    result = run("--unit", "INCH", "--json", target, manifest.solid("slanted_hole", "moved")["path"])
+    check_equal("exit status with INCH", 0, result.returncode)
+    with open(target, encoding="utf-8") as file:
+        document = json.load(file)["files"][0]
+    check_equal("unit", "inch", document["length_unit"])
+    bounds = document["total"]["bounds"]
+    shown = [float(text) for text in re.findall(r"\+/- (\S+)", result.stdout)]
+    keys = ("volume", "area", "center_of_mass", "inertia", "inertia")
+    check_equal("bounds in the table", len(keys), len(shown))
+    for key, number in zip(keys, shown):
+        check_true(f"bound of {key}", bounds[key] <= number <= 1.1 * bounds[key], f"{bounds[key]} shown as {number}")
+
+
+def packages():
+    """Examples/install-packages.sh for a user who may not install, on a machine with stand-ins for its commands."""
+    folder = make_folder("packages")
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "install-packages.sh")
+
+    def write(name, text):
+        path = os.path.join(folder, name)
+        with open(path, "w", encoding="ascii") as file:
+            file.write("#!/bin/sh\n" + text + "\n")
+        os.chmod(path, 0o755)
+
+    def install():
+        result = subprocess.run([shutil.which("sh"), "-c", '. "$0"; solidmoments_install log; echo went on', script],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+                                env={"PATH": folder}, timeout=100, check=False)
+        print(result.stdout, result.stderr)
+        return result
+
+    write("apt-get", "exit 1")
+    write("id", "echo 1000")
+    write("dpkg-query", 'for last; do :; done; case $last in xvfb) echo "un " ;; *) echo "hi " ;; esac')
+    result = install()
+    check_equal("exit status without tools", 1, result.returncode)
+    check_true("the advice", "apt-get update && apt-get install --no-install-recommends xvfb\n" in result.stderr)
+    for name in ("cmake", "ninja", "g++"):
+        write(name, "exit 0")
+    result = install()
+    check_equal("exit status with tools", 0, result.returncode)
+    check_true("it warns and goes on", "xvfb" in result.stderr and "went on" in result.stdout)
+    write("dpkg-query", 'echo "hi "')
+    result = install()
+    check_equal("held packages are installed", (0, ""), (result.returncode, result.stderr))
+
+
 def errors():
     good = manifest.solid("box")["path"]
     for name in ("empty", "truncated", "not_step"):
@@ -135,6 +317,12 @@ def errors():
     check_equal("statuses", ["unreadable", "ok", "open"], [file["status"] for file in files])
     result = run(missing)
     check_true("the message goes to people, too", "there_is_no_such_file" in result.stdout + result.stderr, result.stderr)
+
+    check_inputs_that_are_no_files()
+    check_quiet_reason(good)
+    check_name_that_is_not_utf8(good)
+    check_facts_once()
+    check_termination(good)
 
     # Usage.
     for arguments in ([], ["--no-such-option", good], ["--tolerance", "none", good], ["--unit", "cubit", good],
@@ -190,5 +378,6 @@ def no_context():
     check_true("a message tells why", any("OpenGL" in text for text in files[0]["messages"]), str(files[0]["messages"]))
 
 
-{"results": results, "errors": errors, "picture": picture, "no-context": no_context}[options.mode]()
+{"results": results, "errors": errors, "outputs": outputs, "packages": packages, "picture": picture,
+ "no-context": no_context}[options.mode]()
 finish()

@@ -1,0 +1,142 @@
+#include "smOutputFiles.h"
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+/// What two names of one file have in common: device and inode when it is there, and the path without links.
+std::set<std::string> Identities(const std::string& name)
+{
+  std::set<std::string> identities;
+  struct stat info = {};
+  if (stat(name.c_str(), &info) == 0)
+  {
+    if (S_ISCHR(info.st_mode))
+    {
+      return identities; // /dev/null takes everything
+    }
+    identities.insert(std::to_string(info.st_dev) + ":" + std::to_string(info.st_ino));
+  }
+  std::error_code error;
+  fs::path path = fs::absolute(name, error);
+  // A link to a file that is not there yet is a name of that file, too.
+  for (int i = 0; i < 8 && fs::is_symlink(fs::symlink_status(path, error)); ++i)
+  {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  identities.insert(fs::weakly_canonical(path, error).string());
+  return identities;
+}
+
+/// Whether there is a file of this name that is a STEP file by its name or its first line.
+bool IsStepFile(const std::string& name)
+{
+  struct stat info = {};
+  if (stat(name.c_str(), &info) != 0 || !S_ISREG(info.st_mode))
+  {
+    return false;
+  }
+  const std::string extension = sm::LowerCase(fs::path(name).extension().string());
+  if (extension == ".step" || extension == ".stp" || extension == ".p21")
+  {
+    return true;
+  }
+  std::ifstream file(name, std::ios::binary);
+  std::string head(64, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  const size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return begin != std::string::npos && head.compare(begin, 12, "ISO-10303-21") == 0;
+}
+
+bool IsWritable(const std::string& name)
+{
+  const size_t slash = name.find_last_of('/');
+  const std::string folder = slash == std::string::npos ? "." : name.substr(0, slash + 1);
+  struct stat info = {};
+  return stat(name.c_str(), &info) == 0
+    ? !S_ISDIR(info.st_mode) && access(name.c_str(), W_OK) == 0
+    : stat(folder.c_str(), &info) == 0 && access(folder.c_str(), W_OK) == 0;
+}
+}
+
+namespace sm
+{
+std::vector<std::string> PictureNames(const Arguments& arguments)
+{
+  std::vector<std::string> pictures(arguments.Files.size(), arguments.Picture);
+  if (arguments.Picture.empty() || pictures.size() == 1)
+  {
+    return pictures;
+  }
+  const size_t dot = arguments.Picture.find_last_of('.');
+  const std::string base = arguments.Picture.substr(0, dot);
+  const std::string extension = arguments.Picture.substr(dot);
+  std::set<std::string> taken;
+  std::map<std::string, int> seen;
+  for (size_t i = 0; i < pictures.size(); ++i)
+  {
+    const std::string plain = base + "-" + Stem(arguments.Files[i]);
+    int& count = seen[plain];
+    do
+    {
+      ++count;
+      pictures[i] = plain + (count > 1 ? "-" + std::to_string(count) : "") + extension;
+    } while (!taken.insert(pictures[i]).second);
+  }
+  return pictures;
+}
+
+std::string CheckOutputs(const Arguments& arguments)
+{
+  std::map<std::string, std::string> taken;
+  for (const std::string& file : arguments.Files)
+  {
+    for (const std::string& identity : Identities(file))
+    {
+      taken.emplace(identity, "the input " + file);
+    }
+  }
+  std::vector<std::pair<std::string, std::string>> outputs = { { "--json", arguments.Json },
+    { "--csv", arguments.Csv } };
+  for (const std::string& picture : PictureNames(arguments))
+  {
+    outputs.emplace_back("--png", picture);
+  }
+  for (const auto& [option, name] : outputs)
+  {
+    if (name.empty() || name == "-")
+    {
+      continue;
+    }
+    const std::set<std::string> identities = Identities(name);
+    for (const std::string& identity : identities)
+    {
+      const auto found = taken.find(identity);
+      if (found != taken.end())
+      {
+        return option + " would overwrite " + name + ", which is " + found->second;
+      }
+    }
+    if (IsStepFile(name))
+    {
+      return option + " would overwrite " + name + ", which is a STEP file; name another file";
+    }
+    if (!IsWritable(name))
+    {
+      return name + " cannot be written";
+    }
+    for (const std::string& identity : identities)
+    {
+      taken.emplace(identity, "the output of " + option);
+    }
+  }
+  return {};
+}
+}
