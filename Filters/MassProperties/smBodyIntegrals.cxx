@@ -87,6 +87,12 @@ struct CompensatedSum
   double Get() const { return this->Sum + this->Carry; }
 };
 
+/// To a power of two: a display mesh that comes out a little different must not change what is asked of a face.
+double RoundDown(double scale)
+{
+  return scale > 0.0 ? std::exp2(std::floor(std::log2(scale))) : 0.0;
+}
+
 void CountOpenEdges(BodyIntegrals& body)
 {
   // Signed uses of every edge: a seam or a 2+2 non-manifold edge cancels, a border does not.
@@ -171,6 +177,11 @@ void CheckTopology(BodyIntegrals& body)
   {
     body.Flag("suspect",
       std::to_string(body.Model->GetNumberOfMissingFaces()) + " faces of the file could not be carried over");
+  }
+  if (body.Model->GetNumberOfDefects() > 0)
+  {
+    body.Flag("suspect",
+      std::to_string(body.Model->GetNumberOfDefects()) + " defects in the file's loops, edges or instances");
   }
   CountOpenEdges(body);
 }
@@ -272,13 +283,13 @@ double GetVolumeScale(vtkTrimmedNURBSModel& model)
   const double box = radius * radius * radius;
   const double known = model.GetVolumeScale();
   // A scale outside what the box allows comes from a broken mesh.
-  return known > 1e-9 * box && known < 8.0 * box ? known : box;
+  return RoundDown(known > 1e-9 * box && known < 8.0 * box ? known : box);
 }
 
 double GetAreaScale(vtkTrimmedNURBSModel& model)
 {
   const double radius = GetRadius(model);
   const double known = model.GetAreaScale();
-  return known > 1e-9 * radius * radius ? known : radius * radius;
+  return RoundDown(known > 1e-9 * radius * radius ? known : radius * radius);
 }
 }

@@ -24,7 +24,9 @@ void vtkTrimmedNURBSModel::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "FileId: " << this->FileId << "\n"
      << indent << "LengthUnit: " << this->LengthUnit << "\n"
      << indent << "Faces: " << this->Faces.size() << "\n"
-     << indent << "Shells: " << this->Shells.size() << "\n";
+     << indent << "Shells: " << this->Shells.size() << "\n"
+     << indent << "NumberOfMissingFaces: " << this->NumberOfMissingFaces << "\n"
+     << indent << "NumberOfDefects: " << this->NumberOfDefects << "\n";
 }
 
 vtkIdType vtkTrimmedNURBSModel::GetNumberOfEdges() const
@@ -88,6 +90,7 @@ void vtkTrimmedNURBSModel::ShallowCopy(vtkTrimmedNURBSModel* source)
   this->FileVolume = source->FileVolume;
   this->FileArea = source->FileArea;
   this->NumberOfMissingFaces = source->NumberOfMissingFaces;
+  this->NumberOfDefects = source->NumberOfDefects;
   for (int i = 0; i < 3; ++i)
   {
     this->Origin[i] = source->Origin[i];

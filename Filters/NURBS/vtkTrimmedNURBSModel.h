@@ -66,6 +66,18 @@ public:
   vtkSetMacro(NumberOfMissingFaces, int);
   vtkGetMacro(NumberOfMissingFaces, int);
 
+  ///@{
+  /**
+   * Places where the faces here are not what the file says, besides missing ones: loops that close neither within
+   * the tolerances of their vertices and edges nor within 1e-5 of the body's size, loops that go round a periodic
+   * surface without a seam, edges and coedges left out, edges without a curve on their face, edges that end 1e-2 of
+   * the body's size or more away from their vertices, scales and mirrors of the body's instances that were dropped.
+   * 0 for a sound body; GetMessages() names them. Default: 0. Clamped to >= 0.
+   */
+  vtkSetClampMacro(NumberOfDefects, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfDefects, int);
+  ///@}
+
   /** Part coordinates of the point that stored coordinates are relative to. Default: 0 0 0. */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -133,6 +145,7 @@ private:
   double FileVolume;
   double FileArea;
   int NumberOfMissingFaces = 0;
+  int NumberOfDefects = 0;
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double LocalBounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   double VolumeScale = 0.0;

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace sm
 {
@@ -37,6 +38,8 @@ constexpr double NoiseRatio = 0.3;
 constexpr double MaximumNoise = 1e5;
 /// Bisection ends here in any case.
 constexpr int MaximumDepth = 14;
+/// A curve that needs more pieces is not one: std::runtime_error.
+constexpr int MaximumPieces = 50000;
 
 template <int Dimension>
 struct FittedPiece
@@ -50,7 +53,8 @@ struct FittedPiece
 /**
  * Fits one polynomial to the samples: the least degree <= maximumDegree whose neglected Chebyshev
  * coefficients stay below `tolerance` in each coordinate. The ends are interpolated exactly. Returns
- * false, with the fit of the maximum degree, when the tolerance is not met.
+ * false, with the fit of the maximum degree, when the tolerance is not met. Throws std::runtime_error when a
+ * sample is not finite.
  */
 template <int Dimension>
 bool FitPiece(const std::array<std::array<double, Dimension>, FitOrder + 1>& samples, int maximumDegree,
@@ -67,6 +71,10 @@ bool FitPiece(const std::array<std::array<double, Dimension>, FitOrder + 1>& sam
     for (int i = 0; i <= FitOrder; ++i)
     {
       values[i] = samples[i][d] - reference;
+      if (!std::isfinite(values[i]))
+      {
+        throw std::runtime_error("a curve is not finite");
+      }
     }
     ComputeChebyshevCoefficients(values, series[d]);
     double tail = 0.0;

@@ -1,6 +1,7 @@
 #include "smOCCTBody.h"
 
 #include "smOCCTCurve.h"
+#include "smOCCTText.h"
 
 #include <BRep_Tool.hxx>
 #include <Geom_Plane.hxx>
@@ -13,6 +14,8 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace sm
@@ -53,16 +56,27 @@ std::string Label(const char* kind, int fileId, std::size_t index)
                     : std::string(kind) + " number " + std::to_string(index + 1) + " of its body";
 }
 
+/// A gap below that part of the body's size leaves the loop closed, whatever the file's tolerances say.
+constexpr double LoopTolerance = 1e-5;
+
+/// A vertex's tolerance beyond that part of the body's size excuses no gap.
+constexpr double VertexTolerance = 1e-3;
+
+/// An edge that ends farther from its vertex, relative to the body's size, does not belong to it. Real files have
+/// vertices that are 1.3e-3 away.
+constexpr double EndTolerance = 1e-2;
+
 class BodyConverter
 {
 public:
   BodyConverter(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-    const ShapeTable& table)
+    const ShapeTable& table, const std::function<bool(double)>& report)
     : Shape(shape)
     , Trsf(trsf)
     , Unit(unit)
     , Origin{ origin[0], origin[1], origin[2] }
     , Table(table)
+    , Report(report)
   {
   }
 
@@ -71,16 +85,27 @@ public:
     this->Collect();
     this->Edges.resize(this->EdgeShapes.Extent());
     this->Run(
-      this->EdgeShapes.Extent(), [this](std::size_t i) { return this->ConvertEdgeShape(i); }, "Edge");
+      this->EdgeShapes.Extent(), [this](std::size_t i) { this->ConvertEdgeShape(i); }, "Edge", 0.0);
+    this->MeasureSize();
     this->Faces.resize(this->Drafts.size());
     this->Run(
-      this->Drafts.size(), [this](std::size_t i) { return this->ConvertFace(i); }, "Face");
+      this->Drafts.size(), [this](std::size_t i) { this->ConvertFace(i); }, "Face", EdgeShare);
+    if (this->Result.Aborted)
+    {
+      ConvertedBody nothing;
+      nothing.Aborted = true;
+      return nothing;
+    }
     this->Gather();
     return std::move(this->Result);
   }
 
 private:
   using Failure = std::string;
+  /// Share of the progress that edges take.
+  static constexpr double EdgeShare = 0.3;
+  /// Edges or faces between two reports.
+  static constexpr std::size_t Chunk = 256;
 
   void Collect()
   {
@@ -91,7 +116,15 @@ private:
         return;
       }
       DraftFace draft;
-      const std::string failure = Catch([&] { draft = CollectFace(TopoDS::Face(face), this->EdgeShapes); });
+      const std::string failure = Catch(
+        [&]
+        {
+          draft = CollectFace(TopoDS::Face(face), this->EdgeShapes);
+          if (draft.Loops.empty() && Find(this->Table, face).Bounded)
+          {
+            throw std::runtime_error("OpenCASCADE made nothing of the edges that bound it");
+          }
+        });
       if (!failure.empty())
       {
         this->Result.Messages.push_back(Label("Face", Find(this->Table, face).FileId, this->Drafts.size()) +
@@ -104,6 +137,13 @@ private:
     };
     for (TopExp_Explorer shells(this->Shape, TopAbs_SHELL); shells.More(); shells.Next())
     {
+      const int lost = Find(this->Table, shells.Current()).LostFaces;
+      if (lost > 0)
+      {
+        this->Result.MissingFaces += lost;
+        this->Result.Messages.push_back(std::to_string(lost) +
+          " faces of the file are not here: they are damaged, or OpenCASCADE made nothing of them.");
+      }
       std::vector<int> shell;
       for (TopExp_Explorer faces(shells.Current(), TopAbs_FACE); faces.More(); faces.Next())
       {
@@ -136,17 +176,23 @@ private:
 
   /// Calls convert(i), which answers why it failed, for all i on the application's threads.
   template <class Work>
-  void Run(std::size_t count, const Work& convert, const char* kind)
+  void Run(std::size_t count, const Work& convert, const char* kind, double done)
   {
+    const double share = *kind == 'E' ? EdgeShare : 1.0 - EdgeShare;
     std::vector<Failure> failures(count);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 16,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
+    for (std::size_t start = 0; start < count && !this->Result.Aborted; start += Chunk)
+    {
+      const std::size_t stop = std::min(count, start + Chunk);
+      vtkSMPTools::For(static_cast<vtkIdType>(start), static_cast<vtkIdType>(stop), 16,
+        [&](vtkIdType begin, vtkIdType end)
         {
-          failures[i] = Catch([&] { convert(static_cast<std::size_t>(i)); });
-        }
-      });
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            failures[i] = Catch([&] { convert(static_cast<std::size_t>(i)); });
+          }
+        });
+      this->Result.Aborted = this->Report && !this->Report(done + share * stop / count);
+    }
     for (std::size_t i = 0; i < count; ++i)
     {
       if (!failures[i].empty())
@@ -199,6 +245,10 @@ private:
     else if (!curve.IsNull() && last > first)
     {
       result->Curve = ConvertEdge(curve, first, last, this->MakeMap(location.Transformation()));
+    }
+    else if (use.second->Trim.Curve.IsNull())
+    {
+      throw std::runtime_error("its parameter range is empty");
     }
     else
     {
@@ -256,7 +306,7 @@ private:
   static ParameterBox GetNaturalBox(const DraftFace& face)
   {
     ParameterBox box;
-    face.Surface->Bounds(box.Low[0], box.High[0], box.Low[1], box.High[1]);
+    face.Stored->Bounds(box.Low[0], box.High[0], box.Low[1], box.High[1]);
     for (int d = 0; d < 2; ++d)
     {
       if (Precision::IsInfinite(box.Low[d]) || Precision::IsInfinite(box.High[d]))
@@ -360,6 +410,16 @@ private:
         trims[l].push_back(coedge.Projected && edge ? this->Project(draft, map, edge->Curve) : TrimCurve());
       }
     }
+    const bool any = std::any_of(draft.Loops.begin(), draft.Loops.end(),
+      [this](const DraftLoop& loop)
+      {
+        return std::any_of(loop.begin(), loop.end(),
+          [this](const DraftCoedge& coedge) { return this->Edges[coedge.EdgeIndex] != nullptr; });
+      });
+    if (!draft.Loops.empty() && !any)
+    {
+      throw std::runtime_error("none of its edges could be carried over");
+    }
     const ParameterBox box = GetBox(draft, trims);
     ConvertedSurface surface = ConvertSurface(draft.Surface, box, map);
 
@@ -388,6 +448,7 @@ private:
         {
           face->Messages.push_back(
             "An edge could not be carried over; its loop is closed by a straight line.");
+          ++draft.Defects;
           continue;
         }
         coedge.Reversed = from.Reversed;
@@ -407,6 +468,7 @@ private:
     face->Surface = std::move(surface.Surface);
     this->CheckClosing(draft, *face);
     ConvertedFace& result = this->Faces[index];
+    result.Defects = draft.Defects;
     result.Source = draft.Face;
     result.SourceEdges = std::move(sources);
     for (int d = 0; d < 2; ++d)
@@ -418,9 +480,17 @@ private:
   }
 
   /// Loops are judged in space, against the tolerances the file states (NUMERICS 1).
-  void CheckClosing(const DraftFace& draft, Face& face) const
+  void CheckClosing(DraftFace& draft, Face& face) const
   {
     double largest = 0.0;
+    int open = 0;
+    double tolerance = 0.0;
+    for (TopExp_Explorer it(draft.Face, TopAbs_VERTEX); it.More(); it.Next())
+    {
+      tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
+    }
+    // The kernel widens a vertex until it covers whatever the file claims to meet there.
+    tolerance = std::min(tolerance * this->Unit, VertexTolerance * this->Size);
     for (const Loop& loop : face.Loops)
     {
       for (std::size_t i = 0; i < loop.Coedges.size(); ++i)
@@ -434,24 +504,64 @@ private:
         face.Surface.Evaluate(from[0], from[1], p.data());
         face.Surface.Evaluate(to[0], to[1], q.data());
         const double gap = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-        largest = std::max(largest, gap - 2.0 * (a.Use->Tolerance + b.Use->Tolerance));
+        const double beyond = gap - 2.0 * (a.Use->Tolerance + b.Use->Tolerance);
+        largest = std::max(largest, beyond);
+        // Also catches what is not a number.
+        open += beyond <= 2.0 * tolerance || gap <= LoopTolerance * this->Size ? 0 : 1;
       }
     }
-    TopoDS_Iterator vertex;
-    double tolerance = 0.0;
-    for (TopExp_Explorer it(draft.Face, TopAbs_VERTEX); it.More(); it.Next())
+    draft.Defects += open;
+    if (largest > 2.0 * tolerance || open > 0)
     {
-      tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
-    }
-    if (largest > 2.0 * this->Unit * tolerance)
-    {
-      face.Messages.push_back("A loop does not close: its largest gap is " + std::to_string(largest) +
+      face.Messages.push_back("A loop does not close: its largest gap is " + FormatShort(largest) +
         " beyond the file's tolerances. A straight line in (u,v) closes it.");
+    }
+  }
+
+  /// Diagonal of the box around all edges.
+  void MeasureSize()
+  {
+    Vector3 low{ 1e300, 1e300, 1e300 };
+    Vector3 high{ -1e300, -1e300, -1e300 };
+    for (const auto& edge : this->Edges)
+    {
+      for (std::size_t i = 0; edge && i < edge->Curve.Coefficients.size(); ++i)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          low[c] = std::min(low[c], edge->Curve.Coefficients[i][c]);
+          high[c] = std::max(high[c], edge->Curve.Coefficients[i][c]);
+        }
+      }
+    }
+    this->Size = low[0] <= high[0] ? std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) : 0.0;
+  }
+
+  void CheckVertices()
+  {
+    const auto distance = [](const Vector3& a, const Vector3& b)
+    { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); };
+    for (std::size_t i = 0; i < this->Edges.size(); ++i)
+    {
+      const auto& edge = this->Edges[i];
+      if (!edge || edge->Degenerate)
+      {
+        continue;
+      }
+      const double gap = std::max(distance(edge->StartVertex, edge->Curve.GetStartPoint()),
+        distance(edge->EndVertex, edge->Curve.GetEndPoint()));
+      if (!(gap <= EndTolerance * this->Size))
+      {
+        ++this->Result.Defects;
+        this->Result.Messages.push_back(Label("Edge", edge->FileId, i) + " ends " + FormatShort(gap) +
+          " away from its vertex; its curve is taken as it is.");
+      }
     }
   }
 
   void Gather()
   {
+    this->CheckVertices();
     std::vector<int> place(this->Faces.size(), -1);
     for (std::size_t i = 0; i < this->Faces.size(); ++i)
     {
@@ -464,6 +574,7 @@ private:
       {
         this->Result.Messages.push_back(Label("Face", this->Faces[i].Result->FileId, i) + ": " + message);
       }
+      this->Result.Defects += this->Faces[i].Defects;
       this->Result.Faces.push_back(this->Faces[i]);
     }
     for (const std::vector<int>& shell : this->Shells)
@@ -485,6 +596,9 @@ private:
   double Unit;
   double Origin[3];
   const ShapeTable& Table;
+  const std::function<bool(double)>& Report;
+  /// Of the body, in model units.
+  double Size = 0.0;
   TopTools_IndexedMapOfShape EdgeShapes;
   std::vector<DraftFace> Drafts;
   std::vector<std::vector<int>> Shells;
@@ -496,8 +610,8 @@ private:
 }
 
 ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-  const ShapeTable& table)
+  const ShapeTable& table, const std::function<bool(double)>& report)
 {
-  return BodyConverter(shape, trsf, unit, origin, table).Convert();
+  return BodyConverter(shape, trsf, unit, origin, table, report).Convert();
 }
 }

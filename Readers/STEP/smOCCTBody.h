@@ -26,6 +26,12 @@ struct ShapeInfo
   Vector3 Color{ -1.0, -1.0, -1.0 };
   /// A shell that the file calls a solid; OpenCASCADE makes no solid of one that is not closed.
   bool OpenSolid = false;
+  /// Of a face: the file bounds it by edges.
+  bool Bounded = false;
+  /// Of a shell: faces that the file gives it and OpenCASCADE does not.
+  int LostFaces = 0;
+  /// Of a solid or shell: an instance of it lost its scale or mirror.
+  bool Misplaced = false;
 };
 using ShapeTable = std::unordered_map<const TopoDS_TShape*, ShapeInfo>;
 
@@ -38,6 +44,8 @@ struct ConvertedFace
   std::vector<std::vector<TopoDS_Edge>> SourceEdges;
   ParameterMap Map[2];
   double Period[2] = { 0.0, 0.0 };
+  /// As vtkTrimmedNURBSModel::GetNumberOfDefects, of this face.
+  int Defects = 0;
 };
 
 struct ConvertedBody
@@ -48,15 +56,20 @@ struct ConvertedBody
   std::vector<std::string> Messages;
   /// Faces left out; Messages names them.
   int MissingFaces = 0;
+  /// As vtkTrimmedNURBSModel::GetNumberOfDefects; Messages names them.
+  int Defects = 0;
+  /// `report` said to stop; the rest is empty.
+  bool Aborted = false;
 };
 
 /**
  * Converts all faces of `shape` (its own location included). `trsf` and then `unit` apply before `origin` is
  * subtracted. A face that fails is reported and left out; nothing else is lost. Edges and faces are converted
- * by vtkSMPTools with whatever backend the application chose.
+ * by vtkSMPTools with whatever backend the application chose. `report`, where there is one, gets a fraction in
+ * [0,1] now and then, on the calling thread, and answers false to stop.
  */
 ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-  const ShapeTable& table);
+  const ShapeTable& table, const std::function<bool(double)>& report = {});
 }
 
 #endif

@@ -8,6 +8,8 @@
 #include <Geom_OffsetCurve.hxx>
 
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace sm
 {
@@ -93,6 +95,10 @@ EdgeCurve FitEdge(
       continue;
     }
     result.Residual = std::max(result.Residual, residual);
+    if (result.GetNumberOfPieces() >= MaximumPieces)
+    {
+      throw std::runtime_error("its curve needs more than " + std::to_string(MaximumPieces) + " pieces");
+    }
     result.AppendPiece(interval.End, piece.Coefficients.data(), piece.Degree);
   }
   return result;

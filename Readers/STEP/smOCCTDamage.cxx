@@ -164,7 +164,7 @@ std::string Number(const Handle(StepData_StepModel) & model, const Handle(Standa
 }
 
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
-  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages)
+  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages, LostFaces& lost)
 {
   std::vector<Handle(Standard_Transient)> damaged;
   std::string first;
@@ -216,6 +216,7 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
     }
     if (static_cast<int>(kept.size()) < shell->NbCfsFaces())
     {
+      lost[shell.get()] = shell->NbCfsFaces() - static_cast<int>(kept.size());
       const Handle(StepShape_HArray1OfFace) list =
         new StepShape_HArray1OfFace(1, static_cast<int>(kept.size()));
       for (std::size_t k = 0; k < kept.size(); ++k)

@@ -9,17 +9,21 @@
 #include <XSControl_WorkSession.hxx>
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace sm
 {
+/// How many faces an entity of the file (a shell) lost.
+using LostFaces = std::unordered_map<const Standard_Transient*, int>;
+
 /**
  * OpenCASCADE 7.6 follows references that its own parser reported as unresolved, and crashes. This takes every
- * face that leads to such an entity out of its shell and says which. Returns an empty string, or why the
- * file cannot be transferred at all. Call between parsing and transfer.
+ * face that leads to such an entity out of its shell, says which and counts them in `lost`. Returns an empty
+ * string, or why the file cannot be transferred at all. Call between parsing and transfer.
  */
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
-  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
+  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages, LostFaces& lost);
 
 /// Colours or properties (volumes, materials) whose entities have dangling references: not to be asked for.
 struct Attributes

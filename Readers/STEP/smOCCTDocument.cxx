@@ -24,20 +24,12 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <mutex>
 #include <tuple>
 
 namespace sm
 {
 namespace
 {
-/// OpenCASCADE's STEP parameters and its messenger belong to the process.
-std::mutex& GetKernelMutex()
-{
-  static std::mutex mutex;
-  return mutex;
-}
-
 /// Share of the progress that parsing takes; the rest is the transfer.
 constexpr double ParsingShare = 0.3;
 
@@ -273,6 +265,7 @@ private:
         body.FileId = info->second.FileId;
         body.Name = info->second.Name.empty() ? body.Name : info->second.Name;
         body.Color = info->second.Color[0] >= 0.0 ? info->second.Color : body.Color;
+        body.Misplaced = info->second.Misplaced;
       }
       if (body.Name.empty())
       {
@@ -308,8 +301,7 @@ private:
 void Read(const std::string& fileName, const FileCheck& check, const std::function<bool(double)>& report,
   Document& document)
 {
-  const std::lock_guard<std::mutex> lock(GetKernelMutex());
-  const QuietKernel quiet;
+  const KernelSession kernel;
   STEPCAFControl_Reader reader;
   reader.SetColorMode(true);
   reader.SetNameMode(true);
@@ -346,8 +338,9 @@ void Read(const std::string& fileName, const FileCheck& check, const std::functi
   document.FileUnit = ReadLengthUnit(reader.ChangeReader(), model, document.Messages);
   const double factor = GetUnitInMillimetres(document.FileUnit);
   document.FileUnitInMillimetres = factor > 0.0 ? factor : 1.0;
-  CheckOperators(model, document.Messages);
-  document.Problem = DropDamagedFaces(reader.Reader().WS(), model, document.Messages);
+  const std::vector<Handle(Standard_Transient)> operators = CheckOperators(model, document.Messages);
+  LostFaces lost;
+  document.Problem = DropDamagedFaces(reader.Reader().WS(), model, document.Messages, lost);
   if (!document.Problem.empty())
   {
     return;
@@ -375,8 +368,13 @@ void Read(const std::string& fileName, const FileCheck& check, const std::functi
     return;
   }
   const Handle(XSControl_WorkSession) session = reader.Reader().WS();
-  FillTable(session, xde, document.Table);
+  FillTable(session, xde, lost, document.Table);
+  const bool found = operators.empty() || MarkMisplaced(session, operators, document.Table);
   TreeBuilder(document, xde).Build();
+  for (PartBody& body : document.Bodies)
+  {
+    body.Misplaced = body.Misplaced || !found;
+  }
   if (!document.Bodies.empty())
   {
     document.Status = ReadStatus::Ok;

@@ -29,6 +29,8 @@ struct PartBody
   double FileVolume = std::numeric_limits<double>::quiet_NaN();
   double FileArea = std::numeric_limits<double>::quiet_NaN();
   Vector3 Color{ -1.0, -1.0, -1.0 };
+  /// An instance of it lost its scale or mirror.
+  bool Misplaced = false;
 };
 
 /// One occurrence of a body. The placement is rigid or mirrored, in mm.
@@ -74,8 +76,8 @@ struct Document
 };
 
 /**
- * Reads the file. `report` gets a fraction in [0,1] and answers false to stop. One call at a time in the
- * process: OpenCASCADE's parameters and messenger are global. Throws nothing.
+ * Reads the file. `report` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession, so that one
+ * thread of the process reads at a time. Throws nothing.
  */
 Document ReadDocument(const std::string& fileName, const std::function<bool(double)>& report);
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <utility>
@@ -19,6 +20,14 @@ const char Magic[] = "ISO-10303-21;";
 
 /// How far into a file its header is looked for.
 constexpr std::size_t SniffBytes = 1 << 16;
+
+std::mutex& GetKernelMutex()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
+thread_local int SessionDepth = 0;
 
 std::string ReadBytes(std::ifstream& file, std::streamoff from, std::size_t count)
 {
@@ -96,25 +105,53 @@ bool LooksLikeSTEP(const std::string& name)
   return file && ReadBytes(file, 0, SniffBytes).find(Magic) != std::string::npos;
 }
 
-QuietKernel::QuietKernel()
+KernelSession::KernelSession()
 {
+  if (SessionDepth > 0)
+  {
+    ++SessionDepth;
+    return;
+  }
+  this->Lock = std::unique_lock<std::mutex>(GetKernelMutex());
   // Registers the parameters of the STEP translator, so that the unit exists to be set.
   STEPControl_Controller::Init();
   this->Printers = Message::DefaultMessenger()->Printers();
   Message::DefaultMessenger()->ChangePrinters().Clear();
   this->Unit = Interface_Static::CVal("xstep.cascade.unit");
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  SessionDepth = 1;
 }
 
-QuietKernel::~QuietKernel()
+KernelSession::~KernelSession()
 {
+  if (--SessionDepth > 0)
+  {
+    return;
+  }
   Interface_Static::SetCVal("xstep.cascade.unit", this->Unit.ToCString());
   Message::DefaultMessenger()->ChangePrinters() = this->Printers;
 }
 
-KernelProgress::KernelProgress(std::function<bool(double)> report)
-  : Report(std::move(report))
+bool KernelSession::IsHeldHere()
 {
+  return SessionDepth > 0;
+}
+
+KernelProgress::KernelProgress(std::function<bool(double)> report, double seconds)
+  : Report(std::move(report))
+  , Limited(seconds > 0.0)
+  , Deadline(std::chrono::steady_clock::now() +
+      std::chrono::microseconds(static_cast<std::int64_t>(1e6 * std::max(0.0, seconds))))
+{
+}
+
+Standard_Boolean KernelProgress::UserBreak()
+{
+  if (this->Limited && !this->TimedOut && std::chrono::steady_clock::now() > this->Deadline)
+  {
+    this->TimedOut = true;
+  }
+  return this->Stopped || this->TimedOut;
 }
 
 void KernelProgress::Show(const Message_ProgressScope&, const Standard_Boolean force)
@@ -123,7 +160,7 @@ void KernelProgress::Show(const Message_ProgressScope&, const Standard_Boolean f
   if (force || position > this->Last + 0.01)
   {
     this->Last = position;
-    if (!this->Report(position))
+    if (this->Report && !this->Report(position))
     {
       this->Stopped = true;
     }

@@ -10,7 +10,9 @@
 #include <TCollection_AsciiString.hxx>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
+#include <mutex>
 #include <string>
 
 namespace sm
@@ -31,35 +33,49 @@ FileCheck CheckFile(const std::string& name);
 /// True when the file begins like a STEP file; cheap.
 bool LooksLikeSTEP(const std::string& name);
 
-/// While it lives, OpenCASCADE's process-wide messenger prints nothing and lengths arrive in mm.
-class QuietKernel
+/**
+ * While it lives, OpenCASCADE belongs to this thread of the process, its messenger prints nothing and lengths arrive
+ * in mm: its parameters and its messenger are global. Another thread's waits; one inside another of the same
+ * thread does nothing.
+ */
+class KernelSession
 {
 public:
-  QuietKernel();
-  ~QuietKernel();
-  QuietKernel(const QuietKernel&) = delete;
-  void operator=(const QuietKernel&) = delete;
+  KernelSession();
+  ~KernelSession();
+  KernelSession(const KernelSession&) = delete;
+  void operator=(const KernelSession&) = delete;
+
+  /// This thread has a session: an observer of a reader's progress asks another one to read.
+  static bool IsHeldHere();
 
 private:
+  std::unique_lock<std::mutex> Lock;
   Message_SequenceOfPrinters Printers;
   TCollection_AsciiString Unit;
 };
 
-/// OpenCASCADE's progress as a call of `report` with a fraction in [0,1]; report answers false to stop.
+/// OpenCASCADE's progress as a call of `report` with a fraction in [0,1]; report answers false to stop. It also
+/// stops after so many seconds; 0: never.
 class KernelProgress : public Message_ProgressIndicator
 {
   DEFINE_STANDARD_RTTI_INLINE(KernelProgress, Message_ProgressIndicator)
 public:
-  explicit KernelProgress(std::function<bool(double)> report);
+  explicit KernelProgress(std::function<bool(double)> report, double seconds = 0.0);
+
+  bool IsTimedOut() const { return this->TimedOut; }
 
 protected:
-  Standard_Boolean UserBreak() override { return this->Stopped; }
+  Standard_Boolean UserBreak() override;
   void Show(const Message_ProgressScope& scope, const Standard_Boolean force) override;
 
 private:
   std::function<bool(double)> Report;
   double Last = -1.0;
+  bool Limited;
+  std::chrono::steady_clock::time_point Deadline;
   std::atomic<bool> Stopped{ false };
+  std::atomic<bool> TimedOut{ false };
 };
 }
 

@@ -253,12 +253,14 @@ DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edg
   {
     throw std::runtime_error("it has no surface");
   }
+  face.Stored = stored;
   face.Surface = GetBasisSurface(stored);
   face.Location = location.Transformation();
   face.Period[0] = face.Surface->IsUPeriodic() ? face.Surface->UPeriod() : 0.0;
   face.Period[1] = face.Surface->IsVPeriodic() ? face.Surface->VPeriod() : 0.0;
   const bool plane = !Handle(Geom_Plane)::DownCast(face.Surface).IsNull();
 
+  bool bounded = false;
   for (TopoDS_Iterator wires(face.Face); wires.More(); wires.Next())
   {
     const TopAbs_Orientation wireOrientation = wires.Value().Orientation();
@@ -267,7 +269,9 @@ DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edg
     {
       continue;
     }
+    bounded = true;
     DraftLoop loop;
+    int dropped = 0;
     for (TopoDS_Iterator it(wires.Value()); it.More(); it.Next())
     {
       const TopoDS_Edge edge = TopoDS::Edge(it.Value());
@@ -295,12 +299,14 @@ DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edg
         {
           face.Messages.push_back(
             "An edge has no curve in the face's parameters and none could be made; it is left out.");
+          ++dropped;
           continue;
         }
       }
       if (!coedge.Projected && !(coedge.Trim.Last > coedge.Trim.First))
       {
         face.Messages.push_back("An edge has an empty parameter range on this face; it is left out.");
+        ++dropped;
         continue;
       }
       coedge.EdgeIndex = edges.Add(edge.Oriented(TopAbs_FORWARD)) - 1;
@@ -310,10 +316,20 @@ DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edg
     {
       std::reverse(loop.begin(), loop.end());
     }
+    if (loop.empty() && dropped == 0)
+    {
+      face.Messages.push_back("A loop has no edges; it is left out.");
+      ++dropped;
+    }
+    face.Defects += dropped;
     if (!loop.empty())
     {
       face.Loops.push_back(loop);
     }
+  }
+  if (bounded && face.Loops.empty())
+  {
+    throw std::runtime_error("none of its edges can be carried over");
   }
   return face;
 }
@@ -348,7 +364,7 @@ void OrderLoops(DraftFace& face)
 
 void ShiftLoops(DraftFace& face)
 {
-  if (face.Period[0] <= 0.0 && face.Period[1] <= 0.0)
+  if (face.Loops.empty() || (face.Period[0] <= 0.0 && face.Period[1] <= 0.0))
   {
     return;
   }
@@ -375,6 +391,7 @@ void ShiftLoops(DraftFace& face)
         {
           face.Messages.push_back(
             "A loop goes round the surface without a seam; its face is not bounded in (u,v).");
+          ++face.Defects;
         }
       }
     }

@@ -48,17 +48,23 @@ struct DraftFace
   TopoDS_Face Face;
   /// The face's orientation in its body is reversed.
   bool Reversed = false;
+  /// Without rectangular trims.
   Handle(Geom_Surface) Surface;
+  /// As the face has it: its bounds are those of a face without loops.
+  Handle(Geom_Surface) Stored;
   gp_Trsf Location;
   /// 0: not periodic.
   double Period[2] = { 0.0, 0.0 };
   std::vector<DraftLoop> Loops;
   std::vector<std::string> Messages;
+  /// Edges left out and loops that are not bounded: the face is not what the file says.
+  int Defects = 0;
 };
 
 /**
  * Collects surface, loops and pcurves of one face and adds its edges (forward) to `edges`. Serial: a missing
- * pcurve is added to the shape here. Throws std::runtime_error when the face has no surface.
+ * pcurve is added to the shape here. Throws std::runtime_error when the face has no surface, or when nothing is
+ * left of the loops it came with.
  */
 DraftFace CollectFace(const TopoDS_Face& face, TopTools_IndexedMapOfShape& edges);
 

@@ -1,6 +1,8 @@
 #include "smOCCTMesh.h"
 
+#include "smOCCTFile.h"
 #include "smOCCTGridMesh.h"
+#include "smOCCTText.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -8,9 +10,13 @@
 #include <Bnd_Box.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace sm
@@ -19,6 +25,12 @@ namespace
 {
 /// Per direction, of the grid that stands in where the kernel's mesher fails.
 constexpr int GridCells = 160;
+/// The same where many faces need it.
+constexpr int FewGridCells = 24;
+constexpr int ManyFaces = 20;
+
+/// Of the mesher's time for a body, what one face gets after the mesher was stopped.
+constexpr double FaceShare = 0.1;
 
 Vector3 Subtract(const Vector3& a, const Vector3& b)
 {
@@ -54,13 +66,17 @@ double MapParameter(const ConvertedFace& face, int direction, double native)
   if (period > 0.0)
   {
     const double slack = 1e-6 * period;
-    while (native < low - slack && native + period <= high + slack)
+    if (native < low - slack)
     {
-      native += period;
+      native += period *
+        std::max(0.0,
+          std::min(std::ceil((low - slack - native) / period), std::floor((high + slack - native) / period)));
     }
-    while (native > high + slack && native - period >= low - slack)
+    else if (native > high + slack)
     {
-      native -= period;
+      native -= period *
+        std::max(0.0,
+          std::min(std::ceil((native - high - slack) / period), std::floor((native - low + slack) / period)));
     }
   }
   return map.Evaluate(native);
@@ -125,9 +141,9 @@ bool GetKernelTriangles(const ConvertedFace& face, const gp_Trsf& trsf, double u
 }
 
 /// For a face that the kernel's mesher gave up on.
-bool GetGridTriangles(const ConvertedFace& face, const double origin[3], FaceTriangles& result)
+bool GetGridTriangles(const ConvertedFace& face, int cells, const double origin[3], FaceTriangles& result)
 {
-  GridMesh grid = MakeGridMesh(*face.Result, GridCells);
+  GridMesh grid = MakeGridMesh(*face.Result, cells);
   result = FaceTriangles();
   for (const auto& uv : grid.Parameters)
   {
@@ -138,6 +154,55 @@ bool GetGridTriangles(const ConvertedFace& face, const double origin[3], FaceTri
   result.Parameters = std::move(grid.Parameters);
   result.Triangles = std::move(grid.Triangles);
   return !result.Triangles.empty();
+}
+
+/// False when there is no box, or an infinite one.
+bool GetFiniteBox(const TopoDS_Shape& shape, double bounds[6])
+{
+  try
+  {
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box, true);
+    if (box.IsVoid() || box.IsOpen())
+    {
+      return false;
+    }
+    box.SetGap(0.0);
+    box.Get(bounds[0], bounds[2], bounds[4], bounds[1], bounds[3], bounds[5]);
+    return std::all_of(
+      bounds, bounds + 6, [](double b) { return std::abs(b) < 0.5 * Precision::Infinite(); });
+  }
+  catch (const Standard_Failure&)
+  {
+    return false;
+  }
+}
+
+/// One by one, the faces that a stopped mesher left, but the first: it had held up the others.
+void MeshRemainder(const TopoDS_Shape& shape, const IMeshTools_Parameters& parameters,
+  const std::function<bool(double)>& report, double seconds)
+{
+  const auto start = std::chrono::steady_clock::now();
+  bool culprit = true;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
+  {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    if (spent.count() >= seconds || (report && !report(1.0)))
+    {
+      return;
+    }
+    TopLoc_Location location;
+    if (!BRep_Tool::Triangulation(TopoDS::Face(faces.Current()), location).IsNull())
+    {
+      continue;
+    }
+    if (!culprit)
+    {
+      const Handle(KernelProgress) progress = new KernelProgress({}, FaceShare * seconds);
+      BRepMesh_IncrementalMesh(faces.Current(), parameters, progress->Start());
+    }
+    culprit = false;
+  }
 }
 
 /// Appends a face with outward winding and exact normals.
@@ -178,27 +243,44 @@ void AddFace(const FaceTriangles& from, const Face& face, int index, DisplayMesh
 }
 }
 
-bool GetShapeBounds(const TopoDS_Shape& shape, double bounds[6])
+bool GetShapeBounds(const TopoDS_Shape& shape, double bounds[6], int* unbounded)
 {
-  try
+  if (GetFiniteBox(shape, bounds))
   {
-    Bnd_Box box;
-    BRepBndLib::Add(shape, box, true);
-    if (box.IsVoid() || box.IsOpen())
-    {
-      return false;
-    }
-    box.SetGap(0.0);
-    box.Get(bounds[0], bounds[2], bounds[4], bounds[1], bounds[3], bounds[5]);
     return true;
   }
-  catch (const Standard_Failure&)
+  bool any = false;
+  int skipped = 0;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
   {
-    return false;
+    double own[6];
+    if (!GetFiniteBox(faces.Current(), own))
+    {
+      ++skipped;
+      continue;
+    }
+    for (int d = 0; d < 3; ++d)
+    {
+      bounds[2 * d] = any ? std::min(bounds[2 * d], own[2 * d]) : own[2 * d];
+      bounds[2 * d + 1] = any ? std::max(bounds[2 * d + 1], own[2 * d + 1]) : own[2 * d + 1];
+    }
+    any = true;
   }
+  if (unbounded)
+  {
+    *unbounded = skipped;
+  }
+  return any;
 }
 
-std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, double angle)
+double LimitDeflection(double deflection, double diagonal)
+{
+  const double wanted = deflection > 0.0 ? deflection : 1e-3 * diagonal;
+  return std::max({ wanted, 1e-5 * diagonal, 10.0 * Precision::Confusion() });
+}
+
+std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, double angle,
+  const std::function<bool(double)>& report, double seconds)
 {
   try
   {
@@ -207,9 +289,16 @@ std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, doubl
     parameters.Angle = angle;
     parameters.Relative = false;
     parameters.InParallel = false;
-    parameters.MinSize = 0.01 * deflection;
-    BRepMesh_IncrementalMesh(shape, parameters);
-    return {};
+    parameters.MinSize = std::max(0.01 * deflection, Precision::Confusion());
+    const Handle(KernelProgress) progress = new KernelProgress(report, seconds);
+    BRepMesh_IncrementalMesh(shape, parameters, progress->Start());
+    if (!progress->IsTimedOut())
+    {
+      return {};
+    }
+    MeshRemainder(shape, parameters, report, seconds);
+    return "OpenCASCADE's mesher took more than " + FormatShort(seconds) +
+      " s and was stopped; the display mesh of some faces may be coarse.";
   }
   catch (const Standard_Failure& failure)
   {
@@ -228,13 +317,22 @@ DisplayMesh BuildMesh(ConvertedBody& body, const gp_Trsf& trsf, double unit, con
   DisplayMesh mesh;
   int coarse = 0;
   int missing = 0;
+  std::vector<FaceTriangles> kernel(body.Faces.size());
+  std::vector<bool> meshed(body.Faces.size());
+  int failed = 0;
+  for (std::size_t i = 0; i < body.Faces.size(); ++i)
+  {
+    meshed[i] = GetKernelTriangles(body.Faces[i], trsf, unit, kernel[i]);
+    failed += meshed[i] ? 0 : 1;
+  }
   for (std::size_t i = 0; i < body.Faces.size(); ++i)
   {
     const ConvertedFace& face = body.Faces[i];
-    FaceTriangles triangles;
-    if (!GetKernelTriangles(face, trsf, unit, triangles))
+    FaceTriangles triangles = std::move(kernel[i]);
+    if (!meshed[i])
     {
-      const bool found = GetGridTriangles(face, origin, triangles);
+      const bool found =
+        GetGridTriangles(face, failed > ManyFaces ? FewGridCells : GridCells, origin, triangles);
       coarse += found ? 1 : 0;
       missing += found ? 0 : 1;
     }

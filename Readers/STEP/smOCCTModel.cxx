@@ -133,9 +133,10 @@ std::string ReadLengthUnit(
   return unit.empty() && !model.IsNull() ? FindUnitInContexts(model) : unit;
 }
 
-void CheckOperators(const Handle(StepData_StepModel) & model, std::vector<std::string>& messages)
+std::vector<Handle(Standard_Transient)> CheckOperators(
+  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages)
 {
-  int dropped = 0;
+  std::vector<Handle(Standard_Transient)> dropped;
   int first = 0;
   for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
   {
@@ -157,17 +158,18 @@ void CheckOperators(const Handle(StepData_StepModel) & model, std::vector<std::s
       GetDirection(item->Axis3(), z) && x.Crossed(y).Dot(z) < 0.0;
     if (mirrored || (item->HasScale() && std::abs(item->Scale() - 1.0) > 1e-12))
     {
-      ++dropped;
+      dropped.push_back(item);
       first = first > 0 ? first : model->IdentLabel(item);
     }
   }
-  if (dropped > 0)
+  if (!dropped.empty())
   {
-    messages.push_back(std::to_string(dropped) +
+    messages.push_back(std::to_string(dropped.size()) +
       " instances are scaled or mirrored by a transformation operator (first: #" + std::to_string(first) +
       "), which OpenCASCADE ignores: they are placed but neither scaled nor mirrored. Export the assembly "
       "flattened.");
   }
+  return dropped;
 }
 
 bool HasGeometry(const Handle(StepData_StepModel) & model)

@@ -23,9 +23,10 @@ std::string ReadLengthUnit(
 /**
  * Transformation operators (CARTESIAN_TRANSFORMATION_OPERATOR_3D): OpenCASCADE 7.6 drops their scale and their
  * reflection without a word, which a message says here, and crashes on one without a local origin, which gets the
- * origin here. Call before the transfer.
+ * origin here. Returns those that lose something. Call before the transfer.
  */
-void CheckOperators(const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
+std::vector<Handle(Standard_Transient)> CheckOperators(
+  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
 
 /// True when the file holds faces, whether or not the transfer makes a shape of them.
 bool HasGeometry(const Handle(StepData_StepModel) & model);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace sm
 {
@@ -71,6 +72,10 @@ ParameterMap ParameterMap::MakeCircular(double low, double high)
   map.Type = Kind::Circular;
   map.Start = low;
   double turn = high - low;
+  if (!(std::max(std::abs(low), std::abs(high)) <= MaximumTurns * 2.0 * Pi))
+  {
+    throw std::runtime_error("it covers an angle that no face has");
+  }
   if (std::abs(turn - 2.0 * Pi) < 1e-9)
   {
     turn = 2.0 * Pi;

@@ -29,6 +29,9 @@ struct AffineMap
   double GetScale() const;
 };
 
+/// No face goes round its surface that often.
+constexpr double MaximumTurns = 1e4;
+
 /**
  * Native parameter to ours, in one direction. Circular: equal arcs of opening 2a <= 90 degrees, weights
  * (1, cos a, 1); arc k of ours is [k, k+1] and
@@ -48,7 +51,8 @@ struct ParameterMap
   double Width = 1.0;
   int Count = 1;
 
-  /// Arcs that cover [low, high]; a full turn is four of them.
+  /// Arcs that cover [low, high]; a full turn is four of them. Throws std::runtime_error for a range that is not
+  /// finite, or spans or lies beyond MaximumTurns.
   static ParameterMap MakeCircular(double low, double high);
   static ParameterMap MakeHyperbolic(double low, double high);
 

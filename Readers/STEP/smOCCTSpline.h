@@ -6,6 +6,7 @@
 #define smOCCTSpline_h
 
 #include "smChebyshevFit.h"
+#include "smOCCTParameterMap.h"
 
 #include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_TrimmedCurve.hxx>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace sm
@@ -38,7 +40,8 @@ struct FlatKnots
 
 /**
  * Flat knots that cover [low, high]. A direction that is not periodic is taken whole. A periodic one is
- * unrolled over as many of its spans as the range needs; its knots are not clamped then.
+ * unrolled over as many of its spans as the range needs; its knots are not clamped then. Throws
+ * std::runtime_error for a range beyond MaximumTurns periods.
  */
 inline FlatKnots MakeFlatKnots(int degree, const TColStd_Array1OfReal& knots,
   const TColStd_Array1OfInteger& multiplicities, bool periodic, double low, double high)
@@ -63,6 +66,10 @@ inline FlatKnots MakeFlatKnots(int degree, const TColStd_Array1OfReal& knots,
   }
   // F(i + count) = F(i) + period for every integer i.
   const double period = knots.Last() - knots.First();
+  if (!(std::max(std::abs(low - base[0]), std::abs(high - base[0])) <= MaximumTurns * period))
+  {
+    throw std::runtime_error("it goes round a periodic spline more often than any face does");
+  }
   const auto wrap = [count](int i) { return ((i % count) + count) % count; };
   const auto knot = [&](int i)
   {

@@ -3,6 +3,7 @@
 #include "smChebyshevFit.h"
 #include "smOCCTProfile.h"
 #include "smOCCTSpline.h"
+#include "smOCCTText.h"
 
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
@@ -406,7 +407,7 @@ ConvertedSurface ConvertSurface(
   if (!(distance <= 1e-10 * GetSize(result.Surface) + result.Surface.Residual))
   {
     throw std::runtime_error(
-      "its surface differs from the file's by " + std::to_string(distance) + " after conversion");
+      "its surface differs from the file's by " + FormatShort(distance) + " after conversion");
   }
   return result;
 }

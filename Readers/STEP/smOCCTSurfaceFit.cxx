@@ -2,6 +2,7 @@
 
 #include "smChebyshevFit.h"
 #include "smOCCTSpline.h"
+#include "smOCCTText.h"
 
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_OffsetSurface.hxx>
@@ -14,6 +15,8 @@ namespace
 {
 constexpr int FitDegree = 10;
 constexpr int MaximumIntervals = 64;
+/// Cells of both directions together; a cell takes 7 kB while it is fitted.
+constexpr std::size_t MaximumCells = 16384;
 /// Relative to the size of the surface.
 constexpr double FitTolerance = 1e-13;
 
@@ -60,6 +63,10 @@ void Sample(const Handle(Geom_Surface) & surface, const AffineMap& map, const do
         surface->Value((1.0 - x[i]) * u[0] + x[i] * u[1], (1.0 - x[j]) * v[0] + x[j] * v[1]).XYZ());
       for (const double c : grid[j][i])
       {
+        if (!std::isfinite(c))
+        {
+          throw std::runtime_error("its surface is not finite");
+        }
         size = std::max(size, std::abs(c));
       }
     }
@@ -180,6 +187,11 @@ NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const ParameterBox
   {
     const std::size_t columns = breaks[0].size() - 1;
     const std::size_t rows = breaks[1].size() - 1;
+    if (columns * rows > MaximumCells)
+    {
+      throw std::runtime_error("its surface (" + std::string(surface->DynamicType()->Name()) +
+        ") needs more than " + std::to_string(MaximumCells) + " pieces");
+    }
     std::vector<std::array<double, 2>> tails(columns * rows);
     cells.resize(columns * rows);
     for (std::size_t j = 0; j < rows; ++j)
@@ -207,16 +219,18 @@ NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const ParameterBox
         }
       }
     }
-    if (!refine)
+    std::vector<double> refined[2];
+    for (int d = 0; d < 2; ++d)
+    {
+      refined[d] = breaks[d].size() <= MaximumIntervals ? Refine(breaks[d], marked[d]) : breaks[d];
+    }
+    if (!refine || (refined[0].size() - 1) * (refined[1].size() - 1) > MaximumCells)
     {
       break;
     }
     for (int d = 0; d < 2; ++d)
     {
-      if (breaks[d].size() <= MaximumIntervals)
-      {
-        breaks[d] = Refine(breaks[d], marked[d]);
-      }
+      breaks[d] = std::move(refined[d]);
     }
   }
 
@@ -244,7 +258,7 @@ NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const ParameterBox
   if (!(s.Residual < 1e-6 * size))
   {
     throw std::runtime_error("its surface (" + std::string(surface->DynamicType()->Name()) +
-      ") could not be fitted: a residual of " + std::to_string(s.Residual) + " is left");
+      ") could not be fitted: a residual of " + FormatShort(s.Residual) + " is left");
   }
   return s;
 }

@@ -2,8 +2,12 @@
 
 #include <Quantity_Color.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepRepr_MappedItem.hxx>
 #include <StepRepr_RepresentationItem.hxx>
+#include <StepShape_ConnectedFaceSet.hxx>
 #include <StepShape_EdgeCurve.hxx>
+#include <StepShape_EdgeLoop.hxx>
+#include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_ShellBasedSurfaceModel.hxx>
 #include <StepShape_SolidModel.hxx>
@@ -25,6 +29,9 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XCAFDoc_Volume.hxx>
 #include <XSControl_TransferReader.hxx>
+
+#include <algorithm>
+#include <unordered_set>
 
 namespace sm
 {
@@ -91,6 +98,46 @@ void AddEntity(const Handle(Standard_Transient) & entity, const Handle(StepData_
   }
 }
 
+bool IsBounded(const Handle(StepShape_Face) & face)
+{
+  for (int i = 1; !face.IsNull() && !face->Bounds().IsNull() && i <= face->NbBounds(); ++i)
+  {
+    const Handle(StepShape_FaceBound) bound = face->BoundsValue(i);
+    if (!bound.IsNull() && bound->Bound()->IsKind(STANDARD_TYPE(StepShape_EdgeLoop)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// What the kernel's transfer lost without a word.
+void AddLosses(const Handle(Standard_Transient) & entity, const TopoDS_Shape& shape, const LostFaces& lost,
+  ShapeTable& table)
+{
+  if (shape.IsNull())
+  {
+    return;
+  }
+  if (shape.ShapeType() == TopAbs_FACE && IsBounded(Handle(StepShape_Face)::DownCast(entity)))
+  {
+    table[shape.TShape().get()].Bounded = true;
+  }
+  const auto set = Handle(StepShape_ConnectedFaceSet)::DownCast(entity);
+  if (set.IsNull() || set->CfsFaces().IsNull() || shape.ShapeType() != TopAbs_SHELL)
+  {
+    return;
+  }
+  const auto dropped = lost.find(entity.get());
+  int faces = 0;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+  {
+    ++faces;
+  }
+  table[shape.TShape().get()].LostFaces =
+    std::max(0, set->NbCfsFaces() - faces) + (dropped == lost.end() ? 0 : dropped->second);
+}
+
 void AddLabel(
   const Handle(TDocStd_Document) & document, const TDF_Label& label, bool named, ShapeTable& table)
 {
@@ -110,8 +157,8 @@ void AddLabel(
 }
 }
 
-void FillTable(
-  const Handle(XSControl_WorkSession) & session, const Handle(TDocStd_Document) & document, ShapeTable& table)
+void FillTable(const Handle(XSControl_WorkSession) & session, const Handle(TDocStd_Document) & document,
+  const LostFaces& lost, ShapeTable& table)
 {
   const Handle(StepData_StepModel) model = Handle(StepData_StepModel)::DownCast(session->Model());
   const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
@@ -120,7 +167,9 @@ void FillTable(
     const Handle(Transfer_Binder) binder = process->MapItem(i);
     if (!binder.IsNull())
     {
-      AddEntity(process->Mapped(i), model, TransferBRep::ShapeResult(binder), table);
+      const TopoDS_Shape shape = TransferBRep::ShapeResult(binder);
+      AddEntity(process->Mapped(i), model, shape, table);
+      AddLosses(process->Mapped(i), shape, lost, table);
     }
   }
   const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
@@ -139,6 +188,41 @@ void FillTable(
       }
     }
   }
+}
+
+bool MarkMisplaced(const Handle(XSControl_WorkSession) & session,
+  const std::vector<Handle(Standard_Transient)>& operators, ShapeTable& table)
+{
+  const Handle(StepData_StepModel) model = Handle(StepData_StepModel)::DownCast(session->Model());
+  const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
+  std::unordered_set<const Standard_Transient*> open;
+  for (const Handle(Standard_Transient) & item : operators)
+  {
+    open.insert(item.get());
+  }
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const auto item = Handle(StepRepr_MappedItem)::DownCast(model->Value(i));
+    if (item.IsNull() || open.count(item->MappingTarget().get()) == 0)
+    {
+      continue;
+    }
+    const Handle(Transfer_Binder) binder = process->Find(item);
+    const TopoDS_Shape shape = binder.IsNull() ? TopoDS_Shape() : TransferBRep::ShapeResult(binder);
+    bool any = false;
+    for (const TopAbs_ShapeEnum kind : { TopAbs_SOLID, TopAbs_SHELL })
+    {
+      for (TopExp_Explorer it(shape, kind); it.More(); it.Next())
+      {
+        table[it.Current().TShape().get()].Misplaced = any = true;
+      }
+    }
+    if (any)
+    {
+      open.erase(item->MappingTarget().get());
+    }
+  }
+  return open.empty();
 }
 
 std::string GetLabelName(const TDF_Label& label)

@@ -6,6 +6,7 @@
 #define smOCCTTable_h
 
 #include "smOCCTBody.h"
+#include "smOCCTDamage.h"
 
 #include <TDF_Label.hxx>
 #include <TDocStd_Document.hxx>
@@ -15,9 +16,15 @@
 
 namespace sm
 {
-/// Entity numbers and names of solids, shells, faces and edges; colours of shapes and their parts.
+/// Entity numbers and names of solids, shells, faces and edges; colours of shapes and their parts; which faces the
+/// file bounds by edges, and how many faces of a shell are missing: `lost` and those without a shape.
 void FillTable(const Handle(XSControl_WorkSession) & session, const Handle(TDocStd_Document) & document,
-  ShapeTable& table);
+  const LostFaces& lost, ShapeTable& table);
+
+/// Marks the solids and shells that the operators place (ShapeInfo::Misplaced); false when one of them places
+/// something else, and any shape may be meant.
+bool MarkMisplaced(const Handle(XSControl_WorkSession) & session,
+  const std::vector<Handle(Standard_Transient)>& operators, ShapeTable& table);
 
 std::string GetLabelName(const TDF_Label& label);
 std::string GetLabelLayer(const Handle(TDocStd_Document) & document, const TDF_Label& label);

@@ -8,6 +8,8 @@
 #include <Geom2d_OffsetCurve.hxx>
 
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace sm
 {
@@ -181,22 +183,34 @@ private:
     for (int d = 0; d < 2; ++d)
     {
       const ParameterMap& map = this->Maps[d];
-      for (int k = 1; map.Type == ParameterMap::Kind::Circular && !this->Constant[d] && k < map.Count; ++k)
+      if (map.Type != ParameterMap::Kind::Circular || this->Constant[d])
+      {
+        continue;
+      }
+      double low = native[0][d];
+      double high = low;
+      for (const auto& p : native)
+      {
+        low = std::min(low, p[d]);
+        high = std::max(high, p[d]);
+      }
+      const int end = std::min(map.Count, map.FindArc(high) + 2);
+      for (int k = std::max(1, map.FindArc(low)); k < end; ++k)
       {
         const double border = map.GetBorder(k);
         // A piece that merely touches the border at an end is not cut there.
         const double slack = 8.0 * UnitRoundoff * std::max({ 1.0, std::abs(map.Start), std::abs(border) });
         for (int i = 0; i < FitOrder; ++i)
         {
-          const double low = native[i][d] - border;
-          const double high = native[i + 1][d] - border;
-          if ((low < -slack && high > slack) || (low > slack && high < -slack))
+          const double before = native[i][d] - border;
+          const double after = native[i + 1][d] - border;
+          if ((before < -slack && after > slack) || (before > slack && after < -slack))
           {
             const double x0 = a + GetFitNodes()[i] * (b - a);
             const double x1 = a + GetFitNodes()[i + 1] * (b - a);
-            cuts.push_back(this->FindCrossing(d, border, x0, x1, high > 0.0));
+            cuts.push_back(this->FindCrossing(d, border, x0, x1, after > 0.0));
           }
-          else if (i > 0 && std::abs(low) <= slack &&
+          else if (i > 0 && std::abs(before) <= slack &&
             (native[i - 1][d] - border) * (native[i + 1][d] - border) < 0.0)
           {
             cuts.push_back(a + GetFitNodes()[i] * (b - a));
@@ -277,6 +291,11 @@ private:
       {
         this->Result.Residual = std::max(this->Result.Residual, piece.Residual[d]);
       }
+    }
+    if (this->Result.GetNumberOfPieces() >= MaximumPieces)
+    {
+      throw std::runtime_error(
+        "the curve of an edge on it needs more than " + std::to_string(MaximumPieces) + " pieces");
     }
     this->Result.AppendPiece(this->Range(b), piece.Coefficients.data(), piece.Degree);
   }

@@ -25,6 +25,13 @@ namespace
 /// What a face without a colour gets where others have one.
 constexpr double DefaultColor = 0.8;
 
+/// Share of a body's progress that its triangles take.
+constexpr double MeshShare = 0.6;
+
+/// Seconds the kernel's mesher gets for one body: an ordinary one takes one or two at most, and there are planes
+/// from which it does not come back.
+constexpr double MeshLimit = 5.0;
+
 vtkSmartPointer<vtkIntArray> MakeIndexArray(const std::vector<int>& values)
 {
   auto array = vtkSmartPointer<vtkIntArray>::New();
@@ -49,7 +56,8 @@ void FillPlacement(const gp_Trsf& trsf, double unit, vtkMatrix4x4* matrix)
 }
 }
 
-LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options)
+LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options,
+  const std::function<bool(double)>& report)
   : Options(options)
   , Color(part.Color)
   , Model(vtkSmartPointer<vtkTrimmedNURBSModel>::New())
@@ -62,13 +70,25 @@ LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOp
   try
   {
     const double scale = std::abs(part.Scale.ScaleFactor());
-    if (GetShapeBounds(part.Shape, bounds))
+    int unbounded = 0;
+    if (GetShapeBounds(part.Shape, bounds, &unbounded))
     {
+      if (unbounded > 0)
+      {
+        body.Messages.push_back(std::to_string(unbounded) +
+          " faces have no finite bounding box; the size of the body is taken from the others.");
+      }
       const double diagonal = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
       deflection = options.RelativeDeflection ? options.LinearDeflection * diagonal
                                               : options.LinearDeflection / (options.Unit * scale);
+      deflection = LimitDeflection(deflection, diagonal);
+      const auto reportMesh = [this, &report](double x)
+      {
+        this->Aborted = this->Aborted || !report(MeshShare * x);
+        return !this->Aborted;
+      };
       const std::string problem =
-        TriangulateShape(part.Shape, std::max(deflection, 1e-9 * diagonal), options.AngularDeflection);
+        TriangulateShape(part.Shape, deflection, options.AngularDeflection, reportMesh, MeshLimit);
       if (!problem.empty())
       {
         body.Messages.push_back(problem);
@@ -83,7 +103,11 @@ LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOp
       origin[d] = static_cast<float>(0.5 * (bounds[2 * d] + bounds[2 * d + 1]) * scale * options.Unit);
     }
     this->Model->SetOrigin(origin);
-    ConvertedBody converted = ConvertBody(part.Shape, part.Scale, options.Unit, origin, table);
+    const auto reportFaces = [&report](double x) { return report(MeshShare + (1.0 - MeshShare) * x); };
+    ConvertedBody converted = this->Aborted
+      ? ConvertedBody()
+      : ConvertBody(part.Shape, part.Scale, options.Unit, origin, table, reportFaces);
+    this->Aborted = this->Aborted || converted.Aborted;
     converted.Messages.insert(converted.Messages.begin(), body.Messages.begin(), body.Messages.end());
     body = std::move(converted);
     this->Mesh = BuildMesh(body, part.Scale, options.Unit, origin);
@@ -103,6 +127,11 @@ LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOp
   {
     ++body.MissingFaces;
     body.Messages.push_back(std::string("The body could not be carried over: ") + failure.what() + ".");
+  }
+  if (part.Misplaced)
+  {
+    ++body.Defects;
+    body.Messages.push_back("An instance of it lost its scale or its mirror.");
   }
   this->MakeModel(part, bounds, deflection, body);
   this->MakeSharedArrays();
@@ -154,6 +183,7 @@ void LeafMaker::MakeModel(
   model->SetShells(body.Shells);
   model->SetMessages(body.Messages);
   model->SetNumberOfMissingFaces(body.MissingFaces);
+  model->SetNumberOfDefects(body.Defects);
 }
 
 void LeafMaker::MakeSharedArrays()

@@ -10,6 +10,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,14 +34,18 @@ struct LeafOptions
 class LeafMaker
 {
 public:
-  /// Triangulates and converts the body. Throws nothing: what fails is in the messages.
-  LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options);
+  /// Triangulates and converts the body. Throws nothing: what fails is in the messages. `report` gets a fraction in
+  /// [0,1] and answers false to stop.
+  LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options,
+    const std::function<bool(double)>& report);
 
   /// One occurrence, in world coordinates; it shares the model, and all arrays that the placement leaves alone.
   vtkSmartPointer<vtkNURBSDataSet> MakeLeaf(const BodyInstance& instance);
 
   /// What a user should know of this body, with its name.
   const std::vector<std::string>& GetMessages() const { return this->Messages; }
+  /// `report` said to stop; the leaf is not whole.
+  bool IsAborted() const { return this->Aborted; }
   double GetMeshSeconds() const { return this->MeshSeconds; }
   double GetConversionSeconds() const { return this->ConversionSeconds; }
 
@@ -59,6 +64,7 @@ private:
   vtkSmartPointer<vtkDataArray> CellFace;
   vtkSmartPointer<vtkDataArray> Parameters;
   std::vector<std::string> Messages;
+  bool Aborted = false;
   double MeshSeconds = 0.0;
   double ConversionSeconds = 0.0;
 };

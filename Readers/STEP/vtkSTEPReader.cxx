@@ -18,6 +18,8 @@
 #include "vtkTimerLog.h"
 #include "vtkTrimmedNURBSModel.h"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <vector>
 
@@ -178,6 +180,26 @@ int vtkSTEPReader::RequestInformation(
   return 1;
 }
 
+void vtkSTEPReader::SetLinearDeflection(double deflection)
+{
+  const double value = deflection > 0.0 ? std::min(std::max(deflection, 1e-7), 1e30) : 0.001;
+  if (value != this->LinearDeflection)
+  {
+    this->LinearDeflection = value;
+    this->Modified();
+  }
+}
+
+void vtkSTEPReader::SetAngularDeflection(double angle)
+{
+  const double value = std::isnan(angle) ? 0.35 : std::min(std::max(angle, 0.01), 3.0);
+  if (value != this->AngularDeflection)
+  {
+    this->AngularDeflection = value;
+    this->Modified();
+  }
+}
+
 bool vtkSTEPReader::Report(double fraction)
 {
   this->UpdateProgress(fraction);
@@ -217,6 +239,14 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
       "OutputUnit \"" + this->OutputUnit + "\" is not known; use mm, cm, m, um, inch, ft or file");
   }
 
+  if (sm::KernelSession::IsHeldHere())
+  {
+    return this->Fail(UNREADABLE,
+      "another file is being read on this thread, and OpenCASCADE reads one at a time; do not update a "
+      "reader "
+      "inside an observer of another one's progress");
+  }
+  const sm::KernelSession kernel;
   const double start = vtkTimerLog::GetUniversalTime();
   sm::Document document =
     sm::ReadDocument(this->FileName, [this](double x) { return this->Report(ReadingShare * x); });
@@ -255,12 +285,19 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   std::vector<std::unique_ptr<sm::LeafMaker>> makers;
   for (std::size_t i = 0; i < document.Bodies.size(); ++i)
   {
-    if (!this->Report(ReadingShare + (1.0 - ReadingShare) * i / document.Bodies.size()))
+    const auto report = [this, i, &document](double x)
+    { return this->Report(ReadingShare + (1.0 - ReadingShare) * (i + x) / document.Bodies.size()); };
+    bool aborted = !report(0.0);
+    if (!aborted)
+    {
+      makers.emplace_back(new sm::LeafMaker(document.Bodies[i], document.Table, options, report));
+      aborted = makers.back()->IsAborted();
+    }
+    if (aborted)
     {
       this->Status = ABORTED;
       return 1;
     }
-    makers.emplace_back(new sm::LeafMaker(document.Bodies[i], document.Table, options));
     this->Last->MeshSeconds += makers.back()->GetMeshSeconds();
     this->Last->ConversionSeconds += makers.back()->GetConversionSeconds();
     for (const std::string& message : makers.back()->GetMessages())

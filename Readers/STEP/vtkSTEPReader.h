@@ -25,8 +25,13 @@
  * A file that cannot be read raises one error that names it and the remedy; the output is empty then and
  * GetStatus says why. Under MPI, piece 0 holds everything and the other pieces are empty.
  *
- * One file is read at a time in a process, other readers wait: OpenCASCADE's settings are global. Conversion
- * uses vtkSMPTools. No OpenGL context is needed.
+ * One file is read at a time in a process, readers on other threads wait: OpenCASCADE's settings are global. A
+ * reader that is updated by an observer of another one's progress raises an error. Conversion uses vtkSMPTools. No
+ * OpenGL context is needed.
+ *
+ * The display mesh of one body gets 5 seconds, and the faces not reached 5 more one by one; what is left is shown on
+ * a plain grid. A body whose faces are not all that the file says has GetNumberOfMissingFaces() or
+ * GetNumberOfDefects() above 0.
  */
 #ifndef vtkSTEPReader_h
 #define vtkSTEPReader_h
@@ -58,10 +63,11 @@ public:
   ///@{
   /**
    * Largest distance of the display mesh from the surface: a fraction of the part's bounding-box diagonal when
-   * RelativeDeflection is on (default), else a length in OutputUnit. Clamped to >= 1e-7. Default: 0.001. It does not
-   * touch the exact geometry.
+   * RelativeDeflection is on (default), else a length in OutputUnit. Clamped to [1e-7, 1e30]; 0, less and NaN give
+   * the default, 0.001. The mesher gets no less than 1e-5 of the diagonal and no less than 1e-6 mm. It does not touch
+   * the exact geometry.
    */
-  vtkSetClampMacro(LinearDeflection, double, 1e-7, 1e30);
+  void SetLinearDeflection(double deflection);
   vtkGetMacro(LinearDeflection, double);
   vtkSetMacro(RelativeDeflection, bool);
   vtkGetMacro(RelativeDeflection, bool);
@@ -69,8 +75,8 @@ public:
   ///@}
 
   ///@{
-  /** Largest angle between neighbouring triangles in radians, clamped to [0.01, 1.5]. Default: 0.35. */
-  vtkSetClampMacro(AngularDeflection, double, 0.01, 1.5);
+  /** Largest angle between neighbouring triangles in radians, clamped to [0.01, 3]; NaN gives the default, 0.35. */
+  void SetAngularDeflection(double angle);
   vtkGetMacro(AngularDeflection, double);
   ///@}
 

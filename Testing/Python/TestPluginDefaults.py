@@ -34,7 +34,9 @@ for file, instance, proxy in (("readers.xml", vtkSTEPReader(), STEPReader()),  #
             if limits.get(limit) is None:
                 continue
             bound = float(limits.get(limit))
-            getattr(instance, "Set" + name)(bound + (-1.0 if limit == "min" else 1.0))
+            # A little outside: what makes no sense at all (0, negative) may mean the default instead.
+            outside = (bound / 2 if limit == "min" else bound * 2) if bound > 0 else bound + (-1 if limit == "min" else 1)
+            getattr(instance, "Set" + name)(outside)
             check_equal(f"{name}: the class clamps at {limit}", bound, getattr(instance, "Get" + name)())
         # Above a maximum, ParaView 5.11 calls values valid where there is a minimum too, in its own sources as well.
         if limits is not None:

@@ -4,6 +4,7 @@
  *
  * Usage: TestSTEPReader FOLDER, a folder for the files it writes.
  */
+#include "smOCCTMesh.h"
 #include "smTesting.h"
 
 #include "vtkSTEPReader.h"
@@ -29,6 +30,10 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -38,7 +43,10 @@
 #include <TDF_Label.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Wire.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_MaterialTool.hxx>
@@ -48,6 +56,8 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -197,6 +207,8 @@ void CheckAssembly(const std::string& path, const char* unit, double millimetres
   smtest::CheckTrue(
     "instances share their model", leaves[0]->GetModel() && leaves[0]->GetModel() == leaves[1]->GetModel());
   smtest::CheckTrue("and their triangles", leaves[0]->GetPolys() == leaves[1]->GetPolys());
+  smtest::CheckEqual("defects of the plate", 0, leaves[0]->GetModel()->GetNumberOfDefects());
+  smtest::CheckEqual("missing faces of the plate", 0, leaves[0]->GetModel()->GetNumberOfMissingFaces());
   smtest::CheckEqual("faces of the plate", 7, leaves[0]->GetModel()->GetNumberOfFaces());
   smtest::CheckTrue("every face has its number in the file",
     leaves[0]->GetModel()->GetFaces()[3]->FileId > 0 && leaves[0]->GetModel()->GetFileId() > 0);
@@ -288,14 +300,134 @@ void CheckMesh(const std::string& path)
   }
 }
 
-void CheckAbort(const std::string& path)
+/// Bodies that are not what their file says, made without a file.
+void CheckBrokenBodies()
+{
+  const BRep_Builder builder;
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  TopoDS_Edge edge;
+  builder.MakeEdge(edge, new Geom_Line(gp_Pnt(), gp_Dir(1, 0, 0)), 1e-7);
+  builder.Range(edge, 1.0, 1.0);
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  builder.Add(wire, edge);
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln()), 1e-7);
+  builder.Add(face, wire);
+  sm::ConvertedBody body = sm::ConvertBody(face, gp_Trsf(), 1.0, origin, {});
+  smtest::CheckEqual(
+    "a face whose edges are empty is not the whole plane", 0, static_cast<long long>(body.Faces.size()));
+  smtest::CheckEqual("  but missing", 1, body.MissingFaces);
+
+  const TopoDS_Face rectangle = BRepBuilderAPI_MakeFace(gp_Pln(), 0.0, 7.0, 0.0, 8.0).Face();
+  wire = TopoDS::Wire(TopoDS_Iterator(rectangle).Value());
+  wire.Free(true);
+  builder.Add(wire, edge);
+  body = sm::ConvertBody(rectangle, gp_Trsf(), 1.0, origin, {});
+  smtest::CheckEqual(
+    "an edge that is left out leaves its face", 1, static_cast<long long>(body.Faces.size()));
+  smtest::CheckTrue("  and is a defect", body.Defects > 0 && !body.Messages.empty());
+
+  const Handle(Geom_Surface) tube =
+    new Geom_RectangularTrimmedSurface(new Geom_CylindricalSurface(gp_Ax3(), 2.0), 0.0, 1.0, 3.0, 5.0);
+  TopoDS_Face patch;
+  builder.MakeFace(patch, tube, 1e-7);
+  body = sm::ConvertBody(patch, gp_Trsf(), 1.0, origin, {});
+  smtest::CheckEqual("a face without loops", 1, static_cast<long long>(body.Faces.size()));
+  smtest::CheckEqual("  has no defect", 0, body.Defects);
+  const sm::NURBSSurface& surface = body.Faces.at(0).Result->Surface;
+  double p[3];
+  surface.Evaluate(surface.GetDomainEnd(0), surface.GetDomainEnd(1), p);
+  smtest::Check("  ends where its trims do, in x", 2.0 * std::cos(1.0), p[0], 1e-14, "4 eps radius");
+  smtest::Check("  and in z", 5.0, p[2], 1e-14, "2 eps height");
+}
+
+void CheckDeflection()
+{
+  vtkNew<vtkSTEPReader> reader;
+  for (const double bad : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    reader->SetLinearDeflection(1.0);
+    reader->SetLinearDeflection(bad);
+    smtest::CheckEqual("a deflection that is none is the default", 0.001, reader->GetLinearDeflection());
+  }
+  reader->SetLinearDeflection(1e-20);
+  smtest::CheckEqual("the least deflection", 1e-7, reader->GetLinearDeflection());
+  reader->SetAngularDeflection(0.0);
+  smtest::CheckEqual("the least angle", 0.01, reader->GetAngularDeflection());
+  reader->SetAngularDeflection(10.0);
+  smtest::CheckEqual("the largest angle", 3.0, reader->GetAngularDeflection());
+  reader->SetAngularDeflection(std::numeric_limits<double>::quiet_NaN());
+  smtest::CheckEqual("an angle that is none is the default", 0.35, reader->GetAngularDeflection());
+  smtest::CheckEqual("the mesher's least deflection", 1e-5 * 200.0, sm::LimitDeflection(1e-9, 200.0));
+  smtest::Check("and near its precision", 1e-6, sm::LimitDeflection(1e-9, 1e-4), 1e-18, "10 times 1e-7");
+
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(4.0).Shape();
+  const std::string said = sm::TriangulateShape(ball, 1e-3, 0.01, {}, 1e-9);
+  smtest::CheckTrue("a mesher out of time says so", said.find("stopped") != std::string::npos, said);
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  sm::ConvertedBody body = sm::ConvertBody(ball, gp_Trsf(), 1.0, origin, {});
+  const double exact = 4.0 / 3.0 * std::acos(-1.0) * 64.0;
+  smtest::CheckRange("and a grid stands in", 0.99, sm::BuildMesh(body, gp_Trsf(), 1.0, origin).Volume / exact,
+    1.0, "160 cells round the ball");
+}
+
+/// A reader inside an observer of another one's progress fails with a sentence, and the other one goes on.
+void CheckNested(const std::string& path)
+{
+  struct Client
+  {
+    std::string Path;
+    ErrorLog Log;
+    int Runs = 0;
+  } client;
+  client.Path = path;
+  vtkNew<vtkCallbackCommand> callback;
+  callback->SetClientData(&client);
+  callback->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto* c = static_cast<Client*>(data);
+      const double progress = static_cast<vtkSTEPReader*>(caller)->GetProgress();
+      if (c->Runs > 0 || progress < 0.1 || progress >= 1.0)
+      {
+        return;
+      }
+      ++c->Runs;
+      vtkNew<vtkSTEPReader> inner;
+      ErrorLog ignored;
+      c->Log.Watch(inner);
+      ignored.Watch(inner->GetExecutive());
+      inner->SetFileName(c->Path.c_str());
+      inner->Update();
+    });
+  vtkNew<vtkSTEPReader> reader;
+  reader->AddObserver(vtkCommand::ProgressEvent, callback);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  smtest::CheckEqual("a nested reader ran", 1, client.Runs);
+  smtest::CheckEqual("and failed", 1, client.Log.Count);
+  smtest::CheckTrue(
+    "with a sentence", client.Log.Text.find("another file is being read") != std::string::npos);
+  smtest::CheckEqual("the outer one goes on", 3, reader->GetNumberOfInstances());
+}
+
+/// Stops at the first report of at least `threshold`.
+void CheckAbort(const std::string& path, double threshold)
 {
   vtkNew<vtkSTEPReader> reader;
   ErrorLog log;
   log.Watch(reader);
   vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkSTEPReader*>(caller)->SetAbortExecute(1); });
+  stop->SetClientData(&threshold);
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void* least, void* progress)
+    {
+      if (*static_cast<double*>(progress) >= *static_cast<double*>(least))
+      {
+        static_cast<vtkSTEPReader*>(caller)->SetAbortExecute(1);
+      }
+    });
   reader->AddObserver(vtkCommand::ProgressEvent, stop);
   reader->SetFileName(path.c_str());
   reader->Update();
@@ -321,7 +453,13 @@ int main(int argc, char* argv[])
   CheckAssembly(good, "inch", 25.4);
   CheckAssembly(good, "file", 1.0);
   CheckMesh(good);
-  CheckAbort(good);
+  CheckAbort(good, 0.0);
+  // The last body's triangles, and its faces.
+  CheckAbort(good, 0.76);
+  CheckAbort(good, 0.96);
+  CheckBrokenBodies();
+  CheckDeflection();
+  CheckNested(good);
 
   const auto make = [](const std::string& name, const std::string& content)
   {
@@ -378,8 +516,48 @@ int main(int argc, char* argv[])
   reader->Update();
   smtest::CheckEqual("status of a damaged file", "ok", reader->GetStatusAsString());
   smtest::CheckEqual("one face is left out", 6, GetLeaf(reader, 0)->GetModel()->GetNumberOfFaces());
+  smtest::CheckEqual("and counted", 1, GetLeaf(reader, 0)->GetModel()->GetNumberOfMissingFaces());
+  smtest::CheckEqual("in its body only", 0, GetLeaf(reader, 2)->GetModel()->GetNumberOfMissingFaces());
   smtest::CheckTrue(
     "and said", reader->GetMessage(0).find("damaged") != std::string::npos, reader->GetMessage(0));
+
+  // An edge between one vertex and itself, whose curve goes elsewhere.
+  const std::regex ends("EDGE_CURVE\\('',(#[0-9]+),(#[0-9]+),");
+  reader->SetFileName(make("reader_vertex.step",
+    std::regex_replace(text, ends, "EDGE_CURVE('',$1,$1,", std::regex_constants::format_first_only))
+                        .c_str());
+  reader->Update();
+  vtkTrimmedNURBSModel* torn = GetLeaf(reader, 0)->GetModel();
+  smtest::CheckTrue("a wrong vertex is a defect, or its faces are missing",
+    torn->GetNumberOfDefects() + torn->GetNumberOfMissingFaces() > 0);
+  vtkNew<vtkTrimmedNURBSModel> copy;
+  copy->ShallowCopy(torn);
+  smtest::CheckEqual("which a copy has too", torn->GetNumberOfDefects(), copy->GetNumberOfDefects());
+
+  // Lengths near the kernel's precision: the mesher must come back.
+  reader->SetFileName(
+    make("reader_nano.step", std::regex_replace(text, std::regex("\\.MILLI\\."), ".NANO.")).c_str());
+  reader->Update();
+  smtest::CheckTrue("a file in nanometres ends", reader->GetMeshSeconds() < 30.0);
+
+  // An instance that loses its scale.
+  const std::regex part(
+    "(#[0-9]+) = (ADVANCED_BREP_SHAPE_REPRESENTATION\\('',\\((#[0-9]+),#[0-9]+\\),(#[0-9]+)\\);)");
+  reader->SetFileName(make("reader_scaled.step",
+    std::regex_replace(text, part,
+      "$1 = SHAPE_REPRESENTATION('',($3,#900001),$4);\n#900000 = $2\n"
+      "#900001 = MAPPED_ITEM('',#900002,#900003);\n#900002 = REPRESENTATION_MAP($3,#900000);\n"
+      "#900003 = CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',$$,$$,#900004,2.5,$$);\n"
+      "#900004 = CARTESIAN_POINT('',(100.,0.,0.));",
+      std::regex_constants::format_first_only))
+                        .c_str());
+  reader->Update();
+  int misplaced = 0;
+  for (int i = 0; i < reader->GetNumberOfInstances(); ++i)
+  {
+    misplaced += GetLeaf(reader, i)->GetModel()->GetNumberOfDefects() > 0 ? 1 : 0;
+  }
+  smtest::CheckTrue("a lost scale is a defect", misplaced > 0);
 
   // A file without solids gives its shells; process-wide settings are as they were.
   const std::string loose = Folder + "/reader_loose.step";
