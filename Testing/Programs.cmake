@@ -58,10 +58,10 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
 endif ()
 
 if (EXISTS "${SOLIDMOMENTS_MODELS_DIR}/reference.jsonl")
-  solidmoments_add_test(NAME SweepModels LABELS value robust NODISPLAY TIMEOUT 3600
+  solidmoments_add_test(NAME SweepModels LABELS value robust NODISPLAY TIMEOUT 3600 FIXTURE models
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/SweepModels.py"
       --program "$<TARGET_FILE:solidmoments>" --models "${SOLIDMOMENTS_MODELS_DIR}"
       --exceptions "${CMAKE_CURRENT_SOURCE_DIR}/SweepExceptions.json"
-      --folder "${CMAKE_CURRENT_BINARY_DIR}/models")
+      --folder "${SOLIDMOMENTS_UNPACKED_MODELS}")
   set_tests_properties(SweepModels PROPERTIES RUN_SERIAL ON)
 endif ()
