@@ -37,8 +37,8 @@ constexpr double SurfaceLimit = 2e-13;
 /// A trim curve is fitted to 1e-13 of an arc; OpenCASCADE's own evaluation adds rounding.
 constexpr double TrimLimit = 2e-12;
 constexpr double EdgeLimit = 1e-13;
-/// What the reader gives the mesher for one body.
-constexpr double MeshSeconds = 5.0;
+/// Far more than the reader gives the mesher for one body, so that a busy machine does not change what is checked.
+constexpr double MeshSeconds = 120.0;
 
 struct Tally
 {
