@@ -538,7 +538,7 @@ int main(int argc, char* argv[])
   reader->SetFileName(
     make("reader_nano.step", std::regex_replace(text, std::regex("\\.MILLI\\."), ".NANO.")).c_str());
   reader->Update();
-  smtest::CheckTrue("a file in nanometres ends", reader->GetMeshSeconds() < 30.0);
+  smtest::CheckTrue("a file in nanometres ends, with a mesh", GetLeaf(reader, 0)->GetNumberOfPolys() > 0);
 
   // An instance that loses its scale.
   const std::regex part(
