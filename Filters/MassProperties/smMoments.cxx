@@ -24,6 +24,11 @@ double Largest(const double* values, int count)
   double largest = 0.0;
   for (int i = 0; i < count; ++i)
   {
+    // Not std::max, which loses a NaN: a bound that is not known must not come out as a small one.
+    if (std::isnan(values[i]))
+    {
+      return values[i];
+    }
     largest = std::max(largest, std::abs(values[i]));
   }
   return largest;

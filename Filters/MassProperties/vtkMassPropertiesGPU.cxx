@@ -319,6 +319,10 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
       body.Flag(sm::names::StatusSuspect, "the volume is zero within its bound");
     }
   }
+  if (computed && !std::isfinite(row.Area))
+  {
+    body.Flag(sm::names::StatusSuspect, "the area is not a finite number");
+  }
   const std::string unmet = computed ? FindUnmet(row, this->RelativeTolerance) : std::string();
   if (!unmet.empty())
   {

@@ -20,7 +20,8 @@
  * The names are in smMassPropertyNames.h. What could not be computed is NaN with a Status, never 0.
  *
  * The order of the Gauss rules is raised panel by panel until two orders agree to the tolerance; a bound is
- * the sum of these differences and of the rounding of every sample.
+ * the sum of the errors estimated from these differences and of the rounding of every sample. It is infinite
+ * when faces are missing.
  *
  * Getters return the values of the last run and never run the pipeline: call Update() first.
  * RequestData fails only for a wrong input (no exact geometry in it); without a GPU context the rows are

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -180,6 +181,22 @@ int main()
   }
   smtest::CheckTrue("dumbbell: two moments coincide", p.AxesDegenerate);
   smtest::Check("dumbbell radius of gyration", 2.0, p.Gyration[2], 1e-15);
+
+  // A body with missing faces has no bound, and no operation gives it one.
+  sm::Moments unbounded = MakeMoments(masses, near);
+  unbounded.VolumeBound = std::numeric_limits<double>::infinity();
+  unbounded.FirstBound.fill(unbounded.VolumeBound);
+  unbounded.SecondBound.fill(unbounded.VolumeBound);
+  unbounded.Place(rigid);
+  sm::Moments withUnbounded = MakeMoments(masses, near);
+  withUnbounded.Add(unbounded);
+  for (const sm::Moments& m : { unbounded, withUnbounded })
+  {
+    const sm::MassProperties u = sm::ComputeMassProperties(m);
+    smtest::CheckTrue("no finite bound from an infinite one",
+      !std::isfinite(u.VolumeBound) && !std::isfinite(u.FirstBound) &&
+        !std::isfinite(u.InertiaAtOriginBound) && !std::isfinite(u.CenterBound) && std::isnan(u.Center[0]));
+  }
 
   sm::Moments empty;
   empty.VolumeBound = 1e-3;
