@@ -67,6 +67,8 @@ private:
   std::map<std::pair<int, int>, std::uint32_t> PatchOfCell;
   std::vector<PanelShape> ShapeOfPatch;
   std::map<const void*, std::uint32_t> EdgePieces;
+  /// The coedge in hand, counted through all loops.
+  int CoedgeIndex = 0;
   FacePanels Result;
 };
 
@@ -296,7 +298,7 @@ void Builder::AddRibbons(const Coedge& coedge, int piece, std::uint32_t trim, co
         static_cast<std::uint8_t>(curve.GetDegree(piece)),
         static_cast<std::uint8_t>(edge.GetDegree(edgePiece)), this->Source.Reversed != coedge.Reversed,
         !coedge.Use->Degenerate, local, nextLocal, (t - edgeStart) / edgeWidth,
-        (next - edgeStart) / edgeWidth });
+        (next - edgeStart) / edgeWidth, this->CoedgeIndex });
     }
     if (last)
     {
@@ -399,7 +401,7 @@ void Builder::AddCorner(const Coedge& before, const Coedge& after, const Point2&
     if (!negligible)
     {
       this->Result.Ribbons.push_back({ this->GetPatch(segment.Column, segment.Row), trim, apex, 1, 0,
-        this->Source.Reversed, false, segment.Start, segment.End, 0.0, 1.0 });
+        this->Source.Reversed, false, segment.Start, segment.End, 0.0, 1.0, -1 });
     }
   }
 }
@@ -430,6 +432,7 @@ void Builder::AddLoop(const Loop& loop)
     const bool joined = same(from, to);
     this->AddCorner(before, coedge, from, joined ? from : to);
     this->AddCoedge(coedge, joined ? &from : nullptr);
+    ++this->CoedgeIndex;
   }
 }
 

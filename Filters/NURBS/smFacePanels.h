@@ -80,6 +80,8 @@ struct Ribbon
   bool AlongEdge;
   double Start, End;
   double EdgeStart, EdgeEnd;
+  /// Which of the face's coedges, counted through all loops; -1: the strip at a loop's corner.
+  int Coedge;
 };
 
 /// The triangle Apex, From, To of a corner cone; the area vector of the chain is (From-Apex) x (To-Apex) / 2,

@@ -1,0 +1,544 @@
+#include "smPatchMajorants.h"
+
+#include "smChebyshev.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+using Vector = std::array<double, 3>;
+
+// A row of control points this close together, relative to the patch, is one point; a length this close to a
+// polynomial is one. Both leave what rounding leaves.
+constexpr double CollapsedSize = 1e-15;
+constexpr double LengthTolerance = 1e-13;
+
+Vector Cross(const double* a, const double* b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double Norm(const double* a)
+{
+  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
+
+/// Chebyshev coefficients k of the Bernstein polynomials j of a degree on [middle - half, middle + half]: row k.
+void MakeConversion(int degree, double middle, double half, std::vector<double>& conversion)
+{
+  const int n = degree + 1;
+  const ChebyshevRule& rule = ChebyshevRule::Get(n);
+  conversion.assign(n * n, 0.0);
+  double basis[MaximumDegree + 1];
+  for (int i = 0; i < n; ++i)
+  {
+    const double x = middle + half * rule.GetNode(i);
+    basis[0] = 1.0;
+    for (int k = 1; k <= degree; ++k)
+    {
+      double carried = 0.0;
+      for (int j = 0; j < k; ++j)
+      {
+        const double term = basis[j];
+        basis[j] = carried + (1.0 - x) * term;
+        carried = x * term;
+      }
+      basis[k] = carried;
+    }
+    for (int k = 0; k < n; ++k)
+    {
+      const double factor = rule.GetTransform(k)[i];
+      for (int j = 0; j < n; ++j)
+      {
+        conversion[k * n + j] += factor * basis[j];
+      }
+    }
+  }
+}
+}
+
+PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
+{
+  PatchTraits traits;
+  const int columns = p + 1;
+  const int count = columns * (q + 1);
+  double size = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    traits.Polynomial = traits.Polynomial && points[i][3] == points[0][3];
+    size = std::max(size, Norm(points[i].data()) / points[i][3]);
+  }
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    const bool inS = edge < 2;
+    const int first = edge == 1 ? p : edge == 3 ? columns * q : 0;
+    const std::array<double, 4>& a = points[first];
+    bool collapsed = true;
+    for (int i = 1; i <= (inS ? q : p); ++i)
+    {
+      const std::array<double, 4>& b = points[first + i * (inS ? columns : 1)];
+      const double offset[3] = { a[0] / a[3] - b[0] / b[3], a[1] / a[3] - b[1] / b[3],
+        a[2] / a[3] - b[2] / b[3] };
+      collapsed = collapsed && Norm(offset) <= CollapsedSize * size;
+    }
+    traits.Collapsed[edge] = collapsed;
+  }
+
+  PatchMajorants patch;
+  patch.P = p;
+  patch.Q = q;
+  patch.Box = { { 0.5, 0.5 }, { 0.5, 0.5 } };
+  patch.Traits = traits;
+  const int countS = 3 * p - 1;
+  const int countR = 3 * q - 1;
+  patch.ExpandPosition(points);
+  patch.SampleNumerators({ 0.0, 0.0, 0.0 });
+  double largest = 0.0;
+  for (std::size_t i = 4; i < patch.Samples.size(); i += PatchMajorants::Components)
+  {
+    largest = std::max(largest, patch.Samples[i]);
+  }
+  patch.Transform(countS, countR);
+  // h^2 - m~.m~ has the degrees 2 (countS - 1) and 2 (countR - 1): zero at as many nodes and one more, it is zero.
+  const ChebyshevRule& checkS = ChebyshevRule::Get(2 * countS - 1);
+  const ChebyshevRule& checkR = ChebyshevRule::Get(2 * countR - 1);
+  std::vector<double> line(static_cast<std::size_t>(PatchMajorants::Components) * countR);
+  for (int a = 0; a < checkS.GetSize(); ++a)
+  {
+    std::fill(line.begin(), line.end(), 0.0);
+    for (int l = 0; l < countR; ++l)
+    {
+      for (int k = 0; k < countS; ++k)
+      {
+        const double* from =
+          patch.Samples.data() + PatchMajorants::Components * (k + static_cast<std::size_t>(countS) * l);
+        for (int c = 1; c < PatchMajorants::Components; ++c)
+        {
+          line[PatchMajorants::Components * l + c] += checkS.GetValues(a)[k] * from[c];
+        }
+      }
+    }
+    for (int b = 0; b < checkR.GetSize(); ++b)
+    {
+      double value[PatchMajorants::Components] = {};
+      for (int l = 0; l < countR; ++l)
+      {
+        for (int c = 1; c < PatchMajorants::Components; ++c)
+        {
+          value[c] += checkR.GetValues(b)[l] * line[PatchMajorants::Components * l + c];
+        }
+      }
+      const double length = Norm(value + 1);
+      const double deviation = std::abs(length - value[4]);
+      // Where the length is small a difference of squares says little of a difference.
+      if (!(deviation <= LengthTolerance * largest && length > 1e-3 * largest))
+      {
+        traits.LengthDeviation = 0.0;
+        return traits;
+      }
+      // 8: a polynomial between so many Chebyshev nodes rises to a few times its values there.
+      traits.LengthDeviation = std::max(traits.LengthDeviation, 8.0 * deviation);
+    }
+  }
+  traits.PolynomialLength = true;
+  return traits;
+}
+
+void PatchMajorants::Table::Resize(int countS, int countR)
+{
+  this->CountS = countS;
+  this->CountR = countR;
+  this->Entries.assign(static_cast<std::size_t>(countS) * countR, 0.0);
+}
+
+double PatchMajorants::Table::Sum(const std::vector<double>& s, const std::vector<double>& r) const
+{
+  double sum = 0.0;
+  const double* entry = this->Entries.data();
+  for (int l = 0; l < this->CountR; ++l)
+  {
+    double line = 0.0;
+    for (int k = 0; k < this->CountS; ++k)
+    {
+      line += s[k] * *entry++;
+    }
+    sum += r[l] * line;
+  }
+  return sum;
+}
+
+void PatchMajorants::ExpandPosition(const std::array<double, 4>* points)
+{
+  const int columns = this->P + 1;
+  const int rows = this->Q + 1;
+  static thread_local std::vector<double> toS;
+  static thread_local std::vector<double> toR;
+  MakeConversion(this->P, this->Box.Middle[0], this->Box.Half[0], toS);
+  MakeConversion(this->Q, this->Box.Middle[1], this->Box.Half[1], toR);
+  std::vector<double>& series = this->Series[0];
+  this->Scratch.assign(4 * columns * rows, 0.0);
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int k = 0; k < columns; ++k)
+    {
+      double* to = this->Scratch.data() + 4 * (k + columns * j);
+      for (int i = 0; i < columns; ++i)
+      {
+        const double factor = toS[k * columns + i];
+        const std::array<double, 4>& point = points[i + columns * j];
+        for (int c = 0; c < 4; ++c)
+        {
+          to[c] += factor * point[c];
+        }
+      }
+    }
+  }
+  series.assign(4 * columns * rows, 0.0);
+  for (int l = 0; l < rows; ++l)
+  {
+    for (int j = 0; j < rows; ++j)
+    {
+      const double factor = toR[l * rows + j];
+      const double* from = this->Scratch.data() + 4 * columns * j;
+      double* to = series.data() + 4 * columns * l;
+      for (int e = 0; e < 4 * columns; ++e)
+      {
+        to[e] += factor * from[e];
+      }
+    }
+  }
+  this->Series[1].assign(series.size(), 0.0);
+  this->Series[2].assign(series.size(), 0.0);
+  for (int c = 0; c < 4; ++c)
+  {
+    for (int l = 0; l < rows; ++l)
+    {
+      DifferentiateChebyshev(
+        series.data() + 4 * columns * l + c, this->Series[1].data() + 4 * columns * l + c, columns, 4);
+    }
+    for (int k = 0; k < columns; ++k)
+    {
+      DifferentiateChebyshev(
+        series.data() + 4 * k + c, this->Series[2].data() + 4 * k + c, rows, 4 * columns);
+    }
+  }
+  for (int d = 0; d < 2; ++d)
+  {
+    for (double& value : this->Series[d + 1])
+    {
+      value /= this->Box.Half[d];
+    }
+  }
+}
+
+double PatchMajorants::GetFactor(double s, double r) const
+{
+  const std::array<bool, 4>& collapsed = this->Traits.Collapsed;
+  return (collapsed[0] ? s : 1.0) * (collapsed[1] ? 1.0 - s : 1.0) * (collapsed[2] ? r : 1.0) *
+    (collapsed[3] ? 1.0 - r : 1.0);
+}
+
+double PatchMajorants::GetFactorMajorant(const Ellipse& s, const Ellipse& r) const
+{
+  double factor = 1.0;
+  const double axes[2] = { s.GetHalfAxis(), r.GetHalfAxis() };
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    if (this->Traits.Collapsed[edge])
+    {
+      const int d = edge / 2;
+      const double end = edge % 2;
+      factor *= std::abs(this->Box.Middle[d] - end) + this->Box.Half[d] * axes[d];
+    }
+  }
+  return factor;
+}
+
+void PatchMajorants::SampleNumerators(const Vector& origin)
+{
+  const int columns = this->P + 1;
+  const int rows = this->Q + 1;
+  const int countS = 3 * this->P - 1;
+  const int countR = 3 * this->Q - 1;
+  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
+  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
+  this->Samples.resize(static_cast<std::size_t>(Components) * countS * countR);
+  static thread_local std::vector<double> lines;
+  lines.resize(12 * rows);
+  for (int a = 0; a < countS; ++a)
+  {
+    // The three series at this s: a line of rows each.
+    const double* t = ruleS.GetValues(a);
+    std::fill(lines.begin(), lines.end(), 0.0);
+    for (int f = 0; f < 3; ++f)
+    {
+      for (int l = 0; l < rows; ++l)
+      {
+        const double* from = this->Series[f].data() + 4 * columns * l;
+        double* to = lines.data() + 4 * (rows * f + l);
+        for (int k = 0; k < columns; ++k)
+        {
+          for (int c = 0; c < 4; ++c)
+          {
+            to[c] += t[k] * from[4 * k + c];
+          }
+        }
+      }
+    }
+    const double s = this->Box.Middle[0] + this->Box.Half[0] * ruleS.GetNode(a);
+    for (int b = 0; b < countR; ++b)
+    {
+      const double* tr = ruleR.GetValues(b);
+      double h[3][4] = {};
+      for (int f = 0; f < 3; ++f)
+      {
+        for (int l = 0; l < rows; ++l)
+        {
+          for (int c = 0; c < 4; ++c)
+          {
+            h[f][c] += tr[l] * lines[4 * (rows * f + l) + c];
+          }
+        }
+      }
+      const Vector sr = Cross(h[1], h[2]);
+      const Vector rp = Cross(h[2], h[0]);
+      const Vector ps = Cross(h[0], h[1]);
+      const double r = this->Box.Middle[1] + this->Box.Half[1] * ruleR.GetNode(b);
+      const double factor = this->GetFactor(s, r);
+      double* sample = this->Samples.data() + Components * (a + static_cast<std::size_t>(countS) * b);
+      double m[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        m[c] = h[0][3] * sr[c] + h[1][3] * rp[c] + h[2][3] * ps[c];
+        sample[1 + c] = m[c] / factor;
+      }
+      sample[0] = h[0][0] * sr[0] + h[0][1] * sr[1] + h[0][2] * sr[2] + origin[0] * m[0] + origin[1] * m[1] +
+        origin[2] * m[2];
+      sample[4] = Norm(sample + 1);
+    }
+  }
+}
+
+void PatchMajorants::Transform(int countS, int countR)
+{
+  const std::size_t line = static_cast<std::size_t>(Components) * countS;
+  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
+  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
+  this->Scratch.assign(line * countR, 0.0);
+  for (int b = 0; b < countR; ++b)
+  {
+    const double* from = this->Samples.data() + line * b;
+    double* to = this->Scratch.data() + line * b;
+    for (int k = 0; k < countS; ++k)
+    {
+      const double* row = ruleS.GetTransform(k);
+      for (int a = 0; a < countS; ++a)
+      {
+        for (int c = 0; c < Components; ++c)
+        {
+          to[Components * k + c] += row[a] * from[Components * a + c];
+        }
+      }
+    }
+  }
+  std::fill(this->Samples.begin(), this->Samples.end(), 0.0);
+  for (int l = 0; l < countR; ++l)
+  {
+    const double* row = ruleR.GetTransform(l);
+    double* to = this->Samples.data() + line * l;
+    for (int b = 0; b < countR; ++b)
+    {
+      const double* from = this->Scratch.data() + line * b;
+      for (std::size_t e = 0; e < line; ++e)
+      {
+        to[e] += row[b] * from[e];
+      }
+    }
+  }
+}
+
+void PatchMajorants::MakeTables(int countS, int countR)
+{
+  for (Table* table : { &this->Numerator, &this->Normal, &this->Along, &this->Across })
+  {
+    table->Resize(countS, countR);
+  }
+  const double* first = this->Samples.data();
+  this->FirstLength = this->Traits.PolynomialLength ? std::abs(first[4]) : Norm(first + 1);
+  Vector e{ 0.0, 0.0, 0.0 };
+  for (int c = 0; c < 3; ++c)
+  {
+    e[c] = this->FirstLength > 0.0 ? first[1 + c] / this->FirstLength : 0.0;
+  }
+  const std::size_t count = static_cast<std::size_t>(countS) * countR;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double* entry = first + Components * i;
+    this->Numerator.Entries[i] = std::abs(entry[0]);
+    this->Normal.Entries[i] = Norm(entry + 1);
+    if (this->Traits.PolynomialLength)
+    {
+      this->Along.Entries[i] = i == 0 ? 0.0 : std::abs(entry[4]);
+      continue;
+    }
+    const double along = entry[1] * e[0] + entry[2] * e[1] + entry[3] * e[2];
+    const double across[3] = { entry[1] - along * e[0], entry[2] - along * e[1], entry[3] - along * e[2] };
+    this->Along.Entries[i] = i == 0 ? 0.0 : std::abs(along);
+    this->Across.Entries[i] = i == 0 ? 0.0 : Norm(across);
+  }
+}
+
+void PatchMajorants::ExpandWithoutNormal(
+  const std::array<double, 4>* points, int p, int q, const PatchTraits& traits, const ParameterBox& box)
+{
+  this->P = p;
+  this->Q = q;
+  this->Box = box;
+  this->Traits = traits;
+  this->ExpandPosition(points);
+  const std::vector<double>& series = this->Series[0];
+  this->FirstWeight = series[3];
+  const Vector center{ series[0] / series[3], series[1] / series[3], series[2] / series[3] };
+  this->CenterOffset = Norm(center.data());
+  this->Weight.Resize(p + 1, q + 1);
+  this->Position.Resize(p + 1, q + 1);
+  for (std::size_t i = 0; i < this->Weight.Entries.size(); ++i)
+  {
+    const double* entry = series.data() + 4 * i;
+    const double offset[3] = { entry[0] - center[0] * entry[3], entry[1] - center[1] * entry[3],
+      entry[2] - center[2] * entry[3] };
+    this->Position.Entries[i] = Norm(offset);
+    this->Weight.Entries[i] = i == 0 || traits.Polynomial ? 0.0 : std::abs(entry[3]);
+  }
+}
+
+void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
+  const ParameterBox& box, const Vector& origin)
+{
+  this->ExpandWithoutNormal(points, p, q, traits, box);
+  const std::vector<double>& series = this->Series[0];
+  const double fromOrigin[3] = { origin[0] + series[0] / series[3], origin[1] + series[1] / series[3],
+    origin[2] + series[2] / series[3] };
+  this->CenterDistance = Norm(fromOrigin);
+  this->SampleNumerators(origin);
+  this->Transform(3 * p - 1, 3 * q - 1);
+  this->MakeTables(3 * p - 1, 3 * q - 1);
+}
+
+bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vector<BoundClass>& classes,
+  std::vector<double>& bounds) const
+{
+  s.GetMajorants(std::max(this->P + 1, 3 * this->P - 1), this->MajorantS);
+  r.GetMajorants(std::max(this->Q + 1, 3 * this->Q - 1), this->MajorantR);
+  const auto sum = [this](const Table& table) { return table.Sum(this->MajorantS, this->MajorantR); };
+  // 1e-9: so close to a pole of the integrand nothing is gained, and rounding cannot turn the sign.
+  const double weight = this->FirstWeight - sum(this->Weight);
+  if (!(weight > 1e-9 * this->FirstWeight))
+  {
+    return false;
+  }
+  const double cube = weight * weight * weight;
+  const double reach = this->CenterDistance + sum(this->Position) / weight;
+  const double factor = this->GetFactorMajorant(s, r);
+  const double numerator = sum(this->Numerator);
+  const double normal = factor * sum(this->Normal);
+  double length = std::numeric_limits<double>::infinity();
+  const double along = this->FirstLength + sum(this->Along);
+  if (this->Traits.PolynomialLength)
+  {
+    length = factor * along;
+  }
+  else
+  {
+    // m~.m~ = (|m~_00| + a)^2 + b.b with |a| <= D1, |b.b| <= D2^2: the root is analytic where D1 + D2 < |m~_00|.
+    const double across = sum(this->Across);
+    if (along - this->FirstLength + across < 0.999999 * this->FirstLength)
+    {
+      length = factor * std::hypot(along, across);
+    }
+    else if (s.GetHalfAxis() == 1.0 && r.GetHalfAxis() == 1.0)
+    {
+      // For real parameters it needs not to be analytic.
+      length = normal;
+    }
+  }
+  bounds.resize(classes.size());
+  for (std::size_t i = 0; i < classes.size(); ++i)
+  {
+    const double power = std::pow(reach, classes[i].Degree);
+    switch (classes[i].Kind)
+    {
+      case BoundClass::VolumeMoment:
+        bounds[i] = numerator * power / ((3 + classes[i].Degree) * cube);
+        break;
+      case BoundClass::VectorArea:
+        bounds[i] = normal / cube;
+        break;
+      default:
+        bounds[i] = length * power / cube;
+        break;
+    }
+  }
+  return true;
+}
+
+double PatchMajorants::GetLowestWeight() const
+{
+  double sum = 0.0;
+  for (const double entry : this->Weight.Entries)
+  {
+    sum += entry;
+  }
+  return this->FirstWeight - sum;
+}
+
+double PatchMajorants::GetReach() const
+{
+  double sum = 0.0;
+  for (const double entry : this->Position.Entries)
+  {
+    sum += entry;
+  }
+  return this->CenterDistance + sum / this->GetLowestWeight();
+}
+
+double PatchMajorants::GetLengthDeviation() const
+{
+  const Ellipse real = Ellipse::FromRadius(1.0);
+  const double weight = this->GetLowestWeight();
+  return weight > 0.0
+    ? this->Traits.LengthDeviation * this->GetFactorMajorant(real, real) / (weight * weight * weight)
+    : std::numeric_limits<double>::infinity();
+}
+
+void PatchMajorants::EvaluatePosition(
+  const Ellipse& s, const Ellipse& r, double& position, double& weight) const
+{
+  s.GetMajorants(this->P + 1, this->MajorantS);
+  r.GetMajorants(this->Q + 1, this->MajorantR);
+  weight = this->FirstWeight + this->Weight.Sum(this->MajorantS, this->MajorantR);
+  position = this->CenterOffset * weight + this->Position.Sum(this->MajorantS, this->MajorantR);
+}
+
+int PatchMajorants::GetTurningDirection() const
+{
+  const Table& table = this->Traits.PolynomialLength ? this->Normal : this->Across;
+  double inS = 0.0;
+  double inR = 0.0;
+  for (int l = 0; l < table.CountR; ++l)
+  {
+    for (int k = 0; k < table.CountS; ++k)
+    {
+      const std::size_t i = k + static_cast<std::size_t>(table.CountS) * l;
+      const double entry = table.Entries[i] + (i == 0 ? 0.0 : this->Along.Entries[i]);
+      inS += k > 0 ? entry : 0.0;
+      inR += l > 0 ? entry : 0.0;
+    }
+  }
+  return inS >= inR ? 0 : 1;
+}
+}

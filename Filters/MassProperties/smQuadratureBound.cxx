@@ -1,0 +1,101 @@
+#include "smQuadratureBound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+constexpr int NotExact = std::numeric_limits<int>::max();
+
+double IntegerPower(double base, int exponent)
+{
+  double power = 1.0;
+  for (; exponent > 0; exponent /= 2, base *= base)
+  {
+    power *= exponent % 2 ? base : 1.0;
+  }
+  return power;
+}
+}
+
+DirectionBound::DirectionBound(std::size_t classes)
+{
+  this->Reset(classes);
+}
+
+void DirectionBound::Reset(std::size_t classes)
+{
+  this->Classes = classes;
+  this->Radii.clear();
+  this->Factors.clear();
+  this->ExactOrders.assign(classes, NotExact);
+}
+
+void DirectionBound::AddEllipse(double radius, const std::vector<double>& bounds)
+{
+  this->Radii.push_back({ radius, std::log(radius) });
+  const double factor = 32.0 / 15.0 / (1.0 - 1.0 / (radius * radius));
+  for (std::size_t i = 0; i < this->Classes; ++i)
+  {
+    this->Factors.push_back(factor * bounds[i]);
+  }
+}
+
+void DirectionBound::SetExactOrder(std::size_t integrand, int order)
+{
+  this->ExactOrders[integrand] = std::min(this->ExactOrders[integrand], order);
+}
+
+void DirectionBound::SetExactOrder(int order)
+{
+  for (std::size_t i = 0; i < this->Classes; ++i)
+  {
+    this->SetExactOrder(i, order);
+  }
+}
+
+double DirectionBound::GetError(std::size_t integrand, int order) const
+{
+  if (order >= this->ExactOrders[integrand])
+  {
+    return 0.0;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < this->Radii.size(); ++i)
+  {
+    least = std::min(
+      least, this->Factors[i * this->Classes + integrand] / IntegerPower(this->Radii[i].Value, 2 * order));
+  }
+  return least;
+}
+
+int DirectionBound::GetOrder(std::size_t radius, std::size_t integrand, double share, int largest) const
+{
+  const double factor = this->Factors[radius * this->Classes + integrand];
+  if (factor <= share)
+  {
+    return 1;
+  }
+  const double points = std::log(factor / share) / (2.0 * this->Radii[radius].Logarithm);
+  // Infinite or not a number: not below.
+  return points < largest ? std::max(1, static_cast<int>(std::ceil(points))) : largest + 1;
+}
+
+int DirectionBound::FindOrder(std::size_t integrand, double share, int largest) const
+{
+  int least = std::min(this->ExactOrders[integrand], largest + 1);
+  for (std::size_t i = 0; i < this->Radii.size() && least > 1; ++i)
+  {
+    least = std::min(least, this->GetOrder(i, integrand, share, largest));
+  }
+  return least;
+}
+
+int DirectionBound::FindLastOrder(std::size_t integrand, double share, int largest) const
+{
+  return this->GetOrder(this->Radii.size() - 1, integrand, share, largest);
+}
+}

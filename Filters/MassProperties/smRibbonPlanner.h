@@ -1,0 +1,74 @@
+/**
+ * @file smRibbonPlanner.h
+ * @brief Plans the ribbons of a face, see smQuadraturePlan.h
+ *
+ * A ribbon X = (1-l) A + l C with A = P/w along the trim curve, C the edge's curve, G = C - A and k = 1 - l has
+ *
+ *     x.n = det(C, G, C') - k det(C, G, G'),     n = G x (C' - k G').
+ *
+ * G = U/w with the polynomial U = C w - P, which is small where the gap is small. Its Chebyshev coefficients are sampled,
+ * so that the bound, too, is as small as the gap; l is integrated exactly.
+ */
+#ifndef smRibbonPlanner_h
+#define smRibbonPlanner_h
+
+#include "smPatchMajorants.h"
+#include "smQuadratureBound.h"
+#include "smQuadraturePlan.h"
+#include "smTrimSeries.h"
+
+#include <array>
+#include <vector>
+
+namespace sm
+{
+class RibbonPlanner
+{
+public:
+  RibbonPlanner(const Face& face, const FacePanels& panels, const PlanRequest& request, FacePlan& plan);
+
+  /// Appends the parts of a ribbon to the plan and adds their bounds, and what the residuals of its curves may move.
+  void Plan(std::uint32_t index);
+
+private:
+  /// Upper bounds along the part in an ellipse of t.
+  struct Majorants
+  {
+    double Curve, CurveSlope, Gap, GapSlope, Weight;
+  };
+  void PlanPart(std::uint32_t index, double start, double end, int depth);
+  void ExpandEdge(const Ribbon& ribbon, double start, double end);
+  /// Nodes that determine U and w, and a bound of what they leave.
+  int ChooseNodes(const Ribbon& ribbon, double& tail);
+  void SampleGap(const Ribbon& ribbon, int nodes, double tail);
+  bool Evaluate(const Ellipse& t, Majorants& majorants) const;
+  void Bound(const Majorants& majorants, std::vector<double>& bounds) const;
+  void ChargeNoise(const Majorants& real);
+  void ChargeResiduals(const Ribbon& ribbon, const Majorants& real);
+
+  const FacePanels& Panels;
+  const PlanRequest& Request;
+  FacePlan& Result;
+  /// Residuals of trim curve and edge curve, per coedge.
+  std::vector<std::array<double, 2>> Residuals;
+
+  // Of the part in hand: series in t on [-1,1].
+  TrimSeries Trim;
+  PatchMajorants Crude;
+  DirectionBound AlongT;
+  std::vector<std::array<double, 3>> Curve;
+  std::vector<std::array<double, 4>> Gap;
+  double CurveDistance = 0.0;
+  /// What is not in the series of U, and the number of nodes.
+  double Noise = 0.0;
+  int Nodes = 0;
+  /// Largest |Ss| / width in u and |Sr| / width in v at the nodes.
+  std::array<double, 2> Stretch{};
+  std::vector<double> Samples;
+  std::vector<double> Bounds;
+  std::vector<double> Supremum;
+  mutable std::vector<double> Powers;
+};
+}
+
+#endif

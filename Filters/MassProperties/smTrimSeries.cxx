@@ -1,0 +1,158 @@
+#include "smTrimSeries.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+// A box must have an inside. Wider than need be is right, too.
+constexpr double SmallestHalfWidth = 5e-7;
+
+double SumSeries(const std::vector<double>& series, double x)
+{
+  // Clenshaw's recurrence.
+  double b1 = 0.0;
+  double b2 = 0.0;
+  for (std::size_t k = series.size(); k-- > 1;)
+  {
+    const double b = series[k] + 2.0 * x * b1 - b2;
+    b2 = b1;
+    b1 = b;
+  }
+  return series[0] + x * b1 - b2;
+}
+}
+
+void TrimSeries::Expand(const double* coefficients, int degree, const Patch& patch, double start, double end)
+{
+  const int n = degree + 1;
+  const ChebyshevRule& rule = ChebyshevRule::Get(n);
+  std::array<double, 2> local[MaximumDegree + 1];
+  for (int i = 0; i < n; ++i)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      local[i][d] = (coefficients[2 * i + d] - patch.Start[d]) / patch.Width[d];
+    }
+  }
+  const BernsteinPiece<2> piece{ local, degree };
+  for (int d = 0; d < 2; ++d)
+  {
+    this->Series[d].assign(n, 0.0);
+    this->Derivative[d].assign(n, 0.0);
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    const std::array<double, 2> point = piece.Evaluate(start + (end - start) * 0.5 * (1.0 + rule.GetNode(i)));
+    for (int k = 0; k < n; ++k)
+    {
+      const double factor = rule.GetTransform(k)[i];
+      this->Series[0][k] += factor * point[0];
+      this->Series[1][k] += factor * point[1];
+    }
+  }
+  for (int d = 0; d < 2; ++d)
+  {
+    // A line of constant parameter stays one.
+    if (std::all_of(local, local + n, [&](const auto& point) { return point[d] == local[0][d]; }))
+    {
+      this->Series[d].assign(n, 0.0);
+      this->Series[d][0] = local[0][d];
+    }
+    DifferentiateChebyshev(this->Series[d].data(), this->Derivative[d].data(), n, 1);
+    double reach = 0.0;
+    for (int k = 1; k < n; ++k)
+    {
+      reach += std::abs(this->Series[d][k]);
+    }
+    this->Low[d] = this->Series[d][0] - reach;
+    this->High[d] = this->Series[d][0] + reach;
+    // From [-1,1] to [0,1].
+    for (double& value : this->Derivative[d])
+    {
+      value *= 2.0;
+    }
+  }
+}
+
+bool TrimSeries::IsConstantInS() const
+{
+  return this->Low[0] == this->High[0];
+}
+
+std::array<double, 2> TrimSeries::Evaluate(double x) const
+{
+  return { SumSeries(this->Series[0], x), SumSeries(this->Series[1], x) };
+}
+
+std::array<double, 2> TrimSeries::EvaluateDerivative(double x) const
+{
+  return { SumSeries(this->Derivative[0], x), SumSeries(this->Derivative[1], x) };
+}
+
+ParameterBox TrimSeries::GetBox(double xiStart, double xiEnd) const
+{
+  const double products[4] = { xiStart * this->Low[0], xiStart * this->High[0], xiEnd * this->Low[0],
+    xiEnd * this->High[0] };
+  const double low[2] = { *std::min_element(products, products + 4), this->Low[1] };
+  const double high[2] = { *std::max_element(products, products + 4), this->High[1] };
+  ParameterBox box;
+  for (int d = 0; d < 2; ++d)
+  {
+    box.Middle[d] = 0.5 * (low[d] + high[d]);
+    box.Half[d] = std::max(0.5 * (high[d] - low[d]), SmallestHalfWidth);
+  }
+  return box;
+}
+
+Ellipse TrimSeries::Map(
+  const Ellipse& t, int direction, const ParameterBox& box, double xiStart, double xiEnd) const
+{
+  const std::vector<double>& series = this->Series[direction];
+  t.GetMajorants(static_cast<int>(series.size()), this->Majorants);
+  // z = c0 + c1 t + ..: c0 + c1 t is in an ellipse around [c0 - |c1|, c0 + |c1|] whose sum of distances to the ends is
+  // 2 |c1| T_1; to -1 and 1 it is at most 2 (1 - |c1|) more, and what sticks out of [-1,1] counts twice.
+  const double half = box.Half[direction];
+  const double largest = direction == 0 ? std::max(std::abs(xiStart), std::abs(xiEnd)) : 1.0;
+  double axis = 1.0;
+  double slope = 0.0;
+  for (std::size_t k = 1; k < series.size(); ++k)
+  {
+    const double c = largest * std::abs(series[k]) / half;
+    axis += k == 1 ? c * (this->Majorants[1] - 1.0) : c * this->Majorants[k];
+    slope += k == 1 ? c : 0.0;
+  }
+  const double ends[2] = { direction == 0 ? xiStart : 1.0, direction == 0 ? xiEnd : 1.0 };
+  double outside = 0.0;
+  for (const double xi : ends)
+  {
+    const double c0 = (xi * series[0] - box.Middle[direction]) / half;
+    outside = std::max(outside, std::abs(c0) + slope - 1.0);
+  }
+  return Ellipse::FromHalfAxis(axis + outside);
+}
+
+double TrimSeries::GetLargestS(const Ellipse& t) const
+{
+  t.GetMajorants(static_cast<int>(this->Series[0].size()), this->Majorants);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < this->Series[0].size(); ++k)
+  {
+    sum += std::abs(this->Series[0][k]) * this->Majorants[k];
+  }
+  return sum;
+}
+
+double TrimSeries::GetLargestSlope(const Ellipse& t) const
+{
+  t.GetMajorants(static_cast<int>(this->Derivative[1].size()), this->Majorants);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < this->Derivative[1].size(); ++k)
+  {
+    sum += std::abs(this->Derivative[1][k]) * this->Majorants[k];
+  }
+  return sum;
+}
+}

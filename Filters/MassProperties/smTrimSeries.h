@@ -1,0 +1,53 @@
+/**
+ * @file smTrimSeries.h
+ * @brief A piece of a trim curve as Chebyshev series, and where it goes for complex parameters
+ */
+#ifndef smTrimSeries_h
+#define smTrimSeries_h
+
+#include "smFacePanels.h"
+#include "smPatchMajorants.h"
+
+#include <array>
+#include <vector>
+
+namespace sm
+{
+/// (s(t), r(t)) in the parameters of a patch for t on [start, end] of the piece, mapped to [-1,1].
+class TrimSeries
+{
+public:
+  /// `coefficients`: degree + 1 pairs (u,v) in Bernstein form.
+  void Expand(const double* coefficients, int degree, const Patch& patch, double start, double end);
+
+  int GetDegree() const { return static_cast<int>(this->Series[0].size()) - 1; }
+  /// True when s does not change along the piece.
+  bool IsConstantInS() const;
+  /// Interval of s (0) or r (1): contains the piece, and hardly more.
+  double GetLow(int direction) const { return this->Low[direction]; }
+  double GetHigh(int direction) const { return this->High[direction]; }
+  /// s (0) or r (1), and its derivative in t mapped to [0,1], at x in [-1,1].
+  std::array<double, 2> Evaluate(double x) const;
+  std::array<double, 2> EvaluateDerivative(double x) const;
+
+  /// The box of {(xi s(t), r(t))} for xi in [xiStart, xiEnd], not thinner than 1e-6.
+  ParameterBox GetBox(double xiStart, double xiEnd) const;
+
+  /// An ellipse around the box's interval, scaled to [-1,1], that holds xi s(t) (direction 0) or r(t) (direction 1) for
+  /// all t in the ellipse and real xi in [xiStart, xiEnd]. NUMERICS 3, step 4.
+  Ellipse Map(const Ellipse& t, int direction, const ParameterBox& box, double xiStart, double xiEnd) const;
+
+  /// Upper bounds of |s| and of |dr/dt|, t mapped to [0,1], in the ellipse.
+  double GetLargestS(const Ellipse& t) const;
+  double GetLargestSlope(const Ellipse& t) const;
+
+private:
+  std::vector<double> Series[2];
+  std::vector<double> Derivative[2];
+  double Low[2] = { 0.0, 0.0 };
+  double High[2] = { 0.0, 0.0 };
+  mutable std::vector<double> Majorants;
+};
+}
+
+#endif
