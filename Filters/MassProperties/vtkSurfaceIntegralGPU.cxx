@@ -1,6 +1,7 @@
 #include "vtkSurfaceIntegralGPU.h"
 
 #include "smBodyIntegrals.h"
+#include "smGPUItemRunner.h"
 #include "smMassPropertyNames.h"
 #include "smSurfaceIntegrator.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
@@ -320,7 +321,8 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   last.Renderer = this->Context->GetRenderer();
   if (!this->Integrator)
   {
-    this->Integrator.reset(new sm::SurfaceIntegrator(this->Context));
+    this->Integrator.reset(new sm::SurfaceIntegrator);
+    this->Integrator->SetRunner(std::make_unique<sm::GPUItemRunner>(this->Context));
   }
   if (this->Configured != this->Integrands)
   {
