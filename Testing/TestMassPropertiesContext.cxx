@@ -1,6 +1,7 @@
 // TestMassPropertiesContext MODE FOLDER: the numbers come from the shaders, in whatever context there is.
 //   x, egl   that context is taken; a perturbed shader changes the result by its factor; two runs give the same bits
-//   none     no usable context (the caller limits OpenGL): NaN, backend "none" and a clear message
+//   none     no usable context (the caller limits OpenGL): the CPU computes and a message says why; with OpenGL asked for,
+//            NaN, backend "none" and the reason
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
@@ -47,7 +48,7 @@ void CheckContext(const Expected& part, const std::string& mode)
 {
   Pipeline pipeline(part.Path);
   pipeline.Mass->Update();
-  CheckEqual("backend", "opengl", pipeline.Mass->GetBackend());
+  CheckEqual("backend", "opengl", pipeline.Mass->GetBackendName());
   CheckEqual("source of the context", mode, pipeline.Mass->GetComputeContext()->GetSourceName());
   Check("volume", part.Volume, pipeline.Mass->GetVolume(), 1e-9 * part.Volume);
   CheckTrue("evaluations were counted on the GPU", pipeline.Mass->GetEvaluations() > 0);
@@ -84,14 +85,39 @@ void CheckPerturbation(const Expected& part)
   Check("volume without it", part.Volume, pipeline.Mass->GetVolume(), 1e-9 * part.Volume);
 }
 
+/// No OpenGL, and none was insisted on: the CPU's numbers.
+void CheckFallback(const Expected& part)
+{
+  Pipeline pipeline(part.Path);
+  MessageTrap messages(pipeline.Mass);
+  pipeline.Mass->Update();
+  vtkFieldData* fields = pipeline.Mass->GetOutput()->GetFieldData();
+  CheckEqual("backend", names::BackendCPU, pipeline.Mass->GetBackendName());
+  CheckEqual("backend in the field data", names::BackendCPU, GetFieldText(fields, names::Backend));
+  CheckTrue("renderer", GetFieldText(fields, names::Renderer).find("CPU, ") == 0,
+    GetFieldText(fields, names::Renderer));
+  CheckEqual("status", names::StatusOk, pipeline.Mass->GetStatus());
+  CheckEqual("errors and warnings", 0, messages.NumberOfErrors + messages.NumberOfWarnings);
+  CheckEqual("messages", 1, pipeline.Mass->GetNumberOfMessages());
+  CheckTrue("the message tells why",
+    pipeline.Mass->GetMessage(0).find("computed on the CPU") == 0 &&
+      pipeline.Mass->GetMessage(0).find(pipeline.Mass->GetComputeContext()->GetReason()) != std::string::npos,
+    pipeline.Mass->GetMessage(0));
+  CheckTrue("evaluations were counted", pipeline.Mass->GetEvaluations() > 0);
+  CheckEqual("dispatches", 0, pipeline.Mass->GetDispatches());
+  Check("volume", part.Volume, pipeline.Mass->GetVolume(), 1e-9 * part.Volume);
+  Check("area", part.Area, pipeline.Mass->GetSurfaceArea(), 1e-8 * part.Area);
+}
+
 void CheckNone(const Expected& part)
 {
   Pipeline pipeline(part.Path);
+  pipeline.Mass->SetBackend(vtkMassPropertiesGPU::OPENGL);
   MessageTrap messages(pipeline.Mass);
   MessageTrap executive(pipeline.Mass->GetExecutive());
   pipeline.Mass->Update();
   vtkFieldData* fields = pipeline.Mass->GetOutput()->GetFieldData();
-  CheckEqual("backend", "none", pipeline.Mass->GetBackend());
+  CheckEqual("backend", "none", pipeline.Mass->GetBackendName());
   CheckEqual("backend in the field data", "none", GetFieldText(fields, names::Backend));
   CheckTrue("status is not ok", pipeline.Mass->GetStatus() != names::StatusOk, pipeline.Mass->GetStatus());
   CheckEqual("errors", 0, messages.NumberOfErrors);
@@ -125,6 +151,7 @@ int main(int argc, char* argv[])
   const Expected part = manifest.GetSolid("slanted_hole", "moved")[0];
   if (mode == "none")
   {
+    CheckFallback(part);
     CheckNone(part);
     return Finish();
   }

@@ -29,7 +29,7 @@ void CheckStaleValues(const std::string& box)
   vtkNew<vtkMassPropertiesGPU> mass;
   CheckTrue("before any run",
     std::isnan(mass->GetVolume()) && std::isnan(mass->GetSurfaceArea()) && std::isnan(mass->GetMass()) &&
-      mass->GetBackend() == "none");
+      mass->GetBackendName() == "none");
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(box.c_str());
   mass->SetInputConnection(reader->GetOutputPort());

@@ -44,13 +44,8 @@ std::string CheckScheme(const std::string& name)
 
 std::string CheckBackend(const std::string& name)
 {
-  if (name == "cpu")
-  {
-    return "the cpu backend is not available in this version; without a GPU, opengl runs on Mesa's CPU "
-           "driver";
-  }
-  const bool known = name == "auto" || name == "opengl" || name == "egl" || name == "x";
-  return known ? "" : "there is no backend " + name + "; use auto, opengl, x or egl";
+  const bool known = name == "auto" || name == "opengl" || name == "cpu" || name == "egl" || name == "x";
+  return known ? "" : "there is no backend " + name + "; use auto, opengl, cpu, x or egl";
 }
 
 std::string CheckUnit(const std::string& name)
@@ -113,8 +108,9 @@ void Declare(CLI::App& app, sm::Arguments& arguments)
     ->check(CheckDensity);
   app
     .add_option("--backend", arguments.Job.Backend,
-      "auto (default) or opengl: OpenGL on the X display, or through EGL where\n"
-      "there is none; x or egl: only that one")
+      "opengl: compute shaders, on the X display or through EGL where there is\n"
+      "none; x or egl: only that one; cpu: no OpenGL; auto (default): opengl\n"
+      "where there is OpenGL 4.3 with doubles, else cpu")
     ->type_name("NAME")
     ->check(CheckBackend);
   app.add_option("--scheme", arguments.Scheme, "Integration scheme: adaptive (default)")

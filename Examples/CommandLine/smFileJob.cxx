@@ -224,6 +224,9 @@ vtkSmartPointer<vtkMassPropertiesGPU> MakeFilter(vtkSTEPReader* reader, const sm
   filter->SetInputConnection(reader->GetOutputPort());
   filter->SetRelativeTolerance(options.Tolerance);
   filter->SetDensity(options.Density);
+  filter->SetBackend(options.Backend == "auto" ? vtkMassPropertiesGPU::AUTOMATIC
+      : options.Backend == "cpu"               ? vtkMassPropertiesGPU::CPU
+                                               : vtkMassPropertiesGPU::OPENGL);
   filter->GetComputeContext()->SetSource(options.Backend == "egl" ? vtkComputeContext::EGL
       : options.Backend == "x"                                    ? vtkComputeContext::X
                                                                   : vtkComputeContext::AUTOMATIC);
@@ -241,7 +244,7 @@ void Integrate(
   file["length_unit"] = Text(fields, 0, names::LengthUnit);
   file["status"] = filter->GetStatus();
   messages.AddFilter(filter);
-  file["backend"] = filter->GetBackend();
+  file["backend"] = filter->GetBackendName();
   file["renderer"] = filter->GetRenderer();
   file["total"] = Quantities(fields, 0);
   file["solids"] = Solids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)));

@@ -42,21 +42,25 @@ std::string SizePower(int power)
 Integrand Integrand::VolumeMoment(const std::string& name, int i, int j, int k)
 {
   const int degree = i + j + k;
-  const std::string factor = Literal(1.0 / (3 + degree));
-  return { name, factor + " * dot(position, normal)" + Monomial(i, j, k), true, degree,
-    factor + SizePower(degree + 1) };
+  const double factor = 1.0 / (3 + degree);
+  const std::string text = Literal(factor);
+  return { name, text + " * dot(position, normal)" + Monomial(i, j, k), true, degree,
+    text + SizePower(degree + 1), Kind::VolumeMoment, factor, { i, j, k }, factor, degree + 1 };
 }
 
 Integrand Integrand::AreaMoment(const std::string& name, int i, int j, int k)
 {
-  return { name, "length(normal)" + Monomial(i, j, k), false, i + j + k,
-    Literal(1.0) + SizePower(i + j + k) };
+  const int degree = i + j + k;
+  return { name, "length(normal)" + Monomial(i, j, k), false, degree, Literal(1.0) + SizePower(degree),
+    Kind::AreaMoment, 1.0, { i, j, k }, 1.0, degree };
 }
 
 Integrand Integrand::VectorArea(const std::string& name, int component)
 {
   const char* const names[3] = { "normal.x", "normal.y", "normal.z" };
-  return { name, names[component], true, 0, Literal(1.0) };
+  Integrand result{ name, names[component], true, 0, Literal(1.0), Kind::VectorArea };
+  result.Powers[component] = 1;
+  return result;
 }
 
 Integrand Integrand::User(const std::string& name, const std::string& expression, bool closedChain)

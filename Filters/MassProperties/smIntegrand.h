@@ -1,10 +1,11 @@
 /**
  * @file smIntegrand.h
- * @brief What is integrated: GLSL expressions of position and normal
+ * @brief What is integrated: a formula of position and normal, for the GPU as text and for the CPU as structure
  */
 #ifndef smIntegrand_h
 #define smIntegrand_h
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,18 @@ namespace sm
 {
 struct Integrand
 {
+  enum class Kind
+  {
+    /// Factor * dot(position, normal) * x^i y^j z^k.
+    VolumeMoment,
+    /// length(normal) * x^i y^j z^k.
+    AreaMoment,
+    /// The component of the normal whose power is 1.
+    VectorArea,
+    /// An expression of the user's: only text.
+    User
+  };
+
   std::string Name;
   /// GLSL expression of `position` and `normal`, both dvec3.
   std::string Expression;
@@ -21,6 +34,14 @@ struct Integrand
   int Degree = -1;
   /// GLSL expression of `size` = |position|: what multiplies a sample's relative rounding, see NUMERICS 4.
   std::string Magnitude;
+
+  /// The same formulas as structure, to be evaluated in the order of operations of the texts: factors from left to right, x
+  /// before y before z. The magnitude is MagnitudeFactor * size^MagnitudePower.
+  Kind Form = Kind::User;
+  double Factor = 1.0;
+  std::array<int, 3> Powers{};
+  double MagnitudeFactor = 1.0;
+  int MagnitudePower = 0;
 
   /// Flux of x g(x) / (3 + i + j + k) with g = x^i y^j z^k: the volume integral of g.
   static Integrand VolumeMoment(const std::string& name, int i, int j, int k);

@@ -4,10 +4,16 @@
 #include "smResidentFaces.h"
 #include "smShaderSource.h"
 
+#include "smAccumulate.h"
+#include "smCap.h"
 #include "smCapCS.h"
+#include "smPanel.h"
 #include "smPanelCS.h"
+#include "smRibbon.h"
 #include "smRibbonCS.h"
 #include "smWork.h"
+#include "smWorkRecord.h"
+#include "smWorkStorage.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -16,9 +22,6 @@ namespace sm
 {
 namespace
 {
-// Leading columns of a row: largest gap, squared gap, gap area.
-constexpr int GapColumns = 3;
-
 std::string ListOfNumbers(const std::vector<int>& numbers)
 {
   std::string text;
@@ -35,24 +38,10 @@ IntegrationPrograms::IntegrationPrograms(vtkComputeContext* context)
 {
 }
 
-void IntegrationPrograms::Configure(
-  const std::vector<Integrand>& integrands, int stripPoints, bool usePlacements, double perturbation)
+void IntegrationPrograms::Configure(const ItemRunner::Setup& setup, const RowLayout& layout)
 {
-  this->Integrands = integrands;
-  this->StripPoints = stripPoints;
-  this->UsePlacements = usePlacements;
-  this->Perturbation = perturbation;
-  this->Magnitudes.clear();
-  this->RoundingOf.clear();
-  for (const Integrand& integrand : integrands)
-  {
-    auto found = std::find(this->Magnitudes.begin(), this->Magnitudes.end(), integrand.Magnitude);
-    if (found == this->Magnitudes.end())
-    {
-      found = this->Magnitudes.insert(found, integrand.Magnitude);
-    }
-    this->RoundingOf.push_back(static_cast<int>(found - this->Magnitudes.begin()));
-  }
+  this->Setup = setup;
+  this->Layout = layout;
   this->Programs.clear();
 }
 
@@ -67,20 +56,27 @@ ProgramKey IntegrationPrograms::ChooseProgram(ItemKind kind, int degreeS, int de
   return { kind, 0, 0 };
 }
 
-int IntegrationPrograms::GetStride() const
-{
-  return GapColumns + 3 * static_cast<int>(this->Integrands.size()) + this->GetNumberOfRoundings();
-}
-
-std::string IntegrationPrograms::MakeAccumulation(bool chainOnly) const
+std::string IntegrationPrograms::MakeValues(bool chainOnly) const
 {
   std::string text;
-  for (std::size_t k = 0; k < this->Integrands.size(); ++k)
+  for (std::size_t k = 0; k < this->Setup.Integrands.size(); ++k)
   {
-    if (!chainOnly || this->Integrands[k].ClosedChain)
+    const Integrand& integrand = this->Setup.Integrands[k];
+    if (!chainOnly || integrand.ClosedChain)
     {
-      text += "values[" + std::to_string(k) + "] += weight * (" + this->Integrands[k].Expression + ");\n";
+      text += "smValues[" + std::to_string(k) + "] += weight * (" + integrand.Expression + ");\n";
     }
+  }
+  return text;
+}
+
+std::string IntegrationPrograms::MakeRoundings() const
+{
+  std::string text;
+  for (int k = 0; k < this->Layout.GetNumberOfRoundings(); ++k)
+  {
+    const Integrand& integrand = this->Setup.Integrands[this->Layout.GetMagnitudes()[k]];
+    text += "smRoundings[" + std::to_string(k) + "] += noise * (" + integrand.Magnitude + ");\n";
   }
   return text;
 }
@@ -96,36 +92,34 @@ ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
   const char* const texts[] = { smPanelCS, smRibbonCS, smCapCS };
   const char* const names[] = { "smPanelCS", "smRibbonCS", "smCapCS" };
   ShaderSource source(names[static_cast<int>(kind)], texts[static_cast<int>(kind)]);
-  for (const char* chunk : { "smPortable", "smBernstein", "smPatch", "smResident" })
+  for (const char* chunk : { "smPortable", "smBernstein", "smPatch", "smPatchRecord", "smResident" })
   {
     source.AddChunk(chunk, GetNURBSShaderChunk(chunk));
   }
-  source.AddChunk("smWork", smWork);
-
-  source.Define("SM_INTEGRANDS", static_cast<int>(this->Integrands.size()));
-  source.Define("SM_ROUNDINGS", this->GetNumberOfRoundings());
-  source.Define("SM_ROUNDING_OF", ListOfNumbers(this->RoundingOf));
-  source.Define("SM_STRIP_POINTS", this->StripPoints);
-  char literal[40];
-  std::snprintf(literal, sizeof(literal), "%.17eLF", this->Perturbation);
-  source.Define("SM_PERTURBATION", literal);
-  if (this->UsePlacements)
+  const std::pair<const char*, const char*> chunks[] = { { "smAccumulate", smAccumulate }, { "smCap", smCap },
+    { "smPanel", smPanel }, { "smRibbon", smRibbon }, { "smWork", smWork }, { "smWorkRecord", smWorkRecord },
+    { "smWorkStorage", smWorkStorage } };
+  for (const auto& [name, text] : chunks)
   {
-    source.Define("SM_PLACEMENT", 1);
+    source.AddChunk(name, text);
   }
+
+  source.Define("SM_INTEGRANDS", this->Layout.GetNumberOfIntegrands());
+  source.Define("SM_ROUNDINGS", this->Layout.GetNumberOfRoundings());
+  source.Define("SM_ROUNDING_OF", ListOfNumbers(this->Layout.GetRoundingOf()));
+  source.Define("SM_STRIP_POINTS", this->Setup.StripPoints);
+  char literal[40];
+  std::snprintf(literal, sizeof(literal), "%.17eLF", this->Setup.Perturbation);
+  source.Define("SM_PERTURBATION", literal);
+  source.Define("SM_PLACEMENT", this->Setup.UsePlacements ? "true" : "false");
   source.Define("SM_DEGREE_S", degreeS > 0 ? std::to_string(degreeS) : "int(patchRecord.shape.y)");
   source.Define("SM_DEGREE_R", degreeR > 0 ? std::to_string(degreeR) : "int(patchRecord.shape.z)");
   source.Define("SM_ROW_SIZE", degreeS > 0 ? degreeS + 1 : MaximumDegree + 1);
   source.Define("SM_BASIS_SIZE", degreeR > 0 ? std::max(degreeS, degreeR) : MaximumDegree);
 
-  std::string roundings;
-  for (std::size_t k = 0; k < this->Magnitudes.size(); ++k)
-  {
-    roundings += "roundings[" + std::to_string(k) + "] += noise * (" + this->Magnitudes[k] + ");\n";
-  }
-  source.Replace(kind == ItemKind::Panel ? "//SM::AccumulateFaces" : "//SM::AccumulateChain",
-    this->MakeAccumulation(kind != ItemKind::Panel));
-  source.Replace("//SM::AccumulateRoundings", roundings);
+  source.Replace("//SM::AccumulateFaces", this->MakeValues(false));
+  source.Replace("//SM::AccumulateChain", this->MakeValues(true));
+  source.Replace("//SM::AccumulateRoundings", this->MakeRoundings());
   if (!source.Assemble())
   {
     this->Error = source.GetError();

@@ -6,24 +6,16 @@
 #define smIntegrationPrograms_h
 
 #include "smComputeProgram.h"
-#include "smIntegrand.h"
+#include "smItemRunner.h"
 
 #include <map>
 #include <string>
 #include <tuple>
-#include <vector>
 
 class vtkComputeContext;
 
 namespace sm
 {
-enum class ItemKind
-{
-  Panel = 0,
-  Ribbon = 1,
-  Cap = 2
-};
-
 /// Items that one program integrates: their kind, and the degrees it is compiled for (0: any).
 using ProgramKey = std::tuple<ItemKind, int, int>;
 
@@ -32,8 +24,8 @@ class IntegrationPrograms
 public:
   explicit IntegrationPrograms(vtkComputeContext* context);
 
-  void Configure(
-    const std::vector<Integrand>& integrands, int stripPoints, bool usePlacements, double perturbation);
+  /// A change drops the compiled shaders.
+  void Configure(const ItemRunner::Setup& setup, const RowLayout& layout);
 
   /// The program for an item on a patch of these degrees. The choice depends on nothing else, so that a face
   /// gets the same bits in any company.
@@ -42,24 +34,15 @@ public:
   /// Builds it if need be; null with GetError() when it does not build.
   ComputeProgram* Get(const ProgramKey& key);
 
-  /// Doubles of a result row, and where the columns start.
-  int GetStride() const;
-  int GetNumberOfRoundings() const { return static_cast<int>(this->Magnitudes.size()); }
-  /// Rounding column of an integrand.
-  int GetRoundingOf(int integrand) const { return this->RoundingOf[integrand]; }
-
   const std::string& GetError() const { return this->Error; }
 
 private:
-  std::string MakeAccumulation(bool chainOnly) const;
+  std::string MakeValues(bool chainOnly) const;
+  std::string MakeRoundings() const;
 
   vtkComputeContext* Context;
-  std::vector<Integrand> Integrands;
-  std::vector<std::string> Magnitudes;
-  std::vector<int> RoundingOf;
-  int StripPoints = 3;
-  bool UsePlacements = false;
-  double Perturbation = 1.0;
+  ItemRunner::Setup Setup;
+  RowLayout Layout;
   std::map<ProgramKey, ComputeProgram> Programs;
   std::string Error;
 };

@@ -39,13 +39,14 @@ constexpr const char* GapArea = "GapArea";       // 1, L^2
 constexpr const char* Leak = "Leak";             // 1, relative change of V when the origin moves by cbrt(V)
 constexpr const char* OpenEdges = "OpenEdges";   // 1 (int)
 
-constexpr const char* LengthUnit = "LengthUnit";   // string
-constexpr const char* Status = "Status";           // string, see below
-constexpr const char* Backend = "Backend";         // string: "opengl", "none"
-constexpr const char* Renderer = "Renderer";       // string: GL_RENDERER
-constexpr const char* Evaluations = "Evaluations"; // 1 (int64), surface evaluations counted on the GPU
-constexpr const char* Dispatches = "Dispatches";   // 1 (int64)
-constexpr const char* Faces = "Faces";             // 1 (int)
+constexpr const char* LengthUnit = "LengthUnit"; // string
+constexpr const char* Status = "Status";         // string, see below
+constexpr const char* Backend = "Backend";       // string: "opengl", "cpu", "none"
+constexpr const char* Renderer = "Renderer";     // string: GL_RENDERER, or "CPU, N threads"
+constexpr const char* Evaluations =
+  "Evaluations"; // 1 (int64), surface evaluations, as counted by what computed
+constexpr const char* Dispatches = "Dispatches"; // 1 (int64)
+constexpr const char* Faces = "Faces";           // 1 (int)
 
 // Columns of the tables only.
 constexpr const char* Name = "Name";     // string
@@ -53,6 +54,11 @@ constexpr const char* Id = "Id";         // string: instance id, unique in the f
 constexpr const char* Solid = "Solid";   // int: row of the solid in the table on port 1
 constexpr const char* FaceId = "FaceId"; // int: entity number in the file
 constexpr const char* Text = "Text";     // string, the one cell of the text table
+
+// What computed.
+constexpr const char* BackendOpenGL = "opengl";
+constexpr const char* BackendCPU = "cpu";
+constexpr const char* BackendNone = "none";
 
 // One spelling of every status.
 constexpr const char* StatusOk = "ok";

@@ -1,19 +1,13 @@
 #include "smSurfaceIntegrator.h"
 
-#include "smComputeBuffer.h"
-#include "smContextScope.h"
-#include "smGaussLegendre.h"
+#include "smFacePanelsCache.h"
 #include "smIntegrationOrders.h"
-#include "smIntegrationPrograms.h"
-#include "smReduction.h"
-#include "smResidentFaces.h"
-#include "smWorkItems.h"
+#include "smItemRunner.h"
 
-#include "vtkComputeContext.h"
-#include "vtkSmartPointer.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -21,17 +15,11 @@ namespace sm
 {
 namespace
 {
-// Invocations per work group, as in the shaders.
-constexpr unsigned int LocalSize = 32;
-// Estimated cost (evaluations times the degree's share) of one dispatch: some 50 ms on two CPU cores, so that
-// abort is heard and no driver's watchdog fires.
-constexpr std::int64_t CostPerDispatch = 4000000;
-// Items of one batch: bounds the memory of rows and lists.
-constexpr std::size_t ItemsPerBatch = 262144;
-// Gauss-Newton steps to the foot point of a gap.
-constexpr int FootPointSteps = 3;
 // Halvings of t and xi after the ladder's end.
 constexpr int MaximumBisections = 6;
+// Of the progress: cutting, then what the runner needs of the faces; integrating is the rest.
+constexpr double CutShare = 0.4;
+constexpr double AcquireShare = 0.1;
 
 double Now()
 {
@@ -41,31 +29,18 @@ double Now()
 
 struct SurfaceIntegrator::Internals
 {
-  explicit Internals(vtkComputeContext* context)
-    : Context(context)
-    , Resident(context)
-    , Programs(context)
-    , Sums(context)
-    , Work(context)
-    , Parameters(context)
-    , Rows(context)
-    , StatusFlags(context)
-  {
-  }
-
-  vtkSmartPointer<vtkComputeContext> Context;
-  ResidentFaces Resident;
-  IntegrationPrograms Programs;
-  Reduction Sums;
-  ComputeBuffer Work;
-  ComputeBuffer Parameters;
-  ComputeBuffer Rows;
-  ComputeBuffer StatusFlags;
+  std::unique_ptr<ItemRunner> Runner;
+  FacePanelsCache Cuts;
   std::vector<Integrand> Integrands;
   bool UsePlacements = false;
   double Perturbation = 1.0;
   bool Configured = false;
   std::int64_t MaximumEvaluations = 2000000000;
+
+  /// The integrands that the runner evaluates: which of all they are.
+  std::vector<std::size_t> Chosen;
+  std::vector<Integrand> ChosenIntegrands;
+  std::vector<std::string> Obstacles;
 
   std::string Error;
   bool Aborted = false;
@@ -74,36 +49,39 @@ struct SurfaceIntegrator::Internals
   double PrepareSeconds = 0.0;
   double IntegrateSeconds = 0.0;
 
+  /// Of the running Integrate().
   Progress Report;
+  std::vector<CutFacePointer> Faces;
   std::size_t ItemsDone = 0;
   std::size_t ItemsTotal = 1;
-  unsigned int PlacementOffset = 0;
 
   bool Fail(const std::string& what)
   {
-    this->Error = what;
+    // An abort is told by Tell(), whoever passes it on.
+    this->Error = this->Aborted ? "aborted" : what;
     return false;
   }
-  bool Tell(const Progress& progress, double fraction);
-  /// Items that one pass may have: their rows and work records fit into a storage block each.
-  std::size_t GetRowLimit() const;
-  bool Configure();
-  bool WarmUp(const std::vector<ResidentFace>& locations, double& seconds);
-  bool UploadParameters(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
-    const std::vector<ResidentFace>& places);
+  bool FailByRunner() { return this->Fail(this->Runner->GetError()); }
+  bool Tell(double fraction);
+  void Configure();
+  bool Prepare(const std::vector<FaceTask>& tasks);
+  std::size_t GetNumberOfItems(std::size_t face) const;
+  bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
   bool RunBatch(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
-    const std::vector<ResidentFace>& places, std::vector<FaceIntegrals>& results);
-  bool RunItems(int page, std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
     std::vector<FaceIntegrals>& results);
-  bool RunDispatch(int page, const ProgramKey& key, std::size_t begin, std::size_t count);
-  bool RunLevel(int page, std::vector<WorkItem>& items, std::vector<std::size_t>& active);
+  bool RunPortions(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
+    std::vector<FaceIntegrals>& results);
+  bool RunItems(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
+    std::vector<FaceIntegrals>& results);
+  bool RunLevels(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
+    std::vector<std::size_t>& bisected, std::vector<FaceIntegrals>& results);
   bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results);
 };
 
-bool SurfaceIntegrator::Internals::Tell(const Progress& progress, double fraction)
+bool SurfaceIntegrator::Internals::Tell(double fraction)
 {
-  if (progress && !progress(fraction))
+  if (this->Report && !this->Report(fraction))
   {
     this->Aborted = true;
     return this->Fail("aborted");
@@ -111,173 +89,32 @@ bool SurfaceIntegrator::Internals::Tell(const Progress& progress, double fractio
   return true;
 }
 
-std::size_t SurfaceIntegrator::Internals::GetRowLimit() const
+void SurfaceIntegrator::Internals::Configure()
 {
-  const std::size_t bytes = std::max(this->Programs.GetStride() * sizeof(double), sizeof(WorkRecord));
-  const auto block = static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize());
-  return std::clamp<std::size_t>(block / bytes, 1, ItemsPerBatch);
+  if (this->Configured)
+  {
+    return;
+  }
+  this->Chosen.clear();
+  this->ChosenIntegrands.clear();
+  this->Obstacles.clear();
+  for (std::size_t k = 0; k < this->Integrands.size(); ++k)
+  {
+    this->Obstacles.push_back(this->Runner->GetObstacle(this->Integrands[k]));
+    if (this->Obstacles.back().empty())
+    {
+      this->Chosen.push_back(k);
+      this->ChosenIntegrands.push_back(this->Integrands[k]);
+    }
+  }
+  this->Runner->Configure({ this->ChosenIntegrands, OrderLadder(this->ChosenIntegrands).GetStripPoints(),
+    this->UsePlacements, this->Perturbation });
+  this->Configured = true;
 }
 
-bool SurfaceIntegrator::Internals::Configure()
+std::size_t SurfaceIntegrator::Internals::GetNumberOfItems(std::size_t face) const
 {
-  if (!this->Configured)
-  {
-    this->Programs.Configure(this->Integrands, OrderLadder(this->Integrands).GetStripPoints(),
-      this->UsePlacements, this->Perturbation);
-    this->Configured = true;
-  }
-  return !this->Integrands.empty() || this->Fail("there is nothing to integrate: add an integrand");
-}
-
-bool SurfaceIntegrator::Internals::WarmUp(const std::vector<ResidentFace>& locations, double& seconds)
-{
-  const double start = Now();
-  std::map<ProgramKey, int> needed;
-  for (const ResidentFace& face : locations)
-  {
-    const std::pair<ItemKind, std::size_t> counts[] = { { ItemKind::Panel, face.Panels->Panels.size() },
-      { ItemKind::Ribbon, face.Panels->Ribbons.size() }, { ItemKind::Cap, face.Panels->Caps.size() } };
-    for (const auto& [kind, count] : counts)
-    {
-      if (count > 0)
-      {
-        needed[IntegrationPrograms::ChooseProgram(kind, face.Degree[0], face.Degree[1])] = face.Page;
-      }
-    }
-  }
-  if (!this->Work.Allocate(sizeof(WorkRecord)) || !this->Parameters.Allocate(sizeof(double)) ||
-    !this->Rows.Allocate(sizeof(double)) || !this->StatusFlags.Allocate(sizeof(std::uint32_t)))
-  {
-    return this->Fail(this->Work.GetError() + this->Parameters.GetError());
-  }
-  const ContextScope scope(this->Context);
-  if (!scope)
-  {
-    return this->Fail(this->Context->GetReason());
-  }
-  for (const auto& [key, page] : needed)
-  {
-    ComputeProgram* program = this->Programs.Get(key);
-    if (!program)
-    {
-      return this->Fail(this->Programs.GetError());
-    }
-    // Drivers finish compiling at the first dispatch: one with nothing to do.
-    const bool bound =
-      std::get<0>(key) == ItemKind::Cap ? this->Resident.BindCaps(page) : this->Resident.Bind(page);
-    if (!bound || !this->Work.Bind(3) || !this->Parameters.Bind(4) || !this->Rows.Bind(5) ||
-      !this->StatusFlags.Bind(6) || !program->SetUniform("smWorkCount", 0u) ||
-      !program->Dispatch(1, LocalSize))
-    {
-      return this->Fail("a shader could not be run: " + program->GetError());
-    }
-  }
-  seconds += Now() - start;
-  return true;
-}
-
-bool SurfaceIntegrator::Internals::UploadParameters(const std::vector<FaceTask>& tasks,
-  const std::vector<std::size_t>& batch, const std::vector<ResidentFace>& places)
-{
-  std::vector<double> parameters = MakeRuleTable();
-  for (const std::size_t task : batch)
-  {
-    const FacePanels& panels = *places[task].Panels;
-    const std::size_t count = panels.Panels.size() + panels.Ribbons.size() + panels.Caps.size();
-    for (const double tolerance : tasks[task].Tolerances)
-    {
-      parameters.push_back(tolerance / std::max<std::size_t>(count, 1));
-    }
-  }
-  if (this->UsePlacements)
-  {
-    for (const std::size_t task : batch)
-    {
-      parameters.insert(parameters.end(), tasks[task].Placement.begin(), tasks[task].Placement.end());
-    }
-  }
-  return this->Parameters.Upload(parameters) || this->Fail(this->Parameters.GetError());
-}
-
-bool SurfaceIntegrator::Internals::RunDispatch(
-  int page, const ProgramKey& key, std::size_t begin, std::size_t count)
-{
-  // A scope for each dispatch: progress is reported between them, and whoever watches may render elsewhere.
-  const ContextScope scope(this->Context);
-  if (!scope)
-  {
-    return this->Fail("the OpenGL context was lost: " + this->Context->GetReason());
-  }
-  ComputeProgram* program = this->Programs.Get(key);
-  if (!program)
-  {
-    return this->Fail(this->Programs.GetError());
-  }
-  const bool isCap = std::get<0>(key) == ItemKind::Cap;
-  program->SetUniform("smFirstWork", static_cast<unsigned int>(begin));
-  program->SetUniform(
-    "smToleranceOffset", static_cast<unsigned int>(MaximumRuleSize * (MaximumRuleSize + 1)));
-  program->SetUniform("smPlacementOffset", this->PlacementOffset);
-  program->SetUniform("smIntegrandCount", static_cast<unsigned int>(this->Integrands.size()));
-  program->SetUniform("smGapSteps", FootPointSteps);
-  program->SetUniform("smRoundingCount", static_cast<unsigned int>(this->Programs.GetNumberOfRoundings()));
-  if (!(isCap ? this->Resident.BindCaps(page) : this->Resident.Bind(page)) || !this->Work.Bind(3) ||
-    !this->Parameters.Bind(4) || !this->Rows.Bind(5) || !this->StatusFlags.Bind(6) ||
-    !program->SetUniform("smWorkCount", static_cast<unsigned int>(count)) ||
-    !program->Dispatch(static_cast<unsigned int>(count), LocalSize))
-  {
-    return this->Fail("a dispatch failed: " + program->GetError() + this->Work.GetError() +
-      this->Parameters.GetError() + this->Rows.GetError() + this->StatusFlags.GetError());
-  }
-  return true;
-}
-
-bool SurfaceIntegrator::Internals::RunLevel(
-  int page, std::vector<WorkItem>& items, std::vector<std::size_t>& active)
-{
-  // By program and order, so that neighbouring invocations do the same; stable within.
-  std::stable_sort(active.begin(), active.end(),
-    [&](std::size_t a, std::size_t b)
-    {
-      return std::tie(items[a].Program, items[a].Work.Detail[0]) <
-        std::tie(items[b].Program, items[b].Work.Detail[0]);
-    });
-  std::vector<WorkRecord> work;
-  work.reserve(active.size());
-  for (const std::size_t index : active)
-  {
-    work.push_back(items[index].Work);
-  }
-  const std::uint32_t zero = 0;
-  if (!this->Work.Upload(work) || !this->StatusFlags.Allocate((active.size() + 1) * sizeof(std::uint32_t)) ||
-    !this->StatusFlags.Upload(&zero, sizeof(zero)))
-  {
-    return this->Fail("the work list does not fit on the GPU: " + this->Work.GetError());
-  }
-  for (std::size_t begin = 0; begin < active.size();)
-  {
-    const ProgramKey key = items[active[begin]].Program;
-    std::size_t end = begin;
-    std::int64_t cost = 0;
-    while (end < active.size() && items[active[end]].Program == key && cost < CostPerDispatch)
-    {
-      const WorkItem& item = items[active[end]];
-      const std::uint32_t detail = item.Work.Detail[0];
-      cost += static_cast<std::int64_t>((detail >> 8) & 255u) * ((detail >> 16) & 255u) * item.Cost;
-      ++end;
-    }
-    if (!this->RunDispatch(page, key, begin, end - begin))
-    {
-      return false;
-    }
-    begin = end;
-    const double done = std::min(1.0, static_cast<double>(this->ItemsDone) / this->ItemsTotal);
-    if (!this->Tell(this->Report, 0.5 + 0.5 * done))
-    {
-      return false;
-    }
-  }
-  return true;
+  return this->Runner->GetFaceError(face).empty() ? this->Faces[face]->GetNumberOfItems() : 0;
 }
 
 bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items,
@@ -285,23 +122,20 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
 {
   // Rows of a face lie together, its panels first.
   const std::size_t faces = batch.size();
-  std::vector<std::pair<unsigned int, unsigned int>> segments(2 * faces, { 0u, 0u });
+  std::vector<ItemRunner::Segment> segments(2 * faces, { 0u, 0u });
   for (std::size_t row = 0; row < items.size(); ++row)
   {
-    const bool isPanel = std::get<0>(items[row].Program) == ItemKind::Panel;
-    auto& segment = segments[2 * items[row].Work.Item[3] + (isPanel ? 0 : 1)];
+    auto& segment = segments[2 * items[row].GetSlot() + (items[row].Kind == ItemKind::Panel ? 0 : 1)];
     segment.first = segment.second == 0 ? static_cast<unsigned int>(row) : segment.first;
     segment.second = static_cast<unsigned int>(row + 1);
   }
-  const auto stride = static_cast<unsigned int>(this->Programs.GetStride());
   std::vector<double> sums;
   std::vector<double> largest;
-  if (!this->Sums.Reduce(this->Rows, stride, stride, segments, Reduction::Operation::SUM, sums) ||
-    !this->Sums.Reduce(this->Rows, stride, 1, segments, Reduction::Operation::MAXIMUM, largest))
+  if (!this->Runner->Sum(segments, sums, largest))
   {
-    return this->Fail("the reduction failed: " + this->Sums.GetError());
+    return this->FailByRunner();
   }
-  const std::size_t count = this->Integrands.size();
+  const RowLayout& layout = this->Runner->GetLayout();
   for (std::size_t slot = 0; slot < faces; ++slot)
   {
     FaceIntegrals& result = results[batch[slot]];
@@ -312,16 +146,17 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
       {
         continue;
       }
-      const double* sum = sums.data() + segment * stride;
+      const double* sum = sums.data() + segment * layout.GetStride();
       std::vector<double>& values = part == 0 ? result.Face : result.Closing;
-      for (std::size_t k = 0; k < count; ++k)
+      for (int k = 0; k < layout.GetNumberOfIntegrands(); ++k)
       {
-        values[k] += sum[3 + k];
-        result.QuadratureError[k] += sum[3 + count + k];
-        result.Rounding[k] += sum[3 + 2 * count + this->Programs.GetRoundingOf(static_cast<int>(k))];
+        const std::size_t to = this->Chosen[k];
+        values[to] += sum[layout.GetValue(k)];
+        result.QuadratureError[to] += sum[layout.GetError(k)];
+        result.Rounding[to] += sum[layout.GetRounding(k)];
       }
-      result.GapSquared += sum[1];
-      result.GapArea += sum[2];
+      result.GapSquared += sum[RowLayout::SquaredGap];
+      result.GapArea += sum[RowLayout::GapArea];
       // Not std::max, which loses a NaN.
       result.MaxGap = largest[segment] <= result.MaxGap ? result.MaxGap : largest[segment];
     }
@@ -329,51 +164,41 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
   return true;
 }
 
-bool SurfaceIntegrator::Internals::RunItems(int page, std::vector<WorkItem>& items,
-  const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
+bool SurfaceIntegrator::Internals::RunLevels(std::vector<WorkItem>& items,
+  const std::vector<std::size_t>& batch, int depth, std::vector<std::size_t>& bisected,
+  std::vector<FaceIntegrals>& results)
 {
-  const OrderLadder ladder(this->Integrands);
-  const std::size_t rowBytes = this->Programs.GetStride() * sizeof(double);
-  if (!this->Rows.Allocate(items.size() * rowBytes) || !this->Rows.Clear())
+  const OrderLadder ladder(this->ChosenIntegrands);
+  const auto goOn = [this]()
   {
-    return this->Fail("the results do not fit on the GPU: " + this->Rows.GetError());
-  }
+    const double done = std::min(1.0, static_cast<double>(this->ItemsDone) / this->ItemsTotal);
+    return this->Tell(CutShare + AcquireShare + (1.0 - CutShare - AcquireShare) * done);
+  };
   std::vector<std::size_t> active(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
   {
     active[i] = i;
     items[i].Work.Item[2] = static_cast<std::uint32_t>(i);
   }
-
-  std::vector<std::size_t> bisected;
-  std::vector<std::uint32_t> status;
+  std::vector<std::uint8_t> unconverged;
   for (int level = 0; !active.empty(); ++level)
   {
     const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->MaximumEvaluations;
     for (const std::size_t index : active)
     {
-      WorkItem& item = items[index];
-      const Orders orders = GetItemOrders(ladder, item);
-      SetItemOrders(item, orders, mayBisect);
+      SetItemOrders(items[index], GetItemOrders(ladder, items[index]), mayBisect);
     }
-    if (!this->RunLevel(page, items, active))
+    if (!this->Runner->Run(items, active, unconverged, this->Evaluations, goOn))
     {
-      return false;
+      return this->FailByRunner();
     }
-    status.resize(active.size() + 1);
-    if (!this->StatusFlags.Read(status.data(), status.size() * sizeof(status[0])))
-    {
-      return this->Fail(this->StatusFlags.GetError());
-    }
-    this->Evaluations += status[0];
-
     std::vector<std::size_t> next;
     for (std::size_t i = 0; i < active.size(); ++i)
     {
       WorkItem& item = items[active[i]];
       const Orders orders = GetItemOrders(ladder, item);
       const bool compared = item.Level > 0 || orders.Exact;
-      if (orders.Exact || (compared && status[1 + i] == 0))
+      if (orders.Exact || (compared && unconverged[i] == 0))
       {
         continue;
       }
@@ -383,7 +208,7 @@ bool SurfaceIntegrator::Internals::RunItems(int page, std::vector<WorkItem>& ite
       }
       else if (orders.Last || (compared && this->Evaluations >= this->MaximumEvaluations))
       {
-        ++results[batch[item.Work.Item[3]]].Unconverged;
+        ++results[batch[item.GetSlot()]].Unconverged;
       }
       else
       {
@@ -397,28 +222,40 @@ bool SurfaceIntegrator::Internals::RunItems(int page, std::vector<WorkItem>& ite
       this->ItemsDone += items.size();
     }
   }
-  if (!this->Accumulate(items, batch, results))
+  return true;
+}
+
+bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
+  const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
+{
+  if (!this->Runner->BeginRows(items.size()))
+  {
+    return this->FailByRunner();
+  }
+  std::vector<std::size_t> bisected;
+  if (!this->RunLevels(items, batch, depth, bisected, results) || !this->Accumulate(items, batch, results))
   {
     return false;
   }
-  if (bisected.empty())
-  {
-    return true;
-  }
-  std::sort(bisected.begin(), bisected.end());
   std::vector<WorkItem> children;
   for (const std::size_t index : bisected)
   {
     BisectItem(items[index], children);
   }
-  // In portions that fit into the buffers; the results of a face add up in order.
-  const std::size_t portion = this->GetRowLimit();
-  for (std::size_t begin = 0; begin < children.size(); begin += portion)
+  return this->RunPortions(children, batch, depth + 1, results);
+}
+
+bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
+  const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
+{
+  // In portions that have room for their rows; the results of a face add up in order.
+  const std::size_t portion = this->Runner->GetRowLimit();
+  for (std::size_t begin = 0; begin < items.size(); begin += portion)
   {
-    const std::size_t end = std::min(begin + portion, children.size());
-    std::vector<WorkItem> part(children.begin() + static_cast<std::ptrdiff_t>(begin),
-      children.begin() + static_cast<std::ptrdiff_t>(end));
-    if (!this->RunItems(page, part, batch, depth + 1, results))
+    const std::size_t end = std::min(begin + portion, items.size());
+    std::vector<WorkItem> part(
+      items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end));
+    if (!this->RunItems(part, batch, depth, results))
     {
       return false;
     }
@@ -427,28 +264,67 @@ bool SurfaceIntegrator::Internals::RunItems(int page, std::vector<WorkItem>& ite
 }
 
 bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
-  const std::vector<std::size_t>& batch, const std::vector<ResidentFace>& places,
-  std::vector<FaceIntegrals>& results)
+  const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
 {
   std::vector<WorkItem> items;
+  std::vector<ItemRunner::BatchFace> faces;
   for (std::size_t slot = 0; slot < batch.size(); ++slot)
   {
-    AddItems(places[batch[slot]], static_cast<std::uint32_t>(slot), items);
+    const FaceTask& task = tasks[batch[slot]];
+    const CutFace& cut = *this->Faces[batch[slot]];
+    AddItems(cut, static_cast<std::uint32_t>(slot), items);
+    ItemRunner::BatchFace face{ batch[slot], {}, task.Placement };
+    for (const std::size_t k : this->Chosen)
+    {
+      face.Tolerances.push_back(task.Tolerances[k] / std::max<std::size_t>(cut.GetNumberOfItems(), 1));
+    }
+    faces.push_back(std::move(face));
   }
-  this->PlacementOffset = static_cast<unsigned int>(
-    MaximumRuleSize * (MaximumRuleSize + 1) + batch.size() * this->Integrands.size());
-  if (!this->UploadParameters(tasks, batch, places))
+  if (!this->Runner->BeginBatch(faces))
   {
-    return false;
+    return this->FailByRunner();
   }
-  // More than one portion only for a face that alone exceeds the limit.
-  const std::size_t portion = this->GetRowLimit();
-  for (std::size_t begin = 0; begin < items.size(); begin += portion)
+  return this->RunPortions(items, batch, 0, results);
+}
+
+bool SurfaceIntegrator::Internals::RunAll(
+  const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results)
+{
+  std::map<int, std::vector<std::size_t>> groups;
+  this->ItemsTotal = 1;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
   {
-    const std::size_t end = std::min(begin + portion, items.size());
-    std::vector<WorkItem> part(
-      items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end));
-    if (!this->RunItems(places[batch.front()].Page, part, batch, 0, results))
+    const CutFace& cut = *this->Faces[i];
+    this->ItemsTotal += this->GetNumberOfItems(i);
+    results[i].Error = cut.Error.empty() ? this->Runner->GetFaceError(i) : cut.Error;
+    results[i].CoverageDefects = cut.Panels.CoverageDefects;
+    results[i].Outside = cut.Panels.Outside;
+    groups[this->Runner->GetGroup(i)].push_back(i);
+  }
+  const std::size_t rowLimit = this->Runner->GetRowLimit();
+  for (const auto& [group, members] : groups)
+  {
+    std::vector<std::size_t> batch;
+    std::size_t items = 0;
+    for (const std::size_t face : members)
+    {
+      const std::size_t more = this->GetNumberOfItems(face);
+      if (!batch.empty() && items + more > rowLimit)
+      {
+        if (!this->RunBatch(tasks, batch, results))
+        {
+          return false;
+        }
+        batch.clear();
+        items = 0;
+      }
+      if (more > 0)
+      {
+        batch.push_back(face);
+        items += more;
+      }
+    }
+    if (!batch.empty() && !this->RunBatch(tasks, batch, results))
     {
       return false;
     }
@@ -456,12 +332,35 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
   return true;
 }
 
-SurfaceIntegrator::SurfaceIntegrator(vtkComputeContext* context)
-  : Implementation(new Internals(context))
+bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
+{
+  std::vector<FacePointer> faces;
+  faces.reserve(tasks.size());
+  for (const FaceTask& task : tasks)
+  {
+    faces.push_back(task.Source);
+  }
+  const auto cutting = [this](double fraction) { return this->Tell(CutShare * fraction); };
+  if (!this->Cuts.Acquire(faces, this->Faces, cutting))
+  {
+    return this->Fail(this->Cuts.GetError());
+  }
+  const auto acquiring = [this](double fraction) { return this->Tell(CutShare + AcquireShare * fraction); };
+  return this->Runner->Acquire(this->Faces, acquiring) || this->FailByRunner();
+}
+
+SurfaceIntegrator::SurfaceIntegrator()
+  : Implementation(new Internals)
 {
 }
 
 SurfaceIntegrator::~SurfaceIntegrator() = default;
+
+void SurfaceIntegrator::SetRunner(std::unique_ptr<ItemRunner> runner)
+{
+  this->Implementation->Runner = std::move(runner);
+  this->Implementation->Configured = false;
+}
 
 void SurfaceIntegrator::SetIntegrands(const std::vector<Integrand>& integrands)
 {
@@ -497,82 +396,39 @@ bool SurfaceIntegrator::Integrate(
   self.Evaluations = 0;
   self.StartSeconds = self.PrepareSeconds = self.IntegrateSeconds = 0.0;
   self.ItemsDone = 0;
-  const std::size_t count = self.Integrands.size();
-  results.assign(tasks.size(), FaceIntegrals());
-  for (FaceIntegrals& result : results)
+  self.Configure();
+  FaceIntegrals nothing;
+  for (const std::string& obstacle : self.Obstacles)
   {
-    result.Face.assign(count, 0.0);
-    result.Closing.assign(count, 0.0);
-    result.QuadratureError.assign(count, 0.0);
-    result.Rounding.assign(count, 0.0);
+    const double value = obstacle.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+    for (std::vector<double>* values :
+      { &nothing.Face, &nothing.Closing, &nothing.QuadratureError, &nothing.Rounding })
+    {
+      values->push_back(value);
+    }
   }
-  if (!self.Configure())
+  results.assign(tasks.size(), nothing);
+  if (self.Integrands.empty())
   {
-    return false;
+    return self.Fail("there is nothing to integrate: add an integrand");
   }
-  if (tasks.empty())
+  if (tasks.empty() || self.Chosen.empty())
   {
     return true;
   }
-
-  // Preparing and integrating take about the same time.
-  const double start = Now();
-  std::vector<FacePointer> faces;
-  for (const FaceTask& task : tasks)
-  {
-    faces.push_back(task.Source);
-  }
-  std::vector<ResidentFace> places;
-  const auto preparing = [&](double fraction) { return self.Tell(progress, 0.5 * fraction); };
-  if (!self.Resident.Acquire(faces, places, preparing))
-  {
-    return self.Fail(self.Error.empty() ? self.Resident.GetError() : self.Error);
-  }
-  self.PrepareSeconds = Now() - start;
-  if (!self.WarmUp(places, self.StartSeconds))
-  {
-    return false;
-  }
-
-  const double begin = Now();
-  std::map<int, std::vector<std::size_t>> pages;
-  self.ItemsTotal = 1;
-  for (std::size_t i = 0; i < tasks.size(); ++i)
-  {
-    const FacePanels& panels = *places[i].Panels;
-    self.ItemsTotal += panels.Panels.size() + panels.Ribbons.size() + panels.Caps.size();
-    results[i].Error = places[i].Error;
-    results[i].CoverageDefects = panels.CoverageDefects;
-    results[i].Outside = panels.Outside;
-    pages[places[i].Page].push_back(i);
-  }
   self.Report = progress;
-  bool ok = true;
-  const std::size_t rowLimit = self.GetRowLimit();
-  for (const auto& [page, members] : pages)
+  const double start = Now();
+  bool ok = self.Prepare(tasks);
+  self.StartSeconds = ok ? self.Runner->GetStartSeconds() : 0.0;
+  self.PrepareSeconds = Now() - start - self.StartSeconds;
+  if (ok)
   {
-    std::vector<std::size_t> batch;
-    std::size_t items = 0;
-    for (std::size_t i = 0; ok && i < members.size(); ++i)
-    {
-      const FacePanels& panels = *places[members[i]].Panels;
-      const std::size_t more = panels.Panels.size() + panels.Ribbons.size() + panels.Caps.size();
-      if (!batch.empty() && items + more > rowLimit)
-      {
-        ok = self.RunBatch(tasks, batch, places, results);
-        batch.clear();
-        items = 0;
-      }
-      if (more > 0)
-      {
-        batch.push_back(members[i]);
-        items += more;
-      }
-    }
-    ok = ok && (batch.empty() || self.RunBatch(tasks, batch, places, results));
+    const double begin = Now();
+    ok = self.RunAll(tasks, results);
+    self.IntegrateSeconds = Now() - begin;
   }
+  self.Faces.clear();
   self.Report = nullptr;
-  self.IntegrateSeconds = Now() - begin;
   return ok;
 }
 
@@ -584,6 +440,11 @@ const std::string& SurfaceIntegrator::GetError() const
 bool SurfaceIntegrator::WasAborted() const
 {
   return this->Implementation->Aborted;
+}
+
+std::string SurfaceIntegrator::GetObstacle(std::size_t integrand) const
+{
+  return integrand < this->Implementation->Obstacles.size() ? this->Implementation->Obstacles[integrand] : "";
 }
 
 std::int64_t SurfaceIntegrator::GetEvaluations() const

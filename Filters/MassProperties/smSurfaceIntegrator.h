@@ -1,6 +1,6 @@
 /**
  * @file smSurfaceIntegrator.h
- * @brief Integrates a list of integrands over faces on the GPU, face by face, with an error for each
+ * @brief Integrates a list of integrands over faces, face by face, with an error for each
  */
 #ifndef smSurfaceIntegrator_h
 #define smSurfaceIntegrator_h
@@ -15,10 +15,10 @@
 #include <string>
 #include <vector>
 
-class vtkComputeContext;
-
 namespace sm
 {
+class ItemRunner;
+
 /// One face to integrate. Its result depends on nothing but this.
 struct FaceTask
 {
@@ -29,7 +29,7 @@ struct FaceTask
   std::array<double, 12> Placement{};
 };
 
-/// Results of one face, one entry per integrand.
+/// Results of one face, one entry per integrand. NaN for an integrand that the runner cannot evaluate.
 struct FaceIntegrals
 {
   /// Integral over the face alone, and over its ribbons and caps.
@@ -56,29 +56,35 @@ struct FaceIntegrals
  * is known to be exact one evaluation is made and the difference is 0. A face's tolerance is shared equally
  * among its items, so that the result of a face does not depend on others. Sums over items follow a fixed tree.
  *
- * Enters the context by itself, and is outside of it whenever it reports progress. Not thread safe.
+ * What evaluates the items and sums their results is an ItemRunner, the GPU's or the CPU's; this class cuts faces (and keeps
+ * them cut), chooses orders, bisects, and shares out tolerance and budget. Not thread safe.
  */
 class SurfaceIntegrator
 {
 public:
-  explicit SurfaceIntegrator(vtkComputeContext* context);
+  SurfaceIntegrator();
   ~SurfaceIntegrator();
+
+  /// What evaluates; never null once Integrate() is called. Cut faces outlive a change.
+  void SetRunner(std::unique_ptr<ItemRunner> runner);
 
   /// Fraction done, false to stop.
   using Progress = std::function<bool(double)>;
 
-  /// A change drops the compiled shaders.
+  /// A change drops the compiled shaders. An integrand that the runner cannot evaluate is left out; its results are NaN.
   void SetIntegrands(const std::vector<Integrand>& integrands);
   void SetUsePlacements(bool use);
   void SetPerturbation(double factor);
   void SetMaximumEvaluations(std::int64_t evaluations);
 
-  /// False when a shader does not build, GPU memory is short, or progress stopped it; GetError() says why.
+  /// False when a shader does not build, memory is short, or progress stopped it; GetError() says why.
   bool Integrate(
     const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results, const Progress& progress);
 
   const std::string& GetError() const;
   bool WasAborted() const;
+  /// Why the runner could not evaluate an integrand in the last Integrate(); empty when it could.
+  std::string GetObstacle(std::size_t integrand) const;
   std::int64_t GetEvaluations() const;
   /// Seconds of the last Integrate(): shaders with a warm dispatch; cutting and upload; integration.
   double GetStartSeconds() const;

@@ -1,7 +1,5 @@
 #include "smWorkItems.h"
 
-#include "smResidentFaces.h"
-
 #include <algorithm>
 
 namespace sm
@@ -13,51 +11,46 @@ constexpr std::uint32_t One = 0x3f800000u;
 /// One in the exponent of a float.
 constexpr std::uint32_t Doubling = 0x00800000u;
 
-// Flags of a work record, as in glsl/smWork.glsl.
+// Flags of a work record, as in glsl/smWorkRecord.glsl.
 constexpr std::uint32_t Negative = 1;
 constexpr std::uint32_t Flip = 2;
 constexpr std::uint32_t First = 4;
 constexpr std::uint32_t Discard = 8;
 constexpr std::uint32_t AlongEdge = 16;
-
 }
 
-void AddItems(const ResidentFace& face, std::uint32_t slot, std::vector<WorkItem>& items)
+void AddItems(const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& items)
 {
   const int p = face.Degree[0];
   const int q = face.Degree[1];
   const int cost = std::max(1, (p * 4 + q) / 4);
-  for (const Panel& panel : face.Panels->Panels)
+  for (const Panel& panel : face.Panels.Panels)
   {
-    WorkItem item{ IntegrationPrograms::ChooseProgram(ItemKind::Panel, p, q), {}, panel, 0, cost };
     const std::uint32_t flags = (panel.Negative ? Negative : 0u) | (panel.FlipNormal ? Flip : 0u);
-    item.Work = { { face.FirstPatch + panel.Patch, face.FirstCoefficient + panel.Trim, 0, slot },
+    const WorkRecord work = { { panel.Patch, panel.Trim, 0, slot },
       { panel.TrimDegree | flags << 24, 0, 0, One }, { panel.Start, panel.End, 0.0, 1.0 } };
-    items.push_back(item);
+    items.push_back({ ItemKind::Panel, work, { p, q }, panel, 0, cost });
   }
-  for (const Ribbon& ribbon : face.Panels->Ribbons)
+  for (const Ribbon& ribbon : face.Panels.Ribbons)
   {
-    WorkItem item{ IntegrationPrograms::ChooseProgram(ItemKind::Ribbon, p, q), {}, {}, 0,
-      cost + (p + 1) * (q + 1) };
     const std::uint32_t flags = (ribbon.FlipNormal ? Flip : 0u) | (ribbon.AlongEdge ? AlongEdge : 0u);
-    item.Work = { { face.FirstPatch + ribbon.Patch, face.FirstCoefficient + ribbon.Trim, 0, slot },
-      { ribbon.TrimDegree | flags << 24, face.FirstCoefficient + ribbon.Edge, ribbon.EdgeDegree, One },
+    const WorkRecord work = { { ribbon.Patch, ribbon.Trim, 0, slot },
+      { ribbon.TrimDegree | flags << 24, ribbon.Edge, ribbon.EdgeDegree, One },
       { ribbon.Start, ribbon.End, ribbon.EdgeStart, ribbon.EdgeEnd } };
-    items.push_back(item);
+    items.push_back({ ItemKind::Ribbon, work, { p, q }, {}, 0, cost + (p + 1) * (q + 1) });
   }
-  for (std::size_t i = 0; i < face.Panels->Caps.size(); ++i)
+  for (std::size_t i = 0; i < face.Panels.Caps.size(); ++i)
   {
-    WorkItem item{ IntegrationPrograms::ChooseProgram(ItemKind::Cap, p, q), {}, {}, 0, 1 };
-    const std::uint32_t flags = face.Panels->Caps[i].FlipNormal ? Flip : 0u;
-    item.Work = { { 0, static_cast<std::uint32_t>(9 * (face.FirstCap + i)), 0, slot },
-      { flags << 24, 0, 0, One }, { 0.0, 1.0, 0.0, 1.0 } };
-    items.push_back(item);
+    const std::uint32_t flags = face.Panels.Caps[i].FlipNormal ? Flip : 0u;
+    const WorkRecord work = { { 0, static_cast<std::uint32_t>(9 * i), 0, slot }, { flags << 24, 0, 0, One },
+      { 0.0, 1.0, 0.0, 1.0 } };
+    items.push_back({ ItemKind::Cap, work, { p, q }, {}, 0, 1 });
   }
 }
 
 Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item)
 {
-  switch (std::get<0>(item.Program))
+  switch (item.Kind)
   {
     case ItemKind::Panel:
       return ladder.GetPanelOrders(item.Shape, item.Level);
@@ -81,7 +74,7 @@ void BisectItem(const WorkItem& parent, std::vector<WorkItem>& children)
 {
   const double* range = parent.Work.Range;
   const double middle[2] = { 0.5 * (range[0] + range[1]), 0.5 * (range[2] + range[3]) };
-  const bool isPanel = std::get<0>(parent.Program) == ItemKind::Panel;
+  const bool isPanel = parent.Kind == ItemKind::Panel;
   for (int part = 0; part < (isPanel ? 4 : 2); ++part)
   {
     WorkItem child = parent;

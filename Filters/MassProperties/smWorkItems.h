@@ -1,22 +1,21 @@
 /**
  * @file smWorkItems.h
- * @brief Panels, ribbons and caps as records of the GPU's work list
+ * @brief Panels, ribbons and caps as records of a work list
  */
 #ifndef smWorkItems_h
 #define smWorkItems_h
 
-#include "smFacePanels.h"
+#include "smFacePanelsCache.h"
 #include "smIntegrationOrders.h"
-#include "smIntegrationPrograms.h"
+#include "smQuadraturePlan.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace sm
 {
-struct ResidentFace;
 
-// As smWorkRecord in glsl/smWork.glsl, std430.
+// As smWorkRecord in glsl/smWorkRecord.glsl, std430. Indices are relative to the face.
 struct WorkRecord
 {
   std::uint32_t Item[4];
@@ -27,18 +26,30 @@ static_assert(sizeof(WorkRecord) == 64, "layout of smWorkRecord");
 
 struct WorkItem
 {
-  ProgramKey Program;
+  ItemKind Kind = ItemKind::Panel;
   WorkRecord Work;
+  /// Degrees of the patch, in s and r.
+  int Degree[2] = { 1, 1 };
   /// What the orders of a panel depend on.
   Panel Shape{};
   /// Rung of the ladder of orders.
   int Level = 0;
   /// Cost of an evaluation relative to a bilinear patch.
   int Cost = 1;
+
+  /// Place of the item's face in its batch, and the row of its results.
+  std::uint32_t GetSlot() const { return this->Work.Item[3]; }
+  std::uint32_t GetRow() const { return this->Work.Item[2]; }
+  /// About what evaluating it costs at its orders.
+  std::int64_t GetCost() const
+  {
+    const std::uint32_t detail = this->Work.Detail[0];
+    return static_cast<std::int64_t>((detail >> 8) & 255u) * ((detail >> 16) & 255u) * this->Cost;
+  }
 };
 
 /// Appends the items of a face, its panels first. `slot` is the face's place in the batch.
-void AddItems(const ResidentFace& face, std::uint32_t slot, std::vector<WorkItem>& items);
+void AddItems(const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& items);
 
 /// The orders of the item at its level.
 Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item);

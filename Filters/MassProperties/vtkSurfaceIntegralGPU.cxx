@@ -1,6 +1,8 @@
 #include "vtkSurfaceIntegralGPU.h"
 
 #include "smBodyIntegrals.h"
+#include "smCPUItemRunner.h"
+#include "smGPUItemRunner.h"
 #include "smMassPropertyNames.h"
 #include "smSurfaceIntegrator.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
@@ -39,10 +41,11 @@ void vtkSurfaceIntegralGPU::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n"
+     << indent << "Backend: " << this->Backend << "\n"
      << indent << "MaximumEvaluations: " << this->MaximumEvaluations << "\n"
      << indent << "Integrands: " << this->GetNumberOfIntegrands() << "\n"
      << indent << "Status: " << this->GetStatus() << "\n"
-     << indent << "Backend: " << this->GetBackend() << "\n"
+     << indent << "BackendName: " << this->GetBackendName() << "\n"
      << indent << "Renderer: " << this->GetRenderer() << "\n";
 }
 
@@ -180,7 +183,7 @@ std::string vtkSurfaceIntegralGPU::GetMessage(int index) const
   return index >= 0 && index < this->GetNumberOfMessages() ? this->Implementation->Last.Messages[index] : "";
 }
 
-std::string vtkSurfaceIntegralGPU::GetBackend() const
+std::string vtkSurfaceIntegralGPU::GetBackendName() const
 {
   return this->Implementation->Last.Backend;
 }
@@ -305,34 +308,59 @@ void vtkSurfaceIntegralGPU::Internals::AddTasks(
   }
 }
 
-bool vtkSurfaceIntegralGPU::Internals::Integrate(
-  vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies)
+bool vtkSurfaceIntegralGPU::Internals::ChooseRunner(vtkSurfaceIntegralGPU* self)
 {
   Run& last = this->Last;
   const double start = vtkTimerLog::GetUniversalTime();
-  if (this->Context->Start() != vtkComputeContext::READY)
+  const bool hasOpenGL = self->Backend != CPU && this->Context->Start() == vtkComputeContext::READY;
+  last.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
+  if (!hasOpenGL && self->Backend == OPENGL)
   {
     last.Messages.push_back("nothing was computed: " + this->Context->GetReason());
     return false;
   }
-  last.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
-  last.Backend = "opengl";
-  last.Renderer = this->Context->GetRenderer();
-  if (!this->Integrator)
+  if (!hasOpenGL && self->Backend == AUTOMATIC)
   {
-    this->Integrator.reset(new sm::SurfaceIntegrator(this->Context));
+    last.FallbackReason = this->Context->GetReason();
+  }
+  last.Backend = hasOpenGL ? sm::names::BackendOpenGL : sm::names::BackendCPU;
+  last.Renderer = hasOpenGL ? this->Context->GetRenderer() : sm::CPUItemRunner::GetDescription();
+  if (this->Runner != last.Backend)
+  {
+    std::unique_ptr<sm::ItemRunner> runner;
+    if (hasOpenGL)
+    {
+      runner = std::make_unique<sm::GPUItemRunner>(this->Context);
+    }
+    else
+    {
+      runner = std::make_unique<sm::CPUItemRunner>();
+    }
+    this->Integrator.SetRunner(std::move(runner));
+    this->Runner = last.Backend;
+  }
+  return true;
+}
+
+bool vtkSurfaceIntegralGPU::Internals::Integrate(
+  vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies)
+{
+  Run& last = this->Last;
+  if (!this->ChooseRunner(self))
+  {
+    return false;
   }
   if (this->Configured != this->Integrands)
   {
-    this->Integrator->SetIntegrands(this->Integrands);
+    this->Integrator.SetIntegrands(this->Integrands);
     this->Configured = this->Integrands;
   }
   // Moments about each part's own origin are carried to the instances exactly; anything else is integrated
   // in world coordinates, instance by instance.
   const bool placed = !this->LocalTolerances;
-  this->Integrator->SetUsePlacements(placed);
-  this->Integrator->SetPerturbation(self->ShaderPerturbation);
-  this->Integrator->SetMaximumEvaluations(self->MaximumEvaluations);
+  this->Integrator.SetUsePlacements(placed);
+  this->Integrator.SetPerturbation(self->ShaderPerturbation);
+  this->Integrator.SetMaximumEvaluations(self->MaximumEvaluations);
 
   std::vector<sm::FaceTask> tasks;
   std::vector<std::size_t> firstTask;
@@ -351,23 +379,31 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   }
   std::vector<sm::FaceIntegrals> results;
   const vtkTypeUInt64 dispatches = this->Context->GetNumberOfDispatches();
-  const bool done = this->Integrator->Integrate(tasks, results,
+  const bool done = this->Integrator.Integrate(tasks, results,
     [self](double fraction)
     {
       self->UpdateProgress(fraction);
       return !self->GetAbortExecute();
     });
-  last.Evaluations = this->Integrator->GetEvaluations();
+  last.Evaluations = this->Integrator.GetEvaluations();
   last.Dispatches = static_cast<vtkTypeInt64>(this->Context->GetNumberOfDispatches() - dispatches);
-  last.StartSeconds += this->Integrator->GetStartSeconds();
-  last.PrepareSeconds = this->Integrator->GetPrepareSeconds();
-  last.IntegrateSeconds = this->Integrator->GetIntegrateSeconds();
+  last.StartSeconds += this->Integrator.GetStartSeconds();
+  last.PrepareSeconds = this->Integrator.GetPrepareSeconds();
+  last.IntegrateSeconds = this->Integrator.GetIntegrateSeconds();
   if (!done)
   {
-    last.Messages.push_back(this->Integrator->WasAborted()
+    last.Messages.push_back(this->Integrator.WasAborted()
         ? "the run was aborted"
-        : "nothing was computed: " + this->Integrator->GetError());
+        : "nothing was computed: " + this->Integrator.GetError());
     return false;
+  }
+  for (std::size_t k = 0; k < this->Integrands.size(); ++k)
+  {
+    const std::string obstacle = this->Integrator.GetObstacle(k);
+    if (!obstacle.empty())
+    {
+      last.Messages.push_back(this->Integrands[k].Name + " was not computed: " + obstacle);
+    }
   }
   std::map<std::size_t, std::shared_ptr<const std::vector<sm::FaceIntegrals>>> sharedFaces;
   for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -462,6 +498,11 @@ int vtkSurfaceIntegralGPU::RequestData(
     vtkWarningMacro("Status " << last.Status << ": " << last.Messages.front()
                               << (last.Messages.size() > 1 ? " (and more, see GetMessage())" : ""));
   }
+  // Last, for it is nothing that is wrong with the result.
+  if (!last.FallbackReason.empty())
+  {
+    last.Messages.push_back("computed on the CPU, without OpenGL: " + last.FallbackReason);
+  }
   this->Implementation->FillRunData(vtkPolyData::GetData(outputVector, 0)->GetFieldData());
   return 1;
 }
@@ -491,7 +532,11 @@ void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodie
     for (sm::BodyIntegrals& body : bodies)
     {
       const double scale = Internals::GetScale(integrands[k], *body.Model, Internals::GetReach(body));
-      if (body.Faces && !std::isfinite(body.Value[k]))
+      if (body.Faces && !this->Implementation->Integrator.GetObstacle(k).empty())
+      {
+        body.Flag(sm::names::StatusToleranceNotMet, name + " was not computed");
+      }
+      else if (body.Faces && !std::isfinite(body.Value[k]))
       {
         body.Flag(sm::names::StatusSuspect, name + " is not a finite number somewhere on the faces");
       }

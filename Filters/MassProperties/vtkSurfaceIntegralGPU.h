@@ -3,7 +3,8 @@
  * @brief   integrals over the exact faces of trimmed NURBS solids, by compute shaders
  *
  * Integrates any list of integrands over the faces of every vtkNURBSDataSet in the input (one, or the
- * leaves of a composite dataset), in double precision on the GPU, inside an OpenGL context of VTK.
+ * leaves of a composite dataset), in double precision on the GPU, inside an OpenGL context of VTK; or, where there is
+ * no OpenGL 4.3 with doubles, on the CPU by the same mathematics compiled as C++, see SetBackend().
  * An integrand is a GLSL expression of
  *   - `position`: dvec3, world coordinates, in the model's length unit,
  *   - `normal`:   dvec3, outward Su x Sv of the surface element; length(normal) is the area element.
@@ -24,8 +25,8 @@
  * when faces are missing.
  *
  * Getters return the values of the last run and never run the pipeline: call Update() first.
- * RequestData fails only for a wrong input (no exact geometry in it); without a GPU context the rows are
- * there, with NaN and a status.
+ * RequestData fails only for a wrong input (no exact geometry in it). What cannot be computed has its rows, with NaN and
+ * a status: everything, when OPENGL is asked for and there is none; on the CPU, integrands that are expressions.
  *
  * Not thread safe. With SetRenderWindow the calling thread must be the one that renders in that window.
  */
@@ -98,6 +99,26 @@ public:
   vtkGetMacro(RelativeTolerance, double);
   ///@}
 
+  /** What computes. */
+  enum BackendType
+  {
+    AUTOMATIC = 0,
+    OPENGL = 1,
+    CPU = 2
+  };
+
+  ///@{
+  /**
+   * What computes: OPENGL, compute shaders (OpenGL 4.3 with doubles; without, nothing is computed and Status is
+   * tolerance-not-met); CPU, all threads that vtkSMPTools has (the application chooses its backend; VTK's default may be a
+   * single thread), where moments run and expressions (AddIntegrand) do not: they are NaN, and a message names them;
+   * AUTOMATIC, OPENGL where it can be had, else CPU, with a message that says why. The two agree to rounding, not bit
+   * for bit. Clamped to these. Default AUTOMATIC.
+   */
+  vtkSetClampMacro(Backend, int, AUTOMATIC, CPU);
+  vtkGetMacro(Backend, int);
+  ///@}
+
   ///@{
   /** Most surface evaluations that a run may spend; beyond, what is there is kept with its bound. Default
    * 2e9. At least 1. */
@@ -112,11 +133,12 @@ public:
   ///@}
 
   ///@{
-  /** The last run: worst status of all solids ("ok", "open", …), what to tell the user, and how it was done. */
+  /** The last run: worst status of all solids ("ok", "open", …), what to tell the user, and how it was done: backend
+   * "opengl", "cpu" or "none", and the name of the renderer ("CPU, N threads"). */
   std::string GetStatus() const;
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;
-  std::string GetBackend() const;
+  std::string GetBackendName() const;
   std::string GetRenderer() const;
   vtkTypeInt64 GetEvaluations() const;
   vtkTypeInt64 GetDispatches() const;
@@ -128,8 +150,8 @@ public:
   double GetIntegrateSeconds() const;
   ///@}
 
-  /** For tests: makes every shader multiply its samples by this factor, to show that the numbers come from
-   * the shaders. Default 1. */
+  /** For tests: makes every shader (the CPU's kernels too) multiply its samples by this factor, to show that the numbers come
+   * from there. Default 1. */
   vtkSetMacro(ShaderPerturbation, double);
   vtkGetMacro(ShaderPerturbation, double);
 
@@ -154,6 +176,7 @@ protected:
 #endif
 
   double RelativeTolerance = 1e-9;
+  int Backend = AUTOMATIC;
   vtkTypeInt64 MaximumEvaluations = 2000000000;
   double ShaderPerturbation = 1.0;
 

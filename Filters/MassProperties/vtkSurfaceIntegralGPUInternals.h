@@ -7,6 +7,7 @@
 
 #include "smBodyIntegrals.h"
 #include "smColumns.h"
+#include "smMassPropertyNames.h"
 #include "smSurfaceIntegrator.h"
 #include "vtkSurfaceIntegralGPU.h"
 
@@ -25,8 +26,10 @@ struct vtkSurfaceIntegralGPU::Internals
   {
     std::string Status;
     std::vector<std::string> Messages;
-    std::string Backend = "none";
+    std::string Backend = sm::names::BackendNone;
     std::string Renderer;
+    /// Why the CPU computed where OpenGL would have been preferred.
+    std::string FallbackReason;
     vtkTypeInt64 Evaluations = 0;
     vtkTypeInt64 Dispatches = 0;
     int Solids = 0;
@@ -43,13 +46,17 @@ struct vtkSurfaceIntegralGPU::Internals
     std::function<std::vector<double>(const std::vector<sm::Integrand>&, vtkTrimmedNURBSModel&, double)>;
 
   vtkNew<vtkComputeContext> Context;
-  std::unique_ptr<sm::SurfaceIntegrator> Integrator;
+  sm::SurfaceIntegrator Integrator;
+  /// What the integrator's runner is: "", "opengl" or "cpu".
+  std::string Runner;
   std::vector<sm::Integrand> Integrands;
   std::vector<sm::Integrand> Configured;
   ToleranceRule LocalTolerances;
   Run Last;
 
   void Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand);
+  /// Gives the integrator the runner that the backend asks for and the machine has, and says so in Last.
+  bool ChooseRunner(vtkSurfaceIntegralGPU* self);
   bool Integrate(vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies);
   void AddTasks(
     const sm::BodyIntegrals& body, bool placed, double tolerance, std::vector<sm::FaceTask>& tasks) const;

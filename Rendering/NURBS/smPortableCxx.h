@@ -1,24 +1,33 @@
 /**
  * @file smPortableCxx.h
- * @brief Compiles the chunks of mathematics in glsl/ as C++, through GLM; for tests, not installed
+ * @brief Compiles the chunks of mathematics in glsl/ as C++, through GLM; not installed
  *
- * Include it inside no namespace, then include the chunk's file inside one, after defining the accessors
- * that the chunk names.
+ * Include it in a source file, not in a header, and inside no namespace. Then include the chunks' files in a namespace after
+ * what they need, or in the body of a class whose members are what they need: accessors, sizes and arrays, each
+ * chunk names its own at its head.
  */
 #ifndef smPortableCxx_h
 #define smPortableCxx_h
 
+#include <glm/common.hpp>
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>
 #include <glm/ext/vector_double4.hpp>
+#include <glm/ext/vector_uint4.hpp>
 #include <glm/geometric.hpp>
 
+using glm::abs;
+using glm::clamp;
 using glm::cross;
 using glm::dot;
 using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
 using glm::length;
+using glm::max;
+using glm::min;
+using glm::uintBitsToFloat;
+using glm::uvec4;
 using uint = unsigned int;
 
 // GLSL's suffix of double literals.
@@ -28,8 +37,13 @@ constexpr double operator"" LF(long double value)
   return static_cast<double>(value);
 }
 
+// A compiler of C++ keeps to the order of operations as it is.
+#define precise
+
 #define SM_OUT(type) type&
+#define SM_INOUT(type) type&
 #define SM_OUT_ARRAY(type, name, size) type* name
 #define SM_ARRAY(type, name, size) const type* name
+#define SM_CONSTANT static constexpr
 
 #endif

@@ -5,24 +5,22 @@
 
 #include "smBernstein.h"
 #include "smPatch.h"
+#include "smPatchRecord.h"
 #include "smPortable.h"
 #include "smResident.h"
 
 #include "vtkComputeContext.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
-#include <stdexcept>
 #include <unordered_map>
 
 namespace sm
 {
 namespace
 {
-// As smPatchRecord in glsl/smResident.glsl, std430.
+// As smPatchRecord in glsl/smPatchRecord.glsl, std430.
 struct PatchRecord
 {
   double CenterRadius[4];
@@ -32,8 +30,8 @@ struct PatchRecord
 };
 static_assert(sizeof(PatchRecord) == 96, "layout of smPatchRecord");
 
-// Faces cut between two reports of progress.
-constexpr std::size_t CutsPerReport = 256;
+// Faces packed between two reports of progress.
+constexpr std::size_t FacesPerReport = 256;
 
 /// What a page holds while it is being packed.
 struct PageData
@@ -98,7 +96,6 @@ void Append(const FacePanels& panels, PageData& page, ResidentFace& location)
       page.Caps.insert(page.Caps.end(), point->begin(), point->end());
     }
   }
-  page.Items += panels.Panels.size() + panels.Ribbons.size() + panels.Caps.size();
 }
 }
 
@@ -181,6 +178,72 @@ struct ResidentFaces::Internals
     }
     return true;
   }
+
+  /// Uploads what was packed as a page of its own.
+  bool Flush(std::uint64_t now, PageData& data, std::vector<std::pair<std::uint64_t, ResidentFace>>& packed)
+  {
+    if (packed.empty())
+    {
+      return true;
+    }
+    Page page;
+    page.LastUse = now;
+    if (!this->Upload(data, page))
+    {
+      return false;
+    }
+    for (auto& [id, location] : packed)
+    {
+      location.Page = this->NextPage;
+      page.Faces.push_back(id);
+      this->Faces[id] = std::move(location);
+    }
+    this->Uploads += packed.size();
+    this->Pages.emplace(this->NextPage++, std::move(page));
+    packed.clear();
+    data = PageData();
+    return true;
+  }
+
+  bool UploadAll(
+    const std::vector<CutFacePointer>& faces, std::uint64_t now, const std::function<bool(double)>& progress)
+  {
+    const auto blockLimit = static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize());
+    PageData data;
+    std::vector<std::pair<std::uint64_t, ResidentFace>> packed;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      if (i % FacesPerReport == 0 && progress && !progress(static_cast<double>(i) / faces.size()))
+      {
+        this->Error = "aborted";
+        return false;
+      }
+      const CutFace& face = *faces[i];
+      ResidentFace location;
+      location.Source = face.Source;
+      const std::size_t size = GetLargestBlock(face.Panels);
+      if (size > blockLimit)
+      {
+        location.Error = "face #" + std::to_string(face.Source->FileId) + " has " +
+          std::to_string(size >> 20) + " MiB of geometry, more than a storage block of this GPU may have";
+      }
+      else
+      {
+        if (data.GetLargestBlock() + size > blockLimit && !this->Flush(now, data, packed))
+        {
+          return false;
+        }
+        Append(face.Panels, data, location);
+        data.Items += face.GetNumberOfItems();
+      }
+      packed.emplace_back(face.Source->Id, std::move(location));
+      if (data.Items >= this->MaximumItems && !this->Flush(now, data, packed))
+      {
+        return false;
+      }
+    }
+    return this->Flush(now, data, packed);
+  }
 };
 
 ResidentFaces::ResidentFaces(vtkComputeContext* context)
@@ -201,136 +264,46 @@ void ResidentFaces::SetMaximumItemsPerPage(std::size_t items)
   this->Implementation->MaximumItems = std::max<std::size_t>(items, 1);
 }
 
-bool ResidentFaces::Acquire(const std::vector<FacePointer>& faces, std::vector<ResidentFace>& locations,
+bool ResidentFaces::Acquire(const std::vector<CutFacePointer>& faces, std::vector<ResidentFace>& locations,
   const std::function<bool(double)>& progress)
 {
   Internals& self = *this->Implementation;
   self.ForgetLostContext();
   const std::uint64_t now = ++self.Clock;
 
-  // Faces to cut, each once, in the order of the request.
-  std::vector<std::size_t> missing;
-  std::unordered_map<std::uint64_t, std::size_t> slots;
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  // Faces to upload, each once, in the order of the request.
+  std::vector<CutFacePointer> missing;
+  std::unordered_map<std::uint64_t, FacePointer> asked;
+  for (const CutFacePointer& face : faces)
   {
-    const auto found = self.Faces.find(faces[i]->Id);
-    const auto slot = slots.find(faces[i]->Id);
-    if ((found != self.Faces.end() && found->second.Source != faces[i]) ||
-      (slot != slots.end() && faces[missing[slot->second]] != faces[i]))
+    const std::uint64_t id = face->Source->Id;
+    const auto [first, isNew] = asked.emplace(id, face->Source);
+    const auto found = self.Faces.find(id);
+    const bool isResident = found != self.Faces.end();
+    if (first->second != face->Source || (isResident && found->second.Source != face->Source))
     {
-      self.Error = "two different faces have the id " + std::to_string(faces[i]->Id) +
+      self.Error = "two different faces have the id " + std::to_string(id) +
         "; give every new face an id of its own, sm::NewId()";
       return false;
     }
-    if (found == self.Faces.end())
-    {
-      if (slots.emplace(faces[i]->Id, missing.size()).second)
-      {
-        missing.push_back(i);
-      }
-    }
-    else if (found->second.Page >= 0)
+    if (isResident)
     {
       self.Pages.at(found->second.Page).LastUse = now;
     }
+    else if (isNew)
+    {
+      missing.push_back(face);
+    }
   }
-
-  PageData data;
-  std::vector<std::pair<std::uint64_t, ResidentFace>> packed;
-  const auto flush = [&]()
-  {
-    if (packed.empty())
-    {
-      return true;
-    }
-    Page page;
-    page.LastUse = now;
-    if (!self.Upload(data, page))
-    {
-      return false;
-    }
-    for (auto& [id, location] : packed)
-    {
-      location.Page = self.NextPage;
-      page.Faces.push_back(id);
-      self.Faces[id] = std::move(location);
-    }
-    self.Pages.emplace(self.NextPage++, std::move(page));
-    packed.clear();
-    data = PageData();
-    return true;
-  };
-
-  const auto blockLimit = static_cast<std::size_t>(self.Context->GetMaximumStorageBlockSize());
-  for (std::size_t begin = 0; begin < missing.size(); begin += CutsPerReport)
-  {
-    if (progress && !progress(static_cast<double>(begin) / missing.size()))
-    {
-      self.Error = "aborted";
-      return false;
-    }
-    const std::size_t count = std::min(CutsPerReport, missing.size() - begin);
-    std::vector<std::shared_ptr<FacePanels>> cut(count);
-    std::vector<std::string> errors(count);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 8,
-      [&](vtkIdType from, vtkIdType to)
-      {
-        for (vtkIdType i = from; i < to; ++i)
-        {
-          cut[i] = std::make_shared<FacePanels>();
-          try
-          {
-            *cut[i] = BuildFacePanels(*faces[missing[begin + i]]);
-          }
-          catch (const std::exception& error)
-          {
-            errors[i] = error.what();
-          }
-        }
-      });
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const FacePointer& face = faces[missing[begin + i]];
-      ResidentFace location;
-      location.Error = errors[i];
-      location.Source = face;
-      const bool turned = face->Surface.Degree[0] > face->Surface.Degree[1];
-      location.Degree[0] = face->Surface.Degree[turned ? 1 : 0];
-      location.Degree[1] = face->Surface.Degree[turned ? 0 : 1];
-      const std::size_t size = GetLargestBlock(*cut[i]);
-      if (size > blockLimit)
-      {
-        location.Error = "face #" + std::to_string(face->FileId) + " has " + std::to_string(size >> 20) +
-          " MiB of geometry, more than a storage block of this GPU may have";
-        *cut[i] = FacePanels();
-      }
-      else if (data.GetLargestBlock() + size > blockLimit && !flush())
-      {
-        return false;
-      }
-      Append(*cut[i], data, location);
-      cut[i]->Patches = {};
-      cut[i]->Points = {};
-      cut[i]->Coefficients = {};
-      location.Panels = std::move(cut[i]);
-      packed.emplace_back(face->Id, std::move(location));
-      if (data.Items >= self.MaximumItems && !flush())
-      {
-        return false;
-      }
-    }
-    self.Uploads += count;
-  }
-  if (!flush())
+  if (!self.UploadAll(missing, now, progress))
   {
     return false;
   }
-
   locations.clear();
   locations.reserve(faces.size());
-  for (const FacePointer& face : faces)
+  for (const CutFacePointer& face : faces)
   {
-    locations.push_back(self.Faces.at(face->Id));
+    locations.push_back(self.Faces.at(face->Source->Id));
   }
   self.Evict(now);
   return true;
@@ -375,7 +348,8 @@ const std::string& ResidentFaces::GetError() const
 const char* GetNURBSShaderChunk(const std::string& name)
 {
   static const std::map<std::string, const char*> chunks = { { "smPortable", smPortable },
-    { "smBernstein", smBernstein }, { "smPatch", smPatch }, { "smResident", smResident } };
+    { "smBernstein", smBernstein }, { "smPatch", smPatch }, { "smPatchRecord", smPatchRecord },
+    { "smResident", smResident } };
   const auto found = chunks.find(name);
   return found == chunks.end() ? nullptr : found->second;
 }

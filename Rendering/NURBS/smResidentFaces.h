@@ -1,13 +1,13 @@
 /**
  * @file smResidentFaces.h
- * @brief Faces kept on the GPU by id, cut into panels, in pages
+ * @brief Cut faces kept on the GPU by id, in pages
  */
 #ifndef smResidentFaces_h
 #define smResidentFaces_h
 
 #include "smRenderingNURBSModule.h"
 
-#include "smFacePanels.h"
+#include "smFacePanelsCache.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,28 +20,23 @@ class vtkComputeContext;
 
 namespace sm
 {
-/// Where a face lies on the GPU. Indices in Panels are relative to the face: add the bases.
+/// Where a face lies on the GPU. Indices in its FacePanels are relative to the face: add the bases.
 struct ResidentFace
 {
   int Page = -1;
   std::uint32_t FirstPatch = 0;
   std::uint32_t FirstCoefficient = 0;
   std::uint32_t FirstCap = 0;
-  /// The work items. Patches, points and coefficients live on the GPU only and are empty here.
-  std::shared_ptr<const FacePanels> Panels;
   /// The face itself: an id stands for one face only.
   FacePointer Source;
-  /// Degrees of all patches of the face.
-  int Degree[2] = { 1, 1 };
-  /// Not empty: the face could not be cut; Panels is empty.
+  /// Not empty: the face is too large for a storage block of this GPU and nothing of it is there.
   std::string Error;
 };
 
 /**
- * Cuts faces into panels (in parallel, by vtkSMPTools) and uploads what the shaders read: control points, patches,
- * polynomial coefficients and caps. Faces are packed into pages, each a set of buffers within the driver's
- * limit of a storage block. A face that is resident is found again by its id and costs nothing. When the bytes
- * exceed the budget, the pages used longest ago are dropped as a whole.
+ * Uploads what the shaders read of cut faces: control points, patches, polynomial coefficients and caps. Faces are
+ * packed into pages, each a set of buffers within the driver's limit of a storage block. A face that is resident is found
+ * again by its id and costs nothing. When the bytes exceed the budget, the pages used longest ago are dropped as a whole.
  *
  * When the GL context ends everything is forgotten and the next Acquire() starts anew.
  * Storage and bindings: see glsl/smResident.glsl. Methods enter the context by themselves, except Bind();
@@ -63,7 +58,7 @@ public:
 
   /// Makes `faces` resident; `locations` gets one entry per face. `progress` (may be empty) gets a fraction
   /// and returns false to stop. False when stopped or out of GPU memory, with GetError().
-  bool Acquire(const std::vector<FacePointer>& faces, std::vector<ResidentFace>& locations,
+  bool Acquire(const std::vector<CutFacePointer>& faces, std::vector<ResidentFace>& locations,
     const std::function<bool(double)>& progress);
 
   /// Binds a page's buffers to storage bindings 0 (control points), 1 (patches), 2 (coefficients).
@@ -72,7 +67,7 @@ public:
   bool BindCaps(int page);
 
   ///@{
-  /// Counters: faces and bytes resident now, faces cut and uploaded, and pages dropped since construction.
+  /// Counters: faces and bytes resident now, faces uploaded and pages dropped since construction.
   std::size_t GetNumberOfFaces() const;
   std::size_t GetBytes() const;
   std::uint64_t GetNumberOfUploads() const;
@@ -86,7 +81,7 @@ private:
   std::unique_ptr<Internals> Implementation;
 };
 
-/// Texts of the chunks smPortable, smBernstein, smPatch and smResident, by name; null for another name.
+/// Texts of the chunks smPortable, smBernstein, smPatch, smPatchRecord and smResident, by name; null for another name.
 SMRENDERINGNURBS_EXPORT const char* GetNURBSShaderChunk(const std::string& name);
 }
 

@@ -369,13 +369,27 @@ def picture():
 
 
 def no_context():
-    """The caller limits OpenGL: no number from somewhere else."""
-    result, files = run_json(manifest.solid("box")["path"])
+    """The caller limits OpenGL: the CPU computes and says so; with OpenGL insisted on, no number from somewhere else."""
+    solid = manifest.solid("box")
+    result, files = run_json(solid["path"])
+    check_equal("exit status", 0, result.returncode)
+    check_equal("backend", "cpu", files[0]["backend"])
+    check_true("renderer", files[0]["renderer"].startswith("CPU, "), files[0]["renderer"])
+    check_equal("status", "ok", files[0]["status"])
+    check_true("volume", abs(files[0]["total"]["volume"] - solid["volume"]) <= 1e-9 * solid["volume"])
+    check_true("a message tells why", any("OpenGL" in text for text in files[0]["messages"]), str(files[0]["messages"]))
+
+    result, files = run_json("--backend", "opengl", solid["path"])
     check_equal("exit status", 3, result.returncode)
     check_equal("backend", "none", files[0]["backend"])
-    check_true("status", files[0]["status"] != "ok", files[0]["status"])
+    check_equal("status", "tolerance-not-met", files[0]["status"])
     check_true("no numbers", all(files[0]["total"][key] is None for key in ("volume", "area", "center_of_mass")))
     check_true("a message tells why", any("OpenGL" in text for text in files[0]["messages"]), str(files[0]["messages"]))
+
+    result, files = run_json("--backend", "cpu", solid["path"])
+    check_equal("exit status", 0, result.returncode)
+    check_equal("backend", "cpu", files[0]["backend"])
+    check_equal("who asks for the CPU is told nothing", [], files[0]["messages"])
 
 
 {"results": results, "errors": errors, "outputs": outputs, "packages": packages, "picture": picture,

@@ -1,10 +1,8 @@
-// Integrates one flat triangle X = apex + l (from + t (to - from) - apex) per invocation: SM_STRIP_POINTS squared Gauss
-// points, exact for the polynomial integrands asked for.
+// One cap per invocation.
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smPortable
 //SM::Include smInvocation
-//SM::Include smWork
 
 // Apex, from and to: nine doubles each.
 layout(std430, binding = 2) readonly buffer smCapBuffer
@@ -12,10 +10,15 @@ layout(std430, binding = 2) readonly buffer smCapBuffer
   double smCaps[];
 };
 
-dvec3 smCapPoint(uint first)
+double smCap(uint index)
 {
-  return dvec3(smCaps[first], smCaps[first + 1u], smCaps[first + 2u]);
+  return smCaps[index];
 }
+
+//SM::Include smWorkStorage
+//SM::Include smWork
+//SM::Include smAccumulate
+//SM::Include smCap
 
 void main()
 {
@@ -26,34 +29,7 @@ void main()
   }
   index += smFirstWork;
   smWorkRecord work = smWork[index];
-  uint flags = work.detail.x >> 24;
-  double side = (flags & smFlagFlip) != 0u ? -1.0LF : 1.0LF;
-  dvec3 apex = smCapPoint(work.item.y);
-  dvec3 from = smCapPoint(work.item.y + 3u);
-  dvec3 to = smCapPoint(work.item.y + 6u);
-
-  double values[SM_INTEGRANDS];
-  double roundings[SM_ROUNDINGS];
-  smClear(values, roundings);
-  dvec3 area = side * cross(from - apex, to - apex);
-  double magnitude = length(apex) + length(from) + length(to);
-  double reach = length(from - apex) + length(to - apex);
-  for (int it = 0; it < SM_STRIP_POINTS; ++it)
-  {
-    dvec2 ruleT = smRule(SM_STRIP_POINTS, it);
-    for (int il = 0; il < SM_STRIP_POINTS; ++il)
-    {
-      dvec2 ruleL = smRule(SM_STRIP_POINTS, il);
-      double l = ruleL.x;
-      dvec3 position = (1.0LF - l) * apex + l * ((1.0LF - ruleT.x) * from + ruleT.x * to);
-      dvec3 normal = l * area;
-      double noise = 16.0LF * ruleT.y * ruleL.y * magnitude * reach;
-      double weight = SM_PERTURBATION * ruleT.y * ruleL.y;
-      smPlace(work.item.w, position, normal);
-      double size = length(position);
-      //SM::AccumulateChain
-      //SM::AccumulateRoundings
-    }
-  }
-  smFinish(index, work, values, roundings);
+  smClear();
+  smIntegrateCap(work);
+  smFinish(index, work);
 }

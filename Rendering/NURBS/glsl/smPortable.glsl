@@ -1,5 +1,7 @@
 // What lets a chunk of mathematics compile as GLSL and, through GLM, as C++ (smPortableCxx.h defines the same
-// names there).
+// names there). In C++ a chunk is included in the body of a class whose members are what it needs.
 #define SM_OUT(type) out type
+#define SM_INOUT(type) inout type
 #define SM_OUT_ARRAY(type, name, size) out type name[size]
 #define SM_ARRAY(type, name, size) type name[size]
+#define SM_CONSTANT const

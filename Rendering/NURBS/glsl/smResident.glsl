@@ -1,10 +1,5 @@
 // The storage of a page of resident faces, see smResidentFaces.h. Bindings 0 to 2.
-struct smPatchRecord
-{
-  dvec4 centerRadius; // centre x y z, largest distance of a control point from it
-  dvec4 domain;       // u start, v start, u width, v width
-  uvec4 shape;        // first control point, degree in s, degree in r, unused
-};
+//SM::Include smPatchRecord
 
 layout(std430, binding = 0) readonly buffer smControlPointBuffer
 {
@@ -27,4 +22,9 @@ dvec4 smControlPoint(uint index)
 double smCoefficient(uint index)
 {
   return smCoefficients[index];
+}
+
+smPatchRecord smGetPatch(uint index)
+{
+  return smPatches[index];
 }

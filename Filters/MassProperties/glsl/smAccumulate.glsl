@@ -1,0 +1,18 @@
+// Adds a sample to smValues and smRoundings; the terms are generated from the list of integrands.
+// Needs: chunk smWorkStorage.
+
+// A sample of a face: all integrands.
+void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal)
+{
+  double size = length(position);
+  //SM::AccumulateFaces
+  //SM::AccumulateRoundings
+}
+
+// A sample of a ribbon or cap: the integrands of the closed chain.
+void smAccumulateChain(double weight, double noise, dvec3 position, dvec3 normal)
+{
+  double size = length(position);
+  //SM::AccumulateChain
+  //SM::AccumulateRoundings
+}

@@ -1,0 +1,70 @@
+// Integrates one panel {(xi s(t), r(t))} into smValues and smRoundings: Gauss points in t along the trim piece, and
+// across in xi. For a t the patch is collapsed to a curve in s once.
+//
+// Needs: chunks smPatchRecord, smPatch, smWork; SM_DEGREE_S, SM_DEGREE_R (of patchRecord: constants for the common
+// degrees), SM_PERTURBATION (a factor of every sample); smPatchRecord smGetPatch(uint index),
+// void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal).
+
+// Returns the number of evaluations.
+uint smIntegratePanel(smWorkRecord work)
+{
+  smPatchRecord patchRecord = smGetPatch(work.item.x);
+  int p = SM_DEGREE_S;
+  int q = SM_DEGREE_R;
+  dvec3 center = dvec3(patchRecord.centerRadius.x, patchRecord.centerRadius.y, patchRecord.centerRadius.z);
+  double radius = patchRecord.centerRadius.w;
+  dvec2 start = dvec2(patchRecord.domain.x, patchRecord.domain.y);
+  dvec2 width = dvec2(patchRecord.domain.z, patchRecord.domain.w);
+  // A trim curve's coordinates are rounded relative to u and v, not to the cell.
+  dvec2 farthest = max(abs(start), abs(start + width)) / width;
+  double trimNoise = 4.0LF * max(farthest.x, farthest.y);
+
+  int trimDegree = int(work.detail.x & 255u);
+  int countT = int((work.detail.x >> 8) & 255u);
+  int countX = int((work.detail.x >> 16) & 255u);
+  uint flags = work.detail.x >> 24;
+  double coverage = (flags & smFlagNegative) != 0u ? -1.0LF : 1.0LF;
+  double side = (flags & smFlagFlip) != 0u ? -1.0LF : 1.0LF;
+
+  double tWidth = work.range.y - work.range.x;
+  double xiWidth = work.range.w - work.range.z;
+  for (int it = 0; it < countT; ++it)
+  {
+    dvec2 ruleT = smRule(countT, it);
+    double t = work.range.x + tWidth * ruleT.x;
+    dvec2 uv;
+    dvec2 duv;
+    smTrimEvaluate(work.item.y, trimDegree, t, uv, duv);
+    uv = (uv - start) / width;
+    double dr = duv.y / width.y;
+    double edgeS = uv.x;
+    double weightT = ruleT.y * tWidth * xiWidth * dr;
+
+    dvec4 row[SM_ROW_SIZE];
+    dvec4 rowR[SM_ROW_SIZE];
+    smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowR);
+    for (int ix = 0; ix < countX; ++ix)
+    {
+      dvec2 ruleX = smRule(countX, ix);
+      double s = (work.range.z + xiWidth * ruleX.x) * edgeS;
+      dvec3 offset;
+      dvec3 tangentS;
+      dvec3 tangentR;
+      smEvaluateRow(p, s, row, rowR, offset, tangentS, tangentR);
+      dvec3 position = center + offset;
+      dvec3 normal = side * cross(tangentS, tangentR);
+
+      double lengthS = length(tangentS);
+      double lengthR = length(tangentR);
+      double product = lengthS * lengthR;
+      // NUMERICS 4: 16 u |W| |x| (|Ss||Sr| + p rc |Sr| + q rc |Ss|), and the trim curve's own rounding.
+      double noise = abs(weightT * ruleX.y) *
+        (16.0LF * abs(edgeS) * (product + double(p) * radius * lengthR + double(q) * radius * lengthS) +
+          trimNoise * product);
+      double weight = coverage * SM_PERTURBATION * weightT * ruleX.y * edgeS;
+      smPlace(work.item.w, position, normal);
+      smAccumulateFace(weight, noise, position, normal);
+    }
+  }
+  return uint(countT * countX);
+}

@@ -1,0 +1,109 @@
+// Integrates one ribbon X(l,t) = (1-l) A(t) + l C(t) into smValues and smRoundings, A = S(c(t)) on the face, C the edge's
+// curve: SM_STRIP_POINTS Gauss points in l, exact for the polynomial integrands asked for. Measures the gap at
+// foot points on the edge's curve.
+//
+// Needs: as smPanel, with smAccumulateChain in place of smAccumulateFace; SM_STRIP_POINTS; smGapSteps, the steps to
+// the foot point of a gap (no constant, so that the loop stays one).
+
+// Distance of a point from the edge piece near parameter x: Gauss-Newton steps for (C - A).C' = 0.
+double smGap(uint edge, int degree, double x, dvec3 point)
+{
+  double best = 0.0LF;
+  for (int i = 0; i <= smGapSteps; ++i)
+  {
+    dvec3 foot;
+    dvec3 tangent;
+    smEdgeEvaluate(edge, degree, x, foot, tangent);
+    dvec3 gap = foot - point;
+    best = i == 0 ? length(gap) : min(best, length(gap));
+    double squared = dot(tangent, tangent);
+    x -= squared > 0.0LF ? dot(gap, tangent) / squared : 0.0LF;
+    // A little beyond the piece its polynomial still is the curve.
+    x = clamp(x, -0.25LF, 1.25LF);
+  }
+  return best;
+}
+
+// Gets the largest gap, the integrals of its square and of itself; returns the number of evaluations.
+uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
+{
+  smPatchRecord patchRecord = smGetPatch(work.item.x);
+  int p = SM_DEGREE_S;
+  int q = SM_DEGREE_R;
+  dvec3 center = dvec3(patchRecord.centerRadius.x, patchRecord.centerRadius.y, patchRecord.centerRadius.z);
+  dvec2 start = dvec2(patchRecord.domain.x, patchRecord.domain.y);
+  dvec2 width = dvec2(patchRecord.domain.z, patchRecord.domain.w);
+
+  int trimDegree = int(work.detail.x & 255u);
+  int countT = int((work.detail.x >> 8) & 255u);
+  uint flags = work.detail.x >> 24;
+  uint edge = work.detail.y;
+  int edgeDegree = int(work.detail.z);
+  double side = (flags & smFlagFlip) != 0u ? -1.0LF : 1.0LF;
+  bool alongEdge = (flags & smFlagAlongEdge) != 0u;
+
+  double largestGap = 0.0LF;
+  double squaredGap = 0.0LF;
+  double gapArea = 0.0LF;
+
+  double tWidth = work.range.y - work.range.x;
+  double edgeWidth = work.range.w - work.range.z;
+  for (int it = 0; it < countT; ++it)
+  {
+    dvec2 ruleT = smRule(countT, it);
+    double t = work.range.x + tWidth * ruleT.x;
+    double e = work.range.z + edgeWidth * ruleT.x;
+    dvec2 uv;
+    dvec2 duv;
+    smTrimEvaluate(work.item.y, trimDegree, t, uv, duv);
+    uv = (uv - start) / width;
+    duv = duv * tWidth / width;
+
+    dvec4 row[SM_ROW_SIZE];
+    dvec4 rowR[SM_ROW_SIZE];
+    smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowR);
+    dvec3 offset;
+    dvec3 tangentS;
+    dvec3 tangentR;
+    smEvaluateRow(p, uv.x, row, rowR, offset, tangentS, tangentR);
+    dvec3 a = center + offset;
+    dvec3 da = duv.x * tangentS + duv.y * tangentR;
+    dvec3 c;
+    dvec3 dc;
+    smEdgeEvaluate(edge, edgeDegree, e, c, dc);
+    dc *= edgeWidth;
+
+    for (int il = 0; il < SM_STRIP_POINTS; ++il)
+    {
+      dvec2 ruleL = smRule(SM_STRIP_POINTS, il);
+      double l = ruleL.x;
+      dvec3 position = (1.0LF - l) * a + l * c;
+      dvec3 along = (1.0LF - l) * da + l * dc;
+      dvec3 normal = side * cross(c - a, along);
+      // The width c - a is a difference of two positions, each rounded relative to its size.
+      double noise = 16.0LF * ruleT.y * ruleL.y * (length(a) + length(c)) * length(along);
+      double weight = SM_PERTURBATION * ruleT.y * ruleL.y;
+      smPlace(work.item.w, position, normal);
+      smAccumulateChain(weight, noise, position, normal);
+    }
+    if (alongEdge)
+    {
+      double gap = smGap(edge, edgeDegree, e, a);
+      double arc = ruleT.y * length(da);
+      largestGap = max(largestGap, gap);
+      squaredGap += arc * gap * gap;
+      gapArea += arc * gap;
+    }
+  }
+  gaps = dvec3(largestGap, squaredGap, gapArea);
+  return uint(countT);
+}
+
+// The gaps of an item in its row; zeros when it was discarded.
+void smStoreGaps(smWorkRecord work, bool kept, dvec3 gaps)
+{
+  uint row = work.item.z * smStride;
+  smSetRow(row, kept ? gaps.x : 0.0LF);
+  smSetRow(row + 1u, kept ? gaps.y : 0.0LF);
+  smSetRow(row + 2u, kept ? gaps.z : 0.0LF);
+}

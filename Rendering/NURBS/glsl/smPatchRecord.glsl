@@ -1,0 +1,7 @@
+// What a shader knows of one rational Bezier patch.
+struct smPatchRecord
+{
+  dvec4 centerRadius; // centre x y z, largest distance of a control point from it
+  dvec4 domain;       // u start, v start, u width, v width
+  uvec4 shape;        // first control point, degree in s, degree in r, unused
+};
