@@ -110,6 +110,7 @@ Json Quantities(vtkFieldData* data, vtkIdType row)
   q["gap_area"] = Number(data, row, names::GapArea);
   q["open_edges"] = Count(data, row, names::OpenEdges);
   q["leak"] = Number(data, row, names::Leak);
+  q["flipped_shells"] = Count(data, row, names::FlippedShells);
   return q;
 }
 

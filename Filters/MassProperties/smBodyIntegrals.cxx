@@ -1,5 +1,7 @@
 #include "smBodyIntegrals.h"
 
+#include "smShellOrientation.h"
+
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -36,6 +38,7 @@ void Collect(
     {
       BodyIntegrals body;
       body.Model = model;
+      body.Mesh = leaf;
       std::copy_n(leaf->GetPlacementData(), 16, body.Placement.begin());
       body.Name = name.empty() ? model->GetName() : name;
       body.Id = std::to_string(bodies.size() + 1);
@@ -188,16 +191,8 @@ void CheckTopology(BodyIntegrals& body)
 
 void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
 {
-  const std::size_t count = integrands.size();
   CheckTopology(body);
-
-  std::vector<CompensatedSum> face(count);
-  std::vector<CompensatedSum> all(count);
-  body.Bound.assign(count, 0.0);
-  body.Value.assign(count, 0.0);
-  body.FaceValue.assign(count, 0.0);
   const double size = GetRadius(*body.Model);
-  bool complete = body.Model->GetNumberOfMissingFaces() == 0 && !body.Faces->empty();
   for (std::size_t i = 0; i < body.Faces->size(); ++i)
   {
     const FaceIntegrals& result = (*body.Faces)[i];
@@ -206,19 +201,11 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     if (!result.Error.empty())
     {
       body.Flag("suspect", result.Error + "; it is left out");
-      complete = false;
       continue;
     }
     for (const std::string& message : source.Messages)
     {
       body.Messages.push_back(label + ": " + message);
-    }
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      face[k].Add(result.Face[k]);
-      all[k].Add(result.Face[k]);
-      all[k].Add(result.Closing[k]);
-      body.Bound[k] += result.QuadratureError[k] + result.Rounding[k];
     }
     body.GapSquared += result.GapSquared;
     body.GapArea += result.GapArea;
@@ -235,12 +222,81 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
         "suspect", label + ": a trim curve leaves the surface by about " + std::to_string(result.Outside));
     }
   }
+  SumValues(body, integrands);
+}
+
+void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands)
+{
+  const std::size_t count = integrands.size();
+  std::vector<CompensatedSum> face(count);
+  std::vector<CompensatedSum> all(count);
+  body.Bound.assign(count, 0.0);
+  body.Value.assign(count, 0.0);
+  body.FaceValue.assign(count, 0.0);
+  bool complete = body.Model->GetNumberOfMissingFaces() == 0 && !body.Faces->empty();
+  for (std::size_t i = 0; i < body.Faces->size(); ++i)
+  {
+    const FaceIntegrals& result = (*body.Faces)[i];
+    if (!result.Error.empty())
+    {
+      complete = false;
+      continue;
+    }
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const double side = integrands[k].ClosedChain ? body.GetSide(i) : 1.0;
+      face[k].Add(side * result.Face[k]);
+      all[k].Add(side * result.Face[k]);
+      all[k].Add(side * result.Closing[k]);
+      body.Bound[k] += result.QuadratureError[k] + result.Rounding[k];
+    }
+  }
   for (std::size_t k = 0; k < count; ++k)
   {
     body.Value[k] = all[k].Get();
     body.FaceValue[k] = face[k].Get();
     body.Bound[k] +=
       complete ? 4.0 * UnitRoundoff * std::abs(body.Value[k]) : std::numeric_limits<double>::infinity();
+  }
+}
+
+void TurnShells(BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume)
+{
+  std::vector<double> volumes;
+  std::vector<double> bounds;
+  for (const FaceIntegrals& face : *body.Faces)
+  {
+    // A face that could not be integrated leaves its shell open; the body is suspect already.
+    if (face.Error.empty() && body.OpenEdges == 0)
+    {
+      volumes.push_back(face.Face[volume] + face.Closing[volume]);
+      bounds.push_back(face.QuadratureError[volume] + face.Rounding[volume]);
+    }
+  }
+  ShellOrientation found;
+  found.Shells = std::max(1, static_cast<int>(body.Model->GetShells().size()));
+  if (volumes.size() == body.Faces->size())
+  {
+    found = OrientShells(*body.Model, body.Mesh, volumes, bounds);
+  }
+  if (!found.Doubt.empty())
+  {
+    body.Flag("suspect", found.Doubt + "; its shells are taken as the file orients them");
+  }
+  if (!found.Sides.empty())
+  {
+    body.Sides = found.Sides;
+    body.FlippedShells = found.Flipped;
+    body.Messages.push_back(std::to_string(found.Flipped) + " of " + std::to_string(found.Shells) +
+      (found.Flipped == 1 ? " shells was inside out and was turned"
+                          : " shells were inside out and were turned"));
+    SumValues(body, integrands);
+  }
+  if (body.Value[volume] < 0.0)
+  {
+    body.InsideOut = true;
+    body.FlippedShells = found.Shells;
+    body.Messages.push_back("the solid is inside out in the file; it was turned");
   }
 }
 

@@ -55,12 +55,14 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
   vtkNew<vtkStringArray> status;
   vtkNew<vtkStringArray> unit;
   vtkNew<vtkIntArray> open;
+  vtkNew<vtkIntArray> flipped;
   vtkNew<vtkIntArray> faces;
   name->SetName(names::Name);
   id->SetName(names::Id);
   status->SetName(names::Status);
   unit->SetName(names::LengthUnit);
   open->SetName(names::OpenEdges);
+  flipped->SetName(names::FlippedShells);
   faces->SetName(names::Faces);
   for (const BodyIntegrals& body : bodies)
   {
@@ -69,6 +71,7 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
     status->InsertNextValue(body.Status);
     unit->InsertNextValue(body.Model->GetLengthUnit());
     open->InsertNextValue(body.OpenEdges);
+    flipped->InsertNextValue(body.FlippedShells);
     faces->InsertNextValue(static_cast<int>(body.Model->GetNumberOfFaces()));
   }
   // The label columns come first in a spreadsheet.
@@ -84,6 +87,7 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
   }
   solids->AddColumn(unit);
   solids->AddColumn(open);
+  solids->AddColumn(flipped);
   solids->AddColumn(faces);
 }
 
@@ -112,7 +116,8 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
       for (std::size_t column = 0; column < wanted.size(); ++column)
       {
         const int k = wanted[column];
-        const double side = bodies[row].InsideOut && integrands[k].ClosedChain ? -1.0 : 1.0;
+        const double turn = bodies[row].InsideOut ? -1.0 : 1.0;
+        const double side = integrands[k].ClosedChain ? turn * bodies[row].GetSide(i) : 1.0;
         const double value = known ? side * (result->Face[k] + result->Closing[k]) : vtkMath::Nan();
         const double bound = known ? result->QuadratureError[k] + result->Rounding[k] : vtkMath::Nan();
         values[2 * column].Append(&value);

@@ -38,6 +38,7 @@ constexpr const char* MaxGap = "MaxGap";         // 1, L
 constexpr const char* GapArea = "GapArea";       // 1, L^2
 constexpr const char* Leak = "Leak";             // 1, relative change of V when the origin moves by cbrt(V)
 constexpr const char* OpenEdges = "OpenEdges";   // 1 (int)
+constexpr const char* FlippedShells = "FlippedShells"; // 1 (int), shells that were inside out and were turned
 
 constexpr const char* LengthUnit = "LengthUnit";   // string
 constexpr const char* Status = "Status";           // string, see below

@@ -286,11 +286,7 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
   const bool computed = body.Faces != nullptr;
   if (computed && body.HasVolume())
   {
-    if (body.Value[VOLUME] < 0.0)
-    {
-      body.InsideOut = true;
-      body.Messages.push_back("the solid is inside out in the file; it was turned");
-    }
+    sm::TurnShells(body, this->Implementation->Integrands, VOLUME);
     moments = GetMoments(body);
     row.Properties = sm::ComputeMassProperties(moments);
     row.MovedByClosing = std::abs(body.Value[VOLUME] - body.FaceValue[VOLUME]);
@@ -425,15 +421,18 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   totalColumns.AddTo(totals->GetFieldData());
   sm::columns::SetString(totals->GetFieldData(), sm::names::LengthUnit, unit);
   int openEdges = 0;
+  int flippedShells = 0;
   std::string status = bodies.empty() ? sm::names::StatusEmpty : sm::names::StatusOk;
   sm::MassColumns columns(withMass);
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
     columns.Append(rows[i]);
     openEdges += bodies[i].OpenEdges;
+    flippedShells += bodies[i].FlippedShells;
     status = sm::IsWorse(bodies[i].Status, status) ? bodies[i].Status : status;
   }
   sm::columns::SetInteger(totals->GetFieldData(), sm::names::OpenEdges, openEdges);
+  sm::columns::SetInteger(totals->GetFieldData(), sm::names::FlippedShells, flippedShells);
   columns.AddTo(solids->GetRowData());
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text,

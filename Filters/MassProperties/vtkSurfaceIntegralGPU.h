@@ -6,7 +6,8 @@
  * leaves of a composite dataset), in double precision on the GPU, inside an OpenGL context of VTK.
  * An integrand is a GLSL expression of
  *   - `position`: dvec3, world coordinates, in the model's length unit,
- *   - `normal`:   dvec3, outward Su x Sv of the surface element; length(normal) is the area element.
+ *   - `normal`:   dvec3, outward Su x Sv of the surface element; length(normal) is the area element. Outward is what
+ *     the file calls so: a shell that is inside out is turned by vtkMassPropertiesGPU only, FlippedShells is 0 here.
  * An integrand on the CLOSED_CHAIN is also integrated over the ribbons and caps that join the faces along
  * their common edges, so that fluxes are those of a closed surface; one on FACES (areas) is not.
  *

@@ -20,7 +20,7 @@ options = parser.parse_args()
 manifest = Manifest(options.solids)
 
 BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments", "principal_axes", "mass", "bounds",
-             "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak"}
+             "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells"}
 FILE_KEYS = {"file", "length_unit", "status", "messages", "backend", "renderer", "total", "solids", "faces",
              "free_faces", "evaluations", "dispatches", "seconds"}
 
