@@ -1,5 +1,6 @@
 #include "smBodyIntegrals.h"
 
+#include "smMassTable.h"
 #include "smShellOrientation.h"
 
 #include "vtkCompositeDataSet.h"
@@ -219,7 +220,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     if (result.Outside > SuspectOutside * size)
     {
       body.Flag(
-        "suspect", label + ": a trim curve leaves the surface by about " + std::to_string(result.Outside));
+        "suspect", label + ": a trim curve leaves the surface by about " + FormatBound(result.Outside));
     }
   }
   SumValues(body, integrands);

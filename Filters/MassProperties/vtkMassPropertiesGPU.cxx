@@ -2,6 +2,7 @@
 
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
+#include "smSanity.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
 #include "vtkAppendPolyData.h"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 vtkStandardNewMacro(vtkMassPropertiesGPU);
 
@@ -135,13 +135,31 @@ std::string FindUnmet(const sm::MassRow& row, double tolerance)
   {
     if (std::isfinite(quantity.Scale) && !(quantity.Bound <= tolerance * std::abs(quantity.Scale)))
     {
-      char text[128];
-      std::snprintf(text, sizeof(text), "%s%s %.1e", unmet.empty() ? "" : ", ", quantity.Name,
-        quantity.Bound / std::abs(quantity.Scale));
-      unmet += text;
+      unmet += (unmet.empty() ? "" : ", ") + std::string(quantity.Name) + " " +
+        sm::FormatBound(quantity.Bound / std::abs(quantity.Scale));
     }
   }
   return unmet;
+}
+
+/// Facts that hold for every body and not for this result make it suspect.
+void FlagInsanity(sm::BodyIntegrals& body, const sm::MassProperties& properties)
+{
+  std::array<double, 3> center;
+  for (int i = 0; i < 3; ++i)
+  {
+    center[i] = body.Value[FIRST + i] / body.Value[VOLUME];
+  }
+  // A trim that leaves its surface leads beyond the control points.
+  double slack = 1e-12 * sm::GetRadius(*body.Model);
+  for (const sm::FaceIntegrals& face : *body.Faces)
+  {
+    slack = std::max(slack, 2.0 * face.Outside);
+  }
+  for (const std::string& violation : sm::CheckSanity(properties, center, sm::GetHullBox(*body.Model), slack))
+  {
+    body.Flag(sm::names::StatusSuspect, violation);
+  }
 }
 
 void AppendAxes(vtkAppendPolyData* glyphs, const sm::MassProperties& properties, double length)
@@ -302,18 +320,17 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
     }
     if (body.OpenEdges == 0 && !(row.Leak <= LargestLeak))
     {
-      char leak[32];
-      std::snprintf(leak, sizeof(leak), "%.1e", row.Leak);
       body.Flag(sm::names::StatusSuspect,
-        std::string(
-          "the faces do not close although every edge is shared: a loop is broken or a face is wrong. The "
-          "volume changes by ") +
-          leak + " of itself when the origin moves by its cube root");
+        "the faces do not close although every edge is shared: a loop is broken or a face is wrong" +
+          (std::isfinite(row.Leak) ? ". The volume changes by " + sm::FormatBound(row.Leak) +
+                " of itself when the origin moves by its cube root"
+                                   : std::string()));
     }
-    if (!(moments.Volume > moments.VolumeBound))
-    {
-      body.Flag(sm::names::StatusSuspect, "the volume is zero within its bound");
-    }
+    FlagInsanity(body, row.Properties);
+  }
+  if (computed && body.HasVolume() && !std::isfinite(body.Value[VOLUME]))
+  {
+    body.Flag(sm::names::StatusSuspect, "the volume is not a finite number");
   }
   if (computed && !std::isfinite(row.Area))
   {

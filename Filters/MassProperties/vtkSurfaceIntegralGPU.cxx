@@ -2,6 +2,7 @@
 
 #include "smBodyIntegrals.h"
 #include "smMassPropertyNames.h"
+#include "smMassTable.h"
 #include "smSurfaceIntegrator.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numeric>
 
@@ -509,9 +509,7 @@ void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodie
     sm::columns::SetDoubles(totals->GetFieldData(), name, &total, 1);
     sm::columns::SetDoubles(totals->GetFieldData(), name + sm::names::BoundSuffix, &bound, 1);
     this->Implementation->Last.Integrals[name] = { total, bound };
-    char line[256];
-    std::snprintf(line, sizeof(line), "%s = %.12g (+- %.1e)\n", name.c_str(), total, bound);
-    summary += line;
+    summary += name + " = " + sm::FormatWithBound(total, bound, "") + "\n";
   }
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text, summary);

@@ -376,6 +376,15 @@ def no_context():
     check_true("status", files[0]["status"] != "ok", files[0]["status"])
     check_true("no numbers", all(files[0]["total"][key] is None for key in ("volume", "area", "center_of_mass")))
     check_true("a message tells why", any("OpenGL" in text for text in files[0]["messages"]), str(files[0]["messages"]))
+    csv = os.path.join(options.output, "nothing.csv")
+    result = run("--csv", csv, manifest.solid("box")["path"])
+    check_true("the table prints no number that is none", not re.search(r"\b(nan|inf)\b", result.stdout, re.IGNORECASE),
+               result.stdout)
+    with open(csv, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    row = dict(zip(lines[0].split(","), lines[1].split(",")))
+    check_equal("empty cells", {"volume": "", "area_bound": "", "center_x": "", "inertia_xx": "", "leak": ""},
+                {key: row[key] for key in ("volume", "area_bound", "center_x", "inertia_xx", "leak")})
 
 
 {"results": results, "errors": errors, "outputs": outputs, "packages": packages, "picture": picture,
