@@ -78,6 +78,8 @@ void CheckCase(const Case& c)
   Check("area counts every face", area, mass->GetSurfaceArea(), 1e-12 * area, "sums of whole numbers");
   CheckTrue(c.Said.empty() ? "nothing is said" : "it is said",
     c.Said.empty() ? mass->GetNumberOfMessages() == 0 : Says(mass, c.Said), GetMessages(mass));
+  auto* edges = vtkTable::SafeDownCast(mass->GetOutputDataObject(4));
+  CheckEqual("a row for every edge", static_cast<long long>(12 * c.Boxes.size()), edges->GetNumberOfRows());
   // The faces' parts of the volume, of a sound body, are turned with their shells.
   auto* faces = vtkTable::SafeDownCast(mass->GetOutputDataObject(3));
   auto* column = vtkDataArray::SafeDownCast(faces->GetColumnByName(names::Volume));

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <unordered_map>
 
 namespace sm
@@ -258,6 +259,26 @@ void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     body.FaceValue[k] = face[k].Get();
     body.Bound[k] +=
       complete ? 4.0 * UnitRoundoff * std::abs(body.Value[k]) : std::numeric_limits<double>::infinity();
+  }
+}
+
+void MeasureEdges(std::vector<BodyIntegrals>& bodies)
+{
+  using Key = std::pair<vtkTrimmedNURBSModel*, const std::vector<FaceIntegrals>*>;
+  std::map<Key, std::shared_ptr<const std::vector<EdgeGap>>> known;
+  for (BodyIntegrals& body : bodies)
+  {
+    auto& edges = known[{ body.Model, body.Faces.get() }];
+    if (!edges)
+    {
+      edges = std::make_shared<const std::vector<EdgeGap>>(CollectEdgeGaps(*body.Model, body.Faces.get()));
+    }
+    body.Edges = edges;
+    const std::string message = DescribeWorstEdge(*edges, 2.0 * GetRadius(*body.Model));
+    if (!message.empty())
+    {
+      body.Messages.push_back(message);
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #ifndef smBodyIntegrals_h
 #define smBodyIntegrals_h
 
+#include "smEdgeGaps.h"
 #include "smIntegrand.h"
 #include "smSurfaceIntegrator.h"
 
@@ -34,6 +35,9 @@ struct BodyIntegrals
 
   /// Results by face of the model; instances of one model may share them. Null: not computed.
   std::shared_ptr<const std::vector<FaceIntegrals>> Faces;
+
+  /// The gaps by edge, the widest first; shared among the instances.
+  std::shared_ptr<const std::vector<EdgeGap>> Edges;
 
   /// Sums over the faces, per integrand: over faces, ribbons and caps; over the faces alone; and the bound.
   std::vector<double> Value;
@@ -82,6 +86,9 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands);
 /// Sums the faces' results in face order, with compensated sums, the fluxes of a shell that was turned with the other
 /// sign. A face that could not be integrated makes every bound infinite.
 void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands);
+
+/// Collects the gaps of every body's edges (smEdgeGaps.h) and names the widest where it matters.
+void MeasureEdges(std::vector<BodyIntegrals>& bodies);
 
 /// Turns the shells that are inside out (smShellOrientation.h), given which integrand is the volume, and sums again; then
 /// marks the whole body as inside out when its volume is negative. Says so. The shells of a body that is not closed stay

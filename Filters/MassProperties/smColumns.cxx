@@ -10,6 +10,9 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace sm
 {
 namespace columns
@@ -131,6 +134,55 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
   {
     column.AddTo(faces->GetRowData());
   }
+}
+
+void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges)
+{
+  std::vector<std::pair<int, const EdgeGap*>> rows;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    if (bodies[i].Edges)
+    {
+      for (const EdgeGap& edge : *bodies[i].Edges)
+      {
+        rows.emplace_back(static_cast<int>(i), &edge);
+      }
+    }
+  }
+  std::stable_sort(
+    rows.begin(), rows.end(), [](const auto& a, const auto& b) { return IsWider(*a.second, *b.second); });
+  vtkNew<vtkIntArray> solid;
+  vtkNew<vtkIntArray> id;
+  vtkNew<vtkStringArray> name;
+  vtkNew<vtkIntArray> uses;
+  vtkNew<vtkIntArray> open;
+  solid->SetName(names::Solid);
+  id->SetName(names::EdgeId);
+  name->SetName(names::Name);
+  uses->SetName(names::Uses);
+  open->SetName(names::Open);
+  Column widest(names::MaxGap, 1);
+  Column area(names::GapArea, 1);
+  Column squared(names::GapSquared, 1);
+  for (const auto& [row, edge] : rows)
+  {
+    solid->InsertNextValue(row);
+    id->InsertNextValue(edge->Source->FileId);
+    name->InsertNextValue(edge->Source->Name);
+    uses->InsertNextValue(edge->Uses);
+    open->InsertNextValue(edge->IsOpen() ? 1 : 0);
+    widest.Append(&edge->MaxGap);
+    area.Append(&edge->GapArea);
+    squared.Append(&edge->GapSquared);
+  }
+  edges->AddColumn(solid);
+  edges->AddColumn(id);
+  edges->AddColumn(name);
+  edges->AddColumn(uses);
+  edges->AddColumn(open);
+  widest.AddTo(edges->GetRowData());
+  area.AddTo(edges->GetRowData());
+  squared.AddTo(edges->GetRowData());
 }
 }
 }

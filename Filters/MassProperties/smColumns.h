@@ -45,6 +45,9 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids);
 /// bounds. A flux of a shell or a body that is inside out is turned with it.
 void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands,
   vtkTable* faces, const std::vector<int>& wanted);
+
+/// A row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared.
+void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges);
 }
 }
 

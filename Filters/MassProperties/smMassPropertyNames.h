@@ -53,6 +53,9 @@ constexpr const char* Name = "Name";     // string
 constexpr const char* Id = "Id";         // string: instance id, unique in the file
 constexpr const char* Solid = "Solid";   // int: row of the solid in the table on port 1
 constexpr const char* FaceId = "FaceId"; // int: entity number in the file
+constexpr const char* EdgeId = "EdgeId"; // int: entity number in the file, 0 without one
+constexpr const char* Uses = "Uses";     // int: coedges that use the edge
+constexpr const char* Open = "Open";     // int: 1 when its signed uses do not cancel
 constexpr const char* Text = "Text";     // string, the one cell of the text table
 
 // One spelling of every status.

@@ -29,6 +29,16 @@ struct FaceTask
   std::array<double, 12> Placement{};
 };
 
+/// The gap between one use of an edge and its curve, at foot points: integral of the square, of the gap, and the largest.
+struct CoedgeGap
+{
+  int Loop = 0;
+  int Coedge = 0;
+  double GapSquared = 0.0;
+  double GapArea = 0.0;
+  double MaxGap = 0.0;
+};
+
 /// Results of one face, one entry per integrand.
 struct FaceIntegrals
 {
@@ -42,6 +52,8 @@ struct FaceIntegrals
   double GapSquared = 0.0;
   double GapArea = 0.0;
   double MaxGap = 0.0;
+  /// The same for every coedge that was measured.
+  std::vector<CoedgeGap> Gaps;
   /// Items whose two highest orders still differ by more than their share.
   std::int64_t Unconverged = 0;
   int CoverageDefects = 0;

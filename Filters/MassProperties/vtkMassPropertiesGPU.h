@@ -14,6 +14,7 @@
  * | 1    | table    | a row per solid instance with Name, Id and the same columns                        |
  * | 2    | table    | 1x1, column Text: a summary to show in a view                                      |
  * | 3    | table    | a row per face and instance: its area, and its part of the volume (flux about the part's origin) |
+ * | 4    | table    | a row per edge and instance, see vtkSurfaceIntegralGPU                            |
  *
  * Field data (smMassPropertyNames.h), each quantity with `<name>Bound`, one number in the quantity's unit:
  * | name                  | comp. | unit   | meaning                                                     |

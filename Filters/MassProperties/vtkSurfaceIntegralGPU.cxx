@@ -30,7 +30,7 @@ vtkSurfaceIntegralGPU::vtkSurfaceIntegralGPU()
   : Implementation(new Internals)
 {
   this->SetNumberOfInputPorts(1);
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(5);
 }
 
 vtkSurfaceIntegralGPU::~vtkSurfaceIntegralGPU() = default;
@@ -444,8 +444,13 @@ int vtkSurfaceIntegralGPU::RequestData(
       body.Flag(sm::names::StatusToleranceNotMet, "nothing was computed");
     }
   }
+  if (computed)
+  {
+    sm::MeasureEdges(bodies);
+  }
   this->ProduceOutputs(bodies, vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
     vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3));
+  sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
   for (const sm::BodyIntegrals& body : bodies)
   {
     if (sm::IsWorse(body.Status, last.Status))

@@ -18,6 +18,7 @@
  * | 1    | table    | a row per solid instance: Name, Id, every integrand, its Bound, Status         |
  * | 2    | table    | 1x1, column Text: a readable summary                                           |
  * | 3    | table    | a row per face and instance: Solid, FaceId, every integrand, its Bound         |
+ * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared |
  * The names are in smMassPropertyNames.h. What could not be computed is NaN with a Status, never 0.
  *
  * The order of the Gauss rules is raised panel by panel until two orders agree to the tolerance; a bound is
@@ -146,7 +147,7 @@ protected:
   /** Makes the getters return what they do before the first run. Called at the start of every run. */
   virtual void ForgetLastRun();
 
-  /** Fills the four outputs from the results of all bodies. */
+  /** Fills the first four outputs from the results of all bodies. */
   virtual void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces);
 

@@ -46,7 +46,7 @@ def run_json(*arguments):
         check_equal("keys of the total", [], sorted(BODY_KEYS - set(file["total"])))
         check_equal("keys of the seconds", ["integrate", "prepare", "read", "start"], sorted(file["seconds"]))
         for solid in file["solids"]:
-            check_equal("keys of a solid", [], sorted((BODY_KEYS | {"name", "id"}) - set(solid)))
+            check_equal("keys of a solid", [], sorted((BODY_KEYS | {"name", "id", "worst_edges"}) - set(solid)))
     return result, document["files"]
 
 
