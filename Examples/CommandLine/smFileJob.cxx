@@ -110,12 +110,47 @@ Json Quantities(vtkFieldData* data, vtkIdType row)
   q["gap_area"] = Number(data, row, names::GapArea);
   q["open_edges"] = Count(data, row, names::OpenEdges);
   q["leak"] = Number(data, row, names::Leak);
+  q["flipped_shells"] = Count(data, row, names::FlippedShells);
+  const Json estimated = Count(data, row, names::BoundsEstimated);
+  q["bounds_estimated"] = estimated.is_null() ? estimated : Json(estimated != 0);
   return q;
 }
 
-Json Solids(vtkTable* table)
+/// By solid, the edges with the widest gaps, at most five; the table has the widest first. Edges without a gap are none.
+std::vector<Json> WorstEdges(vtkTable* table, vtkIdType solids)
+{
+  const size_t most = 5;
+  std::vector<Json> worst(static_cast<size_t>(solids), Json::array());
+  vtkDataSetAttributes* columns = table->GetRowData();
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const Json widest = Number(columns, row, names::MaxGap);
+    if (widest.is_null() || widest == 0.0)
+    {
+      break;
+    }
+    Json& edges = worst.at(Count(columns, row, names::Solid).get<size_t>());
+    if (edges.size() == most)
+    {
+      continue;
+    }
+    Json edge;
+    edge["id"] = Count(columns, row, names::EdgeId);
+    edge["name"] = Text(columns, row, names::Name);
+    edge["uses"] = Count(columns, row, names::Uses);
+    edge["open"] = Count(columns, row, names::Open) != 0;
+    edge["max_gap"] = widest;
+    edge["gap_area"] = Number(columns, row, names::GapArea);
+    edge["gap_squared"] = Number(columns, row, names::GapSquared);
+    edges.push_back(std::move(edge));
+  }
+  return worst;
+}
+
+Json Solids(vtkTable* table, vtkTable* edges)
 {
   Json solids = Json::array();
+  const std::vector<Json> worst = WorstEdges(edges, table->GetNumberOfRows());
   vtkDataSetAttributes* columns = table->GetRowData();
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
@@ -124,6 +159,7 @@ Json Solids(vtkTable* table)
     solid["id"] = Text(columns, row, names::Id);
     solid["status"] = Text(columns, row, names::Status);
     solid.update(Quantities(columns, row));
+    solid["worst_edges"] = worst[static_cast<size_t>(row)];
     solids.push_back(std::move(solid));
   }
   return solids;
@@ -247,7 +283,8 @@ void Integrate(
   file["backend"] = filter->GetBackendName();
   file["renderer"] = filter->GetRenderer();
   file["total"] = Quantities(fields, 0);
-  file["solids"] = Solids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)));
+  file["solids"] = Solids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)),
+    vtkTable::SafeDownCast(filter->GetOutputDataObject(4)));
   file["faces"] = filter->GetNumberOfFaces();
   file["evaluations"] = filter->GetEvaluations();
   file["dispatches"] = filter->GetDispatches();

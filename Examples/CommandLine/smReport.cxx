@@ -331,7 +331,8 @@ Columns CsvRow(const Json& file, const Json& row, bool isTotal)
     columns.Add("axis" + std::to_string(i + 1), axes.is_null() ? Json() : axes[i], { "x", "y", "z" });
   }
   columns.Add("mass", row["mass"]);
-  for (const char* key : { "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak" })
+  for (const char* key :
+    { "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells" })
   {
     columns.Add(key, row[key]);
   }

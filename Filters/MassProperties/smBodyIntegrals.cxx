@@ -1,5 +1,8 @@
 #include "smBodyIntegrals.h"
 
+#include "smMassTable.h"
+#include "smShellOrientation.h"
+
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -10,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <unordered_map>
 
 namespace sm
@@ -36,6 +40,7 @@ void Collect(
     {
       BodyIntegrals body;
       body.Model = model;
+      body.Mesh = leaf;
       std::copy_n(leaf->GetPlacementData(), 16, body.Placement.begin());
       body.Name = name.empty() ? model->GetName() : name;
       body.Id = std::to_string(bodies.size() + 1);
@@ -93,6 +98,17 @@ double RoundDown(double scale)
   return scale > 0.0 ? std::exp2(std::floor(std::log2(scale))) : 0.0;
 }
 
+/// The first few entity numbers.
+std::string ListIds(const std::vector<int>& ids)
+{
+  std::string list;
+  for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 5); ++i)
+  {
+    list += (i > 0 ? ", #" : "#") + std::to_string(ids[i]);
+  }
+  return list + (ids.size() > 5 ? ", ..." : "");
+}
+
 void CountOpenEdges(BodyIntegrals& body)
 {
   // Signed uses of every edge: a seam or a 2+2 non-manifold edge cancels, a border does not.
@@ -133,14 +149,9 @@ void CountOpenEdges(BodyIntegrals& body)
     return;
   }
   std::sort(open.begin(), open.end());
-  std::string list;
-  for (std::size_t i = 0; i < std::min<std::size_t>(open.size(), 5); ++i)
-  {
-    list += (i > 0 ? ", #" : "#") + std::to_string(open[i]);
-  }
   body.Flag("open",
-    std::to_string(open.size()) + " edges are not shared by two faces (" + list +
-      (open.size() > 5 ? ", ..." : "") + "): the volume depends on the origin, see the leak");
+    std::to_string(open.size()) + " edges are not shared by two faces (" + ListIds(open) +
+      "): the volume depends on the origin, see the leak");
 }
 }
 
@@ -188,16 +199,8 @@ void CheckTopology(BodyIntegrals& body)
 
 void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
 {
-  const std::size_t count = integrands.size();
   CheckTopology(body);
-
-  std::vector<CompensatedSum> face(count);
-  std::vector<CompensatedSum> all(count);
-  body.Bound.assign(count, 0.0);
-  body.Value.assign(count, 0.0);
-  body.FaceValue.assign(count, 0.0);
   const double size = GetRadius(*body.Model);
-  bool complete = body.Model->GetNumberOfMissingFaces() == 0 && !body.Faces->empty();
   for (std::size_t i = 0; i < body.Faces->size(); ++i)
   {
     const FaceIntegrals& result = (*body.Faces)[i];
@@ -206,25 +209,21 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     if (!result.Error.empty())
     {
       body.Flag("suspect", result.Error + "; it is left out");
-      complete = false;
       continue;
     }
     for (const std::string& message : source.Messages)
     {
       body.Messages.push_back(label + ": " + message);
     }
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      face[k].Add(result.Face[k]);
-      all[k].Add(result.Face[k]);
-      all[k].Add(result.Closing[k]);
-      body.Bound[k] += result.QuadratureError[k] + result.Rounding[k];
-    }
     body.GapSquared += result.GapSquared;
     body.GapArea += result.GapArea;
     // Not std::max, which loses a NaN.
     body.MaxGap = result.MaxGap <= body.MaxGap ? body.MaxGap : result.MaxGap;
-    body.Unconverged += result.Unconverged;
+    if (result.Estimated)
+    {
+      body.EstimatedFaces.push_back(source.FileId);
+    }
+    body.SkippedFaces += result.Skipped ? 1 : 0;
     if (result.CoverageDefects > 0)
     {
       body.Flag("suspect", label + ": a loop covers part of the surface more than once or from outside");
@@ -232,7 +231,54 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     if (result.Outside > SuspectOutside * size)
     {
       body.Flag(
-        "suspect", label + ": a trim curve leaves the surface by about " + std::to_string(result.Outside));
+        "suspect", label + ": a trim curve leaves the surface by about " + FormatBound(result.Outside));
+    }
+  }
+  SumValues(body, integrands);
+  if (body.SkippedFaces > 0)
+  {
+    body.Flag("tolerance-not-met",
+      "the run was stopped: " + std::to_string(body.SkippedFaces) +
+        " faces were not integrated; they count as 0, and the bounds hold the most that they can be");
+  }
+  const bool everything = std::any_of(
+    integrands.begin(), integrands.end(), [](const Integrand& integrand) { return integrand.Degree < 0; });
+  if (everything && body.IsEstimated())
+  {
+    body.Messages.push_back("the bounds are estimated from the differences of two orders");
+  }
+  else if (body.IsEstimated())
+  {
+    body.Messages.push_back("the bound of the area is estimated on " +
+      std::to_string(body.EstimatedFaces.size()) + " faces (" + ListIds(body.EstimatedFaces) +
+      "), whose normals nearly vanish somewhere or are those of a fitted surface");
+  }
+}
+
+void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands)
+{
+  const std::size_t count = integrands.size();
+  std::vector<CompensatedSum> face(count);
+  std::vector<CompensatedSum> all(count);
+  body.Bound.assign(count, 0.0);
+  body.Value.assign(count, 0.0);
+  body.FaceValue.assign(count, 0.0);
+  bool complete = body.Model->GetNumberOfMissingFaces() == 0 && !body.Faces->empty();
+  for (std::size_t i = 0; i < body.Faces->size(); ++i)
+  {
+    const FaceIntegrals& result = (*body.Faces)[i];
+    if (!result.Error.empty())
+    {
+      complete = false;
+      continue;
+    }
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const double side = integrands[k].ClosedChain ? body.GetSide(i) : 1.0;
+      face[k].Add(side * result.Face[k]);
+      all[k].Add(side * result.Face[k]);
+      all[k].Add(side * result.Closing[k]);
+      body.Bound[k] += result.GetBound(k);
     }
   }
   for (std::size_t k = 0; k < count; ++k)
@@ -241,6 +287,66 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     body.FaceValue[k] = face[k].Get();
     body.Bound[k] +=
       complete ? 4.0 * UnitRoundoff * std::abs(body.Value[k]) : std::numeric_limits<double>::infinity();
+  }
+}
+
+void MeasureEdges(std::vector<BodyIntegrals>& bodies)
+{
+  using Key = std::pair<vtkTrimmedNURBSModel*, const std::vector<FaceIntegrals>*>;
+  std::map<Key, std::shared_ptr<const std::vector<EdgeGap>>> known;
+  for (BodyIntegrals& body : bodies)
+  {
+    auto& edges = known[{ body.Model, body.Faces.get() }];
+    if (!edges)
+    {
+      edges = std::make_shared<const std::vector<EdgeGap>>(CollectEdgeGaps(*body.Model, body.Faces.get()));
+    }
+    body.Edges = edges;
+    const std::string message = DescribeWorstEdge(*edges, 2.0 * GetRadius(*body.Model));
+    if (!message.empty())
+    {
+      body.Messages.push_back(message);
+    }
+  }
+}
+
+void TurnShells(BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume)
+{
+  std::vector<double> volumes;
+  std::vector<double> bounds;
+  for (const FaceIntegrals& face : *body.Faces)
+  {
+    // A face that could not be integrated leaves its shell open; the body is suspect already.
+    if (face.Error.empty() && body.OpenEdges == 0)
+    {
+      volumes.push_back(face.Face[volume] + face.Closing[volume]);
+      bounds.push_back(face.GetBound(volume));
+    }
+  }
+  ShellOrientation found;
+  found.Shells = std::max(1, static_cast<int>(body.Model->GetShells().size()));
+  if (volumes.size() == body.Faces->size())
+  {
+    found = OrientShells(*body.Model, body.Mesh, volumes, bounds);
+  }
+  if (!found.Doubt.empty())
+  {
+    body.Flag("suspect", found.Doubt + "; its shells are taken as the file orients them");
+  }
+  if (!found.Sides.empty())
+  {
+    body.Sides = found.Sides;
+    body.FlippedShells = found.Flipped;
+    body.Messages.push_back(std::to_string(found.Flipped) + " of " + std::to_string(found.Shells) +
+      (found.Flipped == 1 ? " shells was inside out and was turned"
+                          : " shells were inside out and were turned"));
+    SumValues(body, integrands);
+  }
+  if (body.Value[volume] < 0.0)
+  {
+    body.InsideOut = true;
+    body.FlippedShells = found.Shells;
+    body.Messages.push_back("the solid is inside out in the file; it was turned");
   }
 }
 

@@ -5,9 +5,11 @@
 #ifndef smBodyIntegrals_h
 #define smBodyIntegrals_h
 
+#include "smEdgeGaps.h"
 #include "smIntegrand.h"
 #include "smSurfaceIntegrator.h"
 
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTrimmedNURBSModel.h"
 
@@ -24,6 +26,8 @@ namespace sm
 struct BodyIntegrals
 {
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;
+  /// The leaf it came in: the display mesh of this instance.
+  vtkSmartPointer<vtkPolyData> Mesh;
   std::array<double, 16> Placement{};
   std::string Name;
   /// 1, 2, … in the order of the input.
@@ -32,6 +36,9 @@ struct BodyIntegrals
   /// Results by face of the model; instances of one model may share them. Null: not computed.
   std::shared_ptr<const std::vector<FaceIntegrals>> Faces;
 
+  /// The gaps by edge, the widest first; shared among the instances.
+  std::shared_ptr<const std::vector<EdgeGap>> Edges;
+
   /// Sums over the faces, per integrand: over faces, ribbons and caps; over the faces alone; and the bound.
   std::vector<double> Value;
   std::vector<double> FaceValue;
@@ -39,18 +46,27 @@ struct BodyIntegrals
   double GapSquared = 0.0;
   double GapArea = 0.0;
   double MaxGap = 0.0;
-  std::int64_t Unconverged = 0;
+  /// Entity numbers of the faces whose bounds are estimated, and how many faces were skipped.
+  std::vector<int> EstimatedFaces;
+  int SkippedFaces = 0;
 
   /// Edges whose signed uses do not cancel.
   int OpenEdges = 0;
   /// The faces' normals point inwards: the volume came out negative and was turned.
   bool InsideOut = false;
+  /// Shells that were inside out, all of them when the solid is; and 1 or -1 by face when only some were.
+  int FlippedShells = 0;
+  std::vector<signed char> Sides;
   std::string Status;
   std::vector<std::string> Messages;
 
   bool IsSolid() const { return this->Model->GetBody() == vtkTrimmedNURBSModel::SOLID; }
   /// A solid, or a free shell that is closed: it has a volume.
   bool HasVolume() const { return this->IsSolid() || this->OpenEdges == 0; }
+  /// The factor of a face's fluxes in the sums, apart from InsideOut.
+  double GetSide(std::size_t face) const { return this->Sides.empty() ? 1.0 : this->Sides[face]; }
+  /// Some bound is no theorem.
+  bool IsEstimated() const { return !this->EstimatedFaces.empty(); }
   /// Raises the status when `status` is worse.
   void Flag(const std::string& status, const std::string& message);
 };
@@ -68,9 +84,20 @@ std::vector<BodyIntegrals> CollectBodies(vtkDataObject* input, RejectedInput& re
 /// Sets the status from the reader's findings and the signed uses of the edges, before anything is integrated.
 void CheckTopology(BodyIntegrals& body);
 
-/// Sums the faces' results in face order, with compensated sums. A face that could not be integrated makes
-/// every bound infinite.
+/// Checks the topology, collects what the faces say, and sums their results.
 void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands);
+
+/// Sums the faces' results in face order, with compensated sums, the fluxes of a shell that was turned with the other
+/// sign. A face that could not be integrated makes every bound infinite.
+void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands);
+
+/// Collects the gaps of every body's edges (smEdgeGaps.h) and names the widest where it matters.
+void MeasureEdges(std::vector<BodyIntegrals>& bodies);
+
+/// Turns the shells that are inside out (smShellOrientation.h), given which integrand is the volume, and sums again; then
+/// marks the whole body as inside out when its volume is negative. Says so. The shells of a body that is not closed stay
+/// as they are.
+void TurnShells(BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume);
 
 /// Order of badness: ok, tolerance-not-met, suspect, open, empty, unreadable.
 bool IsWorse(const std::string& status, const std::string& than);

@@ -10,6 +10,9 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace sm
 {
 namespace columns
@@ -55,12 +58,16 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
   vtkNew<vtkStringArray> status;
   vtkNew<vtkStringArray> unit;
   vtkNew<vtkIntArray> open;
+  vtkNew<vtkIntArray> flipped;
+  vtkNew<vtkIntArray> estimated;
   vtkNew<vtkIntArray> faces;
   name->SetName(names::Name);
   id->SetName(names::Id);
   status->SetName(names::Status);
   unit->SetName(names::LengthUnit);
   open->SetName(names::OpenEdges);
+  flipped->SetName(names::FlippedShells);
+  estimated->SetName(names::BoundsEstimated);
   faces->SetName(names::Faces);
   for (const BodyIntegrals& body : bodies)
   {
@@ -69,6 +76,8 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
     status->InsertNextValue(body.Status);
     unit->InsertNextValue(body.Model->GetLengthUnit());
     open->InsertNextValue(body.OpenEdges);
+    flipped->InsertNextValue(body.FlippedShells);
+    estimated->InsertNextValue(body.IsEstimated() ? 1 : 0);
     faces->InsertNextValue(static_cast<int>(body.Model->GetNumberOfFaces()));
   }
   // The label columns come first in a spreadsheet.
@@ -84,6 +93,8 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
   }
   solids->AddColumn(unit);
   solids->AddColumn(open);
+  solids->AddColumn(flipped);
+  solids->AddColumn(estimated);
   solids->AddColumn(faces);
 }
 
@@ -92,8 +103,10 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
 {
   vtkNew<vtkIntArray> solid;
   vtkNew<vtkIntArray> id;
+  vtkNew<vtkIntArray> estimated;
   solid->SetName(names::Solid);
   id->SetName(names::FaceId);
+  estimated->SetName(names::BoundsEstimated);
   std::vector<Column> values;
   for (const int k : wanted)
   {
@@ -109,12 +122,14 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
       id->InsertNextValue(sources[i]->FileId);
       const FaceIntegrals* result = bodies[row].Faces ? &(*bodies[row].Faces)[i] : nullptr;
       const bool known = result && result->Error.empty();
+      estimated->InsertNextValue(known && result->Estimated ? 1 : 0);
       for (std::size_t column = 0; column < wanted.size(); ++column)
       {
         const int k = wanted[column];
-        const double side = bodies[row].InsideOut && integrands[k].ClosedChain ? -1.0 : 1.0;
+        const double turn = bodies[row].InsideOut ? -1.0 : 1.0;
+        const double side = integrands[k].ClosedChain ? turn * bodies[row].GetSide(i) : 1.0;
         const double value = known ? side * (result->Face[k] + result->Closing[k]) : vtkMath::Nan();
-        const double bound = known ? result->QuadratureError[k] + result->Rounding[k] : vtkMath::Nan();
+        const double bound = known ? result->GetBound(k) : vtkMath::Nan();
         values[2 * column].Append(&value);
         values[2 * column + 1].Append(&bound);
       }
@@ -126,6 +141,56 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
   {
     column.AddTo(faces->GetRowData());
   }
+  faces->AddColumn(estimated);
+}
+
+void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges)
+{
+  std::vector<std::pair<int, const EdgeGap*>> rows;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    if (bodies[i].Edges)
+    {
+      for (const EdgeGap& edge : *bodies[i].Edges)
+      {
+        rows.emplace_back(static_cast<int>(i), &edge);
+      }
+    }
+  }
+  std::stable_sort(
+    rows.begin(), rows.end(), [](const auto& a, const auto& b) { return IsWider(*a.second, *b.second); });
+  vtkNew<vtkIntArray> solid;
+  vtkNew<vtkIntArray> id;
+  vtkNew<vtkStringArray> name;
+  vtkNew<vtkIntArray> uses;
+  vtkNew<vtkIntArray> open;
+  solid->SetName(names::Solid);
+  id->SetName(names::EdgeId);
+  name->SetName(names::Name);
+  uses->SetName(names::Uses);
+  open->SetName(names::Open);
+  Column widest(names::MaxGap, 1);
+  Column area(names::GapArea, 1);
+  Column squared(names::GapSquared, 1);
+  for (const auto& [row, edge] : rows)
+  {
+    solid->InsertNextValue(row);
+    id->InsertNextValue(edge->Source->FileId);
+    name->InsertNextValue(edge->Source->Name);
+    uses->InsertNextValue(edge->Uses);
+    open->InsertNextValue(edge->IsOpen() ? 1 : 0);
+    widest.Append(&edge->MaxGap);
+    area.Append(&edge->GapArea);
+    squared.Append(&edge->GapSquared);
+  }
+  edges->AddColumn(solid);
+  edges->AddColumn(id);
+  edges->AddColumn(name);
+  edges->AddColumn(uses);
+  edges->AddColumn(open);
+  widest.AddTo(edges->GetRowData());
+  area.AddTo(edges->GetRowData());
+  squared.AddTo(edges->GetRowData());
 }
 }
 }

@@ -38,13 +38,16 @@ void SetDoubles(vtkFieldData* data, const std::string& name, const double* value
 void SetInteger(vtkFieldData* data, const std::string& name, vtkTypeInt64 value);
 void SetString(vtkFieldData* data, const std::string& name, const std::string& value);
 
-/// Name, Id, Status, LengthUnit, OpenEdges and Faces of every body.
+/// Name, Id, Status, LengthUnit, OpenEdges, FlippedShells and Faces of every body.
 void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids);
 
 /// A row per face and instance: Solid, FaceId, the `wanted` integrands (indices) over face, ribbons and caps, and their
-/// bounds. A flux of a body that is inside out is turned with it.
+/// bounds. A flux of a shell or a body that is inside out is turned with it.
 void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands,
   vtkTable* faces, const std::vector<int>& wanted);
+
+/// A row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared.
+void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges);
 }
 }
 

@@ -38,6 +38,10 @@ constexpr const char* MaxGap = "MaxGap";         // 1, L
 constexpr const char* GapArea = "GapArea";       // 1, L^2
 constexpr const char* Leak = "Leak";             // 1, relative change of V when the origin moves by cbrt(V)
 constexpr const char* OpenEdges = "OpenEdges";   // 1 (int)
+constexpr const char* FlippedShells = "FlippedShells"; // 1 (int), shells that were inside out and were turned
+
+constexpr const char* BoundsEstimated =
+  "BoundsEstimated"; // 1 (int), 1: some bound (the area's, or of an expression) is an estimate, no theorem
 
 constexpr const char* LengthUnit = "LengthUnit"; // string
 constexpr const char* Status = "Status";         // string, see below
@@ -53,6 +57,9 @@ constexpr const char* Name = "Name";     // string
 constexpr const char* Id = "Id";         // string: instance id, unique in the file
 constexpr const char* Solid = "Solid";   // int: row of the solid in the table on port 1
 constexpr const char* FaceId = "FaceId"; // int: entity number in the file
+constexpr const char* EdgeId = "EdgeId"; // int: entity number in the file, 0 without one
+constexpr const char* Uses = "Uses";     // int: coedges that use the edge
+constexpr const char* Open = "Open";     // int: 1 when its signed uses do not cancel
 constexpr const char* Text = "Text";     // string, the one cell of the text table
 
 // What computed.

@@ -19,6 +19,11 @@ std::string Format(const char* format, Values... values)
   return text;
 }
 
+std::string GetBoundText(double bound)
+{
+  return std::isfinite(bound) ? " (+- " + FormatBound(bound) + ")" : std::string(" (bound not known)");
+}
+
 struct Quantity
 {
   const char* Name;
@@ -137,7 +142,11 @@ double GetMetres(const std::string& lengthUnit)
 
 std::string FormatBound(double bound)
 {
-  if (!std::isfinite(bound) || bound <= 0.0)
+  if (!std::isfinite(bound))
+  {
+    return "not known";
+  }
+  if (bound <= 0.0)
   {
     return Format("%g", bound);
   }
@@ -153,6 +162,10 @@ std::string FormatBound(double bound)
 
 std::string FormatNumber(double value, double bound)
 {
+  if (!std::isfinite(value))
+  {
+    return "not known";
+  }
   if (!std::isfinite(bound))
   {
     return Format("%.6g", value);
@@ -167,8 +180,9 @@ std::string FormatNumber(double value, double bound)
 
 std::string FormatWithBound(double value, double bound, const std::string& unit)
 {
-  return std::isfinite(value) ? FormatNumber(value, bound) + " " + unit + " (+- " + FormatBound(bound) + ")"
-                              : std::string("not known");
+  return std::isfinite(value)
+    ? FormatNumber(value, bound) + (unit.empty() ? "" : " ") + unit + GetBoundText(bound)
+    : std::string("not known");
 }
 
 std::string FormatSummary(
@@ -177,8 +191,11 @@ std::string FormatSummary(
   const MassProperties& p = total.Properties;
   const auto triple = [&unit](const std::array<double, 3>& values, double bound, const std::string& power)
   {
-    return FormatNumber(values[0], bound) + "  " + FormatNumber(values[1], bound) + "  " +
-      FormatNumber(values[2], bound) + " " + unit + power + " (+- " + FormatBound(bound) + ")\n";
+    const bool known = std::isfinite(values[0] + values[1] + values[2]);
+    return (known ? FormatNumber(values[0], bound) + "  " + FormatNumber(values[1], bound) + "  " +
+                 FormatNumber(values[2], bound) + " " + unit + power + GetBoundText(bound)
+                  : std::string("not known")) +
+      "\n";
   };
   std::string text;
   if (status != names::StatusOk)

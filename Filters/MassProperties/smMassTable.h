@@ -52,7 +52,7 @@ private:
 /// Metres in a length unit as the reader names it ("mm", "inch", …); 0 when it is not known.
 double GetMetres(const std::string& lengthUnit);
 
-/// A bound with one digit, rounded up.
+/// A bound with one digit, rounded up; "not known" for what is not finite, here and below.
 std::string FormatBound(double bound);
 /// A value with no more digits than its bound leaves; 0 within its bound.
 std::string FormatNumber(double value, double bound);

@@ -70,6 +70,12 @@ struct PlanRequest
   std::array<double, 3> Shift{};
   /// Points that integrate the flat directions of ribbons and caps exactly.
   int StripPoints = 3;
+
+  bool operator==(const PlanRequest& other) const
+  {
+    return this->Classes == other.Classes && this->Tolerances == other.Tolerances &&
+      this->Shift == other.Shift && this->StripPoints == other.StripPoints;
+  }
 };
 
 /// Residuals and orders come from `face`, everything else from its panels. Thread safe.

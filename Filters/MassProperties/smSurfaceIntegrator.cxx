@@ -1,12 +1,14 @@
 #include "smSurfaceIntegrator.h"
 
 #include "smFacePanelsCache.h"
+#include "smFacePlans.h"
 #include "smIntegrationOrders.h"
 #include "smItemRunner.h"
 
 #include "vtkTimerLog.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -17,9 +19,35 @@ namespace
 {
 // Halvings of t and xi after the ladder's end.
 constexpr int MaximumBisections = 6;
-// Of the progress: cutting, then what the runner needs of the faces; integrating is the rest.
-constexpr double CutShare = 0.4;
+// Of the progress: cutting, then planning, then what the runner needs of the faces; integrating is the rest.
+constexpr double CutShare = 0.2;
+constexpr double PlanShare = 0.3;
 constexpr double AcquireShare = 0.1;
+constexpr double PreparedShare = CutShare + PlanShare + AcquireShare;
+// Evaluations of a batch, about: what is lost when the run is stopped.
+constexpr std::int64_t EvaluationsPerBatch = 20000000;
+
+/// Adds what was measured along a part of a coedge, counted through all loops of the face.
+void AddGap(const Face& face, int index, const CoedgeGap& measured, std::vector<CoedgeGap>& gaps)
+{
+  CoedgeGap gap = measured;
+  gap.Coedge = index;
+  while (gap.Coedge >= static_cast<int>(face.Loops[gap.Loop].Coedges.size()))
+  {
+    gap.Coedge -= static_cast<int>(face.Loops[gap.Loop].Coedges.size());
+    ++gap.Loop;
+  }
+  const auto found = std::find_if(gaps.begin(), gaps.end(),
+    [&gap](const CoedgeGap& other) { return other.Loop == gap.Loop && other.Coedge == gap.Coedge; });
+  if (found == gaps.end())
+  {
+    gaps.push_back(gap);
+    return;
+  }
+  found->GapSquared += gap.GapSquared;
+  found->GapArea += gap.GapArea;
+  found->MaxGap = gap.MaxGap <= found->MaxGap ? found->MaxGap : gap.MaxGap;
+}
 
 double Now()
 {
@@ -31,11 +59,15 @@ struct SurfaceIntegrator::Internals
 {
   std::unique_ptr<ItemRunner> Runner;
   FacePanelsCache Cuts;
+  FacePlans Plans;
+  /// All integrands have a theory.
+  bool Planned = false;
   std::vector<Integrand> Integrands;
   bool UsePlacements = false;
   double Perturbation = 1.0;
   bool Configured = false;
   std::int64_t MaximumEvaluations = 2000000000;
+  double MaximumSeconds = 0.0;
 
   /// The integrands that the runner evaluates: which of all they are.
   std::vector<std::size_t> Chosen;
@@ -44,6 +76,8 @@ struct SurfaceIntegrator::Internals
 
   std::string Error;
   bool Aborted = false;
+  bool TimedOut = false;
+  bool Loosened = false;
   std::int64_t Evaluations = 0;
   double StartSeconds = 0.0;
   double PrepareSeconds = 0.0;
@@ -51,6 +85,7 @@ struct SurfaceIntegrator::Internals
 
   /// Of the running Integrate().
   Progress Report;
+  double Start = 0.0;
   std::vector<CutFacePointer> Faces;
   std::size_t ItemsDone = 0;
   std::size_t ItemsTotal = 1;
@@ -63,9 +98,12 @@ struct SurfaceIntegrator::Internals
   }
   bool FailByRunner() { return this->Fail(this->Runner->GetError()); }
   bool Tell(double fraction);
+  bool TellItems();
   void Configure();
   bool Prepare(const std::vector<FaceTask>& tasks);
   std::size_t GetNumberOfItems(std::size_t face) const;
+  void Skip(const std::vector<std::size_t>& faces, std::vector<FaceIntegrals>& results) const;
+  void AddBounds(const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results) const;
   bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
   bool RunBatch(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results);
@@ -73,20 +111,24 @@ struct SurfaceIntegrator::Internals
     std::vector<FaceIntegrals>& results);
   bool RunItems(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
     std::vector<FaceIntegrals>& results);
-  bool RunLevels(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
-    std::vector<std::size_t>& bisected, std::vector<FaceIntegrals>& results);
+  bool RunPlanned(std::vector<WorkItem>& items);
+  bool RunLevels(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
   bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results);
 };
 
 bool SurfaceIntegrator::Internals::Tell(double fraction)
 {
-  if (this->Report && !this->Report(fraction))
-  {
-    this->Aborted = true;
-    return this->Fail("aborted");
-  }
-  return true;
+  this->TimedOut =
+    this->TimedOut || (this->MaximumSeconds > 0.0 && Now() - this->Start > this->MaximumSeconds);
+  this->Aborted = this->Aborted || this->TimedOut || (this->Report && !this->Report(fraction));
+  return !this->Aborted || this->Fail("aborted");
+}
+
+bool SurfaceIntegrator::Internals::TellItems()
+{
+  const double done = std::min(1.0, static_cast<double>(this->ItemsDone) / this->ItemsTotal);
+  return this->Tell(PreparedShare + (1.0 - PreparedShare) * done);
 }
 
 void SurfaceIntegrator::Internals::Configure()
@@ -107,27 +149,87 @@ void SurfaceIntegrator::Internals::Configure()
       this->ChosenIntegrands.push_back(this->Integrands[k]);
     }
   }
-  this->Runner->Configure({ this->ChosenIntegrands, OrderLadder(this->ChosenIntegrands).GetStripPoints(),
-    this->UsePlacements, this->Perturbation });
+  const int stripPoints = OrderLadder(this->ChosenIntegrands).GetStripPoints();
+  this->Planned = this->Plans.SetIntegrands(this->ChosenIntegrands, stripPoints);
+  this->Runner->Configure({ this->ChosenIntegrands, stripPoints, this->UsePlacements, this->Perturbation });
   this->Configured = true;
 }
 
 std::size_t SurfaceIntegrator::Internals::GetNumberOfItems(std::size_t face) const
 {
-  return this->Runner->GetFaceError(face).empty() ? this->Faces[face]->GetNumberOfItems() : 0;
+  if (!this->Runner->GetFaceError(face).empty())
+  {
+    return 0;
+  }
+  return this->Planned ? this->Plans.Get(face).Items.size() : this->Faces[face]->GetNumberOfItems();
+}
+
+void SurfaceIntegrator::Internals::Skip(
+  const std::vector<std::size_t>& faces, std::vector<FaceIntegrals>& results) const
+{
+  for (const std::size_t face : faces)
+  {
+    FaceIntegrals& result = results[face];
+    result.Skipped = true;
+    result.GapSquared = result.GapArea = result.MaxGap = 0.0;
+    result.Gaps.clear();
+    for (std::size_t k = 0; k < this->Chosen.size(); ++k)
+    {
+      const std::size_t to = this->Chosen[k];
+      result.Face[to] = result.Closing[to] = result.Rounding[to] = result.Conversion[to] = 0.0;
+      result.QuadratureError[to] = this->Planned ? this->Plans.Get(face).Magnitude[this->Plans.GetClass(k)]
+                                                 : std::numeric_limits<double>::infinity();
+    }
+  }
+}
+
+void SurfaceIntegrator::Internals::AddBounds(
+  const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results) const
+{
+  for (const std::size_t face : batch)
+  {
+    FaceIntegrals& result = results[face];
+    if (!this->Planned)
+    {
+      result.Estimated = true;
+      continue;
+    }
+    const FacePlan& plan = this->Plans.Get(face);
+    result.Estimated = plan.Estimated;
+    for (std::size_t k = 0; k < this->Chosen.size(); ++k)
+    {
+      // What rows hold is the error of compared items, for the area; and what is not finite.
+      double& error = result.QuadratureError[this->Chosen[k]];
+      const bool compared = this->Plans.GetBoundClass(k).Kind == BoundClass::AreaMoment;
+      error = compared || !std::isfinite(error) ? error : 0.0;
+      error += plan.QuadratureBound[this->Plans.GetClass(k)];
+      result.Conversion[this->Chosen[k]] += plan.ConversionBound[this->Plans.GetClass(k)];
+    }
+  }
 }
 
 bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items,
   const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
 {
-  // Rows of a face lie together, its panels first.
-  const std::size_t faces = batch.size();
-  std::vector<ItemRunner::Segment> segments(2 * faces, { 0u, 0u });
+  // Rows of a face lie together: its panels, its ribbons coedge by coedge, its caps. A segment for each.
+  struct Part
+  {
+    std::uint32_t Slot;
+    ItemKind Kind;
+    int Coedge;
+  };
+  std::vector<ItemRunner::Segment> segments;
+  std::vector<Part> parts;
   for (std::size_t row = 0; row < items.size(); ++row)
   {
-    auto& segment = segments[2 * items[row].GetSlot() + (items[row].Kind == ItemKind::Panel ? 0 : 1)];
-    segment.first = segment.second == 0 ? static_cast<unsigned int>(row) : segment.first;
-    segment.second = static_cast<unsigned int>(row + 1);
+    const WorkItem& item = items[row];
+    if (parts.empty() || parts.back().Slot != item.GetSlot() || parts.back().Kind != item.Kind ||
+      parts.back().Coedge != item.Coedge)
+    {
+      segments.emplace_back(static_cast<unsigned int>(row), static_cast<unsigned int>(row));
+      parts.push_back({ item.GetSlot(), item.Kind, item.Coedge });
+    }
+    segments.back().second = static_cast<unsigned int>(row + 1);
   }
   std::vector<double> sums;
   std::vector<double> largest;
@@ -136,44 +238,36 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
     return this->FailByRunner();
   }
   const RowLayout& layout = this->Runner->GetLayout();
-  for (std::size_t slot = 0; slot < faces; ++slot)
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    FaceIntegrals& result = results[batch[slot]];
-    for (int part = 0; part < 2; ++part)
+    FaceIntegrals& result = results[batch[parts[i].Slot]];
+    const double* sum = sums.data() + i * layout.GetStride();
+    std::vector<double>& values = parts[i].Kind == ItemKind::Panel ? result.Face : result.Closing;
+    for (int k = 0; k < layout.GetNumberOfIntegrands(); ++k)
     {
-      const std::size_t segment = 2 * slot + part;
-      if (segments[segment].second == 0)
-      {
-        continue;
-      }
-      const double* sum = sums.data() + segment * layout.GetStride();
-      std::vector<double>& values = part == 0 ? result.Face : result.Closing;
-      for (int k = 0; k < layout.GetNumberOfIntegrands(); ++k)
-      {
-        const std::size_t to = this->Chosen[k];
-        values[to] += sum[layout.GetValue(k)];
-        result.QuadratureError[to] += sum[layout.GetError(k)];
-        result.Rounding[to] += sum[layout.GetRounding(k)];
-      }
-      result.GapSquared += sum[RowLayout::SquaredGap];
-      result.GapArea += sum[RowLayout::GapArea];
-      // Not std::max, which loses a NaN.
-      result.MaxGap = largest[segment] <= result.MaxGap ? result.MaxGap : largest[segment];
+      const std::size_t to = this->Chosen[k];
+      values[to] += sum[layout.GetValue(k)];
+      result.QuadratureError[to] += sum[layout.GetError(k)];
+      result.Rounding[to] += sum[layout.GetRounding(k)];
+    }
+    result.GapSquared += sum[RowLayout::SquaredGap];
+    result.GapArea += sum[RowLayout::GapArea];
+    // Not std::max, which loses a NaN.
+    result.MaxGap = largest[i] <= result.MaxGap ? result.MaxGap : largest[i];
+    if (parts[i].Coedge >= 0)
+    {
+      AddGap(*this->Faces[batch[parts[i].Slot]]->Source, parts[i].Coedge,
+        { 0, 0, sum[RowLayout::SquaredGap], sum[RowLayout::GapArea], largest[i] }, result.Gaps);
     }
   }
   return true;
 }
 
-bool SurfaceIntegrator::Internals::RunLevels(std::vector<WorkItem>& items,
-  const std::vector<std::size_t>& batch, int depth, std::vector<std::size_t>& bisected,
-  std::vector<FaceIntegrals>& results)
+bool SurfaceIntegrator::Internals::RunLevels(
+  std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected)
 {
   const OrderLadder ladder(this->ChosenIntegrands);
-  const auto goOn = [this]()
-  {
-    const double done = std::min(1.0, static_cast<double>(this->ItemsDone) / this->ItemsTotal);
-    return this->Tell(CutShare + AcquireShare + (1.0 - CutShare - AcquireShare) * done);
-  };
+  const auto goOn = [this]() { return this->TellItems(); };
   std::vector<std::size_t> active(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
   {
@@ -206,11 +300,7 @@ bool SurfaceIntegrator::Internals::RunLevels(std::vector<WorkItem>& items,
       {
         bisected.push_back(active[i]);
       }
-      else if (orders.Last || (compared && this->Evaluations >= this->MaximumEvaluations))
-      {
-        ++results[batch[item.GetSlot()]].Unconverged;
-      }
-      else
+      else if (!orders.Last && !(compared && this->Evaluations >= this->MaximumEvaluations))
       {
         ++item.Level;
         next.push_back(active[i]);
@@ -225,6 +315,34 @@ bool SurfaceIntegrator::Internals::RunLevels(std::vector<WorkItem>& items,
   return true;
 }
 
+bool SurfaceIntegrator::Internals::RunPlanned(std::vector<WorkItem>& items)
+{
+  std::vector<std::size_t> all(items.size());
+  std::vector<std::size_t> compared;
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    all[i] = i;
+    items[i].Work.Item[2] = static_cast<std::uint32_t>(i);
+    if (items[i].Compared)
+    {
+      compared.push_back(i);
+    }
+  }
+  const auto goOn = [this]() { return this->TellItems(); };
+  std::vector<std::uint8_t> unconverged;
+  if (!this->Runner->Run(items, all, unconverged, this->Evaluations, goOn))
+  {
+    return this->FailByRunner();
+  }
+  for (const std::size_t i : compared)
+  {
+    DoubleOrders(items[i]);
+  }
+  this->ItemsDone += items.size();
+  return compared.empty() || this->Runner->Run(items, compared, unconverged, this->Evaluations, goOn) ||
+    this->FailByRunner();
+}
+
 bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
   const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
 {
@@ -233,7 +351,8 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
     return this->FailByRunner();
   }
   std::vector<std::size_t> bisected;
-  if (!this->RunLevels(items, batch, depth, bisected, results) || !this->Accumulate(items, batch, results))
+  const bool ran = this->Planned ? this->RunPlanned(items) : this->RunLevels(items, depth, bisected);
+  if (!ran || !this->Accumulate(items, batch, results))
   {
     return false;
   }
@@ -272,7 +391,14 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
   {
     const FaceTask& task = tasks[batch[slot]];
     const CutFace& cut = *this->Faces[batch[slot]];
-    AddItems(cut, static_cast<std::uint32_t>(slot), items);
+    if (this->Planned)
+    {
+      AddPlannedItems(cut, this->Plans.Get(batch[slot]), static_cast<std::uint32_t>(slot), items);
+    }
+    else
+    {
+      AddItems(cut, static_cast<std::uint32_t>(slot), items);
+    }
     ItemRunner::BatchFace face{ batch[slot], {}, task.Placement };
     for (const std::size_t k : this->Chosen)
     {
@@ -284,7 +410,12 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
   {
     return this->FailByRunner();
   }
-  return this->RunPortions(items, batch, 0, results);
+  if (!this->RunPortions(items, batch, 0, results))
+  {
+    return false;
+  }
+  this->AddBounds(batch, results);
+  return true;
 }
 
 bool SurfaceIntegrator::Internals::RunAll(
@@ -301,32 +432,45 @@ bool SurfaceIntegrator::Internals::RunAll(
     results[i].Outside = cut.Panels.Outside;
     groups[this->Runner->GetGroup(i)].push_back(i);
   }
+  // Batches that have room for their rows, and that are not too much to lose.
+  std::vector<std::vector<std::size_t>> batches;
   const std::size_t rowLimit = this->Runner->GetRowLimit();
   for (const auto& [group, members] : groups)
   {
-    std::vector<std::size_t> batch;
+    batches.emplace_back();
     std::size_t items = 0;
+    std::int64_t evaluations = 0;
     for (const std::size_t face : members)
     {
       const std::size_t more = this->GetNumberOfItems(face);
-      if (!batch.empty() && items + more > rowLimit)
+      const std::int64_t cost = this->Planned ? this->Plans.Get(face).Evaluations : 0;
+      if (items + more > rowLimit || evaluations + cost > EvaluationsPerBatch)
       {
-        if (!this->RunBatch(tasks, batch, results))
-        {
-          return false;
-        }
-        batch.clear();
+        batches.emplace_back();
         items = 0;
+        evaluations = 0;
       }
       if (more > 0)
       {
-        batch.push_back(face);
+        batches.back().push_back(face);
         items += more;
+        evaluations += cost;
       }
     }
-    if (!batch.empty() && !this->RunBatch(tasks, batch, results))
+  }
+  for (std::size_t i = 0; i < batches.size(); ++i)
+  {
+    if (batches[i].empty() || this->RunBatch(tasks, batches[i], results))
+    {
+      continue;
+    }
+    if (!this->Aborted)
     {
       return false;
+    }
+    for (; i < batches.size(); ++i)
+    {
+      this->Skip(batches[i], results);
     }
   }
   return true;
@@ -345,7 +489,16 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
   {
     return this->Fail(this->Cuts.GetError());
   }
-  const auto acquiring = [this](double fraction) { return this->Tell(CutShare + AcquireShare * fraction); };
+  const auto planning = [this](double fraction) { return this->Tell(CutShare + PlanShare * fraction); };
+  if (this->Planned &&
+    !this->Plans.Plan(
+      tasks, this->Faces, this->Chosen, this->UsePlacements, this->MaximumEvaluations, planning))
+  {
+    return this->Fail("aborted");
+  }
+  this->Loosened = this->Planned && this->Plans.WasLoosened();
+  const auto acquiring = [this](double fraction)
+  { return this->Tell(CutShare + PlanShare + AcquireShare * fraction); };
   return this->Runner->Acquire(this->Faces, acquiring) || this->FailByRunner();
 }
 
@@ -387,12 +540,18 @@ void SurfaceIntegrator::SetMaximumEvaluations(std::int64_t evaluations)
   this->Implementation->MaximumEvaluations = evaluations;
 }
 
+void SurfaceIntegrator::SetMaximumSeconds(double seconds)
+{
+  this->Implementation->MaximumSeconds = seconds;
+}
+
 bool SurfaceIntegrator::Integrate(
   const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results, const Progress& progress)
 {
   Internals& self = *this->Implementation;
   self.Error.clear();
-  self.Aborted = false;
+  self.Aborted = self.TimedOut = self.Loosened = false;
+  self.Start = Now();
   self.Evaluations = 0;
   self.StartSeconds = self.PrepareSeconds = self.IntegrateSeconds = 0.0;
   self.ItemsDone = 0;
@@ -402,7 +561,7 @@ bool SurfaceIntegrator::Integrate(
   {
     const double value = obstacle.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
     for (std::vector<double>* values :
-      { &nothing.Face, &nothing.Closing, &nothing.QuadratureError, &nothing.Rounding })
+      { &nothing.Face, &nothing.Closing, &nothing.QuadratureError, &nothing.Rounding, &nothing.Conversion })
     {
       values->push_back(value);
     }
@@ -440,6 +599,16 @@ const std::string& SurfaceIntegrator::GetError() const
 bool SurfaceIntegrator::WasAborted() const
 {
   return this->Implementation->Aborted;
+}
+
+bool SurfaceIntegrator::WasTimedOut() const
+{
+  return this->Implementation->TimedOut;
+}
+
+bool SurfaceIntegrator::WasLoosened() const
+{
+  return this->Implementation->Loosened;
 }
 
 std::string SurfaceIntegrator::GetObstacle(std::size_t integrand) const

@@ -29,21 +29,41 @@ struct FaceTask
   std::array<double, 12> Placement{};
 };
 
+/// The gap between one use of an edge and its curve, at foot points: integral of the square, of the gap, and the largest.
+struct CoedgeGap
+{
+  int Loop = 0;
+  int Coedge = 0;
+  double GapSquared = 0.0;
+  double GapArea = 0.0;
+  double MaxGap = 0.0;
+};
+
 /// Results of one face, one entry per integrand. NaN for an integrand that the runner cannot evaluate.
 struct FaceIntegrals
 {
   /// Integral over the face alone, and over its ribbons and caps.
   std::vector<double> Face;
   std::vector<double> Closing;
-  /// Estimated from the differences of orders, and the rounding of every sample, summed over both.
+  /// Bounds, over both: of the quadrature's error (where Estimated: from differences of orders), of the rounding of
+  /// every sample, and of what the residuals of converted curves and surfaces may move.
   std::vector<double> QuadratureError;
   std::vector<double> Rounding;
+  std::vector<double> Conversion;
+  double GetBound(std::size_t integrand) const
+  {
+    return this->QuadratureError[integrand] + this->Rounding[integrand] + this->Conversion[integrand];
+  }
+  /// The bound of the area, or of an integrand without a theory, is no theorem.
+  bool Estimated = false;
+  /// The run was stopped before this face: its integrals are 0, with their largest possible magnitude as error.
+  bool Skipped = false;
   /// Gaps between coedges and their edges, at foot points: integral of the square, of the gap, and the largest.
   double GapSquared = 0.0;
   double GapArea = 0.0;
   double MaxGap = 0.0;
-  /// Items whose two highest orders still differ by more than their share.
-  std::int64_t Unconverged = 0;
+  /// The same for every coedge that was measured.
+  std::vector<CoedgeGap> Gaps;
   int CoverageDefects = 0;
   double Outside = 0.0;
   /// Not empty: the face could not be integrated; everything else is zero.
@@ -51,13 +71,15 @@ struct FaceIntegrals
 };
 
 /**
- * The order of each item (panel, ribbon) is raised along a ladder of Gauss rules until two orders agree to its
- * share of the face's tolerance; an item that does not reach it at the highest order is bisected. Where an order
- * is known to be exact one evaluation is made and the difference is 0. A face's tolerance is shared equally
- * among its items, so that the result of a face does not depend on others. Sums over items follow a fixed tree.
+ * Cuts faces (and keeps them cut), plans the orders of their items, and has an ItemRunner, the GPU's or the CPU's, evaluate
+ * the items and sum their results. The orders come from a theorem (smQuadraturePlan.h), before anything is
+ * evaluated; a face's tolerance is shared equally among its items, so that the result of a face depends on no other.
  *
- * What evaluates the items and sums their results is an ItemRunner, the GPU's or the CPU's; this class cuts faces (and keeps
- * them cut), chooses orders, bisects, and shares out tolerance and budget. Not thread safe.
+ * Two things have no such theory: the area where normals nearly vanish, which is evaluated at two orders and compared;
+ * and integrands of the user's, for which every item climbs a ladder of orders until two agree, or is bisected.
+ *
+ * When the plan exceeds the budget of evaluations, tolerances are loosened until it does not; when the time is
+ * over or the caller stops, faces not reached yet are skipped. Bounds say what came of it. Not thread safe.
  */
 class SurfaceIntegrator
 {
@@ -76,13 +98,20 @@ public:
   void SetUsePlacements(bool use);
   void SetPerturbation(double factor);
   void SetMaximumEvaluations(std::int64_t evaluations);
+  /// Of one Integrate(); 0: no limit.
+  void SetMaximumSeconds(double seconds);
 
-  /// False when a shader does not build, memory is short, or progress stopped it; GetError() says why.
+  /// False when a shader does not build, memory is short, or the caller stopped it before any face was evaluated;
+  /// GetError() says why.
   bool Integrate(
     const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results, const Progress& progress);
 
   const std::string& GetError() const;
+  /// The caller stopped it, or the time was over: faces were skipped, if it returned true.
   bool WasAborted() const;
+  bool WasTimedOut() const;
+  /// The budget of evaluations was too small for the tolerances.
+  bool WasLoosened() const;
   /// Why the runner could not evaluate an integrand in the last Integrate(); empty when it could.
   std::string GetObstacle(std::size_t integrand) const;
   std::int64_t GetEvaluations() const;

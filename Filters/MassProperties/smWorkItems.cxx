@@ -1,6 +1,7 @@
 #include "smWorkItems.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace sm
 {
@@ -29,7 +30,7 @@ void AddItems(const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& it
     const std::uint32_t flags = (panel.Negative ? Negative : 0u) | (panel.FlipNormal ? Flip : 0u);
     const WorkRecord work = { { panel.Patch, panel.Trim, 0, slot },
       { panel.TrimDegree | flags << 24, 0, 0, One }, { panel.Start, panel.End, 0.0, 1.0 } };
-    items.push_back({ ItemKind::Panel, work, { p, q }, panel, 0, cost });
+    items.push_back({ ItemKind::Panel, work, { p, q }, panel, 0, -1, false, cost });
   }
   for (const Ribbon& ribbon : face.Panels.Ribbons)
   {
@@ -37,15 +38,62 @@ void AddItems(const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& it
     const WorkRecord work = { { ribbon.Patch, ribbon.Trim, 0, slot },
       { ribbon.TrimDegree | flags << 24, ribbon.Edge, ribbon.EdgeDegree, One },
       { ribbon.Start, ribbon.End, ribbon.EdgeStart, ribbon.EdgeEnd } };
-    items.push_back({ ItemKind::Ribbon, work, { p, q }, {}, 0, cost + (p + 1) * (q + 1) });
+    items.push_back(
+      { ItemKind::Ribbon, work, { p, q }, {}, 0, ribbon.Coedge, false, cost + (p + 1) * (q + 1) });
   }
   for (std::size_t i = 0; i < face.Panels.Caps.size(); ++i)
   {
     const std::uint32_t flags = face.Panels.Caps[i].FlipNormal ? Flip : 0u;
     const WorkRecord work = { { 0, static_cast<std::uint32_t>(9 * i), 0, slot }, { flags << 24, 0, 0, One },
       { 0.0, 1.0, 0.0, 1.0 } };
-    items.push_back({ ItemKind::Cap, work, { p, q }, {}, 0, 1 });
+    items.push_back({ ItemKind::Cap, work, { p, q }, {}, 0, -1, false, 1 });
   }
+}
+
+void AddPlannedItems(
+  const CutFace& face, const FacePlan& plan, std::uint32_t slot, std::vector<WorkItem>& items)
+{
+  std::vector<WorkItem> whole;
+  AddItems(face, slot, whole);
+  const std::size_t firsts[3] = { 0, face.Panels.Panels.size(),
+    face.Panels.Panels.size() + face.Panels.Ribbons.size() };
+  for (const PlannedItem& planned : plan.Items)
+  {
+    WorkItem item = whole[firsts[static_cast<int>(planned.Kind)] + planned.Index];
+    double* range = item.Work.Range;
+    const double start = range[0];
+    const double width = range[1] - start;
+    range[0] = start + width * planned.Start;
+    range[1] = planned.End == 1.0 ? range[1] : start + width * planned.End;
+    if (item.Kind == ItemKind::Panel)
+    {
+      range[2] = planned.XiStart;
+      range[3] = planned.XiEnd;
+    }
+    else if (item.Kind == ItemKind::Ribbon)
+    {
+      // The edge's range runs with the trim's.
+      const double edgeStart = range[2];
+      const double edgeWidth = range[3] - edgeStart;
+      range[2] = edgeStart + edgeWidth * planned.Start;
+      range[3] = planned.End == 1.0 ? range[3] : edgeStart + edgeWidth * planned.End;
+    }
+    const auto share = static_cast<float>(planned.Share);
+    std::memcpy(&item.Work.Detail[3], &share, sizeof(share));
+    item.Compared = planned.Compared;
+    SetItemOrders(item, { planned.Along, planned.Across, true, true }, false);
+    items.push_back(item);
+  }
+}
+
+void DoubleOrders(WorkItem& item)
+{
+  const std::uint32_t detail = item.Work.Detail[0];
+  ++item.Level;
+  SetItemOrders(item,
+    { static_cast<int>(2 * ((detail >> 8) & 255u)), static_cast<int>(2 * ((detail >> 16) & 255u)), true,
+      true },
+    false);
 }
 
 Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item)

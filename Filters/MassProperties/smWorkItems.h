@@ -34,6 +34,10 @@ struct WorkItem
   Panel Shape{};
   /// Rung of the ladder of orders.
   int Level = 0;
+  /// Of a ribbon: which of the face's coedges, -1: none.
+  int Coedge = -1;
+  /// Planned to be evaluated twice.
+  bool Compared = false;
   /// Cost of an evaluation relative to a bilinear patch.
   int Cost = 1;
 
@@ -50,6 +54,14 @@ struct WorkItem
 
 /// Appends the items of a face, its panels first. `slot` is the face's place in the batch.
 void AddItems(const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& items);
+
+/// Appends the items of a face's plan, panels, then ribbons, then caps, with their orders: each is evaluated once, with
+/// nothing to compare with.
+void AddPlannedItems(
+  const CutFace& face, const FacePlan& plan, std::uint32_t slot, std::vector<WorkItem>& items);
+
+/// Doubles the points of an item that was evaluated, to be compared with its row.
+void DoubleOrders(WorkItem& item);
 
 /// The orders of the item at its level.
 Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item);

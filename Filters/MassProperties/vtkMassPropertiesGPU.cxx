@@ -2,6 +2,8 @@
 
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
+#include "smMassTolerance.h"
+#include "smSanity.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
 #include "vtkAppendPolyData.h"
@@ -18,22 +20,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 vtkStandardNewMacro(vtkMassPropertiesGPU);
 
 namespace
 {
-// Order of the integrands.
-enum
-{
-  VOLUME = 0,
-  FIRST = 1,
-  SECOND = 4,
-  VECTOR_AREA = 10,
-  AREA = 13
-};
-
 constexpr double UnitRoundoff = 1.1102230246251565e-16;
 
 // The closed chain of a sound solid leaks rounding only: at most 2e-13 on 87 real files.
@@ -59,42 +50,17 @@ std::vector<sm::Integrand> MakeIntegrands()
   return integrands;
 }
 
-/// Tolerances about the part's own origin, such that the derived quantities meet theirs (DESIGN 3): with
-/// L = cbrt(V), an error tol V L of a first moment moves the centre by tol L, and no body of volume V has a
-/// trace of inertia below that of the ball, 0.46 V L^2, of which one second moment may spend a tenth. The
-/// volume's own error moves a centre at distance R of the origin by R / V.
-std::vector<double> GetTolerances(
-  const std::vector<sm::Integrand>& integrands, vtkTrimmedNURBSModel& model, double tolerance)
-{
-  const double v = sm::GetVolumeScale(model);
-  const double length = std::cbrt(v);
-  const double lever = std::max(1.0, sm::GetRadius(model) / length);
-  std::vector<double> tolerances(integrands.size());
-  tolerances[VOLUME] = 0.25 * tolerance * v / (lever * lever);
-  for (int i = 0; i < 3; ++i)
-  {
-    tolerances[FIRST + i] = 0.1 * tolerance * v * length / lever;
-    tolerances[VECTOR_AREA + i] = tolerance * length * length;
-  }
-  for (int i = 0; i < 6; ++i)
-  {
-    tolerances[SECOND + i] = 0.04 * tolerance * v * length * length;
-  }
-  tolerances[AREA] = 0.5 * tolerance * sm::GetAreaScale(model);
-  return tolerances;
-}
-
 /// Moments of a body in the world, about its placed origin.
 sm::Moments GetMoments(const sm::BodyIntegrals& body)
 {
   sm::Moments moments;
   std::copy_n(body.Model->GetOrigin(), 3, moments.Reference.begin());
-  moments.Volume = body.Value[VOLUME];
-  moments.VolumeBound = body.Bound[VOLUME];
-  std::copy_n(body.Value.begin() + FIRST, 3, moments.First.begin());
-  std::copy_n(body.Bound.begin() + FIRST, 3, moments.FirstBound.begin());
-  std::copy_n(body.Value.begin() + SECOND, 6, moments.Second.begin());
-  std::copy_n(body.Bound.begin() + SECOND, 6, moments.SecondBound.begin());
+  moments.Volume = body.Value[sm::MassVolume];
+  moments.VolumeBound = body.Bound[sm::MassVolume];
+  std::copy_n(body.Value.begin() + sm::MassFirst, 3, moments.First.begin());
+  std::copy_n(body.Bound.begin() + sm::MassFirst, 3, moments.FirstBound.begin());
+  std::copy_n(body.Value.begin() + sm::MassSecond, 6, moments.Second.begin());
+  std::copy_n(body.Bound.begin() + sm::MassSecond, 6, moments.SecondBound.begin());
   if (moments.Volume < 0.0)
   {
     moments.Negate();
@@ -116,32 +82,24 @@ void SetMass(sm::MassRow& row, double density, const std::string& unit)
   row.MassInertiaBound = factor * row.Properties.InertiaBound;
 }
 
-/// What did not meet the tolerance relative to its scale, empty when everything did. A quantity that does not exist
-/// did.
-std::string FindUnmet(const sm::MassRow& row, double tolerance)
+/// Facts that hold for every body and not for this result make it suspect.
+void FlagInsanity(sm::BodyIntegrals& body, const sm::MassProperties& properties)
 {
-  const sm::MassProperties& p = row.Properties;
-  const double length = std::max(std::cbrt(p.Volume), 1e-6 * vtkMath::Norm(p.Center.data()));
-  const struct
+  std::array<double, 3> center;
+  for (int i = 0; i < 3; ++i)
   {
-    const char* Name;
-    double Bound;
-    double Scale;
-  } quantities[] = { { sm::names::Volume, p.VolumeBound, p.Volume },
-    { sm::names::SurfaceArea, row.AreaBound, row.Area }, { sm::names::CenterOfMass, p.CenterBound, length },
-    { sm::names::VolumeInertia, p.InertiaBound, p.Inertia[0] + p.Inertia[4] + p.Inertia[8] } };
-  std::string unmet;
-  for (const auto& quantity : quantities)
-  {
-    if (std::isfinite(quantity.Scale) && !(quantity.Bound <= tolerance * std::abs(quantity.Scale)))
-    {
-      char text[128];
-      std::snprintf(text, sizeof(text), "%s%s %.1e", unmet.empty() ? "" : ", ", quantity.Name,
-        quantity.Bound / std::abs(quantity.Scale));
-      unmet += text;
-    }
+    center[i] = body.Value[sm::MassFirst + i] / body.Value[sm::MassVolume];
   }
-  return unmet;
+  // A trim that leaves its surface leads beyond the control points.
+  double slack = 1e-12 * sm::GetRadius(*body.Model);
+  for (const sm::FaceIntegrals& face : *body.Faces)
+  {
+    slack = std::max(slack, 2.0 * face.Outside);
+  }
+  for (const std::string& violation : sm::CheckSanity(properties, center, sm::GetHullBox(*body.Model), slack))
+  {
+    body.Flag(sm::names::StatusSuspect, violation);
+  }
 }
 
 void AppendAxes(vtkAppendPolyData* glyphs, const sm::MassProperties& properties, double length)
@@ -179,7 +137,8 @@ vtkMassPropertiesGPU::vtkMassPropertiesGPU()
   : Last(new Totals)
 {
   this->Implementation->Integrands = MakeIntegrands();
-  this->Implementation->LocalTolerances = GetTolerances;
+  this->Implementation->LocalTolerances = [this](vtkTrimmedNURBSModel& model)
+  { return sm::ShareTolerance(this->GetTolerance(), model); };
 }
 
 vtkMassPropertiesGPU::~vtkMassPropertiesGPU() = default;
@@ -187,10 +146,64 @@ vtkMassPropertiesGPU::~vtkMassPropertiesGPU() = default;
 void vtkMassPropertiesGPU::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  const auto print = [&os, indent](const char* name, const double tolerance[2])
+  { os << indent << name << ": " << tolerance[0] << " " << tolerance[1] << "\n"; };
+  print("VolumeTolerance", this->VolumeTolerance);
+  print("SurfaceAreaTolerance", this->SurfaceAreaTolerance);
+  print("CenterOfMassTolerance", this->CenterOfMassTolerance);
+  print("InertiaTolerance", this->InertiaTolerance);
   os << indent << "Density: " << this->Density << "\n"
      << indent << "GlyphScale: " << this->GlyphScale << "\n"
      << indent << "ShowPrincipalAxes: " << this->ShowPrincipalAxes << "\n"
      << indent << "GlyphPerSolid: " << this->GlyphPerSolid << "\n";
+}
+
+sm::MassTolerance vtkMassPropertiesGPU::GetTolerance() const
+{
+  const auto make = [this](const double asked[2]) {
+    return sm::Tolerance{ asked[0] > 0.0 ? asked[0] : this->RelativeTolerance, asked[1] };
+  };
+  return { make(this->VolumeTolerance), make(this->SurfaceAreaTolerance), make(this->CenterOfMassTolerance),
+    make(this->InertiaTolerance) };
+}
+
+void vtkMassPropertiesGPU::SetTolerance(
+  const char* name, double (&tolerance)[2], double relative, double absolute)
+{
+  if (!(relative >= 0.0 && relative <= 1.0) || !(absolute >= 0.0) || !std::isfinite(absolute))
+  {
+    vtkErrorMacro(
+      << name << "(" << relative << ", " << absolute
+      << "): give a relative tolerance in [0, 1], 0 for RelativeTolerance, and an absolute one that is "
+         "not negative, 0 for none.");
+    return;
+  }
+  if (tolerance[0] != relative || tolerance[1] != absolute)
+  {
+    tolerance[0] = relative;
+    tolerance[1] = absolute;
+    this->Modified();
+  }
+}
+
+void vtkMassPropertiesGPU::SetVolumeTolerance(double relative, double absolute)
+{
+  this->SetTolerance("SetVolumeTolerance", this->VolumeTolerance, relative, absolute);
+}
+
+void vtkMassPropertiesGPU::SetSurfaceAreaTolerance(double relative, double absolute)
+{
+  this->SetTolerance("SetSurfaceAreaTolerance", this->SurfaceAreaTolerance, relative, absolute);
+}
+
+void vtkMassPropertiesGPU::SetCenterOfMassTolerance(double relative, double absolute)
+{
+  this->SetTolerance("SetCenterOfMassTolerance", this->CenterOfMassTolerance, relative, absolute);
+}
+
+void vtkMassPropertiesGPU::SetInertiaTolerance(double relative, double absolute)
+{
+  this->SetTolerance("SetInertiaTolerance", this->InertiaTolerance, relative, absolute);
 }
 
 void vtkMassPropertiesGPU::SetDensity(double density)
@@ -277,8 +290,8 @@ double vtkMassPropertiesGPU::GetMass() const
 sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& moments)
 {
   sm::MassRow row;
-  row.Area = body.Value[AREA];
-  row.AreaBound = body.Bound[AREA];
+  row.Area = body.Value[sm::MassArea];
+  row.AreaBound = body.Bound[sm::MassArea];
   row.GapSquared = body.GapSquared;
   row.MaxGap = body.MaxGap;
   row.GapArea = body.GapArea;
@@ -286,16 +299,12 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
   const bool computed = body.Faces != nullptr;
   if (computed && body.HasVolume())
   {
-    if (body.Value[VOLUME] < 0.0)
-    {
-      body.InsideOut = true;
-      body.Messages.push_back("the solid is inside out in the file; it was turned");
-    }
+    sm::TurnShells(body, this->Implementation->Integrands, sm::MassVolume);
     moments = GetMoments(body);
     row.Properties = sm::ComputeMassProperties(moments);
-    row.MovedByClosing = std::abs(body.Value[VOLUME] - body.FaceValue[VOLUME]);
-    row.Leak =
-      vtkMath::Norm(body.Value.data() + VECTOR_AREA) * std::cbrt(moments.Volume) / (3.0 * moments.Volume);
+    row.MovedByClosing = std::abs(body.Value[sm::MassVolume] - body.FaceValue[sm::MassVolume]);
+    row.Leak = vtkMath::Norm(body.Value.data() + sm::MassVectorArea) * std::cbrt(moments.Volume) /
+      (3.0 * moments.Volume);
     if (!body.IsSolid() && !(row.Leak <= LargestLeak))
     {
       // A surface whose border is no edge: a patch without loops.
@@ -306,24 +315,23 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
     }
     if (body.OpenEdges == 0 && !(row.Leak <= LargestLeak))
     {
-      char leak[32];
-      std::snprintf(leak, sizeof(leak), "%.1e", row.Leak);
       body.Flag(sm::names::StatusSuspect,
-        std::string(
-          "the faces do not close although every edge is shared: a loop is broken or a face is wrong. The "
-          "volume changes by ") +
-          leak + " of itself when the origin moves by its cube root");
+        "the faces do not close although every edge is shared: a loop is broken or a face is wrong" +
+          (std::isfinite(row.Leak) ? ". The volume changes by " + sm::FormatBound(row.Leak) +
+                " of itself when the origin moves by its cube root"
+                                   : std::string()));
     }
-    if (!(moments.Volume > moments.VolumeBound))
-    {
-      body.Flag(sm::names::StatusSuspect, "the volume is zero within its bound");
-    }
+    FlagInsanity(body, row.Properties);
+  }
+  if (computed && body.HasVolume() && !std::isfinite(body.Value[sm::MassVolume]))
+  {
+    body.Flag(sm::names::StatusSuspect, "the volume is not a finite number");
   }
   if (computed && !std::isfinite(row.Area))
   {
     body.Flag(sm::names::StatusSuspect, "the area is not a finite number");
   }
-  const std::string unmet = computed ? FindUnmet(row, this->RelativeTolerance) : std::string();
+  const std::string unmet = computed ? sm::FindUnmet(row, this->GetTolerance()) : std::string();
   if (!unmet.empty())
   {
     body.Flag(sm::names::StatusToleranceNotMet, "bounds above the tolerance, relative: " + unmet);
@@ -380,7 +388,7 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
       total.MovedByClosing += row.MovedByClosing;
       for (int i = 0; i < 3; ++i)
       {
-        vectorArea[i] += std::abs(body.Value[VECTOR_AREA + i]);
+        vectorArea[i] += std::abs(body.Value[sm::MassVectorArea + i]);
       }
       mass += row.Mass;
       massBound += row.MassBound;
@@ -425,20 +433,23 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   totalColumns.AddTo(totals->GetFieldData());
   sm::columns::SetString(totals->GetFieldData(), sm::names::LengthUnit, unit);
   int openEdges = 0;
+  int flippedShells = 0;
   std::string status = bodies.empty() ? sm::names::StatusEmpty : sm::names::StatusOk;
   sm::MassColumns columns(withMass);
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
     columns.Append(rows[i]);
     openEdges += bodies[i].OpenEdges;
+    flippedShells += bodies[i].FlippedShells;
     status = sm::IsWorse(bodies[i].Status, status) ? bodies[i].Status : status;
   }
   sm::columns::SetInteger(totals->GetFieldData(), sm::names::OpenEdges, openEdges);
+  sm::columns::SetInteger(totals->GetFieldData(), sm::names::FlippedShells, flippedShells);
   columns.AddTo(solids->GetRowData());
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text,
     sm::FormatSummary(total, status, unit, static_cast<int>(bodies.size())));
-  sm::columns::AddFaceRows(bodies, this->Implementation->Integrands, faces, { VOLUME, AREA });
+  sm::columns::AddFaceRows(bodies, this->Implementation->Integrands, faces, { sm::MassVolume, sm::MassArea });
   this->MakeGlyphs(bodies, rows, totals);
 }
 

@@ -14,6 +14,7 @@
  * | 1    | table    | a row per solid instance with Name, Id and the same columns                        |
  * | 2    | table    | 1x1, column Text: a summary to show in a view                                      |
  * | 3    | table    | a row per face and instance: its area, and its part of the volume (flux about the part's origin) |
+ * | 4    | table    | a row per edge and instance, see vtkSurfaceIntegralGPU                            |
  *
  * Field data (smMassPropertyNames.h), each quantity with `<name>Bound`, one number in the quantity's unit:
  * | name                  | comp. | unit   | meaning                                                     |
@@ -30,11 +31,12 @@
  * | RadiiOfGyration       | 3     | L      | about the principal axes                                    |
  * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density                                     |
  * | MovedByClosing, GapSquared, MaxGap, GapArea, Leak, OpenEdges | 1 | | the model's own doubt, no bound  |
+ * | FlippedShells         | 1     |        | shells that were inside out and were turned                  |
  * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches | 1 | |                               |
  * A quantity that does not exist is NaN (the volume of a surface, anything without a GPU context).
  *
  * Status: ok; open (edges that are used once; a surface without a solid); tolerance-not-met; suspect (a
- * face could not be carried over, a trim runs far outside its surface); empty; unreadable.
+ * face could not be carried over, a trim runs far outside its surface, shells cross); empty; unreadable.
  */
 #ifndef vtkMassPropertiesGPU_h
 #define vtkMassPropertiesGPU_h
@@ -44,6 +46,7 @@
 namespace sm
 {
 struct MassRow;
+struct MassTolerance;
 struct Moments;
 }
 
@@ -53,6 +56,22 @@ public:
   static vtkMassPropertiesGPU* New();
   vtkTypeMacro(vtkMassPropertiesGPU, vtkSurfaceIntegralGPU);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Tolerances of single quantities: relative to the quantity's scale (the volume, the area, the cube root of the
+   * volume for the centre, the trace of the inertia), in [0, 1], 0: RelativeTolerance; and absolute, in the unit of
+   * the quantity, 0: none. The larger of the two counts. Anything else is an error and changes nothing. Default 0 0.
+   */
+  void SetVolumeTolerance(double relative, double absolute);
+  vtkGetVector2Macro(VolumeTolerance, double);
+  void SetSurfaceAreaTolerance(double relative, double absolute);
+  vtkGetVector2Macro(SurfaceAreaTolerance, double);
+  void SetCenterOfMassTolerance(double relative, double absolute);
+  vtkGetVector2Macro(CenterOfMassTolerance, double);
+  void SetInertiaTolerance(double relative, double absolute);
+  vtkGetVector2Macro(InertiaTolerance, double);
+  ///@}
 
   ///@{
   /** Density of all solids in kg/m^3. 0 (default): the density each part's file states, if any; no mass
@@ -110,6 +129,8 @@ protected:
     vtkTable* text, vtkTable* faces) override;
 
 private:
+  sm::MassTolerance GetTolerance() const;
+  void SetTolerance(const char* name, double (&tolerance)[2], double relative, double absolute);
   /// The row of a body; `moments` gets its moments in the world when it has a volume. May flag the body.
   sm::MassRow MakeRow(sm::BodyIntegrals& body, sm::Moments& moments);
   void MakeGlyphs(
@@ -121,6 +142,10 @@ private:
 protected:
 #endif
 
+  double VolumeTolerance[2] = { 0.0, 0.0 };
+  double SurfaceAreaTolerance[2] = { 0.0, 0.0 };
+  double CenterOfMassTolerance[2] = { 0.0, 0.0 };
+  double InertiaTolerance[2] = { 0.0, 0.0 };
   double Density = 0.0;
   double GlyphScale = 0.02;
   bool ShowPrincipalAxes = false;

@@ -4,6 +4,7 @@
 #include "smCPUItemRunner.h"
 #include "smGPUItemRunner.h"
 #include "smMassPropertyNames.h"
+#include "smMassTable.h"
 #include "smSurfaceIntegrator.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numeric>
 
@@ -32,7 +32,7 @@ vtkSurfaceIntegralGPU::vtkSurfaceIntegralGPU()
   : Implementation(new Internals)
 {
   this->SetNumberOfInputPorts(1);
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(5);
 }
 
 vtkSurfaceIntegralGPU::~vtkSurfaceIntegralGPU() = default;
@@ -43,6 +43,7 @@ void vtkSurfaceIntegralGPU::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n"
      << indent << "Backend: " << this->Backend << "\n"
      << indent << "MaximumEvaluations: " << this->MaximumEvaluations << "\n"
+     << indent << "MaximumSeconds: " << this->MaximumSeconds << "\n"
      << indent << "Integrands: " << this->GetNumberOfIntegrands() << "\n"
      << indent << "Status: " << this->GetStatus() << "\n"
      << indent << "BackendName: " << this->GetBackendName() << "\n"
@@ -294,7 +295,7 @@ void vtkSurfaceIntegralGPU::Internals::AddTasks(
   }
   else
   {
-    task.Tolerances = this->LocalTolerances(this->Integrands, model, tolerance);
+    task.Tolerances = this->LocalTolerances(model);
   }
   for (double& t : task.Tolerances)
   {
@@ -361,6 +362,7 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   this->Integrator.SetUsePlacements(placed);
   this->Integrator.SetPerturbation(self->ShaderPerturbation);
   this->Integrator.SetMaximumEvaluations(self->MaximumEvaluations);
+  this->Integrator.SetMaximumSeconds(self->MaximumSeconds);
 
   std::vector<sm::FaceTask> tasks;
   std::vector<std::size_t> firstTask;
@@ -396,6 +398,17 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
         ? "the run was aborted"
         : "nothing was computed: " + this->Integrator.GetError());
     return false;
+  }
+  if (this->Integrator.WasAborted())
+  {
+    last.Messages.push_back(this->Integrator.WasTimedOut()
+        ? "MaximumSeconds were over before all faces were integrated"
+        : "the run was aborted before all faces were integrated");
+  }
+  if (this->Integrator.WasLoosened())
+  {
+    last.Messages.push_back(
+      "MaximumEvaluations are too few for the tolerance: it was loosened, and the bounds say by how much");
   }
   for (std::size_t k = 0; k < this->Integrands.size(); ++k)
   {
@@ -480,14 +493,20 @@ int vtkSurfaceIntegralGPU::RequestData(
       body.Flag(sm::names::StatusToleranceNotMet, "nothing was computed");
     }
   }
+  if (computed)
+  {
+    sm::MeasureEdges(bodies);
+  }
   this->ProduceOutputs(bodies, vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
     vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3));
+  sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
   for (const sm::BodyIntegrals& body : bodies)
   {
     if (sm::IsWorse(body.Status, last.Status))
     {
       last.Status = body.Status;
     }
+    last.Estimated = last.Estimated || body.IsEstimated();
     for (const std::string& message : body.Messages)
     {
       last.Messages.push_back((body.Name.empty() ? "" : body.Name + ": ") + message);
@@ -515,6 +534,7 @@ void vtkSurfaceIntegralGPU::Internals::FillRunData(vtkFieldData* data) const
   sm::columns::SetInteger(data, sm::names::Evaluations, this->Last.Evaluations);
   sm::columns::SetInteger(data, sm::names::Dispatches, this->Last.Dispatches);
   sm::columns::SetInteger(data, sm::names::Faces, this->Last.Faces);
+  sm::columns::SetInteger(data, sm::names::BoundsEstimated, this->Last.Estimated ? 1 : 0);
 }
 
 void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals,
@@ -554,9 +574,7 @@ void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodie
     sm::columns::SetDoubles(totals->GetFieldData(), name, &total, 1);
     sm::columns::SetDoubles(totals->GetFieldData(), name + sm::names::BoundSuffix, &bound, 1);
     this->Implementation->Last.Integrals[name] = { total, bound };
-    char line[256];
-    std::snprintf(line, sizeof(line), "%s = %.12g (+- %.1e)\n", name.c_str(), total, bound);
-    summary += line;
+    summary += name + " = " + sm::FormatWithBound(total, bound, "") + "\n";
   }
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text, summary);

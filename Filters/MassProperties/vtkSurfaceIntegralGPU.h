@@ -7,7 +7,8 @@
  * no OpenGL 4.3 with doubles, on the CPU by the same mathematics compiled as C++, see SetBackend().
  * An integrand is a GLSL expression of
  *   - `position`: dvec3, world coordinates, in the model's length unit,
- *   - `normal`:   dvec3, outward Su x Sv of the surface element; length(normal) is the area element.
+ *   - `normal`:   dvec3, outward Su x Sv of the surface element; length(normal) is the area element. Outward is what
+ *     the file calls so: a shell that is inside out is turned by vtkMassPropertiesGPU only, FlippedShells is 0 here.
  * An integrand on the CLOSED_CHAIN is also integrated over the ribbons and caps that join the faces along
  * their common edges, so that fluxes are those of a closed surface; one on FACES (areas) is not.
  *
@@ -18,6 +19,7 @@
  * | 1    | table    | a row per solid instance: Name, Id, every integrand, its Bound, Status         |
  * | 2    | table    | 1x1, column Text: a readable summary                                           |
  * | 3    | table    | a row per face and instance: Solid, FaceId, every integrand, its Bound         |
+ * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared |
  * The names are in smMassPropertyNames.h. What could not be computed is NaN with a Status, never 0.
  *
  * The order of the Gauss rules is raised panel by panel until two orders agree to the tolerance; a bound is
@@ -120,10 +122,17 @@ public:
   ///@}
 
   ///@{
-  /** Most surface evaluations that a run may spend; beyond, what is there is kept with its bound. Default
-   * 2e9. At least 1. */
+  /** Most surface evaluations that a run may spend. Where the tolerances would take more they are loosened, for all
+   * faces alike, as far as need be; the values are kept with their true bounds. Default 2e9. At least 1. */
   vtkSetClampMacro(MaximumEvaluations, vtkTypeInt64, 1, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaximumEvaluations, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /** Most seconds that a run may take, about. Faces that were not reached by then (or when the run is aborted) count as 0,
+   * and the bounds hold the most that they can be. Default 0: no limit. At least 0. */
+  vtkSetClampMacro(MaximumSeconds, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumSeconds, double);
   ///@}
 
   ///@{
@@ -167,7 +176,7 @@ protected:
   /** Makes the getters return what they do before the first run. Called at the start of every run. */
   virtual void ForgetLastRun();
 
-  /** Fills the four outputs from the results of all bodies. */
+  /** Fills the first four outputs from the results of all bodies. */
   virtual void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces);
 
@@ -178,6 +187,7 @@ protected:
   double RelativeTolerance = 1e-9;
   int Backend = AUTOMATIC;
   vtkTypeInt64 MaximumEvaluations = 2000000000;
+  double MaximumSeconds = 0.0;
   double ShaderPerturbation = 1.0;
 
 private:

@@ -32,6 +32,7 @@ struct vtkSurfaceIntegralGPU::Internals
     std::string FallbackReason;
     vtkTypeInt64 Evaluations = 0;
     vtkTypeInt64 Dispatches = 0;
+    bool Estimated = false;
     int Solids = 0;
     int Faces = 0;
     double StartSeconds = 0.0;
@@ -42,8 +43,7 @@ struct vtkSurfaceIntegralGPU::Internals
 
   /// Tolerances of the integrands for a body about the part's own origin. Set: integrate every model once about
   /// its origin, without placements.
-  using ToleranceRule =
-    std::function<std::vector<double>(const std::vector<sm::Integrand>&, vtkTrimmedNURBSModel&, double)>;
+  using ToleranceRule = std::function<std::vector<double>(vtkTrimmedNURBSModel&)>;
 
   vtkNew<vtkComputeContext> Context;
   sm::SurfaceIntegrator Integrator;

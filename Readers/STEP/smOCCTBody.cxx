@@ -505,13 +505,14 @@ private:
         face.Surface.Evaluate(to[0], to[1], q.data());
         const double gap = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
         const double beyond = gap - 2.0 * (a.Use->Tolerance + b.Use->Tolerance);
-        largest = std::max(largest, beyond);
+        // Not std::max, which loses a NaN.
+        largest = beyond <= largest ? largest : beyond;
         // Also catches what is not a number.
         open += beyond <= 2.0 * tolerance || gap <= LoopTolerance * this->Size ? 0 : 1;
       }
     }
     draft.Defects += open;
-    if (largest > 2.0 * tolerance || open > 0)
+    if (!(largest <= 2.0 * tolerance) || open > 0)
     {
       face.Messages.push_back("A loop does not close: its largest gap is " + FormatShort(largest) +
         " beyond the file's tolerances. A straight line in (u,v) closes it.");

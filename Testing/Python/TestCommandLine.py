@@ -20,7 +20,7 @@ options = parser.parse_args()
 manifest = Manifest(options.solids)
 
 BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments", "principal_axes", "mass", "bounds",
-             "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak"}
+             "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells"}
 FILE_KEYS = {"file", "length_unit", "status", "messages", "backend", "renderer", "total", "solids", "faces",
              "free_faces", "evaluations", "dispatches", "seconds"}
 
@@ -46,7 +46,7 @@ def run_json(*arguments):
         check_equal("keys of the total", [], sorted(BODY_KEYS - set(file["total"])))
         check_equal("keys of the seconds", ["integrate", "prepare", "read", "start"], sorted(file["seconds"]))
         for solid in file["solids"]:
-            check_equal("keys of a solid", [], sorted((BODY_KEYS | {"name", "id"}) - set(solid)))
+            check_equal("keys of a solid", [], sorted((BODY_KEYS | {"name", "id", "worst_edges"}) - set(solid)))
     return result, document["files"]
 
 
@@ -385,6 +385,15 @@ def no_context():
     check_equal("status", "tolerance-not-met", files[0]["status"])
     check_true("no numbers", all(files[0]["total"][key] is None for key in ("volume", "area", "center_of_mass")))
     check_true("a message tells why", any("OpenGL" in text for text in files[0]["messages"]), str(files[0]["messages"]))
+    csv = os.path.join(options.output, "nothing.csv")
+    result = run("--csv", csv, manifest.solid("box")["path"])
+    check_true("the table prints no number that is none", not re.search(r"\b(nan|inf)\b", result.stdout, re.IGNORECASE),
+               result.stdout)
+    with open(csv, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    row = dict(zip(lines[0].split(","), lines[1].split(",")))
+    check_equal("empty cells", {"volume": "", "area_bound": "", "center_x": "", "inertia_xx": "", "leak": ""},
+                {key: row[key] for key in ("volume", "area_bound", "center_x", "inertia_xx", "leak")})
 
     result, files = run_json("--backend", "cpu", solid["path"])
     check_equal("exit status", 0, result.returncode)

@@ -17,7 +17,7 @@ mass = MassPropertiesGPU(Input=reader)  # noqa: F821
 # pqApplyBehavior::showData: every port is shown in the view that its hints prefer, and a view is made if there is none.
 controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
 source = mass.SMProxy
-names = ["Center of Mass", "Solids", "Summary", "Faces"]
+names = ["Center of Mass", "Solids", "Summary", "Faces", "Edges"]
 check_equal("ports", names, [source.GetOutputPortName(port) for port in range(source.GetNumberOfOutputPorts())])
 for port, expected in enumerate(("GeometryRepresentation", None, "TextSourceRepresentation", None)):
     shown = controller.ShowInPreferredView(source, port, view.SMProxy)

@@ -56,6 +56,9 @@ check_true("summary", summary.GetNumberOfRows() == 1 and "olume" in summary.GetV
            summary.GetValueByName(0, "Text").ToString())
 faces = servermanager.Fetch(mass, idx=3)
 check_equal("rows of faces", 7, faces.GetNumberOfRows())
+edges = servermanager.Fetch(mass, idx=4)
+check_true("a row for every edge", edges.GetNumberOfRows() >= 12 and edges.GetColumnByName("MaxGap") is not None,
+           str(edges.GetNumberOfRows()))
 
 # A property reaches the filter.
 mass.Density = 1000.0

@@ -1,0 +1,153 @@
+#include "smFacePlans.h"
+
+#include "smSurfaceIntegrator.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+// Faces planned between two reports of progress.
+constexpr std::size_t PlansPerReport = 256;
+// What tolerances are multiplied by until a plan meets its budget, and how often.
+constexpr double LooseningFactor = 1e3;
+constexpr int MostLoosenings = 5;
+
+bool FindClass(const Integrand& integrand, BoundClass& found)
+{
+  switch (integrand.Form)
+  {
+    case Integrand::Kind::VolumeMoment:
+      found = { BoundClass::VolumeMoment, integrand.Degree };
+      return true;
+    case Integrand::Kind::AreaMoment:
+      found = { BoundClass::AreaMoment, integrand.Degree };
+      return true;
+    case Integrand::Kind::VectorArea:
+      found = { BoundClass::VectorArea, 0 };
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The translation of a placement turned back by its rotation.
+std::array<double, 3> GetShift(const std::array<double, 12>& placement)
+{
+  std::array<double, 3> shift{};
+  for (int j = 0; j < 3; ++j)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      shift[j] += placement[4 * i + j] * placement[4 * i + 3];
+    }
+  }
+  return shift;
+}
+}
+
+bool FacePlans::SetIntegrands(const std::vector<Integrand>& integrands, int stripPoints)
+{
+  this->Classes.clear();
+  this->ClassOf.clear();
+  this->Memory.clear();
+  this->Plans.clear();
+  this->StripPoints = stripPoints;
+  for (const Integrand& integrand : integrands)
+  {
+    BoundClass wanted{};
+    if (!FindClass(integrand, wanted))
+    {
+      return false;
+    }
+    auto found = std::find(this->Classes.begin(), this->Classes.end(), wanted);
+    if (found == this->Classes.end())
+    {
+      found = this->Classes.insert(found, wanted);
+    }
+    this->ClassOf.push_back(static_cast<std::size_t>(found - this->Classes.begin()));
+  }
+  return true;
+}
+
+bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vector<CutFacePointer>& faces,
+  const std::function<bool(double)>& progress)
+{
+  for (std::size_t begin = 0; begin < faces.size(); begin += PlansPerReport)
+  {
+    if (progress && !progress(static_cast<double>(begin) / faces.size()))
+    {
+      return false;
+    }
+    const std::size_t end = std::min(begin + PlansPerReport, faces.size());
+    vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end), 4,
+      [&](vtkIdType from, vtkIdType to)
+      {
+        for (vtkIdType i = from; i < to; ++i)
+        {
+          const auto known = this->Memory.find(faces[i]->Source->Id);
+          this->Plans[i] = known != this->Memory.end() && known->second.Request == requests[i]
+            ? known->second.Plan
+            : std::make_shared<const FacePlan>(PlanFace(*faces[i]->Source, faces[i]->Panels, requests[i]));
+        }
+      });
+  }
+  return true;
+}
+
+bool FacePlans::Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFacePointer>& faces,
+  const std::vector<std::size_t>& chosen, bool usePlacements, std::int64_t maximumEvaluations,
+  const std::function<bool(double)>& progress)
+{
+  std::vector<PlanRequest> requests(tasks.size());
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    PlanRequest& request = requests[i];
+    request.Classes = this->Classes;
+    request.Tolerances.assign(this->Classes.size(), std::numeric_limits<double>::max());
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+    {
+      double& tolerance = request.Tolerances[this->ClassOf[k]];
+      tolerance = std::min(tolerance, tasks[i].Tolerances[chosen[k]]);
+    }
+    request.Shift = usePlacements ? GetShift(tasks[i].Placement) : std::array<double, 3>{};
+    request.StripPoints = this->StripPoints;
+  }
+  this->Plans.assign(tasks.size(), nullptr);
+  this->Loosened = false;
+  for (int attempt = 0;; ++attempt)
+  {
+    if (!this->PlanAll(requests, faces, progress))
+    {
+      return false;
+    }
+    std::int64_t evaluations = 0;
+    for (const auto& plan : this->Plans)
+    {
+      evaluations += plan->Evaluations;
+    }
+    if (evaluations <= maximumEvaluations || attempt == MostLoosenings)
+    {
+      break;
+    }
+    this->Loosened = true;
+    for (PlanRequest& request : requests)
+    {
+      for (double& tolerance : request.Tolerances)
+      {
+        tolerance *= LooseningFactor;
+      }
+    }
+  }
+  this->Memory.clear();
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    this->Memory.emplace(faces[i]->Source->Id, Known{ requests[i], this->Plans[i] });
+  }
+  return true;
+}
+}

@@ -1,0 +1,77 @@
+#include "smMassTolerance.h"
+
+#include "smBodyIntegrals.h"
+#include "smMassPropertyNames.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace sm
+{
+namespace
+{
+// No body of volume V has a smaller trace of inertia than the ball: 9/5 (3 / (4 pi))^(2/3) / .. > 0.46 V^(5/3).
+constexpr double LeastInertia = 0.46;
+// The vector area is no result; the leak is made of it, and is to say what the model leaves open, not the quadrature.
+constexpr double VectorAreaFactor = 1e-2;
+}
+
+std::vector<double> ShareTolerance(const MassTolerance& tolerance, vtkTrimmedNURBSModel& model)
+{
+  const double v = GetVolumeScale(model);
+  const double length = std::cbrt(v);
+  const double radius = std::max(GetRadius(model), length);
+  const double inertia = tolerance.Inertia.Get(LeastInertia * v * length * length);
+  const double center = tolerance.Center.Get(length);
+  // Let b, b_i, b_ij be the bounds of V, of first and second moments, and |c| <= radius. The centre's is (b_i + |c| b) / V and
+  // the inertia's at most 2 (b_ij + 2 |c| b_i + |c|^2 b), see NUMERICS 6: no term gets more than half of its tolerance,
+  // and they stay below it together.
+  std::vector<double> tolerances(NumberOfMassIntegrands);
+  tolerances[MassVolume] = std::min(
+    { 0.5 * tolerance.Volume.Get(v), 0.25 * center * v / radius, 0.05 * inertia / (radius * radius) });
+  for (int i = 0; i < 3; ++i)
+  {
+    tolerances[MassFirst + i] = std::min(0.4 * center * v, 0.05 * inertia / radius);
+    tolerances[MassVectorArea + i] = VectorAreaFactor * tolerance.Volume.Get(v) / length;
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    tolerances[MassSecond + i] = 0.1 * inertia;
+  }
+  tolerances[MassArea] = 0.5 * tolerance.Area.Get(GetAreaScale(model));
+  return tolerances;
+}
+
+std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance)
+{
+  const MassProperties& p = row.Properties;
+  // Far away the centre's own digits are coarser than its size allows.
+  const double length = std::max(std::cbrt(p.Volume), 1e-6 * vtkMath::Norm(p.Center.data()));
+  const struct
+  {
+    const char* Name;
+    double Bound;
+    double Scale;
+    const Tolerance& Asked;
+  } quantities[] = { { names::Volume, p.VolumeBound, p.Volume, tolerance.Volume },
+    { names::SurfaceArea, row.AreaBound, row.Area, tolerance.Area },
+    { names::CenterOfMass, p.CenterBound, length, tolerance.Center },
+    { names::VolumeInertia, p.InertiaBound, p.Inertia[0] + p.Inertia[4] + p.Inertia[8], tolerance.Inertia } };
+  std::string unmet;
+  for (const auto& quantity : quantities)
+  {
+    const double scale = std::abs(quantity.Scale);
+    if (std::isfinite(scale) && !(quantity.Bound <= quantity.Asked.Get(scale)))
+    {
+      char text[128];
+      std::snprintf(
+        text, sizeof(text), "%s%s %.1e", unmet.empty() ? "" : ", ", quantity.Name, quantity.Bound / scale);
+      unmet += text;
+    }
+  }
+  return unmet;
+}
+}

@@ -1,0 +1,231 @@
+#include "smShellNesting.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+using Point = ShellMesh::Point;
+
+/// Points asked for their winding number.
+constexpr std::size_t MostSamples = 24;
+/// Triangles longer than this part of the region in question are halved, at most so often.
+constexpr double SampleSpacing = 0.3;
+constexpr int MaximumDepth = 16;
+
+/// A winding number this far from a whole number belongs to a point on the other mesh, or to a mesh with a hole.
+constexpr double WholeNumber = 0.25;
+
+Point Subtract(const Point& a, const Point& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double Dot(const Point& a, const Point& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Point Cross(const Point& a, const Point& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double Norm(const Point& a)
+{
+  return std::sqrt(Dot(a, a));
+}
+
+/// c + x a + y b
+Point Combine(const Point& c, double x, const Point& a, double y, const Point& b)
+{
+  return { c[0] + x * a[0] + y * b[0], c[1] + x * a[1] + y * b[1], c[2] + x * a[2] + y * b[2] };
+}
+
+double GetDistanceToSegment(const Point& p, const Point& a, const Point& b)
+{
+  const Point along = Subtract(b, a);
+  const Point toPoint = Subtract(p, a);
+  const double squared = Dot(along, along);
+  const double x = squared > 0.0 ? std::clamp(Dot(toPoint, along) / squared, 0.0, 1.0) : 0.0;
+  return Norm(Combine(toPoint, -x, along, 0.0, along));
+}
+
+double GetDistance(const Point& p, const std::array<Point, 3>& t)
+{
+  const Point normal = Cross(Subtract(t[1], t[0]), Subtract(t[2], t[0]));
+  const double length = Norm(normal);
+  bool above = length > 0.0;
+  double border = 1e300;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point& a = t[i];
+    const Point& b = t[(i + 1) % 3];
+    above = above && Dot(Cross(Subtract(b, a), Subtract(p, a)), normal) >= 0.0;
+    border = std::min(border, GetDistanceToSegment(p, a, b));
+  }
+  return above ? std::abs(Dot(Subtract(p, t[0]), normal)) / length : border;
+}
+
+/// Solid angle of a triangle seen from p (Van Oosterom and Strackee 1983).
+double GetSolidAngle(const Point& p, const std::array<Point, 3>& t)
+{
+  const Point a = Subtract(t[0], p);
+  const Point b = Subtract(t[1], p);
+  const Point c = Subtract(t[2], p);
+  const double la = Norm(a);
+  const double lb = Norm(b);
+  const double lc = Norm(c);
+  const double below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
+  return 2.0 * std::atan2(Dot(a, Cross(b, c)), below);
+}
+
+double GetLength(const vtkBoundingBox& box)
+{
+  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+}
+}
+
+void ShellMesh::AddTriangle(const std::array<Point, 3>& corners, const std::array<Point, 3>& normals)
+{
+  // A surface that leaves the plane of a chord of length h by the angle a at its ends stands off by about h a / 4 at
+  // most; twice that is assumed.
+  const Point own = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
+  const double area = Norm(own);
+  double longest = 0.0;
+  double sine = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    longest = std::max(longest, Norm(Subtract(corners[(i + 1) % 3], corners[i])));
+    sine = std::max(sine, area > 0.0 ? Norm(Cross(own, normals[i])) / area : 1.0);
+    this->Box.AddPoint(corners[i][0], corners[i][1], corners[i][2]);
+  }
+  this->Triangles.push_back({ corners, 0.5 * longest * std::min(sine, 1.0) });
+}
+
+void ShellMesh::AddSamples(const std::array<Point, 3>& corners, double deviation,
+  const vtkBoundingBox& region, int depth, std::vector<Sample>& samples)
+{
+  vtkBoundingBox own;
+  int longest = 0;
+  double length = -1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    own.AddPoint(corners[i][0], corners[i][1], corners[i][2]);
+    const double side = Norm(Subtract(corners[(i + 1) % 3], corners[i]));
+    longest = side > length ? i : longest;
+    length = std::max(length, side);
+  }
+  if (region.Intersects(own) == 0)
+  {
+    return;
+  }
+  if (length > SampleSpacing * GetLength(region) && depth < MaximumDepth)
+  {
+    const Point& a = corners[longest];
+    const Point& b = corners[(longest + 1) % 3];
+    const Point& c = corners[(longest + 2) % 3];
+    const Point middle = Combine(a, 0.5, Subtract(b, a), 0.0, a);
+    AddSamples({ a, middle, c }, deviation, region, depth + 1, samples);
+    AddSamples({ middle, b, c }, deviation, region, depth + 1, samples);
+    return;
+  }
+  const Point center = Combine(
+    corners[0], 1.0 / 3.0, Subtract(corners[1], corners[0]), 1.0 / 3.0, Subtract(corners[2], corners[0]));
+  if (region.ContainsPoint(center.data()) != 0)
+  {
+    samples.push_back({ center, deviation });
+  }
+}
+
+std::vector<ShellMesh::Sample> ShellMesh::TakeSamples(const vtkBoundingBox& box) const
+{
+  vtkBoundingBox region(this->Box);
+  region.IntersectBox(box);
+  std::vector<Sample> samples;
+  for (const Triangle& triangle : this->Triangles)
+  {
+    AddSamples(triangle.Corners, triangle.Deviation, region, 0, samples);
+  }
+  if (samples.size() > MostSamples)
+  {
+    for (std::size_t i = 0; i < MostSamples; ++i)
+    {
+      samples[i] = samples[(2 * i + 1) * samples.size() / (2 * MostSamples)];
+    }
+    samples.resize(MostSamples);
+  }
+  return samples;
+}
+
+double ShellMesh::GetWindingNumber(const Point& p) const
+{
+  double sum = 0.0;
+  for (const Triangle& triangle : this->Triangles)
+  {
+    sum += GetSolidAngle(p, triangle.Corners);
+  }
+  return sum / (4.0 * vtkMath::Pi());
+}
+
+bool ShellMesh::IsFarFrom(const Sample& sample) const
+{
+  const double rounding = 1e-9 * GetLength(this->Box);
+  return std::none_of(this->Triangles.begin(), this->Triangles.end(),
+    [&](const Triangle& t)
+    { return GetDistance(sample.Position, t.Corners) <= sample.Deviation + t.Deviation + rounding; });
+}
+
+ShellMesh::Place ShellMesh::Find(const ShellMesh& other) const
+{
+  if (this->Box.Intersects(other.Box) == 0)
+  {
+    return Place::Outside;
+  }
+  // A corner outside the other's box by more than its surface may bulge is outside.
+  double bulge = 1e-9 * GetLength(other.Box);
+  for (const Triangle& triangle : other.Triangles)
+  {
+    bulge = std::max(bulge, triangle.Deviation);
+  }
+  vtkBoundingBox inflated(other.Box);
+  inflated.Inflate(bulge);
+  const bool sticksOut = inflated.Contains(this->Box) == 0;
+
+  int inside = 0;
+  int outside = sticksOut ? 1 : 0;
+  int unclear = 0;
+  std::vector<std::pair<Sample, double>> asked;
+  for (const Sample& sample : this->TakeSamples(other.Box))
+  {
+    const double winding = std::abs(other.GetWindingNumber(sample.Position));
+    asked.emplace_back(sample, winding);
+    inside += std::abs(winding - 1.0) < WholeNumber ? 1 : 0;
+    outside += winding < WholeNumber ? 1 : 0;
+    unclear += !(winding < WholeNumber) && !(std::abs(winding - 1.0) < WholeNumber) ? 1 : 0;
+  }
+  if (unclear > 0 || (inside > 0 && outside > 0))
+  {
+    inside = 0;
+    outside = sticksOut ? 1 : 0;
+    unclear = 0;
+    for (const auto& [sample, winding] : asked)
+    {
+      if (other.IsFarFrom(sample))
+      {
+        inside += std::abs(winding - 1.0) < WholeNumber ? 1 : 0;
+        outside += winding < WholeNumber ? 1 : 0;
+        unclear += !(winding < WholeNumber) && !(std::abs(winding - 1.0) < WholeNumber) ? 1 : 0;
+      }
+    }
+  }
+  return inside > 0 && outside > 0     ? Place::Crossing
+    : unclear > 0 || inside == outside ? Place::Unknown
+    : inside > 0                       ? Place::Inside
+                                       : Place::Outside;
+}
+}

@@ -1,0 +1,255 @@
+#include "smShellOrientation.h"
+
+#include "smShellNesting.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <unordered_map>
+
+namespace sm
+{
+namespace
+{
+/// Sets of faces that only grow together.
+class Partition
+{
+public:
+  explicit Partition(std::size_t size)
+    : Parent(size)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+  int Find(int i)
+  {
+    while (this->Parent[i] != i)
+    {
+      this->Parent[i] = this->Parent[this->Parent[i]];
+      i = this->Parent[i];
+    }
+    return i;
+  }
+  void Join(int i, int j)
+  {
+    this->Parent[std::max(this->Find(i), this->Find(j))] = std::min(this->Find(i), this->Find(j));
+  }
+
+private:
+  std::vector<int> Parent;
+};
+
+/// Shell of every face, from 0 in the order of their first faces; their number comes back.
+int FindShells(vtkTrimmedNURBSModel& model, std::vector<int>& shellOfFace)
+{
+  const std::vector<FacePointer>& faces = model.GetFaces();
+  std::vector<int> fileShell(faces.size(), -1);
+  const std::vector<std::vector<int>>& shells = model.GetShells();
+  for (std::size_t s = 0; s < shells.size(); ++s)
+  {
+    for (const int face : shells[s])
+    {
+      if (face >= 0 && face < static_cast<int>(faces.size()))
+      {
+        fileShell[face] = static_cast<int>(s);
+      }
+    }
+  }
+  // Faces joined by an edge within one of the file's shells; what an edge's uses sum to there.
+  Partition parts(faces.size());
+  struct Uses
+  {
+    int Face;
+    int Sum = 0;
+  };
+  std::unordered_map<const Edge*, std::map<int, Uses>> uses;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    for (const Loop& loop : faces[f]->Loops)
+    {
+      for (const Coedge& coedge : loop.Coedges)
+      {
+        if (coedge.Use->Degenerate)
+        {
+          continue;
+        }
+        const auto face = static_cast<int>(f);
+        const auto found = uses[coedge.Use.get()].emplace(fileShell[f], Uses{ face });
+        Uses& use = found.first->second;
+        parts.Join(use.Face, face);
+        use.Sum += faces[f]->Reversed == coedge.Reversed ? 1 : -1;
+      }
+    }
+  }
+  // Shells that close only together.
+  for (const auto& [edge, inShells] : uses)
+  {
+    int open = -1;
+    for (const auto& [shell, use] : inShells)
+    {
+      if (use.Sum != 0)
+      {
+        parts.Join(open < 0 ? use.Face : open, use.Face);
+        open = use.Face;
+      }
+    }
+  }
+  int count = 0;
+  shellOfFace.assign(faces.size(), -1);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    int& first = shellOfFace[parts.Find(static_cast<int>(f))];
+    first = first < 0 ? count++ : first;
+    shellOfFace[f] = first;
+  }
+  return count;
+}
+
+std::vector<ShellMesh> MakeMeshes(vtkPolyData* mesh, const std::vector<int>& shellOfFace, int count)
+{
+  std::vector<ShellMesh> meshes(count);
+  vtkDataArray* faceOfCell =
+    mesh ? mesh->GetCellData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName()) : nullptr;
+  if (!faceOfCell || !mesh->GetPolys() || faceOfCell->GetNumberOfTuples() != mesh->GetNumberOfCells())
+  {
+    return meshes;
+  }
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  const auto corner = [mesh](vtkIdType id)
+  {
+    ShellMesh::Point p;
+    mesh->GetPoints()->GetPoint(id, p.data());
+    return p;
+  };
+  const auto normal = [normals](vtkIdType id)
+  {
+    // Without normals the triangles are taken for flat.
+    ShellMesh::Point n{ 0.0, 0.0, 0.0 };
+    if (normals)
+    {
+      normals->GetTuple(id, n.data());
+    }
+    return n;
+  };
+  // Polygons come after vertices and lines in a polydata's cell data.
+  vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  const auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cells->GetCurrentCell(size, ids);
+    const auto face = static_cast<std::int64_t>(faceOfCell->GetComponent(cell, 0));
+    if (face < 0 || face >= static_cast<std::int64_t>(shellOfFace.size()))
+    {
+      continue;
+    }
+    for (vtkIdType i = 2; i < size; ++i)
+    {
+      meshes[shellOfFace[face]].AddTriangle({ corner(ids[0]), corner(ids[i - 1]), corner(ids[i]) },
+        { normal(ids[0]), normal(ids[i - 1]), normal(ids[i]) });
+    }
+  }
+  return meshes;
+}
+
+/// Number of shells around each shell; a sentence when it cannot be told.
+std::string FindDepths(
+  const std::vector<ShellMesh>& meshes, const std::vector<double>& volumes, std::vector<int>& depths)
+{
+  depths.assign(meshes.size(), 0);
+  if (std::any_of(meshes.begin(), meshes.end(), [](const ShellMesh& m) { return m.IsEmpty(); }))
+  {
+    return "a shell has no display mesh, so that it cannot be told whether it is a void";
+  }
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < meshes.size(); ++j)
+    {
+      const ShellMesh::Place ij = meshes[i].Find(meshes[j]);
+      const ShellMesh::Place ji = meshes[j].Find(meshes[i]);
+      using Place = ShellMesh::Place;
+      if (ij == Place::Crossing || ji == Place::Crossing || (ij == Place::Inside && ji == Place::Inside))
+      {
+        return "two of its shells cross";
+      }
+      if (ij == Place::Unknown || ji == Place::Unknown)
+      {
+        return "two of its shells are so near each other that it cannot be told whether one is a void in the "
+               "other";
+      }
+      // What lies inside encloses less.
+      if ((ij == Place::Inside && !(std::abs(volumes[i]) < std::abs(volumes[j]))) ||
+        (ji == Place::Inside && !(std::abs(volumes[j]) < std::abs(volumes[i]))))
+      {
+        return "a shell inside another one encloses more than it";
+      }
+      depths[i] += ij == Place::Inside ? 1 : 0;
+      depths[j] += ji == Place::Inside ? 1 : 0;
+    }
+  }
+  return {};
+}
+}
+
+ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
+  const std::vector<double>& volume, const std::vector<double>& bound)
+{
+  ShellOrientation result;
+  std::vector<int> shellOfFace;
+  result.Shells = FindShells(model, shellOfFace);
+  if (result.Shells < 2)
+  {
+    return result;
+  }
+  std::vector<double> volumes(result.Shells, 0.0);
+  std::vector<double> bounds(result.Shells, 0.0);
+  for (std::size_t f = 0; f < shellOfFace.size(); ++f)
+  {
+    volumes[shellOfFace[f]] += volume[f];
+    bounds[shellOfFace[f]] += bound[f];
+  }
+  for (int i = 0; i < result.Shells; ++i)
+  {
+    if (!(std::abs(volumes[i]) > bounds[i]))
+    {
+      result.Doubt = "a shell encloses nothing within its bound, so that it has no inside";
+      return result;
+    }
+  }
+  std::vector<int> depths;
+  result.Doubt = FindDepths(MakeMeshes(mesh, shellOfFace, result.Shells), volumes, depths);
+  if (!result.Doubt.empty())
+  {
+    return result;
+  }
+  std::vector<bool> wrong(result.Shells);
+  for (int i = 0; i < result.Shells; ++i)
+  {
+    wrong[i] = (volumes[i] > 0.0) != (depths[i] % 2 == 0);
+    result.Flipped += wrong[i] ? 1 : 0;
+  }
+  if (result.Flipped == result.Shells)
+  {
+    result.InsideOut = true;
+  }
+  else if (result.Flipped > 0)
+  {
+    for (const int shell : shellOfFace)
+    {
+      result.Sides.push_back(wrong[shell] ? -1 : 1);
+    }
+  }
+  return result;
+}
+}
