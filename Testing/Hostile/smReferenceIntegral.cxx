@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
+#include <queue>
 
 namespace smhostile
 {
@@ -12,19 +12,22 @@ namespace
 constexpr int Points = 24;
 // Relative to the integral of |x|^(1 + deg g) |n|: some ten times what extended precision leaves.
 constexpr Real Target = 1e-18L;
-// Width of a cell in which an analytic area would have converged long ago.
-constexpr Real SmallestWidth = 1.0L / 1024.0L;
 constexpr int Packed[3][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 } };
 
 using Values = std::array<Real, NumberOfIntegrals>;
 
 struct Cell
 {
-  const ReferencePatch* Patch;
-  Real Start[2];
-  Real Width;
+  const ReferencePatch* Patch = nullptr;
+  Real Start[2] = { 0.0L, 0.0L };
+  Real Width = 1.0L;
   Values Integral{};
   Values Magnitude{};
+  /// What quartering the cell before changed, a quarter of it; and the largest of it in units of the target.
+  Values Change{};
+  Real Urgency = std::numeric_limits<Real>::infinity();
+
+  bool operator<(const Cell& other) const { return this->Urgency < other.Urgency; }
 };
 
 struct Rule
@@ -205,70 +208,77 @@ void ComputeExtendedGauss(int n, std::vector<Real>& nodes, std::vector<Real>& we
 
 ReferenceIntegrals IntegratePatches(const std::vector<ReferencePatch>& patches, int maximumCells)
 {
-  std::deque<Cell> open;
+  std::priority_queue<Cell> open;
   Values magnitude{};
   for (const ReferencePatch& patch : patches)
   {
-    Cell cell{ &patch, { 0.0L, 0.0L }, 1.0L };
+    Cell cell;
+    cell.Patch = &patch;
     IntegrateCell(cell);
-    open.push_back(cell);
+    open.push(cell);
     for (int k = 0; k < NumberOfIntegrals; ++k)
     {
       magnitude[k] += cell.Magnitude[k];
     }
   }
   ReferenceIntegrals result;
-  int cells = 0;
-  bool areaKnown = true;
-  while (!open.empty())
+  for (int k = 0; k < NumberOfIntegrals; ++k)
   {
-    const Cell cell = open.front();
-    open.pop_front();
-    Values sum{};
+    result.Error[k] = Target * magnitude[k];
+  }
+  for (int cells = 0; !open.empty(); ++cells)
+  {
+    const Cell cell = open.top();
+    open.pop();
+    if (cells >= maximumCells && std::isfinite(cell.Urgency))
+    {
+      // The budget is spent. What quartering changed last is more than what it would change next.
+      for (int k = 0; k < NumberOfIntegrals; ++k)
+      {
+        result.Value[k] += cell.Integral[k];
+        result.Error[k] += cell.Change[k];
+      }
+      continue;
+    }
     Cell quarters[4];
+    Values sum{};
     for (int i = 0; i < 4; ++i)
     {
-      const Real half = 0.5L * cell.Width;
-      quarters[i] = { cell.Patch, { cell.Start[0] + (i & 1) * half, cell.Start[1] + (i >> 1) * half }, half };
+      quarters[i].Patch = cell.Patch;
+      quarters[i].Width = 0.5L * cell.Width;
+      for (int d = 0; d < 2; ++d)
+      {
+        quarters[i].Start[d] = cell.Start[d] + (i >> d & 1) * quarters[i].Width;
+      }
       IntegrateCell(quarters[i]);
       for (int k = 0; k < NumberOfIntegrals; ++k)
       {
         sum[k] += quarters[i].Integral[k];
       }
     }
-    ++cells;
-    bool converged = true;
-    for (int k = 0; k < AreaIntegral; ++k)
-    {
-      converged = converged && std::abs(sum[k] - cell.Integral[k]) <= Target * magnitude[k];
-    }
-    const bool areaConverged =
-      std::abs(sum[AreaIntegral] - cell.Integral[AreaIntegral]) <= Target * magnitude[AreaIntegral];
-    // No ellipse of analyticity at all: the normal vanishes in this cell.
-    areaKnown = areaKnown && (areaConverged || cell.Width > SmallestWidth);
-    converged = converged && (areaConverged || !areaKnown);
-    if (!converged && cells < maximumCells)
-    {
-      open.insert(open.end(), quarters, quarters + 4);
-      continue;
-    }
+    Values change{};
+    Real urgency = 0.0L;
     for (int k = 0; k < NumberOfIntegrals; ++k)
     {
-      const Real change = std::abs(sum[k] - cell.Integral[k]);
-      result.Value[k] += sum[k];
-      result.Error[k] += change;
-      if (change > 10.0L * Target * magnitude[k])
-      {
-        result.Error[k] = std::numeric_limits<Real>::infinity();
-      }
+      change[k] = std::abs(sum[k] - cell.Integral[k]);
+      urgency = std::max(urgency, change[k] / (Target * magnitude[k]));
     }
-  }
-  for (int k = 0; k < NumberOfIntegrals; ++k)
-  {
-    result.Error[k] += Target * magnitude[k];
-    if (!std::isfinite(result.Error[k]))
+    for (Cell& quarter : quarters)
     {
-      result.Value[k] = std::numeric_limits<Real>::quiet_NaN();
+      for (int k = 0; k < NumberOfIntegrals && urgency <= 1.0L; ++k)
+      {
+        result.Value[k] += quarter.Integral[k];
+        result.Error[k] += 0.25L * change[k];
+      }
+      if (urgency > 1.0L)
+      {
+        quarter.Urgency = urgency;
+        for (int k = 0; k < NumberOfIntegrals; ++k)
+        {
+          quarter.Change[k] = 0.25L * change[k];
+        }
+        open.push(quarter);
+      }
     }
   }
   return result;

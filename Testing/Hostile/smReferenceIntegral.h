@@ -46,8 +46,8 @@ void ComputeExtendedGauss(int n, std::vector<Real>& nodes, std::vector<Real>& we
 
 /**
  * Adaptive Gauss with 24 x 24 points on each cell: exact on any cell for the moments of polynomial patches up to degree
- * 9. A cell is quartered until that changes nothing above 1e-18 of the whole. An integral that has not converged after
- * `maximumCells` cells is NaN (the area of a patch whose normal vanishes inside it).
+ * 9. The cell that changes most is quartered until nothing changes above 1e-18 of the whole, or `maximumCells` were
+ * quartered: then the error says what is left (the area of a patch whose normal vanishes inside it).
  */
 ReferenceIntegrals IntegratePatches(const std::vector<ReferencePatch>& patches, int maximumCells);
 
