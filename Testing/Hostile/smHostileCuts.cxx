@@ -200,7 +200,12 @@ Split MakeHoles(Random& random, const std::vector<double> lines[2])
     loop.push_back(curve);
   }
   split.Loops.push_back(loop);
-  if (radius < 0.12 && random.Chance(0.4))
+  if (random.Chance(0.25))
+  {
+    split.Name = "one-edge-hole";
+    split.Loops[0] = { JoinLoop(loop) };
+  }
+  else if (radius < 0.12 && random.Chance(0.4))
   {
     split.Name = "touching-holes";
     const Point2 pivot = corner[0];
@@ -215,6 +220,17 @@ Split MakeHoles(Random& random, const std::vector<double> lines[2])
   }
   return split;
 }
+}
+
+sm::TrimCurve JoinLoop(const std::vector<sm::TrimCurve>& pieces)
+{
+  sm::TrimCurve joined;
+  joined.Breaks = { 0.0 };
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    joined.AppendPiece(i + 1.0, pieces[i].Coefficients.data(), pieces[i].GetDegree(0));
+  }
+  return joined;
 }
 
 double QuantizeParameter(double t)
@@ -259,7 +275,8 @@ sm::EdgeCurve MakeEdgeCurve(const std::function<Point3(double)>& position, doubl
     for (int i = 0; i <= n; ++i)
     {
       const double t = i == n ? high : static_cast<double>(low + (high - low) * nodes[i]);
-      const Point3 point = position(t);
+      const double x = (t - start) / (end - start);
+      const Point3 point = position(t + 4.0 * quality.Lag * x * (1.0 - x) * (end - start));
       rows[i].insert(rows[i].end(), point.begin(), point.end());
     }
     for (int column = 0; column <= n; ++column)

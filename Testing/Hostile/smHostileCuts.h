@@ -50,11 +50,16 @@ struct EdgeQuality
   int Pieces = 4;
   /// Random offset of its control points, a length.
   double Offset = 0.0;
+  /// How far the curve runs ahead of the boundary in the middle, a part of its parameter range.
+  double Lag = 0.0;
 };
 
 /// Interpolates `position` over [start, end] piece by piece.
 sm::EdgeCurve MakeEdgeCurve(const std::function<Point3(double)>& position, double start, double end,
   const EdgeQuality& quality, Random& random);
+
+/// The pieces of a loop as one closed curve: an edge that starts and ends in one vertex.
+sm::TrimCurve JoinLoop(const std::vector<sm::TrimCurve>& pieces);
 
 /// A parameter on a rail: few enough bits that moving the domain is exact.
 double QuantizeParameter(double t);

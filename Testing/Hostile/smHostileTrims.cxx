@@ -18,6 +18,8 @@ struct RailEdges
   std::vector<double> Breaks;
   std::vector<Point3> Vertices;
   std::vector<EdgePointer> Edges;
+  /// Bernstein coefficients of the rail's parameter over each edge's range: every face runs along the edge like this.
+  std::vector<std::vector<std::array<double, 1>>> Progress;
 };
 
 class Trimmer
@@ -27,7 +29,8 @@ public:
   TrimmedSolid Build();
 
 private:
-  EdgeQuality ChooseQuality(bool mayBePoor);
+  EdgeQuality ChooseQuality();
+  std::vector<std::array<double, 1>> ChooseProgress(double start, double end);
   Point3 Displace(const Point3& point);
   void AddBreak(int rail, double t);
   void PlanSheet(const Sheet& sheet);
@@ -97,17 +100,33 @@ Point3 Trimmer::Displace(const Point3& point)
   return result;
 }
 
-EdgeQuality Trimmer::ChooseQuality(bool mayBePoor)
+EdgeQuality Trimmer::ChooseQuality()
 {
   EdgeQuality quality;
   quality.Offset = this->EdgeOffset;
   quality.Pieces = this->Dice.Integer(2, 5);
-  if (this->PoorEdges && mayBePoor && this->Dice.Chance(0.5))
+  if (this->PoorEdges && this->Dice.Chance(0.5))
   {
     quality.Degree = this->Dice.Integer(1, 4);
     quality.Pieces = this->Dice.Integer(1, 2);
+    quality.Lag = this->Dice.Chance(0.3) ? this->Dice.Sign() * this->Dice.LogUniform(1e-9, 0.1) : 0.0;
   }
   return quality;
+}
+
+std::vector<std::array<double, 1>> Trimmer::ChooseProgress(double start, double end)
+{
+  std::vector<double> values = { start, end };
+  for (int i = this->Dice.Chance(0.3) ? this->Dice.Integer(1, 4) : 0; i > 0; --i)
+  {
+    values.push_back(std::clamp(QuantizeParameter(this->Dice.Uniform(start, end)), start, end));
+  }
+  // Sorted coefficients: it never turns back.
+  std::sort(values.begin(), values.end());
+  std::vector<std::array<double, 1>> progress;
+  std::transform(values.begin(), values.end(), std::back_inserter(progress),
+    [](double x) { return std::array<double, 1>{ x }; });
+  return progress;
 }
 
 void Trimmer::AddBreak(int rail, double t)
@@ -168,6 +187,9 @@ void Trimmer::BuildRail(int index)
     edge->StartVertex = result.Vertices[i];
     edge->EndVertex = result.Vertices[i + 1];
     edge->Degenerate = rail.Degenerate;
+    const double start = result.Breaks[i];
+    const double end = result.Breaks[i + 1];
+    const std::vector<std::array<double, 1>> progress = this->ChooseProgress(start, end);
     if (rail.Degenerate)
     {
       edge->Curve.Breaks = { result.Breaks[i] };
@@ -176,12 +198,15 @@ void Trimmer::BuildRail(int index)
     else
     {
       // A closed curve needs pieces, or its chord is a point; a multiple of four meets the quarters' joints.
-      EdgeQuality quality = this->ChooseQuality(true);
+      EdgeQuality quality = this->ChooseQuality();
       quality.Pieces *= rail.Pieces.size() > 1 ? 4 : 1;
-      edge->Curve = MakeEdgeCurve([&rail](double t) { return rail.Evaluate(t); }, result.Breaks[i],
-        result.Breaks[i + 1], quality, this->Dice);
+      const sm::BernsteinPiece<1> along{ progress.data(), static_cast<int>(progress.size()) - 1 };
+      edge->Curve =
+        MakeEdgeCurve([&](double t) { return rail.Evaluate(along.Evaluate((t - start) / (end - start))[0]); },
+          start, end, quality, this->Dice);
     }
     result.Edges.push_back(edge);
+    result.Progress.push_back(progress);
   }
 }
 
@@ -205,17 +230,19 @@ void Trimmer::AddBorder(sm::Loop& loop, const Sheet& sheet, Side side, double fr
     {
       continue;
     }
-    Point2 points[2];
-    for (int k = 0; k < 2; ++k)
+    std::vector<Point2> points;
+    for (const std::array<double, 1>& t : rail.Progress[i])
     {
-      points[k][along] = ends[k];
-      points[k][1 - along] = across;
+      Point2 point;
+      point[along] = t[0];
+      point[1 - along] = across;
+      points.push_back(point);
     }
     sm::Coedge coedge;
     coedge.Use = rail.Edges[i];
     coedge.Reversed = from > to;
     coedge.Curve.Breaks = { ends[0] };
-    coedge.Curve.AppendPiece(ends[1], points, 1);
+    coedge.Curve.AppendPiece(ends[1], points.data(), static_cast<int>(points.size()) - 1);
     coedge.Curve = ToDomain(sheet, coedge.Curve);
     coedges.push_back(coedge);
   }
@@ -244,6 +271,9 @@ EdgePointer Trimmer::MakeCutEdge(
   edge->FileId = this->NextFileId++;
   edge->StartVertex = start;
   edge->EndVertex = end;
+  // Joints of pieces are joints of the edge, so that a closed edge of low degree does not shrink to a point.
+  EdgeQuality quality = this->ChooseQuality();
+  quality.Pieces *= curve.GetNumberOfPieces();
   const sm::TrimCurve onSurface = ToDomain(sheet, curve);
   edge->Curve = MakeEdgeCurve(
     [&](double t)
@@ -253,7 +283,7 @@ EdgePointer Trimmer::MakeCutEdge(
       sheet.Surface.Evaluate(uv[0], uv[1], point.data());
       return point;
     },
-    curve.GetStart(), curve.GetEnd(), this->ChooseQuality(true), this->Dice);
+    curve.GetStart(), curve.GetEnd(), quality, this->Dice);
   return edge;
 }
 

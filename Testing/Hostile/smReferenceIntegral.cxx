@@ -232,11 +232,12 @@ ReferenceIntegrals IntegratePatches(const std::vector<ReferencePatch>& patches, 
     open.pop();
     if (cells >= maximumCells && std::isfinite(cell.Urgency))
     {
-      // The budget is spent. What quartering changed last is more than what it would change next.
+      // The budget is spent. Along a line where the normal vanishes the error falls irregularly: over a finer truth it
+      // was up to 2.1 times the last change.
       for (int k = 0; k < NumberOfIntegrals; ++k)
       {
         result.Value[k] += cell.Integral[k];
-        result.Error[k] += cell.Change[k];
+        result.Error[k] += 8.0L * cell.Change[k];
       }
       continue;
     }
