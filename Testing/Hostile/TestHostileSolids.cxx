@@ -1,7 +1,8 @@
-// TestHostileSolids [--count N] [--first-seed S] [--seed S] [--tolerance T]: random exact solids, no bound exceeded.
+// TestHostileSolids [--count N] [--first-seed S] [--seed S] [--tolerance T] [--perturbation F]: random exact solids, no
+// bound exceeded.
 //
 // Every solid follows from its seed alone, and so does the tolerance of its batch of 50. `--seed S` runs one and prints every
-// comparison. The truth is that of the very doubles that the library gets, see smHostileShape.h.
+// comparison. `--perturbation` multiplies every sample of the shaders, to see the sweep fail. The truth is that of the very doubles that the library gets, see smHostileShape.h.
 #include "smHostileSolid.h"
 
 #include "smMassPropertyNames.h"
@@ -49,6 +50,7 @@ struct Options
   std::uint64_t Count = 300;
   bool Verbose = false;
   double Tolerance = 0.0;
+  double Perturbation = 1.0;
 };
 
 struct Summary
@@ -309,6 +311,10 @@ bool Parse(int argc, char* argv[], Options& options)
     {
       options.Tolerance = std::strtod(argv[i + 1], nullptr);
     }
+    else if (std::strcmp(argv[i], "--perturbation") == 0)
+    {
+      options.Perturbation = std::strtod(argv[i + 1], nullptr);
+    }
     else
     {
       return false;
@@ -323,13 +329,15 @@ int main(int argc, char* argv[])
   Options options;
   if (!Parse(argc, argv, options))
   {
-    std::fprintf(
-      stderr, "usage: TestHostileSolids [--count N] [--first-seed S] [--seed S] [--tolerance T]\n");
+    std::fprintf(stderr,
+      "usage: TestHostileSolids [--count N] [--first-seed S] [--seed S] [--tolerance T] "
+      "[--perturbation F]\n");
     return EXIT_FAILURE;
   }
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   vtkObject::GlobalWarningDisplayOff();
   vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetShaderPerturbation(options.Perturbation);
   Summary summary;
   std::vector<HostileSolid> batch;
   const std::uint64_t end = options.First + options.Count;

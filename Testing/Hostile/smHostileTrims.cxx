@@ -1,142 +1,46 @@
 #include "smHostileTrims.h"
 
 #include "smHostileCuts.h"
+#include "smHostileEdges.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace smhostile
 {
 namespace
 {
-using EdgePointer = std::shared_ptr<const sm::Edge>;
-
-struct RailEdges
-{
-  /// Interior parameters, then also 0 and 1, increasing.
-  std::vector<double> Breaks;
-  std::vector<Point3> Vertices;
-  std::vector<EdgePointer> Edges;
-  /// Bernstein coefficients of the rail's parameter over each edge's range: every face runs along the edge like this.
-  std::vector<std::vector<std::array<double, 1>>> Progress;
-};
-
 class Trimmer
 {
 public:
-  Trimmer(const Shape& shape, bool insideOut, Random& random);
+  Trimmer(const Shape& shape, bool insideOut, Random& random)
+    : Source(shape)
+    , InsideOut(insideOut)
+    , Dice(random)
+    , Edges(shape, random)
+  {
+  }
   TrimmedSolid Build();
 
 private:
-  EdgeQuality ChooseQuality();
-  std::vector<std::array<double, 1>> ChooseProgress(double start, double end);
-  Point3 Displace(const Point3& point);
-  void AddBreak(int rail, double t);
   void PlanSheet(const Sheet& sheet);
-  void BuildRail(int rail);
-  Point3 GetVertex(int rail, double t) const;
-
   void AddBorder(sm::Loop& loop, const Sheet& sheet, Side side, double from, double to) const;
   void AddCut(sm::Loop& loop, const Sheet& sheet, const EdgePointer& edge, const sm::TrimCurve& curve,
     bool reversed) const;
-  EdgePointer MakeCutEdge(
-    const Sheet& sheet, const sm::TrimCurve& curve, const Point3& start, const Point3& end);
   sm::Loop MakeFrame(const Sheet& sheet) const;
-  void BuildSheet(std::size_t index);
+  void BuildSheet(const Sheet& sheet, const Split& split);
+  void BuildCorner(const Sheet& sheet, const sm::TrimCurve& curve, bool low);
+  void BuildColumns(const Sheet& sheet, const std::vector<sm::TrimCurve>& curves);
   void BuildHoles(const Sheet& sheet, const Split& split);
   void AddFace(const Sheet& sheet, std::vector<sm::Loop> loops);
 
   const Shape& Source;
   bool InsideOut;
   Random& Dice;
-  std::vector<Point3> Corners;
-  std::vector<RailEdges> Rails;
+  SharedEdges Edges;
   std::vector<Split> Splits;
-  double VertexOffset = 0.0;
-  double EdgeOffset = 0.0;
-  bool PoorEdges = false;
-  int NextFileId = 1;
   TrimmedSolid Result;
 };
-
-/// The same curve in the surface's (u,v).
-sm::TrimCurve ToDomain(const Sheet& sheet, sm::TrimCurve curve)
-{
-  for (Point2& p : curve.Coefficients)
-  {
-    for (int d = 0; d < 2; ++d)
-    {
-      p[d] = sheet.Low[d] + sheet.Width[d] * p[d];
-    }
-  }
-  return curve;
-}
-
-Trimmer::Trimmer(const Shape& shape, bool insideOut, Random& random)
-  : Source(shape)
-  , InsideOut(insideOut)
-  , Dice(random)
-  , Rails(shape.Rails.size())
-{
-  if (random.Chance(0.5))
-  {
-    this->VertexOffset = shape.Size * random.LogUniform(1e-12, 1e-3);
-  }
-  this->PoorEdges = random.Chance(0.5);
-  if (random.Chance(0.3))
-  {
-    this->EdgeOffset = shape.Size * random.LogUniform(1e-9, 1e-1);
-  }
-}
-
-Point3 Trimmer::Displace(const Point3& point)
-{
-  Point3 result = point;
-  for (double& x : result)
-  {
-    x += this->VertexOffset * this->Dice.Uniform(-1.0, 1.0);
-  }
-  return result;
-}
-
-EdgeQuality Trimmer::ChooseQuality()
-{
-  EdgeQuality quality;
-  quality.Offset = this->EdgeOffset;
-  quality.Pieces = this->Dice.Integer(2, 5);
-  if (this->PoorEdges && this->Dice.Chance(0.5))
-  {
-    quality.Degree = this->Dice.Integer(1, 4);
-    quality.Pieces = this->Dice.Integer(1, 2);
-    quality.Lag = this->Dice.Chance(0.3) ? this->Dice.Sign() * this->Dice.LogUniform(1e-9, 0.1) : 0.0;
-  }
-  return quality;
-}
-
-std::vector<std::array<double, 1>> Trimmer::ChooseProgress(double start, double end)
-{
-  std::vector<double> values = { start, end };
-  for (int i = this->Dice.Chance(0.3) ? this->Dice.Integer(1, 4) : 0; i > 0; --i)
-  {
-    values.push_back(std::clamp(QuantizeParameter(this->Dice.Uniform(start, end)), start, end));
-  }
-  // Sorted coefficients: it never turns back.
-  std::sort(values.begin(), values.end());
-  std::vector<std::array<double, 1>> progress;
-  std::transform(values.begin(), values.end(), std::back_inserter(progress),
-    [](double x) { return std::array<double, 1>{ x }; });
-  return progress;
-}
-
-void Trimmer::AddBreak(int rail, double t)
-{
-  std::vector<double>& breaks = this->Rails[rail].Breaks;
-  if (t > 0.0 && t < 1.0 && std::find(breaks.begin(), breaks.end(), t) == breaks.end())
-  {
-    breaks.push_back(t);
-  }
-}
 
 void Trimmer::PlanSheet(const Sheet& sheet)
 {
@@ -159,67 +63,16 @@ void Trimmer::PlanSheet(const Sheet& sheet)
     const Point2& end = curve.GetEndPoint();
     const bool low = split.How == Split::Kind::LowCorner;
     const bool high = split.How == Split::Kind::HighCorner;
-    this->AddBreak(sheet.Sides[high ? TOP : BOTTOM], start[0]);
-    this->AddBreak(sheet.Sides[low ? LEFT : high ? RIGHT : TOP], low || high ? end[1] : end[0]);
+    this->Edges.AddBreak(sheet.Sides[high ? TOP : BOTTOM], start[0]);
+    this->Edges.AddBreak(sheet.Sides[low ? LEFT : high ? RIGHT : TOP], low || high ? end[1] : end[0]);
   }
   this->Splits.push_back(split);
   this->Result.Description += " " + split.Name;
 }
 
-void Trimmer::BuildRail(int index)
-{
-  const Rail& rail = this->Source.Rails[index];
-  RailEdges& result = this->Rails[index];
-  result.Breaks.push_back(0.0);
-  result.Breaks.push_back(1.0);
-  std::sort(result.Breaks.begin(), result.Breaks.end());
-  for (const double t : result.Breaks)
-  {
-    result.Vertices.push_back(t == 0.0 || rail.Degenerate ? this->Corners[rail.StartVertex]
-        : t == 1.0                                        ? this->Corners[rail.EndVertex]
-                                                          : this->Displace(rail.Evaluate(t)));
-  }
-  for (std::size_t i = 0; i + 1 < result.Breaks.size(); ++i)
-  {
-    auto edge = std::make_shared<sm::Edge>();
-    edge->Id = sm::NewId();
-    edge->FileId = this->NextFileId++;
-    edge->StartVertex = result.Vertices[i];
-    edge->EndVertex = result.Vertices[i + 1];
-    edge->Degenerate = rail.Degenerate;
-    const double start = result.Breaks[i];
-    const double end = result.Breaks[i + 1];
-    const std::vector<std::array<double, 1>> progress = this->ChooseProgress(start, end);
-    if (rail.Degenerate)
-    {
-      edge->Curve.Breaks = { result.Breaks[i] };
-      edge->Curve.AppendPiece(result.Breaks[i + 1], &edge->StartVertex, 0);
-    }
-    else
-    {
-      // A closed curve needs pieces, or its chord is a point; a multiple of four meets the quarters' joints.
-      EdgeQuality quality = this->ChooseQuality();
-      quality.Pieces *= rail.Pieces.size() > 1 ? 4 : 1;
-      const sm::BernsteinPiece<1> along{ progress.data(), static_cast<int>(progress.size()) - 1 };
-      edge->Curve =
-        MakeEdgeCurve([&](double t) { return rail.Evaluate(along.Evaluate((t - start) / (end - start))[0]); },
-          start, end, quality, this->Dice);
-    }
-    result.Edges.push_back(edge);
-    result.Progress.push_back(progress);
-  }
-}
-
-Point3 Trimmer::GetVertex(int rail, double t) const
-{
-  const RailEdges& edges = this->Rails[rail];
-  const auto at = std::find(edges.Breaks.begin(), edges.Breaks.end(), t);
-  return edges.Vertices[at - edges.Breaks.begin()];
-}
-
 void Trimmer::AddBorder(sm::Loop& loop, const Sheet& sheet, Side side, double from, double to) const
 {
-  const RailEdges& rail = this->Rails[sheet.Sides[side]];
+  const RailEdges& rail = this->Edges.GetRail(sheet.Sides[side]);
   const int along = side == BOTTOM || side == TOP ? 0 : 1;
   const double across = side == RIGHT || side == TOP ? 1.0 : 0.0;
   std::vector<sm::Coedge> coedges;
@@ -263,30 +116,6 @@ void Trimmer::AddCut(sm::Loop& loop, const Sheet& sheet, const EdgePointer& edge
   loop.Coedges.push_back(coedge);
 }
 
-EdgePointer Trimmer::MakeCutEdge(
-  const Sheet& sheet, const sm::TrimCurve& curve, const Point3& start, const Point3& end)
-{
-  auto edge = std::make_shared<sm::Edge>();
-  edge->Id = sm::NewId();
-  edge->FileId = this->NextFileId++;
-  edge->StartVertex = start;
-  edge->EndVertex = end;
-  // Joints of pieces are joints of the edge, so that a closed edge of low degree does not shrink to a point.
-  EdgeQuality quality = this->ChooseQuality();
-  quality.Pieces *= curve.GetNumberOfPieces();
-  const sm::TrimCurve onSurface = ToDomain(sheet, curve);
-  edge->Curve = MakeEdgeCurve(
-    [&](double t)
-    {
-      const Point2 uv = onSurface.Evaluate(t);
-      Point3 point;
-      sheet.Surface.Evaluate(uv[0], uv[1], point.data());
-      return point;
-    },
-    curve.GetStart(), curve.GetEnd(), quality, this->Dice);
-  return edge;
-}
-
 sm::Loop Trimmer::MakeFrame(const Sheet& sheet) const
 {
   sm::Loop loop;
@@ -301,7 +130,7 @@ void Trimmer::AddFace(const Sheet& sheet, std::vector<sm::Loop> loops)
 {
   auto face = std::make_shared<sm::Face>();
   face->Id = sm::NewId();
-  face->FileId = this->NextFileId++;
+  face->FileId = this->Edges.NewFileId();
   face->Surface = sheet.Surface;
   face->Reversed = sheet.Reversed != this->InsideOut;
   face->Loops = std::move(loops);
@@ -344,7 +173,7 @@ void Trimmer::BuildHoles(const Sheet& sheet, const Split& split)
       const Point2 uv = ToDomain(sheet, curve).GetStartPoint();
       Point3 point;
       sheet.Surface.Evaluate(uv[0], uv[1], point.data());
-      vertices.push_back(this->Displace(point));
+      vertices.push_back(this->Edges.DisplaceVertex(point));
     }
     if (!first.empty())
     {
@@ -357,7 +186,7 @@ void Trimmer::BuildHoles(const Sheet& sheet, const Split& split)
     for (std::size_t i = 0; i < curves.size(); ++i)
     {
       const EdgePointer edge =
-        this->MakeCutEdge(sheet, curves[i], vertices[i], vertices[(i + 1) % curves.size()]);
+        this->Edges.MakeCutEdge(sheet, curves[i], vertices[i], vertices[(i + 1) % curves.size()]);
       this->AddCut(cap, sheet, edge, curves[i], false);
       this->AddCut(hole, sheet, edge, curves[i], true);
     }
@@ -368,71 +197,57 @@ void Trimmer::BuildHoles(const Sheet& sheet, const Split& split)
   this->AddFace(sheet, outer);
 }
 
-void Trimmer::BuildSheet(std::size_t index)
+void Trimmer::BuildCorner(const Sheet& sheet, const sm::TrimCurve& curve, bool low)
 {
-  const Sheet& sheet = this->Source.Sheets[index];
-  const Split& split = this->Splits[index];
-  if (split.How == Split::Kind::None)
+  const double a = curve.GetStartPoint()[0];
+  const double b = curve.GetEndPoint()[1];
+  const EdgePointer edge =
+    this->Edges.MakeCutEdge(sheet, curve, this->Edges.GetVertex(sheet.Sides[low ? BOTTOM : TOP], a),
+      this->Edges.GetVertex(sheet.Sides[low ? LEFT : RIGHT], b));
+  sm::Loop corner;
+  sm::Loop rest;
+  if (low)
   {
-    this->AddFace(sheet, { this->MakeFrame(sheet) });
-    return;
+    this->AddBorder(corner, sheet, BOTTOM, 0.0, a);
+    this->AddCut(corner, sheet, edge, curve, false);
+    this->AddBorder(corner, sheet, LEFT, b, 0.0);
+    this->AddBorder(rest, sheet, BOTTOM, a, 1.0);
+    this->AddBorder(rest, sheet, RIGHT, 0.0, 1.0);
+    this->AddBorder(rest, sheet, TOP, 1.0, 0.0);
+    this->AddBorder(rest, sheet, LEFT, 1.0, b);
   }
-  if (split.How == Split::Kind::Holes)
+  else
   {
-    this->BuildHoles(sheet, split);
-    return;
+    this->AddBorder(corner, sheet, TOP, 1.0, a);
+    this->AddCut(corner, sheet, edge, curve, false);
+    this->AddBorder(corner, sheet, RIGHT, b, 1.0);
+    this->AddBorder(rest, sheet, TOP, a, 0.0);
+    this->AddBorder(rest, sheet, LEFT, 1.0, 0.0);
+    this->AddBorder(rest, sheet, BOTTOM, 0.0, 1.0);
+    this->AddBorder(rest, sheet, RIGHT, 0.0, b);
   }
-  if (split.How != Split::Kind::Columns)
-  {
-    const bool low = split.How == Split::Kind::LowCorner;
-    const sm::TrimCurve& curve = split.Curves[0];
-    const double a = curve.GetStartPoint()[0];
-    const double b = curve.GetEndPoint()[1];
-    const EdgePointer edge =
-      this->MakeCutEdge(sheet, curve, this->GetVertex(sheet.Sides[low ? BOTTOM : TOP], a),
-        this->GetVertex(sheet.Sides[low ? LEFT : RIGHT], b));
-    sm::Loop corner;
-    sm::Loop rest;
-    if (low)
-    {
-      this->AddBorder(corner, sheet, BOTTOM, 0.0, a);
-      this->AddCut(corner, sheet, edge, curve, false);
-      this->AddBorder(corner, sheet, LEFT, b, 0.0);
-      this->AddBorder(rest, sheet, BOTTOM, a, 1.0);
-      this->AddBorder(rest, sheet, RIGHT, 0.0, 1.0);
-      this->AddBorder(rest, sheet, TOP, 1.0, 0.0);
-      this->AddBorder(rest, sheet, LEFT, 1.0, b);
-    }
-    else
-    {
-      this->AddBorder(corner, sheet, TOP, 1.0, a);
-      this->AddCut(corner, sheet, edge, curve, false);
-      this->AddBorder(corner, sheet, RIGHT, b, 1.0);
-      this->AddBorder(rest, sheet, TOP, a, 0.0);
-      this->AddBorder(rest, sheet, LEFT, 1.0, 0.0);
-      this->AddBorder(rest, sheet, BOTTOM, 0.0, 1.0);
-      this->AddBorder(rest, sheet, RIGHT, 0.0, b);
-    }
-    this->AddCut(rest, sheet, edge, curve, true);
-    this->AddFace(sheet, { corner });
-    this->AddFace(sheet, { rest });
-    return;
-  }
-  const std::size_t count = split.Curves.size();
+  this->AddCut(rest, sheet, edge, curve, true);
+  this->AddFace(sheet, { corner });
+  this->AddFace(sheet, { rest });
+}
+
+void Trimmer::BuildColumns(const Sheet& sheet, const std::vector<sm::TrimCurve>& curves)
+{
+  const std::size_t count = curves.size();
   std::vector<EdgePointer> edges;
-  for (const sm::TrimCurve& curve : split.Curves)
+  for (const sm::TrimCurve& curve : curves)
   {
-    edges.push_back(
-      this->MakeCutEdge(sheet, curve, this->GetVertex(sheet.Sides[BOTTOM], curve.GetStartPoint()[0]),
-        this->GetVertex(sheet.Sides[TOP], curve.GetEndPoint()[0])));
+    edges.push_back(this->Edges.MakeCutEdge(sheet, curve,
+      this->Edges.GetVertex(sheet.Sides[BOTTOM], curve.GetStartPoint()[0]),
+      this->Edges.GetVertex(sheet.Sides[TOP], curve.GetEndPoint()[0])));
   }
   for (std::size_t i = 0; i <= count; ++i)
   {
     sm::Loop loop;
-    const double low[2] = { i == 0 ? 0.0 : split.Curves[i - 1].GetStartPoint()[0],
-      i == 0 ? 0.0 : split.Curves[i - 1].GetEndPoint()[0] };
-    const double high[2] = { i == count ? 1.0 : split.Curves[i].GetStartPoint()[0],
-      i == count ? 1.0 : split.Curves[i].GetEndPoint()[0] };
+    const double low[2] = { i == 0 ? 0.0 : curves[i - 1].GetStartPoint()[0],
+      i == 0 ? 0.0 : curves[i - 1].GetEndPoint()[0] };
+    const double high[2] = { i == count ? 1.0 : curves[i].GetStartPoint()[0],
+      i == count ? 1.0 : curves[i].GetEndPoint()[0] };
     if (low[0] < high[0])
     {
       this->AddBorder(loop, sheet, BOTTOM, low[0], high[0]);
@@ -443,7 +258,7 @@ void Trimmer::BuildSheet(std::size_t index)
     }
     else
     {
-      this->AddCut(loop, sheet, edges[i], split.Curves[i], false);
+      this->AddCut(loop, sheet, edges[i], curves[i], false);
     }
     if (low[1] < high[1])
     {
@@ -455,18 +270,34 @@ void Trimmer::BuildSheet(std::size_t index)
     }
     else
     {
-      this->AddCut(loop, sheet, edges[i - 1], split.Curves[i - 1], true);
+      this->AddCut(loop, sheet, edges[i - 1], curves[i - 1], true);
     }
     this->AddFace(sheet, { loop });
   }
 }
 
+void Trimmer::BuildSheet(const Sheet& sheet, const Split& split)
+{
+  switch (split.How)
+  {
+    case Split::Kind::None:
+      this->AddFace(sheet, { this->MakeFrame(sheet) });
+      break;
+    case Split::Kind::Holes:
+      this->BuildHoles(sheet, split);
+      break;
+    case Split::Kind::Columns:
+      this->BuildColumns(sheet, split.Curves);
+      break;
+    case Split::Kind::LowCorner:
+    case Split::Kind::HighCorner:
+      this->BuildCorner(sheet, split.Curves[0], split.How == Split::Kind::LowCorner);
+      break;
+  }
+}
+
 TrimmedSolid Trimmer::Build()
 {
-  for (const Point3& vertex : this->Source.Vertices)
-  {
-    this->Corners.push_back(this->Displace(vertex));
-  }
   if (this->Dice.Chance(0.05))
   {
     // No trim at all: the sheets close by themselves.
@@ -479,19 +310,12 @@ TrimmedSolid Trimmer::Build()
   }
   std::for_each(this->Source.Sheets.begin(), this->Source.Sheets.end(),
     [this](const Sheet& sheet) { this->PlanSheet(sheet); });
-  for (std::size_t i = 0; i < this->Rails.size(); ++i)
-  {
-    this->BuildRail(static_cast<int>(i));
-  }
+  this->Edges.BuildRails();
   for (std::size_t i = 0; i < this->Source.Sheets.size(); ++i)
   {
-    this->BuildSheet(i);
+    this->BuildSheet(this->Source.Sheets[i], this->Splits[i]);
   }
-  char text[96];
-  std::snprintf(text, sizeof(text), "; edges off %.0e%s, vertices off %.0e (of the size)",
-    this->EdgeOffset / this->Source.Size, this->PoorEdges ? " and poor" : "",
-    this->VertexOffset / this->Source.Size);
-  this->Result.Description += text;
+  this->Result.Description += this->Edges.Describe();
   return this->Result;
 }
 }
