@@ -1,8 +1,9 @@
 // TestHostileSolids [--count N] [--first-seed S] [--seed S] [--tolerance T] [--perturbation F]: random exact solids, no
 // bound exceeded.
 //
-// Every solid follows from its seed alone, and so does the tolerance of its batch of 50. `--seed S` runs one and prints every
-// comparison. `--perturbation` multiplies every sample of the shaders, to see the sweep fail. The truth is that of the very doubles that the library gets, see smHostileShape.h.
+// Every solid follows from its seed alone, and so does the tolerance of its batch of 50. `--seed S` runs one and prints
+// every comparison. `--perturbation` multiplies every sample of the shaders, to see the sweep fail. The truth is that of
+// the very doubles that the library gets, see smHostileShape.h.
 #include "smHostileSolid.h"
 
 #include "smMassPropertyNames.h"
