@@ -70,6 +70,28 @@ std::string CheckTolerance(const std::string& text)
   return value > 0.0 && value <= 1.0 ? "" : "the tolerance must be a number above 0, at most 1";
 }
 
+std::string CheckQuantityTolerance(const std::string& text)
+{
+  std::string quantity;
+  double relative = 0.0;
+  double absolute = 0.0;
+  return sm::ParseQuantityTolerance(text, quantity, relative, absolute)
+    ? ""
+    : text + " is no tolerance of a quantity; write for example volume=1e-6 or center=0,1e-3";
+}
+
+std::string CheckEvaluations(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value >= 1.0 && value <= 1e18 ? "" : "the number of evaluations must be at least 1, at most 1e18";
+}
+
+std::string CheckSeconds(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value >= 0.0 && value < 1e300 ? "" : "the seconds must be a number that is not negative";
+}
+
 std::string CheckDensity(const std::string& text)
 {
   const double value = ParseNumber(text);
@@ -95,6 +117,27 @@ void Declare(CLI::App& app, sm::Arguments& arguments)
       "Tolerance of every result, relative to the size of the solid (default 1e-9)")
     ->type_name("NUMBER")
     ->check(CheckTolerance);
+  app
+    .add_option("--tolerance-of", arguments.Job.QuantityTolerances,
+      "Tolerance of one quantity, volume, area, center or inertia: relative (0:\n"
+      "that of --tolerance), or relative and absolute, of which the larger\n"
+      "counts; may be given several times: --tolerance-of center=0,1e-6")
+    ->type_name("NAME=REL[,ABS]")
+    ->check(CheckQuantityTolerance)
+    ->take_all()
+    ->expected(1);
+  app
+    .add_option("--max-evaluations", arguments.Job.MaximumEvaluations,
+      "Most surface evaluations of a file (default 2e9); where that is too few,\n"
+      "the tolerance is loosened and the bounds say by how much")
+    ->type_name("NUMBER")
+    ->check(CheckEvaluations);
+  app
+    .add_option("--max-seconds", arguments.Job.MaximumSeconds,
+      "Most seconds to integrate a file (default: no limit); faces not reached\n"
+      "count as 0, and the bounds hold what they may be")
+    ->type_name("NUMBER")
+    ->check(CheckSeconds);
   app
     .add_option("--unit", arguments.Job.Unit,
       "Length unit of all results: mm (default), cm, m, um, inch, ft; or file:\n"

@@ -23,6 +23,7 @@
 #include "vtkVariant.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 
 namespace
@@ -254,11 +255,45 @@ bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobLis
   return reader->GetStatus() == vtkSTEPReader::OK;
 }
 
+/// The text was checked when the arguments were parsed.
+void SetQuantityTolerance(vtkMassPropertiesGPU* filter, const std::string& text)
+{
+  std::string quantity;
+  double relative = 0.0;
+  double absolute = 0.0;
+  if (!sm::ParseQuantityTolerance(text, quantity, relative, absolute))
+  {
+    return;
+  }
+  if (quantity == "volume")
+  {
+    filter->SetVolumeTolerance(relative, absolute);
+  }
+  else if (quantity == "area")
+  {
+    filter->SetSurfaceAreaTolerance(relative, absolute);
+  }
+  else if (quantity == "center")
+  {
+    filter->SetCenterOfMassTolerance(relative, absolute);
+  }
+  else
+  {
+    filter->SetInertiaTolerance(relative, absolute);
+  }
+}
+
 vtkSmartPointer<vtkMassPropertiesGPU> MakeFilter(vtkSTEPReader* reader, const sm::JobOptions& options)
 {
   auto filter = vtkSmartPointer<vtkMassPropertiesGPU>::New();
   filter->SetInputConnection(reader->GetOutputPort());
   filter->SetRelativeTolerance(options.Tolerance);
+  for (const std::string& text : options.QuantityTolerances)
+  {
+    SetQuantityTolerance(filter, text);
+  }
+  filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));
+  filter->SetMaximumSeconds(options.MaximumSeconds);
   filter->SetDensity(options.Density);
   filter->SetBackend(options.Backend == "auto" ? vtkMassPropertiesGPU::AUTOMATIC
       : options.Backend == "cpu"               ? vtkMassPropertiesGPU::CPU
@@ -340,6 +375,34 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
 
 namespace sm
 {
+bool ParseQuantityTolerance(
+  const std::string& text, std::string& quantity, double& relative, double& absolute)
+{
+  const std::string::size_type equals = text.find('=');
+  if (equals == std::string::npos)
+  {
+    return false;
+  }
+  quantity = text.substr(0, equals);
+  if (quantity != "volume" && quantity != "area" && quantity != "center" && quantity != "inertia")
+  {
+    return false;
+  }
+  const std::string numbers = text.substr(equals + 1);
+  char* end = nullptr;
+  relative = std::strtod(numbers.c_str(), &end);
+  bool well = end != numbers.c_str();
+  absolute = 0.0;
+  if (well && *end == ',')
+  {
+    const char* second = end + 1;
+    absolute = std::strtod(second, &end);
+    well = end != second;
+  }
+  return well && *end == '\0' && relative >= 0.0 && relative <= 1.0 && absolute >= 0.0 &&
+    std::isfinite(absolute);
+}
+
 void RunFileJob(const JobOptions& options, const JobListener& tell)
 {
   // A result that was told stands, whatever happens to the picture.

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace sm
 {
@@ -19,7 +20,11 @@ struct JobOptions
   std::string Unit = "mm"; ///< length unit of all results, or "file"
   std::string Backend = "auto";
   double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
-  double Density = 0.0;    ///< kg/m^3; 0: what the file states
+  /// Of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see vtkMassPropertiesGPU.
+  std::vector<std::string> QuantityTolerances;
+  double MaximumEvaluations = 2e9;
+  double MaximumSeconds = 0.0;
+  double Density = 0.0; ///< kg/m^3; 0: what the file states
 };
 
 /// Takes what a job has to say, one of
@@ -30,6 +35,10 @@ using JobListener = std::function<void(const Json&)>;
 
 /// Runs the whole job in this process: see smIsolatedJob.h for why that should be a child. Never throws.
 void RunFileJob(const JobOptions& options, const JobListener& tell);
+
+/// One of QuantityTolerances taken apart; false when it is not well formed.
+bool ParseQuantityTolerance(
+  const std::string& text, std::string& quantity, double& relative, double& absolute);
 
 /// The entry of a file that could not be read: every key is there, every value null.
 Json UnreadableFile(const std::string& fileName, const std::string& message);

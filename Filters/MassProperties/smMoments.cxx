@@ -331,7 +331,8 @@ MassProperties ComputeMassProperties(const Moments& moments)
     const double low = std::sqrt(std::max(0.0, (std::abs(lambda) - e) / (std::abs(v) + b)));
     const double high = std::sqrt((std::abs(lambda) + e) / (std::abs(v) - b));
     const double error = std::max(high - result.Gyration[i], result.Gyration[i] - low);
-    result.GyrationBound = error <= result.GyrationBound ? result.GyrationBound : error;
+    // Not std::max, which loses a NaN; nor one that is already there.
+    result.GyrationBound = error > result.GyrationBound || std::isnan(error) ? error : result.GyrationBound;
   }
   return result;
 }

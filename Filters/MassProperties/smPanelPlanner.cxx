@@ -18,7 +18,7 @@ constexpr std::size_t MostParts = 128;
 // A higher exact order costs more than the one that a bound asks for.
 constexpr int LargestExactOrder = 10;
 // Orders of a compared panel; the second evaluation has twice as many.
-constexpr int LeastCompared = 8;
+constexpr int LeastCompared = 4;
 constexpr int MostCompared = 15;
 }
 
@@ -191,14 +191,15 @@ double PanelPlanner::GetError(std::size_t integrand, int along, int across) cons
     this->AlongT.GetError(integrand, along) + this->AcrossXi.GetError(integrand, across));
 }
 
-bool PanelPlanner::FindOrders(double share, int& along, int& across) const
+bool PanelPlanner::FindOrders(double share, bool withArea, int& along, int& across) const
 {
   along = across = 1;
   const std::size_t count = this->Request.Classes.size();
   const auto wanted = [&](std::size_t i)
   {
     const double tolerance = share * this->Request.Tolerances[i];
-    return tolerance > 0.0 && !(2.0 * this->Supremum[i] <= tolerance);
+    return (withArea || this->Request.Classes[i].Kind != BoundClass::AreaMoment) && tolerance > 0.0 &&
+      !(2.0 * this->Supremum[i] <= tolerance);
   };
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -335,7 +336,7 @@ void PanelPlanner::PlanPart(std::uint32_t index, const Part& part)
   const double noise = traits.PolynomialLength ? jacobian * this->Majorants.GetLengthDeviation() : 0.0;
   int along = 1;
   int across = 1;
-  if (this->FindOrders(share, along, across))
+  if (this->FindOrders(share, true, along, across))
   {
     this->Keep(index, part, along, across, false, noise);
     return;
@@ -353,6 +354,8 @@ void PanelPlanner::PlanPart(std::uint32_t index, const Part& part)
     }
     return;
   }
+  // What the moments need; along a kink of the length few points on many parts do best.
+  this->FindOrders(share, false, along, across);
   this->Keep(index, part, std::clamp(along, LeastCompared, MostCompared),
     std::clamp(across, LeastCompared, MostCompared), true, noise);
 }

@@ -41,7 +41,7 @@ private:
   void SetPolynomialOrders(const Patch& patch);
   /// False when larger ellipses will not ask for fewer points.
   bool MayImprove(const DirectionBound& direction, double share);
-  bool FindOrders(double share, int& along, int& across) const;
+  bool FindOrders(double share, bool withArea, int& along, int& across) const;
   double GetError(std::size_t integrand, int along, int across) const;
   int ChooseDirection(const Part& part, double share) const;
   void Keep(std::uint32_t index, const Part& part, int along, int across, bool compared, double noise);

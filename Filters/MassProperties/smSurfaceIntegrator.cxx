@@ -111,7 +111,7 @@ struct SurfaceIntegrator::Internals
     std::vector<FaceIntegrals>& results);
   bool RunItems(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
     std::vector<FaceIntegrals>& results);
-  bool RunPlanned(std::vector<WorkItem>& items);
+  bool RunPlanned(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
   bool RunLevels(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
   bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results);
@@ -315,7 +315,8 @@ bool SurfaceIntegrator::Internals::RunLevels(
   return true;
 }
 
-bool SurfaceIntegrator::Internals::RunPlanned(std::vector<WorkItem>& items)
+bool SurfaceIntegrator::Internals::RunPlanned(
+  std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected)
 {
   std::vector<std::size_t> all(items.size());
   std::vector<std::size_t> compared;
@@ -334,13 +335,29 @@ bool SurfaceIntegrator::Internals::RunPlanned(std::vector<WorkItem>& items)
   {
     return this->FailByRunner();
   }
+  this->ItemsDone += depth == 0 ? items.size() : 0;
+  if (compared.empty())
+  {
+    return true;
+  }
+  // The plan's bounds of everything but the area hold for the parts, too: their ellipses lie in the whole's.
+  const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->MaximumEvaluations;
   for (const std::size_t i : compared)
   {
-    DoubleOrders(items[i]);
+    DoubleOrders(items[i], mayBisect);
   }
-  this->ItemsDone += items.size();
-  return compared.empty() || this->Runner->Run(items, compared, unconverged, this->Evaluations, goOn) ||
-    this->FailByRunner();
+  if (!this->Runner->Run(items, compared, unconverged, this->Evaluations, goOn))
+  {
+    return this->FailByRunner();
+  }
+  for (std::size_t i = 0; i < compared.size(); ++i)
+  {
+    if (mayBisect && unconverged[i] != 0)
+    {
+      bisected.push_back(compared[i]);
+    }
+  }
+  return true;
 }
 
 bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
@@ -351,7 +368,8 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
     return this->FailByRunner();
   }
   std::vector<std::size_t> bisected;
-  const bool ran = this->Planned ? this->RunPlanned(items) : this->RunLevels(items, depth, bisected);
+  const bool ran =
+    this->Planned ? this->RunPlanned(items, depth, bisected) : this->RunLevels(items, depth, bisected);
   if (!ran || !this->Accumulate(items, batch, results))
   {
     return false;
@@ -360,6 +378,10 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
   for (const std::size_t index : bisected)
   {
     BisectItem(items[index], children);
+  }
+  if (this->Planned)
+  {
+    std::for_each(children.begin(), children.end(), HalveOrders);
   }
   return this->RunPortions(children, batch, depth + 1, results);
 }

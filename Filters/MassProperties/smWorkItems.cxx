@@ -86,14 +86,22 @@ void AddPlannedItems(
   }
 }
 
-void DoubleOrders(WorkItem& item)
+void HalveOrders(WorkItem& item)
+{
+  const std::uint32_t detail = item.Work.Detail[0];
+  SetItemOrders(item,
+    { static_cast<int>((detail >> 8) & 255u) / 2, static_cast<int>((detail >> 16) & 255u) / 2, true, true },
+    false);
+}
+
+void DoubleOrders(WorkItem& item, bool mayBisect)
 {
   const std::uint32_t detail = item.Work.Detail[0];
   ++item.Level;
   SetItemOrders(item,
-    { static_cast<int>(2 * ((detail >> 8) & 255u)), static_cast<int>(2 * ((detail >> 16) & 255u)), true,
+    { static_cast<int>(2 * ((detail >> 8) & 255u)), static_cast<int>(2 * ((detail >> 16) & 255u)), false,
       true },
-    false);
+    mayBisect);
 }
 
 Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item)

@@ -60,8 +60,11 @@ void AddItems(const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& it
 void AddPlannedItems(
   const CutFace& face, const FacePlan& plan, std::uint32_t slot, std::vector<WorkItem>& items);
 
-/// Doubles the points of an item that was evaluated, to be compared with its row.
-void DoubleOrders(WorkItem& item);
+/// Doubles the points of an item that was evaluated, to be compared with its row. With `mayBisect` it leaves zeros where it
+/// does not converge.
+void DoubleOrders(WorkItem& item, bool mayBisect);
+/// The other way round, for the parts of such an item.
+void HalveOrders(WorkItem& item);
 
 /// The orders of the item at its level.
 Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item);

@@ -303,9 +303,11 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
     moments = GetMoments(body);
     row.Properties = sm::ComputeMassProperties(moments);
     row.MovedByClosing = std::abs(body.Value[sm::MassVolume] - body.FaceValue[sm::MassVolume]);
-    row.Leak = vtkMath::Norm(body.Value.data() + sm::MassVectorArea) * std::cbrt(moments.Volume) /
-      (3.0 * moments.Volume);
-    if (!body.IsSolid() && !(row.Leak <= LargestLeak))
+    const double perArea = std::cbrt(moments.Volume) / (3.0 * moments.Volume);
+    row.Leak = perArea * vtkMath::Norm(body.Value.data() + sm::MassVectorArea);
+    // What quadrature leaves of the vector area, at a loose tolerance or without convergence, is no hole.
+    const double tight = LargestLeak + perArea * vtkMath::Norm(body.Bound.data() + sm::MassVectorArea);
+    if (!body.IsSolid() && !(row.Leak <= tight))
     {
       // A surface whose border is no edge: a patch without loops.
       body.Flag(sm::names::StatusOpen, "a surface, not a solid: it has an area and no volume");
@@ -313,7 +315,7 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
       row.MovedByClosing = row.Leak = vtkMath::Nan();
       return row;
     }
-    if (body.OpenEdges == 0 && !(row.Leak <= LargestLeak))
+    if (body.OpenEdges == 0 && !(row.Leak <= tight))
     {
       body.Flag(sm::names::StatusSuspect,
         "the faces do not close although every edge is shared: a loop is broken or a face is wrong" +

@@ -64,26 +64,28 @@ inline const Rule& GetRule(int n)
   return rule;
 }
 
+inline Real Power(Real x, int n)
+{
+  Real value = 1;
+  for (; n > 0; --n)
+  {
+    value *= x;
+  }
+  return value;
+}
+
 inline Real Bernstein(int n, int i, Real x)
 {
   if (i < 0 || i > n)
   {
     return 0;
   }
-  Real value = 1;
-  for (int k = 1; k <= i; ++k)
+  Real binomial = 1;
+  for (int k = i; k > 0; --k)
   {
-    value = value * (n - i + k) / k;
+    binomial = binomial * (n - i + k) / k;
   }
-  for (int k = 0; k < i; ++k)
-  {
-    value *= x;
-  }
-  for (int k = i; k < n; ++k)
-  {
-    value *= 1 - x;
-  }
-  return value;
+  return binomial * Power(x, i) * Power(1 - x, n - i);
 }
 
 inline Real Slope(int n, int i, Real x)

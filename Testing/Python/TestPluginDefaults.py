@@ -27,7 +27,12 @@ for file, instance, proxy in (("readers.xml", vtkSTEPReader(), STEPReader()),  #
         if name == "FileName":
             continue
         actual = getattr(instance, "Get" + name)()
-        value = proxy.SMProxy.GetProperty(name).GetElement(0)
+        smproperty = proxy.SMProxy.GetProperty(name)
+        if isinstance(actual, tuple):
+            values = tuple(smproperty.GetElement(i) for i in range(smproperty.GetNumberOfElements()))
+            check_equal(f"{name}: the proxy's defaults are the class's", actual, values)
+            continue
+        value = smproperty.GetElement(0)
         check_equal(f"{name}: the proxy's default is the class's", type(value)(actual), value)
         limits = element.find("DoubleRangeDomain")
         for limit in ("min", "max") if limits is not None else ():
@@ -40,7 +45,6 @@ for file, instance, proxy in (("readers.xml", vtkSTEPReader(), STEPReader()),  #
             check_equal(f"{name}: the class clamps at {limit}", bound, getattr(instance, "Get" + name)())
         # Above a maximum, ParaView 5.11 calls values valid where there is a minimum too, in its own sources as well.
         if limits is not None:
-            smproperty = proxy.SMProxy.GetProperty(name)
             smproperty.SetUncheckedElement(0, 0.0 if float(limits.get("min")) > 0.0 else -1.0)
             check_equal(f"{name}: the domain refuses less than its minimum", 0, smproperty.IsInDomains())
             smproperty.ClearUncheckedElements()

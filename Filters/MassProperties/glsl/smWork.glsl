@@ -65,14 +65,15 @@ bool smFinish(uint index, smWorkRecord work)
   bool converged = true;
   double scale = double(uintBitsToFloat(work.detail.w));
   // Of two orders alone a single difference may be small by chance; the largest relative to its tolerance never was
-  // below the error of any (NUMERICS 3).
+  // below the error of any (NUMERICS 3). What rounding makes of differences is no error of an order.
   double largest = 0.0LF;
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
     double share = scale * smParameter(tolerance + k);
     if (!isFirst && share > 0.0LF && abs(smResults[k]) <= smLargest)
     {
-      largest = max(largest, abs(smResults[k] - smGetRow(row + smValueColumn + k)) / share);
+      double difference = abs(smResults[k] - smGetRow(row + smValueColumn + k));
+      largest = max(largest, (difference - 10.0LF * smNoises[smRoundingOf[k]]) / share);
     }
   }
   for (uint k = 0u; k < smIntegrandCount; ++k)
