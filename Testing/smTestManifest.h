@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
@@ -37,6 +38,7 @@ struct Expected
   double InertiaAccuracy = 0;
   int Solids = 1;
 
+  double GetDistance() const { return std::hypot(this->Center[0], this->Center[1], this->Center[2]); }
   double GetInertiaTrace() const { return this->Inertia[0] + this->Inertia[4] + this->Inertia[8]; }
 };
 

@@ -1,6 +1,7 @@
 #include "smExactSolids.h"
 
 #include "smExactSpline.h"
+#include "smRationalBlock.h"
 
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
@@ -39,18 +40,6 @@ TopoDS_Shape FirstSolid(const TopoDS_Shape& shape)
 {
   TopExp_Explorer explorer(shape, TopAbs_SOLID);
   return explorer.More() ? explorer.Current() : TopoDS_Shape();
-}
-
-ExactSolid MakeExactSolid(const TopoDS_Shape& shape, const ExactMoments& moments, bool convertsExactly)
-{
-  ExactSolid solid;
-  solid.Shape = shape;
-  solid.Moments = moments;
-  solid.ConvertsExactly = convertsExactly;
-  Bnd_Box box;
-  BRepBndLib::AddOptimal(shape, box, false, false);
-  solid.Size = std::sqrt(box.SquareExtent());
-  return solid;
 }
 
 ExactSolid MakeBlockWithHole()
@@ -147,8 +136,15 @@ ExactSolid MakeWavyPlate()
   const Handle(Geom_BSplineSurface) surface =
     new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 3, 3);
   const TopoDS_Shape face = BRepBuilderAPI_MakeFace(surface, 1e-7);
-  return MakeExactSolid(
-    BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, 6.0)).Shape(), ExtrudedGraph(30, 24, heights, 6), false);
+  ExactMoments moments = ExtrudedGraph(30, 24, heights, 6);
+  moments.Area = IntegrateBlock(
+    MakeBlock({ 3, 3, 1 },
+      [&](double u, double v, double w)
+      {
+        const double height = heights[std::lround(3 * u)][std::lround(3 * v)];
+        return std::array<double, 3>{ 30 * u, 24 * v, height + 6 * w };
+      })).Area;
+  return MakeExactSolid(BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, 6.0)).Shape(), moments, false);
 }
 
 /// Rotation of the quaternion w + xi + yj + zk.
@@ -159,6 +155,18 @@ Matrix MakeRotation(Real w, Real x, Real y, Real z)
     { 2 * (x * y + w * z) / n, (w * w - x * x + y * y - z * z) / n, 2 * (y * z - w * x) / n },
     { 2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n } } };
 }
+}
+
+ExactSolid MakeExactSolid(const TopoDS_Shape& shape, const ExactMoments& moments, bool convertsExactly)
+{
+  ExactSolid solid;
+  solid.Shape = shape;
+  solid.Moments = moments;
+  solid.ConvertsExactly = convertsExactly;
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(shape, box, false, false);
+  solid.Size = std::sqrt(box.SquareExtent());
+  return solid;
 }
 
 const std::vector<NamedSolid>& GetExactSolids()
@@ -232,8 +240,14 @@ std::vector<Variant> GetVariants(const ExactSolid& solid)
     row[0] = -row[0];
   }
   mirrored.Translation = { 0, 5, 3 };
+  // The scales are doubles, as the transformation has them.
+  add("tiny").Move.Scale = 1e-3 / solid.Size;
+  add("huge").Move.Scale = 1e5 / solid.Size;
+  add("reversed").Reversed = true;
   Placement& far = add("far").Move;
   far.Translation = { 1e5L, -1e5L, 0.5e5L };
+  const double sizes = std::round(1e5 * solid.Size);
+  add("distant").Move.Translation = { sizes, -sizes, 0.5L * sizes };
   add("inch").Unit = "INCH";
   return variants;
 }
