@@ -198,6 +198,21 @@ void CheckRun(const Pipeline& pipeline, vtkFieldData* fields)
   Check("volume of the getter", GetField(fields, names::Volume), pipeline.Mass->GetVolume(), 0.0,
     "(the same number)");
 }
+/// Samples that are wrong by 1e-10 must be seen: allowances that let everything pass would not.
+void CheckThatItCanFail(const Expected& expected, Pipeline& pipeline)
+{
+  pipeline.Mass->SetShaderPerturbation(1.0 + 1e-10);
+  pipeline.Mass->Update();
+  vtkFieldData* fields = pipeline.Mass->GetOutput()->GetFieldData();
+  const ExactValues exact(expected, GetField(fields, names::GapSquared), GetField(fields, names::GapArea));
+  for (const char* name : { names::Volume, names::VolumeInertia })
+  {
+    const ExactQuantity& quantity = exact.Find(name);
+    CheckTrue(std::string("a wrong sample shows in ") + name,
+      GetLargestError(fields, name, quantity) > GetFieldBound(fields, name) + quantity.Allowance);
+  }
+}
+
 /// Number of tolerances that were not met.
 int CheckVariant(const Expected& expected)
 {
@@ -236,6 +251,10 @@ int CheckVariant(const Expected& expected)
   CheckEqual("errors of the filter", "", filterMessages.Errors);
   CheckEqual("warnings of the filter, one for every tolerance that was not met", unmet,
     filterMessages.NumberOfWarnings);
+  if (expected.Variant == "plain")
+  {
+    CheckThatItCanFail(expected, pipeline);
+  }
   return unmet;
 }
 }
