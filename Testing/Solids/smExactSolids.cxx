@@ -48,14 +48,14 @@ ExactSolid MakeBlockWithHole()
   const gp_Ax2 axis(gp_Pnt(12.0 - 0.75 * 8.0, 11.0, -8.0), gp_Dir(0.6, 0.0, 0.8));
   const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(axis, 5.0, 60.0);
   return MakeExactSolid(
-    FirstSolid(BRepAlgoAPI_Cut(block, drill).Shape()), SlantedHole(40, 24, 16, 5, 12, 11, 0.75L), false);
+    FirstSolid(BRepAlgoAPI_Cut(block, drill).Shape()), SlantedHole(40, 24, 16, 5, 12, 11, 0.75L), true);
 }
 
 ExactSolid MakeBicylinder()
 {
   const TopoDS_Shape x = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-20, 0, 0), gp_Dir(1, 0, 0)), 10.0, 40.0);
   const TopoDS_Shape y = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, -20, 0), gp_Dir(0, 1, 0)), 10.0, 40.0);
-  return MakeExactSolid(FirstSolid(BRepAlgoAPI_Common(x, y).Shape()), Bicylinder(10), false);
+  return MakeExactSolid(FirstSolid(BRepAlgoAPI_Common(x, y).Shape()), Bicylinder(10), true);
 }
 
 ExactSolid MakeHollowSphere()
@@ -65,7 +65,7 @@ ExactSolid MakeHollowSphere()
   Placement placement;
   placement.Translation = { 1, 2, -1.5L };
   return MakeExactSolid(FirstSolid(BRepAlgoAPI_Cut(outer, inner).Shape()),
-    Combined(Sphere(10), Moved(Sphere(6), placement), -1), false);
+    Combined(Sphere(10), Moved(Sphere(6), placement), -1), true);
 }
 
 ExactSolid MakeEllipsoid()
@@ -106,7 +106,7 @@ TopoDS_Shape MakeFace(const ClosedSpline& spline, bool revolved)
 ExactSolid MakeExtruded(const ClosedSpline& spline, double height)
 {
   return MakeExactSolid(BRepPrimAPI_MakePrism(MakeFace(spline, false), gp_Vec(0, 0, height)).Shape(),
-    Extruded(spline, height), false);
+    Extruded(spline, height), true);
 }
 
 ExactSolid MakeRing()
@@ -114,7 +114,7 @@ ExactSolid MakeRing()
   const ClosedSpline section = RingSection();
   return MakeExactSolid(
     BRepPrimAPI_MakeRevol(MakeFace(section, true), gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))).Shape(),
-    Revolved(section), false);
+    Revolved(section), true);
 }
 
 ExactSolid MakeWavyPlate()
@@ -144,7 +144,7 @@ ExactSolid MakeWavyPlate()
         const double height = heights[std::lround(3 * u)][std::lround(3 * v)];
         return std::array<double, 3>{ 30 * u, 24 * v, height + 6 * w };
       })).Area;
-  return MakeExactSolid(BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, 6.0)).Shape(), moments, false);
+  return MakeExactSolid(BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, 6.0)).Shape(), moments, true);
 }
 
 /// Rotation of the quaternion w + xi + yj + zk.

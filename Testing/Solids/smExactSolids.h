@@ -22,7 +22,7 @@ struct ExactSolid
   ExactMoments Moments;
   /// Diagonal of its bounding box.
   double Size = 0;
-  /// True when BRepBuilderAPI_NurbsConvert gives the same solid without error (elementary surfaces).
+  /// True when BRepBuilderAPI_NurbsConvert gives the same solid and changes a surface.
   bool ConvertsExactly = false;
   /// False where both of OCCT's quadrature rules are off by percents.
   bool Comparable = true;
