@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
@@ -37,6 +38,7 @@ struct Expected
   double InertiaAccuracy = 0;
   int Solids = 1;
 
+  double GetDistance() const { return std::hypot(this->Center[0], this->Center[1], this->Center[2]); }
   double GetInertiaTrace() const { return this->Inertia[0] + this->Inertia[4] + this->Inertia[8]; }
 };
 
@@ -60,10 +62,10 @@ public:
     std::vector<Expected> result;
     for (const nlohmann::json& entry : this->Content["solids"])
     {
-      if (entry["solid"] == solid && (variant.empty() || entry["variant"] == variant))
+      if ((solid.empty() || entry["solid"] == solid) && (variant.empty() || entry["variant"] == variant))
       {
         result.push_back(this->Convert(entry));
-        result.back().Solid = solid;
+        result.back().Solid = entry["solid"];
         result.back().Variant = entry["variant"];
         result.back().HasPcurves = entry["pcurves"];
       }
@@ -74,6 +76,9 @@ public:
     }
     return result;
   }
+
+  /// One variant of every solid.
+  std::vector<Expected> GetVariant(const std::string& variant) const { return this->GetSolid("", variant); }
 
   /// One of the files for special tests: an assembly, an open shell, text that is not STEP …
   Expected GetSpecial(const std::string& name) const

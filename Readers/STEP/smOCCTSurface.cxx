@@ -295,6 +295,42 @@ double MeasureDistance(const Handle(Geom_Surface) & surface, const ParameterBox&
   return distance;
 }
 
+struct NearSurface
+{
+  Handle(Geom_Surface) Surface;
+  AffineMap Map;
+};
+
+/// The same surface moved so that the model's origin is the kernel's: evaluated far away, it loses digits that its
+/// poles have.
+NearSurface MoveToOrigin(const Handle(Geom_Surface) & surface, const AffineMap& map)
+{
+  NearSurface near{ surface, map };
+  const double scale = map.GetScale();
+  gp_XYZ origin;
+  for (int j = 0; j < 3; ++j)
+  {
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      sum -= map.Linear[i][j] * map.Translation[i];
+    }
+    origin.SetCoord(j + 1, sum / (scale * scale));
+  }
+  // What the rounding of `origin` leaves of the translation; large terms cancel.
+  for (int i = 0; i < 3; ++i)
+  {
+    long double sum = map.Translation[i];
+    for (int j = 0; j < 3; ++j)
+    {
+      sum += static_cast<long double>(map.Linear[i][j]) * origin.Coord(j + 1);
+    }
+    near.Map.Translation[i] = static_cast<double>(sum);
+  }
+  near.Surface = Handle(Geom_Surface)::DownCast(surface->Translated(gp_Vec(origin.Reversed())));
+  return near;
+}
+
 double GetSize(const NURBSSurface& surface)
 {
   double size = 0.0;
@@ -382,12 +418,13 @@ ConvertedSurface ConvertSurface(
   const Handle(Geom_Surface) surface = GetBasisSurface(source);
   ConvertedSurface result;
   bool done = false;
-  if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface))
+  if (surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface)))
   {
+    const NearSurface near = MoveToOrigin(surface, map);
     // An offset of an elementary surface may be one itself: taken when it is the same point by point.
-    const Handle(Geom_Surface) same = offset->Surface();
-    done = !same.IsNull() && ConvertExactly(GetBasisSurface(same), box, map, result) &&
-      MeasureDistance(surface, box, map, result) < 1e-13 * GetSize(result.Surface);
+    const Handle(Geom_Surface) same = Handle(Geom_OffsetSurface)::DownCast(near.Surface)->Surface();
+    done = !same.IsNull() && ConvertExactly(GetBasisSurface(same), box, near.Map, result) &&
+      MeasureDistance(near.Surface, box, near.Map, result) < 1e-13 * GetSize(result.Surface);
   }
   else
   {
@@ -395,16 +432,23 @@ ConvertedSurface ConvertSurface(
   }
   if (!done)
   {
+    const NearSurface near = MoveToOrigin(surface, map);
     result = ConvertedSurface();
-    result.Surface = FitSurface(surface, box, map);
+    result.Surface = FitSurface(near.Surface, box, near.Map);
   }
   const std::string problem = result.Surface.Check();
   if (!problem.empty())
   {
     throw std::runtime_error("its surface is not usable: " + problem);
   }
-  const double distance = MeasureDistance(surface, box, map, result);
-  if (!(distance <= 1e-10 * GetSize(result.Surface) + result.Surface.Residual))
+  const double allowed = 1e-10 * GetSize(result.Surface) + result.Surface.Residual;
+  double distance = MeasureDistance(surface, box, map, result);
+  if (!(distance <= allowed))
+  {
+    const NearSurface near = MoveToOrigin(surface, map);
+    distance = MeasureDistance(near.Surface, box, near.Map, result);
+  }
+  if (!(distance <= allowed))
   {
     throw std::runtime_error(
       "its surface differs from the file's by " + FormatShort(distance) + " after conversion");

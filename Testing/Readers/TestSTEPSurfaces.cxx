@@ -35,6 +35,7 @@
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -224,6 +225,47 @@ void CheckSurfaces()
     new Geom_OffsetSurface(new Geom_ToroidalSurface(MakeFrame(true), 4.0, 1.5), -0.5), 0.0, 3.0, -1.0, 4.0);
 }
 
+/// A surface far away, whose poles are exact there, becomes the same as the one at home: the kernel's evaluation, which
+/// loses digits far away, must not be mistaken for the surface.
+void CheckFarSurfaces()
+{
+  TColgp_Array2OfPnt net(1, 10, 1, 8);
+  for (int i = 1; i <= 10; ++i)
+  {
+    for (int j = 1; j <= 8; ++j)
+    {
+      net(i, j) = gp_Pnt(i, j, std::round(256.0 * Uniform(0.0, 0.5)) / 256.0);
+    }
+  }
+  const Handle(Geom_BezierSurface) patch = new Geom_BezierSurface(net);
+  sm::ParameterBox box;
+  box.High[0] = box.High[1] = 1.0;
+  const double far[3] = { 8388608.0, -4194304.0, 2097152.0 };
+  const double home[3] = { 0.0, 0.0, 0.0 };
+  const Handle(Geom_Surface)
+    surfaces[] = { Handle(Geom_Surface)(patch), new Geom_OffsetSurface(patch, 0.25) };
+  for (const Handle(Geom_Surface) & surface : surfaces)
+  {
+    const auto moved = Handle(Geom_Surface)::DownCast(surface->Translated(gp_Vec(far[0], far[1], far[2])));
+    const sm::NURBSSurface a =
+      sm::ConvertSurface(surface, box, sm::AffineMap::Make(gp_Trsf(), 1.0, home)).Surface;
+    const sm::NURBSSurface b =
+      sm::ConvertSurface(moved, box, sm::AffineMap::Make(gp_Trsf(), 1.0, far)).Surface;
+    const std::string name = std::string("far ") + surface->DynamicType()->Name();
+    smtest::CheckEqual(name + ", control points", static_cast<long long>(a.ControlPoints.size()),
+      static_cast<long long>(b.ControlPoints.size()));
+    double worst = 0.0;
+    for (std::size_t i = 0; i < std::min(a.ControlPoints.size(), b.ControlPoints.size()); ++i)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        worst = std::max(worst, std::abs(a.ControlPoints[i][c] - b.ControlPoints[i][c]));
+      }
+    }
+    smtest::Check(name + ", control points differ by", 0.0, worst, 0.0, "the same arithmetic");
+  }
+}
+
 /// Trim curves under two angle maps, one, or none; the residual limit is 1e-13 of an arc and the floor of NUMERICS 2.
 void CheckTrim(const char* name, const Handle(Geom2d_Curve) & curve, double first, double last,
   const sm::ParameterMap& mapU, const sm::ParameterMap& mapV, bool exact)
@@ -340,6 +382,7 @@ void CheckEdges()
 int main()
 {
   CheckSurfaces();
+  CheckFarSurfaces();
   CheckTrims();
   CheckEdges();
   return smtest::Finish();

@@ -61,7 +61,7 @@ ExactMoments Bicylinder(Real radius);
 /// The box a x b x c less a cylinder through (x0, y0, 0) along (tangent, 0, 1), which leaves through bottom and top.
 ExactMoments SlantedHole(Real a, Real b, Real c, Real radius, Real x0, Real y0, Real tangent);
 /// The bicubic Bézier graph over [0,a] x [0,b] with heights z_ij (u index first), extruded by `thickness` along z.
-/// Its area is not known.
+/// Without its area, for which there is no closed form: NaN.
 ExactMoments ExtrudedGraph(Real a, Real b, const double heights[4][4], Real thickness);
 }
 

@@ -1,6 +1,7 @@
 #include "smExactSolids.h"
 
 #include "smExactSpline.h"
+#include "smRationalBlock.h"
 
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
@@ -41,32 +42,20 @@ TopoDS_Shape FirstSolid(const TopoDS_Shape& shape)
   return explorer.More() ? explorer.Current() : TopoDS_Shape();
 }
 
-ExactSolid MakeExactSolid(const TopoDS_Shape& shape, const ExactMoments& moments, bool convertsExactly)
-{
-  ExactSolid solid;
-  solid.Shape = shape;
-  solid.Moments = moments;
-  solid.ConvertsExactly = convertsExactly;
-  Bnd_Box box;
-  BRepBndLib::AddOptimal(shape, box, false, false);
-  solid.Size = std::sqrt(box.SquareExtent());
-  return solid;
-}
-
 ExactSolid MakeBlockWithHole()
 {
   const TopoDS_Shape block = BRepPrimAPI_MakeBox(40.0, 24.0, 16.0);
   const gp_Ax2 axis(gp_Pnt(12.0 - 0.75 * 8.0, 11.0, -8.0), gp_Dir(0.6, 0.0, 0.8));
   const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(axis, 5.0, 60.0);
   return MakeExactSolid(
-    FirstSolid(BRepAlgoAPI_Cut(block, drill).Shape()), SlantedHole(40, 24, 16, 5, 12, 11, 0.75L), false);
+    FirstSolid(BRepAlgoAPI_Cut(block, drill).Shape()), SlantedHole(40, 24, 16, 5, 12, 11, 0.75L), true);
 }
 
 ExactSolid MakeBicylinder()
 {
   const TopoDS_Shape x = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-20, 0, 0), gp_Dir(1, 0, 0)), 10.0, 40.0);
   const TopoDS_Shape y = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, -20, 0), gp_Dir(0, 1, 0)), 10.0, 40.0);
-  return MakeExactSolid(FirstSolid(BRepAlgoAPI_Common(x, y).Shape()), Bicylinder(10), false);
+  return MakeExactSolid(FirstSolid(BRepAlgoAPI_Common(x, y).Shape()), Bicylinder(10), true);
 }
 
 ExactSolid MakeHollowSphere()
@@ -76,7 +65,7 @@ ExactSolid MakeHollowSphere()
   Placement placement;
   placement.Translation = { 1, 2, -1.5L };
   return MakeExactSolid(FirstSolid(BRepAlgoAPI_Cut(outer, inner).Shape()),
-    Combined(Sphere(10), Moved(Sphere(6), placement), -1), false);
+    Combined(Sphere(10), Moved(Sphere(6), placement), -1), true);
 }
 
 ExactSolid MakeEllipsoid()
@@ -117,7 +106,7 @@ TopoDS_Shape MakeFace(const ClosedSpline& spline, bool revolved)
 ExactSolid MakeExtruded(const ClosedSpline& spline, double height)
 {
   return MakeExactSolid(BRepPrimAPI_MakePrism(MakeFace(spline, false), gp_Vec(0, 0, height)).Shape(),
-    Extruded(spline, height), false);
+    Extruded(spline, height), true);
 }
 
 ExactSolid MakeRing()
@@ -125,7 +114,7 @@ ExactSolid MakeRing()
   const ClosedSpline section = RingSection();
   return MakeExactSolid(
     BRepPrimAPI_MakeRevol(MakeFace(section, true), gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))).Shape(),
-    Revolved(section), false);
+    Revolved(section), true);
 }
 
 ExactSolid MakeWavyPlate()
@@ -147,8 +136,15 @@ ExactSolid MakeWavyPlate()
   const Handle(Geom_BSplineSurface) surface =
     new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 3, 3);
   const TopoDS_Shape face = BRepBuilderAPI_MakeFace(surface, 1e-7);
-  return MakeExactSolid(
-    BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, 6.0)).Shape(), ExtrudedGraph(30, 24, heights, 6), false);
+  ExactMoments moments = ExtrudedGraph(30, 24, heights, 6);
+  moments.Area = IntegrateBlock(
+    MakeBlock({ 3, 3, 1 },
+      [&](double u, double v, double w)
+      {
+        const double height = heights[std::lround(3 * u)][std::lround(3 * v)];
+        return std::array<double, 3>{ 30 * u, 24 * v, height + 6 * w };
+      })).Area;
+  return MakeExactSolid(BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, 6.0)).Shape(), moments, true);
 }
 
 /// Rotation of the quaternion w + xi + yj + zk.
@@ -159,6 +155,18 @@ Matrix MakeRotation(Real w, Real x, Real y, Real z)
     { 2 * (x * y + w * z) / n, (w * w - x * x + y * y - z * z) / n, 2 * (y * z - w * x) / n },
     { 2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n } } };
 }
+}
+
+ExactSolid MakeExactSolid(const TopoDS_Shape& shape, const ExactMoments& moments, bool convertsExactly)
+{
+  ExactSolid solid;
+  solid.Shape = shape;
+  solid.Moments = moments;
+  solid.ConvertsExactly = convertsExactly;
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(shape, box, false, false);
+  solid.Size = std::sqrt(box.SquareExtent());
+  return solid;
 }
 
 const std::vector<NamedSolid>& GetExactSolids()
@@ -232,8 +240,14 @@ std::vector<Variant> GetVariants(const ExactSolid& solid)
     row[0] = -row[0];
   }
   mirrored.Translation = { 0, 5, 3 };
+  // The scales are doubles, as the transformation has them.
+  add("tiny").Move.Scale = 1e-3 / solid.Size;
+  add("huge").Move.Scale = 1e5 / solid.Size;
+  add("reversed").Reversed = true;
   Placement& far = add("far").Move;
   far.Translation = { 1e5L, -1e5L, 0.5e5L };
+  const double sizes = std::round(1e5 * solid.Size);
+  add("distant").Move.Translation = { sizes, -sizes, 0.5L * sizes };
   add("inch").Unit = "INCH";
   return variants;
 }

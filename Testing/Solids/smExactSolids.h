@@ -22,11 +22,16 @@ struct ExactSolid
   ExactMoments Moments;
   /// Diagonal of its bounding box.
   double Size = 0;
-  /// True when BRepBuilderAPI_NurbsConvert gives the same solid without error (elementary surfaces).
+  /// True when BRepBuilderAPI_NurbsConvert gives the same solid and changes a surface.
   bool ConvertsExactly = false;
   /// False where both of OCCT's quadrature rules are off by percents.
   bool Comparable = true;
+  /// False where they are so for the volume but not for the area.
+  bool VolumeComparable = true;
 };
+
+/// Finds the size.
+ExactSolid MakeExactSolid(const TopoDS_Shape& shape, const ExactMoments& moments, bool convertsExactly);
 
 struct NamedSolid
 {
@@ -34,7 +39,7 @@ struct NamedSolid
   std::function<ExactSolid()> Make;
 };
 
-/// Every solid, in the order of the tests.
+/// Elementary, bored, extruded and revolved solids, in the order of the tests.
 const std::vector<NamedSolid>& GetExactSolids();
 
 /// One way to write a solid to a file.
@@ -44,13 +49,15 @@ struct Variant
   Placement Move;
   bool WithPcurves = true;
   bool AsNurbs = false;
+  /// Normals point inwards: the reader or the filter turns it.
+  bool Reversed = false;
   /// Numbers with 17 digits; else as OCCT writes them by default.
   bool AllDigits = true;
   const char* Unit = "MM";
 };
 
-/// plain, nopcurves, moved, turned, digits12 (OCCT's own number format), scaled, large, mirrored, far, inch, and nurbs
-/// where it is exact.
+/// plain, nopcurves, moved, turned, digits12 (OCCT's own number format), scaled, large, tiny (1e-3 mm), huge (1e5 mm),
+/// mirrored, reversed, far (1e5 mm), distant (1e5 sizes), inch, and nurbs where it is exact.
 std::vector<Variant> GetVariants(const ExactSolid& solid);
 
 /// The shape moved, scaled or mirrored, with its geometry changed (no location).
