@@ -31,7 +31,7 @@
  * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density                                     |
  * | MovedByClosing, GapSquared, MaxGap, GapArea, Leak, OpenEdges | 1 | | the model's own doubt, no bound  |
  * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches | 1 | |                               |
- * A quantity that does not exist is NaN (the volume of a surface, anything without a GPU context).
+ * A quantity that does not exist is NaN (the volume of a surface, anything that was not computed).
  *
  * Status: ok; open (edges that are used once; a surface without a solid); tolerance-not-met; suspect (a
  * face could not be carried over, a trim runs far outside its surface); empty; unreadable.
