@@ -427,6 +427,7 @@ bool SurfaceIntegrator::Integrate(
     ok = self.RunAll(tasks, results);
     self.IntegrateSeconds = Now() - begin;
   }
+  self.Runner->Release();
   self.Faces.clear();
   self.Report = nullptr;
   return ok;

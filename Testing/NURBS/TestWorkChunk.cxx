@@ -185,6 +185,7 @@ void CheckNoNumbers()
   CheckTrue("infinity an infinite one", chunk.GetError(1) == Infinity && chunk.Rows[14] == -Infinity);
   chunk.Finish(std::nan(""), -Infinity, 1.0, Chunk::smFlagDiscard);
   CheckTrue("no order will mend them: converged", chunk.Converged && std::isnan(chunk.GetError(0)));
+  CheckTrue("and no difference makes less of them", chunk.GetError(1) == Infinity);
   chunk.Finish(std::nan(""), 0.0, 1.0, Chunk::smFlagFirst);
   chunk.Finish(std::nan(""), 1.0, 1.0, 0u);
   CheckTrue("but the other integrand counts", !chunk.Converged);
