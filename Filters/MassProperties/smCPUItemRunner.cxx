@@ -182,6 +182,15 @@ bool CPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<st
   return true;
 }
 
+void CPUItemRunner::Release()
+{
+  Internals& self = *this->Implementation;
+  self.Slots.clear();
+  self.Faces.clear();
+  // Room for a batch is not kept for the time between runs.
+  self.Rows = std::vector<double>();
+}
+
 bool CPUItemRunner::Sum(
   const std::vector<Segment>& segments, std::vector<double>& sums, std::vector<double>& largestGaps)
 {

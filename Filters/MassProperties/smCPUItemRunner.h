@@ -36,6 +36,7 @@ public:
     std::vector<std::uint8_t>& unconverged, std::int64_t& evaluations, const GoOn& goOn) override;
   bool Sum(const std::vector<Segment>& segments, std::vector<double>& sums,
     std::vector<double>& largestGaps) override;
+  void Release() override;
 
 protected:
   void OnConfigure() override;

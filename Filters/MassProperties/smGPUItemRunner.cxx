@@ -311,6 +311,12 @@ bool GPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<st
   return true;
 }
 
+void GPUItemRunner::Release()
+{
+  this->Implementation->Slots.clear();
+  this->Implementation->Places.clear();
+}
+
 bool GPUItemRunner::Sum(
   const std::vector<Segment>& segments, std::vector<double>& sums, std::vector<double>& largestGaps)
 {

@@ -29,7 +29,7 @@ namespace sm
  *      compared with what its row holds (unless its flags say that there is nothing to compare with), then
  *      overwrite it, so that an item may come back at a higher order,
  *   6. Sum() of any segments of rows.
- * Steps 3 to 6 repeat. A runner decides neither orders nor tolerances; that is the integrator's.
+ * Steps 3 to 6 repeat; Release() ends the run. A runner decides neither orders nor tolerances; that is the integrator's.
  *
  * An item's row depends on nothing but the item, its face, and what Configure() and BeginBatch() gave; a
  * segment's sum on nothing but its rows, in their order. So results are the same bits for any order, batch, number of
@@ -104,6 +104,9 @@ public:
   using Segment = std::pair<unsigned int, unsigned int>;
   virtual bool Sum(
     const std::vector<Segment>& segments, std::vector<double>& sums, std::vector<double>& largestGaps) = 0;
+
+  /// Ends a run: lets go of the faces of Acquire(). What is resident stays, within its own budget.
+  virtual void Release() = 0;
 
   /// Seconds that the last Acquire() spent building what belongs to no face (shaders).
   double GetStartSeconds() const { return this->StartSeconds; }

@@ -377,7 +377,9 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
   std::vector<WorkItem> children;
   for (const std::size_t index : bisected)
   {
-    BisectItem(items[index], children);
+    // Parts share their parent's tolerance. Along a line without normals half of the quarters need none of theirs.
+    const bool quarters = items[index].Kind == ItemKind::Panel && !this->Planned;
+    BisectItem(items[index], quarters ? 2 : 1, children);
   }
   if (this->Planned)
   {
@@ -608,6 +610,7 @@ bool SurfaceIntegrator::Integrate(
     ok = self.RunAll(tasks, results);
     self.IntegrateSeconds = Now() - begin;
   }
+  self.Runner->Release();
   self.Faces.clear();
   self.Report = nullptr;
   return ok;

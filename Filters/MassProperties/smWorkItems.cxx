@@ -126,7 +126,7 @@ void SetItemOrders(WorkItem& item, const Orders& orders, bool mayBisect)
     static_cast<std::uint32_t>(orders.Across) << 16 | flags << 24;
 }
 
-void BisectItem(const WorkItem& parent, std::vector<WorkItem>& children)
+void BisectItem(const WorkItem& parent, int shareHalvings, std::vector<WorkItem>& children)
 {
   const double* range = parent.Work.Range;
   const double middle[2] = { 0.5 * (range[0] + range[1]), 0.5 * (range[2] + range[3]) };
@@ -135,8 +135,7 @@ void BisectItem(const WorkItem& parent, std::vector<WorkItem>& children)
   {
     WorkItem child = parent;
     child.Level = 0;
-    // The parts share the parent's tolerance.
-    child.Work.Detail[3] -= (isPanel ? 2 : 1) * Doubling;
+    child.Work.Detail[3] -= shareHalvings * Doubling;
     child.Work.Range[part & 1 ? 0 : 1] = middle[0];
     // A ribbon's second range runs along the edge's curve with the first; a panel's is its own.
     const bool upper = isPanel ? part & 2 : part & 1;

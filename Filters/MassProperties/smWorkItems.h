@@ -72,8 +72,9 @@ Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item);
 /// Writes them into the record. With `mayBisect` an item that does not converge at the last order leaves zeros.
 void SetItemOrders(WorkItem& item, const Orders& orders, bool mayBisect);
 
-/// Appends the quarters of a panel, or the halves of a ribbon, at the first level.
-void BisectItem(const WorkItem& parent, std::vector<WorkItem>& children);
+/// Appends the quarters of a panel, or the halves of a ribbon, at the first level. Each gets the parent's tolerance, halved so
+/// many times.
+void BisectItem(const WorkItem& parent, int shareHalvings, std::vector<WorkItem>& children);
 }
 
 #endif

@@ -33,7 +33,7 @@
  * | MovedByClosing, GapSquared, MaxGap, GapArea, Leak, OpenEdges | 1 | | the model's own doubt, no bound  |
  * | FlippedShells         | 1     |        | shells that were inside out and were turned                  |
  * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches | 1 | |                               |
- * A quantity that does not exist is NaN (the volume of a surface, anything without a GPU context).
+ * A quantity that does not exist is NaN (the volume of a surface, anything that was not computed).
  *
  * Status: ok; open (edges that are used once; a surface without a solid); tolerance-not-met; suspect (a
  * face could not be carried over, a trim runs far outside its surface, shells cross); empty; unreadable.
