@@ -206,7 +206,7 @@ sm::FacePanels MakeRandomFace(int p, int q, std::mt19937& random)
       face.Coefficients.push_back((d < 2 ? 0.4 * i - 0.8 : 0.5) + 0.2 * uniform(random));
     }
   }
-  face.Ribbons.push_back({ 0, 1, edge, degree, 4, false, true, 0.125, 0.875, 0.25, 0.75 });
+  face.Ribbons.push_back({ 0, 1, edge, degree, 4, false, true, 0.125, 0.875, 0.25, 0.75, 0 });
   return face;
 }
 
@@ -383,7 +383,7 @@ void CheckCylinder()
         turned.GetValue(8) == (negative ? -1 : 1) * whole.GetValue(8));
   }
   std::vector<sm::WorkItem> quarters;
-  sm::BisectItem(items[0], quarters);
+  sm::BisectItem(items[0], 2, quarters);
   CheckEqual("quarters", 4, static_cast<long long>(quarters.size()));
   double sum[2] = { 0.0, 0.0 };
   for (const sm::WorkItem& quarter : quarters)
@@ -406,7 +406,7 @@ void CheckRibbonFormulas()
     { { 10.0, 20.0, 30.0 }, std::hypot(2.0, 3.0), { 0.0, 0.0 }, { 1.0, 1.0 }, 0, { 1, 1 } });
   face.Points = { { 0, 0, 0, 1 }, { 2, 0, 0, 1 }, { 0, 3, 0, 1 }, { 2, 3, 0, 1 } };
   face.Coefficients = { 0, 0, 1, 0, 10, 20 - d, 30 + h, 12, 20 - d, 30 + h };
-  face.Ribbons.push_back({ 0, 0, 4, 1, 1, false, true, 0.0, 1.0, 0.0, 1.0 });
+  face.Ribbons.push_back({ 0, 0, 4, 1, 1, false, true, 0.0, 1.0, 0.0, 1.0, -1 });
   const Evaluation strip(face, MakeItems(face)[0], 3, 1);
   // X_l x X_t = (0, -d, h) x (2, 0, 0) = (0, 2 h, 2 d); the strip's middle is (11, 20 - d/2, 30 + h/2).
   const double limit = 64 * Unit * 60.0;
@@ -429,7 +429,7 @@ void CheckRibbonFormulas()
   Check("largest gap out of step", 0.5, late.Row[sm::RowLayout::LargestGap], limit);
   Check("squared gap out of step", 0.5, late.Row[sm::RowLayout::SquaredGap], limit);
 
-  face.Ribbons[0] = { 0, 0, 4, 1, 1, true, false, 0.0, 1.0, 0.0, 1.0 };
+  face.Ribbons[0] = { 0, 0, 4, 1, 1, true, false, 0.0, 1.0, 0.0, 1.0, -1 };
   const Evaluation flipped(face, MakeItems(face)[0], 3, 1);
   CheckTrue(
     "flipped", flipped.GetValue(0) == -strip.GetValue(0) && flipped.GetValue(6) == -strip.GetValue(6));
@@ -437,7 +437,7 @@ void CheckRibbonFormulas()
     flipped.Row[sm::RowLayout::LargestGap] == 0.0 && flipped.Row[sm::RowLayout::SquaredGap] == 0.0 &&
       flipped.Row[sm::RowLayout::GapArea] == 0.0);
   std::vector<sm::WorkItem> halves;
-  sm::BisectItem(MakeItems(face)[0], halves);
+  sm::BisectItem(MakeItems(face)[0], 1, halves);
   CheckEqual("halves", 2, static_cast<long long>(halves.size()));
   Check("flux of the halves", flipped.GetValue(0),
     Evaluation(face, halves[0], 3, 1).GetValue(0) + Evaluation(face, halves[1], 3, 1).GetValue(0), limit);
