@@ -67,9 +67,9 @@ std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance)
     if (std::isfinite(scale) && !(quantity.Bound <= quantity.Asked.Get(scale)))
     {
       char text[128];
-      std::snprintf(
-        text, sizeof(text), "%s%s %.1e", unmet.empty() ? "" : ", ", quantity.Name, quantity.Bound / scale);
-      unmet += text;
+      const double ratio = quantity.Bound / scale;
+      std::snprintf(text, sizeof(text), "%s%s ", unmet.empty() ? "" : ", ", quantity.Name);
+      unmet += text + (std::isfinite(ratio) ? FormatBound(ratio) : std::string("not bounded"));
     }
   }
   return unmet;

@@ -15,6 +15,8 @@ constexpr double Radii[] = { 1.3, 1.5, 1.75, 2.05, 2.4, 2.8, 3.3, 4.0, 5.0, 6.5,
 // normal needs some 12 halvings in both directions until what is left is below its share.
 constexpr int LargestDepth = 30;
 constexpr std::size_t MostParts = 128;
+// The same where moments, too, want more points than one part may have: weights that differ a lot.
+constexpr std::size_t MostPartsOfMoments = 8192;
 // A higher exact order costs more than the one that a bound asks for.
 constexpr int LargestExactOrder = 10;
 // Orders of a compared panel; the second evaluation has twice as many.
@@ -341,7 +343,8 @@ void PanelPlanner::PlanPart(std::uint32_t index, const Part& part)
     this->Keep(index, part, along, across, false, noise);
     return;
   }
-  if (part.Depth < LargestDepth && this->Pending.size() + this->Parts < MostParts)
+  const std::size_t most = this->FindOrders(share, false, along, across) ? MostParts : MostPartsOfMoments;
+  if (part.Depth < LargestDepth && this->Pending.size() + this->Parts < most)
   {
     const bool inXi = this->ChooseDirection(part, share) == 1;
     Part halves[2] = { part, part };
@@ -354,8 +357,7 @@ void PanelPlanner::PlanPart(std::uint32_t index, const Part& part)
     }
     return;
   }
-  // What the moments need; along a kink of the length few points on many parts do best.
-  this->FindOrders(share, false, along, across);
+  // Points for the moments; along a kink of the length few points on many parts do best.
   this->Keep(index, part, std::clamp(along, LeastCompared, MostCompared),
     std::clamp(across, LeastCompared, MostCompared), true, noise);
 }

@@ -11,6 +11,9 @@ namespace sm
 {
 namespace
 {
+// A bound of the volume above this fraction of the box is a run cut short, and says nothing about the solid.
+constexpr double ResolvedVolume = 1e-9;
+
 std::string Format(double value)
 {
   char text[32];
@@ -57,10 +60,15 @@ std::vector<std::string> CheckSanity(const MassProperties& properties, const std
   const std::array<double, 6>& box, double slack)
 {
   std::vector<std::string> violations;
-  if (properties.Volume <= properties.VolumeBound)
+  const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+  if (properties.Volume < -properties.VolumeBound)
   {
-    violations.push_back(properties.Volume < -properties.VolumeBound ? "the volume is negative"
-                                                                     : "the volume is zero within its bound");
+    violations.push_back("the volume is negative");
+  }
+  else if (properties.Volume <= properties.VolumeBound &&
+    properties.VolumeBound <= ResolvedVolume * diagonal * diagonal * diagonal)
+  {
+    violations.push_back("the volume is zero within its bound");
   }
   double outside = 0.0;
   for (int d = 0; d < 3; ++d)

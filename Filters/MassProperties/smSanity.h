@@ -25,7 +25,7 @@ std::array<double, 6> GetHullBox(const vtkTrimmedNURBSModel& model);
 
 /**
  * One sentence for each fact that the result violates by more than its bounds allow, none for a sane one:
- * - the volume is positive (it is above its bound);
+ * - the volume is positive: above its bound, unless that is too coarse to tell;
  * - the centre of mass, `center` in the frame of the box, lies in the box, give or take `slack`, a length, and its bound;
  * - the inertia is positive definite: no principal moment is below 0 by more than its bound;
  * - no principal moment exceeds the sum of the two others by more than their three bounds.

@@ -91,6 +91,17 @@ int FindShells(vtkTrimmedNURBSModel& model, std::vector<int>& shellOfFace)
       }
     }
   }
+  // A face without loops names no neighbour: all of its shell are taken for one.
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    for (std::size_t other = 0; faces[f]->Loops.empty() && other < faces.size(); ++other)
+    {
+      if (fileShell[other] == fileShell[f])
+      {
+        parts.Join(static_cast<int>(f), static_cast<int>(other));
+      }
+    }
+  }
   // Shells that close only together.
   for (const auto& [edge, inShells] : uses)
   {

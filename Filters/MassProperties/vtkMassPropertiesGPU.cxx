@@ -307,7 +307,7 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
     row.Leak = perArea * vtkMath::Norm(body.Value.data() + sm::MassVectorArea);
     // What quadrature leaves of the vector area, at a loose tolerance or without convergence, is no hole.
     const double tight = LargestLeak + perArea * vtkMath::Norm(body.Bound.data() + sm::MassVectorArea);
-    if (!body.IsSolid() && !(row.Leak <= tight))
+    if (!body.IsSolid() && body.SkippedFaces == 0 && !(row.Leak <= tight))
     {
       // A surface whose border is no edge: a patch without loops.
       body.Flag(sm::names::StatusOpen, "a surface, not a solid: it has an area and no volume");
@@ -315,7 +315,7 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
       row.MovedByClosing = row.Leak = vtkMath::Nan();
       return row;
     }
-    if (body.OpenEdges == 0 && !(row.Leak <= tight))
+    if (body.OpenEdges == 0 && body.SkippedFaces == 0 && !(row.Leak <= tight))
     {
       body.Flag(sm::names::StatusSuspect,
         "the faces do not close although every edge is shared: a loop is broken or a face is wrong" +

@@ -147,7 +147,7 @@ void Run(const Case& made, double weights, double tolerance, const std::string& 
       std::printf("%s, class %d: error %.3e, bound %.3e\n", label.c_str(), k, error, bound);
     }
     // What rounding leaves of a fat gap's series is charged, whatever the tolerance.
-    if (!(bound <= tolerance + 1e-15 + 1e-13 * weights))
+    if (!(bound <= tolerance + 1e-15 + 1e-12 * weights))
     {
       ++score.Above;
       std::printf("%s, class %d: bound %.3e, tolerance %.3e\n", label.c_str(), k, bound, tolerance);
