@@ -335,7 +335,7 @@ void PanelPlanner::PlanPart(std::uint32_t index, const Part& part)
   this->BoundDirections(panel, part, jacobian);
 
   const double share = std::exp2(-part.Depth);
-  const double noise = traits.PolynomialLength ? jacobian * this->Majorants.GetLengthDeviation() : 0.0;
+  const double noise = jacobian * this->Majorants.GetLengthDeviation();
   int along = 1;
   int across = 1;
   if (this->FindOrders(share, true, along, across))

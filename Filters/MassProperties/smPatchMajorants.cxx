@@ -97,10 +97,49 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
   const int countR = 3 * q - 1;
   patch.ExpandPosition(points);
   patch.SampleNumerators({ 0.0, 0.0, 0.0 });
-  double largest = 0.0;
-  for (std::size_t i = 4; i < patch.Samples.size(); i += PatchMajorants::Components)
+  // Deviations are judged as those of n = factors m~ / w^3: where weights differ a lot, m~ is no scale.
+  const auto cube = [&patch](double x, double y)
   {
-    largest = std::max(largest, patch.Samples[i]);
+    const double w = patch.EvaluateWeight(x, y);
+    return w * w * w;
+  };
+  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
+  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
+  double largest = 0.0;
+  const double* longest = patch.Samples.data();
+  const auto forEachSample = [&](const auto& visit)
+  {
+    for (int b = 0; b < countR; ++b)
+    {
+      for (int a = 0; a < countS; ++a)
+      {
+        visit(patch.Samples.data() + PatchMajorants::Components * (a + static_cast<std::size_t>(countS) * b),
+          cube(ruleS.GetNode(a), ruleR.GetNode(b)));
+      }
+    }
+  };
+  forEachSample(
+    [&](const double* sample, double weight)
+    {
+      if (sample[4] / weight > largest)
+      {
+        largest = sample[4] / weight;
+        longest = sample;
+      }
+    });
+  // Whether all samples are parallel to the longest one: m~ - (m~.e) e has the degrees of m~, so these nodes determine it.
+  double across = 0.0;
+  forEachSample(
+    [&](const double* sample, double weight)
+    {
+      const Vector product = Cross(sample + 1, longest + 1);
+      across = std::max(across, Norm(product.data()) / (longest[4] * weight));
+    });
+  if (across <= LengthTolerance * largest)
+  {
+    traits.ConstantDirection = true;
+    traits.LengthDeviation = 8.0 * across;
+    return traits;
   }
   patch.Transform(countS, countR);
   // h^2 - m~.m~ has the degrees 2 (countS - 1) and 2 (countR - 1): zero at as many nodes and one more, it is zero.
@@ -132,10 +171,11 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
           value[c] += checkR.GetValues(b)[l] * line[PatchMajorants::Components * l + c];
         }
       }
+      const double weight = cube(checkS.GetNode(a), checkR.GetNode(b));
       const double length = Norm(value + 1);
-      const double deviation = std::abs(length - value[4]);
+      const double deviation = std::abs(length - value[4]) / weight;
       // Where the length is small a difference of squares says little of a difference.
-      if (!(deviation <= LengthTolerance * largest && length > 1e-3 * largest))
+      if (!(deviation <= LengthTolerance * largest && length > 1e-3 * largest * weight))
       {
         traits.LengthDeviation = 0.0;
         return traits;
@@ -369,6 +409,7 @@ void PatchMajorants::MakeTables(int countS, int countR)
   }
   const double* first = this->Samples.data();
   this->FirstLength = this->Traits.PolynomialLength ? std::abs(first[4]) : Norm(first + 1);
+  double rest = 0.0;
   Vector e{ 0.0, 0.0, 0.0 };
   for (int c = 0; c < 3; ++c)
   {
@@ -388,8 +429,15 @@ void PatchMajorants::MakeTables(int countS, int countR)
     const double along = entry[1] * e[0] + entry[2] * e[1] + entry[3] * e[2];
     const double across[3] = { entry[1] - along * e[0], entry[2] - along * e[1], entry[3] - along * e[2] };
     this->Along.Entries[i] = i == 0 ? 0.0 : std::abs(along);
+    rest += this->Along.Entries[i];
     this->Across.Entries[i] = i == 0 ? 0.0 : Norm(across);
   }
+  this->Positive = rest < 0.999999 * this->FirstLength;
+}
+
+bool PatchMajorants::IsPolynomialLength() const
+{
+  return this->Traits.PolynomialLength || (this->Traits.ConstantDirection && this->Positive);
 }
 
 void PatchMajorants::ExpandWithoutNormal(
@@ -448,7 +496,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   const double normal = factor * sum(this->Normal);
   double length = std::numeric_limits<double>::infinity();
   const double along = this->FirstLength + sum(this->Along);
-  if (this->Traits.PolynomialLength)
+  if (this->IsPolynomialLength())
   {
     length = factor * along;
   }
@@ -509,10 +557,30 @@ double PatchMajorants::GetReach() const
 double PatchMajorants::GetLengthDeviation() const
 {
   const Ellipse real = Ellipse::FromRadius(1.0);
-  const double weight = this->GetLowestWeight();
-  return weight > 0.0
-    ? this->Traits.LengthDeviation * this->GetFactorMajorant(real, real) / (weight * weight * weight)
-    : std::numeric_limits<double>::infinity();
+  return this->IsPolynomialLength() ? this->Traits.LengthDeviation * this->GetFactorMajorant(real, real)
+                                    : 0.0;
+}
+
+double PatchMajorants::EvaluateWeight(double x, double y) const
+{
+  // T_k(x) T_l(y) by their recurrences.
+  double sum = 0.0;
+  double tl[2] = { 1.0, y };
+  for (int l = 0; l <= this->Q; ++l)
+  {
+    double tk[2] = { 1.0, x };
+    for (int k = 0; k <= this->P; ++k)
+    {
+      sum += tl[0] * tk[0] * this->Series[0][4 * (k + (this->P + 1) * l) + 3];
+      const double next = 2.0 * x * tk[1] - tk[0];
+      tk[0] = tk[1];
+      tk[1] = next;
+    }
+    const double next = 2.0 * y * tl[1] - tl[0];
+    tl[0] = tl[1];
+    tl[1] = next;
+  }
+  return sum;
 }
 
 void PatchMajorants::EvaluatePosition(

@@ -51,7 +51,9 @@ struct PatchTraits
   std::array<bool, 4> Collapsed{};
   /// |m| over those factors is itself a polynomial, as on every elementary surface (an arc's speed is rational).
   bool PolynomialLength = false;
-  /// How far |m| over those factors is from one: rounding.
+  /// m keeps its direction, as in a plane: |m| is one as long as m does not vanish.
+  bool ConstantDirection = false;
+  /// How far |n| over those factors is from what that gives: rounding.
   double LengthDeviation = 0.0;
 };
 
@@ -104,6 +106,9 @@ private:
     double Sum(const std::vector<double>& s, const std::vector<double>& r) const;
   };
   double GetLowestWeight() const;
+  double EvaluateWeight(double x, double y) const;
+  /// |m~| is a polynomial on the box.
+  bool IsPolynomialLength() const;
   void ExpandPosition(const std::array<double, 4>* points);
   void SampleNumerators(const std::array<double, 3>& origin);
   void Transform(int countS, int countR);
@@ -119,6 +124,8 @@ private:
   /// |w_00|, and |m~_00| or |h_00|.
   double FirstWeight = 1.0;
   double FirstLength = 0.0;
+  /// m~ . e is positive on the box, e its direction at the middle.
+  bool Positive = false;
   /// Distance of the box's centre from the origin of moments, and from the patch's centre.
   double CenterDistance = 0.0;
   double CenterOffset = 0.0;

@@ -84,11 +84,16 @@ RibbonPlanner::RibbonPlanner(
   , Request(request)
   , Result(plan)
 {
+  // Panels may have u and v exchanged, see smFacePanels.h.
+  const bool turned = face.Surface.Degree[0] > face.Surface.Degree[1];
   for (const Loop& loop : face.Loops)
   {
     for (const Coedge& coedge : loop.Coedges)
     {
-      this->Residuals.push_back({ coedge.Curve.Residual, coedge.Use->Curve.Residual });
+      const std::array<double, 2>& trim = coedge.Curve.Residual;
+      const std::array<double, 3>& edge = coedge.Use->Curve.Residual;
+      this->Residuals.push_back(
+        { turned ? std::array<double, 2>{ trim[1], trim[0] } : trim, Norm(edge.data()) });
     }
   }
 }
@@ -188,7 +193,8 @@ void RibbonPlanner::SampleGap(const Ribbon& ribbon, int nodes, double tail)
   const ChebyshevRule& rule = ChebyshevRule::Get(nodes);
   this->Nodes = nodes;
   this->Gap.assign(nodes, { 0.0, 0.0, 0.0, 0.0 });
-  this->Stretch = { 0.0, 0.0 };
+  this->Stretch = this->TrimSlope = { 0.0, 0.0 };
+  this->NormalLength = 0.0;
   double size = 0.0;
   for (int i = 0; i < nodes; ++i)
   {
@@ -214,15 +220,21 @@ void RibbonPlanner::SampleGap(const Ribbon& ribbon, int nodes, double tail)
       size = std::max({ size, std::abs(edge * h[0][3]), std::abs(h[0][c]) });
     }
     gap[3] = h[0][3];
+    double tangent[2][3];
+    const std::array<double, 2> slope = this->Trim.EvaluateDerivative(x);
     for (int d = 0; d < 2; ++d)
     {
-      double tangent[3];
       for (int c = 0; c < 3; ++c)
       {
-        tangent[c] = (h[d + 1][c] - h[d + 1][3] * h[0][c] / h[0][3]) / h[0][3];
+        tangent[d][c] = (h[d + 1][c] - h[d + 1][3] * h[0][c] / h[0][3]) / h[0][3];
       }
-      this->Stretch[d] = std::max(this->Stretch[d], Norm(tangent) / patch.Width[d]);
+      this->Stretch[d] = std::max(this->Stretch[d], Norm(tangent[d]));
+      this->TrimSlope[d] = std::max(this->TrimSlope[d], std::abs(slope[d]));
     }
+    const double normal[3] = { tangent[0][1] * tangent[1][2] - tangent[0][2] * tangent[1][1],
+      tangent[0][2] * tangent[1][0] - tangent[0][0] * tangent[1][2],
+      tangent[0][0] * tangent[1][1] - tangent[0][1] * tangent[1][0] };
+    this->NormalLength = std::max(this->NormalLength, Norm(normal));
     for (int k = 0; k < nodes; ++k)
     {
       const double factor = rule.GetTransform(k)[i];
@@ -341,25 +353,28 @@ void RibbonPlanner::ChargeResiduals(const Ribbon& ribbon, const Majorants& real)
   {
     return;
   }
-  const auto& [trim, edge] = this->Residuals[ribbon.Coedge];
-  if (!(trim > 0.0) && !(edge > 0.0))
+  const Patch& patch = this->Panels.Patches[ribbon.Patch];
+  const Residual& residual = this->Residuals[ribbon.Coedge];
+  const double ds = residual.Trim[0] / patch.Width[0];
+  const double dr = residual.Trim[1] / patch.Width[1];
+  if (ds == 0.0 && dr == 0.0 && residual.Edge == 0.0)
   {
     return;
   }
-  // The faces' boundary moves along the surface by `moved`: their area by that times the length. The chain stays closed, and
-  // its volume changes by what the ribbon sweeps: a triangle of the gap and the displacement along the length. 2: the
-  // stretch is known at nodes only.
-  const double moved = 2.0 * trim * (this->Stretch[0] + this->Stretch[1]);
+  // The faces' boundary moves by Ss ds + Sr dr, and sweeps |Ss x Sr| |ds r' - dr s'| of their area. The chain stays closed, and its
+  // volume changes by what the ribbon sweeps: a triangle of the gap and the displacement along the length. 2: these are
+  // known at nodes only.
+  const double area = 2.0 * this->NormalLength * (ds * this->TrimSlope[1] + dr * this->TrimSlope[0]);
+  const double moved = 2.0 * (ds * this->Stretch[0] + dr * this->Stretch[1]) + residual.Edge;
   const double length = real.CurveSlope + real.GapSlope;
   const double reach = real.Curve + real.Gap;
-  const double swept = (moved + edge) * (real.Gap + moved + edge) * length;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     const BoundClass& c = this->Request.Classes[i];
     const double power = std::pow(reach, c.Degree);
-    this->Result.ConversionBound[i] += c.Kind == BoundClass::AreaMoment ? moved * length * power
-      : c.Kind == BoundClass::VolumeMoment                              ? swept * power
-                                                                        : 0.0;
+    this->Result.ConversionBound[i] += c.Kind == BoundClass::AreaMoment ? area * power
+      : c.Kind == BoundClass::VolumeMoment ? moved * (real.Gap + moved) * length * power
+                                           : 0.0;
   }
 }
 

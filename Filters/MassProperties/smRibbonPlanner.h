@@ -49,8 +49,13 @@ private:
   const FacePanels& Panels;
   const PlanRequest& Request;
   FacePlan& Result;
-  /// Residuals of trim curve and edge curve, per coedge.
-  std::vector<std::array<double, 2>> Residuals;
+  /// Residuals of the trim curve, in u and v of the panels, and of the edge curve, per coedge.
+  struct Residual
+  {
+    std::array<double, 2> Trim;
+    double Edge;
+  };
+  std::vector<Residual> Residuals;
 
   // Of the part in hand: series in t on [-1,1].
   TrimSeries Trim;
@@ -62,8 +67,10 @@ private:
   /// What is not in the series of U, and the number of nodes.
   double Noise = 0.0;
   int Nodes = 0;
-  /// Largest |Ss| / width in u and |Sr| / width in v at the nodes.
+  /// Largest values at the nodes: |Ss|, |Sr|, |Ss x Sr|, |ds/dt|, |dr/dt|.
   std::array<double, 2> Stretch{};
+  double NormalLength = 0.0;
+  std::array<double, 2> TrimSlope{};
   std::vector<double> Samples;
   std::vector<double> Bounds;
   std::vector<double> Supremum;

@@ -9,6 +9,7 @@
 #ifndef smPolynomialCurve_h
 #define smPolynomialCurve_h
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -69,8 +70,14 @@ struct PolynomialCurve
   /// Index into Coefficients of each piece's first coefficient, and one past the end.
   std::vector<std::size_t> Offsets{ 0 };
   std::vector<Point> Coefficients;
-  /// Largest distance from the curve it was made from, in the units of its coordinates; 0: exact.
-  double Residual = 0.0;
+  /// Largest distance of each coordinate from the curve it was made from; 0: exact.
+  Point Residual{};
+
+  double GetLargestResidual() const { return *std::max_element(this->Residual.begin(), this->Residual.end()); }
+  void RaiseResidual(int coordinate, double residual)
+  {
+    this->Residual[coordinate] = std::max(this->Residual[coordinate], residual);
+  }
 
   int GetNumberOfPieces() const { return static_cast<int>(this->Offsets.size()) - 1; }
   int GetDegree(int piece) const

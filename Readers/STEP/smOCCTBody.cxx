@@ -299,7 +299,10 @@ private:
       }
       result.Coefficients.push_back(uv);
     }
-    result.Residual = curve.Residual / map.GetScale();
+    // In the plane, its distance in space.
+    const double residual =
+      std::hypot(curve.Residual[0], curve.Residual[1], curve.Residual[2]) / map.GetScale();
+    result.Residual = { residual, residual };
     return result;
   }
 
@@ -387,7 +390,7 @@ private:
           {
             p[d] = *knot;
           }
-          curve.Residual = std::max(curve.Residual, std::abs(*knot - value));
+          curve.RaiseResidual(d, std::abs(*knot - value));
           break;
         }
       }

@@ -94,7 +94,10 @@ EdgeCurve FitEdge(
       stack.push_back({ interval.Start, middle, interval.Depth + 1, residual });
       continue;
     }
-    result.Residual = std::max(result.Residual, residual);
+    for (int d = 0; d < 3; ++d)
+    {
+      result.RaiseResidual(d, r[d]);
+    }
     if (result.GetNumberOfPieces() >= MaximumPieces)
     {
       throw std::runtime_error("its curve needs more than " + std::to_string(MaximumPieces) + " pieces");

@@ -48,7 +48,7 @@ void SetFit(Profile& profile, const Handle(Geom_Curve) & curve, double low, doub
     degree = std::max(degree, fit.GetDegree(i));
   }
   profile.Degree = degree;
-  profile.Residual = fit.Residual;
+  profile.Residual = std::hypot(fit.Residual[0], fit.Residual[1], fit.Residual[2]);
   profile.Knots.assign(1, fit.Breaks.front());
   for (const double t : fit.Breaks)
   {

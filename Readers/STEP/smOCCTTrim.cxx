@@ -58,7 +58,7 @@ void KeepConstant(const std::vector<TrimCurve::Point>& poles, TrimCurve& curve)
       {
         p[d] = poles[0][d];
       }
-      curve.Residual = std::max(curve.Residual, high - low);
+      curve.RaiseResidual(d, high - low);
     }
   }
 }
@@ -143,7 +143,7 @@ private:
         const double middle = spread == 0.0 ? box.Low[d] : 0.5 * (box.Low[d] + box.High[d]);
         this->Value[d] = this->Maps[d].Evaluate(middle + this->Trim.Shift[d]);
         const double slope = this->Maps[d].Type == ParameterMap::Kind::Identity ? 1.0 : 1.0 / cell;
-        this->Result.Residual = std::max(this->Result.Residual, 0.5 * spread * slope);
+        this->Result.RaiseResidual(d, 0.5 * spread * slope);
       }
     }
   }
@@ -289,7 +289,7 @@ private:
       }
       else
       {
-        this->Result.Residual = std::max(this->Result.Residual, piece.Residual[d]);
+        this->Result.RaiseResidual(d, piece.Residual[d]);
       }
     }
     if (this->Result.GetNumberOfPieces() >= MaximumPieces)

@@ -94,7 +94,7 @@ void CheckTrims(const sm::ConvertedFace& face, const sm::AffineMap& map, const H
     {
       const sm::Coedge& coedge = loop.Coedges[k];
       result.Pieces += coedge.Curve.GetNumberOfPieces();
-      result.TrimResidual = std::max(result.TrimResidual, coedge.Curve.Residual);
+      result.TrimResidual = std::max(result.TrimResidual, coedge.Curve.GetLargestResidual());
       double first;
       double last;
       Standard_Boolean stored = false;
@@ -129,7 +129,7 @@ void CheckTrims(const sm::ConvertedFace& face, const sm::AffineMap& map, const H
             "trim of face #%d (%s), edge #%d, x=%.3f: %.2e; native %.17g %.17g ours %.17g %.17g residual "
             "%.1e stored-curve %s",
             face.Result->FileId, surface->DynamicType()->Name(), coedge.Use->FileId, x, error, uv.X(), uv.Y(),
-            c[0], c[1], coedge.Curve.Residual, native->DynamicType()->Name());
+            c[0], c[1], coedge.Curve.GetLargestResidual(), native->DynamicType()->Name());
           result.Messages.push_back(line);
         }
       }
@@ -224,7 +224,7 @@ void CheckEdges(
             std::ostringstream line;
             line << "edge #" << coedge.Use->FileId << " (" << curve->DynamicType()->Name() << "), x=" << x
                  << ": " << error << ", range " << first << " " << last << ", residual "
-                 << coedge.Use->Curve.Residual;
+                 << coedge.Use->Curve.GetLargestResidual();
             result.Messages.push_back(line.str());
           }
         }
