@@ -86,7 +86,7 @@ def closer_than_occt(reference, run):
 
 
 def occt_error(reference, exact="volume"):
-    """OCCT's error, relative, as its claim is. It integrates the faces alone: of these the exact value is volume_faces_only."""
+    """OCCT's error, relative as its claim. It integrates the faces alone: of these `volume_faces_only` is exact."""
     return abs(reference[OCCT]["volume"] - reference[exact]) / abs(reference["volume"])
 
 

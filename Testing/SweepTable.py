@@ -7,6 +7,9 @@ import SweepJudge
 NAMES = {"volume": "volume", "area": "area", "center": "centre", "inertia": "inertia"}
 
 
+README_MARKS = ("<!-- SweepModels -->\n", "<!-- /SweepModels -->\n")
+
+
 def number(value, form="{:.1e}"):
     return "-" if value is None else form.format(value)
 
@@ -130,6 +133,14 @@ def summary(swept, seconds):
     return "\n".join(line.rstrip() for line in lines)
 
 
+def replace_summary(readme, text):
+    before, _, rest = readme.partition(README_MARKS[0])
+    _, _, after = rest.partition(README_MARKS[1])
+    if not after:
+        raise ValueError("README has no place for the summary: " + README_MARKS[0].strip())
+    return before + README_MARKS[0] + text + "\n" + README_MARKS[1] + after
+
+
 def occt_lines(solids):
     claims = [(SweepJudge.occt_error(entry.reference), SweepJudge.occt_error(entry.reference, "volume_faces_only"),
                entry.reference[SweepJudge.OCCT]["claimed"]) for entry in solids]
@@ -139,6 +150,7 @@ def occt_lines(solids):
              f"{middle_and_worst([error for error, _, _ in claims])}; against the faces alone, gaps left open, which is what "
              f"it integrates, {middle_and_worst([faces for _, faces, _ in claims])}. The error it claims is exceeded by more "
              f"than 1e-12 on {len(exceeded)} of {len(solids)}, even if held against the nearer of the two."]
+    lines += ["", "| volume that the CAD system wrote | distance | OCCT's | times closer |", "|---|---|---|---|"]
     for entry in solids:
         closer = SweepJudge.closer_than_occt(entry.reference, entry.runs[0])
         if closer is not None:
@@ -146,6 +158,5 @@ def occt_lines(solids):
             written = reference["volume_written_by_cad"]
             mine = abs(entry.runs[0].total("volume") - written) / written
             theirs = abs(reference[SweepJudge.OCCT]["volume"] - written) / written
-            lines.append(f"- {reference['id']}: {mine:.1e} from the CAD system's own volume, OCCT {theirs:.1e}: "
-                         f"{closer:.3g} times closer")
+            lines.append(f"| {reference['id']} | {mine:.1e} | {theirs:.1e} | {closer:.3g} |")
     return lines
