@@ -59,9 +59,10 @@ endif ()
 
 if (EXISTS "${SOLIDMOMENTS_MODELS_DIR}/reference.jsonl")
   solidmoments_add_test(NAME SweepModels LABELS value robust NODISPLAY TIMEOUT 3600 FIXTURE models
-    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/SweepModels.py"
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/SweepModels.py"
       --program "$<TARGET_FILE:solidmoments>" --models "${SOLIDMOMENTS_MODELS_DIR}"
       --exceptions "${CMAKE_CURRENT_SOURCE_DIR}/SweepExceptions.json"
-      --folder "${SOLIDMOMENTS_UNPACKED_MODELS}")
+      --folder "${SOLIDMOMENTS_UNPACKED_MODELS}" --markdown "${SOLIDMOMENTS_TEST_OUTPUT}/models.md"
+      --csv "${SOLIDMOMENTS_TEST_OUTPUT}/models.csv")
   set_tests_properties(SweepModels PROPERTIES RUN_SERIAL ON)
 endif ()
