@@ -39,11 +39,80 @@ std::array<double, Dimension> EvaluateIn(const PolynomialCurve<Dimension>& curve
   return point;
 }
 
+/// A surface that keeps the Bézier patch it was last asked for: neighbouring points of a curve share it.
+class CellSurface
+{
+public:
+  explicit CellSurface(const NURBSSurface& surface)
+    : Source(surface)
+    , Breaks{ surface.GetSpanBreaks(0), surface.GetSpanBreaks(1) }
+  {
+  }
+
+  /// Cell of a coordinate; the nearest one outside the domain.
+  int FindCell(int direction, double x) const
+  {
+    const std::vector<double>& breaks = this->Breaks[direction];
+    return static_cast<int>(std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x) - breaks.begin()) - 1;
+  }
+
+  Point3 Evaluate(const Point2& uv, Point3* du = nullptr, Point3* dv = nullptr)
+  {
+    const int cell[2] = { this->FindCell(0, uv[0]), this->FindCell(1, uv[1]) };
+    if (cell[0] != this->Cell[0] || cell[1] != this->Cell[1])
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        this->Cell[d] = cell[d];
+        this->Start[d] = this->Breaks[d][cell[d]];
+        this->Width[d] = this->Breaks[d][cell[d] + 1] - this->Start[d];
+      }
+      this->Source.ExtractBezier(this->Start[0], this->Breaks[0][cell[0] + 1], this->Start[1],
+        this->Breaks[1][cell[1] + 1], this->Points);
+    }
+    const int p = this->Source.Degree[0];
+    const int q = this->Source.Degree[1];
+    const double s = (uv[0] - this->Start[0]) / this->Width[0];
+    const double r = (uv[1] - this->Start[1]) / this->Width[1];
+    std::array<double, 4> rows[MaximumDegree + 1] = {};
+    std::array<double, 4> rowsS[MaximumDegree + 1];
+    for (int j = 0; j <= q; ++j)
+    {
+      rows[j] = BernsteinPiece<4>{ this->Points + j * (p + 1), p }.Evaluate(s, du ? &rowsS[j] : nullptr);
+    }
+    std::array<double, 4> hr;
+    const std::array<double, 4> h = BernsteinPiece<4>{ rows, q }.Evaluate(r, dv ? &hr : nullptr);
+    const std::array<double, 4> hs = du ? BernsteinPiece<4>{ rowsS, q }.Evaluate(r) : std::array<double, 4>{};
+    Point3 position;
+    for (int c = 0; c < 3; ++c)
+    {
+      position[c] = h[c] / h[3];
+      if (du)
+      {
+        (*du)[c] = (hs[c] - position[c] * hs[3]) / h[3] / this->Width[0];
+      }
+      if (dv)
+      {
+        (*dv)[c] = (hr[c] - position[c] * hr[3]) / h[3] / this->Width[1];
+      }
+    }
+    return position;
+  }
+
+private:
+  const NURBSSurface& Source;
+  std::vector<double> Breaks[2];
+  int Cell[2] = { -1, -1 };
+  double Start[2] = { 0.0, 0.0 };
+  double Width[2] = { 1.0, 1.0 };
+  std::array<double, 4> Points[(MaximumDegree + 1) * (MaximumDegree + 1)];
+};
+
 /// The pieces of one curve in step with its edge.
 class Restorer
 {
 public:
-  Restorer(const NURBSSurface& surface, const EdgeCurve& edge, const TrimCurve& trim,
+  Restorer(CellSurface& surface, const EdgeCurve& edge, const TrimCurve& trim,
     const std::array<double, 2>& tolerance)
     : Surface(surface)
     , Edge(edge)
@@ -57,7 +126,6 @@ public:
       const double value = trim.Coefficients[0][d];
       this->Constant[d] = std::all_of(trim.Coefficients.begin(), trim.Coefficients.end(),
         [d, value](const Point2& p) { return p[d] == value; });
-      this->Knots[d] = surface.GetSpanBreaks(d);
     }
   }
 
@@ -101,10 +169,9 @@ private:
   {
     Point2 duv;
     const Point2 uv = this->Trim.Evaluate(tau, &duv);
-    Point3 position;
     Point3 du;
     Point3 dv;
-    this->Surface.Evaluate(uv[0], uv[1], position.data(), du.data(), dv.data());
+    const Point3 position = this->Surface.Evaluate(uv, &du, &dv);
     double offset = 0.0;
     slope = 0.0;
     for (int c = 0; c < 3; ++c)
@@ -183,11 +250,7 @@ private:
   std::vector<double> FindTrimBreaks() const
   {
     std::vector<double> breaks;
-    const auto cell = [this](const Point2& p, int d)
-    {
-      const std::vector<double>& knots = this->Knots[d];
-      return std::upper_bound(knots.begin() + 1, knots.end() - 1, p[d]) - knots.begin();
-    };
+    const auto cell = [this](const Point2& p, int d) { return this->Surface.FindCell(d, p[d]); };
     for (int k = 0; k < this->Trim.GetNumberOfPieces(); ++k)
     {
       const double a = this->Trim.Breaks[k];
@@ -216,6 +279,51 @@ private:
     return breaks;
   }
 
+  /// t with Map(t) = tau, by the Illinois variant of regula falsi.
+  bool Invert(double tau, double& t) const
+  {
+    double low = this->Start;
+    double high = this->End;
+    double atLow = low - tau;
+    double atHigh = high - tau;
+    int side = 0;
+    t = tau;
+    for (int n = 0; n < 100 && high - low > 1e-15 * (this->End - this->Start); ++n)
+    {
+      t = n == 0 ? tau : low - atLow * (high - low) / (atHigh - atLow);
+      t = t > low && t < high && n % 4 != 3 ? t : 0.5 * (low + high);
+      double mapped;
+      if (!(t > low && t < high))
+      {
+        break;
+      }
+      if (!this->Map(t, this->Edge.FindPiece(t), mapped))
+      {
+        return false;
+      }
+      const double value = mapped - tau;
+      if (std::abs(value) <= 1e-15 * (this->End - this->Start))
+      {
+        break;
+      }
+      if (value < 0.0)
+      {
+        low = t;
+        atLow = value;
+        atHigh *= side < 0 ? 0.5 : 1.0;
+        side = -1;
+      }
+      else
+      {
+        high = t;
+        atHigh = value;
+        atLow *= side > 0 ? 0.5 : 1.0;
+        side = 1;
+      }
+    }
+    return true;
+  }
+
   /// Parameters t at which the map or the curve has a knot; ends included.
   bool FindBreaks(std::vector<double>& breaks) const
   {
@@ -224,25 +332,14 @@ private:
     breaks.back() = this->End;
     for (const double tau : this->FindTrimBreaks())
     {
-      double low = this->Start;
-      double high = this->End;
-      for (int n = 0; n < 60 && tau > this->Start && tau < this->End; ++n)
+      double t;
+      if (tau > this->Start && tau < this->End)
       {
-        const double middle = 0.5 * (low + high);
-        double mapped;
-        if (!(middle > low && middle < high))
-        {
-          break;
-        }
-        if (!this->Map(middle, this->Edge.FindPiece(middle), mapped))
+        if (!this->Invert(tau, t))
         {
           return false;
         }
-        (mapped < tau ? low : high) = middle;
-      }
-      if (tau > this->Start && tau < this->End)
-      {
-        breaks.push_back(high);
+        breaks.push_back(t);
       }
     }
     std::sort(breaks.begin(), breaks.end());
@@ -313,7 +410,7 @@ private:
   /// Residual that is put up with, in tolerances.
   static constexpr double MaximumExcess = 100.0;
 
-  const NURBSSurface& Surface;
+  CellSurface& Surface;
   const EdgeCurve& Edge;
   const TrimCurve& Trim;
   std::array<double, 2> Tolerance;
@@ -321,18 +418,11 @@ private:
   double End;
   double Offset[2] = { 0.0, 0.0 };
   bool Constant[2] = { false, false };
-  std::vector<double> Knots[2];
   int Most = 0;
   TrimCurve Result;
 };
 
-bool IsLagging(const Step& step, double size)
-{
-  return step.Lag > SmallestLag * size && step.Lag > LagOverGap * step.Gap;
-}
-}
-
-Step MeasureStep(const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge)
+Step MeasureStep(CellSurface& surface, const TrimCurve& trim, const EdgeCurve& edge)
 {
   Step step;
   for (int k = 0; k < trim.GetNumberOfPieces(); ++k)
@@ -341,8 +431,7 @@ Step MeasureStep(const NURBSSurface& surface, const TrimCurve& trim, const EdgeC
     {
       const double t = trim.Breaks[k] + x * (trim.Breaks[k + 1] - trim.Breaks[k]);
       const Point2 uv = trim.GetPiece(k).Evaluate(x);
-      Point3 position;
-      surface.Evaluate(uv[0], uv[1], position.data());
+      const Point3 position = surface.Evaluate(uv);
       Point3 tangent;
       const Point3 target = edge.Evaluate(t, &tangent);
       const Point3 gap = { target[0] - position[0], target[1] - position[1], target[2] - position[2] };
@@ -355,10 +444,23 @@ Step MeasureStep(const NURBSSurface& surface, const TrimCurve& trim, const EdgeC
   return step;
 }
 
+bool IsLagging(const Step& step, double size)
+{
+  return step.Lag > SmallestLag * size && step.Lag > LagOverGap * step.Gap;
+}
+}
+
+Step MeasureStep(const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge)
+{
+  CellSurface cells(surface);
+  return MeasureStep(cells, trim, edge);
+}
+
 StepResult RestoreCommonParameter(const NURBSSurface& surface, const EdgeCurve& edge, double size,
   const std::array<double, 2>& tolerance, TrimCurve& trim)
 {
-  const Step before = MeasureStep(surface, trim, edge);
+  CellSurface cells(surface);
+  const Step before = MeasureStep(cells, trim, edge);
   if (!IsLagging(before, size))
   {
     return StepResult::InStep;
@@ -366,7 +468,7 @@ StepResult RestoreCommonParameter(const NURBSSurface& surface, const EdgeCurve& 
   TrimCurve restored;
   try
   {
-    if (!Restorer(surface, edge, trim, tolerance).Restore(restored))
+    if (!Restorer(cells, edge, trim, tolerance).Restore(restored))
     {
       return StepResult::Failed;
     }
@@ -376,7 +478,7 @@ StepResult RestoreCommonParameter(const NURBSSurface& surface, const EdgeCurve& 
     // A sample is not finite.
     return StepResult::Failed;
   }
-  if (!(MeasureStep(surface, restored, edge).Lag <= 0.5 * before.Lag))
+  if (!(MeasureStep(cells, restored, edge).Lag <= 0.5 * before.Lag))
   {
     return StepResult::Failed;
   }
