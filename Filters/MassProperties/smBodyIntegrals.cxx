@@ -109,6 +109,20 @@ std::string ListIds(const std::vector<int>& ids)
   return list + (ids.size() > 5 ? ", ..." : "");
 }
 
+bool IsRigid(const std::array<double, 16>& m)
+{
+  bool rigid = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = i; j < 3; ++j)
+    {
+      const double product = m[i] * m[j] + m[4 + i] * m[4 + j] + m[8 + i] * m[8 + j];
+      rigid = rigid && std::abs(product - (i == j ? 1.0 : 0.0)) <= 1e-12;
+    }
+  }
+  return rigid;
+}
+
 void CountOpenEdges(BodyIntegrals& body)
 {
   // Signed uses of every edge: a seam or a 2+2 non-manifold edge cancels, a border does not.
@@ -193,6 +207,11 @@ void CheckTopology(BodyIntegrals& body)
   {
     body.Flag("suspect",
       std::to_string(body.Model->GetNumberOfDefects()) + " defects in the file's loops, edges or instances");
+  }
+  if (!IsRigid(body.Placement))
+  {
+    body.Flag("suspect",
+      "its placement scales or shears it; only rotations, mirrors and translations are understood");
   }
   CountOpenEdges(body);
 }

@@ -20,6 +20,9 @@ constexpr std::size_t MostPartsOfMoments = 8192;
 // A higher exact order costs more than the one that a bound asks for.
 constexpr int LargestExactOrder = 10;
 // Orders of a compared panel; the second evaluation has twice as many.
+constexpr double UnitRoundoff = 1.1102230246251565e-16;
+// Of a crossing's parameter, in u times its largest coordinate: 2 (degree + 2) for trim pieces up to degree 25.
+constexpr double EndRounding = 54.0;
 constexpr int LeastCompared = 4;
 constexpr int MostCompared = 15;
 }
@@ -138,8 +141,16 @@ void PanelPlanner::BoundDirections(const Panel& panel, const Part& part, double 
   }
   else
   {
-    // Along a straight ruling x.n is constant or linear, |n| too, and g has its degree, times xi.
-    this->AcrossXi.SetExactOrder((this->Degree + (panel.Shape == PanelShape::Straight ? 3 : 2)) / 2);
+    // Along a straight ruling x.n is constant or linear, |n| too unless it vanishes somewhere, and g has its degree, times xi.
+    const int order = (this->Degree + (panel.Shape == PanelShape::Straight ? 3 : 2)) / 2;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (this->Request.Classes[i].Kind != BoundClass::AreaMoment || panel.Shape == PanelShape::Prismatic ||
+        this->Majorants.HasLength())
+      {
+        this->AcrossXi.SetExactOrder(i, order);
+      }
+    }
   }
   this->Best.assign(count, LargestOrder + 1);
   for (const double radius : Radii)
@@ -239,6 +250,45 @@ bool PanelPlanner::FindOrders(double share, bool withArea, int& along, int& acro
   return true;
 }
 
+bool PanelPlanner::IsSmall(double kink, double share) const
+{
+  for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
+  {
+    const BoundClass& c = this->Request.Classes[i];
+    const double tolerance = share * this->Request.Tolerances[i];
+    if (c.Kind == BoundClass::AreaMoment && tolerance > 0.0 &&
+      kink * std::pow(this->Reach, c.Degree) > 0.25 * tolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void PanelPlanner::ChargeEnds(const Panel& panel, const Part& part)
+{
+  // The covered part of a patch's right edge ends where a trim curve crosses it: known to the rounding of that curve.
+  if (!this->Trim.IsConstantInS() || this->Trim.GetDegree() != 1 || this->Trim.GetLow(0) != 1.0)
+  {
+    return;
+  }
+  const Patch& patch = this->Panels.Patches[panel.Patch];
+  const double width = this->Trim.GetHigh(1) - this->Trim.GetLow(1);
+  const double largest = std::max(std::abs(patch.Start[1]), std::abs(patch.Start[1] + patch.Width[1]));
+  const double rounding = EndRounding * UnitRoundoff * largest / patch.Width[1];
+  int ends = 0;
+  ends += part.Start == 0.0 && this->Trim.GetLow(1) != 0.0 ? 1 : 0;
+  ends += part.End == 1.0 && this->Trim.GetHigh(1) != 1.0 ? 1 : 0;
+  if (ends == 0 || !(width > 0.0))
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
+  {
+    this->Result.QuadratureBound[i] += ends * rounding / width * this->Supremum[i];
+  }
+}
+
 int PanelPlanner::ChooseDirection(const Part& part, double share) const
 {
   // The direction that no order satisfies; where neither does, the one in which the normal turns more.
@@ -296,6 +346,7 @@ void PanelPlanner::Keep(
     }
   }
   this->Result.Estimated = this->Result.Estimated || compared;
+  this->ChargeEnds(this->Panels.Panels[index], part);
   this->Result.Evaluations += static_cast<std::int64_t>(along) * across * (compared ? 5 : 1);
   this->Result.Items.push_back(item);
 }
@@ -335,10 +386,22 @@ void PanelPlanner::PlanPart(std::uint32_t index, const Part& part)
   this->BoundDirections(panel, part, jacobian);
 
   const double share = std::exp2(-part.Depth);
-  const double noise = jacobian * this->Majorants.GetLengthDeviation();
+  double noise = jacobian * this->Majorants.GetLengthDeviation();
+  // |n| and its factored form differ beyond a collapsed edge.
+  const double kinks[2] = { this->Majorants.GetKink(0), this->Majorants.GetKink(1) };
+  double kink = 0.0;
+  for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
+  {
+    if (this->Request.Classes[i] == BoundClass{ BoundClass::AreaMoment, 0 } && kinks[0] + kinks[1] > 0.0)
+    {
+      kink = (kinks[0] + kinks[1]) * this->Supremum[i];
+      noise += kink;
+    }
+  }
   int along = 1;
   int across = 1;
-  if (this->FindOrders(share, true, along, across))
+  const bool found = this->FindOrders(share, true, along, across);
+  if (found && this->IsSmall(kink, share))
   {
     this->Keep(index, part, along, across, false, noise);
     return;
@@ -346,7 +409,7 @@ void PanelPlanner::PlanPart(std::uint32_t index, const Part& part)
   const std::size_t most = this->FindOrders(share, false, along, across) ? MostParts : MostPartsOfMoments;
   if (part.Depth < LargestDepth && this->Pending.size() + this->Parts < most)
   {
-    const bool inXi = this->ChooseDirection(part, share) == 1;
+    const bool inXi = found ? kinks[0] >= kinks[1] : this->ChooseDirection(part, share) == 1;
     Part halves[2] = { part, part };
     (inXi ? halves[0].XiEnd : halves[0].End) = (inXi ? halves[1].XiStart : halves[1].Start) =
       inXi ? 0.5 * (part.XiStart + part.XiEnd) : 0.5 * (part.Start + part.End);

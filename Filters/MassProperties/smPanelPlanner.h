@@ -43,6 +43,8 @@ private:
   bool MayImprove(const DirectionBound& direction, double share);
   bool FindOrders(double share, bool withArea, int& along, int& across) const;
   double GetError(std::size_t integrand, int along, int across) const;
+  bool IsSmall(double kink, double share) const;
+  void ChargeEnds(const Panel& panel, const Part& part);
   int ChooseDirection(const Part& part, double share) const;
   void Keep(std::uint32_t index, const Part& part, int along, int across, bool compared, double noise);
 

@@ -15,7 +15,7 @@ using Vector = std::array<double, 3>;
 // A row of control points this close together, relative to the patch, is one point; a length this close to a
 // polynomial is one. Both leave what rounding leaves.
 constexpr double CollapsedSize = 1e-15;
-constexpr double LengthTolerance = 1e-13;
+constexpr double LengthTolerance = 1e-14;
 
 Vector Cross(const double* a, const double* b)
 {
@@ -410,6 +410,7 @@ void PatchMajorants::MakeTables(int countS, int countR)
   const double* first = this->Samples.data();
   this->FirstLength = this->Traits.PolynomialLength ? std::abs(first[4]) : Norm(first + 1);
   double rest = 0.0;
+  double beside = 0.0;
   Vector e{ 0.0, 0.0, 0.0 };
   for (int c = 0; c < 3; ++c)
   {
@@ -424,6 +425,7 @@ void PatchMajorants::MakeTables(int countS, int countR)
     if (this->Traits.PolynomialLength)
     {
       this->Along.Entries[i] = i == 0 ? 0.0 : std::abs(entry[4]);
+      rest += this->Along.Entries[i];
       continue;
     }
     const double along = entry[1] * e[0] + entry[2] * e[1] + entry[3] * e[2];
@@ -431,13 +433,37 @@ void PatchMajorants::MakeTables(int countS, int countR)
     this->Along.Entries[i] = i == 0 ? 0.0 : std::abs(along);
     rest += this->Along.Entries[i];
     this->Across.Entries[i] = i == 0 ? 0.0 : Norm(across);
+    beside += this->Across.Entries[i];
   }
   this->Positive = rest < 0.999999 * this->FirstLength;
+  this->Nonzero = rest + beside < 0.999999 * this->FirstLength;
 }
 
 bool PatchMajorants::IsPolynomialLength() const
 {
-  return this->Traits.PolynomialLength || (this->Traits.ConstantDirection && this->Positive);
+  // h^2 = m~ . m~ says |m~| = |h|: without a change of sign it is h.
+  return (this->Traits.PolynomialLength || this->Traits.ConstantDirection) && this->Positive;
+}
+
+bool PatchMajorants::HasLength() const
+{
+  return this->IsPolynomialLength() || this->Nonzero;
+}
+
+double PatchMajorants::GetKink(int direction) const
+{
+  double kink = 0.0;
+  for (int side = 0; side < 2; ++side)
+  {
+    if (this->Traits.Collapsed[2 * direction + side])
+    {
+      const double middle = this->Box.Middle[direction];
+      const double half = this->Box.Half[direction];
+      const double outside = side == 0 ? half - middle : middle + half - 1.0;
+      kink += outside > 0.0 ? 2.0 * outside / (std::abs(middle - side) + half) : 0.0;
+    }
+  }
+  return kink;
 }
 
 void PatchMajorants::ExpandWithoutNormal(

@@ -88,6 +88,12 @@ public:
   /// Upper bound of the part of |n| that is not in the series of a polynomial length; real parameters.
   double GetLengthDeviation() const;
 
+  /// |n| has no zero on the box, but at collapsed edges.
+  bool HasLength() const;
+  /// Where the box sticks out beyond a collapsed edge, |n| has a kink there that the factor has not: twice how far it does,
+  /// relative to the factor's largest value, in s (0) or r (1).
+  double GetKink(int direction) const;
+
   /// Upper bounds in the ellipses of |w x| relative to the patch's centre, and of w.
   void EvaluatePosition(const Ellipse& s, const Ellipse& r, double& position, double& weight) const;
 
@@ -124,8 +130,9 @@ private:
   /// |w_00|, and |m~_00| or |h_00|.
   double FirstWeight = 1.0;
   double FirstLength = 0.0;
-  /// m~ . e is positive on the box, e its direction at the middle.
+  /// h, or m~ . e with its direction e at the middle, is positive on the box; and |m~| is.
   bool Positive = false;
+  bool Nonzero = false;
   /// Distance of the box's centre from the origin of moments, and from the patch's centre.
   double CenterDistance = 0.0;
   double CenterOffset = 0.0;

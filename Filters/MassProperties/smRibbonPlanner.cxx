@@ -244,18 +244,10 @@ void RibbonPlanner::SampleGap(const Ribbon& ribbon, int nodes, double tail)
       }
     }
   }
-  // Coefficients of the size of rounding are no part of the curve: they would grow with their power of the radius. For
-  // real t they are what they are.
-  const double smallest = 16.0 * UnitRoundoff * size;
-  this->Noise = tail;
+  // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant.
+  this->Noise = tail + 2.0 * UnitRoundoff * size * (1.0 + std::log(static_cast<double>(nodes)));
   for (std::array<double, 4>& coefficient : this->Gap)
   {
-    const double length = Norm(coefficient.data());
-    if (length <= smallest)
-    {
-      this->Noise += length;
-      coefficient[0] = coefficient[1] = coefficient[2] = 0.0;
-    }
     if (std::abs(coefficient[3]) <= 16.0 * UnitRoundoff * this->Gap[0][3])
     {
       coefficient[3] = 0.0;

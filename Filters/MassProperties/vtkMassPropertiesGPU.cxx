@@ -380,7 +380,7 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
     const double density = this->Density > 0.0 ? this->Density : body.Model->GetDensity();
     SetMass(row, density, body.Model->GetLengthUnit());
     total.Area += row.Area;
-    total.AreaBound += row.AreaBound;
+    total.AreaBound += row.AreaBound + 2.0 * UnitRoundoff * total.Area;
     total.GapSquared += row.GapSquared;
     total.GapArea += row.GapArea;
     // Not std::max, which loses a NaN.
@@ -444,6 +444,13 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
     openEdges += bodies[i].OpenEdges;
     flippedShells += bodies[i].FlippedShells;
     status = sm::IsWorse(bodies[i].Status, status) ? bodies[i].Status : status;
+  }
+  // Bounds add up, scales need not: parts on both sides of the origin.
+  const std::string unmet = sm::FindUnmet(total, this->GetTolerance());
+  if (status == sm::names::StatusOk && !unmet.empty())
+  {
+    status = this->Implementation->Last.Status = sm::names::StatusToleranceNotMet;
+    this->Implementation->Last.Messages.push_back("bounds of the total above the tolerance, relative: " + unmet);
   }
   sm::columns::SetInteger(totals->GetFieldData(), sm::names::OpenEdges, openEdges);
   sm::columns::SetInteger(totals->GetFieldData(), sm::names::FlippedShells, flippedShells);

@@ -1,5 +1,6 @@
 #include "smOCCTBody.h"
 
+#include "smCommonParameter.h"
 #include "smOCCTCurve.h"
 #include "smOCCTText.h"
 
@@ -438,6 +439,8 @@ private:
       surface.Surface.GetSpanBreaks(1) };
     const double width[2] = { box.High[0] - box.Low[0], box.High[1] - box.Low[1] };
     std::vector<std::vector<TopoDS_Edge>> sources;
+    int restored = 0;
+    int lagging = 0;
     for (std::size_t l = 0; l < draft.Loops.size(); ++l)
     {
       Loop loop;
@@ -459,6 +462,13 @@ private:
                                       : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
                                           coedge.Use->Curve.GetEnd(), surface.Map, width);
         Snap(knots, coedge.Curve);
+        if (!coedge.Use->Degenerate && !from.Projected)
+        {
+          const StepResult step = RestoreCommonParameter(surface.Surface, coedge.Use->Curve, this->Size,
+            GetTrimTolerance(surface.Map, width), coedge.Curve);
+          restored += step == StepResult::Restored ? 1 : 0;
+          lagging += step == StepResult::Failed ? 1 : 0;
+        }
         loop.Coedges.push_back(std::move(coedge));
         loopSources.push_back(from.Edge);
       }
@@ -472,6 +482,8 @@ private:
     this->CheckClosing(draft, *face);
     ConvertedFace& result = this->Faces[index];
     result.Defects = draft.Defects;
+    result.RestoredCoedges = restored;
+    result.LaggingCoedges = lagging;
     result.Source = draft.Face;
     result.SourceEdges = std::move(sources);
     for (int d = 0; d < 2; ++d)
@@ -567,6 +579,7 @@ private:
   {
     this->CheckVertices();
     std::vector<int> place(this->Faces.size(), -1);
+    int lagging = 0;
     for (std::size_t i = 0; i < this->Faces.size(); ++i)
     {
       if (!this->Faces[i].Result)
@@ -579,7 +592,15 @@ private:
         this->Result.Messages.push_back(Label("Face", this->Faces[i].Result->FileId, i) + ": " + message);
       }
       this->Result.Defects += this->Faces[i].Defects;
+      lagging += this->Faces[i].LaggingCoedges;
       this->Result.Faces.push_back(this->Faces[i]);
+    }
+    if (lagging > 0)
+    {
+      this->Result.Messages.push_back(std::to_string(lagging) +
+        (lagging == 1 ? " curve of an edge on a face does" : " curves of edges on faces do") +
+        " not run in step with the edge, and no common parameter could be found: gaps there may be stated "
+        "too wide.");
     }
     for (const std::vector<int>& shell : this->Shells)
     {

@@ -46,6 +46,9 @@ struct ConvertedFace
   double Period[2] = { 0.0, 0.0 };
   /// As vtkTrimmedNURBSModel::GetNumberOfDefects, of this face.
   int Defects = 0;
+  /// Coedges that did not run in step with their edge: those put right, and those left (smCommonParameter.h).
+  int RestoredCoedges = 0;
+  int LaggingCoedges = 0;
 };
 
 struct ConvertedBody

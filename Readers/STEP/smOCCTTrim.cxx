@@ -72,15 +72,7 @@ public:
     , Range(range)
     , Maps(maps)
   {
-    // Beside an angle, whose arcs are 1 wide, a length is fitted to rounding: the curve's one residual is charged to
-    // both coordinates, and 1e-13 of a long cylinder is far more than 1e-13 of an arc.
-    const bool plain = maps[0].Type == maps[1].Type;
-    for (int d = 0; d < 2; ++d)
-    {
-      this->Tolerance[d] = maps[d].Type == ParameterMap::Kind::Identity
-        ? (plain ? 1e-13 : 1e-15) * width[d]
-        : std::max(1e-13, 2.0 * maps[d].GetRounding());
-    }
+    this->Tolerance = GetTrimTolerance(maps, width);
   }
 
   TrimCurve Fit()
@@ -363,6 +355,21 @@ void NativeTrim::AddTo(ParameterBox& box) const
       add(p[i].X() + bulge.X(), p[i].Y() + bulge.Y());
     }
   }
+}
+
+std::array<double, 2> GetTrimTolerance(const ParameterMap maps[2], const double width[2])
+{
+  // Beside an angle, whose arcs are 1 wide, a length is fitted to rounding: the curve's one residual is charged to
+  // both coordinates, and 1e-13 of a long cylinder is far more than 1e-13 of an arc.
+  const bool plain = maps[0].Type == maps[1].Type;
+  std::array<double, 2> tolerance;
+  for (int d = 0; d < 2; ++d)
+  {
+    tolerance[d] = maps[d].Type == ParameterMap::Kind::Identity
+      ? (plain ? 1e-13 : 1e-15) * width[d]
+      : std::max(1e-13, 2.0 * maps[d].GetRounding());
+  }
+  return tolerance;
 }
 
 TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast, const ParameterMap maps[2],

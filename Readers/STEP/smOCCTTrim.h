@@ -32,6 +32,9 @@ struct NativeTrim
   void AddTo(ParameterBox& box) const;
 };
 
+/// Residual that a trim curve is fitted to, in each of our parameters.
+std::array<double, 2> GetTrimTolerance(const ParameterMap maps[2], const double width[2]);
+
 /**
  * The trim curve over the edge's range, in the parameters of the converted surface: exact for polynomial
  * pcurves where both maps are the identity, else cut at arc borders and fitted to 1e-13 of an arc or of

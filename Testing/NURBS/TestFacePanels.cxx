@@ -137,6 +137,22 @@ void CheckLoops(const std::string& name, const sm::NURBSSurface& surface,
   }
 }
 
+/// Trims that leave the domain by rounding belong to the nearest cell, whose polynomial goes on.
+void CheckRounding(const std::string& name, const sm::NURBSSurface& plane)
+{
+  for (const double by : { 4e-16, 1e-12 })
+  {
+    const std::vector<Point2> loop = { { -by, -1 - by }, { 4 + by, -1 + by }, { 4 - by, 3 + by },
+      { by, 3 - by } };
+    CheckLoops(name + "leaving the domain by rounding", plane, { loop }, 0);
+    sm::Face face;
+    face.Surface = plane;
+    face.Loops.push_back(MakePolygon(loop));
+    // In space: the surface is the identity, a cell's diameter over its width at most 6.
+    smtest::CheckRange("  and how far is told", by, sm::BuildFacePanels(face).Outside, 8.0 * by);
+  }
+}
+
 std::vector<Point2> MakeStar(
   std::mt19937& random, double x, double y, double radius, int corners, bool clockwise)
 {
@@ -174,6 +190,24 @@ int main()
     CheckLoops(name + "diagonal through grid points", plane, { { { 0, -1 }, { 2, 1 }, { 0, 3 } } }, 0);
     CheckLoops(name + "touching loops", plane,
       { { { 0.5, 0 }, { 1, 0 }, { 1, 1 }, { 0.5, 1 } }, { { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 } } }, 0);
+    CheckLoops(name + "touching at a corner", plane,
+      { { { 0.25, -0.75 }, { 1.5, -0.75 }, { 1.5, 0.5 } }, { { 1.5, 0.5 }, { 3.5, 1.0 }, { 1.5, 2.5 } } }, 0);
+    CheckLoops(name + "holes touching at a corner of the grid", plane,
+      { { { 0, -1 }, { 4, -1 }, { 4, 3 }, { 0, 3 } }, { { 1, 1 }, { 0.75, 0.25 }, { 0.25, 0.5 } },
+        { { 1, 1 }, { 2.125, 2 }, { 3, 1.25 } } },
+      0);
+    CheckLoops(name + "a hole touching the border between its corners", plane,
+      { { { 0, -1 }, { 4, -1 }, { 4, 3 }, { 0, 3 } }, { { 0, 1.25 }, { 1.75, 2 }, { 1.75, 0.5 } } }, 0);
+    CheckLoops(name + "a loop through its own corner", plane,
+      { { { 0.25, -0.5 }, { 2, 1 }, { 3.75, -0.5 }, { 3.75, 2.5 }, { 2, 1 }, { 0.25, 2.5 } } }, 0);
+    CheckLoops(name + "three outer loops, one in the hole of another", plane,
+      { { { 0.25, -0.75 }, { 3, -0.75 }, { 3, 2 }, { 0.25, 2 } },
+        { { 0.75, -0.25 }, { 0.75, 1.75 }, { 2.75, 1.75 }, { 2.75, -0.25 } },
+        { { 1.25, 0.25 }, { 2.125, 0.25 }, { 1.75, 1.25 } }, { { 3.25, 0 }, { 3.75, 0 }, { 3.5, 2.75 } } },
+      0);
+    CheckLoops(name + "tiny edges", plane,
+      { { { 0.5, 0 }, { 3, 0 }, { 3, 1e-13 }, { 3 + 1e-15, 2e-13 }, { 3, 2 }, { 3, 2 }, { 0.5, 2 } } }, 0);
+    CheckRounding(name, plane);
     CheckLoops(name + "outside the domain", plane, { { { -0.5, -0.5 }, { 5, 0.5 }, { 3, 3.5 } } }, -1);
     CheckLoops(name + "inside out", plane, { { { 0.5, 0 }, { 0.5, 2 }, { 3, 2 }, { 3, 0 } } }, -1);
     CheckLoops(

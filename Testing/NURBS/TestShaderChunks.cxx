@@ -85,8 +85,11 @@ void CheckPieces()
       dvec2 derivative;
       dvec3 edge;
       dvec3 tangent;
-      smTrimEvaluate(1u, n, x, point, derivative);
-      smEdgeEvaluate(1u, n, x, edge, tangent);
+      dvec2 reach;
+      const dvec2 trimOrigin(0.25, -0.5);
+      const dvec3 edgeOrigin(-0.25, 0.5, 0.75);
+      smTrimEvaluate(1u, n, x, trimOrigin, point, derivative, reach);
+      smEdgeEvaluate(1u, n, x, edgeOrigin, edge, tangent);
       long double expected[4] = { 0.0L, 0.0L, 0.0L, 0.0L };
       for (int i = 0; i <= n; ++i)
       {
@@ -95,7 +98,7 @@ void CheckPieces()
         expected[2] += Bernstein(n, i, x) * coefficients[1 + 3 * i + 2];
         expected[3] += BernsteinSlope(n, i, x) * coefficients[1 + 3 * i + 2];
       }
-      const double actual[4] = { point.y, derivative.y, edge.z, tangent.z };
+      const double actual[4] = { point.y + trimOrigin.y, derivative.y, edge.z + edgeOrigin.z, tangent.z };
       for (int k = 0; k < 4; ++k)
       {
         const double scale = k % 2 ? std::max(1, 2 * n) : 1.0;

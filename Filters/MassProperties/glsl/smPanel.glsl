@@ -15,9 +15,6 @@ uint smIntegratePanel(smWorkRecord work)
   double radius = patchRecord.centerRadius.w;
   dvec2 start = dvec2(patchRecord.domain.x, patchRecord.domain.y);
   dvec2 width = dvec2(patchRecord.domain.z, patchRecord.domain.w);
-  // A trim curve's coordinates are rounded relative to u and v, not to the cell.
-  dvec2 farthest = max(abs(start), abs(start + width)) / width;
-  double trimNoise = 4.0LF * max(farthest.x, farthest.y);
 
   int trimDegree = int(work.detail.x & 255u);
   int countT = int((work.detail.x >> 8) & 255u);
@@ -34,8 +31,12 @@ uint smIntegratePanel(smWorkRecord work)
     double t = work.range.x + tWidth * ruleT.x;
     dvec2 uv;
     dvec2 duv;
-    smTrimEvaluate(work.item.y, trimDegree, t, uv, duv);
-    uv = (uv - start) / width;
+    dvec2 reach;
+    smTrimEvaluate(work.item.y, trimDegree, t, start, uv, duv, reach);
+    uv = uv / width;
+    // The rounding of the trim curve, in cells: measured up to 23 u at degree 25, growing with it.
+    double trimNoise =
+      (2.0LF + 1.5LF * double(trimDegree)) * max(1.0LF, max(reach.x / width.x, reach.y / width.y));
     double dr = duv.y / width.y;
     double edgeS = uv.x;
     double weightT = ruleT.y * tWidth * xiWidth * dr;

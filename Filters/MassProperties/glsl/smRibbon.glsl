@@ -5,15 +5,15 @@
 // Needs: as smPanel, with smAccumulateChain in place of smAccumulateFace; SM_STRIP_POINTS; smGapSteps, the steps to
 // the foot point of a gap (no constant, so that the loop stays one).
 
-// Distance of a point from the edge piece near parameter x: Gauss-Newton steps for (C - A).C' = 0.
-double smGap(uint edge, int degree, double x, dvec3 point)
+// Distance of a point, relative to `origin`, from the edge piece near parameter x: Gauss-Newton steps for (C - A).C' = 0.
+double smGap(uint edge, int degree, double x, dvec3 origin, dvec3 point)
 {
   double best = 0.0LF;
   for (int i = 0; i <= smGapSteps; ++i)
   {
     dvec3 foot;
     dvec3 tangent;
-    smEdgeEvaluate(edge, degree, x, foot, tangent);
+    smEdgeEvaluate(edge, degree, x, origin, foot, tangent);
     dvec3 gap = foot - point;
     best = i == 0 ? length(gap) : min(best, length(gap));
     double squared = dot(tangent, tangent);
@@ -31,6 +31,7 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
   int p = SM_DEGREE_S;
   int q = SM_DEGREE_R;
   dvec3 center = dvec3(patchRecord.centerRadius.x, patchRecord.centerRadius.y, patchRecord.centerRadius.z);
+  double radius = patchRecord.centerRadius.w;
   dvec2 start = dvec2(patchRecord.domain.x, patchRecord.domain.y);
   dvec2 width = dvec2(patchRecord.domain.z, patchRecord.domain.w);
 
@@ -55,44 +56,50 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
     double e = work.range.z + edgeWidth * ruleT.x;
     dvec2 uv;
     dvec2 duv;
-    smTrimEvaluate(work.item.y, trimDegree, t, uv, duv);
-    uv = (uv - start) / width;
+    dvec2 reach;
+    smTrimEvaluate(work.item.y, trimDegree, t, start, uv, duv, reach);
+    uv = uv / width;
     duv = duv * tWidth / width;
 
     dvec4 row[SM_ROW_SIZE];
     dvec4 rowR[SM_ROW_SIZE];
     smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowR);
-    dvec3 offset;
+    // Both curves relative to the patch's centre: their difference is rounded relative to the patch.
+    dvec3 a;
     dvec3 tangentS;
     dvec3 tangentR;
-    smEvaluateRow(p, uv.x, row, rowR, offset, tangentS, tangentR);
-    dvec3 a = center + offset;
+    smEvaluateRow(p, uv.x, row, rowR, a, tangentS, tangentR);
     dvec3 da = duv.x * tangentS + duv.y * tangentR;
     dvec3 c;
     dvec3 dc;
-    smEdgeEvaluate(edge, edgeDegree, e, c, dc);
+    smEdgeEvaluate(edge, edgeDegree, e, center, c, dc);
     dc *= edgeWidth;
 
+    // What rounding moves the two curves by, that of the trim curve included; and their slopes.
+    double gapWidth = length(c - a);
+    double moved = 16.0LF * (radius + length(c)) +
+      (2.0LF + 1.5LF * double(trimDegree)) *
+        (max(1.0LF, reach.x / width.x) * length(tangentS) + max(1.0LF, reach.y / width.y) * length(tangentR));
+    double turned = 16.0LF * radius * (double(p) * abs(duv.x) + double(q) * abs(duv.y));
     for (int il = 0; il < SM_STRIP_POINTS; ++il)
     {
       dvec2 ruleL = smRule(SM_STRIP_POINTS, il);
       double l = ruleL.x;
-      dvec3 position = (1.0LF - l) * a + l * c;
+      dvec3 position = center + (1.0LF - l) * a + l * c;
       dvec3 along = (1.0LF - l) * da + l * dc;
       dvec3 normal = side * cross(c - a, along);
-      // The width c - a is a difference of two positions, each rounded relative to its size.
-      double noise = 16.0LF * ruleT.y * ruleL.y * (length(a) + length(c)) * length(along);
+      double noise = ruleT.y * ruleL.y * ((moved + 16.0LF * gapWidth) * length(along) + gapWidth * turned);
       double weight = SM_PERTURBATION * ruleT.y * ruleL.y;
       smPlace(work.item.w, position, normal);
       smAccumulateChain(weight, noise, position, normal);
     }
     if (alongEdge)
     {
-      double gap = smGap(edge, edgeDegree, e, a);
+      double distance = smGap(edge, edgeDegree, e, center, a);
       double arc = ruleT.y * length(da);
-      largestGap = max(largestGap, gap);
-      squaredGap += arc * gap * gap;
-      gapArea += arc * gap;
+      largestGap = max(largestGap, distance);
+      squaredGap += arc * distance * distance;
+      gapArea += arc * distance;
     }
   }
   gaps = dvec3(largestGap, squaredGap, gapArea);

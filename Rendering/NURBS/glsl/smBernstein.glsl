@@ -21,8 +21,10 @@ void smBernsteinBasis(int degree, double x, SM_OUT_ARRAY(double, basis, SM_BASIS
 // Polynomial pieces sum_i C(n,i) x^i (1-x)^(n-i) c_i and their derivatives sum_i i C(n,i) x^(i-1) (1-x)^(n-i)
 // (c_i - c_{i-1}), nested in (1-x): each coefficient is read once.
 
-// A trim piece: u, v pairs from index `first` on.
-void smTrimEvaluate(uint first, int degree, double x, SM_OUT(dvec2) point, SM_OUT(dvec2) derivative)
+// A trim piece: u, v pairs from index `first` on. The point is relative to `origin`, taken off the coefficients, so that what
+// is rounded is the distance from there; `reach` is the largest of these.
+void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2) point, SM_OUT(dvec2) derivative,
+  SM_OUT(dvec2) reach)
 {
   double y = 1.0LF - x;
   double binomial = 1.0LF;
@@ -31,11 +33,13 @@ void smTrimEvaluate(uint first, int degree, double x, SM_OUT(dvec2) point, SM_OU
   dvec2 before = dvec2(0.0LF);
   point = dvec2(0.0LF);
   derivative = dvec2(0.0LF);
+  reach = dvec2(0.0LF);
   for (int i = 0; i <= degree; ++i)
   {
     uint at = first + 2u * uint(i);
     dvec2 c = dvec2(smCoefficient(at), smCoefficient(at + 1u));
-    point = y * point + binomial * power * c;
+    point = y * point + binomial * power * (c - origin);
+    reach = max(reach, abs(c - origin));
     derivative = y * derivative + double(i) * binomial * powerBefore * (c - before);
     binomial = binomial * double(degree - i) / double(i + 1);
     powerBefore = power;
@@ -44,8 +48,9 @@ void smTrimEvaluate(uint first, int degree, double x, SM_OUT(dvec2) point, SM_OU
   }
 }
 
-// An edge piece: x, y, z triples from index `first` on.
-void smEdgeEvaluate(uint first, int degree, double x, SM_OUT(dvec3) point, SM_OUT(dvec3) derivative)
+// An edge piece: x, y, z triples from index `first` on, relative to `origin` likewise.
+void smEdgeEvaluate(
+  uint first, int degree, double x, dvec3 origin, SM_OUT(dvec3) point, SM_OUT(dvec3) derivative)
 {
   double y = 1.0LF - x;
   double binomial = 1.0LF;
@@ -58,7 +63,7 @@ void smEdgeEvaluate(uint first, int degree, double x, SM_OUT(dvec3) point, SM_OU
   {
     uint at = first + 3u * uint(i);
     dvec3 c = dvec3(smCoefficient(at), smCoefficient(at + 1u), smCoefficient(at + 2u));
-    point = y * point + binomial * power * c;
+    point = y * point + binomial * power * (c - origin);
     derivative = y * derivative + double(i) * binomial * powerBefore * (c - before);
     binomial = binomial * double(degree - i) / double(i + 1);
     powerBefore = power;

@@ -1,0 +1,44 @@
+/**
+ * @file smCommonParameter.h
+ * @brief Trim curves that do not run in step with their edge, and the parameter that they share restored
+ */
+#ifndef smCommonParameter_h
+#define smCommonParameter_h
+
+#include "smNURBSSurface.h"
+#include "smPolynomialCurve.h"
+
+#include <array>
+
+namespace sm
+{
+/// How far S(c(t)) and C(t) are apart at equal parameter: along the edge, and across it. Largest of three samples of
+/// every piece of the trim curve.
+struct Step
+{
+  double Lag = 0.0;
+  double Gap = 0.0;
+};
+Step MeasureStep(const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge);
+
+enum class StepResult
+{
+  InStep,
+  Restored,
+  /// The trim curve is as it was.
+  Failed
+};
+
+/**
+ * A trim curve lags when it is more than 1e-7 of `size` and more than three times its gap behind or ahead of the edge. It is
+ * then replaced by c(tau(t)), with (S(c(tau)) - C(t)) . C'(t) = 0: the same points of the face, run through in step with
+ * the edge. Its ends stay where they are, bit for bit; what tau would move them by is taken off linearly along the curve.
+ * The result is fitted by polynomial pieces, cut where c, C and the surface have their knots, to `tolerance` in u
+ * and v, or to the floor that rounding sets; what is left is added to the residual. A coordinate that is constant stays so.
+ * It fails where tau does not exist or does not increase, or when the lag does not fall to half.
+ */
+StepResult RestoreCommonParameter(const NURBSSurface& surface, const EdgeCurve& edge, double size,
+  const std::array<double, 2>& tolerance, TrimCurve& trim);
+}
+
+#endif
