@@ -23,6 +23,8 @@ constexpr int LargestExactOrder = 10;
 constexpr double UnitRoundoff = 1.1102230246251565e-16;
 // Of a crossing's parameter, in u times its largest coordinate: 2 (degree + 2) for trim pieces up to degree 25.
 constexpr double EndRounding = 54.0;
+// An end this close to a patch's corner is that corner: cuts at knots are the knots themselves.
+constexpr double RowBorder = 1e-15;
 constexpr int LeastCompared = 4;
 constexpr int MostCompared = 15;
 }
@@ -268,7 +270,7 @@ bool PanelPlanner::IsSmall(double kink, double share) const
 void PanelPlanner::ChargeEnds(const Panel& panel, const Part& part)
 {
   // The covered part of a patch's right edge ends where a trim curve crosses it: known to the rounding of that curve.
-  if (!this->Trim.IsConstantInS() || this->Trim.GetDegree() != 1 || this->Trim.GetLow(0) != 1.0)
+  if (!panel.Covered)
   {
     return;
   }
@@ -277,8 +279,8 @@ void PanelPlanner::ChargeEnds(const Panel& panel, const Part& part)
   const double largest = std::max(std::abs(patch.Start[1]), std::abs(patch.Start[1] + patch.Width[1]));
   const double rounding = EndRounding * UnitRoundoff * largest / patch.Width[1];
   int ends = 0;
-  ends += part.Start == 0.0 && this->Trim.GetLow(1) != 0.0 ? 1 : 0;
-  ends += part.End == 1.0 && this->Trim.GetHigh(1) != 1.0 ? 1 : 0;
+  ends += part.Start == 0.0 && std::abs(this->Trim.GetLow(1)) > RowBorder ? 1 : 0;
+  ends += part.End == 1.0 && std::abs(this->Trim.GetHigh(1) - 1.0) > RowBorder ? 1 : 0;
   if (ends == 0 || !(width > 0.0))
   {
     return;

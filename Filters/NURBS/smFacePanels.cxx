@@ -452,7 +452,7 @@ void Builder::AddCoveredEdges()
     for (int m = 0; m < std::abs(edge.Multiplicity); ++m)
     {
       this->Result.Panels.push_back({ patch, trim, 1, this->ShapeOfPatch[patch], edge.Multiplicity < 0,
-        this->Source.Reversed != this->Turned, 0.0, 1.0 });
+        this->Source.Reversed != this->Turned, 0.0, 1.0, true });
     }
   }
 }

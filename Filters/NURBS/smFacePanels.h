@@ -64,6 +64,8 @@ struct Panel
   bool FlipNormal;
   /// Range of the piece's local parameter, and of xi.
   double Start, End;
+  /// The piece is a covered part of the patch's right edge, between crossings of trim curves, and no trim curve itself.
+  bool Covered = false;
 };
 
 struct Ribbon
