@@ -293,7 +293,7 @@ void PanelPlanner::ChargeEnds(const Panel& panel, const Part& part)
 
 int PanelPlanner::ChooseDirection(const Part& part, double share) const
 {
-  // The direction that no order satisfies; where neither does, the one in which the normal turns more.
+  // The direction that no order satisfies; where neither does, the one in which the patch varies more.
   bool failsT = false;
   bool failsXi = false;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
@@ -305,7 +305,7 @@ int PanelPlanner::ChooseDirection(const Part& part, double share) const
       failsXi = failsXi || this->AcrossXi.FindOrder(i, half, LargestOrder) > LargestOrder;
     }
   }
-  const bool alongT = failsT && failsXi ? this->Majorants.GetTurningDirection() == 1 : failsT;
+  const bool alongT = failsT && failsXi ? this->Majorants.GetVaryingDirection() == 1 : failsT;
   if (alongT)
   {
     return 0;

@@ -618,20 +618,27 @@ void PatchMajorants::EvaluatePosition(
   position = this->CenterOffset * weight + this->Position.Sum(this->MajorantS, this->MajorantR);
 }
 
-int PatchMajorants::GetTurningDirection() const
+int PatchMajorants::GetVaryingDirection() const
 {
-  const Table& table = this->Traits.PolynomialLength ? this->Normal : this->Across;
   double inS = 0.0;
   double inR = 0.0;
-  for (int l = 0; l < table.CountR; ++l)
+  const auto add = [&](const Table& table, double scale)
   {
-    for (int k = 0; k < table.CountS; ++k)
+    for (int l = 0; l < table.CountR; ++l)
     {
-      const std::size_t i = k + static_cast<std::size_t>(table.CountS) * l;
-      const double entry = table.Entries[i] + (i == 0 ? 0.0 : this->Along.Entries[i]);
-      inS += k > 0 ? entry : 0.0;
-      inR += l > 0 ? entry : 0.0;
+      for (int k = l == 0 ? 1 : 0; k < table.CountS; ++k)
+      {
+        const double entry = table.Entries[k + static_cast<std::size_t>(table.CountS) * l];
+        inS += k > 0 ? entry / scale : 0.0;
+        inR += l > 0 ? entry / scale : 0.0;
+      }
     }
+  };
+  add(this->Weight, this->FirstWeight);
+  if (this->FirstLength > 0.0)
+  {
+    add(this->Along, this->FirstLength);
+    add(this->Traits.PolynomialLength ? this->Normal : this->Across, this->FirstLength);
   }
   return inS >= inR ? 0 : 1;
 }

@@ -97,8 +97,8 @@ public:
   /// Upper bounds in the ellipses of |w x| relative to the patch's centre, and of w.
   void EvaluatePosition(const Ellipse& s, const Ellipse& r, double& position, double& weight) const;
 
-  /// The direction in which the normal changes more across the box: 0 for s, 1 for r.
-  int GetTurningDirection() const;
+  /// The direction in which weight and normal change more across the box: 0 for s, 1 for r.
+  int GetVaryingDirection() const;
 
 private:
   friend PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q);

@@ -138,6 +138,7 @@ int RibbonPlanner::ChooseNodes(const Ribbon& ribbon, double& tail)
   const int inR = this->Trim.GetLow(1) == this->Trim.GetHigh(1) ? 0 : patch.Degree[1];
   const int exact = (inS + inR) * this->Trim.GetDegree() + ribbon.EdgeDegree + 1;
   tail = 0.0;
+  this->Rough = false;
   if (exact <= FewNodes)
   {
     return exact;
@@ -184,6 +185,7 @@ int RibbonPlanner::ChooseNodes(const Ribbon& ribbon, double& tail)
       tail = mostly;
     }
   }
+  this->Rough = !(tail <= 100.0 * wanted);
   return nodes;
 }
 
@@ -412,7 +414,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
       along = std::max(along, this->AlongT.FindOrder(i, tolerance, LargestOrder));
     }
   }
-  if (along > LargestOrder && depth < LargestDepth)
+  if ((along > LargestOrder || this->Rough) && depth < LargestDepth)
   {
     const double middle = 0.5 * (start + end);
     this->PlanPart(index, start, middle, depth + 1);

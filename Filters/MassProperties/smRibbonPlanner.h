@@ -66,6 +66,8 @@ private:
   double CurveDistance = 0.0;
   /// What is not in the series of U, and the number of nodes.
   double Noise = 0.0;
+  /// The nodes leave more of U than rounding does.
+  bool Rough = false;
   int Nodes = 0;
   /// Largest values at the nodes: |Ss|, |Sr|, |Ss x Sr|, |ds/dt|, |dr/dt|.
   std::array<double, 2> Stretch{};
