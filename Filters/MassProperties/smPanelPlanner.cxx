@@ -305,7 +305,8 @@ int PanelPlanner::ChooseDirection(const Part& part, double share) const
       failsXi = failsXi || this->AcrossXi.FindOrder(i, half, LargestOrder) > LargestOrder;
     }
   }
-  const bool alongT = failsT && failsXi ? this->Majorants.GetVaryingDirection() == 1 : failsT;
+  const bool anyway = (failsT && failsXi) || !this->Majorants.HasLength();
+  const bool alongT = anyway ? this->Majorants.GetVaryingDirection() == 1 : failsT;
   if (alongT)
   {
     return 0;
@@ -348,6 +349,15 @@ void PanelPlanner::Keep(
     }
   }
   this->Result.Estimated = this->Result.Estimated || compared;
+  const Ellipse real = Ellipse::FromRadius(1.0);
+  const double jacobian =
+    this->Trim.GetLargestS(real) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(real);
+  this->Majorants.GetDropped(this->Request.Classes, this->Bounds);
+  for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
+  {
+    // A rule is off by at most twice the largest value.
+    this->Result.QuadratureBound[i] += this->Bounds[i] > 0.0 ? 2.0 * this->Bounds[i] * jacobian : 0.0;
+  }
   this->ChargeEnds(this->Panels.Panels[index], part);
   this->Result.Evaluations += static_cast<std::int64_t>(along) * across * (compared ? 5 : 1);
   this->Result.Items.push_back(item);

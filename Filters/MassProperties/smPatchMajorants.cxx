@@ -15,7 +15,11 @@ using Vector = std::array<double, 3>;
 // A row of control points this close together, relative to the patch, is one point; a length this close to a
 // polynomial is one. Both leave what rounding leaves.
 constexpr double CollapsedSize = 1e-15;
-constexpr double LengthTolerance = 1e-14;
+// Coefficients of series longer than MostKept that are this small, relative to the largest, are rounding of the samples: in an
+// ellipse they would grow with their degree. They are left out of it and charged as they are.
+constexpr int MostKept = 12;
+constexpr double NoiseSize = 2e-16; // times the number of coefficients in both directions
+constexpr double LengthTolerance = 3e-15; // times the degrees, whose rounding adds up
 
 Vector Cross(const double* a, const double* b)
 {
@@ -103,6 +107,7 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
     const double w = patch.EvaluateWeight(x, y);
     return w * w * w;
   };
+  const double tolerance = LengthTolerance * (p + q);
   const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
   const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
   double largest = 0.0;
@@ -135,7 +140,7 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
       const Vector product = Cross(sample + 1, longest + 1);
       across = std::max(across, Norm(product.data()) / (longest[4] * weight));
     });
-  if (across <= LengthTolerance * largest)
+  if (across <= tolerance * largest)
   {
     traits.ConstantDirection = true;
     traits.LengthDeviation = 8.0 * across;
@@ -175,7 +180,7 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
       const double length = Norm(value + 1);
       const double deviation = std::abs(length - value[4]) / weight;
       // Where the length is small a difference of squares says little of a difference.
-      if (!(deviation <= LengthTolerance * largest && length > 1e-3 * largest * weight))
+      if (!(deviation <= tolerance * largest && length > 1e-3 * largest * weight))
       {
         traits.LengthDeviation = 0.0;
         return traits;
@@ -211,25 +216,23 @@ double PatchMajorants::Table::Sum(const std::vector<double>& s, const std::vecto
   return sum;
 }
 
-void PatchMajorants::ExpandPosition(const std::array<double, 4>* points)
+void PatchMajorants::ExpandNet(const double* net, int countS, int countR, std::vector<double>& series)
 {
-  const int columns = this->P + 1;
-  const int rows = this->Q + 1;
   static thread_local std::vector<double> toS;
   static thread_local std::vector<double> toR;
-  MakeConversion(this->P, this->Box.Middle[0], this->Box.Half[0], toS);
-  MakeConversion(this->Q, this->Box.Middle[1], this->Box.Half[1], toR);
-  std::vector<double>& series = this->Series[0];
-  this->Scratch.assign(4 * columns * rows, 0.0);
-  for (int j = 0; j < rows; ++j)
+  MakeConversion(countS - 1, this->Box.Middle[0], this->Box.Half[0], toS);
+  MakeConversion(countR - 1, this->Box.Middle[1], this->Box.Half[1], toR);
+  const int columns = this->P + 1;
+  this->Scratch.assign(4 * static_cast<std::size_t>(countS) * countR, 0.0);
+  for (int j = 0; j < countR; ++j)
   {
-    for (int k = 0; k < columns; ++k)
+    for (int k = 0; k < countS; ++k)
     {
-      double* to = this->Scratch.data() + 4 * (k + columns * j);
-      for (int i = 0; i < columns; ++i)
+      double* to = this->Scratch.data() + 4 * (k + countS * j);
+      for (int i = 0; i < countS; ++i)
       {
-        const double factor = toS[k * columns + i];
-        const std::array<double, 4>& point = points[i + columns * j];
+        const double factor = toS[k * countS + i];
+        const double* point = net + 4 * (i + countS * j);
         for (int c = 0; c < 4; ++c)
         {
           to[c] += factor * point[c];
@@ -237,42 +240,55 @@ void PatchMajorants::ExpandPosition(const std::array<double, 4>* points)
       }
     }
   }
-  series.assign(4 * columns * rows, 0.0);
-  for (int l = 0; l < rows; ++l)
+  series.assign(4 * static_cast<std::size_t>(columns) * (this->Q + 1), 0.0);
+  for (int l = 0; l < countR; ++l)
   {
-    for (int j = 0; j < rows; ++j)
+    for (int j = 0; j < countR; ++j)
     {
-      const double factor = toR[l * rows + j];
-      const double* from = this->Scratch.data() + 4 * columns * j;
+      const double factor = toR[l * countR + j];
+      const double* from = this->Scratch.data() + 4 * countS * j;
       double* to = series.data() + 4 * columns * l;
-      for (int e = 0; e < 4 * columns; ++e)
+      for (int e = 0; e < 4 * countS; ++e)
       {
         to[e] += factor * from[e];
       }
     }
   }
-  this->Series[1].assign(series.size(), 0.0);
-  this->Series[2].assign(series.size(), 0.0);
-  for (int c = 0; c < 4; ++c)
+}
+
+void PatchMajorants::ExpandPosition(const std::array<double, 4>* points)
+{
+  // Derivatives from differences of control points: differentiating a series would amplify its rounding by the square of
+  // the degree, and on a small box again.
+  const int columns = this->P + 1;
+  const int rows = this->Q + 1;
+  this->ExpandNet(points->data(), columns, rows, this->Series[0]);
+  static thread_local std::vector<double> net;
+  net.resize(4 * static_cast<std::size_t>(columns) * rows);
+  for (int j = 0; j < rows; ++j)
   {
-    for (int l = 0; l < rows; ++l)
+    for (int i = 0; i < this->P; ++i)
     {
-      DifferentiateChebyshev(
-        series.data() + 4 * columns * l + c, this->Series[1].data() + 4 * columns * l + c, columns, 4);
-    }
-    for (int k = 0; k < columns; ++k)
-    {
-      DifferentiateChebyshev(
-        series.data() + 4 * k + c, this->Series[2].data() + 4 * k + c, rows, 4 * columns);
+      for (int c = 0; c < 4; ++c)
+      {
+        net[4 * (i + this->P * j) + c] =
+          this->P * (points[i + 1 + columns * j][c] - points[i + columns * j][c]);
+      }
     }
   }
-  for (int d = 0; d < 2; ++d)
+  this->ExpandNet(net.data(), this->P, rows, this->Series[1]);
+  for (int j = 0; j < this->Q; ++j)
   {
-    for (double& value : this->Series[d + 1])
+    for (int i = 0; i < columns; ++i)
     {
-      value /= this->Box.Half[d];
+      for (int c = 0; c < 4; ++c)
+      {
+        net[4 * (i + columns * j) + c] =
+          this->Q * (points[i + columns * (j + 1)][c] - points[i + columns * j][c]);
+      }
     }
   }
+  this->ExpandNet(net.data(), columns, this->Q, this->Series[2]);
 }
 
 double PatchMajorants::GetFactor(double s, double r) const
@@ -401,6 +417,51 @@ void PatchMajorants::Transform(int countS, int countR)
   }
 }
 
+void PatchMajorants::DropNoise(std::size_t count, double noise)
+{
+  // D, m~ and h, each against its own largest coefficient.
+  const auto size = [](const double* entry, int which) {
+    return which == 0 ? std::abs(entry[0]) : which == 1 ? Norm(entry + 1) : std::abs(entry[4]);
+  };
+  for (int which = 0; which < 3; ++which)
+  {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      largest = std::max(largest, size(this->Samples.data() + Components * i, which));
+    }
+    for (std::size_t i = 1; i < count; ++i)
+    {
+      double* entry = this->Samples.data() + Components * i;
+      const double length = size(entry, which);
+      if (length <= noise * largest)
+      {
+        this->Dropped[which] += length;
+        const int begin = which == 0 ? 0 : which == 1 ? 1 : 4;
+        std::fill(entry + begin, entry + (which == 0 ? 1 : which == 1 ? 4 : 5), 0.0);
+      }
+    }
+  }
+}
+
+void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const
+{
+  const Ellipse real = Ellipse::FromRadius(1.0);
+  const double weight = this->GetLowestWeight();
+  const double cube = weight * weight * weight;
+  const double factor = this->GetFactorMajorant(real, real);
+  const double reach = this->GetReach();
+  dropped.resize(classes.size());
+  for (std::size_t i = 0; i < classes.size(); ++i)
+  {
+    const double power = std::pow(reach, classes[i].Degree);
+    const double length = this->Dropped[this->IsPolynomialLength() && this->Traits.PolynomialLength ? 2 : 1];
+    dropped[i] = classes[i].Kind == BoundClass::VolumeMoment
+      ? this->Dropped[0] * power / ((3 + classes[i].Degree) * cube)
+      : factor * (classes[i].Kind == BoundClass::VectorArea ? this->Dropped[1] : length * power) / cube;
+  }
+}
+
 void PatchMajorants::MakeTables(int countS, int countR)
 {
   for (Table* table : { &this->Numerator, &this->Normal, &this->Along, &this->Across })
@@ -417,6 +478,11 @@ void PatchMajorants::MakeTables(int countS, int countR)
     e[c] = this->FirstLength > 0.0 ? first[1 + c] / this->FirstLength : 0.0;
   }
   const std::size_t count = static_cast<std::size_t>(countS) * countR;
+  this->Dropped = {};
+  if (std::max(countS, countR) > MostKept)
+  {
+    this->DropNoise(count, NoiseSize * (countS + countR));
+  }
   for (std::size_t i = 0; i < count; ++i)
   {
     const double* entry = first + Components * i;
@@ -435,6 +501,7 @@ void PatchMajorants::MakeTables(int countS, int countR)
     this->Across.Entries[i] = i == 0 ? 0.0 : Norm(across);
     beside += this->Across.Entries[i];
   }
+  rest += this->Dropped[this->Traits.PolynomialLength ? 2 : 1];
   this->Positive = rest < 0.999999 * this->FirstLength;
   this->Nonzero = rest + beside < 0.999999 * this->FirstLength;
 }

@@ -90,6 +90,8 @@ public:
 
   /// |n| has no zero on the box, but at collapsed edges.
   bool HasLength() const;
+  /// Bounds, for real parameters, of what the series leave out as rounding; without the Jacobian.
+  void GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const;
   /// Where the box sticks out beyond a collapsed edge, |n| has a kink there that the factor has not: twice how far it does,
   /// relative to the factor's largest value, in s (0) or r (1).
   double GetKink(int direction) const;
@@ -115,10 +117,12 @@ private:
   double EvaluateWeight(double x, double y) const;
   /// |m~| is a polynomial on the box.
   bool IsPolynomialLength() const;
+  void ExpandNet(const double* net, int countS, int countR, std::vector<double>& series);
   void ExpandPosition(const std::array<double, 4>* points);
   void SampleNumerators(const std::array<double, 3>& origin);
   void Transform(int countS, int countR);
   void MakeTables(int countS, int countR);
+  void DropNoise(std::size_t count, double noise);
   /// The product of the collapsed edges' factors at a point, and its largest modulus in the ellipses.
   double GetFactor(double s, double r) const;
   double GetFactorMajorant(const Ellipse& s, const Ellipse& r) const;
@@ -133,6 +137,8 @@ private:
   /// h, or m~ . e with its direction e at the middle, is positive on the box; and |m~| is.
   bool Positive = false;
   bool Nonzero = false;
+  /// Sums of the coefficients of D, m~ and h that were dropped.
+  std::array<double, 3> Dropped{};
   /// Distance of the box's centre from the origin of moments, and from the patch's centre.
   double CenterDistance = 0.0;
   double CenterOffset = 0.0;
