@@ -149,7 +149,8 @@ private:
     const Patch& patch = this->Face.Patches[index];
     return { dvec4(patch.Center[0], patch.Center[1], patch.Center[2], patch.Radius),
       dvec4(patch.Start[0], patch.Start[1], patch.Width[0], patch.Width[1]),
-      uvec4(patch.FirstPoint, patch.Degree[0], patch.Degree[1], 0u) };
+      uvec4(patch.FirstPoint, patch.Degree[0], patch.Degree[1], 0u),
+      dvec2(patch.Stretch[0], patch.Stretch[1]) };
   }
 
   double smCap(uint index) const

@@ -187,6 +187,37 @@ void Moments::Add(Moments other)
   }
 }
 
+Moments Moments::Sum(const std::vector<Moments>& bodies)
+{
+  Moments sum;
+  Vector first{};
+  double volume = 0.0;
+  for (const Moments& body : bodies)
+  {
+    volume += body.Volume;
+    for (int i = 0; i < 3; ++i)
+    {
+      first[i] += body.First[i] + body.Volume * body.Reference[i];
+    }
+  }
+  if (bodies.size() == 1 || !(volume > 0.0))
+  {
+    sum = bodies.empty() ? sum : bodies.front();
+    std::for_each(bodies.begin() + std::min<std::size_t>(bodies.size(), 1), bodies.end(),
+      [&sum](const Moments& body) { sum.Add(body); });
+    return sum;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    sum.Reference[i] = first[i] / volume;
+  }
+  for (const Moments& body : bodies)
+  {
+    sum.Add(body);
+  }
+  return sum;
+}
+
 void Moments::Negate()
 {
   this->Volume = -this->Volume;

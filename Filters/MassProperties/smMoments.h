@@ -8,6 +8,7 @@
 #define smMoments_h
 
 #include <array>
+#include <vector>
 
 namespace sm
 {
@@ -31,6 +32,8 @@ struct Moments
   void MoveReference(const std::array<double, 3>& reference);
   /// Adds a body; it is moved to this one's reference.
   void Add(Moments other);
+  /// All bodies together, about their common centre: the farther the reference, the larger the bounds. No bodies: zero.
+  static Moments Sum(const std::vector<Moments>& bodies);
   /// All moments of a body turned inside out.
   void Negate();
 };

@@ -46,6 +46,63 @@ void ChargeSurface(const Face& face, const FacePanels& panels, const std::vector
     }
   }
 }
+
+/// Length of a control polygon: no shorter than the rational curve, whose weights are positive.
+double GetPolygonLength(const std::array<double, 4>* points, int degree, int stride)
+{
+  double length = 0.0;
+  for (int i = 0; i < degree; ++i)
+  {
+    const std::array<double, 4>& a = points[i * stride];
+    const std::array<double, 4>& b = points[(i + 1) * stride];
+    length += std::hypot(b[0] / b[3] - a[0] / a[3], b[1] / b[3] - a[1] / a[3], b[2] / b[3] - a[2] / a[3]);
+  }
+  return length;
+}
+
+/**
+ * What rounding of the patches' control points, by d, may move; a point of the patch is a convex sum of theirs. The ribbons
+ * start from the same rounded patch, so the chain's moments change by the flux of d through the area, `area` at most; but
+ * along interior knot lines each of two patches has moved by itself, and a slit opens. The area changes with
+ * the tangents. Without weights d moves Ss by at most 2 p d. With them, by p sum B_i^(p-1) (w_i + w_(i+1)) 2 d / w, where
+ * w = sum B_i^(p-1) ((1-s) w_i + s w_(i+1)): that is below 2 p d (1 + q) / (1 + (q - 1) min(s, 1-s)) for weights of
+ * neighbours up to q apart, and over s in [0,1] on average 4 p d (q + 1) / (q - 1) ln((q + 1) / 2); and a curve in r is no
+ * longer than its control polygon, at most 2 q rc. Sr likewise.
+ */
+void ChargeDisplacements(const FacePanels& panels, const PlanRequest& request, double area, FacePlan& plan)
+{
+  for (const Patch& patch : panels.Patches)
+  {
+    const double* moved = patch.Displacement;
+    const double d = std::hypot(moved[0], moved[1], moved[2]);
+    const double swept = std::min(
+      d * area, moved[0] * patch.Normal[0] + moved[1] * patch.Normal[1] + moved[2] * patch.Normal[2]);
+    const double turned =
+      2.0 * patch.WeightRatio * (patch.Degree[0] * patch.Stretch[1] + patch.Degree[1] * patch.Stretch[0]);
+    double border = 0.0;
+    if (panels.Patches.size() > 1)
+    {
+      const std::array<double, 4>* points = panels.Points.data() + patch.FirstPoint;
+      const int row = patch.Degree[0] + 1;
+      border = GetPolygonLength(points, patch.Degree[0], 1) +
+        GetPolygonLength(points + patch.Degree[1] * row, patch.Degree[0], 1) +
+        GetPolygonLength(points, patch.Degree[1], row) +
+        GetPolygonLength(points + patch.Degree[0], patch.Degree[1], row);
+    }
+    const double reach = patch.Radius +
+      std::hypot(patch.Center[0] + request.Shift[0], patch.Center[1] + request.Shift[1],
+        patch.Center[2] + request.Shift[2]);
+    for (std::size_t i = 0; i < request.Classes.size(); ++i)
+    {
+      const BoundClass& c = request.Classes[i];
+      const double power = std::pow(reach, c.Degree);
+      plan.ConversionBound[i] += c.Kind == BoundClass::VolumeMoment
+        ? power * (swept + reach * d * border / (3 + c.Degree))
+        : c.Kind == BoundClass::AreaMoment ? d * power * turned
+                                           : d * border;
+    }
+  }
+}
 }
 
 FacePlan PlanFace(const Face& face, const FacePanels& panels, const PlanRequest& request)
@@ -88,6 +145,7 @@ FacePlan PlanFace(const Face& face, const FacePanels& panels, const PlanRequest&
     plan.Items.push_back(cap);
   }
   ChargeSurface(face, panels, all.Classes, panelPlanner.GetReach(), area, plan);
+  ChargeDisplacements(panels, all, area, plan);
   for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
   {
     values->resize(request.Classes.size());

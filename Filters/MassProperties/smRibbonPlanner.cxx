@@ -23,21 +23,30 @@ double Norm(const double* a)
   return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
 }
 
+// What evaluating a ribbon costs, at least: rounding of its width in units of the patch's radius.
+constexpr double RibbonRoundings = 8.0;
+constexpr double TrimRoundings = 3.0;
+// Of a sample of the gap: of the trim curve, the patch and the edge, up to degree 25 each.
+constexpr double SampleRoundings = 64.0;
+
+using Wide = RibbonPlanner::Wide;
+constexpr auto WideRoundoff = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
+
 /// B_i^degree(x), and those of one degree less.
-void EvaluateBasis(int degree, double x, double* basis, double* lower)
+void EvaluateBasis(int degree, Wide x, Wide* basis, Wide* lower)
 {
-  basis[0] = 1.0;
+  basis[0] = 1;
   for (int k = 1; k <= degree; ++k)
   {
     if (k == degree)
     {
       std::copy(basis, basis + degree, lower);
     }
-    double carried = 0.0;
+    Wide carried = 0;
     for (int j = 0; j < k; ++j)
     {
-      const double term = basis[j];
-      basis[j] = carried + (1.0 - x) * term;
+      const Wide term = basis[j];
+      basis[j] = carried + (1 - x) * term;
       carried = x * term;
     }
     basis[k] = carried;
@@ -45,21 +54,21 @@ void EvaluateBasis(int degree, double x, double* basis, double* lower)
 }
 
 /// (w x, w y, w z, w) of the patch and its derivatives in s and r.
-void EvaluatePatch(const std::array<double, 4>* points, int p, int q, double s, double r, double h[3][4])
+void EvaluatePatch(const std::array<double, 4>* points, int p, int q, Wide s, Wide r, Wide h[3][4])
 {
-  double basisS[MaximumDegree + 1];
-  double lowerS[MaximumDegree + 1];
-  double basisR[MaximumDegree + 1];
-  double lowerR[MaximumDegree + 1];
+  Wide basisS[MaximumDegree + 1];
+  Wide lowerS[MaximumDegree + 1];
+  Wide basisR[MaximumDegree + 1];
+  Wide lowerR[MaximumDegree + 1];
   EvaluateBasis(p, s, basisS, lowerS);
   EvaluateBasis(q, r, basisR, lowerR);
-  std::fill(&h[0][0], &h[0][0] + 12, 0.0);
+  std::fill(&h[0][0], &h[0][0] + 12, Wide(0));
   for (int j = 0; j <= q; ++j)
   {
-    double line[2][4] = {};
+    Wide line[2][4] = {};
     for (int i = 0; i <= p; ++i)
     {
-      const double slope = p * ((i > 0 ? lowerS[i - 1] : 0.0) - (i < p ? lowerS[i] : 0.0));
+      const Wide slope = p * ((i > 0 ? lowerS[i - 1] : 0) - (i < p ? lowerS[i] : 0));
       const std::array<double, 4>& point = points[i + (p + 1) * j];
       for (int c = 0; c < 4; ++c)
       {
@@ -67,12 +76,29 @@ void EvaluatePatch(const std::array<double, 4>* points, int p, int q, double s, 
         line[1][c] += slope * point[c];
       }
     }
-    const double slope = q * ((j > 0 ? lowerR[j - 1] : 0.0) - (j < q ? lowerR[j] : 0.0));
+    const Wide slope = q * ((j > 0 ? lowerR[j - 1] : 0) - (j < q ? lowerR[j] : 0));
     for (int c = 0; c < 4; ++c)
     {
       h[0][c] += basisR[j] * line[0][c];
       h[1][c] += basisR[j] * line[1][c];
       h[2][c] += slope * line[0][c];
+    }
+  }
+}
+
+/// A polynomial piece of `size` coordinates in Bernstein form, relative to `origin`.
+void EvaluatePiece(
+  const double* coefficients, int size, int degree, Wide t, const double* origin, Wide* point)
+{
+  Wide basis[MaximumDegree + 1];
+  Wide lower[MaximumDegree + 1];
+  EvaluateBasis(degree, t, basis, lower);
+  for (int d = 0; d < size; ++d)
+  {
+    point[d] = 0;
+    for (int i = 0; i <= degree; ++i)
+    {
+      point[d] += basis[i] * (static_cast<Wide>(coefficients[size * i + d]) - origin[d]);
     }
   }
 }
@@ -153,7 +179,7 @@ int RibbonPlanner::ChooseNodes(const Ribbon& ribbon, double& tail)
   double realWeight;
   const Ellipse real = Ellipse::FromRadius(1.0);
   this->Crude.EvaluatePosition(real, real, size, realWeight);
-  const double wanted = 0.1 * UnitRoundoff * (this->CurveDistance * realWeight + size);
+  const double wanted = 0.01 * UnitRoundoff * (this->CurveDistance * realWeight + size);
   int nodes = std::min(exact, MostNodes);
   tail = exact <= MostNodes ? 0.0 : std::numeric_limits<double>::infinity();
   for (const double radius : Radii)
@@ -189,72 +215,75 @@ int RibbonPlanner::ChooseNodes(const Ribbon& ribbon, double& tail)
   return nodes;
 }
 
-void RibbonPlanner::SampleGap(const Ribbon& ribbon, int nodes, double tail)
+void RibbonPlanner::SampleGap(const Ribbon& ribbon, double start, double end, int nodes, double tail)
 {
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
   const ChebyshevRule& rule = ChebyshevRule::Get(nodes);
   this->Nodes = nodes;
-  this->Gap.assign(nodes, { 0.0, 0.0, 0.0, 0.0 });
+  std::vector<std::array<Wide, 4>> series(nodes);
   this->Stretch = this->TrimSlope = { 0.0, 0.0 };
   this->NormalLength = 0.0;
   double size = 0.0;
   for (int i = 0; i < nodes; ++i)
   {
     const double x = rule.GetNode(i);
-    const std::array<double, 2> at = this->Trim.Evaluate(x);
-    double h[3][4];
-    EvaluatePatch(
-      this->Panels.Points.data() + patch.FirstPoint, patch.Degree[0], patch.Degree[1], at[0], at[1], h);
-    // The edge relative to the patch's centre, by Clenshaw's recurrence.
-    std::array<double, 4> gap;
+    const Wide t = start + (static_cast<Wide>(end) - start) * 0.5L * (1.0L + x);
+    Wide at[2];
+    EvaluatePiece(this->Panels.Coefficients.data() + ribbon.Trim, 2, ribbon.TrimDegree,
+      ribbon.Start + (static_cast<Wide>(ribbon.End) - ribbon.Start) * t, patch.Start, at);
+    Wide h[3][4];
+    EvaluatePatch(this->Panels.Points.data() + patch.FirstPoint, patch.Degree[0], patch.Degree[1],
+      at[0] / patch.Width[0], at[1] / patch.Width[1], h);
+    Wide edge[3];
+    EvaluatePiece(this->Panels.Coefficients.data() + ribbon.Edge, 3, ribbon.EdgeDegree,
+      ribbon.EdgeStart + (static_cast<Wide>(ribbon.EdgeEnd) - ribbon.EdgeStart) * t, patch.Center, edge);
+    std::array<Wide, 4> gap;
     for (int c = 0; c < 3; ++c)
     {
-      double b1 = 0.0;
-      double b2 = 0.0;
-      for (std::size_t k = this->Curve.size(); k-- > 1;)
-      {
-        const double b = this->Curve[k][c] + 2.0 * x * b1 - b2;
-        b2 = b1;
-        b1 = b;
-      }
-      const double edge = this->Curve[0][c] - patch.Center[c] + x * b1 - b2;
-      gap[c] = edge * h[0][3] - h[0][c];
-      size = std::max({ size, std::abs(edge * h[0][3]), std::abs(h[0][c]) });
+      gap[c] = edge[c] * h[0][3] - h[0][c];
+      size = std::max(
+        { size, static_cast<double>(std::abs(edge[c] * h[0][3])), static_cast<double>(std::abs(h[0][c])) });
     }
     gap[3] = h[0][3];
-    double tangent[2][3];
-    const std::array<double, 2> slope = this->Trim.EvaluateDerivative(x);
-    for (int d = 0; d < 2; ++d)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        tangent[d][c] = (h[d + 1][c] - h[d + 1][3] * h[0][c] / h[0][3]) / h[0][3];
-      }
-      this->Stretch[d] = std::max(this->Stretch[d], Norm(tangent[d]));
-      this->TrimSlope[d] = std::max(this->TrimSlope[d], std::abs(slope[d]));
-    }
-    const double normal[3] = { tangent[0][1] * tangent[1][2] - tangent[0][2] * tangent[1][1],
-      tangent[0][2] * tangent[1][0] - tangent[0][0] * tangent[1][2],
-      tangent[0][0] * tangent[1][1] - tangent[0][1] * tangent[1][0] };
-    this->NormalLength = std::max(this->NormalLength, Norm(normal));
     for (int k = 0; k < nodes; ++k)
     {
-      const double factor = rule.GetTransform(k)[i];
       for (int c = 0; c < 4; ++c)
       {
-        this->Gap[k][c] += factor * gap[c];
+        series[k][c] += rule.GetTransform(k)[i] * gap[c];
       }
+    }
+    this->SampleTangents(x, h);
+  }
+  this->Gap.resize(nodes);
+  for (int k = 0; k < nodes; ++k)
+  {
+    std::copy(series[k].begin(), series[k].end(), this->Gap[k].begin());
+    if (k > 0 && std::abs(this->Gap[k][3]) <= 16.0 * UnitRoundoff * this->Gap[0][3])
+    {
+      this->Gap[k][3] = 0.0;
     }
   }
   // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant.
-  this->Noise = tail + 2.0 * UnitRoundoff * size * (1.0 + std::log(static_cast<double>(nodes)));
-  for (std::array<double, 4>& coefficient : this->Gap)
+  this->Noise = tail + SampleRoundings * WideRoundoff * size * (1.0 + std::log(static_cast<double>(nodes)));
+}
+
+void RibbonPlanner::SampleTangents(double x, const Wide h[3][4])
+{
+  double tangent[2][3];
+  const std::array<double, 2> slope = this->Trim.EvaluateDerivative(x);
+  for (int d = 0; d < 2; ++d)
   {
-    if (std::abs(coefficient[3]) <= 16.0 * UnitRoundoff * this->Gap[0][3])
+    for (int c = 0; c < 3; ++c)
     {
-      coefficient[3] = 0.0;
+      tangent[d][c] = static_cast<double>((h[d + 1][c] - h[d + 1][3] * h[0][c] / h[0][3]) / h[0][3]);
     }
+    this->Stretch[d] = std::max(this->Stretch[d], Norm(tangent[d]));
+    this->TrimSlope[d] = std::max(this->TrimSlope[d], std::abs(slope[d]));
   }
+  const double normal[3] = { tangent[0][1] * tangent[1][2] - tangent[0][2] * tangent[1][1],
+    tangent[0][2] * tangent[1][0] - tangent[0][0] * tangent[1][2],
+    tangent[0][0] * tangent[1][1] - tangent[0][1] * tangent[1][0] };
+  this->NormalLength = std::max(this->NormalLength, Norm(normal));
 }
 
 bool RibbonPlanner::Evaluate(const Ellipse& t, Majorants& majorants) const
@@ -320,6 +349,15 @@ void RibbonPlanner::Bound(const Majorants& m, std::vector<double>& bounds) const
   }
 }
 
+bool RibbonPlanner::IsRounding(const Ribbon& ribbon, const Majorants& real) const
+{
+  // As smRibbon.glsl charges it.
+  const Patch& patch = this->Panels.Patches[ribbon.Patch];
+  const double rounding =
+    UnitRoundoff * (RibbonRoundings * patch.Radius + TrimRoundings * (this->Stretch[0] + this->Stretch[1]));
+  return real.Gap + this->Noise / real.Weight <= rounding;
+}
+
 void RibbonPlanner::ChargeNoise(const Majorants& real)
 {
   // With G off by e, G' by at most 2 N^2 e (Markov): a rule errs by at most twice what the integrand changes.
@@ -382,7 +420,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   this->ExpandEdge(ribbon, start, end);
   double tail = 0.0;
   const int nodes = this->ChooseNodes(ribbon, tail);
-  this->SampleGap(ribbon, nodes, tail);
+  this->SampleGap(ribbon, start, end, nodes, tail);
 
   Majorants real;
   const bool sound = this->Evaluate(Ellipse::FromRadius(1.0), real) && std::isfinite(tail);
@@ -419,6 +457,16 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
     const double middle = 0.5 * (start + end);
     this->PlanPart(index, start, middle, depth + 1);
     this->PlanPart(index, middle, end, depth + 1);
+    return;
+  }
+  if (sound && this->IsRounding(ribbon, real))
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Result.QuadratureBound[i] += this->Supremum[i];
+    }
+    this->ChargeNoise(real);
+    this->ChargeResiduals(ribbon, real);
     return;
   }
   PlannedItem item{ ItemKind::Ribbon, index };

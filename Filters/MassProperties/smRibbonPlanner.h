@@ -25,6 +25,9 @@ namespace sm
 class RibbonPlanner
 {
 public:
+  /// The gap is a difference of two nearly equal curves: it is sampled in wider numbers than theirs.
+  using Wide = long double;
+
   RibbonPlanner(const Face& face, const FacePanels& panels, const PlanRequest& request, FacePlan& plan);
 
   /// Appends the parts of a ribbon to the plan and adds their bounds, and what the residuals of its curves may move.
@@ -40,7 +43,12 @@ private:
   void ExpandEdge(const Ribbon& ribbon, double start, double end);
   /// Nodes that determine U and w, and a bound of what they leave.
   int ChooseNodes(const Ribbon& ribbon, double& tail);
-  void SampleGap(const Ribbon& ribbon, int nodes, double tail);
+  void SampleGap(const Ribbon& ribbon, double start, double end, int nodes, double tail);
+  /// Stretch, TrimSlope and NormalLength from a patch's values at node x.
+  void SampleTangents(double x, const Wide values[3][4]);
+  /// The part is narrower than what its evaluation would be charged for rounding: its largest size is the better bound, and it
+  /// is left out. Its gap counts as none.
+  bool IsRounding(const Ribbon& ribbon, const Majorants& real) const;
   bool Evaluate(const Ellipse& t, Majorants& majorants) const;
   void Bound(const Majorants& majorants, std::vector<double>& bounds) const;
   void ChargeNoise(const Majorants& real);

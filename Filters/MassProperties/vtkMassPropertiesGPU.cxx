@@ -361,7 +361,6 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
     this->Implementation->Last.Messages.push_back(
       "the parts have different length units: there is no total; read all files with one OutputUnit");
   }
-  bool hasVolume = false;
   bool withMass = this->Density > 0.0;
   for (const sm::BodyIntegrals& body : bodies)
   {
@@ -369,7 +368,7 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   }
 
   std::vector<sm::MassRow> rows;
-  sm::Moments sum;
+  std::vector<sm::Moments> parts;
   double mass = 0.0;
   double massBound = 0.0;
   double vectorArea[3] = { 0.0, 0.0, 0.0 };
@@ -394,20 +393,13 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
       }
       mass += row.Mass;
       massBound += row.MassBound;
-      if (hasVolume)
-      {
-        sum.Add(moments);
-      }
-      else
-      {
-        sum = moments;
-      }
-      hasVolume = true;
+      parts.push_back(moments);
     }
     rows.push_back(row);
   }
-  if (hasVolume && oneUnit)
+  if (!parts.empty() && oneUnit)
   {
+    const sm::Moments sum = sm::Moments::Sum(parts);
     total.Properties = sm::ComputeMassProperties(sum);
     total.Leak = vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
     if (this->Density > 0.0 || rows.size() == 1)

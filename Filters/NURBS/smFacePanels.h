@@ -37,6 +37,14 @@ struct Patch
   /// Index of the first of (Degree[0]+1) x (Degree[1]+1) points in FacePanels::Points, s fastest.
   std::uint32_t FirstPoint;
   int Degree[2];
+  /// No less than |dS/ds| and |dS/dr| anywhere: the largest step of the control net, see StretchOf() in the source.
+  double Stretch[2];
+  /// How far extraction and centring may have moved a control point in x, y and z from where the surface has it, lengths;
+  /// and no less than the components of |Ss x Sr| anywhere.
+  double Displacement[3];
+  double Normal[3];
+  /// Largest ratio of the weights of neighbours.
+  double WeightRatio;
 };
 
 /// What a panel's shape says about the order of its Gauss rules.

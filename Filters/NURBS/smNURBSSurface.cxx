@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace sm
@@ -9,6 +10,10 @@ namespace sm
 namespace
 {
 using Homogeneous = std::array<double, 4>;
+
+// Blossoms are computed wider than they are stored: so that neighbouring patches meet to the rounding of their own points.
+using Wide = long double;
+using WideHomogeneous = std::array<Wide, 4>;
 
 /// Index k with knots[k] <= (a+b)/2 < knots[k+1]: the span that [a,b] lies in, clamped to the domain.
 int FindSpan(const std::vector<double>& knots, int degree, double middle)
@@ -22,9 +27,9 @@ int FindSpan(const std::vector<double>& knots, int degree, double middle)
 /// blossom (polar form) at (a, .., a, b, .., b) with i times b. `points` holds the degree+1 active de
 /// Boor points with stride `stride`.
 void Blossom(const std::vector<double>& knots, int degree, int k, double a, double b,
-  const Homogeneous* points, int stride, Homogeneous* result, int resultStride)
+  const WideHomogeneous* points, int stride, WideHomogeneous* result, int resultStride)
 {
-  Homogeneous d[MaximumDegree + 1];
+  WideHomogeneous d[MaximumDegree + 1];
   for (int i = 0; i <= degree; ++i)
   {
     for (int j = 0; j <= degree; ++j)
@@ -33,15 +38,15 @@ void Blossom(const std::vector<double>& knots, int degree, int k, double a, doub
     }
     for (int level = 1; level <= degree; ++level)
     {
-      const double argument = level <= degree - i ? a : b;
+      const Wide argument = level <= degree - i ? a : b;
       for (int j = degree; j >= level; --j)
       {
-        const double low = knots[k - degree + j];
-        const double high = knots[k + 1 + j - level];
-        const double alpha = (argument - low) / (high - low);
+        const Wide low = knots[k - degree + j];
+        const Wide high = knots[k + 1 + j - level];
+        const Wide alpha = (argument - low) / (high - low);
         for (int c = 0; c < 4; ++c)
         {
-          d[j][c] = (1.0 - alpha) * d[j - 1][c] + alpha * d[j][c];
+          d[j][c] = (1 - alpha) * d[j - 1][c] + alpha * d[j][c];
         }
       }
     }
@@ -108,24 +113,71 @@ std::string NURBSSurface::Check() const
   return {};
 }
 
-void NURBSSurface::ExtractBezier(
-  double u0, double u1, double v0, double v1, std::array<double, 4>* points) const
+std::array<double, 3> NURBSSurface::ExtractBezier(
+  double u0, double u1, double v0, double v1, std::array<double, 4>* points, const double center[3]) const
 {
   const int p = this->Degree[0];
   const int q = this->Degree[1];
   const int ku = FindSpan(this->Knots[0], p, 0.5 * (u0 + u1));
   const int kv = FindSpan(this->Knots[1], q, 0.5 * (v0 + v1));
-  Homogeneous partial[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  WideHomogeneous active[MaximumDegree + 1];
+  WideHomogeneous partial[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  WideHomogeneous cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  double farthest = 0.0;
+  double heaviest = 0.0;
+  double lightest = std::numeric_limits<double>::max();
   for (int j = 0; j <= q; ++j)
   {
     const Homogeneous* row = this->ControlPoints.data() + (ku - p) +
       static_cast<std::size_t>(kv - q + j) * this->NumberOfControlPoints[0];
-    Blossom(this->Knots[0], p, ku, u0, u1, row, 1, partial + j * (p + 1), 1);
+    for (int i = 0; i <= p; ++i)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        active[i][c] = row[i][c] - (center && c < 3 ? static_cast<Wide>(center[c]) * row[i][3] : Wide(0));
+      }
+      farthest = std::max(farthest, std::hypot(row[i][0], row[i][1], row[i][2]) / row[i][3]);
+      heaviest = std::max(heaviest, row[i][3]);
+      lightest = std::min(lightest, row[i][3]);
+    }
+    Blossom(this->Knots[0], p, ku, u0, u1, active, 1, partial + j * (p + 1), 1);
   }
   for (int i = 0; i <= p; ++i)
   {
-    Blossom(this->Knots[1], q, kv, v0, v1, partial + i, p + 1, points + i, p + 1);
+    Blossom(this->Knots[1], q, kv, v0, v1, partial + i, p + 1, cell + i, p + 1);
   }
+  std::array<double, 3> largest{};
+  for (int i = 0; i < (p + 1) * (q + 1); ++i)
+  {
+    std::copy(cell[i].begin(), cell[i].end(), points[i].begin());
+    points[i][3] = heaviest == lightest ? heaviest : points[i][3];
+    for (int c = 0; c < 3; ++c)
+    {
+      largest[c] = std::max(largest[c], std::abs(points[i][c]) / points[i][3]);
+    }
+  }
+  // The rounding of the result, of w x and where weights differ of w. Before it, centring rounds once, and a level of blossoming,
+  // a convex sum of neighbours, two products, a sum, and factors whose rounding only shifts weight between neighbours: at
+  // most 3 u of the largest, of w x and of w alike. There are p + q levels; on a whole Bézier span the factors are 0 and 1,
+  // exactly. For these u is that of the wider numbers (where there are none, that of double).
+  constexpr double u = 0.5 * std::numeric_limits<double>::epsilon();
+  constexpr auto wide = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
+  const double distance = farthest + (center ? std::hypot(center[0], center[1], center[2]) : 0.0);
+  const bool isPlain = heaviest == lightest;
+  int levels = 0;
+  for (int d = 0; d < 2; ++d)
+  {
+    const bool isWhole = this->NumberOfControlPoints[d] == this->Degree[d] + 1 &&
+      (d == 0 ? u0 : v0) == this->Knots[d].front() && (d == 0 ? u1 : v1) == this->Knots[d].back();
+    levels += isWhole ? 0 : this->Degree[d];
+  }
+  std::array<double, 3> moved;
+  for (int c = 0; c < 3; ++c)
+  {
+    moved[c] = (isPlain ? 1.0 : 2.0) * u * largest[c] +
+      wide * (2.0 + (isPlain ? 3.0 : 6.0 * heaviest / lightest) * levels) * distance;
+  }
+  return moved;
 }
 
 void NURBSSurface::Evaluate(double u, double v, double position[3], double du[3], double dv[3]) const

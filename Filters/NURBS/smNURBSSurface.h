@@ -49,9 +49,14 @@ struct SMFILTERSNURBS_EXPORT NURBSSurface
   /// Position and (if not null) first derivatives at (u,v), in model coordinates.
   void Evaluate(double u, double v, double position[3], double du[3] = nullptr, double dv[3] = nullptr) const;
 
-  /// Control points of the Bézier patch on span `column` in u and `row` in v (indices into
-  /// GetSpanBreaks), by blossoming: (Degree[0]+1) x (Degree[1]+1) points, u index fastest.
-  void ExtractBezier(double u0, double u1, double v0, double v1, std::array<double, 4>* points) const;
+  /**
+   * Control points of the Bézier patch on [u0,u1] x [v0,v1], which lies in one span of each direction, by blossoming:
+   * (Degree[0]+1) x (Degree[1]+1) homogeneous points, u index fastest, relative to `center` (null: as the surface). The
+   * center is taken off first, so that what is rounded is the distance from there. Returns how far rounding may have moved
+   * a point in x, y and z, lengths.
+   */
+  std::array<double, 3> ExtractBezier(double u0, double u1, double v0, double v1,
+    std::array<double, 4>* points, const double center[3] = nullptr) const;
 
   /// The same surface with u and v exchanged. Its normal Su x Sv points the other way.
   NURBSSurface Transposed() const;

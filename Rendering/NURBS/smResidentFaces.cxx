@@ -26,7 +26,7 @@ struct PatchRecord
   double CenterRadius[4];
   double Domain[4];
   std::uint32_t Shape[4];
-  std::uint32_t Padding[4];
+  double Stretch[2];
 };
 static_assert(sizeof(PatchRecord) == 96, "layout of smPatchRecord");
 
@@ -87,7 +87,7 @@ void Append(const FacePanels& panels, PageData& page, ResidentFace& location)
       { patch.Start[0], patch.Start[1], patch.Width[0], patch.Width[1] },
       { firstPoint + patch.FirstPoint, static_cast<std::uint32_t>(patch.Degree[0]),
         static_cast<std::uint32_t>(patch.Degree[1]), 0 },
-      { 0, 0, 0, 0 } });
+      { patch.Stretch[0], patch.Stretch[1] } });
   }
   for (const Cap& cap : panels.Caps)
   {

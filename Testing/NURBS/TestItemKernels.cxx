@@ -176,7 +176,8 @@ sm::FacePanels MakeRandomFace(int p, int q, std::mt19937& random)
 {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   sm::FacePanels face;
-  face.Patches.push_back({ { 0.3, -0.2, 0.7 }, 0.0, { 2.0, -1.0 }, { 3.0, 0.5 }, 1, { p, q } });
+  face.Patches.push_back(
+    { { 0.3, -0.2, 0.7 }, 0.0, { 2.0, -1.0 }, { 3.0, 0.5 }, 1, { p, q }, { 8.0 * p, 8.0 * q }, {}, {}, 1.0 });
   face.Points.push_back({ 0.0, 0.0, 0.0, 0.0 });
   double& radius = face.Patches[0].Radius;
   for (int j = 0; j <= q; ++j)
@@ -346,8 +347,8 @@ void CheckCylinder()
   const double radius = 2.0;
   const double height = 3.0;
   sm::FacePanels face;
-  face.Patches.push_back(
-    { { 5.0, 0.0, 0.0 }, std::hypot(2 * radius, height), { 0.0, 0.0 }, { 1.0, 1.0 }, 0, { 1, 2 } });
+  face.Patches.push_back({ { 5.0, 0.0, 0.0 }, std::hypot(2 * radius, height), { 0.0, 0.0 }, { 1.0, 1.0 }, 0,
+    { 1, 2 }, { height, 4 * radius }, {}, {}, 1.0 });
   for (const auto& [x, y, weight] : { std::array<double, 3>{ 1, 0, 1 }, { 1, 1, w }, { 0, 1, 1 } })
   {
     for (const double z : { height, 0.0 })
@@ -402,8 +403,8 @@ void CheckRibbonFormulas()
   const double d = 0.3;
   const double h = 0.4;
   sm::FacePanels face;
-  face.Patches.push_back(
-    { { 10.0, 20.0, 30.0 }, std::hypot(2.0, 3.0), { 0.0, 0.0 }, { 1.0, 1.0 }, 0, { 1, 1 } });
+  face.Patches.push_back({ { 10.0, 20.0, 30.0 }, std::hypot(2.0, 3.0), { 0.0, 0.0 }, { 1.0, 1.0 }, 0,
+    { 1, 1 }, { 2.0, 3.0 }, {}, {}, 1.0 });
   face.Points = { { 0, 0, 0, 1 }, { 2, 0, 0, 1 }, { 0, 3, 0, 1 }, { 2, 3, 0, 1 } };
   face.Coefficients = { 0, 0, 1, 0, 10, 20 - d, 30 + h, 12, 20 - d, 30 + h };
   face.Ribbons.push_back({ 0, 0, 4, 1, 1, false, true, 0.0, 1.0, 0.0, 1.0, -1 });

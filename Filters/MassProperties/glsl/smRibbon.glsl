@@ -77,10 +77,12 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
 
     // What rounding moves the two curves by, that of the trim curve included; and their slopes.
     double gapWidth = length(c - a);
-    double moved = 16.0LF * (radius + length(c)) +
-      (2.0LF + 1.5LF * double(trimDegree)) *
+    double moved = 4.0LF * (radius + length(c)) +
+      smTrimRoundings *
         (max(1.0LF, reach.x / width.x) * length(tangentS) + max(1.0LF, reach.y / width.y) * length(tangentR));
-    double turned = 16.0LF * radius * (double(p) * abs(duv.x) + double(q) * abs(duv.y));
+    double turned = 8.0LF *
+      (min(patchRecord.stretch.x, length(tangentS) + 2.0LF * double(p) * radius) * abs(duv.x) +
+        min(patchRecord.stretch.y, length(tangentR) + 2.0LF * double(q) * radius) * abs(duv.y));
     for (int il = 0; il < SM_STRIP_POINTS; ++il)
     {
       dvec2 ruleL = smRule(SM_STRIP_POINTS, il);
@@ -88,7 +90,7 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
       dvec3 position = center + (1.0LF - l) * a + l * c;
       dvec3 along = (1.0LF - l) * da + l * dc;
       dvec3 normal = side * cross(c - a, along);
-      double noise = ruleT.y * ruleL.y * ((moved + 16.0LF * gapWidth) * length(along) + gapWidth * turned);
+      double noise = ruleT.y * ruleL.y * ((moved + 8.0LF * gapWidth) * length(along) + gapWidth * turned);
       double weight = SM_PERTURBATION * ruleT.y * ruleL.y;
       smPlace(work.item.w, position, normal);
       smAccumulateChain(weight, noise, position, normal);

@@ -21,16 +21,60 @@ void smBernsteinBasis(int degree, double x, SM_OUT_ARRAY(double, basis, SM_BASIS
 // Polynomial pieces sum_i C(n,i) x^i (1-x)^(n-i) c_i and their derivatives sum_i i C(n,i) x^(i-1) (1-x)^(n-i)
 // (c_i - c_{i-1}), nested in (1-x): each coefficient is read once.
 
-// A trim piece: u, v pairs from index `first` on. The point is relative to `origin`, taken off the coefficients, so that what
-// is rounded is the distance from there; `reach` is the largest of these.
+// Errors of a sum and of a product, exactly: TwoSum, and Dekker's product, for double fma() is not fused everywhere.
+dvec2 smSumError(dvec2 a, dvec2 b, dvec2 sum)
+{
+  precise dvec2 part = sum - a;
+  precise dvec2 error = (a - (sum - part)) + (b - part);
+  return error;
+}
+
+dvec2 smProductError(dvec2 a, dvec2 b, dvec2 product)
+{
+  precise dvec2 splitA = 134217729.0LF * a;
+  precise dvec2 highA = splitA - (splitA - a);
+  precise dvec2 lowA = a - highA;
+  precise dvec2 splitB = 134217729.0LF * b;
+  precise dvec2 highB = splitB - (splitB - b);
+  precise dvec2 lowB = b - highB;
+  precise dvec2 error = lowA * lowB - (((product - highA * highB) - lowA * highB) - highA * lowB);
+  return error;
+}
+
+// sum = y sum + factor (a - b), each with what it lacks: the roundings are carried along.
+void smNest(dvec2 y, dvec2 yLow, dvec2 factor, dvec2 factorLow, dvec2 a, dvec2 b, SM_INOUT(dvec2) sum,
+  SM_INOUT(dvec2) sumLow)
+{
+  precise dvec2 value = a - b;
+  precise dvec2 valueLow = smSumError(a, -b, value);
+  precise dvec2 term = factor * value;
+  precise dvec2 termLow = smProductError(factor, value, term) + (factorLow * value + factor * valueLow);
+  precise dvec2 carried = y * sum;
+  precise dvec2 carriedLow = smProductError(y, sum, carried) + (yLow * sum + y * sumLow);
+  precise dvec2 next = carried + term;
+  sumLow = smSumError(carried, term, next) + (carriedLow + termLow);
+  sum = next;
+}
+
+// Roundings of a trim piece's point in units of u and its reach: the compensated sum, the cell's width, the division by it.
+SM_CONSTANT double smTrimRoundings = 3.0LF;
+
+// A trim piece: u, v pairs from index `first` on. The point is relative to `origin`; `reach` is the largest distance of a
+// coefficient from there. Both sums are compensated: the trim moves the boundary of all that is integrated.
 void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2) point, SM_OUT(dvec2) derivative,
   SM_OUT(dvec2) reach)
 {
-  double y = 1.0LF - x;
+  precise dvec2 y = dvec2(1.0LF - x);
+  dvec2 yLow = smSumError(dvec2(1.0LF), dvec2(-x), y);
+  // C(n,i), i C(n,i), and x^i and x^(i-1) with what they lack.
   double binomial = 1.0LF;
-  double power = 1.0LF;
-  double powerBefore = 0.0LF;
+  dvec2 power = dvec2(1.0LF);
+  dvec2 powerLow = dvec2(0.0LF);
+  dvec2 slopeFactor = dvec2(0.0LF);
+  dvec2 slopeFactorLow = dvec2(0.0LF);
   dvec2 before = dvec2(0.0LF);
+  dvec2 pointLow = dvec2(0.0LF);
+  dvec2 derivativeLow = dvec2(0.0LF);
   point = dvec2(0.0LF);
   derivative = dvec2(0.0LF);
   reach = dvec2(0.0LF);
@@ -38,36 +82,56 @@ void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2
   {
     uint at = first + 2u * uint(i);
     dvec2 c = dvec2(smCoefficient(at), smCoefficient(at + 1u));
-    point = y * point + binomial * power * (c - origin);
     reach = max(reach, abs(c - origin));
-    derivative = y * derivative + double(i) * binomial * powerBefore * (c - before);
-    binomial = binomial * double(degree - i) / double(i + 1);
-    powerBefore = power;
-    power *= x;
+    precise dvec2 factor = binomial * power;
+    dvec2 factorLow = smProductError(dvec2(binomial), power, factor) + binomial * powerLow;
+    smNest(y, yLow, factor, factorLow, c, origin, point, pointLow);
+    smNest(y, yLow, slopeFactor, slopeFactorLow, c, before, derivative, derivativeLow);
     before = c;
+    // (i+1) C(n,i+1) x^i = (n-i) C(n,i) x^i.
+    precise dvec2 slope = double(degree - i) * factor;
+    slopeFactorLow = smProductError(dvec2(double(degree - i)), factor, slope) + double(degree - i) * factorLow;
+    slopeFactor = slope;
+    binomial = binomial * double(degree - i) / double(i + 1);
+    precise dvec2 next = power * x;
+    powerLow = smProductError(power, dvec2(x), next) + powerLow * x;
+    power = next;
   }
+  point += pointLow;
+  derivative += derivativeLow;
 }
 
-// An edge piece: x, y, z triples from index `first` on, relative to `origin` likewise.
+// An edge piece: x, y, z triples from index `first` on, relative to `origin`; the point is compensated likewise.
 void smEdgeEvaluate(
   uint first, int degree, double x, dvec3 origin, SM_OUT(dvec3) point, SM_OUT(dvec3) derivative)
 {
-  double y = 1.0LF - x;
+  precise dvec2 y = dvec2(1.0LF - x);
+  dvec2 yLow = smSumError(dvec2(1.0LF), dvec2(-x), y);
   double binomial = 1.0LF;
-  double power = 1.0LF;
-  double powerBefore = 0.0LF;
+  dvec2 power = dvec2(1.0LF);
+  dvec2 powerLow = dvec2(0.0LF);
+  double slopeFactor = 0.0LF;
   dvec3 before = dvec3(0.0LF);
-  point = dvec3(0.0LF);
+  dvec2 xy = dvec2(0.0LF);
+  dvec2 xyLow = dvec2(0.0LF);
+  dvec2 z = dvec2(0.0LF);
+  dvec2 zLow = dvec2(0.0LF);
   derivative = dvec3(0.0LF);
   for (int i = 0; i <= degree; ++i)
   {
     uint at = first + 3u * uint(i);
     dvec3 c = dvec3(smCoefficient(at), smCoefficient(at + 1u), smCoefficient(at + 2u));
-    point = y * point + binomial * power * (c - origin);
-    derivative = y * derivative + double(i) * binomial * powerBefore * (c - before);
-    binomial = binomial * double(degree - i) / double(i + 1);
-    powerBefore = power;
-    power *= x;
+    precise dvec2 factor = binomial * power;
+    dvec2 factorLow = smProductError(dvec2(binomial), power, factor) + binomial * powerLow;
+    smNest(y, yLow, factor, factorLow, dvec2(c.x, c.y), dvec2(origin.x, origin.y), xy, xyLow);
+    smNest(y, yLow, factor, factorLow, dvec2(c.z), dvec2(origin.z), z, zLow);
+    derivative = y.x * derivative + slopeFactor * (c - before);
     before = c;
+    slopeFactor = double(degree - i) * factor.x;
+    binomial = binomial * double(degree - i) / double(i + 1);
+    precise dvec2 next = power * x;
+    powerLow = smProductError(power, dvec2(x), next) + powerLow * x;
+    power = next;
   }
+  point = dvec3(xy + xyLow, z.x + zLow.x);
 }

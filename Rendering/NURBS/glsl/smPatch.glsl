@@ -1,11 +1,12 @@
 // Evaluation of a rational Bezier patch with first derivatives.
 // Needs: chunk smBernstein, SM_ROW_SIZE (entries of a row array), dvec4 smControlPoint(uint index).
 //
-// Control points are homogeneous (w x, w y, w z, w) relative to the patch's centre, s fastest. Values and
-// derivatives come from the basis of one degree less, so that a derivative is a sum of differences of
-// neighbouring points and loses nothing by cancellation elsewhere.
+// Control points are homogeneous (w x, w y, w z, w) relative to the patch's centre, s fastest. Derivatives are sums of
+// differences of neighbouring control points, taken before anything else: rounded relative to these differences,
+// not to the patch's radius, which is what a long narrow patch needs.
 
-// The curve in s that the patch is at r = constant (row), and its derivative in r (rowR): Bezier points.
+// The curve in s that the patch is at r = constant: row[0] its first Bezier point, row[i] the step from point i - 1 to point i.
+// rowR: the points of its derivative in r.
 void smCollapse(uint first, int p, int q, double r, SM_OUT_ARRAY(dvec4, row, SM_ROW_SIZE),
   SM_OUT_ARRAY(dvec4, rowR, SM_ROW_SIZE))
 {
@@ -13,17 +14,25 @@ void smCollapse(uint first, int p, int q, double r, SM_OUT_ARRAY(dvec4, row, SM_
   smBernsteinBasis(q - 1, r, basis);
   for (int i = 0; i <= p; ++i)
   {
-    dvec4 value = dvec4(0.0LF);
+    // The point itself for i = 0, which has no neighbour before it.
+    double withBefore = i > 0 ? 1.0LF : 0.0LF;
+    uint at = first + uint(i);
+    uint before = first + uint(max(i - 1, 0));
+    dvec4 step = dvec4(0.0LF);
     dvec4 difference = dvec4(0.0LF);
-    dvec4 before = smControlPoint(first + uint(i));
-    for (int j = 0; j < q; ++j)
+    dvec4 low = smControlPoint(at);
+    dvec4 lowStep = low - withBefore * smControlPoint(before);
+    for (int j = 1; j <= q; ++j)
     {
-      dvec4 after = smControlPoint(first + uint(i + (j + 1) * (p + 1)));
-      value += basis[j] * ((1.0LF - r) * before + r * after);
-      difference += basis[j] * (after - before);
-      before = after;
+      uint line = uint(j * (p + 1));
+      dvec4 high = smControlPoint(at + line);
+      dvec4 highStep = high - withBefore * smControlPoint(before + line);
+      step += basis[j - 1] * ((1.0LF - r) * lowStep + r * highStep);
+      difference += basis[j - 1] * (high - low);
+      low = high;
+      lowStep = highStep;
     }
-    row[i] = value;
+    row[i] = step;
     rowR[i] = double(q) * difference;
   }
 }
@@ -37,11 +46,13 @@ void smEvaluateRow(int p, double s, SM_ARRAY(dvec4, row, SM_ROW_SIZE), SM_ARRAY(
   dvec4 h = dvec4(0.0LF);
   dvec4 hs = dvec4(0.0LF);
   dvec4 hr = dvec4(0.0LF);
+  dvec4 point = row[0];
   for (int i = 0; i < p; ++i)
   {
-    h += basis[i] * ((1.0LF - s) * row[i] + s * row[i + 1]);
-    hs += basis[i] * (row[i + 1] - row[i]);
+    h += basis[i] * (point + s * row[i + 1]);
+    hs += basis[i] * row[i + 1];
     hr += basis[i] * ((1.0LF - s) * rowR[i] + s * rowR[i + 1]);
+    point += row[i + 1];
   }
   hs *= double(p);
   double inverse = 1.0LF / h.w;
