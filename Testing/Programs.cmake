@@ -29,6 +29,23 @@ solidmoments_add_test(NAME CommandLinePictureDisplay LABELS image XVFB COMMAND $
 solidmoments_add_test(NAME CommandLineNoContext LABELS error gpu NODISPLAY
   ENVIRONMENT MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 COMMAND ${command_line_test} no-context)
 
+# The parts of Table 1, and the table.
+set(paper_parts "${SOLIDMOMENTS_TEST_OUTPUT}/paper_parts")
+add_test(NAME MakePaperParts COMMAND make_paper_parts "${paper_parts}")
+set_tests_properties(MakePaperParts PROPERTIES LABELS value FIXTURES_SETUP paper_parts)
+set(paper_programs --program "$<TARGET_FILE:solidmoments>" --occt "$<TARGET_FILE:occt_mass_properties>"
+  --folder "${paper_parts}" --output "${SOLIDMOMENTS_TEST_OUTPUT}")
+foreach (mode IN ITEMS values errors)
+  solidmoments_add_test(NAME PaperParts_${mode} LABELS value error NODISPLAY FIXTURE paper_parts
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPaperParts.py"
+      --make "$<TARGET_FILE:make_paper_parts>" ${paper_programs} ${mode})
+endforeach ()
+foreach (mode IN ITEMS known parts)
+  solidmoments_add_test(NAME PaperTable_${mode} LABELS value error NODISPLAY FIXTURE paper_parts
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPaperTable.py"
+      --table "${PROJECT_SOURCE_DIR}/Examples/Paper/table.py" ${paper_programs} ${mode})
+endforeach ()
+
 # A project outside the tree, against an install in the build folder; and everything else that is installed.
 set(package_options)
 if (SOLIDMOMENTS_WRAP_PYTHON)
