@@ -46,6 +46,22 @@ foreach (mode IN ITEMS known parts)
       --table "${PROJECT_SOURCE_DIR}/Examples/Paper/table.py" ${paper_programs} ${mode})
 endforeach ()
 
+# The paper's figures, of a display and of none; what is in them is judged once.
+set(paper_figures "${SOLIDMOMENTS_TEST_OUTPUT}/paper_figures")
+solidmoments_add_test(NAME DrawPaperFigures LABELS image gpu NODISPLAY FIXTURE paper_parts
+  COMMAND paper_figures "${paper_figures}" --part "${paper_parts}/free_form.step")
+set_tests_properties(DrawPaperFigures PROPERTIES FIXTURES_SETUP paper_figures)
+solidmoments_add_test(NAME DrawPaperFiguresDisplay LABELS image gpu XVFB
+  COMMAND paper_figures "${SOLIDMOMENTS_TEST_OUTPUT}/paper_figures_display")
+set_tests_properties(DrawPaperFiguresDisplay PROPERTIES FIXTURES_SETUP paper_figures)
+solidmoments_add_test_program(TestPaperFigures VTK::ImagingCore)
+solidmoments_add_test(NAME PaperFigures LABELS value image NODISPLAY FIXTURE paper_figures
+  COMMAND TestPaperFigures "${paper_figures}" "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestPaperFigures.png")
+solidmoments_add_test(NAME PaperFiguresErrors LABELS error NODISPLAY
+  COMMAND paper_figures "${SOLIDMOMENTS_TEST_OUTPUT}/paper_figures_error" --part
+    "${SOLIDMOMENTS_TEST_SOLIDS}/no_geometry.step")
+set_tests_properties(PaperFiguresErrors PROPERTIES PASS_REGULAR_EXPRESSION "could not be read|has no volume")
+
 # A project outside the tree, against an install in the build folder; and everything else that is installed.
 set(package_options)
 if (SOLIDMOMENTS_WRAP_PYTHON)

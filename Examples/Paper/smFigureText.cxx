@@ -50,7 +50,7 @@ void FigureText::Set(vtkChart* chart, const Figure& figure, float scale)
   this->Titles[0] = figure.X.Title;
   this->Titles[1] = figure.Y.Title;
   // Over the labels of an axis on top.
-  this->Gap = scale * (figure.X.OppositeTicks.empty() ? 8.0f : 36.0f);
+  this->Gap = scale * (figure.X.OppositeTicks.empty() ? 8.0f : 40.0f);
   for (int i = 0; i < 4; ++i)
   {
     this->Plot[i] = scale * figure.Plot[i];

@@ -195,6 +195,8 @@ Figure MakeVolumeFigure(const std::string& name, const Study& study, const std::
   figure.Y.Title = yTitle;
   SetFactorAxis(figure.X, xTitle, factors);
   figure.Content.push_back(MakeLevel("ADAPTIVE", study.Adaptive.Volume / study.Reference, factors, false));
+  // Wider, since the others come to lie on it.
+  figure.Content.back().LineWidth = 1.8f * LineWidth;
   for (const auto& runs : study.Runs)
   {
     figure.Content.push_back(
@@ -286,14 +288,14 @@ std::vector<Figure> MakeFigure8(vtkDataObject* part)
   // The estimate hardly depends on the rule: that of GAUSS2, as in the paper.
   Series estimate =
     MakeSeries(study.Runs[1], [&](const PaperRun& run) { return run.Estimate / study.Reference; });
-  estimate.Label = "estimate, Eq. 36";
+  estimate.Label = "estimate, untrimmed";
   estimate.Hue = colors::Vermillion;
   estimate.Symbol = Marker::None;
   estimate.Dashed = true;
   errors.Content.push_back(estimate);
   Series whole = MakeSeries(
     study.Runs[1], [&](const PaperRun& run) { return run.EstimateWithBoundary / study.Reference; });
-  whole.Label = "with the trims' sub-patches";
+  whole.Label = "estimate, all";
   whole.Hue = colors::Vermillion;
   whole.Symbol = Marker::None;
   errors.Content.push_back(whole);

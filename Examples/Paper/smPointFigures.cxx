@@ -242,7 +242,7 @@ Figure MakeFigure5()
     figure.Content.push_back(series);
   }
   figure.LegendColumns = 3;
-  figure.Height += 35;
+  figure.Height += 40;
   return figure;
 }
 
