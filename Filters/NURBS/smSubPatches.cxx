@@ -15,6 +15,10 @@ using Homogeneous = std::array<double, 4>;
 // Of a texel's width; see SubPatchFace::Polygons.
 constexpr double ChordShareOfTexel = 1.0 / 16.0;
 
+// Of the coordinates' size. The corners of a plane were rounded where the file placed them, which may be far from the model's
+// origin; what is taken for a plane then moves the volume by less than this times size times area.
+constexpr double PlanarGap = 1e-12;
+
 std::vector<double> DivideIntervals(const std::vector<double>& breaks, int factor)
 {
   std::vector<double> borders;
@@ -37,6 +41,13 @@ void CheckFace(const Face& face, const SchemeOptions& options)
   if (!reason.empty())
   {
     throw std::runtime_error(reason);
+  }
+  for (const std::vector<double>& knots : face.Surface.Knots)
+  {
+    if (!std::all_of(knots.begin(), knots.end(), [](double knot) { return std::isfinite(knot); }))
+    {
+      throw std::runtime_error("a knot is not finite");
+    }
   }
   if (options.Factor < 1 || options.TextureFactor < 1)
   {
@@ -149,8 +160,8 @@ void PrepareCurved(SubPatchFace& face, const SchemeOptions& options)
     static_cast<double>(breaks[0].size() - 1) * (breaks[1].size() - 1) * options.Factor * options.Factor;
   if (count > MaximumSubPatches)
   {
-    throw std::runtime_error(std::to_string(static_cast<long long>(count)) + " sub-patches are more than " +
-      std::to_string(MaximumSubPatches));
+    throw std::runtime_error(std::to_string(static_cast<long long>(std::min(count, 1e18))) +
+      " sub-patches are more than " + std::to_string(MaximumSubPatches));
   }
   face.Grid = MakeSubPatchGrid(surface, options.Factor);
   for (std::size_t row = 0; row + 1 < breaks[1].size(); ++row)
@@ -207,8 +218,7 @@ bool IsPlanar(const NURBSSurface& surface)
       size = std::max(size, std::abs(p[i][c]));
     }
   }
-  // The corners of a plane are rounded: each of the four by half a unit in its last place, twice for the arithmetic.
-  return p[1][3] == w && p[2][3] == w && p[3][3] == w && gap <= 16 * 1.1e-16 * size;
+  return p[1][3] == w && p[2][3] == w && p[3][3] == w && gap <= PlanarGap * size;
 }
 
 SubPatchFace PrepareSubPatchFace(const FacePointer& face, const SchemeOptions& options)

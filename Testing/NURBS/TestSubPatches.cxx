@@ -190,7 +190,7 @@ void CheckPlanar()
     return surface;
   };
   CheckTrue("a parallelogram is planar", sm::IsPlanar(plane(0.0, 1.0)));
-  CheckTrue("a twisted one is not", !sm::IsPlanar(plane(1e-10, 1.0)));
+  CheckTrue("a twisted one is not", !sm::IsPlanar(plane(1e-9, 1.0)));
   CheckTrue("nor one with other weights", !sm::IsPlanar(plane(0.0, 1.0 + 1e-15)));
   CheckTrue("nor a cylinder", !sm::IsPlanar(MakeQuarterCylinder(1.0, 1.0)));
   CheckTrue("nor one of two pieces",
@@ -222,6 +222,9 @@ void CheckErrors()
   bad = good;
   bad.Knots[0].pop_back();
   CheckError("a missing knot", MakeFace(bad, {}), options, "knots");
+  bad = good;
+  bad.Knots[1].back() = std::numeric_limits<double>::infinity();
+  CheckError("an infinite knot", MakeFace(bad, {}), options, "knot is not finite");
   sm::Loop loop = MakeLeaf(0.5, 0.5, 0.3, 0.2, false);
   loop.Coedges[1].Curve.Coefficients[2][1] = std::numeric_limits<double>::quiet_NaN();
   CheckError("a trim curve of NaN", MakeFace(good, { loop }), options, "finite");
