@@ -187,6 +187,13 @@ void CheckOthers()
     Prepare(MakeFace(plane, { MakePolygonLoop(square), MakePolygonLoop(square) }), 1e-3));
   Check("what two equal loops hold", 4.0, twice[13], 1e-14, "rounding");
 
+  // A corner off by less than what counts as a plane: z = 100 + e u v on the unit square has V = 100 + e/4.
+  sm::NURBSSurface twisted =
+    MakePlane({ 0.0, 0.0, 100.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, 0.0, 1.0, 0.0, 1.0);
+  twisted.ControlPoints[3][2] += 8e-11;
+  Check("a plane twisted by rounding", 2e-11,
+    sm::ComputePlaneMoments(Prepare(MakeFace(twisted, {}), 0.0))[0] - 100.0, 2e-13, "rounding of 100");
+
   sm::SubPatchFace curved =
     sm::PrepareSubPatchFace(MakeFace(MakeQuarterCylinder(1.0, 1.0), {}), sm::SchemeOptions());
   CheckTrue(
