@@ -29,6 +29,10 @@ solidmoments_add_test(NAME CommandLinePictureDisplay LABELS image XVFB COMMAND $
 solidmoments_add_test(NAME CommandLineNoContext LABELS error gpu NODISPLAY
   ENVIRONMENT MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 COMMAND ${command_line_test} no-context)
 
+solidmoments_add_test(NAME CommandLineSchemes LABELS value error gpu NODISPLAY
+  COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestCommandLineSchemes.py"
+    --program "$<TARGET_FILE:solidmoments>" --solids "${SOLIDMOMENTS_TEST_SOLIDS}" --output "${SOLIDMOMENTS_TEST_OUTPUT}")
+
 # A project outside the tree, against an install in the build folder; and everything else that is installed.
 set(package_options)
 if (SOLIDMOMENTS_WRAP_PYTHON)
