@@ -28,6 +28,9 @@ solidmoments_add_test(NAME CommandLinePicture LABELS image NODISPLAY COMMAND ${c
 solidmoments_add_test(NAME CommandLinePictureDisplay LABELS image XVFB COMMAND ${command_line_test} picture)
 solidmoments_add_test(NAME CommandLineNoContext LABELS error gpu NODISPLAY
   ENVIRONMENT MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 COMMAND ${command_line_test} no-context)
+solidmoments_add_test(NAME CommandLineSchemes LABELS value error gpu NODISPLAY
+  COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestCommandLineSchemes.py"
+    --program "$<TARGET_FILE:solidmoments>" --solids "${SOLIDMOMENTS_TEST_SOLIDS}" --output "${SOLIDMOMENTS_TEST_OUTPUT}")
 
 # The parts of Table 1, and the table.
 set(paper_parts "${SOLIDMOMENTS_TEST_OUTPUT}/paper_parts")
