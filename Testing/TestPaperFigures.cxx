@@ -200,6 +200,22 @@ void CheckPicture(const std::string& path, const std::string& baseline)
   smtest::CheckRange("Fig. 6 against its baseline", 0.0, difference->GetThresholdedError(), 5.0);
 }
 
+/// vtkSVGExporter applies a plot's transform to its clip path as well, which then hides the plot: there must be none.
+void CheckVectors(const std::string& path)
+{
+  std::ifstream file(path);
+  int clipped = 0;
+  int transformed = 0;
+  for (std::string line; std::getline(file, line);)
+  {
+    const bool clips = line.find("clip-path=") != std::string::npos;
+    clipped += clips;
+    transformed += clips && line.find("transform=") != std::string::npos;
+  }
+  smtest::CheckRange(path + ", clipped groups", 1, clipped, Infinity);
+  smtest::CheckEqual(path + ", of these transformed", 0, transformed);
+}
+
 void CheckFiles(const std::string& folder)
 {
   for (const char* name :
@@ -211,6 +227,7 @@ void CheckFiles(const std::string& folder)
       smtest::CheckRange(
         std::string(name) + ending, 100.0, file ? static_cast<double>(file.tellg()) : 0.0, Infinity, "bytes");
     }
+    CheckVectors(folder + "/" + name + ".svg");
   }
 }
 }

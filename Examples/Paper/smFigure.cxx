@@ -32,10 +32,51 @@ namespace
 /// The PNG is drawn that many times larger and averaged: smooth letters and markers on every driver.
 constexpr int Oversampling = 3;
 
-double ToPlot(const FigureAxis& axis, double value)
+/// One axis of the plot as pixels of the window. The charts get pixels as their data, so that their transform is the
+/// identity: vtkSVGExporter applies a transform to clip paths, line widths and markers as well.
+class PixelScale
 {
-  return axis.Log ? std::log10(value) : value;
-}
+public:
+  PixelScale(const FigureAxis& axis, float start, float length)
+    : Log(axis.Log)
+    , Start(start)
+    , Low(this->Linear(axis.Minimum))
+    , PixelsPerUnit(length / (this->Linear(axis.Maximum) - this->Low))
+  {
+  }
+  double ToPixel(double value) const
+  {
+    return this->Start + (this->Linear(value) - this->Low) * this->PixelsPerUnit;
+  }
+
+private:
+  double Linear(double value) const { return this->Log ? std::log10(value) : value; }
+
+  bool Log;
+  double Start;
+  double Low;
+  double PixelsPerUnit;
+};
+
+struct PlotScale
+{
+  float Factor;
+  PixelScale X;
+  PixelScale Y;
+
+  PlotScale(const Figure& figure, float factor)
+    : PlotScale(figure, figure.GetPlot(), factor)
+  {
+  }
+
+private:
+  PlotScale(const Figure& figure, const std::array<float, 4>& plot, float factor)
+    : Factor(factor)
+    , X(figure.X, factor * plot[0], factor * plot[2])
+    , Y(figure.Y, factor * plot[1], factor * plot[3])
+  {
+  }
+};
 
 int GetMarkerStyle(Marker marker)
 {
@@ -56,8 +97,7 @@ int GetMarkerStyle(Marker marker)
   }
 }
 
-/// Logarithms are taken here, so that the ticks can be labelled as we like.
-void AddSeries(vtkChartXY* chart, const Figure& figure, const Series& series, float scale)
+void AddSeries(vtkChartXY* chart, const Series& series, const PlotScale& scale)
 {
   vtkNew<vtkTable> table;
   vtkNew<vtkDoubleArray> x;
@@ -66,8 +106,8 @@ void AddSeries(vtkChartXY* chart, const Figure& figure, const Series& series, fl
   y->SetName("y");
   for (std::size_t i = 0; i < series.X.size(); ++i)
   {
-    x->InsertNextValue(ToPlot(figure.X, series.X[i]));
-    y->InsertNextValue(ToPlot(figure.Y, series.Y[i]));
+    x->InsertNextValue(scale.X.ToPixel(series.X[i]));
+    y->InsertNextValue(scale.Y.ToPixel(series.Y[i]));
   }
   table->AddColumn(x);
   table->AddColumn(y);
@@ -78,25 +118,25 @@ void AddSeries(vtkChartXY* chart, const Figure& figure, const Series& series, fl
   // A series without a label has no entry of its own in the legend.
   plot->SetLegendVisibility(!series.Label.empty());
   plot->SetColor(series.Hue[0], series.Hue[1], series.Hue[2], 255);
-  plot->SetWidth(scale * (line ? series.LineWidth : 2.0f));
+  plot->SetWidth(scale.Factor * (line ? series.LineWidth : 2.0f));
   plot->GetPen()->SetLineType(series.Dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
   plot->SetMarkerStyle(GetMarkerStyle(series.Symbol));
-  plot->SetMarkerSize(scale * series.MarkerSize);
+  plot->SetMarkerSize(scale.Factor * series.MarkerSize);
 }
 
 void SetTicks(vtkAxis* axis, const FigureAxis& source,
-  const std::vector<std::pair<double, std::string>>& ticks, float scale)
+  const std::vector<std::pair<double, std::string>>& ticks, const PixelScale& pixels, float scale)
 {
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkStringArray> labels;
   for (const auto& tick : ticks)
   {
-    positions->InsertNextValue(ToPlot(source, tick.first));
+    positions->InsertNextValue(pixels.ToPixel(tick.first));
     labels->InsertNextValue(tick.second);
   }
   axis->SetTitle("");
   axis->SetBehavior(vtkAxis::FIXED);
-  axis->SetRange(ToPlot(source, source.Minimum), ToPlot(source, source.Maximum));
+  axis->SetRange(pixels.ToPixel(source.Minimum), pixels.ToPixel(source.Maximum));
   axis->SetCustomTickPositions(positions, labels);
   axis->SetTickLength(5.0f * scale);
   axis->SetLabelOffset(8.0f * scale);
@@ -106,16 +146,17 @@ void SetTicks(vtkAxis* axis, const FigureAxis& source,
   axis->GetPen()->SetWidth(1.3f * scale);
 }
 
-void SetAxis(vtkChartXY* chart, int near, int far, const FigureAxis& source, float scale)
+void SetAxis(
+  vtkChartXY* chart, int near, int far, const FigureAxis& source, const PixelScale& pixels, float scale)
 {
   vtkAxis* axis = chart->GetAxis(near);
-  SetTicks(axis, source, source.Ticks, scale);
+  SetTicks(axis, source, source.Ticks, pixels, scale);
   axis->SetGridVisible(source.Grid);
   axis->GetGridPen()->SetColor(source.GridGrey, source.GridGrey, source.GridGrey);
   axis->GetGridPen()->SetWidth(scale);
   // The opposite one closes the frame.
   vtkAxis* opposite = chart->GetAxis(far);
-  SetTicks(opposite, source, source.OppositeTicks, scale);
+  SetTicks(opposite, source, source.OppositeTicks, pixels, scale);
   opposite->SetVisible(true);
   opposite->SetGridVisible(false);
   opposite->SetTicksVisible(false);
@@ -127,13 +168,14 @@ void BuildChart(vtkChartXY* chart, const Figure& figure, float scale)
   chart->SetAutoAxes(false);
   chart->SetShowLegend(false);
   chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  chart->SetSize(
-    vtkRectf(scale * figure.Plot[0], scale * figure.Plot[1], scale * figure.Plot[2], scale * figure.Plot[3]));
-  SetAxis(chart, vtkAxis::BOTTOM, vtkAxis::TOP, figure.X, scale);
-  SetAxis(chart, vtkAxis::LEFT, vtkAxis::RIGHT, figure.Y, scale);
+  const std::array<float, 4> plot = figure.GetPlot();
+  chart->SetSize(vtkRectf(scale * plot[0], scale * plot[1], scale * plot[2], scale * plot[3]));
+  const PlotScale pixels(figure, scale);
+  SetAxis(chart, vtkAxis::BOTTOM, vtkAxis::TOP, figure.X, pixels.X, scale);
+  SetAxis(chart, vtkAxis::LEFT, vtkAxis::RIGHT, figure.Y, pixels.Y, scale);
   for (const Series& series : figure.Content)
   {
-    AddSeries(chart, figure, series, scale);
+    AddSeries(chart, series, pixels);
   }
 }
 

@@ -80,8 +80,10 @@ struct Figure
   std::string Name;
   int Width = 800;
   int Height = 600;
-  /// Left, bottom, width and height of the plot, in pixels.
-  std::array<float, 4> Plot{ 105.0f, 78.0f, 665.0f, 478.0f };
+  /// From the plot to the borders, in pixels. The same above and below: vtkSVGExporter (9.1, 9.2) clips plots upside down.
+  float Left = 105.0f;
+  float Right = 30.0f;
+  float AboveAndBelow = 78.0f;
   /// From the plot to the middle of the vertical axis' title: its labels are between.
   float TitleLeft = 75.0f;
   FigureAxis X;
@@ -90,6 +92,13 @@ struct Figure
   /// Entries in a row of the legend, which stands over the plot; 0: no legend.
   int LegendColumns = 0;
   FigureTable Table;
+
+  /// Left, bottom, width and height of the plot.
+  std::array<float, 4> GetPlot() const
+  {
+    return { this->Left, this->AboveAndBelow, this->Width - this->Left - this->Right,
+      this->Height - 2.0f * this->AboveAndBelow };
+  }
 };
 
 /// 17 digits, as much as a double holds.

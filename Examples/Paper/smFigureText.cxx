@@ -53,7 +53,7 @@ void FigureText::Set(vtkChart* chart, const Figure& figure, float scale)
   this->Gap = scale * (figure.X.OppositeTicks.empty() ? 8.0f : 40.0f);
   for (int i = 0; i < 4; ++i)
   {
-    this->Plot[i] = scale * figure.Plot[i];
+    this->Plot[i] = scale * figure.GetPlot()[i];
   }
 }
 

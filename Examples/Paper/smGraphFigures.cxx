@@ -208,7 +208,7 @@ Figure MakeVolumeFigure(const std::string& name, const Study& study, const std::
   return figure;
 }
 
-/// Errors of the schemes; those of ADAPTIVE where `Reference` is not its own volume.
+/// Errors of the schemes.
 Figure MakeErrorFigure(
   const std::string& name, const Study& study, const std::vector<int>& factors, const std::string& xTitle)
 {
@@ -220,6 +220,28 @@ Figure MakeErrorFigure(
     figure.Content.push_back(MakeSeries(runs, [&](const PaperRun& run) { return GetError(study, run); }));
   }
   figure.Table = MakeTable(study);
+  return figure;
+}
+
+/// It hardly depends on the rule: that of GAUSS2, as in the paper.
+void AddEstimate(Figure& errors, const Study& study, const char* label, double PaperRun::*estimate)
+{
+  Series series =
+    MakeSeries(study.Runs[1], [&](const PaperRun& run) { return run.*estimate / study.Reference; });
+  series.Label = label;
+  series.Hue = colors::Vermillion;
+  series.Symbol = Marker::None;
+  errors.Content.push_back(series);
+}
+
+/// Where the exact volume is known: errors of the schemes and of ADAPTIVE, and the paper's estimate.
+Figure MakeExactErrorFigure(
+  const std::string& name, const Study& study, const std::vector<int>& factors, const std::string& xTitle)
+{
+  Figure figure = MakeErrorFigure(name, study, factors, xTitle);
+  figure.Content.push_back(MakeLevel("ADAPTIVE", GetError(study, study.Adaptive), factors, false));
+  AddEstimate(figure, study, "paper's estimate", &PaperRun::EstimateWithBoundary);
+  figure.LegendColumns = 3;
   return figure;
 }
 
@@ -237,9 +259,7 @@ std::vector<Figure> MakeFigure7a()
   const std::string xTitle = "sub-patches along the arc";
   std::vector<Figure> figures;
   figures.push_back(MakeVolumeFigure("fig7a", study, factors, xTitle, "volume / exact volume"));
-  figures.push_back(MakeErrorFigure("fig7a_error", study, factors, xTitle));
-  figures.back().Content.push_back(MakeLevel("ADAPTIVE", GetError(study, study.Adaptive), factors, false));
-  figures.back().LegendColumns = 4;
+  figures.push_back(MakeExactErrorFigure("fig7a_error", study, factors, xTitle));
   SetErrorAxis(figures.back(), ErrorTitle);
   return figures;
 }
@@ -253,9 +273,8 @@ std::vector<Figure> MakeFigure7b()
   study.Reference = solid.Volume;
   std::vector<Figure> figures;
   figures.push_back(MakeVolumeFigure("fig7b", study, factors, KTitle, "volume / exact volume"));
-  figures.push_back(MakeErrorFigure("fig7b_error", study, factors, KTitle));
+  figures.push_back(MakeExactErrorFigure("fig7b_error", study, factors, KTitle));
   Figure& errors = figures.back();
-  errors.Content.push_back(MakeLevel("ADAPTIVE", GetError(study, study.Adaptive), factors, false));
   Series slope;
   slope.Label = "1 / k";
   slope.Hue = colors::Grey;
@@ -267,7 +286,6 @@ std::vector<Figure> MakeFigure7b()
     slope.Y.push_back(GetError(study, study.Runs[2].front()) / factor);
   }
   errors.Content.push_back(slope);
-  errors.LegendColumns = 5;
   SetErrorAxis(errors, ErrorTitle);
   return figures;
 }
@@ -285,24 +303,12 @@ std::vector<Figure> MakeFigure8(vtkDataObject* part)
   figures.push_back(MakeVolumeFigure("fig8", study, factors, KTitle, "volume / volume by ADAPTIVE"));
   figures.push_back(MakeErrorFigure("fig8_error", study, factors, KTitle));
   Figure& errors = figures.back();
-  // The estimate hardly depends on the rule: that of GAUSS2, as in the paper.
-  Series estimate =
-    MakeSeries(study.Runs[1], [&](const PaperRun& run) { return run.Estimate / study.Reference; });
-  estimate.Label = "estimate, untrimmed";
-  estimate.Hue = colors::Vermillion;
-  estimate.Symbol = Marker::None;
-  estimate.Dashed = true;
-  errors.Content.push_back(estimate);
-  Series whole = MakeSeries(
-    study.Runs[1], [&](const PaperRun& run) { return run.EstimateWithBoundary / study.Reference; });
-  whole.Label = "estimate, all";
-  whole.Hue = colors::Vermillion;
-  whole.Symbol = Marker::None;
-  errors.Content.push_back(whole);
+  AddEstimate(errors, study, "estimate, untrimmed", &PaperRun::Estimate);
+  errors.Content.back().Dashed = true;
+  AddEstimate(errors, study, "estimate, all", &PaperRun::EstimateWithBoundary);
   errors.Content.push_back(
     MakeLevel("bound of ADAPTIVE", study.Adaptive.Bound / study.Reference, factors, true));
   errors.LegendColumns = 3;
-  errors.Plot[3] -= 25.0f;
   SetErrorAxis(errors, ErrorTitle);
   return figures;
 }

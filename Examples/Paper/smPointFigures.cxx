@@ -79,9 +79,10 @@ Figure MakeSubPatchFigure(const std::string& name, int n)
 {
   Figure figure;
   figure.Name = name;
-  figure.Width = 620;
-  figure.Height = 600;
-  figure.Plot = { 95.0f, 80.0f, 460.0f, 460.0f };
+  figure.Width = figure.Height = 620;
+  figure.Left = 95.0f;
+  figure.Right = 65.0f;
+  figure.AboveAndBelow = 80.0f;
   std::vector<double> nodes;
   std::vector<double> weights;
   sm::ComputeGaussLegendre(n, nodes, weights);
@@ -183,6 +184,8 @@ Figure MakeFigure3()
   Figure figure = MakeSubPatchFigure("fig3", 2);
   Series points = MakeQuadraturePoints(MakeUnitGrid(), 2);
   points.MarkerSize = 16.0f;
+  points.Label = "2 x 2 Gauss points, each of weight 1";
+  figure.LegendColumns = 1;
   figure.Table = MakePointTable({ 1.0, 1.0, 1.0, 1.0 }, points);
   figure.Content.push_back(points);
   return figure;
@@ -194,8 +197,10 @@ Figure MakeFigure4()
   figure.Name = "fig4";
   figure.TitleLeft = 55.0f;
   figure.Width = 580;
-  figure.Height = 670;
-  figure.Plot = { 95.0f, 80.0f, 448.0f, 560.0f };
+  figure.Height = 710;
+  figure.Left = 97.0f;
+  figure.Right = 35.0f;
+  figure.AboveAndBelow = 75.0f;
   const sm::SubPatchGrid grid = sm::MakeSubPatchGrid(MakeUniformPatch(4, 5), 1);
   figure.X.Title = "u";
   figure.Y.Title = "v";
@@ -204,6 +209,8 @@ Figure MakeFigure4()
   figure.X.Grid = figure.Y.Grid = true;
   figure.X.GridGrey = figure.Y.GridGrey = GridGrey;
   Series points = MakeQuadraturePoints(grid, 2);
+  points.Label = "2 x 2 Gauss points of every sub-patch";
+  figure.LegendColumns = 1;
   figure.Table = MakePointTable(std::vector<double>(points.X.size(), 1.0), points);
   figure.Content.push_back(points);
   return figure;
@@ -242,7 +249,6 @@ Figure MakeFigure5()
     figure.Content.push_back(series);
   }
   figure.LegendColumns = 3;
-  figure.Height += 40;
   return figure;
 }
 
@@ -260,8 +266,9 @@ std::string MakeFigure6(Figure& figure)
   figure.Name = "fig6";
   figure.TitleLeft = 40.0f;
   figure.Width = 900;
-  figure.Height = 760;
-  figure.Plot = { 85.0f, 80.0f, 785.0f, 588.0f };
+  figure.Height = 750;
+  figure.Left = 85.0f;
+  figure.Right = 27.0f;
   figure.X.Title = "u";
   figure.Y.Title = "v";
   figure.X.Maximum = grid.U.back();
