@@ -120,6 +120,11 @@ def run_json(command, seconds):
         raise Failure(said[0] if said else f"exit status {done.returncode}, no JSON") from error
 
 
+def choose_message(messages):
+    """The one that says why there is no volume, where one does."""
+    return next((message for message in messages if "volume" in message), messages[0] if messages else "no volume")
+
+
 def measure(options, path, arguments):
     """One run of solidmoments."""
     try:
@@ -127,8 +132,8 @@ def measure(options, path, arguments):
         entry = document["files"][0]
         total, seconds = entry["total"], entry["seconds"]
         if total.get("volume") is None:
-            messages = entry.get("messages") or ["no volume"]
-            return Result(status=entry["status"], faces=entry.get("faces"), reason=f"{entry['status']}: {messages[0]}")
+            return Result(status=entry["status"], faces=entry.get("faces"),
+                          reason=f"{entry['status']}: {choose_message(entry.get('messages') or [])}")
         return Result(volume=total["volume"], center=total.get("center_of_mass"), status=entry["status"],
                       seconds=seconds["prepare"] + seconds["integrate"], bound=total["bounds"]["volume"],
                       estimate=total.get("paper_error_estimate"), faces=entry.get("faces"),

@@ -24,7 +24,7 @@ def gauss2_cells(row):
         return [cell(result.reason), "-", "-", "-", "-"]
     return [number(result.volume, "{:.10g}"), number(row.fraction(result.estimate)),
             number(row.fraction(result.estimate_with_boundary)), number(row.difference(result), "{:+.1e}"),
-            number(result.seconds, "{:.3f}")]
+            number(result.seconds, "{:.2g}")]
 
 
 def adaptive_cells(row):
@@ -33,14 +33,14 @@ def adaptive_cells(row):
         return [cell(result.reason), "-", "-", "-"]
     volume = number(result.volume, "{:.12g}") + ("" if result.status == "ok" else f" ({result.status})")
     return [volume, number(row.fraction(result.bound)), number(row.difference(result), "{:+.1e}"),
-            number(result.seconds, "{:.3f}")]
+            number(result.seconds, "{:.2g}")]
 
 
 def occt_cells(row):
     result = row.occt
     if result.reason:
         return [cell(result.reason), "-"]
-    return [number(row.difference(result), "{:+.1e}"), number(result.seconds, "{:.3f}")]
+    return [number(row.difference(result), "{:+.1e}"), number(result.seconds, "{:.2g}")]
 
 
 def cells(row):
