@@ -45,6 +45,9 @@ foreach (mode IN ITEMS known parts)
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPaperTable.py"
       --table "${PROJECT_SOURCE_DIR}/Examples/Paper/table.py" ${paper_programs} ${mode})
 endforeach ()
+solidmoments_add_test(NAME CommandLineSchemes LABELS value error gpu NODISPLAY
+  COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestCommandLineSchemes.py"
+    --program "$<TARGET_FILE:solidmoments>" --solids "${SOLIDMOMENTS_TEST_SOLIDS}" --output "${SOLIDMOMENTS_TEST_OUTPUT}")
 
 # A project outside the tree, against an install in the build folder; and everything else that is installed.
 set(package_options)

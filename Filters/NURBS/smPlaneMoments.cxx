@@ -11,24 +11,30 @@ using Point2 = std::array<double, 2>;
 using Point3 = std::array<double, 3>;
 constexpr int NumberOfIntegrals = 11;
 
-/// The plane S(u,v) = Origin + (u - Start[0]) U + (v - Start[1]) V.
+/// The plane S(u,v) = Center + (u - Middle[0]) U + (v - Middle[1]) V.
 struct Plane
 {
-  Point3 Origin, U, V;
-  Point2 Start, End;
+  Point3 Center, U, V;
+  Point2 Start, End, Middle;
 
   explicit Plane(const NURBSSurface& surface)
   {
-    // The corners are the control points only if the knots are clamped: ask the surface.
-    this->Start = { surface.GetDomainStart(0), surface.GetDomainStart(1) };
-    this->End = { surface.GetDomainEnd(0), surface.GetDomainEnd(1) };
-    std::array<double, 4> corners[4];
-    surface.ExtractBezier(this->Start[0], this->End[0], this->Start[1], this->End[1], corners);
+    for (int d = 0; d < 2; ++d)
+    {
+      this->Start[d] = surface.GetDomainStart(d);
+      this->End[d] = surface.GetDomainEnd(d);
+      this->Middle[d] = 0.5 * (this->Start[d] + this->End[d]);
+    }
+    // The corners are the control points only if the knots are clamped. What is left of a parallelogram by rounding is a twist,
+    // whose first order these means take away.
+    std::array<double, 4> p[4];
+    surface.ExtractBezier(this->Start[0], this->End[0], this->Start[1], this->End[1], p);
+    const double w = p[0][3];
     for (int c = 0; c < 3; ++c)
     {
-      this->Origin[c] = corners[0][c] / corners[0][3];
-      this->U[c] = (corners[1][c] / corners[1][3] - this->Origin[c]) / (this->End[0] - this->Start[0]);
-      this->V[c] = (corners[2][c] / corners[2][3] - this->Origin[c]) / (this->End[1] - this->Start[1]);
+      this->Center[c] = 0.25 * (p[0][c] + p[1][c] + p[2][c] + p[3][c]) / w;
+      this->U[c] = 0.5 * ((p[1][c] - p[0][c]) + (p[3][c] - p[2][c])) / w / (this->End[0] - this->Start[0]);
+      this->V[c] = 0.5 * ((p[2][c] - p[0][c]) + (p[3][c] - p[1][c])) / w / (this->End[1] - this->Start[1]);
     }
   }
 
@@ -37,7 +43,7 @@ struct Plane
     Point3 x;
     for (int c = 0; c < 3; ++c)
     {
-      x[c] = this->Origin[c] + (p[0] - this->Start[0]) * this->U[c] + (p[1] - this->Start[1]) * this->V[c];
+      x[c] = this->Center[c] + (p[0] - this->Middle[0]) * this->U[c] + (p[1] - this->Middle[1]) * this->V[c];
     }
     return x;
   }
@@ -104,12 +110,12 @@ void AddTriangle(const Plane& plane, const Point2 (&corners)[3], CompensatedSum 
   }
 }
 
-void AddPolygon(const Plane& plane, const std::vector<Point2>& polygon, const Point2& apex,
-  CompensatedSum (&sums)[NumberOfIntegrals])
+void AddPolygon(
+  const Plane& plane, const std::vector<Point2>& polygon, CompensatedSum (&sums)[NumberOfIntegrals])
 {
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    AddTriangle(plane, { apex, polygon[i], polygon[(i + 1) % polygon.size()] }, sums);
+    AddTriangle(plane, { plane.Middle, polygon[i], polygon[(i + 1) % polygon.size()] }, sums);
   }
 }
 }
@@ -130,10 +136,9 @@ std::array<double, 14> ComputePlaneMoments(const SubPatchFace& face)
     whole = { { start, { end[0], start[1] }, end, { start[0], end[1] } } };
   }
   CompensatedSum sums[NumberOfIntegrals];
-  const Point2 apex = { 0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]) };
   for (const std::vector<Point2>& polygon : whole.empty() ? face.Polygons.Loops : whole)
   {
-    AddPolygon(plane, polygon, apex, sums);
+    AddPolygon(plane, polygon, sums);
   }
   const double sign = face.Source->Reversed ? -1.0 : 1.0;
   const Point3 normal = { sign * (plane.U[1] * plane.V[2] - plane.U[2] * plane.V[1]),

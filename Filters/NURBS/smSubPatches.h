@@ -50,7 +50,7 @@ enum class DeviationMode
 SMFILTERSNURBS_EXPORT double ComputeDeviation(
   const NURBSSurface& surface, double u0, double u1, double v0, double v1, DeviationMode mode);
 
-/// True for a parallelogram in one piece: degree 1 x 1, one knot interval, equal weights. Up to rounding of the coordinates.
+/// True for a parallelogram in one piece: degree 1 x 1, one knot interval, equal weights. To 1e-12 of the coordinates' size.
 SMFILTERSNURBS_EXPORT bool IsPlanar(const NURBSSurface& surface);
 
 /// Sub-patches that a face may have: their K fill half a gigabyte.
@@ -79,7 +79,7 @@ struct SubPatchFace
   std::vector<std::array<double, 4>> Points;
   /// K per sub-patch, u fastest.
   std::vector<double> Deviations;
-  /// No loops: the face is not trimmed. Of a planar face at the chord tolerance; else to 1/16 of the texels that a chord is in.
+  /// No loops: the face is not trimmed. Of a planar face at the chord tolerance; else to 1/16 of the texels it passes.
   TrimPolygons Polygons;
   /// Not empty: the face cannot be integrated by a scheme; it says why and names the face. All but Source is empty then.
   std::string Error;
