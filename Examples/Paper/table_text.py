@@ -5,8 +5,9 @@ import statistics
 HEAD = ["model", "faces", "GAUSS2, k = 2: volume", "Eq. 36, fraction", "with boundary", "difference", "s",
         "ADAPTIVE: volume", "bound, fraction", "difference", "s", "OCCT default: difference", "s", "reference", "from"]
 CAPTION = ("Volumes in mm^3; estimates, bounds and differences are fractions of the reference. Eq. 36 as the paper reads it counts "
-           "sub-patches wholly in the face, `with boundary` also those that a trim curve crosses. Seconds are those of "
-           "preparing and integrating, without reading the file, context and shaders; OCCT's are those of VolumeProperties.")
+           "sub-patches wholly in the face, `with boundary` also those that a trim curve crosses; its second derivatives are "
+           "{deviation}. Seconds are those of preparing and integrating, without reading the file, context and shaders; OCCT's are "
+           "those of VolumeProperties.")
 
 
 def number(value, form="{:.1e}"):
@@ -78,8 +79,8 @@ def summary(rows):
     return "\n".join(lines)
 
 
-def markdown(sections):
-    lines = ["# Table 1", "", CAPTION, ""]
+def markdown(sections, deviation):
+    lines = ["# Table 1", "", CAPTION.format(deviation=deviation), ""]
     for title, rows in sections:
         lines += [f"## {title}", "", "| " + " | ".join(HEAD) + " |", "|" + "---|" * len(HEAD)]
         lines += ["| " + " | ".join(cells(row)) + " |" for row in rows]
