@@ -42,7 +42,7 @@ TopoDS_Compound ReadSolids(const std::string& path, int& count)
   STEPControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone || reader.TransferRoots() == 0)
   {
-    throw std::runtime_error("OpenCASCADE cannot read " + path);
+    throw std::runtime_error("OpenCASCADE cannot read the file");
   }
   BRep_Builder builder;
   TopoDS_Compound solids;
@@ -64,7 +64,7 @@ Json Measure(const std::string& path, double eps)
   const double readSeconds = reading.GetSeconds();
   if (count == 0)
   {
-    throw std::runtime_error(path + " has no solid");
+    throw std::runtime_error("the file has no solid");
   }
   GProp_GProps volume;
   const Stopwatch integrating;

@@ -12,18 +12,13 @@ namespace
 {
 const double PlateGap = 46.0;
 
-TopLoc_Location At(const gp_Pnt& place, double turn = 0.0, bool upsideDown = false)
+TopLoc_Location At(const gp_Pnt& place, double turn = 0.0)
 {
   gp_Trsf motion;
   motion.SetTranslation(gp_Vec(gp_Pnt(), place));
   gp_Trsf rotation;
   rotation.SetRotation(gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)), turn);
-  gp_Trsf over;
-  if (upsideDown)
-  {
-    over.SetRotation(gp_Ax1(gp_Pnt(), gp_Dir(1, 0, 0)), Pi);
-  }
-  return { motion * rotation * over };
+  return { motion * rotation };
 }
 }
 

@@ -92,7 +92,8 @@ TopoDS_Wire Hexagon(double acrossFlats, double z)
 }
 
 /// What is left of a body between z = low and high when cones of 30 degrees take `rise` off its ends at radius `rim`.
-TopoDS_Shape Turned(const TopoDS_Shape& body, double rim, double rise, double low, double high)
+/// The cones' seam is at an angle where the body should have no edge: OpenCASCADE makes short curves up to a seam straight.
+TopoDS_Shape Turned(const TopoDS_Shape& body, double rim, double rise, double low, double high, double seam)
 {
   const double run = rise / std::tan(Pi / 6.0);
   const TopoDS_Shape envelope = Revolution(
@@ -100,7 +101,7 @@ TopoDS_Shape Turned(const TopoDS_Shape& body, double rim, double rise, double lo
       gp_Pnt(rim + 1.0, 0, high - rise - std::tan(Pi / 6.0)), gp_Pnt(rim - run, 0, high),
       gp_Pnt(0, 0, high) },
     Axis);
-  return BRepAlgoAPI_Common(body, envelope).Shape();
+  return BRepAlgoAPI_Common(body, Rotated(envelope, Axis, seam)).Shape();
 }
 }
 
@@ -110,7 +111,7 @@ TopoDS_Shape MakeGear(int teeth, double width)
   const double root = pitchRadius - 1.25 * GearModule;
   const double tip = pitchRadius + GearModule;
   TopoDS_Shape body = Prism(ToothedWire(teeth, root, tip), gp_Vec(0, 0, width));
-  body = Turned(body, tip, 1.0, 0.0, width);
+  body = Turned(body, tip, 1.0, 0.0, width, Pi / teeth);
   std::vector<TopoDS_Shape> tools = { Cylinder(gp_Pnt(0, 0, -1), Up, ShaftRadius, width + 2.0),
     Box(gp_Pnt(0, -1.5, -1), gp_Pnt(ShaftRadius + 1.6, 1.5, width + 1.0)) };
   if (root > 30.0)
@@ -270,8 +271,8 @@ TopoDS_Shape MakeBolt(double gap)
 TopoDS_Shape MakeNut()
 {
   const double height = 5.2;
-  TopoDS_Shape body =
-    Turned(Prism(Hexagon(10.0, 0.0), gp_Vec(0, 0, height)), 10.0 / std::sqrt(3.0), 0.45, 0.0, height);
+  TopoDS_Shape body = Turned(
+    Prism(Hexagon(10.0, 0.0), gp_Vec(0, 0, height)), 10.0 / std::sqrt(3.0), 0.45, 0.0, height, Pi / 6.0);
   body = Cut(body,
     { Cylinder(gp_Pnt(0, 0, -1), Up, BoltRadius - 0.3, height + 2.0),
       Cone(gp_Pnt(0, 0, -0.5), Up, BoltRadius + 0.8, BoltRadius - 0.7, 1.5),

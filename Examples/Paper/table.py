@@ -120,6 +120,15 @@ def run_json(command, seconds):
         raise Failure(said[0] if said else f"exit status {done.returncode}, no JSON") from error
 
 
+def choose_message(messages):
+    """The one that says why there is no volume, where one does."""
+    for word in ("no volume", "surface"):
+        for message in messages:
+            if word in message:
+                return message
+    return messages[0] if messages else "no volume"
+
+
 def measure(options, path, arguments):
     """One run of solidmoments."""
     try:
@@ -127,8 +136,9 @@ def measure(options, path, arguments):
         entry = document["files"][0]
         total, seconds = entry["total"], entry["seconds"]
         if total.get("volume") is None:
-            messages = entry.get("messages") or ["no volume"]
-            return Result(status=entry["status"], faces=entry.get("faces"), reason=f"{entry['status']}: {messages[0]}")
+            return Result(status=entry["status"], faces=entry.get("faces"),
+                          reason=f"{entry['status']}: {choose_message(entry.get('messages') or [])}".replace(
+                              path, os.path.basename(path)))
         return Result(volume=total["volume"], center=total.get("center_of_mass"), status=entry["status"],
                       seconds=seconds["prepare"] + seconds["integrate"], bound=total["bounds"]["volume"],
                       estimate=total.get("paper_error_estimate"), faces=entry.get("faces"),
@@ -165,7 +175,7 @@ def set_reference(options, row, model):
 
 
 def make_row(options, model):
-    gauss2 = measure(options, model.path, ["--scheme", "gauss2", "--subpatches", SUB_PATCHES])
+    gauss2 = measure(options, model.path, ["--scheme", "gauss2", "--subpatches", SUB_PATCHES, "--deviation", options.deviation])
     adaptive = measure(options, model.path, ["--tolerance", ADAPTIVE_TOLERANCE])
     row = Row(model.name, gauss2, adaptive, ask_occt(options, model.path))
     set_reference(options, row, model)
@@ -229,6 +239,8 @@ def parse_arguments():
     parser.add_argument("--occt", required=True, help="path of occt_mass_properties")
     parser.add_argument("--markdown", help="write the table there")
     parser.add_argument("--csv", help="write a row per file there, with every number in full")
+    parser.add_argument("--deviation", choices=("bounded", "sampled"), default="bounded",
+                        help="how Eq. 36 finds the second derivatives: by control points (default) or by samples")
     parser.add_argument("--only", action="append", help="this model only; may be given several times")
     parser.add_argument("--timeout", type=float, default=900.0, help="seconds that a run may take, default 900")
     parser.add_argument("folders", nargs="+", metavar="[TITLE=]FOLDER")
@@ -246,7 +258,7 @@ def main():
     if empty:
         print(f"table.py: no STEP file in {', '.join(empty)}", file=sys.stderr)
         return 1
-    text = table_text.markdown(sections)
+    text = table_text.markdown(sections, options.deviation)
     if options.markdown:
         with open(options.markdown, "w", encoding="utf-8") as file:
             file.write(text)

@@ -5,8 +5,9 @@ import statistics
 HEAD = ["model", "faces", "GAUSS2, k = 2: volume", "Eq. 36, fraction", "with boundary", "difference", "s",
         "ADAPTIVE: volume", "bound, fraction", "difference", "s", "OCCT default: difference", "s", "reference", "from"]
 CAPTION = ("Volumes in mm^3; estimates, bounds and differences are fractions of the reference. Eq. 36 as the paper reads it counts "
-           "sub-patches wholly in the face, `with boundary` also those that a trim curve crosses. Seconds are those of "
-           "preparing and integrating, without reading the file, context and shaders; OCCT's are those of VolumeProperties.")
+           "sub-patches wholly in the face, `with boundary` also those that a trim curve crosses; its second derivatives are "
+           "{deviation}. Seconds are those of preparing and integrating, without reading the file, context and shaders; OCCT's are "
+           "those of VolumeProperties.")
 
 
 def number(value, form="{:.1e}"):
@@ -24,7 +25,7 @@ def gauss2_cells(row):
         return [cell(result.reason), "-", "-", "-", "-"]
     return [number(result.volume, "{:.10g}"), number(row.fraction(result.estimate)),
             number(row.fraction(result.estimate_with_boundary)), number(row.difference(result), "{:+.1e}"),
-            number(result.seconds, "{:.3f}")]
+            number(result.seconds, "{:.2g}")]
 
 
 def adaptive_cells(row):
@@ -33,14 +34,14 @@ def adaptive_cells(row):
         return [cell(result.reason), "-", "-", "-"]
     volume = number(result.volume, "{:.12g}") + ("" if result.status == "ok" else f" ({result.status})")
     return [volume, number(row.fraction(result.bound)), number(row.difference(result), "{:+.1e}"),
-            number(result.seconds, "{:.3f}")]
+            number(result.seconds, "{:.2g}")]
 
 
 def occt_cells(row):
     result = row.occt
     if result.reason:
         return [cell(result.reason), "-"]
-    return [number(row.difference(result), "{:+.1e}"), number(result.seconds, "{:.3f}")]
+    return [number(row.difference(result), "{:+.1e}"), number(result.seconds, "{:.2g}")]
 
 
 def cells(row):
@@ -78,8 +79,8 @@ def summary(rows):
     return "\n".join(lines)
 
 
-def markdown(sections):
-    lines = ["# Table 1", "", CAPTION, ""]
+def markdown(sections, deviation):
+    lines = ["# Table 1", "", CAPTION.format(deviation=deviation), ""]
     for title, rows in sections:
         lines += [f"## {title}", "", "| " + " | ".join(HEAD) + " |", "|" + "---|" * len(HEAD)]
         lines += ["| " + " | ".join(cells(row)) + " |" for row in rows]

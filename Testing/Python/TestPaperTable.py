@@ -133,8 +133,11 @@ def check_usage(options):
 
 
 def check_parts(options):
-    text, rows = run_table(options, "--program", options.program, "--occt", options.occt, "--only", "quarter_cylinder",
-                           "--only", "slanted_block", "Parts=" + options.folder)
+    arguments = ["--program", options.program, "--occt", options.occt, "--only", "quarter_cylinder", "--only", "slanted_block",
+                 "Parts=" + options.folder]
+    sampled_text, sampled = run_table(options, "--deviation", "sampled", *arguments)
+    text, rows = run_table(options, *arguments)
+    check_true("the caption says how K is found", "derivatives are bounded" in text and "derivatives are sampled" in sampled_text)
     block = 480000.0 - math.pi * 225.0 * 60.0 / math.cos(math.pi / 6.0)
     exact = {"quarter_cylinder": 1000.0 * math.pi, "slanted_block": block}
     check_equal("rows", list(exact), list(rows))
@@ -150,6 +153,8 @@ def check_parts(options):
         check_true(f"{name}: GAUSS2 is not exact", abs(float(row["gauss2_difference"])) > 1e-9)
         check_true(f"{name}: Eq. 36", 0.0 <= float(row["gauss2_estimate_fraction"])
                    <= float(row["gauss2_estimate_with_boundary_fraction"]) < 1.0)
+        check_true(f"{name}: Eq. 36 sampled is below bounded", 0.0 < float(sampled[name]["gauss2_estimate_fraction"])
+                   < float(row["gauss2_estimate_fraction"]))
         check_true(f"{name}: seconds", all(float(row[method + "_seconds"]) >= 0.0 for method in ("gauss2", "adaptive", "occt")))
     check_true("its title", "## Parts" in text)
 
