@@ -28,6 +28,42 @@ solidmoments_add_test(NAME CommandLinePicture LABELS image NODISPLAY COMMAND ${c
 solidmoments_add_test(NAME CommandLinePictureDisplay LABELS image XVFB COMMAND ${command_line_test} picture)
 solidmoments_add_test(NAME CommandLineNoContext LABELS error gpu NODISPLAY
   ENVIRONMENT MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 COMMAND ${command_line_test} no-context)
+solidmoments_add_test(NAME CommandLineSchemes LABELS value error gpu NODISPLAY
+  COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestCommandLineSchemes.py"
+    --program "$<TARGET_FILE:solidmoments>" --solids "${SOLIDMOMENTS_TEST_SOLIDS}" --output "${SOLIDMOMENTS_TEST_OUTPUT}")
+
+# The parts of Table 1, and the table.
+set(paper_parts "${SOLIDMOMENTS_TEST_OUTPUT}/paper_parts")
+add_test(NAME MakePaperParts COMMAND make_paper_parts "${paper_parts}")
+set_tests_properties(MakePaperParts PROPERTIES LABELS value FIXTURES_SETUP paper_parts)
+set(paper_programs --program "$<TARGET_FILE:solidmoments>" --occt "$<TARGET_FILE:occt_mass_properties>"
+  --folder "${paper_parts}" --output "${SOLIDMOMENTS_TEST_OUTPUT}")
+foreach (mode IN ITEMS values errors)
+  solidmoments_add_test(NAME PaperParts_${mode} LABELS value error NODISPLAY FIXTURE paper_parts
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPaperParts.py"
+      --make "$<TARGET_FILE:make_paper_parts>" ${paper_programs} ${mode})
+endforeach ()
+foreach (mode IN ITEMS known parts)
+  solidmoments_add_test(NAME PaperTable_${mode} LABELS value error NODISPLAY FIXTURE paper_parts
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPaperTable.py"
+      --table "${PROJECT_SOURCE_DIR}/Examples/Paper/table.py" ${paper_programs} ${mode})
+endforeach ()
+
+# The paper's figures, of a display and of none; what is in them is judged once.
+set(paper_figures "${SOLIDMOMENTS_TEST_OUTPUT}/paper_figures")
+solidmoments_add_test(NAME DrawPaperFigures LABELS image gpu NODISPLAY FIXTURE paper_parts
+  COMMAND paper_figures "${paper_figures}" --part "${paper_parts}/free_form.step")
+set_tests_properties(DrawPaperFigures PROPERTIES FIXTURES_SETUP paper_figures)
+solidmoments_add_test(NAME DrawPaperFiguresDisplay LABELS image gpu XVFB
+  COMMAND paper_figures "${SOLIDMOMENTS_TEST_OUTPUT}/paper_figures_display")
+set_tests_properties(DrawPaperFiguresDisplay PROPERTIES FIXTURES_SETUP paper_figures)
+solidmoments_add_test_program(TestPaperFigures VTK::ImagingCore)
+solidmoments_add_test(NAME PaperFigures LABELS value image NODISPLAY FIXTURE paper_figures
+  COMMAND TestPaperFigures "${paper_figures}" "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestPaperFigures.png")
+solidmoments_add_test(NAME PaperFiguresErrors LABELS error NODISPLAY
+  COMMAND paper_figures "${SOLIDMOMENTS_TEST_OUTPUT}/paper_figures_error" --part
+    "${SOLIDMOMENTS_TEST_SOLIDS}/no_geometry.step")
+set_tests_properties(PaperFiguresErrors PROPERTIES PASS_REGULAR_EXPRESSION "could not be read|has no volume")
 
 # A project outside the tree, against an install in the build folder; and everything else that is installed.
 set(package_options)

@@ -1,8 +1,9 @@
 # Finds the VTK to build against: ParaView's own by default, a plain VTK when the plugin is off.
 set(_vtk_components
-  CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  FiltersCore FiltersGeneral FiltersSources IOImage IOXML RenderingCore RenderingOpenGL2
-  InteractionStyle RenderingAnnotation RenderingFreeType TestingRendering glew opengl)
+  ChartsCore CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
+  FiltersCore FiltersGeneral FiltersSources IOExport IOImage IOXML ImagingCore InteractionStyle RenderingAnnotation
+  RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 TestingRendering
+  ViewsContext2D glew opengl vtksys)
 if (SOLIDMOMENTS_WRAP_PYTHON)
   if (NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
     # VTK's wrappers are built for the system's Python, whatever comes first on PATH.

@@ -141,6 +141,7 @@ int Run(const sm::Arguments& arguments)
 {
   const bool showTable = !arguments.Quiet && arguments.Json != "-" && arguments.Csv != "-";
   const std::vector<std::string> pictures = sm::PictureNames(arguments);
+  const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
   const std::string count = std::to_string(arguments.Files.size());
   ProgressLine line(!arguments.Quiet);
   sm::Json files = sm::Json::array();
@@ -151,6 +152,7 @@ int Run(const sm::Arguments& arguments)
     sm::JobOptions job = arguments.Job;
     job.FileName = arguments.Files[i];
     job.PictureName = pictures[i];
+    job.TexturePrefix = prefixes[i];
     const std::string head = "[" + std::to_string(i + 1) + "/" + count + "] " + sm::Stem(job.FileName);
     sm::JobOutcome outcome = sm::RunIsolatedJob(
       job, [&](const std::string& stage, double fraction) { line.Show(head, stage, fraction); });
@@ -160,6 +162,12 @@ int Run(const sm::Arguments& arguments)
       break;
     }
     exitStatus = Worse(exitStatus, StatusOf(outcome.File));
+    if (!outcome.TextureError.empty())
+    {
+      const std::string message = "trim textures are missing: " + outcome.TextureError;
+      outcome.File["messages"].push_back(message);
+      exitStatus = Worse(exitStatus, sm::Complain(message));
+    }
     if (!outcome.PictureError.empty())
     {
       const std::string message = "no picture " + job.PictureName + ": " + outcome.PictureError;

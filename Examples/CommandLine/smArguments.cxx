@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
@@ -35,11 +36,15 @@ the files finished before.)";
 
 std::string CheckScheme(const std::string& name)
 {
-  if (name == "midpoint" || name == "gauss2" || name == "gauss3")
-  {
-    return "scheme " + name + " is not available in this version; adaptive is";
-  }
-  return name == "adaptive" ? "" : "there is no scheme " + name + "; adaptive is available";
+  const bool known = name == "adaptive" || name == "midpoint" || name == "gauss2" || name == "gauss3";
+  return known ? "" : "there is no scheme " + name + "; use adaptive, midpoint, gauss2 or gauss3";
+}
+
+std::string CheckDeviation(const std::string& name)
+{
+  return name == "bounded" || name == "sampled"
+    ? ""
+    : "there is no deviation " + name + "; use bounded or sampled";
 }
 
 std::string CheckBackend(const std::string& name)
@@ -78,6 +83,21 @@ std::string CheckQuantityTolerance(const std::string& text)
   return sm::ParseQuantityTolerance(text, quantity, relative, absolute)
     ? ""
     : text + " is no tolerance of a quantity; write for example volume=1e-6 or center=0,1e-3";
+}
+
+/// A whole number from 1 to `most`.
+std::string CheckFactor(const std::string& what, int most, const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value >= 1.0 && value <= most && value == std::floor(value)
+    ? ""
+    : "the number of " + what + " must be a whole number from 1 to " + std::to_string(most);
+}
+
+std::string CheckChord(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value > 0.0 && value < 1.0 ? "" : "the chord tolerance must be a number above 0 and below 1";
 }
 
 std::string CheckEvaluations(const std::string& text)
@@ -156,12 +176,48 @@ void Declare(CLI::App& app, sm::Arguments& arguments)
       "where there is OpenGL 4.3 with doubles, else cpu")
     ->type_name("NAME")
     ->check(CheckBackend);
-  app.add_option("--scheme", arguments.Scheme, "Integration scheme: adaptive (default)")
-    ->type_name("NAME")
-    ->check(CheckScheme);
   app.add_flag("--quiet,-q", arguments.Quiet, "Print no table and no progress, only errors");
   app.set_version_flag("--version", std::string("solidmoments ") + sm::Version);
   app.footer(Footer);
+}
+
+/// The schemes of the paper, and what they alone take.
+void DeclareSchemes(CLI::App& app, sm::Arguments& arguments)
+{
+  sm::JobOptions& job = arguments.Job;
+  app
+    .add_option("--scheme", job.Scheme,
+      "adaptive (default): to the tolerance, with bounds; midpoint, gauss2 or\n"
+      "gauss3: those of \"Accurate Moment Computation Using the GPU\", for\n"
+      "comparison, with the paper's estimate of the error and without a bound")
+    ->type_name("NAME")
+    ->check(CheckScheme);
+  app
+    .add_option("--subpatches", job.SubPatches,
+      "Of the paper's schemes: K x K sub-patches per knot interval (default 2)")
+    ->type_name("K")
+    ->check([](const std::string& text) { return CheckFactor("sub-patches", 1024, text); });
+  app
+    .add_option(
+      "--trim-texture", job.TrimTexture, "Of the paper's schemes: M x M texels per sub-patch (default 4)")
+    ->type_name("M")
+    ->check([](const std::string& text) { return CheckFactor("texels", 16, text); });
+  app
+    .add_option("--chord", job.ChordTolerance,
+      "Of the paper's schemes: how far the chords of planar faces' trim curves\n"
+      "may be from these, relative to the size of the solid (default 1e-5)")
+    ->type_name("NUMBER")
+    ->check(CheckChord);
+  app
+    .add_option("--deviation", job.Deviation,
+      "Of the paper's schemes: how its error estimate finds the deviation of a\n"
+      "sub-patch: bounded (default), or sampled")
+    ->type_name("NAME")
+    ->check(CheckDeviation);
+  app
+    .add_option("--trim-textures", arguments.TextureFolder,
+      "Write the trim textures of the paper's schemes there, a PNG per face")
+    ->type_name("FOLDER");
 }
 
 /// What is wrong with arguments that are well-formed one by one; empty when nothing is.
@@ -171,11 +227,18 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
   {
     return "a file name is empty; name a STEP file";
   }
-  for (const char* option : { "--json", "--csv", "--png" })
+  for (const char* option : { "--json", "--csv", "--png", "--trim-textures" })
   {
     if (app.count(option) > 0 && app[option]->as<std::string>().empty())
     {
       return std::string("the file name of ") + option + " is empty";
+    }
+  }
+  for (const char* option : { "--subpatches", "--trim-texture", "--chord", "--deviation", "--trim-textures" })
+  {
+    if (app.count(option) > 0 && arguments.Job.Scheme == "adaptive")
+    {
+      return std::string(option) + " is for the paper's schemes: add --scheme midpoint, gauss2 or gauss3";
     }
   }
   if (arguments.Json == "-" && arguments.Csv == "-")
@@ -191,7 +254,8 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
   {
     return "--png writes PNG files only: the name must end in .png, and " + arguments.Picture + " does not";
   }
-  return sm::CheckOutputs(arguments);
+  const std::string problem = sm::CheckOutputs(arguments);
+  return problem.empty() ? sm::MakeTextureFolder(arguments) : problem;
 }
 }
 
@@ -203,6 +267,7 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
                "geometry, integrated on the GPU, with error bounds.",
     "solidmoments");
   Declare(app, arguments);
+  DeclareSchemes(app, arguments);
   try
   {
     app.parse(argc, argv);

@@ -28,8 +28,8 @@ struct Arguments
   std::string Json; ///< empty: none; "-": standard output
   std::string Csv;  ///< likewise
   std::string Picture;
-  std::string Scheme = "adaptive";
-  JobOptions Job; ///< what all files share
+  std::string TextureFolder; ///< for trim textures; empty: none
+  JobOptions Job;            ///< what all files share
   bool Quiet = false;
 };
 

@@ -4,6 +4,7 @@
 #include "smMessageCollector.h"
 #include "smMessageList.h"
 #include "smPicture.h"
+#include "smTrimPictures.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -112,6 +113,9 @@ Json Quantities(vtkFieldData* data, vtkIdType row)
   q["open_edges"] = Count(data, row, names::OpenEdges);
   q["leak"] = Number(data, row, names::Leak);
   q["flipped_shells"] = Count(data, row, names::FlippedShells);
+  q["paper_error_estimate"] = Number(data, row, names::PaperErrorEstimate);
+  q["paper_error_estimate_with_boundary"] = Number(data, row, names::PaperErrorEstimateWithBoundary);
+  q["sub_patches"] = Count(data, row, names::SubPatches);
   const Json estimated = Count(data, row, names::BoundsEstimated);
   q["bounds_estimated"] = estimated.is_null() ? estimated : Json(estimated != 0);
   return q;
@@ -174,6 +178,7 @@ Json EmptyFile(const std::string& fileName)
   file["length_unit"] = nullptr;
   file["status"] = names::StatusUnreadable;
   file["messages"] = Json::array();
+  file["scheme"] = nullptr;
   file["backend"] = nullptr;
   file["renderer"] = nullptr;
   file["total"] = Quantities(nothing, 0);
@@ -283,6 +288,20 @@ void SetQuantityTolerance(vtkMassPropertiesGPU* filter, const std::string& text)
   }
 }
 
+void SetScheme(vtkMassPropertiesGPU* filter, const sm::JobOptions& options)
+{
+  filter->SetScheme(options.Scheme == "midpoint" ? vtkMassPropertiesGPU::MIDPOINT
+      : options.Scheme == "gauss2"               ? vtkMassPropertiesGPU::GAUSS2
+      : options.Scheme == "gauss3"               ? vtkMassPropertiesGPU::GAUSS3
+                                                 : vtkMassPropertiesGPU::ADAPTIVE);
+  filter->SetSubPatchFactor(options.SubPatches);
+  filter->SetTrimTextureFactor(options.TrimTexture);
+  filter->SetChordTolerance(options.ChordTolerance);
+  filter->SetDeviation(
+    options.Deviation == "sampled" ? vtkMassPropertiesGPU::SAMPLED : vtkMassPropertiesGPU::BOUNDED);
+  filter->SetKeepTrimTextures(!options.TexturePrefix.empty());
+}
+
 vtkSmartPointer<vtkMassPropertiesGPU> MakeFilter(vtkSTEPReader* reader, const sm::JobOptions& options)
 {
   auto filter = vtkSmartPointer<vtkMassPropertiesGPU>::New();
@@ -295,6 +314,7 @@ vtkSmartPointer<vtkMassPropertiesGPU> MakeFilter(vtkSTEPReader* reader, const sm
   filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));
   filter->SetMaximumSeconds(options.MaximumSeconds);
   filter->SetDensity(options.Density);
+  SetScheme(filter, options);
   filter->SetBackend(options.Backend == "auto" ? vtkMassPropertiesGPU::AUTOMATIC
       : options.Backend == "cpu"               ? vtkMassPropertiesGPU::CPU
                                                : vtkMassPropertiesGPU::OPENGL);
@@ -356,6 +376,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   const auto filter = MakeFilter(reader, options);
   if (isRead)
   {
+    file["scheme"] = options.Scheme;
     Integrate(filter, tell, file, messages);
   }
   for (const std::string& message : collector->GetMessages())
@@ -364,6 +385,10 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   }
   file["messages"] = messages.Get();
   tell({ { "result", file } });
+  if (!options.TexturePrefix.empty() && isRead)
+  {
+    tell({ { "textures", sm::WriteTrimPictures(filter, options.TexturePrefix) } });
+  }
   if (!options.PictureName.empty() && isRead)
   {
     tell({ { "progress", { "draw", 0.0 } } });
@@ -419,7 +444,7 @@ void RunFileJob(const JobOptions& options, const JobListener& tell)
   catch (const std::exception& error)
   {
     const std::string reason = std::string("stopped by an error: ") + error.what();
-    tell(isTold ? Json{ { "picture", reason } }
+    tell(isTold ? Json{ { options.PictureName.empty() ? "textures" : "picture", reason } }
                 : Json{ { "result", UnreadableFile(options.FileName, reason) } });
   }
 }

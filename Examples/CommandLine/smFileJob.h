@@ -24,12 +24,20 @@ struct JobOptions
   std::vector<std::string> QuantityTolerances;
   double MaximumEvaluations = 2e9;
   double MaximumSeconds = 0.0;
-  double Density = 0.0; ///< kg/m^3; 0: what the file states
+  std::string Scheme =
+    "adaptive"; ///< of vtkMassPropertiesGPU in lower case; the next four are for the paper's schemes
+  int SubPatches = 2;
+  int TrimTexture = 4;
+  double ChordTolerance = 1e-5;
+  std::string Deviation = "bounded";
+  std::string TexturePrefix; ///< "folder/stem": trim textures go to folder/stem-NAME.png; empty: none
+  double Density = 0.0;      ///< kg/m^3; 0: what the file states
 };
 
 /// Takes what a job has to say, one of
 ///   {"progress": [stage, fraction]}
 ///   {"result": {the entry of "files" in DESIGN 6}}
+///   {"textures": reason why a trim texture was not written, "" when all were}
 ///   {"picture": reason why there is none, "" when it was written}
 using JobListener = std::function<void(const Json&)>;
 

@@ -61,6 +61,7 @@ struct Listener
 {
   const sm::ProgressListener& Progress;
   sm::Json Result;
+  sm::Json Textures;
   sm::Json Picture;
   std::string Stage = "start";
   std::string Pending;
@@ -75,6 +76,10 @@ struct Listener
     else if (message.contains("result"))
     {
       this->Result = message["result"];
+    }
+    else if (message.contains("textures"))
+    {
+      this->Textures = message["textures"];
     }
     else if (message.contains("picture"))
     {
@@ -148,14 +153,14 @@ JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& pro
   {
     // Reading a pipe or a device may never end.
     return { UnreadableFile(options.FileName, "Cannot read " + options.FileName + ": not a regular file."),
-      {} };
+      {}, {} };
   }
   int ends[2];
   if (pipe(ends) != 0)
   {
-    return {
-      UnreadableFile(options.FileName, std::string("no pipe to a child process: ") + std::strerror(errno)), {}
-    };
+    return { UnreadableFile(
+               options.FileName, std::string("no pipe to a child process: ") + std::strerror(errno)),
+      {}, {} };
   }
   const pid_t child = fork();
   if (child == 0)
@@ -168,10 +173,11 @@ JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& pro
   {
     const int error = errno;
     close(ends[0]);
-    return { UnreadableFile(options.FileName, std::string("no child process: ") + std::strerror(error)), {} };
+    return { UnreadableFile(options.FileName, std::string("no child process: ") + std::strerror(error)), {},
+      {} };
   }
 
-  Listener listener{ progress, nullptr, nullptr, "start", {} };
+  Listener listener{ progress, nullptr, nullptr, nullptr, "start", {} };
   Listen(ends[0], child, listener);
   close(ends[0]);
   int status = 0;
@@ -203,6 +209,11 @@ JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& pro
       "the process that worked on this file " + end + " after the result was there");
   }
   // A file that gave nothing to draw has said so by its status.
+  if (!options.TexturePrefix.empty() && outcome.File["status"] != "unreadable")
+  {
+    outcome.TextureError =
+      listener.Textures.is_string() ? listener.Textures.get<std::string>() : "the process ended before";
+  }
   const bool isDrawable = outcome.File["status"] != "unreadable" && outcome.File["status"] != "empty";
   if (!options.PictureName.empty() && isDrawable)
   {

@@ -15,6 +15,7 @@ namespace sm
 struct JobOutcome
 {
   Json File;                ///< entry of "files"; null when interrupted before there was one
+  std::string TextureError; ///< why trim textures that were asked for are not all there
   std::string PictureError; ///< why the picture asked for is not there; empty: it is, or none was asked for
 };
 

@@ -1,5 +1,6 @@
 #include "smOutputFiles.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -35,24 +36,22 @@ std::set<std::string> Identities(const std::string& name)
   return identities;
 }
 
-/// Whether there is a file of this name that is a STEP file by its name or its first line.
-bool IsStepFile(const std::string& name)
+/// The same names, the second and third of equal ones with -2 and -3.
+std::vector<std::string> MakeDistinct(std::vector<std::string> names)
 {
-  struct stat info = {};
-  if (stat(name.c_str(), &info) != 0 || !S_ISREG(info.st_mode))
+  std::set<std::string> taken;
+  std::map<std::string, int> seen;
+  for (std::string& name : names)
   {
-    return false;
+    const std::string plain = name;
+    int& count = seen[plain];
+    do
+    {
+      ++count;
+      name = plain + (count > 1 ? "-" + std::to_string(count) : "");
+    } while (!taken.insert(name).second);
   }
-  const std::string extension = sm::LowerCase(fs::path(name).extension().string());
-  if (extension == ".step" || extension == ".stp" || extension == ".p21")
-  {
-    return true;
-  }
-  std::ifstream file(name, std::ios::binary);
-  std::string head(64, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  const size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return begin != std::string::npos && head.compare(begin, 12, "ISO-10303-21") == 0;
+  return names;
 }
 
 bool IsWritable(const std::string& name)
@@ -78,19 +77,60 @@ std::vector<std::string> PictureNames(const Arguments& arguments)
   const size_t dot = arguments.Picture.find_last_of('.');
   const std::string base = arguments.Picture.substr(0, dot);
   const std::string extension = arguments.Picture.substr(dot);
-  std::set<std::string> taken;
-  std::map<std::string, int> seen;
-  for (size_t i = 0; i < pictures.size(); ++i)
+  std::vector<std::string> plain;
+  for (const std::string& file : arguments.Files)
   {
-    const std::string plain = base + "-" + Stem(arguments.Files[i]);
-    int& count = seen[plain];
-    do
-    {
-      ++count;
-      pictures[i] = plain + (count > 1 ? "-" + std::to_string(count) : "") + extension;
-    } while (!taken.insert(pictures[i]).second);
+    plain.push_back(base + "-" + Stem(file));
   }
+  plain = MakeDistinct(plain);
+  std::transform(
+    plain.begin(), plain.end(), pictures.begin(), [&](const std::string& name) { return name + extension; });
   return pictures;
+}
+
+std::vector<std::string> TexturePrefixes(const Arguments& arguments)
+{
+  std::vector<std::string> prefixes(arguments.Files.size());
+  if (!arguments.TextureFolder.empty())
+  {
+    std::transform(arguments.Files.begin(), arguments.Files.end(), prefixes.begin(),
+      [&](const std::string& file) { return arguments.TextureFolder + "/" + Stem(file); });
+    prefixes = MakeDistinct(prefixes);
+  }
+  return prefixes;
+}
+
+bool IsStepFile(const std::string& name)
+{
+  struct stat info = {};
+  if (stat(name.c_str(), &info) != 0 || !S_ISREG(info.st_mode))
+  {
+    return false;
+  }
+  const std::string extension = LowerCase(fs::path(name).extension().string());
+  if (extension == ".step" || extension == ".stp" || extension == ".p21")
+  {
+    return true;
+  }
+  std::ifstream file(name, std::ios::binary);
+  std::string head(64, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  const size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return begin != std::string::npos && head.compare(begin, 12, "ISO-10303-21") == 0;
+}
+
+std::string MakeTextureFolder(const Arguments& arguments)
+{
+  const std::string& folder = arguments.TextureFolder;
+  if (folder.empty())
+  {
+    return {};
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  return fs::is_directory(folder, error) && access(folder.c_str(), W_OK) == 0
+    ? std::string()
+    : "--trim-textures: the folder " + folder + " cannot be made or written";
 }
 
 std::string CheckOutputs(const Arguments& arguments)

@@ -130,6 +130,20 @@ std::string Rows(
   return text;
 }
 
+/// Of the paper's schemes.
+std::string Scheme(const Json& total, const Json& file)
+{
+  if (!total["sub_patches"].is_number())
+  {
+    return {};
+  }
+  return Row("scheme",
+    Plain(file["scheme"]) + " on " + Dump(total["sub_patches"]) +
+      " sub-patches; the paper's error estimate of the volume, no bound: " +
+      Short(total["paper_error_estimate"]) + " " + sm::FormatUnit(file, 3),
+    "", nullptr);
+}
+
 std::string Doubt(const Json& total, const Json& file)
 {
   std::string text;
@@ -176,6 +190,7 @@ std::string Results(const Json& file)
   text += total["principal_axes_degenerate"] == true
     ? Row("principal axes", "not unique, moments coincide", "", nullptr)
     : Rows("principal axes", total["principal_axes"], 1e-9, "", nullptr);
+  text += Scheme(total, file);
   text += Doubt(total, file);
   return text +
     Row("evaluations", Plain(file["evaluations"]) + " in " + Plain(file["dispatches"]) + " dispatches", "",
@@ -331,8 +346,8 @@ Columns CsvRow(const Json& file, const Json& row, bool isTotal)
     columns.Add("axis" + std::to_string(i + 1), axes.is_null() ? Json() : axes[i], { "x", "y", "z" });
   }
   columns.Add("mass", row["mass"]);
-  for (const char* key :
-    { "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells" })
+  for (const char* key : { "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak",
+         "flipped_shells", "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches" })
   {
     columns.Add(key, row[key]);
   }

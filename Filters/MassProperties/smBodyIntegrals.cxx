@@ -339,7 +339,9 @@ void TurnShells(BodyIntegrals& body, const std::vector<Integrand>& integrands, i
     if (face.Error.empty() && body.OpenEdges == 0)
     {
       volumes.push_back(face.Face[volume] + face.Closing[volume]);
-      bounds.push_back(face.GetBound(volume));
+      // The paper's schemes have no bound: their values are taken as they are.
+      const double bound = face.GetBound(volume);
+      bounds.push_back(std::isnan(bound) ? 0.0 : bound);
     }
   }
   ShellOrientation found;

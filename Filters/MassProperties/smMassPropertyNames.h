@@ -43,6 +43,14 @@ constexpr const char* FlippedShells = "FlippedShells"; // 1 (int), shells that w
 constexpr const char* BoundsEstimated =
   "BoundsEstimated"; // 1 (int), 1: some bound (the area's, or of an expression) is an estimate, no theorem
 
+// Only with one of the paper's schemes, see vtkMassPropertiesGPU::SetScheme.
+constexpr const char* Scheme = "Scheme"; // string: "MIDPOINT", "GAUSS2" or "GAUSS3"
+constexpr const char* PaperErrorEstimate =
+  "PaperErrorEstimate"; // 1, L^3, Eq. 36 over whole sub-patches; no bound
+constexpr const char* PaperErrorEstimateWithBoundary =
+  "PaperErrorEstimateWithBoundary"; // 1, L^3, over those that a trim curve crosses as well; no bound
+constexpr const char* SubPatches = "SubPatches"; // 1 (int64), of all faces that are not planar
+
 constexpr const char* LengthUnit = "LengthUnit"; // string
 constexpr const char* Status = "Status";         // string, see below
 constexpr const char* Backend = "Backend";       // string: "opengl", "cpu", "none"

@@ -4,6 +4,7 @@
 #include "smMassTable.h"
 #include "smMassTolerance.h"
 #include "smSanity.h"
+#include "vtkMassPropertiesGPUInternals.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
 #include "vtkAppendPolyData.h"
@@ -26,9 +27,6 @@ vtkStandardNewMacro(vtkMassPropertiesGPU);
 namespace
 {
 constexpr double UnitRoundoff = 1.1102230246251565e-16;
-
-// The closed chain of a sound solid leaks rounding only: at most 2e-13 on 87 real files.
-constexpr double LargestLeak = 1e-9;
 
 std::vector<sm::Integrand> MakeIntegrands()
 {
@@ -128,11 +126,6 @@ void AppendAxes(vtkAppendPolyData* glyphs, const sm::MassProperties& properties,
 }
 }
 
-struct vtkMassPropertiesGPU::Totals
-{
-  sm::MassRow Row;
-};
-
 vtkMassPropertiesGPU::vtkMassPropertiesGPU()
   : Last(new Totals)
 {
@@ -156,6 +149,7 @@ void vtkMassPropertiesGPU::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GlyphScale: " << this->GlyphScale << "\n"
      << indent << "ShowPrincipalAxes: " << this->ShowPrincipalAxes << "\n"
      << indent << "GlyphPerSolid: " << this->GlyphPerSolid << "\n";
+  this->PrintSchemeOptions(os, indent);
 }
 
 sm::MassTolerance vtkMassPropertiesGPU::GetTolerance() const
@@ -230,6 +224,8 @@ void vtkMassPropertiesGPU::ForgetLastRun()
 {
   this->Superclass::ForgetLastRun();
   this->Last->Row = sm::MassRow();
+  this->Last->Estimates = sm::SchemeTotals();
+  this->Last->Run.Forget();
 }
 
 double vtkMassPropertiesGPU::GetVolume() const
@@ -301,12 +297,22 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
   {
     sm::TurnShells(body, this->Implementation->Integrands, sm::MassVolume);
     moments = GetMoments(body);
+    if (this->HasScheme())
+    {
+      sm::ZeroBounds(moments);
+    }
     row.Properties = sm::ComputeMassProperties(moments);
-    row.MovedByClosing = std::abs(body.Value[sm::MassVolume] - body.FaceValue[sm::MassVolume]);
+    if (this->HasScheme())
+    {
+      sm::ForgetBounds(row);
+    }
+    else
+    {
+      row.MovedByClosing = std::abs(body.Value[sm::MassVolume] - body.FaceValue[sm::MassVolume]);
+    }
     const double perArea = std::cbrt(moments.Volume) / (3.0 * moments.Volume);
     row.Leak = perArea * vtkMath::Norm(body.Value.data() + sm::MassVectorArea);
-    // What quadrature leaves of the vector area, at a loose tolerance or without convergence, is no hole.
-    const double tight = LargestLeak + perArea * vtkMath::Norm(body.Bound.data() + sm::MassVectorArea);
+    const double tight = this->GetLargestLeak(body, perArea);
     if (!body.IsSolid() && body.SkippedFaces == 0 && !(row.Leak <= tight))
     {
       // A surface whose border is no edge: a patch without loops.
@@ -332,6 +338,11 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
   if (computed && !std::isfinite(row.Area))
   {
     body.Flag(sm::names::StatusSuspect, "the area is not a finite number");
+  }
+  if (computed && this->HasScheme())
+  {
+    body.Flag(sm::names::StatusToleranceNotMet, this->GetSchemeMessage());
+    return row;
   }
   const std::string unmet = computed ? sm::FindUnmet(row, this->GetTolerance()) : std::string();
   if (!unmet.empty())
@@ -401,6 +412,10 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   {
     const sm::Moments sum = sm::Moments::Sum(parts);
     total.Properties = sm::ComputeMassProperties(sum);
+    if (this->HasScheme())
+    {
+      sm::ForgetBounds(total);
+    }
     total.Leak = vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
     if (this->Density > 0.0 || rows.size() == 1)
     {
@@ -447,9 +462,10 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   sm::columns::SetInteger(totals->GetFieldData(), sm::names::OpenEdges, openEdges);
   sm::columns::SetInteger(totals->GetFieldData(), sm::names::FlippedShells, flippedShells);
   columns.AddTo(solids->GetRowData());
+  std::string summary = sm::FormatSummary(total, status, unit, static_cast<int>(bodies.size()));
+  this->AddSchemeOutputs(bodies, oneUnit, totals, solids, summary);
   sm::columns::AddBodyColumns(bodies, solids);
-  sm::columns::SetString(text->GetRowData(), sm::names::Text,
-    sm::FormatSummary(total, status, unit, static_cast<int>(bodies.size())));
+  sm::columns::SetString(text->GetRowData(), sm::names::Text, summary);
   sm::columns::AddFaceRows(bodies, this->Implementation->Integrands, faces, { sm::MassVolume, sm::MassArea });
   this->MakeGlyphs(bodies, rows, totals);
 }

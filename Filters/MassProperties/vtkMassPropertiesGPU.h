@@ -7,6 +7,9 @@
  * They are integrated about a fixed local origin of each part, once per part, and carried exactly to every
  * instance and to the total. World coordinates; L is the model's length unit; density in kg/m^3.
  *
+ * SetScheme() chooses, instead, one of the schemes of the paper that this filter grew from, for comparison: they have no
+ * bound (every `<name>Bound` is NaN), so that Status is at best tolerance-not-met, and MovedByClosing and the gaps are NaN.
+ *
  * Outputs:
  * | port | type     | what                                                                              |
  * |------|----------|-----------------------------------------------------------------------------------|
@@ -33,6 +36,10 @@
  * | MovedByClosing, GapSquared, MaxGap, GapArea, Leak, OpenEdges | 1 | | the model's own doubt, no bound  |
  * | FlippedShells         | 1     |        | shells that were inside out and were turned                  |
  * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches | 1 | |                               |
+ * | Scheme                | 1     |        | with one of the paper's schemes only, as the next three     |
+ * | PaperErrorEstimate    | 1     | L^3    | the paper's estimate of the volume's error, Eq. 36: no bound |
+ * | PaperErrorEstimateWithBoundary | 1 | L^3 | the same with the sub-patches on a trim boundary counted whole |
+ * | SubPatches            | 1     |        | of all faces that are not planar                             |
  * A quantity that does not exist is NaN (the volume of a surface, anything that was not computed).
  *
  * Status: ok; open (edges that are used once; a surface without a solid); tolerance-not-met; suspect (a
@@ -49,6 +56,8 @@ struct MassRow;
 struct MassTolerance;
 struct Moments;
 }
+
+class vtkImageData;
 
 class SMFILTERSMASSPROPERTIES_EXPORT vtkMassPropertiesGPU : public vtkSurfaceIntegralGPU
 {
@@ -101,6 +110,84 @@ public:
   vtkBooleanMacro(GlyphPerSolid, bool);
   ///@}
 
+  /** How faces are integrated. */
+  enum SchemeType
+  {
+    ADAPTIVE = 0,
+    MIDPOINT = 1,
+    GAUSS2 = 2,
+    GAUSS3 = 3
+  };
+
+  ///@{
+  /**
+   * ADAPTIVE, to the tolerances, with bounds; or a scheme of "Accurate Moment Computation Using the GPU" (SPM 2010): the sub-patches
+   * of every face (see below) with 1, 2x2 or 3x3 Gauss points each, the fluxes along z of its Eq. 16-28 over the faces alone, trimmed
+   * sub-patches weighed by the fraction of their trim texture, planes by triangles. No tolerance applies, and no bound comes out.
+   * Needs more than MaximumEvaluations, stopped, or out of time: nothing is computed. Clamped to these. Default ADAPTIVE.
+   */
+  vtkSetClampMacro(Scheme, int, ADAPTIVE, GAUSS3);
+  vtkGetMacro(Scheme, int);
+  ///@}
+
+  ///@{
+  /** Of the paper's schemes: every knot interval is divided into k x k sub-patches. Clamped to [1, 1024], default 2. */
+  vtkSetClampMacro(SubPatchFactor, int, 1, 1024);
+  vtkGetMacro(SubPatchFactor, int);
+  ///@}
+
+  ///@{
+  /** Of the paper's schemes: texels of the trim texture per sub-patch in u and in v. Clamped to [1, 16], default 4. */
+  vtkSetClampMacro(TrimTextureFactor, int, 1, 16);
+  vtkGetMacro(TrimTextureFactor, int);
+  ///@}
+
+  ///@{
+  /** Of the paper's schemes: how far the chords of a planar face's trim polygon may be from its trim curves, relative to the
+   * diagonal of the solid's box. In (0, 1), default 1e-5. Anything else is an error and changes nothing. */
+  void SetChordTolerance(double tolerance);
+  vtkGetMacro(ChordTolerance, double);
+  ///@}
+
+  /** How the paper's deviation K of a sub-patch (Eq. 4) is found from its second derivatives. */
+  enum DeviationType
+  {
+    BOUNDED = 0,
+    SAMPLED = 1
+  };
+
+  ///@{
+  /** BOUNDED: from control points, never too small; SAMPLED: the largest of a few points. Changes the paper's estimates only.
+   * Clamped to these. Default BOUNDED. */
+  vtkSetClampMacro(Deviation, int, BOUNDED, SAMPLED);
+  vtkGetMacro(Deviation, int);
+  ///@}
+
+  ///@{
+  /** Keep the trim textures of the paper's schemes, an image per trimmed face that is not planar. Default off. */
+  vtkSetMacro(KeepTrimTextures, bool);
+  vtkGetMacro(KeepTrimTextures, bool);
+  vtkBooleanMacro(KeepTrimTextures, bool);
+  ///@}
+
+  ///@{
+  /** Trim textures of the last run: unsigned char, 255 in the face and 0 outside; origin and spacing are the texels' centres in
+   * (u,v), of an even grid where knot intervals differ. The name is that of the solid and the face's entity number, "Body #12". Null
+   * and empty for an index out of range. Instances of one model have theirs once. */
+  int GetNumberOfTrimTextures() const;
+  vtkImageData* GetTrimTexture(int index) const;
+  std::string GetTrimTextureName(int index) const;
+  ///@}
+
+  ///@{
+  /** The last run's totals, with one of the paper's schemes: the paper's estimate of the error of the volume (L^3, no bound) over the
+   * sub-patches wholly in their faces, and over those on a trim boundary as well; and the number of sub-patches. NaN, NaN and 0
+   * otherwise. */
+  double GetPaperErrorEstimate() const;
+  double GetPaperErrorEstimateWithBoundary() const;
+  vtkTypeInt64 GetSubPatches() const;
+  ///@}
+
   ///@{
   /** The last run's totals; NaN when not computed. See the table above for units. */
   double GetVolume() const;
@@ -125,16 +212,29 @@ protected:
 
   void ForgetLastRun() override;
 #ifndef __VTK_WRAP__
+  bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies) override;
   void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces) override;
 
 private:
   sm::MassTolerance GetTolerance() const;
   void SetTolerance(const char* name, double (&tolerance)[2], double relative, double absolute);
+  /// With one of the paper's schemes.
+  bool HasScheme() const
+  {
+    return this->Scheme != ADAPTIVE;
+  }
+  std::string GetSchemeMessage() const;
+  /// The largest leak of what counts as closed.
+  double GetLargestLeak(const sm::BodyIntegrals& body, double perArea) const;
+  void AddSchemeOutputs(const std::vector<sm::BodyIntegrals>& bodies, bool oneUnit, vtkPolyData* totals,
+    vtkTable* solids, std::string& summary);
   /// The row of a body; `moments` gets its moments in the world when it has a volume. May flag the body.
   sm::MassRow MakeRow(sm::BodyIntegrals& body, sm::Moments& moments);
   void MakeGlyphs(
     const std::vector<sm::BodyIntegrals>& bodies, const std::vector<sm::MassRow>& rows, vtkPolyData* output);
+
+  void PrintSchemeOptions(ostream& os, vtkIndent indent) const;
 
   struct Totals;
   std::unique_ptr<Totals> Last;
@@ -146,6 +246,12 @@ protected:
   double SurfaceAreaTolerance[2] = { 0.0, 0.0 };
   double CenterOfMassTolerance[2] = { 0.0, 0.0 };
   double InertiaTolerance[2] = { 0.0, 0.0 };
+  int Scheme = ADAPTIVE;
+  int SubPatchFactor = 2;
+  int TrimTextureFactor = 4;
+  double ChordTolerance = 1e-5;
+  int Deviation = BOUNDED;
+  bool KeepTrimTextures = false;
   double Density = 0.0;
   double GlyphScale = 0.02;
   bool ShowPrincipalAxes = false;

@@ -433,6 +433,11 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   return true;
 }
 
+bool vtkSurfaceIntegralGPU::IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies)
+{
+  return this->Implementation->Integrate(this, bodies);
+}
+
 void vtkSurfaceIntegralGPU::ForgetLastRun()
 {
   this->Implementation->Last = Internals::Run();
@@ -473,7 +478,7 @@ int vtkSurfaceIntegralGPU::RequestData(
   {
     last.Messages.push_back("the input holds no solid and no surface");
   }
-  const bool computed = !bodies.empty() && this->Implementation->Integrate(this, bodies);
+  const bool computed = !bodies.empty() && this->IntegrateBodies(bodies);
   for (sm::BodyIntegrals& body : bodies)
   {
     if (computed)

@@ -176,6 +176,9 @@ protected:
   /** Makes the getters return what they do before the first run. Called at the start of every run. */
   virtual void ForgetLastRun();
 
+  /** Gives every body the integrals of its faces. False when nothing was computed; Last then has a message. */
+  virtual bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies);
+
   /** Fills the first four outputs from the results of all bodies. */
   virtual void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces);

@@ -20,8 +20,9 @@ options = parser.parse_args()
 manifest = Manifest(options.solids)
 
 BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments", "principal_axes", "mass", "bounds",
-             "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells"}
-FILE_KEYS = {"file", "length_unit", "status", "messages", "backend", "renderer", "total", "solids", "faces",
+             "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells",
+             "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches"}
+FILE_KEYS = {"file", "length_unit", "status", "messages", "scheme", "backend", "renderer", "total", "solids", "faces",
              "free_faces", "evaluations", "dispatches", "seconds"}
 
 

@@ -35,6 +35,10 @@ for file, instance, proxy in (("readers.xml", vtkSTEPReader(), STEPReader()),  #
         value = smproperty.GetElement(0)
         check_equal(f"{name}: the proxy's default is the class's", type(value)(actual), value)
         limits = element.find("DoubleRangeDomain")
+        whole = element.find("IntRangeDomain")
+        for limit, step in (("min", -1), ("max", 1)) if whole is not None else ():
+            getattr(instance, "Set" + name)(int(whole.get(limit)) + step)
+            check_equal(f"{name}: the class clamps at {limit}", int(whole.get(limit)), getattr(instance, "Get" + name)())
         for limit in ("min", "max") if limits is not None else ():
             if limits.get(limit) is None:
                 continue

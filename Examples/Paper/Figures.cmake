@@ -1,0 +1,36 @@
+# Draws the paper's figures with this program's numbers.
+foreach (component IN ITEMS ChartsCore IOExport RenderingContext2D RenderingContextOpenGL2 ViewsContext2D)
+  if (NOT TARGET VTK::${component})
+    message(FATAL_ERROR "The figures need VTK's module ${component}. Build VTK with it, or configure with "
+      "-DSOLIDMOMENTS_BUILD_EXAMPLES=OFF -DSOLIDMOMENTS_BUILD_TESTING=OFF.")
+  endif ()
+endforeach ()
+
+# The Gauss rules are no part of the library's interface: their source is compiled in.
+add_executable(paper_figures
+  paper_figures.cxx
+  smFigure.cxx
+  smFigureText.cxx
+  smGraphFigures.cxx
+  smPaperRun.cxx
+  smPaperSolid.cxx
+  smPointFigures.cxx
+  smSolidBuilder.cxx
+  "${PROJECT_SOURCE_DIR}/Filters/MassProperties/smGaussLegendre.cxx")
+target_include_directories(paper_figures PRIVATE "${PROJECT_SOURCE_DIR}/Filters/MassProperties")
+target_link_libraries(paper_figures PRIVATE
+  SolidMoments::FiltersMassProperties
+  SolidMoments::ReadersSTEP
+  SolidMoments::RenderingCompute
+  VTK::ChartsCore
+  VTK::IOExport
+  VTK::IOImage
+  VTK::ImagingCore
+  VTK::RenderingContextOpenGL2
+  VTK::RenderingFreeType
+  VTK::RenderingOpenGL2
+  VTK::ViewsContext2D
+  VTK::vtksys)
+vtk_module_autoinit(TARGETS paper_figures
+  MODULES VTK::RenderingContextOpenGL2 VTK::RenderingFreeType VTK::RenderingOpenGL2)
+solidmoments_warnings(paper_figures)

@@ -1,0 +1,29 @@
+# The parts of Table 1 and what OpenCASCADE itself says of a file.
+find_package(OpenCASCADE QUIET)
+if (NOT OpenCASCADE_FOUND OR NOT TARGET TKFillet OR NOT TARGET TKOffset)
+  message(FATAL_ERROR "OpenCASCADE with fillets was not found. Install libocct-data-exchange-dev and "
+    "libocct-modeling-algorithms-dev, set OpenCASCADE_DIR, or configure with -DSOLIDMOMENTS_BUILD_EXAMPLES=OFF "
+    "-DSOLIDMOMENTS_BUILD_TESTING=OFF.")
+endif ()
+find_package(nlohmann_json REQUIRED)
+
+add_executable(make_paper_parts
+  make_paper_parts.cxx
+  smCrank.cxx
+  smEngineBlock.cxx
+  smExactParts.cxx
+  smFreeForm.cxx
+  smGearTrain.cxx
+  smGearTrainParts.cxx
+  smModelling.cxx
+  smPartFile.cxx
+  smPropeller.cxx
+  smTrefoilTube.cxx)
+add_executable(occt_mass_properties occt_mass_properties.cxx)
+foreach (program IN ITEMS make_paper_parts occt_mass_properties)
+  target_include_directories(${program} SYSTEM PRIVATE "${OpenCASCADE_INCLUDE_DIR}")
+  target_link_libraries(${program} PRIVATE
+    nlohmann_json::nlohmann_json TKXDESTEP TKSTEP TKXSBase TKXCAF TKLCAF TKCDF TKFillet TKOffset TKShHealing TKBool TKBO
+    TKPrim TKTopAlgo TKGeomAlgo TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
+  solidmoments_warnings(${program})
+endforeach ()

@@ -1,0 +1,60 @@
+#!/bin/sh
+# Makes the paper's parts, draws all figures and draws up the table:
+#   sh Examples/Paper/regenerate.sh [--build DIR] [--folder [TITLE=]DIR]... OUTDIR
+# OUTDIR gets parts/ (STEP), figures/ (PNG, SVG, CSV) and table.md, table.csv. --folder adds a table of the STEP files in a
+# folder, with a reference.jsonl beside them if there is one. --build: where the programs are built, or are already (default
+# build/ of this tree); what they need is what Examples/quickstart.sh installs. Needs no display and no GPU. SOLIDMOMENTS_JOBS
+# sets the number of parallel compilations.
+set -eu
+root=$(cd "$(dirname "$0")/../.." && pwd)
+build=$root/build
+output=
+count=0
+usage() {
+  sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
+  exit 1
+}
+# The folders stay in "$@": names may hold spaces.
+total=$#
+while [ "$count" -lt "$total" ]; do
+  argument=$1
+  shift
+  count=$((count + 1))
+  case $argument in
+    --build | --folder)
+      if [ "$count" -ge "$total" ]; then
+        usage
+      fi
+      if [ "$argument" = --build ]; then
+        build=$1
+      else
+        set -- "$@" "$1"
+      fi
+      shift
+      count=$((count + 1))
+      ;;
+    -*) usage ;;
+    *)
+      if [ -n "$output" ]; then
+        usage
+      fi
+      output=$argument
+      ;;
+  esac
+done
+if [ -z "$output" ]; then
+  usage
+fi
+
+if [ ! -f "$build/CMakeCache.txt" ]; then
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSOLIDMOMENTS_BUILD_TESTING=OFF
+fi
+jobs=${SOLIDMOMENTS_JOBS:-$(nproc 2>/dev/null || echo 2)}
+cmake --build "$build" --parallel "$jobs" --target solidmoments make_paper_parts occt_mass_properties paper_figures
+mkdir -p "$output"
+"$build/bin/make_paper_parts" "$output/parts"
+"$build/bin/paper_figures" "$output/figures" --part "$output/parts/free_form.step"
+python3 "$root/Examples/Paper/table.py" --program "$build/bin/solidmoments" \
+  --occt "$build/bin/occt_mass_properties" --markdown "$output/table.md" --csv "$output/table.csv" \
+  "The parts=$output/parts" "$@"
+echo "The figures are in $output/figures, the table in $output/table.md and table.csv"

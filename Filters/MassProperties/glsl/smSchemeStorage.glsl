@@ -1,0 +1,63 @@
+// Storage of a batch of tiles, see smSchemeBatch.h, and the accessors by which the chunks of mathematics reach it.
+// Bindings 0 to 6.
+//SM::Include smSchemeTile
+
+layout(std430, binding = 0) readonly buffer smControlPointBuffer
+{
+  dvec4 smControlPoints[];
+};
+layout(std430, binding = 1) readonly buffer smSourceBuffer
+{
+  smSchemePatch smSources[];
+};
+layout(std430, binding = 2) readonly buffer smValueBuffer
+{
+  double smSchemeValues[];
+};
+layout(std430, binding = 3) readonly buffer smTileBuffer
+{
+  smSchemeTile smTiles[];
+};
+layout(std430, binding = 4) buffer smTexelBuffer
+{
+  int smTexels[];
+};
+layout(std430, binding = 5) writeonly buffer smResultBuffer
+{
+  double smResults[];
+};
+// [0] evaluations, counted.
+layout(std430, binding = 6) buffer smCountBuffer
+{
+  uint smCounts[];
+};
+
+uniform uint smFirstWork;
+uniform uint smWorkCount;
+uniform uint smTileCount;
+
+double smValue(uint at)
+{
+  return smSchemeValues[at];
+}
+
+// Of one of the lists that tiles share: the last tile whose part begins at or before `index`. Tiles without a part are passed
+// over, for the next one begins where they do.
+uint smFindTile(uint index, int list)
+{
+  uint low = 0u;
+  uint high = smTileCount;
+  while (high - low > 1u)
+  {
+    uint middle = (low + high) / 2u;
+    if (smTiles[middle].begin[list] <= index)
+    {
+      low = middle;
+    }
+    else
+    {
+      high = middle;
+    }
+  }
+  return low;
+}

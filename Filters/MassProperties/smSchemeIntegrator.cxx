@@ -1,0 +1,464 @@
+#include "smSchemeIntegrator.h"
+
+#include "smMassTolerance.h"
+#include "smPlaneMoments.h"
+#include "smSchemeRunner.h"
+
+#include "vtkSMPTools.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+
+namespace sm
+{
+namespace
+{
+// Of the progress: preparing; integrating is the rest.
+constexpr double PreparedShare = 0.3;
+// Faces prepared between two questions whether to go on.
+constexpr std::size_t FacesPerPart = 64;
+// Prepared faces are kept while their lists take less than this.
+constexpr std::size_t KeptBytes = std::size_t{ 1 } << 28;
+
+using PreparedFace = std::shared_ptr<const SubPatchFace>;
+
+std::size_t GetBytes(const SubPatchFace& face)
+{
+  std::size_t bytes = face.Points.size() * sizeof(face.Points[0]) + face.Deviations.size() * sizeof(double) +
+    face.Patches.size() * sizeof(Patch);
+  for (const auto& loop : face.Polygons.Loops)
+  {
+    bytes += loop.size() * sizeof(loop[0]);
+  }
+  return bytes;
+}
+
+bool IsSame(const SchemeOptions& a, const SchemeOptions& b)
+{
+  return a.Factor == b.Factor && a.TextureFactor == b.TextureFactor && a.Deviation == b.Deviation;
+}
+
+/// Neumaier's compensated sums of the columns.
+struct ColumnSums
+{
+  std::array<double, NumberOfSchemeColumns> Sum{};
+  std::array<double, NumberOfSchemeColumns> Carry{};
+
+  void Add(const double* values)
+  {
+    for (int i = 0; i < NumberOfSchemeColumns; ++i)
+    {
+      const double x = values[i];
+      const double t = this->Sum[i] + x;
+      this->Carry[i] +=
+        std::abs(this->Sum[i]) >= std::abs(x) ? (this->Sum[i] - t) + x : (x - t) + this->Sum[i];
+      this->Sum[i] = t;
+    }
+  }
+  double Get(int i) const
+  {
+    return std::isfinite(this->Sum[i]) ? this->Sum[i] + this->Carry[i] : this->Sum[i];
+  }
+};
+
+double CountSubPatches(const NURBSSurface& surface, int factor)
+{
+  // As a double: the product may be beyond any integer.
+  double count = 1.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    count *= static_cast<double>(surface.GetSpanBreaks(d).size() - 1) * factor;
+  }
+  return count;
+}
+
+TrimTexture MakeTexture(const SubPatchFace& face, int factor)
+{
+  TrimTexture texture;
+  texture.Width = face.Grid.GetNumberOfColumns() * factor;
+  texture.Height = face.Grid.GetNumberOfRows() * factor;
+  texture.Spacing = { (face.Grid.U.back() - face.Grid.U.front()) / texture.Width,
+    (face.Grid.V.back() - face.Grid.V.front()) / texture.Height };
+  texture.Origin = { face.Grid.U.front() + 0.5 * texture.Spacing[0],
+    face.Grid.V.front() + 0.5 * texture.Spacing[1] };
+  texture.Texels.assign(static_cast<std::size_t>(texture.Width) * texture.Height, 0);
+  return texture;
+}
+
+void CopyTexels(const TileRange& range, const std::int32_t* texels, int factor, TrimTexture& texture)
+{
+  const std::size_t columns = static_cast<std::size_t>(range.Columns) * factor;
+  const std::size_t rows = static_cast<std::size_t>(range.Rows) * factor;
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    unsigned char* to = texture.Texels.data() +
+      (static_cast<std::size_t>(range.Row) * factor + row) * texture.Width +
+      static_cast<std::size_t>(range.Column) * factor;
+    std::copy_n(texels + row * columns, columns, to);
+  }
+}
+}
+
+struct SchemeIntegrator::Internals
+{
+  std::unique_ptr<SchemeRunner> Runner;
+
+  /// Of the last run, by face id.
+  struct Kept
+  {
+    PreparedFace Face;
+    double ChordTolerance;
+  };
+  std::unordered_map<std::uint64_t, Kept> Cache;
+  SchemeOptions CachedOptions;
+
+  std::string Error;
+  bool Aborted = false;
+  bool TimedOut = false;
+  std::int64_t Evaluations = 0;
+  double StartSeconds = 0.0;
+  double PrepareSeconds = 0.0;
+  double IntegrateSeconds = 0.0;
+
+  /// Of the running Integrate().
+  Progress Report;
+  Setup Chosen;
+  double Start = 0.0;
+  std::vector<PreparedFace> Faces;
+  std::vector<ColumnSums> Sums;
+  std::size_t SubPatchesDone = 0;
+  std::size_t SubPatchesTotal = 1;
+
+  bool Fail(const std::string& what)
+  {
+    this->Error = this->Aborted ? "aborted" : what;
+    return false;
+  }
+  bool Tell(double fraction)
+  {
+    this->TimedOut = this->TimedOut ||
+      (this->Chosen.MaximumSeconds > 0.0 &&
+        vtkTimerLog::GetUniversalTime() - this->Start > this->Chosen.MaximumSeconds);
+    this->Aborted = this->Aborted || this->TimedOut || (this->Report && !this->Report(fraction));
+    return !this->Aborted || this->Fail("aborted");
+  }
+  bool CheckCost(const std::vector<SchemeTask>& tasks);
+  bool PrepareFaces(const std::vector<SchemeTask>& tasks);
+  void KeepFaces(const std::vector<SchemeTask>& tasks);
+  bool PrepareRunner();
+  std::vector<TileRange> MakeAllTiles();
+  bool RunBatch(const SchemeBatch& batch, std::vector<SchemeResult>& results);
+  bool RunAll(std::vector<SchemeResult>& results);
+  void Finish(std::vector<SchemeResult>& results) const;
+};
+
+bool SchemeIntegrator::Internals::CheckCost(const std::vector<SchemeTask>& tasks)
+{
+  double evaluations = 0.0;
+  for (const SchemeTask& task : tasks)
+  {
+    if (task.Source->Surface.Check().empty() && !IsPlanar(task.Source->Surface))
+    {
+      evaluations += CountSubPatches(task.Source->Surface, this->Chosen.Options.Factor) *
+        this->Chosen.Points * this->Chosen.Points;
+    }
+  }
+  if (evaluations > static_cast<double>(this->Chosen.MaximumEvaluations))
+  {
+    char text[160];
+    std::snprintf(text, sizeof(text),
+      "the scheme takes %.3g evaluations and MaximumEvaluations is %.3g: divide into fewer sub-patches",
+      evaluations, static_cast<double>(this->Chosen.MaximumEvaluations));
+    return this->Fail(text);
+  }
+  return true;
+}
+
+bool SchemeIntegrator::Internals::PrepareFaces(const std::vector<SchemeTask>& tasks)
+{
+  if (!IsSame(this->CachedOptions, this->Chosen.Options))
+  {
+    this->Cache.clear();
+    this->CachedOptions = this->Chosen.Options;
+  }
+  this->Faces.assign(tasks.size(), nullptr);
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    const auto found = this->Cache.find(tasks[i].Source->Id);
+    if (found != this->Cache.end() && found->second.Face->Source == tasks[i].Source &&
+      found->second.ChordTolerance == tasks[i].ChordTolerance)
+    {
+      this->Faces[i] = found->second.Face;
+    }
+    else
+    {
+      missing.push_back(i);
+    }
+  }
+  for (std::size_t begin = 0; begin < missing.size(); begin += FacesPerPart)
+  {
+    const std::size_t end = std::min(begin + FacesPerPart, missing.size());
+    vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end), 1,
+      [&](vtkIdType from, vtkIdType to)
+      {
+        for (vtkIdType i = from; i < to; ++i)
+        {
+          const SchemeTask& task = tasks[missing[i]];
+          SchemeOptions options = this->Chosen.Options;
+          options.ChordTolerance = task.ChordTolerance;
+          this->Faces[missing[i]] =
+            std::make_shared<const SubPatchFace>(PrepareSubPatchFace(task.Source, options));
+        }
+      });
+    if (!this->Tell(PreparedShare * static_cast<double>(end) / missing.size()))
+    {
+      return false;
+    }
+  }
+  this->KeepFaces(tasks);
+  return true;
+}
+
+void SchemeIntegrator::Internals::KeepFaces(const std::vector<SchemeTask>& tasks)
+{
+  this->Cache.clear();
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    bytes += GetBytes(*this->Faces[i]);
+    if (bytes > KeptBytes)
+    {
+      return;
+    }
+    this->Cache[tasks[i].Source->Id] = { this->Faces[i], tasks[i].ChordTolerance };
+  }
+}
+
+bool SchemeIntegrator::Internals::PrepareRunner()
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  std::set<SchemeKernel> kernels;
+  for (const PreparedFace& face : this->Faces)
+  {
+    if (face->Error.empty() && !face->Planar)
+    {
+      kernels.insert(ChooseSchemeKernel(*face));
+    }
+  }
+  const bool ok = this->Runner->Prepare(kernels);
+  this->StartSeconds = vtkTimerLog::GetUniversalTime() - start;
+  return ok || this->Fail(this->Runner->GetError());
+}
+
+std::vector<TileRange> SchemeIntegrator::Internals::MakeAllTiles()
+{
+  // Faces of one kernel side by side, in their order.
+  std::vector<std::size_t> order(this->Faces.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [this](std::size_t a, std::size_t b)
+    { return ChooseSchemeKernel(*this->Faces[a]) < ChooseSchemeKernel(*this->Faces[b]); });
+  std::vector<TileRange> all;
+  for (const std::size_t i : order)
+  {
+    const SubPatchFace& face = *this->Faces[i];
+    if (face.Error.empty() && !face.Planar &&
+      SchemeBatch::GetFaceBytes(face) <= this->Runner->GetMaximumBytes())
+    {
+      const std::vector<TileRange> tiles = MakeTiles(i, face, this->Chosen.Options.TextureFactor);
+      all.insert(all.end(), tiles.begin(), tiles.end());
+    }
+  }
+  return all;
+}
+
+bool SchemeIntegrator::Internals::RunBatch(const SchemeBatch& batch, std::vector<SchemeResult>& results)
+{
+  const auto goOn = [this]()
+  {
+    const double done = static_cast<double>(this->SubPatchesDone) / this->SubPatchesTotal;
+    return this->Tell(PreparedShare + (1.0 - PreparedShare) * done);
+  };
+  SchemeRunner::Results found;
+  if (!this->Runner->Run(
+        batch, { this->Chosen.Points, this->Chosen.Perturbation, this->Chosen.KeepTextures }, found, goOn))
+  {
+    return this->Fail(this->Runner->GetError());
+  }
+  this->Evaluations += found.Evaluations;
+  const int factor = this->Chosen.Options.TextureFactor;
+  for (std::size_t i = 0; i < batch.Tiles.size(); ++i)
+  {
+    const TileRange& range = batch.Ranges[i];
+    this->Sums[range.Face].Add(found.Sums.data() + i * NumberOfSchemeColumns);
+    if (!found.Texels.empty() && batch.Tiles[i].Shape[2] > 0)
+    {
+      TrimTexture& texture = results[range.Face].Texture;
+      if (texture.Texels.empty())
+      {
+        texture = MakeTexture(*this->Faces[range.Face], factor);
+      }
+      CopyTexels(range, found.Texels.data() + batch.Tiles[i].Texels[0], factor, texture);
+    }
+  }
+  this->SubPatchesDone += batch.SubPatches;
+  return goOn();
+}
+
+bool SchemeIntegrator::Internals::RunAll(std::vector<SchemeResult>& results)
+{
+  const std::vector<TileRange> tiles = this->MakeAllTiles();
+  this->SubPatchesTotal = 1;
+  for (const TileRange& tile : tiles)
+  {
+    this->SubPatchesTotal += tile.GetNumberOfSubPatches();
+  }
+  this->Sums.assign(this->Faces.size(), ColumnSums());
+  SchemeBatch batch;
+  const auto add = [&](const TileRange& tile)
+  {
+    return batch.Add(
+      tile, *this->Faces[tile.Face], this->Chosen.Options.TextureFactor, this->Runner->GetMaximumBytes());
+  };
+  for (const TileRange& tile : tiles)
+  {
+    if (add(tile))
+    {
+      continue;
+    }
+    if (!this->RunBatch(batch, results))
+    {
+      return false;
+    }
+    batch = SchemeBatch();
+    add(tile);
+  }
+  return batch.Tiles.empty() || this->RunBatch(batch, results);
+}
+
+void SchemeIntegrator::Internals::Finish(std::vector<SchemeResult>& results) const
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < results.size(); ++i)
+  {
+    const SubPatchFace& face = *this->Faces[i];
+    SchemeResult& result = results[i];
+    FaceIntegrals& integrals = result.Integrals;
+    integrals.Error = face.Error;
+    if (face.Error.empty() && SchemeBatch::GetFaceBytes(face) > this->Runner->GetMaximumBytes())
+    {
+      integrals.Error = "face #" + std::to_string(face.Source->FileId) +
+        " has more control points than a storage block of this GPU may have";
+    }
+    integrals.Face.assign(NumberOfMassIntegrands, 0.0);
+    integrals.Closing.assign(NumberOfMassIntegrands, 0.0);
+    integrals.QuadratureError.assign(NumberOfMassIntegrands, nan);
+    integrals.Rounding.assign(NumberOfMassIntegrands, nan);
+    integrals.Conversion.assign(NumberOfMassIntegrands, nan);
+    integrals.GapSquared = integrals.GapArea = integrals.MaxGap = nan;
+    if (!integrals.Error.empty())
+    {
+      continue;
+    }
+    if (face.Planar)
+    {
+      const std::array<double, 14> moments = ComputePlaneMoments(face);
+      std::copy(moments.begin(), moments.end(), integrals.Face.begin());
+      continue;
+    }
+    for (int k = 0; k < NumberOfMassIntegrands; ++k)
+    {
+      integrals.Face[k] = this->Sums[i].Get(k);
+    }
+    result.Estimate = this->Sums[i].Get(SchemeEstimate);
+    result.EstimateWithBoundary = this->Sums[i].Get(SchemeEstimateWithBoundary);
+    result.SubPatches =
+      static_cast<std::int64_t>(face.Grid.GetNumberOfColumns()) * face.Grid.GetNumberOfRows();
+  }
+}
+
+SchemeIntegrator::SchemeIntegrator()
+  : Implementation(new Internals)
+{
+}
+
+SchemeIntegrator::~SchemeIntegrator() = default;
+
+void SchemeIntegrator::SetRunner(std::unique_ptr<SchemeRunner> runner)
+{
+  this->Implementation->Runner = std::move(runner);
+}
+
+bool SchemeIntegrator::Integrate(const std::vector<SchemeTask>& tasks, const Setup& setup,
+  std::vector<SchemeResult>& results, const Progress& progress)
+{
+  Internals& self = *this->Implementation;
+  self.Error.clear();
+  self.Aborted = self.TimedOut = false;
+  self.Evaluations = 0;
+  self.SubPatchesDone = 0;
+  self.StartSeconds = self.PrepareSeconds = self.IntegrateSeconds = 0.0;
+  self.Report = progress;
+  self.Chosen = setup;
+  const double start = self.Start = vtkTimerLog::GetUniversalTime();
+  results.assign(tasks.size(), SchemeResult());
+  bool ok = self.CheckCost(tasks) && self.PrepareFaces(tasks) && self.PrepareRunner();
+  const double begin = vtkTimerLog::GetUniversalTime();
+  self.PrepareSeconds = begin - start - self.StartSeconds;
+  ok = ok && self.RunAll(results);
+  if (ok)
+  {
+    self.Finish(results);
+  }
+  else
+  {
+    results.clear();
+  }
+  self.IntegrateSeconds = vtkTimerLog::GetUniversalTime() - begin;
+  self.Faces.clear();
+  self.Sums.clear();
+  self.Report = nullptr;
+  return ok;
+}
+
+const std::string& SchemeIntegrator::GetError() const
+{
+  return this->Implementation->Error;
+}
+
+bool SchemeIntegrator::WasAborted() const
+{
+  return this->Implementation->Aborted;
+}
+
+bool SchemeIntegrator::WasTimedOut() const
+{
+  return this->Implementation->TimedOut;
+}
+
+std::int64_t SchemeIntegrator::GetEvaluations() const
+{
+  return this->Implementation->Evaluations;
+}
+
+double SchemeIntegrator::GetStartSeconds() const
+{
+  return this->Implementation->StartSeconds;
+}
+
+double SchemeIntegrator::GetPrepareSeconds() const
+{
+  return this->Implementation->PrepareSeconds;
+}
+
+double SchemeIntegrator::GetIntegrateSeconds() const
+{
+  return this->Implementation->IntegrateSeconds;
+}
+}

@@ -1,0 +1,100 @@
+/**
+ * @file smSchemeRun.h
+ * @brief The paper's schemes over all bodies of an input: what vtkMassPropertiesGPU does when its Scheme is not ADAPTIVE
+ */
+#ifndef smSchemeRun_h
+#define smSchemeRun_h
+
+#include "smBodyIntegrals.h"
+#include "smSchemeIntegrator.h"
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkComputeContext;
+class vtkFieldData;
+class vtkTable;
+
+namespace sm
+{
+struct MassRow;
+struct Moments;
+
+/// Sums of the paper's estimates (lengths cubed; NaN: not computed) and of sub-patches over faces.
+struct SchemeTotals
+{
+  double Estimate = std::numeric_limits<double>::quiet_NaN();
+  double EstimateWithBoundary = std::numeric_limits<double>::quiet_NaN();
+  std::int64_t SubPatches = 0;
+};
+
+/// A face's trim texture as an image of 0 and 255 over (u,v), and its name: that of the solid and the face's entity number.
+struct NamedTexture
+{
+  std::string Name;
+  vtkSmartPointer<vtkImageData> Image;
+};
+
+/**
+ * Integrates every model once, about its origin, however many instances it has. Keeps the runner and prepared faces from run to run.
+ * Not thread safe.
+ */
+class SchemeRun
+{
+public:
+  struct Options
+  {
+    SchemeIntegrator::Setup Setup;
+    /// Of planes: relative to the diagonal of the model's box.
+    double ChordTolerance = 1e-5;
+    /// Compute shaders in this context, which is READY; null: the CPU.
+    vtkComputeContext* Context = nullptr;
+  };
+
+  /// Gives every body its Faces. False when nothing came of it; then GetMessage() says why.
+  bool Integrate(
+    const Options& options, std::vector<BodyIntegrals>& bodies, const SchemeIntegrator::Progress& progress);
+  std::string GetMessage() const;
+
+  /// Of the last Integrate(), for a model, and for all bodies; nothing computed for what it did not have.
+  SchemeTotals GetTotals(vtkTrimmedNURBSModel* model) const;
+  SchemeTotals GetTotals(const std::vector<BodyIntegrals>& bodies) const;
+  /// Scheme, PaperErrorEstimate, PaperErrorEstimateWithBoundary and SubPatches, of every body and of `total`.
+  void AddColumns(const std::string& scheme, const std::vector<BodyIntegrals>& bodies,
+    const SchemeTotals& total, vtkFieldData* totals, vtkTable* solids) const;
+  const std::vector<NamedTexture>& GetTextures() const { return this->Textures; }
+  const SchemeIntegrator& GetIntegrator() const { return this->Integrator; }
+
+  /// Forgets the results of the last run.
+  void Forget();
+
+private:
+  void KeepTextures(const BodyIntegrals& body, std::vector<SchemeResult>& results, std::size_t first);
+
+  SchemeIntegrator Integrator;
+  /// What the runner computes with.
+  bool HasRunner = false;
+  vtkSmartPointer<vtkComputeContext> RunnerContext;
+  std::map<vtkTrimmedNURBSModel*, SchemeTotals> Totals;
+  std::vector<NamedTexture> Textures;
+};
+
+/// "MIDPOINT", "GAUSS2", "GAUSS3" for n = 1, 2, 3; "ADAPTIVE" for anything else.
+std::string GetSchemeName(int points);
+
+/// Moments without a bound: the centre and the inertia follow from them as if they were exact.
+void ZeroBounds(Moments& moments);
+/// What follows from moments without a bound has none: every bound becomes NaN.
+void ForgetBounds(MassRow& row);
+/// How far the vector area of a closed surface may be from 0, as a leak (relative to the volume), where trimmed faces are weighed
+/// by texels: above, a shell without edges is taken for a surface.
+constexpr double LargestSchemeLeak = 0.1;
+}
+
+#endif

@@ -1,0 +1,20 @@
+/**
+ * @file vtkMassPropertiesGPUInternals.h
+ * @brief What vtkMassPropertiesGPU keeps of its last run; not installed
+ */
+#ifndef vtkMassPropertiesGPUInternals_h
+#define vtkMassPropertiesGPUInternals_h
+
+#include "smMassTable.h"
+#include "smSchemeRun.h"
+#include "vtkMassPropertiesGPU.h"
+
+struct vtkMassPropertiesGPU::Totals
+{
+  sm::MassRow Row;
+  /// With one of the paper's schemes.
+  sm::SchemeRun Run;
+  sm::SchemeTotals Estimates;
+};
+
+#endif

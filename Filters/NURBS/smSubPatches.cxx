@@ -1,0 +1,255 @@
+#include "smSubPatches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <stdexcept>
+
+namespace sm
+{
+namespace
+{
+using Point2 = std::array<double, 2>;
+using Homogeneous = std::array<double, 4>;
+
+// Of a texel's width; see SubPatchFace::Polygons.
+constexpr double ChordShareOfTexel = 1.0 / 16.0;
+
+// Of the coordinates' size. The corners of a plane were rounded where the file placed them, which may be far from the model's
+// origin; what is taken for a plane then moves the volume by less than this times size times area.
+constexpr double PlanarGap = 1e-12;
+
+std::vector<double> DivideIntervals(const std::vector<double>& breaks, int factor)
+{
+  std::vector<double> borders;
+  borders.reserve((breaks.size() - 1) * factor + 1);
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+  {
+    for (int k = 0; k < factor; ++k)
+    {
+      borders.push_back(k == 0 ? breaks[i] : breaks[i] + (breaks[i + 1] - breaks[i]) * k / factor);
+    }
+  }
+  borders.push_back(breaks.back());
+  return borders;
+}
+
+/// What a face must fulfil before anything of it is computed; throws what is wrong.
+void CheckFace(const Face& face, const SchemeOptions& options)
+{
+  const std::string reason = face.Surface.Check();
+  if (!reason.empty())
+  {
+    throw std::runtime_error(reason);
+  }
+  for (const std::vector<double>& knots : face.Surface.Knots)
+  {
+    if (!std::all_of(knots.begin(), knots.end(), [](double knot) { return std::isfinite(knot); }))
+    {
+      throw std::runtime_error("a knot is not finite");
+    }
+  }
+  if (options.Factor < 1 || options.TextureFactor < 1)
+  {
+    throw std::runtime_error("the factors of sub-patches and of the trim texture must be at least 1");
+  }
+  for (const Loop& loop : face.Loops)
+  {
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      if (coedge.Curve.GetNumberOfPieces() == 0)
+      {
+        throw std::runtime_error("a coedge has no trim curve");
+      }
+      for (int k = 0; k < coedge.Curve.GetNumberOfPieces(); ++k)
+      {
+        if (coedge.Curve.GetDegree(k) > MaximumDegree)
+        {
+          throw std::runtime_error("a trim curve has a degree above " + std::to_string(MaximumDegree));
+        }
+      }
+      for (const Point2& point : coedge.Curve.Coefficients)
+      {
+        if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
+        {
+          throw std::runtime_error("a trim curve is not finite");
+        }
+      }
+    }
+  }
+}
+
+void AddPatch(SubPatchFace& face, double u0, double u1, double v0, double v1)
+{
+  const NURBSSurface& surface = face.Source->Surface;
+  Patch patch{};
+  patch.FirstPoint = static_cast<std::uint32_t>(face.Points.size());
+  patch.Degree[0] = surface.Degree[0];
+  patch.Degree[1] = surface.Degree[1];
+  patch.Start[0] = u0;
+  patch.Start[1] = v0;
+  patch.Width[0] = u1 - u0;
+  patch.Width[1] = v1 - v0;
+  const std::size_t count = static_cast<std::size_t>(patch.Degree[0] + 1) * (patch.Degree[1] + 1);
+  face.Points.resize(face.Points.size() + count);
+  Homogeneous* points = face.Points.data() + patch.FirstPoint;
+  surface.ExtractBezier(u0, u1, v0, v1, points);
+  for (int c = 0; c < 3; ++c)
+  {
+    const auto less = [c](const Homogeneous& a, const Homogeneous& b) { return a[c] / a[3] < b[c] / b[3]; };
+    const auto ends = std::minmax_element(points, points + count, less);
+    patch.Center[c] = 0.5 * ((*ends.first)[c] / (*ends.first)[3] + (*ends.second)[c] / (*ends.second)[3]);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      points[i][c] -= patch.Center[c] * points[i][3];
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Homogeneous& p = points[i];
+    patch.Radius = std::max(patch.Radius, std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / p[3]);
+  }
+  face.Patches.push_back(patch);
+}
+
+/// The narrowest of the intervals of `borders` that [low, high] touches.
+double FindNarrowest(const std::vector<double>& borders, double low, double high)
+{
+  const auto last = borders.end() - 2;
+  auto from = std::upper_bound(borders.begin(), borders.end() - 1, low);
+  from = from == borders.begin() ? from : from - 1;
+  double narrowest = HUGE_VAL;
+  for (auto border = std::min(from, last);
+       border <= last && (border == std::min(from, last) || *border <= high); ++border)
+  {
+    narrowest = std::min(narrowest, *(border + 1) - *border);
+  }
+  return narrowest;
+}
+
+void PreparePlane(SubPatchFace& face, const SchemeOptions& options)
+{
+  face.Planar = true;
+  if (face.Source->Loops.empty())
+  {
+    return;
+  }
+  if (!(options.ChordTolerance > 0.0))
+  {
+    throw std::runtime_error("the chord tolerance of planes must be positive");
+  }
+  const NURBSSurface& surface = face.Source->Surface;
+  double position[3];
+  double du[3];
+  double dv[3];
+  surface.Evaluate(surface.GetDomainStart(0), surface.GetDomainStart(1), position, du, dv);
+  const auto shareOf = [&options](const double(&d)[3])
+  {
+    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    return 0.5 * options.ChordTolerance / std::max(length, 1e-300);
+  };
+  // |S(c) - S(chord)| <= |du| |Su| + |dv| |Sv|, and the derivatives are constant.
+  face.Polygons = FlattenLoops(*face.Source, Point2{ shareOf(du), shareOf(dv) });
+}
+
+void PrepareCurved(SubPatchFace& face, const SchemeOptions& options)
+{
+  const NURBSSurface& surface = face.Source->Surface;
+  const std::vector<double> breaks[2] = { surface.GetSpanBreaks(0), surface.GetSpanBreaks(1) };
+  const double count =
+    static_cast<double>(breaks[0].size() - 1) * (breaks[1].size() - 1) * options.Factor * options.Factor;
+  if (count > MaximumSubPatches)
+  {
+    throw std::runtime_error(std::to_string(static_cast<long long>(std::min(count, 1e18))) +
+      " sub-patches are more than " + std::to_string(MaximumSubPatches));
+  }
+  face.Grid = MakeSubPatchGrid(surface, options.Factor);
+  for (std::size_t row = 0; row + 1 < breaks[1].size(); ++row)
+  {
+    for (std::size_t column = 0; column + 1 < breaks[0].size(); ++column)
+    {
+      AddPatch(face, breaks[0][column], breaks[0][column + 1], breaks[1][row], breaks[1][row + 1]);
+    }
+  }
+  face.Deviations.reserve(static_cast<std::size_t>(count));
+  for (int row = 0; row < face.Grid.GetNumberOfRows(); ++row)
+  {
+    for (int column = 0; column < face.Grid.GetNumberOfColumns(); ++column)
+    {
+      face.Deviations.push_back(ComputeDeviation(surface, face.Grid.U[column], face.Grid.U[column + 1],
+        face.Grid.V[row], face.Grid.V[row + 1], options.Deviation));
+    }
+  }
+  const double share = ChordShareOfTexel / (static_cast<double>(options.Factor) * options.TextureFactor);
+  face.Polygons = FlattenLoops(*face.Source,
+    [&breaks, share](const Point2& low, const Point2& high)
+    {
+      return Point2{ share * FindNarrowest(breaks[0], low[0], high[0]),
+        share * FindNarrowest(breaks[1], low[1], high[1]) };
+    });
+}
+}
+
+SubPatchGrid MakeSubPatchGrid(const NURBSSurface& surface, int factor)
+{
+  SubPatchGrid grid;
+  grid.Factor = std::max(factor, 1);
+  grid.U = DivideIntervals(surface.GetSpanBreaks(0), grid.Factor);
+  grid.V = DivideIntervals(surface.GetSpanBreaks(1), grid.Factor);
+  return grid;
+}
+
+bool IsPlanar(const NURBSSurface& surface)
+{
+  if (surface.Degree[0] != 1 || surface.Degree[1] != 1 || surface.NumberOfControlPoints[0] != 2 ||
+    surface.NumberOfControlPoints[1] != 2)
+  {
+    return false;
+  }
+  const Homogeneous* p = surface.ControlPoints.data();
+  const double w = p[0][3];
+  double size = 0.0;
+  double gap = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    gap = std::max(gap, std::abs((p[0][c] - p[1][c]) - (p[2][c] - p[3][c])));
+    for (int i = 0; i < 4; ++i)
+    {
+      size = std::max(size, std::abs(p[i][c]));
+    }
+  }
+  return p[1][3] == w && p[2][3] == w && p[3][3] == w && gap <= PlanarGap * size;
+}
+
+SubPatchFace PrepareSubPatchFace(const FacePointer& face, const SchemeOptions& options)
+{
+  SubPatchFace result;
+  std::string reason;
+  try
+  {
+    if (!face)
+    {
+      throw std::runtime_error("there is no face");
+    }
+    result.Source = face;
+    CheckFace(*face, options);
+    if (IsPlanar(face->Surface))
+    {
+      PreparePlane(result, options);
+    }
+    else
+    {
+      PrepareCurved(result, options);
+    }
+    return result;
+  }
+  catch (const std::exception& error)
+  {
+    reason = error.what();
+  }
+  SubPatchFace failed;
+  failed.Source = face;
+  failed.Error = (face ? "face #" + std::to_string(face->FileId) + ": " : std::string()) + reason;
+  return failed;
+}
+}
