@@ -115,6 +115,10 @@ std::vector<NamedFace> MakeFaces()
   faces.push_back({ "trimmed, leaf with a hole",
     MakeFace(MakeQuarterCylinder(2.0, 3.0),
       { MakeLeaf(0.5, 0.49, 0.43, 0.41, false), MakeLeaf(0.44, 0.52, 0.19, 0.3, true) }, true) });
+  faces.push_back({ "trimmed, loops inside out and twice around",
+    MakeFace(MakeParaboloid(0.3, -0.7, 1.1, three, two),
+      { MakeLeaf(1.1, -0.2, 0.71, 0.41, true), MakeLeaf(1.94, 0.3, 0.61, 0.3, false),
+        MakeLeaf(2.07, 0.11, 0.43, 0.35, false) }) });
   faces.push_back({ "trimmed, a hole in all of it",
     MakeFace(MakeRandomSurface(random, 2, 4, three, three, 0.2, 0.2),
       { MakePolygonLoop({ { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 3.0 }, { 0.0, 3.0 } }),
