@@ -44,8 +44,8 @@ enum class DeviationMode
 
 /**
  * K of Eq. 4, a length, for the sub-patch [u0,u1] x [v0,v1], which lies within one knot interval:
- * K = (K1 + 2 K2 + K3) / 8 with K1, K2, K3 the largest |second derivatives| by u u, u v and v v of any coordinate, with respect to
- * the sub-patch's own unit domain (n = m = 1). The same as derivatives by the knot interval's unit domain and n = m = k.
+ * K = (K1 + 2 K2 + K3) / 8 with K1, K2, K3 the largest |second derivatives| by u u, u v and v v of any coordinate, by the
+ * sub-patch's own unit domain (n = m = 1). The same as derivatives by the knot interval's unit domain and n = m = k.
  */
 SMFILTERSNURBS_EXPORT double ComputeDeviation(
   const NURBSSurface& surface, double u0, double u1, double v0, double v1, DeviationMode mode);

@@ -1,4 +1,5 @@
-// The paper's schemes by their reference: exact to the degree they claim, Eq. 36 and the trim texture by hand, the shape of Fig. 7.
+// The paper's schemes by their reference: exact to the degree they claim, Eq. 36 and the trim texture by hand,
+// the shape of Fig. 7.
 #include "smPaperReference.h"
 #include "smSchemeFaces.h"
 #include "smSubPatches.h"
@@ -124,7 +125,8 @@ void CheckEstimateOfArc()
   CheckRange("bounded, k = 32", fine, Integrate(face, 1, 32, bounded).Estimate, 1.001 * fine);
 }
 
-/// A half of the square u + v < 1.05 of one patch: of 4 x 4 texel centres (i + 1/2, j + 1/2)/4 it holds those of i + j <= 3, that is 10.
+/// A half of the square u + v < 1.05 of one patch: of 4 x 4 texel centres (i + 1/2, j + 1/2)/4 it holds those
+/// of i + j <= 3, that is 10.
 void CheckTexture()
 {
   const sm::NURBSSurface surface = MakeParaboloid(1.0, 1.0, 1.0, { 0.0, 1.0 }, { 0.0, 1.0 });

@@ -70,7 +70,7 @@ void CheckRandomSurfaces(int count, int lowest, int highest, double spread, cons
             Check("bilinear", dense, bounded, 1e-12 * dense, "rounding");
             continue;
           }
-          // Rounding of second derivatives of coordinates of at most 10: of degree 6, 30 64 10 u, by the unit of a sub-patch less.
+          // Rounding of second derivatives of degree 6 of coordinates of at most 10: some 30 64 10 u / k^2.
           const double rounding = 1e-13 / dense;
           Extremes& e = extremes[f];
           e.LeastBound = std::min(e.LeastBound, bounded / dense + rounding);
@@ -179,6 +179,32 @@ void CheckPrepared()
   CheckRange("chords in v", 1e-4, face.Polygons.Deviation[1], 0.5 / 9.0 / 16.0);
 }
 
+/// Chords are as fine as the texels that they pass, and not as the finest texels of the face.
+void CheckNarrowInterval()
+{
+  const sm::NURBSSurface surface = MakeParaboloid(1.0, 0.0, 1.0, { 0.0, 5.0, 5.01, 10.0 }, { 0.0, 10.0 });
+  sm::SchemeOptions options;
+  options.Factor = 3;
+  options.TextureFactor = 3;
+  const sm::SubPatchFace face =
+    sm::PrepareSubPatchFace(MakeFace(surface, { MakeLeaf(4.3, 5.0, 4.0, 0.2, false) }), options);
+  CheckEqual("one polygon", 1LL, static_cast<long long>(face.Polygons.Loops.size()));
+  const std::vector<Point2>& polygon = face.Polygons.Loops.at(0);
+  double narrow = 0.0;
+  double wide = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const double a = polygon[i][0];
+    const double b = polygon[(i + 1) % polygon.size()][0];
+    const bool passes = std::max(a, b) >= 5.0 && std::min(a, b) <= 5.01;
+    (passes ? narrow : wide) = std::max(passes ? narrow : wide, std::abs(a - b));
+  }
+  // The leaf's |c''| is 4 0.2 4 = 3.2 and |u'| at most 2 0.7 4: a tolerance of 0.01/144 lets a chord be sqrt(8 tolerance / 3.2)
+  // of the parameter long, that is 0.074 of u; one of 5/144 twenty times that, a third of it after halving.
+  CheckRange("chords over the narrow interval", 0.01, narrow, 0.074);
+  CheckRange("the widest of the others", 0.5, wide, 1.7);
+}
+
 void CheckPlanar()
 {
   const auto plane = [](double twist, double weight)
@@ -253,6 +279,7 @@ int main()
   CheckBounds(6, 8, 10, 0.2, 30.0);
   CheckInvariance();
   CheckPrepared();
+  CheckNarrowInterval();
   CheckPlanar();
   CheckErrors();
   return Finish();

@@ -23,7 +23,7 @@ double Shoelace(const std::vector<Point2>& p)
   return sum;
 }
 
-/// Least over the chord from a to b of the larger of |du| and |dv| in tolerances: convex along the chord, so thirds close in on it.
+/// Least over the chord from a to b of the larger of |du| and |dv| in tolerances: convex, so thirds close in on it.
 double Distance(const Point2& p, const Point2& a, const Point2& b, const Point2& tolerance)
 {
   const auto at = [&](double x)
