@@ -1,129 +1,15 @@
 // TestSchemeIntegrator: the paper's schemes, on the GPU and on the CPU, against the plain reference written from its equations;
-// exactness by degree; a trim texture counted by hand; the same bits in any company; tiles that cut a face anywhere.
+// exactness by degree; a trim texture counted by hand.
 #include "NURBS/smPaperReference.h"
-#include "NURBS/smSchemeFaces.h"
+#include "smSchemeTesting.h"
 
-#include "smCPUSchemeRunner.h"
-#include "smGPUSchemeRunner.h"
-#include "smMassTolerance.h"
-#include "smSchemeIntegrator.h"
-#include "smTesting.h"
-
-#include <vtkComputeContext.h>
-#include <vtkNew.h>
-#include <vtkSMPTools.h>
-
-#include <algorithm>
 #include <cstdio>
-#include <memory>
-#include <utility>
 
 namespace
 {
 using namespace smtest;
-using Results = std::vector<sm::SchemeResult>;
 
 constexpr double Unit = 1.1102230246251565e-16;
-
-vtkComputeContext* GetContext()
-{
-  static vtkNew<vtkComputeContext> context;
-  return context;
-}
-
-std::unique_ptr<sm::SchemeRunner> MakeRunner(bool gpu)
-{
-  if (gpu)
-  {
-    return std::make_unique<sm::GPUSchemeRunner>(GetContext());
-  }
-  return std::make_unique<sm::CPUSchemeRunner>();
-}
-
-Results Integrate(bool gpu, const std::vector<sm::FacePointer>& faces,
-  const sm::SchemeIntegrator::Setup& setup, std::int64_t* evaluations = nullptr)
-{
-  sm::SchemeIntegrator integrator;
-  integrator.SetRunner(MakeRunner(gpu));
-  std::vector<sm::SchemeTask> tasks;
-  for (const sm::FacePointer& face : faces)
-  {
-    tasks.push_back({ face, 1e-6 });
-  }
-  Results results;
-  CheckTrue(gpu ? "the GPU integrates" : "the CPU integrates",
-    integrator.Integrate(tasks, setup, results, nullptr), integrator.GetError());
-  if (evaluations)
-  {
-    *evaluations = integrator.GetEvaluations();
-  }
-  results.resize(faces.size());
-  for (sm::SchemeResult& result : results)
-  {
-    result.Integrals.Face.resize(sm::NumberOfMassIntegrands, std::nan(""));
-  }
-  return results;
-}
-
-std::vector<double> GetAll(const sm::SchemeResult& result)
-{
-  std::vector<double> all = result.Integrals.Face;
-  all.push_back(result.Estimate);
-  all.push_back(result.EstimateWithBoundary);
-  all.push_back(static_cast<double>(result.SubPatches));
-  return all;
-}
-
-/// The size that rounding of each integral is relative to: area times the matching power of the farthest control point.
-std::vector<double> GetScales(const sm::Face& face, double area)
-{
-  double reach = 0.0;
-  for (const std::array<double, 4>& p : face.Surface.ControlPoints)
-  {
-    reach = std::max(reach, std::hypot(p[0], p[1], p[2]) / p[3]);
-  }
-  std::vector<double> scales = { area * reach };
-  scales.insert(scales.end(), 3, area * reach * reach);
-  scales.insert(scales.end(), 6, area * reach * reach * reach);
-  scales.insert(scales.end(), 4, area);
-  return scales;
-}
-
-struct NamedFace
-{
-  std::string Name;
-  sm::FacePointer Face;
-};
-
-std::vector<NamedFace> MakeFaces()
-{
-  std::mt19937 random(41);
-  const std::vector<double> one = { 0.0, 1.0 };
-  const std::vector<double> two = { -1.0, 0.25, 1.0 };
-  const std::vector<double> three = { 0.0, 0.5, 2.0, 3.0 };
-  std::vector<NamedFace> faces;
-  faces.push_back({ "paraboloid", MakeFace(MakeParaboloid(0.3, -0.7, 1.1, three, two), {}) });
-  faces.push_back({ "quarter cylinder", MakeFace(MakeQuarterCylinder(3.0, 5.0), {}, true) });
-  faces.push_back({ "degrees 1 2", MakeFace(MakeRandomSurface(random, 1, 2, two, three, 0.2, 0.3), {}) });
-  faces.push_back({ "degrees 3 3", MakeFace(MakeRandomSurface(random, 3, 3, three, two, 0.2, 0.4), {}) });
-  faces.push_back({ "degrees 5 4", MakeFace(MakeRandomSurface(random, 5, 4, two, two, 0.2, 0.2), {}, true) });
-  faces.push_back({ "degree 25", MakeFace(MakeRandomSurface(random, 25, 2, one, one, 0.1, 0.1), {}) });
-  faces.push_back({ "trimmed, polygon",
-    MakeFace(MakeRandomSurface(random, 3, 3, three, three, 0.2, 0.4),
-      { MakePolygonLoop(
-        { { 0.31, 0.17 }, { 2.83, 0.41 }, { 2.2, 2.77 }, { 1.21, 1.13 }, { 0.2, 2.9 } }) }) });
-  faces.push_back({ "trimmed, leaf with a hole",
-    MakeFace(MakeQuarterCylinder(2.0, 3.0),
-      { MakeLeaf(0.5, 0.49, 0.43, 0.41, false), MakeLeaf(0.44, 0.52, 0.19, 0.3, true) }, true) });
-  faces.push_back({ "trimmed, a hole in all of it",
-    MakeFace(MakeRandomSurface(random, 2, 4, three, three, 0.2, 0.2),
-      { MakePolygonLoop({ { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 3.0 }, { 0.0, 3.0 } }),
-        MakeLeaf(1.6, 1.3, 1.1, 0.4142, true) }) });
-  faces.push_back({ "plane",
-    MakeFace(MakePlane({ 1.0, 2.0, 3.0 }, { 2.0, 0.5, 0.25 }, { -0.25, 1.5, 1.0 }, 0.0, 1.0, 0.0, 1.0),
-      { MakeLeaf(0.5, 0.49, 0.43, 0.41, false), MakeLeaf(0.44, 0.52, 0.19, 0.3, true) }, true) });
-  return faces;
-}
 
 /// The reference with the polygons that the face was flattened to: whether these are near the curves is another test's.
 PaperResult GetReference(
@@ -367,166 +253,16 @@ void CheckTextureByHand()
   }
 }
 
-void CheckBits()
-{
-  std::vector<sm::FacePointer> faces;
-  for (const NamedFace& named : MakeFaces())
-  {
-    faces.push_back(named.Face);
-  }
-  sm::SchemeIntegrator::Setup setup;
-  setup.Options.Factor = 7;
-  for (const bool gpu : { true, false })
-  {
-    const Results together = Integrate(gpu, faces, setup);
-    bool same = true;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      same = same && GetAll(Integrate(gpu, { faces[i] }, setup)[0]) == GetAll(together[i]);
-    }
-    CheckTrue("the same bits alone and in company", same);
-    vtkSMPTools::Initialize(1);
-    const Results again = Integrate(gpu, { faces.rbegin(), faces.rend() }, setup);
-    vtkSMPTools::Initialize(0);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      same = same && GetAll(again[faces.size() - 1 - i]) == GetAll(together[i]);
-    }
-    CheckTrue("in any order, with one thread", same);
-    setup.Perturbation = 1.0 + 1.0 / 1024.0;
-    const Results perturbed = Integrate(gpu, faces, setup);
-    setup.Perturbation = 1.0;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      const bool planar = together[i].SubPatches == 0;
-      const double area = together[i].Integrals.Face[sm::MassArea];
-      Check(planar ? "a plane is no shader's" : "perturbed", area * (planar ? 1.0 : 1.0 + 1.0 / 1024.0),
-        perturbed[i].Integrals.Face[sm::MassArea], 1e-13 * area);
-    }
-  }
-}
-
-/// Many tiles and batches; then tiles that cut rows and columns anywhere, against the whole.
-void CheckTiles()
-{
-  std::mt19937 random(5);
-  const sm::FacePointer face =
-    MakeFace(MakeRandomSurface(random, 3, 3, { 0.0, 1.5, 3.0 }, { 0.0, 1.5, 3.0 }, 0.1, 0.2),
-      { MakeLeaf(1.45, 1.55, 1.31, 0.37, false), MakeLeaf(1.61, 1.4, 0.61, 0.2, true) });
-  sm::SchemeIntegrator::Setup setup;
-  setup.Points = 1;
-  setup.Options.Factor = 150;
-  setup.KeepTextures = true;
-  const sm::SchemeResult gpu = Integrate(true, { face }, setup)[0];
-  const sm::SchemeResult cpu = Integrate(false, { face }, setup)[0];
-  CheckEqual("sub-patches", 90000, gpu.SubPatches);
-  CheckTrue(
-    "the same texture", gpu.Texture.Texels == cpu.Texture.Texels && gpu.Texture.Texels.size() == 1440000);
-  const auto inside = std::count(gpu.Texture.Texels.begin(), gpu.Texture.Texels.end(), 1);
-  const double area = GetLeafArea(1.31, 0.37) - GetLeafArea(0.61, 0.2);
-  // Chords are inside their curves by up to 1/16 of a texel of 0.0025, along 12 of length; texels average out better.
-  Check("area of the texels", area, 9.0 * inside / 1440000.0, 12.0 * 0.0025 / 16.0);
-  Check("GPU and CPU", gpu.Integrals.Face[sm::MassArea], cpu.Integrals.Face[sm::MassArea],
-    1e-13 * gpu.Integrals.Face[sm::MassArea]);
-
-  sm::SchemeOptions options;
-  options.Factor = 5;
-  options.ChordTolerance = 1e-6;
-  const sm::SubPatchFace prepared = sm::PrepareSubPatchFace(face, options);
-  const std::vector<sm::TileRange> whole = sm::MakeTiles(0, prepared, 4);
-  CheckTrue("one tile", whole.size() == 1 && whole[0].Columns == 10 && whole[0].Rows == 10);
-  const std::vector<sm::TileRange> cut = { { 0, 0, 0, 3, 10 }, { 0, 3, 0, 6, 1 }, { 0, 3, 1, 6, 9 },
-    { 0, 9, 0, 1, 4 }, { 0, 9, 4, 1, 6 } };
-  for (const bool isGpu : { true, false })
-  {
-    const std::unique_ptr<sm::SchemeRunner> runner = MakeRunner(isGpu);
-    std::vector<double> sums[2];
-    for (const auto& [tiles, which] : { std::make_pair(whole, 0), std::make_pair(cut, 1) })
-    {
-      sm::SchemeBatch batch;
-      for (const sm::TileRange& tile : tiles)
-      {
-        CheckTrue("room", batch.Add(tile, prepared, 4, runner->GetMaximumBytes()));
-      }
-      sm::SchemeRunner::Results results;
-      CheckTrue("it runs", runner->Run(batch, {}, results, nullptr), runner->GetError());
-      CheckTrue("texels are not kept unless asked for", results.Texels.empty());
-      sums[which].assign(sm::NumberOfSchemeColumns, 0.0);
-      for (std::size_t i = 0; i < results.Sums.size(); ++i)
-      {
-        sums[which][i % sm::NumberOfSchemeColumns] += results.Sums[i];
-      }
-    }
-    for (const int column : { 0, 5, 13, 14, 15 })
-    {
-      Check("tiles add up to the whole, column " + std::to_string(column), sums[0][column], sums[1][column],
-        1e-13 * std::fabs(sums[0][column]) + 1e-14 * sums[0][sm::MassArea]);
-    }
-  }
-}
-
-void CheckRefusals()
-{
-  std::mt19937 random(5);
-  const sm::FacePointer good =
-    MakeFace(MakeRandomSurface(random, 3, 3, { 0.0, 1.0 }, { 0.0, 1.0 }, 0.1, 0.2), {});
-  auto broken = std::make_shared<sm::Face>(*good);
-  broken->Id = sm::NewId();
-  broken->FileId = 77;
-  broken->Surface.Knots[0].pop_back();
-  sm::SchemeIntegrator::Setup setup;
-  for (const bool gpu : { true, false })
-  {
-    const Results results = Integrate(gpu, { good, broken }, setup);
-    CheckTrue("a broken face names itself", results[1].Integrals.Error.find("#77") != std::string::npos,
-      results[1].Integrals.Error);
-    CheckTrue("the other is there", results[0].Integrals.Error.empty() && results[0].SubPatches == 4);
-
-    sm::SchemeIntegrator integrator;
-    integrator.SetRunner(MakeRunner(gpu));
-    Results none;
-    sm::SchemeIntegrator::Setup costly = setup;
-    costly.MaximumEvaluations = 15;
-    CheckTrue("too costly", !integrator.Integrate({ { good, 1.0 } }, costly, none, nullptr) && none.empty());
-    CheckTrue(
-      "it says so", integrator.GetError().find("16 evaluations") != std::string::npos, integrator.GetError());
-    costly.MaximumEvaluations = 16;
-    CheckTrue(
-      "just enough", integrator.Integrate({ { good, 1.0 } }, costly, none, nullptr), integrator.GetError());
-    double last = 0.0;
-    const auto stop = [&last](double fraction)
-    {
-      last = fraction;
-      return fraction < 0.5;
-    };
-    costly.MaximumEvaluations = 2000000000;
-    costly.Options.Factor = 400;
-    CheckTrue(
-      "stopped", !integrator.Integrate({ { good, 1.0 } }, costly, none, stop) && integrator.WasAborted());
-    CheckTrue("half way", last >= 0.5 && last <= 1.0 && !integrator.WasTimedOut(), std::to_string(last));
-    costly.MaximumSeconds = 1e-6;
-    CheckTrue("out of time",
-      !integrator.Integrate({ { good, 1.0 } }, costly, none, nullptr) && integrator.WasTimedOut() &&
-        none.empty());
-    CheckTrue("and on", integrator.Integrate({ { good, 1.0 } }, setup, none, nullptr) && none.size() == 1);
-    CheckTrue("the same bits", GetAll(none[0]) == GetAll(results[0]));
-  }
-}
 }
 
 int main()
 {
-  vtkSMPTools::SetBackend("STDThread");
-  if (GetContext()->Start() != vtkComputeContext::READY)
+  if (!Start())
   {
-    std::printf("skipped: %s\n", GetContext()->GetReason().c_str());
     return Skipped;
   }
   CheckAgainstReference();
   CheckExactness();
   CheckTextureByHand();
-  CheckBits();
-  CheckTiles();
-  CheckRefusals();
   return Finish();
 }

@@ -93,7 +93,7 @@ public:
   std::uint32_t TexelRows = 0;
   std::uint32_t Texels = 0;
 
-  /// Sub-patches [First, Last) that one kernel evaluates, and its cost for each with n x n points, in evaluations of a bicubic.
+  /// Sub-patches [First, Last) that one kernel evaluates, and the highest degrees among them.
   struct Part
   {
     SchemeKernel Kernel;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <new>
 #include <numeric>
 #include <unordered_map>
 
@@ -411,12 +412,19 @@ bool SchemeIntegrator::Integrate(const std::vector<SchemeTask>& tasks, const Set
   bool ok = self.CheckCost(tasks) && self.PrepareFaces(tasks) && self.PrepareRunner();
   const double begin = vtkTimerLog::GetUniversalTime();
   self.PrepareSeconds = begin - start - self.StartSeconds;
-  ok = ok && self.RunAll(results);
-  if (ok)
+  try
   {
-    self.Finish(results);
+    ok = ok && self.RunAll(results);
+    if (ok)
+    {
+      self.Finish(results);
+    }
   }
-  else
+  catch (const std::bad_alloc&)
+  {
+    ok = self.Fail("there is no memory for this many sub-patches or texels");
+  }
+  if (!ok)
   {
     results.clear();
   }

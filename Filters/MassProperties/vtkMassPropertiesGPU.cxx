@@ -457,7 +457,8 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   if (status == sm::names::StatusOk && !unmet.empty())
   {
     status = this->Implementation->Last.Status = sm::names::StatusToleranceNotMet;
-    this->Implementation->Last.Messages.push_back("bounds of the total above the tolerance, relative: " + unmet);
+    this->Implementation->Last.Messages.push_back(
+      "bounds of the total above the tolerance, relative: " + unmet);
   }
   sm::columns::SetInteger(totals->GetFieldData(), sm::names::OpenEdges, openEdges);
   sm::columns::SetInteger(totals->GetFieldData(), sm::names::FlippedShells, flippedShells);
