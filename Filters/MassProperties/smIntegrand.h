@@ -32,7 +32,7 @@ struct Integrand
   bool ClosedChain = false;
   /// Total degree of the polynomial g in x.n g(x), n g(x) or |n| g(x); -1: not such a polynomial.
   int Degree = -1;
-  /// GLSL expression of `size` = |position|: what multiplies a sample's relative rounding, see NUMERICS 4.
+  /// GLSL expression of `size` = |position|: what multiplies a sample's relative rounding, see Bounds.md.
   std::string Magnitude;
 
   /// The same formulas as structure, to be evaluated in the order of operations of the texts: factors from left to right, x

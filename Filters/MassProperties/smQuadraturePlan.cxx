@@ -64,10 +64,10 @@ double GetPolygonLength(const std::array<double, 4>* points, int degree, int str
  * What rounding of the patches' control points, by d, may move; a point of the patch is a convex sum of theirs. The ribbons
  * start from the same rounded patch, so the chain's moments change by the flux of d through the area, `area` at most; but
  * along interior knot lines each of two patches has moved by itself, and a slit opens. The area changes with
- * the tangents. Without weights d moves Ss by at most 2 p d. With them, by p sum B_i^(p-1) (w_i + w_(i+1)) 2 d / w, where
- * w = sum B_i^(p-1) ((1-s) w_i + s w_(i+1)): that is below 2 p d (1 + q) / (1 + (q - 1) min(s, 1-s)) for weights of
- * neighbours up to q apart, and over s in [0,1] on average 4 p d (q + 1) / (q - 1) ln((q + 1) / 2); and a curve in r is no
- * longer than its control polygon, at most 2 q rc. Sr likewise.
+ * the tangents. A step w_(i+1) d_(i+1) - w_i d_i - (w_(i+1) - w_i) D, D the displacement here, is at most 2 d max(w_i, w_(i+1)),
+ * and dS/ds is moved by at most p sum B_i^(p-1) of these over w = sum B_i^(p-1) ((1-s) w_i + s w_(i+1)). With weights of
+ * neighbours up to q apart that is 2 p d q / (1 + (q - 1) min(s, 1-s)), on average over s 4 p d q / (q - 1) ln((q + 1) / 2);
+ * without weights 2 p d. A curve in r is no longer than its control polygon, at most 2 q rc. Sr likewise.
  */
 void ChargeDisplacements(const FacePanels& panels, const PlanRequest& request, double area, FacePlan& plan)
 {
@@ -77,8 +77,11 @@ void ChargeDisplacements(const FacePanels& panels, const PlanRequest& request, d
     const double d = std::hypot(moved[0], moved[1], moved[2]);
     const double swept = std::min(
       d * area, moved[0] * patch.Normal[0] + moved[1] * patch.Normal[1] + moved[2] * patch.Normal[2]);
-    const double turned =
-      2.0 * patch.WeightRatio * (patch.Degree[0] * patch.Stretch[1] + patch.Degree[1] * patch.Stretch[0]);
+    const double ratio = patch.WeightRatio;
+    const double spread = ratio > 1.0 ? 4.0 * ratio / (ratio - 1.0) * std::log(0.5 * (ratio + 1.0)) : 2.0;
+    const double length[2] = { std::min(patch.Stretch[0], 2.0 * patch.Degree[0] * patch.Radius),
+      std::min(patch.Stretch[1], 2.0 * patch.Degree[1] * patch.Radius) };
+    const double turned = spread * (patch.Degree[0] * length[1] + patch.Degree[1] * length[0]);
     double border = 0.0;
     if (panels.Patches.size() > 1)
     {

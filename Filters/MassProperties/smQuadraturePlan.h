@@ -50,7 +50,7 @@ struct FacePlan
   std::vector<PlannedItem> Items;
   /// Per class: bound of the quadrature error of all items; where items are compared the area's is not in it.
   std::vector<double> QuadratureBound;
-  /// Per class: what residuals of trim curves, edge curves and surface may move.
+  /// Per class: what residuals of trim curves, edge curves and surface, and the rounding of control points, may move.
   std::vector<double> ConversionBound;
   /// Per class: bound of the integral's magnitude, panels and ribbons together, for a face that is not evaluated.
   std::vector<double> Magnitude;

@@ -23,7 +23,7 @@ double Norm(const double* a)
   return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
 }
 
-// What evaluating a ribbon costs, at least: rounding of its width in units of the patch's radius.
+// What evaluating a ribbon costs, about: rounding of its width, in units of the patch's radius and of its stretch.
 constexpr double RibbonRoundings = 8.0;
 constexpr double TrimRoundings = 3.0;
 // Of a sample of the gap: of the trim curve, the patch and the edge, up to degree 25 each.
@@ -351,7 +351,7 @@ void RibbonPlanner::Bound(const Majorants& m, std::vector<double>& bounds) const
 
 bool RibbonPlanner::IsRounding(const Ribbon& ribbon, const Majorants& real) const
 {
-  // As smRibbon.glsl charges it.
+  // About what smRibbon.glsl would charge; both bounds hold, this one is to be the smaller.
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
   const double rounding =
     UnitRoundoff * (RibbonRoundings * patch.Radius + TrimRoundings * (this->Stretch[0] + this->Stretch[1]));
@@ -464,6 +464,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
     for (std::size_t i = 0; i < count; ++i)
     {
       this->Result.QuadratureBound[i] += this->Supremum[i];
+      this->Result.Magnitude[i] += this->Supremum[i];
     }
     this->ChargeNoise(real);
     this->ChargeResiduals(ribbon, real);

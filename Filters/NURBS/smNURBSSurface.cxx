@@ -157,8 +157,8 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
     }
   }
   // The rounding of the result, of w x and where weights differ of w. Before it, centring rounds once, and a level of blossoming,
-  // a convex sum of neighbours, two products, a sum, and factors whose rounding only shifts weight between neighbours: at
-  // most 3 u of the largest, of w x and of w alike. There are p + q levels; on a whole Bézier span the factors are 0 and 1,
+  // a convex sum of neighbours, two products, a sum, and factors of three roundings that shift weight between neighbours: at
+  // most 9 u of the largest, of w x and of w alike. There are p + q levels; on a whole Bézier span the factors are 0 and 1,
   // exactly. For these u is that of the wider numbers (where there are none, that of double).
   constexpr double u = 0.5 * std::numeric_limits<double>::epsilon();
   constexpr auto wide = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
@@ -175,7 +175,7 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
   for (int c = 0; c < 3; ++c)
   {
     moved[c] = (isPlain ? 1.0 : 2.0) * u * largest[c] +
-      wide * (2.0 + (isPlain ? 3.0 : 6.0 * heaviest / lightest) * levels) * distance;
+      wide * (2.0 + (isPlain ? 9.0 : 18.0 * heaviest / lightest) * levels) * distance;
   }
   return moved;
 }

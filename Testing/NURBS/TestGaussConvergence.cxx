@@ -67,14 +67,15 @@ double Integrate(const Patch& patch, Integrand integrand, int points)
   for (int j = 0; j < points; ++j)
   {
     dvec4 row[SM_ROW_SIZE];
+    dvec4 rowS[SM_ROW_SIZE];
     dvec4 rowR[SM_ROW_SIZE];
-    chunk::smCollapse(0u, patch.Degree[0], patch.Degree[1], nodes[j], row, rowR);
+    chunk::smCollapse(0u, patch.Degree[0], patch.Degree[1], nodes[j], row, rowS, rowR);
     for (int i = 0; i < points; ++i)
     {
       dvec3 position;
       dvec3 ds;
       dvec3 dr;
-      chunk::smEvaluateRow(patch.Degree[0], nodes[i], row, rowR, position, ds, dr);
+      chunk::smEvaluateRow(patch.Degree[0], nodes[i], row, rowS, rowR, position, ds, dr);
       const dvec3 normal = cross(ds, dr);
       sum += weights[i] * weights[j] *
         (integrand == Integrand::Volume ? dot(position, normal) / 3.0 : length(normal));

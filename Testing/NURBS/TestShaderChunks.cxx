@@ -141,12 +141,13 @@ void CheckPatches()
       for (double r = 0.0; r <= 1.0; r += 0.125)
       {
         dvec4 row[SM_ROW_SIZE];
+        dvec4 rowS[SM_ROW_SIZE];
         dvec4 rowR[SM_ROW_SIZE];
         dvec3 position;
         dvec3 ds;
         dvec3 dr;
-        smCollapse(2u, p, q, r, row, rowR);
-        smEvaluateRow(p, s, row, rowR, position, ds, dr);
+        smCollapse(2u, p, q, r, row, rowS, rowR);
+        smEvaluateRow(p, s, row, rowS, rowR, position, ds, dr);
         long double h[3][4] = {};
         for (int i = 0; i <= p; ++i)
         {

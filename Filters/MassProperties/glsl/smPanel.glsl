@@ -48,8 +48,9 @@ uint smIntegratePanel(smWorkRecord work)
     double weightT = ruleT.y * tWidth * xiWidth * dr;
 
     dvec4 row[SM_ROW_SIZE];
+    dvec4 rowS[SM_ROW_SIZE];
     dvec4 rowR[SM_ROW_SIZE];
-    smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowR);
+    smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowS, rowR);
     for (int ix = 0; ix < countX; ++ix)
     {
       dvec2 ruleX = smRule(countX, ix);
@@ -57,18 +58,18 @@ uint smIntegratePanel(smWorkRecord work)
       dvec3 offset;
       dvec3 tangentS;
       dvec3 tangentR;
-      smEvaluateRow(p, s, row, rowR, offset, tangentS, tangentR);
+      smEvaluateRow(p, s, row, rowS, rowR, offset, tangentS, tangentR);
       dvec3 position = center + offset;
       dvec3 normal = side * cross(tangentS, tangentR);
 
       double lengthS = length(tangentS);
       double lengthR = length(tangentR);
       // The samples' rounding, relative to the largest steps of the control net, and that of the trim curve: Bounds.md, 2.
+      double stretchS = min(patchRecord.stretch.x, lengthS + 2.0LF * double(p) * radius);
+      double stretchR = min(patchRecord.stretch.y, lengthR + 2.0LF * double(q) * radius);
       double noise = abs(weightT * ruleX.y) *
-        (smSampleRoundings(p, q) * abs(edgeS) *
-            (min(patchRecord.stretch.x, lengthS + 2.0LF * double(p) * radius) * lengthR +
-              min(patchRecord.stretch.y, lengthR + 2.0LF * double(q) * radius) * lengthS) +
-          trimNoise * lengthS * lengthR);
+        (smSampleRoundings(p, q) * abs(edgeS) * (stretchS * lengthR + stretchR * lengthS) +
+          trimNoise * stretchS * stretchR);
       double weight = coverage * SM_PERTURBATION * weightT * ruleX.y * edgeS;
       smPlace(work.item.w, position, normal);
       smAccumulateFace(weight, noise, position, normal);

@@ -62,13 +62,14 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
     duv = duv * tWidth / width;
 
     dvec4 row[SM_ROW_SIZE];
+    dvec4 rowS[SM_ROW_SIZE];
     dvec4 rowR[SM_ROW_SIZE];
-    smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowR);
+    smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowS, rowR);
     // Both curves relative to the patch's centre: their difference is rounded relative to the patch.
     dvec3 a;
     dvec3 tangentS;
     dvec3 tangentR;
-    smEvaluateRow(p, uv.x, row, rowR, a, tangentS, tangentR);
+    smEvaluateRow(p, uv.x, row, rowS, rowR, a, tangentS, tangentR);
     dvec3 da = duv.x * tangentS + duv.y * tangentR;
     dvec3 c;
     dvec3 dc;

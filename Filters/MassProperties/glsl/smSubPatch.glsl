@@ -53,15 +53,16 @@ uint smIntegrateSubPatch(smSchemeTile tile, uint index, uint to)
   {
     dvec2 ruleR = smSchemeRule(n, j);
     dvec4 points[SM_ROW_SIZE];
+    dvec4 pointsS[SM_ROW_SIZE];
     dvec4 pointsR[SM_ROW_SIZE];
-    smCollapse(source.shape.x, p, q, (double(faceRow % k) + ruleR.x) / double(k), points, pointsR);
+    smCollapse(source.shape.x, p, q, (double(faceRow % k) + ruleR.x) / double(k), points, pointsS, pointsR);
     for (int i = 0; i < n; ++i)
     {
       dvec2 ruleS = smSchemeRule(n, i);
       dvec3 offset;
       dvec3 tangentS;
       dvec3 tangentR;
-      smEvaluateRow(p, (double(faceColumn % k) + ruleS.x) / double(k), points, pointsR, offset, tangentS, tangentR);
+      smEvaluateRow(p, (double(faceColumn % k) + ruleS.x) / double(k), points, pointsS, pointsR, offset, tangentS, tangentR);
       dvec3 position = center + offset;
       double weight = smPerturbation * ruleS.y * ruleR.y / double(k * k);
       dvec3 normal = side * weight * cross(tangentS, tangentR);

@@ -5,54 +5,53 @@
 // differences of neighbouring control points, taken before anything else: rounded relative to these differences,
 // not to the patch's radius, which is what a long narrow patch needs.
 
-// The curve in s that the patch is at r = constant: row[0] its first Bezier point, row[i] the step from point i - 1 to point i.
-// rowR: the points of its derivative in r.
+// The curve in s that the patch is at r = constant: its Bezier points (row), the steps from each to the next (rowS), and the points
+// of its derivative in r (rowR). Points are no sums of steps: beside a heavy weight a light point would lose its digits.
 void smCollapse(uint first, int p, int q, double r, SM_OUT_ARRAY(dvec4, row, SM_ROW_SIZE),
-  SM_OUT_ARRAY(dvec4, rowR, SM_ROW_SIZE))
+  SM_OUT_ARRAY(dvec4, rowS, SM_ROW_SIZE), SM_OUT_ARRAY(dvec4, rowR, SM_ROW_SIZE))
 {
   double basis[SM_BASIS_SIZE];
   smBernsteinBasis(q - 1, r, basis);
   for (int i = 0; i <= p; ++i)
   {
-    // The point itself for i = 0, which has no neighbour before it.
-    double withBefore = i > 0 ? 1.0LF : 0.0LF;
     uint at = first + uint(i);
-    uint before = first + uint(max(i - 1, 0));
+    uint next = first + uint(min(i + 1, p));
+    dvec4 point = dvec4(0.0LF);
     dvec4 step = dvec4(0.0LF);
     dvec4 difference = dvec4(0.0LF);
     dvec4 low = smControlPoint(at);
-    dvec4 lowStep = low - withBefore * smControlPoint(before);
+    dvec4 lowStep = smControlPoint(next) - low;
     for (int j = 1; j <= q; ++j)
     {
       uint line = uint(j * (p + 1));
       dvec4 high = smControlPoint(at + line);
-      dvec4 highStep = high - withBefore * smControlPoint(before + line);
+      dvec4 highStep = smControlPoint(next + line) - high;
+      point += basis[j - 1] * ((1.0LF - r) * low + r * high);
       step += basis[j - 1] * ((1.0LF - r) * lowStep + r * highStep);
       difference += basis[j - 1] * (high - low);
       low = high;
       lowStep = highStep;
     }
-    row[i] = step;
+    row[i] = point;
+    rowS[i] = step;
     rowR[i] = double(q) * difference;
   }
 }
 
 // Position relative to the patch's centre and derivatives in s and r, from the rows of smCollapse.
-void smEvaluateRow(int p, double s, SM_ARRAY(dvec4, row, SM_ROW_SIZE), SM_ARRAY(dvec4, rowR, SM_ROW_SIZE),
-  SM_OUT(dvec3) position, SM_OUT(dvec3) ds, SM_OUT(dvec3) dr)
+void smEvaluateRow(int p, double s, SM_ARRAY(dvec4, row, SM_ROW_SIZE), SM_ARRAY(dvec4, rowS, SM_ROW_SIZE),
+  SM_ARRAY(dvec4, rowR, SM_ROW_SIZE), SM_OUT(dvec3) position, SM_OUT(dvec3) ds, SM_OUT(dvec3) dr)
 {
   double basis[SM_BASIS_SIZE];
   smBernsteinBasis(p - 1, s, basis);
   dvec4 h = dvec4(0.0LF);
   dvec4 hs = dvec4(0.0LF);
   dvec4 hr = dvec4(0.0LF);
-  dvec4 point = row[0];
   for (int i = 0; i < p; ++i)
   {
-    h += basis[i] * (point + s * row[i + 1]);
-    hs += basis[i] * row[i + 1];
+    h += basis[i] * ((1.0LF - s) * row[i] + s * row[i + 1]);
+    hs += basis[i] * rowS[i];
     hr += basis[i] * ((1.0LF - s) * rowR[i] + s * rowR[i + 1]);
-    point += row[i + 1];
   }
   hs *= double(p);
   double inverse = 1.0LF / h.w;
