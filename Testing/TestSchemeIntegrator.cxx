@@ -314,6 +314,17 @@ void CheckTextureOfDisc(int factor)
   }
 }
 
+/// How far a trim leaves its surface reaches those who judge a body.
+void CheckOutside()
+{
+  const sm::NURBSSurface surface = MakeParaboloid(0.1, 0.0, 0.1, { 0.0, 1.0 }, { 0.0, 1.0 });
+  const std::vector<sm::FacePointer> faces = { MakeFace(surface, { MakeLeaf(0.5, 0.5, 0.3, 0.2, false) }),
+    MakeFace(surface, { MakeLeaf(0.9, 0.5, 0.3, 0.2, false) }) };
+  const Results results = Integrate(true, faces, {});
+  Check("no trim leaves its surface", 0.0, results[0].Integrals.Outside, 0.0);
+  // The patch's radius is about 0.72.
+  CheckRange("one does by 0.2 of a side", 0.2, results[1].Integrals.Outside, 0.4);
+}
 }
 
 int main()
@@ -325,6 +336,7 @@ int main()
   CheckAgainstReference();
   CheckExactness();
   CheckTextureByHand();
+  CheckOutside();
   for (const int factor : { 1, 16, 128 })
   {
     CheckTextureOfDisc(factor);
