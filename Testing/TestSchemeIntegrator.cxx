@@ -11,7 +11,25 @@ using namespace smtest;
 
 constexpr double Unit = 1.1102230246251565e-16;
 
-/// The reference with the polygons that the face was flattened to: whether these are near the curves is another test's.
+// Chords of a trim piece in the reference, so many that no texel's centre here is between a curve and its chord (1e-7 or so).
+constexpr int ReferenceChords = 1024;
+
+bool IsStraight(const sm::Face& face)
+{
+  for (const sm::Loop& loop : face.Loops)
+  {
+    for (const sm::Coedge& coedge : loop.Coedges)
+    {
+      if (coedge.Curve.Coefficients.size() != coedge.Curve.Breaks.size())
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The reference with polygons sampled from the trim curves; of a plane those that it was flattened to, which are another test's.
 PaperResult GetReference(
   const sm::FacePointer& face, const sm::SchemeIntegrator::Setup& setup, PaperPolygons& polygons)
 {
@@ -19,7 +37,8 @@ PaperResult GetReference(
   options.ChordTolerance = 1e-6;
   const sm::SubPatchFace prepared = sm::PrepareSubPatchFace(face, options);
   CheckTrue("the face can be prepared", prepared.Error.empty(), prepared.Error);
-  polygons = prepared.Polygons.Loops;
+  polygons = prepared.Planar ? prepared.Polygons.Loops
+                             : SamplePolygons(*face, IsStraight(*face) ? 1 : ReferenceChords);
   if (prepared.Planar)
   {
     PaperResult result;
@@ -253,6 +272,59 @@ void CheckTextureByHand()
   }
 }
 
+/// Every texel at a fine k against the formula of its border. A leaf's arc from (1,0) to (0,1) with the middle coefficient at
+/// (m,m), m = 1/2 + bulge, has x - y = 1 - 2t and x + y = 1 + (4m - 2) t (1 - t): its inside is
+/// |x| + |y| < 1 + bulge (1 - (|x| - |y|)^2).
+void CheckTextureOfDisc(int factor)
+{
+  const double x = 0.503;
+  const double y = 0.496;
+  const double radius = 0.421;
+  const double bulge = std::sqrt(2.0) - 1.0;
+  const sm::FacePointer face =
+    MakeFace(MakeSurface(1, 1, { 0.0, 0.7, 1.0 }, { 0.0, 1.0 },
+               [](int i, int j) {
+                 return std::array<double, 4>{ 1.0 * i, 1.0 * j, 1.0 + i * j, 1.0 };
+               }),
+      { MakeLeaf(x, y, radius, bulge, false) });
+  for (const bool gpu : { true, false })
+  {
+    sm::SchemeIntegrator::Setup setup;
+    setup.Points = 1;
+    setup.Options.Factor = factor;
+    setup.KeepTextures = true;
+    const sm::TrimTexture texture = Integrate(gpu, { face }, setup)[0].Texture;
+    const int size = 4 * factor;
+    CheckTrue("texels", texture.Width == 2 * size && texture.Height == size);
+    int wrong = 0;
+    int inside = 0;
+    for (std::size_t i = 0; i < texture.Texels.size(); ++i)
+    {
+      const int column = static_cast<int>(i) % (2 * size);
+      const double share = (column % size + 0.5) / size;
+      const double a = std::fabs((column < size ? 0.7 * share : 0.7 + 0.3 * share) - x) / radius;
+      const double b = std::fabs((static_cast<int>(i) / (2 * size) + 0.5) / size - y) / radius;
+      const double within = 1.0 + bulge * (1.0 - (a - b) * (a - b)) - a - b;
+      // Where rounding decides either will do.
+      wrong += std::fabs(within) > 1e-13 && (within > 0.0) != (texture.Texels[i] != 0) ? 1 : 0;
+      inside += texture.Texels[i] != 0 ? 1 : 0;
+    }
+    CheckEqual("texels on the wrong side, k = " + std::to_string(factor), 0, wrong);
+    CheckRange("texels in the face", 0.4 * size * size, inside, 1.2 * size * size);
+  }
+}
+
+/// How far a trim leaves its surface reaches those who judge a body.
+void CheckOutside()
+{
+  const sm::NURBSSurface surface = MakeParaboloid(0.1, 0.0, 0.1, { 0.0, 1.0 }, { 0.0, 1.0 });
+  const std::vector<sm::FacePointer> faces = { MakeFace(surface, { MakeLeaf(0.5, 0.5, 0.3, 0.2, false) }),
+    MakeFace(surface, { MakeLeaf(0.9, 0.5, 0.3, 0.2, false) }) };
+  const Results results = Integrate(true, faces, {});
+  Check("no trim leaves its surface", 0.0, results[0].Integrals.Outside, 0.0);
+  // The patch's radius is about 0.72.
+  CheckRange("one does by 0.2 of a side", 0.2, results[1].Integrals.Outside, 0.4);
+}
 }
 
 int main()
@@ -264,5 +336,10 @@ int main()
   CheckAgainstReference();
   CheckExactness();
   CheckTextureByHand();
+  CheckOutside();
+  for (const int factor : { 1, 16, 128 })
+  {
+    CheckTextureOfDisc(factor);
+  }
   return Finish();
 }

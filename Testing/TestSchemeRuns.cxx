@@ -66,8 +66,9 @@ void CheckTiles()
     "the same texture", gpu.Texture.Texels == cpu.Texture.Texels && gpu.Texture.Texels.size() == 1440000);
   const auto inside = std::count(gpu.Texture.Texels.begin(), gpu.Texture.Texels.end(), 1);
   const double area = GetLeafArea(1.31, 0.37) - GetLeafArea(0.61, 0.2);
-  // Chords are inside their curves by up to 1/16 of a texel of 0.0025, along 12 of length; texels average out better.
-  Check("area of the texels", area, 9.0 * inside / 1440000.0, 12.0 * 0.0025 / 16.0);
+  // 12 of length cross 4800 texels of 0.0025; each is wrong by at most half of itself, with a spread of 1/sqrt(12): 4 sigma of their sum.
+  Check(
+    "area of the texels", area, 9.0 * inside / 1440000.0, 4.0 * std::sqrt(4800.0 / 12.0) * 0.0025 * 0.0025);
   Check("GPU and CPU", gpu.Integrals.Face[sm::MassArea], cpu.Integrals.Face[sm::MassArea],
     1e-13 * gpu.Integrals.Face[sm::MassArea]);
 

@@ -1,17 +1,19 @@
 #!/bin/sh
 # Makes the paper's parts, draws all figures and draws up the table:
-#   sh Examples/Paper/regenerate.sh [--build DIR] [--folder [TITLE=]DIR]... OUTDIR
+#   sh Examples/Paper/regenerate.sh [--build DIR] [--folder [TITLE=]DIR]... [--docs] OUTDIR
 # OUTDIR gets parts/ (STEP), figures/ (PNG, SVG, CSV) and table.md, table.csv. --folder adds a table of the STEP files in a
 # folder, with a reference.jsonl beside them if there is one. --build: where the programs are built, or are already (default
 # build/ of this tree); what they need is what Examples/quickstart.sh installs. Needs no display and no GPU. SOLIDMOMENTS_JOBS
-# sets the number of parallel compilations.
+# sets the number of parallel compilations. --docs writes the pictures and tables into this folder's page as well, and with
+# --folder "Real files=DIR" into real_files.md; the sentences about them are to be read again then.
 set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 build=$root/build
 output=
+docs=
 count=0
 usage() {
-  sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,9s/^# \{0,1\}//p' "$0" >&2
   exit 1
 }
 # The folders stay in "$@": names may hold spaces.
@@ -33,6 +35,7 @@ while [ "$count" -lt "$total" ]; do
       shift
       count=$((count + 1))
       ;;
+    --docs) docs=yes ;;
     -*) usage ;;
     *)
       if [ -n "$output" ]; then
@@ -58,3 +61,7 @@ python3 "$root/Examples/Paper/table.py" --program "$build/bin/solidmoments" \
   --occt "$build/bin/occt_mass_properties" --markdown "$output/table.md" --csv "$output/table.csv" \
   "The parts=$output/parts" "$@"
 echo "The figures are in $output/figures, the table in $output/table.md and table.csv"
+if [ -n "$docs" ]; then
+  python3 "$root/Examples/Paper/write_docs.py" "$output"
+  echo "They are in $root/Examples/Paper/README.md and images/ as well"
+fi

@@ -46,12 +46,12 @@ public:
   {
   }
 
-  void DrawChords(const SchemeTile& from)
+  void DrawTrims(const SchemeTile& from)
   {
     const smSchemeTile tile = Convert(from);
     for (uint i = 0; i < from.Texels[1] && from.Shape[2] > 0; ++i)
     {
-      smDrawChord(tile, i);
+      smDrawTrim(tile, i);
     }
   }
 
@@ -213,7 +213,7 @@ bool CPUSchemeRunner::Run(const SchemeBatch& batch, const Setup& setup, Results&
       Kernel<0, 0> kernel(lists);
       for (vtkIdType i = from; i < to; ++i)
       {
-        kernel.DrawChords(batch.Tiles[i]);
+        kernel.DrawTrims(batch.Tiles[i]);
         kernel.SweepTexels(batch.Tiles[i]);
       }
     });

@@ -7,7 +7,7 @@
 #include "smResidentFaces.h"
 #include "smShaderSource.h"
 
-#include "smDrawChordsCS.h"
+#include "smDrawTrimsCS.h"
 #include "smSchemeStorage.h"
 #include "smSchemeTile.h"
 #include "smSubPatch.h"
@@ -31,13 +31,14 @@ constexpr unsigned int LocalSize = 32;
 // Estimated cost of one dispatch in bicubic evaluations: some 50 ms on two CPU cores, so that abort is heard and no driver's
 // watchdog fires.
 constexpr std::int64_t CostPerDispatch = 4000000;
-// Chords, and rows of texels, of one dispatch.
-constexpr std::uint32_t TexelWorkPerDispatch = 65536;
+// Parts of trim curves of one dispatch, each of which crosses up to 64 rows of texels; and rows of texels.
+constexpr std::uint32_t TrimsPerDispatch = 4096;
+constexpr std::uint32_t TexelRowsPerDispatch = 65536;
 
 /// The shaders that make the trim texture, then those of sub-patches.
 enum class Step
 {
-  DrawChords,
+  DrawTrims,
   SweepTexels,
   Integrate
 };
@@ -45,8 +46,8 @@ using ProgramKey = std::pair<Step, SchemeKernel>;
 
 ShaderSource MakeSource(const ProgramKey& key)
 {
-  const char* const texts[] = { smDrawChordsCS, smSweepTexelsCS, smSubPatchCS };
-  const char* const names[] = { "smDrawChordsCS", "smSweepTexelsCS", "smSubPatchCS" };
+  const char* const texts[] = { smDrawTrimsCS, smSweepTexelsCS, smSubPatchCS };
+  const char* const names[] = { "smDrawTrimsCS", "smSweepTexelsCS", "smSubPatchCS" };
   ShaderSource source(names[static_cast<int>(key.first)], texts[static_cast<int>(key.first)]);
   for (const char* chunk : { "smPortable", "smBernstein", "smPatch" })
   {
@@ -228,7 +229,7 @@ bool GPUSchemeRunner::Prepare(const std::set<SchemeKernel>& kernels)
   nothing.Values.resize(1);
   nothing.Tiles.resize(1);
   nothing.SubPatches = 1;
-  bool ok = self.Upload(nothing) && self.Dispatch({ Step::DrawChords, {} }, 0, 0) &&
+  bool ok = self.Upload(nothing) && self.Dispatch({ Step::DrawTrims, {} }, 0, 0) &&
     self.Dispatch({ Step::SweepTexels, {} }, 0, 0);
   for (auto kernel = kernels.begin(); ok && kernel != kernels.end(); ++kernel)
   {
@@ -242,8 +243,8 @@ bool GPUSchemeRunner::Run(const SchemeBatch& batch, const Setup& setup, Results&
   Internals& self = *this->Implementation;
   self.Chosen = setup;
   bool ok = self.Upload(batch) &&
-    self.DispatchAll({ Step::DrawChords, {} }, 0, batch.Chords, TexelWorkPerDispatch, goOn) &&
-    self.DispatchAll({ Step::SweepTexels, {} }, 0, batch.TexelRows, TexelWorkPerDispatch, goOn);
+    self.DispatchAll({ Step::DrawTrims, {} }, 0, batch.Trims, TrimsPerDispatch, goOn) &&
+    self.DispatchAll({ Step::SweepTexels, {} }, 0, batch.TexelRows, TexelRowsPerDispatch, goOn);
   for (auto part = batch.Parts.begin(); ok && part != batch.Parts.end(); ++part)
   {
     const std::int64_t step = std::max<std::int64_t>(CostPerDispatch / GetCost(*part, setup.Points), 1);

@@ -13,9 +13,57 @@ constexpr std::size_t TexelsOfTile = std::size_t{ 1 } << 21;
 constexpr std::size_t SubPatchesOfBatch = 65536;
 constexpr std::size_t TexelsOfBatch = std::size_t{ 1 } << 22;
 
-bool IsTrimmed(const SubPatchFace& face)
+// What one invocation draws of a rise at most, so that few long curves make many invocations.
+constexpr std::uint32_t TexelRowsOfTrim = 64;
+
+/// The rises that change the texture of a tile: for each block of rows that it may cross {degree, where its coefficients begin,
+/// block}, then the coefficients; all places count from the beginning.
+struct TileTrims
 {
-  return !face.Polygons.Loops.empty();
+  std::vector<double> Values;
+  std::uint32_t Count = 0;
+};
+
+TileTrims GetTrims(const TileRange& range, const SubPatchFace& face, std::uint32_t textureFactor)
+{
+  const double* const bottom = face.Grid.V.data() + range.Row;
+  const double* const top = bottom + range.Rows;
+  const double right = face.Grid.U[range.Column + range.Columns];
+  TileTrims trims;
+  std::vector<double> coefficients;
+  std::vector<std::size_t> places;
+  for (const TrimRise& rise : face.Rises)
+  {
+    const auto [low, high] = std::minmax(rise.front()[1], rise.back()[1]);
+    const auto leftmost =
+      std::min_element(rise.begin(), rise.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+    // What crosses no row of texel centres of the tile, or all of them on its right, changes nothing.
+    if (low > *top || high < *bottom || (*leftmost)[0] > right)
+    {
+      continue;
+    }
+    const auto rows = static_cast<std::uint32_t>(
+      std::upper_bound(bottom + 1, top, high) - std::upper_bound(bottom + 1, top, low) + 1);
+    const std::uint32_t blocks = (rows * textureFactor - 1) / TexelRowsOfTrim + 1;
+    for (std::uint32_t block = 0; block < blocks; ++block)
+    {
+      places.push_back(trims.Values.size() + 1);
+      trims.Values.insert(trims.Values.end(),
+        { static_cast<double>(rise.size() - 1), static_cast<double>(coefficients.size()),
+          static_cast<double>(block) });
+    }
+    for (const std::array<double, 2>& p : rise)
+    {
+      coefficients.insert(coefficients.end(), p.begin(), p.end());
+    }
+    trims.Count += blocks;
+  }
+  for (const std::size_t place : places)
+  {
+    trims.Values[place] += static_cast<double>(trims.Values.size());
+  }
+  trims.Values.insert(trims.Values.end(), coefficients.begin(), coefficients.end());
+  return trims;
 }
 }
 
@@ -67,39 +115,15 @@ void SchemeBatch::AddFace(const SubPatchFace& face)
   }
 }
 
-std::vector<std::array<double, 4>> SchemeBatch::GetChords(
-  const TileRange& range, const SubPatchFace& face) const
-{
-  const double bottom = face.Grid.V[range.Row];
-  const double top = face.Grid.V[range.Row + range.Rows];
-  const double right = face.Grid.U[range.Column + range.Columns];
-  std::vector<std::array<double, 4>> chords;
-  for (const std::vector<std::array<double, 2>>& loop : face.Polygons.Loops)
-  {
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      const std::array<double, 2>& from = loop[i];
-      const std::array<double, 2>& to = loop[i + 1 < loop.size() ? i + 1 : 0];
-      // What crosses no row of texel centres of the tile, or all of them on its right, changes nothing.
-      if (from[1] != to[1] && std::max(from[1], to[1]) >= bottom && std::min(from[1], to[1]) <= top &&
-        std::min(from[0], to[0]) <= right)
-      {
-        chords.push_back({ from[0], from[1], to[0], to[1] });
-      }
-    }
-  }
-  return chords;
-}
-
 bool SchemeBatch::Add(
   const TileRange& range, const SubPatchFace& face, int textureFactor, std::size_t maximumBytes)
 {
   const bool isNew = this->Last != &face;
-  const auto factor = IsTrimmed(face) ? static_cast<std::uint32_t>(textureFactor) : 0u;
+  const auto factor = face.HasTexture() ? static_cast<std::uint32_t>(textureFactor) : 0u;
   const std::size_t subPatches = range.GetNumberOfSubPatches();
   const std::size_t texels = subPatches * factor * factor;
-  const std::vector<std::array<double, 4>> chords = this->GetChords(range, face);
-  const std::size_t values = range.Columns + range.Rows + 2 + subPatches + 4 * chords.size();
+  const TileTrims trims = GetTrims(range, face, factor);
+  const std::size_t values = range.Columns + range.Rows + 2 + subPatches + trims.Values.size();
   if (!this->Tiles.empty() &&
     (this->SubPatches + subPatches > SubPatchesOfBatch || this->Texels + texels > TexelsOfBatch ||
       (this->Values.size() + values) * sizeof(double) > maximumBytes ||
@@ -121,12 +145,12 @@ bool SchemeBatch::Add(
     return at;
   };
   const auto columns = static_cast<std::size_t>(face.Grid.GetNumberOfColumns());
-  SchemeTile tile{ { this->SubPatches, this->Chords, this->TexelRows,
+  SchemeTile tile{ { this->SubPatches, this->Trims, this->TexelRows,
                      static_cast<std::uint32_t>(columns / face.Grid.Factor) },
     { range.Column, range.Row, range.Columns, range.Rows },
     { this->FirstPatch, static_cast<std::uint32_t>(face.Grid.Factor), factor,
       face.Source->Reversed ? 1u : 0u },
-    { 0, 0, 0, 0 }, { this->Texels, static_cast<std::uint32_t>(chords.size()), 0, 0 } };
+    { 0, 0, 0, 0 }, { this->Texels, trims.Count, 0, 0 } };
   const double* u = face.Grid.U.data() + range.Column;
   const double* v = face.Grid.V.data() + range.Row;
   tile.Values[0] = copy(u, u + range.Columns + 1);
@@ -137,18 +161,14 @@ bool SchemeBatch::Add(
     const double* deviations = face.Deviations.data() + (range.Row + row) * columns + range.Column;
     copy(deviations, deviations + range.Columns);
   }
-  tile.Values[3] = static_cast<std::uint32_t>(this->Values.size());
-  for (const std::array<double, 4>& chord : chords)
-  {
-    copy(chord.begin(), chord.end());
-  }
+  tile.Values[3] = copy(trims.Values.begin(), trims.Values.end());
   this->Tiles.push_back(tile);
   this->Ranges.push_back(range);
 
   const SchemeKernel kernel = ChooseSchemeKernel(face);
   const auto first = this->SubPatches;
   this->SubPatches += static_cast<std::uint32_t>(subPatches);
-  this->Chords += static_cast<std::uint32_t>(chords.size());
+  this->Trims += trims.Count;
   this->TexelRows += factor * range.Rows;
   this->Texels += static_cast<std::uint32_t>(texels);
   if (this->Parts.empty() || this->Parts.back().Kernel != kernel)

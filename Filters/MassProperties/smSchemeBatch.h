@@ -77,19 +77,19 @@ public:
   /// finds room.
   bool Add(const TileRange& range, const SubPatchFace& face, int textureFactor, std::size_t maximumBytes);
 
-  /// Bytes of the largest list that a face needs for itself, apart from its trim polygons.
+  /// Bytes of the largest list that a face needs for itself, apart from its trim curves.
   static std::size_t GetFaceBytes(const SubPatchFace& face);
 
   std::vector<std::array<double, 4>> Points;
   std::vector<SchemePatch> Patches;
-  /// Borders, deviations and chords of the tiles.
+  /// Borders, deviations and trim curves of the tiles.
   std::vector<double> Values;
   std::vector<SchemeTile> Tiles;
   /// Whose they are.
   std::vector<TileRange> Ranges;
   /// What the invocations of the three steps count.
   std::uint32_t SubPatches = 0;
-  std::uint32_t Chords = 0;
+  std::uint32_t Trims = 0;
   std::uint32_t TexelRows = 0;
   std::uint32_t Texels = 0;
 
@@ -105,7 +105,6 @@ public:
 
 private:
   void AddFace(const SubPatchFace& face);
-  std::vector<std::array<double, 4>> GetChords(const TileRange& range, const SubPatchFace& face) const;
 
   /// Of the face that the last tile is of.
   const SubPatchFace* Last = nullptr;

@@ -36,6 +36,10 @@ std::size_t GetBytes(const SubPatchFace& face)
   {
     bytes += loop.size() * sizeof(loop[0]);
   }
+  for (const TrimRise& rise : face.Rises)
+  {
+    bytes += sizeof(rise) + rise.size() * sizeof(rise[0]);
+  }
   return bytes;
 }
 
@@ -363,6 +367,7 @@ void SchemeIntegrator::Internals::Finish(std::vector<SchemeResult>& results) con
     integrals.Rounding.assign(NumberOfMassIntegrands, nan);
     integrals.Conversion.assign(NumberOfMassIntegrands, nan);
     integrals.GapSquared = integrals.GapArea = integrals.MaxGap = nan;
+    integrals.Outside = face.Outside;
     if (!integrals.Error.empty())
     {
       continue;

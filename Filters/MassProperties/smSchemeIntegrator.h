@@ -98,7 +98,7 @@ public:
   bool WasAborted() const;
   bool WasTimedOut() const;
   std::int64_t GetEvaluations() const;
-  /// Seconds of the last Integrate(): shaders with a warm dispatch; sub-patches, deviations and polygons; integration.
+  /// Seconds of the last Integrate(): shaders with a warm dispatch; sub-patches, deviations and trim curves; integration.
   double GetStartSeconds() const;
   double GetPrepareSeconds() const;
   double GetIntegrateSeconds() const;

@@ -18,7 +18,7 @@
 namespace sm
 {
 /**
- * Three steps for every batch: the chords of the trim polygons are drawn into the texture of each tile, its rows are swept, and
+ * Three steps for every batch: the trim curves are drawn into the texture of each tile, its rows are swept, and
  * the sub-patches are evaluated and weighed by their texels (glsl/smTrimTexture.glsl, glsl/smSubPatch.glsl). The sums of a tile
  * depend on nothing but the tile: the same bits in any batch, for any number of threads or dispatches.
  *

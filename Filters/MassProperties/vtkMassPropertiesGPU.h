@@ -124,6 +124,8 @@ public:
    * ADAPTIVE, to the tolerances, with bounds; or a scheme of "Accurate Moment Computation Using the GPU" (SPM 2010): the sub-patches
    * of every face (see below) with 1, 2x2 or 3x3 Gauss points each, the fluxes along z of its Eq. 16-28 over the faces alone, trimmed
    * sub-patches weighed by the fraction of their trim texture, planes by triangles. No tolerance applies, and no bound comes out.
+   * A trim that leaves a curved surface makes the status suspect as with ADAPTIVE; a loop that covers part of a surface more than
+   * once, or from outside, does not: a texel counts where the winding number is any but 0. On planes, which go on, neither does.
    * Needs more than MaximumEvaluations, stopped, or out of time: nothing is computed. Clamped to these. Default ADAPTIVE.
    */
   vtkSetClampMacro(Scheme, int, ADAPTIVE, GAUSS3);

@@ -12,8 +12,8 @@ namespace
 using Point2 = std::array<double, 2>;
 using Homogeneous = std::array<double, 4>;
 
-// Of a texel's width; see SubPatchFace::Polygons.
-constexpr double ChordShareOfTexel = 1.0 / 16.0;
+// Points of a rise that are compared with the surface's domain: its ends, where v is extreme, and some between.
+constexpr int PointsOfRise = 5;
 
 // Of the coordinates' size. The corners of a plane were rounded where the file placed them, which may be far from the model's
 // origin; what is taken for a plane then moves the volume by less than this times size times area.
@@ -112,19 +112,35 @@ void AddPatch(SubPatchFace& face, double u0, double u1, double v0, double v1)
   face.Patches.push_back(patch);
 }
 
-/// The narrowest of the intervals of `borders` that [low, high] touches.
-double FindNarrowest(const std::vector<double>& borders, double low, double high)
+/// How far, about, the trim curves lead out of the surface's domain, as a length: by the size of the patch that they leave.
+double MeasureOutside(const SubPatchFace& face)
 {
-  const auto last = borders.end() - 2;
-  auto from = std::upper_bound(borders.begin(), borders.end() - 1, low);
-  from = from == borders.begin() ? from : from - 1;
-  double narrowest = HUGE_VAL;
-  for (auto border = std::min(from, last);
-       border <= last && (border == std::min(from, last) || *border <= high); ++border)
+  const std::vector<double>* const borders[2] = { &face.Grid.U, &face.Grid.V };
+  const std::size_t columns = static_cast<std::size_t>(face.Grid.GetNumberOfColumns()) / face.Grid.Factor;
+  double outside = 0.0;
+  for (const TrimRise& rise : face.Rises)
   {
-    narrowest = std::min(narrowest, *(border + 1) - *border);
+    const BernsteinPiece<2> piece{ rise.data(), static_cast<int>(rise.size()) - 1 };
+    for (int i = 0; i < PointsOfRise; ++i)
+    {
+      const Point2 point = piece.Evaluate(static_cast<double>(i) / (PointsOfRise - 1));
+      std::size_t span[2];
+      Point2 beyond;
+      for (int d = 0; d < 2; ++d)
+      {
+        const std::vector<double>& x = *borders[d];
+        const auto after = std::upper_bound(x.begin() + 1, x.end() - 1, point[d]);
+        span[d] = static_cast<std::size_t>(after - x.begin() - 1) / face.Grid.Factor;
+        beyond[d] = std::max({ x.front() - point[d], point[d] - x.back(), 0.0 });
+      }
+      const Patch& patch = face.Patches[span[0] + columns * span[1]];
+      for (int d = 0; d < 2; ++d)
+      {
+        outside = std::max(outside, 2.0 * patch.Radius * beyond[d] / patch.Width[d]);
+      }
+    }
   }
-  return narrowest;
+  return outside;
 }
 
 void PreparePlane(SubPatchFace& face, const SchemeOptions& options)
@@ -180,13 +196,8 @@ void PrepareCurved(SubPatchFace& face, const SchemeOptions& options)
         face.Grid.V[row], face.Grid.V[row + 1], options.Deviation));
     }
   }
-  const double share = ChordShareOfTexel / (static_cast<double>(options.Factor) * options.TextureFactor);
-  face.Polygons = FlattenLoops(*face.Source,
-    [&breaks, share](const Point2& low, const Point2& high)
-    {
-      return Point2{ share * FindNarrowest(breaks[0], low[0], high[0]),
-        share * FindNarrowest(breaks[1], low[1], high[1]) };
-    });
+  face.Rises = CutIntoRises(*face.Source);
+  face.Outside = MeasureOutside(face);
 }
 }
 

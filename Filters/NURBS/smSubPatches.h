@@ -14,6 +14,7 @@
 #include "smFace.h"
 #include "smFacePanels.h"
 #include "smTrimPolygons.h"
+#include "smTrimRises.h"
 
 #include <array>
 #include <string>
@@ -79,8 +80,16 @@ struct SubPatchFace
   std::vector<std::array<double, 4>> Points;
   /// K per sub-patch, u fastest.
   std::vector<double> Deviations;
-  /// No loops: the face is not trimmed. Of a planar face at the chord tolerance; else to 1/16 of the texels it passes.
+  /// Of a planar face, at the chord tolerance. No loops: it is not trimmed.
   TrimPolygons Polygons;
+  /// Of any other face: the trim texture is made from the curves themselves. Chords to a share of a texel would not do: along L
+  /// texels of a curve they err to one side by their deviation times L, the texels' own errors by the root of L.
+  std::vector<TrimRise> Rises;
+  /// How far the trim curves lead out of the surface, about, as a length; 0 of a planar face, whose plane goes on.
+  double Outside = 0.0;
+
+  /// There is a trim texture.
+  bool HasTexture() const { return !this->Planar && this->Source && !this->Source->Loops.empty(); }
   /// Not empty: the face cannot be integrated by a scheme; it says why and names the face. All but Source is empty then.
   std::string Error;
 };

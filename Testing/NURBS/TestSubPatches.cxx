@@ -174,35 +174,24 @@ void CheckPrepared()
   }
   CheckRange("patches are the surface", 0.0, farthest, 4e-15, "rounding of coordinates of 5");
   CheckRange("within their radius", 0.1, radius, 1.0 + 1e-15);
-  // The leaf lies in u of interval width 4 (it spans 2.7 .. 3.3), in v in those of 0.5 and 0.25: the narrowest counts.
-  CheckRange("chords in u", 0.0, face.Polygons.Deviation[0], 4.0 / 9.0 / 16.0);
-  CheckRange("chords in v", 1e-4, face.Polygons.Deviation[1], 0.5 / 9.0 / 16.0);
+  // Four arcs, of which none turns in v; they are the face's own to the bit.
+  CheckEqual("rises", 4LL, static_cast<long long>(face.Rises.size()));
+  CheckTrue("the curves themselves",
+    face.Rises.at(0) == sm::CutIntoRises(*source).at(0) && face.Rises[0].size() == 3 &&
+      face.Rises[0].front() == Point2{ 3.3, 0.4 } && face.HasTexture());
+  CheckTrue("no polygons of a curved face", face.Polygons.Loops.empty());
 }
 
-/// Chords are as fine as the texels that they pass, and not as the finest texels of the face.
-void CheckNarrowInterval()
+/// A trim that leaves its surface is measured by the surface's size.
+void CheckOutside()
 {
-  const sm::NURBSSurface surface = MakeParaboloid(1.0, 0.0, 1.0, { 0.0, 5.0, 5.01, 10.0 }, { 0.0, 10.0 });
-  sm::SchemeOptions options;
-  options.Factor = 3;
-  options.TextureFactor = 3;
-  const sm::SubPatchFace face =
-    sm::PrepareSubPatchFace(MakeFace(surface, { MakeLeaf(4.3, 5.0, 4.0, 0.2, false) }), options);
-  CheckEqual("one polygon", 1LL, static_cast<long long>(face.Polygons.Loops.size()));
-  const std::vector<Point2>& polygon = face.Polygons.Loops.at(0);
-  double narrow = 0.0;
-  double wide = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-  {
-    const double a = polygon[i][0];
-    const double b = polygon[(i + 1) % polygon.size()][0];
-    const bool passes = std::max(a, b) >= 5.0 && std::min(a, b) <= 5.01;
-    (passes ? narrow : wide) = std::max(passes ? narrow : wide, std::abs(a - b));
-  }
-  // The leaf's |c''| is 4 0.2 4 = 3.2 and |u'| at most 2 0.7 4: a tolerance of 0.01/144 lets a chord be sqrt(8 tolerance / 3.2)
-  // of the parameter long, that is 0.074 of u; one of 5/144 twenty times that, a third of it after halving.
-  CheckRange("chords over the narrow interval", 0.01, narrow, 0.074);
-  CheckRange("the widest of the others", 0.5, wide, 1.7);
+  // x = u and y = v from 0 to 1 in patches of 1/2 by 1; z is below 1/4, so that a patch's radius is between 0.55 and 0.6.
+  const sm::NURBSSurface surface = MakeParaboloid(0.1, 0.0, 0.1, { 0.0, 0.5, 1.0 }, { 0.0, 1.0 });
+  const auto measure = [&surface](double x, double y)
+  { return sm::PrepareSubPatchFace(MakeFace(surface, { MakeLeaf(x, y, 0.25, 0.2, false) }), {}).Outside; };
+  Check("inside", 0.0, measure(0.5, 0.5), 0.0);
+  CheckRange("0.15 out on the right", 2.0 * 0.55 * 0.15 / 0.5, measure(0.9, 0.5), 2.0 * 0.6 * 0.15 / 0.5);
+  CheckRange("0.1 out below", 2.0 * 0.55 * 0.1, measure(0.5, 0.15), 2.0 * 0.6 * 0.1);
 }
 
 void CheckPlanar()
@@ -279,7 +268,7 @@ int main()
   CheckBounds(6, 8, 10, 0.2, 30.0);
   CheckInvariance();
   CheckPrepared();
-  CheckNarrowInterval();
+  CheckOutside();
   CheckPlanar();
   CheckErrors();
   return Finish();

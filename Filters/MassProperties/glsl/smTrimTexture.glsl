@@ -1,7 +1,7 @@
-// The trim texture of a tile: 1 where a texel's centre is in the face, else 0. The polygons' chords are drawn into a
-// texture of changes of the winding number: along a row of texel centres it changes by 1 where a chord crosses, by +1 where the
-// chord goes down, for loops have the face to their left. A running sum from the left is the winding number; it is not 0 in the
-// face. Integers only, so chords may be drawn in any order.
+// The trim texture of a tile: 1 where a texel's centre is in the face, else 0. The trim curves, cut into rises along which v
+// grows or falls (smTrimRises.h), are drawn into a texture of changes of the winding number: along a row of texel centres it
+// changes by 1 where a rise crosses, by +1 where v falls, for loops have the face to their left. A running sum from the left is
+// the winding number; it is not 0 in the face. Integers only, so rises may be drawn in any order.
 //
 // Needs: chunk smSchemeTile; double smValue(uint at), void smAddTexel(uint at, int change), int smGetTexel(uint at),
 // void smSetTexel(uint at, int value).
@@ -36,20 +36,81 @@ uint smFindTexel(uint borders, uint count, uint factor, double x)
   return low;
 }
 
-// Draws chord `index` of the tile: a crossing left of the tile counts from its first column on, one right of it not at all.
-void smDrawChord(smSchemeTile tile, uint index)
+// At x one coordinate of a rise, less `origin`, and its derivative; Bernstein coefficients in every other place from `first` on.
+// Nested in 1 - x: B_i^n = C(n,i) x^i (1-x)^(n-i), and n B_i^(n-1) for the differences.
+dvec2 smRiseEvaluate(uint first, int degree, double x, double origin)
 {
-  uint at = tile.values.w + 4u * index;
-  double u0 = smValue(at);
-  double v0 = smValue(at + 1u);
-  double u1 = smValue(at + 2u);
-  double v1 = smValue(at + 3u);
+  double y = 1.0LF - x;
+  double before = smValue(first) - origin;
+  precise dvec2 sum = dvec2(before, 0.0LF);
+  double factor = 1.0LF;
+  for (int i = 1; i <= degree; ++i)
+  {
+    double next = smValue(first + 2u * uint(i)) - origin;
+    // n C(n-1,i-1) x^(i-1) = i C(n,i) x^(i-1).
+    precise double slope = factor * double(degree - i + 1);
+    factor = slope * x / double(i);
+    sum.y = sum.y * y + slope * (next - before);
+    sum.x = sum.x * y + factor * next;
+    before = next;
+  }
+  return sum;
+}
+
+// Where a rise from v0 to v1 is at v, which is between them: Newton's steps as long as each is at most half of the one
+// before and stays between points on either side, else half of what is between. It ends where rounding begins: coefficients
+// are within |v1 - v0| of v, and a sum of up to 26 terms rounds by a few units of that.
+double smFindCrossing(uint first, int degree, double v0, double v1, double v)
+{
+  double low = 0.0LF;
+  double high = 1.0LF;
+  double x = (v - v0) / (v1 - v0);
+  double last = 1.0LF;
+  for (int i = 0; i < 64; ++i)
+  {
+    dvec2 at = smRiseEvaluate(first + 1u, degree, x, v);
+    if (abs(at.x) <= 4e-15LF * abs(v1 - v0))
+    {
+      return x;
+    }
+    if ((at.x < 0.0LF) == (v0 < v1))
+    {
+      low = x;
+    }
+    else
+    {
+      high = x;
+    }
+    double step = at.y != 0.0LF ? -at.x / at.y : 1.0LF;
+    if (abs(step) > 0.5LF * last || x + step <= low || x + step >= high)
+    {
+      step = 0.5LF * (low + high) - x;
+    }
+    last = abs(step);
+    x += step;
+  }
+  return x;
+}
+
+// Draws part `index` of the tile's trim curves: one block of the rows that a rise crosses. A crossing left of the tile counts from its
+// first column on, one right of it not at all. Whether a row is crossed its ends decide alone, so that no rounding opens a loop;
+// where, the polynomial itself: to chords the curve would be off to one side all along.
+void smDrawTrim(smSchemeTile tile, uint index)
+{
+  uint at = tile.values.w + 3u * index;
+  int degree = int(smValue(at));
+  uint first = tile.values.w + uint(smValue(at + 1u));
+  double u0 = smValue(first);
+  double v0 = smValue(first + 1u);
+  double u1 = smValue(first + 2u * uint(degree));
+  double v1 = smValue(first + 2u * uint(degree) + 1u);
   uint factor = tile.shape.z;
   uint columns = factor * tile.grid.z;
-  uint rows = factor * tile.grid.w;
-  // A chord has its lower end and not its upper one, so that chords that meet on a row count once.
+  // A rise has its lower end and not its upper one, so that rises that meet on a row count once.
   double top = max(v0, v1);
-  for (uint row = smFindTexel(tile.values.y, tile.grid.w, factor, min(v0, v1)); row < rows; ++row)
+  uint row = smFindTexel(tile.values.y, tile.grid.w, factor, min(v0, v1)) + 64u * uint(smValue(at + 2u));
+  uint end = min(row + 64u, factor * tile.grid.w);
+  for (; row < end; ++row)
   {
     double v = smTexelCentre(tile.values.y, factor, row);
     if (v >= top)
@@ -57,6 +118,10 @@ void smDrawChord(smSchemeTile tile, uint index)
       return;
     }
     precise double u = u0 + (v - v0) / (v1 - v0) * (u1 - u0);
+    if (degree > 1)
+    {
+      u = smRiseEvaluate(first, degree, smFindCrossing(first, degree, v0, v1, v), 0.0LF).x;
+    }
     uint column = smFindTexel(tile.values.x, tile.grid.z, factor, u);
     if (column < columns)
     {

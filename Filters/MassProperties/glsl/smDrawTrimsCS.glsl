@@ -1,4 +1,4 @@
-// One chord of one tile per invocation.
+// A part of one trim curve of one tile per invocation.
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smPortable
@@ -16,5 +16,5 @@ void main()
   }
   index += smFirstWork;
   smSchemeTile tile = smTiles[smFindTile(index, 1)];
-  smDrawChord(tile, index - tile.begin.y);
+  smDrawTrim(tile, index - tile.begin.y);
 }
