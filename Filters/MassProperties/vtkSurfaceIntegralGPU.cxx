@@ -460,7 +460,8 @@ int vtkSurfaceIntegralGPU::RequestData(
     vtkErrorMacro(
       "No exact geometry in the input: " << last.Messages.back()
                                          << ". Connect the output of vtkSTEPReader directly: filters "
-                                            "that move or rebuild points drop the NURBS model.");
+                                            "that move or rebuild points drop the NURBS model. "
+                                            "vtkNURBSTransform moves a part and keeps it.");
     return 0;
   }
   if (rejected.Plain + rejected.Withheld > 0)
