@@ -68,8 +68,8 @@ struct OpenedEdge
   int Face = -1;
   int Loop = 0;
   int Coedge = 0;
-  /// Largest distance of the face's boundary from the edge's curve, before the edit and after it, lengths, sampled at 9 or more
-  /// parameters per piece. Infinite where uses do not cancel.
+  /// Largest distance of the face's boundary from the edge's curve, before the edit and after it, lengths, sampled at 32 or more
+  /// parameters. Infinite where uses do not cancel.
   double GapBefore = 0.0;
   double Gap = 0.0;
 };

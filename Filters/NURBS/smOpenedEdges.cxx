@@ -13,8 +13,8 @@ namespace sm
 {
 namespace
 {
-// Parameters per piece of the trim curve and of the edge's curve where gaps are measured, ends included.
-constexpr int Samples = 9;
+// Parameters of a coedge where gaps are measured, at least; spread over the pieces of its curves, one in each at least.
+constexpr std::size_t Samples = 32;
 // Relative to the size of the body: rounding of what is compared, many times over.
 constexpr double OpeningTolerance = 1e-12;
 constexpr int FootSteps = 3;
@@ -51,12 +51,16 @@ double MeasureGap(const Face& face, const Coedge& coedge)
   std::vector<double> breaks = coedge.Curve.Breaks;
   breaks.insert(breaks.end(), curve.Breaks.begin(), curve.Breaks.end());
   std::sort(breaks.begin(), breaks.end());
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  const std::size_t each = Samples / breaks.size() + 1;
   double gap = 0.0;
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+  for (std::size_t i = 0; i < breaks.size(); ++i)
   {
-    for (int k = 0; k < Samples && breaks[i] < breaks[i + 1]; ++k)
+    // A break, then the piece from there to the next: at the breaks alone a fitted curve looks better than it is.
+    const double width = i + 1 < breaks.size() ? breaks[i + 1] - breaks[i] : 0.0;
+    for (std::size_t k = 0; k <= (width > 0.0 ? each : 0); ++k)
     {
-      const double t = breaks[i] + (breaks[i + 1] - breaks[i]) * k / (Samples - 1);
+      const double t = breaks[i] + width * (k == 0 ? 0.0 : (k - 0.5) / each);
       const TrimCurve::Point uv = coedge.Curve.Evaluate(t);
       double position[3];
       face.Surface.Evaluate(uv[0], uv[1], position);
