@@ -131,7 +131,13 @@ void CheckBits(const Expected& solid, int backend)
   vtkNew<vtkMassPropertiesGPU> mass;
   MessageTrap trap(mass);
   const std::vector<double> first = weigh(mass, leaf);
+  const vtkTypeInt64 all = mass->GetEvaluations();
   CheckTrue("again", SameBits(first, weigh(mass, leaf)));
+  CheckEqual("known faces cost nothing", 0, mass->GetEvaluations());
+  mass->KeepFacesOff();
+  CheckTrue("all over again", SameBits(first, weigh(mass, leaf)));
+  CheckEqual("for all of it", all, mass->GetEvaluations());
+  mass->KeepFacesOn();
 
   // One control point of one face moves: the filter that knows the other faces, and one that knows none.
   vtkNew<vtkNURBSDataSet> edited;

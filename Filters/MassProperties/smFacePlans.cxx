@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace sm
 {
@@ -148,6 +149,7 @@ bool FacePlans::Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFa
   {
     this->Memory.emplace(faces[i]->Source->Id, Known{ requests[i], this->Plans[i] });
   }
+  this->Requests = std::move(requests);
   return true;
 }
 }

@@ -38,6 +38,8 @@ public:
     const std::function<bool(double)>& progress);
 
   const FacePlan& Get(std::size_t task) const { return *this->Plans[task]; }
+  /// What was planned for, tolerances loosened.
+  const PlanRequest& GetRequest(std::size_t task) const { return this->Requests[task]; }
   /// Tolerances were loosened to meet the budget.
   bool WasLoosened() const { return this->Loosened; }
 
@@ -54,6 +56,7 @@ private:
   std::vector<std::size_t> ClassOf;
   int StripPoints = 3;
   std::vector<std::shared_ptr<const FacePlan>> Plans;
+  std::vector<PlanRequest> Requests;
   /// By id of the face: the last run's.
   std::unordered_map<std::uint64_t, Known> Memory;
   bool Loosened = false;

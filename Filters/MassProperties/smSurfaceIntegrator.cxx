@@ -1,5 +1,6 @@
 #include "smSurfaceIntegrator.h"
 
+#include "smFaceMemory.h"
 #include "smFacePanelsCache.h"
 #include "smFacePlans.h"
 #include "smIntegrationOrders.h"
@@ -60,6 +61,8 @@ struct SurfaceIntegrator::Internals
   std::unique_ptr<ItemRunner> Runner;
   FacePanelsCache Cuts;
   FacePlans Plans;
+  FaceMemory Memory;
+  bool KeepFaces = true;
   /// All integrands have a theory.
   bool Planned = false;
   std::vector<Integrand> Integrands;
@@ -102,6 +105,9 @@ struct SurfaceIntegrator::Internals
   void Configure();
   bool Prepare(const std::vector<FaceTask>& tasks);
   std::size_t GetNumberOfItems(std::size_t face) const;
+  FaceQuestion GetQuestion(const FaceTask& task, std::size_t index) const;
+  void Keep(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
+    const std::vector<FaceIntegrals>& results);
   void Skip(const std::vector<std::size_t>& faces, std::vector<FaceIntegrals>& results) const;
   void AddBounds(const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results) const;
   bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
@@ -137,6 +143,7 @@ void SurfaceIntegrator::Internals::Configure()
   {
     return;
   }
+  this->Memory.Forget();
   this->Chosen.clear();
   this->ChosenIntegrands.clear();
   this->Obstacles.clear();
@@ -162,6 +169,27 @@ std::size_t SurfaceIntegrator::Internals::GetNumberOfItems(std::size_t face) con
     return 0;
   }
   return this->Planned ? this->Plans.Get(face).Items.size() : this->Faces[face]->GetNumberOfItems();
+}
+
+FaceQuestion SurfaceIntegrator::Internals::GetQuestion(const FaceTask& task, std::size_t index) const
+{
+  FaceQuestion question;
+  question.Tolerances = task.Tolerances;
+  question.Placement = this->UsePlacements ? task.Placement : question.Placement;
+  question.Request = this->Planned ? this->Plans.GetRequest(index) : question.Request;
+  return question;
+}
+
+void SurfaceIntegrator::Internals::Keep(const std::vector<FaceTask>& tasks,
+  const std::vector<std::size_t>& batch, const std::vector<FaceIntegrals>& results)
+{
+  // With the budget spent, results depend on what was evaluated before them.
+  for (std::size_t i = 0; i < batch.size() && this->KeepFaces && this->Evaluations < this->MaximumEvaluations;
+       ++i)
+  {
+    const FaceTask& task = tasks[batch[i]];
+    this->Memory.Keep(task.Source->Id, this->GetQuestion(task, batch[i]), results[batch[i]]);
+  }
 }
 
 void SurfaceIntegrator::Internals::Skip(
@@ -439,6 +467,7 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
     return false;
   }
   this->AddBounds(batch, results);
+  this->Keep(tasks, batch, results);
   return true;
 }
 
@@ -450,6 +479,13 @@ bool SurfaceIntegrator::Internals::RunAll(
   for (std::size_t i = 0; i < tasks.size(); ++i)
   {
     const CutFace& cut = *this->Faces[i];
+    const FaceIntegrals* known =
+      this->KeepFaces ? this->Memory.Find(tasks[i].Source->Id, this->GetQuestion(tasks[i], i)) : nullptr;
+    if (known)
+    {
+      results[i] = *known;
+      continue;
+    }
     this->ItemsTotal += this->GetNumberOfItems(i);
     results[i].Error = cut.Error.empty() ? this->Runner->GetFaceError(i) : cut.Error;
     results[i].CoverageDefects = cut.Panels.CoverageDefects;
@@ -559,6 +595,20 @@ void SurfaceIntegrator::SetPerturbation(double factor)
   this->Implementation->Perturbation = factor;
 }
 
+void SurfaceIntegrator::SetKeepFaces(bool keep)
+{
+  this->Implementation->KeepFaces = keep;
+  if (!keep)
+  {
+    this->ForgetFaces();
+  }
+}
+
+void SurfaceIntegrator::ForgetFaces()
+{
+  this->Implementation->Memory.Forget();
+}
+
 void SurfaceIntegrator::SetMaximumEvaluations(std::int64_t evaluations)
 {
   this->Implementation->MaximumEvaluations = evaluations;
@@ -611,6 +661,7 @@ bool SurfaceIntegrator::Integrate(
     self.IntegrateSeconds = Now() - begin;
   }
   self.Runner->Release();
+  self.Memory.EndRun();
   self.Faces.clear();
   self.Report = nullptr;
   return ok;

@@ -98,6 +98,14 @@ public:
   void SetUsePlacements(bool use);
   void SetPerturbation(double factor);
   void SetMaximumEvaluations(std::int64_t evaluations);
+  /**
+   * Keeps the results of faces by their ids, tolerances and placements, and does not evaluate again what is known: the bits are
+   * those of a full run, and evaluations count what was evaluated. What was kept is forgotten when anything changes that
+   * results depend on, when this is switched off, and for faces that were not in the last 8 runs. Default: on.
+   */
+  void SetKeepFaces(bool keep);
+  /// Forgets the results of all faces.
+  void ForgetFaces();
   /// Of one Integrate(); 0: no limit.
   void SetMaximumSeconds(double seconds);
 

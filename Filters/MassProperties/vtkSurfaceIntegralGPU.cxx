@@ -44,6 +44,7 @@ void vtkSurfaceIntegralGPU::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Backend: " << this->Backend << "\n"
      << indent << "MaximumEvaluations: " << this->MaximumEvaluations << "\n"
      << indent << "MaximumSeconds: " << this->MaximumSeconds << "\n"
+     << indent << "KeepFaces: " << this->KeepFaces << "\n"
      << indent << "Integrands: " << this->GetNumberOfIntegrands() << "\n"
      << indent << "Status: " << this->GetStatus() << "\n"
      << indent << "BackendName: " << this->GetBackendName() << "\n"
@@ -143,6 +144,8 @@ void vtkSurfaceIntegralGPU::SetRenderWindow(vtkRenderWindow* window)
   if (this->Implementation->Context->GetWindow() != window)
   {
     this->Implementation->Context->SetWindow(window);
+    // Another device may round otherwise.
+    this->Implementation->Integrator.ForgetFaces();
     this->Modified();
   }
 }
@@ -363,6 +366,7 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   this->Integrator.SetPerturbation(self->ShaderPerturbation);
   this->Integrator.SetMaximumEvaluations(self->MaximumEvaluations);
   this->Integrator.SetMaximumSeconds(self->MaximumSeconds);
+  this->Integrator.SetKeepFaces(self->KeepFaces);
 
   std::vector<sm::FaceTask> tasks;
   std::vector<std::size_t> firstTask;
@@ -460,7 +464,8 @@ int vtkSurfaceIntegralGPU::RequestData(
     vtkErrorMacro(
       "No exact geometry in the input: " << last.Messages.back()
                                          << ". Connect the output of vtkSTEPReader directly: filters "
-                                            "that move or rebuild points drop the NURBS model.");
+                                            "that move or rebuild points drop the NURBS model. "
+                                            "vtkNURBSTransform moves a part and keeps it.");
     return 0;
   }
   if (rejected.Plain + rejected.Withheld > 0)

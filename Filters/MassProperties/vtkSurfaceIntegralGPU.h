@@ -136,6 +136,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Integrals of faces are kept by face, tolerances and (where they matter) placement, so that after an edit only the faces
+   * that it changed are evaluated; values and bounds have the bits of a full run, and Evaluations counts what was
+   * evaluated. Off: every run evaluates everything. The paper's schemes always do. Default: on.
+   */
+  vtkSetMacro(KeepFaces, bool);
+  vtkGetMacro(KeepFaces, bool);
+  vtkBooleanMacro(KeepFaces, bool);
+  ///@}
+
+  ///@{
   /** The last run: total of the integrand (NaN when absent or not computed) and its bound. */
   double GetIntegral(const std::string& name) const;
   double GetIntegralBound(const std::string& name) const;
@@ -192,6 +203,7 @@ protected:
   vtkTypeInt64 MaximumEvaluations = 2000000000;
   double MaximumSeconds = 0.0;
   double ShaderPerturbation = 1.0;
+  bool KeepFaces = true;
 
 private:
   vtkSurfaceIntegralGPU(const vtkSurfaceIntegralGPU&) = delete;

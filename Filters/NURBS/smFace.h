@@ -22,6 +22,8 @@
 
 namespace sm
 {
+struct EdgeOrigin;
+
 /// An edge: the 3D curve that its faces share, and its two vertices.
 struct Edge
 {
@@ -38,6 +40,8 @@ struct Edge
   /// The file's tolerance of edge and vertices, a length. Informative: not to be believed.
   double Tolerance = 0.0;
   bool Degenerate = false;
+  /// Not null where an edit moved the edge along with the boundary rows of its faces, see smModelEdit.h: where from.
+  std::shared_ptr<const EdgeOrigin> Origin;
 };
 
 /// One use of an edge by a face.

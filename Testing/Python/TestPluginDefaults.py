@@ -9,22 +9,32 @@ from smcheck import check_equal, check_true, finish  # noqa: E402
 from paraview import simple  # noqa: E402
 
 from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
+from solidmoments.smFiltersNURBS import vtkNURBSDeform, vtkNURBSTransform  # noqa: E402
 from solidmoments.smReadersSTEP import vtkSTEPReader  # noqa: E402
 
 simple.LoadPlugin(sys.argv[1], ns=globals())
 folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "ParaViewPlugin", "SolidMoments")
 
 for file, instance, proxy in (("readers.xml", vtkSTEPReader(), STEPReader()),  # noqa: F821
-                              ("filters.xml", vtkMassPropertiesGPU(), MassPropertiesGPU())):  # noqa: F821
-    source = ElementTree.parse(os.path.join(folder, file)).getroot().find("ProxyGroup/SourceProxy")
-    check_equal("class", instance.GetClassName(), source.get("class"))
+                              ("filters.xml", vtkMassPropertiesGPU(), MassPropertiesGPU()),  # noqa: F821
+                              ("filters.xml", vtkNURBSTransform(), NURBSTransform()),  # noqa: F821
+                              ("filters.xml", vtkNURBSDeform(), NURBSDeform())):  # noqa: F821
+    sources = [element for element in ElementTree.parse(os.path.join(folder, file)).getroot().find("ProxyGroup")
+               if element.get("class") == instance.GetClassName()]
+    check_equal("proxies of the class " + instance.GetClassName(), 1, len(sources))
+    source = sources[0]
     properties = [element for element in source if element.tag.endswith("VectorProperty")]
-    check_true("properties", len(properties) >= 4, str(len(properties)))
+    check_true("properties", len(properties) >= 3, str(len(properties)))
     for element in properties:
         name = element.get("name")
         documentation = " ".join((element.findtext("Documentation") or "").split())
         check_true(f"{name} is documented with its default", len(documentation) > 20 and "efault" in documentation)
         if name == "FileName":
+            continue
+        if element.get("repeat_command"):
+            check_equal(f"{name}: empty", 0, proxy.SMProxy.GetProperty(name).GetNumberOfElements())
+            check_true(f"{name}: commands", all(hasattr(instance, element.get(command))
+                                                for command in ("command", "clean_command")))
             continue
         actual = getattr(instance, "Get" + name)()
         smproperty = proxy.SMProxy.GetProperty(name)

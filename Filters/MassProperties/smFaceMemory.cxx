@@ -1,0 +1,55 @@
+#include "smFaceMemory.h"
+
+#include <algorithm>
+
+namespace sm
+{
+namespace
+{
+constexpr std::uint64_t RunsKept = 8;
+}
+
+const FaceIntegrals* FaceMemory::Find(std::uint64_t face, const FaceQuestion& question)
+{
+  const auto found = this->Faces.find(face);
+  if (found == this->Faces.end())
+  {
+    return nullptr;
+  }
+  for (Entry& entry : found->second)
+  {
+    if (entry.Question == question)
+    {
+      entry.LastRun = this->Run;
+      return &entry.Result;
+    }
+  }
+  return nullptr;
+}
+
+void FaceMemory::Keep(std::uint64_t face, const FaceQuestion& question, const FaceIntegrals& result)
+{
+  if (!this->Find(face, question))
+  {
+    this->Faces[face].push_back({ question, result, this->Run });
+  }
+}
+
+void FaceMemory::EndRun()
+{
+  ++this->Run;
+  for (auto face = this->Faces.begin(); face != this->Faces.end();)
+  {
+    std::vector<Entry>& entries = face->second;
+    entries.erase(std::remove_if(entries.begin(), entries.end(),
+                    [this](const Entry& entry) { return entry.LastRun + RunsKept < this->Run; }),
+      entries.end());
+    face = entries.empty() ? this->Faces.erase(face) : std::next(face);
+  }
+}
+
+void FaceMemory::Forget()
+{
+  this->Faces.clear();
+}
+}

@@ -1,0 +1,309 @@
+#include "smModelEdit.h"
+
+#include "smNetChange.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+ModelEdit Fail(EditStatus status, const std::string& message)
+{
+  ModelEdit edit;
+  edit.Status = status;
+  edit.Message = message;
+  return edit;
+}
+
+/// Ok, or why the face of the model cannot be edited.
+ModelEdit CheckFace(vtkTrimmedNURBSModel* model, int face)
+{
+  if (!model)
+  {
+    return Fail(EditStatus::NoModel, "there is no model");
+  }
+  if (face < 0 || face >= model->GetNumberOfFaces())
+  {
+    return Fail(EditStatus::NoSuchFace,
+      "there is no face " + std::to_string(face) + "; the model has " +
+        std::to_string(model->GetNumberOfFaces()) + ", counted from 0");
+  }
+  return {};
+}
+
+ModelEdit CheckIndex(const NURBSSurface& surface, ControlPointIndex index)
+{
+  if (index.U < 0 || index.U >= surface.NumberOfControlPoints[0] || index.V < 0 ||
+    index.V >= surface.NumberOfControlPoints[1])
+  {
+    return Fail(EditStatus::NoSuchControlPoint,
+      "there is no control point (" + std::to_string(index.U) + ", " + std::to_string(index.V) +
+        "); the face has " + std::to_string(surface.NumberOfControlPoints[0]) + " x " +
+        std::to_string(surface.NumberOfControlPoints[1]) + ", counted from 0");
+  }
+  return {};
+}
+
+std::size_t GetEntry(const NURBSSurface& surface, ControlPointIndex index)
+{
+  return static_cast<std::size_t>(index.U) +
+    static_cast<std::size_t>(index.V) * surface.NumberOfControlPoints[0];
+}
+
+ModelEdit CheckPoint(const std::array<double, 4>& point)
+{
+  if (!std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); }))
+  {
+    return Fail(EditStatus::NotFinite, "a control point is not finite");
+  }
+  if (!(point[3] > 0.0))
+  {
+    return Fail(EditStatus::WeightNotPositive,
+      "the weight " + std::to_string(point[3]) + " of a control point is not above 0");
+  }
+  return {};
+}
+
+/// Ok, or why the face cannot stand in the model.
+ModelEdit CheckReplacement(vtkTrimmedNURBSModel* model, int index, const FacePointer& face)
+{
+  if (!face || face->Id == 0)
+  {
+    return Fail(EditStatus::InvalidFace, "the new face is null or has no id; NewId() gives one");
+  }
+  const std::string wrong = face->Surface.Check();
+  if (!wrong.empty())
+  {
+    return Fail(EditStatus::InvalidFace, "the new face's surface is not valid: " + wrong);
+  }
+  for (const Loop& loop : face->Loops)
+  {
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      if (!coedge.Use || coedge.Use->Curve.GetNumberOfPieces() < 1 || coedge.Curve.GetNumberOfPieces() < 1)
+      {
+        return Fail(EditStatus::InvalidFace, "a coedge of the new face has no edge or no curve");
+      }
+    }
+  }
+  for (std::size_t f = 0; f < model->GetFaces().size(); ++f)
+  {
+    const FacePointer& other = model->GetFaces()[f];
+    if (other->Id == face->Id && other != face)
+    {
+      return Fail(EditStatus::InvalidFace,
+        "the new face " + std::to_string(index) + " has the id of face " + std::to_string(f) +
+          "; NewId() gives another");
+    }
+  }
+  return {};
+}
+
+bool HaveSameLayout(const NURBSSurface& a, const NURBSSurface& b)
+{
+  return a.Degree[0] == b.Degree[0] && a.Degree[1] == b.Degree[1] && a.Knots[0] == b.Knots[0] &&
+    a.Knots[1] == b.Knots[1];
+}
+}
+
+const char* GetName(EditStatus status)
+{
+  switch (status)
+  {
+    case EditStatus::Ok:
+      return "ok";
+    case EditStatus::NoModel:
+      return "no-model";
+    case EditStatus::NoSuchFace:
+      return "no-such-face";
+    case EditStatus::NoSuchControlPoint:
+      return "no-such-control-point";
+    case EditStatus::NotFinite:
+      return "not-finite";
+    case EditStatus::WeightNotPositive:
+      return "weight-not-positive";
+    case EditStatus::InvalidFace:
+      return "invalid-face";
+  }
+  return "unknown";
+}
+
+bool GetControlPoint(
+  vtkTrimmedNURBSModel* model, int face, ControlPointIndex index, std::array<double, 4>& point)
+{
+  if (CheckFace(model, face).Status != EditStatus::Ok ||
+    CheckIndex(model->GetFaces()[face]->Surface, index).Status != EditStatus::Ok)
+  {
+    return false;
+  }
+  const NURBSSurface& surface = model->GetFaces()[face]->Surface;
+  point = surface.ControlPoints[GetEntry(surface, index)];
+  return true;
+}
+
+ModelEdit SetControlPoints(vtkTrimmedNURBSModel* model, int face,
+  const std::vector<std::pair<ControlPointIndex, std::array<double, 4>>>& points, EditRule rule)
+{
+  ModelEdit edit = CheckFace(model, face);
+  for (std::size_t i = 0; i < points.size() && edit.Status == EditStatus::Ok; ++i)
+  {
+    edit = CheckIndex(model->GetFaces()[face]->Surface, points[i].first);
+    edit = edit.Status == EditStatus::Ok ? CheckPoint(points[i].second) : edit;
+  }
+  if (edit.Status != EditStatus::Ok)
+  {
+    return edit;
+  }
+  NetChange change(model, rule);
+  for (const auto& [index, point] : points)
+  {
+    change.SetPoint(face, GetEntry(model->GetFaces()[face]->Surface, index), point);
+  }
+  change.Finish(edit);
+  return edit;
+}
+
+ModelEdit MoveControlPoints(vtkTrimmedNURBSModel* model, int face,
+  const std::vector<ControlPointIndex>& indices, const std::array<double, 3>& displacement, EditRule rule)
+{
+  std::vector<std::pair<ControlPointIndex, std::array<double, 4>>> points;
+  for (const ControlPointIndex& index : indices)
+  {
+    // What does not exist is told by SetControlPoints().
+    std::array<double, 4> point{ 0.0, 0.0, 0.0, 1.0 };
+    GetControlPoint(model, face, index, point);
+    for (int c = 0; c < 3; ++c)
+    {
+      point[c] += displacement[c] * point[3];
+    }
+    points.emplace_back(index, point);
+  }
+  return SetControlPoints(model, face, points, rule);
+}
+
+ModelEdit SetWeights(vtkTrimmedNURBSModel* model, int face, const std::vector<ControlPointIndex>& indices,
+  double weight, EditRule rule)
+{
+  std::vector<std::pair<ControlPointIndex, std::array<double, 4>>> points;
+  for (const ControlPointIndex& index : indices)
+  {
+    std::array<double, 4> point{ 0.0, 0.0, 0.0, 1.0 };
+    GetControlPoint(model, face, index, point);
+    for (int c = 0; c < 3; ++c)
+    {
+      point[c] *= weight / point[3];
+    }
+    point[3] = weight;
+    points.emplace_back(index, point);
+  }
+  return SetControlPoints(model, face, points, rule);
+}
+
+ModelEdit ReplaceFace(vtkTrimmedNURBSModel* model, int face, FacePointer replacement, EditRule rule)
+{
+  ModelEdit edit = CheckFace(model, face);
+  edit = edit.Status == EditStatus::Ok ? CheckReplacement(model, face, replacement) : edit;
+  if (edit.Status != EditStatus::Ok)
+  {
+    return edit;
+  }
+  const NURBSSurface& old = model->GetFaces()[face]->Surface;
+  if (rule == EditRule::OneFace || !HaveSameLayout(old, replacement->Surface))
+  {
+    return ReplaceFaces(model, { { face, replacement } });
+  }
+  NetChange change(model, rule);
+  change.SetTemplate(face, replacement);
+  for (std::size_t i = 0; i < old.ControlPoints.size(); ++i)
+  {
+    if (old.ControlPoints[i] != replacement->Surface.ControlPoints[i])
+    {
+      change.SetPoint(face, i, replacement->Surface.ControlPoints[i]);
+    }
+  }
+  change.Finish(edit);
+  return edit;
+}
+
+ModelEdit ReplaceFaces(
+  vtkTrimmedNURBSModel* model, const std::vector<std::pair<int, FacePointer>>& replacements)
+{
+  ModelEdit edit;
+  std::vector<FacePointer> faces = model ? model->GetFaces() : std::vector<FacePointer>();
+  for (const auto& [index, face] : replacements)
+  {
+    edit = CheckFace(model, index);
+    edit = edit.Status == EditStatus::Ok ? CheckReplacement(model, index, face) : edit;
+    if (edit.Status != EditStatus::Ok)
+    {
+      return edit;
+    }
+    faces[index] = face;
+  }
+  if (!model)
+  {
+    return CheckFace(model, 0);
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (faces[f] != model->GetFaces()[f])
+    {
+      edit.Replaced.emplace_back(static_cast<int>(f), model->GetFaces()[f]);
+    }
+  }
+  edit.Model = vtkSmartPointer<vtkTrimmedNURBSModel>::New();
+  edit.Model->ShallowCopy(model);
+  edit.Model->SetFaces(std::move(faces));
+  edit.Opened = FindOpenedEdges(model, edit.Model);
+  return edit;
+}
+
+ModelEdit MapControlPoints(
+  vtkTrimmedNURBSModel* model, const std::vector<int>& faces, const PointMap& map, EditRule rule)
+{
+  ModelEdit edit;
+  if (!model)
+  {
+    return CheckFace(model, 0);
+  }
+  std::vector<bool> chosen(model->GetFaces().size(), faces.empty());
+  for (const int face : faces)
+  {
+    edit = CheckFace(model, face);
+    if (edit.Status != EditStatus::Ok)
+    {
+      return edit;
+    }
+    chosen[face] = true;
+  }
+  NetChange change(model, rule);
+  change.SetMap(chosen, map);
+  for (std::size_t f = 0; f < chosen.size(); ++f)
+  {
+    const std::vector<std::array<double, 4>>& points = model->GetFaces()[f]->Surface.ControlPoints;
+    for (std::size_t i = 0; i < points.size() && chosen[f]; ++i)
+    {
+      const std::array<double, 4>& point = points[i];
+      const std::array<double, 3> from{ point[0] / point[3], point[1] / point[3], point[2] / point[3] };
+      const std::array<double, 3> to = map(from);
+      // A point that the map leaves alone keeps its bits.
+      const std::array<double, 4> mapped = to == from
+        ? point
+        : std::array<double, 4>{ to[0] * point[3], to[1] * point[3], to[2] * point[3], point[3] };
+      edit = CheckPoint(mapped);
+      if (edit.Status != EditStatus::Ok)
+      {
+        return edit;
+      }
+      if (mapped != point)
+      {
+        change.SetPoint(static_cast<int>(f), i, mapped);
+      }
+    }
+  }
+  change.Finish(edit);
+  return edit;
+}
+}

@@ -1,0 +1,97 @@
+/**
+ * @file smNetChange.h
+ * @brief Control points of faces that change, and what follows them: neighbours' rows, edges and vertices
+ */
+#ifndef smNetChange_h
+#define smNetChange_h
+
+#include "smBoundaryRows.h"
+#include "smModelEdit.h"
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace sm
+{
+/// The diagonal of the model's LocalBounds, or of its control points where there are none.
+double GetBodySize(vtkTrimmedNURBSModel* model);
+
+class NetChange
+{
+public:
+  NetChange(vtkTrimmedNURBSModel* model, EditRule rule);
+
+  /// Everything of a face but its control points, before these are set.
+  void SetTemplate(int face, const FacePointer& face_);
+  /// Faces whose common edges follow whatever the rule says; the map moves what has no rows.
+  void SetMap(const std::vector<bool>& faces, const PointMap& map);
+  void SetPoint(int face, std::size_t entry, const std::array<double, 4>& point);
+
+  /// Moves what follows and swaps the faces into a copy of the model.
+  void Finish(ModelEdit& edit);
+
+private:
+  using Homogeneous = std::array<double, 4>;
+  using Point = std::array<double, 3>;
+
+  /// One use of an edge by a face.
+  struct Use
+  {
+    int Face;
+    int Loop;
+    int Coedge;
+    bool IsRow = false;
+    BoundaryRow Row;
+  };
+  struct EdgeUses
+  {
+    std::shared_ptr<const Edge> Source;
+    std::vector<Use> Uses;
+    /// All uses are rows, and the rows coincide.
+    bool Coincident = false;
+    /// The map moves it.
+    bool Mapped = false;
+  };
+
+  const Face& GetFace(int face) const { return *this->Faces[face]; }
+  const TrimCurve& GetTrim(const Use& use) const
+  {
+    return this->GetFace(use.Face).Loops[use.Loop].Coedges[use.Coedge].Curve;
+  }
+  const std::vector<Homogeneous>& GetNet(int face) const;
+  void CollectEdges();
+  void Propagate();
+  void Follow(const EdgeUses& edge, const Use& use, std::size_t entry);
+  std::shared_ptr<const EdgeOrigin> GetOrigin(const EdgeUses& edge) const;
+  void MoveEdges();
+  void CarryEdge(const EdgeUses& edge);
+  void MapEdge(const EdgeUses& edge);
+  void MoveVertex(const Point& from, const Point& to);
+  void MoveVertices();
+  std::shared_ptr<Edge> GetNewEdge(const std::shared_ptr<const Edge>& edge);
+
+  vtkTrimmedNURBSModel* Model;
+  EditRule Rule;
+  std::vector<FacePointer> Faces;
+  std::map<int, std::vector<Homogeneous>> Nets;
+  std::set<std::pair<int, std::size_t>> Moved;
+  std::deque<std::pair<int, std::size_t>> Queue;
+  std::vector<bool> Chosen;
+  PointMap Map;
+  double Tolerance = 0.0;
+  std::vector<EdgeUses> Edges;
+  /// Of each face: index of the edge and of the use in it.
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> EdgesOfFace;
+  std::map<const Edge*, std::shared_ptr<const Edge>> NewEdges;
+  /// Where vertices were and are: those of different edges are one where they are the same numbers.
+  std::map<Point, Point> Vertices;
+};
+}
+
+#endif

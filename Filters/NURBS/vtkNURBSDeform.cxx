@@ -1,0 +1,311 @@
+#include "vtkNURBSDeform.h"
+
+#include "smDisplayPoints.h"
+#include "smLeaves.h"
+#include "smModelEdit.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+vtkStandardNewMacro(vtkNURBSDeform);
+
+struct vtkNURBSDeform::Run
+{
+  vtkNURBSDeform* Self;
+  /// Of the lattice: models that several leaves share are deformed once.
+  std::map<vtkTrimmedNURBSModel*, sm::ModelEdit> Known;
+  int Solids = 0;
+  int Deformed = 0;
+  /// Faces of the largest solid that was chosen.
+  int MostFaces = 0;
+  std::string Error;
+
+  sm::PointMap MakeDisplacement(vtkNURBSDataSet* leaf) const;
+  sm::PointMap MakeLattice(vtkTrimmedNURBSModel* model) const;
+  sm::ModelEdit Edit(vtkTrimmedNURBSModel* model, const sm::PointMap& map) const;
+  bool Change(vtkNURBSDataSet* source, vtkNURBSDataSet* copy);
+  void Count(const sm::ModelEdit& edit) const;
+};
+
+sm::PointMap vtkNURBSDeform::Run::MakeDisplacement(vtkNURBSDataSet* leaf) const
+{
+  // From the world to the stored coordinates: p' = R^T (p - t) - origin; the placement is rigid.
+  const double* placement = leaf->GetPlacementData();
+  const double* origin = leaf->GetModel()->GetOrigin();
+  std::array<double, 3> center{};
+  std::array<double, 3> displacement{};
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int r = 0; r < 3; ++r)
+    {
+      center[c] += placement[4 * r + c] * (this->Self->Center[r] - placement[4 * r + 3]);
+      displacement[c] += placement[4 * r + c] * this->Self->Displacement[r];
+    }
+    center[c] -= origin[c];
+  }
+  const double radius = this->Self->Radius;
+  return [center, displacement, radius](const std::array<double, 3>& p)
+  {
+    const double distance = std::hypot(p[0] - center[0], p[1] - center[1], p[2] - center[2]);
+    if (radius > 0.0 && distance >= radius)
+    {
+      return p;
+    }
+    const double q = radius > 0.0 ? 1.0 - (distance / radius) * (distance / radius) : 1.0;
+    const double factor = q * q * q;
+    return std::array<double, 3>{ p[0] + factor * displacement[0], p[1] + factor * displacement[1],
+      p[2] + factor * displacement[2] };
+  };
+}
+
+sm::PointMap vtkNURBSDeform::Run::MakeLattice(vtkTrimmedNURBSModel* model) const
+{
+  std::array<double, 6> box;
+  std::copy_n(model->GetLocalBounds(), 6, box.begin());
+  std::array<int, 3> size;
+  std::copy_n(this->Self->LatticeSize, 3, size.begin());
+  const auto displacements = this->Self->LatticeDisplacements;
+  return [box, size, displacements](const std::array<double, 3>& p)
+  {
+    std::vector<double> basis[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      const double width = box[2 * c + 1] - box[2 * c];
+      const double x = width > 0.0 ? (p[c] - box[2 * c]) / width : 0.0;
+      basis[c].assign(size[c], 0.0);
+      basis[c][0] = 1.0;
+      for (int degree = 1; degree < size[c]; ++degree)
+      {
+        for (int k = degree; k > 0; --k)
+        {
+          basis[c][k] = (1.0 - x) * basis[c][k] + x * basis[c][k - 1];
+        }
+        basis[c][0] *= 1.0 - x;
+      }
+    }
+    std::array<double, 3> moved = p;
+    for (const auto& [at, displacement] : displacements)
+    {
+      if (at[0] < size[0] && at[1] < size[1] && at[2] < size[2])
+      {
+        const double factor = basis[0][at[0]] * basis[1][at[1]] * basis[2][at[2]];
+        for (int c = 0; c < 3; ++c)
+        {
+          moved[c] += factor * displacement[c];
+        }
+      }
+    }
+    return moved;
+  };
+}
+
+sm::ModelEdit vtkNURBSDeform::Run::Edit(vtkTrimmedNURBSModel* model, const sm::PointMap& map) const
+{
+  std::vector<int> faces;
+  if (this->Self->Mode == DISPLACE && !this->Self->Faces.empty())
+  {
+    for (const int face : this->Self->Faces)
+    {
+      if (face < model->GetNumberOfFaces())
+      {
+        faces.push_back(face);
+      }
+    }
+    if (faces.empty())
+    {
+      sm::ModelEdit nothing;
+      nothing.Model = model;
+      return nothing;
+    }
+  }
+  return sm::MapControlPoints(
+    model, faces, map, this->Self->KeepClosed ? sm::EditRule::MoveSharedBoundary : sm::EditRule::OneFace);
+}
+
+void vtkNURBSDeform::Run::Count(const sm::ModelEdit& edit) const
+{
+  this->Self->NumberOfChangedFaces += static_cast<int>(edit.Replaced.size());
+  this->Self->NumberOfOpenedEdges += static_cast<int>(edit.Opened.size());
+  for (const sm::OpenedEdge& opened : edit.Opened)
+  {
+    this->Self->LargestGap = std::max(this->Self->LargestGap, opened.Gap);
+  }
+}
+
+bool vtkNURBSDeform::Run::Change(vtkNURBSDataSet* source, vtkNURBSDataSet* copy)
+{
+  vtkTrimmedNURBSModel* model = source->GetModel();
+  const int solid = this->Solids++;
+  if (this->Self->Solid >= 0 && this->Self->Solid != solid)
+  {
+    return true;
+  }
+  ++this->Deformed;
+  this->MostFaces = std::max(this->MostFaces, static_cast<int>(model->GetNumberOfFaces()));
+  const bool isLattice = this->Self->Mode == LATTICE;
+  const sm::PointMap map = isLattice ? this->MakeLattice(model) : this->MakeDisplacement(source);
+  sm::ModelEdit edit;
+  const auto known = this->Known.find(model);
+  if (isLattice && known != this->Known.end())
+  {
+    edit = known->second;
+  }
+  else
+  {
+    edit = this->Edit(model, map);
+    this->Count(edit);
+    this->Known[model] = edit;
+  }
+  if (edit.Status != sm::EditStatus::Ok)
+  {
+    this->Error = edit.Message;
+    return false;
+  }
+  // What nothing moved keeps its model, and instances theirs in common.
+  if (!edit.Replaced.empty())
+  {
+    sm::SetEditedModel(copy, model, edit.Model, map);
+  }
+  return true;
+}
+
+vtkNURBSDeform::vtkNURBSDeform() = default;
+
+vtkNURBSDeform::~vtkNURBSDeform() = default;
+
+void vtkNURBSDeform::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->Mode << "\n"
+     << indent << "Displacement: " << this->Displacement[0] << " " << this->Displacement[1] << " "
+     << this->Displacement[2] << "\n"
+     << indent << "Center: " << this->Center[0] << " " << this->Center[1] << " " << this->Center[2] << "\n"
+     << indent << "Radius: " << this->Radius << "\n"
+     << indent << "Faces: " << this->Faces.size() << "\n"
+     << indent << "Solid: " << this->Solid << "\n"
+     << indent << "KeepClosed: " << this->KeepClosed << "\n"
+     << indent << "LatticeSize: " << this->LatticeSize[0] << " " << this->LatticeSize[1] << " "
+     << this->LatticeSize[2] << "\n"
+     << indent << "LatticeDisplacements: " << this->LatticeDisplacements.size() << "\n"
+     << indent << "NumberOfOpenedEdges: " << this->NumberOfOpenedEdges << "\n"
+     << indent << "LargestGap: " << this->LargestGap << "\n"
+     << indent << "NumberOfChangedFaces: " << this->NumberOfChangedFaces << "\n";
+}
+
+void vtkNURBSDeform::AddFace(int index)
+{
+  if (index < 0)
+  {
+    vtkErrorMacro("AddFace: the index " << index << " is negative; faces are counted from 0.");
+    return;
+  }
+  this->Faces.push_back(index);
+  this->Modified();
+}
+
+void vtkNURBSDeform::RemoveAllFaces()
+{
+  if (!this->Faces.empty())
+  {
+    this->Faces.clear();
+    this->Modified();
+  }
+}
+
+int vtkNURBSDeform::GetNumberOfFaces() const
+{
+  return static_cast<int>(this->Faces.size());
+}
+
+void vtkNURBSDeform::SetLatticeSize(int x, int y, int z)
+{
+  const int size[3] = { std::clamp(x, 2, 10), std::clamp(y, 2, 10), std::clamp(z, 2, 10) };
+  if (!std::equal(size, size + 3, this->LatticeSize))
+  {
+    std::copy_n(size, 3, this->LatticeSize);
+    this->Modified();
+  }
+}
+
+void vtkNURBSDeform::SetLatticeDisplacement(int i, int j, int k, double x, double y, double z)
+{
+  if (std::min({ i, j, k }) < 0 || !std::isfinite(x + y + z))
+  {
+    vtkErrorMacro("SetLatticeDisplacement: the indices "
+      << i << ", " << j << ", " << k << " must not be negative, and the displacement " << x << ", " << y
+      << ", " << z << " must be finite.");
+    return;
+  }
+  this->LatticeDisplacements[{ i, j, k }] = { x, y, z };
+  this->Modified();
+}
+
+void vtkNURBSDeform::ClearLatticeDisplacements()
+{
+  if (!this->LatticeDisplacements.empty())
+  {
+    this->LatticeDisplacements.clear();
+    this->Modified();
+  }
+}
+
+void vtkNURBSDeform::AddLatticeDisplacement(double i, double j, double k, double x, double y, double z)
+{
+  this->SetLatticeDisplacement(vtkMath::Round(i), vtkMath::Round(j), vtkMath::Round(k), x, y, z);
+}
+
+int vtkNURBSDeform::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkNURBSDeform::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->NumberOfOpenedEdges = this->NumberOfChangedFaces = 0;
+  this->LargestGap = 0.0;
+  Run run{ this, {}, 0, 0, 0, {} };
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  const auto change = [&run](vtkPointSet* source, vtkPointSet* copy)
+  {
+    auto* from = vtkNURBSDataSet::SafeDownCast(source);
+    auto* to = vtkNURBSDataSet::SafeDownCast(copy);
+    return !from || !to || !from->GetModel() || run.Change(from, to);
+  };
+  bool done = sm::CopyLeaves(vtkDataObject::GetData(inputVector[0], 0), output, change);
+  const auto worst = std::max_element(this->Faces.begin(), this->Faces.end());
+  if (!done)
+  {
+    vtkErrorMacro("The deformation is not possible: "
+      << run.Error << ". Displacements, centre and radius must be finite.");
+  }
+  else if (run.Deformed == 0)
+  {
+    done = false;
+    vtkErrorMacro("There is no exact geometry to deform: the input has "
+      << run.Solids << " solids with it, and Solid is " << this->Solid << " (-1: all).");
+  }
+  else if (this->Mode == DISPLACE && worst != this->Faces.end() && *worst >= run.MostFaces)
+  {
+    done = false;
+    vtkErrorMacro(
+      "There is no face " << *worst << ": the solid has " << run.MostFaces << ", counted from 0.");
+  }
+  if (!done)
+  {
+    output->Initialize();
+  }
+  return done ? 1 : 0;
+}

@@ -1,0 +1,286 @@
+// Edits of control points, weights and faces: what moves along, what opens, what comes back, and what is refused.
+#include "smLatticeBody.h"
+#include "smModelEdit.h"
+#include "smTesting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace
+{
+using namespace smtest;
+using Homogeneous = std::array<double, 4>;
+
+const LatticeBody::Point Displacement{ 0.3, -0.2, 0.7 };
+
+bool HaveSameBits(const sm::Edge& a, const sm::Edge& b)
+{
+  return a.Curve.Coefficients == b.Curve.Coefficients && a.Curve.Breaks == b.Curve.Breaks &&
+    a.Curve.Offsets == b.Curve.Offsets && a.Curve.Residual == b.Curve.Residual &&
+    a.StartVertex == b.StartVertex && a.EndVertex == b.EndVertex;
+}
+
+/// Everything but ids.
+bool HaveSameBits(vtkTrimmedNURBSModel* a, vtkTrimmedNURBSModel* b)
+{
+  bool same = a->GetNumberOfFaces() == b->GetNumberOfFaces();
+  for (vtkIdType f = 0; same && f < a->GetNumberOfFaces(); ++f)
+  {
+    const sm::Face& x = *a->GetFaces()[f];
+    const sm::Face& y = *b->GetFaces()[f];
+    same = x.Surface.ControlPoints == y.Surface.ControlPoints && x.Surface.Rational == y.Surface.Rational &&
+      x.Loops.size() == y.Loops.size();
+    for (std::size_t l = 0; same && l < x.Loops.size(); ++l)
+    {
+      for (std::size_t c = 0; same && c < x.Loops[l].Coedges.size(); ++c)
+      {
+        same = HaveSameBits(*x.Loops[l].Coedges[c].Use, *y.Loops[l].Coedges[c].Use);
+      }
+    }
+  }
+  return same;
+}
+
+bool IsPaired(vtkTrimmedNURBSModel* model)
+{
+  std::map<const sm::Edge*, int> uses;
+  for (const sm::FacePointer& face : model->GetFaces())
+  {
+    for (const sm::Coedge& coedge : face->Loops[0].Coedges)
+    {
+      uses[coedge.Use.get()] += coedge.Reversed == face->Reversed ? 1 : -1;
+    }
+  }
+  return std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 0; });
+}
+
+/// The face's control point of point (i,j,k) of the lattice.
+sm::ControlPointIndex At(const LatticeBody& body, int axis, int side, int i, int j, int k)
+{
+  const int at[3] = { i, j, k };
+  const auto index =
+    LatticeBody::ToFace(side, body.GetNumberOfPoints() - 1, at[(axis + 1) % 3], at[(axis + 2) % 3]);
+  return { index[0], index[1] };
+}
+
+/// Moves a point of the face z = top, and back.
+void CheckMove(const std::string& what, int i, int j, std::size_t faces)
+{
+  std::printf("--- %s\n", what.c_str());
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  const std::vector<sm::FacePointer> before = model->GetFaces();
+  const int last = body.GetNumberOfPoints() - 1;
+  const sm::ControlPointIndex index = At(body, 2, 1, i, j, last);
+  Homogeneous point;
+  CheckTrue("it exists", sm::GetControlPoint(model, 5, index, point));
+
+  const sm::ModelEdit edit =
+    sm::MoveControlPoints(model, 5, { index }, Displacement, sm::EditRule::MoveSharedBoundary);
+  CheckEqual("status", "ok", sm::GetName(edit.Status));
+  CheckTrue("the model stays", model->GetFaces() == before);
+  CheckEqual(
+    "faces that are new", static_cast<long long>(faces), static_cast<long long>(edit.Replaced.size()));
+  std::set<std::uint64_t> ids;
+  int shared = 0;
+  for (int f = 0; f < 6; ++f)
+  {
+    ids.insert(before[f]->Id);
+    ids.insert(edit.Model->GetFaces()[f]->Id);
+    shared += edit.Model->GetFaces()[f] == before[f] ? 1 : 0;
+  }
+  CheckEqual("the others are shared", static_cast<long long>(6 - faces), shared);
+  CheckEqual("new ids", static_cast<long long>(6 + faces), static_cast<long long>(ids.size()));
+  Homogeneous moved;
+  sm::GetControlPoint(edit.Model, 5, index, moved);
+  for (int c = 0; c < 3; ++c)
+  {
+    Check("it moved", point[c] + Displacement[c], moved[c], 0.0);
+  }
+  CheckEqual("nothing opened", 0, static_cast<long long>(edit.Opened.size()));
+  CheckTrue("edges are shared by two faces", IsPaired(edit.Model));
+
+  const sm::ModelEdit second =
+    sm::MoveControlPoints(edit.Model, 5, { index }, { 0.1, 0.1, 0.1 }, sm::EditRule::MoveSharedBoundary);
+  const sm::ModelEdit back =
+    sm::SetControlPoints(second.Model, 5, { { index, point } }, sm::EditRule::MoveSharedBoundary);
+  CheckTrue("setting it back gives the same bits", HaveSameBits(model, back.Model));
+  CheckTrue("the edit did not", !HaveSameBits(model, edit.Model));
+  const sm::ModelEdit undone = sm::ReplaceFaces(edit.Model, edit.Replaced);
+  CheckTrue("so does an undo, with the same faces", undone.Model->GetFaces() == before);
+
+  // On this face alone: what it opens is named, with its width.
+  const sm::ModelEdit alone = sm::MoveControlPoints(model, 5, { index }, Displacement, sm::EditRule::OneFace);
+  CheckEqual("one face", 1, static_cast<long long>(alone.Replaced.size()));
+  CheckEqual("opened edges", static_cast<long long>(faces) - 1, static_cast<long long>(alone.Opened.size()));
+  for (const sm::OpenedEdge& opened : alone.Opened)
+  {
+    CheckEqual("face", 5, opened.Face);
+    Check("gap before", 0.0, opened.GapBefore, 1e-14, "rounding");
+    // A corner's basis function is 1 there; its foot may lie on the edge's line. Else a cubic's maximum.
+    const double length = std::hypot(Displacement[0], Displacement[1], Displacement[2]);
+    CheckRange("gap", 0.3 * length, opened.Gap, length * (1.0 + 1e-9));
+  }
+  const sm::ModelEdit closed =
+    sm::SetControlPoints(alone.Model, 5, { { index, point } }, sm::EditRule::OneFace);
+  CheckTrue("set back it is closed", HaveSameBits(model, closed.Model) && closed.Opened.empty());
+}
+
+void CheckWeights()
+{
+  std::printf("--- weights\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  const int last = body.GetNumberOfPoints() - 1;
+  // On the edge of z = top and x = 0, bent first, so that a weight moves points.
+  const sm::ControlPointIndex index = At(body, 2, 1, 0, 2, last);
+  const sm::ModelEdit bent =
+    sm::MoveControlPoints(leaf->GetModel(), 5, { index }, Displacement, sm::EditRule::MoveSharedBoundary);
+  const sm::ModelEdit edit = sm::SetWeights(bent.Model, 5, { index }, 3.5, sm::EditRule::MoveSharedBoundary);
+  CheckEqual("status", "ok", sm::GetName(edit.Status));
+  CheckEqual("faces", 2, static_cast<long long>(edit.Replaced.size()));
+  CheckTrue("rational now", edit.Model->GetFaces()[5]->Surface.Rational);
+  CheckEqual("nothing opened", 0, static_cast<long long>(edit.Opened.size()));
+  Homogeneous point;
+  sm::GetControlPoint(bent.Model, 5, index, point);
+  const sm::ModelEdit back =
+    sm::SetControlPoints(edit.Model, 5, { { index, point } }, sm::EditRule::MoveSharedBoundary);
+  CheckTrue("set back: the same bits", HaveSameBits(bent.Model, back.Model));
+  const sm::ModelEdit alone = sm::SetWeights(bent.Model, 5, { index }, 3.5, sm::EditRule::OneFace);
+  CheckEqual("on one face it opens", 1, static_cast<long long>(alone.Opened.size()));
+}
+
+void CheckReplacement()
+{
+  std::printf("--- a whole face\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  auto face = std::make_shared<sm::Face>(*model->GetFaces()[5]);
+  face->Id = sm::NewId();
+  for (Homogeneous& point : face->Surface.ControlPoints)
+  {
+    point[2] += 1.0;
+  }
+  const sm::ModelEdit lifted = sm::ReplaceFace(model, 5, face, sm::EditRule::MoveSharedBoundary);
+  CheckEqual("status", "ok", sm::GetName(lifted.Status));
+  CheckEqual("the lid and its neighbours", 5, static_cast<long long>(lifted.Replaced.size()));
+  CheckEqual("nothing opened", 0, static_cast<long long>(lifted.Opened.size()));
+  const sm::ModelEdit alone = sm::ReplaceFace(model, 5, face);
+  CheckTrue("alone it is the face that was given", alone.Model->GetFaces()[5] == face);
+  CheckEqual("and opens four edges", 4, static_cast<long long>(alone.Opened.size()));
+  for (const sm::OpenedEdge& opened : alone.Opened)
+  {
+    Check("by one", 1.0, opened.Gap, 1e-14, "rounding");
+  }
+  auto loose = std::make_shared<sm::Face>(*model->GetFaces()[5]);
+  loose->Id = sm::NewId();
+  for (sm::Coedge& coedge : loose->Loops[0].Coedges)
+  {
+    coedge.Use = std::make_shared<sm::Edge>(*coedge.Use);
+  }
+  const sm::ModelEdit unpaired = sm::ReplaceFace(model, 5, loose);
+  CheckEqual(
+    "edges of its own leave the neighbours' open", 4, static_cast<long long>(unpaired.Opened.size()));
+  CheckTrue("as wide as it gets",
+    !unpaired.Opened.empty() && std::isinf(unpaired.Opened[0].Gap) && unpaired.Opened[0].Face == -1);
+}
+
+void CheckMap()
+{
+  std::printf("--- a map of all control points\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  const auto bend = [](const LatticeBody::Point& p) -> LatticeBody::Point {
+    return { p[0] + 0.1 * p[2] * p[2], p[1], p[2] + 0.05 * p[0] * p[1] };
+  };
+  const sm::ModelEdit edit = sm::MapControlPoints(model, {}, bend, sm::EditRule::OneFace);
+  CheckEqual("all faces", 6, static_cast<long long>(edit.Replaced.size()));
+  CheckEqual("rows that coincide stay closed", 0, static_cast<long long>(edit.Opened.size()));
+  CheckTrue("edges are shared", IsPaired(edit.Model));
+  const auto still = [](const LatticeBody::Point& p) { return p; };
+  const sm::ModelEdit none = sm::MapControlPoints(model, {}, still, sm::EditRule::OneFace);
+  CheckTrue("a map that does nothing keeps the faces",
+    none.Replaced.empty() && none.Model->GetFaces() == model->GetFaces());
+  // The same by faces: a lid moved alone opens, its neighbours follow where the rule says so.
+  const sm::ModelEdit lid = sm::MapControlPoints(model, { 5 }, bend, sm::EditRule::OneFace);
+  CheckEqual("the lid alone opens", 4, static_cast<long long>(lid.Opened.size()));
+  const sm::ModelEdit carried = sm::MapControlPoints(model, { 5 }, bend, sm::EditRule::MoveSharedBoundary);
+  CheckEqual("with its neighbours it does not", 0, static_cast<long long>(carried.Opened.size()));
+  CheckEqual("five faces", 5, static_cast<long long>(carried.Replaced.size()));
+}
+
+void CheckErrors()
+{
+  std::printf("--- errors\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  const std::vector<sm::FacePointer> before = model->GetFaces();
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto check = [](const std::string& status, const sm::ModelEdit& edit)
+  {
+    CheckEqual("status", status, sm::GetName(edit.Status));
+    CheckTrue(
+      "a sentence and no model", !edit.Message.empty() && !edit.Model && edit.Replaced.empty(), edit.Message);
+  };
+  check("no-model", sm::MoveControlPoints(nullptr, 0, { { 0, 0 } }, Displacement, rule));
+  check("no-model", sm::ReplaceFaces(nullptr, {}));
+  check("no-model", sm::MapControlPoints(nullptr, {}, {}, rule));
+  check("no-such-face", sm::MoveControlPoints(model, 6, { { 0, 0 } }, Displacement, rule));
+  check("no-such-face", sm::MoveControlPoints(model, -1, { { 0, 0 } }, Displacement, rule));
+  check("no-such-face",
+    sm::MapControlPoints(
+      model, { 7 }, [](const auto& p) { return p; }, rule));
+  check("no-such-control-point", sm::MoveControlPoints(model, 0, { { 0, 5 } }, Displacement, rule));
+  check("no-such-control-point", sm::SetWeights(model, 0, { { -1, 0 } }, 2.0, rule));
+  check("not-finite", sm::MoveControlPoints(model, 0, { { 0, 0 } }, { 0.0, nan, 0.0 }, rule));
+  check("not-finite", sm::MoveControlPoints(model, 0, { { 0, 0 } }, { infinity, 0.0, 0.0 }, rule));
+  check("not-finite", sm::SetWeights(model, 0, { { 1, 1 } }, nan, rule));
+  check("weight-not-positive", sm::SetWeights(model, 0, { { 1, 1 } }, 0.0, rule));
+  check("weight-not-positive", sm::SetWeights(model, 0, { { 1, 1 } }, -1.0, rule));
+  check(
+    "weight-not-positive", sm::SetControlPoints(model, 0, { { { 1, 1 }, { 0.0, 0.0, 0.0, 0.0 } } }, rule));
+  check("not-finite",
+    sm::MapControlPoints(
+      model, {},
+      [nan](const auto&) {
+        return LatticeBody::Point{ nan, 0.0, 0.0 };
+      },
+      rule));
+  check("invalid-face", sm::ReplaceFace(model, 0, nullptr));
+  auto face = std::make_shared<sm::Face>(*before[0]);
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Id = 0;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Id = sm::NewId();
+  face->Surface.ControlPoints[3][3] = 0.0;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Surface = before[0]->Surface;
+  face->Loops[0].Coedges[1].Use = nullptr;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  CheckTrue("the model is as it was", model->GetFaces() == before);
+  Homogeneous point;
+  CheckTrue("no point of no face", !sm::GetControlPoint(model, 6, { 0, 0 }, point));
+}
+}
+
+int main()
+{
+  CheckMove("inside a face", 2, 1, 1);
+  CheckMove("on an edge", 0, 2, 2);
+  CheckMove("on another, across", 2, 4, 2);
+  CheckMove("at a corner", 0, 0, 3);
+  CheckMove("at the opposite corner", 4, 4, 3);
+  CheckWeights();
+  CheckReplacement();
+  CheckMap();
+  CheckErrors();
+  return Finish();
+}
