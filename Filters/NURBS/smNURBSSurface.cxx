@@ -11,9 +11,8 @@ namespace
 {
 using Homogeneous = std::array<double, 4>;
 
-// Blossoms are computed wider than they are stored: so that neighbouring patches meet to the rounding of their own points.
+// Patches are extracted in wider numbers than they are stored in: they meet to the rounding of their own points.
 using Wide = long double;
-using WideHomogeneous = std::array<Wide, 4>;
 
 /// Index k with knots[k] <= (a+b)/2 < knots[k+1]: the span that [a,b] lies in, clamped to the domain.
 int FindSpan(const std::vector<double>& knots, int degree, double middle)
@@ -26,10 +25,11 @@ int FindSpan(const std::vector<double>& knots, int degree, double middle)
 /// Bézier coefficients on [a,b] of the polynomial that the B-spline has on span k: coefficient i is the
 /// blossom (polar form) at (a, .., a, b, .., b) with i times b. `points` holds the degree+1 active de
 /// Boor points with stride `stride`.
+template <class Number>
 void Blossom(const std::vector<double>& knots, int degree, int k, double a, double b,
-  const WideHomogeneous* points, int stride, WideHomogeneous* result, int resultStride)
+  const std::array<Number, 4>* points, int stride, std::array<Number, 4>* result, int resultStride)
 {
-  WideHomogeneous d[MaximumDegree + 1];
+  std::array<Number, 4> d[MaximumDegree + 1];
   for (int i = 0; i <= degree; ++i)
   {
     for (int j = 0; j <= degree; ++j)
@@ -38,12 +38,12 @@ void Blossom(const std::vector<double>& knots, int degree, int k, double a, doub
     }
     for (int level = 1; level <= degree; ++level)
     {
-      const Wide argument = level <= degree - i ? a : b;
+      const Number argument = level <= degree - i ? a : b;
       for (int j = degree; j >= level; --j)
       {
-        const Wide low = knots[k - degree + j];
-        const Wide high = knots[k + 1 + j - level];
-        const Wide alpha = (argument - low) / (high - low);
+        const Number low = knots[k - degree + j];
+        const Number high = knots[k + 1 + j - level];
+        const Number alpha = (argument - low) / (high - low);
         for (int c = 0; c < 4; ++c)
         {
           d[j][c] = (1 - alpha) * d[j - 1][c] + alpha * d[j][c];
@@ -51,6 +51,34 @@ void Blossom(const std::vector<double>& knots, int degree, int k, double a, doub
       }
     }
     result[i * resultStride] = d[degree];
+  }
+}
+
+/// Bézier points on [u0,u1] x [v0,v1], relative to `center` (null: as they are), for spans ku and kv.
+template <class Number>
+void ExtractCell(const NURBSSurface& surface, int ku, int kv, const double (&u)[2], const double (&v)[2],
+  const double* center, std::array<Number, 4>* cell)
+{
+  const int p = surface.Degree[0];
+  const int q = surface.Degree[1];
+  std::array<Number, 4> active[MaximumDegree + 1];
+  std::array<Number, 4> partial[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  for (int j = 0; j <= q; ++j)
+  {
+    const Homogeneous* row = surface.ControlPoints.data() + (ku - p) +
+      static_cast<std::size_t>(kv - q + j) * surface.NumberOfControlPoints[0];
+    for (int i = 0; i <= p; ++i)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        active[i][c] = row[i][c] - (center && c < 3 ? static_cast<Number>(center[c]) * row[i][3] : Number(0));
+      }
+    }
+    Blossom(surface.Knots[0], p, ku, u[0], u[1], active, 1, partial + j * (p + 1), 1);
+  }
+  for (int i = 0; i <= p; ++i)
+  {
+    Blossom(surface.Knots[1], q, kv, v[0], v[1], partial + i, p + 1, cell + i, p + 1);
   }
 }
 }
@@ -120,31 +148,21 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
   const int q = this->Degree[1];
   const int ku = FindSpan(this->Knots[0], p, 0.5 * (u0 + u1));
   const int kv = FindSpan(this->Knots[1], q, 0.5 * (v0 + v1));
-  WideHomogeneous active[MaximumDegree + 1];
-  WideHomogeneous partial[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  WideHomogeneous cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  std::array<Wide, 4> cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  ExtractCell(*this, ku, kv, { u0, u1 }, { v0, v1 }, center, cell);
   double farthest = 0.0;
   double heaviest = 0.0;
   double lightest = std::numeric_limits<double>::max();
   for (int j = 0; j <= q; ++j)
   {
-    const Homogeneous* row = this->ControlPoints.data() + (ku - p) +
-      static_cast<std::size_t>(kv - q + j) * this->NumberOfControlPoints[0];
     for (int i = 0; i <= p; ++i)
     {
-      for (int c = 0; c < 4; ++c)
-      {
-        active[i][c] = row[i][c] - (center && c < 3 ? static_cast<Wide>(center[c]) * row[i][3] : Wide(0));
-      }
-      farthest = std::max(farthest, std::hypot(row[i][0], row[i][1], row[i][2]) / row[i][3]);
-      heaviest = std::max(heaviest, row[i][3]);
-      lightest = std::min(lightest, row[i][3]);
+      const Homogeneous& point = this->ControlPoints[(ku - p + i) +
+        static_cast<std::size_t>(kv - q + j) * this->NumberOfControlPoints[0]];
+      farthest = std::max(farthest, std::hypot(point[0], point[1], point[2]) / point[3]);
+      heaviest = std::max(heaviest, point[3]);
+      lightest = std::min(lightest, point[3]);
     }
-    Blossom(this->Knots[0], p, ku, u0, u1, active, 1, partial + j * (p + 1), 1);
-  }
-  for (int i = 0; i <= p; ++i)
-  {
-    Blossom(this->Knots[1], q, kv, v0, v1, partial + i, p + 1, cell + i, p + 1);
   }
   std::array<double, 3> largest{};
   for (int i = 0; i < (p + 1) * (q + 1); ++i)
@@ -189,7 +207,7 @@ void NURBSSurface::Evaluate(double u, double v, double position[3], double du[3]
   const double u0 = this->Knots[0][ku], u1 = this->Knots[0][ku + 1];
   const double v0 = this->Knots[1][kv], v1 = this->Knots[1][kv + 1];
   Homogeneous cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  this->ExtractBezier(u0, u1, v0, v1, cell);
+  ExtractCell(*this, ku, kv, { u0, u1 }, { v0, v1 }, nullptr, cell);
 
   const double s = (u - u0) / (u1 - u0);
   const double r = (v - v0) / (v1 - v0);
