@@ -60,6 +60,13 @@ set_tests_properties(DrawPaperFiguresDisplay PROPERTIES FIXTURES_SETUP paper_fig
 solidmoments_add_test_program(TestPaperFigures VTK::ImagingCore)
 solidmoments_add_test(NAME PaperFigures LABELS value image NODISPLAY FIXTURE paper_figures
   COMMAND TestPaperFigures "${paper_figures}" "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestPaperFigures.png")
+# The solids of the figures are compiled in.
+solidmoments_add_test_program(TestTrimTextureOrder)
+foreach (source IN ITEMS smPaperSolid smSolidBuilder)
+  target_sources(TestTrimTextureOrder PRIVATE "${PROJECT_SOURCE_DIR}/Examples/Paper/${source}.cxx")
+endforeach ()
+target_include_directories(TestTrimTextureOrder PRIVATE "${PROJECT_SOURCE_DIR}/Examples/Paper")
+solidmoments_add_test(NAME TrimTextureOrder LABELS value NODISPLAY COMMAND TestTrimTextureOrder)
 solidmoments_add_test(NAME PaperFiguresErrors LABELS error NODISPLAY
   COMMAND paper_figures "${SOLIDMOMENTS_TEST_OUTPUT}/paper_figures_error" --part
     "${SOLIDMOMENTS_TEST_SOLIDS}/no_geometry.step")

@@ -155,6 +155,60 @@ void CheckRefusals()
     CheckTrue("the same bits", GetAll(none[0]) == GetAll(results[0]));
   }
 }
+
+/// A single face whose deviations alone would take long: the clock and the caller are heard while it is prepared.
+void CheckPreparing()
+{
+  std::mt19937 random(5);
+  const sm::FacePointer face =
+    MakeFace(MakeRandomSurface(random, 5, 5, { 0.0, 1.0 }, { 0.0, 1.0 }, 0.1, 0.2), {});
+  sm::SchemeIntegrator::Setup setup;
+  setup.Points = 1;
+  setup.Options.Factor = 1024;
+  const std::int64_t all = 1024 * 1024;
+  sm::SchemeIntegrator integrator;
+  integrator.SetRunner(MakeRunner(false));
+  Results none;
+  for (const int last : { 1, 2, 3, 4, 6 })
+  {
+    int calls = 0;
+    std::int64_t seen = -1;
+    const auto stop = [&](double)
+    {
+      seen = integrator.GetPrepared().GetDeviations();
+      return ++calls < last;
+    };
+    const std::string name = "stopped by call " + std::to_string(last);
+    CheckTrue(name, !integrator.Integrate({ { face, 1.0 } }, setup, none, stop) && integrator.WasAborted());
+    CheckEqual(name + ", calls", last, calls);
+    CheckEqual(name + ", nothing is prepared after it", seen, integrator.GetPrepared().GetDeviations());
+    // At the start, after the face's shape, and after portions of 256 sub-patches, at most twice as many, and so on.
+    const double most = last < 3 ? 0.0 : 256.0 * (std::pow(2.0, last - 2) - 1.0);
+    CheckRange(name + ", sub-patches", last < 3 ? 0.0 : 256.0, static_cast<double>(seen), most, "portions");
+  }
+  setup.MaximumSeconds = 0.05;
+  CheckTrue("out of time", !integrator.Integrate({ { face, 1.0 } }, setup, none, nullptr));
+  CheckTrue("it was the time", integrator.WasTimedOut());
+  CheckRange("sub-patches prepared in time", 1.0,
+    static_cast<double>(integrator.GetPrepared().GetDeviations()), static_cast<double>(all / 2),
+    "it would take seconds");
+
+  // The values are those of the face in one go, however it is divided, and what was stopped is not kept.
+  setup.MaximumSeconds = 0.0;
+  setup.Options.Factor = 64;
+  CheckTrue("and on", integrator.Integrate({ { face, 1.0 } }, setup, none, nullptr), integrator.GetError());
+  CheckEqual("all of it", 64 * 64, integrator.GetPrepared().GetDeviations());
+  sm::SchemeOptions options = setup.Options;
+  options.ChordTolerance = 1.0;
+  const sm::SubPatchFace whole = sm::PrepareSubPatchFace(face, options);
+  sm::PreparedFaces parts;
+  CheckTrue("prepared", parts.Prepare({ { face, 1.0 } }, options, [](double) { return true; }));
+  CheckTrue("the same deviations",
+    parts.Get()[0]->Deviations == whole.Deviations &&
+      std::count(whole.Deviations.begin(), whole.Deviations.end(), 0.0) == 0);
+  CheckRange("in several portions", 256.0, static_cast<double>(parts.GetLargestPortion()), 2048.0);
+  CheckTrue("kept", parts.Prepare({ { face, 1.0 } }, options, nullptr) && parts.GetDeviations() == 0);
+}
 }
 
 int main()
@@ -166,5 +220,6 @@ int main()
   CheckBits();
   CheckTiles();
   CheckRefusals();
+  CheckPreparing();
   return Finish();
 }

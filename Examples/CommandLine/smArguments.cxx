@@ -36,8 +36,10 @@ the files finished before.)";
 
 std::string CheckScheme(const std::string& name)
 {
-  const bool known = name == "adaptive" || name == "midpoint" || name == "gauss2" || name == "gauss3";
-  return known ? "" : "there is no scheme " + name + "; use adaptive, midpoint, gauss2 or gauss3";
+  const std::set<std::string> known = { "adaptive", "midpoint", "gauss2", "gauss3" };
+  return known.count(sm::LowerCase(name))
+    ? ""
+    : "there is no scheme " + name + "; use adaptive, midpoint, gauss2 or gauss3";
 }
 
 std::string CheckDeviation(const std::string& name)
@@ -205,7 +207,7 @@ void DeclareSchemes(CLI::App& app, sm::Arguments& arguments)
   app
     .add_option("--chord", job.ChordTolerance,
       "Of the paper's schemes: how far the chords of planar faces' trim curves\n"
-      "may be from these, relative to the size of the solid (default 1e-5)")
+      "may be from these, relative to the size of the solid (default 1e-8)")
     ->type_name("NUMBER")
     ->check(CheckChord);
   app
@@ -239,6 +241,13 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
     if (app.count(option) > 0 && arguments.Job.Scheme == "adaptive")
     {
       return std::string(option) + " is for the paper's schemes: add --scheme midpoint, gauss2 or gauss3";
+    }
+  }
+  for (const char* option : { "--tolerance", "--tolerance-of" })
+  {
+    if (app.count(option) > 0 && arguments.Job.Scheme != "adaptive")
+    {
+      return std::string(option) + " is for --scheme adaptive: the paper's schemes know no tolerance";
     }
   }
   if (arguments.Json == "-" && arguments.Csv == "-")
@@ -276,6 +285,7 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   {
     return app.exit(error) == 0 ? AllOk : UsageOrOutput;
   }
+  arguments.Job.Scheme = LowerCase(arguments.Job.Scheme);
   const std::string problem = FindProblem(app, arguments);
   if (!problem.empty())
   {

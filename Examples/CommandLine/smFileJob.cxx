@@ -7,9 +7,11 @@
 #include "smTrimPictures.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkComputeContext.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkLogger.h"
@@ -179,17 +181,38 @@ Json EmptyFile(const std::string& fileName)
   file["status"] = names::StatusUnreadable;
   file["messages"] = Json::array();
   file["scheme"] = nullptr;
+  file["scheme_options"] = nullptr;
   file["backend"] = nullptr;
   file["renderer"] = nullptr;
   file["total"] = Quantities(nothing, 0);
   file["solids"] = Json::array();
   file["faces"] = nullptr;
   file["free_faces"] = nullptr;
+  file["diagonal"] = nullptr;
   file["evaluations"] = nullptr;
   file["dispatches"] = nullptr;
   file["seconds"] = { { "start", nullptr }, { "read", nullptr }, { "prepare", nullptr },
     { "integrate", nullptr } };
   return file;
+}
+
+/// Of the box of all display meshes; null where there are none.
+Json Diagonal(vtkDataObject* input)
+{
+  vtkBoundingBox box;
+  auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(input);
+  for (unsigned int i = 0; parts && i < parts->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    for (unsigned int j = 0; j < parts->GetNumberOfPartitions(i); ++j)
+    {
+      auto* mesh = vtkDataSet::SafeDownCast(parts->GetPartitionAsDataObject(i, j));
+      if (mesh && mesh->GetNumberOfPoints() > 0)
+      {
+        box.AddBounds(mesh->GetBounds());
+      }
+    }
+  }
+  return box.IsValid() ? Json(box.GetDiagonalLength()) : Json();
 }
 
 // --- progress ----------------------------------------------------------------------------------
@@ -302,6 +325,21 @@ void SetScheme(vtkMassPropertiesGPU* filter, const sm::JobOptions& options)
   filter->SetKeepTrimTextures(!options.TexturePrefix.empty());
 }
 
+/// What the filter integrates with; null with the adaptive scheme, which knows none of it.
+Json SchemeOptions(vtkMassPropertiesGPU* filter)
+{
+  if (filter->GetScheme() == vtkMassPropertiesGPU::ADAPTIVE)
+  {
+    return nullptr;
+  }
+  Json options;
+  options["sub_patch_factor"] = filter->GetSubPatchFactor();
+  options["texture_factor"] = filter->GetTrimTextureFactor();
+  options["chord_tolerance"] = filter->GetChordTolerance();
+  options["deviation"] = filter->GetDeviation() == vtkMassPropertiesGPU::SAMPLED ? "sampled" : "bounded";
+  return options;
+}
+
 vtkSmartPointer<vtkMassPropertiesGPU> MakeFilter(vtkSTEPReader* reader, const sm::JobOptions& options)
 {
   auto filter = vtkSmartPointer<vtkMassPropertiesGPU>::New();
@@ -341,6 +379,7 @@ void Integrate(
   file["solids"] = Solids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)),
     vtkTable::SafeDownCast(filter->GetOutputDataObject(4)));
   file["faces"] = filter->GetNumberOfFaces();
+  file["diagonal"] = Diagonal(filter->GetInputDataObject(0, 0));
   file["evaluations"] = filter->GetEvaluations();
   file["dispatches"] = filter->GetDispatches();
   file["seconds"]["start"] = filter->GetStartSeconds();
@@ -377,6 +416,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   if (isRead)
   {
     file["scheme"] = options.Scheme;
+    file["scheme_options"] = SchemeOptions(filter);
     Integrate(filter, tell, file, messages);
   }
   for (const std::string& message : collector->GetMessages())

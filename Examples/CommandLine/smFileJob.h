@@ -28,7 +28,7 @@ struct JobOptions
     "adaptive"; ///< of vtkMassPropertiesGPU in lower case; the next four are for the paper's schemes
   int SubPatches = 2;
   int TrimTexture = 4;
-  double ChordTolerance = 1e-5;
+  double ChordTolerance = 1e-8;
   std::string Deviation = "bounded";
   std::string TexturePrefix; ///< "folder/stem": trim textures go to folder/stem-NAME.png; empty: none
   double Density = 0.0;      ///< kg/m^3; 0: what the file states

@@ -137,11 +137,18 @@ std::string Scheme(const Json& total, const Json& file)
   {
     return {};
   }
+  const Json& options = file["scheme_options"];
+  const std::string texels = Dump(options["texture_factor"]);
   return Row("scheme",
-    Plain(file["scheme"]) + " on " + Dump(total["sub_patches"]) +
-      " sub-patches; the paper's error estimate of the volume, no bound: " +
-      Short(total["paper_error_estimate"]) + " " + sm::FormatUnit(file, 3),
-    "", nullptr);
+           Plain(file["scheme"]) + ", k = " + Dump(options["sub_patch_factor"]) + ", " + texels + " x " +
+             texels + " texels a sub-patch, chords of planes to " + Short(options["chord_tolerance"]) +
+             ", deviations " + Plain(options["deviation"]),
+           "", nullptr) +
+    Row("",
+      "on " + Dump(total["sub_patches"]) +
+        " sub-patches; the paper's error estimate of the volume, no bound: " +
+        Short(total["paper_error_estimate"]) + " " + sm::FormatUnit(file, 3),
+      "", nullptr);
 }
 
 std::string Doubt(const Json& total, const Json& file)
@@ -324,6 +331,7 @@ Columns CsvRow(const Json& file, const Json& row, bool isTotal)
   columns.Add("name", isTotal ? Json() : row["name"]);
   columns.Add("id", isTotal ? Json() : row["id"]);
   columns.Add("status", isTotal ? file["status"] : row["status"]);
+  columns.Add("scheme", file["scheme"]);
   columns.Add("length_unit", file["length_unit"]);
   columns.Add("volume", row["volume"]);
   columns.Add("volume_bound", row["bounds"]["volume"]);

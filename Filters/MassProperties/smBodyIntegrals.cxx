@@ -169,12 +169,17 @@ void CountOpenEdges(BodyIntegrals& body)
 }
 }
 
-void BodyIntegrals::Flag(const std::string& status, const std::string& message)
+void BodyIntegrals::Degrade(const std::string& status)
 {
   if (IsWorse(status, this->Status))
   {
     this->Status = status;
   }
+}
+
+void BodyIntegrals::Flag(const std::string& status, const std::string& message)
+{
+  this->Degrade(status);
   this->Messages.push_back(message);
 }
 

@@ -67,7 +67,9 @@ struct BodyIntegrals
   double GetSide(std::size_t face) const { return this->Sides.empty() ? 1.0 : this->Sides[face]; }
   /// Some bound is no theorem.
   bool IsEstimated() const { return !this->EstimatedFaces.empty(); }
-  /// Raises the status when `status` is worse.
+  /// Lowers the status when `status` is worse.
+  void Degrade(const std::string& status);
+  /// The same, and says why.
   void Flag(const std::string& status, const std::string& message);
 };
 

@@ -4,7 +4,6 @@
 #include "smPlaneMoments.h"
 #include "smSchemeRunner.h"
 
-#include "vtkSMPTools.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 #include <limits>
 #include <new>
 #include <numeric>
-#include <unordered_map>
+#include <set>
 
 namespace sm
 {
@@ -21,32 +20,6 @@ namespace
 {
 // Of the progress: preparing; integrating is the rest.
 constexpr double PreparedShare = 0.3;
-// Faces prepared between two questions whether to go on.
-constexpr std::size_t FacesPerPart = 64;
-// Prepared faces are kept while their lists take less than this.
-constexpr std::size_t KeptBytes = std::size_t{ 1 } << 28;
-
-using PreparedFace = std::shared_ptr<const SubPatchFace>;
-
-std::size_t GetBytes(const SubPatchFace& face)
-{
-  std::size_t bytes = face.Points.size() * sizeof(face.Points[0]) + face.Deviations.size() * sizeof(double) +
-    face.Patches.size() * sizeof(Patch);
-  for (const auto& loop : face.Polygons.Loops)
-  {
-    bytes += loop.size() * sizeof(loop[0]);
-  }
-  for (const TrimRise& rise : face.Rises)
-  {
-    bytes += sizeof(rise) + rise.size() * sizeof(rise[0]);
-  }
-  return bytes;
-}
-
-bool IsSame(const SchemeOptions& a, const SchemeOptions& b)
-{
-  return a.Factor == b.Factor && a.TextureFactor == b.TextureFactor && a.Deviation == b.Deviation;
-}
 
 /// Neumaier's compensated sums of the columns.
 struct ColumnSums
@@ -112,15 +85,7 @@ void CopyTexels(const TileRange& range, const std::int32_t* texels, int factor, 
 struct SchemeIntegrator::Internals
 {
   std::unique_ptr<SchemeRunner> Runner;
-
-  /// Of the last run, by face id.
-  struct Kept
-  {
-    PreparedFace Face;
-    double ChordTolerance;
-  };
-  std::unordered_map<std::uint64_t, Kept> Cache;
-  SchemeOptions CachedOptions;
+  PreparedFaces Prepared;
 
   std::string Error;
   bool Aborted = false;
@@ -134,7 +99,6 @@ struct SchemeIntegrator::Internals
   Progress Report;
   Setup Chosen;
   double Start = 0.0;
-  std::vector<PreparedFace> Faces;
   std::vector<ColumnSums> Sums;
   std::size_t SubPatchesDone = 0;
   std::size_t SubPatchesTotal = 1;
@@ -154,7 +118,6 @@ struct SchemeIntegrator::Internals
   }
   bool CheckCost(const std::vector<SchemeTask>& tasks);
   bool PrepareFaces(const std::vector<SchemeTask>& tasks);
-  void KeepFaces(const std::vector<SchemeTask>& tasks);
   bool PrepareRunner();
   std::vector<TileRange> MakeAllTiles();
   bool RunBatch(const SchemeBatch& batch, std::vector<SchemeResult>& results);
@@ -186,70 +149,16 @@ bool SchemeIntegrator::Internals::CheckCost(const std::vector<SchemeTask>& tasks
 
 bool SchemeIntegrator::Internals::PrepareFaces(const std::vector<SchemeTask>& tasks)
 {
-  if (!IsSame(this->CachedOptions, this->Chosen.Options))
-  {
-    this->Cache.clear();
-    this->CachedOptions = this->Chosen.Options;
-  }
-  this->Faces.assign(tasks.size(), nullptr);
-  std::vector<std::size_t> missing;
-  for (std::size_t i = 0; i < tasks.size(); ++i)
-  {
-    const auto found = this->Cache.find(tasks[i].Source->Id);
-    if (found != this->Cache.end() && found->second.Face->Source == tasks[i].Source &&
-      found->second.ChordTolerance == tasks[i].ChordTolerance)
-    {
-      this->Faces[i] = found->second.Face;
-    }
-    else
-    {
-      missing.push_back(i);
-    }
-  }
-  for (std::size_t begin = 0; begin < missing.size(); begin += FacesPerPart)
-  {
-    const std::size_t end = std::min(begin + FacesPerPart, missing.size());
-    vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end), 1,
-      [&](vtkIdType from, vtkIdType to)
-      {
-        for (vtkIdType i = from; i < to; ++i)
-        {
-          const SchemeTask& task = tasks[missing[i]];
-          SchemeOptions options = this->Chosen.Options;
-          options.ChordTolerance = task.ChordTolerance;
-          this->Faces[missing[i]] =
-            std::make_shared<const SubPatchFace>(PrepareSubPatchFace(task.Source, options));
-        }
-      });
-    if (!this->Tell(PreparedShare * static_cast<double>(end) / missing.size()))
-    {
-      return false;
-    }
-  }
-  this->KeepFaces(tasks);
-  return true;
-}
-
-void SchemeIntegrator::Internals::KeepFaces(const std::vector<SchemeTask>& tasks)
-{
-  this->Cache.clear();
-  std::size_t bytes = 0;
-  for (std::size_t i = 0; i < tasks.size(); ++i)
-  {
-    bytes += GetBytes(*this->Faces[i]);
-    if (bytes > KeptBytes)
-    {
-      return;
-    }
-    this->Cache[tasks[i].Source->Id] = { this->Faces[i], tasks[i].ChordTolerance };
-  }
+  return this->Tell(0.0) &&
+    this->Prepared.Prepare(
+      tasks, this->Chosen.Options, [this](double fraction) { return this->Tell(PreparedShare * fraction); });
 }
 
 bool SchemeIntegrator::Internals::PrepareRunner()
 {
   const double start = vtkTimerLog::GetUniversalTime();
   std::set<SchemeKernel> kernels;
-  for (const PreparedFace& face : this->Faces)
+  for (const PreparedFace& face : this->Prepared.Get())
   {
     if (face->Error.empty() && !face->Planar)
     {
@@ -264,15 +173,16 @@ bool SchemeIntegrator::Internals::PrepareRunner()
 std::vector<TileRange> SchemeIntegrator::Internals::MakeAllTiles()
 {
   // Faces of one kernel side by side, in their order.
-  std::vector<std::size_t> order(this->Faces.size());
+  const std::vector<PreparedFace>& faces = this->Prepared.Get();
+  std::vector<std::size_t> order(faces.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::stable_sort(order.begin(), order.end(),
-    [this](std::size_t a, std::size_t b)
-    { return ChooseSchemeKernel(*this->Faces[a]) < ChooseSchemeKernel(*this->Faces[b]); });
+    [&faces](std::size_t a, std::size_t b)
+    { return ChooseSchemeKernel(*faces[a]) < ChooseSchemeKernel(*faces[b]); });
   std::vector<TileRange> all;
   for (const std::size_t i : order)
   {
-    const SubPatchFace& face = *this->Faces[i];
+    const SubPatchFace& face = *faces[i];
     if (face.Error.empty() && !face.Planar &&
       SchemeBatch::GetFaceBytes(face) <= this->Runner->GetMaximumBytes())
     {
@@ -307,7 +217,7 @@ bool SchemeIntegrator::Internals::RunBatch(const SchemeBatch& batch, std::vector
       TrimTexture& texture = results[range.Face].Texture;
       if (texture.Texels.empty())
       {
-        texture = MakeTexture(*this->Faces[range.Face], factor);
+        texture = MakeTexture(*this->Prepared.Get()[range.Face], factor);
       }
       CopyTexels(range, found.Texels.data() + batch.Tiles[i].Texels[0], factor, texture);
     }
@@ -324,12 +234,12 @@ bool SchemeIntegrator::Internals::RunAll(std::vector<SchemeResult>& results)
   {
     this->SubPatchesTotal += tile.GetNumberOfSubPatches();
   }
-  this->Sums.assign(this->Faces.size(), ColumnSums());
+  this->Sums.assign(this->Prepared.Get().size(), ColumnSums());
   SchemeBatch batch;
   const auto add = [&](const TileRange& tile)
   {
-    return batch.Add(
-      tile, *this->Faces[tile.Face], this->Chosen.Options.TextureFactor, this->Runner->GetMaximumBytes());
+    return batch.Add(tile, *this->Prepared.Get()[tile.Face], this->Chosen.Options.TextureFactor,
+      this->Runner->GetMaximumBytes());
   };
   for (const TileRange& tile : tiles)
   {
@@ -352,7 +262,7 @@ void SchemeIntegrator::Internals::Finish(std::vector<SchemeResult>& results) con
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < results.size(); ++i)
   {
-    const SubPatchFace& face = *this->Faces[i];
+    const SubPatchFace& face = *this->Prepared.Get()[i];
     SchemeResult& result = results[i];
     FaceIntegrals& integrals = result.Integrals;
     integrals.Error = face.Error;
@@ -414,11 +324,13 @@ bool SchemeIntegrator::Integrate(const std::vector<SchemeTask>& tasks, const Set
   self.Chosen = setup;
   const double start = self.Start = vtkTimerLog::GetUniversalTime();
   results.assign(tasks.size(), SchemeResult());
-  bool ok = self.CheckCost(tasks) && self.PrepareFaces(tasks) && self.PrepareRunner();
-  const double begin = vtkTimerLog::GetUniversalTime();
-  self.PrepareSeconds = begin - start - self.StartSeconds;
+  double begin = start;
+  bool ok = false;
   try
   {
+    ok = self.CheckCost(tasks) && self.PrepareFaces(tasks) && self.PrepareRunner();
+    begin = vtkTimerLog::GetUniversalTime();
+    self.PrepareSeconds = begin - start - self.StartSeconds;
     ok = ok && self.RunAll(results);
     if (ok)
     {
@@ -434,10 +346,15 @@ bool SchemeIntegrator::Integrate(const std::vector<SchemeTask>& tasks, const Set
     results.clear();
   }
   self.IntegrateSeconds = vtkTimerLog::GetUniversalTime() - begin;
-  self.Faces.clear();
+  self.Prepared.Release();
   self.Sums.clear();
   self.Report = nullptr;
   return ok;
+}
+
+const PreparedFaces& SchemeIntegrator::GetPrepared() const
+{
+  return this->Implementation->Prepared;
 }
 
 const std::string& SchemeIntegrator::GetError() const

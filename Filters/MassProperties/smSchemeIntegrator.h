@@ -12,7 +12,7 @@
 #ifndef smSchemeIntegrator_h
 #define smSchemeIntegrator_h
 
-#include "smSubPatches.h"
+#include "smPreparedFaces.h"
 #include "smSurfaceIntegrator.h"
 
 #include <array>
@@ -25,13 +25,6 @@
 namespace sm
 {
 class SchemeRunner;
-
-struct SchemeTask
-{
-  FacePointer Source;
-  /// A length, for planar faces; above 0.
-  double ChordTolerance = 0.0;
-};
 
 /// The trim texture of a face, from bottom to top, 1 where a texel's centre is in the face. Origin is the centre of the first texel in
 /// (u,v), Spacing the distance of centres, averaged over the domain where knot intervals differ in width.
@@ -59,8 +52,8 @@ struct SchemeResult
 
 /**
  * The sums of a face are made tile by tile (smSchemeBatch.h), by the runner over a fixed tree, and compensated over its tiles: the
- * result of a face depends on nothing but the face and the options. Prepared faces are kept from run to run, by face id,
- * while they are small, so that an edit prepares only the faces that changed. Not thread safe.
+ * result of a face depends on nothing but the face and the options. Faces are prepared, and kept from run to run, by
+ * PreparedFaces. The clock and `progress` are asked in the calling thread about every tenth of a second. Not thread safe.
  */
 class SchemeIntegrator
 {
@@ -94,6 +87,8 @@ public:
   bool Integrate(const std::vector<SchemeTask>& tasks, const Setup& setup, std::vector<SchemeResult>& results,
     const Progress& progress);
 
+  /// What the last Integrate() prepared; its faces are gone.
+  const PreparedFaces& GetPrepared() const;
   const std::string& GetError() const;
   bool WasAborted() const;
   bool WasTimedOut() const;

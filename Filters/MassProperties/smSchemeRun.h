@@ -52,7 +52,7 @@ public:
   {
     SchemeIntegrator::Setup Setup;
     /// Of planes: relative to the diagonal of the model's box.
-    double ChordTolerance = 1e-5;
+    double ChordTolerance = 1e-8;
     /// Compute shaders in this context, which is READY; null: the CPU.
     vtkComputeContext* Context = nullptr;
   };

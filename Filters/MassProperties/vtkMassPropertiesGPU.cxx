@@ -341,7 +341,14 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
   }
   if (computed && this->HasScheme())
   {
-    body.Flag(sm::names::StatusToleranceNotMet, this->GetSchemeMessage());
+    body.Degrade(sm::names::StatusToleranceNotMet);
+    if (body.HasVolume())
+    {
+      // Once for all bodies.
+      this->Implementation->Last.Remark = this->GetSchemeMessage();
+    }
+    // It would be that of the texels.
+    row.Leak = vtkMath::Nan();
     return row;
   }
   const std::string unmet = computed ? sm::FindUnmet(row, this->GetTolerance()) : std::string();
@@ -416,7 +423,8 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
     {
       sm::ForgetBounds(total);
     }
-    total.Leak = vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
+    total.Leak = this->HasScheme() ? vtkMath::Nan()
+                                   : vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
     if (this->Density > 0.0 || rows.size() == 1)
     {
       SetMass(total, this->Density > 0.0 ? this->Density : bodies.front().Model->GetDensity(), unit);

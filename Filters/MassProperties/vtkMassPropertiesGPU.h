@@ -146,7 +146,8 @@ public:
 
   ///@{
   /** Of the paper's schemes: how far the chords of a planar face's trim polygon may be from its trim curves, relative to the
-   * diagonal of the solid's box. In (0, 1), default 1e-5. Anything else is an error and changes nothing. */
+   * diagonal of the solid's box. In (0, 1), default 1e-8, so that the schemes' errors
+   * are those of curved faces. Anything else is an error and changes nothing. */
   void SetChordTolerance(double tolerance);
   vtkGetMacro(ChordTolerance, double);
   ///@}
@@ -231,6 +232,8 @@ private:
   double GetLargestLeak(const sm::BodyIntegrals& body, double perArea) const;
   void AddSchemeOutputs(const std::vector<sm::BodyIntegrals>& bodies, bool oneUnit, vtkPolyData* totals,
     vtkTable* solids, std::string& summary);
+  /// k, texels, chords and deviation in words.
+  std::string GetSchemeOptions() const;
   /// The row of a body; `moments` gets its moments in the world when it has a volume. May flag the body.
   sm::MassRow MakeRow(sm::BodyIntegrals& body, sm::Moments& moments);
   void MakeGlyphs(
@@ -251,7 +254,7 @@ protected:
   int Scheme = ADAPTIVE;
   int SubPatchFactor = 2;
   int TrimTextureFactor = 4;
-  double ChordTolerance = 1e-5;
+  double ChordTolerance = 1e-8;
   int Deviation = BOUNDED;
   bool KeepTrimTextures = false;
   double Density = 0.0;

@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <cstdio>
 #include <limits>
 
 namespace
@@ -21,7 +22,7 @@ void vtkMassPropertiesGPU::SetChordTolerance(double tolerance)
 {
   if (!(tolerance > 0.0 && tolerance < 1.0))
   {
-    vtkErrorMacro("SetChordTolerance: " << tolerance << " is not in (0, 1); give for example 1e-5.");
+    vtkErrorMacro("SetChordTolerance: " << tolerance << " is not in (0, 1); give for example 1e-8.");
     return;
   }
   if (this->ChordTolerance != tolerance)
@@ -92,6 +93,16 @@ std::string vtkMassPropertiesGPU::GetSchemeMessage() const
     " has no error bound: the paper's estimate of the volume's error is none; ADAPTIVE has one";
 }
 
+std::string vtkMassPropertiesGPU::GetSchemeOptions() const
+{
+  char text[160];
+  std::snprintf(text, sizeof(text),
+    "k = %d, %d x %d texels a sub-patch, chords of planes to %.3g of the size, deviations %s",
+    this->SubPatchFactor, this->TrimTextureFactor, this->TrimTextureFactor, this->ChordTolerance,
+    this->Deviation == BOUNDED ? "bounded" : "sampled");
+  return text;
+}
+
 double vtkMassPropertiesGPU::GetLargestLeak(const sm::BodyIntegrals& body, double perArea) const
 {
   if (!this->HasScheme())
@@ -119,6 +130,7 @@ void vtkMassPropertiesGPU::AddSchemeOutputs(const std::vector<sm::BodyIntegrals>
   const std::string scheme = sm::GetSchemeName(this->Scheme);
   this->Last->Run.AddColumns(scheme, bodies, total, totals->GetFieldData(), solids);
   summary += "Scheme: " + scheme + ", " + std::to_string(total.SubPatches) + " sub-patches\n" +
+    this->GetSchemeOptions() + "\n" +
     "The paper's error estimate: " + sm::FormatNumber(total.Estimate, vtkMath::Nan()) + "\n";
 }
 

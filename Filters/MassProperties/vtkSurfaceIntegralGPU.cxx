@@ -522,6 +522,10 @@ int vtkSurfaceIntegralGPU::RequestData(
       last.Messages.push_back((body.Name.empty() ? "" : body.Name + ": ") + message);
     }
   }
+  if (!last.Remark.empty())
+  {
+    last.Messages.push_back(last.Remark);
+  }
   if (last.Status != sm::names::StatusOk && !last.Messages.empty())
   {
     vtkWarningMacro("Status " << last.Status << ": " << last.Messages.front()

@@ -26,6 +26,8 @@ struct vtkSurfaceIntegralGPU::Internals
   {
     std::string Status;
     std::vector<std::string> Messages;
+    /// What is said of all bodies at once, behind what each of them says.
+    std::string Remark;
     std::string Backend = sm::names::BackendNone;
     std::string Renderer;
     /// Why the CPU computed where OpenGL would have been preferred.

@@ -187,15 +187,7 @@ void PrepareCurved(SubPatchFace& face, const SchemeOptions& options)
       AddPatch(face, breaks[0][column], breaks[0][column + 1], breaks[1][row], breaks[1][row + 1]);
     }
   }
-  face.Deviations.reserve(static_cast<std::size_t>(count));
-  for (int row = 0; row < face.Grid.GetNumberOfRows(); ++row)
-  {
-    for (int column = 0; column < face.Grid.GetNumberOfColumns(); ++column)
-    {
-      face.Deviations.push_back(ComputeDeviation(surface, face.Grid.U[column], face.Grid.U[column + 1],
-        face.Grid.V[row], face.Grid.V[row + 1], options.Deviation));
-    }
-  }
+  face.Deviations.assign(static_cast<std::size_t>(count), 0.0);
   face.Rises = CutIntoRises(*face.Source);
   face.Outside = MeasureOutside(face);
 }
@@ -232,7 +224,7 @@ bool IsPlanar(const NURBSSurface& surface)
   return p[1][3] == w && p[2][3] == w && p[3][3] == w && gap <= PlanarGap * size;
 }
 
-SubPatchFace PrepareSubPatchFace(const FacePointer& face, const SchemeOptions& options)
+SubPatchFace PrepareSubPatchShape(const FacePointer& face, const SchemeOptions& options)
 {
   SubPatchFace result;
   std::string reason;
@@ -262,5 +254,24 @@ SubPatchFace PrepareSubPatchFace(const FacePointer& face, const SchemeOptions& o
   failed.Source = face;
   failed.Error = (face ? "face #" + std::to_string(face->FileId) + ": " : std::string()) + reason;
   return failed;
+}
+
+void ComputeDeviations(SubPatchFace& face, DeviationMode mode, std::size_t begin, std::size_t end)
+{
+  const std::size_t columns = static_cast<std::size_t>(face.Grid.GetNumberOfColumns());
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const std::size_t column = i % columns;
+    const std::size_t row = i / columns;
+    face.Deviations[i] = ComputeDeviation(face.Source->Surface, face.Grid.U[column], face.Grid.U[column + 1],
+      face.Grid.V[row], face.Grid.V[row + 1], mode);
+  }
+}
+
+SubPatchFace PrepareSubPatchFace(const FacePointer& face, const SchemeOptions& options)
+{
+  SubPatchFace result = PrepareSubPatchShape(face, options);
+  ComputeDeviations(result, options.Deviation, 0, result.Deviations.size());
+  return result;
 }
 }

@@ -17,6 +17,7 @@
 #include "smTrimRises.h"
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -96,6 +97,17 @@ struct SubPatchFace
 
 /// Never throws: what is wrong with the face or the options is told in Error. Thread safe.
 SMFILTERSNURBS_EXPORT SubPatchFace PrepareSubPatchFace(const FacePointer& face, const SchemeOptions& options);
+
+/**
+ * The same in two steps, for the deviations of a face may take minutes: first all but their values, which are 0, then those of
+ * the sub-patches [begin, end), as many at a time as wanted. Thread safe; of one face, where the ranges are apart.
+ */
+///@{
+SMFILTERSNURBS_EXPORT SubPatchFace PrepareSubPatchShape(
+  const FacePointer& face, const SchemeOptions& options);
+SMFILTERSNURBS_EXPORT void ComputeDeviations(
+  SubPatchFace& face, DeviationMode mode, std::size_t begin, std::size_t end);
+///@}
 }
 
 #endif

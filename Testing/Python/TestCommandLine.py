@@ -22,8 +22,8 @@ manifest = Manifest(options.solids)
 BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments", "principal_axes", "mass", "bounds",
              "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells",
              "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches"}
-FILE_KEYS = {"file", "length_unit", "status", "messages", "scheme", "backend", "renderer", "total", "solids", "faces",
-             "free_faces", "evaluations", "dispatches", "seconds"}
+FILE_KEYS = {"file", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer", "total", "solids",
+             "faces", "free_faces", "diagonal", "evaluations", "dispatches", "seconds"}
 
 
 def run(*arguments, cwd=None, stdout=subprocess.PIPE):

@@ -1,6 +1,7 @@
 """TestCommandLineSchemes.py --program P --solids DIR --output DIR: the paper's schemes on the command line."""
 import argparse
 import json
+import math
 import os
 import shutil
 import struct
@@ -41,19 +42,23 @@ def check_numbers():
         for expected, file in zip((HOLE, SPHERE), files):
             total = file["total"]
             check_equal("scheme", scheme, file["scheme"])
+            check_equal("its options", {"sub_patch_factor": 8, "texture_factor": 4, "chord_tolerance": 1e-8,
+                                        "deviation": "bounded"}, file["scheme_options"])
             check_equal("status", "tolerance-not-met", file["status"])
-            check_true("why", any(scheme.upper() + " has no error bound" in text for text in file["messages"]),
-                       str(file["messages"]))
+            check_equal("why, once and of no body", 1, sum(text.startswith(scheme.upper() + " has no error bound")
+                                                           for text in file["messages"]))
             check("volume", expected["volume"], total["volume"], limit * expected["volume"])
             check_true("the centre and the inertia are there", total["center_of_mass"] and total["inertia"])
             for body in [total] + file["solids"]:
                 check_equal("no bounds", {key: None for key in ("volume", "area", "center_of_mass", "inertia")},
                             body["bounds"])
-                check_equal("what is not known", [None] * 3,
-                            [body[key] for key in ("moved_by_closing", "max_gap", "gap_area")])
+                check_equal("what is not known", [None] * 4,
+                            [body[key] for key in ("moved_by_closing", "max_gap", "gap_area", "leak")])
                 check_true("an estimate", 0 <= body["paper_error_estimate"] <= body["paper_error_estimate_with_boundary"])
                 check_true("sub-patches", body["sub_patches"] % 64 == 0 and body["sub_patches"] > 0)
             check_true("evaluations", 0 < file["evaluations"] <= points**2 * total["sub_patches"])
+    radius = (SPHERE["volume"] * 0.75 / math.pi) ** (1.0 / 3.0)
+    check("the sphere's diagonal", 2.0 * radius * math.sqrt(3.0), files[1]["diagonal"], 0.1 * radius, "by its mesh")
     # A sphere without a trim curve that crosses a sub-patch: both estimates are one.
     check("the sphere's estimates", files[1]["total"]["paper_error_estimate"],
           files[1]["total"]["paper_error_estimate_with_boundary"], 0.0)
@@ -62,12 +67,17 @@ def check_numbers():
 def check_options():
     _, (adaptive,) = run_json(HOLE["path"])
     check_equal("the default", "adaptive", adaptive["scheme"])
-    check_equal("has none of it", [None] * 3, [adaptive["total"][key] for key in ESTIMATES])
+    check_equal("has none of it", [None] * 4, [adaptive["total"][key] for key in ESTIMATES] + [adaptive["scheme_options"]])
     totals = []
     for more in ([], ["--backend", "cpu"], ["--deviation", "sampled"], ["--trim-texture", "16"], ["--chord", "1e-2"],
                  ["--subpatches", "3"]):
-        _, (file,) = run_json("--scheme", "gauss2", *more, HOLE["path"])
+        _, (file,) = run_json("--scheme", "Gauss2", *more, HOLE["path"])
+        check_equal("in any case", "gauss2", file["scheme"])
         totals.append(file["total"])
+        given = dict(zip(more[::2], more[1::2]))
+        check_equal("its options", [int(given.get("--subpatches", 2)), int(given.get("--trim-texture", 4)),
+                                    float(given.get("--chord", 1e-8)), given.get("--deviation", "bounded")],
+                    list(file["scheme_options"].values()))
     plain, cpu, sampled, texture, chord, three = totals
     check("the CPU", plain["volume"], cpu["volume"], 1e-13 * plain["volume"])
     check("sampled: the volume", plain["volume"], sampled["volume"], 0.0)
@@ -78,6 +88,8 @@ def check_options():
     # Exactly once in a table and in a CSV for people.
     csv = os.path.join(options.output, "schemes.csv")
     result = run("--scheme", "gauss2", "--csv", csv, HOLE["path"])
+    check_true("its options in the table", "gauss2, k = 2, 4 x 4 texels a sub-patch, chords of planes to 1e-08, deviations "
+               "bounded" in result.stdout, result.stdout)
     check_true("the table", "the paper's error estimate of the volume, no bound" in result.stdout, result.stdout)
     check_true("and no bound in it", "+/-" not in result.stdout, result.stdout)
     with open(csv, encoding="utf-8") as file:
@@ -85,6 +97,8 @@ def check_options():
     row = dict(zip(lines[0].split(","), lines[1].split(",")))
     check("the CSV", plain["paper_error_estimate"], float(row["paper_error_estimate"]), 0.0)
     check_equal("no bound in the CSV", "", row["volume_bound"])
+    check_equal("its scheme in every row", ["gauss2"] * (len(lines) - 1),
+                [line.split(",")[lines[0].split(",").index("scheme")] for line in lines[1:]])
     result, (file,) = run_json("--scheme", "gauss3", "--subpatches", "1024", "--max-evaluations", "1e6", HOLE["path"])
     check_equal("too costly", (3, None, None), (result.returncode, file["total"]["volume"],
                                                 file["total"]["paper_error_estimate"]))
@@ -98,6 +112,9 @@ def check_usage():
                       ["--scheme", "gauss2", "--chord", "1"], ["--scheme", "gauss2", "--deviation", "guessed"],
                       ["--subpatches", "4"], ["--trim-textures", options.output],
                       ["--scheme", "gauss2", "--trim-textures", ""],
+                      ["--scheme", "gauss2", "--tolerance", "1e-6"],
+                      ["--scheme", "GAUSS3", "--tolerance-of", "volume=1e-6"],
+                      ["--scheme", "ADAPTIVE", "--subpatches", "4"],
                       ["--scheme", "gauss2", "--trim-textures", HOLE["path"]]):
         result = run(*arguments, HOLE["path"])
         check_equal("exit status of wrong usage", 1, result.returncode)

@@ -1,0 +1,174 @@
+#include "smPreparedFaces.h"
+
+#include "vtkSMPTools.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+
+namespace sm
+{
+namespace
+{
+// Prepared faces are kept while their lists take less than this.
+constexpr std::size_t KeptBytes = std::size_t{ 1 } << 28;
+// Of the fraction done: the faces; their deviations are the rest.
+constexpr double ShapesShare = 0.2;
+// Seconds that a portion is meant to take, and how many items the first one has.
+constexpr double PortionSeconds = 0.1;
+constexpr std::size_t FirstFaces = 16;
+constexpr std::size_t FirstSubPatches = 256;
+
+std::size_t GetBytes(const SubPatchFace& face)
+{
+  std::size_t bytes = face.Points.size() * sizeof(face.Points[0]) + face.Deviations.size() * sizeof(double) +
+    face.Patches.size() * sizeof(Patch);
+  for (const auto& loop : face.Polygons.Loops)
+  {
+    bytes += loop.size() * sizeof(loop[0]);
+  }
+  for (const TrimRise& rise : face.Rises)
+  {
+    bytes += sizeof(rise) + rise.size() * sizeof(rise[0]);
+  }
+  return bytes;
+}
+
+bool IsSame(const SchemeOptions& a, const SchemeOptions& b)
+{
+  return a.Factor == b.Factor && a.TextureFactor == b.TextureFactor && a.Deviation == b.Deviation;
+}
+
+/// Calls `work` for parts of [0, count), from several threads, and `ask` with the fraction done after every portion. A portion has
+/// at most twice as many items as the one before, so that one clock reading that is off costs little. False when `ask` is.
+bool RunPortions(std::size_t count, std::size_t first,
+  const std::function<void(std::size_t begin, std::size_t end)>& work, const std::function<bool(double)>& ask)
+{
+  std::size_t size = first;
+  for (std::size_t begin = 0; begin < count;)
+  {
+    const std::size_t end = begin + std::min(size, count - begin);
+    const double start = vtkTimerLog::GetUniversalTime();
+    vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end),
+      [&](vtkIdType from, vtkIdType to)
+      { work(static_cast<std::size_t>(from), static_cast<std::size_t>(to)); });
+    const double seconds = vtkTimerLog::GetUniversalTime() - start;
+    const double wanted = static_cast<double>(end - begin) * PortionSeconds / std::max(seconds, 1e-6);
+    size = static_cast<std::size_t>(std::max(1.0, std::min(wanted, 2.0 * static_cast<double>(size))));
+    begin = end;
+    if (!ask(static_cast<double>(end) / static_cast<double>(count)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+std::vector<std::size_t> PreparedFaces::FindMissing(
+  const std::vector<SchemeTask>& tasks, const SchemeOptions& options)
+{
+  if (!IsSame(this->CachedOptions, options))
+  {
+    this->Cache.clear();
+    this->CachedOptions = options;
+  }
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    const auto found = this->Cache.find(tasks[i].Source->Id);
+    if (found != this->Cache.end() && found->second.Face->Source == tasks[i].Source &&
+      found->second.ChordTolerance == tasks[i].ChordTolerance)
+    {
+      this->Faces[i] = found->second.Face;
+    }
+    else
+    {
+      missing.push_back(i);
+    }
+  }
+  return missing;
+}
+
+bool PreparedFaces::PrepareMissing(const std::vector<SchemeTask>& tasks,
+  const std::vector<std::size_t>& missing, const SchemeOptions& options, const Ask& ask)
+{
+  std::vector<std::shared_ptr<SubPatchFace>> faces(missing.size());
+  const auto prepare = [&](std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const SchemeTask& task = tasks[missing[i]];
+      SchemeOptions own = options;
+      own.ChordTolerance = task.ChordTolerance;
+      faces[i] = std::make_shared<SubPatchFace>(PrepareSubPatchShape(task.Source, own));
+    }
+  };
+  if (!RunPortions(
+        missing.size(), FirstFaces, prepare, [&ask](double done) { return ask(ShapesShare * done); }))
+  {
+    return false;
+  }
+  // The sub-patches of all faces in one row: those of face i are from Starts[i] on.
+  std::vector<std::size_t> starts(faces.size() + 1, 0);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    starts[i + 1] = starts[i] + faces[i]->Deviations.size();
+  }
+  const auto deviate = [&](std::size_t begin, std::size_t end)
+  {
+    std::size_t i =
+      static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), begin) - starts.begin()) - 1;
+    for (; i < faces.size() && starts[i] < end; ++i)
+    {
+      ComputeDeviations(*faces[i], options.Deviation, std::max(begin, starts[i]) - starts[i],
+        std::min(end, starts[i + 1]) - starts[i]);
+    }
+  };
+  const std::size_t count = starts.back();
+  const auto goOn = [&](double done)
+  {
+    const auto now = static_cast<std::int64_t>(done * static_cast<double>(count) + 0.5);
+    this->LargestPortion = std::max(this->LargestPortion, now - this->Deviations);
+    this->Deviations = now;
+    return ask(ShapesShare + (1.0 - ShapesShare) * done);
+  };
+  if (!RunPortions(count, FirstSubPatches, deviate, goOn))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    this->Faces[missing[i]] = std::move(faces[i]);
+  }
+  return true;
+}
+
+void PreparedFaces::Keep(const std::vector<SchemeTask>& tasks)
+{
+  this->Cache.clear();
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    bytes += GetBytes(*this->Faces[i]);
+    if (bytes > KeptBytes)
+    {
+      return;
+    }
+    this->Cache[tasks[i].Source->Id] = { this->Faces[i], tasks[i].ChordTolerance };
+  }
+}
+
+bool PreparedFaces::Prepare(
+  const std::vector<SchemeTask>& tasks, const SchemeOptions& options, const Ask& ask)
+{
+  this->Deviations = this->LargestPortion = 0;
+  this->Faces.assign(tasks.size(), nullptr);
+  if (!this->PrepareMissing(tasks, this->FindMissing(tasks, options), options, ask))
+  {
+    this->Faces.clear();
+    return false;
+  }
+  this->Keep(tasks);
+  return true;
+}
+}
