@@ -2,7 +2,7 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
-#include "vtkMassPropertiesGPU.h"
+#include "vtkSurfaceIntegralGPU.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkSTEPReader.h"
@@ -69,7 +69,7 @@ void MessageList::AddReader(vtkSTEPReader* reader)
   }
 }
 
-void MessageList::AddFilter(vtkMassPropertiesGPU* filter)
+void MessageList::AddFilter(vtkSurfaceIntegralGPU* filter)
 {
   for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
   {
