@@ -2,10 +2,10 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
-#include "vtkSurfaceIntegralGPU.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkSTEPReader.h"
+#include "vtkSurfaceIntegralGPU.h"
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
