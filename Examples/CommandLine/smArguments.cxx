@@ -1,6 +1,7 @@
 #include "smArguments.h"
 
 #include "smOutputFiles.h"
+#include "smUserIntegrals.h"
 #include "smVersion.h"
 
 #include <CLI/CLI.hpp>
@@ -114,6 +115,23 @@ std::string CheckSeconds(const std::string& text)
   return value >= 0.0 && value < 1e300 ? "" : "the seconds must be a number that is not negative";
 }
 
+std::string CheckDegree(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value >= 0.0 && value <= sm::LargestMomentDegree && value == std::floor(value)
+    ? ""
+    : "the degree of moments must be a whole number from 0 to " + std::to_string(sm::LargestMomentDegree);
+}
+
+std::string CheckIntegral(const std::string& text)
+{
+  std::string name;
+  std::string expression;
+  return sm::ParseIntegral(text, name, expression)
+    ? ""
+    : text + " is no integral; write NAME=EXPRESSION, for example 'area=dA'";
+}
+
 std::string CheckDensity(const std::string& text)
 {
   const double value = ParseNumber(text);
@@ -183,6 +201,27 @@ void Declare(CLI::App& app, sm::Arguments& arguments)
   app.footer(Footer);
 }
 
+/// Integrals besides mass properties.
+void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
+{
+  app
+    .add_option("--moments", arguments.Job.MomentDegree,
+      "Integrals of x^i y^j z^k over the volume, i + j + k up to DEGREE:\n"
+      "moment_i_j_k")
+    ->type_name("DEGREE")
+    ->check(CheckDegree);
+  app
+    .add_option("--integral", arguments.Job.Integrals,
+      "Integral over the faces of an expression (GLSL) of position, normal (of\n"
+      "the length of the area element dA), unitNormal, u, v, du, dv, duu, duv,\n"
+      "dvv, meanCurvature, gaussianCurvature; with OpenGL only; may be given\n"
+      "several times: --integral 'willmore=pow(meanCurvature, 2) * dA'")
+    ->type_name("NAME=EXPR")
+    ->check(CheckIntegral)
+    ->take_all()
+    ->expected(1);
+}
+
 /// The schemes of the paper, and what they alone take.
 void DeclareSchemes(CLI::App& app, sm::Arguments& arguments)
 {
@@ -250,6 +289,16 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
       return std::string(option) + " is for --scheme adaptive: the paper's schemes know no tolerance";
     }
   }
+  std::set<std::string> names;
+  for (const std::string& integral : arguments.Job.Integrals)
+  {
+    std::string name;
+    std::string expression;
+    if (sm::ParseIntegral(integral, name, expression) && !names.insert(name).second)
+    {
+      return "two integrals are called " + name;
+    }
+  }
   if (arguments.Json == "-" && arguments.Csv == "-")
   {
     return "only one of --json and --csv can go to standard output";
@@ -276,6 +325,7 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
                "geometry, integrated on the GPU, with error bounds.",
     "solidmoments");
   Declare(app, arguments);
+  DeclareIntegrals(app, arguments);
   DeclareSchemes(app, arguments);
   try
   {

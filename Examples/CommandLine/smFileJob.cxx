@@ -5,6 +5,7 @@
 #include "smMessageList.h"
 #include "smPicture.h"
 #include "smTrimPictures.h"
+#include "smUserIntegrals.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
@@ -186,6 +187,7 @@ Json EmptyFile(const std::string& fileName)
   file["renderer"] = nullptr;
   file["total"] = Quantities(nothing, 0);
   file["solids"] = Json::array();
+  file["integrals"] = Json::object();
   file["faces"] = nullptr;
   file["free_faces"] = nullptr;
   file["diagonal"] = nullptr;
@@ -344,21 +346,13 @@ vtkSmartPointer<vtkMassPropertiesGPU> MakeFilter(vtkSTEPReader* reader, const sm
 {
   auto filter = vtkSmartPointer<vtkMassPropertiesGPU>::New();
   filter->SetInputConnection(reader->GetOutputPort());
-  filter->SetRelativeTolerance(options.Tolerance);
+  sm::SetUpFilter(filter, options);
   for (const std::string& text : options.QuantityTolerances)
   {
     SetQuantityTolerance(filter, text);
   }
-  filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));
-  filter->SetMaximumSeconds(options.MaximumSeconds);
   filter->SetDensity(options.Density);
   SetScheme(filter, options);
-  filter->SetBackend(options.Backend == "auto" ? vtkMassPropertiesGPU::AUTOMATIC
-      : options.Backend == "cpu"               ? vtkMassPropertiesGPU::CPU
-                                               : vtkMassPropertiesGPU::OPENGL);
-  filter->GetComputeContext()->SetSource(options.Backend == "egl" ? vtkComputeContext::EGL
-      : options.Backend == "x"                                    ? vtkComputeContext::X
-                                                                  : vtkComputeContext::AUTOMATIC);
   return filter;
 }
 
@@ -418,6 +412,12 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
     file["scheme"] = options.Scheme;
     file["scheme_options"] = SchemeOptions(filter);
     Integrate(filter, tell, file, messages);
+    const auto update = [&tell](vtkAlgorithm* algorithm)
+    {
+      ProgressScope progress(algorithm, "integrate", tell);
+      algorithm->Update();
+    };
+    sm::IntegrateUsers(reader, options, update, file, messages);
   }
   for (const std::string& message : collector->GetMessages())
   {

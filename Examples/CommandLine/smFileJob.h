@@ -22,6 +22,9 @@ struct JobOptions
   double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
   /// Of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see vtkMassPropertiesGPU.
   std::vector<std::string> QuantityTolerances;
+  /// Volume moments up to this degree; negative: none. And expressions, "NAME=EXPR".
+  int MomentDegree = -1;
+  std::vector<std::string> Integrals;
   double MaximumEvaluations = 2e9;
   double MaximumSeconds = 0.0;
   std::string Scheme =

@@ -2,10 +2,10 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
-#include "vtkMassPropertiesGPU.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkSTEPReader.h"
+#include "vtkSurfaceIntegralGPU.h"
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ void MessageList::AddReader(vtkSTEPReader* reader)
   }
 }
 
-void MessageList::AddFilter(vtkMassPropertiesGPU* filter)
+void MessageList::AddFilter(vtkSurfaceIntegralGPU* filter)
 {
   for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
   {

@@ -151,6 +151,23 @@ std::string Scheme(const Json& total, const Json& file)
       "", nullptr);
 }
 
+/// What the user asked for besides.
+std::string Integrals(const Json& file)
+{
+  const size_t most = 40;
+  const Json& integrals = file["integrals"];
+  std::string text;
+  size_t count = 0;
+  for (auto item = integrals.begin(); item != integrals.end() && count < most; ++item, ++count)
+  {
+    const Json& bound = (*item)["bound"];
+    text += Row(item.key(), sm::FormatValue((*item)["value"], bound), "", bound);
+  }
+  return integrals.size() > most
+    ? text + "  ... and " + std::to_string(integrals.size() - most) + " more integrals, see --json\n"
+    : text;
+}
+
 std::string Doubt(const Json& total, const Json& file)
 {
   std::string text;
@@ -197,6 +214,7 @@ std::string Results(const Json& file)
   text += total["principal_axes_degenerate"] == true
     ? Row("principal axes", "not unique, moments coincide", "", nullptr)
     : Rows("principal axes", total["principal_axes"], 1e-9, "", nullptr);
+  text += Integrals(file);
   text += Scheme(total, file);
   text += Doubt(total, file);
   return text +

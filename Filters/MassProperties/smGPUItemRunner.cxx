@@ -106,9 +106,9 @@ GPUItemRunner::GPUItemRunner(vtkComputeContext* context)
 
 GPUItemRunner::~GPUItemRunner() = default;
 
-std::string GPUItemRunner::GetObstacle(const Integrand&) const
+std::string GPUItemRunner::GetObstacle(const Integrand& integrand) const
 {
-  return "";
+  return this->Implementation->Programs.FindError(integrand);
 }
 
 void GPUItemRunner::OnConfigure()

@@ -24,7 +24,7 @@ public:
   explicit GPUItemRunner(vtkComputeContext* context);
   ~GPUItemRunner() override;
 
-  /// None: an expression that does not compile is an error of Acquire().
+  /// What the compiler says of an expression of the user's.
   std::string GetObstacle(const Integrand& integrand) const override;
   bool Acquire(const std::vector<CutFacePointer>& faces, const Progress& progress) override;
   std::string GetFaceError(std::size_t face) const override;

@@ -63,9 +63,13 @@ Integrand Integrand::VectorArea(const std::string& name, int component)
   return result;
 }
 
-Integrand Integrand::User(const std::string& name, const std::string& expression, bool closedChain)
+Integrand Integrand::User(const std::string& name, const std::string& expression, bool closedChain,
+  const UserExpression::Constants& constants)
 {
-  return { name, "(" + expression + ")", closedChain, -1,
-    "abs((" + expression + ") / max(length(normal), 1e-300LF))" };
+  // The magnitude is the integrand itself, see smIntegrationPrograms; none is shared but by the same integrand.
+  Integrand result{ name, expression, closedChain, -1,
+    expression + (closedChain ? " on the chain" : " on faces") };
+  result.Source = std::make_shared<const UserExpression>(expression, constants);
+  return result;
 }
 }

@@ -5,7 +5,10 @@
 #ifndef smIntegrand_h
 #define smIntegrand_h
 
+#include "smUserExpression.h"
+
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,12 +24,12 @@ struct Integrand
     AreaMoment,
     /// The component of the normal whose power is 1.
     VectorArea,
-    /// An expression of the user's: only text.
+    /// An expression of the user's: Source.
     User
   };
 
   std::string Name;
-  /// GLSL expression of `position` and `normal`, both dvec3.
+  /// GLSL expression of `position` and `normal`, both dvec3; a User's as it was written.
   std::string Expression;
   /// Integrated over ribbons and caps too.
   bool ClosedChain = false;
@@ -43,18 +46,26 @@ struct Integrand
   double MagnitudeFactor = 1.0;
   int MagnitudePower = 0;
 
+  /// A User's: what it is translated to.
+  std::shared_ptr<const UserExpression> Source{};
+  /// The integral grows with this power of the body's size beyond area; tolerances of a User's are relative to that.
+  int ScalePower = 0;
+
   /// Flux of x g(x) / (3 + i + j + k) with g = x^i y^j z^k: the volume integral of g.
   static Integrand VolumeMoment(const std::string& name, int i, int j, int k);
   /// |n| x^i y^j z^k.
   static Integrand AreaMoment(const std::string& name, int i, int j, int k);
   /// A component of the vector area, 0 on a closed surface.
   static Integrand VectorArea(const std::string& name, int component);
-  static Integrand User(const std::string& name, const std::string& expression, bool closedChain);
+  static Integrand User(const std::string& name, const std::string& expression, bool closedChain,
+    const UserExpression::Constants& constants = {});
 
   bool operator==(const Integrand& other) const
   {
+    const auto getGlsl = [](const Integrand& integrand)
+    { return integrand.Source ? integrand.Source->MakeFunction("", false) : std::string(); };
     return this->Name == other.Name && this->Expression == other.Expression &&
-      this->ClosedChain == other.ClosedChain;
+      this->ClosedChain == other.ClosedChain && getGlsl(*this) == getGlsl(other);
   }
 };
 }

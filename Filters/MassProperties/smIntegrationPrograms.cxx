@@ -7,10 +7,13 @@
 #include "smAccumulate.h"
 #include "smCap.h"
 #include "smCapCS.h"
+#include "smElementary.h"
+#include "smExpressionCS.h"
 #include "smPanel.h"
 #include "smPanelCS.h"
 #include "smRibbon.h"
 #include "smRibbonCS.h"
+#include "smSample.h"
 #include "smWork.h"
 #include "smWorkRecord.h"
 #include "smWorkStorage.h"
@@ -56,6 +59,134 @@ ProgramKey IntegrationPrograms::ChooseProgram(ItemKind kind, int degreeS, int de
   return { kind, 0, 0 };
 }
 
+namespace
+{
+std::string GetFunctionName(std::size_t integrand)
+{
+  return "smUser" + std::to_string(integrand);
+}
+
+std::string CallFunction(std::size_t integrand)
+{
+  return GetFunctionName(integrand) + "(position, normal)";
+}
+
+void AddChunks(ShaderSource& source)
+{
+  for (const char* chunk :
+    { "smPortable", "smBernstein", "smPatch", "smPatchRecord", "smPatchSecond", "smResident" })
+  {
+    source.AddChunk(chunk, GetNURBSShaderChunk(chunk));
+  }
+  const std::pair<const char*, const char*> chunks[] = { { "smAccumulate", smAccumulate }, { "smCap", smCap },
+    { "smElementary", smElementary }, { "smPanel", smPanel }, { "smRibbon", smRibbon },
+    { "smSample", smSample }, { "smWork", smWork }, { "smWorkRecord", smWorkRecord },
+    { "smWorkStorage", smWorkStorage } };
+  for (const auto& [name, text] : chunks)
+  {
+    source.AddChunk(name, text);
+  }
+}
+}
+
+std::string IntegrationPrograms::FindError(const Integrand& integrand)
+{
+  if (integrand.Form != Integrand::Kind::User)
+  {
+    return "";
+  }
+  const UserExpression& expression = *integrand.Source;
+  const std::string place = expression.GetError();
+  if (!place.empty())
+  {
+    return place;
+  }
+  if (integrand.ClosedChain && expression.GetDetail() > UserExpression::PositionAndNormal)
+  {
+    return "parameters, derivatives and curvatures are those of faces; the strips that close the chain have "
+           "none";
+  }
+  const std::string function = expression.MakeFunction(GetFunctionName(0), true);
+  const auto [found, isNew] = this->Checked.emplace(function, "");
+  if (!isNew)
+  {
+    return found->second;
+  }
+  ShaderSource source("smExpressionCS", smExpressionCS);
+  AddChunks(source);
+  source.Define("SM_SAMPLE_DETAIL", 0);
+  source.Replace("//SM::UserFunctions", "//SM::Include smSample\n//SM::Include smElementary\n" + function);
+  ComputeProgram program;
+  if (!source.Assemble())
+  {
+    found->second = source.GetError();
+  }
+  else if (!program.Build(this->Context, source.GetName(), source.GetSource()))
+  {
+    if (program.GetLog().empty())
+    {
+      // No fault of the expression's.
+      this->Checked.erase(found);
+      return program.GetError();
+    }
+    found->second = expression.Explain(program.GetLog());
+  }
+  return found->second;
+}
+
+int IntegrationPrograms::GetDetail(bool isPanel) const
+{
+  int detail = UserExpression::PositionAndNormal;
+  for (const Integrand& integrand : this->Setup.Integrands)
+  {
+    detail = isPanel && integrand.Source ? std::max(detail, integrand.Source->GetDetail()) : detail;
+  }
+  return detail;
+}
+
+std::string IntegrationPrograms::MakeFunctions(bool isPanel) const
+{
+  std::string text;
+  bool hasFunctions = false;
+  for (std::size_t k = 0; k < this->Setup.Integrands.size(); ++k)
+  {
+    const Integrand& integrand = this->Setup.Integrands[k];
+    if (integrand.Source && (isPanel || integrand.ClosedChain))
+    {
+      text += integrand.Source->MakeFunction(GetFunctionName(k), false);
+      hasFunctions = hasFunctions || integrand.Source->NeedsFunctions();
+    }
+  }
+  const int detail = this->GetDetail(isPanel);
+  text = (hasFunctions ? "//SM::Include smElementary\n" : "") + text;
+  text = (detail > 0 ? "//SM::Include smSample\n" : "") + text;
+  return (detail >= UserExpression::SecondDerivatives ? "//SM::Include smPatchSecond\n" : "") + text;
+}
+
+void IntegrationPrograms::DescribeSamples(ShaderSource& source) const
+{
+  const int detail = this->GetDetail(true);
+  std::string prepare;
+  std::string describe;
+  if (detail >= UserExpression::Parameters)
+  {
+    describe += "smDescribeParameters(patchRecord, s, uv.y);\n";
+  }
+  if (detail >= UserExpression::FirstDerivatives)
+  {
+    describe += "smDescribeFirst(patchRecord, work.item.w, tangentS, tangentR);\n";
+  }
+  if (detail >= UserExpression::SecondDerivatives)
+  {
+    prepare = "dvec4 rowRR[SM_ROW_SIZE];\nsmCollapseSecond(patchRecord.shape.x, p, q, uv.y, rowRR);\n";
+    describe += "dvec3 dss;\ndvec3 dsr;\ndvec3 drr;\n"
+                "smEvaluateSecond(p, s, row, rowR, rowRR, dss, dsr, drr);\n"
+                "smDescribeSecond(patchRecord, work.item.w, normal, dss, dsr, drr);\n";
+  }
+  source.Replace("//SM::PrepareSamples", prepare);
+  source.Replace("//SM::DescribeSample", describe);
+}
+
 std::string IntegrationPrograms::MakeValues(bool chainOnly) const
 {
   std::string text;
@@ -64,19 +195,28 @@ std::string IntegrationPrograms::MakeValues(bool chainOnly) const
     const Integrand& integrand = this->Setup.Integrands[k];
     if (!chainOnly || integrand.ClosedChain)
     {
-      text += "smValues[" + std::to_string(k) + "] += weight * (" + integrand.Expression + ");\n";
+      text += "smValues[" + std::to_string(k) + "] += weight * (" +
+        (integrand.Source ? CallFunction(k) : integrand.Expression) + ");\n";
     }
   }
   return text;
 }
 
-std::string IntegrationPrograms::MakeRoundings() const
+std::string IntegrationPrograms::MakeRoundings(bool chainOnly) const
 {
   std::string text;
   for (int k = 0; k < this->Layout.GetNumberOfRoundings(); ++k)
   {
-    const Integrand& integrand = this->Setup.Integrands[this->Layout.GetMagnitudes()[k]];
-    text += "smRoundings[" + std::to_string(k) + "] += noise * (" + integrand.Magnitude + ");\n";
+    const int first = this->Layout.GetMagnitudes()[k];
+    const Integrand& integrand = this->Setup.Integrands[first];
+    if (integrand.Source && chainOnly && !integrand.ClosedChain)
+    {
+      continue;
+    }
+    text += "smRoundings[" + std::to_string(k) + "] += noise * (" +
+      (integrand.Source ? "abs(" + CallFunction(first) + ") / max(length(normal), 1e-300LF)"
+                        : integrand.Magnitude) +
+      ");\n";
   }
   return text;
 }
@@ -92,18 +232,9 @@ ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
   const char* const texts[] = { smPanelCS, smRibbonCS, smCapCS };
   const char* const names[] = { "smPanelCS", "smRibbonCS", "smCapCS" };
   ShaderSource source(names[static_cast<int>(kind)], texts[static_cast<int>(kind)]);
-  for (const char* chunk : { "smPortable", "smBernstein", "smPatch", "smPatchRecord", "smResident" })
-  {
-    source.AddChunk(chunk, GetNURBSShaderChunk(chunk));
-  }
-  const std::pair<const char*, const char*> chunks[] = { { "smAccumulate", smAccumulate }, { "smCap", smCap },
-    { "smPanel", smPanel }, { "smRibbon", smRibbon }, { "smWork", smWork }, { "smWorkRecord", smWorkRecord },
-    { "smWorkStorage", smWorkStorage } };
-  for (const auto& [name, text] : chunks)
-  {
-    source.AddChunk(name, text);
-  }
-
+  AddChunks(source);
+  const bool isPanel = kind == ItemKind::Panel;
+  source.Define("SM_SAMPLE_DETAIL", this->GetDetail(isPanel));
   source.Define("SM_INTEGRANDS", this->Layout.GetNumberOfIntegrands());
   source.Define("SM_ROUNDINGS", this->Layout.GetNumberOfRoundings());
   source.Define("SM_ROUNDING_OF", ListOfNumbers(this->Layout.GetRoundingOf()));
@@ -111,15 +242,25 @@ ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
   char literal[40];
   std::snprintf(literal, sizeof(literal), "%.17eLF", this->Setup.Perturbation);
   source.Define("SM_PERTURBATION", literal);
+  const bool mayHaveKinks = std::any_of(this->Setup.Integrands.begin(), this->Setup.Integrands.end(),
+    [](const Integrand& integrand) { return integrand.Source && integrand.Source->MayHaveKinks(); });
+  source.Define("SM_LUCK", mayHaveKinks ? "0.1LF" : "1e-3LF");
   source.Define("SM_PLACEMENT", this->Setup.UsePlacements ? "true" : "false");
   source.Define("SM_DEGREE_S", degreeS > 0 ? std::to_string(degreeS) : "int(patchRecord.shape.y)");
   source.Define("SM_DEGREE_R", degreeR > 0 ? std::to_string(degreeR) : "int(patchRecord.shape.z)");
   source.Define("SM_ROW_SIZE", degreeS > 0 ? degreeS + 1 : MaximumDegree + 1);
   source.Define("SM_BASIS_SIZE", degreeR > 0 ? std::max(degreeS, degreeR) : MaximumDegree);
 
-  source.Replace("//SM::AccumulateFaces", this->MakeValues(false));
+  source.Replace("//SM::UserFunctions", this->MakeFunctions(isPanel));
+  if (isPanel)
+  {
+    this->DescribeSamples(source);
+  }
+  // Ribbons and caps have no samples of faces.
+  source.Replace("//SM::AccumulateFaces", this->MakeValues(!isPanel));
   source.Replace("//SM::AccumulateChain", this->MakeValues(true));
-  source.Replace("//SM::AccumulateRoundings", this->MakeRoundings());
+  source.Replace("//SM::AccumulateFaceRoundings", this->MakeRoundings(!isPanel));
+  source.Replace("//SM::AccumulateChainRoundings", this->MakeRoundings(true));
   if (!source.Assemble())
   {
     this->Error = source.GetError();

@@ -16,6 +16,8 @@ class vtkComputeContext;
 
 namespace sm
 {
+class ShaderSource;
+
 /// Items that one program integrates: their kind, and the degrees it is compiled for (0: any).
 using ProgramKey = std::tuple<ItemKind, int, int>;
 
@@ -34,16 +36,25 @@ public:
   /// Builds it if need be; null with GetError() when it does not build.
   ComputeProgram* Get(const ProgramKey& key);
 
+  /// Why an integrand does not compile, at the user's column; empty when it does. Each is compiled alone, and once.
+  std::string FindError(const Integrand& integrand);
+
   const std::string& GetError() const { return this->Error; }
 
 private:
+  std::string MakeFunctions(bool isPanel) const;
   std::string MakeValues(bool chainOnly) const;
-  std::string MakeRoundings() const;
+  std::string MakeRoundings(bool chainOnly) const;
+  /// What the samples of panels must be described by, see UserExpression.
+  int GetDetail(bool isPanel) const;
+  void DescribeSamples(ShaderSource& source) const;
 
   vtkComputeContext* Context;
   ItemRunner::Setup Setup;
   RowLayout Layout;
   std::map<ProgramKey, ComputeProgram> Programs;
+  /// What the compiler said of functions of the user's.
+  std::map<std::string, std::string> Checked;
   std::string Error;
 };
 }

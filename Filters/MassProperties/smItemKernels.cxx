@@ -45,6 +45,7 @@ namespace
 #define SM_INTEGRANDS this->smIntegrandsHere
 #define SM_ROUNDINGS this->smRoundingsHere
 #define SM_PLACEMENT this->smIsPlaced
+#define SM_LUCK 1e-3
 #define SM_PERTURBATION this->smPerturbation
 #define SM_STRIP_POINTS this->smStripPoints
 #define SM_DEGREE_S (DegreeS > 0 ? DegreeS : static_cast<int>(patchRecord.shape.y))
@@ -149,7 +150,7 @@ private:
     const Patch& patch = this->Face.Patches[index];
     return { dvec4(patch.Center[0], patch.Center[1], patch.Center[2], patch.Radius),
       dvec4(patch.Start[0], patch.Start[1], patch.Width[0], patch.Width[1]),
-      uvec4(patch.FirstPoint, patch.Degree[0], patch.Degree[1], 0u),
+      uvec4(patch.FirstPoint, patch.Degree[0], patch.Degree[1], patch.Exchanged ? 1u : 0u),
       dvec2(patch.Stretch[0], patch.Stretch[1]) };
   }
 

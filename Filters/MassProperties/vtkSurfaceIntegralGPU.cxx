@@ -46,6 +46,8 @@ void vtkSurfaceIntegralGPU::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "MaximumSeconds: " << this->MaximumSeconds << "\n"
      << indent << "KeepFaces: " << this->KeepFaces << "\n"
      << indent << "Integrands: " << this->GetNumberOfIntegrands() << "\n"
+     << indent << "Constants: " << this->Implementation->Constants.size() << "\n"
+     << indent << "FaceIds: " << this->Implementation->FaceIds.size() << "\n"
      << indent << "Status: " << this->GetStatus() << "\n"
      << indent << "BackendName: " << this->GetBackendName() << "\n"
      << indent << "Renderer: " << this->GetRenderer() << "\n";
@@ -64,59 +66,6 @@ void vtkSurfaceIntegralGPU::SetRelativeTolerance(double tolerance)
     this->RelativeTolerance = clamped;
     this->Modified();
   }
-}
-
-void vtkSurfaceIntegralGPU::AddIntegrand(const std::string& name, const std::string& expression, int support)
-{
-  if (expression.empty())
-  {
-    vtkErrorMacro(
-      "AddIntegrand: the expression of '" << name << "' is empty; give GLSL of position and normal.");
-    return;
-  }
-  this->Implementation->Add(this, sm::Integrand::User(name, expression, support == CLOSED_CHAIN));
-}
-
-void vtkSurfaceIntegralGPU::AddVolumeMoment(const std::string& name, int i, int j, int k)
-{
-  if (std::min({ i, j, k }) < 0)
-  {
-    vtkErrorMacro("AddVolumeMoment: the powers " << i << ", " << j << ", " << k << " of '" << name
-                                                 << "' must not be negative.");
-    return;
-  }
-  this->Implementation->Add(this, sm::Integrand::VolumeMoment(name, i, j, k));
-}
-
-void vtkSurfaceIntegralGPU::AddAreaMoment(const std::string& name, int i, int j, int k)
-{
-  if (std::min({ i, j, k }) < 0)
-  {
-    vtkErrorMacro("AddAreaMoment: the powers " << i << ", " << j << ", " << k << " of '" << name
-                                               << "' must not be negative.");
-    return;
-  }
-  this->Implementation->Add(this, sm::Integrand::AreaMoment(name, i, j, k));
-}
-
-void vtkSurfaceIntegralGPU::Internals::Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand)
-{
-  const bool exists = std::any_of(this->Integrands.begin(), this->Integrands.end(),
-    [&integrand](const sm::Integrand& other) { return other.Name == integrand.Name; });
-  if (integrand.Name.empty() || exists)
-  {
-    vtkErrorWithObjectMacro(self, "The name '" << integrand.Name << "' of an integrand is empty or exists.");
-    return;
-  }
-  if (this->LocalTolerances)
-  {
-    vtkErrorWithObjectMacro(self,
-      "'" << integrand.Name << "' was not added: the integrands of " << self->GetClassName()
-          << " are fixed. Use vtkSurfaceIntegralGPU for others.");
-    return;
-  }
-  this->Integrands.push_back(integrand);
-  self->Modified();
 }
 
 void vtkSurfaceIntegralGPU::RemoveAllIntegrands()
@@ -249,6 +198,10 @@ int vtkSurfaceIntegralGPU::FillOutputPortInformation(int port, vtkInformation* i
 double vtkSurfaceIntegralGPU::Internals::GetScale(
   const sm::Integrand& integrand, vtkTrimmedNURBSModel& model, double reach)
 {
+  if (integrand.ScalePower != 0)
+  {
+    return sm::GetAreaScale(model) * std::pow(sm::GetRadius(model), integrand.ScalePower);
+  }
   // The integral of a monomial over a body of volume V (area A) within a distance `reach` of the origin.
   const double size = std::pow(reach, std::max(integrand.Degree, 0));
   return size *
@@ -383,6 +336,7 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
     firstTask.push_back(tasks.size());
     this->AddTasks(body, placed, self->RelativeTolerance, tasks);
   }
+  const std::vector<std::size_t> chosen = this->ChooseTasks(tasks);
   std::vector<sm::FaceIntegrals> results;
   const vtkTypeUInt64 dispatches = this->Context->GetNumberOfDispatches();
   const bool done = this->Integrator.Integrate(tasks, results,
@@ -419,9 +373,17 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
     const std::string obstacle = this->Integrator.GetObstacle(k);
     if (!obstacle.empty())
     {
-      last.Messages.push_back(this->Integrands[k].Name + " was not computed: " + obstacle);
+      const sm::Integrand& integrand = this->Integrands[k];
+      last.Messages.push_back(integrand.Name + " was not computed: " + obstacle +
+        (integrand.Source ? ", in \"" + integrand.Expression + "\"" : std::string()));
+    }
+    else if (this->Integrands[k].Source && this->Integrands[k].Source->MayHaveKinks())
+    {
+      last.Messages.push_back(this->Integrands[k].Name +
+        " may have kinks or steps: its bound is estimated as if it were smooth on every face");
     }
   }
+  this->SpreadResults(chosen, results);
   std::map<std::size_t, std::shared_ptr<const std::vector<sm::FaceIntegrals>>> sharedFaces;
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {

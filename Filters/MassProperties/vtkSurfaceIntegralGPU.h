@@ -5,10 +5,19 @@
  * Integrates any list of integrands over the faces of every vtkNURBSDataSet in the input (one, or the
  * leaves of a composite dataset), in double precision on the GPU, inside an OpenGL context of VTK; or, where there is
  * no OpenGL 4.3 with doubles, on the CPU by the same mathematics compiled as C++, see SetBackend().
- * An integrand is a GLSL expression of
+ * An integrand is a scalar GLSL expression, which must hold the area element once (`f * dA`, `dot(field, normal)`), of
  *   - `position`: dvec3, world coordinates, in the model's length unit,
- *   - `normal`:   dvec3, outward Su x Sv of the surface element; length(normal) is the area element. Outward is what
- *     the file calls so: a shell that is inside out is turned by vtkMassPropertiesGPU only, FlippedShells is 0 here.
+ *   - `normal`:   dvec3, outward normal of the length of the area element `dA`. Outward is what the file calls so: a
+ *     shell that is inside out is turned by vtkMassPropertiesGPU only, FlippedShells is 0 here,
+ *   - `unitNormal`: dvec3; `dA`: double, length(normal),
+ *   - on FACES also `u`, `v`: double, the face's own parameters; `du`, `dv`, `duu`, `duv`, `dvv`: dvec3, first and
+ *     second derivatives of the point in them, in world coordinates; `meanCurvature`, positive where the body is
+ *     convex, 1/R on a sphere; `gaussianCurvature`,
+ *   - constants of AddConstant(), and the functions of GLSL; sin, cos, tan, exp, log and pow are of doubles here (angles up
+ *     to 2^20, beyond they are not a number).
+ * Bounds of expressions are estimated, and suppose that they are smooth on every face: at kinks and steps (abs, min, max,
+ * step, ?: and their like) an error may exceed its bound; a message says which expressions may have some.
+ * Numbers are doubles, 1/3 is a third; statements, assignments and comments are errors.
  * An integrand on the CLOSED_CHAIN is also integrated over the ribbons and caps that join the faces along
  * their common edges, so that fluxes are those of a closed surface; one on FACES (areas) is not.
  *
@@ -70,13 +79,31 @@ public:
   /**
    * Adds the integrand `expression` (GLSL, double precision, see above) under `name`. An empty name or
    * expression, or a name that exists, is an error and adds nothing. An expression that does not compile is
-   * an error of the next Update(), with the compiler's message.
+   * NaN, with a message that has the compiler's words and the column; the other integrands are computed.
    */
   void AddIntegrand(const std::string& name, const std::string& expression, int support = FACES);
   /** Volume integral of x^i y^j z^k, by the divergence theorem: flux of r x^i y^j z^k / (3 + i + j + k). */
   void AddVolumeMoment(const std::string& name, int i, int j, int k);
   /** Surface integral of x^i y^j z^k. */
   void AddAreaMoment(const std::string& name, int i, int j, int k);
+  /** Flux of the vector (x, y, z), each an expression, out of the body. */
+  void AddFlux(const std::string& name, const std::string& x, const std::string& y, const std::string& z);
+  /** Energy of bending as of a thin plate: the integral of k1^2 + k2^2 = 4 H^2 - 2 K, k1 and k2 the principal curvatures. Of
+   * any size of a sphere 8 pi. Relative tolerances are relative to area / size^2. */
+  void AddBendingEnergy(const std::string& name);
+  /** Half the integral of |n.d|, d the direction made a unit vector: the area of the shadow, if the body is convex; else what
+   * lies behind something counts too. */
+  void AddProjectedArea(const std::string& name, double x, double y, double z);
+  /** Makes `name` a number in expressions, those added before too; again: another number. An error, and nothing, when it is not
+   * finite, or no identifier, or has a meaning. */
+  void AddConstant(const std::string& name, double value);
+  ///@{
+  /** Integrates over faces of these entity numbers (FaceId of port 3) alone, in all bodies; none: over all. Others count as 0,
+   * and with them the strips that join them to their edges. */
+  void AddFaceId(int id);
+  void RemoveAllFaceIds();
+  int GetNumberOfFaceIds() const;
+  ///@}
   /** Forgets all integrands. */
   virtual void RemoveAllIntegrands();
   int GetNumberOfIntegrands() const;

@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
 class vtkFieldData;
 
@@ -54,6 +55,9 @@ struct vtkSurfaceIntegralGPU::Internals
   std::vector<sm::Integrand> Integrands;
   std::vector<sm::Integrand> Configured;
   ToleranceRule LocalTolerances;
+  sm::UserExpression::Constants Constants;
+  /// Entity numbers of the faces to integrate over; empty: all.
+  std::set<int> FaceIds;
   Run Last;
 
   void Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand);
@@ -62,6 +66,11 @@ struct vtkSurfaceIntegralGPU::Internals
   bool Integrate(vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies);
   void AddTasks(
     const sm::BodyIntegrals& body, bool placed, double tolerance, std::vector<sm::FaceTask>& tasks) const;
+  /// Leaves the tasks of chosen faces; returns for every task where its result will be (beyond the end: nowhere), nothing
+  /// where all faces are chosen.
+  std::vector<std::size_t> ChooseTasks(std::vector<sm::FaceTask>& tasks);
+  /// Puts the results where they would be if all faces had been integrated, zeros in between.
+  void SpreadResults(const std::vector<std::size_t>& chosen, std::vector<sm::FaceIntegrals>& results) const;
   void FillRunData(vtkFieldData* data) const;
   /// How far the body reaches from the world origin.
   static double GetReach(const sm::BodyIntegrals& body);

@@ -129,6 +129,7 @@ std::uint32_t Builder::GetPatch(int column, int row)
     return entry->second;
   }
   Patch patch{};
+  patch.Exchanged = this->Turned;
   patch.FirstPoint = static_cast<std::uint32_t>(this->Result.Points.size());
   patch.Degree[0] = this->Surface.Degree[0];
   patch.Degree[1] = this->Surface.Degree[1];

@@ -45,6 +45,8 @@ struct Patch
   double Normal[3];
   /// Largest ratio of the weights of neighbours.
   double WeightRatio;
+  /// (s, r) run along (v, u) of the face: its u and v are exchanged here.
+  bool Exchanged = false;
 };
 
 /// What a panel's shape says about the order of its Gauss rules.

@@ -51,6 +51,7 @@ ComputeProgram& ComputeProgram::operator=(ComputeProgram&& other) noexcept
     this->LocalSize = std::exchange(other.LocalSize, 0);
     this->Label = std::move(other.Label);
     this->Error = std::move(other.Error);
+    this->Log = std::move(other.Log);
   }
   return *this;
 }
@@ -87,6 +88,7 @@ bool ComputeProgram::Build(vtkComputeContext* context, const std::string& name, 
   this->Free();
   this->Label = name;
   this->Error.clear();
+  this->Log.clear();
   std::optional<ContextScope> scope;
   if (!ContextScope::IsInside(context) && !scope.emplace(context))
   {
@@ -103,9 +105,9 @@ bool ComputeProgram::Build(vtkComputeContext* context, const std::string& name, 
   glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
   if (!done)
   {
-    const std::string log = GetLog(shader, glGetShaderiv, glGetShaderInfoLog);
+    this->Log = ::GetLog(shader, glGetShaderiv, glGetShaderInfoLog);
     glDeleteShader(shader);
-    return this->Fail("does not compile\n" + log + "\n" + ShaderSource::NumberLines(source));
+    return this->Fail("does not compile\n" + this->Log + "\n" + ShaderSource::NumberLines(source));
   }
 
   const GLuint program = glCreateProgram();
@@ -116,9 +118,9 @@ bool ComputeProgram::Build(vtkComputeContext* context, const std::string& name, 
   glDeleteShader(shader);
   if (!done)
   {
-    const std::string log = GetLog(program, glGetProgramiv, glGetProgramInfoLog);
+    this->Log = ::GetLog(program, glGetProgramiv, glGetProgramInfoLog);
     glDeleteProgram(program);
-    return this->Fail("does not link\n" + log + "\n" + ShaderSource::NumberLines(source));
+    return this->Fail("does not link\n" + this->Log + "\n" + ShaderSource::NumberLines(source));
   }
   GLint size[3] = { 0, 0, 0 };
   glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, size);

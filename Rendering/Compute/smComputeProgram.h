@@ -58,6 +58,9 @@ public:
   /** Why the last failed operation failed. */
   const std::string& GetError() const { return this->Error; }
 
+  /** What the driver said of the last source, if it refused it; else empty. */
+  const std::string& GetLog() const { return this->Log; }
+
   /** GL programs that exist in the process. Thread safe. */
   static long GetLiveCount();
 
@@ -72,6 +75,7 @@ private:
   unsigned int LocalSize = 0;
   std::string Label;
   std::string Error;
+  std::string Log;
 };
 }
 

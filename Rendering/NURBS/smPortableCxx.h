@@ -13,8 +13,10 @@
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>
 #include <glm/ext/vector_double4.hpp>
+#include <glm/ext/vector_uint2.hpp>
 #include <glm/ext/vector_uint4.hpp>
 #include <glm/geometric.hpp>
+#include <glm/packing.hpp>
 
 using glm::abs;
 using glm::clamp;
@@ -23,10 +25,14 @@ using glm::dot;
 using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
+using glm::floor;
 using glm::length;
 using glm::max;
 using glm::min;
+using glm::packDouble2x32;
 using glm::uintBitsToFloat;
+using glm::unpackDouble2x32;
+using glm::uvec2;
 using glm::uvec4;
 using uint = unsigned int;
 

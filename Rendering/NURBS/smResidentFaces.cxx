@@ -6,6 +6,7 @@
 #include "smBernstein.h"
 #include "smPatch.h"
 #include "smPatchRecord.h"
+#include "smPatchSecond.h"
 #include "smPortable.h"
 #include "smResident.h"
 
@@ -86,7 +87,7 @@ void Append(const FacePanels& panels, PageData& page, ResidentFace& location)
     page.Patches.push_back({ { patch.Center[0], patch.Center[1], patch.Center[2], patch.Radius },
       { patch.Start[0], patch.Start[1], patch.Width[0], patch.Width[1] },
       { firstPoint + patch.FirstPoint, static_cast<std::uint32_t>(patch.Degree[0]),
-        static_cast<std::uint32_t>(patch.Degree[1]), 0 },
+        static_cast<std::uint32_t>(patch.Degree[1]), patch.Exchanged ? 1u : 0u },
       { patch.Stretch[0], patch.Stretch[1] } });
   }
   for (const Cap& cap : panels.Caps)
@@ -349,7 +350,7 @@ const char* GetNURBSShaderChunk(const std::string& name)
 {
   static const std::map<std::string, const char*> chunks = { { "smPortable", smPortable },
     { "smBernstein", smBernstein }, { "smPatch", smPatch }, { "smPatchRecord", smPatchRecord },
-    { "smResident", smResident } };
+    { "smPatchSecond", smPatchSecond }, { "smResident", smResident } };
   const auto found = chunks.find(name);
   return found == chunks.end() ? nullptr : found->second;
 }

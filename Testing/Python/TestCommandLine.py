@@ -1,6 +1,7 @@
 """TestCommandLine.py MODE --program P --solids DIR --output DIR --sample FILE: the command line as a script uses it."""
 import argparse
 import json
+import math
 import os
 import re
 import shutil
@@ -13,7 +14,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import Manifest, check, check_equal, check_true, check_values, finish  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["results", "errors", "outputs", "packages", "picture", "no-context"])
+parser.add_argument("mode", choices=["results", "integrals", "errors", "outputs", "packages", "picture", "no-context"])
 for name in ("--program", "--solids", "--output", "--sample"):
     parser.add_argument(name, required=True)
 options = parser.parse_args()
@@ -23,7 +24,7 @@ BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments",
              "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells",
              "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches"}
 FILE_KEYS = {"file", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer", "total", "solids",
-             "faces", "free_faces", "diagonal", "evaluations", "dispatches", "seconds"}
+             "faces", "free_faces", "integrals", "diagonal", "evaluations", "dispatches", "seconds"}
 
 
 def run(*arguments, cwd=None, stdout=subprocess.PIPE):
@@ -96,6 +97,39 @@ def results():
     result, files = run_json(odd)
     check_equal("odd name", odd, files[0]["file"])
     check("volume of the odd name", 6000.0, files[0]["total"]["volume"], 6e-6)
+
+
+def integrals():
+    part = manifest.solid("torus")
+    arguments = ("--moments", "2", "--integral", "willmore=pow(meanCurvature, 2) * dA", part["path"])
+    result, files = run_json(*arguments)
+    check_equal("exit status", 0, result.returncode)
+    found = files[0]["integrals"]
+    check_equal("integrals", 11, len(found))
+    check("volume", part["volume"], found["moment_0_0_0"]["value"], found["moment_0_0_0"]["bound"])
+    willmore = math.pi**2 * 400 / (6 * math.sqrt(400 - 36))
+    check("willmore", willmore, found["willmore"]["value"], found["willmore"]["bound"])
+    check_equal("of the only solid", found, files[0]["solids"][0]["integrals"])
+    table = run(*arguments).stdout
+    check_true("table", "moment_2_0_0" in table and "willmore" in table and "34.48718" in table, table)
+
+    # A mistake costs its own integral alone; the CPU has no expressions.
+    result, files = run_json("--integral", "bad=foo * dA", "--integral", "area=dA", part["path"])
+    check_equal("exit status of a mistake", 3, result.returncode)
+    check_equal("status of a mistake", "tolerance-not-met", files[0]["status"])
+    check_equal("mistake", {"value": None, "bound": None}, files[0]["integrals"]["bad"])
+    check_true("its column", any("column 1" in text and "foo" in text for text in files[0]["messages"]),
+               str(files[0]["messages"]))
+    check("beside it", part["area"], files[0]["integrals"]["area"]["value"], 1e-9 * part["area"])
+    check("volume beside it", part["volume"], files[0]["total"]["volume"], 1e-9 * part["volume"])
+    result, files = run_json("--backend", "cpu", "--moments", "0", "--integral", "area=dA", part["path"])
+    check_true("no expression on the CPU", files[0]["integrals"]["area"]["value"] is None and
+               any("area was not computed" in text for text in files[0]["messages"]), str(files[0]["messages"]))
+    check("but moments", part["volume"], files[0]["integrals"]["moment_0_0_0"]["value"], 1e-9 * part["volume"])
+    for wrong in (("--moments", "-1"), ("--moments", "17"), ("--moments", "1.5"), ("--integral", "dA"),
+                  ("--integral", "=dA"), ("--integral", "a="), ("--integral", "a=dA", "--integral", "a=1")):
+        result = run(*wrong, part["path"])
+        check_true("wrong usage " + " ".join(wrong), result.returncode == 1 and result.stderr)
 
 
 def check_unreadable(file):
@@ -402,6 +436,6 @@ def no_context():
     check_equal("who asks for the CPU is told nothing", [], files[0]["messages"])
 
 
-{"results": results, "errors": errors, "outputs": outputs, "packages": packages, "picture": picture,
- "no-context": no_context}[options.mode]()
+{"results": results, "integrals": integrals, "errors": errors, "outputs": outputs, "packages": packages,
+ "picture": picture, "no-context": no_context}[options.mode]()
 finish()

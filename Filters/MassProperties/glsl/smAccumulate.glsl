@@ -1,12 +1,14 @@
 // Adds a sample to smValues and smRoundings; the terms are generated from the list of integrands.
 // Needs: chunk smWorkStorage.
 
+//SM::UserFunctions
+
 // A sample of a face: all integrands.
 void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal)
 {
   double size = length(position);
   //SM::AccumulateFaces
-  //SM::AccumulateRoundings
+  //SM::AccumulateFaceRoundings
 }
 
 // A sample of a ribbon or cap: the integrands of the closed chain.
@@ -14,5 +16,5 @@ void smAccumulateChain(double weight, double noise, dvec3 position, dvec3 normal
 {
   double size = length(position);
   //SM::AccumulateChain
-  //SM::AccumulateRoundings
+  //SM::AccumulateChainRoundings
 }

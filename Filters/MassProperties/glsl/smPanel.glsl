@@ -3,7 +3,8 @@
 //
 // Needs: chunks smPatchRecord, smPatch, smWork; SM_DEGREE_S, SM_DEGREE_R (of patchRecord: constants for the common
 // degrees), SM_PERTURBATION (a factor of every sample); smPatchRecord smGetPatch(uint index),
-// void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal).
+// void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal). As a shader, what describes a sample to the
+// user's expressions is put in at two tags; they change nothing else.
 
 // Roundings charged per sample, in units of what smIntegratePanel says; on the panels of the real files at most 2, 3.3 and 3.6 were
 // needed for p + q = 2, 3 and more.
@@ -51,6 +52,7 @@ uint smIntegratePanel(smWorkRecord work)
     dvec4 rowS[SM_ROW_SIZE];
     dvec4 rowR[SM_ROW_SIZE];
     smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowS, rowR);
+    //SM::PrepareSamples
     for (int ix = 0; ix < countX; ++ix)
     {
       dvec2 ruleX = smRule(countX, ix);
@@ -72,6 +74,7 @@ uint smIntegratePanel(smWorkRecord work)
           trimNoise * stretchS * stretchR);
       double weight = coverage * SM_PERTURBATION * weightT * ruleX.y * edgeS;
       smPlace(work.item.w, position, normal);
+      //SM::DescribeSample
       smAccumulateFace(weight, noise, position, normal);
     }
   }

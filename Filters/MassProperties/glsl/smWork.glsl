@@ -1,7 +1,8 @@
 // What all items of integration share: Gauss rules, placements, and the end of an item, where its sums are compared with
 // those of a lower order and stored in its row.
 //
-// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_ROUNDINGS, SM_PLACEMENT (whether faces are placed); arrays
+// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_ROUNDINGS, SM_PLACEMENT (whether faces are placed), SM_LUCK (the share of the
+// difference before the last that an error has at least); arrays
 // smValues, smResults of SM_INTEGRANDS and smRoundings, smNoises of SM_ROUNDINGS doubles, smRoundingOf of
 // SM_INTEGRANDS ints; columns of a row smValueColumn, smErrorColumn, smRoundingColumn, smDifferenceColumn,
 // smStride; smIntegrandCount, smRoundingCount (again, not constants); smToleranceOffset, smPlacementOffset;
@@ -34,7 +35,8 @@ void smClear()
 
 // The error of a value whose last order changed it by `difference` and the one before by `before` (negative: there was
 // none). Where differences fall fast, the last one is far above the error; where they hardly fall (area near a
-// vanishing normal) the error is a geometric tail of them; and one small difference after a large one may be luck.
+// vanishing normal) the error is a geometric tail of them; and one small difference after a large one may be luck, more so at
+// kinks, which a user's expression may have.
 double smEstimate(double difference, double before)
 {
   if (before < 0.0LF)
@@ -42,7 +44,7 @@ double smEstimate(double difference, double before)
     return 10.0LF * difference;
   }
   double ratio = difference < before ? difference / before : 1.0LF;
-  return max(difference * max(1.0LF, 10.0LF * ratio), 1e-3LF * before);
+  return max(difference * max(1.0LF, 10.0LF * ratio), SM_LUCK * before);
 }
 
 // Compares with the row's values of a lower order, stores values, errors, roundings and differences. False when the

@@ -1,0 +1,132 @@
+#include "smUserIntegrals.h"
+
+#include "smMassPropertyNames.h"
+#include "smMessageList.h"
+
+#include "vtkComputeContext.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+#include "vtkSTEPReader.h"
+#include "vtkSurfaceIntegralGPU.h"
+#include "vtkTable.h"
+
+#include <cmath>
+
+namespace
+{
+using sm::Json;
+namespace names = sm::names;
+
+Json Finite(double value)
+{
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json ValueAndBound(double value, double bound)
+{
+  return { { "value", Finite(value) }, { "bound", Finite(bound) } };
+}
+
+double Component(vtkDataSetAttributes* columns, vtkIdType row, const std::string& name)
+{
+  vtkDataArray* array = columns->GetArray(name.c_str());
+  return array && row < array->GetNumberOfTuples() ? array->GetComponent(row, 0) : std::nan("");
+}
+
+void AddMoments(vtkSurfaceIntegralGPU* filter, int degree)
+{
+  for (int total = 0; total <= degree; ++total)
+  {
+    for (int i = total; i >= 0; --i)
+    {
+      for (int j = total - i; j >= 0; --j)
+      {
+        const int k = total - i - j;
+        filter->AddVolumeMoment(
+          "moment_" + std::to_string(i) + "_" + std::to_string(j) + "_" + std::to_string(k), i, j, k);
+      }
+    }
+  }
+}
+
+void Report(vtkSurfaceIntegralGPU* filter, Json& file, sm::MessageList& messages)
+{
+  vtkDataSetAttributes* columns = vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData();
+  for (int i = 0; i < filter->GetNumberOfIntegrands(); ++i)
+  {
+    const std::string name = filter->GetIntegrandName(i);
+    file["integrals"][name] = ValueAndBound(filter->GetIntegral(name), filter->GetIntegralBound(name));
+    vtkIdType row = 0;
+    for (Json& solid : file["solids"])
+    {
+      solid["integrals"][name] =
+        ValueAndBound(Component(columns, row, name), Component(columns, row, name + names::BoundSuffix));
+      ++row;
+    }
+  }
+  if (file["status"] == names::StatusOk)
+  {
+    file["status"] = filter->GetStatus();
+  }
+  file["evaluations"] = file["evaluations"].get<long long>() + filter->GetEvaluations();
+  file["dispatches"] = file["dispatches"].get<long long>() + filter->GetDispatches();
+  messages.AddFilter(filter);
+}
+}
+
+namespace sm
+{
+bool ParseIntegral(const std::string& text, std::string& name, std::string& expression)
+{
+  const std::string::size_type equals = text.find('=');
+  if (equals == std::string::npos)
+  {
+    return false;
+  }
+  name = text.substr(0, equals);
+  expression = text.substr(equals + 1);
+  return !name.empty() && expression.find_first_not_of(" \t\n") != std::string::npos;
+}
+
+void SetUpFilter(vtkSurfaceIntegralGPU* filter, const JobOptions& options)
+{
+  filter->SetRelativeTolerance(options.Tolerance);
+  filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));
+  filter->SetMaximumSeconds(options.MaximumSeconds);
+  filter->SetBackend(options.Backend == "auto" ? vtkSurfaceIntegralGPU::AUTOMATIC
+      : options.Backend == "cpu"               ? vtkSurfaceIntegralGPU::CPU
+                                               : vtkSurfaceIntegralGPU::OPENGL);
+  filter->GetComputeContext()->SetSource(options.Backend == "egl" ? vtkComputeContext::EGL
+      : options.Backend == "x"                                    ? vtkComputeContext::X
+                                                                  : vtkComputeContext::AUTOMATIC);
+}
+
+void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
+  const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
+{
+  // Moments apart: beside an expression their bounds would be estimated.
+  vtkNew<vtkSurfaceIntegralGPU> moments;
+  vtkNew<vtkSurfaceIntegralGPU> expressions;
+  AddMoments(moments, options.MomentDegree);
+  for (const std::string& text : options.Integrals)
+  {
+    std::string name;
+    std::string expression;
+    if (ParseIntegral(text, name, expression))
+    {
+      expressions->AddIntegrand(name, expression);
+    }
+  }
+  for (vtkSurfaceIntegralGPU* filter : { moments.Get(), expressions.Get() })
+  {
+    if (filter->GetNumberOfIntegrands() > 0)
+    {
+      SetUpFilter(filter, options);
+      filter->SetInputConnection(reader->GetOutputPort());
+      update(filter);
+      Report(filter, file, messages);
+    }
+  }
+}
+}

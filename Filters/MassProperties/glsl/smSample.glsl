@@ -1,0 +1,47 @@
+// What an expression of the user's may name of a sample of a face besides position and normal, see smUserExpression.h.
+// Needs: SM_SAMPLE_DETAIL: 0 nothing is set, 1 parameters, 2 first derivatives too, 3 second derivatives and curvatures too;
+// for 1 and more chunk smPatchRecord, for 2 smWork, for 3 smPatchSecond.
+
+// The face's own u and v; derivatives in them, u, v, uu, uv, vv; mean and Gaussian curvature.
+dvec2 smSampleParameters;
+dvec3 smSampleDerivatives[5];
+dvec2 smSampleCurvatures;
+
+#if SM_SAMPLE_DETAIL > 0
+// Patches are in exchanged parameters where the face has the higher degree in u.
+void smDescribeParameters(smPatchRecord patchRecord, double s, double r)
+{
+  dvec2 own = patchRecord.domain.xy + dvec2(s, r) * patchRecord.domain.zw;
+  smSampleParameters = patchRecord.shape.w != 0u ? own.yx : own;
+}
+#endif
+
+#if SM_SAMPLE_DETAIL > 1
+dvec3 smPlacedVector(uint face, dvec3 vector)
+{
+  dvec3 position = dvec3(0.0LF);
+  smPlace(face, position, vector);
+  return vector;
+}
+
+void smDescribeFirst(smPatchRecord patchRecord, uint face, dvec3 ds, dvec3 dr)
+{
+  int s = patchRecord.shape.w != 0u ? 1 : 0;
+  smSampleDerivatives[s] = smPlacedVector(face, ds) / patchRecord.domain.z;
+  smSampleDerivatives[1 - s] = smPlacedVector(face, dr) / patchRecord.domain.w;
+}
+#endif
+
+#if SM_SAMPLE_DETAIL > 2
+// After smDescribeFirst(); `normal` is placed, and of any length.
+void smDescribeSecond(smPatchRecord patchRecord, uint face, dvec3 normal, dvec3 dss, dvec3 dsr, dvec3 drr)
+{
+  dvec2 width = patchRecord.domain.zw;
+  int s = patchRecord.shape.w != 0u ? 4 : 2;
+  smSampleDerivatives[s] = smPlacedVector(face, dss) / (width.x * width.x);
+  smSampleDerivatives[3] = smPlacedVector(face, dsr) / (width.x * width.y);
+  smSampleDerivatives[6 - s] = smPlacedVector(face, drr) / (width.y * width.y);
+  smSampleCurvatures = smCurvatures(normal / max(length(normal), 1e-300LF), smSampleDerivatives[0],
+    smSampleDerivatives[1], smSampleDerivatives[2], smSampleDerivatives[3], smSampleDerivatives[4]);
+}
+#endif

@@ -1,0 +1,81 @@
+// Translation of the user's expressions, and compilers' messages told in the user's columns.
+#include "smTesting.h"
+#include "smUserExpression.h"
+
+namespace
+{
+using sm::UserExpression;
+using smtest::CheckEqual;
+using smtest::CheckTrue;
+
+/// The tokens as the shader gets them, one blank apart.
+std::string Translate(const std::string& text)
+{
+  const std::string function = UserExpression(text, { { "k", 0.5 } }).MakeFunction("f", false);
+  const std::string start = "return (\n";
+  std::string tokens = function.substr(function.find(start) + start.size());
+  tokens.erase(tokens.rfind("\n);"));
+  for (char& c : tokens)
+  {
+    c = c == '\n' ? ' ' : c;
+  }
+  return tokens;
+}
+
+void CheckTranslation()
+{
+  CheckEqual("numbers are doubles", "1.0LF / 3.0LF + .5LF - 2.LF * 1e-3LF", Translate("1/3+.5-2.*1e-3"));
+  CheckEqual("suffixes stay", "1u + 0x1F + 1.5f + 2.5LF", Translate("1u + 0x1F + 1.5f + 2.5LF"));
+  CheckEqual("an index is whole", "normal [ 1 ]", Translate("normal[1]"));
+  CheckEqual(
+    "a number in a call in an index is none", "normal [ int ( 1.0LF ) ]", Translate("normal[int(1)]"));
+  CheckEqual(
+    "functions are ours", "smSin ( smPow ( dA , 2.0LF ) ) + abs ( dA )", Translate("sin(pow(dA,2))+abs(dA)"));
+  CheckEqual("constants", "(5.00000000000000000e-01LF) * dA", Translate("k * dA"));
+  CheckEqual("components are no constants", "position . k", Translate("position.k"));
+  CheckEqual("pairs stay together", "dA <= 1.0LF && ! ( dA != 2.0LF ) ? 1.0LF : - 1.0LF",
+    Translate("dA<=1&&!(dA!=2)?1:-1"));
+
+  CheckEqual("detail of nothing", 0, UserExpression("dA", {}).GetDetail());
+  CheckEqual("detail of u", 1, UserExpression("u * dA", {}).GetDetail());
+  CheckEqual("detail of dv", 2, UserExpression("dv.x", {}).GetDetail());
+  CheckEqual("detail of a curvature", 3, UserExpression("u * meanCurvature", {}).GetDetail());
+  CheckEqual("detail of a component", 0, UserExpression("position.u", {}).GetDetail());
+  CheckTrue("kinks of ?:", UserExpression("dA > 1 ? 1 : 2", {}).MayHaveKinks());
+  CheckTrue("no kinks of a polynomial", !UserExpression("position.x * dA", {}).MayHaveKinks());
+}
+
+void CheckPlaces()
+{
+  CheckEqual("what may not stand there", "column 4", UserExpression("dA ; 1", {}).GetError().substr(0, 8));
+  CheckEqual(
+    "brackets that cross", "column 5: the bracket was not opened", UserExpression("([dA)]", {}).GetError());
+  CheckEqual("lines", "line 2, column 3: 'gl_x' is reserved", UserExpression("dA *\n  gl_x", {}).GetError());
+  CheckEqual("nothing", "the expression is empty", UserExpression(" \n", {}).GetError());
+
+  const UserExpression expression("dA * sin(foo)", {});
+  CheckTrue("lines are numbered for messages",
+    expression.MakeFunction("f", true).find("#line 100001\ndA\n*\nsmSin\n(\nfoo\n") != std::string::npos);
+  const std::string told = "column 10: undefined variable \"foo\"";
+  CheckEqual("Mesa", told, expression.Explain("0:100005(1): error: undefined variable \"foo\"\n"));
+  CheckEqual("NVIDIA", told, expression.Explain("0(100005) : error C1503: undefined variable \"foo\"\n"));
+  CheckEqual("others", told, expression.Explain("ERROR: 0:100005: undefined variable \"foo\"\n"));
+  CheckEqual("warnings are no errors", told,
+    expression.Explain(
+      "0(100001) : warning C7050: it may be\n0(100005) : error C1503: undefined variable \"foo\"\n"));
+  CheckEqual("our names of functions", "column 6: no function sin(dvec3)",
+    expression.Explain("0:100003(1): error: no function smSin(dvec3)\n"));
+  CheckEqual("beyond the end", "column 14: unexpected ')'",
+    expression.Explain("0:100007(1): error: unexpected ')'\n"));
+  CheckEqual("of the whole", "column 1: could not convert",
+    expression.Explain("0:12(1): error: could not convert, in function `f'\n"));
+  CheckEqual("what is not understood", "internal trouble", expression.Explain("internal trouble"));
+}
+}
+
+int main()
+{
+  CheckTranslation();
+  CheckPlaces();
+  return smtest::Finish();
+}
