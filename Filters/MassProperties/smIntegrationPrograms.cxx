@@ -180,7 +180,7 @@ void IntegrationPrograms::DescribeSamples(ShaderSource& source) const
   {
     prepare = "dvec4 rowRR[SM_ROW_SIZE];\nsmCollapseSecond(patchRecord.shape.x, p, q, uv.y, rowRR);\n";
     describe += "dvec3 dss;\ndvec3 dsr;\ndvec3 drr;\n"
-                "smEvaluateSecond(p, s, row, rowR, rowRR, dss, dsr, drr);\n"
+                "smEvaluateSecond(p, s, row, rowS, rowR, rowRR, dss, dsr, drr);\n"
                 "smDescribeSecond(patchRecord, work.item.w, normal, dss, dsr, drr);\n";
   }
   source.Replace("//SM::PrepareSamples", prepare);

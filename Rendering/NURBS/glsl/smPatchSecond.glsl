@@ -21,8 +21,9 @@ void smCollapseSecond(uint first, int p, int q, double r, SM_OUT_ARRAY(dvec4, ro
 }
 
 // Second derivatives in s, in s and r, and in r, from the rows of smCollapse and smCollapseSecond.
-void smEvaluateSecond(int p, double s, SM_ARRAY(dvec4, row, SM_ROW_SIZE), SM_ARRAY(dvec4, rowR, SM_ROW_SIZE),
-  SM_ARRAY(dvec4, rowRR, SM_ROW_SIZE), SM_OUT(dvec3) dss, SM_OUT(dvec3) dsr, SM_OUT(dvec3) drr)
+void smEvaluateSecond(int p, double s, SM_ARRAY(dvec4, row, SM_ROW_SIZE), SM_ARRAY(dvec4, rowS, SM_ROW_SIZE),
+  SM_ARRAY(dvec4, rowR, SM_ROW_SIZE), SM_ARRAY(dvec4, rowRR, SM_ROW_SIZE), SM_OUT(dvec3) dss, SM_OUT(dvec3) dsr,
+  SM_OUT(dvec3) drr)
 {
   dvec4 h = dvec4(0.0LF);
   dvec4 hs = dvec4(0.0LF);
@@ -32,22 +33,20 @@ void smEvaluateSecond(int p, double s, SM_ARRAY(dvec4, row, SM_ROW_SIZE), SM_ARR
   dvec4 hrr = dvec4(0.0LF);
   double basis[SM_BASIS_SIZE];
   smBernsteinBasis(p - 1, s, basis);
-  dvec4 point = row[0];
   for (int i = 0; i < p; ++i)
   {
-    h += basis[i] * (point + s * row[i + 1]);
-    hs += basis[i] * row[i + 1];
+    h += basis[i] * ((1.0LF - s) * row[i] + s * row[i + 1]);
+    hs += basis[i] * rowS[i];
     hr += basis[i] * ((1.0LF - s) * rowR[i] + s * rowR[i + 1]);
     hsr += basis[i] * (rowR[i + 1] - rowR[i]);
     hrr += basis[i] * ((1.0LF - s) * rowRR[i] + s * rowRR[i + 1]);
-    point += row[i + 1];
   }
   hs *= double(p);
   hsr *= double(p);
   smBernsteinBasis(max(p - 2, 0), s, basis);
   for (int i = 0; i + 2 <= p; ++i)
   {
-    hss += basis[i] * (row[i + 2] - row[i + 1]);
+    hss += basis[i] * (rowS[i + 1] - rowS[i]);
   }
   hss *= double(p * (p - 1));
 
