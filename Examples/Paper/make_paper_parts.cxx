@@ -57,7 +57,7 @@ Json MakePart(const Recipe& recipe, const std::filesystem::path& folder)
 
 int main(int argc, char** argv)
 {
-  if (argc < 2)
+  if (argc < 2 || argv[1][0] == '-')
   {
     std::cerr << "usage: make_paper_parts FOLDER [NAME...]\n";
     return 1;
