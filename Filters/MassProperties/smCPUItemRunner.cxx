@@ -2,10 +2,9 @@
 
 #include "smBatchParameters.h"
 #include "smItemKernels.h"
+#include "smRowSums.h"
 
 #include "vtkSMPTools.h"
-
-#include "smPortableCxx.h"
 
 #include <algorithm>
 #include <atomic>
@@ -16,36 +15,12 @@ namespace sm
 {
 namespace
 {
-#include "glsl/smTwoSum.glsl"
-
 // Rows at a time: they stay within a few tens of MiB.
 constexpr std::size_t RowsAtMost = 65536;
 // Estimated cost between two questions whether to go on: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
 // Items that a thread takes at a time.
 constexpr vtkIdType ItemsPerTask = 16;
-
-/// Sums of all columns over rows, in order, with the errors of all additions carried to the end, as sm::Reduction
-/// (Ogita, Rump, Oishi 2005, algorithm 4.4). `errors` is scratch. An overflow is infinite, a NaN stays.
-void SumRows(const double* rows, std::size_t count, int stride, std::vector<double>& errors, double* sums)
-{
-  std::fill(sums, sums + stride, 0.0);
-  errors.assign(stride, 0.0);
-  for (std::size_t row = 0; row < count; ++row, rows += stride)
-  {
-    for (int column = 0; column < stride; ++column)
-    {
-      const dvec2 next = smTwoSum(sums[column], rows[column]);
-      sums[column] = next.x;
-      errors[column] += next.y;
-    }
-  }
-  for (int column = 0; column < stride; ++column)
-  {
-    // The errors of an infinite sum are no numbers.
-    sums[column] += std::isfinite(sums[column]) ? errors[column] : 0.0;
-  }
-}
 
 double FindLargest(const double* rows, std::size_t count, int stride)
 {

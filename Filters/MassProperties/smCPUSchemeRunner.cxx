@@ -1,5 +1,7 @@
 #include "smCPUSchemeRunner.h"
 
+#include "smRowSums.h"
+
 #include "vtkSMPTools.h"
 
 #include "smPortableCxx.h"
@@ -13,8 +15,6 @@ namespace sm
 {
 namespace
 {
-#include "glsl/smTwoSum.glsl"
-
 // Sub-patches that a thread takes at a time.
 constexpr vtkIdType SubPatchesPerTask = 64;
 // Estimated cost between two questions whether to go on: some tens of milliseconds of one core.
@@ -76,6 +76,8 @@ private:
 
 // Types first.
 #include "glsl/smSchemeTile.glsl"
+
+#include "glsl/smErrorFree.glsl"
 
 #include "glsl/smBernstein.glsl"
 #include "glsl/smPatch.glsl"
@@ -170,27 +172,6 @@ std::int64_t Integrate(
       return IntegrateRange<0, 0>(lists, first, last);
   }
 }
-
-/// Sums of all columns over the rows of a tile, in order, with the errors of all additions carried to the end, as sm::Reduction
-/// (Ogita, Rump, Oishi 2005, algorithm 4.4). An overflow is infinite, a NaN stays.
-void SumRows(const double* rows, std::size_t count, double* sums)
-{
-  double errors[NumberOfSchemeColumns] = {};
-  std::fill_n(sums, static_cast<int>(NumberOfSchemeColumns), 0.0);
-  for (std::size_t row = 0; row < count; ++row, rows += NumberOfSchemeColumns)
-  {
-    for (int column = 0; column < NumberOfSchemeColumns; ++column)
-    {
-      const dvec2 next = smTwoSum(sums[column], rows[column]);
-      sums[column] = next.x;
-      errors[column] += next.y;
-    }
-  }
-  for (int column = 0; column < NumberOfSchemeColumns; ++column)
-  {
-    sums[column] += std::isfinite(sums[column]) ? errors[column] : 0.0;
-  }
-}
 }
 
 bool CPUSchemeRunner::Run(const SchemeBatch& batch, const Setup& setup, Results& results, const GoOn& goOn)
@@ -243,11 +224,12 @@ bool CPUSchemeRunner::Run(const SchemeBatch& batch, const Setup& setup, Results&
   vtkSMPTools::For(0, tiles, 1,
     [&](vtkIdType from, vtkIdType to)
     {
+      std::vector<double> errors;
       for (vtkIdType i = from; i < to; ++i)
       {
         const std::size_t begin = static_cast<std::size_t>(batch.Tiles[i].Begin[0]) * NumberOfSchemeColumns;
-        SumRows(lists.Rows.data() + begin, batch.Ranges[i].GetNumberOfSubPatches(),
-          results.Sums.data() + i * NumberOfSchemeColumns);
+        SumRows(lists.Rows.data() + begin, batch.Ranges[i].GetNumberOfSubPatches(), NumberOfSchemeColumns,
+          errors, results.Sums.data() + i * NumberOfSchemeColumns);
       }
     });
   results.Texels.clear();

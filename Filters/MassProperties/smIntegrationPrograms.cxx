@@ -163,30 +163,6 @@ std::string IntegrationPrograms::MakeFunctions(bool isPanel) const
   return (detail >= UserExpression::SecondDerivatives ? "//SM::Include smPatchSecond\n" : "") + text;
 }
 
-void IntegrationPrograms::DescribeSamples(ShaderSource& source) const
-{
-  const int detail = this->GetDetail(true);
-  std::string prepare;
-  std::string describe;
-  if (detail >= UserExpression::Parameters)
-  {
-    describe += "smDescribeParameters(patchRecord, s, uv.y);\n";
-  }
-  if (detail >= UserExpression::FirstDerivatives)
-  {
-    describe += "smDescribeFirst(patchRecord, work.item.w, tangentS, tangentR);\n";
-  }
-  if (detail >= UserExpression::SecondDerivatives)
-  {
-    prepare = "dvec4 rowRR[SM_ROW_SIZE];\nsmCollapseSecond(patchRecord.shape.x, p, q, uv.y, rowRR);\n";
-    describe += "dvec3 dss;\ndvec3 dsr;\ndvec3 drr;\n"
-                "smEvaluateSecond(p, s, row, rowS, rowR, rowRR, dss, dsr, drr);\n"
-                "smDescribeSecond(patchRecord, work.item.w, normal, dss, dsr, drr);\n";
-  }
-  source.Replace("//SM::PrepareSamples", prepare);
-  source.Replace("//SM::DescribeSample", describe);
-}
-
 std::string IntegrationPrograms::MakeValues(bool chainOnly) const
 {
   std::string text;
@@ -252,10 +228,6 @@ ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
   source.Define("SM_BASIS_SIZE", degreeR > 0 ? std::max(degreeS, degreeR) : MaximumDegree);
 
   source.Replace("//SM::UserFunctions", this->MakeFunctions(isPanel));
-  if (isPanel)
-  {
-    this->DescribeSamples(source);
-  }
   // Ribbons and caps have no samples of faces.
   source.Replace("//SM::AccumulateFaces", this->MakeValues(!isPanel));
   source.Replace("//SM::AccumulateChain", this->MakeValues(true));

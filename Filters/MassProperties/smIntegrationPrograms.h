@@ -47,7 +47,6 @@ private:
   std::string MakeRoundings(bool chainOnly) const;
   /// What the samples of panels must be described by, see UserExpression.
   int GetDetail(bool isPanel) const;
-  void DescribeSamples(ShaderSource& source) const;
 
   vtkComputeContext* Context;
   ItemRunner::Setup Setup;

@@ -47,6 +47,7 @@ namespace
 #define SM_PLACEMENT this->smIsPlaced
 #define SM_LUCK 1e-3
 #define SM_PERTURBATION this->smPerturbation
+#define SM_SAMPLE_DETAIL 0
 #define SM_STRIP_POINTS this->smStripPoints
 #define SM_DEGREE_S (DegreeS > 0 ? DegreeS : static_cast<int>(patchRecord.shape.y))
 #define SM_DEGREE_R (DegreeR > 0 ? DegreeR : static_cast<int>(patchRecord.shape.z))
@@ -118,6 +119,8 @@ private:
 // Types first.
 #include "glsl/smPatchRecord.glsl"
 #include "glsl/smWorkRecord.glsl"
+
+#include "glsl/smErrorFree.glsl"
 
 #include "glsl/smBernstein.glsl"
 #include "glsl/smCap.glsl"

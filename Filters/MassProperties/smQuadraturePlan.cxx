@@ -75,7 +75,8 @@ void ChargeDisplacements(const FacePanels& panels, const PlanRequest& request, d
   {
     const double* moved = patch.Displacement;
     const double d = std::hypot(moved[0], moved[1], moved[2]);
-    const double swept = std::min(
+    // Either alone is enough, and 0 times an infinite area is no number.
+    const double swept = std::fmin(
       d * area, moved[0] * patch.Normal[0] + moved[1] * patch.Normal[1] + moved[2] * patch.Normal[2]);
     const double ratio = patch.WeightRatio;
     const double spread = ratio > 1.0 ? 4.0 * ratio / (ratio - 1.0) * std::log(0.5 * (ratio + 1.0)) : 2.0;

@@ -1,7 +1,7 @@
 #include "smShaderSource.h"
 
 #include "smInvocation.h"
-#include "smTwoSum.h"
+#include "smErrorFree.h"
 
 #include <iomanip>
 #include <set>
@@ -42,7 +42,7 @@ struct ShaderSource::Assembly
 ShaderSource::ShaderSource(const std::string& name, const char* text)
   : Name(name)
   , Text(text ? text : "")
-  , Chunks({ { "smInvocation", smInvocation }, { "smTwoSum", smTwoSum } })
+  , Chunks({ { "smInvocation", smInvocation }, { "smErrorFree", smErrorFree } })
 {
 }
 

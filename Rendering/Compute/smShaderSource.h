@@ -23,7 +23,7 @@ namespace sm
  *     //SM::Anything         the text given to Replace("//SM::Anything", text)
  *
  * The assembled source starts with `#version 430 core`, which no file repeats. Chunks of this module are always
- * known: smInvocation (include it after the local_size layout), smTwoSum.
+ * known: smInvocation (include it after the local_size layout), smErrorFree.
  */
 class SMRENDERINGCOMPUTE_EXPORT ShaderSource
 {

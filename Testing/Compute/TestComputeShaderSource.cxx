@@ -53,7 +53,7 @@ void TestAssembly()
     "end\n",
     source.GetSource());
 
-  sm::ShaderSource own("smOwn", "//SM::Include smInvocation\n//SM::Include smTwoSum\n");
+  sm::ShaderSource own("smOwn", "//SM::Include smInvocation\n//SM::Include smErrorFree\n");
   CheckTrue("the module's own chunks are known", own.Assemble(), own.GetError());
   CheckTrue("smInvocationIndex", own.GetSource().find("uint smInvocationIndex()") != std::string::npos);
   CheckTrue("smTwoSum", own.GetSource().find("dvec2 smTwoSum(") != std::string::npos);

@@ -8,9 +8,17 @@
 #include <limits>
 #include <random>
 
+// Not all functions of a chunk are called here.
+namespace chunk
+{
+#include "glsl/smErrorFree.glsl"
+
+#include "glsl/smElementary.glsl"
+}
+
 namespace
 {
-#include "glsl/smElementary.glsl"
+using namespace chunk;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();

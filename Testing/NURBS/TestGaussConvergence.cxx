@@ -31,6 +31,8 @@ double smCoefficient(uint index)
   return coefficients[index];
 }
 
+#include "glsl/smErrorFree.glsl"
+
 #include "glsl/smBernstein.glsl"
 #include "glsl/smPatch.glsl"
 }

@@ -25,6 +25,8 @@ dvec4 smControlPoint(uint index)
   return controlPoints[index];
 }
 
+#include "glsl/smErrorFree.glsl"
+
 #include "glsl/smBernstein.glsl"
 #include "glsl/smPatch.glsl"
 
@@ -50,6 +52,34 @@ long double BernsteinSlope(int n, int i, long double x)
 }
 
 constexpr double Unit = 1.1102230246251565e-16;
+
+/// Exact sums of doubles within 2^10 of each other fit into the 64 bits of a long double, products of integers below 2^53 into
+/// 128 bits.
+void CheckErrorFree()
+{
+  __extension__ using Wide = __int128;
+  std::mt19937_64 random(11);
+  int wrongSums = 0;
+  int wrongProducts = 0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const std::int64_t m = static_cast<std::int64_t>(random() >> 11) * (random() % 2 == 0 ? -1 : 1);
+    const std::int64_t n = static_cast<std::int64_t>(random() >> 11);
+    const double a = static_cast<double>(m);
+    const double b = std::ldexp(static_cast<double>(n), static_cast<int>(random() % 10));
+    const dvec2 sum = smTwoSum(a, b);
+    const dvec2 sums = smSumError(dvec2(a, b), dvec2(b, a), dvec2(sum.x));
+    const bool sumIsRight = static_cast<long double>(sum.x) + sum.y == static_cast<long double>(a) + b;
+    wrongSums += sum.x != a + b || !sumIsRight || sums != dvec2(sum.y);
+    const double product = a * static_cast<double>(n);
+    const dvec2 errors =
+      smProductError(dvec2(a, static_cast<double>(n)), dvec2(static_cast<double>(n), a), dvec2(product));
+    const Wide lack = static_cast<Wide>(m) * n - static_cast<Wide>(product);
+    wrongProducts += errors != dvec2(static_cast<double>(lack));
+  }
+  smtest::Check("error-free sums", 0.0, wrongSums, 0.0, "exact");
+  smtest::Check("error-free products", 0.0, wrongProducts, 0.0, "exact");
+}
 
 void CheckBasis()
 {
@@ -187,6 +217,7 @@ void CheckPatches()
 
 int main()
 {
+  CheckErrorFree();
   CheckBasis();
   CheckPieces();
   CheckPatches();

@@ -1,6 +1,8 @@
 // sin, cos, tan, exp, log and pow in double precision, which GLSL does not have. Series, no tables; results within 2 units in the
 // last place (tan: 3), see TestElementary. Sine, cosine and tangent: |x| <= 2^20, beyond they are not a number; the others
-// everywhere, with infinities, zeros and not-a-numbers as C has them. Needs: chunk smPortable.
+// everywhere, with infinities, zeros and not-a-numbers as C has them. Needs: chunk smPortable; as C++ smErrorFree.
+
+//SM::Include smErrorFree
 
 double smInfinity()
 {
@@ -16,26 +18,6 @@ double smNotANumber()
 double smPowerOfTwo(int k)
 {
   return packDouble2x32(uvec2(0u, uint(k + 1023) << 20));
-}
-
-// What a + b and a b lack, exactly: TwoSum, and Dekker's product (operands below 2^996).
-double smSumLack(double a, double b, double sum)
-{
-  precise double part = sum - a;
-  precise double lack = (a - (sum - part)) + (b - part);
-  return lack;
-}
-
-double smProductLack(double a, double b, double product)
-{
-  precise double splitA = 134217729.0LF * a;
-  precise double highA = splitA - (splitA - a);
-  precise double lowA = a - highA;
-  precise double splitB = 134217729.0LF * b;
-  precise double highB = splitB - (splitB - b);
-  precise double lowB = b - highB;
-  precise double lack = lowA * lowB - (((product - highA * highB) - lowA * highB) - highA * lowB);
-  return lack;
 }
 
 // exp(x + low), |low| below 1e-10.
@@ -102,15 +84,15 @@ dvec2 smLogParts(double x)
   precise double gLow = f - (g - 2.0LF);
   precise double s = f / g;
   precise double back = s * g;
-  precise double sLow = (((f - back) - smProductLack(s, g, back)) - s * gLow) / g;
+  precise double sLow = (((f - back) - smProductError(s, g, back)) - s * gLow) / g;
   precise double z = s * s;
-  precise double zLow = smProductLack(s, s, z) + 2.0LF * s * sLow;
+  precise double zLow = smProductError(s, s, z) + 2.0LF * s * sLow;
   precise double cube = z * s;
-  precise double cubeLow = smProductLack(z, s, cube) + (z * sLow + zLow * s);
+  precise double cubeLow = smProductError(z, s, cube) + (z * sLow + zLow * s);
   double twoThirds = 0.66666666666666662966LF;
   precise double second = cube * twoThirds;
   precise double secondLow =
-    smProductLack(cube, twoThirds, second) + (cubeLow * twoThirds + cube * 3.7007434154171882626e-17LF);
+    smProductError(cube, twoThirds, second) + (cubeLow * twoThirds + cube * 3.7007434154171882626e-17LF);
   double tail = 1.0LF / 25.0LF;
   for (int i = 23; i >= 5; i -= 2)
   {
@@ -120,9 +102,9 @@ dvec2 smLogParts(double x)
 
   precise double whole = double(k) * 6.93147180369123816490e-01LF;
   precise double first = whole + 2.0LF * s;
-  precise double firstLow = smSumLack(whole, 2.0LF * s, first);
+  precise double firstLow = smSumError(whole, 2.0LF * s, first);
   precise double high = first + second;
-  precise double highLow = smSumLack(first, second, high);
+  precise double highLow = smSumError(first, second, high);
   precise double low =
     firstLow + highLow + (2.0LF * sLow + secondLow + tail + double(k) * 1.90821492927058770002e-10LF);
   precise double result = high + low;
@@ -175,7 +157,7 @@ double smPow(double x, double y)
   {
     return sign * (product > 0.0LF ? smInfinity() : 0.0LF);
   }
-  precise double low = smProductLack(y, logarithm.x, product) + y * logarithm.y;
+  precise double low = smProductError(y, logarithm.x, product) + y * logarithm.y;
   return sign * smExpOfSum(product, low);
 }
 
@@ -227,9 +209,9 @@ int smReduceAngle(double x, SM_OUT(double) r, SM_OUT(double) low)
   precise double second = -n * 6.07710050630396597660e-11LF;
   precise double third = -n * 2.02226624871116645580e-21LF;
   precise double sum = first + second;
-  precise double sumLow = smSumLack(first, second, sum);
+  precise double sumLow = smSumError(first, second, sum);
   precise double next = sum + third;
-  precise double nextLow = smSumLack(sum, third, next) + (sumLow - n * 8.47842766036889956997e-32LF);
+  precise double nextLow = smSumError(sum, third, next) + (sumLow - n * 8.47842766036889956997e-32LF);
   precise double result = next + nextLow;
   precise double lack = (next - result) + nextLow;
   r = result;

@@ -2,9 +2,9 @@
 // across in xi. For a t the patch is collapsed to a curve in s once.
 //
 // Needs: chunks smPatchRecord, smPatch, smWork; SM_DEGREE_S, SM_DEGREE_R (of patchRecord: constants for the common
-// degrees), SM_PERTURBATION (a factor of every sample); smPatchRecord smGetPatch(uint index),
-// void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal). As a shader, what describes a sample to the
-// user's expressions is put in at two tags; they change nothing else.
+// degrees), SM_PERTURBATION (a factor of every sample), SM_SAMPLE_DETAIL (what smSample describes of every sample, which
+// changes nothing else; above 0 chunk smSample, above 2 smPatchSecond, too); smPatchRecord smGetPatch(uint index),
+// void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal).
 
 // Roundings charged per sample, in units of what smIntegratePanel says; on the panels of the real files at most 2, 3.3 and 3.6 were
 // needed for p + q = 2, 3 and more.
@@ -52,7 +52,10 @@ uint smIntegratePanel(smWorkRecord work)
     dvec4 rowS[SM_ROW_SIZE];
     dvec4 rowR[SM_ROW_SIZE];
     smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowS, rowR);
-    //SM::PrepareSamples
+#if SM_SAMPLE_DETAIL > 2
+    dvec4 rowRR[SM_ROW_SIZE];
+    smCollapseSecond(patchRecord.shape.x, p, q, uv.y, rowRR);
+#endif
     for (int ix = 0; ix < countX; ++ix)
     {
       dvec2 ruleX = smRule(countX, ix);
@@ -74,7 +77,19 @@ uint smIntegratePanel(smWorkRecord work)
           trimNoise * stretchS * stretchR);
       double weight = coverage * SM_PERTURBATION * weightT * ruleX.y * edgeS;
       smPlace(work.item.w, position, normal);
-      //SM::DescribeSample
+#if SM_SAMPLE_DETAIL > 0
+      smDescribeParameters(patchRecord, s, uv.y);
+#endif
+#if SM_SAMPLE_DETAIL > 1
+      smDescribeFirst(patchRecord, work.item.w, tangentS, tangentR);
+#endif
+#if SM_SAMPLE_DETAIL > 2
+      dvec3 dss;
+      dvec3 dsr;
+      dvec3 drr;
+      smEvaluateSecond(p, s, row, rowS, rowR, rowRR, dss, dsr, drr);
+      smDescribeSecond(patchRecord, work.item.w, normal, dss, dsr, drr);
+#endif
       smAccumulateFace(weight, noise, position, normal);
     }
   }

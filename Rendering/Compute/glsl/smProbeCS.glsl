@@ -8,7 +8,7 @@ layout(std430, binding = 0) writeonly buffer smValues
 uniform double smA;
 uniform double smB;
 
-//SM::Include smTwoSum
+//SM::Include smErrorFree
 
 void main()
 {

@@ -27,7 +27,7 @@ uniform uint smInputStart;
 uniform uint smOutputStart; // where the first block of this dispatch writes
 
 //SM::Include smInvocation
-//SM::Include smTwoSum
+//SM::Include smErrorFree
 
 dvec2 smSum(uint at, uint count)
 {

@@ -1,5 +1,7 @@
 // Bernstein polynomials and polynomial pieces in Bernstein form: sums of products of like sign on [0,1].
-// Needs: SM_BASIS_SIZE (entries of a basis array), double smCoefficient(uint index).
+// Needs: SM_BASIS_SIZE (entries of a basis array), double smCoefficient(uint index); as C++ smErrorFree.
+
+//SM::Include smErrorFree
 
 // B_i^degree(x) for i = 0 .. degree, by the triangular recurrence.
 void smBernsteinBasis(int degree, double x, SM_OUT_ARRAY(double, basis, SM_BASIS_SIZE))
@@ -20,26 +22,6 @@ void smBernsteinBasis(int degree, double x, SM_OUT_ARRAY(double, basis, SM_BASIS
 
 // Polynomial pieces sum_i C(n,i) x^i (1-x)^(n-i) c_i and their derivatives sum_i i C(n,i) x^(i-1) (1-x)^(n-i)
 // (c_i - c_{i-1}), nested in (1-x): each coefficient is read once.
-
-// Errors of a sum and of a product, exactly: TwoSum, and Dekker's product, for double fma() is not fused everywhere.
-dvec2 smSumError(dvec2 a, dvec2 b, dvec2 sum)
-{
-  precise dvec2 part = sum - a;
-  precise dvec2 error = (a - (sum - part)) + (b - part);
-  return error;
-}
-
-dvec2 smProductError(dvec2 a, dvec2 b, dvec2 product)
-{
-  precise dvec2 splitA = 134217729.0LF * a;
-  precise dvec2 highA = splitA - (splitA - a);
-  precise dvec2 lowA = a - highA;
-  precise dvec2 splitB = 134217729.0LF * b;
-  precise dvec2 highB = splitB - (splitB - b);
-  precise dvec2 lowB = b - highB;
-  precise dvec2 error = lowA * lowB - (((product - highA * highB) - lowA * highB) - highA * lowB);
-  return error;
-}
 
 // sum = y sum + factor (a - b), each with what it lacks: the roundings are carried along.
 void smNest(dvec2 y, dvec2 yLow, dvec2 factor, dvec2 factorLow, dvec2 a, dvec2 b, SM_INOUT(dvec2) sum,
