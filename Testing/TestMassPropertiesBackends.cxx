@@ -17,17 +17,6 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
-std::vector<double> GetArray(vtkMassPropertiesGPU* mass, const std::string& name)
-{
-  vtkDataArray* array = mass->GetOutput()->GetFieldData()->GetArray(name.c_str());
-  std::vector<double> values;
-  for (int i = 0; array && i < array->GetNumberOfComponents(); ++i)
-  {
-    values.push_back(array->GetComponent(0, i));
-  }
-  return values;
-}
-
 /// Moments and bounds, for a comparison bit for bit.
 std::vector<double> GetAll(vtkMassPropertiesGPU* mass)
 {
@@ -155,11 +144,7 @@ void CheckExpression(const Expected& box)
   CheckEqual("status", names::StatusToleranceNotMet, integral->GetStatus());
   CheckTrue("the expression is NaN",
     std::isnan(integral->GetIntegral("mine")) && std::isnan(integral->GetIntegralBound("mine")));
-  std::string messages;
-  for (int i = 0; i < integral->GetNumberOfMessages(); ++i)
-  {
-    messages += integral->GetMessage(i) + "\n";
-  }
+  const std::string messages = GetMessages(integral);
   CheckTrue("it is named, with the remedy",
     messages.find("mine was not computed") != std::string::npos &&
       messages.find("needs OpenGL 4.3 with doubles") != std::string::npos,

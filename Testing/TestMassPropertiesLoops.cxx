@@ -23,14 +23,9 @@ void CheckVolume(const std::string& name, double volume, double relative, const 
   MessageTrap reader(pipeline.Reader);
   MessageTrap filter(pipeline.Mass);
   pipeline.Mass->Update();
-  std::string said;
-  for (int i = 0; i < pipeline.Mass->GetNumberOfMessages(); ++i)
-  {
-    said += pipeline.Mass->GetMessage(i) + "; ";
-  }
   CheckEqual("errors", "", reader.Errors + filter.Errors);
-  CheckTrue(
-    "status is " + status, pipeline.Mass->GetStatus() == status, pipeline.Mass->GetStatus() + ": " + said);
+  CheckTrue("status is " + status, pipeline.Mass->GetStatus() == status,
+    pipeline.Mass->GetStatus() + ": " + GetMessages(pipeline.Mass));
   Check("volume", volume, pipeline.Mass->GetVolume(), relative * volume, reason);
   vtkFieldData* fields = pipeline.Mass->GetOutput()->GetFieldData();
   CheckEqual("open edges", 0, static_cast<long long>(GetField(fields, names::OpenEdges)));

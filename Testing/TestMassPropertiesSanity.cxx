@@ -13,16 +13,6 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
-std::string GetMessages(vtkSurfaceIntegralGPU* filter)
-{
-  std::string all;
-  for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
-  {
-    all += filter->GetMessage(i) + "\n";
-  }
-  return all;
-}
-
 std::string GetText(vtkSurfaceIntegralGPU* filter)
 {
   return GetFieldText(vtkTable::SafeDownCast(filter->GetOutputDataObject(2))->GetRowData(), names::Text);

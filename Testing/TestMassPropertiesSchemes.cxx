@@ -17,27 +17,6 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
-std::string GetMessages(vtkMassPropertiesGPU* mass)
-{
-  std::string all;
-  for (int i = 0; i < mass->GetNumberOfMessages(); ++i)
-  {
-    all += mass->GetMessage(i) + "\n";
-  }
-  return all;
-}
-
-std::vector<double> GetArray(vtkMassPropertiesGPU* mass, const std::string& name)
-{
-  vtkDataArray* array = mass->GetOutput()->GetFieldData()->GetArray(name.c_str());
-  std::vector<double> values;
-  for (int i = 0; array && i < array->GetNumberOfComponents(); ++i)
-  {
-    values.push_back(array->GetComponent(0, i));
-  }
-  return values;
-}
-
 /// Every value that exists, for a comparison bit for bit.
 std::vector<double> GetAll(vtkMassPropertiesGPU* mass)
 {

@@ -27,28 +27,6 @@ struct Case
   bool OneShell = false;
 };
 
-bool Says(vtkMassPropertiesGPU* mass, const std::string& text)
-{
-  for (int i = 0; i < mass->GetNumberOfMessages(); ++i)
-  {
-    if (mass->GetMessage(i).find(text) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-std::string GetMessages(vtkMassPropertiesGPU* mass)
-{
-  std::string all;
-  for (int i = 0; i < mass->GetNumberOfMessages(); ++i)
-  {
-    all += mass->GetMessage(i) + "; ";
-  }
-  return all;
-}
-
 void CheckCase(const Case& c)
 {
   std::printf("--- %s\n", c.Name.c_str());

@@ -21,6 +21,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace smtest
 {
@@ -81,6 +82,34 @@ inline std::string GetFieldText(vtkFieldData* fields, const std::string& name)
 inline double GetFieldBound(vtkFieldData* fields, const std::string& name)
 {
   return GetField(fields, name + sm::names::BoundSuffix);
+}
+
+/// All components of a field data array of the output; empty when it is missing.
+inline std::vector<double> GetArray(vtkSurfaceIntegralGPU* filter, const std::string& name)
+{
+  vtkDataArray* array = filter->GetOutput()->GetFieldData()->GetArray(name.c_str());
+  std::vector<double> values;
+  for (int i = 0; array && i < array->GetNumberOfComponents(); ++i)
+  {
+    values.push_back(array->GetComponent(0, i));
+  }
+  return values;
+}
+
+/// What the last run said, a line each.
+inline std::string GetMessages(vtkSurfaceIntegralGPU* filter)
+{
+  std::string all;
+  for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
+  {
+    all += filter->GetMessage(i) + "\n";
+  }
+  return all;
+}
+
+inline bool Says(vtkSurfaceIntegralGPU* filter, const std::string& text)
+{
+  return GetMessages(filter).find(text) != std::string::npos;
 }
 }
 

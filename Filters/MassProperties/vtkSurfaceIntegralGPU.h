@@ -31,9 +31,10 @@
  * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared |
  * The names are in smMassPropertyNames.h. What could not be computed is NaN with a Status, never 0.
  *
- * The order of the Gauss rules is raised panel by panel until two orders agree to the tolerance; a bound is
- * the sum of the errors estimated from these differences and of the rounding of every sample. It is infinite
- * when faces are missing.
+ * Moments and areas are planned: a theorem chooses the orders of the Gauss rules and the bisections
+ * before a point is evaluated, and bounds their error (Bounds.md). For expressions the order is raised panel by panel until two
+ * orders agree to the tolerance, and the error is estimated from their difference. The rounding of every sample is added to
+ * both. A bound is infinite when faces are missing.
  *
  * Getters return the values of the last run and never run the pipeline: call Update() first.
  * RequestData fails only for a wrong input (no exact geometry in it). What cannot be computed has its rows, with NaN and
