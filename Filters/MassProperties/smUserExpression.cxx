@@ -1,8 +1,9 @@
 #include "smUserExpression.h"
 
+#include "smLiteral.h"
+
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <cstring>
 #include <regex>
 #include <set>
@@ -180,9 +181,7 @@ void UserExpression::AddName(const std::string& name, std::size_t at, const Cons
   const auto constant = constants.find(name);
   if (!isComponent && constant != constants.end())
   {
-    char literal[48];
-    std::snprintf(literal, sizeof(literal), "(%.17eLF)", constant->second);
-    glsl = literal;
+    glsl = "(" + MakeLiteral(constant->second) + ")";
   }
   else if (!isComponent)
   {

@@ -1,23 +1,16 @@
 // The integrands of vtkSurfaceIntegralGPU: the user's own and the ready ones; constants, and which faces they are integrated over.
 #include "vtkSurfaceIntegralGPU.h"
 
+#include "smLiteral.h"
 #include "smUserExpression.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace
 {
-std::string Literal(double value)
-{
-  char text[40];
-  std::snprintf(text, sizeof(text), "(%.17e)", value);
-  return text;
-}
-
 /// dvec3 of a unit vector; empty when there is no direction.
 std::string UnitVector(double x, double y, double z)
 {
@@ -26,7 +19,8 @@ std::string UnitVector(double x, double y, double z)
   {
     return {};
   }
-  return "dvec3(" + Literal(x / length) + ", " + Literal(y / length) + ", " + Literal(z / length) + ")";
+  return "dvec3(" + sm::MakeLiteral(x / length) + ", " + sm::MakeLiteral(y / length) + ", " +
+    sm::MakeLiteral(z / length) + ")";
 }
 }
 
