@@ -12,6 +12,7 @@
 #include "vtkTable.h"
 
 #include <cmath>
+#include <set>
 
 namespace
 {
@@ -34,7 +35,9 @@ double Component(vtkDataSetAttributes* columns, vtkIdType row, const std::string
   return array && row < array->GetNumberOfTuples() ? array->GetComponent(row, 0) : std::nan("");
 }
 
-void AddMoments(vtkSurfaceIntegralGPU* filter, int degree)
+using AddMoment = std::function<void(const std::string& name, int i, int j, int k)>;
+
+void ListMoments(int degree, const AddMoment& add)
 {
   for (int total = 0; total <= degree; ++total)
   {
@@ -43,8 +46,7 @@ void AddMoments(vtkSurfaceIntegralGPU* filter, int degree)
       for (int j = total - i; j >= 0; --j)
       {
         const int k = total - i - j;
-        filter->AddVolumeMoment(
-          "moment_" + std::to_string(i) + "_" + std::to_string(j) + "_" + std::to_string(k), i, j, k);
+        add("moment_" + std::to_string(i) + "_" + std::to_string(j) + "_" + std::to_string(k), i, j, k);
       }
     }
   }
@@ -89,6 +91,29 @@ bool ParseIntegral(const std::string& text, std::string& name, std::string& expr
   return !name.empty() && expression.find_first_not_of(" \t\n") != std::string::npos;
 }
 
+std::string FindClash(const JobOptions& options)
+{
+  std::set<std::string> taken(std::begin(names::BesideIntegrands), std::end(names::BesideIntegrands));
+  ListMoments(options.MomentDegree, [&taken](const std::string& name, int, int, int) { taken.insert(name); });
+  std::string name;
+  std::string expression;
+  for (const std::string& text : options.Integrals)
+  {
+    if (ParseIntegral(text, name, expression) && !taken.insert(name).second)
+    {
+      return name;
+    }
+  }
+  for (const std::string& text : options.Integrals)
+  {
+    if (ParseIntegral(text, name, expression) && taken.count(name + names::BoundSuffix) > 0)
+    {
+      return name + names::BoundSuffix;
+    }
+  }
+  return {};
+}
+
 void SetUpFilter(vtkSurfaceIntegralGPU* filter, const JobOptions& options)
 {
   filter->SetRelativeTolerance(options.Tolerance);
@@ -108,7 +133,8 @@ void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
   // Moments apart: beside an expression their bounds would be estimated.
   vtkNew<vtkSurfaceIntegralGPU> moments;
   vtkNew<vtkSurfaceIntegralGPU> expressions;
-  AddMoments(moments, options.MomentDegree);
+  ListMoments(options.MomentDegree,
+    [&moments](const std::string& name, int i, int j, int k) { moments->AddVolumeMoment(name, i, j, k); });
   for (const std::string& text : options.Integrals)
   {
     std::string name;

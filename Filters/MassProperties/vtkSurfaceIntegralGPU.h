@@ -79,7 +79,8 @@ public:
 
   /**
    * Adds the integrand `expression` (GLSL, double precision, see above) under `name`. An empty name or
-   * expression, or a name that exists, is an error and adds nothing. An expression that does not compile is
+   * expression, or a name whose column, or whose bound's, exists or has another meaning in the outputs (BesideIntegrands in
+   * smMassPropertyNames.h), is an error and adds nothing. An expression that does not compile is
    * NaN, with a message that has the compiler's words and the column; the other integrands are computed.
    */
   void AddIntegrand(const std::string& name, const std::string& expression, int support = FACES);

@@ -197,11 +197,18 @@ void vtkSurfaceIntegralGPU::Internals::SpreadResults(
 
 void vtkSurfaceIntegralGPU::Internals::Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand)
 {
+  const std::string& name = integrand.Name;
+  const std::string bound = sm::names::BoundSuffix;
   const bool exists = std::any_of(this->Integrands.begin(), this->Integrands.end(),
-    [&integrand](const sm::Integrand& other) { return other.Name == integrand.Name; });
-  if (integrand.Name.empty() || exists)
+    [&](const sm::Integrand& other)
+    { return other.Name == name || other.Name == name + bound || other.Name + bound == name; });
+  const bool isBeside =
+    std::find(std::begin(sm::names::BesideIntegrands), std::end(sm::names::BesideIntegrands), name) !=
+    std::end(sm::names::BesideIntegrands);
+  if (name.empty() || exists || isBeside)
   {
-    vtkErrorWithObjectMacro(self, "The name '" << integrand.Name << "' of an integrand is empty or exists.");
+    vtkErrorWithObjectMacro(self,
+      "The name '" << name << "' of an integrand is empty, or a column of the outputs has it or would.");
     return;
   }
   if (this->LocalTolerances)

@@ -127,7 +127,9 @@ def integrals():
                any("area was not computed" in text for text in files[0]["messages"]), str(files[0]["messages"]))
     check("but moments", part["volume"], files[0]["integrals"]["moment_0_0_0"]["value"], 1e-9 * part["volume"])
     for wrong in (("--moments", "-1"), ("--moments", "17"), ("--moments", "1.5"), ("--integral", "dA"),
-                  ("--integral", "=dA"), ("--integral", "a="), ("--integral", "a=dA", "--integral", "a=1")):
+                  ("--integral", "=dA"), ("--integral", "a="), ("--integral", "a=dA", "--integral", "a=1"),
+                  ("--integral", "a=dA", "--integral", "aBound=1"), ("--integral", "Faces=dA"),
+                  ("--moments", "1", "--integral", "moment_0_1_0=dA")):
         result = run(*wrong, part["path"])
         check_true("wrong usage " + " ".join(wrong), result.returncode == 1 and result.stderr)
 
