@@ -6,13 +6,16 @@
 #include "vtkComputeContext.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkNew.h"
 #include "vtkSTEPReader.h"
+#include "vtkSmartPointer.h"
 #include "vtkSurfaceIntegralGPU.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <set>
+#include <vector>
 
 namespace
 {
@@ -34,6 +37,9 @@ double Component(vtkDataSetAttributes* columns, vtkIdType row, const std::string
   vtkDataArray* array = columns->GetArray(name.c_str());
   return array && row < array->GetNumberOfTuples() ? array->GetComponent(row, 0) : std::nan("");
 }
+
+// A driver takes longer than in proportion to compile a shader of many integrals: of 969 more than 15 minutes (llvmpipe).
+constexpr int MomentsPerFilter = 40;
 
 using AddMoment = std::function<void(const std::string& name, int i, int j, int k)>;
 
@@ -130,11 +136,21 @@ void SetUpFilter(vtkSurfaceIntegralGPU* filter, const JobOptions& options)
 void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
 {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   // Moments apart: beside an expression their bounds would be estimated.
-  vtkNew<vtkSurfaceIntegralGPU> moments;
-  vtkNew<vtkSurfaceIntegralGPU> expressions;
+  std::vector<vtkSmartPointer<vtkSurfaceIntegralGPU>> filters;
   ListMoments(options.MomentDegree,
-    [&moments](const std::string& name, int i, int j, int k) { moments->AddVolumeMoment(name, i, j, k); });
+    [&filters](const std::string& name, int i, int j, int k)
+    {
+      if (filters.empty() || filters.back()->GetNumberOfIntegrands() == MomentsPerFilter)
+      {
+        filters.push_back(vtkSmartPointer<vtkSurfaceIntegralGPU>::New());
+      }
+      filters.back()->AddVolumeMoment(name, i, j, k);
+    });
+  const auto expressions = vtkSmartPointer<vtkSurfaceIntegralGPU>::New();
+  filters.push_back(expressions);
   for (const std::string& text : options.Integrals)
   {
     std::string name;
@@ -144,11 +160,17 @@ void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
       expressions->AddIntegrand(name, expression);
     }
   }
-  for (vtkSurfaceIntegralGPU* filter : { moments.Get(), expressions.Get() })
+  for (vtkSurfaceIntegralGPU* filter : filters)
   {
     if (filter->GetNumberOfIntegrands() > 0)
     {
       SetUpFilter(filter, options);
+      if (options.MaximumSeconds > 0.0)
+      {
+        // Of all together.
+        const std::chrono::duration<double> passed = Clock::now() - start;
+        filter->SetMaximumSeconds(std::max(options.MaximumSeconds - passed.count(), 1e-3));
+      }
       filter->SetInputConnection(reader->GetOutputPort());
       update(filter);
       Report(filter, file, messages);
