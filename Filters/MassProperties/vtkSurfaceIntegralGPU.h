@@ -84,9 +84,10 @@ public:
    * NaN, with a message that has the compiler's words and the column; the other integrands are computed.
    */
   void AddIntegrand(const std::string& name, const std::string& expression, int support = FACES);
-  /** Volume integral of x^i y^j z^k, by the divergence theorem: flux of r x^i y^j z^k / (3 + i + j + k). */
+  /** Volume integral of x^i y^j z^k, by the divergence theorem: flux of r x^i y^j z^k / (3 + i + j + k).
+   * Powers are not negative, and i + j + k is 60 at most; others are an error and add nothing. */
   void AddVolumeMoment(const std::string& name, int i, int j, int k);
-  /** Surface integral of x^i y^j z^k. */
+  /** Surface integral of x^i y^j z^k, powers as above. */
   void AddAreaMoment(const std::string& name, int i, int j, int k);
   /** Flux of the vector (x, y, z), each an expression, out of the body. */
   void AddFlux(const std::string& name, const std::string& x, const std::string& y, const std::string& z);

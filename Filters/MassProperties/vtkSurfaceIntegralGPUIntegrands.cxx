@@ -1,6 +1,7 @@
 // The integrands of vtkSurfaceIntegralGPU: the user's own and the ready ones; constants, and which faces they are integrated over.
 #include "vtkSurfaceIntegralGPU.h"
 
+#include "smGaussLegendre.h"
 #include "smLiteral.h"
 #include "smUserExpression.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
@@ -11,6 +12,15 @@
 
 namespace
 {
+/// Beyond it, caps and straight panels would take Gauss rules that the table does not have (OrderLadder).
+constexpr int LargestDegree = 60;
+static_assert((LargestDegree + 4) / 2 <= sm::MaximumRuleSize, "the points of a cap");
+
+bool AreValidPowers(int i, int j, int k)
+{
+  return std::min({ i, j, k }) >= 0 && std::max({ i, j, k }) <= LargestDegree && i + j + k <= LargestDegree;
+}
+
 /// dvec3 of a unit vector; empty when there is no direction.
 std::string UnitVector(double x, double y, double z)
 {
@@ -38,10 +48,11 @@ void vtkSurfaceIntegralGPU::AddIntegrand(const std::string& name, const std::str
 
 void vtkSurfaceIntegralGPU::AddVolumeMoment(const std::string& name, int i, int j, int k)
 {
-  if (std::min({ i, j, k }) < 0)
+  if (!AreValidPowers(i, j, k))
   {
     vtkErrorMacro("AddVolumeMoment: the powers " << i << ", " << j << ", " << k << " of '" << name
-                                                 << "' must not be negative.");
+                                                 << "' must not be negative, their sum at most "
+                                                 << LargestDegree << ".");
     return;
   }
   this->Implementation->Add(this, sm::Integrand::VolumeMoment(name, i, j, k));
@@ -49,10 +60,11 @@ void vtkSurfaceIntegralGPU::AddVolumeMoment(const std::string& name, int i, int 
 
 void vtkSurfaceIntegralGPU::AddAreaMoment(const std::string& name, int i, int j, int k)
 {
-  if (std::min({ i, j, k }) < 0)
+  if (!AreValidPowers(i, j, k))
   {
     vtkErrorMacro("AddAreaMoment: the powers " << i << ", " << j << ", " << k << " of '" << name
-                                               << "' must not be negative.");
+                                               << "' must not be negative, their sum at most "
+                                               << LargestDegree << ".");
     return;
   }
   this->Implementation->Add(this, sm::Integrand::AreaMoment(name, i, j, k));
