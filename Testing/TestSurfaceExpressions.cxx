@@ -1,5 +1,6 @@
 // TestSurfaceExpressions FOLDER MODE: integrands of one's own against closed forms: functions, constants and names of a sample
-// (functions), curvatures (curvatures), fluxes (flux), chosen faces (faces), mistakes (mistakes).
+// (functions), curvatures (curvatures), fluxes (flux), chosen faces (faces), mistakes (mistakes), numbers where the user's
+// locale writes them with a comma (commas; of LOCPATH, de_DE.UTF-8).
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
@@ -7,6 +8,7 @@
 #include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
 
+#include <clocale>
 #include <cstdio>
 #include <map>
 
@@ -259,13 +261,33 @@ void CheckMistakes(const char* folder)
     Says(box.Filter, "area was not computed: the expression"));
   Check("and moments are computed", box.Part.Volume, filter->GetIntegral("volume"), 1e-9 * box.Part.Volume);
 }
+
+void CheckCommas(const char* folder)
+{
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8"))
+  {
+    std::exit(77);
+  }
+  CheckEqual("the locale's decimal point", ",", std::localeconv()->decimal_point);
+  Body box(folder, "box");
+  vtkSurfaceIntegralGPU* filter = box.Filter;
+  filter->AddConstant("k", 2.5);
+  filter->AddIntegrand("constant", "k * dA");
+  filter->AddProjectedArea("shadow", 1, 2, 3);
+  filter->AddVolumeMoment("moment", 1, 0, 0);
+  filter->Update();
+  CheckEqual("status", "ok", filter->GetStatus());
+  box.CheckIntegral("constant", 2.5 * 2200, 1e-5);
+  box.CheckIntegral("shadow", (1 * 200 + 2 * 300 + 3 * 600) / std::sqrt(14.0), 1e-5);
+  box.CheckIntegral("moment", 6000 * 15, 1e-3);
+}
 }
 
 int main(int argc, char* argv[])
 {
   const std::map<std::string, void (*)(const char*)> modes = { { "functions", CheckFunctions },
     { "curvatures", CheckCurvatures }, { "flux", CheckFluxes }, { "faces", CheckFaces },
-    { "mistakes", CheckMistakes } };
+    { "mistakes", CheckMistakes }, { "commas", CheckCommas } };
   const auto mode = argc == 3 ? modes.find(argv[2]) : modes.end();
   if (mode == modes.end())
   {

@@ -73,8 +73,16 @@ void CheckMistakes(const Expected& part)
   integral->AddIntegrand("a", "1.0LF");
   integral->AddIntegrand("a", "2.0LF");
   CheckEqual("errors of a name used twice", 3, messages.NumberOfErrors);
+  for (const char* name : { "Faces", "Name", "aBound" })
+  {
+    integral->AddIntegrand(name, "dA");
+  }
+  CheckEqual("errors of other columns' names", 6, messages.NumberOfErrors);
   integral->AddVolumeMoment("b", -1, 0, 0);
-  CheckEqual("errors of a negative power", 4, messages.NumberOfErrors);
+  CheckEqual("errors of a negative power", 7, messages.NumberOfErrors);
+  integral->AddVolumeMoment("b", 20, 20, 21);
+  integral->AddAreaMoment("b", 61, 0, 0);
+  CheckEqual("errors of powers that no rule integrates", 9, messages.NumberOfErrors);
   CheckEqual("integrands", 1, integral->GetNumberOfIntegrands());
 
   integral->AddIntegrand("broken", "position.x + there_is_no_such_function(normal)");

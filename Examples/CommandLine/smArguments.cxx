@@ -289,15 +289,10 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
       return std::string(option) + " is for --scheme adaptive: the paper's schemes know no tolerance";
     }
   }
-  std::set<std::string> names;
-  for (const std::string& integral : arguments.Job.Integrals)
+  const std::string clash = sm::FindClash(arguments.Job);
+  if (!clash.empty())
   {
-    std::string name;
-    std::string expression;
-    if (sm::ParseIntegral(integral, name, expression) && !names.insert(name).second)
-    {
-      return "two integrals are called " + name;
-    }
+    return "two results would be called " + clash + ": give an integral another name";
   }
   if (arguments.Json == "-" && arguments.Csv == "-")
   {

@@ -6,12 +6,16 @@
 #include "vtkComputeContext.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkNew.h"
 #include "vtkSTEPReader.h"
+#include "vtkSmartPointer.h"
 #include "vtkSurfaceIntegralGPU.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <set>
+#include <vector>
 
 namespace
 {
@@ -34,7 +38,12 @@ double Component(vtkDataSetAttributes* columns, vtkIdType row, const std::string
   return array && row < array->GetNumberOfTuples() ? array->GetComponent(row, 0) : std::nan("");
 }
 
-void AddMoments(vtkSurfaceIntegralGPU* filter, int degree)
+// A driver takes longer than in proportion to compile a shader of many integrals: of 969 more than 15 minutes (llvmpipe).
+constexpr int MomentsPerFilter = 40;
+
+using AddMoment = std::function<void(const std::string& name, int i, int j, int k)>;
+
+void ListMoments(int degree, const AddMoment& add)
 {
   for (int total = 0; total <= degree; ++total)
   {
@@ -43,8 +52,7 @@ void AddMoments(vtkSurfaceIntegralGPU* filter, int degree)
       for (int j = total - i; j >= 0; --j)
       {
         const int k = total - i - j;
-        filter->AddVolumeMoment(
-          "moment_" + std::to_string(i) + "_" + std::to_string(j) + "_" + std::to_string(k), i, j, k);
+        add("moment_" + std::to_string(i) + "_" + std::to_string(j) + "_" + std::to_string(k), i, j, k);
       }
     }
   }
@@ -89,6 +97,29 @@ bool ParseIntegral(const std::string& text, std::string& name, std::string& expr
   return !name.empty() && expression.find_first_not_of(" \t\n") != std::string::npos;
 }
 
+std::string FindClash(const JobOptions& options)
+{
+  std::set<std::string> taken(std::begin(names::BesideIntegrands), std::end(names::BesideIntegrands));
+  ListMoments(options.MomentDegree, [&taken](const std::string& name, int, int, int) { taken.insert(name); });
+  std::string name;
+  std::string expression;
+  for (const std::string& text : options.Integrals)
+  {
+    if (ParseIntegral(text, name, expression) && !taken.insert(name).second)
+    {
+      return name;
+    }
+  }
+  for (const std::string& text : options.Integrals)
+  {
+    if (ParseIntegral(text, name, expression) && taken.count(name + names::BoundSuffix) > 0)
+    {
+      return name + names::BoundSuffix;
+    }
+  }
+  return {};
+}
+
 void SetUpFilter(vtkSurfaceIntegralGPU* filter, const JobOptions& options)
 {
   filter->SetRelativeTolerance(options.Tolerance);
@@ -105,10 +136,21 @@ void SetUpFilter(vtkSurfaceIntegralGPU* filter, const JobOptions& options)
 void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
 {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   // Moments apart: beside an expression their bounds would be estimated.
-  vtkNew<vtkSurfaceIntegralGPU> moments;
-  vtkNew<vtkSurfaceIntegralGPU> expressions;
-  AddMoments(moments, options.MomentDegree);
+  std::vector<vtkSmartPointer<vtkSurfaceIntegralGPU>> filters;
+  ListMoments(options.MomentDegree,
+    [&filters](const std::string& name, int i, int j, int k)
+    {
+      if (filters.empty() || filters.back()->GetNumberOfIntegrands() == MomentsPerFilter)
+      {
+        filters.push_back(vtkSmartPointer<vtkSurfaceIntegralGPU>::New());
+      }
+      filters.back()->AddVolumeMoment(name, i, j, k);
+    });
+  const auto expressions = vtkSmartPointer<vtkSurfaceIntegralGPU>::New();
+  filters.push_back(expressions);
   for (const std::string& text : options.Integrals)
   {
     std::string name;
@@ -118,11 +160,17 @@ void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
       expressions->AddIntegrand(name, expression);
     }
   }
-  for (vtkSurfaceIntegralGPU* filter : { moments.Get(), expressions.Get() })
+  for (vtkSurfaceIntegralGPU* filter : filters)
   {
     if (filter->GetNumberOfIntegrands() > 0)
     {
       SetUpFilter(filter, options);
+      if (options.MaximumSeconds > 0.0)
+      {
+        // Of all together.
+        const std::chrono::duration<double> passed = Clock::now() - start;
+        filter->SetMaximumSeconds(std::max(options.MaximumSeconds - passed.count(), 1e-3));
+      }
       filter->SetInputConnection(reader->GetOutputPort());
       update(filter);
       Report(filter, file, messages);

@@ -23,6 +23,9 @@ constexpr int LargestMomentDegree = 16;
 /// "NAME=EXPR" taken apart; false when a part is missing.
 bool ParseIntegral(const std::string& text, std::string& name, std::string& expression);
 
+/// A name that two of the integrals would have, or an integral and another column of the results; empty when none.
+std::string FindClash(const JobOptions& options);
+
 /// Gives a filter what all filters of a job share: tolerance, budgets and backend.
 void SetUpFilter(vtkSurfaceIntegralGPU* filter, const JobOptions& options);
 

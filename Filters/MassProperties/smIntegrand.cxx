@@ -1,18 +1,11 @@
 #include "smIntegrand.h"
 
-#include <cstdio>
+#include "smLiteral.h"
 
 namespace sm
 {
 namespace
 {
-std::string Literal(double value)
-{
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.17eLF", value);
-  return text;
-}
-
 std::string Monomial(int i, int j, int k)
 {
   std::string text;
@@ -43,7 +36,7 @@ Integrand Integrand::VolumeMoment(const std::string& name, int i, int j, int k)
 {
   const int degree = i + j + k;
   const double factor = 1.0 / (3 + degree);
-  const std::string text = Literal(factor);
+  const std::string text = MakeLiteral(factor);
   return { name, text + " * dot(position, normal)" + Monomial(i, j, k), true, degree,
     text + SizePower(degree + 1), Kind::VolumeMoment, factor, { i, j, k }, factor, degree + 1 };
 }
@@ -51,14 +44,14 @@ Integrand Integrand::VolumeMoment(const std::string& name, int i, int j, int k)
 Integrand Integrand::AreaMoment(const std::string& name, int i, int j, int k)
 {
   const int degree = i + j + k;
-  return { name, "length(normal)" + Monomial(i, j, k), false, degree, Literal(1.0) + SizePower(degree),
+  return { name, "length(normal)" + Monomial(i, j, k), false, degree, MakeLiteral(1.0) + SizePower(degree),
     Kind::AreaMoment, 1.0, { i, j, k }, 1.0, degree };
 }
 
 Integrand Integrand::VectorArea(const std::string& name, int component)
 {
   const char* const names[3] = { "normal.x", "normal.y", "normal.z" };
-  Integrand result{ name, names[component], true, 0, Literal(1.0), Kind::VectorArea };
+  Integrand result{ name, names[component], true, 0, MakeLiteral(1.0), Kind::VectorArea };
   result.Powers[component] = 1;
   return result;
 }

@@ -1,6 +1,7 @@
 #include "smIntegrationPrograms.h"
 
 #include "smFacePanels.h"
+#include "smLiteral.h"
 #include "smResidentFaces.h"
 #include "smShaderSource.h"
 
@@ -19,7 +20,6 @@
 #include "smWorkStorage.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace sm
 {
@@ -215,9 +215,7 @@ ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
   source.Define("SM_ROUNDINGS", this->Layout.GetNumberOfRoundings());
   source.Define("SM_ROUNDING_OF", ListOfNumbers(this->Layout.GetRoundingOf()));
   source.Define("SM_STRIP_POINTS", this->Setup.StripPoints);
-  char literal[40];
-  std::snprintf(literal, sizeof(literal), "%.17eLF", this->Setup.Perturbation);
-  source.Define("SM_PERTURBATION", literal);
+  source.Define("SM_PERTURBATION", MakeLiteral(this->Setup.Perturbation));
   const bool mayHaveKinks = std::any_of(this->Setup.Integrands.begin(), this->Setup.Integrands.end(),
     [](const Integrand& integrand) { return integrand.Source && integrand.Source->MayHaveKinks(); });
   source.Define("SM_LUCK", mayHaveKinks ? "0.1LF" : "1e-3LF");

@@ -70,6 +70,10 @@ constexpr const char* Uses = "Uses";     // int: coedges that use the edge
 constexpr const char* Open = "Open";     // int: 1 when its signed uses do not cancel
 constexpr const char* Text = "Text";     // string, the one cell of the text table
 
+// What stands beside the integrands' columns in vtkSurfaceIntegralGPU's outputs: an integrand has none of these names.
+constexpr const char* BesideIntegrands[] = { Name, Id, Solid, FaceId, Faces, Status, Backend, Renderer,
+  Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated };
+
 // What computed.
 constexpr const char* BackendOpenGL = "opengl";
 constexpr const char* BackendCPU = "cpu";

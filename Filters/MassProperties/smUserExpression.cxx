@@ -1,8 +1,9 @@
 #include "smUserExpression.h"
 
+#include "smLiteral.h"
+
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <cstring>
 #include <regex>
 #include <set>
@@ -14,8 +15,11 @@ namespace
 {
 // Line of the first of the user's tokens, beyond all others. (Mesa's messages say nothing of source numbers.)
 constexpr int FirstLine = 100001;
-// As many errors as one reads.
+// As many errors as one reads, and as much of each.
 constexpr int ToldAtMost = 3;
+constexpr std::size_t LongestLine = 1000;
+// GLSL's own limit of names is 1024; std::regex's is the stack.
+constexpr std::size_t LongestWord = 1000;
 
 /// A name that stands for something of a sample: its definition in GLSL, and what that needs.
 struct SampleName
@@ -45,17 +49,28 @@ constexpr const char* Functions[][2] = { { "sin", "smSin" }, { "cos", "smCos" },
 
 bool IsNameStart(char c)
 {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
 bool IsNamePart(char c)
 {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  return IsNameStart(c) || (c >= '0' && c <= '9');
 }
 
 bool IsDigit(char c)
 {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// The character there, of UTF-8.
+std::string GetCharacter(const std::string& text, std::size_t at)
+{
+  std::size_t end = at + 1;
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+  {
+    ++end;
+  }
+  return text.substr(at, end - at);
 }
 
 bool IsReserved(const std::string& name)
@@ -119,6 +134,10 @@ bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)
   {
     at = std::find_if_not(this->Text.begin() + at, this->Text.end(), IsNamePart) - this->Text.begin();
     const std::string name = this->Text.substr(begin, at - begin);
+    if (name.size() > LongestWord)
+    {
+      return this->Fail(begin, "the name is too long");
+    }
     if (IsReserved(name))
     {
       return this->Fail(begin, "'" + name + "' is reserved");
@@ -141,6 +160,12 @@ bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)
     ++at;
     return this->TrackBracket(first, begin);
   }
+  if (first == ',' && (this->Open.empty() || !this->Open.back().IsCall))
+  {
+    // Nor the sequence operator: it would drop what stands before it, and run functions that give nothing.
+    return this->Fail(
+      begin, "',' stands only between the arguments of a function; numbers have a decimal point");
+  }
   static const char* const pairs[] = { "<=", ">=", "==", "!=", "&&", "||", "^^" };
   const bool isPair = std::any_of(std::begin(pairs), std::end(pairs),
     [=](const char* pair) { return pair[0] == first && pair[1] == second; });
@@ -149,7 +174,7 @@ bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)
       (second == '=' && std::strchr("+-*/%", first)) || (second == first && std::strchr("+-", first))))
   {
     return this->Fail(begin,
-      std::string("'") + first +
+      "'" + GetCharacter(this->Text, begin) +
         "' cannot stand here: an expression has no statements, assignments or comments");
   }
   at += isPair ? 2 : 1;
@@ -159,7 +184,10 @@ bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)
 
 bool UserExpression::TrackBracket(char c, std::size_t at)
 {
-  this->Tokens.push_back({ std::string(1, c), at });
+  // Of a function, or of an array's constructor.
+  const bool isCall = c == '(' && !this->Tokens.empty() &&
+    (IsNameStart(this->Tokens.back().Glsl[0]) || this->Tokens.back().Glsl == "]");
+  this->Tokens.push_back({ std::string(1, c), at, isCall });
   if (c == '(' || c == '[')
   {
     this->Open.push_back(this->Tokens.back());
@@ -180,9 +208,7 @@ void UserExpression::AddName(const std::string& name, std::size_t at, const Cons
   const auto constant = constants.find(name);
   if (!isComponent && constant != constants.end())
   {
-    char literal[48];
-    std::snprintf(literal, sizeof(literal), "(%.17eLF)", constant->second);
-    glsl = literal;
+    glsl = "(" + MakeLiteral(constant->second) + ")";
   }
   else if (!isComponent)
   {
@@ -204,6 +230,10 @@ bool UserExpression::AddNumber(const std::string& number, std::size_t at)
 {
   static const std::regex pattern(
     R"((0[xX][0-9a-fA-F]+[uU]?|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?(LF|lf|[fFuU])?))");
+  if (number.size() > LongestWord)
+  {
+    return this->Fail(at, "the number is too long");
+  }
   if (!std::regex_match(number, pattern))
   {
     return this->Fail(at, "'" + number + "' is not a number");
@@ -222,11 +252,20 @@ bool UserExpression::AddNumber(const std::string& number, std::size_t at)
 
 bool UserExpression::MayHaveKinks() const
 {
+  // Numbers of single precision and whole numbers have steps, too.
   static const std::set<std::string> rough = { "abs", "sign", "floor", "trunc", "round", "roundEven", "ceil",
-    "fract", "mod", "min", "max", "clamp", "step", "smoothstep", "int", "uint", "bool", "?", "<", ">",
-    "<=", ">=", "==", "!=" };
-  return std::any_of(
-    this->Tokens.begin(), this->Tokens.end(), [](const Token& token) { return rough.count(token.Glsl) > 0; });
+    "fract", "mod", "min", "max", "clamp", "step", "smoothstep", "faceforward", "refract", "int", "uint",
+    "bool", "float", "vec2", "vec3", "vec4", "ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4", "bvec2",
+    "bvec3", "bvec4", "lessThan", "lessThanEqual", "greaterThan", "greaterThanEqual", "equal", "notEqual",
+    "isnan", "isinf", "?", "<", ">", "<=", ">=", "==", "!=" };
+  const auto isRough = [](const Token& token)
+  {
+    const bool isFloat = token.Glsl.size() > 1 && !IsNameStart(token.Glsl[0]) &&
+      token.Glsl.find_first_of("xX") == std::string::npos && std::strchr("fF", token.Glsl.back()) &&
+      std::strchr("lL", token.Glsl[token.Glsl.size() - 2]) == nullptr;
+    return isFloat || rough.count(token.Glsl) > 0;
+  };
+  return std::any_of(this->Tokens.begin(), this->Tokens.end(), isRough);
 }
 
 std::string UserExpression::MakeFunction(const std::string& name, bool forMessages) const
@@ -259,6 +298,7 @@ std::string UserExpression::Explain(const std::string& log) const
   std::string line;
   while (std::getline(lines, line) && told.size() < ToldAtMost)
   {
+    line.resize(std::min(line.size(), LongestLine));
     std::smatch match;
     if (!std::regex_match(line, match, pattern) || line.find("warning") != std::string::npos)
     {

@@ -56,6 +56,8 @@ private:
   {
     std::string Glsl;
     std::size_t At;
+    /// A bracket around arguments.
+    bool IsCall = false;
   };
   void Read(const Constants& constants);
   bool ReadToken(std::size_t& at, const Constants& constants);

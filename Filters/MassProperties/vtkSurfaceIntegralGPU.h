@@ -16,8 +16,9 @@
  *   - constants of AddConstant(), and the functions of GLSL; sin, cos, tan, exp, log and pow are of doubles here (angles up
  *     to 2^20, beyond they are not a number).
  * Bounds of expressions are estimated, and suppose that they are smooth on every face: at kinks and steps (abs, min, max,
- * step, ?: and their like) an error may exceed its bound; a message says which expressions may have some.
- * Numbers are doubles, 1/3 is a third; statements, assignments and comments are errors.
+ * step, ?: and their like; numbers of single precision) an error may exceed its bound; a message says which expressions may have
+ * some. Peaks too narrow for any point of the first two orders (3 and 6 a direction of a patch) are not seen at all.
+ * Numbers are doubles, 1/3 is a third; statements, assignments, comments and commas outside of arguments are errors.
  * An integrand on the CLOSED_CHAIN is also integrated over the ribbons and caps that join the faces along
  * their common edges, so that fluxes are those of a closed surface; one on FACES (areas) is not.
  *
@@ -79,13 +80,15 @@ public:
 
   /**
    * Adds the integrand `expression` (GLSL, double precision, see above) under `name`. An empty name or
-   * expression, or a name that exists, is an error and adds nothing. An expression that does not compile is
+   * expression, or a name whose column, or whose bound's, exists or has another meaning in the outputs (BesideIntegrands in
+   * smMassPropertyNames.h), is an error and adds nothing. An expression that does not compile is
    * NaN, with a message that has the compiler's words and the column; the other integrands are computed.
    */
   void AddIntegrand(const std::string& name, const std::string& expression, int support = FACES);
-  /** Volume integral of x^i y^j z^k, by the divergence theorem: flux of r x^i y^j z^k / (3 + i + j + k). */
+  /** Volume integral of x^i y^j z^k, by the divergence theorem: flux of r x^i y^j z^k / (3 + i + j + k).
+   * Powers are not negative, and i + j + k is 60 at most; others are an error and add nothing. */
   void AddVolumeMoment(const std::string& name, int i, int j, int k);
-  /** Surface integral of x^i y^j z^k. */
+  /** Surface integral of x^i y^j z^k, powers as above. */
   void AddAreaMoment(const std::string& name, int i, int j, int k);
   /** Flux of the vector (x, y, z), each an expression, out of the body. */
   void AddFlux(const std::string& name, const std::string& x, const std::string& y, const std::string& z);

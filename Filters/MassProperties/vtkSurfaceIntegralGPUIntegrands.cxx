@@ -1,21 +1,24 @@
 // The integrands of vtkSurfaceIntegralGPU: the user's own and the ready ones; constants, and which faces they are integrated over.
 #include "vtkSurfaceIntegralGPU.h"
 
+#include "smGaussLegendre.h"
+#include "smLiteral.h"
 #include "smUserExpression.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace
 {
-std::string Literal(double value)
+/// Beyond it, caps and straight panels would take Gauss rules that the table does not have (OrderLadder).
+constexpr int LargestDegree = 60;
+static_assert((LargestDegree + 4) / 2 <= sm::MaximumRuleSize, "the points of a cap");
+
+bool AreValidPowers(int i, int j, int k)
 {
-  char text[40];
-  std::snprintf(text, sizeof(text), "(%.17e)", value);
-  return text;
+  return std::min({ i, j, k }) >= 0 && std::max({ i, j, k }) <= LargestDegree && i + j + k <= LargestDegree;
 }
 
 /// dvec3 of a unit vector; empty when there is no direction.
@@ -26,7 +29,8 @@ std::string UnitVector(double x, double y, double z)
   {
     return {};
   }
-  return "dvec3(" + Literal(x / length) + ", " + Literal(y / length) + ", " + Literal(z / length) + ")";
+  return "dvec3(" + sm::MakeLiteral(x / length) + ", " + sm::MakeLiteral(y / length) + ", " +
+    sm::MakeLiteral(z / length) + ")";
 }
 }
 
@@ -44,10 +48,11 @@ void vtkSurfaceIntegralGPU::AddIntegrand(const std::string& name, const std::str
 
 void vtkSurfaceIntegralGPU::AddVolumeMoment(const std::string& name, int i, int j, int k)
 {
-  if (std::min({ i, j, k }) < 0)
+  if (!AreValidPowers(i, j, k))
   {
     vtkErrorMacro("AddVolumeMoment: the powers " << i << ", " << j << ", " << k << " of '" << name
-                                                 << "' must not be negative.");
+                                                 << "' must not be negative, their sum at most "
+                                                 << LargestDegree << ".");
     return;
   }
   this->Implementation->Add(this, sm::Integrand::VolumeMoment(name, i, j, k));
@@ -55,10 +60,11 @@ void vtkSurfaceIntegralGPU::AddVolumeMoment(const std::string& name, int i, int 
 
 void vtkSurfaceIntegralGPU::AddAreaMoment(const std::string& name, int i, int j, int k)
 {
-  if (std::min({ i, j, k }) < 0)
+  if (!AreValidPowers(i, j, k))
   {
     vtkErrorMacro("AddAreaMoment: the powers " << i << ", " << j << ", " << k << " of '" << name
-                                               << "' must not be negative.");
+                                               << "' must not be negative, their sum at most "
+                                               << LargestDegree << ".");
     return;
   }
   this->Implementation->Add(this, sm::Integrand::AreaMoment(name, i, j, k));
@@ -203,11 +209,18 @@ void vtkSurfaceIntegralGPU::Internals::SpreadResults(
 
 void vtkSurfaceIntegralGPU::Internals::Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand)
 {
+  const std::string& name = integrand.Name;
+  const std::string bound = sm::names::BoundSuffix;
   const bool exists = std::any_of(this->Integrands.begin(), this->Integrands.end(),
-    [&integrand](const sm::Integrand& other) { return other.Name == integrand.Name; });
-  if (integrand.Name.empty() || exists)
+    [&](const sm::Integrand& other)
+    { return other.Name == name || other.Name == name + bound || other.Name + bound == name; });
+  const bool isBeside =
+    std::find(std::begin(sm::names::BesideIntegrands), std::end(sm::names::BesideIntegrands), name) !=
+    std::end(sm::names::BesideIntegrands);
+  if (name.empty() || exists || isBeside)
   {
-    vtkErrorWithObjectMacro(self, "The name '" << integrand.Name << "' of an integrand is empty or exists.");
+    vtkErrorWithObjectMacro(self,
+      "The name '" << name << "' of an integrand is empty, or a column of the outputs has it or would.");
     return;
   }
   if (this->LocalTolerances)

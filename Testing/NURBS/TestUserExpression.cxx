@@ -42,6 +42,11 @@ void CheckTranslation()
   CheckEqual("detail of a curvature", 3, UserExpression("u * meanCurvature", {}).GetDetail());
   CheckEqual("detail of a component", 0, UserExpression("position.u", {}).GetDetail());
   CheckTrue("kinks of ?:", UserExpression("dA > 1 ? 1 : 2", {}).MayHaveKinks());
+  for (const char* text : { "double(lessThan(position, normal).x)", "double(ivec3(position).x)",
+         "double(float(dA))", "dA * 0.1f", "faceforward(normal, position, normal).z" })
+  {
+    CheckTrue(std::string("kinks or steps of ") + text, UserExpression(text, {}).MayHaveKinks());
+  }
   CheckTrue("no kinks of a polynomial", !UserExpression("position.x * dA", {}).MayHaveKinks());
 }
 
@@ -52,6 +57,14 @@ void CheckPlaces()
     "brackets that cross", "column 5: the bracket was not opened", UserExpression("([dA)]", {}).GetError());
   CheckEqual("lines", "line 2, column 3: 'gl_x' is reserved", UserExpression("dA *\n  gl_x", {}).GetError());
   CheckEqual("nothing", "the expression is empty", UserExpression(" \n", {}).GetError());
+
+  CheckEqual("a decimal comma", "column 2: ','", UserExpression("1,5 * dA", {}).GetError().substr(0, 13));
+  CheckEqual("a sequence", "column 11: ','", UserExpression("(barrier(), dA)", {}).GetError().substr(0, 14));
+  CheckEqual("arguments", "", UserExpression("pow(max(dA, (1)), double[2](1, 2)[1])", {}).GetError());
+  CheckEqual("characters of several bytes", "column 3: '\xcf\x80' cannot",
+    UserExpression("1*\xcf\x80", {}).GetError().substr(0, 21));
+  CheckTrue("a number without end", !UserExpression(std::string(200000, '1'), {}).GetError().empty());
+  CheckTrue("a name without end", !UserExpression(std::string(200000, 'x'), {}).GetError().empty());
 
   const UserExpression expression("dA * sin(foo)", {});
   CheckTrue("lines are numbered for messages",
@@ -69,6 +82,8 @@ void CheckPlaces()
     expression.Explain("0:100007(1): error: unexpected ')'\n"));
   CheckEqual("of the whole", "column 1: could not convert",
     expression.Explain("0:12(1): error: could not convert, in function `f'\n"));
+  CheckEqual("a line without end", "column 10: no f(dd",
+    expression.Explain("0:100005(1): error: no f(" + std::string(200000, 'd') + "\n").substr(0, 18));
   CheckEqual("what is not understood", "internal trouble", expression.Explain("internal trouble"));
 }
 }

@@ -126,8 +126,17 @@ def integrals():
     check_true("no expression on the CPU", files[0]["integrals"]["area"]["value"] is None and
                any("area was not computed" in text for text in files[0]["messages"]), str(files[0]["messages"]))
     check("but moments", part["volume"], files[0]["integrals"]["moment_0_0_0"]["value"], 1e-9 * part["volume"])
+    # More moments than one shader takes.
+    arguments = ("--moments", "5", part["path"])
+    many = [run_json(*arguments)[1][0]["integrals"], run_json("--backend", "cpu", *arguments)[1][0]["integrals"]]
+    check_equal("moments to degree 5", [56, 56], [len(one) for one in many])
+    for name, one in many[0].items():
+        other = many[1][name]
+        check(name + " of both backends", other["value"], one["value"], other["bound"] + one["bound"])
     for wrong in (("--moments", "-1"), ("--moments", "17"), ("--moments", "1.5"), ("--integral", "dA"),
-                  ("--integral", "=dA"), ("--integral", "a="), ("--integral", "a=dA", "--integral", "a=1")):
+                  ("--integral", "=dA"), ("--integral", "a="), ("--integral", "a=dA", "--integral", "a=1"),
+                  ("--integral", "a=dA", "--integral", "aBound=1"), ("--integral", "Faces=dA"),
+                  ("--moments", "1", "--integral", "moment_0_1_0=dA")):
         result = run(*wrong, part["path"])
         check_true("wrong usage " + " ".join(wrong), result.returncode == 1 and result.stderr)
 
