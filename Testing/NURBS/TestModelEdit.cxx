@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace
@@ -214,6 +215,80 @@ void CheckMap()
   CheckEqual("five faces", 5, static_cast<long long>(carried.Replaced.size()));
 }
 
+/// A corner that meets another one leaves it alone when it is set back.
+void CheckSnap()
+{
+  std::printf("--- a corner on another corner, and back\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  const int last = body.GetNumberOfPoints() - 1;
+  const sm::ControlPointIndex corner = At(body, 2, 1, 0, 0, last);
+  Homogeneous from;
+  Homogeneous to;
+  sm::GetControlPoint(model, 5, corner, from);
+  sm::GetControlPoint(model, 5, At(body, 2, 1, 0, last, last), to);
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const sm::ModelEdit edit = sm::SetControlPoints(model, 5, { { corner, to } }, rule);
+  CheckEqual("faces", 3, static_cast<long long>(edit.Replaced.size()));
+  const sm::ModelEdit back = sm::SetControlPoints(edit.Model, 5, { { corner, from } }, rule);
+  CheckEqual("the same faces", 3, static_cast<long long>(back.Replaced.size()));
+  CheckTrue("the same bits", HaveSameBits(model, back.Model));
+}
+
+/// The body with its vertices off its corners, as files have them, and a lid whose rows are not its neighbours'.
+vtkSmartPointer<vtkNURBSDataSet> MakeLoose(double off)
+{
+  LatticeBody body;
+  const auto leaf = body.Make();
+  LatticeBody fine;
+  fine.Knots = { 0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1 };
+  std::map<const sm::Edge*, std::shared_ptr<const sm::Edge>> loose;
+  for (int f = 0; f < 6; ++f)
+  {
+    auto face = std::make_shared<sm::Face>(*leaf->GetModel()->GetFaces()[f]);
+    face->Id = sm::NewId();
+    face->Surface = f == 5 ? fine.Make()->GetModel()->GetFaces()[5]->Surface : face->Surface;
+    for (sm::Coedge& coedge : face->Loops[0].Coedges)
+    {
+      std::shared_ptr<const sm::Edge>& known = loose[coedge.Use.get()];
+      if (!known)
+      {
+        auto edge = std::make_shared<sm::Edge>(*coedge.Use);
+        edge->Id = sm::NewId();
+        edge->StartVertex[0] += off;
+        edge->EndVertex[0] += off;
+        known = edge;
+      }
+      coedge.Use = known;
+    }
+    leaf->GetModel()->SetFace(f, face);
+  }
+  return leaf;
+}
+
+/// Vertices that moved without the row whose edge ends there stay where they are when the row moves elsewhere.
+void CheckVertices()
+{
+  std::printf("--- vertices that others moved\n");
+  const auto leaf = MakeLoose(1e-3);
+  const auto twice = [](const LatticeBody::Point& p) {
+    return LatticeBody::Point{ 2.0 * p[0], 2.0 * p[1], 2.0 * p[2] };
+  };
+  const sm::ModelEdit large = sm::MapControlPoints(leaf->GetModel(), {}, twice, sm::EditRule::OneFace);
+  CheckEqual("all faces", 6, static_cast<long long>(large.Replaced.size()));
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  // On the edge of x = 0 and y = 0, between its ends.
+  Homogeneous point;
+  sm::GetControlPoint(large.Model, 0, { 0, 2 }, point);
+  const sm::ModelEdit edit = sm::MoveControlPoints(large.Model, 0, { { 0, 2 } }, Displacement, rule);
+  CheckEqual("the faces of the edge, not those of its ends", 2, static_cast<long long>(edit.Replaced.size()));
+  const sm::ModelEdit back = sm::SetControlPoints(edit.Model, 0, { { { 0, 2 }, point } }, rule);
+  CheckTrue("set back: the same vertices",
+    back.Model->GetFaces()[0]->Loops[0].Coedges[3].Use->EndVertex ==
+      large.Model->GetFaces()[0]->Loops[0].Coedges[3].Use->EndVertex);
+}
+
 void CheckErrors()
 {
   std::printf("--- errors\n");
@@ -281,6 +356,8 @@ int main()
   CheckWeights();
   CheckReplacement();
   CheckMap();
+  CheckSnap();
+  CheckVertices();
   CheckErrors();
   return Finish();
 }
