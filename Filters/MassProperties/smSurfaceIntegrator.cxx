@@ -419,11 +419,20 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
 bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
   const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
 {
-  // In portions that have room for their rows; the results of a face add up in order.
+  // In portions that have room for their rows; the results of a face add up in order. Where a portion ends within a face must not
+  // depend on other faces: it is cut before the face, or where the face has filled portions of its own.
   const std::size_t portion = this->Runner->GetRowLimit();
-  for (std::size_t begin = 0; begin < items.size(); begin += portion)
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < items.size(); begin = end)
   {
-    const std::size_t end = std::min(begin + portion, items.size());
+    end = std::min(begin + portion, items.size());
+    if (end < items.size() && items[begin].GetSlot() != items[end].GetSlot())
+    {
+      while (items[end - 1].GetSlot() == items[end].GetSlot())
+      {
+        --end;
+      }
+    }
     std::vector<WorkItem> part(
       items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end));
     if (!this->RunItems(part, batch, depth, results))
