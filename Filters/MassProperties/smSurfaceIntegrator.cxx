@@ -47,7 +47,7 @@ void AddGap(const Face& face, int index, const CoedgeGap& measured, std::vector<
   }
   found->GapSquared += gap.GapSquared;
   found->GapArea += gap.GapArea;
-  found->MaxGap = gap.MaxGap <= found->MaxGap ? found->MaxGap : gap.MaxGap;
+  found->MaxGap = GetLargerGap(found->MaxGap, gap.MaxGap);
 }
 
 double Now()
@@ -280,8 +280,7 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
     }
     result.GapSquared += sum[RowLayout::SquaredGap];
     result.GapArea += sum[RowLayout::GapArea];
-    // Not std::max, which loses a NaN.
-    result.MaxGap = largest[i] <= result.MaxGap ? result.MaxGap : largest[i];
+    result.MaxGap = GetLargerGap(result.MaxGap, largest[i]);
     if (parts[i].Coedge >= 0)
     {
       AddGap(*this->Faces[batch[parts[i].Slot]]->Source, parts[i].Coedge,
