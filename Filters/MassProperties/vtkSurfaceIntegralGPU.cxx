@@ -93,8 +93,6 @@ void vtkSurfaceIntegralGPU::SetRenderWindow(vtkRenderWindow* window)
   if (this->Implementation->Context->GetWindow() != window)
   {
     this->Implementation->Context->SetWindow(window);
-    // Another device may round otherwise.
-    this->Implementation->Integrator.ForgetFaces();
     this->Modified();
   }
 }
@@ -279,6 +277,13 @@ bool vtkSurfaceIntegralGPU::Internals::ChooseRunner(vtkSurfaceIntegralGPU* self)
   if (!hasOpenGL && self->Backend == AUTOMATIC)
   {
     last.FallbackReason = this->Context->GetReason();
+  }
+  // Another context may be another device, which may round otherwise.
+  const vtkTypeUInt64 generation = hasOpenGL ? this->Context->GetGeneration() : 0;
+  if (this->Generation != generation)
+  {
+    this->Integrator.ForgetFaces();
+    this->Generation = generation;
   }
   last.Backend = hasOpenGL ? sm::names::BackendOpenGL : sm::names::BackendCPU;
   last.Renderer = hasOpenGL ? this->Context->GetRenderer() : sm::CPUItemRunner::GetDescription();
