@@ -43,7 +43,8 @@ double GetBodySize(vtkTrimmedNURBSModel* model)
   {
     for (const std::array<double, 4>& point : face->Surface.ControlPoints)
     {
-      farthest = std::max(farthest, std::hypot(point[0], point[1], point[2]) / point[3]);
+      const double distance = std::hypot(point[0], point[1], point[2]) / point[3];
+      farthest = std::isfinite(distance) ? std::max(farthest, distance) : farthest;
     }
   }
   return 2.0 * farthest;
@@ -95,6 +96,7 @@ void NetChange::CollectEdges()
   for (std::size_t f = 0; f < this->Faces.size(); ++f)
   {
     const Face& face = *this->Faces[f];
+    const bool isValid = face.Surface.Check().empty();
     for (std::size_t l = 0; l < face.Loops.size(); ++l)
     {
       for (std::size_t c = 0; c < face.Loops[l].Coedges.size(); ++c)
@@ -106,7 +108,8 @@ void NetChange::CollectEdges()
           this->Edges.push_back({ coedge.Use, {}, false, false });
         }
         Use use{ static_cast<int>(f), static_cast<int>(l), static_cast<int>(c), false, {} };
-        use.IsRow = !coedge.Use->Degenerate && FindBoundaryRow(face.Surface, coedge.Curve, use.Row);
+        use.IsRow = isValid && !coedge.Use->Degenerate && coedge.Use->Curve.GetNumberOfPieces() > 0 &&
+          FindBoundaryRow(face.Surface, coedge.Curve, use.Row);
         this->EdgesOfFace[f].emplace_back(place->second, this->Edges[place->second].Uses.size());
         this->Edges[place->second].Uses.push_back(use);
       }
@@ -291,8 +294,13 @@ void NetChange::MapEdge(std::size_t index)
   {
     point = this->Map(point);
   }
-  this->MoveVertex(2 * index, this->Map(edge.Source->StartVertex));
-  this->MoveVertex(2 * index + 1, this->Map(edge.Source->EndVertex));
+  const Point ends[2] = { this->Map(edge.Source->StartVertex), this->Map(edge.Source->EndVertex) };
+  this->MoveVertex(2 * index, ends[0]);
+  this->MoveVertex(2 * index + 1, ends[1]);
+  const auto isFinite = [](const Point& point)
+  { return std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); }); };
+  this->Finite = this->Finite && isFinite(ends[0]) && isFinite(ends[1]) &&
+    std::all_of(curve.Coefficients.begin(), curve.Coefficients.end(), isFinite);
   if (curve.Coefficients != edge.Source->Curve.Coefficients)
   {
     const std::shared_ptr<Edge> result = this->GetNewEdge(edge.Source);
@@ -351,6 +359,12 @@ void NetChange::Finish(ModelEdit& edit)
   this->CollectEdges();
   this->Propagate();
   this->MoveEdges();
+  if (!this->Finite)
+  {
+    edit.Status = EditStatus::NotFinite;
+    edit.Message = "a point of an edge is not finite";
+    return;
+  }
   const std::vector<FacePointer>& before = this->Model->GetFaces();
   std::vector<FacePointer> after = before;
   for (std::size_t f = 0; f < after.size(); ++f)

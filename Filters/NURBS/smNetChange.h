@@ -33,7 +33,7 @@ public:
   void SetMap(const std::vector<bool>& faces, const PointMap& map);
   void SetPoint(int face, std::size_t entry, const std::array<double, 4>& point);
 
-  /// Moves what follows and swaps the faces into a copy of the model.
+  /// Moves what follows and swaps the faces into a copy of the model; not when the map of an edge is not finite.
   void Finish(ModelEdit& edit);
 
 private:
@@ -91,6 +91,8 @@ private:
   /// Of each face: index of the edge and of the use in it.
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> EdgesOfFace;
   std::map<const Edge*, std::shared_ptr<const Edge>> NewEdges;
+  /// The map's results for edges are numbers.
+  bool Finite = true;
   /// Ends of edges, 2 index + (0: start, 1: end), lead to another end of the same vertex, or to themselves. Ends that follow one
   /// another in a loop are one vertex where they are the same numbers; elsewhere numbers may meet and part again.
   std::vector<std::size_t> SameVertex;

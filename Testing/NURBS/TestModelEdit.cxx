@@ -289,6 +289,66 @@ void CheckVertices()
       large.Model->GetFaces()[0]->Loops[0].Coedges[3].Use->EndVertex);
 }
 
+/// Faces that cannot be evaluated lie in a model untouched, and are no obstacle to edits of others.
+void CheckBrokenFaces()
+{
+  std::printf("--- beside broken faces\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  auto broken = std::make_shared<sm::Face>(*model->GetFaces()[3]);
+  broken->Id = sm::NewId();
+  broken->Surface = sm::NURBSSurface();
+  broken->Surface.NumberOfControlPoints[0] = broken->Surface.NumberOfControlPoints[1] = 2;
+  model->SetFace(3, broken);
+  auto bare = std::make_shared<sm::Face>(*model->GetFaces()[5]);
+  bare->Id = sm::NewId();
+  auto edge = std::make_shared<sm::Edge>(*bare->Loops[0].Coedges[0].Use);
+  edge->Curve = {};
+  bare->Loops[0].Coedges[0].Use = edge;
+  bare->Loops[0].Coedges[1].Curve = {};
+  model->SetFace(5, bare);
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const int last = body.GetNumberOfPoints() - 1;
+  for (const int k : { 0, last })
+  {
+    const sm::ModelEdit edit = sm::MoveControlPoints(model, 5, { { k, k }, { 0, last } }, Displacement, rule);
+    CheckEqual("status", "ok", sm::GetName(edit.Status));
+    CheckTrue("it moved", edit.Model && edit.Model->GetFaces()[5] != bare);
+  }
+  Homogeneous point;
+  CheckTrue("no points of a broken face", !sm::GetControlPoint(model, 3, { 1, 1 }, point));
+  const auto still = [](const LatticeBody::Point& p) { return p; };
+  CheckEqual("moving them", "invalid-face",
+    sm::GetName(sm::MoveControlPoints(model, 3, { { 1, 1 } }, Displacement, rule).Status));
+  CheckEqual(
+    "mapping them", "invalid-face", sm::GetName(sm::MapControlPoints(model, {}, still, rule).Status));
+  // A gap that is no number is one that is told, and not hidden by those measured after it.
+  const auto sound = body.Make();
+  vtkNew<vtkTrimmedNURBSModel> odd;
+  odd->ShallowCopy(sound->GetModel());
+  auto face = std::make_shared<sm::Face>(*odd->GetFaces()[5]);
+  face->Id = sm::NewId();
+  auto half = std::make_shared<sm::Edge>(*face->Loops[0].Coedges[0].Use);
+  const LatticeBody::Point ends[2] = { half->Curve.GetStartPoint(), half->Curve.GetEndPoint() };
+  const LatticeBody::Point middle{ 0.5 * (ends[0][0] + ends[1][0]), 0.5 * (ends[0][1] + ends[1][1]),
+    ends[0][2] };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const LatticeBody::Point start[3] = { ends[0], { nan, nan, nan }, middle };
+  const LatticeBody::Point rest[2] = { middle, ends[1] };
+  half->Curve = {};
+  half->Curve.Breaks = { 0.0 };
+  half->Curve.AppendPiece(0.5, start, 2);
+  half->Curve.AppendPiece(1.0, rest, 1);
+  face->Loops[0].Coedges[0].Use = half;
+  odd->SetFace(5, face);
+  const std::vector<sm::OpenedEdge> opened = sm::FindOpenedEdges(sound->GetModel(), odd);
+  CheckTrue("a gap that is no number is told",
+    std::any_of(opened.begin(), opened.end(), [](const sm::OpenedEdge& e) { return std::isnan(e.Gap); }));
+  CheckEqual("such an edge is refused", "invalid-face",
+    sm::GetName(sm::ReplaceFace(sound->GetModel(), 5, face).Status));
+}
+
 void CheckErrors()
 {
   std::printf("--- errors\n");
@@ -329,6 +389,10 @@ void CheckErrors()
         return LatticeBody::Point{ nan, 0.0, 0.0 };
       },
       rule));
+  const auto pole = [nan](const LatticeBody::Point& p) {
+    return LatticeBody::Point{ p[0] > 0.0 && p[0] < 0.01 ? nan : p[0], p[1], p[2] + 1.0 };
+  };
+  check("not-finite", sm::MapControlPoints(MakeLoose(1e-3)->GetModel(), {}, pole, rule));
   check("invalid-face", sm::ReplaceFace(model, 0, nullptr));
   auto face = std::make_shared<sm::Face>(*before[0]);
   check("invalid-face", sm::ReplaceFace(model, 0, face));
@@ -339,6 +403,21 @@ void CheckErrors()
   check("invalid-face", sm::ReplaceFace(model, 0, face));
   face->Surface = before[0]->Surface;
   face->Loops[0].Coedges[1].Use = nullptr;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Loops = before[0]->Loops;
+  check("invalid-face", sm::ReplaceFaces(model, { { 0, face }, { 1, std::make_shared<sm::Face>(*face) } }));
+  std::vector<std::array<double, 3>> many(sm::MaximumDegree + 2);
+  auto edge = std::make_shared<sm::Edge>(*face->Loops[0].Coedges[0].Use);
+  edge->Curve = {};
+  edge->Curve.Breaks = { 0.0 };
+  edge->Curve.AppendPiece(1.0, many.data(), sm::MaximumDegree + 1);
+  face->Loops[0].Coedges[0].Use = edge;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Loops = before[0]->Loops;
+  std::vector<std::array<double, 2>> steps(sm::MaximumDegree + 2);
+  face->Loops[0].Coedges[0].Curve = {};
+  face->Loops[0].Coedges[0].Curve.Breaks = { 0.0 };
+  face->Loops[0].Coedges[0].Curve.AppendPiece(1.0, steps.data(), sm::MaximumDegree + 1);
   check("invalid-face", sm::ReplaceFace(model, 0, face));
   CheckTrue("the model is as it was", model->GetFaces() == before);
   Homogeneous point;
@@ -358,6 +437,7 @@ int main()
   CheckMap();
   CheckSnap();
   CheckVertices();
+  CheckBrokenFaces();
   CheckErrors();
   return Finish();
 }
