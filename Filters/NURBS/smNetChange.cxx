@@ -220,16 +220,11 @@ void NetChange::Propagate()
   }
 }
 
-std::shared_ptr<const EdgeOrigin> NetChange::GetOrigin(const EdgeUses& edge) const
+std::shared_ptr<const EdgeOrigin> NetChange::GetOrigin(const EdgeUses& edge, const RowCurve& row)
 {
-  const Use& first = edge.Uses.front();
-  auto origin = std::make_shared<EdgeOrigin>();
-  origin->Source = edge.Source;
-  origin->Row = RowCurve(this->GetFace(first.Face).Surface, first.Row);
-  const auto& older = edge.Source->Origin;
-  // An older one counts as long as it belongs to the same kind of row.
-  return older && older->Row.Degree == origin->Row.Degree && older->Row.Knots == origin->Row.Knots ? older
-                                                                                                   : origin;
+  const std::shared_ptr<const EdgeOrigin>& older = edge.Source->Origin;
+  return older && older->Now == row ? older
+                                    : std::make_shared<const EdgeOrigin>(EdgeOrigin{ edge.Source, row, row });
 }
 
 std::shared_ptr<Edge> NetChange::GetNewEdge(const std::shared_ptr<const Edge>& edge)
@@ -261,7 +256,7 @@ void NetChange::CarryEdge(std::size_t index)
   {
     return;
   }
-  const std::shared_ptr<const EdgeOrigin> origin = this->GetOrigin(edge);
+  const std::shared_ptr<const EdgeOrigin> origin = GetOrigin(edge, before);
   for (std::size_t end = 2 * index; end < 2 * index + 2; ++end)
   {
     const auto get = [end](const RowCurve& row)
@@ -283,7 +278,7 @@ void NetChange::CarryEdge(std::size_t index)
   }
   const std::shared_ptr<Edge> result = this->GetNewEdge(edge.Source);
   result->Curve = Displace(*origin, now, surface, first.Row, this->GetTrim(first));
-  result->Origin = origin;
+  result->Origin = std::make_shared<const EdgeOrigin>(EdgeOrigin{ origin->Source, origin->Row, now });
 }
 
 void NetChange::MapEdge(std::size_t index)

@@ -68,7 +68,7 @@ private:
   void CollectEdges();
   void Propagate();
   void Follow(const EdgeUses& edge, const Use& use, std::size_t entry);
-  std::shared_ptr<const EdgeOrigin> GetOrigin(const EdgeUses& edge) const;
+  static std::shared_ptr<const EdgeOrigin> GetOrigin(const EdgeUses& edge, const RowCurve& row);
   void JoinEnds();
   std::size_t FindVertex(std::size_t end) const;
   void MoveEdges();

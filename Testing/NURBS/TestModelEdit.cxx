@@ -289,6 +289,27 @@ void CheckVertices()
       large.Model->GetFaces()[0]->Loops[0].Coedges[3].Use->EndVertex);
 }
 
+/// A row that left its edge behind, by less than what rows may differ by, does not pull it along later.
+void CheckLeftBehind()
+{
+  std::printf("--- an edge that was left behind\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  const int last = body.GetNumberOfPoints() - 1;
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const sm::ModelEdit bent =
+    sm::MoveControlPoints(leaf->GetModel(), 0, { { 2, last } }, { 0.25, 0.0, 0.0 }, rule);
+  const sm::ModelEdit apart = sm::MoveControlPoints(
+    bent.Model, 0, { { 1, last } }, { std::ldexp(1.0, -40), 0.0, 0.0 }, sm::EditRule::OneFace);
+  CheckEqual("one face", 1, static_cast<long long>(apart.Replaced.size()));
+  Homogeneous point;
+  sm::GetControlPoint(apart.Model, 0, { 3, last }, point);
+  const sm::ModelEdit edit = sm::MoveControlPoints(apart.Model, 0, { { 3, last } }, { 0.5, 0.0, 0.0 }, rule);
+  CheckEqual("two faces", 2, static_cast<long long>(edit.Replaced.size()));
+  const sm::ModelEdit back = sm::SetControlPoints(edit.Model, 0, { { { 3, last }, point } }, rule);
+  CheckTrue("set back: the same bits", HaveSameBits(apart.Model, back.Model));
+}
+
 /// Faces that cannot be evaluated lie in a model untouched, and are no obstacle to edits of others.
 void CheckBrokenFaces()
 {
@@ -437,6 +458,7 @@ int main()
   CheckMap();
   CheckSnap();
   CheckVertices();
+  CheckLeftBehind();
   CheckBrokenFaces();
   CheckErrors();
   return Finish();
