@@ -667,9 +667,10 @@ bool SurfaceIntegrator::Integrate(
     const double begin = Now();
     ok = self.RunAll(tasks, results);
     self.IntegrateSeconds = Now() - begin;
+    // One that was stopped before asked for no face.
+    self.Memory.EndRun();
   }
   self.Runner->Release();
-  self.Memory.EndRun();
   self.Faces.clear();
   self.Report = nullptr;
   return ok;

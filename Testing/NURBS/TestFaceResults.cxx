@@ -62,6 +62,26 @@ std::vector<sm::FaceIntegrals> Integrate(const std::vector<sm::FacePointer>& fac
   return results;
 }
 
+/// Runs that were stopped before they asked for any face do not make it old.
+void CheckStopped()
+{
+  sm::SurfaceIntegrator integrator;
+  integrator.SetRunner(std::make_unique<sm::CPUItemRunner>());
+  integrator.SetIntegrands({ sm::Integrand::AreaMoment("A", 0, 0, 0) });
+  const std::vector<sm::FaceTask> tasks = { { MakeFolded(0.3, 0.5), { 1e-9 }, {} } };
+  std::vector<sm::FaceIntegrals> results;
+  CheckTrue("integrated", integrator.Integrate(tasks, results, nullptr), integrator.GetError());
+  CheckTrue("evaluated", integrator.GetEvaluations() > 0);
+  const double area = results[0].Face[0];
+  for (int i = 0; i < 12; ++i)
+  {
+    CheckTrue("stopped", !integrator.Integrate(tasks, results, [](double) { return false; }));
+  }
+  CheckTrue("integrated again", integrator.Integrate(tasks, results, nullptr), integrator.GetError());
+  CheckEqual("for nothing", 0, integrator.GetEvaluations());
+  Check("the same", area, results[0].Face[0], 0.0);
+}
+
 bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
 {
   return !a.empty() && a.size() == b.size() &&
@@ -88,5 +108,6 @@ int main()
       CheckTrue("something was compared", alone.Estimated && alone.Face[1] > 0.1);
     }
   }
+  CheckStopped();
   return Finish();
 }
