@@ -3,6 +3,7 @@
 #include "smModelEdit.h"
 #include "smTestPipeline.h"
 
+#include <vtkComputeContext.h>
 #include <vtkNURBSDeform.h>
 #include <vtkNURBSTransform.h>
 
@@ -161,6 +162,27 @@ void CheckCost(int backend)
   CheckTrue("another tolerance is another question", weigh(mass, model) >= original);
 }
 
+/// What one context computed is not told as another's.
+void CheckContexts()
+{
+  std::printf("--- another context\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetBackend(vtkMassPropertiesGPU::OPENGL);
+  mass->SetInputData(leaf);
+  mass->Update();
+  const auto evaluations = mass->GetEvaluations();
+  CheckTrue("evaluated", evaluations > 0);
+  mass->Modified();
+  mass->Update();
+  CheckEqual("again, for nothing", 0, mass->GetEvaluations());
+  mass->GetComputeContext()->Stop();
+  mass->Modified();
+  mass->Update();
+  CheckEqual("in the next context anew", evaluations, mass->GetEvaluations());
+}
+
 void CheckFilters(int backend)
 {
   std::printf("--- moved and deformed\n");
@@ -234,5 +256,9 @@ int main(int argc, char* argv[])
   CheckVolumes(backend);
   CheckCost(backend);
   CheckFilters(backend);
+  if (backend == vtkMassPropertiesGPU::OPENGL)
+  {
+    CheckContexts();
+  }
   return Finish();
 }

@@ -241,8 +241,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     }
     body.GapSquared += result.GapSquared;
     body.GapArea += result.GapArea;
-    // Not std::max, which loses a NaN.
-    body.MaxGap = result.MaxGap <= body.MaxGap ? body.MaxGap : result.MaxGap;
+    body.MaxGap = GetLargerGap(body.MaxGap, result.MaxGap);
     if (result.Estimated)
     {
       body.EstimatedFaces.push_back(source.FileId);

@@ -76,8 +76,7 @@ std::vector<EdgeGap> CollectEdgeGaps(
       ++measured[place];
       edge.GapSquared += gap.GapSquared;
       edge.GapArea += gap.GapArea;
-      // Not std::max, which loses a NaN.
-      edge.MaxGap = gap.MaxGap <= edge.MaxGap ? edge.MaxGap : gap.MaxGap;
+      edge.MaxGap = GetLargerGap(edge.MaxGap, gap.MaxGap);
     }
   }
   for (std::size_t i = 0; i < edges.size(); ++i)

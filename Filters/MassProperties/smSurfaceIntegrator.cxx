@@ -47,7 +47,7 @@ void AddGap(const Face& face, int index, const CoedgeGap& measured, std::vector<
   }
   found->GapSquared += gap.GapSquared;
   found->GapArea += gap.GapArea;
-  found->MaxGap = gap.MaxGap <= found->MaxGap ? found->MaxGap : gap.MaxGap;
+  found->MaxGap = GetLargerGap(found->MaxGap, gap.MaxGap);
 }
 
 double Now()
@@ -280,8 +280,7 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
     }
     result.GapSquared += sum[RowLayout::SquaredGap];
     result.GapArea += sum[RowLayout::GapArea];
-    // Not std::max, which loses a NaN.
-    result.MaxGap = largest[i] <= result.MaxGap ? result.MaxGap : largest[i];
+    result.MaxGap = GetLargerGap(result.MaxGap, largest[i]);
     if (parts[i].Coedge >= 0)
     {
       AddGap(*this->Faces[batch[parts[i].Slot]]->Source, parts[i].Coedge,
@@ -419,11 +418,20 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
 bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
   const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
 {
-  // In portions that have room for their rows; the results of a face add up in order.
+  // In portions that have room for their rows; the results of a face add up in order. Where a portion ends within a face must not
+  // depend on other faces: it is cut before the face, or where the face has filled portions of its own.
   const std::size_t portion = this->Runner->GetRowLimit();
-  for (std::size_t begin = 0; begin < items.size(); begin += portion)
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < items.size(); begin = end)
   {
-    const std::size_t end = std::min(begin + portion, items.size());
+    end = std::min(begin + portion, items.size());
+    if (end < items.size() && items[begin].GetSlot() != items[end].GetSlot())
+    {
+      while (items[end - 1].GetSlot() == items[end].GetSlot())
+      {
+        --end;
+      }
+    }
     std::vector<WorkItem> part(
       items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end));
     if (!this->RunItems(part, batch, depth, results))
@@ -659,9 +667,10 @@ bool SurfaceIntegrator::Integrate(
     const double begin = Now();
     ok = self.RunAll(tasks, results);
     self.IntegrateSeconds = Now() - begin;
+    // One that was stopped before asked for no face.
+    self.Memory.EndRun();
   }
   self.Runner->Release();
-  self.Memory.EndRun();
   self.Faces.clear();
   self.Report = nullptr;
   return ok;

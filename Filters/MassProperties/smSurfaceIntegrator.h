@@ -9,6 +9,7 @@
 #include "smIntegrand.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -38,6 +39,12 @@ struct CoedgeGap
   double GapArea = 0.0;
   double MaxGap = 0.0;
 };
+
+/// Not std::max, which loses a NaN.
+inline double GetLargerGap(double a, double b)
+{
+  return std::isnan(a) || b <= a ? a : b;
+}
 
 /// Results of one face, one entry per integrand. NaN for an integrand that the runner cannot evaluate.
 struct FaceIntegrals

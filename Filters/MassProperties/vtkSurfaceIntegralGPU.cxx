@@ -93,8 +93,6 @@ void vtkSurfaceIntegralGPU::SetRenderWindow(vtkRenderWindow* window)
   if (this->Implementation->Context->GetWindow() != window)
   {
     this->Implementation->Context->SetWindow(window);
-    // Another device may round otherwise.
-    this->Implementation->Integrator.ForgetFaces();
     this->Modified();
   }
 }
@@ -280,6 +278,13 @@ bool vtkSurfaceIntegralGPU::Internals::ChooseRunner(vtkSurfaceIntegralGPU* self)
   {
     last.FallbackReason = this->Context->GetReason();
   }
+  // Another context may be another device, which may round otherwise.
+  const vtkTypeUInt64 generation = hasOpenGL ? this->Context->GetGeneration() : 0;
+  if (this->Generation != generation)
+  {
+    this->Integrator.ForgetFaces();
+    this->Generation = generation;
+  }
   last.Backend = hasOpenGL ? sm::names::BackendOpenGL : sm::names::BackendCPU;
   last.Renderer = hasOpenGL ? this->Context->GetRenderer() : sm::CPUItemRunner::GetDescription();
   if (this->Runner != last.Backend)
@@ -352,9 +357,9 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   last.IntegrateSeconds = this->Integrator.GetIntegrateSeconds();
   if (!done)
   {
-    last.Messages.push_back(this->Integrator.WasAborted()
-        ? "the run was aborted"
-        : "nothing was computed: " + this->Integrator.GetError());
+    last.Messages.push_back(this->Integrator.WasTimedOut() ? "nothing was computed: MaximumSeconds were over"
+        : this->Integrator.WasAborted()                    ? "the run was aborted"
+                                        : "nothing was computed: " + this->Integrator.GetError());
     return false;
   }
   if (this->Integrator.WasAborted())

@@ -52,6 +52,8 @@ struct vtkSurfaceIntegralGPU::Internals
   sm::SurfaceIntegrator Integrator;
   /// What the integrator's runner is: "", "opengl" or "cpu".
   std::string Runner;
+  /// Of the context that the last run was in; 0: none.
+  vtkTypeUInt64 Generation = 0;
   std::vector<sm::Integrand> Integrands;
   std::vector<sm::Integrand> Configured;
   ToleranceRule LocalTolerances;

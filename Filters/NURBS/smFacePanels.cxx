@@ -365,6 +365,13 @@ void Builder::AddCoedge(const Coedge& coedge, const Point2* loopStart)
   {
     throw std::runtime_error("a coedge has no trim curve or its edge has no curve");
   }
+  for (int k = 0; k < coedge.Use->Curve.GetNumberOfPieces(); ++k)
+  {
+    if (coedge.Use->Curve.GetDegree(k) > MaximumDegree)
+    {
+      throw std::runtime_error("an edge's curve has a degree above 25");
+    }
+  }
   std::vector<TrimSegment> segments;
   std::vector<Point2> coefficients;
   for (int k = 0; k < curve.GetNumberOfPieces(); ++k)

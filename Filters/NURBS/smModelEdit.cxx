@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace sm
 {
@@ -46,6 +47,31 @@ ModelEdit CheckIndex(const NURBSSurface& surface, ControlPointIndex index)
   return {};
 }
 
+/// Ok, or why control points of the face, which exists, cannot be moved.
+ModelEdit CheckSurface(vtkTrimmedNURBSModel* model, int face)
+{
+  const std::string wrong = model->GetFaces()[face]->Surface.Check();
+  return wrong.empty() ? ModelEdit()
+                       : Fail(EditStatus::InvalidFace,
+                           "the surface of face " + std::to_string(face) + " is not valid: " + wrong);
+}
+
+template <int Dimension>
+bool IsEvaluable(const PolynomialCurve<Dimension>& curve)
+{
+  bool evaluable = curve.GetNumberOfPieces() > 0;
+  for (int k = 0; k < curve.GetNumberOfPieces(); ++k)
+  {
+    evaluable = evaluable && curve.GetDegree(k) >= 0 && curve.GetDegree(k) <= MaximumDegree;
+  }
+  for (const auto& point : curve.Coefficients)
+  {
+    evaluable =
+      evaluable && std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); });
+  }
+  return evaluable;
+}
+
 std::size_t GetEntry(const NURBSSurface& surface, ControlPointIndex index)
 {
   return static_cast<std::size_t>(index.U) +
@@ -82,9 +108,11 @@ ModelEdit CheckReplacement(vtkTrimmedNURBSModel* model, int index, const FacePoi
   {
     for (const Coedge& coedge : loop.Coedges)
     {
-      if (!coedge.Use || coedge.Use->Curve.GetNumberOfPieces() < 1 || coedge.Curve.GetNumberOfPieces() < 1)
+      if (!coedge.Use || !IsEvaluable(coedge.Use->Curve) || !IsEvaluable(coedge.Curve))
       {
-        return Fail(EditStatus::InvalidFace, "a coedge of the new face has no edge or no curve");
+        return Fail(EditStatus::InvalidFace,
+          "a coedge of the new face has no edge or no curve, or one of a degree above " +
+            std::to_string(MaximumDegree) + " or that is not finite");
       }
     }
   }
@@ -139,14 +167,17 @@ bool GetControlPoint(
     return false;
   }
   const NURBSSurface& surface = model->GetFaces()[face]->Surface;
-  point = surface.ControlPoints[GetEntry(surface, index)];
-  return true;
+  const std::size_t entry = GetEntry(surface, index);
+  const bool exists = entry < surface.ControlPoints.size();
+  point = exists ? surface.ControlPoints[entry] : point;
+  return exists;
 }
 
 ModelEdit SetControlPoints(vtkTrimmedNURBSModel* model, int face,
   const std::vector<std::pair<ControlPointIndex, std::array<double, 4>>>& points, EditRule rule)
 {
   ModelEdit edit = CheckFace(model, face);
+  edit = edit.Status == EditStatus::Ok ? CheckSurface(model, face) : edit;
   for (std::size_t i = 0; i < points.size() && edit.Status == EditStatus::Ok; ++i)
   {
     edit = CheckIndex(model->GetFaces()[face]->Surface, points[i].first);
@@ -246,8 +277,16 @@ ModelEdit ReplaceFaces(
   {
     return CheckFace(model, 0);
   }
+  std::map<std::uint64_t, std::size_t> owners;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
+    const std::size_t other = owners.emplace(faces[f]->Id, f).first->second;
+    if (faces[f] != faces[other])
+    {
+      return Fail(EditStatus::InvalidFace,
+        "the new faces " + std::to_string(other) + " and " + std::to_string(f) +
+          " have one id; NewId() gives another");
+    }
     if (faces[f] != model->GetFaces()[f])
     {
       edit.Replaced.emplace_back(static_cast<int>(f), model->GetFaces()[f]);
@@ -282,6 +321,11 @@ ModelEdit MapControlPoints(
   change.SetMap(chosen, map);
   for (std::size_t f = 0; f < chosen.size(); ++f)
   {
+    edit = chosen[f] ? CheckSurface(model, static_cast<int>(f)) : edit;
+    if (edit.Status != EditStatus::Ok)
+    {
+      return edit;
+    }
     const std::vector<std::array<double, 4>>& points = model->GetFaces()[f]->Surface.ControlPoints;
     for (std::size_t i = 0; i < points.size() && chosen[f]; ++i)
     {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 
 namespace sm
@@ -11,6 +12,22 @@ namespace
 // Relative to the size of the body: rows nearer than this are one.
 constexpr double RowTolerance = 1e-9;
 
+/// The point moved as a control point was.
+std::array<double, 3> Move(
+  const std::array<double, 3>& point, const std::array<double, 4>& from, const std::array<double, 4>& to)
+{
+  std::array<double, 3> result = point;
+  for (int c = 0; c < 3 && from != to; ++c)
+  {
+    result[c] += to[c] / to[3] - from[c] / from[3];
+  }
+  return result;
+}
+
+const std::array<double, 3>& GetVertex(const Edge& edge, std::size_t end)
+{
+  return end % 2 == 0 ? edge.StartVertex : edge.EndVertex;
+}
 }
 
 double GetBodySize(vtkTrimmedNURBSModel* model)
@@ -26,7 +43,8 @@ double GetBodySize(vtkTrimmedNURBSModel* model)
   {
     for (const std::array<double, 4>& point : face->Surface.ControlPoints)
     {
-      farthest = std::max(farthest, std::hypot(point[0], point[1], point[2]) / point[3]);
+      const double distance = std::hypot(point[0], point[1], point[2]) / point[3];
+      farthest = std::isfinite(distance) ? std::max(farthest, distance) : farthest;
     }
   }
   return 2.0 * farthest;
@@ -78,6 +96,7 @@ void NetChange::CollectEdges()
   for (std::size_t f = 0; f < this->Faces.size(); ++f)
   {
     const Face& face = *this->Faces[f];
+    const bool isValid = face.Surface.Check().empty();
     for (std::size_t l = 0; l < face.Loops.size(); ++l)
     {
       for (std::size_t c = 0; c < face.Loops[l].Coedges.size(); ++c)
@@ -89,7 +108,8 @@ void NetChange::CollectEdges()
           this->Edges.push_back({ coedge.Use, {}, false, false });
         }
         Use use{ static_cast<int>(f), static_cast<int>(l), static_cast<int>(c), false, {} };
-        use.IsRow = !coedge.Use->Degenerate && FindBoundaryRow(face.Surface, coedge.Curve, use.Row);
+        use.IsRow = isValid && !coedge.Use->Degenerate && coedge.Use->Curve.GetNumberOfPieces() > 0 &&
+          FindBoundaryRow(face.Surface, coedge.Curve, use.Row);
         this->EdgesOfFace[f].emplace_back(place->second, this->Edges[place->second].Uses.size());
         this->Edges[place->second].Uses.push_back(use);
       }
@@ -107,6 +127,44 @@ void NetChange::CollectEdges()
       edge.Coincident = edge.Coincident && use.IsRow &&
         (&use == &first ||
           Coincide(row, RowCurve(this->GetFace(use.Face).Surface, use.Row), this->Tolerance));
+    }
+  }
+  this->JoinEnds();
+}
+
+std::size_t NetChange::FindVertex(std::size_t end) const
+{
+  while (this->SameVertex[end] != end)
+  {
+    end = this->SameVertex[end];
+  }
+  return end;
+}
+
+void NetChange::JoinEnds()
+{
+  this->SameVertex.resize(2 * this->Edges.size());
+  std::iota(this->SameVertex.begin(), this->SameVertex.end(), std::size_t{ 0 });
+  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  {
+    // The edges of a face come in the order of its coedges.
+    std::size_t first = 0;
+    for (const Loop& loop : this->Faces[f]->Loops)
+    {
+      const std::size_t count = loop.Coedges.size();
+      for (std::size_t c = 0; c < count; ++c)
+      {
+        const std::size_t next = (c + 1) % count;
+        const std::size_t a = 2 * this->EdgesOfFace[f][first + c].first + (loop.Coedges[c].Reversed ? 0 : 1);
+        const std::size_t b =
+          2 * this->EdgesOfFace[f][first + next].first + (loop.Coedges[next].Reversed ? 1 : 0);
+        if (GetVertex(*loop.Coedges[c].Use, a) == GetVertex(*loop.Coedges[next].Use, b))
+        {
+          const std::size_t vertices[2] = { this->FindVertex(a), this->FindVertex(b) };
+          this->SameVertex[std::max(vertices[0], vertices[1])] = std::min(vertices[0], vertices[1]);
+        }
+      }
+      first += count;
     }
   }
 }
@@ -162,16 +220,11 @@ void NetChange::Propagate()
   }
 }
 
-std::shared_ptr<const EdgeOrigin> NetChange::GetOrigin(const EdgeUses& edge) const
+std::shared_ptr<const EdgeOrigin> NetChange::GetOrigin(const EdgeUses& edge, const RowCurve& row)
 {
-  const Use& first = edge.Uses.front();
-  auto origin = std::make_shared<EdgeOrigin>();
-  origin->Source = edge.Source;
-  origin->Row = RowCurve(this->GetFace(first.Face).Surface, first.Row);
-  const auto& older = edge.Source->Origin;
-  // An older one counts as long as it belongs to the same kind of row.
-  return older && older->Row.Degree == origin->Row.Degree && older->Row.Knots == origin->Row.Knots ? older
-                                                                                                   : origin;
+  const std::shared_ptr<const EdgeOrigin>& older = edge.Source->Origin;
+  return older && older->Now == row ? older
+                                    : std::make_shared<const EdgeOrigin>(EdgeOrigin{ edge.Source, row, row });
 }
 
 std::shared_ptr<Edge> NetChange::GetNewEdge(const std::shared_ptr<const Edge>& edge)
@@ -183,16 +236,17 @@ std::shared_ptr<Edge> NetChange::GetNewEdge(const std::shared_ptr<const Edge>& e
   return copy;
 }
 
-void NetChange::MoveVertex(const Point& from, const Point& to)
+void NetChange::MoveVertex(std::size_t end, const Point& to)
 {
-  if (from != to)
+  if (GetVertex(*this->Edges[end / 2].Source, end) != to)
   {
-    this->Vertices.emplace(from, to);
+    this->Vertices.emplace(this->FindVertex(end), to);
   }
 }
 
-void NetChange::CarryEdge(const EdgeUses& edge)
+void NetChange::CarryEdge(std::size_t index)
 {
+  const EdgeUses& edge = this->Edges[index];
   const Use& first = edge.Uses.front();
   NURBSSurface surface = this->GetFace(first.Face).Surface;
   const RowCurve before(surface, first.Row);
@@ -202,21 +256,21 @@ void NetChange::CarryEdge(const EdgeUses& edge)
   {
     return;
   }
-  const std::shared_ptr<const EdgeOrigin> origin = this->GetOrigin(edge);
-  const Edge& source = *origin->Source;
-  const auto moved = [](const Point& vertex, const Homogeneous& from, const Homogeneous& to)
+  const std::shared_ptr<const EdgeOrigin> origin = GetOrigin(edge, before);
+  for (std::size_t end = 2 * index; end < 2 * index + 2; ++end)
   {
-    Point result = vertex;
-    for (int c = 0; c < 3 && from != to; ++c)
+    const auto get = [end](const RowCurve& row)
+    { return end % 2 == 0 ? row.Points.front() : row.Points.back(); };
+    if (get(now) != get(before))
     {
-      result[c] += to[c] / to[3] - from[c] / from[3];
+      // From where it was before the first edit, for the same bits; where others moved it since, from where it is.
+      const Point& vertex = GetVertex(*edge.Source, end);
+      const Point& source = GetVertex(*origin->Source, end);
+      const bool followed = Move(source, get(origin->Row), get(before)) == vertex;
+      this->MoveVertex(
+        end, followed ? Move(source, get(origin->Row), get(now)) : Move(vertex, get(before), get(now)));
     }
-    return result;
-  };
-  this->MoveVertex(
-    edge.Source->StartVertex, moved(source.StartVertex, origin->Row.Points.front(), now.Points.front()));
-  this->MoveVertex(
-    edge.Source->EndVertex, moved(source.EndVertex, origin->Row.Points.back(), now.Points.back()));
+  }
   if (now == origin->Row)
   {
     this->NewEdges[edge.Source.get()] = origin->Source;
@@ -224,18 +278,24 @@ void NetChange::CarryEdge(const EdgeUses& edge)
   }
   const std::shared_ptr<Edge> result = this->GetNewEdge(edge.Source);
   result->Curve = Displace(*origin, now, surface, first.Row, this->GetTrim(first));
-  result->Origin = origin;
+  result->Origin = std::make_shared<const EdgeOrigin>(EdgeOrigin{ origin->Source, origin->Row, now });
 }
 
-void NetChange::MapEdge(const EdgeUses& edge)
+void NetChange::MapEdge(std::size_t index)
 {
+  const EdgeUses& edge = this->Edges[index];
   EdgeCurve curve = edge.Source->Curve;
   for (EdgeCurve::Point& point : curve.Coefficients)
   {
     point = this->Map(point);
   }
-  this->MoveVertex(edge.Source->StartVertex, this->Map(edge.Source->StartVertex));
-  this->MoveVertex(edge.Source->EndVertex, this->Map(edge.Source->EndVertex));
+  const Point ends[2] = { this->Map(edge.Source->StartVertex), this->Map(edge.Source->EndVertex) };
+  this->MoveVertex(2 * index, ends[0]);
+  this->MoveVertex(2 * index + 1, ends[1]);
+  const auto isFinite = [](const Point& point)
+  { return std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); }); };
+  this->Finite = this->Finite && isFinite(ends[0]) && isFinite(ends[1]) &&
+    std::all_of(curve.Coefficients.begin(), curve.Coefficients.end(), isFinite);
   if (curve.Coefficients != edge.Source->Curve.Coefficients)
   {
     const std::shared_ptr<Edge> result = this->GetNewEdge(edge.Source);
@@ -246,17 +306,18 @@ void NetChange::MapEdge(const EdgeUses& edge)
 
 void NetChange::MoveVertices()
 {
-  for (const EdgeUses& edge : this->Edges)
+  for (std::size_t i = 0; i < this->Edges.size(); ++i)
   {
+    const EdgeUses& edge = this->Edges[i];
     const auto found = this->NewEdges.find(edge.Source.get());
     const Edge& now = found == this->NewEdges.end() ? *edge.Source : *found->second;
-    const auto moved = [this](const Point& vertex)
+    const auto moved = [this, &edge](std::size_t end)
     {
-      const auto place = this->Vertices.find(vertex);
-      return place == this->Vertices.end() ? vertex : place->second;
+      const auto place = this->Vertices.find(this->FindVertex(end));
+      return place == this->Vertices.end() ? GetVertex(*edge.Source, end) : place->second;
     };
-    const Point start = moved(edge.Source->StartVertex);
-    const Point end = moved(edge.Source->EndVertex);
+    const Point start = moved(2 * i);
+    const Point end = moved(2 * i + 1);
     if (start == now.StartVertex && end == now.EndVertex)
     {
       continue;
@@ -273,15 +334,16 @@ void NetChange::MoveVertices()
 
 void NetChange::MoveEdges()
 {
-  for (const EdgeUses& edge : this->Edges)
+  for (std::size_t i = 0; i < this->Edges.size(); ++i)
   {
+    const EdgeUses& edge = this->Edges[i];
     if (edge.Coincident && (edge.Mapped || this->Rule == EditRule::MoveSharedBoundary))
     {
-      this->CarryEdge(edge);
+      this->CarryEdge(i);
     }
     else if (edge.Mapped)
     {
-      this->MapEdge(edge);
+      this->MapEdge(i);
     }
   }
   this->MoveVertices();
@@ -292,6 +354,12 @@ void NetChange::Finish(ModelEdit& edit)
   this->CollectEdges();
   this->Propagate();
   this->MoveEdges();
+  if (!this->Finite)
+  {
+    edit.Status = EditStatus::NotFinite;
+    edit.Message = "a point of an edge is not finite";
+    return;
+  }
   const std::vector<FacePointer>& before = this->Model->GetFaces();
   std::vector<FacePointer> after = before;
   for (std::size_t f = 0; f < after.size(); ++f)

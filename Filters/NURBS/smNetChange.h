@@ -33,7 +33,7 @@ public:
   void SetMap(const std::vector<bool>& faces, const PointMap& map);
   void SetPoint(int face, std::size_t entry, const std::array<double, 4>& point);
 
-  /// Moves what follows and swaps the faces into a copy of the model.
+  /// Moves what follows and swaps the faces into a copy of the model; not when the map of an edge is not finite.
   void Finish(ModelEdit& edit);
 
 private:
@@ -68,11 +68,13 @@ private:
   void CollectEdges();
   void Propagate();
   void Follow(const EdgeUses& edge, const Use& use, std::size_t entry);
-  std::shared_ptr<const EdgeOrigin> GetOrigin(const EdgeUses& edge) const;
+  static std::shared_ptr<const EdgeOrigin> GetOrigin(const EdgeUses& edge, const RowCurve& row);
+  void JoinEnds();
+  std::size_t FindVertex(std::size_t end) const;
   void MoveEdges();
-  void CarryEdge(const EdgeUses& edge);
-  void MapEdge(const EdgeUses& edge);
-  void MoveVertex(const Point& from, const Point& to);
+  void CarryEdge(std::size_t index);
+  void MapEdge(std::size_t index);
+  void MoveVertex(std::size_t end, const Point& to);
   void MoveVertices();
   std::shared_ptr<Edge> GetNewEdge(const std::shared_ptr<const Edge>& edge);
 
@@ -89,8 +91,13 @@ private:
   /// Of each face: index of the edge and of the use in it.
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> EdgesOfFace;
   std::map<const Edge*, std::shared_ptr<const Edge>> NewEdges;
-  /// Where vertices were and are: those of different edges are one where they are the same numbers.
-  std::map<Point, Point> Vertices;
+  /// The map's results for edges are numbers.
+  bool Finite = true;
+  /// Ends of edges, 2 index + (0: start, 1: end), lead to another end of the same vertex, or to themselves. Ends that follow one
+  /// another in a loop are one vertex where they are the same numbers; elsewhere numbers may meet and part again.
+  std::vector<std::size_t> SameVertex;
+  /// Where a vertex is now, by its first end.
+  std::map<std::size_t, Point> Vertices;
 };
 }
 

@@ -48,11 +48,15 @@ double GetDistance(const EdgeCurve& curve, double t, const double point[3])
 double MeasureGap(const Face& face, const Coedge& coedge)
 {
   const EdgeCurve& curve = coedge.Use->Curve;
+  if (curve.GetNumberOfPieces() < 1 || coedge.Curve.GetNumberOfPieces() < 1)
+  {
+    return 0.0;
+  }
   std::vector<double> breaks = coedge.Curve.Breaks;
   breaks.insert(breaks.end(), curve.Breaks.begin(), curve.Breaks.end());
   std::sort(breaks.begin(), breaks.end());
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-  const std::size_t each = Samples / breaks.size() + 1;
+  const std::size_t each = Samples / std::max<std::size_t>(breaks.size() - 1, 1) + 1;
   double gap = 0.0;
   for (std::size_t i = 0; i < breaks.size(); ++i)
   {
@@ -65,7 +69,7 @@ double MeasureGap(const Face& face, const Coedge& coedge)
       double position[3];
       face.Surface.Evaluate(uv[0], uv[1], position);
       const double distance = GetDistance(curve, t, position);
-      gap = distance <= gap ? gap : distance;
+      gap = std::isnan(gap) || distance <= gap ? gap : distance;
     }
   }
   return gap;
@@ -74,7 +78,9 @@ double MeasureGap(const Face& face, const Coedge& coedge)
 std::vector<OpenedEdge> CompareFace(const Face& before, const Face& after, int index, double tolerance)
 {
   std::vector<OpenedEdge> opened;
-  for (std::size_t l = 0; l < after.Loops.size(); ++l)
+  // Only where all of them are valid.
+  const bool measurable = before.Surface.Check().empty() && after.Surface.Check().empty();
+  for (std::size_t l = 0; measurable && l < after.Loops.size(); ++l)
   {
     const std::vector<Coedge>& coedges = after.Loops[l].Coedges;
     const std::vector<Coedge> none;
@@ -160,11 +166,13 @@ std::vector<OpenedEdge> FindOpenedEdges(vtkTrimmedNURBSModel* before, vtkTrimmed
       opened.push_back({ *owner, -1, 0, 0, 0.0, std::numeric_limits<double>::infinity() });
     }
   }
-  // The widest first; in the order of the edges' ids, where these are equal, for the map has none.
+  // The widest first, what is no number among them; in the order of the edges' ids, where these are equal, for the map has none.
+  const auto width = [](const OpenedEdge& edge)
+  { return std::isnan(edge.Gap) ? std::numeric_limits<double>::infinity() : edge.Gap; };
   std::sort(opened.begin(), opened.end(),
-    [](const OpenedEdge& a, const OpenedEdge& b)
+    [&width](const OpenedEdge& a, const OpenedEdge& b)
     {
-      return a.Gap != b.Gap            ? a.Gap > b.Gap
+      return width(a) != width(b)      ? width(a) > width(b)
         : a.Source->Id != b.Source->Id ? a.Source->Id < b.Source->Id
                                        : a.Face < b.Face;
     });

@@ -60,7 +60,8 @@ sm::PointMap vtkNURBSDeform::Run::MakeDisplacement(vtkNURBSDataSet* leaf) const
     {
       return p;
     }
-    const double q = radius > 0.0 ? 1.0 - (distance / radius) * (distance / radius) : 1.0;
+    // What is no number is to be one nowhere.
+    const double q = radius == 0.0 ? 1.0 : 1.0 - (distance / radius) * (distance / radius);
     const double factor = q * q * q;
     return std::array<double, 3>{ p[0] + factor * displacement[0], p[1] + factor * displacement[1],
       p[2] + factor * displacement[2] };

@@ -110,6 +110,10 @@ int main()
   results[2].Gaps[0].MaxGap = std::numeric_limits<double>::quiet_NaN();
   edges = sm::CollectEdgeGaps(*model, &results);
   CheckTrue("a gap that is not a number is not lost", std::isnan(edges.back().MaxGap));
+  results = MakeResults(5);
+  results[0].Gaps[0].MaxGap = std::numeric_limits<double>::quiet_NaN();
+  edges = sm::CollectEdgeGaps(*model, &results);
+  CheckTrue("nor by a number that comes later", std::isnan(edges.back().MaxGap));
   edges = sm::CollectEdgeGaps(*model, nullptr);
   CheckTrue("without results nothing is known",
     edges.size() == 12 && std::isnan(edges[0].MaxGap) && sm::DescribeWorstEdge(edges, 3.7).empty());

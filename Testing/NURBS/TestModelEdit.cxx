@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace
@@ -214,6 +215,179 @@ void CheckMap()
   CheckEqual("five faces", 5, static_cast<long long>(carried.Replaced.size()));
 }
 
+/// A corner that meets another one leaves it alone when it is set back.
+void CheckSnap()
+{
+  std::printf("--- a corner on another corner, and back\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  const int last = body.GetNumberOfPoints() - 1;
+  const sm::ControlPointIndex corner = At(body, 2, 1, 0, 0, last);
+  Homogeneous from;
+  Homogeneous to;
+  sm::GetControlPoint(model, 5, corner, from);
+  sm::GetControlPoint(model, 5, At(body, 2, 1, 0, last, last), to);
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const sm::ModelEdit edit = sm::SetControlPoints(model, 5, { { corner, to } }, rule);
+  CheckEqual("faces", 3, static_cast<long long>(edit.Replaced.size()));
+  const sm::ModelEdit back = sm::SetControlPoints(edit.Model, 5, { { corner, from } }, rule);
+  CheckEqual("the same faces", 3, static_cast<long long>(back.Replaced.size()));
+  CheckTrue("the same bits", HaveSameBits(model, back.Model));
+}
+
+/// The body with its vertices off its corners, as files have them, and a lid whose rows are not its neighbours'.
+vtkSmartPointer<vtkNURBSDataSet> MakeLoose(double off)
+{
+  LatticeBody body;
+  const auto leaf = body.Make();
+  LatticeBody fine;
+  fine.Knots = { 0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1 };
+  std::map<const sm::Edge*, std::shared_ptr<const sm::Edge>> loose;
+  for (int f = 0; f < 6; ++f)
+  {
+    auto face = std::make_shared<sm::Face>(*leaf->GetModel()->GetFaces()[f]);
+    face->Id = sm::NewId();
+    face->Surface = f == 5 ? fine.Make()->GetModel()->GetFaces()[5]->Surface : face->Surface;
+    for (sm::Coedge& coedge : face->Loops[0].Coedges)
+    {
+      std::shared_ptr<const sm::Edge>& known = loose[coedge.Use.get()];
+      if (!known)
+      {
+        auto edge = std::make_shared<sm::Edge>(*coedge.Use);
+        edge->Id = sm::NewId();
+        edge->StartVertex[0] += off;
+        edge->EndVertex[0] += off;
+        known = edge;
+      }
+      coedge.Use = known;
+    }
+    leaf->GetModel()->SetFace(f, face);
+  }
+  return leaf;
+}
+
+/// Vertices that moved without the row whose edge ends there stay where they are when the row moves elsewhere.
+void CheckVertices()
+{
+  std::printf("--- vertices that others moved\n");
+  const auto leaf = MakeLoose(1e-3);
+  const auto twice = [](const LatticeBody::Point& p) {
+    return LatticeBody::Point{ 2.0 * p[0], 2.0 * p[1], 2.0 * p[2] };
+  };
+  const sm::ModelEdit large = sm::MapControlPoints(leaf->GetModel(), {}, twice, sm::EditRule::OneFace);
+  CheckEqual("all faces", 6, static_cast<long long>(large.Replaced.size()));
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  // On the edge of x = 0 and y = 0, between its ends.
+  Homogeneous point;
+  sm::GetControlPoint(large.Model, 0, { 0, 2 }, point);
+  const sm::ModelEdit edit = sm::MoveControlPoints(large.Model, 0, { { 0, 2 } }, Displacement, rule);
+  CheckEqual("the faces of the edge, not those of its ends", 2, static_cast<long long>(edit.Replaced.size()));
+  const sm::ModelEdit back = sm::SetControlPoints(edit.Model, 0, { { { 0, 2 }, point } }, rule);
+  CheckTrue("set back: the same vertices",
+    back.Model->GetFaces()[0]->Loops[0].Coedges[3].Use->EndVertex ==
+      large.Model->GetFaces()[0]->Loops[0].Coedges[3].Use->EndVertex);
+}
+
+/// A row that left its edge behind, by less than what rows may differ by, does not pull it along later.
+void CheckLeftBehind()
+{
+  std::printf("--- an edge that was left behind\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  const int last = body.GetNumberOfPoints() - 1;
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const sm::ModelEdit bent =
+    sm::MoveControlPoints(leaf->GetModel(), 0, { { 2, last } }, { 0.25, 0.0, 0.0 }, rule);
+  const sm::ModelEdit apart = sm::MoveControlPoints(
+    bent.Model, 0, { { 1, last } }, { std::ldexp(1.0, -40), 0.0, 0.0 }, sm::EditRule::OneFace);
+  CheckEqual("one face", 1, static_cast<long long>(apart.Replaced.size()));
+  Homogeneous point;
+  sm::GetControlPoint(apart.Model, 0, { 3, last }, point);
+  const sm::ModelEdit edit = sm::MoveControlPoints(apart.Model, 0, { { 3, last } }, { 0.5, 0.0, 0.0 }, rule);
+  CheckEqual("two faces", 2, static_cast<long long>(edit.Replaced.size()));
+  const sm::ModelEdit back = sm::SetControlPoints(edit.Model, 0, { { { 3, last }, point } }, rule);
+  CheckTrue("set back: the same bits", HaveSameBits(apart.Model, back.Model));
+}
+
+/// The widest gap lies between samples; there are enough of them.
+void CheckGapSamples()
+{
+  std::printf("--- a narrow gap\n");
+  LatticeBody body;
+  body.Degree = sm::MaximumDegree;
+  body.Knots.assign(body.Degree + 1, 0.0);
+  body.Knots.resize(2 * body.Degree + 2, 1.0);
+  const auto leaf = body.Make();
+  // B_4 of degree 25, largest at 4/25.
+  const sm::ModelEdit edit = sm::MoveControlPoints(
+    leaf->GetModel(), 0, { { 4, body.Degree } }, { 1.0, 0.0, 0.0 }, sm::EditRule::OneFace);
+  const double largest = 12650.0 * std::pow(0.16, 4) * std::pow(0.84, 21);
+  CheckEqual("opened", 1, static_cast<long long>(edit.Opened.size()));
+  // 32 samples are at most 1/64 from it: 1 - B / B_max < (1/64)^2 / 2 * 25 / (0.16 0.84) = 0.023, here 0.004.
+  CheckRange("gap", 0.99 * largest, edit.Opened.empty() ? 0.0 : edit.Opened[0].Gap, largest * (1.0 + 1e-9));
+}
+
+/// Faces that cannot be evaluated lie in a model untouched, and are no obstacle to edits of others.
+void CheckBrokenFaces()
+{
+  std::printf("--- beside broken faces\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  auto broken = std::make_shared<sm::Face>(*model->GetFaces()[3]);
+  broken->Id = sm::NewId();
+  broken->Surface = sm::NURBSSurface();
+  broken->Surface.NumberOfControlPoints[0] = broken->Surface.NumberOfControlPoints[1] = 2;
+  model->SetFace(3, broken);
+  auto bare = std::make_shared<sm::Face>(*model->GetFaces()[5]);
+  bare->Id = sm::NewId();
+  auto edge = std::make_shared<sm::Edge>(*bare->Loops[0].Coedges[0].Use);
+  edge->Curve = {};
+  bare->Loops[0].Coedges[0].Use = edge;
+  bare->Loops[0].Coedges[1].Curve = {};
+  model->SetFace(5, bare);
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const int last = body.GetNumberOfPoints() - 1;
+  for (const int k : { 0, last })
+  {
+    const sm::ModelEdit edit = sm::MoveControlPoints(model, 5, { { k, k }, { 0, last } }, Displacement, rule);
+    CheckEqual("status", "ok", sm::GetName(edit.Status));
+    CheckTrue("it moved", edit.Model && edit.Model->GetFaces()[5] != bare);
+  }
+  Homogeneous point;
+  CheckTrue("no points of a broken face", !sm::GetControlPoint(model, 3, { 1, 1 }, point));
+  const auto still = [](const LatticeBody::Point& p) { return p; };
+  CheckEqual("moving them", "invalid-face",
+    sm::GetName(sm::MoveControlPoints(model, 3, { { 1, 1 } }, Displacement, rule).Status));
+  CheckEqual(
+    "mapping them", "invalid-face", sm::GetName(sm::MapControlPoints(model, {}, still, rule).Status));
+  // A gap that is no number is one that is told, and not hidden by those measured after it.
+  const auto sound = body.Make();
+  vtkNew<vtkTrimmedNURBSModel> odd;
+  odd->ShallowCopy(sound->GetModel());
+  auto face = std::make_shared<sm::Face>(*odd->GetFaces()[5]);
+  face->Id = sm::NewId();
+  auto half = std::make_shared<sm::Edge>(*face->Loops[0].Coedges[0].Use);
+  const LatticeBody::Point ends[2] = { half->Curve.GetStartPoint(), half->Curve.GetEndPoint() };
+  const LatticeBody::Point middle{ 0.5 * (ends[0][0] + ends[1][0]), 0.5 * (ends[0][1] + ends[1][1]),
+    ends[0][2] };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const LatticeBody::Point start[3] = { ends[0], { nan, nan, nan }, middle };
+  const LatticeBody::Point rest[2] = { middle, ends[1] };
+  half->Curve = {};
+  half->Curve.Breaks = { 0.0 };
+  half->Curve.AppendPiece(0.5, start, 2);
+  half->Curve.AppendPiece(1.0, rest, 1);
+  face->Loops[0].Coedges[0].Use = half;
+  odd->SetFace(5, face);
+  const std::vector<sm::OpenedEdge> opened = sm::FindOpenedEdges(sound->GetModel(), odd);
+  CheckTrue("a gap that is no number is told",
+    std::any_of(opened.begin(), opened.end(), [](const sm::OpenedEdge& e) { return std::isnan(e.Gap); }));
+  CheckEqual("such an edge is refused", "invalid-face",
+    sm::GetName(sm::ReplaceFace(sound->GetModel(), 5, face).Status));
+}
+
 void CheckErrors()
 {
   std::printf("--- errors\n");
@@ -254,6 +428,10 @@ void CheckErrors()
         return LatticeBody::Point{ nan, 0.0, 0.0 };
       },
       rule));
+  const auto pole = [nan](const LatticeBody::Point& p) {
+    return LatticeBody::Point{ p[0] > 0.0 && p[0] < 0.01 ? nan : p[0], p[1], p[2] + 1.0 };
+  };
+  check("not-finite", sm::MapControlPoints(MakeLoose(1e-3)->GetModel(), {}, pole, rule));
   check("invalid-face", sm::ReplaceFace(model, 0, nullptr));
   auto face = std::make_shared<sm::Face>(*before[0]);
   check("invalid-face", sm::ReplaceFace(model, 0, face));
@@ -264,6 +442,21 @@ void CheckErrors()
   check("invalid-face", sm::ReplaceFace(model, 0, face));
   face->Surface = before[0]->Surface;
   face->Loops[0].Coedges[1].Use = nullptr;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Loops = before[0]->Loops;
+  check("invalid-face", sm::ReplaceFaces(model, { { 0, face }, { 1, std::make_shared<sm::Face>(*face) } }));
+  std::vector<std::array<double, 3>> many(sm::MaximumDegree + 2);
+  auto edge = std::make_shared<sm::Edge>(*face->Loops[0].Coedges[0].Use);
+  edge->Curve = {};
+  edge->Curve.Breaks = { 0.0 };
+  edge->Curve.AppendPiece(1.0, many.data(), sm::MaximumDegree + 1);
+  face->Loops[0].Coedges[0].Use = edge;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Loops = before[0]->Loops;
+  std::vector<std::array<double, 2>> steps(sm::MaximumDegree + 2);
+  face->Loops[0].Coedges[0].Curve = {};
+  face->Loops[0].Coedges[0].Curve.Breaks = { 0.0 };
+  face->Loops[0].Coedges[0].Curve.AppendPiece(1.0, steps.data(), sm::MaximumDegree + 1);
   check("invalid-face", sm::ReplaceFace(model, 0, face));
   CheckTrue("the model is as it was", model->GetFaces() == before);
   Homogeneous point;
@@ -281,6 +474,11 @@ int main()
   CheckWeights();
   CheckReplacement();
   CheckMap();
+  CheckSnap();
+  CheckVertices();
+  CheckLeftBehind();
+  CheckGapSamples();
+  CheckBrokenFaces();
   CheckErrors();
   return Finish();
 }

@@ -89,6 +89,9 @@ void CheckDisplacement()
   filter->SetSolid(-1);
   filter->SetDisplacement(0.0, std::nan(""), 0.0);
   CheckFails(filter, "not finite");
+  filter->SetDisplacement(0.0, 0.0, 1.0);
+  filter->SetRadius(std::nan(""));
+  CheckFails(filter, "not finite");
 }
 
 void CheckLattice()
