@@ -205,7 +205,10 @@ void UserExpression::AddName(const std::string& name, std::size_t at, const Cons
 {
   std::string glsl = name;
   const bool isComponent = !this->Tokens.empty() && this->Tokens.back().Glsl == ".";
-  const auto constant = constants.find(name);
+  // No constant is called, but a function may have its name.
+  const std::size_t next = this->Text.find_first_not_of(" \t\r\n", at + name.size());
+  const bool isCalled = next != std::string::npos && this->Text[next] == '(';
+  const auto constant = isCalled ? constants.end() : constants.find(name);
   if (!isComponent && constant != constants.end())
   {
     glsl = "(" + MakeLiteral(constant->second) + ")";

@@ -32,6 +32,10 @@ void CheckTranslation()
   CheckEqual(
     "functions are ours", "smSin ( smPow ( dA , 2.0LF ) ) + abs ( dA )", Translate("sin(pow(dA,2))+abs(dA)"));
   CheckEqual("constants", "(5.00000000000000000e-01LF) * dA", Translate("k * dA"));
+  CheckTrue("functions are no constants",
+    UserExpression("abs (dA) * abs", { { "abs", 0.5 } })
+        .MakeFunction("f", false)
+        .find("abs\n(\ndA\n)\n*\n(5.") != std::string::npos);
   CheckEqual("components are no constants", "position . k", Translate("position.k"));
   CheckEqual("pairs stay together", "dA <= 1.0LF && ! ( dA != 2.0LF ) ? 1.0LF : - 1.0LF",
     Translate("dA<=1&&!(dA!=2)?1:-1"));
