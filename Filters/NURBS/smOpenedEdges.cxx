@@ -56,7 +56,7 @@ double MeasureGap(const Face& face, const Coedge& coedge)
   breaks.insert(breaks.end(), curve.Breaks.begin(), curve.Breaks.end());
   std::sort(breaks.begin(), breaks.end());
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-  const std::size_t each = Samples / breaks.size() + 1;
+  const std::size_t each = Samples / std::max<std::size_t>(breaks.size() - 1, 1) + 1;
   double gap = 0.0;
   for (std::size_t i = 0; i < breaks.size(); ++i)
   {

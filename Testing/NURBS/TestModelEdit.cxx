@@ -310,6 +310,25 @@ void CheckLeftBehind()
   CheckTrue("set back: the same bits", HaveSameBits(apart.Model, back.Model));
 }
 
+/// The widest gap lies between samples; there are enough of them.
+void CheckGapSamples()
+{
+  std::printf("--- a narrow gap\n");
+  LatticeBody body;
+  body.Degree = sm::MaximumDegree;
+  body.Cells = 1;
+  body.Knots.assign(body.Degree + 1, 0.0);
+  body.Knots.resize(2 * body.Degree + 2, 1.0);
+  const auto leaf = body.Make();
+  // B_4 of degree 25, largest at 4/25.
+  const sm::ModelEdit edit = sm::MoveControlPoints(
+    leaf->GetModel(), 0, { { 4, body.Degree } }, { 1.0, 0.0, 0.0 }, sm::EditRule::OneFace);
+  const double largest = 12650.0 * std::pow(0.16, 4) * std::pow(0.84, 21);
+  CheckEqual("opened", 1, static_cast<long long>(edit.Opened.size()));
+  // 32 samples are at most 1/64 from it: 1 - B / B_max < (1/64)^2 / 2 * 25 / (0.16 0.84) = 0.023, here 0.004.
+  CheckRange("gap", 0.99 * largest, edit.Opened.empty() ? 0.0 : edit.Opened[0].Gap, largest * (1.0 + 1e-9));
+}
+
 /// Faces that cannot be evaluated lie in a model untouched, and are no obstacle to edits of others.
 void CheckBrokenFaces()
 {
@@ -459,6 +478,7 @@ int main()
   CheckSnap();
   CheckVertices();
   CheckLeftBehind();
+  CheckGapSamples();
   CheckBrokenFaces();
   CheckErrors();
   return Finish();
