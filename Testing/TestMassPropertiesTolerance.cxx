@@ -77,6 +77,8 @@ void CheckSeconds(const Expected& solid)
   mass->SetMaximumSeconds(1e-9);
   mass->Update();
   CheckEqual("no time", names::StatusToleranceNotMet, mass->GetStatus());
+  CheckTrue(
+    "and it says so", mass->GetMessage(0).find("MaximumSeconds") != std::string::npos, mass->GetMessage(0));
   mass->SetMaximumSeconds(0.0);
   mass->Update();
   CheckEqual("all the time", names::StatusOk, mass->GetStatus());

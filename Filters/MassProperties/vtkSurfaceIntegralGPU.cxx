@@ -357,9 +357,9 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   last.IntegrateSeconds = this->Integrator.GetIntegrateSeconds();
   if (!done)
   {
-    last.Messages.push_back(this->Integrator.WasAborted()
-        ? "the run was aborted"
-        : "nothing was computed: " + this->Integrator.GetError());
+    last.Messages.push_back(this->Integrator.WasTimedOut() ? "nothing was computed: MaximumSeconds were over"
+        : this->Integrator.WasAborted()                    ? "the run was aborted"
+                                        : "nothing was computed: " + this->Integrator.GetError());
     return false;
   }
   if (this->Integrator.WasAborted())

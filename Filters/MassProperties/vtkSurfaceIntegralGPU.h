@@ -158,7 +158,8 @@ public:
 
   ///@{
   /** Most seconds that a run may take, about. Faces that were not reached by then (or when the run is aborted) count as 0,
-   * and the bounds hold the most that they can be. Default 0: no limit. At least 0. */
+   * and the bounds hold the most that they can be; before the orders are planned nothing is known, and nothing computed.
+   * Default 0: no limit. At least 0. */
   vtkSetClampMacro(MaximumSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSeconds, double);
   ///@}
