@@ -8,7 +8,8 @@
  *
  * Setting a control point back gives the bits from before, of faces, edges and vertices (ids are new): an edge that moved along
  * with its faces remembers where it was before the first move, and is a function of that and of the row of control points as it
- * is now. Where the rows of two faces agree to rounding but not bit for bit, the neighbour's comes back to rounding only;
+ * is now. Where the rows of two faces agree to rounding but not bit for bit, the neighbour's comes back to rounding only, and
+ * so does a vertex at the end of a row that other edges had moved without it;
  * ModelEdit::Replaced holds the faces from before in any case.
  *
  * Thread safe as long as nobody changes the model.
