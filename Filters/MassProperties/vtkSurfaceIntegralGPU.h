@@ -16,9 +16,10 @@
  *   - constants of AddConstant(), and the functions of GLSL; sin, cos, tan, exp, log and pow are of doubles here (angles up
  *     to 2^20, beyond they are not a number).
  * Bounds of expressions are estimated, and suppose that they are smooth on every face: at kinks and steps (abs, min, max,
- * step, ?: and their like; numbers of single precision) an error may exceed its bound; a message says which expressions may have
+ * step, ?: and their like) an error may exceed its bound; a message says which expressions may have
  * some. Peaks too narrow for any point of the first two orders (3 and 6 a direction of a patch) are not seen at all.
- * Numbers are doubles, 1/3 is a third; statements, assignments, comments and commas outside of arguments are errors.
+ * Numbers are doubles, 1/3 is a third; statements, assignments, comments, commas outside of arguments and single precision are
+ * errors.
  * An integrand on the CLOSED_CHAIN is also integrated over the ribbons and caps that join the faces along
  * their common edges, so that fluxes are those of a closed surface; one on FACES (areas) is not.
  *
