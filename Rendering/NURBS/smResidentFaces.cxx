@@ -4,6 +4,7 @@
 #include "smContextScope.h"
 
 #include "smBernstein.h"
+#include "smDisplayPoint.h"
 #include "smPatch.h"
 #include "smPatchRecord.h"
 #include "smPatchSecond.h"
@@ -349,8 +350,8 @@ const std::string& ResidentFaces::GetError() const
 const char* GetNURBSShaderChunk(const std::string& name)
 {
   static const std::map<std::string, const char*> chunks = { { "smPortable", smPortable },
-    { "smBernstein", smBernstein }, { "smPatch", smPatch }, { "smPatchRecord", smPatchRecord },
-    { "smPatchSecond", smPatchSecond }, { "smResident", smResident } };
+    { "smBernstein", smBernstein }, { "smDisplayPoint", smDisplayPoint }, { "smPatch", smPatch },
+    { "smPatchRecord", smPatchRecord }, { "smPatchSecond", smPatchSecond }, { "smResident", smResident } };
   const auto found = chunks.find(name);
   return found == chunks.end() ? nullptr : found->second;
 }
