@@ -200,14 +200,26 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
 
 void NURBSSurface::Evaluate(double u, double v, double position[3], double du[3], double dv[3]) const
 {
-  const int p = this->Degree[0];
-  const int q = this->Degree[1];
-  const int ku = FindSpan(this->Knots[0], p, u);
-  const int kv = FindSpan(this->Knots[1], q, v);
-  const double u0 = this->Knots[0][ku], u1 = this->Knots[0][ku + 1];
-  const double v0 = this->Knots[1][kv], v1 = this->Knots[1][kv + 1];
-  Homogeneous cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  ExtractCell(*this, ku, kv, { u0, u1 }, { v0, v1 }, nullptr, cell);
+  Walker(*this).Evaluate(u, v, position, du, dv);
+}
+
+void NURBSSurface::Walker::Evaluate(double u, double v, double position[3], double du[3], double dv[3])
+{
+  const int p = this->Surface.Degree[0];
+  const int q = this->Surface.Degree[1];
+  const std::vector<double>* knots = this->Surface.Knots;
+  const int ku = FindSpan(knots[0], p, u);
+  const int kv = FindSpan(knots[1], q, v);
+  const double u0 = knots[0][ku], u1 = knots[0][ku + 1];
+  const double v0 = knots[1][kv], v1 = knots[1][kv + 1];
+  if (ku != this->Span[0] || kv != this->Span[1])
+  {
+    this->Cell.resize(static_cast<std::size_t>(p + 1) * (q + 1));
+    ExtractCell(this->Surface, ku, kv, { u0, u1 }, { v0, v1 }, nullptr, this->Cell.data());
+    this->Span[0] = ku;
+    this->Span[1] = kv;
+  }
+  const std::vector<Homogeneous>& cell = this->Cell;
 
   const double s = (u - u0) / (u1 - u0);
   const double r = (v - v0) / (v1 - v0);

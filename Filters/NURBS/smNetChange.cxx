@@ -64,7 +64,7 @@ const std::vector<NetChange::Homogeneous>& NetChange::GetNet(int face) const
 void NetChange::SetPoint(int face, std::size_t entry, const Homogeneous& point)
 {
   const std::vector<Homogeneous>& old = this->GetFace(face).Surface.ControlPoints;
-  this->Nets.emplace(face, old).first->second[entry] = point;
+  this->Nets.try_emplace(face, old).first->second[entry] = point;
   if (this->Moved.insert({ face, entry }).second)
   {
     this->Queue.emplace_back(face, entry);
@@ -86,29 +86,56 @@ void NetChange::CollectEdges()
         const auto [place, isNew] = known.emplace(coedge.Use.get(), this->Edges.size());
         if (isNew)
         {
-          this->Edges.push_back({ coedge.Use, {}, false, false });
+          this->Edges.push_back({ coedge.Use, {}, false, false, false });
         }
-        Use use{ static_cast<int>(f), static_cast<int>(l), static_cast<int>(c), false, {} };
-        use.IsRow = !coedge.Use->Degenerate && FindBoundaryRow(face.Surface, coedge.Curve, use.Row);
         this->EdgesOfFace[f].emplace_back(place->second, this->Edges[place->second].Uses.size());
-        this->Edges[place->second].Uses.push_back(use);
+        this->Edges[place->second].Uses.push_back(
+          { static_cast<int>(f), static_cast<int>(l), static_cast<int>(c), false, {} });
       }
     }
   }
   for (EdgeUses& edge : this->Edges)
   {
-    const Use& first = edge.Uses.front();
-    edge.Mapped = this->Map != nullptr;
-    edge.Coincident = first.IsRow;
-    const RowCurve row = first.IsRow ? RowCurve(this->GetFace(first.Face).Surface, first.Row) : RowCurve();
-    for (const Use& use : edge.Uses)
+    edge.Mapped = this->Map != nullptr &&
+      std::all_of(
+        edge.Uses.begin(), edge.Uses.end(), [this](const Use& use) { return this->Chosen[use.Face]; });
+  }
+}
+
+bool NetChange::FindRows(EdgeUses& edge)
+{
+  if (edge.HasRows)
+  {
+    return edge.Coincident;
+  }
+  edge.HasRows = true;
+  edge.Coincident = !edge.Source->Degenerate;
+  RowCurve row;
+  for (Use& use : edge.Uses)
+  {
+    const NURBSSurface& surface = this->GetFace(use.Face).Surface;
+    use.IsRow = edge.Coincident && FindBoundaryRow(surface, this->GetTrim(use), use.Row);
+    edge.Coincident = use.IsRow;
+    if (!edge.Coincident)
     {
-      edge.Mapped = edge.Mapped && this->Chosen[use.Face];
-      edge.Coincident = edge.Coincident && use.IsRow &&
-        (&use == &first ||
-          Coincide(row, RowCurve(this->GetFace(use.Face).Surface, use.Row), this->Tolerance));
+      return false;
+    }
+    if (&use == &edge.Uses.front())
+    {
+      row = RowCurve(surface, use.Row);
+    }
+    else
+    {
+      edge.Coincident = Coincide(row, RowCurve(surface, use.Row), this->Tolerance);
     }
   }
+  return edge.Coincident;
+}
+
+bool NetChange::IsTouched(const EdgeUses& edge) const
+{
+  return std::any_of(
+    edge.Uses.begin(), edge.Uses.end(), [this](const Use& use) { return this->Nets.count(use.Face) > 0; });
 }
 
 void NetChange::Follow(const EdgeUses& edge, const Use& use, std::size_t entry)
@@ -154,7 +181,7 @@ void NetChange::Propagate()
     this->Queue.pop_front();
     for (const auto& [edge, use] : this->EdgesOfFace[face])
     {
-      if (this->Edges[edge].Coincident)
+      if (this->FindRows(this->Edges[edge]))
       {
         this->Follow(this->Edges[edge], this->Edges[edge].Uses[use], entry);
       }
@@ -227,16 +254,24 @@ void NetChange::CarryEdge(const EdgeUses& edge)
   result->Origin = origin;
 }
 
-void NetChange::MapEdge(const EdgeUses& edge)
+void NetChange::MapEdge(EdgeUses& edge)
 {
   EdgeCurve curve = edge.Source->Curve;
   for (EdgeCurve::Point& point : curve.Coefficients)
   {
     point = this->Map(point);
   }
-  this->MoveVertex(edge.Source->StartVertex, this->Map(edge.Source->StartVertex));
-  this->MoveVertex(edge.Source->EndVertex, this->Map(edge.Source->EndVertex));
-  if (curve.Coefficients != edge.Source->Curve.Coefficients)
+  const Point start = this->Map(edge.Source->StartVertex);
+  const Point end = this->Map(edge.Source->EndVertex);
+  const bool moves = curve.Coefficients != edge.Source->Curve.Coefficients;
+  // Coincident rows that are not touched stay where they are, whatever the map does between their control points.
+  if ((!moves && start == edge.Source->StartVertex && end == edge.Source->EndVertex) || this->FindRows(edge))
+  {
+    return;
+  }
+  this->MoveVertex(edge.Source->StartVertex, start);
+  this->MoveVertex(edge.Source->EndVertex, end);
+  if (moves)
   {
     const std::shared_ptr<Edge> result = this->GetNewEdge(edge.Source);
     result->Curve = curve;
@@ -273,9 +308,10 @@ void NetChange::MoveVertices()
 
 void NetChange::MoveEdges()
 {
-  for (const EdgeUses& edge : this->Edges)
+  for (EdgeUses& edge : this->Edges)
   {
-    if (edge.Coincident && (edge.Mapped || this->Rule == EditRule::MoveSharedBoundary))
+    const bool isTouched = this->IsTouched(edge);
+    if (isTouched && (edge.Mapped || this->Rule == EditRule::MoveSharedBoundary) && this->FindRows(edge))
     {
       this->CarryEdge(edge);
     }
@@ -284,7 +320,10 @@ void NetChange::MoveEdges()
       this->MapEdge(edge);
     }
   }
-  this->MoveVertices();
+  if (!this->Vertices.empty() || !this->NewEdges.empty())
+  {
+    this->MoveVertices();
+  }
 }
 
 void NetChange::Finish(ModelEdit& edit)
@@ -298,7 +337,7 @@ void NetChange::Finish(ModelEdit& edit)
   {
     const std::vector<Homogeneous>& old = before[f]->Surface.ControlPoints;
     const std::vector<Homogeneous>& net = this->GetNet(static_cast<int>(f));
-    bool changed = this->Faces[f] != before[f] || net != old;
+    bool changed = this->Faces[f] != before[f] || (&net != &old && net != old);
     for (const auto& [edge, use] : this->EdgesOfFace[f])
     {
       changed = changed || this->NewEdges.count(this->Edges[edge].Source.get()) > 0;
