@@ -18,12 +18,22 @@ constexpr double CollapsedSize = 1e-15;
 // Coefficients of series longer than MostKept that are this small, relative to the largest, are rounding of the samples: in an
 // ellipse they would grow with their degree. They are left out of it and charged as they are.
 constexpr int MostKept = 12;
-constexpr double NoiseSize = 2e-16; // times the number of coefficients in both directions
+constexpr double NoiseSize = 2e-16;       // times the number of coefficients in both directions
 constexpr double LengthTolerance = 3e-15; // times the degrees, whose rounding adds up
 
 Vector Cross(const double* a, const double* b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double Power(double base, int exponent)
+{
+  double power = 1.0;
+  for (; exponent > 0; --exponent)
+  {
+    power *= base;
+  }
+  return power;
 }
 
 double Norm(const double* a)
@@ -202,16 +212,22 @@ void PatchMajorants::Table::Resize(int countS, int countR)
 
 double PatchMajorants::Table::Sum(const std::vector<double>& s, const std::vector<double>& r) const
 {
-  double sum = 0.0;
+  // Column by column, so that additions need not wait for each other.
+  double columns[3 * MaximumDegree] = {};
   const double* entry = this->Entries.data();
   for (int l = 0; l < this->CountR; ++l)
   {
-    double line = 0.0;
+    const double factor = r[l];
     for (int k = 0; k < this->CountS; ++k)
     {
-      line += s[k] * *entry++;
+      columns[k] += factor * entry[k];
     }
-    sum += r[l] * line;
+    entry += this->CountS;
+  }
+  double sum = 0.0;
+  for (int k = 0; k < this->CountS; ++k)
+  {
+    sum += s[k] * columns[k];
   }
   return sum;
 }
@@ -454,7 +470,7 @@ void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vec
   dropped.resize(classes.size());
   for (std::size_t i = 0; i < classes.size(); ++i)
   {
-    const double power = std::pow(reach, classes[i].Degree);
+    const double power = Power(reach, classes[i].Degree);
     const double length = this->Dropped[this->IsPolynomialLength() && this->Traits.PolynomialLength ? 2 : 1];
     dropped[i] = classes[i].Kind == BoundClass::VolumeMoment
       ? this->Dropped[0] * power / ((3 + classes[i].Degree) * cube)
@@ -577,7 +593,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   r.GetMajorants(std::max(this->Q + 1, 3 * this->Q - 1), this->MajorantR);
   const auto sum = [this](const Table& table) { return table.Sum(this->MajorantS, this->MajorantR); };
   // 1e-9: so close to a pole of the integrand nothing is gained, and rounding cannot turn the sign.
-  const double weight = this->FirstWeight - sum(this->Weight);
+  const double weight = this->FirstWeight - (this->Traits.Polynomial ? 0.0 : sum(this->Weight));
   if (!(weight > 1e-9 * this->FirstWeight))
   {
     return false;
@@ -610,7 +626,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   bounds.resize(classes.size());
   for (std::size_t i = 0; i < classes.size(); ++i)
   {
-    const double power = std::pow(reach, classes[i].Degree);
+    const double power = Power(reach, classes[i].Degree);
     switch (classes[i].Kind)
     {
       case BoundClass::VolumeMoment:
