@@ -212,22 +212,39 @@ void PatchMajorants::Table::Resize(int countS, int countR)
 
 double PatchMajorants::Table::Sum(const std::vector<double>& s, const std::vector<double>& r) const
 {
-  // Column by column, so that additions need not wait for each other.
-  double columns[3 * MaximumDegree] = {};
+  double sum = 0.0;
   const double* entry = this->Entries.data();
   for (int l = 0; l < this->CountR; ++l)
   {
-    const double factor = r[l];
+    double line = 0.0;
     for (int k = 0; k < this->CountS; ++k)
     {
-      columns[k] += factor * entry[k];
+      line += s[k] * *entry++;
     }
-    entry += this->CountS;
+    sum += r[l] * line;
   }
-  double sum = 0.0;
-  for (int k = 0; k < this->CountS; ++k)
+  return sum;
+}
+
+PatchMajorants::ProductEntry PatchMajorants::SumProducts(
+  const std::vector<double>& s, const std::vector<double>& r) const
+{
+  ProductEntry sum{};
+  const ProductEntry* entry = this->Products.data();
+  for (int l = 0; l < this->CountR; ++l)
   {
-    sum += s[k] * columns[k];
+    ProductEntry line{};
+    for (int k = 0; k < this->CountS; ++k, ++entry)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        line[c] += s[k] * (*entry)[c];
+      }
+    }
+    for (int c = 0; c < 4; ++c)
+    {
+      sum[c] += r[l] * line[c];
+    }
   }
   return sum;
 }
@@ -480,10 +497,8 @@ void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vec
 
 void PatchMajorants::MakeTables(int countS, int countR)
 {
-  for (Table* table : { &this->Numerator, &this->Normal, &this->Along, &this->Across })
-  {
-    table->Resize(countS, countR);
-  }
+  this->CountS = countS;
+  this->CountR = countR;
   const double* first = this->Samples.data();
   this->FirstLength = this->Traits.PolynomialLength ? std::abs(first[4]) : Norm(first + 1);
   double rest = 0.0;
@@ -494,6 +509,7 @@ void PatchMajorants::MakeTables(int countS, int countR)
     e[c] = this->FirstLength > 0.0 ? first[1 + c] / this->FirstLength : 0.0;
   }
   const std::size_t count = static_cast<std::size_t>(countS) * countR;
+  this->Products.assign(count, {});
   this->Dropped = {};
   if (std::max(countS, countR) > MostKept)
   {
@@ -502,20 +518,21 @@ void PatchMajorants::MakeTables(int countS, int countR)
   for (std::size_t i = 0; i < count; ++i)
   {
     const double* entry = first + Components * i;
-    this->Numerator.Entries[i] = std::abs(entry[0]);
-    this->Normal.Entries[i] = Norm(entry + 1);
+    ProductEntry& product = this->Products[i];
+    product[Numerator] = std::abs(entry[0]);
+    product[Normal] = Norm(entry + 1);
     if (this->Traits.PolynomialLength)
     {
-      this->Along.Entries[i] = i == 0 ? 0.0 : std::abs(entry[4]);
-      rest += this->Along.Entries[i];
+      product[Along] = i == 0 ? 0.0 : std::abs(entry[4]);
+      rest += product[Along];
       continue;
     }
     const double along = entry[1] * e[0] + entry[2] * e[1] + entry[3] * e[2];
     const double across[3] = { entry[1] - along * e[0], entry[2] - along * e[1], entry[3] - along * e[2] };
-    this->Along.Entries[i] = i == 0 ? 0.0 : std::abs(along);
-    rest += this->Along.Entries[i];
-    this->Across.Entries[i] = i == 0 ? 0.0 : Norm(across);
-    beside += this->Across.Entries[i];
+    product[Along] = i == 0 ? 0.0 : std::abs(along);
+    rest += product[Along];
+    product[Across] = i == 0 ? 0.0 : Norm(across);
+    beside += product[Across];
   }
   rest += this->Dropped[this->Traits.PolynomialLength ? 2 : 1];
   this->Positive = rest < 0.999999 * this->FirstLength;
@@ -601,10 +618,11 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   const double cube = weight * weight * weight;
   const double reach = this->CenterDistance + sum(this->Position) / weight;
   const double factor = this->GetFactorMajorant(s, r);
-  const double numerator = sum(this->Numerator);
-  const double normal = factor * sum(this->Normal);
+  const ProductEntry products = this->SumProducts(this->MajorantS, this->MajorantR);
+  const double numerator = products[Numerator];
+  const double normal = factor * products[Normal];
   double length = std::numeric_limits<double>::infinity();
-  const double along = this->FirstLength + sum(this->Along);
+  const double along = this->FirstLength + products[Along];
   if (this->IsPolynomialLength())
   {
     length = factor * along;
@@ -612,7 +630,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   else
   {
     // m~.m~ = (|m~_00| + a)^2 + b.b with |a| <= D1, |b.b| <= D2^2: the root is analytic where D1 + D2 < |m~_00|.
-    const double across = sum(this->Across);
+    const double across = products[Across];
     if (along - this->FirstLength + across < 0.999999 * this->FirstLength)
     {
       length = factor * std::hypot(along, across);
@@ -705,23 +723,27 @@ int PatchMajorants::GetVaryingDirection() const
 {
   double inS = 0.0;
   double inR = 0.0;
-  const auto add = [&](const Table& table, double scale)
+  const auto add = [&](int countS, int countR, double scale, const auto& get)
   {
-    for (int l = 0; l < table.CountR; ++l)
+    for (int l = 0; l < countR; ++l)
     {
-      for (int k = l == 0 ? 1 : 0; k < table.CountS; ++k)
+      for (int k = l == 0 ? 1 : 0; k < countS; ++k)
       {
-        const double entry = table.Entries[k + static_cast<std::size_t>(table.CountS) * l];
+        const double entry = get(k + static_cast<std::size_t>(countS) * l);
         inS += k > 0 ? entry / scale : 0.0;
         inR += l > 0 ? entry / scale : 0.0;
       }
     }
   };
-  add(this->Weight, this->FirstWeight);
+  add(this->Weight.CountS, this->Weight.CountR, this->FirstWeight,
+    [this](std::size_t i) { return this->Weight.Entries[i]; });
   if (this->FirstLength > 0.0)
   {
-    add(this->Along, this->FirstLength);
-    add(this->Traits.PolynomialLength ? this->Normal : this->Across, this->FirstLength);
+    for (const Product which : { Along, this->Traits.PolynomialLength ? Normal : Across })
+    {
+      add(this->CountS, this->CountR, this->FirstLength,
+        [this, which](std::size_t i) { return this->Products[i][which]; });
+    }
   }
   return inS >= inR ? 0 : 1;
 }
