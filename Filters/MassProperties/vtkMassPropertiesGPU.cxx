@@ -16,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkTable.h"
 
@@ -100,7 +101,35 @@ void FlagInsanity(sm::BodyIntegrals& body, const sm::MassProperties& properties)
   }
 }
 
-void AppendAxes(vtkAppendPolyData* glyphs, const sm::MassProperties& properties, double length)
+vtkSmartPointer<vtkPolyData> MakeUnitSphere()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->SetRadius(1.0);
+  source->SetThetaResolution(32);
+  source->SetPhiResolution(24);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> MakeSphere(vtkPolyData* unit, const std::array<double, 3>& center, double radius)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(unit->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < unit->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    unit->GetPoint(i, p);
+    points->SetPoint(i, center[0] + radius * p[0], center[1] + radius * p[1], center[2] + radius * p[2]);
+  }
+  auto sphere = vtkSmartPointer<vtkPolyData>::New();
+  sphere->ShallowCopy(unit);
+  sphere->SetPoints(points);
+  return sphere;
+}
+
+vtkSmartPointer<vtkPolyData> MakeAxes(const sm::MassProperties& properties, double length)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -119,10 +148,10 @@ void AppendAxes(vtkAppendPolyData* glyphs, const sm::MassProperties& properties,
     }
     lines->InsertNextCell(2, ends);
   }
-  vtkNew<vtkPolyData> axes;
+  auto axes = vtkSmartPointer<vtkPolyData>::New();
   axes->SetPoints(points);
   axes->SetLines(lines);
-  glyphs->AddInputData(axes);
+  return axes;
 }
 }
 
@@ -482,7 +511,7 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
 void vtkMassPropertiesGPU::MakeGlyphs(
   const std::vector<sm::BodyIntegrals>& bodies, const std::vector<sm::MassRow>& rows, vtkPolyData* output)
 {
-  vtkNew<vtkAppendPolyData> glyphs;
+  std::vector<vtkSmartPointer<vtkPolyData>> glyphs;
   const auto add = [&](const sm::MassProperties& properties, double diagonal)
   {
     if (!std::isfinite(properties.Center[0]) || !(diagonal > 0.0))
@@ -491,21 +520,18 @@ void vtkMassPropertiesGPU::MakeGlyphs(
     }
     if (this->GlyphScale > 0.0)
     {
-      vtkNew<vtkSphereSource> sphere;
-      sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-      sphere->SetCenter(properties.Center[0], properties.Center[1], properties.Center[2]);
-      sphere->SetRadius(this->GlyphScale * diagonal);
-      sphere->SetThetaResolution(32);
-      sphere->SetPhiResolution(24);
-      sphere->Update();
-      glyphs->AddInputData(sphere->GetOutput());
+      if (!this->Last->Sphere)
+      {
+        this->Last->Sphere = MakeUnitSphere();
+      }
+      glyphs.push_back(MakeSphere(this->Last->Sphere, properties.Center, this->GlyphScale * diagonal));
     }
     if (this->ShowPrincipalAxes && !properties.AxesDegenerate)
     {
-      AppendAxes(glyphs, properties, 0.5 * diagonal);
+      glyphs.push_back(MakeAxes(properties, 0.5 * diagonal));
     }
   };
-  vtkBoundingBox all;
+  vtkBoundingBox box;
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
     // The placed box of the part: its eight corners.
@@ -523,22 +549,36 @@ void vtkMassPropertiesGPU::MakeGlyphs(
           p[r] += m[4 * r + c] * (origin[c] + b[2 * c + ((corner >> c) & 1)]);
         }
       }
-      all.AddPoint(p);
+      box.AddPoint(p);
     }
     if (this->GlyphPerSolid && bodies.size() > 1)
     {
       add(rows[i].Properties, 2.0 * sm::GetRadius(*bodies[i].Model));
     }
   }
-  add(this->Last->Row.Properties, all.IsValid() ? all.GetDiagonalLength() : 0.0);
-  if (glyphs->GetNumberOfInputConnections(0) > 0)
+  add(this->Last->Row.Properties, box.IsValid() ? box.GetDiagonalLength() : 0.0);
+  vtkSmartPointer<vtkPolyData> all;
+  if (glyphs.size() == 1)
   {
-    glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    glyphs->Update();
-    output->SetPoints(glyphs->GetOutput()->GetPoints());
-    output->SetVerts(glyphs->GetOutput()->GetVerts());
-    output->SetLines(glyphs->GetOutput()->GetLines());
-    output->SetPolys(glyphs->GetOutput()->GetPolys());
-    output->GetPointData()->ShallowCopy(glyphs->GetOutput()->GetPointData());
+    all = glyphs.front();
+  }
+  else if (!glyphs.empty())
+  {
+    vtkNew<vtkAppendPolyData> append;
+    for (const vtkSmartPointer<vtkPolyData>& glyph : glyphs)
+    {
+      append->AddInputData(glyph);
+    }
+    append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    append->Update();
+    all = append->GetOutput();
+  }
+  if (all)
+  {
+    output->SetPoints(all->GetPoints());
+    output->SetVerts(all->GetVerts());
+    output->SetLines(all->GetLines());
+    output->SetPolys(all->GetPolys());
+    output->GetPointData()->ShallowCopy(all->GetPointData());
   }
 }

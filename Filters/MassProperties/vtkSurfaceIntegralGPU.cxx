@@ -8,6 +8,7 @@
 #include "smSurfaceIntegrator.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
+#include "vtkAutoInit.h"
 #include "vtkComputeContext.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -25,6 +26,9 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+
+// Whoever loads this library has display points evaluated by OpenGL, too, and needs no vtk_module_autoinit for it.
+VTK_MODULE_INIT(smRenderingNURBS)
 
 vtkStandardNewMacro(vtkSurfaceIntegralGPU);
 

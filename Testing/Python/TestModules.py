@@ -6,7 +6,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import Manifest, check_equal, check_true, check_values, finish  # noqa: E402
 
 from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU, vtkSurfaceIntegralGPU  # noqa: E402
-from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkTrimmedNURBSModel  # noqa: E402
+from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkNURBSDeform, vtkTrimmedNURBSModel  # noqa: E402
 from solidmoments.smReadersSTEP import vtkSTEPReader  # noqa: E402
 from solidmoments.smRenderingCompute import vtkComputeContext  # noqa: E402
 
@@ -28,6 +28,17 @@ check_true("a leaf is a vtkNURBSDataSet", isinstance(leaf, vtkNURBSDataSet), lea
 check_true("with its model", isinstance(leaf.GetModel(), vtkTrimmedNURBSModel))
 check_equal("faces", 7, leaf.GetModel().GetNumberOfFaces())
 check_true("context", isinstance(mass.GetComputeContext(), vtkComputeContext), mass.GetRenderer())
+
+deform = vtkNURBSDeform()
+deform.SetInputConnection(reader.GetOutputPort())
+deform.SetDisplacement(0.0, 0.0, 1.0)
+deform.Update()
+evaluator = deform.GetPointEvaluator()
+check_equal("display points by", "vtkNURBSPointEvaluatorGPU", evaluator.GetClassName())
+check_equal("which used", "opengl", evaluator.GetBackendName())
+moved = deform.GetOutputDataObject(0).GetPartition(0, 0)
+distance = max(abs(moved.GetPoint(i)[2] - leaf.GetPoint(i)[2] - 1.0) for i in range(leaf.GetNumberOfPoints()))
+check_true("points moved by 1", distance < 1e-5, str(distance))
 
 integral = vtkSurfaceIntegralGPU()
 integral.SetInputConnection(reader.GetOutputPort())
