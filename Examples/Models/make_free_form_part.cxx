@@ -38,18 +38,18 @@ gp_Pnt LatticePoint(int i, int j)
   const double around = 2.0 * Pi * j / (PatchesAround * Spans);
   // How much this place belongs to the grip, at -y: 0 to 1.
   const double grip = std::pow(0.5 - 0.5 * std::sin(along), 2.0);
-  const double fingers = 1.1 * std::cos(8.0 * along) * grip;
-  const double thick = 9.0 + 6.5 * grip + fingers;
+  const double fingers = 3.2 * std::cos(8.0 * along) * grip;
+  const double thick = 8.0 + 7.0 * grip + fingers;
   const double tall = 8.0 + 4.0 * grip - 1.5 * std::cos(2.0 * along);
   const double out = thick * std::cos(around) * (1.0 + 0.18 * std::sin(around));
   const double up = tall * std::sin(around) + 2.0 * std::cos(2.0 * around);
   // The middle line: an oval, flatter at the grip, out of its plane at both sides.
-  const double x = 62.0 * std::cos(along) * (1.0 + 0.10 * std::sin(along));
-  const double y = 40.0 * std::sin(along) + 7.0 * grip;
+  const double x = 58.0 * std::cos(along) * (1.0 + 0.10 * std::sin(along));
+  const double y = 46.0 * std::sin(along) + 5.0 * grip;
   const double z = 9.0 * std::cos(2.0 * along) - 8.0 * grip;
   // Outwards: across the oval's tangent.
-  const double tangentX = -62.0 * std::sin(along);
-  const double tangentY = 40.0 * std::cos(along);
+  const double tangentX = -58.0 * std::sin(along);
+  const double tangentY = 46.0 * std::cos(along);
   const double length = std::hypot(tangentX, tangentY);
   return { x + out * tangentY / length, y - out * tangentX / length, z + up };
 }
