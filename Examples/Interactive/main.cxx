@@ -239,6 +239,9 @@ int Run(const Arguments& arguments, vtkSTEPReader* reader, vtkRenderWindow* wind
 bool Read(vtkSTEPReader* reader, const std::string& fileName)
 {
   reader->SetFileName(fileName.c_str());
+  // The mesh is not cut anew by an edit: fine enough for what a flat face may become.
+  reader->SetLinearDeflection(2e-4);
+  reader->SetAngularDeflection(0.12);
   reader->Update();
   if (reader->GetStatus() == vtkSTEPReader::OK)
   {

@@ -12,13 +12,16 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace sm
 {
 namespace
 {
 const float PointSize = 11.0f; // pixels
+const double SamePixels = 1.5; // points that are nearer to each other cover each other
 const double LineColor[3] = { 0.45, 0.20, 0.10 };
 const double PointColor[3] = { 160, 60, 25 };
 const double HighlightColor[3] = { 255, 235, 130 };
@@ -147,8 +150,14 @@ bool ControlNet::SetSelection(int point)
 
 int ControlNet::FindNear(double x, double y, double radius) const
 {
-  int nearest = -1;
-  double least = 0.0;
+  struct Candidate
+  {
+    int Point;
+    double Distance;
+    double Depth;
+  };
+  std::vector<Candidate> candidates;
+  double least = radius;
   for (int i = 0; this->IsShown() && i < this->Columns * this->Rows; ++i)
   {
     double world[4] = { 0.0, 0.0, 0.0, 1.0 };
@@ -157,11 +166,21 @@ int ControlNet::FindNear(double x, double y, double radius) const
     this->Renderer->WorldToDisplay();
     double display[3];
     this->Renderer->GetDisplayPoint(display);
-    const bool isNear = std::hypot(display[0] - x, display[1] - y) <= radius;
-    if (isNear && display[2] < 1.0 && (nearest < 0 || display[2] < least))
+    const double distance = std::hypot(display[0] - x, display[1] - y);
+    if (distance <= radius && display[2] < 1.0)
     {
-      nearest = i;
-      least = display[2];
+      candidates.push_back({ i, distance, display[2] });
+      least = std::min(least, distance);
+    }
+  }
+  int nearest = -1;
+  double front = 1.0;
+  for (const Candidate& candidate : candidates)
+  {
+    if (candidate.Distance <= least + SamePixels && candidate.Depth < front)
+    {
+      nearest = candidate.Point;
+      front = candidate.Depth;
     }
   }
   return nearest;

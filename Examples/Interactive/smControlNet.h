@@ -35,7 +35,8 @@ public:
   int GetBody() const { return this->Body; }
   int GetFace() const { return this->Face; }
 
-  /// The control point nearest to a pixel, at most `radius` pixels away; among several the one in front. -1: none.
+  /// The control point nearest to a pixel, at most `radius` pixels away; of those that cover each other the one in
+  /// front. -1: none.
   int FindNear(double x, double y, double radius) const;
   Grip GetGrip(int point) const;
 

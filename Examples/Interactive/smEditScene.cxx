@@ -37,6 +37,7 @@ const int Margin = 20;
 const int FontSize = 17;
 // The handle and parts like it have no more surfaces behind each other than this; every layer is drawn again.
 const int Peels = 8;
+const int FewPeels = 4;
 const double DarkColor[3] = { 0.12, 0.15, 0.20 };
 const double AmberColor[3] = { 0.75, 0.42, 0.0 };
 const double RedColor[3] = { 0.85, 0.05, 0.05 };
@@ -77,7 +78,10 @@ EditScene::EditScene(vtkRenderWindow* window, EditedPart& part, const std::strin
     drawn.Mesh->ShallowCopy(part.GetBody(i));
     drawn.Lines = MakeOutlines(drawn.Mesh);
     drawn.Actor = AddBody(this->Body, drawn.Mesh);
-    AddOutlines(this->Body, drawn.Lines)->PickableOff();
+    // Opaque: as part of every layer they would double the time of a picture.
+    vtkSmartPointer<vtkActor> outlines = AddOutlines(this->Body, drawn.Lines);
+    outlines->GetProperty()->SetOpacity(1.0);
+    outlines->PickableOff();
     this->Bodies.push_back(drawn);
   }
   this->Mass->SetInputData(part.GetBodies());
@@ -277,6 +281,12 @@ void EditScene::SetHelp(bool shown)
 void EditScene::SetShowTimes(bool shown)
 {
   this->ShowTimes = shown;
+}
+
+void EditScene::SetHurried(bool hurried)
+{
+  this->Body->SetMaximumNumberOfPeels(hurried ? FewPeels : Peels);
+  this->Body->SetUseFXAA(!hurried);
 }
 
 void EditScene::SetNotice(const std::string& notice)

@@ -67,6 +67,8 @@ public:
   bool IsHelpShown() const { return this->Help; }
   /// Times differ from run to run; pictures to compare leave them out. Default: shown.
   void SetShowTimes(bool shown);
+  /// Fewer translucent layers and no smoothing of edges, for pictures during a drag; the numbers are the same. Default: off.
+  void SetHurried(bool hurried);
   /// A line for what just happened; empty: none.
   void SetNotice(const std::string& notice);
   /// Shown with the numbers: "all faces at an edge" or "one face".

@@ -37,10 +37,10 @@ std::array<double, 3> smEditStyle::ToDisplay(const std::array<double, 3>& world)
   return display;
 }
 
-std::array<double, 3> smEditStyle::ToWorld(double x, double y)
+std::array<double, 3> smEditStyle::ToWorld(double x, double y, double depth)
 {
   vtkRenderer* renderer = this->Scene->GetRenderer();
-  renderer->SetDisplayPoint(x, y, this->StartDisplay[2]);
+  renderer->SetDisplayPoint(x, y, depth);
   renderer->DisplayToWorld();
   double world[4];
   renderer->GetWorldPoint(world);
@@ -55,10 +55,10 @@ void smEditStyle::BeginDrag(int point)
     return;
   }
   this->IsDragging = true;
-  this->StartDisplay = this->ToDisplay(this->Start);
   this->Normal = this->Scene->GetPart().GetNormal(this->Dragged);
   this->Scene->GetNet().SetSelection(point);
   this->Scene->SetNotice("");
+  this->Scene->SetHurried(true);
   this->Scene->Draw();
 }
 
@@ -67,10 +67,11 @@ std::array<double, 3> smEditStyle::GetDisplacement()
   const int* position = this->Interactor->GetEventPosition();
   const double moved[2] = { static_cast<double>(position[0] - this->Pressed[0]),
     static_cast<double>(position[1] - this->Pressed[1]) };
-  // From the point itself, which may be some pixels from where it was grabbed.
-  const std::array<double, 3> from = this->ToWorld(this->StartDisplay[0], this->StartDisplay[1]);
-  const std::array<double, 3> to =
-    this->ToWorld(this->StartDisplay[0] + moved[0], this->StartDisplay[1] + moved[1]);
+  // From the point itself, which may be some pixels from where it was grabbed. What a depth of the display means follows the
+  // body's size, so that it has to be asked for again.
+  const std::array<double, 3> start = this->ToDisplay(this->Start);
+  const std::array<double, 3> from = this->ToWorld(start[0], start[1], start[2]);
+  const std::array<double, 3> to = this->ToWorld(start[0] + moved[0], start[1] + moved[1], start[2]);
   std::array<double, 3> displacement{ to[0] - from[0], to[1] - from[1], to[2] - from[2] };
   const double normalLength = std::hypot(this->Normal[0], this->Normal[1], this->Normal[2]);
   if (!this->Interactor->GetShiftKey() || !(normalLength > 0.0))
@@ -78,11 +79,11 @@ std::array<double, 3> smEditStyle::GetDisplacement()
     return displacement;
   }
   // How far the normal leads on the screen, in pixels for the length of a pixel. Where it points at the eye, up is outwards.
-  const std::array<double, 3> right = this->ToWorld(this->StartDisplay[0] + 1.0, this->StartDisplay[1]);
+  const std::array<double, 3> right = this->ToWorld(start[0] + 1.0, start[1], start[2]);
   const double pixel = std::hypot(right[0] - from[0], right[1] - from[1], right[2] - from[2]);
   const std::array<double, 3> tip = this->ToDisplay({ this->Start[0] + pixel * this->Normal[0],
     this->Start[1] + pixel * this->Normal[1], this->Start[2] + pixel * this->Normal[2] });
-  const double along[2] = { tip[0] - this->StartDisplay[0], tip[1] - this->StartDisplay[1] };
+  const double along[2] = { tip[0] - start[0], tip[1] - start[1] };
   const double squared = along[0] * along[0] + along[1] * along[1];
   const double pixels = squared > 0.04 ? (moved[0] * along[0] + moved[1] * along[1]) / squared : moved[1];
   for (int c = 0; c < 3; ++c)
@@ -104,6 +105,7 @@ void smEditStyle::Drag()
 void smEditStyle::EndDrag(bool keep)
 {
   this->IsDragging = false;
+  this->Scene->SetHurried(false);
   if (keep)
   {
     this->Scene->GetPart().Commit();

@@ -46,9 +46,9 @@ private:
   void Drag();
   void EndDrag(bool keep);
   std::array<double, 3> GetDisplacement();
+  /// Pixels, and a depth in [0, 1].
   std::array<double, 3> ToDisplay(const std::array<double, 3>& world);
-  /// The world point under a pixel at the depth of the drag's start.
-  std::array<double, 3> ToWorld(double x, double y);
+  std::array<double, 3> ToWorld(double x, double y, double depth);
   void ScaleWeight(double factor);
   void SavePicture();
   void FinishStep(bool done, const char* notice, const char* nothing);
@@ -59,9 +59,8 @@ private:
   bool IsDragging = false;
   bool MayBeClick = false;
   int Pressed[2] = { 0, 0 };
-  /// The dragged point where it was, in the world and on the display, and the face's normal there.
+  /// The dragged point where it was, and the face's normal there.
   std::array<double, 3> Start{};
-  std::array<double, 3> StartDisplay{};
   std::array<double, 3> Normal{};
   sm::Grip Dragged;
 };
