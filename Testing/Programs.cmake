@@ -24,11 +24,19 @@ solidmoments_add_test_program(TestEditPart VTK::TestingRendering VTK::Interactio
 target_sources(TestEditPart PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Solids/smGaussRule.cxx")
 target_include_directories(TestEditPart PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Solids")
 target_link_libraries(TestEditPart PRIVATE smEditPart)
-foreach (mode IN ITEMS drag placed open)
+foreach (mode IN ITEMS drag placed open record)
   solidmoments_add_test(NAME EditPart_${mode} LABELS value image gpu XVFB
     COMMAND TestEditPart ${mode} "${free_form_part}" "${edit_part}/drag.events" "${SOLIDMOMENTS_TEST_OUTPUT}"
       -T "${SOLIDMOMENTS_TEST_OUTPUT}" -V "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestEditPart.png")
 endforeach ()
+
+set(edit_program "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestEditProgram.py"
+  --program "$<TARGET_FILE:edit_part>" --events "${edit_part}/drag.events" --solids "${SOLIDMOMENTS_TEST_SOLIDS}"
+  --output "${SOLIDMOMENTS_TEST_OUTPUT}")
+solidmoments_add_test(NAME EditProgram LABELS value image error gpu NODISPLAY COMMAND ${edit_program})
+set_tests_properties(EditProgram PROPERTIES FIXTURES_SETUP edit_program)
+solidmoments_add_test(NAME EditProgramDisplay LABELS value image gpu XVFB FIXTURE edit_program
+  COMMAND ${edit_program} --display)
 
 set(command_line_test "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestCommandLine.py"
   --program "$<TARGET_FILE:solidmoments>" --solids "${SOLIDMOMENTS_TEST_SOLIDS}"

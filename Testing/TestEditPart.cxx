@@ -2,6 +2,7 @@
 //   drag    the stream of events that is shipped: values against a full run and against a formula, picture, undo
 //   placed  a turned, mirrored, shifted body: along the screen, along the normal, given up, weights
 //   open    one face moved alone: which edges open, how far
+//   record  what a window reports is recorded, and gives the same bits when it is played
 #include "smEditSession.h"
 #include "smMassPropertyNames.h"
 #include "smNetMoments.h"
@@ -455,15 +456,52 @@ void CheckOpen(vtkSTEPReader* reader, const std::string& folder)
   CheckEqual("nothing opened", 0, static_cast<long long>(session.Part.GetOpened(body).size()));
   CheckTrue("other numbers", !HaveSameBits(torn, GetNumbers(mass)));
 }
+
+// --- record ------------------------------------------------------------------------------------
+
+void CheckRecord(vtkSTEPReader* reader, const std::string& folder)
+{
+  const std::string events = folder + "/recorded.events";
+  std::vector<double> first;
+  std::vector<double> last;
+  {
+    EditSession session(reader->GetOutput(), "recorded", folder);
+    first = GetNumbers(session.Scene.GetMass());
+    vtkRenderWindowInteractor* interactor = session.Interactor;
+    sm::EventRecording recording(interactor, events);
+    // As a window's messages arrive.
+    interactor->SetEventInformation(355, 205);
+    interactor->LeftButtonPressEvent();
+    interactor->LeftButtonReleaseEvent();
+    interactor->SetEventInformation(369, 242);
+    interactor->MouseMoveEvent();
+    interactor->LeftButtonPressEvent();
+    interactor->SetEventInformation(380, 262, 0, 1);
+    interactor->MouseMoveEvent();
+    interactor->SetEventInformation(360, 302);
+    interactor->MouseMoveEvent();
+    interactor->LeftButtonReleaseEvent();
+    interactor->SetEventInformation(360, 302, 0, 0, 'h', 0, "h");
+    interactor->KeyPressEvent();
+    CheckTrue("help is shown", session.Scene.IsHelpShown());
+    last = GetNumbers(session.Scene.GetMass());
+    CheckTrue("the drag did something", !HaveSameBits(first, last));
+  }
+  EditSession session(reader->GetOutput(), "played", folder);
+  CheckTrue("the file's part again", HaveSameBits(first, GetNumbers(session.Scene.GetMass())));
+  CheckEqual("played", "", sm::PlayEvents(session.Interactor, events));
+  CheckTrue("the same bits", HaveSameBits(last, GetNumbers(session.Scene.GetMass())));
+  CheckTrue("help is shown", session.Scene.IsHelpShown());
+}
 }
 
 int main(int argc, char* argv[])
 {
   const std::string mode = argc > 4 ? argv[1] : "";
-  if (mode != "drag" && mode != "placed" && mode != "open")
+  if (mode != "drag" && mode != "placed" && mode != "open" && mode != "record")
   {
-    std::fprintf(
-      stderr, "usage: TestEditPart drag|placed|open FILE.step EVENTS FOLDER [-T FOLDER -V BASELINE.png]\n");
+    std::fprintf(stderr,
+      "usage: TestEditPart drag|placed|open|record FILE.step EVENTS FOLDER [-T FOLDER -V BASELINE.png]\n");
     return 2;
   }
   vtkNew<vtkSTEPReader> reader;
@@ -479,9 +517,13 @@ int main(int argc, char* argv[])
   {
     CheckPlaced(reader, argv[4]);
   }
-  else
+  else if (mode == "open")
   {
     CheckOpen(reader, argv[4]);
+  }
+  else
+  {
+    CheckRecord(reader, argv[4]);
   }
   return Finish();
 }
