@@ -66,10 +66,16 @@ long long CountDifferent(vtkImageData* a, vtkImageData* b)
   long long count = 0;
   for (vtkIdType i = 0; i < x->GetNumberOfTuples(); ++i)
   {
-    count += x->GetComponent(i, 0) != y->GetComponent(i, 0) ||
-        x->GetComponent(i, 1) != y->GetComponent(i, 1) || x->GetComponent(i, 2) != y->GetComponent(i, 2)
-      ? 1
-      : 0;
+    const double* p = x->GetTuple3(i);
+    const Point3 first{ p[0], p[1], p[2] };
+    const double* q = y->GetTuple3(i);
+    const Point3 second{ q[0], q[1], q[2] };
+    if (first != second && ++count <= 5)
+    {
+      const int width = a->GetDimensions()[0];
+      std::printf("     pixel %d %d: %g %g %g and %g %g %g\n", static_cast<int>(i % width),
+        static_cast<int>(i / width), first[0], first[1], first[2], second[0], second[1], second[2]);
+    }
   }
   return count;
 }

@@ -16,6 +16,7 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -58,6 +59,11 @@ const char* const HelpText = "click a face: its control net\n"
                              "wheel, right: nearer, farther\n"
                              "h: hides this, q: ends";
 
+void SetInput(vtkActor* actor, vtkPolyData* data)
+{
+  vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
+}
+
 std::string Print(const char* format, double value)
 {
   char text[64];
@@ -79,9 +85,9 @@ EditScene::EditScene(vtkRenderWindow* window, EditedPart& part, const std::strin
     drawn.Lines = MakeOutlines(drawn.Mesh);
     drawn.Actor = AddBody(this->Body, drawn.Mesh);
     // Opaque: as part of every layer they would double the time of a picture.
-    vtkSmartPointer<vtkActor> outlines = AddOutlines(this->Body, drawn.Lines);
-    outlines->GetProperty()->SetOpacity(1.0);
-    outlines->PickableOff();
+    drawn.Outlines = AddOutlines(this->Body, drawn.Lines);
+    drawn.Outlines->GetProperty()->SetOpacity(1.0);
+    drawn.Outlines->PickableOff();
     this->Bodies.push_back(drawn);
   }
   this->Mass->SetInputData(part.GetBodies());
@@ -138,8 +144,16 @@ void EditScene::ShowBodies()
     vtkNURBSDataSet* body = this->Part.GetBody(static_cast<int>(i));
     if (drawn.Mesh->GetPoints() != body->GetPoints())
     {
+      // New ones: bounds that a vtkPolyData once computed stay when it gets points that are older, as an undo's are.
+      drawn.Mesh = vtkSmartPointer<vtkPolyData>::New();
       drawn.Mesh->ShallowCopy(body);
-      drawn.Lines->SetPoints(body->GetPoints());
+      SetInput(drawn.Actor, drawn.Mesh);
+      vtkCellArray* lines = drawn.Lines->GetLines();
+      vtkNew<vtkPolyData> outlines;
+      outlines->SetPoints(body->GetPoints());
+      outlines->SetLines(lines);
+      drawn.Lines = outlines;
+      SetInput(drawn.Outlines, outlines);
     }
   }
 }
@@ -232,7 +246,6 @@ void EditScene::Update()
   this->ShowBodies();
   this->ShowOpened();
   this->Net.Follow(this->Part);
-  this->Body->ResetCameraClippingRange();
   // What the picture says of its own time is that of the one before.
   times.Draw = this->Times.empty() ? 0.0 : this->Times.back().Draw;
   this->Times.push_back(times);
@@ -247,6 +260,8 @@ void EditScene::Update()
 void EditScene::Draw()
 {
   this->ShowNumbers();
+  // Always, so that a picture depends on what is in it and not on what was.
+  this->Body->ResetCameraClippingRange();
   this->Window->Render();
 }
 

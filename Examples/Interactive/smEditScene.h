@@ -81,6 +81,7 @@ private:
   struct DrawnBody
   {
     vtkSmartPointer<vtkActor> Actor;
+    vtkSmartPointer<vtkActor> Outlines;
     vtkSmartPointer<vtkPolyData> Mesh;
     vtkSmartPointer<vtkPolyData> Lines;
   };
