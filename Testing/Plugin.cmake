@@ -16,3 +16,13 @@ solidmoments_add_test(NAME PluginDefaults LABELS plugin NODISPLAY
   ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginDefaults.py"
     "$<TARGET_FILE:SolidMoments>")
+solidmoments_add_test(NAME PluginFilters LABELS plugin value NODISPLAY
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginFilters.py"
+    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
+find_program(SOLIDMOMENTS_PVSERVER pvserver)
+if (SOLIDMOMENTS_PVSERVER)
+  solidmoments_add_test(NAME PluginFiltersOnServer LABELS plugin value NODISPLAY
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/with_server.py" "${SOLIDMOMENTS_PVSERVER}"
+      "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginFilters.py"
+      "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
+endif ()
