@@ -26,3 +26,10 @@ if (SOLIDMOMENTS_PVSERVER)
       "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginFilters.py"
       "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
 endif ()
+# The window itself, played back.
+find_program(SOLIDMOMENTS_PARAVIEW paraview)
+if (SOLIDMOMENTS_PARAVIEW)
+  solidmoments_add_test(NAME PluginWindow LABELS plugin image XVFB
+    COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Window/TestPluginWindow.py" "${SOLIDMOMENTS_PARAVIEW}"
+      "$<TARGET_FILE:SolidMoments>" "${PROJECT_SOURCE_DIR}" "${SOLIDMOMENTS_TEST_OUTPUT}")
+endif ()
