@@ -101,8 +101,8 @@ public:
   ///@}
 
   ///@{
-  /** Draw the principal axes at the centre of mass (not when they are degenerate), as long as the diagonal of the bounding box.
-   * Default on. */
+  /** Draw the principal axes at the centre of mass (not when they are degenerate), by 0.3 of the diagonal of the bounding box to either
+   * side. Default on. */
   vtkSetMacro(ShowPrincipalAxes, bool);
   vtkGetMacro(ShowPrincipalAxes, bool);
   vtkBooleanMacro(ShowPrincipalAxes, bool);

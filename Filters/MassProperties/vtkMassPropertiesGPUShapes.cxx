@@ -122,7 +122,7 @@ void vtkMassPropertiesGPU::MakeGlyphs(const std::vector<sm::BodyIntegrals>& bodi
     }
     if (this->ShowPrincipalAxes && !properties.AxesDegenerate)
     {
-      AppendAxes(glyphs, properties, 0.5 * diagonal, result);
+      AppendAxes(glyphs, properties, 0.3 * diagonal, result);
     }
   };
   vtkBoundingBox all;

@@ -114,7 +114,7 @@ manager = servermanager.ProxyManager().SMProxyManager
 
 def select_rows(rows):
     source = manager.NewProxy("sources", "IDSelectionSource")
-    source.GetProperty("FieldType").SetElement(0, 6)
+    source.GetProperty("FieldType").SetElement(0, 5)  # rows
     ids = source.GetProperty("IDs")
     ids.SetNumberOfElements(2 * len(rows))
     for i, row in enumerate(rows):
