@@ -11,8 +11,25 @@ solidmoments_add_test(NAME PluginMassProperties LABELS plugin value XVFB
     "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
 solidmoments_add_test(NAME PluginApply LABELS plugin XVFB
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginApply.py"
-    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}/slanted_hole-moved.step")
+    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
 solidmoments_add_test(NAME PluginDefaults LABELS plugin NODISPLAY
   ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginDefaults.py"
     "$<TARGET_FILE:SolidMoments>")
+solidmoments_add_test(NAME PluginFilters LABELS plugin value NODISPLAY
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginFilters.py"
+    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
+find_program(SOLIDMOMENTS_PVSERVER pvserver)
+if (SOLIDMOMENTS_PVSERVER)
+  solidmoments_add_test(NAME PluginFiltersOnServer LABELS plugin value NODISPLAY
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/with_server.py" "${SOLIDMOMENTS_PVSERVER}"
+      "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginFilters.py"
+      "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
+endif ()
+# The window itself, played back.
+find_program(SOLIDMOMENTS_PARAVIEW paraview)
+if (SOLIDMOMENTS_PARAVIEW)
+  solidmoments_add_test(NAME PluginWindow LABELS plugin image XVFB
+    COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Window/TestPluginWindow.py" "${SOLIDMOMENTS_PARAVIEW}"
+      "$<TARGET_FILE:SolidMoments>" "${PROJECT_SOURCE_DIR}" "${SOLIDMOMENTS_TEST_OUTPUT}")
+endif ()

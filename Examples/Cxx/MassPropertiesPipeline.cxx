@@ -50,11 +50,10 @@ int Show(const char* fileName, vtkRenderWindow* window)
   vtkNew<vtkActor> part;
   part->SetMapper(partMapper);
   part->GetProperty()->SetOpacity(0.4);
-  vtkNew<vtkPolyDataMapper> centerMapper; // a sphere at the centre of mass
+  vtkNew<vtkPolyDataMapper> centerMapper; // a green sphere at the centre of mass, and the principal axes
   centerMapper->SetInputConnection(mass->GetOutputPort());
   vtkNew<vtkActor> center;
   center->SetMapper(centerMapper);
-  center->GetProperty()->SetColor(0.0, 0.7, 0.2);
 
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(part);

@@ -74,6 +74,14 @@ constexpr const char* Text = "Text";     // string, the one cell of the text tab
 constexpr const char* BesideIntegrands[] = { Name, Id, Solid, FaceId, Faces, Status, Backend, Renderer,
   Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated };
 
+// Cell data of the meshes on port 5 of vtkMassPropertiesGPU, besides Volume, that of the whole solid; floats.
+constexpr const char* FaceShare =
+  "FaceShare"; // 1, part of the solid's volume: flux about the part's origin / Volume
+constexpr const char* FaceGap = "FaceGap";     // 1, L, widest gap between the face and its edges
+constexpr const char* FaceBound = "FaceBound"; // 1, L^3, bound of the face's part of the volume
+// Cell data of the glyph on port 0: what to draw it in.
+constexpr const char* Color = "Color"; // 3 (uchar), sRGB: green, red where the result is flagged
+
 // What computed.
 constexpr const char* BackendOpenGL = "opengl";
 constexpr const char* BackendCPU = "cpu";

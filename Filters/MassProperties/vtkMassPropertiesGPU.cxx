@@ -7,17 +7,11 @@
 #include "vtkMassPropertiesGPUInternals.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
-#include "vtkAppendPolyData.h"
-#include "vtkBoundingBox.h"
-#include "vtkCellArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -99,59 +93,6 @@ void FlagInsanity(sm::BodyIntegrals& body, const sm::MassProperties& properties)
   {
     body.Flag(sm::names::StatusSuspect, violation);
   }
-}
-
-vtkSmartPointer<vtkPolyData> MakeUnitSphere()
-{
-  vtkNew<vtkSphereSource> source;
-  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  source->SetRadius(1.0);
-  source->SetThetaResolution(32);
-  source->SetPhiResolution(24);
-  source->Update();
-  return source->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> MakeSphere(vtkPolyData* unit, const std::array<double, 3>& center, double radius)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(unit->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < unit->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    unit->GetPoint(i, p);
-    points->SetPoint(i, center[0] + radius * p[0], center[1] + radius * p[1], center[2] + radius * p[2]);
-  }
-  auto sphere = vtkSmartPointer<vtkPolyData>::New();
-  sphere->ShallowCopy(unit);
-  sphere->SetPoints(points);
-  return sphere;
-}
-
-vtkSmartPointer<vtkPolyData> MakeAxes(const sm::MassProperties& properties, double length)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    vtkIdType ends[2];
-    for (int side = 0; side < 2; ++side)
-    {
-      double p[3];
-      for (int i = 0; i < 3; ++i)
-      {
-        p[i] = properties.Center[i] + (side ? length : -length) * properties.Axes[3 * axis + i];
-      }
-      ends[side] = points->InsertNextPoint(p);
-    }
-    lines->InsertNextCell(2, ends);
-  }
-  auto axes = vtkSmartPointer<vtkPolyData>::New();
-  axes->SetPoints(points);
-  axes->SetLines(lines);
-  return axes;
 }
 }
 
@@ -253,6 +194,7 @@ void vtkMassPropertiesGPU::ForgetLastRun()
 {
   this->Superclass::ForgetLastRun();
   this->Last->Row = sm::MassRow();
+  this->Last->Volumes.clear();
   this->Last->Estimates = sm::SchemeTotals();
   this->Last->Run.Forget();
 }
@@ -485,6 +427,7 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
     columns.Append(rows[i]);
+    this->Last->Volumes.push_back(rows[i].Properties.Volume);
     openEdges += bodies[i].OpenEdges;
     flippedShells += bodies[i].FlippedShells;
     status = sm::IsWorse(bodies[i].Status, status) ? bodies[i].Status : status;
@@ -505,80 +448,6 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text, summary);
   sm::columns::AddFaceRows(bodies, this->Implementation->Integrands, faces, { sm::MassVolume, sm::MassArea });
-  this->MakeGlyphs(bodies, rows, totals);
-}
-
-void vtkMassPropertiesGPU::MakeGlyphs(
-  const std::vector<sm::BodyIntegrals>& bodies, const std::vector<sm::MassRow>& rows, vtkPolyData* output)
-{
-  std::vector<vtkSmartPointer<vtkPolyData>> glyphs;
-  const auto add = [&](const sm::MassProperties& properties, double diagonal)
-  {
-    if (!std::isfinite(properties.Center[0]) || !(diagonal > 0.0))
-    {
-      return;
-    }
-    if (this->GlyphScale > 0.0)
-    {
-      if (!this->Last->Sphere)
-      {
-        this->Last->Sphere = MakeUnitSphere();
-      }
-      glyphs.push_back(MakeSphere(this->Last->Sphere, properties.Center, this->GlyphScale * diagonal));
-    }
-    if (this->ShowPrincipalAxes && !properties.AxesDegenerate)
-    {
-      glyphs.push_back(MakeAxes(properties, 0.5 * diagonal));
-    }
-  };
-  vtkBoundingBox box;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-  {
-    // The placed box of the part: its eight corners.
-    const std::array<double, 6> b = sm::GetBox(*bodies[i].Model);
-    const double* origin = bodies[i].Model->GetOrigin();
-    const std::array<double, 16>& m = bodies[i].Placement;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      double p[3];
-      for (int r = 0; r < 3; ++r)
-      {
-        p[r] = m[4 * r + 3];
-        for (int c = 0; c < 3; ++c)
-        {
-          p[r] += m[4 * r + c] * (origin[c] + b[2 * c + ((corner >> c) & 1)]);
-        }
-      }
-      box.AddPoint(p);
-    }
-    if (this->GlyphPerSolid && bodies.size() > 1)
-    {
-      add(rows[i].Properties, 2.0 * sm::GetRadius(*bodies[i].Model));
-    }
-  }
-  add(this->Last->Row.Properties, box.IsValid() ? box.GetDiagonalLength() : 0.0);
-  vtkSmartPointer<vtkPolyData> all;
-  if (glyphs.size() == 1)
-  {
-    all = glyphs.front();
-  }
-  else if (!glyphs.empty())
-  {
-    vtkNew<vtkAppendPolyData> append;
-    for (const vtkSmartPointer<vtkPolyData>& glyph : glyphs)
-    {
-      append->AddInputData(glyph);
-    }
-    append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    append->Update();
-    all = append->GetOutput();
-  }
-  if (all)
-  {
-    output->SetPoints(all->GetPoints());
-    output->SetVerts(all->GetVerts());
-    output->SetLines(all->GetLines());
-    output->SetPolys(all->GetPolys());
-    output->GetPointData()->ShallowCopy(all->GetPointData());
-  }
+  sm::columns::SetString(text->GetFieldData(), sm::names::Status, status);
+  this->MakeGlyphs(bodies, rows, status, totals);
 }

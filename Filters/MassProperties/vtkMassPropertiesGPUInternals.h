@@ -15,6 +15,8 @@
 struct vtkMassPropertiesGPU::Totals
 {
   sm::MassRow Row;
+  /// Volumes of the bodies.
+  std::vector<double> Volumes;
   /// With one of the paper's schemes.
   sm::SchemeRun Run;
   sm::SchemeTotals Estimates;

@@ -1,6 +1,7 @@
 #include "vtkSurfaceIntegralGPU.h"
 
 #include "smBodyIntegrals.h"
+#include "smBodyMeshes.h"
 #include "smCPUItemRunner.h"
 #include "smGPUItemRunner.h"
 #include "smMassPropertyNames.h"
@@ -17,6 +18,7 @@
 #include "vtkMath.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkTable.h"
@@ -36,7 +38,7 @@ vtkSurfaceIntegralGPU::vtkSurfaceIntegralGPU()
   : Implementation(new Internals)
 {
   this->SetNumberOfInputPorts(1);
-  this->SetNumberOfOutputPorts(5);
+  this->SetNumberOfOutputPorts(6);
 }
 
 vtkSurfaceIntegralGPU::~vtkSurfaceIntegralGPU() = default;
@@ -52,6 +54,8 @@ void vtkSurfaceIntegralGPU::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Integrands: " << this->GetNumberOfIntegrands() << "\n"
      << indent << "Constants: " << this->Implementation->Constants.size() << "\n"
      << indent << "FaceIds: " << this->Implementation->FaceIds.size() << "\n"
+     << indent << "Selectors: " << this->Implementation->Selectors.size() << "\n"
+     << indent << "AssemblyName: " << this->Implementation->AssemblyName << "\n"
      << indent << "Status: " << this->GetStatus() << "\n"
      << indent << "BackendName: " << this->GetBackendName() << "\n"
      << indent << "Renderer: " << this->GetRenderer() << "\n";
@@ -74,9 +78,15 @@ void vtkSurfaceIntegralGPU::SetRelativeTolerance(double tolerance)
 
 void vtkSurfaceIntegralGPU::RemoveAllIntegrands()
 {
-  if (!this->Implementation->Integrands.empty())
+  Internals& self = *this->Implementation;
+  if (!self.Integrands.empty() || !self.IntegrandText.empty())
   {
-    this->Implementation->Integrands.clear();
+    self.Integrands.clear();
+    self.Switched.clear();
+    self.IntegrandText.clear();
+    self.MomentDegree = -1;
+    self.BendingEnergy = false;
+    std::fill_n(self.ProjectedAreaDirection, 3, 0.0);
     this->Modified();
   }
 }
@@ -193,7 +203,10 @@ int vtkSurfaceIntegralGPU::FillInputPortInformation(int, vtkInformation* info)
 
 int vtkSurfaceIntegralGPU::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    port == 0     ? "vtkPolyData"
+      : port == 5 ? "vtkPartitionedDataSetCollection"
+                  : "vtkTable");
   return 1;
 }
 
@@ -444,6 +457,8 @@ int vtkSurfaceIntegralGPU::RequestData(
     last.Messages.push_back(
       std::to_string(rejected.Plain + rejected.Withheld) + " meshes without exact geometry were left out");
   }
+  const bool anyBody = !bodies.empty();
+  this->Implementation->ChooseBodies(input, bodies);
   last.Solids = static_cast<int>(bodies.size());
   for (const sm::BodyIntegrals& body : bodies)
   {
@@ -452,7 +467,7 @@ int vtkSurfaceIntegralGPU::RequestData(
   last.Status = bodies.empty() ? sm::names::StatusEmpty : sm::names::StatusOk;
   if (bodies.empty())
   {
-    last.Messages.push_back("the input holds no solid and no surface");
+    last.Messages.push_back(anyBody ? "no solid is chosen" : "the input holds no solid and no surface");
   }
   const bool computed = !bodies.empty() && this->IntegrateBodies(bodies);
   for (sm::BodyIntegrals& body : bodies)
@@ -481,6 +496,8 @@ int vtkSurfaceIntegralGPU::RequestData(
   this->ProduceOutputs(bodies, vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
     vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3));
   sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
+  sm::MakeBodyMeshes(
+    bodies, this->GetMeshArrays(bodies), input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));
   for (const sm::BodyIntegrals& body : bodies)
   {
     if (sm::IsWorse(body.Status, last.Status))

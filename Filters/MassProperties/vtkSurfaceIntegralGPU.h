@@ -31,6 +31,7 @@
  * | 2    | table    | 1x1, column Text: a readable summary                                           |
  * | 3    | table    | a row per face and instance: Solid, FaceId, every integrand, its Bound         |
  * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared |
+ * | 5    | partitioned dataset collection | the bodies' meshes in the order of port 1, points and cells shared with the input, with cell arrays to colour by: every integrand, the value of the face (float; left out when there are more than 16) |
  * The names are in smMassPropertyNames.h. What could not be computed is NaN with a Status, never 0.
  *
  * Moments and areas are planned: a theorem chooses the orders of the Gauss rules and the bisections
@@ -63,6 +64,7 @@ namespace sm
 {
 struct BodyIntegrals;
 struct Integrand;
+struct MeshArray;
 }
 
 class SMFILTERSMASSPROPERTIES_EXPORT vtkSurfaceIntegralGPU : public vtkPolyDataAlgorithm
@@ -109,10 +111,55 @@ public:
   void RemoveAllFaceIds();
   int GetNumberOfFaceIds() const;
   ///@}
-  /** Forgets all integrands. */
+  /** Forgets all integrands, those of the next four too. */
   virtual void RemoveAllIntegrands();
+
+  ///@{
+  /** Integrands as a text, for user interfaces: a line each, `NAME = EXPRESSION` over the faces or `NAME = X ; Y ; Z`, the flux
+   * of a vector out of the closed chain; empty lines are passed over. They replace those of an earlier text and leave all
+   * others. A line without a name, a '=' or one or three expressions is an error and is left out. Default: empty. */
+  void SetIntegrandText(const std::string& text);
+  std::string GetIntegrandText() const;
+  ///@}
+  ///@{
+  /** All volume moments x^i y^j z^k, i + j + k up to this degree, as `moment_i_j_k`; -1: none. Clamped to -1 .. 16. Beside an
+   * expression their bounds are estimated. Default: -1. */
+  void SetMomentDegree(int degree);
+  int GetMomentDegree() const;
+  ///@}
+  ///@{
+  /** AddBendingEnergy() under the name `BendingEnergy`. Default: off. */
+  void SetBendingEnergy(bool on);
+  bool GetBendingEnergy() const;
+  void BendingEnergyOn() { this->SetBendingEnergy(true); }
+  void BendingEnergyOff() { this->SetBendingEnergy(false); }
+  ///@}
+  ///@{
+  /** AddProjectedArea() of this direction under the name `ProjectedArea`; 0 0 0: none. What is not finite is an error and changes
+   * nothing. Default: 0 0 0. */
+  void SetProjectedAreaDirection(double x, double y, double z);
+  void SetProjectedAreaDirection(const double direction[3])
+  {
+    this->SetProjectedAreaDirection(direction[0], direction[1], direction[2]);
+  }
+  double* GetProjectedAreaDirection() VTK_SIZEHINT(3);
+  ///@}
   int GetNumberOfIntegrands() const;
   std::string GetIntegrandName(int index) const;
+
+  ///@{
+  /**
+   * Which bodies: those below the nodes of an assembly that any of these selectors names, as vtkDataAssembly::SelectNodes takes
+   * them: "/Root/Pump/Impeller", "//Bolt". None: all. The assembly is "Assembly", the product structure that the input brings, or
+   * "Hierarchy", its blocks by name. A selector that names no body is told in a message; when none does Status is empty. Default:
+   * none, of "Assembly".
+   */
+  void AddSelector(const std::string& selector);
+  void ClearSelectors();
+  int GetNumberOfSelectors() const;
+  void SetAssemblyName(const std::string& name);
+  std::string GetAssemblyName() const;
+  ///@}
 
   ///@{
   /** The window whose OpenGL context is used and shared with its renderers. Default: none; a context of the
@@ -222,6 +269,9 @@ protected:
 
   /** Gives every body the integrals of its faces. False when nothing was computed; Last then has a message. */
   virtual bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies);
+
+  /** The arrays of the meshes on port 5, once the other outputs are there. The bodies outlive them. */
+  virtual std::vector<sm::MeshArray> GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies);
 
   /** Fills the first four outputs from the results of all bodies. */
   virtual void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,

@@ -58,11 +58,22 @@ struct vtkSurfaceIntegralGPU::Internals
   std::vector<sm::Integrand> Configured;
   ToleranceRule LocalTolerances;
   sm::UserExpression::Constants Constants;
+  /// What the switches for user interfaces are set to, and the names of the integrands that each of them added.
+  std::string IntegrandText;
+  int MomentDegree = -1;
+  bool BendingEnergy = false;
+  double ProjectedAreaDirection[3] = { 0.0, 0.0, 0.0 };
+  std::map<std::string, std::set<std::string>> Switched;
   /// Entity numbers of the faces to integrate over; empty: all.
   std::set<int> FaceIds;
+  /// Which bodies: selectors of nodes, none for all, and the assembly they are of.
+  std::vector<std::string> Selectors;
+  std::string AssemblyName = "Assembly";
   Run Last;
 
   void Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand);
+  /// Replaces the integrands that the switch added before by what `add` adds.
+  void Switch(vtkSurfaceIntegralGPU* self, const std::string& name, const std::function<void()>& add);
   /// Gives the integrator the runner that the backend asks for and the machine has, and says so in Last.
   bool ChooseRunner(vtkSurfaceIntegralGPU* self);
   bool Integrate(vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies);
@@ -73,6 +84,8 @@ struct vtkSurfaceIntegralGPU::Internals
   std::vector<std::size_t> ChooseTasks(std::vector<sm::FaceTask>& tasks);
   /// Puts the results where they would be if all faces had been integrated, zeros in between.
   void SpreadResults(const std::vector<std::size_t>& chosen, std::vector<sm::FaceIntegrals>& results) const;
+  /// Leaves the bodies that the selectors choose, and says which selectors choose nothing.
+  void ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies);
   void FillRunData(vtkFieldData* data) const;
   /// How far the body reaches from the world origin.
   static double GetReach(const sm::BodyIntegrals& body);
