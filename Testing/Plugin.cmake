@@ -16,3 +16,12 @@ solidmoments_add_test(NAME PluginDefaults LABELS plugin NODISPLAY
   ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginDefaults.py"
     "$<TARGET_FILE:SolidMoments>")
+solidmoments_add_test(NAME PluginWriters LABELS plugin value XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginWriters.py"
+    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}" "${SOLIDMOMENTS_TEST_OUTPUT}")
+find_program(SOLIDMOMENTS_PVSERVER pvserver)
+if (SOLIDMOMENTS_PVSERVER)
+  solidmoments_add_test(NAME PluginWritersRemote LABELS plugin value XVFB
+    COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginWriters.py"
+      "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}" "${SOLIDMOMENTS_TEST_OUTPUT}" "${SOLIDMOMENTS_PVSERVER}")
+endif ()
