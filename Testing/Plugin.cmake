@@ -16,6 +16,9 @@ solidmoments_add_test(NAME PluginDefaults LABELS plugin NODISPLAY
   ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginDefaults.py"
     "$<TARGET_FILE:SolidMoments>")
+solidmoments_add_test(NAME PluginWriters LABELS plugin value XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginWriters.py"
+    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}" "${SOLIDMOMENTS_TEST_OUTPUT}")
 solidmoments_add_test(NAME PluginFilters LABELS plugin value NODISPLAY
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginFilters.py"
     "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
@@ -25,6 +28,9 @@ if (SOLIDMOMENTS_PVSERVER)
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/with_server.py" "${SOLIDMOMENTS_PVSERVER}"
       "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginFilters.py"
       "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
+  solidmoments_add_test(NAME PluginWritersRemote LABELS plugin value XVFB
+    COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginWriters.py"
+      "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}" "${SOLIDMOMENTS_TEST_OUTPUT}" "${SOLIDMOMENTS_PVSERVER}")
 endif ()
 # The window itself, played back.
 find_program(SOLIDMOMENTS_PARAVIEW paraview)

@@ -278,6 +278,7 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   sm::LeafOptions options;
   options.Unit = 1.0 / millimetres;
   options.UnitName = this->Last->LengthUnit;
+  options.FileUnitName = document.FileUnit.empty() ? "" : GetShortName(document.FileUnitInMillimetres);
   options.LinearDeflection = this->LinearDeflection;
   options.RelativeDeflection = this->RelativeDeflection;
   options.AngularDeflection = this->AngularDeflection;
