@@ -16,6 +16,8 @@ solidmoments_packages() {
   echo libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev libfontconfig-dev
   # Header libraries
   echo libglm-dev libcli11-dev nlohmann-json3-dev
+  # For Testing/Benchmarks
+  echo libbenchmark-dev
 }
 
 solidmoments_has_tools() {

@@ -35,8 +35,8 @@ struct LocalPoint
 class SMFILTERSNURBS_EXPORT PointLayout
 {
 public:
-  /// A mesh that no face is known of: `faceIndex` and `parameters` have one tuple per point. Indices below 0 and from `faces` on
-  /// belong to no face.
+  /// Of a mesh's points, one tuple each; `parameters` must live, unchanged, as long as MakePatches() is called. Indices below 0 and
+  /// from `faces` on belong to no face.
   PointLayout(vtkDataArray* faceIndex, vtkDataArray* parameters, std::size_t faces);
 
   /// Points of one face, in GetIds() and GetPoints().
