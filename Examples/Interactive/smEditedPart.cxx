@@ -184,6 +184,7 @@ bool EditedPart::Change(const Grip& grip, const EditFunction& edit)
     before->GetModel() == original ? std::move(result.Opened) : FindOpenedEdges(original, result.Model);
   const double edited = vtkTimerLog::GetUniversalTime();
   body.Leaf->ShallowCopy(before);
+  // The reader's points know their faces and parameters, so that nothing is left to map.
   SetEditedModel(
     body.Leaf, before->GetModel(), result.Model, [](const std::array<double, 3>& p) { return p; });
   this->EditSeconds = edited - start;
