@@ -112,7 +112,7 @@ bool Parse(int argc, char** argv, Arguments& arguments, int& exitStatus)
   return true;
 }
 
-/// Median and largest of one part of the updates' times, but for the first, which is no edit's.
+/// Least, median and largest of one part of the updates' times, but for the first, which is no edit's.
 Json Summarize(const std::vector<sm::UpdateTimes>& times, double (*get)(const sm::UpdateTimes&))
 {
   std::vector<double> values;
@@ -125,7 +125,7 @@ Json Summarize(const std::vector<sm::UpdateTimes>& times, double (*get)(const sm
     return nullptr;
   }
   std::sort(values.begin(), values.end());
-  return { { "median", values[values.size() / 2] }, { "worst", values.back() } };
+  return { { "best", values.front() }, { "median", values[values.size() / 2] }, { "worst", values.back() } };
 }
 
 Json Describe(const Arguments& arguments, const Json& first, sm::EditScene& scene)

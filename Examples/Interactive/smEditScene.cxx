@@ -105,6 +105,7 @@ EditScene::EditScene(vtkRenderWindow* window, EditedPart& part, const std::strin
   this->Hint = AddText(
     this->Front, ShortHint, FontSize - 3, false, window->GetSize()[0] - Margin, height - Margin, true);
   this->Hint->GetTextProperty()->SetJustificationToRight();
+  this->Hint->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
   SetUpLayers(window, this->Body, this->Front, Peels);
   this->Update();
   SetView(this->Body, this->GetBounds().data(), 1.15, -0.12); // room for the numbers below
@@ -291,6 +292,7 @@ void EditScene::SetHelp(bool shown)
 {
   this->Help = shown;
   SetText(this->Hint, shown ? HelpText : ShortHint);
+  this->Hint->GetTextProperty()->SetBackgroundOpacity(shown ? 0.8 : 0.0);
 }
 
 void EditScene::SetShowTimes(bool shown)

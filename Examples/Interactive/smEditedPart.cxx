@@ -2,7 +2,6 @@
 
 #include "smBodyScene.h"
 
-#include <smDisplayPoints.h>
 #include <vtkMath.h>
 #include <vtkNURBSDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -184,8 +183,11 @@ bool EditedPart::Change(const Grip& grip, const EditFunction& edit)
     before->GetModel() == original ? std::move(result.Opened) : FindOpenedEdges(original, result.Model);
   const double edited = vtkTimerLog::GetUniversalTime();
   body.Leaf->ShallowCopy(before);
-  SetEditedModel(
-    body.Leaf, before->GetModel(), result.Model, [](const std::array<double, 3>& p) { return p; });
+  if (!this->Points->UpdatePoints(body.Leaf, result.Model))
+  {
+    this->Message = this->Points->GetMessage();
+    return false;
+  }
   this->EditSeconds = edited - start;
   this->DisplaySeconds = vtkTimerLog::GetUniversalTime() - edited;
   State state = this->Steps[this->Step];

@@ -9,6 +9,8 @@
 #define smEditedPart_h
 
 #include <smModelEdit.h>
+#include <vtkNURBSPointEvaluator.h>
+#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -94,6 +96,7 @@ private:
   bool GoTo(std::size_t step);
 
   vtkSmartPointer<vtkPartitionedDataSetCollection> Bodies;
+  vtkNew<vtkNURBSPointEvaluator> Points;
   State Now;
   std::vector<State> Steps;
   std::size_t Step = 0;
