@@ -22,6 +22,9 @@ solidmoments_add_test(NAME PluginWriters LABELS plugin value XVFB
 solidmoments_add_test(NAME PluginFilters LABELS plugin value NODISPLAY
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginFilters.py"
     "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
+solidmoments_add_test(NAME PluginCycles LABELS plugin robust XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginCycles.py"
+    "$<TARGET_FILE:SolidMoments>" "${PROJECT_SOURCE_DIR}/Examples/Models/sample_part.step" 12)
 find_program(SOLIDMOMENTS_PVSERVER pvserver)
 if (SOLIDMOMENTS_PVSERVER)
   solidmoments_add_test(NAME PluginFiltersOnServer LABELS plugin value NODISPLAY

@@ -88,6 +88,8 @@ moved = NURBSTransform(Input=source, Translation=[1.0, 2.0, 3.0], Rotation=[10.0
 deformed = NURBSDeform(Input=moved, Displacement=[radius, 0.0, 0.0], Radius=0.0)  # noqa: F821
 weighed = MassPropertiesGPU(Input=deformed)  # noqa: F821
 check("moved and pushed: the volume stays", sphere["volume"], total(weighed, "Volume"), 1e-9 * sphere["volume"])
+check_equal("a centre that a script gives is kept", [0.0, 0.0, 0.0], list(NURBSDeform(  # noqa: F821
+    Input=moved, Center=[0.0, 0.0, 0.0]).Center))
 deformed.Center = [1.0 + radius, 2.0, 3.0]
 deformed.Radius = radius
 check_true("a bulge adds to it", total(weighed, "Volume") > 1.001 * sphere["volume"], str(total(weighed, "Volume")))
