@@ -4,6 +4,7 @@
 #include "smMessageCollector.h"
 #include "smMessageList.h"
 #include "smPicture.h"
+#include "smStabilityJob.h"
 #include "smTrimPictures.h"
 #include "smUserIntegrals.h"
 
@@ -119,6 +120,7 @@ Json Quantities(vtkFieldData* data, vtkIdType row)
   q["paper_error_estimate"] = Number(data, row, names::PaperErrorEstimate);
   q["paper_error_estimate_with_boundary"] = Number(data, row, names::PaperErrorEstimateWithBoundary);
   q["sub_patches"] = Count(data, row, names::SubPatches);
+  q["stability"] = nullptr;
   const Json estimated = Count(data, row, names::BoundsEstimated);
   q["bounds_estimated"] = estimated.is_null() ? estimated : Json(estimated != 0);
   return q;
@@ -381,8 +383,8 @@ void Integrate(
   file["seconds"]["integrate"] = filter->GetIntegrateSeconds();
 }
 
-std::string Draw(
-  vtkSTEPReader* reader, vtkMassPropertiesGPU* filter, const sm::JobOptions& options, const Json& file)
+std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesGPU* filter, vtkPolyData* stability,
+  const sm::JobOptions& options, const Json& file)
 {
   vtkComputeContext* context = filter->GetComputeContext();
   context->Start();
@@ -390,6 +392,7 @@ std::string Draw(
   picture.Window = context->GetRenderWindow();
   picture.Body = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
   picture.Mark = filter->GetOutput();
+  picture.Stability = stability;
   picture.Result = &file;
   return picture.Window ? sm::WritePicture(picture, options.PictureName)
                         : "there is no OpenGL context to draw in: " + context->GetReason();
@@ -407,6 +410,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   sm::MessageList messages;
   const bool isRead = Read(reader, options, tell, file, messages);
   const auto filter = MakeFilter(reader, options);
+  vtkSmartPointer<vtkPolyData> stability;
   if (isRead)
   {
     file["scheme"] = options.Scheme;
@@ -418,6 +422,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
       algorithm->Update();
     };
     sm::IntegrateUsers(reader, options, update, file, messages);
+    stability = sm::FindStability(reader, options, update, file, messages);
   }
   for (const std::string& message : collector->GetMessages())
   {
@@ -432,7 +437,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   if (!options.PictureName.empty() && isRead)
   {
     tell({ { "progress", { "draw", 0.0 } } });
-    tell({ { "picture", Draw(reader, filter, options, file) } });
+    tell({ { "picture", Draw(reader, filter, stability, options, file) } });
   }
   vtkOutputWindow::SetInstance(nullptr);
 }

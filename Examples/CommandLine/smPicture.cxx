@@ -157,6 +157,11 @@ std::string Caption(const sm::Json& file)
   add("volume", sm::FormatValue(total["volume"], bounds["volume"]), 3);
   add("area", sm::FormatValue(total["area"], bounds["area"]), 2);
   add("centre of mass", sm::FormatVector(total["center_of_mass"], bounds["center_of_mass"]), 1);
+  if (!total["stability"].is_null())
+  {
+    text += "\nstability  " + total["stability"]["verdict"].get<std::string>();
+    add("margin", sm::FormatValue(total["stability"]["margin"], total["stability"]["bounds"]["margin"]), 1);
+  }
   if (file["status"] != "ok")
   {
     text += "\nstatus  " + file["status"].get<std::string>();
@@ -179,6 +184,16 @@ void SetUpScene(const sm::Picture& picture, vtkRenderer* body, vtkRenderer* fron
   // Once in its place, and once faintly over everything, for thick walls hide what is inside.
   AddActor(body, picture.Mark, green, 1.0);
   AddActor(front, picture.Mark, green, 0.55);
+  for (vtkRenderer* layer : { body, front })
+  {
+    if (picture.Stability)
+    {
+      vtkSmartPointer<vtkActor> standing =
+        AddActor(layer, picture.Stability, nullptr, layer == body ? 1.0 : 0.55);
+      standing->GetProperty()->LightingOff();
+      standing->GetProperty()->SetLineWidth(3.0f);
+    }
+  }
 
   body->SetGradientBackground(true);
   body->SetBackground(0.86, 0.89, 0.93);
