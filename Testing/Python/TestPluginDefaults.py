@@ -8,7 +8,7 @@ from smcheck import check_equal, check_true, finish  # noqa: E402
 
 from paraview import simple  # noqa: E402
 
-from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
+from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU, vtkSolidStability  # noqa: E402
 from solidmoments.smFiltersNURBS import vtkNURBSDeform, vtkNURBSTransform  # noqa: E402
 from solidmoments.smReadersSTEP import vtkSTEPReader  # noqa: E402
 
@@ -18,7 +18,8 @@ folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "P
 for file, instance, proxy in (("readers.xml", vtkSTEPReader(), STEPReader()),  # noqa: F821
                               ("filters.xml", vtkMassPropertiesGPU(), MassPropertiesGPU()),  # noqa: F821
                               ("filters.xml", vtkNURBSTransform(), NURBSTransform()),  # noqa: F821
-                              ("filters.xml", vtkNURBSDeform(), NURBSDeform())):  # noqa: F821
+                              ("filters.xml", vtkNURBSDeform(), NURBSDeform()),  # noqa: F821
+                              ("stability.xml", vtkSolidStability(), SolidStability())):  # noqa: F821
     sources = [element for element in ElementTree.parse(os.path.join(folder, file)).getroot().find("ProxyGroup")
                if element.get("class") == instance.GetClassName()]
     check_equal("proxies of the class " + instance.GetClassName(), 1, len(sources))
