@@ -184,7 +184,7 @@ std::string Stability(const Json& total, const Json& file)
     Plain(found["verdict"]) +
       (support == "none" ? std::string()
                          : ", rests on " + std::string(support == "area" ? "an area" : "a " + support)) +
-      (rolls ? ", would roll" : ""),
+      (rolls ? ", by its curvature" : ""),
     "", nullptr);
   text += Row("margin", sm::FormatValue(found["margin"], bounds["margin"]), length, bounds["margin"]);
   if (rolls)

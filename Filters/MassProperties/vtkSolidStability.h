@@ -4,7 +4,7 @@
  *
  * Input as of vtkMassPropertiesGPU: a vtkNURBSDataSet or a composite of them; the centre of mass comes from such a filter inside
  * (GetMassProperties()), with its bound, and the contacts from the exact trimmed faces (smGroundContact.h), by
- * branch and bound over their control nets. The body is rigid and does not slide; the ground is a plane.
+ * branch and bound over their control nets, on the CPU. The body is rigid and does not slide; the ground is a plane.
  *
  * Verdicts: `stable` and `unstable` are proved, up to the bounds; `too-close` when the margin is smaller than its bound. A point or
  * line of contact has no positive margin: there the curvature decides (DecidedBy is `rolling`): a hemisphere on its dome is stable, for it

@@ -133,6 +133,17 @@ const char* GetName(SupportKind support)
 }
 }
 
+/// Some solids have a mass, and some have none.
+static bool LacksDensities(vtkFieldData* rows, vtkIdType count)
+{
+  vtkIdType known = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    known += GetNumber(rows, i, names::Mass) > 0.0 ? 1 : 0;
+  }
+  return known > 0 && known < count;
+}
+
 /// What stands alone, with its centre of mass.
 std::vector<sm::StandingBody> vtkSolidStability::Internals::Collect(
   const std::vector<sm::BodyIntegrals>& bodies, bool together)
@@ -163,6 +174,11 @@ std::vector<sm::StandingBody> vtkSolidStability::Internals::Collect(
     else
     {
       SetCenter(all, this->Mass->GetOutput()->GetFieldData(), 0);
+      if (LacksDensities(rows, count))
+      {
+        all.Mass = vtkMath::Nan();
+        this->Messages.push_back("not every solid has a density: the common centre is weighted by volume");
+      }
     }
     setMetres(all);
     standing.push_back(all);

@@ -348,10 +348,18 @@ void TestBodies(const std::string& folder, const smtest::Manifest& manifest)
     smtest::Check("margin of the cube", 5.0, rows->GetValueByName(0, names::Margin).ToDouble(), 1e-9);
     smtest::Check("margin of the plate", 5.0, rows->GetValueByName(1, names::Margin).ToDouble(), 1e-9);
   }
-  // A heavy cube holds the plate: (8e6 x 5 + 6e5 x 25) / 8.6e6.
+  // One density says nothing of the other.
   leaves[0]->GetModel()->SetDensity(8000.0);
-  leaves[1]->GetModel()->SetDensity(1000.0);
   filter->SetBodies(vtkSolidStability::TOGETHER);
+  filter->Update();
+  CheckBounded(filter, names::Margin, -2.5, 1e-9);
+  smtest::CheckTrue("a message",
+    filter->GetNumberOfMessages() > 0 &&
+      filter->GetMessage(filter->GetNumberOfMessages() - 1).find("by volume") != std::string::npos);
+  smtest::CheckTrue("no joules", std::isnan(Get(filter, names::TipEnergy)));
+  // A heavy cube holds the plate: (8e6 x 5 + 6e5 x 25) / 8.6e6.
+  leaves[1]->GetModel()->SetDensity(1000.0);
+  filter->Modified();
   filter->Update();
   CheckVerdict("heavy cube and plate", filter, "stable", "area", "margin");
   CheckBounded(filter, names::Margin, 10.0 - 5.5e7 / 8.6e6, 1e-9);
