@@ -43,6 +43,7 @@ set(command_line_test "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Pytho
   --output "${SOLIDMOMENTS_TEST_OUTPUT}" --sample "${sample_part}")
 solidmoments_add_test(NAME CommandLine LABELS value error NODISPLAY COMMAND ${command_line_test} results)
 solidmoments_add_test(NAME CommandLineIntegrals LABELS value error gpu NODISPLAY COMMAND ${command_line_test} integrals)
+solidmoments_add_test(NAME CommandLineStability LABELS value error gpu NODISPLAY COMMAND ${command_line_test} stability)
 solidmoments_add_test(NAME CommandLineErrors LABELS error NODISPLAY COMMAND ${command_line_test} errors)
 solidmoments_add_test(NAME CommandLineOutputs LABELS error NODISPLAY COMMAND ${command_line_test} outputs)
 solidmoments_add_test(NAME CommandLinePackages LABELS package NODISPLAY COMMAND ${command_line_test} packages)

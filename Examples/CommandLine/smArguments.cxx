@@ -1,12 +1,14 @@
 #include "smArguments.h"
 
 #include "smOutputFiles.h"
+#include "smStabilityJob.h"
 #include "smUserIntegrals.h"
 #include "smVersion.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -132,6 +134,14 @@ std::string CheckIntegral(const std::string& text)
     : text + " is no integral; write NAME=EXPRESSION, for example 'area=dA'";
 }
 
+std::string CheckDirection(const std::string& text)
+{
+  std::array<double, 3> direction;
+  return sm::ParseDirection(text, direction)
+    ? ""
+    : text + " is no direction; use x, y, z, -x, -y, -z, or three numbers such as 0,0.1,-1";
+}
+
 std::string CheckDensity(const std::string& text)
 {
   const double value = ParseNumber(text);
@@ -219,6 +229,19 @@ void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
     ->type_name("NAME=EXPR")
     ->check(CheckIntegral)
     ->take_all()
+    ->expected(1);
+}
+
+void DeclareStability(CLI::App& app, sm::Arguments& arguments)
+{
+  app
+    .add_option("--stability", arguments.Job.Stability,
+      "Whether the part stands on its lowest points when things fall along DIR,\n"
+      "x, y, z, +x .. -z or three numbers: margin of the plumb line inside the\n"
+      "contacts, angle and rise of the centre until it tips, with bounds; all\n"
+      "solids as one body, and each alone: --stability -z")
+    ->type_name("DIR")
+    ->check(CheckDirection)
     ->expected(1);
 }
 
@@ -321,6 +344,7 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
     "solidmoments");
   Declare(app, arguments);
   DeclareIntegrals(app, arguments);
+  DeclareStability(app, arguments);
   DeclareSchemes(app, arguments);
   try
   {

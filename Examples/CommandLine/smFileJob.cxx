@@ -5,6 +5,7 @@
 #include "smMessageList.h"
 #include "smPicture.h"
 #include "smQuantities.h"
+#include "smStabilityJob.h"
 #include "smTrimPictures.h"
 #include "smUserIntegrals.h"
 
@@ -293,8 +294,8 @@ void Integrate(
   file["seconds"]["integrate"] = filter->GetIntegrateSeconds();
 }
 
-std::string Draw(
-  vtkSTEPReader* reader, vtkMassPropertiesGPU* filter, const sm::JobOptions& options, const Json& file)
+std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesGPU* filter, vtkPolyData* stability,
+  const sm::JobOptions& options, const Json& file)
 {
   vtkComputeContext* context = filter->GetComputeContext();
   context->Start();
@@ -302,6 +303,7 @@ std::string Draw(
   picture.Window = context->GetRenderWindow();
   picture.Body = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
   picture.Mark = filter->GetOutput();
+  picture.Stability = stability;
   picture.Result = &file;
   return picture.Window ? sm::WritePicture(picture, options.PictureName)
                         : "there is no OpenGL context to draw in: " + context->GetReason();
@@ -319,6 +321,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   sm::MessageList messages;
   const bool isRead = Read(reader, options, tell, file, messages);
   const auto filter = MakeFilter(reader, options);
+  vtkSmartPointer<vtkPolyData> stability;
   if (isRead)
   {
     file["scheme"] = options.Scheme;
@@ -330,6 +333,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
       algorithm->Update();
     };
     sm::IntegrateUsers(reader, options, update, file, messages);
+    stability = sm::FindStability(reader, options, update, file, messages);
   }
   for (const std::string& message : collector->GetMessages())
   {
@@ -344,7 +348,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   if (!options.PictureName.empty() && isRead)
   {
     tell({ { "progress", { "draw", 0.0 } } });
-    tell({ { "picture", Draw(reader, filter, options, file) } });
+    tell({ { "picture", Draw(reader, filter, stability, options, file) } });
   }
   vtkOutputWindow::SetInstance(nullptr);
 }

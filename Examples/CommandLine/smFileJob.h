@@ -25,6 +25,8 @@ struct JobOptions
   /// Volume moments up to this degree; negative: none. And expressions, "NAME=EXPR".
   int MomentDegree = -1;
   std::vector<std::string> Integrals;
+  /// Where things fall, see ParseDirection() of smStabilityJob.h; empty: stability is not asked for.
+  std::string Stability;
   double MaximumEvaluations = 2e9;
   double MaximumSeconds = 0.0;
   std::string Scheme =

@@ -4,6 +4,7 @@
 #include "smReport.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -58,6 +59,11 @@ std::string Caption(const sm::Json& file)
   add("volume", sm::FormatValue(total["volume"], bounds["volume"]), 3);
   add("area", sm::FormatValue(total["area"], bounds["area"]), 2);
   add("centre of mass", sm::FormatVector(total["center_of_mass"], bounds["center_of_mass"]), 1);
+  if (!total["stability"].is_null())
+  {
+    text += "\nstability  " + total["stability"]["verdict"].get<std::string>();
+    add("margin", sm::FormatValue(total["stability"]["margin"], total["stability"]["bounds"]["margin"]), 1);
+  }
   if (file["status"] != "ok")
   {
     text += "\nstatus  " + file["status"].get<std::string>();
@@ -71,8 +77,16 @@ void SetUpScene(const sm::Picture& picture, vtkRenderer* body, vtkRenderer* fron
   sm::AddBody(body, mesh);
   sm::AddOutlines(body, sm::MakeOutlines(mesh));
   sm::AddMark(body, front, picture.Mark);
+  vtkBoundingBox box(mesh->GetBounds());
+  if (picture.Stability)
+  {
+    sm::AddDrawing(body, front, picture.Stability);
+    box.AddBounds(picture.Stability->GetBounds());
+  }
+  double bounds[6];
+  box.GetBounds(bounds);
   sm::SetUpLayers(picture.Window, body, front, 12);
-  sm::SetView(body, mesh->GetBounds(), 1.05, -0.06); // room for the caption below
+  sm::SetView(body, bounds, 1.05, -0.06); // room for the caption below
 
   const std::string path = (*picture.Result)["file"].get<std::string>();
   sm::AddText(front, path.substr(path.find_last_of('/') + 1), 18, true, Margin, Height - Margin, true);

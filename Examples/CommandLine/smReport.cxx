@@ -168,6 +168,40 @@ std::string Integrals(const Json& file)
     : text;
 }
 
+/// How the part stands, where that was asked for.
+std::string Stability(const Json& total, const Json& file)
+{
+  const Json& found = total["stability"];
+  if (found.is_null())
+  {
+    return {};
+  }
+  const std::string length = sm::FormatUnit(file, 1);
+  const Json& bounds = found["bounds"];
+  const bool rolls = found["decided_by"] == "rolling";
+  const std::string support = Plain(found["support"]);
+  std::string text = Row("stability",
+    Plain(found["verdict"]) +
+      (support == "none" ? std::string()
+                         : ", rests on " + std::string(support == "area" ? "an area" : "a " + support)) +
+      (rolls ? ", by its curvature" : ""),
+    "", nullptr);
+  text += Row("margin", sm::FormatValue(found["margin"], bounds["margin"]), length, bounds["margin"]);
+  if (rolls)
+  {
+    return text +
+      Row("rolling margin", sm::FormatValue(found["rolling_margin"], bounds["rolling_margin"]), length,
+        bounds["rolling_margin"]);
+  }
+  text += Row("least tip angle", sm::FormatValue(found["tip_angle"], bounds["tip_angle"]), "degrees",
+    bounds["tip_angle"]);
+  text += Row("centre rises by", sm::FormatValue(found["work_to_tip"], bounds["work_to_tip"]), length,
+    bounds["work_to_tip"]);
+  return found["tip_energy"].is_null()
+    ? text
+    : text + Row("work to tip", sm::FormatValue(found["tip_energy"], nullptr, 9), "J", nullptr);
+}
+
 std::string Doubt(const Json& total, const Json& file)
 {
   std::string text;
@@ -214,6 +248,7 @@ std::string Results(const Json& file)
   text += total["principal_axes_degenerate"] == true
     ? Row("principal axes", "not unique, moments coincide", "", nullptr)
     : Rows("principal axes", total["principal_axes"], 1e-9, "", nullptr);
+  text += Stability(total, file);
   text += Integrals(file);
   text += Scheme(total, file);
   text += Doubt(total, file);

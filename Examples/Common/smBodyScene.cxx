@@ -129,6 +129,16 @@ void AddMark(vtkRenderer* body, vtkRenderer* front, vtkPolyData* mark)
   AddActor(front, mark, GreenColor, 0.55);
 }
 
+void AddDrawing(vtkRenderer* body, vtkRenderer* front, vtkPolyData* drawing)
+{
+  for (vtkRenderer* layer : { body, front })
+  {
+    vtkSmartPointer<vtkActor> actor = AddActor(layer, drawing, nullptr, layer == body ? 1.0 : 0.55);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetLineWidth(3.0f);
+  }
+}
+
 vtkSmartPointer<vtkTextActor> AddText(
   vtkRenderer* renderer, const std::string& text, int size, bool bold, int x, int y, bool hanging)
 {

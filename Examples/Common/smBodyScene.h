@@ -37,6 +37,8 @@ vtkSmartPointer<vtkActor> AddBody(vtkRenderer* renderer, vtkPolyData* mesh);
 vtkSmartPointer<vtkActor> AddOutlines(vtkRenderer* renderer, vtkPolyData* lines);
 /// Once in its place, and once faintly over everything, for thick walls hide what is inside.
 void AddMark(vtkRenderer* body, vtkRenderer* front, vtkPolyData* mark);
+/// Likewise, in the colours of its cells and without lights: lines and polygons.
+void AddDrawing(vtkRenderer* body, vtkRenderer* front, vtkPolyData* drawing);
 
 /// UTF-8; what is not is replaced. Its lower left corner in pixels, or its upper left when it hangs from there.
 vtkSmartPointer<vtkTextActor> AddText(

@@ -14,7 +14,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import Manifest, check, check_equal, check_true, check_values, finish  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["results", "integrals", "errors", "outputs", "packages", "picture", "no-context"])
+parser.add_argument("mode", choices=["results", "integrals", "stability", "errors", "outputs", "packages", "picture", "no-context"])
 for name in ("--program", "--solids", "--output", "--sample"):
     parser.add_argument(name, required=True)
 options = parser.parse_args()
@@ -22,7 +22,7 @@ manifest = Manifest(options.solids)
 
 BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments", "principal_axes", "mass", "bounds",
              "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells",
-             "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches"}
+             "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches", "stability"}
 FILE_KEYS = {"file", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer", "total", "solids",
              "faces", "free_faces", "integrals", "diagonal", "evaluations", "dispatches", "seconds"}
 
@@ -329,6 +329,37 @@ def packages():
     check_equal("held packages are installed", (0, ""), (result.returncode, result.stderr))
 
 
+def stability():
+    box = manifest.solid("box")
+    center = box["center_of_mass"]
+    result, files = run_json("--stability", "-z", "--density", "1000", box["path"])
+    check_equal("exit status", 0, result.returncode)
+    found = files[0]["total"]["stability"]
+    check_equal("verdict", ["stable", "area", "margin"], [found[key] for key in ("verdict", "support", "decided_by")])
+    margin = min(center[0], center[1])  # a corner of the box is the origin
+    check("margin", margin, found["margin"], found["bounds"]["margin"])
+    check("tip angle", math.degrees(math.atan2(margin, center[2])), found["tip_angle"], found["bounds"]["tip_angle"])
+    rise = math.hypot(margin, center[2]) - center[2]
+    check("work to tip", rise, found["work_to_tip"], found["bounds"]["work_to_tip"])
+    check("joules", box["volume"] * 1e-9 * 1000 * 9.80665 * rise * 1e-3, found["tip_energy"], 1e-9)
+    check_equal("sides", 4, len(found["sides"]))
+    check_equal("of the only solid", found, files[0]["solids"][0]["stability"])
+    check_true("table", "least tip angle" in run("--stability", "-z", box["path"]).stdout)
+
+    # Two solids: together, and each alone.
+    result, files = run_json("--stability", "0,0,-1", manifest.special("two_solids")["path"])
+    check_true("together and each", files[0]["total"]["stability"] is not None and
+               all(solid["stability"]["verdict"] for solid in files[0]["solids"]) and len(files[0]["solids"]) == 2)
+    result, files = run_json("--stability", "x", manifest.solid("sphere")["path"])
+    check_equal("a ball rolls", ["too-close", "rolling"],
+                [files[0]["total"]["stability"][key] for key in ("verdict", "decided_by")])
+    result, files = run_json(box["path"])
+    check_true("not asked for", files[0]["total"]["stability"] is None)
+    for wrong in ("up", "0,0,0", "1,2", "xx", "nan,0,1", ""):
+        result = run("--stability", wrong, box["path"])
+        check_true("wrong direction " + wrong, result.returncode == 1 and result.stderr)
+
+
 def errors():
     good = manifest.solid("box")["path"]
     for name in ("empty", "truncated", "not_step"):
@@ -445,6 +476,6 @@ def no_context():
     check_equal("who asks for the CPU is told nothing", [], files[0]["messages"])
 
 
-{"results": results, "integrals": integrals, "errors": errors, "outputs": outputs, "packages": packages,
+{"results": results, "integrals": integrals, "stability": stability, "errors": errors, "outputs": outputs, "packages": packages,
  "picture": picture, "no-context": no_context}[options.mode]()
 finish()

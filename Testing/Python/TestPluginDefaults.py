@@ -8,7 +8,8 @@ from smcheck import check_equal, check_true, finish  # noqa: E402
 
 from paraview import servermanager, simple  # noqa: E402
 
-from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU, vtkSurfaceIntegralGPU  # noqa: E402
+from solidmoments.smFiltersMassProperties import (  # noqa: E402
+    vtkMassPropertiesGPU, vtkSolidStability, vtkSurfaceIntegralGPU)
 from solidmoments.smFiltersNURBS import vtkNURBSDeform, vtkNURBSTransform  # noqa: E402
 from solidmoments.smReadersSTEP import vtkSTEPReader, vtkSTEPWriter  # noqa: E402
 
@@ -37,7 +38,8 @@ for file, instance, proxy in (("readers.xml", vtkSTEPReader(), STEPReader()),  #
                               ("filters.xml", vtkMassPropertiesGPU(), MassPropertiesGPU()),  # noqa: F821
                               ("filters.xml", vtkSurfaceIntegralGPU(), SurfaceIntegralGPU()),  # noqa: F821
                               ("filters.xml", vtkNURBSTransform(), NURBSTransform()),  # noqa: F821
-                              ("filters.xml", vtkNURBSDeform(), NURBSDeform())):  # noqa: F821
+                              ("filters.xml", vtkNURBSDeform(), NURBSDeform()),  # noqa: F821
+                              ("stability.xml", vtkSolidStability(), SolidStability())):  # noqa: F821
     sources = find_proxies(file, lambda group, element: group.get("name") in ("sources", "filters", "writers") and
                            element.get("class") == instance.GetClassName())
     check_equal("proxies of the class " + instance.GetClassName(), 1, len(sources))
