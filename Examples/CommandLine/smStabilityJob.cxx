@@ -2,10 +2,10 @@
 
 #include "smMassPropertyNames.h"
 #include "smMessageList.h"
+#include "smQuantities.h"
 #include "smStabilityNames.h"
 #include "smUserIntegrals.h"
 
-#include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMassPropertiesGPU.h"
@@ -14,36 +14,18 @@
 #include "vtkSTEPReader.h"
 #include "vtkSolidStability.h"
 #include "vtkTable.h"
-#include "vtkVariant.h"
 
 #include <cmath>
 #include <cstdlib>
 
 namespace
 {
+using sm::GetCount;
+using sm::GetNumber;
+using sm::GetPoint;
+using sm::GetText;
 using sm::Json;
 namespace names = sm::names;
-
-Json Number(vtkFieldData* columns, vtkIdType row, const std::string& name, int component = 0)
-{
-  vtkDataArray* array = columns->GetArray(name.c_str());
-  const double value =
-    array && row < array->GetNumberOfTuples() ? array->GetComponent(row, component) : std::nan("");
-  return std::isfinite(value) ? Json(value) : Json();
-}
-
-Json Point(vtkFieldData* columns, vtkIdType row, const char* name)
-{
-  const Json point = { Number(columns, row, name, 0), Number(columns, row, name, 1),
-    Number(columns, row, name, 2) };
-  return point[0].is_null() || point[1].is_null() || point[2].is_null() ? Json() : point;
-}
-
-std::string Text(vtkFieldData* columns, vtkIdType row, const char* name)
-{
-  vtkAbstractArray* array = columns->GetAbstractArray(name);
-  return array && row < array->GetNumberOfTuples() ? array->GetVariantValue(row).ToString() : std::string();
-}
 
 Json Sides(vtkSolidStability* filter, vtkIdType solid)
 {
@@ -54,10 +36,10 @@ Json Sides(vtkSolidStability* filter, vtkIdType solid)
   {
     if (static_cast<vtkIdType>(owner->GetComponent(row, 0)) == solid)
     {
-      sides.push_back({ { "from", Point(columns, row, names::SideFrom) },
-        { "to", Point(columns, row, names::SideTo) }, { "margin", Number(columns, row, names::Margin) },
-        { "tip_angle", Number(columns, row, names::TipAngle) },
-        { "work_to_tip", Number(columns, row, names::WorkToTip) } });
+      sides.push_back({ { "from", GetPoint(columns, row, names::SideFrom) },
+        { "to", GetPoint(columns, row, names::SideTo) }, { "margin", GetNumber(columns, row, names::Margin) },
+        { "tip_angle", GetNumber(columns, row, names::TipAngle) },
+        { "work_to_tip", GetNumber(columns, row, names::WorkToTip) } });
     }
   }
   return sides;
@@ -68,23 +50,23 @@ Json Describe(vtkSolidStability* filter, vtkIdType row)
   vtkDataSetAttributes* columns = vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData();
   const std::string bound = names::BoundSuffix;
   Json entry;
-  entry["verdict"] = Text(columns, row, names::Stability);
-  entry["support"] = Text(columns, row, names::Support);
-  entry["decided_by"] = Text(columns, row, names::DecidedBy);
+  entry["verdict"] = GetText(columns, row, names::Stability);
+  entry["support"] = GetText(columns, row, names::Support);
+  entry["decided_by"] = GetText(columns, row, names::DecidedBy);
   Json bounds;
   for (const auto& [key, name] : { std::pair("margin", names::Margin),
          std::pair("tip_angle", names::TipAngle), std::pair("work_to_tip", names::WorkToTip),
          std::pair("center_height", names::CenterHeight), std::pair("rolling_margin", names::RollingMargin) })
   {
-    entry[key] = Number(columns, row, name);
-    bounds[key] = Number(columns, row, name + bound);
+    entry[key] = GetNumber(columns, row, name);
+    bounds[key] = GetNumber(columns, row, name + bound);
   }
   entry["bounds"] = bounds;
-  entry["tip_energy"] = Number(columns, row, names::TipEnergy);
-  entry["rolling_radius"] = Number(columns, row, names::RollingRadius);
-  entry["plumb_foot"] = Point(columns, row, names::PlumbFoot);
-  entry["contact_faces"] = static_cast<int>(Number(columns, row, names::ContactFaces).get<double>());
-  entry["contact_edges"] = static_cast<int>(Number(columns, row, names::ContactEdges).get<double>());
+  entry["tip_energy"] = GetNumber(columns, row, names::TipEnergy);
+  entry["rolling_radius"] = GetNumber(columns, row, names::RollingRadius);
+  entry["plumb_foot"] = GetPoint(columns, row, names::PlumbFoot);
+  entry["contact_faces"] = GetCount(columns, row, names::ContactFaces);
+  entry["contact_edges"] = GetCount(columns, row, names::ContactEdges);
   entry["sides"] = Sides(filter, row);
   return entry;
 }

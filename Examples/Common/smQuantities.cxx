@@ -56,6 +56,11 @@ Json GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name)
   return values.is_null() ? values : values[0];
 }
 
+Json GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  return GetVector(data, row, name, 3);
+}
+
 Json GetCount(vtkFieldData* data, vtkIdType row, const std::string& name)
 {
   const Json value = GetNumber(data, row, name);

@@ -18,6 +18,8 @@ class vtkFieldData;
 namespace sm
 {
 Json GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name);
+/// Three numbers; null unless all are.
+Json GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name);
 /// A number without a fraction.
 Json GetCount(vtkFieldData* data, vtkIdType row, const std::string& name);
 /// Empty when it is missing.

@@ -29,7 +29,7 @@ void FaceOnGround::Prepare()
     this->Patches.emplace_back(panels, patch, this->Frame);
     this->Heights.push_back(this->Patches.back().GetHeights());
   }
-  this->Region = std::make_unique<TrimRegion>(*this->Cut->Source);
+  this->Region = std::make_unique<TrimClassifier>(*this->Cut->Source);
   std::vector<int> edgeIds;
   for (const Loop& loop : this->Cut->Source->Loops)
   {

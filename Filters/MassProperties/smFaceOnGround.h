@@ -8,7 +8,7 @@
 #include "smFacePanelsCache.h"
 #include "smGroundNet.h"
 #include "smSupportPolygon.h"
-#include "smTrimRegion.h"
+#include "smTrimClassifier.h"
 
 #include <memory>
 #include <vector>
@@ -49,7 +49,7 @@ struct FaceOnGround
   std::vector<GroundPatch> Patches;
   std::vector<HeightRange> Heights;
   std::vector<Segment> Segments;
-  std::unique_ptr<TrimRegion> Region;
+  std::unique_ptr<TrimClassifier> Region;
 
   void Prepare();
   void Compose(Segment& segment);

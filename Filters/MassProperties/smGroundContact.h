@@ -25,7 +25,7 @@
 #include "smFacePanelsCache.h"
 #include "smGroundNet.h"
 #include "smSupportPolygon.h"
-#include "smTrimRegion.h"
+#include "smTrimClassifier.h"
 
 #include <memory>
 #include <set>

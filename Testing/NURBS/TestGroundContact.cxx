@@ -2,7 +2,7 @@
 #include "smGroundContact.h"
 #include "smSupportPolygon.h"
 #include "smTesting.h"
-#include "smTrimRegion.h"
+#include "smTrimClassifier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -198,7 +198,7 @@ void TestRegion()
   for (int trial = 0; trial < 20; ++trial)
   {
     const sm::FacePointer face = MakeFace(random, true);
-    const sm::TrimRegion region(*face);
+    const sm::TrimClassifier region(*face);
     for (int k = 0; k < 200; ++k)
     {
       const double u = unit(random);

@@ -1,9 +1,9 @@
 /**
- * @file smTrimRegion.h
+ * @file smTrimClassifier.h
  * @brief Which boxes of a face's parameters lie inside its loops, outside, or may be crossed by one
  */
-#ifndef smTrimRegion_h
-#define smTrimRegion_h
+#ifndef smTrimClassifier_h
+#define smTrimClassifier_h
 
 #include "smFace.h"
 
@@ -21,11 +21,11 @@ enum class TrimSide
 };
 
 /// The loops as polygons whose distance from the curves is known, sorted by v for the search.
-class TrimRegion
+class TrimClassifier
 {
 public:
   /// Takes the face's loops; it is not kept.
-  explicit TrimRegion(const Face& face);
+  explicit TrimClassifier(const Face& face);
 
   /// The closed box in the face's own (u, v). What Inside and Outside say is proved for the trim curves themselves. A box may
   /// have no width. Points that loops wind around, in either sense, are inside; everything is where there are no loops.

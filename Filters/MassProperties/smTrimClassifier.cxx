@@ -1,4 +1,4 @@
-#include "smTrimRegion.h"
+#include "smTrimClassifier.h"
 
 #include "smTrimPolygons.h"
 
@@ -39,7 +39,7 @@ bool MayCross(const std::array<double, 2>& from, const std::array<double, 2>& to
 }
 }
 
-TrimRegion::TrimRegion(const Face& face)
+TrimClassifier::TrimClassifier(const Face& face)
   : Everything(face.Loops.empty())
 {
   if (this->Everything)
@@ -87,7 +87,7 @@ TrimRegion::TrimRegion(const Face& face)
 }
 
 /// Curve by curve, so that a straight one keeps its own deviation, which is none.
-void TrimRegion::AddLoop(const Loop& loop, const std::array<double, 2>& tolerance)
+void TrimClassifier::AddLoop(const Loop& loop, const std::array<double, 2>& tolerance)
 {
   std::vector<std::array<double, 2>> corners;
   for (const Coedge& coedge : loop.Coedges)
@@ -129,13 +129,13 @@ void TrimRegion::AddLoop(const Loop& loop, const std::array<double, 2>& toleranc
   this->Deviations.push_back({});
 }
 
-int TrimRegion::GetRow(double v) const
+int TrimClassifier::GetRow(double v) const
 {
   const double row = std::floor((v - this->RowStart) / this->RowHeight);
   return static_cast<int>(std::clamp(row, 0.0, static_cast<double>(this->Rows.size()) - 1.0));
 }
 
-int TrimRegion::GetWinding(const std::array<double, 2>& point) const
+int TrimClassifier::GetWinding(const std::array<double, 2>& point) const
 {
   int winding = 0;
   for (const int index : this->Rows[this->GetRow(point[1])])
@@ -156,7 +156,7 @@ int TrimRegion::GetWinding(const std::array<double, 2>& point) const
   return winding;
 }
 
-TrimSide TrimRegion::Classify(
+TrimSide TrimClassifier::Classify(
   const std::array<double, 2>& low, const std::array<double, 2>& high, bool* hopeless) const
 {
   if (hopeless)
