@@ -37,7 +37,7 @@ struct Patch
   /// Index of the first of (Degree[0]+1) x (Degree[1]+1) points in FacePanels::Points, s fastest.
   std::uint32_t FirstPoint;
   int Degree[2];
-  /// No less than |dS/ds| and |dS/dr| anywhere: the largest step of the control net, see StretchOf() in the source.
+  /// No less than |dS/ds| and |dS/dr| anywhere: the largest step of the control net, see smPatchParts.cxx.
   double Stretch[2];
   /// How far extraction and centring may have moved a control point in x, y and z from where the surface has it, lengths;
   /// and no less than the components of |Ss x Sr| anywhere.
@@ -76,6 +76,9 @@ struct Panel
   double Start, End;
   /// The piece is a covered part of the patch's right edge, between crossings of trim curves, and no trim curve itself.
   bool Covered = false;
+  /// (u,v) at Start and End, in the order of the trim pieces' coordinates. Neighbours hold the same doubles.
+  std::array<double, 2> From{};
+  std::array<double, 2> To{};
 };
 
 struct Ribbon
