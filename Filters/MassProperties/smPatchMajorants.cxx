@@ -18,7 +18,7 @@ constexpr double CollapsedSize = 1e-15;
 // Coefficients of series longer than MostKept that are this small, relative to the largest, are rounding of the samples: in an
 // ellipse they would grow with their degree. They are left out of it and charged as they are.
 constexpr int MostKept = 12;
-constexpr double NoiseSize = 2e-16; // times the number of coefficients in both directions
+constexpr double NoiseSize = 2e-16;       // times the number of coefficients in both directions
 constexpr double LengthTolerance = 3e-15; // times the degrees, whose rounding adds up
 
 Vector Cross(const double* a, const double* b)
@@ -458,6 +458,8 @@ void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vec
     const double length = this->Dropped[this->IsPolynomialLength() && this->Traits.PolynomialLength ? 2 : 1];
     dropped[i] = classes[i].Kind == BoundClass::VolumeMoment
       ? this->Dropped[0] * power / ((3 + classes[i].Degree) * cube)
+      : classes[i].Kind == BoundClass::HeightMoment
+      ? factor * this->Dropped[1] * power * reach / cube
       : factor * (classes[i].Kind == BoundClass::VectorArea ? this->Dropped[1] : length * power) / cube;
   }
 }
@@ -618,6 +620,10 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
         break;
       case BoundClass::VectorArea:
         bounds[i] = normal / cube;
+        break;
+      case BoundClass::HeightMoment:
+        // |z| <= |x|, |n_z| <= |n|, for complex vectors, too.
+        bounds[i] = normal * power * reach / cube;
         break;
       default:
         bounds[i] = length * power / cube;
