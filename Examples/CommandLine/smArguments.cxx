@@ -132,6 +132,19 @@ std::string CheckIntegral(const std::string& text)
     : text + " is no integral; write NAME=EXPRESSION, for example 'area=dA'";
 }
 
+std::string CheckHeight(const std::string& text)
+{
+  return std::isfinite(ParseNumber(text)) ? "" : "the height of a waterline must be a finite number";
+}
+
+std::string CheckDirection(const std::string& text)
+{
+  std::array<double, 3> direction;
+  return sm::ParseDirection(text, direction)
+    ? ""
+    : text + " is no direction; write three numbers that are not all 0, for example 0,0,1";
+}
+
 std::string CheckDensity(const std::string& text)
 {
   const double value = ParseNumber(text);
@@ -220,6 +233,18 @@ void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
     ->check(CheckIntegral)
     ->take_all()
     ->expected(1);
+  app
+    .add_option("--waterline", arguments.Job.Waterlines,
+      "Volume below a waterline, and its centre, the centre of buoyancy: the\n"
+      "plane at HEIGHT along --up from the origin, in the unit of the results;\n"
+      "may be given several times")
+    ->type_name("HEIGHT")
+    ->check(CheckHeight)
+    ->take_all()
+    ->expected(1);
+  app.add_option("--up", arguments.Up, "Direction out of the water, of any length (default 0,0,1)")
+    ->type_name("X,Y,Z")
+    ->check(CheckDirection);
 }
 
 /// The schemes of the paper, and what they alone take.
@@ -299,6 +324,10 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
       return "two integrals are called " + name;
     }
   }
+  if (app.count("--up") > 0 && arguments.Job.Waterlines.empty())
+  {
+    return "--up is for --waterline: add a height";
+  }
   if (arguments.Json == "-" && arguments.Csv == "-")
   {
     return "only one of --json and --csv can go to standard output";
@@ -335,6 +364,7 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   {
     return app.exit(error) == 0 ? AllOk : UsageOrOutput;
   }
+  ParseDirection(arguments.Up, arguments.Job.Up);
   arguments.Job.Scheme = LowerCase(arguments.Job.Scheme);
   const std::string problem = FindProblem(app, arguments);
   if (!problem.empty())

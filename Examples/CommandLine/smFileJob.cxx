@@ -188,6 +188,7 @@ Json EmptyFile(const std::string& fileName)
   file["total"] = Quantities(nothing, 0);
   file["solids"] = Json::array();
   file["integrals"] = Json::object();
+  file["waterlines"] = Json::array();
   file["faces"] = nullptr;
   file["free_faces"] = nullptr;
   file["diagonal"] = nullptr;

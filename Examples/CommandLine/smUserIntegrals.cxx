@@ -6,12 +6,17 @@
 #include "vtkComputeContext.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkSTEPReader.h"
 #include "vtkSurfaceIntegralGPU.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace
 {
@@ -50,6 +55,78 @@ void AddMoments(vtkSurfaceIntegralGPU* filter, int degree)
   }
 }
 
+void AddEffort(vtkSurfaceIntegralGPU* filter, Json& file, sm::MessageList& messages)
+{
+  if (file["status"] == names::StatusOk)
+  {
+    file["status"] = filter->GetStatus();
+  }
+  file["evaluations"] = file["evaluations"].get<long long>() + filter->GetEvaluations();
+  file["dispatches"] = file["dispatches"].get<long long>() + filter->GetDispatches();
+  messages.AddFilter(filter);
+}
+
+/// Where the data are columns or field data with a row for each body.
+Json Displaced(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  const auto get = [&](const std::string& array, int component)
+  {
+    vtkDataArray* values = data->GetArray(array.c_str());
+    return values && row < values->GetNumberOfTuples() ? Finite(values->GetComponent(row, component))
+                                                       : Json();
+  };
+  const std::string center = name + names::CenterSuffix;
+  const Json first = get(center, 0);
+  Json found;
+  found["volume"] = get(name, 0);
+  found["center"] = first.is_null() ? Json() : Json({ first, get(center, 1), get(center, 2) });
+  found["bounds"] = { { "volume", get(name + names::BoundSuffix, 0) },
+    { "center", get(center + names::BoundSuffix, 0) } };
+  return found;
+}
+
+std::string WaterlineName(std::size_t index)
+{
+  return "waterline" + std::to_string(index);
+}
+
+void ReportWaterlines(
+  vtkSurfaceIntegralGPU* filter, const sm::JobOptions& options, Json& file, sm::MessageList& messages)
+{
+  const auto report = [&](Json& entry, vtkFieldData* data, vtkIdType row)
+  {
+    entry["waterlines"] = Json::array();
+    for (std::size_t i = 0; i < options.Waterlines.size(); ++i)
+    {
+      Json found = { { "height", options.Waterlines[i] }, { "up", options.Up } };
+      found.update(Displaced(data, row, WaterlineName(i)));
+      entry["waterlines"].push_back(found);
+    }
+  };
+  report(file, filter->GetOutput()->GetFieldData(), 0);
+  vtkIdType row = 0;
+  for (Json& solid : file["solids"])
+  {
+    report(solid, vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData(), row);
+    ++row;
+  }
+  AddEffort(filter, file, messages);
+}
+
+void AddWaterlines(vtkSurfaceIntegralGPU* filter, const sm::JobOptions& options)
+{
+  const std::array<double, 3>& up = options.Up;
+  const double largest = std::max({ std::abs(up[0]), std::abs(up[1]), std::abs(up[2]) });
+  const std::array<double, 3> scaled = { up[0] / largest, up[1] / largest, up[2] / largest };
+  const double length = std::hypot(scaled[0], scaled[1], scaled[2]);
+  for (std::size_t i = 0; i < options.Waterlines.size(); ++i)
+  {
+    const double along = options.Waterlines[i] / length;
+    filter->AddBuoyancy(WaterlineName(i), along * scaled[0], along * scaled[1], along * scaled[2], scaled[0],
+      scaled[1], scaled[2]);
+  }
+}
+
 void Report(vtkSurfaceIntegralGPU* filter, Json& file, sm::MessageList& messages)
 {
   vtkDataSetAttributes* columns = vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData();
@@ -65,13 +142,7 @@ void Report(vtkSurfaceIntegralGPU* filter, Json& file, sm::MessageList& messages
       ++row;
     }
   }
-  if (file["status"] == names::StatusOk)
-  {
-    file["status"] = filter->GetStatus();
-  }
-  file["evaluations"] = file["evaluations"].get<long long>() + filter->GetEvaluations();
-  file["dispatches"] = file["dispatches"].get<long long>() + filter->GetDispatches();
-  messages.AddFilter(filter);
+  AddEffort(filter, file, messages);
 }
 }
 
@@ -87,6 +158,18 @@ bool ParseIntegral(const std::string& text, std::string& name, std::string& expr
   name = text.substr(0, equals);
   expression = text.substr(equals + 1);
   return !name.empty() && expression.find_first_not_of(" \t\n") != std::string::npos;
+}
+
+bool ParseDirection(const std::string& text, std::array<double, 3>& direction)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  char comma[2] = { 0, 0 };
+  stream >> direction[0] >> comma[0] >> direction[1] >> comma[1] >> direction[2];
+  const bool whole = !stream.fail() && comma[0] == ',' && comma[1] == ',' && (stream >> std::ws).eof();
+  return whole &&
+    std::all_of(direction.begin(), direction.end(), [](double x) { return std::isfinite(x); }) &&
+    std::any_of(direction.begin(), direction.end(), [](double x) { return x != 0.0; });
 }
 
 void SetUpFilter(vtkSurfaceIntegralGPU* filter, const JobOptions& options)
@@ -127,6 +210,15 @@ void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
       update(filter);
       Report(filter, file, messages);
     }
+  }
+  if (!options.Waterlines.empty())
+  {
+    vtkNew<vtkSurfaceIntegralGPU> buoyancy;
+    SetUpFilter(buoyancy, options);
+    AddWaterlines(buoyancy, options);
+    buoyancy->SetInputConnection(reader->GetOutputPort());
+    update(buoyancy);
+    ReportWaterlines(buoyancy, options, file, messages);
   }
 }
 }
