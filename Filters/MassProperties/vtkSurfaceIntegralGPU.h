@@ -100,8 +100,9 @@ public:
    * `name`MomentX, MomentY and MomentZ, its first moments about the world's origin; with them `name`Center, the centre of
    * buoyancy, and its bound (ports 0 and 1; NaN where the volume is not surely above 0). Faces are cut at the waterline, so that
    * bounds are theorems as those of moments, kinks notwithstanding; a body above the waterline displaces 0, one below it
-   * its volume. Per face (port 3): its flux of a field that vanishes on the plane, so that the sum over a closed solid is the
-   * volume with nothing added for the waterplane. A direction of no length, or a number that is not finite, is an error and adds
+   * its volume. Per face (port 3): its flux of a field that vanishes on the plane (for a
+   * body that is below as a whole: on a parallel plane through it), so that the sum over a closed solid is the volume with
+   * nothing added for the waterplane. A direction of no length, or a number that is not finite, is an error and adds
    * nothing, as a name that exists. Needs no GLSL of the user's: the CPU backend has it.
    */
   void AddBuoyancy(const std::string& name, double x, double y, double z, double upX, double upY, double upZ);
