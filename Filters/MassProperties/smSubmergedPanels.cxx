@@ -15,7 +15,7 @@ using Point2 = std::array<double, 2>;
 // Of the tolerance: what boxes that are left over may cost together, and a single cut or fit.
 constexpr double LeftoverShare = 0.25;
 constexpr double PieceShare = 1.0 / 4096.0;
-// Boxes that a face is worth, and halvings of the parameters.
+// Boxes that a face is worth beyond its patches, and the smallest one, relative to its patch.
 constexpr std::size_t MostBoxes = 20000;
 constexpr double SmallestBox = 1e-13;
 // A graph does not rise faster than by this many boxes, so that few polynomials fit it; and the part of a box beside it in which
@@ -76,9 +76,10 @@ void SubmergedPanels::Cut()
     }
     return total;
   };
+  const std::size_t most = this->Boxes + MostBoxes;
   double left = sum();
   double final = 0.0;
-  while (!this->Open.empty() && this->Boxes < MostBoxes && left + final > LeftoverShare * this->Tolerance)
+  while (!this->Open.empty() && this->Boxes < most && left + final > LeftoverShare * this->Tolerance)
   {
     std::pop_heap(this->Open.begin(), this->Open.end(), isLess);
     const Box box = std::move(this->Open.back());
