@@ -101,6 +101,7 @@ Json EmptyFile(const std::string& fileName)
   file["total"] = sm::GetQuantities(nothing, 0);
   file["solids"] = Json::array();
   file["integrals"] = Json::object();
+  file["waterlines"] = Json::array();
   file["faces"] = nullptr;
   file["free_faces"] = nullptr;
   file["diagonal"] = nullptr;

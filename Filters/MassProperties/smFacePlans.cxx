@@ -30,6 +30,9 @@ bool FindClass(const Integrand& integrand, BoundClass& found)
     case Integrand::Kind::AreaMoment:
       found = { BoundClass::AreaMoment, integrand.Degree };
       return true;
+    case Integrand::Kind::HeightMoment:
+      found = { BoundClass::HeightMoment, integrand.Degree };
+      return true;
     case Integrand::Kind::VectorArea:
       found = { BoundClass::VectorArea, 0 };
       return true;

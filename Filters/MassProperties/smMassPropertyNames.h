@@ -29,6 +29,8 @@ constexpr const char* MassInertia = "MassInertia"; // 9, kg L^2, about the centr
 
 // <quantity> + BoundSuffix: 1 number, the largest error of any component, in the quantity's unit.
 constexpr const char* BoundSuffix = "Bound";
+// <waterline> + CenterSuffix: 3, L, the centre of buoyancy, see vtkSurfaceIntegralGPU::AddBuoyancy.
+constexpr const char* CenterSuffix = "Center";
 
 // The model's own doubt; no part of a bound.
 constexpr const char* MovedByClosing =

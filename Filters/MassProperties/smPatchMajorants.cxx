@@ -491,6 +491,8 @@ void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vec
     const double length = this->Dropped[this->IsPolynomialLength() && this->Traits.PolynomialLength ? 2 : 1];
     dropped[i] = classes[i].Kind == BoundClass::VolumeMoment
       ? this->Dropped[0] * power / ((3 + classes[i].Degree) * cube)
+      : classes[i].Kind == BoundClass::HeightMoment
+      ? factor * this->Dropped[1] * power * reach / cube
       : factor * (classes[i].Kind == BoundClass::VectorArea ? this->Dropped[1] : length * power) / cube;
   }
 }
@@ -652,6 +654,10 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
         break;
       case BoundClass::VectorArea:
         bounds[i] = normal / cube;
+        break;
+      case BoundClass::HeightMoment:
+        // |z| <= |x|, |n_z| <= |n|, for complex vectors, too.
+        bounds[i] = normal * power * reach / cube;
         break;
       default:
         bounds[i] = length * power / cube;

@@ -31,7 +31,9 @@ struct BoundClass
     /// A component of n.
     VectorArea,
     /// |n| g(x).
-    AreaMoment
+    AreaMoment,
+    /// z n_z g(x) / (k + 1), k the power of z in g.
+    HeightMoment
   };
   KindType Kind;
   int Degree;

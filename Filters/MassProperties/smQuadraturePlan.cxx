@@ -52,6 +52,7 @@ void ChargeSurface(const Face& face, const FacePanels& panels, const std::vector
     switch (classes[i].Kind)
     {
       case BoundClass::VolumeMoment:
+      case BoundClass::HeightMoment:
         plan.ConversionBound[i] += residual * area * power;
         break;
       case BoundClass::AreaMoment:
@@ -120,8 +121,9 @@ void ChargeDisplacements(const FacePanels& panels, const PlanRequest& request, d
       const double power = std::pow(reach, c.Degree);
       plan.ConversionBound[i] += c.Kind == BoundClass::VolumeMoment
         ? power * (swept + reach * d * border / (3 + c.Degree))
-        : c.Kind == BoundClass::AreaMoment ? d * power * turned
-                                           : d * border;
+        : c.Kind == BoundClass::HeightMoment ? power * (swept + reach * d * border)
+        : c.Kind == BoundClass::AreaMoment   ? d * power * turned
+                                             : d * border;
     }
   }
 }

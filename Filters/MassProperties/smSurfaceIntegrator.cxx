@@ -550,12 +550,22 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
   faces.reserve(tasks.size());
   for (const FaceTask& task : tasks)
   {
-    faces.push_back(task.Source);
+    if (!task.Cut)
+    {
+      faces.push_back(task.Source);
+    }
   }
   const auto cutting = [this](double fraction) { return this->Tell(CutShare * fraction); };
-  if (!this->Cuts.Acquire(faces, this->Faces, cutting))
+  std::vector<CutFacePointer> cut;
+  if (!faces.empty() && !this->Cuts.Acquire(faces, cut, cutting))
   {
     return this->Fail(this->Cuts.GetError());
+  }
+  this->Faces.clear();
+  auto next = cut.begin();
+  for (const FaceTask& task : tasks)
+  {
+    this->Faces.push_back(task.Cut ? task.Cut : *next++);
   }
   const auto planning = [this](double fraction) { return this->Tell(CutShare + PlanShare * fraction); };
   if (this->Planned &&

@@ -82,6 +82,8 @@ void vtkSurfaceIntegralGPU::RemoveAllIntegrands()
   if (!self.Integrands.empty() || !self.IntegrandText.empty())
   {
     self.Integrands.clear();
+    self.Waterlines.clear();
+    self.WaterlineNames.clear();
     self.Switched.clear();
     self.IntegrandText.clear();
     self.MomentDegree = -1;
@@ -316,6 +318,9 @@ bool vtkSurfaceIntegralGPU::Internals::ChooseRunner(vtkSurfaceIntegralGPU* self)
       runner = std::make_unique<sm::CPUItemRunner>();
     }
     this->Integrator.SetRunner(std::move(runner));
+    this->Buoyancy.SetRunner(hasOpenGL
+        ? std::unique_ptr<sm::ItemRunner>(std::make_unique<sm::GPUItemRunner>(this->Context))
+        : std::make_unique<sm::CPUItemRunner>());
     this->Runner = last.Backend;
   }
   return true;
@@ -329,19 +334,23 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   {
     return false;
   }
-  if (this->Configured != this->Integrands)
+  const std::vector<sm::Integrand> plain = this->GetPlainIntegrands();
+  if (this->Configured != plain)
   {
-    this->Integrator.SetIntegrands(this->Integrands);
-    this->Configured = this->Integrands;
+    this->Integrator.SetIntegrands(plain);
+    this->Configured = plain;
   }
   // Moments about each part's own origin are carried to the instances exactly; anything else is integrated
   // in world coordinates, instance by instance.
   const bool placed = !this->LocalTolerances;
   this->Integrator.SetUsePlacements(placed);
-  this->Integrator.SetPerturbation(self->ShaderPerturbation);
-  this->Integrator.SetMaximumEvaluations(self->MaximumEvaluations);
-  this->Integrator.SetMaximumSeconds(self->MaximumSeconds);
-  this->Integrator.SetKeepFaces(self->KeepFaces);
+  for (sm::SurfaceIntegrator* integrator : { &this->Integrator, &this->Buoyancy.GetIntegrator() })
+  {
+    integrator->SetPerturbation(self->ShaderPerturbation);
+    integrator->SetMaximumEvaluations(self->MaximumEvaluations);
+    integrator->SetMaximumSeconds(self->MaximumSeconds);
+    integrator->SetKeepFaces(self->KeepFaces);
+  }
 
   std::vector<sm::FaceTask> tasks;
   std::vector<std::size_t> firstTask;
@@ -361,17 +370,24 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   const std::vector<std::size_t> chosen = this->ChooseTasks(tasks);
   std::vector<sm::FaceIntegrals> results;
   const vtkTypeUInt64 dispatches = this->Context->GetNumberOfDispatches();
-  const bool done = this->Integrator.Integrate(tasks, results,
-    [self](double fraction)
-    {
-      self->UpdateProgress(fraction);
-      return !self->GetAbortExecute();
-    });
-  last.Evaluations = this->Integrator.GetEvaluations();
+  // Without plain integrands there is nothing to run, but bodies want results of their faces.
+  results.resize(plain.empty() ? tasks.size() : 0);
+  const double share = this->Waterlines.empty() ? 1.0 : 0.5;
+  const bool done = plain.empty() ||
+    this->Integrator.Integrate(tasks, results,
+      [self, share](double fraction)
+      {
+        self->UpdateProgress(share * fraction);
+        return !self->GetAbortExecute();
+      });
   last.Dispatches = static_cast<vtkTypeInt64>(this->Context->GetNumberOfDispatches() - dispatches);
-  last.StartSeconds += this->Integrator.GetStartSeconds();
-  last.PrepareSeconds = this->Integrator.GetPrepareSeconds();
-  last.IntegrateSeconds = this->Integrator.GetIntegrateSeconds();
+  if (!plain.empty())
+  {
+    last.Evaluations = this->Integrator.GetEvaluations();
+    last.StartSeconds += this->Integrator.GetStartSeconds();
+    last.PrepareSeconds = this->Integrator.GetPrepareSeconds();
+    last.IntegrateSeconds = this->Integrator.GetIntegrateSeconds();
+  }
   if (!done)
   {
     last.Messages.push_back(this->Integrator.WasTimedOut() ? "nothing was computed: MaximumSeconds were over"
@@ -379,20 +395,20 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
                                         : "nothing was computed: " + this->Integrator.GetError());
     return false;
   }
-  if (this->Integrator.WasAborted())
+  if (!plain.empty() && this->Integrator.WasAborted())
   {
     last.Messages.push_back(this->Integrator.WasTimedOut()
         ? "MaximumSeconds were over before all faces were integrated"
         : "the run was aborted before all faces were integrated");
   }
-  if (this->Integrator.WasLoosened())
+  if (!plain.empty() && this->Integrator.WasLoosened())
   {
     last.Messages.push_back(
       "MaximumEvaluations are too few for the tolerance: it was loosened, and the bounds say by how much");
   }
   for (std::size_t k = 0; k < this->Integrands.size(); ++k)
   {
-    const std::string obstacle = this->Integrator.GetObstacle(k);
+    const std::string obstacle = this->GetObstacle(k);
     if (!obstacle.empty())
     {
       const sm::Integrand& integrand = this->Integrands[k];
@@ -418,7 +434,7 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
     }
     bodies[i].Faces = faces;
   }
-  return true;
+  return this->Waterlines.empty() || this->IntegrateBuoyancy(self, bodies);
 }
 
 bool vtkSurfaceIntegralGPU::IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies)
@@ -429,6 +445,7 @@ bool vtkSurfaceIntegralGPU::IntegrateBodies(std::vector<sm::BodyIntegrals>& bodi
 void vtkSurfaceIntegralGPU::ForgetLastRun()
 {
   this->Implementation->Last = Internals::Run();
+  this->Implementation->Displaced.clear();
 }
 
 int vtkSurfaceIntegralGPU::RequestData(
@@ -554,7 +571,7 @@ void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodie
     for (sm::BodyIntegrals& body : bodies)
     {
       const double scale = Internals::GetScale(integrands[k], *body.Model, Internals::GetReach(body));
-      if (body.Faces && !this->Implementation->Integrator.GetObstacle(k).empty())
+      if (body.Faces && !this->Implementation->GetObstacle(k).empty())
       {
         body.Flag(sm::names::StatusToleranceNotMet, name + " was not computed");
       }
@@ -578,6 +595,7 @@ void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodie
     this->Implementation->Last.Integrals[name] = { total, bound };
     summary += name + " = " + sm::FormatWithBound(total, bound, "") + "\n";
   }
+  this->Implementation->AddCenters(bodies, totals, solids, summary);
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text, summary);
   std::vector<int> all(integrands.size());

@@ -26,8 +26,8 @@
  * Outputs:
  * | port | type     | what                                                                           |
  * |------|----------|--------------------------------------------------------------------------------|
- * | 0    | polydata | empty; field data: one array per integrand (total), its Bound, Status …        |
- * | 1    | table    | a row per solid instance: Name, Id, every integrand, its Bound, Status         |
+ * | 0    | polydata | empty; field data: one array per integrand (total), its Bound, Status …; centres of buoyancy |
+ * | 1    | table    | a row per solid instance: Name, Id, every integrand, its Bound, Status; centres of buoyancy |
  * | 2    | table    | 1x1, column Text: a readable summary                                           |
  * | 3    | table    | a row per face and instance: Solid, FaceId, every integrand, its Bound         |
  * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared |
@@ -101,6 +101,18 @@ public:
   /** Half the integral of |n.d|, d the direction made a unit vector: the area of the shadow, if the body is convex; else what
    * lies behind something counts too. */
   void AddProjectedArea(const std::string& name, double x, double y, double z);
+  /**
+   * What lies below a waterline, the plane through the point (x, y, z) with the normal (upX, upY, upZ) out of the water, of any
+   * length but 0; in world coordinates, lengths in the model's unit. Four integrands: `name`, the displaced volume;
+   * `name`MomentX, MomentY and MomentZ, its first moments about the world's origin; with them `name`Center, the centre of
+   * buoyancy, and its bound (ports 0 and 1; NaN where the volume is not surely above 0). Faces are cut at the waterline, so that
+   * bounds are theorems as those of moments, kinks notwithstanding; a body above the waterline displaces 0, one below it
+   * its volume. Per face (port 3): its flux of a field that vanishes on the plane (for a
+   * body that is below as a whole: on a parallel plane through it), so that the sum over a closed solid is the volume with
+   * nothing added for the waterplane. A direction of no length, or a number that is not finite, is an error and adds
+   * nothing, as a name that exists. Needs no GLSL of the user's: the CPU backend has it.
+   */
+  void AddBuoyancy(const std::string& name, double x, double y, double z, double upX, double upY, double upZ);
   /** Makes `name` a number in expressions, those added before too; again: another number. An error, and nothing, when it is not
    * finite, or no identifier, or has a meaning. */
   void AddConstant(const std::string& name, double value);
@@ -230,6 +242,13 @@ public:
   /** The last run: total of the integrand (NaN when absent or not computed) and its bound. */
   double GetIntegral(const std::string& name) const;
   double GetIntegralBound(const std::string& name) const;
+  ///@}
+
+  ///@{
+  /** The last run: the centre of buoyancy of all bodies together (NaN when absent or nothing is below the waterline) and its
+   * bound, a length. `name` is AddBuoyancy()'s. */
+  void GetCenterOfBuoyancy(const std::string& name, double center[3]) const;
+  double GetCenterOfBuoyancyBound(const std::string& name) const;
   ///@}
 
   ///@{

@@ -6,6 +6,7 @@
 #define vtkSurfaceIntegralGPUInternals_h
 
 #include "smBodyIntegrals.h"
+#include "smBuoyancy.h"
 #include "smColumns.h"
 #include "smMassPropertyNames.h"
 #include "smSurfaceIntegrator.h"
@@ -19,6 +20,8 @@
 #include <set>
 
 class vtkFieldData;
+class vtkPolyData;
+class vtkTable;
 
 struct vtkSurfaceIntegralGPU::Internals
 {
@@ -42,6 +45,8 @@ struct vtkSurfaceIntegralGPU::Internals
     double PrepareSeconds = 0.0;
     double IntegrateSeconds = 0.0;
     std::map<std::string, std::pair<double, double>> Integrals;
+    /// Centres of buoyancy and their bounds, by name.
+    std::map<std::string, std::pair<std::array<double, 3>, double>> Centers;
   };
 
   /// Tolerances of the integrands for a body about the part's own origin. Set: integrate every model once about
@@ -57,6 +62,12 @@ struct vtkSurfaceIntegralGPU::Internals
   std::vector<sm::Integrand> Integrands;
   std::vector<sm::Integrand> Configured;
   ToleranceRule LocalTolerances;
+  sm::BuoyancyIntegrator Buoyancy;
+  std::vector<sm::Waterline> Waterlines;
+  /// Their names: what the centres are called after.
+  std::vector<std::string> WaterlineNames;
+  /// Of the last run: waterline by waterline, bodies fastest.
+  std::vector<sm::BodyBuoyancy> Displaced;
   sm::UserExpression::Constants Constants;
   /// What the switches for user interfaces are set to, and the names of the integrands that each of them added.
   std::string IntegrandText;
@@ -77,6 +88,15 @@ struct vtkSurfaceIntegralGPU::Internals
   /// Gives the integrator the runner that the backend asks for and the machine has, and says so in Last.
   bool ChooseRunner(vtkSurfaceIntegralGPU* self);
   bool Integrate(vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies);
+  /// The integrands that the integrator is given: all but those below waterlines.
+  std::vector<sm::Integrand> GetPlainIntegrands() const;
+  /// Why an integrand could not be evaluated; empty when it could.
+  std::string GetObstacle(std::size_t integrand) const;
+  /// Integrates what is below the waterlines, and puts it between the other results of the bodies' faces.
+  bool IntegrateBuoyancy(vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies);
+  /// Centres of buoyancy of the bodies and of all together.
+  void AddCenters(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
+    std::string& summary);
   void AddTasks(
     const sm::BodyIntegrals& body, bool placed, double tolerance, std::vector<sm::FaceTask>& tasks) const;
   /// Leaves the tasks of chosen faces; returns for every task where its result will be (beyond the end: nowhere), nothing

@@ -61,6 +61,43 @@ void FillBasis(int degree, double x, double* basis)
 }
 }
 
+std::array<double, 3> GetReach(const std::array<double, 4>* points, int count)
+{
+  Point3 reach{};
+  for (int i = 0; i < count; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      reach[c] = std::max(reach[c], std::abs(points[i][c]) / points[i][3]);
+    }
+  }
+  return reach;
+}
+
+void MeasurePatch(const std::array<double, 4>* points, Patch& patch)
+{
+  const int count = (patch.Degree[0] + 1) * (patch.Degree[1] + 1);
+  patch.Radius = 0.0;
+  patch.WeightRatio = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    patch.Radius =
+      std::max(patch.Radius, std::hypot(points[i][0], points[i][1], points[i][2]) / points[i][3]);
+  }
+  const Point3 reach = GetReach(points, count);
+  Point3 stretch[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    patch.Stretch[d] = StretchOf(points, patch, reach, d, stretch[d]);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    const int x = (c + 1) % 3;
+    const int y = (c + 2) % 3;
+    patch.Normal[c] = stretch[0][x] * stretch[1][y] + stretch[0][y] * stretch[1][x];
+  }
+}
+
 Patch MakePatch(const NURBSSurface& surface, double u0, double u1, double v0, double v1,
   std::vector<std::array<double, 4>>& points)
 {
@@ -89,29 +126,9 @@ Patch MakePatch(const NURBSSurface& surface, double u0, double u1, double v0, do
   }
   // Once more, relative to the centre.
   const Point3 moved = surface.ExtractBezier(u0, u1, v0, v1, cell, patch.Center);
-  Point3 reach{};
-  for (int i = 0; i < count; ++i)
-  {
-    const double distance = std::hypot(cell[i][0], cell[i][1], cell[i][2]) / cell[i][3];
-    patch.Radius = std::max(patch.Radius, distance);
-    for (int c = 0; c < 3; ++c)
-    {
-      reach[c] = std::max(reach[c], std::abs(cell[i][c]) / cell[i][3]);
-    }
-    points.push_back(cell[i]);
-  }
-  Point3 stretch[2];
-  for (int d = 0; d < 2; ++d)
-  {
-    patch.Stretch[d] = StretchOf(cell, patch, reach, d, stretch[d]);
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    const int x = (c + 1) % 3;
-    const int y = (c + 2) % 3;
-    patch.Displacement[c] = moved[c];
-    patch.Normal[c] = stretch[0][x] * stretch[1][y] + stretch[0][y] * stretch[1][x];
-  }
+  points.insert(points.end(), cell, cell + count);
+  std::copy(moved.begin(), moved.end(), patch.Displacement);
+  MeasurePatch(cell, patch);
   return patch;
 }
 

@@ -39,6 +39,13 @@ struct Patch
   bool Exchanged = false;
 };
 
+/// Largest |x|, |y| and |z| of points, not homogeneous.
+SMFILTERSNURBS_EXPORT std::array<double, 3> GetReach(const std::array<double, 4>* points, int count);
+
+/// Sets Radius, Stretch, Normal and WeightRatio of a patch from its control points, (Degree[0]+1) x (Degree[1]+1) of them
+/// relative to its centre. Weights are positive.
+SMFILTERSNURBS_EXPORT void MeasurePatch(const std::array<double, 4>* points, Patch& patch);
+
 /// The patch on [u0,u1] x [v0,v1], which lies in one span of each direction, Exchanged aside; appends its control points.
 Patch MakePatch(const NURBSSurface& surface, double u0, double u1, double v0, double v1,
   std::vector<std::array<double, 4>>& points);

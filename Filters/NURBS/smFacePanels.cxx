@@ -1,6 +1,7 @@
 #include "smFacePanels.h"
 
 #include "smCoverage.h"
+#include "smPatchParts.h"
 #include "smTrimCutting.h"
 
 #include <algorithm>
@@ -234,9 +235,9 @@ void Builder::AddPanel(
   }
   if (runsInV && leavesLeft)
   {
-    this->Result.Panels.push_back(
-      { patch, trim, static_cast<std::uint8_t>(piece.Degree), this->ShapeOfPatch[patch], negative,
-        this->Source.Reversed != this->Turned, segment.Start, segment.End });
+    this->Result.Panels.push_back({ patch, trim, static_cast<std::uint8_t>(piece.Degree),
+      this->ShapeOfPatch[patch], negative, this->Source.Reversed != this->Turned, segment.Start, segment.End,
+      false, segment.StartPoint, segment.EndPoint });
   }
 }
 
@@ -425,7 +426,7 @@ void Builder::AddCoveredEdges()
     for (int m = 0; m < std::abs(edge.Multiplicity); ++m)
     {
       this->Result.Panels.push_back({ patch, trim, 1, this->ShapeOfPatch[patch], edge.Multiplicity < 0,
-        this->Source.Reversed != this->Turned, 0.0, 1.0, true });
+        this->Source.Reversed != this->Turned, 0.0, 1.0, true, line[0], line[1] });
     }
   }
 }

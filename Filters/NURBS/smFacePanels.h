@@ -52,6 +52,9 @@ struct Panel
   double Start, End;
   /// The piece is a covered part of the patch's right edge, between crossings of trim curves, and no trim curve itself.
   bool Covered = false;
+  /// (u,v) at Start and End, in the order of the trim pieces' coordinates. Neighbours hold the same doubles.
+  std::array<double, 2> From{};
+  std::array<double, 2> To{};
 };
 
 struct Ribbon
