@@ -77,8 +77,8 @@ int Show(const char* fileName, vtkRenderWindow* window)
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
   renderer->ResetCamera();
   window->Render();
-  std::cout << "status " << mass->GetStatus() << ", " << mass->GetBackendName() << " on " << mass->GetRenderer()
-            << std::endl;
+  std::cout << "status " << mass->GetStatus() << ", " << mass->GetBackendName() << " on "
+            << mass->GetRenderer() << std::endl;
   return mass->GetStatus() == "ok" ? 0 : 3;
 }
 
