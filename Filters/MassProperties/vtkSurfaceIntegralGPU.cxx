@@ -302,6 +302,7 @@ bool vtkSurfaceIntegralGPU::Internals::ChooseRunner(vtkSurfaceIntegralGPU* self)
   if (this->Generation != generation)
   {
     this->Integrator.ForgetFaces();
+    this->Buoyancy.GetIntegrator().ForgetFaces();
     this->Generation = generation;
   }
   last.Backend = hasOpenGL ? sm::names::BackendOpenGL : sm::names::BackendCPU;
