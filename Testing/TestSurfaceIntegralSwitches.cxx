@@ -54,12 +54,30 @@ int main(int argc, char* argv[])
   CheckTrue("the mesh has the integrands to colour by",
     mesh->GetCellData()->HasArray("area") && mesh->GetCellData()->HasArray("BendingEnergy"));
 
+  integral->AddBuoyancy("mine", 0.0, 0.0, 1e6, 0.0, 0.0, 1.0);
+  integral->SetWaterlinePoint(0.0, -0.5 * radius, 0.0);
+  integral->SetWaterlineNormal(0.0, 2.0, 0.0);
+  CheckEqual("no waterline yet", 19, integral->GetNumberOfIntegrands());
+  integral->SetWaterline(true);
+  integral->SetWaterlinePoint(0.0, 0.5 * radius, 0.0);
+  CheckEqual("a waterline has four", 23, integral->GetNumberOfIntegrands());
+  integral->Update();
+  check("mine", ball.Volume);
+  check("Displaced", ball.Volume * 27.0 / 32.0); // a cap of height 3 r / 2
+  integral->SetWaterlineNormal(0.0, -1.0, 0.0);
+  integral->Update();
+  check("Displaced", ball.Volume * 5.0 / 32.0);
+  integral->SetWaterline(false);
+  integral->Update();
+  check("mine", ball.Volume);
+  CheckEqual("the waterline is gone", 19, integral->GetNumberOfIntegrands());
+
   integral->SetIntegrandText("twice = 2 * dA");
-  CheckEqual("another text replaces its own", 14, integral->GetNumberOfIntegrands());
+  CheckEqual("another text replaces its own", 18, integral->GetNumberOfIntegrands());
   integral->SetMomentDegree(-1);
   integral->SetBendingEnergy(false);
   integral->SetProjectedAreaDirection(0.0, 0.0, 0.0);
-  CheckEqual("what is switched off is gone", 2, integral->GetNumberOfIntegrands());
+  CheckEqual("what is switched off is gone", 6, integral->GetNumberOfIntegrands());
   integral->Update();
   check("byHand", area);
   check("twice", 2.0 * area);
@@ -74,10 +92,10 @@ int main(int argc, char* argv[])
   integral->SetIntegrandText("this is none\narea = dA\nhalf = ; ;\n= dA\npair = dA ; dA");
   CheckEqual("bad lines are errors", 4, trap.NumberOfErrors);
   CheckTrue("that name them", trap.Errors.find("'this is none'") != std::string::npos, trap.Errors);
-  CheckEqual("and the good ones are kept: by hand, area, 35 moments", 37, integral->GetNumberOfIntegrands());
+  CheckEqual("and the good ones are kept: by hand, area, 35 moments", 41, integral->GetNumberOfIntegrands());
   integral->SetProjectedAreaDirection(std::nan(""), 0.0, 0.0);
   CheckEqual("no direction is an error", 5, trap.NumberOfErrors);
-  CheckEqual("and changes nothing", 37, integral->GetNumberOfIntegrands());
+  CheckEqual("and changes nothing", 41, integral->GetNumberOfIntegrands());
   integral->SetMomentDegree(1000);
   CheckEqual("degrees are clamped", 16, integral->GetMomentDegree());
   integral->RemoveAllIntegrands();

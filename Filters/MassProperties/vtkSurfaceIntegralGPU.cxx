@@ -89,6 +89,7 @@ void vtkSurfaceIntegralGPU::RemoveAllIntegrands()
     self.MomentDegree = -1;
     self.BendingEnergy = false;
     std::fill_n(self.ProjectedAreaDirection, 3, 0.0);
+    self.HasWaterline = false;
     this->Modified();
   }
 }

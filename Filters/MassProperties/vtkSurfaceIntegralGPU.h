@@ -123,7 +123,7 @@ public:
   void RemoveAllFaceIds();
   int GetNumberOfFaceIds() const;
   ///@}
-  /** Forgets all integrands, those of the next four too. */
+  /** Forgets all integrands, those of the next five too. */
   virtual void RemoveAllIntegrands();
 
   ///@{
@@ -134,7 +134,8 @@ public:
   std::string GetIntegrandText() const;
   ///@}
   ///@{
-  /** All volume moments x^i y^j z^k, i + j + k up to this degree, as `moment_i_j_k`; -1: none. Clamped to -1 .. 16. Beside an
+  /** All volume moments x^i y^j z^k, i + j + k up to this degree, as `moment_i_j_k`; -1: none. Clamped to -1 .. 8, since one
+   * shader has them all; AddVolumeMoment() takes more. Beside an
    * expression their bounds are estimated. Default: -1. */
   void SetMomentDegree(int degree);
   int GetMomentDegree() const;
@@ -155,6 +156,23 @@ public:
     this->SetProjectedAreaDirection(direction[0], direction[1], direction[2]);
   }
   double* GetProjectedAreaDirection() VTK_SIZEHINT(3);
+  ///@}
+  ///@{
+  /** AddBuoyancy() under the name `Displaced`, of the waterline through a point, with a normal out of the water. A normal of no length
+   * or numbers that are not finite are an error, and there is no such integral. Defaults: off, 0 0 0, 0 0 1. */
+  void SetWaterline(bool on);
+  bool GetWaterline() const;
+  void WaterlineOn() { this->SetWaterline(true); }
+  void WaterlineOff() { this->SetWaterline(false); }
+  void SetWaterlinePoint(double x, double y, double z);
+  void SetWaterlinePoint(const double point[3]) { this->SetWaterlinePoint(point[0], point[1], point[2]); }
+  double* GetWaterlinePoint() VTK_SIZEHINT(3);
+  void SetWaterlineNormal(double x, double y, double z);
+  void SetWaterlineNormal(const double normal[3])
+  {
+    this->SetWaterlineNormal(normal[0], normal[1], normal[2]);
+  }
+  double* GetWaterlineNormal() VTK_SIZEHINT(3);
   ///@}
   int GetNumberOfIntegrands() const;
   std::string GetIntegrandName(int index) const;

@@ -74,6 +74,9 @@ struct vtkSurfaceIntegralGPU::Internals
   int MomentDegree = -1;
   bool BendingEnergy = false;
   double ProjectedAreaDirection[3] = { 0.0, 0.0, 0.0 };
+  bool HasWaterline = false;
+  double WaterlinePoint[3] = { 0.0, 0.0, 0.0 };
+  double WaterlineNormal[3] = { 0.0, 0.0, 1.0 };
   std::map<std::string, std::set<std::string>> Switched;
   /// Entity numbers of the faces to integrate over; empty: all.
   std::set<int> FaceIds;
@@ -85,6 +88,7 @@ struct vtkSurfaceIntegralGPU::Internals
   void Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand);
   /// Replaces the integrands that the switch added before by what `add` adds.
   void Switch(vtkSurfaceIntegralGPU* self, const std::string& name, const std::function<void()>& add);
+  void SwitchWaterline(vtkSurfaceIntegralGPU* self);
   /// Gives the integrator the runner that the backend asks for and the machine has, and says so in Last.
   bool ChooseRunner(vtkSurfaceIntegralGPU* self);
   bool Integrate(vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies);

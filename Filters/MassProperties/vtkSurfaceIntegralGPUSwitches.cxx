@@ -9,7 +9,9 @@
 
 namespace
 {
-constexpr int LargestMomentDegree = 16;
+// 165 moments are one shader, which drivers take seconds to compile, and longer than in proportion for more.
+constexpr int LargestMomentDegree = 8;
+const char* const WaterlineName = "Displaced";
 
 std::string Trim(const std::string& text)
 {
@@ -178,4 +180,74 @@ void vtkSurfaceIntegralGPU::SetProjectedAreaDirection(double x, double y, double
 double* vtkSurfaceIntegralGPU::GetProjectedAreaDirection()
 {
   return this->Implementation->ProjectedAreaDirection;
+}
+
+void vtkSurfaceIntegralGPU::Internals::SwitchWaterline(vtkSurfaceIntegralGPU* self)
+{
+  // Only one of its own: a program may have added another of this name.
+  const auto found = std::find(this->WaterlineNames.begin(), this->WaterlineNames.end(), WaterlineName);
+  if (!this->Switched["Waterline"].empty() && found != this->WaterlineNames.end())
+  {
+    const int index = static_cast<int>(found - this->WaterlineNames.begin());
+    this->WaterlineNames.erase(found);
+    this->Waterlines.erase(this->Waterlines.begin() + index);
+    for (sm::Integrand& integrand : this->Integrands)
+    {
+      integrand.Waterline -= integrand.Waterline > index ? 1 : 0;
+    }
+  }
+  const auto add = [this, self]()
+  {
+    const double* p = this->WaterlinePoint;
+    const double* n = this->WaterlineNormal;
+    if (this->HasWaterline)
+    {
+      self->AddBuoyancy(WaterlineName, p[0], p[1], p[2], n[0], n[1], n[2]);
+    }
+  };
+  this->Switch(self, "Waterline", add);
+}
+
+void vtkSurfaceIntegralGPU::SetWaterline(bool on)
+{
+  if (this->Implementation->HasWaterline != on)
+  {
+    this->Implementation->HasWaterline = on;
+    this->Implementation->SwitchWaterline(this);
+  }
+}
+
+bool vtkSurfaceIntegralGPU::GetWaterline() const
+{
+  return this->Implementation->HasWaterline;
+}
+
+void vtkSurfaceIntegralGPU::SetWaterlinePoint(double x, double y, double z)
+{
+  const double point[3] = { x, y, z };
+  if (!std::equal(point, point + 3, this->Implementation->WaterlinePoint))
+  {
+    std::copy_n(point, 3, this->Implementation->WaterlinePoint);
+    this->Implementation->SwitchWaterline(this);
+  }
+}
+
+double* vtkSurfaceIntegralGPU::GetWaterlinePoint()
+{
+  return this->Implementation->WaterlinePoint;
+}
+
+void vtkSurfaceIntegralGPU::SetWaterlineNormal(double x, double y, double z)
+{
+  const double normal[3] = { x, y, z };
+  if (!std::equal(normal, normal + 3, this->Implementation->WaterlineNormal))
+  {
+    std::copy_n(normal, 3, this->Implementation->WaterlineNormal);
+    this->Implementation->SwitchWaterline(this);
+  }
+}
+
+double* vtkSurfaceIntegralGPU::GetWaterlineNormal()
+{
+  return this->Implementation->WaterlineNormal;
 }
