@@ -60,7 +60,7 @@ Integrand Integrand::HeightMoment(const std::string& name, int i, int j, int k)
 {
   const int degree = i + j + k;
   const double factor = 1.0 / (k + 1);
-  const std::string text = Literal(factor);
+  const std::string text = MakeLiteral(factor);
   return { name, text + " * normal.z" + Monomial(i, j, k + 1), true, degree, text + SizePower(degree + 1),
     Kind::HeightMoment, factor, { i, j, k + 1 }, factor, degree + 1 };
 }
