@@ -120,12 +120,13 @@ bool AreSame(const Placement& a, const Placement& b)
   return true;
 }
 
-/// Models with the same faces are one, whoever copied them.
+/// Models with the same faces, of the same material, are one, whoever copied them.
 bool AreSame(vtkTrimmedNURBSModel* a, vtkTrimmedNURBSModel* b)
 {
   return a == b ||
     (a->GetFaces() == b->GetFaces() && a->GetShells() == b->GetShells() && a->GetName() == b->GetName() &&
-      a->GetBody() == b->GetBody() && std::equal(a->GetOrigin(), a->GetOrigin() + 3, b->GetOrigin()));
+      a->GetBody() == b->GetBody() && a->GetMaterial() == b->GetMaterial() &&
+      a->GetDensity() == b->GetDensity() && std::equal(a->GetOrigin(), a->GetOrigin() + 3, b->GetOrigin()));
 }
 
 class TreeMaker

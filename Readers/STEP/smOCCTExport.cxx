@@ -151,10 +151,17 @@ private:
     vtkTrimmedNURBSModel* model = from.Bodies[0].Model;
     if (!model->GetMaterial().empty() || model->GetDensity() > 0.0)
     {
-      const std::string name = model->GetMaterial().empty() ? "unnamed" : model->GetMaterial();
+      const std::string wanted = model->GetMaterial().empty() ? "unnamed" : model->GetMaterial();
+      const double density = model->GetDensity() > 0.0 ? model->GetDensity() : 0.0;
+      const std::string name = this->NameMaterial(wanted, density);
+      if (name != wanted && !model->GetMaterial().empty())
+      {
+        warnings.push_back("\"" + from.Name + "\": its material is saved as \"" + name +
+          "\": another part has \"" + wanted + "\" with another density.");
+      }
       // OpenCASCADE keeps g/cm^3.
       XCAFDoc_DocumentTool::MaterialTool(this->Xde->Main())
-        ->SetMaterial(label, ToText(name), ToText(""), 0.001 * model->GetDensity(), ToText("density measure"),
+        ->SetMaterial(label, ToText(name), ToText(""), 0.001 * density, ToText("density measure"),
           ToText("POSITIVE_RATIO_MEASURE"));
     }
     for (const ExportBody& body : from.Bodies)
@@ -167,6 +174,17 @@ private:
         break;
       }
     }
+  }
+
+  /// OpenCASCADE writes the density that a material's name came with first, for all parts of that name.
+  std::string NameMaterial(const std::string& wanted, double density)
+  {
+    std::string name = wanted;
+    for (int number = 2; this->Densities.emplace(name, density).first->second != density; ++number)
+    {
+      name = wanted + " (" + std::to_string(number) + ")";
+    }
+    return name;
   }
 
   void AddColors(const TDF_Label& label, const BuiltPart& part, const ExportBody& from, const BuiltBody& body)
@@ -233,6 +251,8 @@ private:
   Handle(XCAFDoc_ColorTool) Colors;
   Handle(XCAFDoc_LayerTool) Layers;
   std::vector<TDF_Label> Labels;
+  /// By the names of the materials.
+  std::map<std::string, double> Densities;
 };
 
 void Write(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,

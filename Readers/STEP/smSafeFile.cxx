@@ -1,6 +1,7 @@
 #include "smSafeFile.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -9,37 +10,60 @@ namespace fs = std::filesystem;
 
 namespace sm
 {
+namespace
+{
+/// Links that lead to each other; a ring of them ends there.
+constexpr int LongestChain = 40;
+}
+
 SafeFile::SafeFile(const std::string& path)
   : Target(path)
 {
   std::error_code error;
-  if (fs::is_symlink(path, error))
+  // By hand: a link may lead to a file that is not there yet.
+  fs::path target = path;
+  for (int links = 0; links < LongestChain && fs::is_symlink(target, error); ++links)
   {
-    const fs::path target = fs::canonical(path, error);
-    this->Target = error ? path : target.string();
+    target = target.parent_path() / fs::read_symlink(target, error);
   }
+  this->Target = target.string();
   if (fs::is_directory(this->Target, error))
   {
     this->Fail("it is a folder; give the name of a file");
     return;
   }
   const bool exists = fs::exists(this->Target, error);
+  if (exists && !fs::is_regular_file(this->Target, error))
+  {
+    this->Fail("what is there is no file but a device or a pipe; choose another name");
+    return;
+  }
   // Replacing needs the folder's permission only; a file that is write-protected is not to be replaced.
   if (exists && !std::fstream(this->Target, std::ios::in | std::ios::out | std::ios::binary))
   {
     this->Fail("the file that is there is write-protected; choose another name");
     return;
   }
-  int attempt = 0;
-  do
+  // A name that nobody has, also not another process that writes the same file.
+  std::FILE* made = nullptr;
+  for (int attempt = 0; !made && (attempt == 0 || errno == EEXIST); ++attempt)
   {
-    this->Temporary = this->Target + ".saving" + std::to_string(attempt++);
-  } while (fs::exists(this->Temporary, error));
-  errno = 0;
-  this->Stream.open(this->Temporary, std::ios::binary | std::ios::trunc);
-  if (!this->Stream)
+    this->Temporary = this->Target + ".saving" + std::to_string(attempt);
+    errno = 0;
+    made = std::fopen(this->Temporary.c_str(), "wbx");
+  }
+  if (made)
+  {
+    std::fclose(made);
+    this->Stream.open(this->Temporary, std::ios::binary | std::ios::trunc);
+  }
+  if (!made || !this->Stream)
   {
     const std::string reason = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string();
+    if (made)
+    {
+      fs::remove(this->Temporary, error);
+    }
     this->Temporary.clear();
     this->Fail(
       "no file can be made in its folder" + reason + "; check that the folder exists and may be written");

@@ -106,13 +106,15 @@ void vtkNURBSModelWriter::WriteData()
     return;
   }
   sm::ExportOptions options;
-  options.UnitName = this->ChooseUnit(tree);
+  const std::string unit = this->ChooseUnit(tree);
   const double from = sm::GetUnitInMillimetres(tree.LengthUnit);
-  const double to = sm::GetUnitInMillimetres(options.UnitName);
-  if (!(from > 0.0) || !(to > 0.0))
+  const double to = sm::GetUnitInMillimetres(unit);
+  // OpenCASCADE passes over a unit that it has another word for, and would call these lengths mm.
+  options.UnitName = sm::GetShortUnit(to);
+  if (!(from > 0.0) || options.UnitName.empty())
   {
     this->Fail(vtkErrorCode::UserError,
-      "the length unit \"" + (from > 0.0 ? options.UnitName : tree.LengthUnit) +
+      "the length unit \"" + (from > 0.0 ? unit : tree.LengthUnit) +
         "\" is not known; use mm, cm, m, um, inch or ft");
     return;
   }

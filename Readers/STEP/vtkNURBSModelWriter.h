@@ -24,7 +24,7 @@
  * |---------------------|-----------------------------------------------------------------------------|
  * | NoFileNameError     | FileName is empty                                                           |
  * | UserError           | no input, an input without exact geometry, an unknown unit, a nested update |
- * | CannotOpenFileError | no file can be made there                                                   |
+ * | CannotOpenFileError | no file can be made there, or a folder, device or pipe is there             |
  * | OutOfDiskSpaceError | the disk is full                                                            |
  * | UnknownError        | OpenCASCADE failed, or the application asked to stop                        |
  *

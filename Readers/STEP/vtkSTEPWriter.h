@@ -5,9 +5,9 @@
  * See vtkNURBSModelWriter for what is saved, and how a failure shows. STEP holds, besides the geometry, the product
  * structure (names, instances with their placements, layers), colours of bodies, faces and instances, material and density,
  * and the names and entity numbers (#1234) of bodies, faces and edges, so that a file that is read and saved keeps them.
- * Numbers have 17 digits. An assembly that occurs several times is written once for each: where its parts stand is
- * exact, that they were one is not kept. The schema is AP214 (AUTOMOTIVE_DESIGN), which holds all of this and
- * which every system reads.
+ * A material's name that comes with a second density gets a number, "Steel (2)". Numbers have 17 digits. An assembly that
+ * occurs several times is written once for each: where its parts stand is exact, that they were one is not kept. The schema is
+ * AP214 (AUTOMOTIVE_DESIGN), which holds all of this and which every system reads.
  */
 #ifndef vtkSTEPWriter_h
 #define vtkSTEPWriter_h

@@ -25,6 +25,7 @@
 #include <map>
 #include <set>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 namespace
 {
@@ -369,6 +370,24 @@ void CheckStructure(const std::string& folder)
     const auto data = ReadFile(Manifest(folder).GetSpecial(special).Path);
     Compare(special, data, Save(special, data), 1e-13);
   }
+  // Two bodies of the same faces and of different materials are two parts.
+  const auto box = ReadFile(Manifest(folder).GetSolid("box", "plain")[0].Path);
+  vtkNew<vtkPartitionedDataSetCollection> pair;
+  for (const double density : { 2700.0, 7850.0 })
+  {
+    vtkNew<vtkNURBSDataSet> leaf;
+    leaf->ShallowCopy(box->GetPartitionAsDataObject(0, 0));
+    vtkNew<vtkTrimmedNURBSModel> model;
+    model->ShallowCopy(leaf->GetModel());
+    model->SetDensity(density);
+    leaf->SetModel(model);
+    pair->SetPartition(pair->GetNumberOfPartitionedDataSets(), 0, leaf);
+  }
+  const auto saved = GetModels(Save("materials", pair));
+  CheckEqual("two bodies", 2, static_cast<long long>(saved.size()));
+  Check("density of the first", 2700.0, saved.front()->GetDensity(), 1e-9, "seven digits and more");
+  Check("density of the second", 7850.0, saved.back()->GetDensity(), 1e-9, "seven digits and more");
+
   // A part that was moved keeps its own coordinates and stands in an assembly.
   vtkNew<vtkNURBSTransform> move;
   move->SetInputDataObject(ReadFile(Manifest(folder).GetSolid("hollow_sphere", "plain")[0].Path));
@@ -431,6 +450,8 @@ void CheckErrors(const std::string& folder)
   CheckFails("a folder", watched, own.c_str(), vtkErrorCode::CannotOpenFileError, "it is a folder");
   step->SetOutputUnit("parsec");
   CheckFails("unit", watched, path.c_str(), vtkErrorCode::UserError, "parsec");
+  step->SetOutputUnit("yard");
+  CheckFails("a unit that OpenCASCADE has not", watched, path.c_str(), vtkErrorCode::UserError, "yard");
   step->SetOutputUnit("file");
   vtkNew<vtkBREPWriter> mesh;
   Watched watchedMesh(mesh);
@@ -472,6 +493,42 @@ void CheckErrors(const std::string& folder)
   CheckTrue("as it was", content.size() > 5000 && content == ReadAll(path));
   CheckEqual("and written again", 1, step->Write());
   CheckEqual("without an error", vtkErrorCode::NoError, static_cast<long long>(step->GetErrorCode()));
+
+  // Another word for a unit is the unit.
+  step->SetOutputUnit("in");
+  CheckEqual("written in inches", 1, step->Write());
+  Compare("inches", box, ReadFile(path), 2e-14);
+}
+
+/// Where something else than a file is, or a link leads to.
+void CheckTargets(const std::string& folder)
+{
+  const std::string own = Output + "/targets";
+  fs::remove_all(own);
+  fs::create_directories(own);
+  vtkNew<vtkSTEPWriter> step;
+  Watched watched(step);
+  step->SetInputDataObject(ReadFile(Manifest(folder).GetSolid("box", "plain")[0].Path));
+  const std::string pipe = own + "/pipe";
+  CheckEqual("a pipe is made", 0, mkfifo(pipe.c_str(), 0600));
+  CheckFails("a pipe", watched, pipe.c_str(), vtkErrorCode::CannotOpenFileError, "no file but");
+  CheckTrue("is a pipe still", fs::is_fifo(pipe));
+
+  // A link to a file that is not there yet.
+  fs::create_directories(own + "/elsewhere");
+  fs::create_symlink("elsewhere/box.step", own + "/link.step");
+  step->SetFileName((own + "/link.step").c_str());
+  CheckEqual("a link is followed", 1, step->Write());
+  CheckTrue("and stays a link", fs::is_symlink(own + "/link.step"));
+  CheckTrue("to the file", fs::is_regular_file(own + "/elsewhere/box.step"));
+
+  // What stands beside the file under the names that are tried first is somebody else's.
+  const std::string path = own + "/box.step";
+  fs::create_symlink("nowhere", path + ".saving0");
+  step->SetFileName(path.c_str());
+  CheckEqual("beside a link that leads nowhere", 1, step->Write());
+  CheckTrue("which stays", fs::is_symlink(path + ".saving0") && !fs::exists(own + "/nowhere"));
+  CheckEqual("nothing else was left behind", 5, CountFiles(own));
 }
 
 void CheckModel(const std::string& folder, const std::string& name)
@@ -513,6 +570,7 @@ int main(int argc, char* argv[])
   if (mode == "errors")
   {
     CheckErrors(folder);
+    CheckTargets(folder);
   }
   return Finish();
 }
