@@ -116,7 +116,7 @@ public:
   /// the polynomials of the last spans go on, is not spared.
   bool Spares(const TrimCurve& trim) const
   {
-    if (!this->SameLayout || !this->Some)
+    if (!this->SameLayout || !this->Some || trim.Coefficients.empty())
     {
       return this->SameLayout;
     }
