@@ -4,6 +4,7 @@
 #include "smTestManifest.h"
 
 #include <vtkDataSetAttributes.h>
+#include <vtkMatrix4x4.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -329,6 +330,48 @@ void CheckPlacements(const Manifest& manifest)
   }
 }
 
+/// Planes along the top of a turned box, by less than what rounding leaves of a point far away in them: whether the box is below as a
+/// whole, or with all but a sheet, is beyond what can be told, and the bound has to say so.
+void CheckTouching(const Manifest& manifest)
+{
+  const Real volume = 6000;
+  for (const int degrees : { 10, 25, 40, 55, 70, 85 })
+  {
+    Scene scene(manifest.GetSolid("box", "plain")[0].Path);
+    scene.Filter->SetRelativeTolerance(1e-12);
+    vtkNew<vtkMatrix4x4> matrix;
+    scene.Move->SetRotation(0, degrees, 0);
+    scene.Move->GetMatrix(matrix);
+    const double up[3] = { matrix->GetElement(0, 2), 0.0, matrix->GetElement(2, 2) };
+    const Real length = std::sqrt(static_cast<Real>(up[0]) * up[0] + static_cast<Real>(up[2]) * up[2]);
+    // In the plane, and exactly so.
+    const double far = std::ldexp(1.0, 40);
+    const double x = -far * up[2];
+    const double z = far * up[0];
+    for (const double delta : { -1e-7, -1e-8, 0.0, 1e-8, 1e-7 })
+    {
+      const double move = static_cast<double>((delta - 10 * length) * length / up[2]);
+      scene.Move->SetTranslation(0, 0, move);
+      // Of the top over the plane.
+      const Real height = 10 * length + move * up[2] / length;
+      for (const double sense : { 1.0, -1.0 })
+      {
+        scene.Filter->RemoveAllIntegrands();
+        scene.Filter->AddBuoyancy("below", x, 0, z, sense * up[0], 0, sense * up[2]);
+        scene.Filter->Update();
+        const Real above = 600 * std::max<Real>(height, 0);
+        const Real exact = sense > 0.0 ? volume - above : above;
+        char label[80];
+        std::snprintf(
+          label, sizeof(label), "box turned by %d, %g over a far plane, %g", degrees, delta, sense);
+        const double bound = scene.Filter->GetIntegralBound("below");
+        Check(label, static_cast<double>(exact), scene.Filter->GetIntegral("below"), bound, "the bound");
+        CheckRange(std::string(label) + ", bound", 0.0, bound, 0.01);
+      }
+    }
+  }
+}
+
 /// Bicubic heights of the wavy plate's floor over [0, 30] x [0, 24], which is 6 thick.
 Real Floor(Real x, Real y)
 {
@@ -494,7 +537,8 @@ int main(int argc, char* argv[])
   const Manifest manifest(argv[1]);
   const std::pair<const char*, void (*)(const Manifest&)> modes[] = { { "balls", CheckBalls },
     { "tangent", CheckTangentBalls }, { "cones", CheckCones }, { "boxes", CheckBoxes }, { "tori", CheckTori },
-    { "placements", CheckPlacements }, { "plates", CheckPlates }, { "tables", CheckTables } };
+    { "placements", CheckPlacements }, { "plates", CheckPlates }, { "touching", CheckTouching },
+    { "tables", CheckTables } };
   for (const auto& [name, check] : modes)
   {
     if (mode == name)

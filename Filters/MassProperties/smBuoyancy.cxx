@@ -82,6 +82,32 @@ double GetLargestArea(const FacePanels& panels)
   return area;
 }
 
+/// False when all patches are further from the plane than the distance.
+bool MayTouch(const FacePanels& panels, const HeightPlane& plane, double distance)
+{
+  for (const Patch& patch : panels.Patches)
+  {
+    const double middle = plane.GetHeight({ patch.Center[0], patch.Center[1], patch.Center[2] });
+    if (!(std::abs(middle) > 2.0 * patch.Radius + distance))
+    {
+      double low = std::numeric_limits<double>::infinity();
+      double high = -low;
+      for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
+      {
+        const std::array<double, 4>& p = panels.Points[patch.FirstPoint + i];
+        const double h = middle + (plane.Up[0] * p[0] + plane.Up[1] * p[1] + plane.Up[2] * p[2]) / p[3];
+        low = std::min(low, h);
+        high = std::max(high, h);
+      }
+      if (!(low > distance || high < -distance))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// The sums of the categories of a face's results as they are for moments about the world's origin.
 void ToWorld(const Point3& origin, const std::array<Point3, 3>& axes, std::vector<double>& values, bool bound)
 {
@@ -291,6 +317,19 @@ bool BuoyancyIntegrator::Integrate(const std::vector<BodyIntegrals>& bodies,
       {
         whole = whole && below[i].Parts[0] == cut[i];
       }
+      // Faces that are below, or above, by no more than the plane may be off: a body that is whole, or not there at all, may have a
+      // sheet on the other side.
+      const double rounded = frame.PlaneBound + 2.0 * UnitRoundoff * frame.Reach;
+      std::vector<double> sheets(sources.size(), 0.0);
+      for (std::size_t i = 0; i < sources.size(); ++i)
+      {
+        const bool isWhole = below[i].Parts[0] == cut[i];
+        const bool isNothing = !below[i].Parts[0] && !below[i].Parts[1];
+        if ((isNothing || (whole && isWhole)) && MayTouch(cut[i]->Panels, frame.Plane, 2.0 * rounded))
+        {
+          sheets[i] = 2.0 * rounded * GetLargestArea(cut[i]->Panels);
+        }
+      }
       if (whole)
       {
         // Any plane of this direction will do: the one through the body keeps numbers small.
@@ -325,7 +364,7 @@ bool BuoyancyIntegrator::Integrate(const std::vector<BodyIntegrals>& bodies,
         }
         error[i] = cut[i]->Error;
         const double moved = frame.PlaneBound + (whole ? 0.0 : 2.0 * UnitRoundoff * frame.Reach);
-        charge[i] = below[i].Charge;
+        charge[i] = below[i].Charge + sheets[i];
         for (const CutFacePointer& part : below[i].Parts)
         {
           if (part)

@@ -14,6 +14,47 @@ void AppendProjected(const std::vector<GroundPoint>& points, std::vector<Point2D
 }
 }
 
+Point2D GetContactDirection(int k)
+{
+  const double angle = 6.283185307179586 * k / ContactDirections;
+  return { std::cos(angle), std::sin(angle) };
+}
+
+/// Looks at points beside a point that is tangent to the ground: which of them do the loops leave? Along a border it goes on.
+std::uint32_t ContactSearch::Internals::FindDirections(
+  const FaceOnGround& face, int patch, const std::array<double, 2>& sr, const GroundPatch::Shape& shape)
+{
+  const auto& [a, b] = shape.Tangents;
+  const double determinant = a[0] * b[1] - a[1] * b[0];
+  const Patch& source = face.Cut->Panels.Patches[patch];
+  const NURBSSurface& surface = face.Cut->Source->Surface;
+  std::uint32_t directions = ~0u;
+  for (int k = 0; k < ContactDirections; ++k)
+  {
+    const Point2D e = GetContactDirection(k);
+    std::array<double, 2> step = { (e[0] * b[1] - e[1] * b[0]) / determinant,
+      (a[0] * e[1] - a[1] * e[0]) / determinant };
+    const double largest = std::max(std::abs(step[0]), std::abs(step[1]));
+    TrimSide side = TrimSide::Undecided;
+    for (double length = 1e-4; length < 0.05 && side == TrimSide::Undecided; length *= 10.0)
+    {
+      double at[2];
+      bool leaves = false;
+      for (int d = 0; d < 2; ++d)
+      {
+        // Rounding does not turn a step along a border.
+        at[d] = sr[d] + (std::abs(step[d]) < 1e-9 * largest ? 0.0 : length * step[d] / largest);
+        const int direction = source.Exchanged ? 1 - d : d;
+        const double x = source.Start[d] + source.Width[d] * at[d];
+        leaves = leaves || x < surface.GetDomainStart(direction) || x > surface.GetDomainEnd(direction);
+      }
+      side = leaves ? TrimSide::Outside : face.Classify(patch, at, at);
+    }
+    directions &= side == TrimSide::Outside ? ~(1u << k) : ~0u;
+  }
+  return directions;
+}
+
 /// Surfaces without a normal (poles) are looked at a little away from there.
 void ContactSearch::Internals::AddSample(
   const FaceOnGround& face, int patch, std::array<double, 2> sr, const Point2D& position)
@@ -26,7 +67,7 @@ void ContactSearch::Internals::AddSample(
   const GroundPatch& root = face.Patches[patch];
   const auto clamp = [](double x) { return std::clamp(x, 0.0, 1.0); };
   GroundPatch::Shape shape = root.GetShape(clamp(sr[0]), clamp(sr[1]));
-  ContactSample sample{ position, 0.0, 0.0 };
+  ContactSample sample{ position, 0.0, 0.0, 0.0 };
   if (std::isnan(shape.Curvature))
   {
     const auto look = [&](double share)
@@ -42,12 +83,15 @@ void ContactSearch::Internals::AddSample(
       sample.Radius = near.Curvature > 0.0 ? 1.0 / near.Curvature : Infinity;
       sample.Doubt =
         std::abs(sample.Radius - (far.Curvature > 0.0 ? 1.0 / far.Curvature : Infinity)) + 1e-9 * this->Size;
+      sample.Widest = near.LeastCurvature * this->Size > 1e-9 ? 1.0 / near.LeastCurvature : Infinity;
     }
   }
   else if (shape.Normal >= TangentCosine)
   {
     sample.Radius = shape.Curvature * this->Size > 1e-9 ? 1.0 / shape.Curvature : Infinity;
     sample.Doubt = 1e-9 * this->Size;
+    sample.Widest = shape.LeastCurvature * this->Size > 1e-9 ? 1.0 / shape.LeastCurvature : Infinity;
+    sample.GoesOn = FindDirections(face, patch, { clamp(sr[0]), clamp(sr[1]) }, shape);
   }
   this->Found.Samples.push_back(sample);
 }

@@ -27,6 +27,7 @@
 #include "smSupportPolygon.h"
 #include "smTrimClassifier.h"
 
+#include <cstdint>
 #include <memory>
 #include <set>
 #include <vector>
@@ -49,7 +50,15 @@ struct ContactSample
   double Radius;
   /// About how far off the radius may be: an estimate, no bound.
   double Doubt;
+  /// The largest radius there; infinite where it is flat in some direction.
+  double Widest;
+  /// Bit k: the surface goes on in direction k (see GetContactDirection). Where it ends the body tips over its border.
+  std::uint32_t GoesOn = ~0u;
 };
+
+constexpr int ContactDirections = 32;
+/// Unit vectors in the ground, counter-clockwise from a.
+Point2D GetContactDirection(int k);
 
 struct GroundContacts
 {

@@ -378,7 +378,8 @@ GroundPatch::Shape GroundPatch::GetShape(double s, double r) const
   }
   Vector normal = Cross(d[1], d[2]);
   const double length = std::sqrt(Dot(normal, normal));
-  Shape shape{ 0.0, std::numeric_limits<double>::quiet_NaN() };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Shape shape{ 0.0, nan, nan, { { d[1][0], d[1][1] }, { d[2][0], d[2][1] } } };
   double reach = 0.0;
   for (int direction = 0; direction < 2; ++direction)
   {
@@ -405,7 +406,9 @@ GroundPatch::Shape GroundPatch::GetShape(double s, double r) const
   const double area = e * g - f * f;
   const double mean = 0.5 * (e * n - 2.0 * f * m + g * l) / area;
   const double gauss = (l * n - m * m) / area;
-  shape.Curvature = mean + std::sqrt(std::max(0.0, mean * mean - gauss));
+  const double half = std::sqrt(std::max(0.0, mean * mean - gauss));
+  shape.Curvature = mean + half;
+  shape.LeastCurvature = mean - half;
   return shape;
 }
 }

@@ -90,6 +90,9 @@ struct GroundPatch
     double Normal; ///< cosine between the surface's normal and the ground's, not negative
     /// Largest principal curvature, positive where the surface bends away from the ground; NaN where there is no normal.
     double Curvature;
+    /// The least one; and the derivatives in s and r, in the ground's plane.
+    double LeastCurvature;
+    std::array<double, 2> Tangents[2];
   };
   Shape GetShape(double s, double r) const;
 };

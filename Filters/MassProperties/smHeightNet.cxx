@@ -8,7 +8,7 @@
 
 namespace sm
 {
-double HeightRange::GetLargestHeight() const
+double NetRange::GetLargestHeight() const
 {
   return this->LowestWeight > 0.0 ? std::max(std::abs(this->Low), std::abs(this->High)) / this->LowestWeight
                                   : std::numeric_limits<double>::infinity();
@@ -64,7 +64,7 @@ HeightNet HeightNet::Exchanged() const
   return other;
 }
 
-HeightRange HeightNet::GetRange(const ParameterRange& box) const
+NetRange HeightNet::GetRange(const ParameterRange& box) const
 {
   static thread_local std::vector<std::array<double, 2>> net;
   net = this->Coefficients;
@@ -83,7 +83,7 @@ HeightRange HeightNet::GetRange(const ParameterRange& box) const
         net.data() + line * (d == 0 ? p + 1 : 1), d == 0 ? p : q, d == 0 ? 1 : p + 1, low, high);
     }
   }
-  HeightRange range;
+  NetRange range;
   range.Low = range.High = net[0][0];
   range.LowestWeight = net[0][1];
   for (const std::array<double, 2>& entry : net)

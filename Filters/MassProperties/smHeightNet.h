@@ -41,7 +41,7 @@ struct ParameterRange
 };
 
 /// What is known of height and weight on a box. Derivatives are in the patch's own s and r.
-struct HeightRange
+struct NetRange
 {
   /// Of the numerator N = w h, by the convex hull of its coefficients.
   double Low, High;
@@ -65,7 +65,7 @@ public:
     return (x - this->Start[direction]) / this->Width[direction];
   }
 
-  HeightRange GetRange(const ParameterRange& box) const;
+  NetRange GetRange(const ParameterRange& box) const;
   double Evaluate(double u, double v) const;
   /// Where N(., v) vanishes in [low, high], on which it is monotone; the nearer end where it does not.
   double Solve(double v, double low, double high) const;

@@ -239,17 +239,27 @@ void SetLeast(
   SetInterval(std::min(work[0], work[1]), work[1], result.WorkToTip, result.WorkToTipBound);
 }
 
-/// Upper concave envelope of the samples along the line of contacts, at the foot.
-ContactSample GetEnvelope(
-  const std::vector<ContactSample>& samples, const Point2D& foot, const Point2D& along, double reach)
+/// Upper concave envelope of the samples along the line of contacts, at the foot, for rolling in a direction: surfaces that end
+/// there count as edges.
+ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& foot, const Point2D& along,
+  double reach, int direction)
 {
-  ContactSample best{ foot, -Infinity, 0.0 };
-  const auto take = [&best](double radius, double doubt)
+  ContactSample best{ foot, -Infinity, 0.0, 0.0 };
+  std::vector<ContactSample> samples = all;
+  for (ContactSample& sample : samples)
+  {
+    if ((sample.GoesOn >> direction & 1u) == 0)
+    {
+      sample.Radius = sample.Doubt = sample.Widest = 0.0;
+    }
+  }
+  const auto take = [&best](double radius, double doubt, double widest)
   {
     if (radius > best.Radius)
     {
       best.Radius = radius;
       best.Doubt = doubt;
+      best.Widest = widest;
     }
   };
   const auto position = [&](const ContactSample& s)
@@ -259,7 +269,7 @@ ContactSample GetEnvelope(
     const double x = position(a);
     if (std::abs(x) <= reach)
     {
-      take(a.Radius, a.Doubt);
+      take(a.Radius, a.Doubt, a.Widest);
     }
     for (const ContactSample& b : samples)
     {
@@ -267,7 +277,8 @@ ContactSample GetEnvelope(
       if (x < -reach && y > reach)
       {
         const double share = -x / (y - x);
-        take(a.Radius + share * (b.Radius - a.Radius), std::max(a.Doubt, b.Doubt));
+        take(
+          a.Radius + share * (b.Radius - a.Radius), std::max(a.Doubt, b.Doubt), std::max(a.Widest, b.Widest));
       }
     }
   }
@@ -294,14 +305,36 @@ void Roll(
     }
   }
   const double reach = std::max(frame.Body.Tolerance, frame.Bound);
-  const ContactSample sample = GetEnvelope(contacts.Samples, frame.Foot, along, reach);
+  // The side to which it rolls worst: both sides of a line, any side of a point.
+  const bool isLine = result.Support == SupportKind::Line;
+  ContactSample sample{ frame.Foot, Infinity, 0.0, Infinity };
+  for (int k = 0; k < ContactDirections; ++k)
+  {
+    const Point2D e = GetContactDirection(k);
+    const double skew = std::abs(e[0] * along[0] + e[1] * along[1]);
+    if (!isLine || skew <= 1.01 * std::sin(2.0 * HalfPi / ContactDirections))
+    {
+      const ContactSample one = GetEnvelope(contacts.Samples, frame.Foot, along, reach, k);
+      sample = one.Radius < sample.Radius || !(one.Radius >= 0.0) ? one : sample;
+    }
+  }
   if (!(sample.Radius >= 0.0))
   {
     return;
   }
+  // On a slope the balanced centre is z / u_h above the contact, along u. A turn about the axis a carries it 1 - (a.u)^2 of
+  // that, and the contact radius u_h, both as seen from above: so z counts (1 - (a.u)^2) / u_h^2 times.
+  const std::array<double, 3>& up = frame.Body.Up;
+  const double turned = isLine ? along[0] * up[0] + along[1] * up[1] : 0.0;
+  const double factor = up[0] == 0.0 && up[1] == 0.0 ? 1.0 : (1.0 - turned * turned) / (up[2] * up[2]);
   result.RollingRadius = sample.Radius;
-  result.RollingMargin = sample.Radius - frame.Height;
-  result.RollingMarginBound = sample.Doubt + frame.Bound;
+  result.RollingMargin = sample.Radius - factor * frame.Height;
+  result.RollingMarginBound = sample.Doubt + factor * frame.Bound;
+  // The least radius belongs to one direction: of a point on a slope, or of two points that make a line, not surely to the worst.
+  if (isLine ? sample.Widest < 1e6 * frame.Body.Size : factor > 1.0)
+  {
+    result.RollingMarginBound += std::max(0.0, sample.Widest - sample.Radius);
+  }
   if (result.Margin + result.MarginBound < -reach)
   {
     return; // not in balance
@@ -322,8 +355,10 @@ void Roll(
     return;
   }
   result.Decision = result.RollingMargin > result.RollingMarginBound ? Verdict::Stable
-    : result.RollingMargin < -result.RollingMarginBound              ? Verdict::Unstable
-                                                                     : Verdict::TooClose;
+    : result.RollingMargin < -result.RollingMarginBound ||
+      (!isLine && sample.Radius + sample.Doubt + frame.Bound < frame.Height)
+    ? Verdict::Unstable
+    : Verdict::TooClose;
 }
 }
 
@@ -353,8 +388,9 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
   // What the centre, the ground and rounding move the foot by; the foot moves with the height where the ground leans.
   const double steep = 1.0 + std::hypot(lean[0], lean[1]);
   const double heightBound = body.CenterBound + 0.5 * (body.Ground.High - body.Ground.Low) + body.Rounding;
+  // The directions are rounded, too: the lean by 8 u (1 + its square), more than it is where the ground is steep.
   frame.Bound =
-    steep * (heightBound + body.Rounding + 4.0 * UnitRoundoff * (std::abs(frame.Height) + body.Size));
+    steep * (heightBound + body.Rounding + 8.0 * UnitRoundoff * steep * (std::abs(frame.Height) + body.Size));
   result.Foot = frame.Foot;
   result.Height = frame.Height;
   result.HeightBound = heightBound;

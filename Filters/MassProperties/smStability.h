@@ -22,7 +22,8 @@
  * body about the centre; its second derivative in a direction of rolling is (radius of curvature) - z. So a body that is in
  * balance rolls back when the radius of curvature of its surface at the contact, across the line of contacts, exceeds the height of
  * the centre: RollingMargin = radius - z. Corners and edges have radius 0. Between two contacts of a line the radius counts linearly (upper
- * concave envelope: the body lies on both). Radii come from derivatives at the contacts: their doubt is an estimate, no
+ * concave envelope: the body lies on both). Where a surface ends at the contact, the body tips over that border: the radius to
+ * that side is 0. On a slope z counts 1 / cos^2 times, of its angle across the axis of rolling. Radii come from derivatives at the contacts: their doubt is an estimate, no
  * theorem.
  */
 #ifndef smStability_h

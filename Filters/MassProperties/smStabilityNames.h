@@ -32,7 +32,7 @@ constexpr const char* ContactEdges = "ContactEdges"; // 1 (int), edges that touc
 constexpr const char* RollingRadius =
   "RollingRadius"; // 1, L: radius of curvature at a point or line of contact
 constexpr const char* RollingMargin =
-  "RollingMargin"; // 1, L, with estimated bound: that radius less CenterHeight
+  "RollingMargin"; // 1, L, with estimated bound: that radius less CenterHeight (on a slope less more, smStability.h)
 
 // Columns of the table of sides.
 constexpr const char* SideFrom = "From"; // 3, L

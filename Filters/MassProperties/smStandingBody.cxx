@@ -189,7 +189,8 @@ void Stand(StandingBody& body, const GroundDirections& ground, const double* gro
   StabilityCase standing;
   const Vector3 center = ToFrame(ground, body.Origin, { body.Center[0], body.Center[1], body.Center[2] });
   standing.Center = center;
-  standing.CenterBound = body.CenterBound;
+  // That of its components.
+  standing.CenterBound = std::sqrt(3.0) * body.CenterBound;
   standing.Up = { Dot(ground.Up, ground.A), Dot(ground.Up, ground.B), Dot(ground.Up, ground.Normal) };
   if (ground.Up == ground.Normal)
   {

@@ -124,7 +124,7 @@ std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const 
       around.Low[d] = extent[0];
       around.High[d] = extent[1];
     }
-    const HeightRange range = box.Net->GetRange(around);
+    const NetRange range = box.Net->GetRange(around);
     const double largest = std::max(std::abs(range.Low), std::abs(range.High));
     const double cost = box.Rate * largest * largest * GetVariation(part, 1, start, end);
     const bool sure = range.High <= 0.0 || range.Low >= 0.0;

@@ -159,7 +159,7 @@ bool SubmergedPanels::IsMonotone(const HeightNet& net, const ParameterRange& ran
   const double room = Room * (range.High[0] - range.Low[0]);
   wide.Low[0] -= room;
   wide.High[0] += room;
-  const HeightRange bounds = net.GetRange(wide);
+  const NetRange bounds = net.GetRange(wide);
   if (!(bounds.LowestWeight > 0.0) || !(bounds.SlopeLow[0] > 0.0 || bounds.SlopeHigh[0] < 0.0))
   {
     return false;
@@ -188,7 +188,7 @@ bool SubmergedPanels::IsMonotone(const HeightNet& net, const ParameterRange& ran
 bool SubmergedPanels::IsResolved(const Box& box, bool& below, int& monotone) const
 {
   const Source& source = this->Sources[box.Net];
-  const HeightRange range = source.Net.GetRange(box.Range);
+  const NetRange range = source.Net.GetRange(box.Range);
   below = range.High <= 0.0;
   monotone = -1;
   if (below || range.Low >= 0.0)
@@ -221,7 +221,7 @@ bool SubmergedPanels::Resolve(Box& box)
   int monotone = -1;
   if (!this->IsResolved(box, below, monotone))
   {
-    const HeightRange range = source.Net.GetRange(box.Range);
+    const NetRange range = source.Net.GetRange(box.Range);
     box.Majorant = range.GetLargestHeight() * source.Net.GetLargestNormal() *
       (box.Range.High[0] - box.Range.Low[0]) * (box.Range.High[1] - box.Range.Low[1]);
     return false;
@@ -265,7 +265,7 @@ int SubmergedPanels::ChooseDirection(const Box& box) const
       int monotone;
       settled[d] += this->IsResolved(part, below, monotone) ? 1 : 0;
       const HeightNet& net = this->Sources[box.Net].Net;
-      const HeightRange range = net.GetRange(part.Range);
+      const NetRange range = net.GetRange(part.Range);
       for (int e = 0; e < 2; ++e)
       {
         spread[d] += (range.SlopeHigh[e] - range.SlopeLow[e]) *

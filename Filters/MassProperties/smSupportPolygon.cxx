@@ -98,13 +98,17 @@ SupportPolygon SupportPolygon::FromPoints(std::vector<Point2D> points, double me
   }
   // Corners of nearly no turn, one at a time, so that what is left out stays near the line that is kept.
   std::vector<Point2D> kept;
+  // How far those since the last one that was kept may be outside together.
+  double left = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     const Point2D& before = kept.empty() ? corners.back() : kept.back();
     const Point2D& after = corners[(i + 1) % corners.size()];
-    if (GetHeight(before, corners[i], after) > merge)
+    left += GetHeight(before, corners[i], after);
+    if (left > merge)
     {
       kept.push_back(corners[i]);
+      left = 0.0;
     }
   }
   if (kept.size() > 2)

@@ -188,6 +188,17 @@ void TestPolygons()
   smtest::CheckEqual("a point", 1,
     static_cast<long long>(sm::SupportPolygon::FromPoints({ { 1, 1 }, { 1, 1 } }, 1e-13).Corners.size()));
   smtest::CheckTrue("nothing", sm::SupportPolygon::FromPoints({}, 1e-13).GetMargin({ 0, 0 }) < -1e300);
+  // Corners that are dense beside the merging tolerance are left out one by one, yet the hull stays within four times that.
+  std::vector<sm::Point2D> circle;
+  const int count = 100000;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * Pi * i / count;
+    circle.push_back({ std::cos(angle), std::sin(angle) });
+  }
+  const double merge = 1e-6;
+  const sm::SupportPolygon dense = sm::SupportPolygon::FromPoints(circle, merge);
+  smtest::CheckRange("margin in a dense circle", 1.0 - 4.0 * merge - 1e-9, dense.GetMargin({ 0, 0 }), 1.0);
 }
 
 void TestRegion()

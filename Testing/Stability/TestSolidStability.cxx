@@ -156,6 +156,78 @@ void TestShapes(const std::string& folder)
   }
 }
 
+/// Where one side of the contact is round and the other is not, it rolls back from one and tips over the other.
+void TestOneSided(const std::string& folder)
+{
+  Case rocker(smtest::WriteStanding(folder, "rocker", smtest::MakeHalfRocker()));
+  rocker.Filter->Update();
+  CheckVerdict("half a rocker", rocker.Filter, "unstable", "line", "rolling");
+  CheckBounded(rocker.Filter, names::Margin, 0.0, 1e-6);
+  CheckBounded(rocker.Filter, names::RollingMargin, -Get(rocker.Filter, names::CenterHeight), 1e-6);
+}
+
+/// On a slope the contact moves on by cos^2 of the angle only, seen from above: a dome with its centre of mass above the contact,
+/// which is `angle` from its pole, rolls back while cos(angle) > 3/8.
+void TestDomeOnSlopes(const std::string& folder)
+{
+  const double r = 10.0;
+  const std::string path = smtest::WriteStanding(folder, "dome_on_slope", smtest::MakeHemisphere(r, true));
+  for (const double angle : { 0.3, 1.0, 1.18, 1.19, 1.3 })
+  {
+    const double up[3] = { -r * std::sin(angle), 0.0, r * std::cos(angle) - 0.375 * r };
+    const double z = r - 0.375 * r * std::cos(angle);
+    Case dome(path);
+    dome.Filter->SetGravityDirection(-up[0], -up[1], -up[2]);
+    dome.Filter->SetGroundNormal(-std::sin(angle), 0, std::cos(angle));
+    dome.Filter->Update();
+    CheckVerdict("dome on a slope, " + std::to_string(angle), dome.Filter,
+      std::cos(angle) > 0.375 ? "stable" : "unstable", "point", "rolling");
+    CheckBounded(dome.Filter, names::CenterHeight, z, 1e-8 * r);
+    CheckBounded(dome.Filter, names::RollingMargin, r - (up[0] * up[0] + up[2] * up[2]) / z, 1e-6 * r);
+  }
+}
+
+/// On ground that all but stands upright, what rounds its directions moves the foot of the plumb line far.
+void TestSteepGround(const smtest::Manifest& manifest)
+{
+  using Real = long double;
+  const smtest::Expected expected = manifest.GetSolid("sphere", "plain")[0];
+  const Real radius = std::cbrt(3 * static_cast<Real>(expected.Volume) / (4 * 3.14159265358979323846L));
+  Case ball(expected.Path);
+  ball.Filter->SetRelativeTolerance(1e-13);
+  for (const double steep : { 1.0, 30.0, 1e3, 3e4, 9e5 })
+  {
+    const double n[3] = { 0.31, 0.57, -0.76 };
+    const double up[3] = { n[0] + steep * 0.57, n[1] - steep * 0.31, n[2] };
+    const Real dot =
+      static_cast<Real>(n[0]) * up[0] + static_cast<Real>(n[1]) * up[1] + static_cast<Real>(n[2]) * up[2];
+    Real squared = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const Real cross = static_cast<Real>(n[i]) * up[j] - static_cast<Real>(n[j]) * up[i];
+      squared += cross * cross;
+    }
+    ball.Filter->SetGravityDirection(-up[0], -up[1], -up[2]);
+    ball.Filter->SetGroundNormal(n);
+    ball.Filter->Update();
+    const double exact = static_cast<double>(-radius * std::sqrt(squared) / dot);
+    smtest::Check("ball on ground of slope " + std::to_string(steep), exact, ball.Filter->GetMargin(),
+      ball.Filter->GetMarginBound(), "its own bound");
+  }
+}
+
+/// The bound of a centre is that of its components, and the foot may be off along all of them.
+void TestCenterBound(const std::string& folder)
+{
+  Case half(smtest::WriteStanding(folder, "loose", smtest::MakeLyingHalfCylinder(10.0, 30.0)));
+  half.Filter->SetGravityDirection(0, 0, 1);
+  half.Filter->SetRelativeTolerance(1e-2);
+  half.Filter->Update();
+  smtest::CheckRange("bound of the margin in those of the centre's components", std::sqrt(3.0),
+    half.Filter->GetMarginBound() / half.Filter->GetMassProperties()->GetCenterOfMassBound(), 1e300);
+}
+
 /// A torus that lies touches along a circle, and one that stands in a point; a ball anywhere.
 void TestCatalogue(const smtest::Manifest& manifest)
 {
@@ -446,6 +518,8 @@ int main(int argc, char* argv[])
   if (mode == "shapes")
   {
     TestShapes(folder);
+    TestOneSided(folder);
+    TestCenterBound(folder);
     TestCatalogue(manifest);
   }
   else if (mode == "tipping")
@@ -455,6 +529,8 @@ int main(int argc, char* argv[])
   else if (mode == "ground")
   {
     TestGround(folder);
+    TestDomeOnSlopes(folder);
+    TestSteepGround(manifest);
   }
   else if (mode == "bodies")
   {

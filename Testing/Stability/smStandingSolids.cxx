@@ -82,6 +82,19 @@ TopoDS_Shape MakeDumbbell(double radius, double length)
     .Shape();
 }
 
+TopoDS_Shape MakeHalfRocker()
+{
+  // First moments in x of the quarter of the disc, r^3/3, and of the triangle, r a^2/6.
+  const double r = 2.0;
+  const double a = std::sqrt(2.0) * r;
+  const gp_Pnt p[4] = { { 0, 0, 0 }, { a, 0, 0.2 * a }, { 0, 0, r }, { -r, 0, r } };
+  const gp_Pnt middle(-r * std::sqrt(0.5), 0, r - r * std::sqrt(0.5));
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(p[0], p[1]).Edge(),
+    BRepBuilderAPI_MakeEdge(p[1], p[2]).Edge(), BRepBuilderAPI_MakeEdge(p[2], p[3]).Edge(),
+    BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(p[3], middle, p[0]).Value()).Edge());
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire(), true).Face(), gp_Vec(0, 3, 0)).Shape();
+}
+
 TopoDS_Shape MakeTipCone(double radius, double height)
 {
   return BRepPrimAPI_MakeCone(0.0, radius, height).Shape();

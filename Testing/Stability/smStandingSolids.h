@@ -22,6 +22,9 @@ TopoDS_Shape MakeLyingHalfCylinder(double radius, double length);
 TopoDS_Shape MakeTripod(double distance);
 /// Balls of the radius about (0,0,0) and (length,0,0), and a thinner bar between them.
 TopoDS_Shape MakeDumbbell(double radius, double length);
+/// Touches the ground z = 0 along y, with its centre above: to the left a quarter of a cylinder of radius 2 rises, to the right a
+/// plane.
+TopoDS_Shape MakeHalfRocker();
 /// Tip at the origin, axis z upwards.
 TopoDS_Shape MakeTipCone(double radius, double height);
 
