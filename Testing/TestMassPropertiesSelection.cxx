@@ -138,6 +138,33 @@ void CheckSelectors(const Manifest& manifest)
   CheckChoice(mass, "Assembly", {}, sum, 2);
 }
 
+/// Several bodies in one place of the assembly, and one body in several.
+void CheckShared(const Manifest& manifest)
+{
+  vtkNew<vtkPartitionedDataSetCollection> input;
+  const vtkSmartPointer<vtkDataObject> leaf = ReadLeaf(manifest.GetSolid("box", "plain").front());
+  vtkNew<vtkNURBSDataSet> other;
+  other->ShallowCopy(leaf);
+  input->SetPartition(0, 0, leaf);
+  input->SetPartition(0, 1, other);
+  input->SetPartition(1, 0, leaf);
+  vtkNew<vtkDataAssembly> assembly;
+  const int first = assembly->AddNode("First");
+  const int second = assembly->AddNode("Second");
+  assembly->AddDataSetIndex(first, 0);
+  assembly->AddDataSetIndex(second, 1);
+  input->SetDataAssembly(assembly);
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputDataObject(input);
+  mass->Update();
+  CheckEqual("shared: bodies", 3, mass->GetNumberOfSolids());
+  vtkDataAssembly* kept = GetBodies(mass)->GetDataAssembly();
+  CheckTrue("shared: two bodies of one partitioned dataset",
+    kept->GetDataSetIndices(first, false) == std::vector<unsigned int>({ 0, 1 }));
+  CheckTrue("shared: the same body once more",
+    kept->GetDataSetIndices(second, false) == std::vector<unsigned int>({ 2 }));
+}
+
 double Get(vtkDataSet* mesh, const char* name, vtkIdType cell)
 {
   auto* array = vtkFloatArray::SafeDownCast(mesh->GetCellData()->GetArray(name));
@@ -253,6 +280,7 @@ int main(int argc, char* argv[])
   }
   const Manifest manifest(argv[1]);
   CheckSelectors(manifest);
+  CheckShared(manifest);
   CheckMeshes(manifest);
   CheckSharedArrays(manifest);
   CheckColors(manifest);

@@ -264,7 +264,8 @@ int main(int argc, char** argv)
   {
     return exitStatus;
   }
-  if (!arguments.Record.empty() && !std::ofstream(arguments.Record))
+  // For appending: a recording that is there is lost when there is another, and not before.
+  if (!arguments.Record.empty() && !std::ofstream(arguments.Record, std::ios::app))
   {
     return Complain(arguments.Record + " cannot be written");
   }

@@ -10,6 +10,7 @@
 #include "vtkPartitionedDataSetCollection.h"
 
 #include <cstring>
+#include <deque>
 #include <limits>
 #include <map>
 
@@ -66,27 +67,39 @@ void KeepAssembly(
   {
     return;
   }
-  std::map<vtkDataObject*, unsigned int> numbers;
+  // A leaf may stand in several places, and a partitioned dataset may hold several bodies.
+  std::map<vtkDataObject*, std::deque<unsigned int>> numbers;
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
-    numbers[bodies[i].Mesh] = static_cast<unsigned int>(i);
+    numbers[bodies[i].Mesh].push_back(static_cast<unsigned int>(i));
   }
-  std::map<unsigned int, unsigned int> renumbered;
+  std::map<unsigned int, std::vector<unsigned int>> renumbered;
   for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
   {
     vtkPartitionedDataSet* partitions = collection->GetPartitionedDataSet(i);
     for (unsigned int j = 0; partitions && j < partitions->GetNumberOfPartitions(); ++j)
     {
       const auto found = numbers.find(partitions->GetPartitionAsDataObject(j));
-      if (found != numbers.end())
+      if (found != numbers.end() && !found->second.empty())
       {
-        renumbered.emplace(i, found->second);
+        renumbered[i].push_back(found->second.front());
+        found->second.pop_front();
       }
     }
   }
   vtkNew<vtkDataAssembly> assembly;
   assembly->DeepCopy(collection->GetDataAssembly());
-  assembly->RemapDataSetIndices(renumbered, true);
+  std::vector<int> nodes = assembly->GetChildNodes(vtkDataAssembly::GetRootNode(), true);
+  nodes.push_back(vtkDataAssembly::GetRootNode());
+  for (const int node : nodes)
+  {
+    const std::vector<unsigned int> before = assembly->GetDataSetIndices(node, false);
+    assembly->RemoveAllDataSetIndices(node, false);
+    for (const unsigned int index : before)
+    {
+      assembly->AddDataSetIndices(node, renumbered[index]);
+    }
+  }
   output->SetDataAssembly(assembly);
 }
 }

@@ -12,6 +12,7 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <set>
 #include <string>
@@ -41,6 +42,12 @@ public:
     const std::set<vtkIdType> rows = GetSelectedRows(filter->GetSelectionInput(this->TablePort));
     // A selection in the view is the user's own; where it was cleared, rows that are still selected show again.
     if (port == this->MeshesPort && (rows.empty() || filter->GetSelectionInput(this->MeshesPort)))
+    {
+      return;
+    }
+    // ParaView clears the rows after it has set a selection made in the view, which is the user's own, too.
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
+    if (rows.empty() && shown != this->Own)
     {
       return;
     }
@@ -75,7 +82,7 @@ private:
     return rows;
   }
 
-  void Highlight(vtkSMSourceProxy* filter, const std::set<vtkIdType>& rows) const
+  void Highlight(vtkSMSourceProxy* filter, const std::set<vtkIdType>& rows)
   {
     vtkSMSessionProxyManager* manager = filter->GetSessionProxyManager();
     const auto source = vtkSmartPointer<vtkSMSourceProxy>::Take(
@@ -91,6 +98,7 @@ private:
     const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(
       vtkSMSourceProxy::SafeDownCast(vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
     filter->SetSelectionInput(this->MeshesPort, selection, 0);
+    this->Own = selection;
   }
 
   void RenderViews(vtkSMSourceProxy* filter) const
@@ -108,6 +116,8 @@ private:
   }
 
   bool Busy = false;
+  /// What Highlight() selected last.
+  vtkWeakPointer<vtkSMSourceProxy> Own;
 };
 }
 

@@ -7,8 +7,8 @@
  * <InitializationHelper class="vtkSMSolidHighlightHelper" table="1" meshes="5"/>
  * @endcode
  * From then on a selection of rows (by index, as a spreadsheet makes it) selects the blocks, and the render views that show them are
- * rendered again; an empty one clears them. Works on the client, without Qt, so that scripts have it too. Selections by other
- * means than indices clear the blocks.
+ * rendered again; an empty one clears what was selected so, and leaves what the user selected in a view. Works on the client, without
+ * Qt, so that scripts have it too. Selections by other means than indices clear the blocks.
  */
 #ifndef vtkSMSolidHighlightHelper_h
 #define vtkSMSolidHighlightHelper_h

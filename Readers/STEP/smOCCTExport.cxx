@@ -28,6 +28,7 @@
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <ostream>
@@ -212,12 +213,24 @@ private:
     }
   }
 
+  /// The kernel takes a face of a part below the node.
+  bool HasShape(const ExportNode& node) const
+  {
+    return node.Part >= 0 ? !this->Labels[node.Part].IsNull()
+                          : std::any_of(node.Children.begin(), node.Children.end(),
+                              [this](const ExportNode& child) { return this->HasShape(child); });
+  }
+
   /// Null when nothing is left of it.
   TDF_Label AddAssembly(const ExportNode& node)
   {
     if (node.Part >= 0)
     {
       return this->Labels[node.Part];
+    }
+    if (!this->HasShape(node))
+    {
+      return {};
     }
     const TDF_Label label = this->Shapes->NewShape();
     TDataStd_Name::Set(label, ToExtended(node.Name));

@@ -28,8 +28,8 @@
  * | OutOfDiskSpaceError | the disk is full                                                            |
  * | UnknownError        | OpenCASCADE failed, or the application asked to stop                        |
  *
- * One file is written or read at a time in a process, others wait: OpenCASCADE's settings are global. Under MPI,
- * piece 0 writes what it has. No OpenGL context is needed.
+ * One file is written or read at a time in a process, others wait: OpenCASCADE's settings are global. Under MPI every
+ * process that calls Write() updates its whole input and writes the same file: call it in one. No OpenGL context is needed.
  */
 #ifndef vtkNURBSModelWriter_h
 #define vtkNURBSModelWriter_h

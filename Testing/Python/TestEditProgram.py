@@ -111,6 +111,12 @@ def errors():
     refused("JSON that cannot be written", 1, "cannot be written", "--play", events, "--json", "no/where.json")
     if not options.display:
         refused("no display", 1, "there is no display")
+        kept = write_events("kept", key("h"))
+        with open(kept, encoding="utf-8") as file:
+            before = file.read()
+        refused("no display to record on", 1, "there is no display", "--record", kept)
+        with open(kept, encoding="utf-8") as file:
+            check_equal("the recording that was there stays", before, file.read())
 
 
 values = play()

@@ -148,6 +148,15 @@ check_equal("cells of a hundred selected solids", 100 * one, count_selected())
 check_true("more magenta pixels", count_pixels(is_magenta) > 300, str(count_pixels(is_magenta)))
 many.SMProxy.CleanSelectionInputs(1)
 check_equal("cleared with the rows", 0, count_pixels(is_magenta))
+# What is selected in the view stays when the rows, as ParaView does then, are cleared.
+select_rows([499])
+block = manager.NewProxy("sources", "BlockSelectorsSelectionSource")
+block.GetProperty("BlockSelectors").SetElement(0, "/Root")
+block.UpdateVTKObjects()
+many.SMProxy.SetSelectionInput(5, servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(block), 0)
+check_equal("all are selected in the view", total, count_selected())
+many.SMProxy.CleanSelectionInputs(1)
+check_equal("and stay so", total, count_selected())
 
 # A table that the user asks for does open.
 sheet = simple.CreateView("SpreadSheetView")

@@ -388,6 +388,48 @@ void CheckStructure(const std::string& folder)
   Check("density of the first", 2700.0, saved.front()->GetDensity(), 1e-9, "seven digits and more");
   Check("density of the second", 7850.0, saved.back()->GetDensity(), 1e-9, "seven digits and more");
 
+  // Any text is a name.
+  vtkNew<vtkNURBSDataSet> odd;
+  odd->ShallowCopy(box->GetPartitionAsDataObject(0, 0));
+  vtkNew<vtkTrimmedNURBSModel> named;
+  named->ShallowCopy(odd->GetModel());
+  const std::string name = "O'Ring \\ \"\xC3\xBC\" #1;";
+  named->SetName(name);
+  named->SetMaterial(name);
+  const auto renamed = std::make_shared<sm::Face>(*named->GetFaces()[1]);
+  renamed->Name = name;
+  named->SetFace(1, renamed);
+  odd->SetModel(named);
+  const auto again = GetModels(Save("names", odd));
+  CheckEqual("a body's odd name", name, again.empty() ? "" : again[0]->GetName());
+  CheckEqual("a material's odd name", name, again.empty() ? "" : again[0]->GetMaterial());
+  CheckEqual("a face's odd name", name, again.empty() ? "" : again[0]->GetFaces()[1]->Name);
+
+  // An assembly whose only part OpenCASCADE refuses is left out.
+  vtkNew<vtkPartitionedDataSetCollection> halves;
+  vtkNew<vtkDataAssembly> tree;
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkNURBSDataSet> leaf;
+    leaf->ShallowCopy(box->GetPartitionAsDataObject(0, 0));
+    vtkNew<vtkTrimmedNURBSModel> model;
+    model->ShallowCopy(leaf->GetModel());
+    for (int f = 0; i == 0 && f < 6; ++f)
+    {
+      const auto bad = std::make_shared<sm::Face>(*model->GetFaces()[f]);
+      bad->Surface.ControlPoints[0][3] = -1.0;
+      model->SetFace(f, bad);
+    }
+    leaf->SetModel(model);
+    halves->SetPartition(i, 0, leaf);
+    const int node = tree->AddNode(i == 0 ? "Bad" : "Good", 0);
+    tree->AddDataSetIndex(tree->AddNode("Part", node), i);
+  }
+  halves->SetDataAssembly(tree);
+  const auto half = Save("half", halves);
+  CheckEqual(
+    "what is left", "(Good[](Part[] 0()))", half ? DescribeTree(half->GetDataAssembly(), 0) : "nothing");
+
   // A part that was moved keeps its own coordinates and stands in an assembly.
   vtkNew<vtkNURBSTransform> move;
   move->SetInputDataObject(ReadFile(Manifest(folder).GetSolid("hollow_sphere", "plain")[0].Path));
