@@ -12,6 +12,17 @@ void AppendProjected(const std::vector<GroundPoint>& points, std::vector<Point2D
     projected.push_back(Project(p));
   }
 }
+
+/// How far points are from the first, at most.
+double GetExtent(const std::vector<Point2D>& points)
+{
+  double extent = 0.0;
+  for (const Point2D& p : points)
+  {
+    extent = std::max(extent, std::hypot(p[0] - points[0][0], p[1] - points[0][1]));
+  }
+  return extent;
+}
 }
 
 Point2D GetContactDirection(int k)
@@ -203,11 +214,7 @@ void ContactSearch::Internals::FindOnCurve(FaceOnGround& face, const Segment& se
     }
     std::vector<Point2D> projected;
     AppendProjected(curve.Points, projected);
-    double extent = 0.0;
-    for (const Point2D& p : projected)
-    {
-      extent = std::max(extent, std::hypot(p[0] - projected[0][0], p[1] - projected[0][1]));
-    }
+    const double extent = GetExtent(projected);
     const bool level = curve.IsLevel(slack);
     if (level || extent <= this->GetResolution() || curve.End - curve.Start < LeastWidth ||
       count >= MaximumNets)
@@ -245,6 +252,7 @@ void ContactSearch::Internals::FindOnBorder(
       this->AddPoint(face, segment, end.Start, point);
     }
   }
+  double spread = 0.0;
   std::vector<GroundCurve> stack{ root };
   for (int count = 0; !stack.empty(); ++count)
   {
@@ -279,6 +287,7 @@ void ContactSearch::Internals::FindOnBorder(
       AppendProjected(curve.Points, piece.Outer);
       if (inside)
       {
+        spread += GetExtent(piece.Outer);
         piece.Inner = { piece.Outer.front(), piece.Outer.back() };
       }
       this->Found.Pieces.push_back(std::move(piece));
@@ -288,6 +297,7 @@ void ContactSearch::Internals::FindOnBorder(
     stack.push_back(std::move(halves.first));
     stack.push_back(std::move(halves.second));
   }
+  this->Found.Spread = std::max(this->Found.Spread, spread);
 }
 
 /// A patch that touches as a whole. Where the map to the ground's plane keeps its sense, what the loops leave of it is bounded by

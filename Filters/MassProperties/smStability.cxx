@@ -414,7 +414,8 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
                                                                       : SupportKind::Line;
 
   const Hulls fine = Refine(contacts.Pieces, frame.Foot, body.Size, merge);
-  const double beyond = 4.0 * merge + contacts.Spread;
+  // Points this close to certain ones were passed by, and the outer hull leaves out as much again.
+  const double beyond = 8.0 * merge + contacts.Spread;
   const double inner = fine.Inner.GetMargin(frame.Foot);
   double low = inner - contacts.Spread - frame.Bound;
   double high = fine.Outer.GetMargin(frame.Foot) + beyond + frame.Bound;
