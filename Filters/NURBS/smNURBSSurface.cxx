@@ -82,6 +82,8 @@ void ExtractCell(const NURBSSurface& surface, int ku, int kv, const double (&u)[
   const int q = surface.Degree[1];
   std::array<Number, 4> active[(MaximumDegree + 1) * (MaximumDegree + 1)];
   std::array<Number, 4> partial[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  // For compilers that do not see that p and q are 1 at least.
+  active[0] = partial[0] = {};
   for (int j = 0; j <= q; ++j)
   {
     const Homogeneous* row = surface.ControlPoints.data() + (ku - p) +
