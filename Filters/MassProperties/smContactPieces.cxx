@@ -66,6 +66,60 @@ std::uint32_t ContactSearch::Internals::FindDirections(
   return directions;
 }
 
+/// The same at a pole, where the border sr[across] = 0 or 1 of the patch is one point: lines of constant parameter leave it in the
+/// directions of their tangents. 0 where it is no pole.
+std::uint32_t ContactSearch::Internals::FindPoleDirections(
+  const FaceOnGround& face, int patch, std::array<double, 2> sr)
+{
+  // The sample is the middle of a small box.
+  const GroundPatch& root = face.Patches[patch];
+  for (double& x : sr)
+  {
+    x = std::abs(x - std::round(x)) < 1e-4 ? std::round(x) : x;
+  }
+  const GroundPatch::Shape shape = root.GetShape(sr[0], sr[1]);
+  const double lengths[2] = { std::hypot(shape.Tangents[0][0], shape.Tangents[0][1]),
+    std::hypot(shape.Tangents[1][0], shape.Tangents[1][1]) };
+  const int across = lengths[0] >= lengths[1] ? 0 : 1;
+  if (lengths[1 - across] > 1e-6 * lengths[across] || (sr[across] != 0.0 && sr[across] != 1.0))
+  {
+    return 0;
+  }
+  const double inward = sr[across] == 0.0 ? 1.0 : -1.0;
+  const int lines = 64;
+  std::uint32_t directions = 0;
+  Point2D before{};
+  bool leftBefore = true;
+  for (int i = 0; i <= lines; ++i)
+  {
+    std::array<double, 2> at = sr;
+    at[1 - across] = static_cast<double>(i) / lines;
+    const std::array<double, 2> tangent = root.GetShape(at[0], at[1]).Tangents[across];
+    const Point2D now = { inward * tangent[0], inward * tangent[1] };
+    TrimSide side = TrimSide::Undecided;
+    for (double length = 1e-4; length < 0.05 && side == TrimSide::Undecided; length *= 10.0)
+    {
+      at[across] = sr[across] + inward * length;
+      side = face.Classify(patch, at.data(), at.data());
+    }
+    const bool left = side == TrimSide::Outside;
+    for (int k = 0; k < ContactDirections && i > 0 && !(left && leftBefore); ++k)
+    {
+      // Between the two tangents, which are less than half a turn apart; rounding does not turn it out.
+      const Point2D e = GetContactDirection(k);
+      const auto cross = [](const Point2D& a, const Point2D& b) { return a[0] * b[1] - a[1] * b[0]; };
+      const double turn = cross(before, now) < 0.0 ? -1.0 : 1.0;
+      const double slack = 1e-9 * lengths[across];
+      const bool between = turn * cross(before, e) >= -slack && turn * cross(e, now) >= -slack &&
+        (before[0] + now[0]) * e[0] + (before[1] + now[1]) * e[1] > 0.0;
+      directions |= between ? 1u << k : 0u;
+    }
+    before = now;
+    leftBefore = left;
+  }
+  return directions;
+}
+
 /// Surfaces without a normal (poles) are looked at a little away from there.
 void ContactSearch::Internals::AddSample(
   const FaceOnGround& face, int patch, std::array<double, 2> sr, const Point2D& position)
@@ -95,6 +149,9 @@ void ContactSearch::Internals::AddSample(
       sample.Doubt =
         std::abs(sample.Radius - (far.Curvature > 0.0 ? 1.0 / far.Curvature : Infinity)) + 1e-9 * this->Size;
       sample.Widest = near.LeastCurvature * this->Size > 1e-9 ? 1.0 / near.LeastCurvature : Infinity;
+      const std::uint32_t directions = FindPoleDirections(face, patch, { clamp(sr[0]), clamp(sr[1]) });
+      sample.Doubt = directions == 0 ? Infinity : sample.Doubt;
+      sample.GoesOn = directions == 0 ? ~0u : directions;
     }
   }
   else if (shape.Normal >= TangentCosine)

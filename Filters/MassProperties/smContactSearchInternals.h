@@ -87,6 +87,7 @@ struct ContactSearch::Internals
   void AddSample(const FaceOnGround& face, int patch, std::array<double, 2> sr, const Point2D& position);
   static std::uint32_t FindDirections(
     const FaceOnGround& face, int patch, const std::array<double, 2>& sr, const GroundPatch::Shape& shape);
+  static std::uint32_t FindPoleDirections(const FaceOnGround& face, int patch, std::array<double, 2> sr);
   void AddPoint(const FaceOnGround& face, const Segment& segment, double t, const GroundPoint& point);
   void AddCurve(const FaceOnGround& face, const Segment& segment, const GroundCurve& curve);
   void FindOnTrims(FaceOnGround& face);

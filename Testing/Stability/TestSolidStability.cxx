@@ -166,6 +166,16 @@ void TestOneSided(const std::string& folder)
   CheckBounded(rocker.Filter, names::RollingMargin, -Get(rocker.Filter, names::CenterHeight), 1e-6);
 }
 
+/// The pole of half a ball is on the border of its sphere: to one side it rolls back, to the other it falls over.
+void TestHalfBall(const std::string& folder)
+{
+  Case half(smtest::WriteStanding(folder, "half_ball", smtest::MakeHalfBall()));
+  half.Filter->Update();
+  CheckVerdict("half a ball on its pole", half.Filter, "unstable", "point", "rolling");
+  CheckBounded(half.Filter, names::Margin, 0.0, 1e-6);
+  CheckBounded(half.Filter, names::RollingMargin, -Get(half.Filter, names::CenterHeight), 1e-6);
+}
+
 /// On a slope the contact moves on by cos^2 of the angle only, seen from above: a dome with its centre of mass above the contact,
 /// which is `angle` from its pole, rolls back while cos(angle) > 3/8.
 void TestDomeOnSlopes(const std::string& folder)
@@ -519,6 +529,7 @@ int main(int argc, char* argv[])
   {
     TestShapes(folder);
     TestOneSided(folder);
+    TestHalfBall(folder);
     TestCenterBound(folder);
     TestCatalogue(manifest);
   }

@@ -8,6 +8,7 @@
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
@@ -93,6 +94,18 @@ TopoDS_Shape MakeHalfRocker()
     BRepBuilderAPI_MakeEdge(p[1], p[2]).Edge(), BRepBuilderAPI_MakeEdge(p[2], p[3]).Edge(),
     BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(p[3], middle, p[0]).Value()).Edge());
   return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire(), true).Face(), gp_Vec(0, 3, 0)).Shape();
+}
+
+TopoDS_Shape MakeHalfBall()
+{
+  // The half in y > 0 has the moment 2/3 pi r^3 * 3/8 r in y, the block -w d t^2 / 2 with width w, height d, thickness t.
+  const double r = 10.0;
+  const double width = 10.0;
+  const double height = 10.0;
+  const double thickness = std::sqrt(0.5 * Pi * r * r * r * r / (width * height));
+  const TopoDS_Shape half = BRepPrimAPI_MakeSphere(r, Pi).Shape();
+  const gp_Pnt corner(-0.5 * width, -thickness, -8.0);
+  return BRepAlgoAPI_Fuse(half, BRepPrimAPI_MakeBox(corner, width, thickness, height).Shape()).Shape();
 }
 
 TopoDS_Shape MakeTipCone(double radius, double height)

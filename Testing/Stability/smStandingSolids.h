@@ -25,6 +25,9 @@ TopoDS_Shape MakeDumbbell(double radius, double length);
 /// Touches the ground z = 0 along y, with its centre above: to the left a quarter of a cylinder of radius 2 rises, to the right a
 /// plane.
 TopoDS_Shape MakeHalfRocker();
+/// Half a ball of radius 10 about the origin, y > 0, and a block for y < 0, above its pole at z = -10: the centre of mass is at
+/// x = y = 0, below the middle of the ball.
+TopoDS_Shape MakeHalfBall();
 /// Tip at the origin, axis z upwards.
 TopoDS_Shape MakeTipCone(double radius, double height);
 
