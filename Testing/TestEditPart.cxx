@@ -6,6 +6,7 @@
 #include "smEditSession.h"
 #include "smMassPropertyNames.h"
 #include "smNetMoments.h"
+#include "smTestPipeline.h"
 
 #include "smBodyScene.h"
 
@@ -21,38 +22,12 @@
 #include <vtkTesting.h>
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
 namespace
 {
 using namespace smtest;
 namespace names = sm::names;
-
-/// All numbers of the field data, but for what the run cost.
-std::vector<double> GetNumbers(vtkMassPropertiesGPU* mass)
-{
-  std::vector<double> numbers;
-  vtkFieldData* fields = mass->GetOutput()->GetFieldData();
-  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = fields->GetArray(i);
-    const std::string name = array && array->GetName() ? array->GetName() : "";
-    for (vtkIdType k = 0;
-         array && name != names::Evaluations && name != names::Dispatches && k < array->GetNumberOfValues();
-         ++k)
-    {
-      numbers.push_back(array->GetVariantValue(k).ToDouble());
-    }
-  }
-  return numbers;
-}
-
-bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
-{
-  return a.size() > 30 && a.size() == b.size() &&
-    std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
 
 /// The pixels in which two pictures differ; -1 when they differ in size.
 long long CountDifferent(vtkImageData* a, vtkImageData* b)
@@ -90,7 +65,7 @@ std::vector<double> RunAnew(EditSession& session)
   mass->Update();
   CheckTrue(
     "a full run evaluates everything", mass->GetEvaluations() > session.Scene.GetMass()->GetEvaluations());
-  return GetNumbers(mass);
+  return GetFieldNumbers(mass);
 }
 
 Point3 GetStored(EditSession& session, const sm::Grip& grip)
@@ -208,7 +183,7 @@ void CheckDrag(
 {
   EditSession session(reader->GetOutput(), "free_form_part.step", folder);
   vtkMassPropertiesGPU* mass = session.Scene.GetMass();
-  const std::vector<double> first = GetNumbers(mass);
+  const std::vector<double> first = GetFieldNumbers(mass);
   const vtkSmartPointer<vtkImageData> before = sm::GrabImage(session.Window);
   CheckRange(
     "display points on their faces", 0.0, GetMeshError(session.Part.GetBody(0)), 1e-6, "OpenCASCADE's");
@@ -257,7 +232,7 @@ void CheckDrag(
   CheckEqual("nothing opened", 0, static_cast<long long>(session.Part.GetOpened(0).size()));
   CheckAgainstFormula(session, net);
   CheckTrue("the volume is another", std::fabs(mass->GetVolume() - first[0]) > 100.0);
-  const std::vector<double> last = GetNumbers(mass);
+  const std::vector<double> last = GetFieldNumbers(mass);
   CheckTrue("the bits of a full run", HaveSameBits(last, RunAnew(session)));
   CheckRange("display points on the new faces", 0.0, GetMeshError(session.Part.GetBody(0)), 1e-6);
   CheckTrue("an update for every move", session.Scene.GetTimes().size() > 3 * drags.size());
@@ -281,21 +256,21 @@ void CheckDrag(
   undo(moved);
   session.AddClick(700, 540);
   session.Play();
-  CheckTrue("undone, the first bits", HaveSameBits(first, GetNumbers(mass)));
+  CheckTrue("undone, the first bits", HaveSameBits(first, GetFieldNumbers(mass)));
   CheckEqual("undone, the first picture", 0, CountDifferent(before, sm::GrabImage(session.Window)));
   undo(1);
   session.Play();
-  CheckTrue("nothing more to undo", HaveSameBits(first, GetNumbers(mass)));
+  CheckTrue("nothing more to undo", HaveSameBits(first, GetFieldNumbers(mass)));
   for (int i = 0; i < moved; ++i)
   {
     session.AddKey("y", EditSession::Control);
   }
   session.Play();
-  CheckTrue("done again, the last bits", HaveSameBits(last, GetNumbers(mass)));
+  CheckTrue("done again, the last bits", HaveSameBits(last, GetFieldNumbers(mass)));
   session.AddKey("r");
   session.AddClick(700, 540);
   session.Play();
-  CheckTrue("reset, the first bits", HaveSameBits(first, GetNumbers(mass)));
+  CheckTrue("reset, the first bits", HaveSameBits(first, GetFieldNumbers(mass)));
   CheckEqual("reset, the first picture", 0, CountDifferent(before, sm::GrabImage(session.Window)));
 }
 
@@ -312,7 +287,7 @@ void CheckPlaced(vtkSTEPReader* reader, const std::string& folder)
   EditSession session(
     vtkPartitionedDataSetCollection::SafeDownCast(place->GetOutputDataObject(0)), "placed", folder);
   vtkMassPropertiesGPU* mass = session.Scene.GetMass();
-  const std::vector<double> first = GetNumbers(mass);
+  const std::vector<double> first = GetFieldNumbers(mass);
   // Where a user would click; then a point inside the face that was hit.
   int body = -1;
   int face = -1;
@@ -352,7 +327,7 @@ void CheckPlaced(vtkSTEPReader* reader, const std::string& folder)
   net.Integrate();
   Check("volume", net.Volume, mass->GetVolume(), 1e-12 * net.Volume + mass->GetVolumeBound());
   CheckTrue("is another", std::fabs(mass->GetVolume() - first[0]) > 1.0);
-  const std::vector<double> second = GetNumbers(mass);
+  const std::vector<double> second = GetFieldNumbers(mass);
   CheckTrue("the bits of a full run", HaveSameBits(second, RunAnew(session)));
 
   std::printf("--- along the normal\n");
@@ -375,7 +350,7 @@ void CheckPlaced(vtkSTEPReader* reader, const std::string& folder)
   session.AddKey("Escape");
   session.Add("LeftButtonReleaseEvent", tip[0], tip[1]);
   session.Play();
-  CheckTrue("the bits before the drag", HaveSameBits(second, GetNumbers(mass)));
+  CheckTrue("the bits before the drag", HaveSameBits(second, GetFieldNumbers(mass)));
 
   std::printf("--- weight\n");
   session.Add("MouseWheelForwardEvent", start[0], start[1], EditSession::Control);
@@ -384,11 +359,11 @@ void CheckPlaced(vtkSTEPReader* reader, const std::string& folder)
   session.Part.GetWeight(grip, weight);
   Check("weight", 1.25, weight, 0.0);
   CheckVector("where it was", now, GetWorld(session, grip), 1e-12 * 600.0);
-  CheckTrue("other numbers", !HaveSameBits(second, GetNumbers(mass)));
-  CheckTrue("the bits of a full run", HaveSameBits(GetNumbers(mass), RunAnew(session)));
+  CheckTrue("other numbers", !HaveSameBits(second, GetFieldNumbers(mass)));
+  CheckTrue("the bits of a full run", HaveSameBits(GetFieldNumbers(mass), RunAnew(session)));
   session.AddKey("z", EditSession::Control);
   session.Play();
-  CheckTrue("undone, the same bits", HaveSameBits(second, GetNumbers(mass)));
+  CheckTrue("undone, the same bits", HaveSameBits(second, GetFieldNumbers(mass)));
 
   std::printf("--- the view alone\n");
   const std::size_t updates = session.Scene.GetTimes().size();
@@ -396,7 +371,7 @@ void CheckPlaced(vtkSTEPReader* reader, const std::string& folder)
   session.Add("LeftButtonReleaseEvent", 80, 530);
   session.Add("MouseWheelForwardEvent", 360, 280);
   session.Play();
-  CheckTrue("changes no number", HaveSameBits(second, GetNumbers(mass)));
+  CheckTrue("changes no number", HaveSameBits(second, GetFieldNumbers(mass)));
   CheckEqual("and is no update", static_cast<long long>(updates),
     static_cast<long long>(session.Scene.GetTimes().size()));
 }
@@ -407,7 +382,7 @@ void CheckOpen(vtkSTEPReader* reader, const std::string& folder)
 {
   EditSession session(reader->GetOutput(), "open", folder);
   vtkMassPropertiesGPU* mass = session.Scene.GetMass();
-  const std::vector<double> first = GetNumbers(mass);
+  const std::vector<double> first = GetFieldNumbers(mass);
   int body = -1;
   int face = -1;
   session.Scene.PickFace(355, 205, body, face);
@@ -434,12 +409,12 @@ void CheckOpen(vtkSTEPReader* reader, const std::string& folder)
     // The row's points move by N_2 d, at most 1/2 of it: knots 0 0 0 0 1/2 1 1 1 1, N_2(1/2) = 1/2. Foot points may be nearer.
     CheckRange("gap", 0.35 * length, opened[0].Gap, 0.5 * length + 1e-9, "half of the displacement at most");
     Check("as the filter says", opened[0].Gap,
-      GetNumbers(mass).empty()
+      GetFieldNumbers(mass).empty()
         ? 0.0
         : mass->GetOutput()->GetFieldData()->GetArray(names::MaxGap)->GetComponent(0, 0),
       0.02 * length);
   }
-  const std::vector<double> torn = GetNumbers(mass);
+  const std::vector<double> torn = GetFieldNumbers(mass);
   CheckTrue("the bits of a full run", HaveSameBits(torn, RunAnew(session)));
   const vtkSmartPointer<vtkImageData> picture = sm::GrabImage(session.Window);
   long long red = 0;
@@ -457,10 +432,10 @@ void CheckOpen(vtkSTEPReader* reader, const std::string& folder)
   session.AddKey("z", EditSession::Control);
   session.AddKey("o");
   session.Play();
-  CheckTrue("undone, the first bits", HaveSameBits(first, GetNumbers(mass)));
+  CheckTrue("undone, the first bits", HaveSameBits(first, GetFieldNumbers(mass)));
   drag();
   CheckEqual("nothing opened", 0, static_cast<long long>(session.Part.GetOpened(body).size()));
-  CheckTrue("other numbers", !HaveSameBits(torn, GetNumbers(mass)));
+  CheckTrue("other numbers", !HaveSameBits(torn, GetFieldNumbers(mass)));
 }
 
 // --- record ------------------------------------------------------------------------------------
@@ -472,7 +447,7 @@ void CheckRecord(vtkSTEPReader* reader, const std::string& folder)
   std::vector<double> last;
   {
     EditSession session(reader->GetOutput(), "recorded", folder);
-    first = GetNumbers(session.Scene.GetMass());
+    first = GetFieldNumbers(session.Scene.GetMass());
     vtkRenderWindowInteractor* interactor = session.Interactor;
     sm::EventRecording recording(interactor, events);
     // As a window's messages arrive.
@@ -490,13 +465,13 @@ void CheckRecord(vtkSTEPReader* reader, const std::string& folder)
     interactor->SetEventInformation(360, 302, 0, 0, 'h', 0, "h");
     interactor->KeyPressEvent();
     CheckTrue("help is shown", session.Scene.IsHelpShown());
-    last = GetNumbers(session.Scene.GetMass());
+    last = GetFieldNumbers(session.Scene.GetMass());
     CheckTrue("the drag did something", !HaveSameBits(first, last));
   }
   EditSession session(reader->GetOutput(), "played", folder);
-  CheckTrue("the file's part again", HaveSameBits(first, GetNumbers(session.Scene.GetMass())));
+  CheckTrue("the file's part again", HaveSameBits(first, GetFieldNumbers(session.Scene.GetMass())));
   CheckEqual("played", "", sm::PlayEvents(session.Interactor, events));
-  CheckTrue("the same bits", HaveSameBits(last, GetNumbers(session.Scene.GetMass())));
+  CheckTrue("the same bits", HaveSameBits(last, GetFieldNumbers(session.Scene.GetMass())));
   CheckTrue("help is shown", session.Scene.IsHelpShown());
 }
 }

@@ -7,37 +7,10 @@
 #include <vtkNURBSDeform.h>
 #include <vtkNURBSTransform.h>
 
-#include <cstring>
-
 namespace
 {
 using namespace smtest;
 namespace names = sm::names;
-
-/// Everything in the field data that is a number, but for what the run cost.
-std::vector<double> GetNumbers(vtkMassPropertiesGPU* mass)
-{
-  std::vector<double> numbers;
-  vtkFieldData* fields = mass->GetOutput()->GetFieldData();
-  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = fields->GetArray(i);
-    const std::string name = array && array->GetName() ? array->GetName() : "";
-    for (vtkIdType k = 0;
-         array && name != names::Evaluations && name != names::Dispatches && k < array->GetNumberOfValues();
-         ++k)
-    {
-      numbers.push_back(array->GetVariantValue(k).ToDouble());
-    }
-  }
-  return numbers;
-}
-
-bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
-{
-  return a.size() > 30 && a.size() == b.size() &&
-    std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
 
 void Weigh(vtkMassPropertiesGPU* mass, vtkNURBSDataSet* like, vtkTrimmedNURBSModel* model)
 {
@@ -59,7 +32,7 @@ void CheckVolumes(int backend)
   mass->SetInputData(leaf);
   mass->Update();
   Check("volume", body.GetVolume(), mass->GetVolume(), 1e-13 * body.GetVolume());
-  const std::vector<double> first = GetNumbers(mass);
+  const std::vector<double> first = GetFieldNumbers(mass);
   const int last = body.GetNumberOfPoints() - 1;
   const LatticeBody::Point moved{ 0.15, -0.2, 0.35 };
   for (const std::array<int, 2> at : { std::array<int, 2>{ 2, 1 }, { 0, 2 }, { 3, 4 }, { 0, 0 }, { 4, 0 } })
@@ -76,17 +49,17 @@ void CheckVolumes(int backend)
       name + ": within its bound", expected, mass->GetVolume(), mass->GetVolumeBound() + 1e-15 * expected);
     Check(name + ": gap", 0.0, GetField(mass->GetOutput()->GetFieldData(), names::MaxGap), 1e-14,
       "rounding of 5");
-    CheckTrue(name + ": other numbers", !HaveSameBits(first, GetNumbers(mass)));
+    CheckTrue(name + ": other numbers", !HaveSameBits(first, GetFieldNumbers(mass)));
     // By value, with faces of new ids; and by the faces that were there.
     std::array<double, 4> point;
     sm::GetControlPoint(leaf->GetModel(), 5, { index[0], index[1] }, point);
     const sm::ModelEdit back = sm::SetControlPoints(
       edit.Model, 5, { { { index[0], index[1] }, point } }, sm::EditRule::MoveSharedBoundary);
     Weigh(mass, leaf, back.Model);
-    CheckTrue(name + ": set back, the same bits", HaveSameBits(first, GetNumbers(mass)));
+    CheckTrue(name + ": set back, the same bits", HaveSameBits(first, GetFieldNumbers(mass)));
     CheckTrue(name + ": by evaluating again", mass->GetEvaluations() > 0);
     Weigh(mass, leaf, sm::ReplaceFaces(edit.Model, edit.Replaced).Model);
-    CheckTrue(name + ": undone, the same bits", HaveSameBits(first, GetNumbers(mass)));
+    CheckTrue(name + ": undone, the same bits", HaveSameBits(first, GetFieldNumbers(mass)));
     CheckEqual(name + ": for nothing", 0, mass->GetEvaluations());
   }
 }
@@ -135,7 +108,7 @@ void CheckCost(int backend)
   };
   vtkNew<vtkMassPropertiesGPU> mass;
   const auto original = weigh(mass, model);
-  const std::vector<double> first = GetNumbers(mass);
+  const std::vector<double> first = GetFieldNumbers(mass);
   Check("volume", 84 * 30.0, mass->GetVolume(), 1e-9 * 84 * 30.0);
   // A point inside a face of degree 4, a lid.
   const int face = 6 * 50 + 5;
@@ -143,20 +116,20 @@ void CheckCost(int backend)
     sm::MoveControlPoints(model, face, { { 2, 1 } }, { 0.1, 0.2, 0.4 }, sm::EditRule::MoveSharedBoundary);
   CheckEqual("one face is new", 1, static_cast<long long>(edit.Replaced.size()));
   const auto edited = weigh(mass, edit.Model);
-  const std::vector<double> incremental = GetNumbers(mass);
+  const std::vector<double> incremental = GetFieldNumbers(mass);
   vtkNew<vtkMassPropertiesGPU> fresh;
   const auto full = weigh(fresh, edit.Model);
-  CheckTrue("the bits of a full run", HaveSameBits(GetNumbers(fresh), incremental));
+  CheckTrue("the bits of a full run", HaveSameBits(GetFieldNumbers(fresh), incremental));
   CheckTrue("not those from before", !HaveSameBits(first, incremental));
   // What the face cost before the edit: to a filter that knows all others.
   const auto before = weigh(fresh, model);
-  CheckTrue("back again, the first bits", HaveSameBits(first, GetNumbers(fresh)));
+  CheckTrue("back again, the first bits", HaveSameBits(first, GetFieldNumbers(fresh)));
   CheckRange("evaluations of the edit", 1.0, static_cast<double>(edited), static_cast<double>(full) / 10.0);
   CheckEqual("are exactly the face's of a full run", full - (original - before), edited);
   CheckEqual("undone, none at all", 0, weigh(mass, model));
   mass->KeepFacesOff();
   CheckEqual("none kept, all of them", original, weigh(mass, model));
-  CheckTrue("for the same bits", HaveSameBits(first, GetNumbers(mass)));
+  CheckTrue("for the same bits", HaveSameBits(first, GetFieldNumbers(mass)));
   mass->KeepFacesOn();
   mass->SetRelativeTolerance(1e-12);
   CheckTrue("another tolerance is another question", weigh(mass, model) >= original);

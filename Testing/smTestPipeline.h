@@ -19,6 +19,7 @@
 #include <vtkSTEPReader.h>
 #include <vtkStringArray.h>
 
+#include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
@@ -110,6 +111,32 @@ inline std::string GetMessages(vtkSurfaceIntegralGPU* filter)
 inline bool Says(vtkSurfaceIntegralGPU* filter, const std::string& text)
 {
   return GetMessages(filter).find(text) != std::string::npos;
+}
+
+/// All numbers of the output's field data, but for what the run cost.
+inline std::vector<double> GetFieldNumbers(vtkMassPropertiesGPU* mass)
+{
+  std::vector<double> numbers;
+  vtkFieldData* fields = mass->GetOutput()->GetFieldData();
+  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = fields->GetArray(i);
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    for (vtkIdType k = 0; array && name != sm::names::Evaluations && name != sm::names::Dispatches &&
+         k < array->GetNumberOfValues();
+         ++k)
+    {
+      numbers.push_back(array->GetVariantValue(k).ToDouble());
+    }
+  }
+  return numbers;
+}
+
+/// False, too, where there is hardly anything to compare.
+inline bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() > 30 && a.size() == b.size() &&
+    std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 }
 
