@@ -215,6 +215,10 @@ protected:
 
   void ForgetLastRun() override;
 #ifndef __VTK_WRAP__
+  bool CanShareFaces() const override
+  {
+    return !this->HasScheme();
+  }
   bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies) override;
   void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces) override;

@@ -10,6 +10,7 @@
 
 #include "vtkComputeContext.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -18,6 +19,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkTimerLog.h"
 
@@ -33,6 +35,7 @@ vtkSurfaceIntegralGPU::vtkSurfaceIntegralGPU()
 {
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(5);
+  this->Implementation->Controller = vtkMultiProcessController::GetGlobalController();
 }
 
 vtkSurfaceIntegralGPU::~vtkSurfaceIntegralGPU() = default;
@@ -50,7 +53,8 @@ void vtkSurfaceIntegralGPU::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "FaceIds: " << this->Implementation->FaceIds.size() << "\n"
      << indent << "Status: " << this->GetStatus() << "\n"
      << indent << "BackendName: " << this->GetBackendName() << "\n"
-     << indent << "Renderer: " << this->GetRenderer() << "\n";
+     << indent << "Renderer: " << this->GetRenderer() << "\n"
+     << indent << "Controller: " << this->GetController() << "\n";
 }
 
 void vtkSurfaceIntegralGPU::SetRelativeTolerance(double tolerance)
@@ -304,14 +308,8 @@ bool vtkSurfaceIntegralGPU::Internals::ChooseRunner(vtkSurfaceIntegralGPU* self)
   return true;
 }
 
-bool vtkSurfaceIntegralGPU::Internals::Integrate(
-  vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies)
+void vtkSurfaceIntegralGPU::Internals::Configure(vtkSurfaceIntegralGPU* self)
 {
-  Run& last = this->Last;
-  if (!this->ChooseRunner(self))
-  {
-    return false;
-  }
   if (this->Configured != this->Integrands)
   {
     this->Integrator.SetIntegrands(this->Integrands);
@@ -319,13 +317,26 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   }
   // Moments about each part's own origin are carried to the instances exactly; anything else is integrated
   // in world coordinates, instance by instance.
-  const bool placed = !this->LocalTolerances;
-  this->Integrator.SetUsePlacements(placed);
+  this->Integrator.SetUsePlacements(!this->LocalTolerances);
   this->Integrator.SetPerturbation(self->ShaderPerturbation);
   this->Integrator.SetMaximumEvaluations(self->MaximumEvaluations);
   this->Integrator.SetMaximumSeconds(self->MaximumSeconds);
   this->Integrator.SetKeepFaces(self->KeepFaces);
+}
 
+bool vtkSurfaceIntegralGPU::Internals::Integrate(
+  vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies)
+{
+  Run& last = this->Last;
+  const bool hasRunner = this->ChooseRunner(self);
+  this->Integrator.SetExchange(this->Exchange.get(), this->GetDevice());
+  if (!hasRunner)
+  {
+    this->Integrator.Dismiss();
+    return false;
+  }
+  this->Configure(self);
+  const bool placed = !this->LocalTolerances;
   std::vector<sm::FaceTask> tasks;
   std::vector<std::size_t> firstTask;
   std::map<vtkTrimmedNURBSModel*, std::size_t> known;
@@ -355,6 +366,8 @@ bool vtkSurfaceIntegralGPU::Internals::Integrate(
   last.StartSeconds += this->Integrator.GetStartSeconds();
   last.PrepareSeconds = this->Integrator.GetPrepareSeconds();
   last.IntegrateSeconds = this->Integrator.GetIntegrateSeconds();
+  this->Integrator.SetExchange(nullptr, {});
+  this->TellOfRanks();
   if (!done)
   {
     last.Messages.push_back(this->Integrator.WasTimedOut() ? "nothing was computed: MaximumSeconds were over"
@@ -415,13 +428,27 @@ void vtkSurfaceIntegralGPU::ForgetLastRun()
 }
 
 int vtkSurfaceIntegralGPU::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Internals::Run& last = this->Implementation->Last;
   this->ForgetLastRun();
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
   sm::RejectedInput rejected;
   std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  const int pieces = outputVector->GetInformationObject(port)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  int root = 0;
+  const Internals::Role role = this->Implementation->ChooseRole(this->CanShareFaces(), pieces,
+    !bodies.empty() || rejected.Plain + rejected.Withheld > 0, !bodies.empty(), root);
+  if (role == Internals::Role::Helper)
+  {
+    this->Implementation->Help(this, root);
+  }
+  if (role != Internals::Role::Owner)
+  {
+    return 1;
+  }
   if (bodies.empty() && rejected.Plain + rejected.Withheld > 0)
   {
     last.Status = sm::names::StatusEmpty;
@@ -451,6 +478,8 @@ int vtkSurfaceIntegralGPU::RequestData(
     last.Messages.push_back("the input holds no solid and no surface");
   }
   const bool computed = !bodies.empty() && this->IntegrateBodies(bodies);
+  this->Implementation->Exchange = nullptr;
+  last.Ranks = computed ? std::max(last.Ranks, 1) : 0;
   for (sm::BodyIntegrals& body : bodies)
   {
     if (computed)
@@ -515,6 +544,7 @@ void vtkSurfaceIntegralGPU::Internals::FillRunData(vtkFieldData* data) const
   sm::columns::SetInteger(data, sm::names::Evaluations, this->Last.Evaluations);
   sm::columns::SetInteger(data, sm::names::Dispatches, this->Last.Dispatches);
   sm::columns::SetInteger(data, sm::names::Faces, this->Last.Faces);
+  sm::columns::SetInteger(data, sm::names::Ranks, this->Last.Ranks);
   sm::columns::SetInteger(data, sm::names::BoundsEstimated, this->Last.Estimated ? 1 : 0);
 }
 

@@ -7,15 +7,19 @@
 
 #include "smBodyIntegrals.h"
 #include "smColumns.h"
+#include "smControllerExchange.h"
 #include "smMassPropertyNames.h"
 #include "smSurfaceIntegrator.h"
 #include "vtkSurfaceIntegralGPU.h"
 
 #include "vtkComputeContext.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 
 class vtkFieldData;
@@ -38,6 +42,7 @@ struct vtkSurfaceIntegralGPU::Internals
     bool Estimated = false;
     int Solids = 0;
     int Faces = 0;
+    int Ranks = 0;
     double StartSeconds = 0.0;
     double PrepareSeconds = 0.0;
     double IntegrateSeconds = 0.0;
@@ -62,6 +67,17 @@ struct vtkSurfaceIntegralGPU::Internals
   std::set<int> FaceIds;
   Run Last;
 
+  /// What a rank does in a run: all there is to do; its part of what another has; or nothing, and puts nothing out.
+  enum class Role
+  {
+    Owner,
+    Helper,
+    Idle
+  };
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  /// While the faces are shared with other ranks.
+  std::unique_ptr<sm::ControllerExchange> Exchange;
+
   void Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand);
   /// Gives the integrator the runner that the backend asks for and the machine has, and says so in Last.
   bool ChooseRunner(vtkSurfaceIntegralGPU* self);
@@ -73,6 +89,14 @@ struct vtkSurfaceIntegralGPU::Internals
   std::vector<std::size_t> ChooseTasks(std::vector<sm::FaceTask>& tasks);
   /// Puts the results where they would be if all faces had been integrated, zeros in between.
   void SpreadResults(const std::vector<std::size_t>& chosen, std::vector<sm::FaceIntegrals>& results) const;
+  /// Meets the other ranks, if they are to. `root` gets the rank that a helper helps.
+  Role ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies, int& root);
+  void Help(vtkSurfaceIntegralGPU* self, int root);
+  /// Gives the integrator what is asked of it.
+  void Configure(vtkSurfaceIntegralGPU* self);
+  sm::RankDevice GetDevice() const;
+  /// Says in Last what the ranks did.
+  void TellOfRanks();
   void FillRunData(vtkFieldData* data) const;
   /// How far the body reaches from the world origin.
   static double GetReach(const sm::BodyIntegrals& body);
