@@ -11,6 +11,7 @@
 #include "vtkNURBSDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -278,6 +279,7 @@ int vtkNURBSDeform::RequestData(
   this->NumberOfOpenedEdges = this->NumberOfChangedFaces = 0;
   this->LargestGap = 0.0;
   Run run{ this, {}, 0, 0, 0, {} };
+  vtkInformation* info = outputVector->GetInformationObject(0);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   const auto change = [&run](vtkPointSet* source, vtkPointSet* copy)
   {
@@ -291,6 +293,10 @@ int vtkNURBSDeform::RequestData(
   {
     vtkErrorMacro("The deformation is not possible: "
       << run.Error << ". Displacements, centre and radius must be finite.");
+  }
+  else if (run.Deformed == 0 && info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    // A rank that has no solids.
   }
   else if (run.Deformed == 0)
   {
@@ -308,5 +314,6 @@ int vtkNURBSDeform::RequestData(
   {
     output->Initialize();
   }
-  return done ? 1 : 0;
+  // Where ranks run together, what is downstream must run on all or on none.
+  return done || info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;
 }
