@@ -154,8 +154,8 @@ void TestValues(const std::vector<std::string>& files, int backend)
     pair.Compare(name + " at 1 evaluation", 1);
   }
   // One with as many faces as there are ranks, and more.
-  Pair gear(files.front(), backend);
-  gear.Compare("the first again", ranks);
+  Pair again(files.front(), backend);
+  again.Compare("the first again", ranks);
 }
 
 void TestEdits(const std::string& file)
