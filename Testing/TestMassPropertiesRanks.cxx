@@ -289,6 +289,40 @@ void TestNoOpenGL(const std::string& file, int backend)
     alone.Mass->GetVolumeBound() + shared.Mass->GetVolumeBound(), "the sum of the bounds");
 }
 
+/// The rank that has the bodies cannot compute: the others are not kept waiting.
+void TestNothing(const std::string& file)
+{
+  if (rank == 0)
+  {
+    setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1);
+  }
+  Pipeline mass(file);
+  mass.Mass->SetController(controller);
+  mass.Mass->SetBackend(vtkSurfaceIntegralGPU::OPENGL);
+  UpdateTogether(mass.Mass);
+  CheckEqual("without OpenGL: ranks", 0, mass.Mass->GetNumberOfRanks());
+  CheckTrue(
+    "without OpenGL: said", rank != 0 || Says(mass.Mass, "nothing was computed"), GetMessages(mass.Mass));
+  mass.Mass->SetBackend(vtkSurfaceIntegralGPU::CPU);
+  UpdateTogether(mass.Mass);
+  CheckEqual("then on the CPU: ranks", rank == 0 ? ranks : 0, mass.Mass->GetNumberOfRanks());
+
+  // No integrand, and none that the CPU can evaluate.
+  vtkNew<vtkSurfaceIntegralGPU> integral;
+  integral->SetInputConnection(mass.Reader->GetOutputPort());
+  integral->SetController(controller);
+  integral->SetBackend(vtkSurfaceIntegralGPU::CPU);
+  UpdateTogether(integral);
+  CheckTrue("no integrand: said", rank != 0 || Says(integral, "add an integrand"), GetMessages(integral));
+  integral->AddIntegrand("wave", "sin(position.x) * dA");
+  UpdateTogether(integral);
+  CheckTrue("an expression on the CPU: said", rank != 0 || Says(integral, "wave was not computed"),
+    GetMessages(integral));
+  integral->AddVolumeMoment("volume", 0, 0, 0);
+  UpdateTogether(integral);
+  CheckEqual("and a moment: ranks", rank == 0 ? ranks : 0, integral->GetNumberOfRanks());
+}
+
 void CompareIntegrals(const std::string& what, const std::string& file, bool isOdd)
 {
   // Each rank is told its integrands by itself.
@@ -402,6 +436,10 @@ int main(int argc, char* argv[])
   {
     TestNoOpenGL(
       files.at(0), mode == "mixed" ? vtkSurfaceIntegralGPU::AUTOMATIC : vtkSurfaceIntegralGPU::OPENGL);
+  }
+  else if (mode == "nothing")
+  {
+    TestNothing(files.at(0));
   }
   else if (mode == "integrals")
   {

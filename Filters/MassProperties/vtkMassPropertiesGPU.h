@@ -35,7 +35,7 @@
  * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density                                     |
  * | MovedByClosing, GapSquared, MaxGap, GapArea, Leak, OpenEdges | 1 | | the model's own doubt, no bound  |
  * | FlippedShells         | 1     |        | shells that were inside out and were turned                  |
- * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches | 1 | |                               |
+ * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches, Ranks | 1 | |                               |
  * | Scheme                | 1     |        | with one of the paper's schemes only, as the next three     |
  * | PaperErrorEstimate    | 1     | L^3    | the paper's estimate of the volume's error, Eq. 36: no bound |
  * | PaperErrorEstimateWithBoundary | 1 | L^3 | the same with the sub-patches on a trim boundary counted whole |
