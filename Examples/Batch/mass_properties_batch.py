@@ -263,6 +263,12 @@ def parse(arguments):
 
 def main(arguments):
     options = parse(arguments)
+    try:
+        import solidmoments.smReadersSTEP  # noqa: F401  pylint: disable=unused-import
+        import solidmoments.smFiltersMassProperties  # noqa: F401  pylint: disable=unused-import
+    except ImportError as error:
+        print(f"The package solidmoments does not load, is its folder in PYTHONPATH? {error}", file=sys.stderr)
+        return 1
     names = sorted(name for name in os.listdir(options.folder)
                    if name.lower().endswith((".step", ".stp", ".p21")))
     if not names:

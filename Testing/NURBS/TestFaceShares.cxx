@@ -33,6 +33,7 @@ std::shared_ptr<sm::Edge> MakeEdge(const std::array<double, 3>& from, const std:
     to };
   edge->Curve.Breaks = { 0.0 };
   edge->Curve.AppendPiece(1.0, points, 2);
+  edge->Curve.Residual = { 1e-9, 2e-9, 3e-9 };
   return edge;
 }
 
@@ -62,6 +63,7 @@ std::vector<sm::FacePointer> MakeStrip(int count, int cells)
       surface.Knots[d].insert(surface.Knots[d].end(), 3, 1.0);
     }
     surface.Rational = true;
+    surface.Residual = 1e-9 * k;
     const auto greville = [&surface](int i)
     { return 0.5 * (surface.Knots[0][i + 1] + surface.Knots[0][i + 2]); };
     for (int j = 0; j < spans + 2; ++j)
@@ -88,6 +90,7 @@ std::vector<sm::FacePointer> MakeStrip(int count, int cells)
       coedge.Reversed = e >= 2;
       coedge.Curve.Breaks = { 0.0 };
       coedge.Curve.AppendPiece(1.0, lines[e], 1);
+      coedge.Curve.Residual = { 1e-10, 2e-10 };
       face->Loops[0].Coedges.push_back(coedge);
     }
     left = right;
