@@ -16,6 +16,8 @@ solidmoments_packages() {
   echo libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev libfontconfig-dev
   # Header libraries
   echo libglm-dev libcli11-dev nlohmann-json3-dev
+  # For Testing: benchmarks, and a locale with a decimal comma
+  echo libbenchmark-dev locales
 }
 
 solidmoments_has_tools() {

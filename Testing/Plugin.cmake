@@ -11,15 +11,43 @@ solidmoments_add_test(NAME PluginMassProperties LABELS plugin value XVFB
     "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
 solidmoments_add_test(NAME PluginApply LABELS plugin XVFB
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginApply.py"
-    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}/slanted_hole-moved.step")
+    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
 solidmoments_add_test(NAME PluginDefaults LABELS plugin NODISPLAY
   ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginDefaults.py"
     "$<TARGET_FILE:SolidMoments>")
+solidmoments_add_test(NAME PluginStability LABELS plugin value XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginStability.py"
+    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
+solidmoments_add_test(NAME PluginWriters LABELS plugin value XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginWriters.py"
+    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}" "${SOLIDMOMENTS_TEST_OUTPUT}")
+solidmoments_add_test(NAME PluginFilters LABELS plugin value NODISPLAY
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginFilters.py"
+    "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
+solidmoments_add_test(NAME PluginCycles LABELS plugin robust XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginCycles.py"
+    "$<TARGET_FILE:SolidMoments>" "${PROJECT_SOURCE_DIR}/Examples/Models/sample_part.step" 12)
+find_program(SOLIDMOMENTS_PVSERVER pvserver)
+if (SOLIDMOMENTS_PVSERVER)
+  solidmoments_add_test(NAME PluginFiltersOnServer LABELS plugin value NODISPLAY
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/with_server.py" "${SOLIDMOMENTS_PVSERVER}"
+      "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginFilters.py"
+      "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}")
+  solidmoments_add_test(NAME PluginWritersRemote LABELS plugin value XVFB
+    COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPluginWriters.py"
+      "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_TEST_SOLIDS}" "${SOLIDMOMENTS_TEST_OUTPUT}" "${SOLIDMOMENTS_PVSERVER}")
+endif ()
+# The window itself, played back.
+find_program(SOLIDMOMENTS_PARAVIEW paraview)
+if (SOLIDMOMENTS_PARAVIEW)
+  solidmoments_add_test(NAME PluginWindow LABELS plugin image XVFB
+    COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Window/TestPluginWindow.py" "${SOLIDMOMENTS_PARAVIEW}"
+      "$<TARGET_FILE:SolidMoments>" "${PROJECT_SOURCE_DIR}" "${SOLIDMOMENTS_TEST_OUTPUT}")
+endif ()
 
 # Several ranks and a remote server, without a display: values, no pictures.
 find_program(SOLIDMOMENTS_PVBATCH pvbatch)
-find_program(SOLIDMOMENTS_PVSERVER pvserver)
 set(ranks_files "${PROJECT_SOURCE_DIR}/Examples/Models/sample_part.step" "${SOLIDMOMENTS_TEST_SOLIDS}/slanted_hole-moved.step"
   "${SOLIDMOMENTS_TEST_SOLIDS}/two_solids.step")
 set(ranks_modes)

@@ -17,11 +17,33 @@ solidmoments_add_test(NAME ExampleMassPropertiesPipelineEmpty LABELS error NODIS
 set_tests_properties(ExampleMassPropertiesPipelineEmpty PROPERTIES
   PASS_REGULAR_EXPRESSION "There is nothing to show" FAIL_REGULAR_EXPRESSION "volume")
 
+# The interactive example: a stream of events in, values and pictures out.
+set(edit_part "${PROJECT_SOURCE_DIR}/Examples/Interactive")
+set(free_form_part "${PROJECT_SOURCE_DIR}/Examples/Models/free_form_part.step")
+solidmoments_add_test_program(TestEditPart VTK::TestingRendering VTK::InteractionStyle VTK::RenderingFreeType)
+target_sources(TestEditPart PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Solids/smGaussRule.cxx")
+target_include_directories(TestEditPart PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Solids")
+target_link_libraries(TestEditPart PRIVATE smEditPart)
+foreach (mode IN ITEMS drag placed open record)
+  solidmoments_add_test(NAME EditPart_${mode} LABELS value image gpu XVFB
+    COMMAND TestEditPart ${mode} "${free_form_part}" "${edit_part}/drag.events" "${SOLIDMOMENTS_TEST_OUTPUT}"
+      -T "${SOLIDMOMENTS_TEST_OUTPUT}" -V "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestEditPart.png")
+endforeach ()
+
+set(edit_program "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestEditProgram.py"
+  --program "$<TARGET_FILE:edit_part>" --events "${edit_part}/drag.events" --solids "${SOLIDMOMENTS_TEST_SOLIDS}"
+  --output "${SOLIDMOMENTS_TEST_OUTPUT}")
+solidmoments_add_test(NAME EditProgram LABELS value image error gpu NODISPLAY COMMAND ${edit_program})
+set_tests_properties(EditProgram PROPERTIES FIXTURES_SETUP edit_program)
+solidmoments_add_test(NAME EditProgramDisplay LABELS value image gpu XVFB FIXTURE edit_program
+  COMMAND ${edit_program} --display)
+
 set(command_line_test "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestCommandLine.py"
   --program "$<TARGET_FILE:solidmoments>" --solids "${SOLIDMOMENTS_TEST_SOLIDS}"
   --output "${SOLIDMOMENTS_TEST_OUTPUT}" --sample "${sample_part}")
 solidmoments_add_test(NAME CommandLine LABELS value error NODISPLAY COMMAND ${command_line_test} results)
 solidmoments_add_test(NAME CommandLineIntegrals LABELS value error gpu NODISPLAY COMMAND ${command_line_test} integrals)
+solidmoments_add_test(NAME CommandLineStability LABELS value error gpu NODISPLAY COMMAND ${command_line_test} stability)
 solidmoments_add_test(NAME CommandLineErrors LABELS error NODISPLAY COMMAND ${command_line_test} errors)
 solidmoments_add_test(NAME CommandLineOutputs LABELS error NODISPLAY COMMAND ${command_line_test} outputs)
 solidmoments_add_test(NAME CommandLinePackages LABELS package NODISPLAY COMMAND ${command_line_test} packages)

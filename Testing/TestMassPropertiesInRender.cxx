@@ -1,11 +1,13 @@
-// TestMassPropertiesInRender own|shared FOLDER: the filter runs for the first time inside a window's Render(), in a context
-// of its own or in the window's, and the picture does not change.
+// TestMassPropertiesInRender own|shared FOLDER: the filter, and one that evaluates display points, run for the first time inside
+// a window's Render(), in contexts of their own or in the window's, and the picture does not change.
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCompositePolyDataMapper2.h>
+#include <vtkNURBSDeform.h>
+#include <vtkNURBSPointEvaluatorGPU.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
@@ -21,6 +23,8 @@ using namespace smtest;
 struct Scene
 {
   Pipeline Source;
+  vtkNew<vtkNURBSDeform> Deform;
+  vtkNew<vtkNURBSPointEvaluatorGPU> Points;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkCompositePolyDataMapper2> PartMapper;
@@ -34,14 +38,19 @@ struct Scene
     if (shared)
     {
       this->Source.Mass->SetRenderWindow(this->Window);
+      this->Points->SetRenderWindow(this->Window);
     }
+    // All control points alike: the volume stays, and every display point is evaluated.
+    this->Deform->SetInputConnection(this->Source.Reader->GetOutputPort());
+    this->Deform->SetDisplacement(0.02 * part.Size, 0.0, 0.0);
+    this->Deform->SetPointEvaluator(this->Points);
+    this->Source.Mass->SetInputConnection(this->Deform->GetOutputPort());
     this->Source.Mass->SetGlyphScale(0.1);
-    this->PartMapper->SetInputConnection(this->Source.Reader->GetOutputPort());
+    this->PartMapper->SetInputConnection(this->Deform->GetOutputPort());
     this->GlyphMapper->SetInputConnection(this->Source.Mass->GetOutputPort());
     this->Part->SetMapper(this->PartMapper);
     this->Part->GetProperty()->SetOpacity(0.5);
     this->Glyph->SetMapper(this->GlyphMapper);
-    this->Glyph->GetProperty()->SetColor(0.9, 0.1, 0.1);
     this->Renderer->AddActor(this->Glyph);
     this->Renderer->AddActor(this->Part);
     this->Renderer->SetBackground(0.2, 0.3, 0.4);
@@ -76,13 +85,13 @@ long long CountDifferences(const std::vector<unsigned char>& a, const std::vecto
   return count;
 }
 
-/// Pixels of the red glyph, so that an empty picture cannot pass.
-long long CountRed(const std::vector<unsigned char>& pixels)
+/// Pixels of the green glyph, so that an empty picture cannot pass.
+long long CountGreen(const std::vector<unsigned char>& pixels)
 {
   long long count = 0;
   for (std::size_t i = 0; i + 2 < pixels.size(); i += 3)
   {
-    count += pixels[i] > pixels[i + 1] + 40 && pixels[i] > pixels[i + 2] + 40 ? 1 : 0;
+    count += pixels[i + 1] > pixels[i] + 40 && pixels[i + 1] > pixels[i + 2] + 40 ? 1 : 0;
   }
   return count;
 }
@@ -103,13 +112,17 @@ int main(int argc, char* argv[])
   CheckTrue("the filter has not run", std::isnan(inside.Source.Mass->GetVolume()));
   const auto first = inside.Render();
   Check("volume", part.Volume, inside.Source.Mass->GetVolume(), 1e-9 * part.Volume);
-  CheckTrue(
-    "the glyph is in the picture", CountRed(first) > 50, std::to_string(CountRed(first)) + " red pixels");
+  CheckTrue("the glyph is in the picture", CountGreen(first) > 50,
+    std::to_string(CountGreen(first)) + " green pixels");
+  CheckEqual("display points by", "opengl", inside.Points->GetBackendName());
+  CheckRange("all of them", 100.0, static_cast<double>(inside.Points->GetNumberOfEvaluations()), 1e6);
   CheckEqual("changed values in the next picture", 0, CountDifferences(first, inside.Render()));
 
+  inside.Deform->Modified();
   inside.Source.Mass->Modified();
   CheckEqual("changed values after another run inside Render()", 0, CountDifferences(first, inside.Render()));
 
+  inside.Deform->Modified();
   inside.Source.Mass->Modified();
   inside.Source.Mass->Update();
   CheckEqual("changed values after a run between two pictures", 0, CountDifferences(first, inside.Render()));

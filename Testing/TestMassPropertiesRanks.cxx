@@ -5,6 +5,7 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkMPIController.h>
 #include <vtkNURBSDeform.h>
+#include <vtkPartitionedDataSetCollection.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
 
@@ -100,6 +101,8 @@ void CheckEmpty(const std::string& what, vtkSurfaceIntegralGPU* filter)
     CheckEqual(
       what + ": columns on another rank, port " + std::to_string(port), 0, table->GetNumberOfColumns());
   }
+  auto* meshes = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(5));
+  CheckEqual(what + ": meshes on another rank", 0, meshes->GetNumberOfPartitionedDataSets());
 }
 
 /// Runs `change` and then updates a pipeline that all share and, on the first rank, one that is alone.
@@ -355,6 +358,54 @@ void CompareIntegrals(const std::string& what, const std::string& file, bool isO
   CheckTrue(what + ": said", !isOdd || Says(shared, "its integrands are not the same"), GetMessages(shared));
 }
 
+/// What is below waterlines is integrated by the rank that has the bodies; the others are not kept waiting.
+void CompareBuoyancy(const std::string& what, const std::string& file, bool hasOthers)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(file.c_str());
+  vtkNew<vtkSurfaceIntegralGPU> shared;
+  vtkNew<vtkSurfaceIntegralGPU> alone;
+  for (vtkSurfaceIntegralGPU* filter : { shared.Get(), alone.Get() })
+  {
+    filter->SetInputConnection(reader->GetOutputPort());
+    filter->SetController(filter == shared ? controller : nullptr);
+    filter->AddBuoyancy("displaced", 0.0, 0.0, 3.0, 0.1, 0.0, 1.0);
+    if (hasOthers)
+    {
+      filter->AddVolumeMoment("volume", 0, 0, 0);
+    }
+  }
+  UpdateTogether(shared);
+  if (rank != 0)
+  {
+    CheckEmpty(what, shared);
+    return;
+  }
+  alone->Update();
+  CompareOutputs(what, alone, shared);
+  CheckTrue(what + ": something is below", shared->GetIntegral("displaced") > 1.0,
+    std::to_string(shared->GetIntegral("displaced")));
+  CheckEqual(what + ": ranks", hasOthers ? ranks : 1, shared->GetNumberOfRanks());
+}
+
+/// Solids are chosen where they are; none chosen keeps nobody waiting.
+void CompareChosen(const std::string& file)
+{
+  Pair pair(file, vtkSurfaceIntegralGPU::AUTOMATIC);
+  for (const char* selector : { "//Bolt", "//NoSuchNode" })
+  {
+    for (Pipeline* pipeline : { &pair.Shared, &pair.Alone })
+    {
+      pipeline->Mass->ClearSelectors();
+      pipeline->Mass->AddSelector(selector);
+    }
+    pair.Compare(std::string("chosen by ") + selector, 0);
+    pair.Shared.Mass->ClearSelectors();
+    pair.Alone.Mass->ClearSelectors();
+    pair.Compare("all again", 1);
+  }
+}
+
 /// Inputs that are not on the first rank alone.
 void TestInputs(const std::string& file, const std::string& nothing)
 {
@@ -445,6 +496,9 @@ int main(int argc, char* argv[])
   {
     CompareIntegrals("equal integrands", files.at(0), false);
     CompareIntegrals("one rank has others", files.at(0), true);
+    CompareBuoyancy("buoyancy alone", files.at(0), false);
+    CompareBuoyancy("buoyancy and a volume", files.at(0), true);
+    CompareChosen(files.at(1));
   }
   else if (mode == "inputs")
   {

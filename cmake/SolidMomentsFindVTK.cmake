@@ -1,8 +1,8 @@
 # Finds the VTK to build against: ParaView's own by default, a plain VTK when the plugin is off.
 set(_vtk_components
   ChartsCore CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  FiltersCore FiltersGeneral FiltersSources IOExport IOImage IOXML ImagingCore InteractionStyle ParallelCore RenderingAnnotation
-  RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 TestingRendering
+  FiltersCore FiltersGeneral FiltersSources IOCore IOExport IOImage IOXML ImagingCore InteractionStyle ParallelCore
+  RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI TestingRendering
   ViewsContext2D glew opengl vtksys)
 if (SOLIDMOMENTS_WRAP_PYTHON)
   if (NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)

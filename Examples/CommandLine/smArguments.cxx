@@ -1,12 +1,14 @@
 #include "smArguments.h"
 
 #include "smOutputFiles.h"
+#include "smStabilityJob.h"
 #include "smUserIntegrals.h"
 #include "smVersion.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -132,6 +134,19 @@ std::string CheckIntegral(const std::string& text)
     : text + " is no integral; write NAME=EXPRESSION, for example 'area=dA'";
 }
 
+std::string CheckHeight(const std::string& text)
+{
+  return std::isfinite(ParseNumber(text)) ? "" : "the height of a waterline must be a finite number";
+}
+
+std::string CheckDirection(const std::string& text)
+{
+  std::array<double, 3> direction;
+  return sm::ParseDirection(text, direction)
+    ? ""
+    : text + " is no direction; write x, y, z, -x, -y, -z, or three numbers such as 0,0.1,-1";
+}
+
 std::string CheckDensity(const std::string& text)
 {
   const double value = ParseNumber(text);
@@ -220,6 +235,31 @@ void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
     ->check(CheckIntegral)
     ->take_all()
     ->expected(1);
+  app
+    .add_option("--waterline", arguments.Job.Waterlines,
+      "Volume below a waterline, and its centre, the centre of buoyancy: the\n"
+      "plane at HEIGHT along --up from the origin, in the unit of the results;\n"
+      "may be given several times")
+    ->type_name("HEIGHT")
+    ->check(CheckHeight)
+    ->take_all()
+    ->expected(1);
+  app.add_option("--up", arguments.Up, "Direction out of the water, of any length (default 0,0,1)")
+    ->type_name("X,Y,Z")
+    ->check(CheckDirection);
+}
+
+void DeclareStability(CLI::App& app, sm::Arguments& arguments)
+{
+  app
+    .add_option("--stability", arguments.Job.Stability,
+      "Whether the part stands on its lowest points when things fall along DIR,\n"
+      "x, y, z, +x .. -z or three numbers: margin of the plumb line inside the\n"
+      "contacts, angle and rise of the centre until it tips, with bounds; all\n"
+      "solids as one body, and each alone: --stability -z")
+    ->type_name("DIR")
+    ->check(CheckDirection)
+    ->expected(1);
 }
 
 /// The schemes of the paper, and what they alone take.
@@ -294,6 +334,10 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
   {
     return "two results would be called " + clash + ": give an integral another name";
   }
+  if (app.count("--up") > 0 && arguments.Job.Waterlines.empty())
+  {
+    return "--up is for --waterline: add a height";
+  }
   if (arguments.Json == "-" && arguments.Csv == "-")
   {
     return "only one of --json and --csv can go to standard output";
@@ -321,6 +365,7 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
     "solidmoments");
   Declare(app, arguments);
   DeclareIntegrals(app, arguments);
+  DeclareStability(app, arguments);
   DeclareSchemes(app, arguments);
   try
   {
@@ -330,6 +375,7 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   {
     return app.exit(error) == 0 ? AllOk : UsageOrOutput;
   }
+  ParseDirection(arguments.Up, arguments.Job.Up);
   arguments.Job.Scheme = LowerCase(arguments.Job.Scheme);
   const std::string problem = FindProblem(app, arguments);
   if (!problem.empty())

@@ -29,6 +29,7 @@ struct Arguments
   std::string Csv;  ///< likewise
   std::string Picture;
   std::string TextureFolder; ///< for trim textures; empty: none
+  std::string Up = "0,0,1";  ///< direction out of the water
   JobOptions Job;            ///< what all files share
   bool Quiet = false;
 };

@@ -4,6 +4,8 @@
 #include "smMessageCollector.h"
 #include "smMessageList.h"
 #include "smPicture.h"
+#include "smQuantities.h"
+#include "smStabilityJob.h"
 #include "smTrimPictures.h"
 #include "smUserIntegrals.h"
 
@@ -11,7 +13,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkComputeContext.h"
-#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -24,7 +25,6 @@
 #include "vtkSTEPReader.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
-#include "vtkVariant.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -35,94 +35,7 @@ namespace
 using sm::Json;
 namespace names = sm::names;
 
-// --- from arrays to JSON -----------------------------------------------------------------------
-
-/// Components of a row as JSON numbers; null when the array is missing or any component is not a number.
-Json Vector(vtkFieldData* data, vtkIdType row, const std::string& name, int components)
-{
-  vtkDataArray* array = data->GetArray(name.c_str());
-  if (!array || array->GetNumberOfComponents() != components || row >= array->GetNumberOfTuples())
-  {
-    return nullptr;
-  }
-  Json values = Json::array();
-  for (int c = 0; c < components; ++c)
-  {
-    const double value = array->GetComponent(row, c);
-    if (!std::isfinite(value))
-    {
-      return nullptr;
-    }
-    values.push_back(value);
-  }
-  return values;
-}
-
-Json Number(vtkFieldData* data, vtkIdType row, const std::string& name)
-{
-  const Json values = Vector(data, row, name, 1);
-  return values.is_null() ? values : values[0];
-}
-
-Json Count(vtkFieldData* data, vtkIdType row, const std::string& name)
-{
-  const Json value = Number(data, row, name);
-  return value.is_null() ? value : Json(static_cast<long long>(value.get<double>()));
-}
-
-Json Matrix(vtkFieldData* data, vtkIdType row, const std::string& name)
-{
-  const Json values = Vector(data, row, name, 9);
-  if (values.is_null())
-  {
-    return values;
-  }
-  Json rows = Json::array();
-  for (int i = 0; i < 3; ++i)
-  {
-    rows.push_back({ values[3 * i], values[3 * i + 1], values[3 * i + 2] });
-  }
-  return rows;
-}
-
-std::string Text(vtkFieldData* data, vtkIdType row, const char* name)
-{
-  vtkAbstractArray* array = data->GetAbstractArray(name);
-  return array && row < array->GetNumberOfTuples() ? array->GetVariantValue(row).ToString() : std::string();
-}
-
-/// The quantities of the whole (field data of port 0) or of one solid (a row of port 1).
-Json Quantities(vtkFieldData* data, vtkIdType row)
-{
-  const std::string bound = names::BoundSuffix;
-  Json q;
-  q["volume"] = Number(data, row, names::Volume);
-  q["area"] = Number(data, row, names::SurfaceArea);
-  q["center_of_mass"] = Vector(data, row, names::CenterOfMass, 3);
-  q["inertia"] = Matrix(data, row, names::VolumeInertia);
-  q["principal_moments"] = Vector(data, row, names::PrincipalMoments, 3);
-  q["principal_axes"] = Matrix(data, row, names::PrincipalAxes);
-  const Json degenerate = Count(data, row, names::PrincipalAxesDegenerate);
-  q["principal_axes_degenerate"] = degenerate.is_null() ? degenerate : Json(degenerate != 0);
-  q["mass"] = Number(data, row, names::Mass);
-  q["bounds"]["volume"] = Number(data, row, names::Volume + bound);
-  q["bounds"]["area"] = Number(data, row, names::SurfaceArea + bound);
-  q["bounds"]["center_of_mass"] = Number(data, row, names::CenterOfMass + bound);
-  q["bounds"]["inertia"] = Number(data, row, names::VolumeInertia + bound);
-  q["moved_by_closing"] = Number(data, row, names::MovedByClosing);
-  q["gap_squared"] = Number(data, row, names::GapSquared);
-  q["max_gap"] = Number(data, row, names::MaxGap);
-  q["gap_area"] = Number(data, row, names::GapArea);
-  q["open_edges"] = Count(data, row, names::OpenEdges);
-  q["leak"] = Number(data, row, names::Leak);
-  q["flipped_shells"] = Count(data, row, names::FlippedShells);
-  q["paper_error_estimate"] = Number(data, row, names::PaperErrorEstimate);
-  q["paper_error_estimate_with_boundary"] = Number(data, row, names::PaperErrorEstimateWithBoundary);
-  q["sub_patches"] = Count(data, row, names::SubPatches);
-  const Json estimated = Count(data, row, names::BoundsEstimated);
-  q["bounds_estimated"] = estimated.is_null() ? estimated : Json(estimated != 0);
-  return q;
-}
+// --- from tables to JSON -----------------------------------------------------------------------
 
 /// By solid, the edges with the widest gaps, at most five; the table has the widest first. Edges without a gap are none.
 std::vector<Json> WorstEdges(vtkTable* table, vtkIdType solids)
@@ -132,24 +45,24 @@ std::vector<Json> WorstEdges(vtkTable* table, vtkIdType solids)
   vtkDataSetAttributes* columns = table->GetRowData();
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    const Json widest = Number(columns, row, names::MaxGap);
+    const Json widest = sm::GetNumber(columns, row, names::MaxGap);
     if (widest.is_null() || widest == 0.0)
     {
       break;
     }
-    Json& edges = worst.at(Count(columns, row, names::Solid).get<size_t>());
+    Json& edges = worst.at(sm::GetCount(columns, row, names::Solid).get<size_t>());
     if (edges.size() == most)
     {
       continue;
     }
     Json edge;
-    edge["id"] = Count(columns, row, names::EdgeId);
-    edge["name"] = Text(columns, row, names::Name);
-    edge["uses"] = Count(columns, row, names::Uses);
-    edge["open"] = Count(columns, row, names::Open) != 0;
+    edge["id"] = sm::GetCount(columns, row, names::EdgeId);
+    edge["name"] = sm::GetText(columns, row, names::Name);
+    edge["uses"] = sm::GetCount(columns, row, names::Uses);
+    edge["open"] = sm::GetCount(columns, row, names::Open) != 0;
     edge["max_gap"] = widest;
-    edge["gap_area"] = Number(columns, row, names::GapArea);
-    edge["gap_squared"] = Number(columns, row, names::GapSquared);
+    edge["gap_area"] = sm::GetNumber(columns, row, names::GapArea);
+    edge["gap_squared"] = sm::GetNumber(columns, row, names::GapSquared);
     edges.push_back(std::move(edge));
   }
   return worst;
@@ -163,10 +76,10 @@ Json Solids(vtkTable* table, vtkTable* edges)
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     Json solid;
-    solid["name"] = Text(columns, row, names::Name);
-    solid["id"] = Text(columns, row, names::Id);
-    solid["status"] = Text(columns, row, names::Status);
-    solid.update(Quantities(columns, row));
+    solid["name"] = sm::GetText(columns, row, names::Name);
+    solid["id"] = sm::GetText(columns, row, names::Id);
+    solid["status"] = sm::GetText(columns, row, names::Status);
+    solid.update(sm::GetQuantities(columns, row));
     solid["worst_edges"] = worst[static_cast<size_t>(row)];
     solids.push_back(std::move(solid));
   }
@@ -185,9 +98,10 @@ Json EmptyFile(const std::string& fileName)
   file["scheme_options"] = nullptr;
   file["backend"] = nullptr;
   file["renderer"] = nullptr;
-  file["total"] = Quantities(nothing, 0);
+  file["total"] = sm::GetQuantities(nothing, 0);
   file["solids"] = Json::array();
   file["integrals"] = Json::object();
+  file["waterlines"] = Json::array();
   file["faces"] = nullptr;
   file["free_faces"] = nullptr;
   file["diagonal"] = nullptr;
@@ -364,12 +278,12 @@ void Integrate(
     filter->Update();
   }
   vtkFieldData* fields = filter->GetOutput()->GetFieldData();
-  file["length_unit"] = Text(fields, 0, names::LengthUnit);
+  file["length_unit"] = sm::GetText(fields, 0, names::LengthUnit);
   file["status"] = filter->GetStatus();
   messages.AddFilter(filter);
   file["backend"] = filter->GetBackendName();
   file["renderer"] = filter->GetRenderer();
-  file["total"] = Quantities(fields, 0);
+  file["total"] = sm::GetQuantities(fields, 0);
   file["solids"] = Solids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)),
     vtkTable::SafeDownCast(filter->GetOutputDataObject(4)));
   file["faces"] = filter->GetNumberOfFaces();
@@ -381,8 +295,8 @@ void Integrate(
   file["seconds"]["integrate"] = filter->GetIntegrateSeconds();
 }
 
-std::string Draw(
-  vtkSTEPReader* reader, vtkMassPropertiesGPU* filter, const sm::JobOptions& options, const Json& file)
+std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesGPU* filter, vtkPolyData* stability,
+  const sm::JobOptions& options, const Json& file)
 {
   vtkComputeContext* context = filter->GetComputeContext();
   context->Start();
@@ -390,6 +304,7 @@ std::string Draw(
   picture.Window = context->GetRenderWindow();
   picture.Body = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
   picture.Mark = filter->GetOutput();
+  picture.Stability = stability;
   picture.Result = &file;
   return picture.Window ? sm::WritePicture(picture, options.PictureName)
                         : "there is no OpenGL context to draw in: " + context->GetReason();
@@ -407,6 +322,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   sm::MessageList messages;
   const bool isRead = Read(reader, options, tell, file, messages);
   const auto filter = MakeFilter(reader, options);
+  vtkSmartPointer<vtkPolyData> stability;
   if (isRead)
   {
     file["scheme"] = options.Scheme;
@@ -418,6 +334,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
       algorithm->Update();
     };
     sm::IntegrateUsers(reader, options, update, file, messages);
+    stability = sm::FindStability(reader, options, update, file, messages);
   }
   for (const std::string& message : collector->GetMessages())
   {
@@ -432,7 +349,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   if (!options.PictureName.empty() && isRead)
   {
     tell({ { "progress", { "draw", 0.0 } } });
-    tell({ { "picture", Draw(reader, filter, options, file) } });
+    tell({ { "picture", Draw(reader, filter, stability, options, file) } });
   }
   vtkOutputWindow::SetInstance(nullptr);
 }

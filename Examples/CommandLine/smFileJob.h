@@ -7,6 +7,7 @@
 
 #include "smJson.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,6 +26,11 @@ struct JobOptions
   /// Volume moments up to this degree; negative: none. And expressions, "NAME=EXPR".
   int MomentDegree = -1;
   std::vector<std::string> Integrals;
+  /// Where things fall, see ParseDirection() of smStabilityJob.h; empty: stability is not asked for.
+  std::string Stability;
+  /// Heights of waterlines along Up, in the unit of the results; Up is not 0.
+  std::vector<double> Waterlines;
+  std::array<double, 3> Up = { 0.0, 0.0, 1.0 };
   double MaximumEvaluations = 2e9;
   double MaximumSeconds = 0.0;
   std::string Scheme =

@@ -20,7 +20,8 @@ struct Picture
   vtkOpenGLRenderWindow* Window = nullptr;         ///< where to draw, off screen
   vtkPartitionedDataSetCollection* Body = nullptr; ///< the reader's output
   vtkPolyData* Mark = nullptr;                     ///< port 0 of vtkMassPropertiesGPU
-  const Json* Result = nullptr;                    ///< the file's entry, for the caption
+  vtkPolyData* Stability = nullptr; ///< port 0 of vtkSolidStability, in its own colours; null: none
+  const Json* Result = nullptr;     ///< the file's entry, for the caption
 };
 
 /// Writes a PNG file. Returns why it could not; an empty string when it is written.

@@ -168,6 +168,55 @@ std::string Integrals(const Json& file)
     : text;
 }
 
+/// How the part stands, where that was asked for.
+std::string Stability(const Json& total, const Json& file)
+{
+  const Json& found = total["stability"];
+  if (found.is_null())
+  {
+    return {};
+  }
+  const std::string length = sm::FormatUnit(file, 1);
+  const Json& bounds = found["bounds"];
+  const bool rolls = found["decided_by"] == "rolling";
+  const std::string support = Plain(found["support"]);
+  std::string text = Row("stability",
+    Plain(found["verdict"]) +
+      (support == "none" ? std::string()
+                         : ", rests on " + std::string(support == "area" ? "an area" : "a " + support)) +
+      (rolls ? ", by its curvature" : ""),
+    "", nullptr);
+  text += Row("margin", sm::FormatValue(found["margin"], bounds["margin"]), length, bounds["margin"]);
+  if (rolls)
+  {
+    return text +
+      Row("rolling margin", sm::FormatValue(found["rolling_margin"], bounds["rolling_margin"]), length,
+        bounds["rolling_margin"]);
+  }
+  text += Row("least tip angle", sm::FormatValue(found["tip_angle"], bounds["tip_angle"]), "degrees",
+    bounds["tip_angle"]);
+  text += Row("centre rises by", sm::FormatValue(found["work_to_tip"], bounds["work_to_tip"]), length,
+    bounds["work_to_tip"]);
+  return found["tip_energy"].is_null()
+    ? text
+    : text + Row("work to tip", sm::FormatValue(found["tip_energy"], nullptr, 9), "J", nullptr);
+}
+
+/// What is below the waterlines.
+std::string Waterlines(const Json& file)
+{
+  std::string text;
+  for (const Json& waterline : file["waterlines"])
+  {
+    const Json& bounds = waterline["bounds"];
+    text += Row("below " + Short(waterline["height"]), sm::FormatValue(waterline["volume"], bounds["volume"]),
+      sm::FormatUnit(file, 3), bounds["volume"]);
+    text += Row("  its centre", sm::FormatVector(waterline["center"], bounds["center"]),
+      sm::FormatUnit(file, 1), bounds["center"]);
+  }
+  return text;
+}
+
 std::string Doubt(const Json& total, const Json& file)
 {
   std::string text;
@@ -214,7 +263,9 @@ std::string Results(const Json& file)
   text += total["principal_axes_degenerate"] == true
     ? Row("principal axes", "not unique, moments coincide", "", nullptr)
     : Rows("principal axes", total["principal_axes"], 1e-9, "", nullptr);
+  text += Stability(total, file);
   text += Integrals(file);
+  text += Waterlines(file);
   text += Scheme(total, file);
   text += Doubt(total, file);
   return text +
@@ -302,83 +353,6 @@ std::string Write(const Json& value, const std::string& indent)
   }
   return (value.is_object() ? "{" : "[") + text + "\n" + indent + (value.is_object() ? "}" : "]");
 }
-
-std::string Cell(const Json& value)
-{
-  if (!value.is_string())
-  {
-    return value.is_null() ? "" : Dump(value);
-  }
-  std::string text = value.get<std::string>();
-  if (text.find_first_of(",\"\n\r") == std::string::npos)
-  {
-    return text;
-  }
-  for (size_t i = text.find('"'); i != std::string::npos; i = text.find('"', i + 2))
-  {
-    text.insert(i, 1, '"');
-  }
-  return "\"" + text + "\"";
-}
-
-/// Heads and values of a row at once, so that they cannot differ.
-struct Columns
-{
-  std::string Head;
-  std::string Line;
-
-  void Add(const std::string& head, const Json& value)
-  {
-    this->Head += (this->Head.empty() ? "" : ",") + head;
-    this->Line += (this->Line.empty() ? "" : ",") + Cell(value);
-  }
-  void Add(const std::string& stem, const Json& values, const std::vector<std::string>& suffixes)
-  {
-    for (size_t i = 0; i < suffixes.size(); ++i)
-    {
-      this->Add(stem + "_" + suffixes[i], values.is_null() ? Json() : values[i]);
-    }
-  }
-};
-
-Columns CsvRow(const Json& file, const Json& row, bool isTotal)
-{
-  Columns columns;
-  columns.Add("file", file["file"]);
-  columns.Add("row", isTotal ? "total" : "solid");
-  columns.Add("name", isTotal ? Json() : row["name"]);
-  columns.Add("id", isTotal ? Json() : row["id"]);
-  columns.Add("status", isTotal ? file["status"] : row["status"]);
-  columns.Add("scheme", file["scheme"]);
-  columns.Add("length_unit", file["length_unit"]);
-  columns.Add("volume", row["volume"]);
-  columns.Add("volume_bound", row["bounds"]["volume"]);
-  columns.Add("area", row["area"]);
-  columns.Add("area_bound", row["bounds"]["area"]);
-  columns.Add("center", row["center_of_mass"], { "x", "y", "z" });
-  columns.Add("center_bound", row["bounds"]["center_of_mass"]);
-  const Json& inertia = row["inertia"];
-  Json six;
-  if (!inertia.is_null())
-  {
-    six = { inertia[0][0], inertia[1][1], inertia[2][2], inertia[0][1], inertia[1][2], inertia[0][2] };
-  }
-  columns.Add("inertia", six, { "xx", "yy", "zz", "xy", "yz", "xz" });
-  columns.Add("inertia_bound", row["bounds"]["inertia"]);
-  columns.Add("principal", row["principal_moments"], { "1", "2", "3" });
-  for (size_t i = 0; i < 3; ++i)
-  {
-    const Json& axes = row["principal_axes"];
-    columns.Add("axis" + std::to_string(i + 1), axes.is_null() ? Json() : axes[i], { "x", "y", "z" });
-  }
-  columns.Add("mass", row["mass"]);
-  for (const char* key : { "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak",
-         "flipped_shells", "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches" })
-  {
-    columns.Add(key, row[key]);
-  }
-  return columns;
-}
 }
 
 namespace sm
@@ -438,20 +412,5 @@ std::string FormatTable(const Json& file)
 std::string FormatJson(const Json& document)
 {
   return Write(document, "") + "\n";
-}
-
-std::string FormatCsv(const Json& files)
-{
-  std::string text;
-  for (const Json& file : files)
-  {
-    const Columns total = CsvRow(file, file["total"], true);
-    text += (text.empty() ? total.Head + "\n" : "") + total.Line + "\n";
-    for (const Json& solid : file["solids"])
-    {
-      text += CsvRow(file, solid, false).Line + "\n";
-    }
-  }
-  return text;
 }
 }

@@ -1,6 +1,6 @@
 /**
  * @file smUserIntegrals.h
- * @brief The integrals that a user asked for besides mass properties: moments, and expressions of one's own
+ * @brief What a user asked for besides mass properties: moments, expressions of one's own, and what waterlines displace
  */
 #ifndef smUserIntegrals_h
 #define smUserIntegrals_h
@@ -30,7 +30,8 @@ std::string FindClash(const JobOptions& options);
 void SetUpFilter(vtkSurfaceIntegralGPU* filter, const JobOptions& options);
 
 /// Computes the integrals that the options ask for into `integrals` of the file and of each solid: {NAME: {"value",
-/// "bound"}}, null where it is not known. A flag of theirs becomes the file's when that was ok. `update` runs a filter.
+/// "bound"}}, null where it is not known; and what is below the waterlines into `waterlines` of each, a list of {"height", "up",
+/// "volume", "center", "bounds": {"volume", "center"}}. A flag of theirs becomes the file's when that was ok. `update` runs a filter.
 void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages);
 }

@@ -50,11 +50,10 @@ int Show(const char* fileName, vtkRenderWindow* window)
   vtkNew<vtkActor> part;
   part->SetMapper(partMapper);
   part->GetProperty()->SetOpacity(0.4);
-  vtkNew<vtkPolyDataMapper> centerMapper; // a sphere at the centre of mass
+  vtkNew<vtkPolyDataMapper> centerMapper; // a green sphere at the centre of mass, and the principal axes
   centerMapper->SetInputConnection(mass->GetOutputPort());
   vtkNew<vtkActor> center;
   center->SetMapper(centerMapper);
-  center->GetProperty()->SetColor(0.0, 0.7, 0.2);
 
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(part);
@@ -78,8 +77,8 @@ int Show(const char* fileName, vtkRenderWindow* window)
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
   renderer->ResetCamera();
   window->Render();
-  std::cout << "status " << mass->GetStatus() << ", " << mass->GetBackendName() << " on " << mass->GetRenderer()
-            << std::endl;
+  std::cout << "status " << mass->GetStatus() << ", " << mass->GetBackendName() << " on "
+            << mass->GetRenderer() << std::endl;
   return mass->GetStatus() == "ok" ? 0 : 3;
 }
 

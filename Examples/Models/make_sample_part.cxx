@@ -2,38 +2,29 @@
 //   make_sample_part sample_part.step
 // A hand lever in mm: a free-form arm lofted through closed splines, fused to a bored hub, with rolling-ball
 // fillets, slanted and straight drillings, a keyway and chamfers. The same bytes on every run.
-#include <APIHeaderSection_MakeHeader.hxx>
+#include "smModelFile.h"
+
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
-#include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
-#include <BRepGProp.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
-#include <Interface_Static.hxx>
-#include <STEPControl_Writer.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
-#include <Standard_Failure.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Solid.hxx>
 #include <gp_Ax2.hxx>
 
 #include <cmath>
 #include <functional>
-#include <iomanip>
-#include <iostream>
 
 namespace
 {
@@ -161,57 +152,10 @@ TopoDS_Shape Lever()
     [](const gp_Pnt& p) { return std::abs(std::hypot(p.X() - 118.0, p.Y() - 20.0) - 5.0) < 1e-4; });
   return body;
 }
-
-bool WriteStep(const TopoDS_Shape& shape, const char* fileName)
-{
-  STEPControl_Writer writer;
-  Interface_Static::SetCVal("write.step.schema", "AP214IS");
-  Interface_Static::SetCVal("write.step.product.name", "sample_part");
-  if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone)
-  {
-    return false;
-  }
-  APIHeaderSection_MakeHeader header(writer.Model());
-  header.SetName(new TCollection_HAsciiString("sample_part.step"));
-  header.SetTimeStamp(new TCollection_HAsciiString("2025-01-01T00:00:00"));
-  header.SetAuthorValue(1, new TCollection_HAsciiString("SolidMoments"));
-  header.SetOrganizationValue(1, new TCollection_HAsciiString("SolidMoments"));
-  header.SetOriginatingSystem(new TCollection_HAsciiString("make_sample_part"));
-  header.SetDescriptionValue(1, new TCollection_HAsciiString("SolidMoments sample part: a hand lever"));
-  return writer.Write(fileName) == IFSelect_RetDone;
-}
 }
 
 int main(int argc, char** argv)
 {
-  if (argc != 2)
-  {
-    std::cerr << "usage: make_sample_part FILE.step\n";
-    return 1;
-  }
-  try
-  {
-    const TopoDS_Shape shape = Lever();
-    TopTools_IndexedMapOfShape solids;
-    TopTools_IndexedMapOfShape faces;
-    TopExp::MapShapes(shape, TopAbs_SOLID, solids);
-    TopExp::MapShapes(shape, TopAbs_FACE, faces);
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties, 1e-6, true);
-    const bool valid = solids.Extent() == 1 && BRepCheck_Analyzer(shape).IsValid();
-    std::cout << solids.Extent() << " solid, " << faces.Extent() << " faces, "
-              << (valid ? "valid" : "INVALID") << ", volume " << std::setprecision(9) << properties.Mass()
-              << " mm^3\n";
-    if (!valid || !WriteStep(solids(1), argv[1]))
-    {
-      std::cerr << "make_sample_part: the part is not valid or " << argv[1] << " cannot be written\n";
-      return 1;
-    }
-  }
-  catch (const Standard_Failure& failure)
-  {
-    std::cerr << "make_sample_part: OpenCASCADE: " << failure.GetMessageString() << "\n";
-    return 1;
-  }
-  return 0;
+  return smmodel::Run(
+    argc, argv, { "sample_part", "SolidMoments sample part: a hand lever", "make_sample_part" }, Lever);
 }

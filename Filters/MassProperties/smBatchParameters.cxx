@@ -5,7 +5,7 @@
 namespace sm
 {
 BatchParameters::BatchParameters(const std::vector<ItemRunner::BatchFace>& faces, bool usePlacements)
-  : Values(MakeRuleTable())
+  : Values(GetRuleTable())
 {
   this->ToleranceOffset = static_cast<std::uint32_t>(this->Values.size());
   for (const ItemRunner::BatchFace& face : faces)

@@ -14,6 +14,8 @@ namespace
 {
 // Faces planned between two reports of progress.
 constexpr std::size_t PlansPerReport = 256;
+// Portions that a thread takes at a time.
+constexpr vtkIdType PortionsPerTask = 1;
 // What tolerances are multiplied by until a plan meets its budget, and how often.
 constexpr double LooseningFactor = 1e3;
 constexpr int MostLoosenings = 5;
@@ -27,6 +29,9 @@ bool FindClass(const Integrand& integrand, BoundClass& found)
       return true;
     case Integrand::Kind::AreaMoment:
       found = { BoundClass::AreaMoment, integrand.Degree };
+      return true;
+    case Integrand::Kind::HeightMoment:
+      found = { BoundClass::HeightMoment, integrand.Degree };
       return true;
     case Integrand::Kind::VectorArea:
       found = { BoundClass::VectorArea, 0 };
@@ -85,17 +90,41 @@ bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vec
       return false;
     }
     const std::size_t end = std::min(begin + PlansPerReport, faces.size());
-    vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end), 4,
+    // Portions of all faces alike: one face that changed is planned by all threads, too.
+    std::vector<std::size_t> missing;
+    std::vector<std::vector<PlanPortion>> portions;
+    std::vector<std::pair<std::size_t, std::size_t>> work;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const auto known = this->Memory.find(faces[i]->Source->Id);
+      if (known != this->Memory.end() && known->second.Request == requests[i])
+      {
+        this->Plans[i] = known->second.Plan;
+        continue;
+      }
+      portions.emplace_back(GetNumberOfPortions(faces[i]->Panels));
+      for (std::size_t k = 0; k < portions.back().size(); ++k)
+      {
+        work.emplace_back(missing.size(), k);
+      }
+      missing.push_back(i);
+    }
+    vtkSMPTools::For(0, static_cast<vtkIdType>(work.size()), PortionsPerTask,
       [&](vtkIdType from, vtkIdType to)
       {
-        for (vtkIdType i = from; i < to; ++i)
+        for (vtkIdType w = from; w < to; ++w)
         {
-          const auto known = this->Memory.find(faces[i]->Source->Id);
-          this->Plans[i] = known != this->Memory.end() && known->second.Request == requests[i]
-            ? known->second.Plan
-            : std::make_shared<const FacePlan>(PlanFace(*faces[i]->Source, faces[i]->Panels, requests[i]));
+          const auto [m, k] = work[w];
+          const std::size_t i = missing[m];
+          portions[m][k] = PlanFacePortion(*faces[i]->Source, faces[i]->Panels, requests[i], k);
         }
       });
+    for (std::size_t m = 0; m < missing.size(); ++m)
+    {
+      const std::size_t i = missing[m];
+      this->Plans[i] = std::make_shared<const FacePlan>(
+        JoinPortions(*faces[i]->Source, faces[i]->Panels, requests[i], portions[m]));
+    }
   }
   return true;
 }

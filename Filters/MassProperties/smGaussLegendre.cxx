@@ -36,20 +36,24 @@ void ComputeGaussLegendre(int n, std::vector<double>& nodes, std::vector<double>
   }
 }
 
-std::vector<double> MakeRuleTable()
+const std::vector<double>& GetRuleTable()
 {
-  std::vector<double> table;
-  std::vector<double> nodes;
-  std::vector<double> weights;
-  for (int n = 1; n <= MaximumRuleSize; ++n)
+  static const std::vector<double> known = []()
   {
-    ComputeGaussLegendre(n, nodes, weights);
-    for (int i = 0; i < n; ++i)
+    std::vector<double> table;
+    std::vector<double> nodes;
+    std::vector<double> weights;
+    for (int n = 1; n <= MaximumRuleSize; ++n)
     {
-      table.push_back(nodes[i]);
-      table.push_back(weights[i]);
+      ComputeGaussLegendre(n, nodes, weights);
+      for (int i = 0; i < n; ++i)
+      {
+        table.push_back(nodes[i]);
+        table.push_back(weights[i]);
+      }
     }
-  }
-  return table;
+    return table;
+  }();
+  return known;
 }
 }

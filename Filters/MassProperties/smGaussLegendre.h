@@ -15,8 +15,8 @@ constexpr int MaximumRuleSize = 32;
 /// Newton's method on the Legendre polynomial in extended precision. n is 1 to MaximumRuleSize.
 void ComputeGaussLegendre(int n, std::vector<double>& nodes, std::vector<double>& weights);
 
-/// All rules as (node, weight) pairs back to back: that of n points starts at double n (n-1).
-std::vector<double> MakeRuleTable();
+/// All rules as (node, weight) pairs back to back: that of n points starts at double n (n-1). Computed once. Thread safe.
+const std::vector<double>& GetRuleTable();
 }
 
 #endif

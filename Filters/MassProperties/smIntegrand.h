@@ -24,6 +24,10 @@ struct Integrand
     AreaMoment,
     /// The component of the normal whose power is 1.
     VectorArea,
+    /// Factor * normal.z * x^i y^j z^k: vanishes with z.
+    HeightMoment,
+    /// Volume (Powers 0) or a first moment of what is below a waterline: BuoyancyIntegrator's.
+    Displaced,
     /// An expression of the user's: Source.
     User
   };
@@ -33,7 +37,7 @@ struct Integrand
   std::string Expression;
   /// Integrated over ribbons and caps too.
   bool ClosedChain = false;
-  /// Total degree of the polynomial g in x.n g(x), n g(x) or |n| g(x); -1: not such a polynomial.
+  /// Total degree of the polynomial g in x.n g(x), n g(x), |n| g(x) or z n_z g(x); -1: not such a polynomial.
   int Degree = -1;
   /// GLSL expression of `size` = |position|: what multiplies a sample's relative rounding, see Bounds.md.
   std::string Magnitude;
@@ -50,6 +54,8 @@ struct Integrand
   std::shared_ptr<const UserExpression> Source{};
   /// The integral grows with this power of the body's size beyond area; tolerances of a User's are relative to that.
   int ScalePower = 0;
+  /// A Displaced's: which of the filter's.
+  int Waterline = -1;
 
   /// Flux of x g(x) / (3 + i + j + k) with g = x^i y^j z^k: the volume integral of g.
   static Integrand VolumeMoment(const std::string& name, int i, int j, int k);
@@ -57,6 +63,10 @@ struct Integrand
   static Integrand AreaMoment(const std::string& name, int i, int j, int k);
   /// A component of the vector area, 0 on a closed surface.
   static Integrand VectorArea(const std::string& name, int component);
+  /// Flux of (0, 0, z) g(x) / (k + 1) with g = x^i y^j z^k: the volume integral of g, too, with nothing to add where z = 0.
+  static Integrand HeightMoment(const std::string& name, int i, int j, int k);
+  /// What BuoyancyIntegrator computes: 0 the volume, 1, 2, 3 the first moments.
+  static Integrand Displaced(const std::string& name, int waterline, int quantity);
   static Integrand User(const std::string& name, const std::string& expression, bool closedChain,
     const UserExpression::Constants& constants = {});
 

@@ -15,7 +15,9 @@ SampleFormulas::SampleFormulas(const std::vector<Integrand>& integrands, const R
   {
     assert(integrand.Form != Integrand::Kind::User);
     std::vector<int> axes;
-    int base = integrand.Form == Integrand::Kind::VolumeMoment ? 0 : 1;
+    int base = integrand.Form == Integrand::Kind::VolumeMoment ? 0
+      : integrand.Form == Integrand::Kind::HeightMoment        ? 4
+                                                               : 1;
     for (int axis = 0; axis < 3; ++axis)
     {
       if (integrand.Form == Integrand::Kind::VectorArea)

@@ -29,6 +29,8 @@ constexpr const char* MassInertia = "MassInertia"; // 9, kg L^2, about the centr
 
 // <quantity> + BoundSuffix: 1 number, the largest error of any component, in the quantity's unit.
 constexpr const char* BoundSuffix = "Bound";
+// <waterline> + CenterSuffix: 3, L, the centre of buoyancy, see vtkSurfaceIntegralGPU::AddBuoyancy.
+constexpr const char* CenterSuffix = "Center";
 
 // The model's own doubt; no part of a bound.
 constexpr const char* MovedByClosing =
@@ -74,6 +76,14 @@ constexpr const char* Text = "Text";     // string, the one cell of the text tab
 // What stands beside the integrands' columns in vtkSurfaceIntegralGPU's outputs: an integrand has none of these names.
 constexpr const char* BesideIntegrands[] = { Name, Id, Solid, FaceId, Faces, Status, Backend, Renderer,
   Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated, Ranks };
+
+// Cell data of the meshes on port 5 of vtkMassPropertiesGPU, besides Volume, that of the whole solid; floats.
+constexpr const char* FaceShare =
+  "FaceShare"; // 1, part of the solid's volume: flux about the part's origin / Volume
+constexpr const char* FaceGap = "FaceGap";     // 1, L, widest gap between the face and its edges
+constexpr const char* FaceBound = "FaceBound"; // 1, L^3, bound of the face's part of the volume
+// Cell data of the glyph on port 0: what to draw it in.
+constexpr const char* Color = "Color"; // 3 (uchar), sRGB: green, red where the result is flagged
 
 // What computed.
 constexpr const char* BackendOpenGL = "opengl";

@@ -38,7 +38,8 @@ PanelPlanner::PanelPlanner(const FacePanels& panels, const PlanRequest& request,
 {
   for (const BoundClass& c : request.Classes)
   {
-    this->Degree = std::max(this->Degree, c.Degree);
+    // A height is one degree more than x.n along a straight ruling.
+    this->Degree = std::max(this->Degree, c.Degree + (c.Kind == BoundClass::HeightMoment ? 1 : 0));
   }
 }
 
@@ -80,7 +81,8 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
     const double area = 4.0 * patch.Radius * patch.Radius;
     this->Result.Magnitude[i] += c.Kind == BoundClass::VectorArea ? area
       : c.Kind == BoundClass::AreaMoment                          ? area * std::pow(reach, c.Degree)
-                                         : area * std::pow(reach, c.Degree + 1) / (3 + c.Degree);
+      : c.Kind == BoundClass::HeightMoment                        ? area * std::pow(reach, c.Degree + 1)
+                                           : area * std::pow(reach, c.Degree + 1) / (3 + c.Degree);
   }
   PlannedItem item{ ItemKind::Panel, index };
   item.Along = along;
@@ -92,8 +94,8 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
 
 void PanelPlanner::SetPolynomialOrders(const Patch& patch)
 {
-  // Numerators have degree 3p-2 in s and 3q-2 in r, positions p and q; in t all of these times the trim's degree, and
-  // s(t) r'(t).
+  // Numerators have degree 3p-2 in s and 3q-2 in r, heights times normals one more, positions p and q; in t all of these times
+  // the trim's degree, and s(t) r'(t).
   const int p = patch.Degree[0];
   const int q = patch.Degree[1];
   const int d = this->Trim.GetDegree();
@@ -103,8 +105,9 @@ void PanelPlanner::SetPolynomialOrders(const Patch& patch)
     const BoundClass& c = this->Request.Classes[i];
     if (c.Kind != BoundClass::AreaMoment)
     {
-      const int inS = 3 * p - 2 + c.Degree * p;
-      const int inR = 3 * q - 2 + c.Degree * q;
+      const int more = c.Kind == BoundClass::HeightMoment ? 1 : 0;
+      const int inS = 3 * p - 2 + more + c.Degree * p;
+      const int inR = 3 * q - 2 + more + c.Degree * q;
       const int inT = straight ? inR * d + d - 1 : (inS + inR) * d + 2 * d - 1;
       this->AcrossXi.SetExactOrder(i, inS / 2 + 1);
       this->AlongT.SetExactOrder(i, std::max(inT, 0) / 2 + 1);

@@ -18,12 +18,22 @@ constexpr double CollapsedSize = 1e-15;
 // Coefficients of series longer than MostKept that are this small, relative to the largest, are rounding of the samples: in an
 // ellipse they would grow with their degree. They are left out of it and charged as they are.
 constexpr int MostKept = 12;
-constexpr double NoiseSize = 2e-16; // times the number of coefficients in both directions
+constexpr double NoiseSize = 2e-16;       // times the number of coefficients in both directions
 constexpr double LengthTolerance = 3e-15; // times the degrees, whose rounding adds up
 
 Vector Cross(const double* a, const double* b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double Power(double base, int exponent)
+{
+  double power = 1.0;
+  for (; exponent > 0; --exponent)
+  {
+    power *= base;
+  }
+  return power;
 }
 
 double Norm(const double* a)
@@ -212,6 +222,29 @@ double PatchMajorants::Table::Sum(const std::vector<double>& s, const std::vecto
       line += s[k] * *entry++;
     }
     sum += r[l] * line;
+  }
+  return sum;
+}
+
+PatchMajorants::ProductEntry PatchMajorants::SumProducts(
+  const std::vector<double>& s, const std::vector<double>& r) const
+{
+  ProductEntry sum{};
+  const ProductEntry* entry = this->Products.data();
+  for (int l = 0; l < this->CountR; ++l)
+  {
+    ProductEntry line{};
+    for (int k = 0; k < this->CountS; ++k, ++entry)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        line[c] += s[k] * (*entry)[c];
+      }
+    }
+    for (int c = 0; c < 4; ++c)
+    {
+      sum[c] += r[l] * line[c];
+    }
   }
   return sum;
 }
@@ -454,20 +487,20 @@ void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vec
   dropped.resize(classes.size());
   for (std::size_t i = 0; i < classes.size(); ++i)
   {
-    const double power = std::pow(reach, classes[i].Degree);
+    const double power = Power(reach, classes[i].Degree);
     const double length = this->Dropped[this->IsPolynomialLength() && this->Traits.PolynomialLength ? 2 : 1];
     dropped[i] = classes[i].Kind == BoundClass::VolumeMoment
       ? this->Dropped[0] * power / ((3 + classes[i].Degree) * cube)
+      : classes[i].Kind == BoundClass::HeightMoment
+      ? factor * this->Dropped[1] * power * reach / cube
       : factor * (classes[i].Kind == BoundClass::VectorArea ? this->Dropped[1] : length * power) / cube;
   }
 }
 
 void PatchMajorants::MakeTables(int countS, int countR)
 {
-  for (Table* table : { &this->Numerator, &this->Normal, &this->Along, &this->Across })
-  {
-    table->Resize(countS, countR);
-  }
+  this->CountS = countS;
+  this->CountR = countR;
   const double* first = this->Samples.data();
   this->FirstLength = this->Traits.PolynomialLength ? std::abs(first[4]) : Norm(first + 1);
   double rest = 0.0;
@@ -478,6 +511,7 @@ void PatchMajorants::MakeTables(int countS, int countR)
     e[c] = this->FirstLength > 0.0 ? first[1 + c] / this->FirstLength : 0.0;
   }
   const std::size_t count = static_cast<std::size_t>(countS) * countR;
+  this->Products.assign(count, {});
   this->Dropped = {};
   if (std::max(countS, countR) > MostKept)
   {
@@ -486,20 +520,21 @@ void PatchMajorants::MakeTables(int countS, int countR)
   for (std::size_t i = 0; i < count; ++i)
   {
     const double* entry = first + Components * i;
-    this->Numerator.Entries[i] = std::abs(entry[0]);
-    this->Normal.Entries[i] = Norm(entry + 1);
+    ProductEntry& product = this->Products[i];
+    product[Numerator] = std::abs(entry[0]);
+    product[Normal] = Norm(entry + 1);
     if (this->Traits.PolynomialLength)
     {
-      this->Along.Entries[i] = i == 0 ? 0.0 : std::abs(entry[4]);
-      rest += this->Along.Entries[i];
+      product[Along] = i == 0 ? 0.0 : std::abs(entry[4]);
+      rest += product[Along];
       continue;
     }
     const double along = entry[1] * e[0] + entry[2] * e[1] + entry[3] * e[2];
     const double across[3] = { entry[1] - along * e[0], entry[2] - along * e[1], entry[3] - along * e[2] };
-    this->Along.Entries[i] = i == 0 ? 0.0 : std::abs(along);
-    rest += this->Along.Entries[i];
-    this->Across.Entries[i] = i == 0 ? 0.0 : Norm(across);
-    beside += this->Across.Entries[i];
+    product[Along] = i == 0 ? 0.0 : std::abs(along);
+    rest += product[Along];
+    product[Across] = i == 0 ? 0.0 : Norm(across);
+    beside += product[Across];
   }
   rest += this->Dropped[this->Traits.PolynomialLength ? 2 : 1];
   this->Positive = rest < 0.999999 * this->FirstLength;
@@ -577,7 +612,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   r.GetMajorants(std::max(this->Q + 1, 3 * this->Q - 1), this->MajorantR);
   const auto sum = [this](const Table& table) { return table.Sum(this->MajorantS, this->MajorantR); };
   // 1e-9: so close to a pole of the integrand nothing is gained, and rounding cannot turn the sign.
-  const double weight = this->FirstWeight - sum(this->Weight);
+  const double weight = this->FirstWeight - (this->Traits.Polynomial ? 0.0 : sum(this->Weight));
   if (!(weight > 1e-9 * this->FirstWeight))
   {
     return false;
@@ -585,10 +620,11 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   const double cube = weight * weight * weight;
   const double reach = this->CenterDistance + sum(this->Position) / weight;
   const double factor = this->GetFactorMajorant(s, r);
-  const double numerator = sum(this->Numerator);
-  const double normal = factor * sum(this->Normal);
+  const ProductEntry products = this->SumProducts(this->MajorantS, this->MajorantR);
+  const double numerator = products[Numerator];
+  const double normal = factor * products[Normal];
   double length = std::numeric_limits<double>::infinity();
-  const double along = this->FirstLength + sum(this->Along);
+  const double along = this->FirstLength + products[Along];
   if (this->IsPolynomialLength())
   {
     length = factor * along;
@@ -596,7 +632,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   else
   {
     // m~.m~ = (|m~_00| + a)^2 + b.b with |a| <= D1, |b.b| <= D2^2: the root is analytic where D1 + D2 < |m~_00|.
-    const double across = sum(this->Across);
+    const double across = products[Across];
     if (along - this->FirstLength + across < 0.999999 * this->FirstLength)
     {
       length = factor * std::hypot(along, across);
@@ -610,7 +646,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   bounds.resize(classes.size());
   for (std::size_t i = 0; i < classes.size(); ++i)
   {
-    const double power = std::pow(reach, classes[i].Degree);
+    const double power = Power(reach, classes[i].Degree);
     switch (classes[i].Kind)
     {
       case BoundClass::VolumeMoment:
@@ -618,6 +654,10 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
         break;
       case BoundClass::VectorArea:
         bounds[i] = normal / cube;
+        break;
+      case BoundClass::HeightMoment:
+        // |z| <= |x|, |n_z| <= |n|, for complex vectors, too.
+        bounds[i] = normal * power * reach / cube;
         break;
       default:
         bounds[i] = length * power / cube;
@@ -689,23 +729,27 @@ int PatchMajorants::GetVaryingDirection() const
 {
   double inS = 0.0;
   double inR = 0.0;
-  const auto add = [&](const Table& table, double scale)
+  const auto add = [&](int countS, int countR, double scale, const auto& get)
   {
-    for (int l = 0; l < table.CountR; ++l)
+    for (int l = 0; l < countR; ++l)
     {
-      for (int k = l == 0 ? 1 : 0; k < table.CountS; ++k)
+      for (int k = l == 0 ? 1 : 0; k < countS; ++k)
       {
-        const double entry = table.Entries[k + static_cast<std::size_t>(table.CountS) * l];
+        const double entry = get(k + static_cast<std::size_t>(countS) * l);
         inS += k > 0 ? entry / scale : 0.0;
         inR += l > 0 ? entry / scale : 0.0;
       }
     }
   };
-  add(this->Weight, this->FirstWeight);
+  add(this->Weight.CountS, this->Weight.CountR, this->FirstWeight,
+    [this](std::size_t i) { return this->Weight.Entries[i]; });
   if (this->FirstLength > 0.0)
   {
-    add(this->Along, this->FirstLength);
-    add(this->Traits.PolynomialLength ? this->Normal : this->Across, this->FirstLength);
+    for (const Product which : { Along, this->Traits.PolynomialLength ? Normal : Across })
+    {
+      add(this->CountS, this->CountR, this->FirstLength,
+        [this, which](std::size_t i) { return this->Products[i][which]; });
+    }
   }
   return inS >= inR ? 0 : 1;
 }

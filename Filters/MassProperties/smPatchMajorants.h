@@ -31,7 +31,9 @@ struct BoundClass
     /// A component of n.
     VectorArea,
     /// |n| g(x).
-    AreaMoment
+    AreaMoment,
+    /// z n_z g(x) / (k + 1), k the power of z in g.
+    HeightMoment
   };
   KindType Kind;
   int Degree;
@@ -113,6 +115,8 @@ private:
     void Resize(int countS, int countR);
     double Sum(const std::vector<double>& s, const std::vector<double>& r) const;
   };
+  using ProductEntry = std::array<double, 4>;
+  ProductEntry SumProducts(const std::vector<double>& s, const std::vector<double>& r) const;
   double GetLowestWeight() const;
   double EvaluateWeight(double x, double y) const;
   /// |m~| is a polynomial on the box.
@@ -150,12 +154,19 @@ private:
   std::vector<double> Samples;
   std::vector<double> Scratch;
 
-  Table Weight;    // |w_kl| without the first
-  Table Position;  // |P_kl - c w_kl|, c = P_00 / w_00
-  Table Numerator; // |D_kl|
-  Table Normal;    // |m_kl|, or |m~_kl| with m = factors m~
-  Table Along;     // |m~_kl . e| without the first, e = m~_00 / |m~_00|; or |h_kl|, h = |m~|
-  Table Across;    // |m~_kl - (m~_kl . e) e|
+  Table Weight;   // |w_kl| without the first
+  Table Position; // |P_kl - c w_kl|, c = P_00 / w_00
+  // Four tables of one size, entry by entry, which are summed together.
+  enum Product
+  {
+    Numerator, // |D_kl|
+    Normal,    // |m_kl|, or |m~_kl| with m = factors m~
+    Along,     // |m~_kl . e| without the first, e = m~_00 / |m~_00|; or |h_kl|, h = |m~|
+    Across     // |m~_kl - (m~_kl . e) e|
+  };
+  int CountS = 0;
+  int CountR = 0;
+  std::vector<ProductEntry> Products;
   mutable std::vector<double> MajorantS;
   mutable std::vector<double> MajorantR;
 };

@@ -31,6 +31,7 @@ void DirectionBound::Reset(std::size_t classes)
   this->Classes = classes;
   this->Radii.clear();
   this->Factors.clear();
+  this->FactorLogarithms.clear();
   this->ExactOrders.assign(classes, NotExact);
 }
 
@@ -41,6 +42,7 @@ void DirectionBound::AddEllipse(double radius, const std::vector<double>& bounds
   for (std::size_t i = 0; i < this->Classes; ++i)
   {
     this->Factors.push_back(factor * bounds[i]);
+    this->FactorLogarithms.push_back(std::log(this->Factors.back()));
   }
 }
 
@@ -72,14 +74,15 @@ double DirectionBound::GetError(std::size_t integrand, int order) const
   return least;
 }
 
-int DirectionBound::GetOrder(std::size_t radius, std::size_t integrand, double share, int largest) const
+int DirectionBound::GetOrder(
+  std::size_t radius, std::size_t integrand, double share, double logarithm, int largest) const
 {
-  const double factor = this->Factors[radius * this->Classes + integrand];
-  if (factor <= share)
+  const std::size_t at = radius * this->Classes + integrand;
+  if (this->Factors[at] <= share)
   {
     return 1;
   }
-  const double points = std::log(factor / share) / (2.0 * this->Radii[radius].Logarithm);
+  const double points = (this->FactorLogarithms[at] - logarithm) / (2.0 * this->Radii[radius].Logarithm);
   // Infinite or not a number: not below.
   return points < largest ? std::max(1, static_cast<int>(std::ceil(points))) : largest + 1;
 }
@@ -87,15 +90,16 @@ int DirectionBound::GetOrder(std::size_t radius, std::size_t integrand, double s
 int DirectionBound::FindOrder(std::size_t integrand, double share, int largest) const
 {
   int least = std::min(this->ExactOrders[integrand], largest + 1);
+  const double logarithm = std::log(share);
   for (std::size_t i = 0; i < this->Radii.size() && least > 1; ++i)
   {
-    least = std::min(least, this->GetOrder(i, integrand, share, largest));
+    least = std::min(least, this->GetOrder(i, integrand, share, logarithm, largest));
   }
   return least;
 }
 
 int DirectionBound::FindLastOrder(std::size_t integrand, double share, int largest) const
 {
-  return this->GetOrder(this->Radii.size() - 1, integrand, share, largest);
+  return this->GetOrder(this->Radii.size() - 1, integrand, share, std::log(share), largest);
 }
 }

@@ -45,12 +45,14 @@ private:
     double Value;
     double Logarithm;
   };
-  int GetOrder(std::size_t radius, std::size_t integrand, double share, int largest) const;
+  /// `share` and its logarithm.
+  int GetOrder(std::size_t radius, std::size_t integrand, double share, double logarithm, int largest) const;
 
   std::size_t Classes;
   std::vector<Radius> Radii;
   /// The error of N points is this times rho^(-2N).
   std::vector<double> Factors;
+  std::vector<double> FactorLogarithms;
   std::vector<int> ExactOrders;
 };
 }

@@ -5,12 +5,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace sm
 {
 namespace
 {
 constexpr BoundClass PlainArea = { BoundClass::AreaMoment, 0 };
+
+// Panels, or ribbons, of a portion: as few as keep threads busy, but not more portions than this of either.
+constexpr std::size_t LeastOfPortion = 4;
+constexpr std::size_t MostPortions = 32;
+
+/// Consecutive ones of `count`.
+struct Portions
+{
+  std::size_t Size;
+  std::size_t Count;
+
+  explicit Portions(std::size_t count)
+    : Size(std::max(LeastOfPortion, (count + MostPortions - 1) / MostPortions))
+    , Count((count + Size - 1) / Size)
+  {
+  }
+};
 
 /// What a fitted surface may move: the solid by its residual over the area. The normals of a fit are not bounded by its
 /// distance; Markov's inequality for the pieces' degree gives their size.
@@ -34,6 +52,7 @@ void ChargeSurface(const Face& face, const FacePanels& panels, const std::vector
     switch (classes[i].Kind)
     {
       case BoundClass::VolumeMoment:
+      case BoundClass::HeightMoment:
         plan.ConversionBound[i] += residual * area * power;
         break;
       case BoundClass::AreaMoment:
@@ -102,45 +121,100 @@ void ChargeDisplacements(const FacePanels& panels, const PlanRequest& request, d
       const double power = std::pow(reach, c.Degree);
       plan.ConversionBound[i] += c.Kind == BoundClass::VolumeMoment
         ? power * (swept + reach * d * border / (3 + c.Degree))
-        : c.Kind == BoundClass::AreaMoment ? d * power * turned
-                                           : d * border;
+        : c.Kind == BoundClass::HeightMoment ? power * (swept + reach * d * border)
+        : c.Kind == BoundClass::AreaMoment   ? d * power * turned
+                                             : d * border;
     }
   }
 }
-}
 
-FacePlan PlanFace(const Face& face, const FacePanels& panels, const PlanRequest& request)
+/// With the area in it, and tolerances of one item: equal shares; ribbons have no area.
+PlanRequest MakeShares(const FacePanels& panels, const PlanRequest& request)
 {
-  FacePlan plan;
   PlanRequest all = request;
-  std::size_t areaClass = std::find(all.Classes.begin(), all.Classes.end(), PlainArea) - all.Classes.begin();
-  if (areaClass == all.Classes.size())
+  if (std::find(all.Classes.begin(), all.Classes.end(), PlainArea) == all.Classes.end())
   {
     all.Classes.push_back(PlainArea);
     all.Tolerances.push_back(0.0);
   }
-  const std::size_t count = all.Classes.size();
-  plan.QuadratureBound.assign(count, 0.0);
-  plan.ConversionBound.assign(count, 0.0);
-  plan.Magnitude.assign(count, 0.0);
-
-  // Equal shares; ribbons have no area.
   const std::size_t strips = panels.Panels.size() + panels.Ribbons.size();
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < all.Classes.size(); ++i)
   {
     const std::size_t items = all.Classes[i].Kind == BoundClass::AreaMoment ? panels.Panels.size() : strips;
     all.Tolerances[i] /= std::max<std::size_t>(items, 1);
   }
-  PanelPlanner panelPlanner(panels, all, plan);
-  for (std::uint32_t i = 0; i < panels.Panels.size(); ++i)
+  return all;
+}
+
+FacePlan MakePlan(std::size_t classes)
+{
+  FacePlan plan;
+  plan.QuadratureBound.assign(classes, 0.0);
+  plan.ConversionBound.assign(classes, 0.0);
+  plan.Magnitude.assign(classes, 0.0);
+  return plan;
+}
+
+void Add(const std::vector<double>& values, std::vector<double>& sums)
+{
+  std::transform(values.begin(), values.end(), sums.begin(), sums.begin(), std::plus<>());
+}
+}
+
+std::size_t GetNumberOfPortions(const FacePanels& panels)
+{
+  return Portions(panels.Panels.size()).Count + Portions(panels.Ribbons.size()).Count;
+}
+
+PlanPortion PlanFacePortion(
+  const Face& face, const FacePanels& panels, const PlanRequest& request, std::size_t portion)
+{
+  const PlanRequest all = MakeShares(panels, request);
+  PlanPortion result{ MakePlan(all.Classes.size()) };
+  const Portions ofPanels(panels.Panels.size());
+  const Portions ofRibbons(panels.Ribbons.size());
+  if (portion < ofPanels.Count)
   {
-    panelPlanner.Plan(i);
+    PanelPlanner planner(panels, all, result.Plan);
+    const std::size_t end = std::min((portion + 1) * ofPanels.Size, panels.Panels.size());
+    for (std::size_t i = portion * ofPanels.Size; i < end; ++i)
+    {
+      planner.Plan(static_cast<std::uint32_t>(i));
+    }
+    result.Reach = planner.GetReach();
+    return result;
   }
-  const double area = plan.Magnitude[areaClass];
-  RibbonPlanner ribbonPlanner(face, panels, all, plan);
-  for (std::uint32_t i = 0; i < panels.Ribbons.size(); ++i)
+  portion -= ofPanels.Count;
+  RibbonPlanner planner(face, panels, all, result.Plan);
+  const std::size_t end = std::min((portion + 1) * ofRibbons.Size, panels.Ribbons.size());
+  for (std::size_t i = portion * ofRibbons.Size; i < end; ++i)
   {
-    ribbonPlanner.Plan(i);
+    planner.Plan(static_cast<std::uint32_t>(i));
+  }
+  return result;
+}
+
+FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequest& request,
+  const std::vector<PlanPortion>& portions)
+{
+  const PlanRequest all = MakeShares(panels, request);
+  const std::size_t areaClass =
+    std::find(all.Classes.begin(), all.Classes.end(), PlainArea) - all.Classes.begin();
+  FacePlan plan = MakePlan(all.Classes.size());
+  double reach = 0.0;
+  double area = 0.0;
+  const std::size_t panelPortions = Portions(panels.Panels.size()).Count;
+  for (std::size_t i = 0; i < portions.size(); ++i)
+  {
+    const FacePlan& part = portions[i].Plan;
+    plan.Items.insert(plan.Items.end(), part.Items.begin(), part.Items.end());
+    plan.Evaluations += part.Evaluations;
+    plan.Estimated = plan.Estimated || part.Estimated;
+    Add(part.QuadratureBound, plan.QuadratureBound);
+    Add(part.ConversionBound, plan.ConversionBound);
+    Add(part.Magnitude, plan.Magnitude);
+    reach = std::max(reach, portions[i].Reach);
+    area = i < panelPortions ? plan.Magnitude[areaClass] : area;
   }
   for (std::uint32_t i = 0; i < panels.Caps.size(); ++i)
   {
@@ -148,12 +222,22 @@ FacePlan PlanFace(const Face& face, const FacePanels& panels, const PlanRequest&
     cap.Along = cap.Across = request.StripPoints;
     plan.Items.push_back(cap);
   }
-  ChargeSurface(face, panels, all.Classes, panelPlanner.GetReach(), area, plan);
+  ChargeSurface(face, panels, all.Classes, reach, area, plan);
   ChargeDisplacements(panels, all, area, plan);
   for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
   {
     values->resize(request.Classes.size());
   }
   return plan;
+}
+
+FacePlan PlanFace(const Face& face, const FacePanels& panels, const PlanRequest& request)
+{
+  std::vector<PlanPortion> portions;
+  for (std::size_t i = 0; i < GetNumberOfPortions(panels); ++i)
+  {
+    portions.push_back(PlanFacePortion(face, panels, request, i));
+  }
+  return JoinPortions(face, panels, request, portions);
 }
 }

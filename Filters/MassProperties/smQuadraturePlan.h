@@ -80,6 +80,21 @@ struct PlanRequest
 
 /// Residuals and orders come from `face`, everything else from its panels. Thread safe.
 FacePlan PlanFace(const Face& face, const FacePanels& panels, const PlanRequest& request);
+
+///@{
+/// The same in parts, for threads: portions in any order, then joined. Where portions begin depends on the panels alone, and so
+/// do the bits of the plan. Thread safe.
+struct PlanPortion
+{
+  FacePlan Plan;
+  double Reach = 0.0;
+};
+std::size_t GetNumberOfPortions(const FacePanels& panels);
+PlanPortion PlanFacePortion(
+  const Face& face, const FacePanels& panels, const PlanRequest& request, std::size_t portion);
+FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequest& request,
+  const std::vector<PlanPortion>& portions);
+///@}
 }
 
 #endif

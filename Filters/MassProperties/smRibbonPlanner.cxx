@@ -342,6 +342,10 @@ void RibbonPlanner::Bound(const Majorants& m, std::vector<double>& bounds) const
     {
       bounds[i] = m.Curve * strip * std::pow(m.Curve + m.Gap, c.Degree) / (3 + c.Degree);
     }
+    else if (c.Kind == BoundClass::HeightMoment)
+    {
+      bounds[i] = strip * std::pow(m.Curve + m.Gap, c.Degree + 1);
+    }
     else if (c.Kind == BoundClass::VectorArea)
     {
       bounds[i] = strip;
@@ -371,6 +375,10 @@ void RibbonPlanner::ChargeNoise(const Majorants& real)
     {
       this->Result.QuadratureBound[i] +=
         2.0 * (real.Curve + real.Gap) * strip * std::pow(real.Curve + real.Gap, c.Degree) / (3 + c.Degree);
+    }
+    else if (c.Kind == BoundClass::HeightMoment)
+    {
+      this->Result.QuadratureBound[i] += 2.0 * strip * std::pow(real.Curve + real.Gap, c.Degree + 1);
     }
     else if (c.Kind == BoundClass::VectorArea)
     {
@@ -405,8 +413,9 @@ void RibbonPlanner::ChargeResiduals(const Ribbon& ribbon, const Majorants& real)
     const BoundClass& c = this->Request.Classes[i];
     const double power = std::pow(reach, c.Degree);
     this->Result.ConversionBound[i] += c.Kind == BoundClass::AreaMoment ? area * power
-      : c.Kind == BoundClass::VolumeMoment ? moved * (real.Gap + moved) * length * power
-                                           : 0.0;
+      : c.Kind == BoundClass::VolumeMoment || c.Kind == BoundClass::HeightMoment
+      ? moved * (real.Gap + moved) * length * power
+      : 0.0;
   }
 }
 

@@ -527,14 +527,25 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
   faces.reserve(tasks.size());
   for (const FaceTask& task : tasks)
   {
-    faces.push_back(task.Source);
+    if (!task.Cut)
+    {
+      faces.push_back(task.Source);
+    }
   }
   const auto cutting = [this](double fraction) { return this->Tell(CutShare * fraction); };
-  bool ok = this->Cuts.Acquire(faces, this->Faces, cutting) || this->FailAlone(this->Cuts.GetError());
+  std::vector<CutFacePointer> cut;
+  const bool hasCut = faces.empty() || this->Cuts.Acquire(faces, cut, cutting);
+  bool ok = hasCut || this->FailAlone(this->Cuts.GetError());
   double nothing = 0.0;
   if (!this->Agree(nothing) || !ok)
   {
     return false;
+  }
+  this->Faces.clear();
+  auto next = cut.begin();
+  for (std::size_t i = 0; hasCut && i < tasks.size(); ++i)
+  {
+    this->Faces.push_back(tasks[i].Cut ? tasks[i].Cut : *next++);
   }
   const auto planning = [this](double fraction) { return this->Tell(CutShare + PlanShare * fraction); };
   const auto addUp = [this](std::int64_t& evaluations) { return this->AddUpPlans(evaluations); };

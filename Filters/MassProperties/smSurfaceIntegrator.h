@@ -5,7 +5,7 @@
 #ifndef smSurfaceIntegrator_h
 #define smSurfaceIntegrator_h
 
-#include "smFace.h"
+#include "smFacePanelsCache.h"
 #include "smIntegrand.h"
 
 #include <array>
@@ -27,6 +27,8 @@ struct RankReport;
 struct FaceTask
 {
   FacePointer Source;
+  /// Not null: what `Source` is cut into, by somebody else; its Source is the same.
+  CutFacePointer Cut;
   /// Absolute tolerance of each integrand for this face.
   std::vector<double> Tolerances;
   /// Rows of a 3x4 placement applied to positions and normals; used when SetUsePlacements(true).

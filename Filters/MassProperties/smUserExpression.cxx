@@ -73,6 +73,14 @@ std::string GetCharacter(const std::string& text, std::size_t at)
   return text.substr(at, end - at);
 }
 
+/// GLSL turns what is of single precision into doubles without a word, and has functions for single precision alone.
+bool IsSinglePrecision(const std::string& name)
+{
+  static const std::set<std::string> names = { "float", "vec2", "vec3", "vec4", "intBitsToFloat",
+    "uintBitsToFloat" };
+  return names.count(name) > 0 || name.compare(0, 3, "mat") == 0 || name.compare(0, 6, "unpack") == 0;
+}
+
 bool IsReserved(const std::string& name)
 {
   return name.compare(0, 2, "sm") == 0 || name.compare(0, 2, "SM") == 0 || name.compare(0, 3, "gl_") == 0;
@@ -142,6 +150,11 @@ bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)
     {
       return this->Fail(begin, "'" + name + "' is reserved");
     }
+    if (IsSinglePrecision(name))
+    {
+      return this->Fail(
+        begin, "'" + name + "' is of single precision, which no bound here tells of; there are doubles only");
+    }
     this->AddName(name, begin, constants);
     return true;
   }
@@ -205,7 +218,10 @@ void UserExpression::AddName(const std::string& name, std::size_t at, const Cons
 {
   std::string glsl = name;
   const bool isComponent = !this->Tokens.empty() && this->Tokens.back().Glsl == ".";
-  const auto constant = constants.find(name);
+  // No constant is called, but a function may have its name.
+  const std::size_t next = this->Text.find_first_not_of(" \t\r\n", at + name.size());
+  const bool isCalled = next != std::string::npos && this->Text[next] == '(';
+  const auto constant = isCalled ? constants.end() : constants.find(name);
   if (!isComponent && constant != constants.end())
   {
     glsl = "(" + MakeLiteral(constant->second) + ")";
@@ -238,6 +254,11 @@ bool UserExpression::AddNumber(const std::string& number, std::size_t at)
   {
     return this->Fail(at, "'" + number + "' is not a number");
   }
+  const bool isInteger = number.find_first_of("xX") != std::string::npos || std::strchr("uU", number.back());
+  if (!isInteger && std::strchr("fF", number.back()) && number.find_first_of("lL") == std::string::npos)
+  {
+    return this->Fail(at, "'" + number + "' is of single precision; without the suffix it is a double");
+  }
   const bool isHexadecimal = number.find_first_of("xX") != std::string::npos;
   const bool isIndex = !this->Open.empty() && this->Open.back().Glsl == "[";
   const bool isWhole = number.find_first_not_of("0123456789") == std::string::npos;
@@ -252,20 +273,14 @@ bool UserExpression::AddNumber(const std::string& number, std::size_t at)
 
 bool UserExpression::MayHaveKinks() const
 {
-  // Numbers of single precision and whole numbers have steps, too.
+  // Whole numbers have steps, too.
   static const std::set<std::string> rough = { "abs", "sign", "floor", "trunc", "round", "roundEven", "ceil",
     "fract", "mod", "min", "max", "clamp", "step", "smoothstep", "faceforward", "refract", "int", "uint",
-    "bool", "float", "vec2", "vec3", "vec4", "ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4", "bvec2",
-    "bvec3", "bvec4", "lessThan", "lessThanEqual", "greaterThan", "greaterThanEqual", "equal", "notEqual",
-    "isnan", "isinf", "?", "<", ">", "<=", ">=", "==", "!=" };
-  const auto isRough = [](const Token& token)
-  {
-    const bool isFloat = token.Glsl.size() > 1 && !IsNameStart(token.Glsl[0]) &&
-      token.Glsl.find_first_of("xX") == std::string::npos && std::strchr("fF", token.Glsl.back()) &&
-      std::strchr("lL", token.Glsl[token.Glsl.size() - 2]) == nullptr;
-    return isFloat || rough.count(token.Glsl) > 0;
-  };
-  return std::any_of(this->Tokens.begin(), this->Tokens.end(), isRough);
+    "bool", "ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4", "bvec2", "bvec3", "bvec4", "lessThan",
+    "lessThanEqual", "greaterThan", "greaterThanEqual", "equal", "notEqual", "isnan", "isinf", "?", "<", ">",
+    "<=", ">=", "==", "!=" };
+  return std::any_of(
+    this->Tokens.begin(), this->Tokens.end(), [](const Token& token) { return rough.count(token.Glsl) > 0; });
 }
 
 std::string UserExpression::MakeFunction(const std::string& name, bool forMessages) const

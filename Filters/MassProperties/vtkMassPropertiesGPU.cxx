@@ -7,16 +7,11 @@
 #include "vtkMassPropertiesGPUInternals.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
-#include "vtkAppendPolyData.h"
-#include "vtkBoundingBox.h"
-#include "vtkCellArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSphereSource.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -98,31 +93,6 @@ void FlagInsanity(sm::BodyIntegrals& body, const sm::MassProperties& properties)
   {
     body.Flag(sm::names::StatusSuspect, violation);
   }
-}
-
-void AppendAxes(vtkAppendPolyData* glyphs, const sm::MassProperties& properties, double length)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    vtkIdType ends[2];
-    for (int side = 0; side < 2; ++side)
-    {
-      double p[3];
-      for (int i = 0; i < 3; ++i)
-      {
-        p[i] = properties.Center[i] + (side ? length : -length) * properties.Axes[3 * axis + i];
-      }
-      ends[side] = points->InsertNextPoint(p);
-    }
-    lines->InsertNextCell(2, ends);
-  }
-  vtkNew<vtkPolyData> axes;
-  axes->SetPoints(points);
-  axes->SetLines(lines);
-  glyphs->AddInputData(axes);
 }
 }
 
@@ -224,6 +194,7 @@ void vtkMassPropertiesGPU::ForgetLastRun()
 {
   this->Superclass::ForgetLastRun();
   this->Last->Row = sm::MassRow();
+  this->Last->Volumes.clear();
   this->Last->Estimates = sm::SchemeTotals();
   this->Last->Run.Forget();
 }
@@ -456,6 +427,7 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
     columns.Append(rows[i]);
+    this->Last->Volumes.push_back(rows[i].Properties.Volume);
     openEdges += bodies[i].OpenEdges;
     flippedShells += bodies[i].FlippedShells;
     status = sm::IsWorse(bodies[i].Status, status) ? bodies[i].Status : status;
@@ -476,69 +448,6 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text, summary);
   sm::columns::AddFaceRows(bodies, this->Implementation->Integrands, faces, { sm::MassVolume, sm::MassArea });
-  this->MakeGlyphs(bodies, rows, totals);
-}
-
-void vtkMassPropertiesGPU::MakeGlyphs(
-  const std::vector<sm::BodyIntegrals>& bodies, const std::vector<sm::MassRow>& rows, vtkPolyData* output)
-{
-  vtkNew<vtkAppendPolyData> glyphs;
-  const auto add = [&](const sm::MassProperties& properties, double diagonal)
-  {
-    if (!std::isfinite(properties.Center[0]) || !(diagonal > 0.0))
-    {
-      return;
-    }
-    if (this->GlyphScale > 0.0)
-    {
-      vtkNew<vtkSphereSource> sphere;
-      sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-      sphere->SetCenter(properties.Center[0], properties.Center[1], properties.Center[2]);
-      sphere->SetRadius(this->GlyphScale * diagonal);
-      sphere->SetThetaResolution(32);
-      sphere->SetPhiResolution(24);
-      sphere->Update();
-      glyphs->AddInputData(sphere->GetOutput());
-    }
-    if (this->ShowPrincipalAxes && !properties.AxesDegenerate)
-    {
-      AppendAxes(glyphs, properties, 0.5 * diagonal);
-    }
-  };
-  vtkBoundingBox all;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-  {
-    // The placed box of the part: its eight corners.
-    const std::array<double, 6> b = sm::GetBox(*bodies[i].Model);
-    const double* origin = bodies[i].Model->GetOrigin();
-    const std::array<double, 16>& m = bodies[i].Placement;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      double p[3];
-      for (int r = 0; r < 3; ++r)
-      {
-        p[r] = m[4 * r + 3];
-        for (int c = 0; c < 3; ++c)
-        {
-          p[r] += m[4 * r + c] * (origin[c] + b[2 * c + ((corner >> c) & 1)]);
-        }
-      }
-      all.AddPoint(p);
-    }
-    if (this->GlyphPerSolid && bodies.size() > 1)
-    {
-      add(rows[i].Properties, 2.0 * sm::GetRadius(*bodies[i].Model));
-    }
-  }
-  add(this->Last->Row.Properties, all.IsValid() ? all.GetDiagonalLength() : 0.0);
-  if (glyphs->GetNumberOfInputConnections(0) > 0)
-  {
-    glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    glyphs->Update();
-    output->SetPoints(glyphs->GetOutput()->GetPoints());
-    output->SetVerts(glyphs->GetOutput()->GetVerts());
-    output->SetLines(glyphs->GetOutput()->GetLines());
-    output->SetPolys(glyphs->GetOutput()->GetPolys());
-    output->GetPointData()->ShallowCopy(glyphs->GetOutput()->GetPointData());
-  }
+  sm::columns::SetString(text->GetFieldData(), sm::names::Status, status);
+  this->MakeGlyphs(bodies, rows, status, totals);
 }

@@ -18,6 +18,10 @@
  * | 2    | table    | 1x1, column Text: a summary to show in a view                                      |
  * | 3    | table    | a row per face and instance: its area, and its part of the volume (flux about the part's origin) |
  * | 4    | table    | a row per edge and instance, see vtkSurfaceIntegralGPU                            |
+ * | 5    | partitioned dataset collection | the bodies' meshes, see vtkSurfaceIntegralGPU, with the cell arrays Volume (of the solid), FaceShare (of the face in it), FaceGap and FaceBound, floats |
+ *
+ * The glyph's active cell scalars are its colour, green, or red where the result is flagged: vtkPolyDataMapper shows it as it
+ * is. The text's field data has Status.
  *
  * Field data (smMassPropertyNames.h), each quantity with `<name>Bound`, one number in the quantity's unit:
  * | name                  | comp. | unit   | meaning                                                     |
@@ -97,7 +101,8 @@ public:
   ///@}
 
   ///@{
-  /** Draw the principal axes at the centre of mass (not when they are degenerate). Default off. */
+  /** Draw the principal axes at the centre of mass (not when they are degenerate), by 0.3 of the diagonal of the bounding box to either
+   * side. Default on. */
   vtkSetMacro(ShowPrincipalAxes, bool);
   vtkGetMacro(ShowPrincipalAxes, bool);
   vtkBooleanMacro(ShowPrincipalAxes, bool);
@@ -222,6 +227,7 @@ protected:
   bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies) override;
   void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces) override;
+  std::vector<sm::MeshArray> GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) override;
 
 private:
   sm::MassTolerance GetTolerance() const;
@@ -240,8 +246,8 @@ private:
   std::string GetSchemeOptions() const;
   /// The row of a body; `moments` gets its moments in the world when it has a volume. May flag the body.
   sm::MassRow MakeRow(sm::BodyIntegrals& body, sm::Moments& moments);
-  void MakeGlyphs(
-    const std::vector<sm::BodyIntegrals>& bodies, const std::vector<sm::MassRow>& rows, vtkPolyData* output);
+  void MakeGlyphs(const std::vector<sm::BodyIntegrals>& bodies, const std::vector<sm::MassRow>& rows,
+    const std::string& status, vtkPolyData* output);
 
   void PrintSchemeOptions(ostream& os, vtkIndent indent) const;
 
@@ -263,7 +269,7 @@ protected:
   bool KeepTrimTextures = false;
   double Density = 0.0;
   double GlyphScale = 0.02;
-  bool ShowPrincipalAxes = false;
+  bool ShowPrincipalAxes = true;
   bool GlyphPerSolid = false;
 
 private:

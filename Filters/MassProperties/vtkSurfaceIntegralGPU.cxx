@@ -1,13 +1,13 @@
 #include "vtkSurfaceIntegralGPU.h"
 
 #include "smBodyIntegrals.h"
-#include "smCPUItemRunner.h"
-#include "smGPUItemRunner.h"
+#include "smBodyMeshes.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
 #include "smSurfaceIntegrator.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
+#include "vtkAutoInit.h"
 #include "vtkComputeContext.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExecutive.h"
@@ -17,16 +17,18 @@
 #include "vtkMath.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
-#include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
+
+// Whoever loads this library has display points evaluated by OpenGL, too, and needs no vtk_module_autoinit for it.
+VTK_MODULE_INIT(smRenderingNURBS)
 
 vtkStandardNewMacro(vtkSurfaceIntegralGPU);
 
@@ -34,7 +36,7 @@ vtkSurfaceIntegralGPU::vtkSurfaceIntegralGPU()
   : Implementation(new Internals)
 {
   this->SetNumberOfInputPorts(1);
-  this->SetNumberOfOutputPorts(5);
+  this->SetNumberOfOutputPorts(6);
   this->Implementation->Controller = vtkMultiProcessController::GetGlobalController();
 }
 
@@ -51,6 +53,8 @@ void vtkSurfaceIntegralGPU::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Integrands: " << this->GetNumberOfIntegrands() << "\n"
      << indent << "Constants: " << this->Implementation->Constants.size() << "\n"
      << indent << "FaceIds: " << this->Implementation->FaceIds.size() << "\n"
+     << indent << "Selectors: " << this->Implementation->Selectors.size() << "\n"
+     << indent << "AssemblyName: " << this->Implementation->AssemblyName << "\n"
      << indent << "Status: " << this->GetStatus() << "\n"
      << indent << "BackendName: " << this->GetBackendName() << "\n"
      << indent << "Renderer: " << this->GetRenderer() << "\n"
@@ -74,9 +78,18 @@ void vtkSurfaceIntegralGPU::SetRelativeTolerance(double tolerance)
 
 void vtkSurfaceIntegralGPU::RemoveAllIntegrands()
 {
-  if (!this->Implementation->Integrands.empty())
+  Internals& self = *this->Implementation;
+  if (!self.Integrands.empty() || !self.IntegrandText.empty())
   {
-    this->Implementation->Integrands.clear();
+    self.Integrands.clear();
+    self.Waterlines.clear();
+    self.WaterlineNames.clear();
+    self.Switched.clear();
+    self.IntegrandText.clear();
+    self.MomentDegree = -1;
+    self.BendingEnergy = false;
+    std::fill_n(self.ProjectedAreaDirection, 3, 0.0);
+    self.HasWaterline = false;
     this->Modified();
   }
 }
@@ -193,228 +206,11 @@ int vtkSurfaceIntegralGPU::FillInputPortInformation(int, vtkInformation* info)
 
 int vtkSurfaceIntegralGPU::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    port == 0     ? "vtkPolyData"
+      : port == 5 ? "vtkPartitionedDataSetCollection"
+                  : "vtkTable");
   return 1;
-}
-
-double vtkSurfaceIntegralGPU::Internals::GetScale(
-  const sm::Integrand& integrand, vtkTrimmedNURBSModel& model, double reach)
-{
-  if (integrand.ScalePower != 0)
-  {
-    return sm::GetAreaScale(model) * std::pow(sm::GetRadius(model), integrand.ScalePower);
-  }
-  // The integral of a monomial over a body of volume V (area A) within a distance `reach` of the origin.
-  const double size = std::pow(reach, std::max(integrand.Degree, 0));
-  return size *
-    (integrand.ClosedChain && integrand.Degree >= 0 ? sm::GetVolumeScale(model) : sm::GetAreaScale(model));
-}
-
-double vtkSurfaceIntegralGPU::Internals::GetReach(const sm::BodyIntegrals& body)
-{
-  const double* origin = body.Model->GetOrigin();
-  double squared = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    double x = body.Placement[4 * i + 3];
-    for (int j = 0; j < 3; ++j)
-    {
-      x += body.Placement[4 * i + j] * origin[j];
-    }
-    squared += x * x;
-  }
-  return std::sqrt(squared) + sm::GetRadius(*body.Model);
-}
-
-void vtkSurfaceIntegralGPU::Internals::AddTasks(
-  const sm::BodyIntegrals& body, bool placed, double tolerance, std::vector<sm::FaceTask>& tasks) const
-{
-  vtkTrimmedNURBSModel& model = *body.Model;
-  const std::vector<sm::FacePointer>& faces = model.GetFaces();
-  sm::FaceTask task;
-  if (placed)
-  {
-    const double* origin = model.GetOrigin();
-    for (int i = 0; i < 3; ++i)
-    {
-      double translation = body.Placement[4 * i + 3];
-      for (int j = 0; j < 3; ++j)
-      {
-        task.Placement[4 * i + j] = body.Placement[4 * i + j];
-        translation += body.Placement[4 * i + j] * origin[j];
-      }
-      task.Placement[4 * i + 3] = translation;
-    }
-    const double reach = GetReach(body);
-    for (const sm::Integrand& integrand : this->Integrands)
-    {
-      task.Tolerances.push_back(tolerance * GetScale(integrand, model, reach));
-    }
-  }
-  else
-  {
-    task.Tolerances = this->LocalTolerances(model);
-  }
-  for (double& t : task.Tolerances)
-  {
-    // An equal share for every face, whatever the others' results.
-    t /= std::max<std::size_t>(faces.size(), 1);
-  }
-  for (const sm::FacePointer& face : faces)
-  {
-    task.Source = face;
-    tasks.push_back(task);
-  }
-}
-
-bool vtkSurfaceIntegralGPU::Internals::ChooseRunner(vtkSurfaceIntegralGPU* self)
-{
-  Run& last = this->Last;
-  const double start = vtkTimerLog::GetUniversalTime();
-  const bool hasOpenGL = self->Backend != CPU && this->Context->Start() == vtkComputeContext::READY;
-  last.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
-  if (!hasOpenGL && self->Backend == OPENGL)
-  {
-    last.Messages.push_back("nothing was computed: " + this->Context->GetReason());
-    return false;
-  }
-  if (!hasOpenGL && self->Backend == AUTOMATIC)
-  {
-    last.FallbackReason = this->Context->GetReason();
-  }
-  // Another context may be another device, which may round otherwise.
-  const vtkTypeUInt64 generation = hasOpenGL ? this->Context->GetGeneration() : 0;
-  if (this->Generation != generation)
-  {
-    this->Integrator.ForgetFaces();
-    this->Generation = generation;
-  }
-  last.Backend = hasOpenGL ? sm::names::BackendOpenGL : sm::names::BackendCPU;
-  last.Renderer = hasOpenGL ? this->Context->GetRenderer() : sm::CPUItemRunner::GetDescription();
-  if (this->Runner != last.Backend)
-  {
-    std::unique_ptr<sm::ItemRunner> runner;
-    if (hasOpenGL)
-    {
-      runner = std::make_unique<sm::GPUItemRunner>(this->Context);
-    }
-    else
-    {
-      runner = std::make_unique<sm::CPUItemRunner>();
-    }
-    this->Integrator.SetRunner(std::move(runner));
-    this->Runner = last.Backend;
-  }
-  return true;
-}
-
-void vtkSurfaceIntegralGPU::Internals::Configure(vtkSurfaceIntegralGPU* self)
-{
-  if (this->Configured != this->Integrands)
-  {
-    this->Integrator.SetIntegrands(this->Integrands);
-    this->Configured = this->Integrands;
-  }
-  // Moments about each part's own origin are carried to the instances exactly; anything else is integrated
-  // in world coordinates, instance by instance.
-  this->Integrator.SetUsePlacements(!this->LocalTolerances);
-  this->Integrator.SetPerturbation(self->ShaderPerturbation);
-  this->Integrator.SetMaximumEvaluations(self->MaximumEvaluations);
-  this->Integrator.SetMaximumSeconds(self->MaximumSeconds);
-  this->Integrator.SetKeepFaces(self->KeepFaces);
-}
-
-bool vtkSurfaceIntegralGPU::Internals::Integrate(
-  vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies)
-{
-  Run& last = this->Last;
-  const bool hasRunner = this->ChooseRunner(self);
-  this->Integrator.SetExchange(this->Exchange.get(), this->GetDevice());
-  if (!hasRunner)
-  {
-    this->Integrator.Dismiss();
-    return false;
-  }
-  this->Configure(self);
-  const bool placed = !this->LocalTolerances;
-  std::vector<sm::FaceTask> tasks;
-  std::vector<std::size_t> firstTask;
-  std::map<vtkTrimmedNURBSModel*, std::size_t> known;
-  for (const sm::BodyIntegrals& body : bodies)
-  {
-    const auto shared = known.find(body.Model);
-    if (!placed && shared != known.end())
-    {
-      firstTask.push_back(shared->second);
-      continue;
-    }
-    known[body.Model] = tasks.size();
-    firstTask.push_back(tasks.size());
-    this->AddTasks(body, placed, self->RelativeTolerance, tasks);
-  }
-  const std::vector<std::size_t> chosen = this->ChooseTasks(tasks);
-  std::vector<sm::FaceIntegrals> results;
-  const vtkTypeUInt64 dispatches = this->Context->GetNumberOfDispatches();
-  const bool done = this->Integrator.Integrate(tasks, results,
-    [self](double fraction)
-    {
-      self->UpdateProgress(fraction);
-      return !self->GetAbortExecute();
-    });
-  last.Evaluations = this->Integrator.GetEvaluations();
-  last.Dispatches = static_cast<vtkTypeInt64>(this->Context->GetNumberOfDispatches() - dispatches);
-  last.StartSeconds += this->Integrator.GetStartSeconds();
-  last.PrepareSeconds = this->Integrator.GetPrepareSeconds();
-  last.IntegrateSeconds = this->Integrator.GetIntegrateSeconds();
-  this->Integrator.SetExchange(nullptr, {});
-  this->TellOfRanks();
-  if (!done)
-  {
-    last.Messages.push_back(this->Integrator.WasTimedOut() ? "nothing was computed: MaximumSeconds were over"
-        : this->Integrator.WasAborted()                    ? "the run was aborted"
-                                        : "nothing was computed: " + this->Integrator.GetError());
-    return false;
-  }
-  if (this->Integrator.WasAborted())
-  {
-    last.Messages.push_back(this->Integrator.WasTimedOut()
-        ? "MaximumSeconds were over before all faces were integrated"
-        : "the run was aborted before all faces were integrated");
-  }
-  if (this->Integrator.WasLoosened())
-  {
-    last.Messages.push_back(
-      "MaximumEvaluations are too few for the tolerance: it was loosened, and the bounds say by how much");
-  }
-  for (std::size_t k = 0; k < this->Integrands.size(); ++k)
-  {
-    const std::string obstacle = this->Integrator.GetObstacle(k);
-    if (!obstacle.empty())
-    {
-      const sm::Integrand& integrand = this->Integrands[k];
-      last.Messages.push_back(integrand.Name + " was not computed: " + obstacle +
-        (integrand.Source ? ", in \"" + integrand.Expression + "\"" : std::string()));
-    }
-    else if (this->Integrands[k].Source && this->Integrands[k].Source->MayHaveKinks())
-    {
-      last.Messages.push_back(this->Integrands[k].Name +
-        " may have kinks or steps: its bound is estimated as if it were smooth on every face");
-    }
-  }
-  this->SpreadResults(chosen, results);
-  std::map<std::size_t, std::shared_ptr<const std::vector<sm::FaceIntegrals>>> sharedFaces;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-  {
-    auto& faces = sharedFaces[firstTask[i]];
-    if (!faces)
-    {
-      const auto first = results.begin() + static_cast<std::ptrdiff_t>(firstTask[i]);
-      faces = std::make_shared<const std::vector<sm::FaceIntegrals>>(
-        first, first + bodies[i].Model->GetNumberOfFaces());
-    }
-    bodies[i].Faces = faces;
-  }
-  return true;
 }
 
 bool vtkSurfaceIntegralGPU::IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies)
@@ -425,6 +221,7 @@ bool vtkSurfaceIntegralGPU::IntegrateBodies(std::vector<sm::BodyIntegrals>& bodi
 void vtkSurfaceIntegralGPU::ForgetLastRun()
 {
   this->Implementation->Last = Internals::Run();
+  this->Implementation->Displaced.clear();
 }
 
 int vtkSurfaceIntegralGPU::RequestData(
@@ -438,9 +235,14 @@ int vtkSurfaceIntegralGPU::RequestData(
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   const int pieces = outputVector->GetInformationObject(port)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  const bool anyBody = !bodies.empty();
+  if (anyBody)
+  {
+    this->Implementation->ChooseBodies(input, bodies);
+  }
   int root = 0;
-  const Internals::Role role = this->Implementation->ChooseRole(this->CanShareFaces(), pieces,
-    !bodies.empty() || rejected.Plain + rejected.Withheld > 0, !bodies.empty(), root);
+  const Internals::Role role = this->Implementation->ChooseRole(
+    this->CanShareFaces(), pieces, anyBody || rejected.Plain + rejected.Withheld > 0, !bodies.empty(), root);
   if (role == Internals::Role::Helper)
   {
     this->Implementation->Help(this, root);
@@ -449,7 +251,7 @@ int vtkSurfaceIntegralGPU::RequestData(
   {
     return 1;
   }
-  if (bodies.empty() && rejected.Plain + rejected.Withheld > 0)
+  if (!anyBody && rejected.Plain + rejected.Withheld > 0)
   {
     last.Status = sm::names::StatusEmpty;
     last.Messages.push_back(rejected.Withheld > 0 ? "the points of the input were changed after it was read, "
@@ -475,7 +277,7 @@ int vtkSurfaceIntegralGPU::RequestData(
   last.Status = bodies.empty() ? sm::names::StatusEmpty : sm::names::StatusOk;
   if (bodies.empty())
   {
-    last.Messages.push_back("the input holds no solid and no surface");
+    last.Messages.push_back(anyBody ? "no solid is chosen" : "the input holds no solid and no surface");
   }
   const bool computed = !bodies.empty() && this->IntegrateBodies(bodies);
   this->Implementation->Exchange = nullptr;
@@ -506,6 +308,8 @@ int vtkSurfaceIntegralGPU::RequestData(
   this->ProduceOutputs(bodies, vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
     vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3));
   sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
+  sm::MakeBodyMeshes(
+    bodies, this->GetMeshArrays(bodies), input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));
   for (const sm::BodyIntegrals& body : bodies)
   {
     if (sm::IsWorse(body.Status, last.Status))
@@ -563,7 +367,7 @@ void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodie
     for (sm::BodyIntegrals& body : bodies)
     {
       const double scale = Internals::GetScale(integrands[k], *body.Model, Internals::GetReach(body));
-      if (body.Faces && !this->Implementation->Integrator.GetObstacle(k).empty())
+      if (body.Faces && !this->Implementation->GetObstacle(k).empty())
       {
         body.Flag(sm::names::StatusToleranceNotMet, name + " was not computed");
       }
@@ -587,6 +391,7 @@ void vtkSurfaceIntegralGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodie
     this->Implementation->Last.Integrals[name] = { total, bound };
     summary += name + " = " + sm::FormatWithBound(total, bound, "") + "\n";
   }
+  this->Implementation->AddCenters(bodies, totals, solids, summary);
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text, summary);
   std::vector<int> all(integrands.size());

@@ -16,20 +16,22 @@
  *   - constants of AddConstant(), and the functions of GLSL; sin, cos, tan, exp, log and pow are of doubles here (angles up
  *     to 2^20, beyond they are not a number).
  * Bounds of expressions are estimated, and suppose that they are smooth on every face: at kinks and steps (abs, min, max,
- * step, ?: and their like; numbers of single precision) an error may exceed its bound; a message says which expressions may have
+ * step, ?: and their like) an error may exceed its bound; a message says which expressions may have
  * some. Peaks too narrow for any point of the first two orders (3 and 6 a direction of a patch) are not seen at all.
- * Numbers are doubles, 1/3 is a third; statements, assignments, comments and commas outside of arguments are errors.
+ * Numbers are doubles, 1/3 is a third; statements, assignments, comments, commas outside of arguments and single precision are
+ * errors.
  * An integrand on the CLOSED_CHAIN is also integrated over the ribbons and caps that join the faces along
  * their common edges, so that fluxes are those of a closed surface; one on FACES (areas) is not.
  *
  * Outputs:
  * | port | type     | what                                                                           |
  * |------|----------|--------------------------------------------------------------------------------|
- * | 0    | polydata | empty; field data: one array per integrand (total), its Bound, Status …        |
- * | 1    | table    | a row per solid instance: Name, Id, every integrand, its Bound, Status         |
+ * | 0    | polydata | empty; field data: one array per integrand (total), its Bound, Status …; centres of buoyancy |
+ * | 1    | table    | a row per solid instance: Name, Id, every integrand, its Bound, Status; centres of buoyancy |
  * | 2    | table    | 1x1, column Text: a readable summary                                           |
  * | 3    | table    | a row per face and instance: Solid, FaceId, every integrand, its Bound         |
  * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared |
+ * | 5    | partitioned dataset collection | the bodies' meshes in the order of port 1, points and cells shared with the input, with cell arrays to colour by: every integrand, the value of the face (float; left out when there are more than 16) |
  * The names are in smMassPropertyNames.h. What could not be computed is NaN with a Status, never 0.
  *
  * Moments and areas are planned: a theorem chooses the orders of the Gauss rules and the bisections
@@ -65,6 +67,7 @@ namespace sm
 {
 struct BodyIntegrals;
 struct Integrand;
+struct MeshArray;
 }
 
 class SMFILTERSMASSPROPERTIES_EXPORT vtkSurfaceIntegralGPU : public vtkPolyDataAlgorithm
@@ -101,6 +104,18 @@ public:
   /** Half the integral of |n.d|, d the direction made a unit vector: the area of the shadow, if the body is convex; else what
    * lies behind something counts too. */
   void AddProjectedArea(const std::string& name, double x, double y, double z);
+  /**
+   * What lies below a waterline, the plane through the point (x, y, z) with the normal (upX, upY, upZ) out of the water, of any
+   * length but 0; in world coordinates, lengths in the model's unit. Four integrands: `name`, the displaced volume;
+   * `name`MomentX, MomentY and MomentZ, its first moments about the world's origin; with them `name`Center, the centre of
+   * buoyancy, and its bound (ports 0 and 1; NaN where the volume is not surely above 0). Faces are cut at the waterline, so that
+   * bounds are theorems as those of moments, kinks notwithstanding; a body above the waterline displaces 0, one below it
+   * its volume. Per face (port 3): its flux of a field that vanishes on the plane (for a
+   * body that is below as a whole: on a parallel plane through it), so that the sum over a closed solid is the volume with
+   * nothing added for the waterplane. A direction of no length, or a number that is not finite, is an error and adds
+   * nothing, as a name that exists. Needs no GLSL of the user's: the CPU backend has it.
+   */
+  void AddBuoyancy(const std::string& name, double x, double y, double z, double upX, double upY, double upZ);
   /** Makes `name` a number in expressions, those added before too; again: another number. An error, and nothing, when it is not
    * finite, or no identifier, or has a meaning. */
   void AddConstant(const std::string& name, double value);
@@ -111,10 +126,73 @@ public:
   void RemoveAllFaceIds();
   int GetNumberOfFaceIds() const;
   ///@}
-  /** Forgets all integrands. */
+  /** Forgets all integrands, those of the next five too. */
   virtual void RemoveAllIntegrands();
+
+  ///@{
+  /** Integrands as a text, for user interfaces: a line each, `NAME = EXPRESSION` over the faces or `NAME = X ; Y ; Z`, the flux
+   * of a vector out of the closed chain; empty lines are passed over. They replace those of an earlier text and leave all
+   * others. A line without a name, a '=' or one or three expressions is an error and is left out. Default: empty. */
+  void SetIntegrandText(const std::string& text);
+  std::string GetIntegrandText() const;
+  ///@}
+  ///@{
+  /** All volume moments x^i y^j z^k, i + j + k up to this degree, as `moment_i_j_k`; -1: none. Clamped to -1 .. 8, since one
+   * shader has them all; AddVolumeMoment() takes more. Beside an
+   * expression their bounds are estimated. Default: -1. */
+  void SetMomentDegree(int degree);
+  int GetMomentDegree() const;
+  ///@}
+  ///@{
+  /** AddBendingEnergy() under the name `BendingEnergy`. Default: off. */
+  void SetBendingEnergy(bool on);
+  bool GetBendingEnergy() const;
+  void BendingEnergyOn() { this->SetBendingEnergy(true); }
+  void BendingEnergyOff() { this->SetBendingEnergy(false); }
+  ///@}
+  ///@{
+  /** AddProjectedArea() of this direction under the name `ProjectedArea`; 0 0 0: none. What is not finite is an error and changes
+   * nothing. Default: 0 0 0. */
+  void SetProjectedAreaDirection(double x, double y, double z);
+  void SetProjectedAreaDirection(const double direction[3])
+  {
+    this->SetProjectedAreaDirection(direction[0], direction[1], direction[2]);
+  }
+  double* GetProjectedAreaDirection() VTK_SIZEHINT(3);
+  ///@}
+  ///@{
+  /** AddBuoyancy() under the name `Displaced`, of the waterline through a point, with a normal out of the water. A normal of no length
+   * or numbers that are not finite are an error, and there is no such integral. Defaults: off, 0 0 0, 0 0 1. */
+  void SetWaterline(bool on);
+  bool GetWaterline() const;
+  void WaterlineOn() { this->SetWaterline(true); }
+  void WaterlineOff() { this->SetWaterline(false); }
+  void SetWaterlinePoint(double x, double y, double z);
+  void SetWaterlinePoint(const double point[3]) { this->SetWaterlinePoint(point[0], point[1], point[2]); }
+  double* GetWaterlinePoint() VTK_SIZEHINT(3);
+  void SetWaterlineNormal(double x, double y, double z);
+  void SetWaterlineNormal(const double normal[3])
+  {
+    this->SetWaterlineNormal(normal[0], normal[1], normal[2]);
+  }
+  double* GetWaterlineNormal() VTK_SIZEHINT(3);
+  ///@}
   int GetNumberOfIntegrands() const;
   std::string GetIntegrandName(int index) const;
+
+  ///@{
+  /**
+   * Which bodies: those below the nodes of an assembly that any of these selectors names, as vtkDataAssembly::SelectNodes takes
+   * them: "/Root/Pump/Impeller", "//Bolt". None: all. The assembly is "Assembly", the product structure that the input brings, or
+   * "Hierarchy", its blocks by name. A selector that names no body is told in a message; when none does Status is empty. Default:
+   * none, of "Assembly".
+   */
+  void AddSelector(const std::string& selector);
+  void ClearSelectors();
+  int GetNumberOfSelectors() const;
+  void SetAssemblyName(const std::string& name);
+  std::string GetAssemblyName() const;
+  ///@}
 
   ///@{
   /** The window whose OpenGL context is used and shared with its renderers. Default: none; a context of the
@@ -209,6 +287,13 @@ public:
   ///@}
 
   ///@{
+  /** The last run: the centre of buoyancy of all bodies together (NaN when absent or nothing is below the waterline) and its
+   * bound, a length. `name` is AddBuoyancy()'s. */
+  void GetCenterOfBuoyancy(const std::string& name, double center[3]) const;
+  double GetCenterOfBuoyancyBound(const std::string& name) const;
+  ///@}
+
+  ///@{
   /** The last run: worst status of all solids ("ok", "open", …), what to tell the user, and how it was done: backend
    * "opengl", "cpu" or "none", and the name of the renderer ("CPU, N threads"). */
   std::string GetStatus() const;
@@ -253,6 +338,9 @@ protected:
 
   /** Gives every body the integrals of its faces. False when nothing was computed; Last then has a message. */
   virtual bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies);
+
+  /** The arrays of the meshes on port 5, once the other outputs are there. The bodies outlive them. */
+  virtual std::vector<sm::MeshArray> GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies);
 
   /** Fills the first four outputs from the results of all bodies. */
   virtual void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,

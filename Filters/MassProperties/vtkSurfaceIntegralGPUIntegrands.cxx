@@ -189,7 +189,8 @@ void vtkSurfaceIntegralGPU::Internals::SpreadResults(
     return;
   }
   sm::FaceIntegrals nothing;
-  for (std::size_t k = 0; k < this->Integrands.size(); ++k)
+  const std::size_t count = this->Configured.size();
+  for (std::size_t k = 0; k < count; ++k)
   {
     const double value =
       this->Integrator.GetObstacle(k).empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();

@@ -6,6 +6,7 @@
 #define vtkSurfaceIntegralGPUInternals_h
 
 #include "smBodyIntegrals.h"
+#include "smBuoyancy.h"
 #include "smColumns.h"
 #include "smControllerExchange.h"
 #include "smMassPropertyNames.h"
@@ -23,6 +24,8 @@
 #include <set>
 
 class vtkFieldData;
+class vtkPolyData;
+class vtkTable;
 
 struct vtkSurfaceIntegralGPU::Internals
 {
@@ -47,6 +50,8 @@ struct vtkSurfaceIntegralGPU::Internals
     double PrepareSeconds = 0.0;
     double IntegrateSeconds = 0.0;
     std::map<std::string, std::pair<double, double>> Integrals;
+    /// Centres of buoyancy and their bounds, by name.
+    std::map<std::string, std::pair<std::array<double, 3>, double>> Centers;
   };
 
   /// Tolerances of the integrands for a body about the part's own origin. Set: integrate every model once about
@@ -62,9 +67,27 @@ struct vtkSurfaceIntegralGPU::Internals
   std::vector<sm::Integrand> Integrands;
   std::vector<sm::Integrand> Configured;
   ToleranceRule LocalTolerances;
+  sm::BuoyancyIntegrator Buoyancy;
+  std::vector<sm::Waterline> Waterlines;
+  /// Their names: what the centres are called after.
+  std::vector<std::string> WaterlineNames;
+  /// Of the last run: waterline by waterline, bodies fastest.
+  std::vector<sm::BodyBuoyancy> Displaced;
   sm::UserExpression::Constants Constants;
+  /// What the switches for user interfaces are set to, and the names of the integrands that each of them added.
+  std::string IntegrandText;
+  int MomentDegree = -1;
+  bool BendingEnergy = false;
+  double ProjectedAreaDirection[3] = { 0.0, 0.0, 0.0 };
+  bool HasWaterline = false;
+  double WaterlinePoint[3] = { 0.0, 0.0, 0.0 };
+  double WaterlineNormal[3] = { 0.0, 0.0, 1.0 };
+  std::map<std::string, std::set<std::string>> Switched;
   /// Entity numbers of the faces to integrate over; empty: all.
   std::set<int> FaceIds;
+  /// Which bodies: selectors of nodes, none for all, and the assembly they are of.
+  std::vector<std::string> Selectors;
+  std::string AssemblyName = "Assembly";
   Run Last;
 
   /// What a rank does in a run: all there is to do; its part of what another has; or nothing, and puts nothing out.
@@ -79,9 +102,26 @@ struct vtkSurfaceIntegralGPU::Internals
   std::unique_ptr<sm::ControllerExchange> Exchange;
 
   void Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand);
+  /// Replaces the integrands that the switch added before by what `add` adds.
+  void Switch(vtkSurfaceIntegralGPU* self, const std::string& name, const std::function<void()>& add);
+  void SwitchWaterline(vtkSurfaceIntegralGPU* self);
   /// Gives the integrator the runner that the backend asks for and the machine has, and says so in Last.
   bool ChooseRunner(vtkSurfaceIntegralGPU* self);
   bool Integrate(vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies);
+  /// All but what is below waterlines, with the other ranks if they are met.
+  bool RunPlain(vtkSurfaceIntegralGPU* self, const std::vector<sm::FaceTask>& tasks,
+    std::vector<sm::FaceIntegrals>& results);
+  /// Says in Last which integrands were not computed, and whose bounds are estimated.
+  void TellOfIntegrands();
+  /// The integrands that the integrator is given: all but those below waterlines.
+  std::vector<sm::Integrand> GetPlainIntegrands() const;
+  /// Why an integrand could not be evaluated; empty when it could.
+  std::string GetObstacle(std::size_t integrand) const;
+  /// Integrates what is below the waterlines, and puts it between the other results of the bodies' faces.
+  bool IntegrateBuoyancy(vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies);
+  /// Centres of buoyancy of the bodies and of all together.
+  void AddCenters(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
+    std::string& summary);
   void AddTasks(
     const sm::BodyIntegrals& body, bool placed, double tolerance, std::vector<sm::FaceTask>& tasks) const;
   /// Leaves the tasks of chosen faces; returns for every task where its result will be (beyond the end: nowhere), nothing
@@ -89,6 +129,8 @@ struct vtkSurfaceIntegralGPU::Internals
   std::vector<std::size_t> ChooseTasks(std::vector<sm::FaceTask>& tasks);
   /// Puts the results where they would be if all faces had been integrated, zeros in between.
   void SpreadResults(const std::vector<std::size_t>& chosen, std::vector<sm::FaceIntegrals>& results) const;
+  /// Leaves the bodies that the selectors choose, and says which selectors choose nothing.
+  void ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies);
   /// Meets the other ranks, if they are to. `root` gets the rank that a helper helps.
   Role ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies, int& root);
   void Help(vtkSurfaceIntegralGPU* self, int root);

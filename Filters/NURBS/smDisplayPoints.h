@@ -1,24 +1,27 @@
 /**
  * @file smDisplayPoints.h
- * @brief Display points of a leaf evaluated again on faces that changed
+ * @brief Display points of a leaf on an edited model, whether they know their faces or not
  */
 #ifndef smDisplayPoints_h
 #define smDisplayPoints_h
 
 #include "smModelEdit.h"
 
+#include <string>
+
 class vtkNURBSDataSet;
+class vtkNURBSPointEvaluator;
 class vtkTrimmedNURBSModel;
 
 namespace sm
 {
 /**
- * Gives `leaf`, a shallow copy of a leaf with the model `before`, the model `after`: points and normals of faces that are new are
- * evaluated at (FaceIndex, Parameters) by the placement of the leaf, the others keep their bits. Where the leaf lacks these
- * arrays, all points are moved by `map`, in the coordinates of the stored faces.
+ * Gives `leaf`, a shallow copy of a leaf with another model, the model `edited`: by `evaluator`, see there, where the leaf has
+ * FaceIndex and Parameters. Where it lacks these arrays, all points are moved by `map`, in the coordinates of the stored
+ * faces. False with `error` where the evaluator fails.
  */
-void SetEditedModel(
-  vtkNURBSDataSet* leaf, vtkTrimmedNURBSModel* before, vtkTrimmedNURBSModel* after, const PointMap& map);
+bool SetEditedModel(vtkNURBSDataSet* leaf, vtkTrimmedNURBSModel* edited, const PointMap& map,
+  vtkNURBSPointEvaluator* evaluator, std::string& error);
 }
 
 #endif

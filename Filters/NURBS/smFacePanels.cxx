@@ -1,6 +1,7 @@
 #include "smFacePanels.h"
 
 #include "smCoverage.h"
+#include "smPatchParts.h"
 #include "smTrimCutting.h"
 
 #include <algorithm>
@@ -32,40 +33,6 @@ Point3 Cross(const Point3& a, const Point3& b)
 double Norm(const Point3& a)
 {
   return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
-
-/**
- * With P the centred homogeneous points and S = P/w: dS/ds = (P_s - w_s S) / w, P_s = p sum B_i^(p-1) (P_(i+1) - P_i), and
- * w is no less than sum B_i^(p-1) min(w_i, w_(i+1)). So |dS/ds| <= p max (|P_(i+1) - P_i| + |w_(i+1) - w_i| |S|) /
- * min(w_i, w_(i+1)); and what rounding costs this sum is relative to that, too. Gets the length, with |S| at most the radius,
- * and the components likewise; raises the patch's ratio of weights.
- */
-double StretchOf(
-  const std::array<double, 4>* points, Patch& patch, const Point3& reach, int direction, Point3& components)
-{
-  const int row = patch.Degree[0] + 1;
-  const int stride = direction == 0 ? 1 : row;
-  const double degree = patch.Degree[direction];
-  double length = 0.0;
-  components = { 0.0, 0.0, 0.0 };
-  for (int j = 0; j <= patch.Degree[1] - direction; ++j)
-  {
-    for (int i = 0; i <= patch.Degree[0] - (1 - direction); ++i)
-    {
-      const std::array<double, 4>& a = points[i + row * j];
-      const std::array<double, 4>& b = points[i + row * j + stride];
-      const double weight = std::min(a[3], b[3]);
-      const double turn = std::abs(b[3] - a[3]);
-      patch.WeightRatio = std::max(patch.WeightRatio, std::max(a[3], b[3]) / weight);
-      const double step = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-      length = std::max(length, degree * (step + turn * patch.Radius) / weight);
-      for (int c = 0; c < 3; ++c)
-      {
-        components[c] = std::max(components[c], degree * (std::abs(b[c] - a[c]) + turn * reach[c]) / weight);
-      }
-    }
-  }
-  return length;
 }
 
 class Builder
@@ -128,57 +95,9 @@ std::uint32_t Builder::GetPatch(int column, int row)
   {
     return entry->second;
   }
-  Patch patch{};
+  Patch patch = MakePatch(this->Surface, this->Grid.U[column], this->Grid.U[column + 1], this->Grid.V[row],
+    this->Grid.V[row + 1], this->Result.Points);
   patch.Exchanged = this->Turned;
-  patch.FirstPoint = static_cast<std::uint32_t>(this->Result.Points.size());
-  patch.Degree[0] = this->Surface.Degree[0];
-  patch.Degree[1] = this->Surface.Degree[1];
-  patch.Start[0] = this->Grid.U[column];
-  patch.Start[1] = this->Grid.V[row];
-  patch.Width[0] = this->Grid.U[column + 1] - patch.Start[0];
-  patch.Width[1] = this->Grid.V[row + 1] - patch.Start[1];
-
-  std::array<double, 4> cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  const int count = (patch.Degree[0] + 1) * (patch.Degree[1] + 1);
-  this->Surface.ExtractBezier(
-    patch.Start[0], this->Grid.U[column + 1], patch.Start[1], this->Grid.V[row + 1], cell);
-  for (int c = 0; c < 3; ++c)
-  {
-    double low = cell[0][c] / cell[0][3];
-    double high = low;
-    for (int i = 1; i < count; ++i)
-    {
-      low = std::min(low, cell[i][c] / cell[i][3]);
-      high = std::max(high, cell[i][c] / cell[i][3]);
-    }
-    patch.Center[c] = 0.5 * (low + high);
-  }
-  // Once more, relative to the centre.
-  const Point3 moved = this->Surface.ExtractBezier(
-    patch.Start[0], this->Grid.U[column + 1], patch.Start[1], this->Grid.V[row + 1], cell, patch.Center);
-  Point3 reach{};
-  for (int i = 0; i < count; ++i)
-  {
-    const double distance = std::hypot(cell[i][0], cell[i][1], cell[i][2]) / cell[i][3];
-    patch.Radius = std::max(patch.Radius, distance);
-    for (int c = 0; c < 3; ++c)
-    {
-      reach[c] = std::max(reach[c], std::abs(cell[i][c]) / cell[i][3]);
-    }
-    this->Result.Points.push_back(cell[i]);
-  }
-  Point3 stretch[2];
-  for (int d = 0; d < 2; ++d)
-  {
-    patch.Stretch[d] = StretchOf(cell, patch, reach, d, stretch[d]);
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    const int x = (c + 1) % 3;
-    const int y = (c + 2) % 3;
-    patch.Displacement[c] = moved[c];
-    patch.Normal[c] = stretch[0][x] * stretch[1][y] + stretch[0][y] * stretch[1][x];
-  }
   this->Result.Patches.push_back(patch);
   this->ShapeOfPatch.push_back(this->Classify(patch));
   return entry->second;
@@ -316,9 +235,9 @@ void Builder::AddPanel(
   }
   if (runsInV && leavesLeft)
   {
-    this->Result.Panels.push_back(
-      { patch, trim, static_cast<std::uint8_t>(piece.Degree), this->ShapeOfPatch[patch], negative,
-        this->Source.Reversed != this->Turned, segment.Start, segment.End });
+    this->Result.Panels.push_back({ patch, trim, static_cast<std::uint8_t>(piece.Degree),
+      this->ShapeOfPatch[patch], negative, this->Source.Reversed != this->Turned, segment.Start, segment.End,
+      false, segment.StartPoint, segment.EndPoint });
   }
 }
 
@@ -507,7 +426,7 @@ void Builder::AddCoveredEdges()
     for (int m = 0; m < std::abs(edge.Multiplicity); ++m)
     {
       this->Result.Panels.push_back({ patch, trim, 1, this->ShapeOfPatch[patch], edge.Multiplicity < 0,
-        this->Source.Reversed != this->Turned, 0.0, 1.0, true });
+        this->Source.Reversed != this->Turned, 0.0, 1.0, true, line[0], line[1] });
     }
   }
 }

@@ -16,6 +16,7 @@
 
 #include "smFiltersNURBSModule.h"
 
+#include "smBezierPatch.h"
 #include "smFace.h"
 
 #include <array>
@@ -24,31 +25,6 @@
 
 namespace sm
 {
-/// One rational Bézier patch.
-struct Patch
-{
-  /// Control points are relative to this point (in model coordinates).
-  double Center[3];
-  /// Largest distance of a control point from Center.
-  double Radius;
-  /// Local parameters: s = (u - Start[0]) / Width[0], r = (v - Start[1]) / Width[1].
-  double Start[2];
-  double Width[2];
-  /// Index of the first of (Degree[0]+1) x (Degree[1]+1) points in FacePanels::Points, s fastest.
-  std::uint32_t FirstPoint;
-  int Degree[2];
-  /// No less than |dS/ds| and |dS/dr| anywhere: the largest step of the control net, see StretchOf() in the source.
-  double Stretch[2];
-  /// How far extraction and centring may have moved a control point in x, y and z from where the surface has it, lengths;
-  /// and no less than the components of |Ss x Sr| anywhere.
-  double Displacement[3];
-  double Normal[3];
-  /// Largest ratio of the weights of neighbours.
-  double WeightRatio;
-  /// (s, r) run along (v, u) of the face: its u and v are exchanged here.
-  bool Exchanged = false;
-};
-
 /// What a panel's shape says about the order of its Gauss rules.
 enum class PanelShape : std::uint8_t
 {
@@ -76,6 +52,9 @@ struct Panel
   double Start, End;
   /// The piece is a covered part of the patch's right edge, between crossings of trim curves, and no trim curve itself.
   bool Covered = false;
+  /// (u,v) at Start and End, in the order of the trim pieces' coordinates. Neighbours hold the same doubles.
+  std::array<double, 2> From{};
+  std::array<double, 2> To{};
 };
 
 struct Ribbon

@@ -22,19 +22,31 @@ int FindSpan(const std::vector<double>& knots, int degree, double middle)
   return std::clamp(static_cast<int>(after - knots.begin()) - 1, degree, last);
 }
 
-/// Bézier coefficients on [a,b] of the polynomial that the B-spline has on span k: coefficient i is the
-/// blossom (polar form) at (a, .., a, b, .., b) with i times b. `points` holds the degree+1 active de
-/// Boor points with stride `stride`.
+/// Points of several lines of control points.
+struct Lines
+{
+  int Count;
+  /// From point to point of a line, and from line to line.
+  int Stride;
+  int LineStride;
+};
+
+/// Bézier coefficients on [a,b] of the polynomials that B-splines have on span k: coefficient i is the blossom (polar form) at
+/// (a, .., a, b, .., b) with i times b. `points` holds the degree+1 active de Boor points of each line. The lines share the
+/// factors, whose divisions cost more than the rest.
 template <class Number>
 void Blossom(const std::vector<double>& knots, int degree, int k, double a, double b,
-  const std::array<Number, 4>* points, int stride, std::array<Number, 4>* result, int resultStride)
+  const std::array<Number, 4>* points, std::array<Number, 4>* result, const Lines& lines)
 {
-  std::array<Number, 4> d[MaximumDegree + 1];
+  std::array<Number, 4> d[(MaximumDegree + 1) * (MaximumDegree + 1)];
   for (int i = 0; i <= degree; ++i)
   {
     for (int j = 0; j <= degree; ++j)
     {
-      d[j] = points[j * stride];
+      for (int line = 0; line < lines.Count; ++line)
+      {
+        d[j * lines.Count + line] = points[j * lines.Stride + line * lines.LineStride];
+      }
     }
     for (int level = 1; level <= degree; ++level)
     {
@@ -44,13 +56,20 @@ void Blossom(const std::vector<double>& knots, int degree, int k, double a, doub
         const Number low = knots[k - degree + j];
         const Number high = knots[k + 1 + j - level];
         const Number alpha = (argument - low) / (high - low);
-        for (int c = 0; c < 4; ++c)
+        std::array<Number, 4>* to = d + j * lines.Count;
+        for (int line = 0; line < lines.Count; ++line)
         {
-          d[j][c] = (1 - alpha) * d[j - 1][c] + alpha * d[j][c];
+          for (int c = 0; c < 4; ++c)
+          {
+            to[line][c] = (1 - alpha) * to[line - lines.Count][c] + alpha * to[line][c];
+          }
         }
       }
     }
-    result[i * resultStride] = d[degree];
+    for (int line = 0; line < lines.Count; ++line)
+    {
+      result[i * lines.Stride + line * lines.LineStride] = d[degree * lines.Count + line];
+    }
   }
 }
 
@@ -61,8 +80,10 @@ void ExtractCell(const NURBSSurface& surface, int ku, int kv, const double (&u)[
 {
   const int p = surface.Degree[0];
   const int q = surface.Degree[1];
-  std::array<Number, 4> active[MaximumDegree + 1];
+  std::array<Number, 4> active[(MaximumDegree + 1) * (MaximumDegree + 1)];
   std::array<Number, 4> partial[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  // For compilers that do not see that p and q are 1 at least.
+  active[0] = partial[0] = {};
   for (int j = 0; j <= q; ++j)
   {
     const Homogeneous* row = surface.ControlPoints.data() + (ku - p) +
@@ -71,15 +92,13 @@ void ExtractCell(const NURBSSurface& surface, int ku, int kv, const double (&u)[
     {
       for (int c = 0; c < 4; ++c)
       {
-        active[i][c] = row[i][c] - (center && c < 3 ? static_cast<Number>(center[c]) * row[i][3] : Number(0));
+        active[i + j * (p + 1)][c] =
+          row[i][c] - (center && c < 3 ? static_cast<Number>(center[c]) * row[i][3] : Number(0));
       }
     }
-    Blossom(surface.Knots[0], p, ku, u[0], u[1], active, 1, partial + j * (p + 1), 1);
   }
-  for (int i = 0; i <= p; ++i)
-  {
-    Blossom(surface.Knots[1], q, kv, v[0], v[1], partial + i, p + 1, cell + i, p + 1);
-  }
+  Blossom(surface.Knots[0], p, ku, u[0], u[1], active, partial, { q + 1, 1, p + 1 });
+  Blossom(surface.Knots[1], q, kv, v[0], v[1], partial, cell, { p + 1, p + 1, 1 });
 }
 }
 
@@ -200,14 +219,26 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
 
 void NURBSSurface::Evaluate(double u, double v, double position[3], double du[3], double dv[3]) const
 {
-  const int p = this->Degree[0];
-  const int q = this->Degree[1];
-  const int ku = FindSpan(this->Knots[0], p, u);
-  const int kv = FindSpan(this->Knots[1], q, v);
-  const double u0 = this->Knots[0][ku], u1 = this->Knots[0][ku + 1];
-  const double v0 = this->Knots[1][kv], v1 = this->Knots[1][kv + 1];
-  Homogeneous cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  ExtractCell(*this, ku, kv, { u0, u1 }, { v0, v1 }, nullptr, cell);
+  Walker(*this).Evaluate(u, v, position, du, dv);
+}
+
+void NURBSSurface::Walker::Evaluate(double u, double v, double position[3], double du[3], double dv[3])
+{
+  const int p = this->Surface.Degree[0];
+  const int q = this->Surface.Degree[1];
+  const std::vector<double>* knots = this->Surface.Knots;
+  const int ku = FindSpan(knots[0], p, u);
+  const int kv = FindSpan(knots[1], q, v);
+  const double u0 = knots[0][ku], u1 = knots[0][ku + 1];
+  const double v0 = knots[1][kv], v1 = knots[1][kv + 1];
+  if (ku != this->Span[0] || kv != this->Span[1])
+  {
+    this->Cell.resize(static_cast<std::size_t>(p + 1) * (q + 1));
+    ExtractCell(this->Surface, ku, kv, { u0, u1 }, { v0, v1 }, nullptr, this->Cell.data());
+    this->Span[0] = ku;
+    this->Span[1] = kv;
+  }
+  const std::vector<Homogeneous>& cell = this->Cell;
 
   const double s = (u - u0) / (u1 - u0);
   const double r = (v - v0) / (v1 - v0);

@@ -58,8 +58,27 @@ struct SMFILTERSNURBS_EXPORT NURBSSurface
   std::array<double, 3> ExtractBezier(double u0, double u1, double v0, double v1,
     std::array<double, 4>* points, const double center[3] = nullptr) const;
 
+  /// Evaluates points one after another, the bits of Evaluate(); what neighbours in one cell share is computed once.
+  class Walker;
+
   /// The same surface with u and v exchanged. Its normal Su x Sv points the other way.
   NURBSSurface Transposed() const;
+};
+
+/// Not thread safe; the surface must outlive it.
+class SMFILTERSNURBS_EXPORT NURBSSurface::Walker
+{
+public:
+  explicit Walker(const NURBSSurface& surface)
+    : Surface(surface)
+  {
+  }
+  void Evaluate(double u, double v, double position[3], double du[3] = nullptr, double dv[3] = nullptr);
+
+private:
+  const NURBSSurface& Surface;
+  int Span[2] = { -1, -1 };
+  std::vector<std::array<double, 4>> Cell;
 };
 }
 

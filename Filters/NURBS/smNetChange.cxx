@@ -82,7 +82,7 @@ const std::vector<NetChange::Homogeneous>& NetChange::GetNet(int face) const
 void NetChange::SetPoint(int face, std::size_t entry, const Homogeneous& point)
 {
   const std::vector<Homogeneous>& old = this->GetFace(face).Surface.ControlPoints;
-  this->Nets.emplace(face, old).first->second[entry] = point;
+  this->Nets.try_emplace(face, old).first->second[entry] = point;
   if (this->Moved.insert({ face, entry }).second)
   {
     this->Queue.emplace_back(face, entry);
@@ -96,7 +96,6 @@ void NetChange::CollectEdges()
   for (std::size_t f = 0; f < this->Faces.size(); ++f)
   {
     const Face& face = *this->Faces[f];
-    const bool isValid = face.Surface.Check().empty();
     for (std::size_t l = 0; l < face.Loops.size(); ++l)
     {
       for (std::size_t c = 0; c < face.Loops[l].Coedges.size(); ++c)
@@ -105,31 +104,57 @@ void NetChange::CollectEdges()
         const auto [place, isNew] = known.emplace(coedge.Use.get(), this->Edges.size());
         if (isNew)
         {
-          this->Edges.push_back({ coedge.Use, {}, false, false });
+          this->Edges.push_back({ coedge.Use, {}, false, false, false });
         }
-        Use use{ static_cast<int>(f), static_cast<int>(l), static_cast<int>(c), false, {} };
-        use.IsRow = isValid && !coedge.Use->Degenerate && coedge.Use->Curve.GetNumberOfPieces() > 0 &&
-          FindBoundaryRow(face.Surface, coedge.Curve, use.Row);
         this->EdgesOfFace[f].emplace_back(place->second, this->Edges[place->second].Uses.size());
-        this->Edges[place->second].Uses.push_back(use);
+        this->Edges[place->second].Uses.push_back(
+          { static_cast<int>(f), static_cast<int>(l), static_cast<int>(c), false, {} });
       }
     }
   }
   for (EdgeUses& edge : this->Edges)
   {
-    const Use& first = edge.Uses.front();
-    edge.Mapped = this->Map != nullptr;
-    edge.Coincident = first.IsRow;
-    const RowCurve row = first.IsRow ? RowCurve(this->GetFace(first.Face).Surface, first.Row) : RowCurve();
-    for (const Use& use : edge.Uses)
+    edge.Mapped = this->Map != nullptr &&
+      std::all_of(
+        edge.Uses.begin(), edge.Uses.end(), [this](const Use& use) { return this->Chosen[use.Face]; });
+  }
+}
+
+bool NetChange::FindRows(EdgeUses& edge)
+{
+  if (edge.HasRows)
+  {
+    return edge.Coincident;
+  }
+  edge.HasRows = true;
+  edge.Coincident = !edge.Source->Degenerate && edge.Source->Curve.GetNumberOfPieces() > 0;
+  RowCurve row;
+  for (Use& use : edge.Uses)
+  {
+    const NURBSSurface& surface = this->GetFace(use.Face).Surface;
+    use.IsRow =
+      edge.Coincident && surface.Check().empty() && FindBoundaryRow(surface, this->GetTrim(use), use.Row);
+    edge.Coincident = use.IsRow;
+    if (!edge.Coincident)
     {
-      edge.Mapped = edge.Mapped && this->Chosen[use.Face];
-      edge.Coincident = edge.Coincident && use.IsRow &&
-        (&use == &first ||
-          Coincide(row, RowCurve(this->GetFace(use.Face).Surface, use.Row), this->Tolerance));
+      return false;
+    }
+    if (&use == &edge.Uses.front())
+    {
+      row = RowCurve(surface, use.Row);
+    }
+    else
+    {
+      edge.Coincident = Coincide(row, RowCurve(surface, use.Row), this->Tolerance);
     }
   }
-  this->JoinEnds();
+  return edge.Coincident;
+}
+
+bool NetChange::IsTouched(const EdgeUses& edge) const
+{
+  return std::any_of(
+    edge.Uses.begin(), edge.Uses.end(), [this](const Use& use) { return this->Nets.count(use.Face) > 0; });
 }
 
 std::size_t NetChange::FindVertex(std::size_t end) const
@@ -212,7 +237,7 @@ void NetChange::Propagate()
     this->Queue.pop_front();
     for (const auto& [edge, use] : this->EdgesOfFace[face])
     {
-      if (this->Edges[edge].Coincident)
+      if (this->FindRows(this->Edges[edge]))
       {
         this->Follow(this->Edges[edge], this->Edges[edge].Uses[use], entry);
       }
@@ -240,6 +265,10 @@ void NetChange::MoveVertex(std::size_t end, const Point& to)
 {
   if (GetVertex(*this->Edges[end / 2].Source, end) != to)
   {
+    if (this->SameVertex.empty())
+    {
+      this->JoinEnds();
+    }
     this->Vertices.emplace(this->FindVertex(end), to);
   }
 }
@@ -283,20 +312,27 @@ void NetChange::CarryEdge(std::size_t index)
 
 void NetChange::MapEdge(std::size_t index)
 {
-  const EdgeUses& edge = this->Edges[index];
+  EdgeUses& edge = this->Edges[index];
   EdgeCurve curve = edge.Source->Curve;
   for (EdgeCurve::Point& point : curve.Coefficients)
   {
     point = this->Map(point);
   }
   const Point ends[2] = { this->Map(edge.Source->StartVertex), this->Map(edge.Source->EndVertex) };
+  const bool moves = curve.Coefficients != edge.Source->Curve.Coefficients;
+  // Coincident rows that are not touched stay where they are, whatever the map does between their control points.
+  if ((!moves && ends[0] == edge.Source->StartVertex && ends[1] == edge.Source->EndVertex) ||
+    this->FindRows(edge))
+  {
+    return;
+  }
   this->MoveVertex(2 * index, ends[0]);
   this->MoveVertex(2 * index + 1, ends[1]);
   const auto isFinite = [](const Point& point)
   { return std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); }); };
   this->Finite = this->Finite && isFinite(ends[0]) && isFinite(ends[1]) &&
     std::all_of(curve.Coefficients.begin(), curve.Coefficients.end(), isFinite);
-  if (curve.Coefficients != edge.Source->Curve.Coefficients)
+  if (moves)
   {
     const std::shared_ptr<Edge> result = this->GetNewEdge(edge.Source);
     result->Curve = curve;
@@ -313,7 +349,8 @@ void NetChange::MoveVertices()
     const Edge& now = found == this->NewEdges.end() ? *edge.Source : *found->second;
     const auto moved = [this, &edge](std::size_t end)
     {
-      const auto place = this->Vertices.find(this->FindVertex(end));
+      const auto place =
+        this->Vertices.empty() ? this->Vertices.end() : this->Vertices.find(this->FindVertex(end));
       return place == this->Vertices.end() ? GetVertex(*edge.Source, end) : place->second;
     };
     const Point start = moved(2 * i);
@@ -336,8 +373,9 @@ void NetChange::MoveEdges()
 {
   for (std::size_t i = 0; i < this->Edges.size(); ++i)
   {
-    const EdgeUses& edge = this->Edges[i];
-    if (edge.Coincident && (edge.Mapped || this->Rule == EditRule::MoveSharedBoundary))
+    EdgeUses& edge = this->Edges[i];
+    const bool isTouched = this->IsTouched(edge);
+    if (isTouched && (edge.Mapped || this->Rule == EditRule::MoveSharedBoundary) && this->FindRows(edge))
     {
       this->CarryEdge(i);
     }
@@ -346,7 +384,10 @@ void NetChange::MoveEdges()
       this->MapEdge(i);
     }
   }
-  this->MoveVertices();
+  if (!this->Vertices.empty() || !this->NewEdges.empty())
+  {
+    this->MoveVertices();
+  }
 }
 
 void NetChange::Finish(ModelEdit& edit)
@@ -366,7 +407,7 @@ void NetChange::Finish(ModelEdit& edit)
   {
     const std::vector<Homogeneous>& old = before[f]->Surface.ControlPoints;
     const std::vector<Homogeneous>& net = this->GetNet(static_cast<int>(f));
-    bool changed = this->Faces[f] != before[f] || net != old;
+    bool changed = this->Faces[f] != before[f] || (&net != &old && net != old);
     for (const auto& [edge, use] : this->EdgesOfFace[f])
     {
       changed = changed || this->NewEdges.count(this->Edges[edge].Source.get()) > 0;

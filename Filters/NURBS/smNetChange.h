@@ -53,7 +53,8 @@ private:
   {
     std::shared_ptr<const Edge> Source;
     std::vector<Use> Uses;
-    /// All uses are rows, and the rows coincide.
+    /// Rows were looked for: all uses are rows, and the rows coincide.
+    bool HasRows = false;
     bool Coincident = false;
     /// The map moves it.
     bool Mapped = false;
@@ -66,6 +67,10 @@ private:
   }
   const std::vector<Homogeneous>& GetNet(int face) const;
   void CollectEdges();
+  /// Looks for the rows of an edge's uses, once: an edit costs what it touches.
+  bool FindRows(EdgeUses& edge);
+  /// Some control points of a face at the edge were set.
+  bool IsTouched(const EdgeUses& edge) const;
   void Propagate();
   void Follow(const EdgeUses& edge, const Use& use, std::size_t entry);
   static std::shared_ptr<const EdgeOrigin> GetOrigin(const EdgeUses& edge, const RowCurve& row);

@@ -58,6 +58,7 @@ double MeasureGap(const Face& face, const Coedge& coedge)
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   const std::size_t each = Samples / std::max<std::size_t>(breaks.size() - 1, 1) + 1;
   double gap = 0.0;
+  NURBSSurface::Walker surface(face.Surface);
   for (std::size_t i = 0; i < breaks.size(); ++i)
   {
     // A break, then the piece from there to the next: at the breaks alone a fitted curve looks better than it is.
@@ -67,7 +68,7 @@ double MeasureGap(const Face& face, const Coedge& coedge)
       const double t = breaks[i] + width * (k == 0 ? 0.0 : (k - 0.5) / each);
       const TrimCurve::Point uv = coedge.Curve.Evaluate(t);
       double position[3];
-      face.Surface.Evaluate(uv[0], uv[1], position);
+      surface.Evaluate(uv[0], uv[1], position);
       const double distance = GetDistance(curve, t, position);
       gap = std::isnan(gap) || distance <= gap ? gap : distance;
     }
@@ -75,19 +76,102 @@ double MeasureGap(const Face& face, const Coedge& coedge)
   return gap;
 }
 
+/// Where control points of a surface differ from those of another of the same layout.
+class Difference
+{
+public:
+  Difference(const NURBSSurface& before, const NURBSSurface& after)
+    : SameLayout(before.Degree[0] == after.Degree[0] && before.Degree[1] == after.Degree[1] &&
+        before.Knots[0] == after.Knots[0] && before.Knots[1] == after.Knots[1])
+  {
+    const int columns = after.NumberOfControlPoints[0];
+    int first[2] = { std::numeric_limits<int>::max(), std::numeric_limits<int>::max() };
+    int last[2] = { -1, -1 };
+    for (std::size_t i = 0; this->SameLayout && i < after.ControlPoints.size(); ++i)
+    {
+      if (before.ControlPoints[i] != after.ControlPoints[i])
+      {
+        const int at[2] = { static_cast<int>(i) % columns, static_cast<int>(i) / columns };
+        for (int d = 0; d < 2; ++d)
+        {
+          first[d] = std::min(first[d], at[d]);
+          last[d] = std::max(last[d], at[d]);
+        }
+      }
+    }
+    this->Some = last[0] >= 0;
+    for (int d = 0; d < 2 && this->Some; ++d)
+    {
+      this->Start[d] = after.GetDomainStart(d);
+      this->End[d] = after.GetDomainEnd(d);
+      this->Low[d] = after.Knots[d][first[d]];
+      this->High[d] = after.Knots[d][last[d] + after.Degree[d] + 1];
+      // Functions that do not vanish at an end of the domain.
+      this->Low[d] -= first[d] == 0 ? this->End[d] - this->Start[d] : 0.0;
+      this->High[d] += last[d] + 1 == after.NumberOfControlPoints[d] ? this->End[d] - this->Start[d] : 0.0;
+    }
+  }
+
+  /// A curve that lies where no control point that differs has a say, by its control polygon. One that leaves the domain, where
+  /// the polynomials of the last spans go on, is not spared.
+  bool Spares(const TrimCurve& trim) const
+  {
+    if (!this->SameLayout || !this->Some || trim.Coefficients.empty())
+    {
+      return this->SameLayout;
+    }
+    bool apart = false;
+    for (int d = 0; d < 2; ++d)
+    {
+      const auto [low, high] = std::minmax_element(trim.Coefficients.begin(), trim.Coefficients.end(),
+        [d](const TrimCurve::Point& a, const TrimCurve::Point& b) { return a[d] < b[d]; });
+      if ((*low)[d] < this->Start[d] || (*high)[d] > this->End[d])
+      {
+        return false;
+      }
+      apart = apart || (*high)[d] <= this->Low[d] || (*low)[d] >= this->High[d];
+    }
+    return apart;
+  }
+
+private:
+  bool SameLayout;
+  bool Some = false;
+  double Start[2] = { 0.0, 0.0 };
+  double End[2] = { 0.0, 0.0 };
+  /// The open box of parameters where the surfaces may differ.
+  double Low[2] = { 0.0, 0.0 };
+  double High[2] = { 0.0, 0.0 };
+};
+
+bool IsSame(const TrimCurve& a, const TrimCurve& b)
+{
+  return a.Breaks == b.Breaks && a.Offsets == b.Offsets && a.Coefficients == b.Coefficients;
+}
+
 std::vector<OpenedEdge> CompareFace(const Face& before, const Face& after, int index, double tolerance)
 {
   std::vector<OpenedEdge> opened;
   // Only where all of them are valid.
-  const bool measurable = before.Surface.Check().empty() && after.Surface.Check().empty();
-  for (std::size_t l = 0; measurable && l < after.Loops.size(); ++l)
+  if (!before.Surface.Check().empty() || !after.Surface.Check().empty())
+  {
+    return opened;
+  }
+  const Difference difference(before.Surface, after.Surface);
+  for (std::size_t l = 0; l < after.Loops.size(); ++l)
   {
     const std::vector<Coedge>& coedges = after.Loops[l].Coedges;
     const std::vector<Coedge> none;
     const std::vector<Coedge>& old = l < before.Loops.size() ? before.Loops[l].Coedges : none;
     for (std::size_t c = 0; c < coedges.size(); ++c)
     {
-      const double gap = MeasureGap(after, coedges[c]);
+      const Coedge& coedge = coedges[c];
+      if (old.size() == coedges.size() && coedge.Use == old[c].Use && difference.Spares(coedge.Curve) &&
+        IsSame(coedge.Curve, old[c].Curve))
+      {
+        continue;
+      }
+      const double gap = MeasureGap(after, coedge);
       if (gap <= tolerance)
       {
         continue;
@@ -96,11 +180,24 @@ std::vector<OpenedEdge> CompareFace(const Face& before, const Face& after, int i
       const double past = old.size() == coedges.size() ? MeasureGap(before, old[c]) : 0.0;
       if (!(gap <= past + tolerance))
       {
-        opened.push_back({ coedges[c].Use, index, static_cast<int>(l), static_cast<int>(c), past, gap });
+        opened.push_back({ coedge.Use, index, static_cast<int>(l), static_cast<int>(c), past, gap });
       }
     }
   }
   return opened;
+}
+
+/// The uses of the face's edges add up to what they did.
+bool UsesSameEdges(const Face& a, const Face& b)
+{
+  bool same = a.Reversed == b.Reversed && a.Loops.size() == b.Loops.size();
+  for (std::size_t l = 0; same && l < a.Loops.size(); ++l)
+  {
+    same = std::equal(a.Loops[l].Coedges.begin(), a.Loops[l].Coedges.end(), b.Loops[l].Coedges.begin(),
+      b.Loops[l].Coedges.end(),
+      [](const Coedge& x, const Coedge& y) { return x.Use == y.Use && x.Reversed == y.Reversed; });
+  }
+  return same;
 }
 
 /// Signed sum of the uses of every edge that is no point.
@@ -128,6 +225,23 @@ std::unordered_map<const Edge*, int> CountUses(
   }
   return uses;
 }
+
+/// Edges that both models have and whose uses cancelled.
+void FindLostUses(vtkTrimmedNURBSModel* before, vtkTrimmedNURBSModel* after, std::vector<OpenedEdge>& opened)
+{
+  std::vector<std::shared_ptr<const Edge>> oldEdges;
+  std::vector<std::shared_ptr<const Edge>> edges;
+  const std::unordered_map<const Edge*, int> oldUses = CountUses(before, oldEdges);
+  const std::unordered_map<const Edge*, int> uses = CountUses(after, edges);
+  for (const std::shared_ptr<const Edge>& edge : edges)
+  {
+    const auto old = oldUses.find(edge.get());
+    if (uses.at(edge.get()) != 0 && old != oldUses.end() && old->second == 0)
+    {
+      opened.push_back({ edge, -1, 0, 0, 0.0, std::numeric_limits<double>::infinity() });
+    }
+  }
+}
 }
 
 std::vector<OpenedEdge> FindOpenedEdges(vtkTrimmedNURBSModel* before, vtkTrimmedNURBSModel* after)
@@ -135,36 +249,33 @@ std::vector<OpenedEdge> FindOpenedEdges(vtkTrimmedNURBSModel* before, vtkTrimmed
   std::vector<OpenedEdge> opened;
   const std::size_t count = std::min(before->GetFaces().size(), after->GetFaces().size());
   const double tolerance = OpeningTolerance * GetBodySize(before);
-  std::vector<std::vector<OpenedEdge>> found(count);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
+  std::vector<std::size_t> changed;
+  bool sameEdges = before->GetFaces().size() == after->GetFaces().size();
+  for (std::size_t f = 0; f < count; ++f)
+  {
+    if (before->GetFaces()[f] != after->GetFaces()[f])
+    {
+      changed.push_back(f);
+      sameEdges = sameEdges && UsesSameEdges(*before->GetFaces()[f], *after->GetFaces()[f]);
+    }
+  }
+  std::vector<std::vector<OpenedEdge>> found(changed.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(changed.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType f = begin; f < end; ++f)
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        const FacePointer& old = before->GetFaces()[f];
-        const FacePointer& now = after->GetFaces()[f];
-        if (old != now)
-        {
-          found[f] = CompareFace(*old, *now, static_cast<int>(f), tolerance);
-        }
+        const std::size_t f = changed[i];
+        found[i] = CompareFace(*before->GetFaces()[f], *after->GetFaces()[f], static_cast<int>(f), tolerance);
       }
     });
   for (const std::vector<OpenedEdge>& face : found)
   {
     opened.insert(opened.end(), face.begin(), face.end());
   }
-  std::vector<std::shared_ptr<const Edge>> oldEdges;
-  std::vector<std::shared_ptr<const Edge>> edges;
-  const std::unordered_map<const Edge*, int> oldUses = CountUses(before, oldEdges);
-  for (const auto& [edge, sum] : CountUses(after, edges))
+  if (!sameEdges)
   {
-    const auto old = oldUses.find(edge);
-    if (sum != 0 && old != oldUses.end() && old->second == 0)
-    {
-      const auto owner = std::find_if(
-        edges.begin(), edges.end(), [e = edge](const auto& pointer) { return pointer.get() == e; });
-      opened.push_back({ *owner, -1, 0, 0, 0.0, std::numeric_limits<double>::infinity() });
-    }
+    FindLostUses(before, after, opened);
   }
   // The widest first, what is no number among them; in the order of the edges' ids, where these are equal, for the map has none.
   const auto width = [](const OpenedEdge& edge)

@@ -5,6 +5,8 @@
 #ifndef smTrimCutting_h
 #define smTrimCutting_h
 
+#include "smFiltersNURBSModule.h"
+
 #include "smPolynomialCurve.h"
 
 #include <array>
@@ -42,7 +44,8 @@ struct TrimSegment
  * coefficients changes sign, increasing. By Descartes' rule in Bernstein form: no variation of sign, no
  * root; one variation, one root; else subdivision. A touching (double) root is no crossing and is left out.
  */
-void FindSignChanges(const double* coefficients, int degree, std::vector<double>& roots);
+SMFILTERSNURBS_EXPORT void FindSignChanges(
+  const double* coefficients, int degree, std::vector<double>& roots);
 
 /// Cuts a piece at the interior knots of the grid and appends its segments in the order of the parameter.
 void CutAtKnotLines(const BernsteinPiece<2>& piece, const CellGrid& grid, std::vector<TrimSegment>& segments);

@@ -9,6 +9,7 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNURBSDataSet.h"
+#include "vtkNURBSPointEvaluator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -169,18 +170,18 @@ bool vtkNURBSDeform::Run::Change(vtkNURBSDataSet* source, vtkNURBSDataSet* copy)
   }
   if (edit.Status != sm::EditStatus::Ok)
   {
-    this->Error = edit.Message;
+    this->Error = edit.Message + "; displacements, centre and radius must be finite";
     return false;
   }
   // What nothing moved keeps its model, and instances theirs in common.
-  if (!edit.Replaced.empty())
-  {
-    sm::SetEditedModel(copy, model, edit.Model, map);
-  }
-  return true;
+  return edit.Replaced.empty() ||
+    sm::SetEditedModel(copy, edit.Model, map, this->Self->GetPointEvaluator(), this->Error);
 }
 
-vtkNURBSDeform::vtkNURBSDeform() = default;
+vtkNURBSDeform::vtkNURBSDeform()
+  : PointEvaluator(vtkSmartPointer<vtkNURBSPointEvaluator>::New())
+{
+}
 
 vtkNURBSDeform::~vtkNURBSDeform() = default;
 
@@ -198,6 +199,7 @@ void vtkNURBSDeform::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "LatticeSize: " << this->LatticeSize[0] << " " << this->LatticeSize[1] << " "
      << this->LatticeSize[2] << "\n"
      << indent << "LatticeDisplacements: " << this->LatticeDisplacements.size() << "\n"
+     << indent << "PointEvaluator: " << this->PointEvaluator.Get() << "\n"
      << indent << "NumberOfOpenedEdges: " << this->NumberOfOpenedEdges << "\n"
      << indent << "LargestGap: " << this->LargestGap << "\n"
      << indent << "NumberOfChangedFaces: " << this->NumberOfChangedFaces << "\n";
@@ -265,6 +267,29 @@ void vtkNURBSDeform::AddLatticeDisplacement(double i, double j, double k, double
   this->SetLatticeDisplacement(vtkMath::Round(i), vtkMath::Round(j), vtkMath::Round(k), x, y, z);
 }
 
+void vtkNURBSDeform::SetPointEvaluator(vtkNURBSPointEvaluator* evaluator)
+{
+  if (this->PointEvaluator != evaluator)
+  {
+    this->PointEvaluator = evaluator;
+    if (!evaluator)
+    {
+      this->PointEvaluator = vtkSmartPointer<vtkNURBSPointEvaluator>::New();
+    }
+    this->Modified();
+  }
+}
+
+vtkNURBSPointEvaluator* vtkNURBSDeform::GetPointEvaluator()
+{
+  return this->PointEvaluator;
+}
+
+vtkMTimeType vtkNURBSDeform::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->PointEvaluator->GetMTime());
+}
+
 int vtkNURBSDeform::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -291,8 +316,7 @@ int vtkNURBSDeform::RequestData(
   const auto worst = std::max_element(this->Faces.begin(), this->Faces.end());
   if (!done)
   {
-    vtkErrorMacro("The deformation is not possible: "
-      << run.Error << ". Displacements, centre and radius must be finite.");
+    vtkErrorMacro("The deformation is not possible: " << run.Error << ".");
   }
   else if (run.Deformed == 0 && info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {

@@ -21,8 +21,9 @@
  * blocks of Bezier faces; 0.6 % of the size on Examples/Models/sample_part.step; 5 % on a slanted hole in a block, whose faces
  * have four control points; the chain was closed to 1e-20 of the volume in all of them), and vtkMassPropertiesGPU's MaxGap and MovedByClosing what it means.
  *
- * Display points that have FaceIndex and Parameters are evaluated again on the new faces, with their normals, on the CPU by
- * vtkSMPTools. Points without are mapped like control points, which is near the faces and not on them.
+ * Display points that have FaceIndex and Parameters are evaluated again on the new faces, with their normals, by a
+ * vtkNURBSPointEvaluator: on the GPU where the module RenderingNURBS is loaded and there is OpenGL 4.3 with doubles, else on the CPU
+ * by vtkSMPTools. Points without are mapped like control points, which is near the faces and not on them.
  * LocalBounds and scales of a model stay, and so do the tolerances that faces are integrated to.
  * Asked for one of several pieces (ranks of a parallel run), pieces without solids pass, and an error leaves an empty output.
  *
@@ -33,10 +34,13 @@
 
 #include "smFiltersNURBSModule.h"
 #include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSmartPointer.h" // for the evaluator
 
 #include <array>  // for the lattice
 #include <map>    // for the lattice
 #include <vector> // for the faces
+
+class vtkNURBSPointEvaluator;
 
 class SMFILTERSNURBS_EXPORT vtkNURBSDeform : public vtkPassInputTypeAlgorithm
 {
@@ -117,6 +121,16 @@ public:
   ///@}
 
   ///@{
+  /** Evaluates the display points, and says of the last leaf by what. Give it a window's context, or a backend, before the first
+   * run; filters may share one. Null: one of the filter's own, vtkNURBSPointEvaluator::New(). Default: that. */
+  void SetPointEvaluator(vtkNURBSPointEvaluator* evaluator);
+  vtkNURBSPointEvaluator* GetPointEvaluator();
+  ///@}
+
+  /** Follows the evaluator: another backend runs the filter. */
+  vtkMTimeType GetMTime() override;
+
+  ///@{
   /** The last run: edges of faces that parted from their curve, by more than 1e-12 of the solid's size, and the widest such
    * gap, a length. 0 where every solid is as closed as before. */
   vtkGetMacro(NumberOfOpenedEdges, int);
@@ -149,6 +163,7 @@ private:
   bool KeepClosed = true;
   int LatticeSize[3] = { 2, 2, 2 };
   std::map<std::array<int, 3>, std::array<double, 3>> LatticeDisplacements;
+  vtkSmartPointer<vtkNURBSPointEvaluator> PointEvaluator;
   int NumberOfOpenedEdges = 0;
   double LargestGap = 0.0;
   int NumberOfChangedFaces = 0;

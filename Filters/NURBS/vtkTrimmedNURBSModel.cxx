@@ -85,6 +85,7 @@ void vtkTrimmedNURBSModel::ShallowCopy(vtkTrimmedNURBSModel* source)
   this->Name = source->Name;
   this->FileId = source->FileId;
   this->LengthUnit = source->LengthUnit;
+  this->FileUnit = source->FileUnit;
   this->Material = source->Material;
   this->Density = source->Density;
   this->FileVolume = source->FileVolume;

@@ -50,6 +50,11 @@ public:
   vtkSetMacro(LengthUnit, std::string);
   vtkGetMacro(LengthUnit, std::string);
 
+  /** Unit of the file that the body was read from, as LengthUnit names it; empty when it was read from none, or in a unit
+   * without a name here. A writer saves in it. */
+  vtkSetMacro(FileUnit, std::string);
+  vtkGetMacro(FileUnit, std::string);
+
   /** Material name and density (kg/m^3) the file states; empty and 0 when it states none. */
   vtkSetMacro(Material, std::string);
   vtkGetMacro(Material, std::string);
@@ -140,6 +145,7 @@ private:
   std::string Name;
   int FileId = 0;
   std::string LengthUnit = "mm";
+  std::string FileUnit;
   std::string Material;
   double Density = 0.0;
   double FileVolume;

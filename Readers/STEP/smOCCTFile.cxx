@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
+#include <ctime>
 #include <fstream>
 #include <limits>
 #include <utility>
@@ -137,17 +137,24 @@ bool KernelSession::IsHeldHere()
   return SessionDepth > 0;
 }
 
+double GetThreadSeconds()
+{
+  timespec time;
+  return clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0
+    ? static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec)
+    : static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 KernelProgress::KernelProgress(std::function<bool(double)> report, double seconds)
   : Report(std::move(report))
   , Limited(seconds > 0.0)
-  , Deadline(std::chrono::steady_clock::now() +
-      std::chrono::microseconds(static_cast<std::int64_t>(1e6 * std::max(0.0, seconds))))
+  , Deadline(GetThreadSeconds() + seconds)
 {
 }
 
 Standard_Boolean KernelProgress::UserBreak()
 {
-  if (this->Limited && !this->TimedOut && std::chrono::steady_clock::now() > this->Deadline)
+  if (this->Limited && !this->TimedOut && GetThreadSeconds() > this->Deadline)
   {
     this->TimedOut = true;
   }

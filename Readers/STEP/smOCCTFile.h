@@ -10,7 +10,6 @@
 #include <TCollection_AsciiString.hxx>
 
 #include <atomic>
-#include <chrono>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -55,8 +54,12 @@ private:
   TCollection_AsciiString Unit;
 };
 
+/// Seconds that this thread has computed. Limits in them do not depend on what else the machine does, so that what is made of a
+/// file has the same bits on a busy one.
+double GetThreadSeconds();
+
 /// OpenCASCADE's progress as a call of `report` with a fraction in [0,1]; report answers false to stop. It also
-/// stops after so many seconds; 0: never.
+/// stops after so many seconds of this thread's; 0: never.
 class KernelProgress : public Message_ProgressIndicator
 {
   DEFINE_STANDARD_RTTI_INLINE(KernelProgress, Message_ProgressIndicator)
@@ -73,7 +76,7 @@ private:
   std::function<bool(double)> Report;
   double Last = -1.0;
   bool Limited;
-  std::chrono::steady_clock::time_point Deadline;
+  double Deadline;
   std::atomic<bool> Stopped{ false };
   std::atomic<bool> TimedOut{ false };
 };

@@ -16,7 +16,6 @@
 #include <TopoDS.hxx>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace sm
@@ -182,12 +181,11 @@ bool GetFiniteBox(const TopoDS_Shape& shape, double bounds[6])
 void MeshRemainder(const TopoDS_Shape& shape, const IMeshTools_Parameters& parameters,
   const std::function<bool(double)>& report, double seconds)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = GetThreadSeconds();
   bool culprit = true;
   for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
   {
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    if (spent.count() >= seconds || (report && !report(1.0)))
+    if (GetThreadSeconds() - start >= seconds || (report && !report(1.0)))
     {
       return;
     }

@@ -113,6 +113,18 @@ double GetUnitInMillimetres(const std::string& unit)
   return found == units.end() ? 0.0 : found->second;
 }
 
+std::string GetShortUnit(double millimetres)
+{
+  for (const char* name : { "mm", "m", "cm", "inch", "ft", "um" })
+  {
+    if (GetUnitInMillimetres(name) == millimetres)
+    {
+      return name;
+    }
+  }
+  return {};
+}
+
 std::string ReadLengthUnit(
   STEPControl_Reader& reader, const Handle(StepData_StepModel) & model, std::vector<std::string>& messages)
 {

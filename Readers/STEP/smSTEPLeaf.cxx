@@ -159,6 +159,7 @@ void LeafMaker::MakeModel(
   model->SetName(part.Name);
   model->SetFileId(part.FileId);
   model->SetLengthUnit(this->Options.UnitName);
+  model->SetFileUnit(this->Options.FileUnitName);
   model->SetMaterial(part.Material);
   model->SetDensity(part.Density);
   model->SetFileVolume(part.FileVolume * unit * unit * unit);

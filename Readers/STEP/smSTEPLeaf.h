@@ -26,6 +26,8 @@ struct LeafOptions
   /// Output lengths per mm, and the name of the output's unit.
   double Unit = 1.0;
   std::string UnitName = "mm";
+  /// The file's own unit, empty when it has no name here.
+  std::string FileUnitName;
   double LinearDeflection = 0.001;
   bool RelativeDeflection = true;
   double AngularDeflection = 0.35;

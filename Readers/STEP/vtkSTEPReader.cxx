@@ -31,18 +31,6 @@ namespace
 constexpr double ReadingShare = 0.5;
 
 /// Short name of a unit the reader can write.
-std::string GetShortName(double millimetres)
-{
-  for (const char* name : { "mm", "m", "cm", "inch", "ft", "um" })
-  {
-    if (sm::GetUnitInMillimetres(name) == millimetres)
-    {
-      return name;
-    }
-  }
-  return {};
-}
-
 int AddChild(vtkDataAssembly* assembly, int parent, const std::string& name, const std::string& fallback)
 {
   std::string valid = name.empty() ? fallback : vtkDataAssembly::MakeValidNodeName(name.c_str());
@@ -235,7 +223,7 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   }
   const bool fileUnit = this->OutputUnit == "file";
   double millimetres = fileUnit ? 1.0 : sm::GetUnitInMillimetres(this->OutputUnit);
-  if (!fileUnit && GetShortName(millimetres).empty())
+  if (!fileUnit && sm::GetShortUnit(millimetres).empty())
   {
     return this->Fail(UNREADABLE,
       "OutputUnit \"" + this->OutputUnit + "\" is not known; use mm, cm, m, um, inch, ft or file");
@@ -267,19 +255,20 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   if (fileUnit)
   {
     millimetres = document.FileUnitInMillimetres;
-    if (GetShortName(millimetres).empty())
+    if (sm::GetShortUnit(millimetres).empty())
     {
       this->Last->Messages.push_back(
         "The file's length unit (" + document.FileUnit + ") has no name here; lengths are in mm.");
       millimetres = 1.0;
     }
   }
-  this->Last->LengthUnit = GetShortName(millimetres);
+  this->Last->LengthUnit = sm::GetShortUnit(millimetres);
   this->Last->FreeFaces = document.FreeFaces;
 
   sm::LeafOptions options;
   options.Unit = 1.0 / millimetres;
   options.UnitName = this->Last->LengthUnit;
+  options.FileUnitName = document.FileUnit.empty() ? "" : sm::GetShortUnit(document.FileUnitInMillimetres);
   options.LinearDeflection = this->LinearDeflection;
   options.RelativeDeflection = this->RelativeDeflection;
   options.AngularDeflection = this->AngularDeflection;

@@ -441,6 +441,12 @@ int vtkEGLSurfacelessRenderWindow::GetColorBufferSizes(int* rgba)
   return 32;
 }
 
+int vtkEGLSurfacelessRenderWindow::GetDepthBufferSize()
+{
+  // As above. A camera's clipping range may be asked for before the first picture: VTK would ask framebuffer 0.
+  return 32;
+}
+
 void* vtkEGLSurfacelessRenderWindow::GetGenericContext()
 {
   return this->Internals->Context;

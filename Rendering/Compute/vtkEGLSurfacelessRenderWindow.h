@@ -56,6 +56,7 @@ public:
   int SupportsOpenGL() override;
   vtkTypeBool IsDirect() override;
   int GetColorBufferSizes(int* rgba) override;
+  int GetDepthBufferSize() override;
   void OpenGLInitContext() override;
   /** The EGLContext, null when there is none. */
   void* GetGenericContext() override;

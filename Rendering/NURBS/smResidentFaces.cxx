@@ -4,6 +4,7 @@
 #include "smContextScope.h"
 
 #include "smBernstein.h"
+#include "smDisplayPoint.h"
 #include "smPatch.h"
 #include "smPatchRecord.h"
 #include "smPatchSecond.h"
@@ -108,6 +109,8 @@ struct ResidentFaces::Internals
   std::size_t MaximumItems = 262144;
   std::map<int, Page> Pages;
   int NextPage = 0;
+  /// Of all pages.
+  std::size_t Bytes = 0;
   std::unordered_map<std::uint64_t, ResidentFace> Faces;
   std::uint64_t Clock = 0;
   std::uint64_t Uploads = 0;
@@ -120,6 +123,7 @@ struct ResidentFaces::Internals
     {
       this->Pages.clear();
       this->Faces.clear();
+      this->Bytes = 0;
       this->Generation = this->Context->GetGeneration();
     }
   }
@@ -137,7 +141,7 @@ struct ResidentFaces::Internals
   /// Drops the pages used longest ago until the budget holds, but none used at `now`.
   void Evict(std::uint64_t now)
   {
-    while (this->GetBytes() > this->Budget)
+    while (this->Bytes > this->Budget)
     {
       const auto oldest = std::min_element(this->Pages.begin(), this->Pages.end(),
         [](const auto& a, const auto& b) { return a.second.LastUse < b.second.LastUse; });
@@ -149,6 +153,7 @@ struct ResidentFaces::Internals
       {
         this->Faces.erase(id);
       }
+      this->Bytes -= oldest->second.GetBytes();
       this->Pages.erase(oldest);
       ++this->Evictions;
     }
@@ -200,6 +205,7 @@ struct ResidentFaces::Internals
       this->Faces[id] = std::move(location);
     }
     this->Uploads += packed.size();
+    this->Bytes += page.GetBytes();
     this->Pages.emplace(this->NextPage++, std::move(page));
     packed.clear();
     data = PageData();
@@ -349,8 +355,8 @@ const std::string& ResidentFaces::GetError() const
 const char* GetNURBSShaderChunk(const std::string& name)
 {
   static const std::map<std::string, const char*> chunks = { { "smPortable", smPortable },
-    { "smBernstein", smBernstein }, { "smPatch", smPatch }, { "smPatchRecord", smPatchRecord },
-    { "smPatchSecond", smPatchSecond }, { "smResident", smResident } };
+    { "smBernstein", smBernstein }, { "smDisplayPoint", smDisplayPoint }, { "smPatch", smPatch },
+    { "smPatchRecord", smPatchRecord }, { "smPatchSecond", smPatchSecond }, { "smResident", smResident } };
   const auto found = chunks.find(name);
   return found == chunks.end() ? nullptr : found->second;
 }

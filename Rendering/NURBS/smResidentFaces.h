@@ -81,7 +81,8 @@ private:
   std::unique_ptr<Internals> Implementation;
 };
 
-/// Texts of the chunks smPortable, smBernstein, smPatch, smPatchRecord and smResident, by name; null for another name.
+/// Texts of the chunks smPortable, smBernstein, smDisplayPoint, smPatch, smPatchRecord, smPatchSecond and smResident, by name; null
+/// for another name.
 SMRENDERINGNURBS_EXPORT const char* GetNURBSShaderChunk(const std::string& name);
 }
 

@@ -55,7 +55,7 @@ std::vector<sm::FaceIntegrals> Integrate(const std::vector<sm::FacePointer>& fac
   std::vector<sm::FaceTask> tasks;
   for (const sm::FacePointer& face : faces)
   {
-    tasks.push_back({ face, { 1e-12, 1e-12 }, {} });
+    tasks.push_back({ face, nullptr, { 1e-12, 1e-12 }, {} });
   }
   std::vector<sm::FaceIntegrals> results;
   CheckTrue("integrated", integrator.Integrate(tasks, results, nullptr), integrator.GetError());
@@ -68,7 +68,7 @@ void CheckStopped()
   sm::SurfaceIntegrator integrator;
   integrator.SetRunner(std::make_unique<sm::CPUItemRunner>());
   integrator.SetIntegrands({ sm::Integrand::AreaMoment("A", 0, 0, 0) });
-  const std::vector<sm::FaceTask> tasks = { { MakeFolded(0.3, 0.5), { 1e-9 }, {} } };
+  const std::vector<sm::FaceTask> tasks = { { MakeFolded(0.3, 0.5), nullptr, { 1e-9 }, {} } };
   std::vector<sm::FaceIntegrals> results;
   CheckTrue("integrated", integrator.Integrate(tasks, results, nullptr), integrator.GetError());
   CheckTrue("evaluated", integrator.GetEvaluations() > 0);

@@ -104,7 +104,7 @@ std::vector<sm::FaceTask> MakeTasks(const std::vector<sm::FacePointer>& faces, d
   std::vector<sm::FaceTask> tasks;
   for (const sm::FacePointer& face : faces)
   {
-    tasks.push_back({ face, { tolerance, tolerance }, {} });
+    tasks.push_back({ face, nullptr, { tolerance, tolerance }, {} });
   }
   return tasks;
 }

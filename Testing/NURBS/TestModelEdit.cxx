@@ -316,6 +316,7 @@ void CheckGapSamples()
   std::printf("--- a narrow gap\n");
   LatticeBody body;
   body.Degree = sm::MaximumDegree;
+  body.Cells = 1;
   body.Knots.assign(body.Degree + 1, 0.0);
   body.Knots.resize(2 * body.Degree + 2, 1.0);
   const auto leaf = body.Make();

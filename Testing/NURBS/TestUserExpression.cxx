@@ -25,13 +25,17 @@ std::string Translate(const std::string& text)
 void CheckTranslation()
 {
   CheckEqual("numbers are doubles", "1.0LF / 3.0LF + .5LF - 2.LF * 1e-3LF", Translate("1/3+.5-2.*1e-3"));
-  CheckEqual("suffixes stay", "1u + 0x1F + 1.5f + 2.5LF", Translate("1u + 0x1F + 1.5f + 2.5LF"));
+  CheckEqual("suffixes stay", "1u + 0x1F + 2.5LF", Translate("1u + 0x1F + 2.5LF"));
   CheckEqual("an index is whole", "normal [ 1 ]", Translate("normal[1]"));
   CheckEqual(
     "a number in a call in an index is none", "normal [ int ( 1.0LF ) ]", Translate("normal[int(1)]"));
   CheckEqual(
     "functions are ours", "smSin ( smPow ( dA , 2.0LF ) ) + abs ( dA )", Translate("sin(pow(dA,2))+abs(dA)"));
   CheckEqual("constants", "(5.00000000000000000e-01LF) * dA", Translate("k * dA"));
+  CheckTrue("functions are no constants",
+    UserExpression("abs (dA) * abs", { { "abs", 0.5 } })
+        .MakeFunction("f", false)
+        .find("abs\n(\ndA\n)\n*\n(5.") != std::string::npos);
   CheckEqual("components are no constants", "position . k", Translate("position.k"));
   CheckEqual("pairs stay together", "dA <= 1.0LF && ! ( dA != 2.0LF ) ? 1.0LF : - 1.0LF",
     Translate("dA<=1&&!(dA!=2)?1:-1"));
@@ -43,7 +47,7 @@ void CheckTranslation()
   CheckEqual("detail of a component", 0, UserExpression("position.u", {}).GetDetail());
   CheckTrue("kinks of ?:", UserExpression("dA > 1 ? 1 : 2", {}).MayHaveKinks());
   for (const char* text : { "double(lessThan(position, normal).x)", "double(ivec3(position).x)",
-         "double(float(dA))", "dA * 0.1f", "faceforward(normal, position, normal).z" })
+         "faceforward(normal, position, normal).z" })
   {
     CheckTrue(std::string("kinks or steps of ") + text, UserExpression(text, {}).MayHaveKinks());
   }
@@ -59,6 +63,11 @@ void CheckPlaces()
   CheckEqual("nothing", "the expression is empty", UserExpression(" \n", {}).GetError());
 
   CheckEqual("a decimal comma", "column 2: ','", UserExpression("1,5 * dA", {}).GetError().substr(0, 13));
+  CheckEqual("a single-precision number", "column 6: '0.1f'",
+    UserExpression("dA * 0.1f", {}).GetError().substr(0, 16));
+  CheckEqual("a number of wide suffix", "", UserExpression("dA * 0.1lf * 0xfu", {}).GetError());
+  CheckEqual("a single-precision function", "column 8: 'float'",
+    UserExpression("double(float(dA))", {}).GetError().substr(0, 17));
   CheckEqual("a sequence", "column 11: ','", UserExpression("(barrier(), dA)", {}).GetError().substr(0, 14));
   CheckEqual("arguments", "", UserExpression("pow(max(dA, (1)), double[2](1, 2)[1])", {}).GetError());
   CheckEqual("characters of several bytes", "column 3: '\xcf\x80' cannot",

@@ -45,7 +45,7 @@ public:
   uint smRoundingCount = 1;
   uint smToleranceOffset = 0;
   uint smPlacementOffset = 0;
-  std::vector<double> Parameters = sm::MakeRuleTable();
+  std::vector<double> Parameters = sm::GetRuleTable();
   std::vector<double> Rows = std::vector<double>(20, 0.0);
   bool Converged = false;
 
@@ -69,8 +69,8 @@ public:
   /// Ends an item of row 1 and face 1 with these sums; `scale` is that of its tolerances, 1 and 2.
   bool Finish(double a, double b, double rounding, uint flags, float scale = 1.0f)
   {
-    this->smToleranceOffset = static_cast<uint>(sm::MakeRuleTable().size());
-    this->Parameters = sm::MakeRuleTable();
+    this->smToleranceOffset = static_cast<uint>(sm::GetRuleTable().size());
+    this->Parameters = sm::GetRuleTable();
     for (const double tolerance : { 1e300, 1e300, 1.0, 2.0 })
     {
       this->Parameters.push_back(tolerance);

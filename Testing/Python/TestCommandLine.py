@@ -14,7 +14,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import Manifest, check, check_equal, check_true, check_values, finish  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["results", "integrals", "errors", "outputs", "packages", "picture", "no-context"])
+parser.add_argument("mode", choices=["results", "integrals", "stability", "errors", "outputs", "packages", "picture", "no-context"])
 for name in ("--program", "--solids", "--output", "--sample"):
     parser.add_argument(name, required=True)
 options = parser.parse_args()
@@ -22,9 +22,9 @@ manifest = Manifest(options.solids)
 
 BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments", "principal_axes", "mass", "bounds",
              "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells",
-             "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches"}
+             "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches", "stability"}
 FILE_KEYS = {"file", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer", "total", "solids",
-             "faces", "free_faces", "integrals", "diagonal", "evaluations", "dispatches", "seconds"}
+             "faces", "free_faces", "integrals", "waterlines", "diagonal", "evaluations", "dispatches", "seconds"}
 
 
 def run(*arguments, cwd=None, stdout=subprocess.PIPE):
@@ -133,7 +133,36 @@ def integrals():
     for name, one in many[0].items():
         other = many[1][name]
         check(name + " of both backends", other["value"], one["value"], other["bound"] + one["bound"])
-    for wrong in (("--moments", "-1"), ("--moments", "17"), ("--moments", "1.5"), ("--integral", "dA"),
+    # Half of the torus below its middle, in CSV with the rest, and nothing below its lowest point.
+    csv = os.path.join(options.output, "waterlines.csv")
+    result, files = run_json("--waterline", "0", "--waterline", "-6.5", "--moments", "0", "--csv", csv, part["path"])
+    check_equal("exit status", 0, result.returncode)
+    half, nothing = files[0]["waterlines"]
+    check_equal("of the only solid", files[0]["waterlines"], files[0]["solids"][0]["waterlines"])
+    check_equal("plane", (0.0, [0.0, 0.0, 1.0]), (half["height"], half["up"]))
+    check("half", part["volume"] / 2, half["volume"], half["bounds"]["volume"])
+    check("its centre", -4 * 6 / (3 * math.pi), half["center"][2], half["bounds"]["center"])
+    check("nothing", 0.0, nothing["volume"], nothing["bounds"]["volume"])
+    check_true("no centre", nothing["center"] is None and nothing["bounds"]["center"] is None)
+    with open(csv, encoding="utf-8") as file:
+        rows = [line.rstrip("\n").split(",") for line in file]
+    for row in rows[1:]:
+        cells = dict(zip(rows[0], row))
+        check("volume in CSV", half["volume"], float(cells["waterline1_volume"]), 0.0)
+        check("centre in CSV", half["center"][2], float(cells["waterline1_center_z"]), 0.0)
+        check_equal("no centre in CSV", "", cells["waterline2_center_x"])
+        check("integral in CSV", files[0]["integrals"]["moment_0_0_0"]["value"], float(cells["moment_0_0_0"]), 0.0)
+    result, files = run_json("--backend", "cpu", "--waterline", "3", "--up", "1,2,-2", part["path"])
+    check_equal("direction", [1.0, 2.0, -2.0], files[0]["waterlines"][0]["up"])
+    other = run_json("--waterline", "-3", "--up", "-0.5,-1,1", part["path"])[1][0]["waterlines"][0]
+    found = files[0]["waterlines"][0]
+    check("both sides", part["volume"], found["volume"] + other["volume"],
+          found["bounds"]["volume"] + other["bounds"]["volume"])
+    table = run("--waterline", "0", part["path"]).stdout
+    check_true("waterline in the table", "below 0" in table and "-2.54647" in table, table)
+    for wrong in (("--waterline", "high"), ("--waterline", "nan"), ("--waterline", "1", "--up", "0,0,0"),
+                  ("--waterline", "1", "--up", "0,1"), ("--waterline", "1", "--up", "0,1,inf"), ("--up", "0,0,1"),
+                  ("--moments", "-1"), ("--moments", "17"), ("--moments", "1.5"), ("--integral", "dA"),
                   ("--integral", "=dA"), ("--integral", "a="), ("--integral", "a=dA", "--integral", "a=1"),
                   ("--integral", "a=dA", "--integral", "aBound=1"), ("--integral", "Faces=dA"),
                   ("--moments", "1", "--integral", "moment_0_1_0=dA")):
@@ -329,6 +358,37 @@ def packages():
     check_equal("held packages are installed", (0, ""), (result.returncode, result.stderr))
 
 
+def stability():
+    box = manifest.solid("box")
+    center = box["center_of_mass"]
+    result, files = run_json("--stability", "-z", "--density", "1000", box["path"])
+    check_equal("exit status", 0, result.returncode)
+    found = files[0]["total"]["stability"]
+    check_equal("verdict", ["stable", "area", "margin"], [found[key] for key in ("verdict", "support", "decided_by")])
+    margin = min(center[0], center[1])  # a corner of the box is the origin
+    check("margin", margin, found["margin"], found["bounds"]["margin"])
+    check("tip angle", math.degrees(math.atan2(margin, center[2])), found["tip_angle"], found["bounds"]["tip_angle"])
+    rise = math.hypot(margin, center[2]) - center[2]
+    check("work to tip", rise, found["work_to_tip"], found["bounds"]["work_to_tip"])
+    check("joules", box["volume"] * 1e-9 * 1000 * 9.80665 * rise * 1e-3, found["tip_energy"], 1e-9)
+    check_equal("sides", 4, len(found["sides"]))
+    check_equal("of the only solid", found, files[0]["solids"][0]["stability"])
+    check_true("table", "least tip angle" in run("--stability", "-z", box["path"]).stdout)
+
+    # Two solids: together, and each alone.
+    result, files = run_json("--stability", "0,0,-1", manifest.special("two_solids")["path"])
+    check_true("together and each", files[0]["total"]["stability"] is not None and
+               all(solid["stability"]["verdict"] for solid in files[0]["solids"]) and len(files[0]["solids"]) == 2)
+    result, files = run_json("--stability", "x", manifest.solid("sphere")["path"])
+    check_equal("a ball rolls", ["too-close", "rolling"],
+                [files[0]["total"]["stability"][key] for key in ("verdict", "decided_by")])
+    result, files = run_json(box["path"])
+    check_true("not asked for", files[0]["total"]["stability"] is None)
+    for wrong in ("up", "0,0,0", "1,2", "xx", "nan,0,1", ""):
+        result = run("--stability", wrong, box["path"])
+        check_true("wrong direction " + wrong, result.returncode == 1 and result.stderr)
+
+
 def errors():
     good = manifest.solid("box")["path"]
     for name in ("empty", "truncated", "not_step"):
@@ -445,6 +505,6 @@ def no_context():
     check_equal("who asks for the CPU is told nothing", [], files[0]["messages"])
 
 
-{"results": results, "integrals": integrals, "errors": errors, "outputs": outputs, "packages": packages,
+{"results": results, "integrals": integrals, "stability": stability, "errors": errors, "outputs": outputs, "packages": packages,
  "picture": picture, "no-context": no_context}[options.mode]()
 finish()

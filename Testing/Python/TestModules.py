@@ -1,13 +1,14 @@
 """TestModules.py FOLDER: the modules import, wrap their methods and compute, in python3 and in pvpython."""
 import os
 import sys
+import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import Manifest, check_equal, check_true, check_values, finish  # noqa: E402
 
 from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU, vtkSurfaceIntegralGPU  # noqa: E402
-from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkTrimmedNURBSModel  # noqa: E402
-from solidmoments.smReadersSTEP import vtkSTEPReader  # noqa: E402
+from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkNURBSDeform, vtkTrimmedNURBSModel  # noqa: E402
+from solidmoments.smReadersSTEP import vtkBREPWriter, vtkSTEPReader, vtkSTEPWriter  # noqa: E402
 from solidmoments.smRenderingCompute import vtkComputeContext  # noqa: E402
 
 part = Manifest(sys.argv[1]).solid("slanted_hole", "moved")
@@ -29,9 +30,33 @@ check_true("with its model", isinstance(leaf.GetModel(), vtkTrimmedNURBSModel))
 check_equal("faces", 7, leaf.GetModel().GetNumberOfFaces())
 check_true("context", isinstance(mass.GetComputeContext(), vtkComputeContext), mass.GetRenderer())
 
+deform = vtkNURBSDeform()
+deform.SetInputConnection(reader.GetOutputPort())
+deform.SetDisplacement(0.0, 0.0, 1.0)
+deform.Update()
+evaluator = deform.GetPointEvaluator()
+check_equal("display points by", "vtkNURBSPointEvaluatorGPU", evaluator.GetClassName())
+check_equal("which used", "opengl", evaluator.GetBackendName())
+moved = deform.GetOutputDataObject(0).GetPartition(0, 0)
+distance = max(abs(moved.GetPoint(i)[2] - leaf.GetPoint(i)[2] - 1.0) for i in range(leaf.GetNumberOfPoints()))
+check_true("points moved by 1", distance < 1e-5, str(distance))
+
 integral = vtkSurfaceIntegralGPU()
 integral.SetInputConnection(reader.GetOutputPort())
 integral.AddIntegrand("area", "length(normal)")
 integral.Update()
 check_true("own integrand", abs(integral.GetIntegral("area") / part["area"] - 1) < 1e-9, str(integral.GetIntegral("area")))
+with tempfile.TemporaryDirectory() as output:
+    for writer, name in ((vtkSTEPWriter(), "part.step"), (vtkBREPWriter(), "part.brep")):
+        writer.SetInputConnection(reader.GetOutputPort())
+        writer.SetFileName(os.path.join(output, name))
+        check_equal(name, 1, writer.Write())
+        check_equal(name + ": faces", 7, writer.GetNumberOfFaces())
+        check_equal(name + ": messages", 0, writer.GetNumberOfMessages())
+    again = vtkSTEPReader()
+    again.SetFileName(os.path.join(output, "part.step"))
+    volume = mass.GetVolume()
+    mass.SetInputConnection(again.GetOutputPort())
+    mass.Update()
+    check_true("saved and read", abs(mass.GetVolume() / volume - 1) < 1e-14, str(mass.GetVolume() / volume - 1))
 finish()

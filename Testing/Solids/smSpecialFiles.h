@@ -23,7 +23,7 @@ struct SpecialFile
 };
 
 /// Writes empty, truncated, not_step, no_geometry, points_only, open_shell, open_solid, assembly (500 instances of one
-/// part, each placed differently), two_solids, junk_header.
+/// part, each placed differently), two_solids, junk_header, cone_tip (radius 12, height 20).
 std::vector<SpecialFile> WriteSpecialFiles(const std::string& folder);
 
 /// Placement of instance i of the assembly.

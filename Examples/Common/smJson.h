@@ -1,6 +1,6 @@
 /**
  * @file smJson.h
- * @brief The JSON type of the command line: keys keep their order
+ * @brief The JSON type of the example programs: keys keep their order
  */
 #ifndef smJson_h
 #define smJson_h

@@ -1,0 +1,141 @@
+#include "smStabilityJob.h"
+
+#include "smMassPropertyNames.h"
+#include "smMessageList.h"
+#include "smQuantities.h"
+#include "smStabilityNames.h"
+#include "smUserIntegrals.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkMassPropertiesGPU.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSTEPReader.h"
+#include "vtkSolidStability.h"
+#include "vtkTable.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace
+{
+using sm::GetCount;
+using sm::GetNumber;
+using sm::GetPoint;
+using sm::GetText;
+using sm::Json;
+namespace names = sm::names;
+
+Json Sides(vtkSolidStability* filter, vtkIdType solid)
+{
+  vtkDataSetAttributes* columns = vtkTable::SafeDownCast(filter->GetOutputDataObject(3))->GetRowData();
+  Json sides = Json::array();
+  vtkDataArray* owner = columns->GetArray(names::Solid);
+  for (vtkIdType row = 0; row < owner->GetNumberOfTuples(); ++row)
+  {
+    if (static_cast<vtkIdType>(owner->GetComponent(row, 0)) == solid)
+    {
+      sides.push_back({ { "from", GetPoint(columns, row, names::SideFrom) },
+        { "to", GetPoint(columns, row, names::SideTo) }, { "margin", GetNumber(columns, row, names::Margin) },
+        { "tip_angle", GetNumber(columns, row, names::TipAngle) },
+        { "work_to_tip", GetNumber(columns, row, names::WorkToTip) } });
+    }
+  }
+  return sides;
+}
+
+Json Describe(vtkSolidStability* filter, vtkIdType row)
+{
+  vtkDataSetAttributes* columns = vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData();
+  const std::string bound = names::BoundSuffix;
+  Json entry;
+  entry["verdict"] = GetText(columns, row, names::Stability);
+  entry["support"] = GetText(columns, row, names::Support);
+  entry["decided_by"] = GetText(columns, row, names::DecidedBy);
+  Json bounds;
+  for (const auto& [key, name] : { std::pair("margin", names::Margin),
+         std::pair("tip_angle", names::TipAngle), std::pair("work_to_tip", names::WorkToTip),
+         std::pair("center_height", names::CenterHeight), std::pair("rolling_margin", names::RollingMargin) })
+  {
+    entry[key] = GetNumber(columns, row, name);
+    bounds[key] = GetNumber(columns, row, name + bound);
+  }
+  entry["bounds"] = bounds;
+  entry["tip_energy"] = GetNumber(columns, row, names::TipEnergy);
+  entry["rolling_radius"] = GetNumber(columns, row, names::RollingRadius);
+  entry["plumb_foot"] = GetPoint(columns, row, names::PlumbFoot);
+  entry["contact_faces"] = GetCount(columns, row, names::ContactFaces);
+  entry["contact_edges"] = GetCount(columns, row, names::ContactEdges);
+  entry["sides"] = Sides(filter, row);
+  return entry;
+}
+}
+
+namespace sm
+{
+bool ParseDirection(const std::string& text, std::array<double, 3>& direction)
+{
+  direction = { 0.0, 0.0, 0.0 };
+  const bool sign = !text.empty() && (text[0] == '+' || text[0] == '-');
+  if (text.size() == (sign ? 2u : 1u) && text.back() >= 'x' && text.back() <= 'z')
+  {
+    direction[text.back() - 'x'] = text[0] == '-' ? -1.0 : 1.0;
+    return true;
+  }
+  const char* next = text.c_str();
+  for (int i = 0; i < 3; ++i)
+  {
+    char* end = nullptr;
+    direction[i] = std::strtod(next, &end);
+    if (end == next || *end != (i < 2 ? ',' : '\0') || !std::isfinite(direction[i]))
+    {
+      return false;
+    }
+    next = end + 1;
+  }
+  return direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0;
+}
+
+vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptions& options,
+  const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
+{
+  std::array<double, 3> direction;
+  if (options.Stability.empty() || !ParseDirection(options.Stability, direction))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkSolidStability> filter;
+  filter->SetInputConnection(reader->GetOutputPort());
+  filter->SetGravityDirection(direction.data());
+  filter->SetDensity(options.Density);
+  SetUpFilter(filter->GetMassProperties(), options);
+  update(filter);
+  auto drawing = vtkSmartPointer<vtkPolyData>::New();
+  if (filter->GetMassProperties()->GetNumberOfSolids() == 0)
+  {
+    return nullptr;
+  }
+  drawing->ShallowCopy(filter->GetOutput());
+  file["total"]["stability"] = Describe(filter, 0);
+  // Its first ones are those of the mass filter, which are known.
+  for (int i = filter->GetMassProperties()->GetNumberOfMessages(); i < filter->GetNumberOfMessages(); ++i)
+  {
+    messages.AddEcho(filter->GetMessage(i));
+  }
+  if (file["solids"].size() == 1)
+  {
+    file["solids"][0]["stability"] = file["total"]["stability"];
+    return drawing;
+  }
+  filter->SetBodies(vtkSolidStability::EACH);
+  update(filter);
+  vtkIdType row = 0;
+  for (Json& solid : file["solids"])
+  {
+    solid["stability"] = Describe(filter, row);
+    ++row;
+  }
+  return drawing;
+}
+}

@@ -1,0 +1,108 @@
+#include "smQuantities.h"
+
+#include "smMassPropertyNames.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkVariant.h"
+
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+/// Components of a row as JSON numbers; null when the array is missing or any component is not a number.
+Json GetVector(vtkFieldData* data, vtkIdType row, const std::string& name, int components)
+{
+  vtkDataArray* array = data->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != components || row >= array->GetNumberOfTuples())
+  {
+    return nullptr;
+  }
+  Json values = Json::array();
+  for (int c = 0; c < components; ++c)
+  {
+    const double value = array->GetComponent(row, c);
+    if (!std::isfinite(value))
+    {
+      return nullptr;
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+Json GetMatrix(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  const Json values = GetVector(data, row, name, 9);
+  if (values.is_null())
+  {
+    return values;
+  }
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i)
+  {
+    rows.push_back({ values[3 * i], values[3 * i + 1], values[3 * i + 2] });
+  }
+  return rows;
+}
+}
+
+Json GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  const Json values = GetVector(data, row, name, 1);
+  return values.is_null() ? values : values[0];
+}
+
+Json GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  return GetVector(data, row, name, 3);
+}
+
+Json GetCount(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  const Json value = GetNumber(data, row, name);
+  return value.is_null() ? value : Json(static_cast<long long>(value.get<double>()));
+}
+
+std::string GetText(vtkFieldData* data, vtkIdType row, const char* name)
+{
+  vtkAbstractArray* array = data->GetAbstractArray(name);
+  return array && row < array->GetNumberOfTuples() ? array->GetVariantValue(row).ToString() : std::string();
+}
+
+Json GetQuantities(vtkFieldData* data, vtkIdType row)
+{
+  const std::string bound = names::BoundSuffix;
+  Json q;
+  q["volume"] = GetNumber(data, row, names::Volume);
+  q["area"] = GetNumber(data, row, names::SurfaceArea);
+  q["center_of_mass"] = GetVector(data, row, names::CenterOfMass, 3);
+  q["inertia"] = GetMatrix(data, row, names::VolumeInertia);
+  q["principal_moments"] = GetVector(data, row, names::PrincipalMoments, 3);
+  q["principal_axes"] = GetMatrix(data, row, names::PrincipalAxes);
+  const Json degenerate = GetCount(data, row, names::PrincipalAxesDegenerate);
+  q["principal_axes_degenerate"] = degenerate.is_null() ? degenerate : Json(degenerate != 0);
+  q["mass"] = GetNumber(data, row, names::Mass);
+  q["bounds"]["volume"] = GetNumber(data, row, names::Volume + bound);
+  q["bounds"]["area"] = GetNumber(data, row, names::SurfaceArea + bound);
+  q["bounds"]["center_of_mass"] = GetNumber(data, row, names::CenterOfMass + bound);
+  q["bounds"]["inertia"] = GetNumber(data, row, names::VolumeInertia + bound);
+  q["moved_by_closing"] = GetNumber(data, row, names::MovedByClosing);
+  q["gap_squared"] = GetNumber(data, row, names::GapSquared);
+  q["max_gap"] = GetNumber(data, row, names::MaxGap);
+  q["gap_area"] = GetNumber(data, row, names::GapArea);
+  q["open_edges"] = GetCount(data, row, names::OpenEdges);
+  q["leak"] = GetNumber(data, row, names::Leak);
+  q["flipped_shells"] = GetCount(data, row, names::FlippedShells);
+  q["paper_error_estimate"] = GetNumber(data, row, names::PaperErrorEstimate);
+  q["paper_error_estimate_with_boundary"] = GetNumber(data, row, names::PaperErrorEstimateWithBoundary);
+  q["sub_patches"] = GetCount(data, row, names::SubPatches);
+  q["stability"] = nullptr;
+  const Json estimated = GetCount(data, row, names::BoundsEstimated);
+  q["bounds_estimated"] = estimated.is_null() ? estimated : Json(estimated != 0);
+  return q;
+}
+}

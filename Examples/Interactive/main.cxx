@@ -1,0 +1,305 @@
+// edit_part: moves control points of a part with the mouse, and shows its mass properties at every move.
+#include "smBodyScene.h"
+#include "smEditScene.h"
+#include "smEditStyle.h"
+#include "smEventPlayer.h"
+#include "smQuantities.h"
+
+#include <smMassPropertyNames.h>
+#include <vtkComputeContext.h>
+#include <vtkGenericRenderWindowInteractor.h>
+#include <vtkImageAppend.h>
+#include <vtkImageData.h>
+#include <vtkMassPropertiesGPU.h>
+#include <vtkNew.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPolyData.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkSMPTools.h>
+#include <vtkSTEPReader.h>
+#include <vtkSmartPointer.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <vector>
+
+namespace
+{
+using sm::Json;
+
+enum ExitStatus
+{
+  Good = 0,
+  UsageOrOutput = 1,
+  Unreadable = 2,
+  Flagged = 3
+};
+
+const char* const Footer = R"(In the window: click a face, drag a control point; h shows what else there is.
+Without a display --play draws off screen. A stream of events belongs to the size of the window that it was recorded in.
+
+Examples:
+  edit_part
+  edit_part bracket.step
+  edit_part --record drag.events
+  edit_part --play drag.events --json values.json --screenshot after.png
+
+Exit status:
+  0  ended with status ok
+  1  wrong usage, no display, or an output could not be written
+  2  the file is unreadable, or has no solid or surface
+  3  the last result is flagged: open, tolerance-not-met, suspect)";
+
+struct Arguments
+{
+  std::string File = SM_FREE_FORM_PART;
+  std::string Play;
+  std::string Record;
+  std::string Json;
+  std::string Screenshot;
+  std::string BeforeAfter;
+  std::vector<int> Size{ 900, 700 };
+  bool NoTimes = false;
+};
+
+int Complain(const std::string& what)
+{
+  std::cerr << "edit_part: " << what << "\n";
+  return UsageOrOutput;
+}
+
+/// False when there is nothing more to do, with the exit status.
+bool Parse(int argc, char** argv, Arguments& arguments, int& exitStatus)
+{
+  CLI::App app(
+    "Move the control points of a part with the mouse and watch its mass properties.", "edit_part");
+  app.footer(Footer);
+  app.add_option("file", arguments.File, "STEP file; without one, a pull handle of 40 free-form faces")
+    ->type_name("FILE");
+  auto* play =
+    app.add_option("--play", arguments.Play, "Play mouse and keys from FILE, then end")->type_name("FILE");
+  app.add_option("--record", arguments.Record, "Write mouse and keys to FILE")
+    ->type_name("FILE")
+    ->excludes(play);
+  app
+    .add_option("--json", arguments.Json,
+      "Write the first and the last values and the times to FILE (- for standard\noutput) at the end")
+    ->type_name("FILE");
+  app.add_option("--screenshot", arguments.Screenshot, "Write the last picture to FILE, a PNG")
+    ->type_name("FILE");
+  app
+    .add_option("--before-after", arguments.BeforeAfter,
+      "Write the first and the last picture side by side to FILE, a PNG")
+    ->type_name("FILE");
+  app.add_option("--size", arguments.Size, "Width and height of the window in pixels (default 900 700)")
+    ->expected(2)
+    ->check(CLI::Range(300, 8192))
+    ->type_name("NUMBER");
+  app.add_flag("--no-times", arguments.NoTimes, "Show no times: they differ from run to run");
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    exitStatus = app.exit(error) == 0 ? Good : UsageOrOutput;
+    return false;
+  }
+  return true;
+}
+
+/// Least, median and largest of one part of the updates' times, but for the first, which is no edit's.
+Json Summarize(const std::vector<sm::UpdateTimes>& times, double (*get)(const sm::UpdateTimes&))
+{
+  std::vector<double> values;
+  for (std::size_t i = 1; i < times.size(); ++i)
+  {
+    values.push_back(get(times[i]));
+  }
+  if (values.empty())
+  {
+    return nullptr;
+  }
+  std::sort(values.begin(), values.end());
+  return { { "best", values.front() }, { "median", values[values.size() / 2] }, { "worst", values.back() } };
+}
+
+Json Describe(const Arguments& arguments, const Json& first, sm::EditScene& scene)
+{
+  vtkMassPropertiesGPU* mass = scene.GetMass();
+  vtkFieldData* fields = mass->GetOutput()->GetFieldData();
+  const std::vector<sm::UpdateTimes>& times = scene.GetTimes();
+  Json result{ { "version", 1 }, { "file", arguments.File },
+    { "length_unit", sm::GetText(fields, 0, sm::names::LengthUnit) }, { "status", mass->GetStatus() },
+    { "backend", mass->GetBackendName() }, { "renderer", mass->GetRenderer() }, { "first", first },
+    { "last", sm::GetQuantities(fields, 0) }, { "opened", Json::array() },
+    { "faces", mass->GetNumberOfFaces() }, { "updates", times.size() - 1 } };
+  for (int body = 0; body < scene.GetPart().GetNumberOfBodies(); ++body)
+  {
+    for (const sm::OpenedEdge& opened : scene.GetPart().GetOpened(body))
+    {
+      result["opened"].push_back(
+        { { "edge", opened.Source->FileId }, { "face", opened.Face }, { "gap", opened.Gap } });
+    }
+  }
+  Json& seconds = result["seconds"];
+  seconds["edit"] = Summarize(times, [](const sm::UpdateTimes& t) { return t.Edit; });
+  seconds["display_points"] = Summarize(times, [](const sm::UpdateTimes& t) { return t.Display; });
+  seconds["moments"] = Summarize(times, [](const sm::UpdateTimes& t) { return t.Moments; });
+  seconds["computing"] = Summarize(times, [](const sm::UpdateTimes& t) { return t.GetComputing(); });
+  seconds["picture"] = Summarize(times, [](const sm::UpdateTimes& t) { return t.Draw; });
+  return result;
+}
+
+int WriteJson(const std::string& fileName, const Json& result)
+{
+  const std::string text = result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (fileName == "-")
+  {
+    return std::cout << text << std::flush ? Good : Complain("the standard output cannot be written");
+  }
+  std::ofstream file(fileName);
+  return file << text << std::flush ? Good : Complain(fileName + " cannot be written");
+}
+
+int WriteImage(vtkImageData* image, const std::string& fileName)
+{
+  const std::string error = sm::WriteImage(image, fileName);
+  return error.empty() ? Good : Complain(error);
+}
+
+/// The program's last word, after the events.
+int WriteOutputs(const Arguments& arguments, const Json& first, vtkImageData* before, sm::EditScene& scene)
+{
+  int exitStatus = scene.GetMass()->GetStatus() == sm::names::StatusOk ? Good : Flagged;
+  if (!arguments.Json.empty() && WriteJson(arguments.Json, Describe(arguments, first, scene)) != Good)
+  {
+    exitStatus = UsageOrOutput;
+  }
+  const vtkSmartPointer<vtkImageData> after = sm::GrabImage(scene.GetWindow());
+  if (!arguments.Screenshot.empty() && WriteImage(after, arguments.Screenshot) != Good)
+  {
+    exitStatus = UsageOrOutput;
+  }
+  if (!arguments.BeforeAfter.empty())
+  {
+    vtkNew<vtkImageAppend> both;
+    both->AddInputData(before);
+    both->AddInputData(after);
+    both->Update();
+    exitStatus = WriteImage(both->GetOutput(), arguments.BeforeAfter) == Good ? exitStatus : UsageOrOutput;
+  }
+  return exitStatus;
+}
+
+int Run(const Arguments& arguments, vtkSTEPReader* reader, vtkRenderWindow* window,
+  vtkRenderWindowInteractor* interactor)
+{
+  const std::string name = arguments.File.substr(arguments.File.find_last_of('/') + 1);
+  sm::EditedPart part(reader->GetOutput());
+  window->SetSize(arguments.Size[0], arguments.Size[1]);
+  window->SetWindowName(("SolidMoments: " + name).c_str());
+  interactor->SetRenderWindow(window);
+  sm::EditScene scene(window, part, name);
+  scene.SetShowTimes(!arguments.NoTimes);
+  vtkNew<smEditStyle> style;
+  style->SetScene(&scene);
+  style->SetPictureStem(name.substr(0, name.find_last_of('.')));
+  interactor->SetInteractorStyle(style);
+  interactor->Initialize();
+  scene.Draw();
+  const Json first = sm::GetQuantities(scene.GetMass()->GetOutput()->GetFieldData(), 0);
+  const vtkSmartPointer<vtkImageData> before = sm::GrabImage(window);
+  if (!arguments.Play.empty())
+  {
+    const std::string wrong = sm::PlayEvents(interactor, arguments.Play);
+    if (!wrong.empty())
+    {
+      return Complain(wrong);
+    }
+  }
+  else if (!arguments.Record.empty())
+  {
+    sm::EventRecording recording(interactor, arguments.Record);
+    interactor->Start();
+  }
+  else
+  {
+    interactor->Start();
+  }
+  const int exitStatus = WriteOutputs(arguments, first, before, scene);
+  interactor->SetInteractorStyle(nullptr);
+  return exitStatus;
+}
+
+bool Read(vtkSTEPReader* reader, const std::string& fileName)
+{
+  reader->SetFileName(fileName.c_str());
+  // The mesh is not cut anew by an edit: fine enough for what a flat face may become.
+  reader->SetLinearDeflection(2e-4);
+  reader->SetAngularDeflection(0.12);
+  reader->Update();
+  if (reader->GetStatus() == vtkSTEPReader::OK)
+  {
+    return true;
+  }
+  for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
+  {
+    std::cerr << "edit_part: " << reader->GetMessage(i) << "\n";
+  }
+  Complain(fileName + " is " + reader->GetStatusAsString() + ": there is nothing to edit");
+  return false;
+}
+}
+
+int main(int argc, char** argv)
+{
+  Arguments arguments;
+  int exitStatus = Good;
+  if (!Parse(argc, argv, arguments, exitStatus))
+  {
+    return exitStatus;
+  }
+  // For appending: a recording that is there is lost when there is another, and not before.
+  if (!arguments.Record.empty() && !std::ofstream(arguments.Record, std::ios::app))
+  {
+    return Complain(arguments.Record + " cannot be written");
+  }
+  // vtkRenderWindow ends the program when the display does not answer; a context only says so.
+  vtkNew<vtkComputeContext> context;
+  context->SetSource(vtkComputeContext::X);
+  const int found = context->Start();
+  // One with an old OpenGL will do for pictures; the filter computes on the CPU then, and says so.
+  const bool hasDisplay = found == vtkComputeContext::READY || found == vtkComputeContext::NO_COMPUTE ||
+    found == vtkComputeContext::NO_DOUBLES;
+  const std::string reason = context->GetReason();
+  if (!hasDisplay && arguments.Play.empty())
+  {
+    return Complain("there is no display to draw on: " + reason + " Use --play to work off screen.");
+  }
+  vtkSMPTools::SetBackend("STDThread"); // ParaView's VTK starts with a single thread
+  vtkNew<vtkSTEPReader> reader;
+  if (!Read(reader, arguments.File))
+  {
+    return Unreadable;
+  }
+  if (hasDisplay)
+  {
+    context->Stop();
+    vtkNew<vtkRenderWindow> window;
+    vtkNew<vtkRenderWindowInteractor> interactor;
+    return Run(arguments, reader, window, interactor);
+  }
+  context->SetSource(vtkComputeContext::EGL);
+  context->Start();
+  if (!context->GetRenderWindow())
+  {
+    return Complain(context->GetReason());
+  }
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  return Run(arguments, reader, context->GetRenderWindow(), interactor);
+}

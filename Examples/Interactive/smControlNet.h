@@ -1,0 +1,70 @@
+/**
+ * @file smControlNet.h
+ * @brief The control net of one face: its control points as spheres of constant size on the screen, joined by lines
+ */
+#ifndef smControlNet_h
+#define smControlNet_h
+
+#include "smEditedPart.h"
+
+#include <vtkNew.h>
+
+class vtkActor;
+class vtkPoints;
+class vtkPolyData;
+class vtkRenderer;
+class vtkUnsignedCharArray;
+
+namespace sm
+{
+class ControlNet
+{
+public:
+  /// Draws in `renderer`, which must outlive the net.
+  explicit ControlNet(vtkRenderer* renderer);
+  ~ControlNet();
+  ControlNet(const ControlNet&) = delete;
+  ControlNet& operator=(const ControlNet&) = delete;
+
+  /// Shows the net of a face; body -1 hides it. Nothing is highlighted or selected then.
+  void Show(const EditedPart& part, int body, int face);
+  /// The points as they are now, of the same face.
+  void Follow(const EditedPart& part);
+
+  bool IsShown() const { return this->Body >= 0; }
+  int GetBody() const { return this->Body; }
+  int GetFace() const { return this->Face; }
+
+  /// The control point nearest to a pixel, at most `radius` pixels away; of those that cover each other the one in
+  /// front. -1: none.
+  int FindNear(double x, double y, double radius) const;
+  Grip GetGrip(int point) const;
+
+  ///@{
+  /// The point under the mouse is drawn light, the selected one, which was dragged last, orange. -1: none. True when it changed.
+  bool SetHighlight(int point);
+  bool SetSelection(int point);
+  int GetHighlight() const { return this->Highlight; }
+  int GetSelection() const { return this->Selection; }
+  ///@}
+
+private:
+  void Rebuild(const EditedPart& part);
+  void Paint();
+
+  vtkRenderer* Renderer;
+  vtkNew<vtkPolyData> Points;
+  vtkNew<vtkPolyData> Lines;
+  vtkNew<vtkUnsignedCharArray> Colors;
+  vtkSmartPointer<vtkActor> PointActor;
+  vtkSmartPointer<vtkActor> LineActor;
+  int Body = -1;
+  int Face = -1;
+  int Columns = 0;
+  int Rows = 0;
+  int Highlight = -1;
+  int Selection = -1;
+};
+}
+
+#endif

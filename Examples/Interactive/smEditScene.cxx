@@ -1,0 +1,318 @@
+#include "smEditScene.h"
+
+#include "smBodyScene.h"
+#include "smQuantities.h"
+
+#include <smMassPropertyNames.h>
+#include <vtkActor.h>
+#include <vtkBoundingBox.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellPicker.h>
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkMassPropertiesGPU.h>
+#include <vtkNURBSDataSet.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkTable.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkTimerLog.h>
+#include <vtkTrimmedNURBSModel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace sm
+{
+namespace
+{
+const int Margin = 20;
+const int FontSize = 17;
+// The handle and parts like it have no more surfaces behind each other than this; every layer is drawn again.
+const int Peels = 8;
+const int FewPeels = 4;
+const double DarkColor[3] = { 0.12, 0.15, 0.20 };
+const double AmberColor[3] = { 0.75, 0.42, 0.0 };
+const double RedColor[3] = { 0.85, 0.05, 0.05 };
+const int SamplesOfEdge = 32;
+
+const char* const ShortHint = "h: help";
+const char* const HelpText = "click a face: its control net\n"
+                             "drag a control point: in the plane of the screen\n"
+                             "Shift + drag: along the face's normal\n"
+                             "Ctrl + wheel: weight of the orange control point\n"
+                             "Esc: gives up a drag\n"
+                             "Ctrl+Z, Ctrl+Y: undo, redo\n"
+                             "o: move one face alone, or all at an edge\n"
+                             "r: the part as in the file\n"
+                             "s: saves a picture\n"
+                             "f: whole part in view\n"
+                             "drag elsewhere: turns, middle: shifts\n"
+                             "wheel, right: nearer, farther\n"
+                             "h: hides this, q: ends";
+
+void SetInput(vtkActor* actor, vtkPolyData* data)
+{
+  vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
+}
+
+std::string Print(const char* format, double value)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), format, value);
+  return text;
+}
+}
+
+EditScene::EditScene(vtkRenderWindow* window, EditedPart& part, const std::string& title)
+  : Window(window)
+  , Part(part)
+  , Net(Body)
+{
+  for (int i = 0; i < part.GetNumberOfBodies(); ++i)
+  {
+    DrawnBody drawn;
+    drawn.Mesh = vtkSmartPointer<vtkPolyData>::New();
+    drawn.Mesh->ShallowCopy(part.GetBody(i));
+    drawn.Lines = MakeOutlines(drawn.Mesh);
+    drawn.Actor = AddBody(this->Body, drawn.Mesh);
+    // Opaque: as part of every layer they would double the time of a picture.
+    drawn.Outlines = AddOutlines(this->Body, drawn.Lines);
+    drawn.Outlines->GetProperty()->SetOpacity(1.0);
+    drawn.Outlines->PickableOff();
+    this->Bodies.push_back(drawn);
+  }
+  this->Mass->SetInputData(part.GetBodies());
+  this->Mass->SetRenderWindow(window);
+  this->Mass->ShowPrincipalAxesOn();
+  AddMark(this->Body, this->Front, this->Mass->GetOutput());
+  vtkSmartPointer<vtkActor> opened = AddActor(this->Front, this->Opened, RedColor, 1.0);
+  opened->GetProperty()->SetLineWidth(3.0f);
+  opened->GetProperty()->LightingOff();
+
+  const int height = window->GetSize()[1];
+  this->Title = AddText(this->Front, title, FontSize, true, Margin, height - Margin, true);
+  this->State = AddText(this->Front, " ", FontSize, false, Margin, height - Margin - 28, true);
+  this->Numbers = AddText(this->Front, " ", FontSize, false, Margin, Margin, false);
+  this->Hint = AddText(
+    this->Front, ShortHint, FontSize - 3, false, window->GetSize()[0] - Margin, height - Margin, true);
+  this->Hint->GetTextProperty()->SetJustificationToRight();
+  this->Hint->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
+  SetUpLayers(window, this->Body, this->Front, Peels);
+  this->Update();
+  SetView(this->Body, this->GetBounds().data(), 1.15, -0.12); // room for the numbers below
+  this->Draw();
+}
+
+EditScene::~EditScene()
+{
+  this->Mass->SetRenderWindow(nullptr);
+  this->Window->RemoveRenderer(this->Front);
+  this->Window->RemoveRenderer(this->Body);
+}
+
+std::array<double, 6> EditScene::GetBounds() const
+{
+  vtkBoundingBox box;
+  for (const DrawnBody& drawn : this->Bodies)
+  {
+    box.AddBounds(drawn.Mesh->GetBounds());
+  }
+  std::array<double, 6> bounds;
+  box.GetBounds(bounds.data());
+  return bounds;
+}
+
+void EditScene::ShowAll()
+{
+  this->Body->ResetCamera(this->GetBounds().data());
+  this->Draw();
+}
+
+void EditScene::ShowBodies()
+{
+  for (std::size_t i = 0; i < this->Bodies.size(); ++i)
+  {
+    DrawnBody& drawn = this->Bodies[i];
+    vtkNURBSDataSet* body = this->Part.GetBody(static_cast<int>(i));
+    if (drawn.Mesh->GetPoints() != body->GetPoints())
+    {
+      // New ones: bounds that a vtkPolyData once computed stay when it gets points that are older, as an undo's are.
+      drawn.Mesh = vtkSmartPointer<vtkPolyData>::New();
+      drawn.Mesh->ShallowCopy(body);
+      SetInput(drawn.Actor, drawn.Mesh);
+      vtkCellArray* lines = drawn.Lines->GetLines();
+      vtkNew<vtkPolyData> outlines;
+      outlines->SetPoints(body->GetPoints());
+      outlines->SetLines(lines);
+      drawn.Lines = outlines;
+      SetInput(drawn.Outlines, outlines);
+    }
+  }
+}
+
+void EditScene::ShowOpened()
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (int i = 0; i < this->Part.GetNumberOfBodies(); ++i)
+  {
+    for (const OpenedEdge& opened : this->Part.GetOpened(i))
+    {
+      const EdgeCurve& curve = opened.Source->Curve;
+      lines->InsertNextCell(SamplesOfEdge + 1);
+      for (int k = 0; k <= SamplesOfEdge; ++k)
+      {
+        const double s = static_cast<double>(k) / SamplesOfEdge;
+        const EdgeCurve::Point p = curve.Evaluate((1.0 - s) * curve.GetStart() + s * curve.GetEnd());
+        lines->InsertCellPoint(
+          points->InsertNextPoint(ToWorld(this->Part.GetBody(i), { p[0], p[1], p[2], 1.0 }).data()));
+      }
+    }
+  }
+  this->Opened->SetPoints(points);
+  this->Opened->SetLines(lines);
+}
+
+std::string EditScene::DescribeOpened() const
+{
+  std::size_t count = 0;
+  double widest = 0.0;
+  for (int i = 0; i < this->Part.GetNumberOfBodies(); ++i)
+  {
+    for (const OpenedEdge& opened : this->Part.GetOpened(i))
+    {
+      ++count;
+      widest = std::max(widest, opened.Gap);
+    }
+  }
+  if (count == 0)
+  {
+    return {};
+  }
+  const std::string unit = GetText(this->Mass->GetOutput()->GetFieldData(), 0, names::LengthUnit);
+  return std::to_string(count) + (count == 1 ? " boundary" : " boundaries") + " left the edge, by " +
+    Print("%.3g", widest) + " " + unit + " at most\n";
+}
+
+void EditScene::ShowNumbers()
+{
+  const std::string opened = this->DescribeOpened();
+  const std::string status = this->Mass->GetStatus();
+  std::string text =
+    GetText(vtkTable::SafeDownCast(this->Mass->GetOutputDataObject(2))->GetRowData(), 0, names::Text);
+  if (this->ShowTimes && !this->Times.empty())
+  {
+    const UpdateTimes& t = this->Times.back();
+    text += "Update: " + Print("%.1f ms", 1e3 * t.GetComputing()) + " (edit " + Print("%.1f", 1e3 * t.Edit) +
+      ", display points " + Print("%.1f", 1e3 * t.Display) + ", moments " + Print("%.1f", 1e3 * t.Moments) +
+      "), picture " + Print("%.0f ms", 1e3 * t.Draw);
+  }
+  while (!text.empty() && text.back() == '\n')
+  {
+    text.pop_back();
+  }
+  SetText(this->Numbers, RaiseDigits(text));
+  const double* color = status == names::StatusOk ? DarkColor
+    : status == names::StatusToleranceNotMet      ? AmberColor
+                                                  : RedColor;
+  this->Numbers->GetTextProperty()->SetColor(color[0], color[1], color[2]);
+
+  std::string state = opened;
+  state += this->Rule == EditRule::OneFace ? "moving one face alone\n" : "";
+  state += this->Notice;
+  SetText(this->State, state.empty() ? " " : state);
+  const double* stateColor = opened.empty() ? DarkColor : RedColor;
+  this->State->GetTextProperty()->SetColor(stateColor[0], stateColor[1], stateColor[2]);
+}
+
+void EditScene::Update()
+{
+  UpdateTimes times;
+  times.Edit = this->Part.GetEditSeconds();
+  times.Display = this->Part.GetDisplaySeconds();
+  const double start = vtkTimerLog::GetUniversalTime();
+  this->Mass->Update();
+  const double weighed = vtkTimerLog::GetUniversalTime();
+  times.Moments = weighed - start;
+  this->ShowBodies();
+  this->ShowOpened();
+  this->Net.Follow(this->Part);
+  // What the picture says of its own time is that of the one before.
+  times.Draw = this->Times.empty() ? 0.0 : this->Times.back().Draw;
+  this->Times.push_back(times);
+  this->Draw();
+  this->Times.back().Draw = vtkTimerLog::GetUniversalTime() - weighed;
+  if (times.Edit == 0.0 && this->Times.size() > 1)
+  {
+    this->Times.pop_back(); // an undo is no edit
+  }
+}
+
+void EditScene::Draw()
+{
+  this->ShowNumbers();
+  // Always, so that a picture depends on what is in it and not on what was.
+  this->Body->ResetCameraClippingRange();
+  this->Window->Render();
+}
+
+bool EditScene::PickFace(int x, int y, int& body, int& face)
+{
+  vtkNew<vtkCellPicker> picker;
+  picker->SetTolerance(0.0);
+  if (!picker->Pick(x, y, 0.0, this->Body))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < this->Bodies.size(); ++i)
+  {
+    vtkDataArray* faces =
+      this->Bodies[i].Mesh->GetCellData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName());
+    if (this->Bodies[i].Actor == picker->GetActor() && faces && picker->GetCellId() >= 0)
+    {
+      body = static_cast<int>(i);
+      face = static_cast<int>(faces->GetComponent(picker->GetCellId(), 0));
+      return face >= 0 && face < this->Part.GetBody(body)->GetModel()->GetNumberOfFaces();
+    }
+  }
+  return false;
+}
+
+void EditScene::SetHelp(bool shown)
+{
+  this->Help = shown;
+  SetText(this->Hint, shown ? HelpText : ShortHint);
+  this->Hint->GetTextProperty()->SetBackgroundOpacity(shown ? 0.8 : 0.0);
+}
+
+void EditScene::SetShowTimes(bool shown)
+{
+  this->ShowTimes = shown;
+}
+
+void EditScene::SetHurried(bool hurried)
+{
+  this->Body->SetMaximumNumberOfPeels(hurried ? FewPeels : Peels);
+  this->Body->SetUseFXAA(!hurried);
+}
+
+void EditScene::SetNotice(const std::string& notice)
+{
+  this->Notice = notice;
+}
+
+void EditScene::SetRule(EditRule rule)
+{
+  this->Rule = rule;
+}
+}

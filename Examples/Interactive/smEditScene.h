@@ -1,0 +1,115 @@
+/**
+ * @file smEditScene.h
+ * @brief The picture of an edited part: translucent body, control net, centre of mass, principal axes, opened edges, numbers
+ *
+ * The mass filter works in the window's own OpenGL context. The numbers are those of the bodies as they are drawn.
+ */
+#ifndef smEditScene_h
+#define smEditScene_h
+
+#include "smControlNet.h"
+#include "smEditedPart.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkMassPropertiesGPU;
+class vtkPolyData;
+class vtkRenderWindow;
+class vtkRenderer;
+class vtkTextActor;
+
+namespace sm
+{
+/// Seconds of one update.
+struct UpdateTimes
+{
+  double Edit = 0.0;    ///< new faces, opened edges
+  double Display = 0.0; ///< display points of the new faces
+  double Moments = 0.0; ///< all integrals and their bounds
+  double Draw = 0.0;    ///< the picture
+
+  /// From the mouse to the numbers: all but the picture.
+  double GetComputing() const { return this->Edit + this->Display + this->Moments; }
+};
+
+class EditScene
+{
+public:
+  /// Adds its renderers to the window and draws the part once. `part` and `window` must outlive it.
+  EditScene(vtkRenderWindow* window, EditedPart& part, const std::string& title);
+  ~EditScene();
+  EditScene(const EditScene&) = delete;
+  EditScene& operator=(const EditScene&) = delete;
+
+  /// After a change of the part: moments, picture, numbers.
+  void Update();
+  /// After a change of the view, the net or the texts alone.
+  void Draw();
+  /// Moves the camera so that all bodies are in the picture.
+  void ShowAll();
+
+  /// The face under a pixel; false where there is none.
+  bool PickFace(int x, int y, int& body, int& face);
+
+  EditedPart& GetPart() { return this->Part; }
+  ControlNet& GetNet() { return this->Net; }
+  vtkRenderer* GetRenderer() { return this->Body; }
+  vtkRenderWindow* GetWindow() { return this->Window; }
+  vtkMassPropertiesGPU* GetMass() { return this->Mass; }
+
+  void SetHelp(bool shown);
+  bool IsHelpShown() const { return this->Help; }
+  /// Times differ from run to run; pictures to compare leave them out. Default: shown.
+  void SetShowTimes(bool shown);
+  /// Fewer translucent layers and no smoothing of edges, for pictures during a drag; the numbers are the same. Default: off.
+  void SetHurried(bool hurried);
+  /// A line for what just happened; empty: none.
+  void SetNotice(const std::string& notice);
+  /// Shown with the numbers: "all faces at an edge" or "one face".
+  void SetRule(EditRule rule);
+
+  /// The first is that of the whole part, every other one that of an edit; undo, redo and reset have none.
+  const std::vector<UpdateTimes>& GetTimes() const { return this->Times; }
+
+private:
+  struct DrawnBody
+  {
+    vtkSmartPointer<vtkActor> Actor;
+    vtkSmartPointer<vtkActor> Outlines;
+    vtkSmartPointer<vtkPolyData> Mesh;
+    vtkSmartPointer<vtkPolyData> Lines;
+  };
+
+  std::array<double, 6> GetBounds() const;
+  void ShowBodies();
+  void ShowOpened();
+  void ShowNumbers();
+  std::string DescribeOpened() const;
+
+  vtkRenderWindow* Window;
+  EditedPart& Part;
+  vtkNew<vtkRenderer> Body;
+  vtkNew<vtkRenderer> Front;
+  vtkNew<vtkMassPropertiesGPU> Mass;
+  ControlNet Net;
+  std::vector<DrawnBody> Bodies;
+  vtkNew<vtkPolyData> Opened;
+  vtkSmartPointer<vtkTextActor> Title;
+  vtkSmartPointer<vtkTextActor> Numbers;
+  vtkSmartPointer<vtkTextActor> State;
+  vtkSmartPointer<vtkTextActor> Hint;
+  std::string Notice;
+  EditRule Rule = EditRule::MoveSharedBoundary;
+  bool Help = false;
+  bool ShowTimes = true;
+  std::vector<UpdateTimes> Times;
+};
+}
+
+#endif

@@ -1,0 +1,250 @@
+#include "vtkNURBSPointEvaluator.h"
+
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkTrimmedNURBSModel.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+
+vtkObjectFactoryNewMacro(vtkNURBSPointEvaluator);
+
+namespace
+{
+constexpr vtkIdType PointsPerTask = 512;
+
+/// The rows of a mesh's placement about the model's origin.
+struct Frame
+{
+  double Rows[3][4];
+
+  Frame(vtkNURBSDataSet* mesh, vtkTrimmedNURBSModel* model)
+  {
+    const double* m = mesh->GetPlacementData();
+    for (int r = 0; r < 3; ++r)
+    {
+      std::copy_n(m + 4 * r, 4, this->Rows[r]);
+      this->Rows[r][3] += vtkMath::Dot(this->Rows[r], model->GetOrigin());
+    }
+  }
+
+  void Apply(const double from[3], double weight, double to[3]) const
+  {
+    for (int r = 0; r < 3; ++r)
+    {
+      to[r] = vtkMath::Dot(this->Rows[r], from) + weight * this->Rows[r][3];
+    }
+  }
+};
+
+/// Where the points of a face begin among those that are evaluated.
+struct Range
+{
+  std::size_t Face;
+  std::size_t First;
+};
+
+void EvaluateOnCPU(const sm::PointLayout& layout, const std::vector<Range>& ranges,
+  const std::vector<sm::CutFacePointer>& patches, std::vector<sm::PointAndNormal>& results)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(results.size()), PointsPerTask,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      auto range = std::upper_bound(ranges.begin(), ranges.end(), static_cast<std::size_t>(begin),
+                     [](std::size_t at, const Range& r) { return at < r.First; }) -
+        1;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        while (range + 1 != ranges.end() && (range + 1)->First <= static_cast<std::size_t>(i))
+        {
+          ++range;
+        }
+        const sm::LocalPoint& point =
+          layout.GetPoints()[layout.GetFirst(range->Face) + static_cast<std::size_t>(i) - range->First];
+        const sm::FacePanels& face = patches[range - ranges.begin()]->Panels;
+        const sm::Patch& patch = face.Patches[point.Patch];
+        results[i] = sm::EvaluateDisplayPoint(patch, face.Points.data() + patch.FirstPoint, point.S, point.R);
+      }
+    });
+}
+}
+
+struct vtkNURBSPointEvaluator::Internals
+{
+  struct Known
+  {
+    vtkWeakPointer<vtkDataArray> FaceIndex;
+    vtkWeakPointer<vtkDataArray> Parameters;
+    vtkMTimeType FaceIndexTime = 0;
+    vtkMTimeType ParametersTime = 0;
+    std::shared_ptr<sm::PointLayout> Layout;
+  };
+  std::vector<Known> Meshes;
+
+  std::shared_ptr<sm::PointLayout> GetLayout(
+    vtkDataArray* faceIndex, vtkDataArray* parameters, std::size_t faces)
+  {
+    this->Meshes.erase(std::remove_if(this->Meshes.begin(), this->Meshes.end(),
+                         [](const Known& known)
+                         {
+                           return !known.FaceIndex || !known.Parameters ||
+                             known.FaceIndex->GetMTime() != known.FaceIndexTime ||
+                             known.Parameters->GetMTime() != known.ParametersTime;
+                         }),
+      this->Meshes.end());
+    for (const Known& known : this->Meshes)
+    {
+      if (known.FaceIndex == faceIndex && known.Parameters == parameters &&
+        known.Layout->GetNumberOfFaces() == faces)
+      {
+        return known.Layout;
+      }
+    }
+    this->Meshes.push_back({ faceIndex, parameters, faceIndex->GetMTime(), parameters->GetMTime(),
+      std::make_shared<sm::PointLayout>(faceIndex, parameters, faces) });
+    return this->Meshes.back().Layout;
+  }
+};
+
+vtkNURBSPointEvaluator::vtkNURBSPointEvaluator()
+  : Implementation(new Internals)
+{
+}
+
+vtkNURBSPointEvaluator::~vtkNURBSPointEvaluator() = default;
+
+void vtkNURBSPointEvaluator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Backend: " << this->Backend << "\n"
+     << indent << "NumberOfEvaluations: " << this->NumberOfEvaluations << "\n"
+     << indent << "BackendName: " << this->BackendName << "\n"
+     << indent << "Message: " << this->Message << "\n";
+}
+
+bool vtkNURBSPointEvaluator::Fail(const std::string& why)
+{
+  this->BackendName = "none";
+  this->Message = why;
+  return false;
+}
+
+bool vtkNURBSPointEvaluator::EvaluateByOpenGL(
+  const Work&, std::vector<sm::PointAndNormal>&, std::string& reason)
+{
+  reason = "the module SolidMoments::RenderingNURBS, which evaluates by OpenGL, is not loaded";
+  return false;
+}
+
+bool vtkNURBSPointEvaluator::UpdatePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBSModel* edited)
+{
+  this->NumberOfEvaluations = 0;
+  this->BackendName = "none";
+  this->Message.clear();
+  vtkTrimmedNURBSModel* before = mesh ? mesh->GetModel() : nullptr;
+  if (!before || !edited || !mesh->GetPoints())
+  {
+    return this->Fail("the mesh has no exact geometry or no points, or there is no edited model");
+  }
+  vtkDataArray* faceIndex = mesh->GetPointData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName());
+  vtkDataArray* parameters = mesh->GetPointData()->GetArray(vtkNURBSDataSet::ParametersArrayName());
+  const std::vector<sm::FacePointer>& was = before->GetFaces();
+  const std::vector<sm::FacePointer>& is = edited->GetFaces();
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  if (!faceIndex || !parameters || parameters->GetNumberOfComponents() != 2 ||
+    faceIndex->GetNumberOfTuples() != count || parameters->GetNumberOfTuples() != count)
+  {
+    return this->Fail("the mesh has no FaceIndex and Parameters for its points");
+  }
+  if (was.size() != is.size())
+  {
+    return this->Fail("the edited model has " + std::to_string(is.size()) + " faces instead of " +
+      std::to_string(was.size()));
+  }
+
+  Work work;
+  work.Layout = this->Implementation->GetLayout(faceIndex, parameters, is.size());
+  sm::PointLayout& layout = *work.Layout;
+  std::vector<Range> ranges;
+  for (std::size_t f = 0; f < is.size(); ++f)
+  {
+    if (is[f] != was[f] && layout.GetCount(f) > 0)
+    {
+      work.Faces.push_back(f);
+      ranges.push_back({ f, work.NumberOfPoints });
+      work.NumberOfPoints += layout.GetCount(f);
+    }
+  }
+  work.Patches.resize(work.Faces.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(work.Faces.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        work.Patches[i] = layout.MakePatches(is[work.Faces[i]], work.Faces[i]);
+      }
+    });
+
+  std::vector<sm::PointAndNormal> results(work.NumberOfPoints);
+  if (!results.empty())
+  {
+    const bool byOpenGL = this->Backend != CPU && this->EvaluateByOpenGL(work, results, this->Message);
+    if (!byOpenGL && this->Backend == OPENGL)
+    {
+      return this->Fail("nothing was evaluated: " + this->Message);
+    }
+    if (!byOpenGL)
+    {
+      EvaluateOnCPU(layout, ranges, work.Patches, results);
+    }
+    this->BackendName = byOpenGL ? "opengl" : "cpu";
+  }
+  this->NumberOfEvaluations = static_cast<vtkTypeInt64>(results.size());
+
+  const Frame frame(mesh, edited);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  points->DeepCopy(mesh->GetPoints());
+  vtkSmartPointer<vtkDataArray> normals;
+  if (vtkDataArray* old = mesh->GetPointData()->GetNormals())
+  {
+    normals.TakeReference(old->NewInstance());
+    normals->DeepCopy(old);
+  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ranges.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const Range& range = ranges[k];
+        const double side = is[range.Face]->Reversed ? -1.0 : 1.0;
+        for (std::size_t i = 0; i < layout.GetCount(range.Face); ++i)
+        {
+          const sm::PointAndNormal& result = results[range.First + i];
+          const std::int64_t id = layout.GetIds()[layout.GetFirst(range.Face) + i];
+          double moved[3];
+          frame.Apply(result.data(), 1.0, moved);
+          points->SetPoint(id, moved);
+          const double normal[3] = { side * result[3], side * result[4], side * result[5] };
+          if (normals && (normal[0] != 0.0 || normal[1] != 0.0 || normal[2] != 0.0))
+          {
+            frame.Apply(normal, 0.0, moved);
+            normals->SetTuple(id, moved);
+          }
+        }
+      }
+    });
+  mesh->SetPoints(points);
+  if (normals)
+  {
+    mesh->GetPointData()->SetNormals(normals);
+  }
+  mesh->SetModel(edited);
+  return true;
+}

@@ -1,0 +1,102 @@
+#include "vtkExactGeometryInformation.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkClientServerStream.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkMultiProcessStream.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkTrimmedNURBSModel.h"
+
+vtkStandardNewMacro(vtkExactGeometryInformation);
+
+namespace
+{
+bool IsExact(vtkDataObject* data)
+{
+  auto* leaf = vtkNURBSDataSet::SafeDownCast(data);
+  return leaf && leaf->GetModel();
+}
+
+vtkDataObject* GetOutput(vtkObject* object, int port)
+{
+  if (auto* data = vtkDataObject::SafeDownCast(object))
+  {
+    return data;
+  }
+  auto* output = vtkAlgorithmOutput::SafeDownCast(object);
+  auto* algorithm = output ? output->GetProducer() : vtkAlgorithm::SafeDownCast(object);
+  if (!algorithm)
+  {
+    return nullptr;
+  }
+  // vtkAlgorithm::GetOutputDataObject() would run a pass, which may raise errors.
+  vtkInformation* info = algorithm->GetExecutive()->GetOutputInformation(output ? output->GetIndex() : port);
+  return info ? vtkDataObject::GetData(info) : nullptr;
+}
+}
+
+vtkExactGeometryInformation::vtkExactGeometryInformation() = default;
+vtkExactGeometryInformation::~vtkExactGeometryInformation() = default;
+
+void vtkExactGeometryInformation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PortNumber: " << this->PortNumber << "\n"
+     << indent << "HasExactGeometry: " << this->HasExactGeometry << "\n";
+}
+
+void vtkExactGeometryInformation::CopyFromObject(vtkObject* object)
+{
+  vtkDataObject* data = GetOutput(object, this->PortNumber);
+  this->HasExactGeometry = IsExact(data);
+  auto* tree = vtkCompositeDataSet::SafeDownCast(data);
+  if (!tree)
+  {
+    return;
+  }
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal() && !this->HasExactGeometry;
+       iterator->GoToNextItem())
+  {
+    this->HasExactGeometry = IsExact(iterator->GetCurrentDataObject());
+  }
+}
+
+void vtkExactGeometryInformation::AddInformation(vtkPVInformation* other)
+{
+  auto* same = vtkExactGeometryInformation::SafeDownCast(other);
+  this->HasExactGeometry = this->HasExactGeometry || (same && same->HasExactGeometry);
+}
+
+void vtkExactGeometryInformation::CopyToStream(vtkClientServerStream* stream)
+{
+  stream->Reset();
+  *stream << vtkClientServerStream::Reply << static_cast<int>(this->HasExactGeometry)
+          << vtkClientServerStream::End;
+}
+
+void vtkExactGeometryInformation::CopyFromStream(const vtkClientServerStream* stream)
+{
+  int found = 0;
+  if (!stream->GetArgument(0, 0, &found))
+  {
+    vtkErrorMacro("The server's answer is no information about exact geometry.");
+  }
+  this->HasExactGeometry = found != 0;
+}
+
+void vtkExactGeometryInformation::CopyParametersToStream(vtkMultiProcessStream& stream)
+{
+  stream << this->PortNumber;
+}
+
+void vtkExactGeometryInformation::CopyParametersFromStream(vtkMultiProcessStream& stream)
+{
+  stream >> this->PortNumber;
+}

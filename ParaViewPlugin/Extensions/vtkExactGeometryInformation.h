@@ -1,0 +1,49 @@
+/**
+ * @class   vtkExactGeometryInformation
+ * @brief   tells a client whether an algorithm's output on the server holds exact NURBS geometry
+ *
+ * ParaView's own data information knows classes of VTK only. This one looks at the data object itself: true when it, or a leaf of it, is a
+ * vtkNURBSDataSet whose model is there. Any rank of a parallel server suffices. Runs no pipeline.
+ */
+#ifndef vtkExactGeometryInformation_h
+#define vtkExactGeometryInformation_h
+
+#include "smParaViewExtensionsModule.h" // for the export macro
+#include "vtkPVInformation.h"
+
+class SMPARAVIEWEXTENSIONS_EXPORT vtkExactGeometryInformation : public vtkPVInformation
+{
+public:
+  static vtkExactGeometryInformation* New();
+  vtkTypeMacro(vtkExactGeometryInformation, vtkPVInformation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The output port to look at. Default: 0. */
+  vtkSetMacro(PortNumber, int);
+  vtkGetMacro(PortNumber, int);
+  ///@}
+
+  /** What was found. */
+  vtkGetMacro(HasExactGeometry, bool);
+
+  void CopyFromObject(vtkObject* object) override;
+  void AddInformation(vtkPVInformation* other) override;
+  void CopyToStream(vtkClientServerStream* stream) override;
+  void CopyFromStream(const vtkClientServerStream* stream) override;
+  void CopyParametersToStream(vtkMultiProcessStream& stream) override;
+  void CopyParametersFromStream(vtkMultiProcessStream& stream) override;
+
+protected:
+  vtkExactGeometryInformation();
+  ~vtkExactGeometryInformation() override;
+
+private:
+  vtkExactGeometryInformation(const vtkExactGeometryInformation&) = delete;
+  void operator=(const vtkExactGeometryInformation&) = delete;
+
+  int PortNumber = 0;
+  bool HasExactGeometry = false;
+};
+
+#endif

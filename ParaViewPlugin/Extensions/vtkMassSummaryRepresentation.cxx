@@ -1,0 +1,87 @@
+#include "vtkMassSummaryRepresentation.h"
+
+#include "vtk3DWidgetRepresentation.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTextRepresentation.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkMassSummaryRepresentation);
+
+namespace
+{
+constexpr const char* StatusName = "Status";
+
+bool IsFlagged(vtkFieldData* data)
+{
+  auto* status = vtkStringArray::SafeDownCast(data->GetAbstractArray(StatusName));
+  return status && status->GetNumberOfValues() > 0 && status->GetValue(0) != "ok";
+}
+}
+
+vtkMassSummaryRepresentation::vtkMassSummaryRepresentation() = default;
+vtkMassSummaryRepresentation::~vtkMassSummaryRepresentation() = default;
+
+void vtkMassSummaryRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FlaggedColor: " << this->FlaggedColor[0] << " " << this->FlaggedColor[1] << " "
+     << this->FlaggedColor[2] << "\n";
+}
+
+int vtkMassSummaryRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int done = this->Superclass::RequestData(request, inputVector, outputVector);
+  vtkTable* input =
+    inputVector[0]->GetNumberOfInformationObjects() == 1 ? vtkTable::GetData(inputVector[0], 0) : nullptr;
+  vtkAbstractArray* status = input ? input->GetFieldData()->GetAbstractArray(StatusName) : nullptr;
+  if (status && input->GetNumberOfRows() > 0)
+  {
+    // Behind the text, which the superclass takes for the first array.
+    this->DummyPolyData->GetFieldData()->AddArray(status);
+  }
+  return done;
+}
+
+int vtkMassSummaryRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  auto* widget = this->TextWidgetRepresentation
+    ? vtkTextRepresentation::SafeDownCast(this->TextWidgetRepresentation->GetRepresentation())
+    : nullptr;
+  if (request == vtkPVView::REQUEST_RENDER() && widget)
+  {
+    vtkAlgorithmOutput* piece = vtkPVRenderView::GetPieceProducer(inInfo, this);
+    vtkDataObject* data = piece ? piece->GetProducer()->GetOutputDataObject(piece->GetIndex()) : nullptr;
+    vtkTextProperty* text = widget->GetTextActor()->GetTextProperty();
+    double color[3];
+    text->GetColor(color);
+    // What the user sets meanwhile is kept for later.
+    if (!std::equal(color, color + 3, this->DrawnColor))
+    {
+      std::copy_n(color, 3, this->OrdinaryColor);
+    }
+    const bool flagged = data && IsFlagged(data->GetFieldData());
+    text->SetColor(flagged ? this->FlaggedColor : this->OrdinaryColor);
+    for (int i = 0; i < 3; ++i)
+    {
+      this->DrawnColor[i] = flagged ? this->FlaggedColor[i] : -1.0;
+    }
+  }
+  return 1;
+}

@@ -1,0 +1,78 @@
+#include "vtkSMDisplayDefaultsHelper.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMDoubleVectorProperty.h"
+#include "vtkSMIntVectorProperty.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkSMDisplayDefaultsHelper);
+
+vtkSMDisplayDefaultsHelper::vtkSMDisplayDefaultsHelper() = default;
+vtkSMDisplayDefaultsHelper::~vtkSMDisplayDefaultsHelper() = default;
+
+void vtkSMDisplayDefaultsHelper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+void vtkSMDisplayDefaultsHelper::PostInitializeProxy(
+  vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp)
+{
+  for (unsigned int i = 0; i < xml->GetNumberOfNestedElements(); ++i)
+  {
+    vtkPVXMLElement* element = xml->GetNestedElement(i);
+    const char* name = element->GetAttribute("property");
+    vtkSMProperty* property = name ? proxy->GetProperty(name) : nullptr;
+    if (std::strcmp(element->GetName(), "Default") != 0 || !property)
+    {
+      vtkErrorMacro("<" << element->GetName() << " property=\"" << (name ? name : "")
+                        << "\"> names no property of " << proxy->GetXMLName() << ".");
+      continue;
+    }
+    if (property->GetMTime() > initializationTimeStamp)
+    {
+      continue;
+    }
+    std::istringstream stream(element->GetAttributeOrEmpty("values"));
+    std::vector<std::string> values;
+    for (std::string value; stream >> value;)
+    {
+      values.push_back(value);
+    }
+    vtkSMPropertyHelper helper(property);
+    if (values.empty())
+    {
+      helper.SetInputArrayToProcess(0, "");
+    }
+    for (unsigned int k = 0; k < values.size(); ++k)
+    {
+      if (vtkSMDoubleVectorProperty::SafeDownCast(property))
+      {
+        helper.Set(k, std::atof(values[k].c_str()));
+      }
+      else if (vtkSMIntVectorProperty::SafeDownCast(property))
+      {
+        // A number, or the text of an enumeration.
+        char* end = nullptr;
+        const long number = std::strtol(values[k].c_str(), &end, 10);
+        *end == '\0' ? helper.Set(k, static_cast<int>(number)) : helper.Set(k, values[k].c_str());
+      }
+      else
+      {
+        helper.Set(k, values[k].c_str());
+      }
+    }
+    // Also where the value was this already: else ParaView's own default would follow.
+    property->Modified();
+  }
+  proxy->UpdateVTKObjects();
+}

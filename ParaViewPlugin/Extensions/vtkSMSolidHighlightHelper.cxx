@@ -1,0 +1,145 @@
+#include "vtkSMSolidHighlightHelper.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyIterator.h"
+#include "vtkSMRenderViewProxy.h"
+#include "vtkSMSelectionHelper.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <set>
+#include <string>
+
+vtkStandardNewMacro(vtkSMSolidHighlightHelper);
+
+namespace
+{
+/// Carries the selection of the table's port over to the meshes' port; owned by the proxy that it observes.
+class HighlightCommand : public vtkCommand
+{
+public:
+  static HighlightCommand* New() { return new HighlightCommand; }
+  vtkTypeMacro(HighlightCommand, vtkCommand);
+
+  unsigned int TablePort = 1;
+  unsigned int MeshesPort = 5;
+
+  void Execute(vtkObject* caller, unsigned long, void* data) override
+  {
+    auto* filter = vtkSMSourceProxy::SafeDownCast(caller);
+    const unsigned int port = data ? *static_cast<unsigned int*>(data) : this->TablePort;
+    if (!filter || this->Busy || (port != this->TablePort && port != this->MeshesPort))
+    {
+      return;
+    }
+    const std::set<vtkIdType> rows = GetSelectedRows(filter->GetSelectionInput(this->TablePort));
+    // A selection in the view is the user's own; where it was cleared, rows that are still selected show again.
+    if (port == this->MeshesPort && (rows.empty() || filter->GetSelectionInput(this->MeshesPort)))
+    {
+      return;
+    }
+    // ParaView clears the rows after it has set a selection made in the view, which is the user's own, too.
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
+    if (rows.empty() && shown != this->Own)
+    {
+      return;
+    }
+    this->Busy = true;
+    if (rows.empty())
+    {
+      filter->CleanSelectionInputs(this->MeshesPort);
+    }
+    else
+    {
+      this->Highlight(filter, rows);
+    }
+    this->Busy = false;
+    this->RenderViews(filter);
+  }
+
+private:
+  static std::set<vtkIdType> GetSelectedRows(vtkSMSourceProxy* selection)
+  {
+    std::set<vtkIdType> rows;
+    vtkSMProperty* sources = selection ? selection->GetProperty("Input") : nullptr;
+    for (unsigned int i = 0; sources && i < vtkSMPropertyHelper(sources).GetNumberOfElements(); ++i)
+    {
+      vtkSMProxy* source = vtkSMPropertyHelper(sources).GetAsProxy(i);
+      vtkSMProperty* ids = source ? source->GetProperty("IDs") : nullptr;
+      // Pairs of a process and an index; the table is on one process.
+      for (unsigned int k = 1; ids && k < vtkSMPropertyHelper(ids).GetNumberOfElements(); k += 2)
+      {
+        rows.insert(vtkSMPropertyHelper(ids).GetAsIdType(k));
+      }
+    }
+    return rows;
+  }
+
+  void Highlight(vtkSMSourceProxy* filter, const std::set<vtkIdType>& rows)
+  {
+    vtkSMSessionProxyManager* manager = filter->GetSessionProxyManager();
+    const auto source = vtkSmartPointer<vtkSMSourceProxy>::Take(
+      vtkSMSourceProxy::SafeDownCast(manager->NewProxy("sources", "BlockSelectorsSelectionSource")));
+    vtkSMPropertyHelper selectors(source, "BlockSelectors");
+    unsigned int next = 0;
+    for (const vtkIdType row : rows)
+    {
+      // The elements of the hierarchy that are partitioned datasets, counted from 1; others are no nodes.
+      selectors.Set(next++, ("/Root/*[@number_of_partitions][" + std::to_string(row + 1) + "]").c_str());
+    }
+    source->UpdateVTKObjects();
+    const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(
+      vtkSMSourceProxy::SafeDownCast(vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
+    filter->SetSelectionInput(this->MeshesPort, selection, 0);
+    this->Own = selection;
+  }
+
+  void RenderViews(vtkSMSourceProxy* filter) const
+  {
+    vtkNew<vtkSMProxyIterator> iterator;
+    iterator->SetSessionProxyManager(filter->GetSessionProxyManager());
+    for (iterator->Begin("views"); !iterator->IsAtEnd(); iterator->Next())
+    {
+      auto* view = vtkSMRenderViewProxy::SafeDownCast(iterator->GetProxy());
+      if (view && view->FindRepresentation(filter, static_cast<int>(this->MeshesPort)))
+      {
+        view->StillRender();
+      }
+    }
+  }
+
+  bool Busy = false;
+  /// What Highlight() selected last.
+  vtkWeakPointer<vtkSMSourceProxy> Own;
+};
+}
+
+vtkSMSolidHighlightHelper::vtkSMSolidHighlightHelper() = default;
+vtkSMSolidHighlightHelper::~vtkSMSolidHighlightHelper() = default;
+
+void vtkSMSolidHighlightHelper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+void vtkSMSolidHighlightHelper::PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType)
+{
+  vtkNew<HighlightCommand> command;
+  int port = 0;
+  if (xml->GetScalarAttribute("table", &port))
+  {
+    command->TablePort = static_cast<unsigned int>(port);
+  }
+  if (xml->GetScalarAttribute("meshes", &port))
+  {
+    command->MeshesPort = static_cast<unsigned int>(port);
+  }
+  proxy->AddObserver(vtkCommand::SelectionChangedEvent, command);
+}

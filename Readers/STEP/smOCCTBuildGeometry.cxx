@@ -1,0 +1,259 @@
+#include "smOCCTBuildGeometry.h"
+
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_Array2OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace sm
+{
+namespace
+{
+/// Distinct knots with their multiplicities, as OpenCASCADE keeps them.
+struct KnotList
+{
+  TColStd_Array1OfReal Knots;
+  TColStd_Array1OfInteger Multiplicities;
+};
+
+KnotList MakeKnotList(const std::vector<double>& flat, int degree)
+{
+  std::vector<double> knots;
+  std::vector<int> multiplicities;
+  for (const double knot : flat)
+  {
+    // The kernel refuses knots that rounding alone keeps apart.
+    if (!knots.empty() && knot - knots.back() <= Epsilon(std::abs(knots.back())))
+    {
+      ++multiplicities.back();
+      continue;
+    }
+    knots.push_back(knot);
+    multiplicities.push_back(1);
+  }
+  for (std::size_t i = 1; i + 1 < knots.size(); ++i)
+  {
+    if (multiplicities[i] > degree)
+    {
+      throw std::runtime_error("its surface is torn at a knot of multiplicity " +
+        std::to_string(multiplicities[i]) + " with degree " + std::to_string(degree));
+    }
+  }
+  const int count = static_cast<int>(knots.size());
+  KnotList list{ TColStd_Array1OfReal(1, count), TColStd_Array1OfInteger(1, count) };
+  for (int i = 0; i < count; ++i)
+  {
+    list.Knots(i + 1) = knots[i];
+    list.Multiplicities(i + 1) = multiplicities[i];
+  }
+  return list;
+}
+
+bool IsClamped(const std::vector<double>& knots, int degree)
+{
+  const std::size_t last = knots.size() - 1;
+  return knots[0] == knots[degree] && knots[last] == knots[last - degree];
+}
+
+/// Control point i of the knots `to` is the polar form of the polynomial on any span it bears on at to[i+1] .. to[i+p].
+NURBSSurface ClampDirection(const NURBSSurface& surface, int direction)
+{
+  using Homogeneous = std::array<double, 4>;
+  const int p = surface.Degree[direction];
+  const std::vector<double>& from = surface.Knots[direction];
+  const double start = surface.GetDomainStart(direction);
+  const double end = surface.GetDomainEnd(direction);
+  std::vector<double> to(p + 1, start);
+  std::copy_if(from.begin(), from.end(), std::back_inserter(to),
+    [start, end](double knot) { return knot > start && knot < end; });
+  to.insert(to.end(), p + 1, end);
+
+  NURBSSurface result = surface;
+  const int count = static_cast<int>(to.size()) - p - 1;
+  const int rows = surface.NumberOfControlPoints[1 - direction];
+  result.Knots[direction] = to;
+  result.NumberOfControlPoints[direction] = count;
+  result.ControlPoints.resize(static_cast<std::size_t>(count) * rows);
+  const auto index = [direction](const NURBSSurface& s, int i, int row)
+  {
+    const int u = direction == 0 ? i : row;
+    const int v = direction == 0 ? row : i;
+    return static_cast<std::size_t>(u) + static_cast<std::size_t>(v) * s.NumberOfControlPoints[0];
+  };
+  for (int i = 0; i < count; ++i)
+  {
+    int span = i;
+    while (!(to[span] < to[span + 1]))
+    {
+      ++span;
+    }
+    const double middle = 0.5 * (to[span] + to[span + 1]);
+    const int old = static_cast<int>(std::upper_bound(from.begin(), from.end(), middle) - from.begin()) - 1;
+    const int shift = old - span;
+    const bool same =
+      i + shift >= 0 && std::equal(to.begin() + i + 1, to.begin() + i + p + 1, from.begin() + i + shift + 1);
+    for (int row = 0; row < rows; ++row)
+    {
+      Homogeneous& point = result.ControlPoints[index(result, i, row)];
+      if (same)
+      {
+        point = surface.ControlPoints[index(surface, i + shift, row)];
+        continue;
+      }
+      Homogeneous d[MaximumDegree + 1];
+      for (int j = 0; j <= p; ++j)
+      {
+        d[j] = surface.ControlPoints[index(surface, old - p + j, row)];
+      }
+      for (int level = 1; level <= p; ++level)
+      {
+        for (int j = p; j >= level; --j)
+        {
+          const double low = from[old - p + j];
+          const double alpha = (to[i + level] - low) / (from[old + 1 + j - level] - low);
+          for (int c = 0; c < 4; ++c)
+          {
+            d[j][c] = (1.0 - alpha) * d[j - 1][c] + alpha * d[j][c];
+          }
+        }
+      }
+      point = d[p];
+    }
+  }
+  return result;
+}
+
+/// Bernstein coefficients of all pieces, of one degree, neighbours sharing their common one.
+template <int Dimension>
+std::vector<std::array<double, Dimension>> RaiseDegrees(const PolynomialCurve<Dimension>& curve, int& degree)
+{
+  degree = 1;
+  for (int piece = 0; piece < curve.GetNumberOfPieces(); ++piece)
+  {
+    degree = std::max(degree, curve.GetDegree(piece));
+  }
+  std::vector<std::array<double, Dimension>> poles;
+  for (int piece = 0; piece < curve.GetNumberOfPieces(); ++piece)
+  {
+    const auto source = curve.GetPiece(piece);
+    std::vector<std::array<double, Dimension>> b(
+      source.Coefficients, source.Coefficients + source.Degree + 1);
+    while (static_cast<int>(b.size()) <= degree)
+    {
+      const std::size_t n = b.size();
+      b.push_back(b.back());
+      for (std::size_t i = n - 1; i > 0; --i)
+      {
+        // In this form what is constant stays so, bit for bit.
+        const double weight = static_cast<double>(i) / static_cast<double>(n);
+        for (int c = 0; c < Dimension; ++c)
+        {
+          b[i][c] += weight * (b[i - 1][c] - b[i][c]);
+        }
+      }
+    }
+    poles.insert(poles.end(), b.begin() + (piece > 0 ? 1 : 0), b.end());
+  }
+  return poles;
+}
+
+template <int Dimension>
+KnotList MakeKnotList(const PolynomialCurve<Dimension>& curve, int degree)
+{
+  const int count = static_cast<int>(curve.Breaks.size());
+  if (count < 2)
+  {
+    throw std::runtime_error("a curve of it has no pieces");
+  }
+  KnotList list{ TColStd_Array1OfReal(1, count), TColStd_Array1OfInteger(1, count) };
+  for (int i = 0; i < count; ++i)
+  {
+    list.Knots(i + 1) = curve.Breaks[i];
+    list.Multiplicities(i + 1) = i == 0 || i == count - 1 ? degree + 1 : degree;
+  }
+  return list;
+}
+}
+
+NURBSSurface ClampKnots(const NURBSSurface& surface)
+{
+  NURBSSurface result = surface;
+  for (int d = 0; d < 2; ++d)
+  {
+    if (!IsClamped(result.Knots[d], result.Degree[d]))
+    {
+      result = ClampDirection(result, d);
+    }
+  }
+  return result;
+}
+
+Handle(Geom_BSplineSurface) BuildSurface(const NURBSSurface& source, const AffineMap& map)
+{
+  const std::string problem = source.Check();
+  if (!problem.empty())
+  {
+    throw std::runtime_error(problem);
+  }
+  const NURBSSurface surface = ClampKnots(source);
+  const int nu = surface.NumberOfControlPoints[0];
+  const int nv = surface.NumberOfControlPoints[1];
+  TColgp_Array2OfPnt poles(1, nu, 1, nv);
+  TColStd_Array2OfReal weights(1, nu, 1, nv);
+  bool rational = false;
+  for (int j = 0; j < nv; ++j)
+  {
+    for (int i = 0; i < nu; ++i)
+    {
+      const std::array<double, 4>& h = surface.ControlPoints[i + static_cast<std::size_t>(j) * nu];
+      const Vector3 p = map.MapPoint(gp_XYZ(h[0] / h[3], h[1] / h[3], h[2] / h[3]));
+      poles(i + 1, j + 1) = gp_Pnt(p[0], p[1], p[2]);
+      weights(i + 1, j + 1) = h[3];
+      rational = rational || h[3] != surface.ControlPoints[0][3];
+    }
+  }
+  const KnotList u = MakeKnotList(surface.Knots[0], surface.Degree[0]);
+  const KnotList v = MakeKnotList(surface.Knots[1], surface.Degree[1]);
+  if (rational)
+  {
+    return new Geom_BSplineSurface(poles, weights, u.Knots, v.Knots, u.Multiplicities, v.Multiplicities,
+      surface.Degree[0], surface.Degree[1]);
+  }
+  return new Geom_BSplineSurface(
+    poles, u.Knots, v.Knots, u.Multiplicities, v.Multiplicities, surface.Degree[0], surface.Degree[1]);
+}
+
+Handle(Geom_BSplineCurve) BuildCurve(const EdgeCurve& curve, const AffineMap& map)
+{
+  int degree = 1;
+  const std::vector<EdgeCurve::Point> points = RaiseDegrees<3>(curve, degree);
+  TColgp_Array1OfPnt poles(1, static_cast<int>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Vector3 p = map.MapPoint(gp_XYZ(points[i][0], points[i][1], points[i][2]));
+    poles(static_cast<int>(i) + 1) = gp_Pnt(p[0], p[1], p[2]);
+  }
+  const KnotList list = MakeKnotList<3>(curve, degree);
+  return new Geom_BSplineCurve(poles, list.Knots, list.Multiplicities, degree);
+}
+
+Handle(Geom2d_BSplineCurve) BuildTrim(const TrimCurve& curve)
+{
+  int degree = 1;
+  const std::vector<TrimCurve::Point> points = RaiseDegrees<2>(curve, degree);
+  TColgp_Array1OfPnt2d poles(1, static_cast<int>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    poles(static_cast<int>(i) + 1) = gp_Pnt2d(points[i][0], points[i][1]);
+  }
+  const KnotList list = MakeKnotList<2>(curve, degree);
+  return new Geom2d_BSplineCurve(poles, list.Knots, list.Multiplicities, degree);
+}
+}

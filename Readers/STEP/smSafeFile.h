@@ -1,0 +1,46 @@
+/**
+ * @file smSafeFile.h
+ * @brief A file that is there whole or not at all
+ */
+#ifndef smSafeFile_h
+#define smSafeFile_h
+
+#include <fstream>
+#include <string>
+
+namespace sm
+{
+/**
+ * Writes beside the file, under a name of its own, and takes the file's place when told to keep: a file that was there before is
+ * lost then and not earlier. What is not kept is removed. A link is followed, also to a file that is not there yet; the permissions
+ * of a file that is replaced are kept. A folder, a device or a pipe is a problem.
+ */
+class SafeFile
+{
+public:
+  explicit SafeFile(const std::string& path);
+  ~SafeFile();
+  SafeFile(const SafeFile&) = delete;
+  void operator=(const SafeFile&) = delete;
+
+  /// Why the file cannot be written, and what to do about it; empty so far.
+  const std::string& GetProblem() const { return this->Problem; }
+  /// The problem is that the disk, or the user's share of it, is full.
+  bool IsDiskFull() const { return this->DiskFull; }
+  std::ostream& GetStream() { return this->Stream; }
+  /// False when not everything could be written, and GetProblem() says why.
+  bool Keep();
+
+private:
+  bool Fail(const std::string& problem);
+  bool Close();
+
+  std::string Target;
+  std::string Temporary;
+  std::string Problem;
+  bool DiskFull = false;
+  std::ofstream Stream;
+};
+}
+
+#endif

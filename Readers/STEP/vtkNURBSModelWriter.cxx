@@ -1,0 +1,167 @@
+#include "vtkNURBSModelWriter.h"
+
+#include "smExportTree.h"
+#include "smOCCTExport.h"
+#include "smOCCTFile.h"
+#include "smOCCTModel.h"
+#include "smSafeFile.h"
+
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <vector>
+
+struct vtkNURBSModelWriter::Results
+{
+  std::vector<std::string> Messages;
+  int Faces = 0;
+};
+
+vtkNURBSModelWriter::vtkNURBSModelWriter()
+  : Last(new Results)
+{
+}
+
+vtkNURBSModelWriter::~vtkNURBSModelWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkNURBSModelWriter::GetNumberOfMessages() const
+{
+  return static_cast<int>(this->Last->Messages.size());
+}
+
+std::string vtkNURBSModelWriter::GetMessage(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfMessages() ? this->Last->Messages[index] : std::string();
+}
+
+int vtkNURBSModelWriter::GetNumberOfFaces() const
+{
+  return this->Last->Faces;
+}
+
+int vtkNURBSModelWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+void vtkNURBSModelWriter::Fail(unsigned long code, const std::string& problem)
+{
+  const std::string sentence = std::string("Cannot save ") +
+    (this->FileName && *this->FileName ? this->FileName : "the solids") + ": " + problem + ".";
+  this->Last->Messages.push_back(sentence);
+  this->SetErrorCode(code);
+  vtkErrorMacro(<< sentence);
+}
+
+int vtkNURBSModelWriter::Write()
+{
+  if (this->GetNumberOfInputConnections(0) < 1)
+  {
+    *this->Last = Results();
+    this->Fail(vtkErrorCode::UserError, "there is no input; call SetInputConnection or SetInputData first");
+    return 0;
+  }
+  // An executive that fails before it asks for data leaves the code of the run before.
+  this->SetErrorCode(vtkErrorCode::NoError);
+  return this->Superclass::Write();
+}
+
+void vtkNURBSModelWriter::WriteData()
+{
+  *this->Last = Results();
+  vtkInformation* info = this->GetInputInformation(0, 0);
+  if (info && info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return;
+  }
+  if (!this->FileName || !*this->FileName)
+  {
+    this->Fail(vtkErrorCode::NoFileNameError, "no file name was given; call SetFileName first");
+    return;
+  }
+  if (sm::KernelSession::IsHeldHere())
+  {
+    this->Fail(vtkErrorCode::UserError,
+      "a file is being read or written on this thread, and OpenCASCADE does one at a time; do not write "
+      "inside an observer of another one's progress");
+    return;
+  }
+  const sm::ExportTree tree = sm::MakeExportTree(this->GetInput());
+  this->Last->Messages = tree.Notes;
+  if (tree.Parts.empty())
+  {
+    this->Last->Messages.insert(this->Last->Messages.end(), tree.Warnings.begin(), tree.Warnings.end());
+    this->Fail(vtkErrorCode::UserError,
+      "its input has no exact geometry" +
+        (tree.Warnings.empty() ? std::string("; save what vtkSTEPReader gave, and filters that keep it")
+                               : " (" + tree.Warnings.front() + ")"));
+    return;
+  }
+  sm::ExportOptions options;
+  const std::string unit = this->ChooseUnit(tree);
+  const double from = sm::GetUnitInMillimetres(tree.LengthUnit);
+  const double to = sm::GetUnitInMillimetres(unit);
+  // OpenCASCADE passes over a unit that it has another word for, and would call these lengths mm.
+  options.UnitName = sm::GetShortUnit(to);
+  if (!(from > 0.0) || options.UnitName.empty())
+  {
+    this->Fail(vtkErrorCode::UserError,
+      "the length unit \"" + (from > 0.0 ? unit : tree.LengthUnit) +
+        "\" is not known; use mm, cm, m, um, inch or ft");
+    return;
+  }
+  options.Unit = from == to ? 1.0 : from / to;
+  const std::string path = this->FileName;
+  options.FileName = path.substr(path.find_last_of("/\\") + 1);
+  options.System = "SolidMoments " SOLIDMOMENTS_VERSION;
+
+  sm::SafeFile file(path);
+  if (!file.GetProblem().empty())
+  {
+    this->Fail(vtkErrorCode::CannotOpenFileError, file.GetProblem());
+    return;
+  }
+  const auto report = [this](double x)
+  {
+    this->UpdateProgress(x);
+    return !this->GetAbortExecute();
+  };
+  const sm::ExportResult result = this->WriteTree(tree, options, file.GetStream(), report);
+  if (!result.Problem.empty() || result.Aborted)
+  {
+    this->Fail(vtkErrorCode::UnknownError, result.Aborted ? "the application asked to stop" : result.Problem);
+    return;
+  }
+  if (!file.Keep())
+  {
+    this->Fail(file.IsDiskFull() ? vtkErrorCode::OutOfDiskSpaceError : vtkErrorCode::CannotOpenFileError,
+      file.GetProblem());
+    return;
+  }
+  this->Last->Faces = result.Faces;
+  std::vector<std::string> warnings = tree.Warnings;
+  warnings.insert(warnings.end(), result.Warnings.begin(), result.Warnings.end());
+  this->Last->Messages.insert(this->Last->Messages.end(), warnings.begin(), warnings.end());
+  if (!warnings.empty())
+  {
+    vtkWarningMacro("Saved " << path << ". " << warnings.front()
+                             << (warnings.size() > 1 ? " (and " + std::to_string(warnings.size() - 1) +
+                                      " more, see GetMessage)"
+                                                     : std::string()));
+  }
+}
+
+void vtkNURBSModelWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+     << indent << "Faces: " << this->Last->Faces << "\n";
+}

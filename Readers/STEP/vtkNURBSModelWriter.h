@@ -1,0 +1,99 @@
+/**
+ * @class   vtkNURBSModelWriter
+ * @brief   what the writers of exact geometry share: vtkSTEPWriter and vtkBREPWriter
+ *
+ * The input is a vtkNURBSDataSet or a composite dataset of them, as vtkSTEPReader makes it and vtkNURBSTransform,
+ * vtkNURBSDeform or an edit (smModelEdit.h) leave it. What is saved is the exact geometry, not the mesh:
+ *
+ * - every face as the rational B-spline surface it is, trimmed by its own (u,v) curves and the 3D curves of its edges, which
+ *   are piecewise polynomials; edges and vertices shared, seams and poles where the surface closes; solids with
+ *   their voids, and free shells. Tolerances are measured: the largest distance of a face from its edge.
+ * - leaves of one model as instances of one part. A mirrored instance is written as a part of its own, because files hold
+ *   rigid placements only; a message says so.
+ * - a body that an edit opened as it is; a warning says so.
+ *
+ * What is saved and read again differs by rounding: the same faces, edges and trim curves with coordinates good to
+ * a few 1e-16 of their distance from the part's origin. Planes, cylinders, cones, spheres and tori were made rational B-splines
+ * by the reader and stay so. Each piece of a trim or edge curve is one span of the B-spline that is written, so that curves
+ * are continuous to their pieces' accuracy but not formally smooth there. Validation properties (volume and area that the
+ * first system stated) are not written: after an edit they would be wrong.
+ *
+ * The file is written beside the one that FileName says and takes its place when it is whole. When that fails, Write() returns 0,
+ * one error names the file and the remedy, GetErrorCode() is not vtkErrorCode::NoError, and what was there before is there still:
+ * | GetErrorCode()      | when                                                                        |
+ * |---------------------|-----------------------------------------------------------------------------|
+ * | NoFileNameError     | FileName is empty                                                           |
+ * | UserError           | no input, an input without exact geometry, an unknown unit, a nested update |
+ * | CannotOpenFileError | no file can be made there, or a folder, device or pipe is there             |
+ * | OutOfDiskSpaceError | the disk is full                                                            |
+ * | UnknownError        | OpenCASCADE failed, or the application asked to stop                        |
+ *
+ * One file is written or read at a time in a process, others wait: OpenCASCADE's settings are global. Under MPI every
+ * process that calls Write() updates its whole input and writes the same file: call it in one. No OpenGL context is needed.
+ */
+#ifndef vtkNURBSModelWriter_h
+#define vtkNURBSModelWriter_h
+
+#include "smReadersSTEPModule.h"
+#include "vtkWriter.h"
+
+#include <functional> // for the progress
+#include <iosfwd>     // for std::ostream
+#include <memory>     // for the messages
+#include <string>     // for std::string
+
+namespace sm
+{
+struct ExportOptions;
+struct ExportResult;
+struct ExportTree;
+}
+
+class SMREADERSSTEP_EXPORT vtkNURBSModelWriter : public vtkWriter
+{
+public:
+  vtkTypeMacro(vtkNURBSModelWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Path of the file. Default: none. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /** Updates the input and writes it. Returns 1 when the file was written whole, else 0. */
+  int Write() override;
+
+  ///@{
+  /** What the last Write() has to say, one sentence each; an error is the last one. An index out of range gives an empty string. */
+  int GetNumberOfMessages() const;
+  std::string GetMessage(int index) const;
+  ///@}
+
+  /** Faces in the last file: of STEP those of each part once, of BREP those of each instance; 0 before the first. */
+  int GetNumberOfFaces() const;
+
+protected:
+  vtkNURBSModelWriter();
+  ~vtkNURBSModelWriter() override;
+
+  void WriteData() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  /// Unit of the file's lengths.
+  virtual std::string ChooseUnit(const sm::ExportTree& tree) = 0;
+  virtual sm::ExportResult WriteTree(const sm::ExportTree& tree, const sm::ExportOptions& options,
+    std::ostream& stream, const std::function<bool(double)>& report) = 0;
+
+private:
+  vtkNURBSModelWriter(const vtkNURBSModelWriter&) = delete;
+  void operator=(const vtkNURBSModelWriter&) = delete;
+
+  void Fail(unsigned long code, const std::string& problem);
+
+  char* FileName = nullptr;
+  struct Results;
+  std::unique_ptr<Results> Last;
+};
+
+#endif

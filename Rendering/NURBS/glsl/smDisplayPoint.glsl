@@ -1,0 +1,35 @@
+// Position and unit normal of a display point, as EvaluateDisplayPoint() of Filters/NURBS/smPointLayout.h.
+// Needs: chunk smPatch and what it needs, chunk smPatchRecord.
+void smEvaluateDisplayPoint(
+  smPatchRecord patchRecord, double s, double r, SM_OUT(dvec3) position, SM_OUT(dvec3) normal)
+{
+  int p = int(patchRecord.shape.y);
+  int q = int(patchRecord.shape.z);
+  double least = 1e-6LF * patchRecord.stretch.x * patchRecord.stretch.y;
+  double square = 0.0LF;
+  for (int attempt = 0; attempt < 2; ++attempt)
+  {
+    dvec4 row[SM_ROW_SIZE];
+    dvec4 rowS[SM_ROW_SIZE];
+    dvec4 rowR[SM_ROW_SIZE];
+    smCollapse(patchRecord.shape.x, p, q, r, row, rowS, rowR);
+    dvec3 at;
+    dvec3 ds;
+    dvec3 dr;
+    smEvaluateRow(p, s, row, rowS, rowR, at, ds, dr);
+    if (attempt == 0)
+    {
+      position = at;
+    }
+    normal = cross(ds, dr);
+    square = dot(normal, normal);
+    if (square > least * least)
+    {
+      break;
+    }
+    s += (0.5LF - s) / 4096.0LF;
+    r += (0.5LF - r) / 4096.0LF;
+  }
+  position += dvec3(patchRecord.centerRadius.x, patchRecord.centerRadius.y, patchRecord.centerRadius.z);
+  normal = square > 0.0LF ? normal / sqrt(square) : dvec3(0.0LF);
+}

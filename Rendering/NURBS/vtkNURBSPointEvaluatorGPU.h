@@ -1,0 +1,62 @@
+/**
+ * @class   vtkNURBSPointEvaluatorGPU
+ * @brief   display points of edited faces by compute shaders, with the evaluator of the integrals
+ *
+ * What vtkNURBSPointEvaluator::New() makes where this module is loaded. Patches of the faces that changed go to the GPU
+ * (sm::ResidentFaces), places of points on them stay there from update to update, and one invocation evaluates a point, by
+ * the chunks that integrate (smPatch.glsl). Where OpenGL 4.3 with doubles is missing, or memory on the GPU, the CPU evaluates,
+ * unless Backend is OPENGL.
+ *
+ * The context is an evaluator's own unless it is given one: that of a window that shows the points, or of a mass filter
+ * (vtkSurfaceIntegralGPU::GetComputeContext()), so that a program needs one context only. It is entered and left by
+ * sm::ContextScope, so that UpdatePoints() may run inside a Render().
+ */
+#ifndef vtkNURBSPointEvaluatorGPU_h
+#define vtkNURBSPointEvaluatorGPU_h
+
+#include "smRenderingNURBSModule.h"
+#include "vtkNURBSPointEvaluator.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkComputeContext;
+class vtkRenderWindow;
+
+class SMRENDERINGNURBS_EXPORT vtkNURBSPointEvaluatorGPU : public vtkNURBSPointEvaluator
+{
+public:
+  static vtkNURBSPointEvaluatorGPU* New();
+  vtkTypeMacro(vtkNURBSPointEvaluatorGPU, vtkNURBSPointEvaluator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The window whose context evaluates, held weakly; see vtkComputeContext::SetWindow(). Null (default): a context of its own, or
+   * the one that was given. */
+  void SetRenderWindow(vtkRenderWindow* window);
+  vtkRenderWindow* GetRenderWindow();
+  ///@}
+
+  ///@{
+  /** The context that evaluates; started at the first need. Null: an own one again. Default: an own one. */
+  void SetComputeContext(vtkComputeContext* context);
+  vtkComputeContext* GetComputeContext();
+  ///@}
+
+protected:
+  vtkNURBSPointEvaluatorGPU();
+  ~vtkNURBSPointEvaluatorGPU() override;
+
+#ifndef __VTK_WRAP__
+  bool EvaluateByOpenGL(
+    const Work& work, std::vector<sm::PointAndNormal>& results, std::string& reason) override;
+#endif
+
+private:
+  vtkNURBSPointEvaluatorGPU(const vtkNURBSPointEvaluatorGPU&) = delete;
+  void operator=(const vtkNURBSPointEvaluatorGPU&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+};
+
+#endif

@@ -1,0 +1,535 @@
+// TestEditPart MODE FILE.step EVENTS FOLDER [-T FOLDER -V BASELINE.png]: the interactive example, played back.
+//   drag    the stream of events that is shipped: values against a full run and against a formula, picture, undo
+//   placed  a turned, mirrored, shifted body: along the screen, along the normal, given up, weights
+//   open    one face moved alone: which edges open, how far
+//   record  what a window reports is recorded, and gives the same bits when it is played
+#include "smEditSession.h"
+#include "smMassPropertyNames.h"
+#include "smNetMoments.h"
+
+#include "smBodyScene.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkMassPropertiesGPU.h>
+#include <vtkNURBSDataSet.h>
+#include <vtkNURBSTransform.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSTEPReader.h>
+#include <vtkTesting.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace
+{
+using namespace smtest;
+namespace names = sm::names;
+
+/// All numbers of the field data, but for what the run cost.
+std::vector<double> GetNumbers(vtkMassPropertiesGPU* mass)
+{
+  std::vector<double> numbers;
+  vtkFieldData* fields = mass->GetOutput()->GetFieldData();
+  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = fields->GetArray(i);
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    for (vtkIdType k = 0;
+         array && name != names::Evaluations && name != names::Dispatches && k < array->GetNumberOfValues();
+         ++k)
+    {
+      numbers.push_back(array->GetVariantValue(k).ToDouble());
+    }
+  }
+  return numbers;
+}
+
+bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() > 30 && a.size() == b.size() &&
+    std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+/// The pixels in which two pictures differ; -1 when they differ in size.
+long long CountDifferent(vtkImageData* a, vtkImageData* b)
+{
+  vtkDataArray* x = a->GetPointData()->GetScalars();
+  vtkDataArray* y = b->GetPointData()->GetScalars();
+  if (x->GetNumberOfValues() != y->GetNumberOfValues() || x->GetNumberOfValues() == 0)
+  {
+    return -1;
+  }
+  long long count = 0;
+  for (vtkIdType i = 0; i < x->GetNumberOfTuples(); ++i)
+  {
+    const double* p = x->GetTuple3(i);
+    const Point3 first{ p[0], p[1], p[2] };
+    const double* q = y->GetTuple3(i);
+    const Point3 second{ q[0], q[1], q[2] };
+    if (first != second && ++count <= 5)
+    {
+      const int width = a->GetDimensions()[0];
+      std::printf("     pixel %d %d: %g %g %g and %g %g %g\n", static_cast<int>(i % width),
+        static_cast<int>(i / width), first[0], first[1], first[2], second[0], second[1], second[2]);
+    }
+  }
+  return count;
+}
+
+/// What a filter that never saw the part before says of it.
+std::vector<double> RunAnew(EditSession& session)
+{
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetRenderWindow(session.Window);
+  mass->ShowPrincipalAxesOn();
+  mass->SetInputData(session.Part.GetBodies());
+  mass->Update();
+  CheckTrue(
+    "a full run evaluates everything", mass->GetEvaluations() > session.Scene.GetMass()->GetEvaluations());
+  return GetNumbers(mass);
+}
+
+Point3 GetStored(EditSession& session, const sm::Grip& grip)
+{
+  std::array<double, 4> point{};
+  sm::GetControlPoint(session.Part.GetBody(grip.Body)->GetModel(), grip.Face, grip.Index, point);
+  return { point[0] / point[3], point[1] / point[3], point[2] / point[3] };
+}
+
+Point3 GetWorld(EditSession& session, const sm::Grip& grip)
+{
+  Point3 world{};
+  session.Part.GetPosition(grip, world);
+  return world;
+}
+
+void CheckVector(const std::string& what, const Point3& expected, const Point3& actual, double limit)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    Check(what + " " + "xyz"[c], expected[c], actual[c], limit);
+  }
+}
+
+/// Distance of the display points from the faces that they were taken from, of a body that is where its model is.
+double GetMeshError(vtkNURBSDataSet* body)
+{
+  vtkDataArray* faces = body->GetPointData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName());
+  vtkDataArray* parameters = body->GetPointData()->GetArray(vtkNURBSDataSet::ParametersArrayName());
+  const double* origin = body->GetModel()->GetOrigin();
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    const sm::FacePointer& face =
+      body->GetModel()->GetFaces().at(static_cast<std::size_t>(faces->GetComponent(i, 0)));
+    double p[3];
+    double q[3];
+    face->Surface.Evaluate(parameters->GetComponent(i, 0), parameters->GetComponent(i, 1), p);
+    body->GetPoint(i, q);
+    worst =
+      std::max(worst, std::hypot(p[0] + origin[0] - q[0], p[1] + origin[1] - q[1], p[2] + origin[2] - q[2]));
+  }
+  return worst;
+}
+
+// --- drag --------------------------------------------------------------------------------------
+
+/// One drag of the shipped stream: where it begins, by how many pixels, whether along the normal.
+struct Drag
+{
+  int X;
+  int Y;
+  int Dx;
+  int Dy;
+  bool AlongNormal;
+};
+
+/// The drags of a stream, from its own lines.
+std::vector<Drag> ReadDrags(const std::string& fileName)
+{
+  std::vector<Drag> drags;
+  std::ifstream file(fileName);
+  std::string event;
+  int x = 0;
+  int y = 0;
+  int modifiers = 0;
+  int ignored = 0;
+  std::string key;
+  std::string header;
+  std::getline(file, header);
+  Drag drag{};
+  while (file >> event >> x >> y >> modifiers >> ignored >> ignored >> key)
+  {
+    if (event == "LeftButtonPressEvent")
+    {
+      drag = { x, y, 0, 0, (modifiers & EditSession::Shift) != 0 };
+    }
+    else if (event == "LeftButtonReleaseEvent" && (x != drag.X || y != drag.Y))
+    {
+      drag.Dx = x - drag.X;
+      drag.Dy = y - drag.Y;
+      drags.push_back(drag);
+    }
+  }
+  return drags;
+}
+
+void CheckAgainstFormula(EditSession& session, NetMoments& expected)
+{
+  expected.Integrate();
+  vtkMassPropertiesGPU* mass = session.Scene.GetMass();
+  const double* origin = session.Part.GetBody(0)->GetModel()->GetOrigin();
+  const char* why = "Gauss sums, 25600 samples";
+  Check("volume", expected.Volume, mass->GetVolume(), 1e-12 * expected.Volume + mass->GetVolumeBound(), why);
+  double center[3];
+  double inertia[9];
+  mass->GetCenterOfMass(center);
+  mass->GetVolumeInertia(inertia);
+  const double size = std::cbrt(expected.Volume);
+  const double trace = inertia[0] + inertia[4] + inertia[8];
+  for (int r = 0; r < 3; ++r)
+  {
+    Check(
+      "centre", expected.Center[r] + origin[r], center[r], 1e-12 * size + mass->GetCenterOfMassBound(), why);
+    for (int c = r; c < 3; ++c)
+    {
+      Check("inertia", expected.Inertia[r][c], inertia[3 * r + c],
+        1e-12 * trace + mass->GetVolumeInertiaBound(), why);
+    }
+  }
+}
+
+void CheckDrag(
+  vtkSTEPReader* reader, const std::string& events, const std::string& folder, int argc, char* argv[])
+{
+  EditSession session(reader->GetOutput(), "free_form_part.step", folder);
+  vtkMassPropertiesGPU* mass = session.Scene.GetMass();
+  const std::vector<double> first = GetNumbers(mass);
+  const vtkSmartPointer<vtkImageData> before = sm::GrabImage(session.Window);
+  CheckRange(
+    "display points on their faces", 0.0, GetMeshError(session.Part.GetBody(0)), 1e-6, "OpenCASCADE's");
+  NetMoments net(session.Part.GetBody(0)->GetModel());
+  CheckAgainstFormula(session, net);
+  vtkSmartPointer<vtkTrimmedNURBSModel> original = session.Part.GetBody(0)->GetModel();
+
+  // What each drag should do, foretold from the stream and the camera; the camera does not move.
+  const std::vector<Drag> drags = ReadDrags(events);
+  CheckTrue("the stream has drags", drags.size() >= 3);
+  CheckEqual("played", "", sm::PlayEvents(session.Interactor, events));
+  const int face = session.Scene.GetNet().GetFace();
+  CheckTrue("a net is shown", session.Scene.GetNet().IsShown());
+  const sm::NURBSSurface& surface = original->GetFaces().at(face)->Surface;
+  int moved = 0;
+  int followed = 0;
+  for (int i = 0; i < surface.NumberOfControlPoints[0] * surface.NumberOfControlPoints[1]; ++i)
+  {
+    const sm::Grip grip = session.Scene.GetNet().GetGrip(i);
+    const std::array<double, 4>& from = surface.ControlPoints[i];
+    const Point3 was = sm::ToWorld(session.Part.GetBody(0), from);
+    const Point3 now = GetWorld(session, grip);
+    const Point3 by{ now[0] - was[0], now[1] - was[1], now[2] - was[2] };
+    const double length = std::hypot(by[0], by[1], by[2]);
+    if (length == 0.0)
+    {
+      continue;
+    }
+    const std::array<int, 2> pixel = session.ToPixel(was);
+    const auto drag = std::find_if(drags.begin(), drags.end(),
+      [&](const Drag& d) { return std::hypot(d.X - pixel[0], d.Y - pixel[1]) < 12.0; });
+    if (!CheckTrue("what moved was dragged", drag != drags.end()))
+    {
+      continue;
+    }
+    ++moved;
+    if (!drag->AlongNormal)
+    {
+      CheckVector("displacement", session.ToDisplacement(was, drag->Dx, drag->Dy), by, 1e-9 * length);
+    }
+    followed += net.Move({ from[0], from[1], from[2] }, by);
+  }
+  CheckEqual("every drag moved a point", static_cast<long long>(drags.size()), moved);
+  CheckTrue("and those of neighbours with it", followed > moved, std::to_string(followed));
+  CheckEqual("status", names::StatusOk, mass->GetStatus());
+  CheckEqual("nothing opened", 0, static_cast<long long>(session.Part.GetOpened(0).size()));
+  CheckAgainstFormula(session, net);
+  CheckTrue("the volume is another", std::fabs(mass->GetVolume() - first[0]) > 100.0);
+  const std::vector<double> last = GetNumbers(mass);
+  CheckTrue("the bits of a full run", HaveSameBits(last, RunAnew(session)));
+  CheckRange("display points on the new faces", 0.0, GetMeshError(session.Part.GetBody(0)), 1e-6);
+  CheckTrue("an update for every move", session.Scene.GetTimes().size() > 3 * drags.size());
+
+  // vtkImageDifference forgives shifts by a pixel and 16 of 255 in colour, and sums the rest: the same driver gives 0.
+  vtkNew<vtkTesting> testing;
+  testing->AddArguments(argc, const_cast<const char**>(argv));
+  testing->SetRenderWindow(session.Window);
+  CheckEqual("picture", vtkTesting::PASSED, testing->RegressionTest(5.0));
+  const vtkSmartPointer<vtkImageData> after = sm::GrabImage(session.Window);
+  CheckRange("pixels that changed", 5000.0, static_cast<double>(CountDifferent(before, after)), 400000.0);
+
+  // All of it back, by keys; a click beside the part takes the net and the notice away.
+  const auto undo = [&](int count)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      session.AddKey("z", EditSession::Control);
+    }
+  };
+  undo(moved);
+  session.AddClick(700, 540);
+  session.Play();
+  CheckTrue("undone, the first bits", HaveSameBits(first, GetNumbers(mass)));
+  CheckEqual("undone, the first picture", 0, CountDifferent(before, sm::GrabImage(session.Window)));
+  undo(1);
+  session.Play();
+  CheckTrue("nothing more to undo", HaveSameBits(first, GetNumbers(mass)));
+  for (int i = 0; i < moved; ++i)
+  {
+    session.AddKey("y", EditSession::Control);
+  }
+  session.Play();
+  CheckTrue("done again, the last bits", HaveSameBits(last, GetNumbers(mass)));
+  session.AddKey("r");
+  session.AddClick(700, 540);
+  session.Play();
+  CheckTrue("reset, the first bits", HaveSameBits(first, GetNumbers(mass)));
+  CheckEqual("reset, the first picture", 0, CountDifferent(before, sm::GrabImage(session.Window)));
+}
+
+// --- placed ------------------------------------------------------------------------------------
+
+void CheckPlaced(vtkSTEPReader* reader, const std::string& folder)
+{
+  vtkNew<vtkNURBSTransform> place;
+  place->SetInputData(reader->GetOutput());
+  place->SetRotation(35.0, -20.0, 110.0);
+  place->SetMirror(vtkNURBSTransform::X);
+  place->SetTranslation(300.0, -500.0, 40.0);
+  place->Update();
+  EditSession session(
+    vtkPartitionedDataSetCollection::SafeDownCast(place->GetOutputDataObject(0)), "placed", folder);
+  vtkMassPropertiesGPU* mass = session.Scene.GetMass();
+  const std::vector<double> first = GetNumbers(mass);
+  // Where a user would click; then a point inside the face that was hit.
+  int body = -1;
+  int face = -1;
+  for (int y = 150; y < 400 && face < 0; y += 10)
+  {
+    session.Scene.PickFace(360, y, body, face);
+  }
+  if (!CheckTrue("a face in the middle", face >= 0))
+  {
+    return;
+  }
+  session.ShowNet(body, face);
+  const sm::Grip grip{ body, face, { 2, 2 } };
+  NetMoments net(session.Part.GetBody(body)->GetModel());
+
+  const Point3 was = GetWorld(session, grip);
+  const Point3 stored = GetStored(session, grip);
+  const std::array<int, 2> pixel = session.ToPixel(was);
+  // Grabbed two pixels off: it must not jump.
+  session.AddDrag(pixel[0] + 2, pixel[1] - 1, 37, 24);
+  session.Add("LeftButtonReleaseEvent", pixel[0] + 39, pixel[1] + 23);
+  const Point3 expected = session.ToDisplacement(was, 37, 24);
+  session.Play();
+  const int hit = session.Scene.GetNet().GetSelection();
+  const sm::Grip dragged = session.Scene.GetNet().GetGrip(hit);
+  CheckEqual("the point that was meant", 2 * 5 + 2, hit);
+  CheckTrue("in its face", dragged.Face == face);
+  const Point3 now = GetWorld(session, grip);
+  const double length = std::hypot(expected[0], expected[1], expected[2]);
+  CheckVector(
+    "displacement", { was[0] + expected[0], was[1] + expected[1], was[2] + expected[2] }, now, 1e-8 * length);
+  const Point3 storedNow = GetStored(session, grip);
+  const Point3 storedBy{ storedNow[0] - stored[0], storedNow[1] - stored[1], storedNow[2] - stored[2] };
+  Check("of the same length in the model", length, std::hypot(storedBy[0], storedBy[1], storedBy[2]),
+    1e-8 * length);
+  net.Move(stored, storedBy);
+  net.Integrate();
+  Check("volume", net.Volume, mass->GetVolume(), 1e-12 * net.Volume + mass->GetVolumeBound());
+  CheckTrue("is another", std::fabs(mass->GetVolume() - first[0]) > 1.0);
+  const std::vector<double> second = GetNumbers(mass);
+  CheckTrue("the bits of a full run", HaveSameBits(second, RunAnew(session)));
+
+  std::printf("--- along the normal\n");
+  const Point3 normal = session.Part.GetNormal(grip);
+  std::array<int, 2> start = session.ToPixel(now);
+  // The drag's own direction on the screen: that of the normal.
+  const std::array<int, 2> tip =
+    session.ToPixel({ now[0] + 10.0 * normal[0], now[1] + 10.0 * normal[1], now[2] + 10.0 * normal[2] });
+  session.AddDrag(start[0], start[1], tip[0] - start[0], tip[1] - start[1], EditSession::Shift);
+  session.Play();
+  const Point3 pulled = GetWorld(session, grip);
+  const Point3 pull{ pulled[0] - now[0], pulled[1] - now[1], pulled[2] - now[2] };
+  const double along = vtkMath::Dot(pull, normal);
+  Check("along the normal", std::hypot(pull[0], pull[1], pull[2]), along, 1e-9 * along);
+  CheckRange("about 10", 7.0, along, 13.0, "pixels are whole, and nearer is larger");
+  CheckTrue("outwards: more volume", mass->GetVolume() > second[0]);
+
+  std::printf("--- given up\n");
+  session.AddKey("z", EditSession::Control); // not in the middle of a drag
+  session.AddKey("Escape");
+  session.Add("LeftButtonReleaseEvent", tip[0], tip[1]);
+  session.Play();
+  CheckTrue("the bits before the drag", HaveSameBits(second, GetNumbers(mass)));
+
+  std::printf("--- weight\n");
+  session.Add("MouseWheelForwardEvent", start[0], start[1], EditSession::Control);
+  session.Play();
+  double weight = 0.0;
+  session.Part.GetWeight(grip, weight);
+  Check("weight", 1.25, weight, 0.0);
+  CheckVector("where it was", now, GetWorld(session, grip), 1e-12 * 600.0);
+  CheckTrue("other numbers", !HaveSameBits(second, GetNumbers(mass)));
+  CheckTrue("the bits of a full run", HaveSameBits(GetNumbers(mass), RunAnew(session)));
+  session.AddKey("z", EditSession::Control);
+  session.Play();
+  CheckTrue("undone, the same bits", HaveSameBits(second, GetNumbers(mass)));
+
+  std::printf("--- the view alone\n");
+  const std::size_t updates = session.Scene.GetTimes().size();
+  session.AddDrag(20, 500, 60, 30);
+  session.Add("LeftButtonReleaseEvent", 80, 530);
+  session.Add("MouseWheelForwardEvent", 360, 280);
+  session.Play();
+  CheckTrue("changes no number", HaveSameBits(second, GetNumbers(mass)));
+  CheckEqual("and is no update", static_cast<long long>(updates),
+    static_cast<long long>(session.Scene.GetTimes().size()));
+}
+
+// --- open --------------------------------------------------------------------------------------
+
+void CheckOpen(vtkSTEPReader* reader, const std::string& folder)
+{
+  EditSession session(reader->GetOutput(), "open", folder);
+  vtkMassPropertiesGPU* mass = session.Scene.GetMass();
+  const std::vector<double> first = GetNumbers(mass);
+  int body = -1;
+  int face = -1;
+  session.Scene.PickFace(355, 205, body, face);
+  session.ShowNet(body, face);
+  // The middle of a boundary row.
+  const sm::Grip grip{ body, face, { 2, 0 } };
+  const Point3 was = GetWorld(session, grip);
+  const std::array<int, 2> pixel = session.ToPixel(was);
+  const auto drag = [&]
+  {
+    session.AddDrag(pixel[0], pixel[1], 10, 30);
+    session.Add("LeftButtonReleaseEvent", pixel[0] + 10, pixel[1] + 30);
+    session.Play();
+  };
+  session.AddKey("o");
+  drag();
+  const Point3 now = GetWorld(session, grip);
+  const double length = std::hypot(now[0] - was[0], now[1] - was[1], now[2] - was[2]);
+  CheckRange("it moved", 1.0, length, 50.0);
+  const std::vector<sm::OpenedEdge>& opened = session.Part.GetOpened(body);
+  CheckEqual("edges that opened", 1, static_cast<long long>(opened.size()));
+  if (!opened.empty())
+  {
+    // The row's points move by N_2 d, at most 1/2 of it: knots 0 0 0 0 1/2 1 1 1 1, N_2(1/2) = 1/2. Foot points may be nearer.
+    CheckRange("gap", 0.35 * length, opened[0].Gap, 0.5 * length + 1e-9, "half of the displacement at most");
+    Check("as the filter says", opened[0].Gap,
+      GetNumbers(mass).empty()
+        ? 0.0
+        : mass->GetOutput()->GetFieldData()->GetArray(names::MaxGap)->GetComponent(0, 0),
+      0.02 * length);
+  }
+  const std::vector<double> torn = GetNumbers(mass);
+  CheckTrue("the bits of a full run", HaveSameBits(torn, RunAnew(session)));
+  const vtkSmartPointer<vtkImageData> picture = sm::GrabImage(session.Window);
+  long long red = 0;
+  vtkDataArray* colors = picture->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    red +=
+      colors->GetComponent(i, 0) > 180 && colors->GetComponent(i, 1) < 60 && colors->GetComponent(i, 2) < 60
+      ? 1
+      : 0;
+  }
+  CheckRange("red pixels: the edge, the sentence", 200.0, static_cast<double>(red), 20000.0);
+
+  std::printf("--- together\n");
+  session.AddKey("z", EditSession::Control);
+  session.AddKey("o");
+  session.Play();
+  CheckTrue("undone, the first bits", HaveSameBits(first, GetNumbers(mass)));
+  drag();
+  CheckEqual("nothing opened", 0, static_cast<long long>(session.Part.GetOpened(body).size()));
+  CheckTrue("other numbers", !HaveSameBits(torn, GetNumbers(mass)));
+}
+
+// --- record ------------------------------------------------------------------------------------
+
+void CheckRecord(vtkSTEPReader* reader, const std::string& folder)
+{
+  const std::string events = folder + "/recorded.events";
+  std::vector<double> first;
+  std::vector<double> last;
+  {
+    EditSession session(reader->GetOutput(), "recorded", folder);
+    first = GetNumbers(session.Scene.GetMass());
+    vtkRenderWindowInteractor* interactor = session.Interactor;
+    sm::EventRecording recording(interactor, events);
+    // As a window's messages arrive.
+    interactor->SetEventInformation(355, 205);
+    interactor->LeftButtonPressEvent();
+    interactor->LeftButtonReleaseEvent();
+    interactor->SetEventInformation(369, 242);
+    interactor->MouseMoveEvent();
+    interactor->LeftButtonPressEvent();
+    interactor->SetEventInformation(380, 262, 0, 1);
+    interactor->MouseMoveEvent();
+    interactor->SetEventInformation(360, 302);
+    interactor->MouseMoveEvent();
+    interactor->LeftButtonReleaseEvent();
+    interactor->SetEventInformation(360, 302, 0, 0, 'h', 0, "h");
+    interactor->KeyPressEvent();
+    CheckTrue("help is shown", session.Scene.IsHelpShown());
+    last = GetNumbers(session.Scene.GetMass());
+    CheckTrue("the drag did something", !HaveSameBits(first, last));
+  }
+  EditSession session(reader->GetOutput(), "played", folder);
+  CheckTrue("the file's part again", HaveSameBits(first, GetNumbers(session.Scene.GetMass())));
+  CheckEqual("played", "", sm::PlayEvents(session.Interactor, events));
+  CheckTrue("the same bits", HaveSameBits(last, GetNumbers(session.Scene.GetMass())));
+  CheckTrue("help is shown", session.Scene.IsHelpShown());
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string mode = argc > 4 ? argv[1] : "";
+  if (mode != "drag" && mode != "placed" && mode != "open" && mode != "record")
+  {
+    std::fprintf(stderr,
+      "usage: TestEditPart drag|placed|open|record FILE.step EVENTS FOLDER [-T FOLDER -V BASELINE.png]\n");
+    return 2;
+  }
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(argv[2]);
+  reader->SetLinearDeflection(2e-4);
+  reader->SetAngularDeflection(0.12);
+  reader->Update();
+  if (mode == "drag")
+  {
+    CheckDrag(reader, argv[3], argv[4], argc, argv);
+  }
+  else if (mode == "placed")
+  {
+    CheckPlaced(reader, argv[4]);
+  }
+  else if (mode == "open")
+  {
+    CheckOpen(reader, argv[4]);
+  }
+  else
+  {
+    CheckRecord(reader, argv[4]);
+  }
+  return Finish();
+}
