@@ -48,6 +48,25 @@ function(solidmoments_add_test)
     FIXTURES_REQUIRED "${test_FIXTURE}")
 endfunction ()
 
+# solidmoments_add_mpi_test(NAME <name> RANKS <n> LABELS ... COMMAND <command>...): without a display, on `n` ranks of Open
+# MPI, which share the cores that there are, root or not. `mpirun` must be in SOLIDMOMENTS_MPIRUN.
+function(solidmoments_add_mpi_test)
+  cmake_parse_arguments(mpi "" "NAME;RANKS" "COMMAND;ENVIRONMENT" ${ARGN})
+  list(GET mpi_COMMAND 0 program)
+  if (TARGET "${program}")
+    list(REMOVE_AT mpi_COMMAND 0)
+    list(INSERT mpi_COMMAND 0 "$<TARGET_FILE:${program}>")
+  endif ()
+  solidmoments_add_test(NAME ${mpi_NAME} NODISPLAY ${mpi_UNPARSED_ARGUMENTS}
+    ENVIRONMENT ${SOLIDMOMENTS_MPI_ENVIRONMENT} ${mpi_ENVIRONMENT}
+    COMMAND "${SOLIDMOMENTS_MPIRUN}" -np ${mpi_RANKS} ${mpi_COMMAND})
+  set_tests_properties(${mpi_NAME} PROPERTIES PROCESSORS ${mpi_RANKS})
+endfunction ()
+# What Open MPI needs to run as root, with more ranks than cores, waiting without taking a core, and in a container.
+set(SOLIDMOMENTS_MPI_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
+  OMPI_MCA_btl_vader_single_copy_mechanism=none)
+
 # A test program with its libraries; VTK's OpenGL objects are registered in it.
 function(solidmoments_add_test_program name)
   add_executable(${name} ${name}.cxx)

@@ -1,8 +1,8 @@
 # Finds the VTK to build against: ParaView's own by default, a plain VTK when the plugin is off.
 set(_vtk_components
   ChartsCore CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  FiltersCore FiltersGeneral FiltersSources IOCore IOExport IOImage IOXML ImagingCore InteractionStyle RenderingAnnotation
-  RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI TestingRendering
+  FiltersCore FiltersGeneral FiltersSources IOCore IOExport IOImage IOXML ImagingCore InteractionStyle ParallelCore
+  RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI TestingRendering
   ViewsContext2D glew opengl vtksys)
 if (SOLIDMOMENTS_WRAP_PYTHON)
   if (NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
@@ -23,7 +23,8 @@ if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
   endif ()
   set(VTK_DIR "${ParaView_DIR}/vtk" CACHE PATH "ParaView's own VTK" FORCE)
 endif ()
-find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components})
+# Only tests need MPI itself.
+find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components} OPTIONAL_COMPONENTS ParallelMPI)
 if (NOT VTK_FOUND)
   message(FATAL_ERROR "VTK 9.1 or later was not found (${VTK_NOT_FOUND_MESSAGE}). Set VTK_DIR.")
 endif ()

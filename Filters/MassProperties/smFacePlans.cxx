@@ -131,7 +131,7 @@ bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vec
 
 bool FacePlans::Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFacePointer>& faces,
   const std::vector<std::size_t>& chosen, bool usePlacements, std::int64_t maximumEvaluations,
-  const std::function<bool(double)>& progress)
+  const std::function<bool(double)>& progress, const std::function<bool(std::int64_t&)>& addUp)
 {
   std::vector<PlanRequest> requests(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i)
@@ -148,23 +148,22 @@ bool FacePlans::Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFa
     request.StripPoints = this->StripPoints;
   }
   this->Plans.assign(tasks.size(), nullptr);
-  this->Loosened = false;
-  for (int attempt = 0;; ++attempt)
+  for (this->Loosenings = 0;; ++this->Loosenings)
   {
-    if (!this->PlanAll(requests, faces, progress))
-    {
-      return false;
-    }
+    const bool planned = this->PlanAll(requests, faces, progress);
     std::int64_t evaluations = 0;
     for (const auto& plan : this->Plans)
     {
-      evaluations += plan->Evaluations;
+      evaluations += plan ? plan->Evaluations : 0;
     }
-    if (evaluations <= maximumEvaluations || attempt == MostLoosenings)
+    if (!addUp(evaluations) || !planned)
+    {
+      return false;
+    }
+    if (evaluations <= maximumEvaluations || this->Loosenings == MostLoosenings)
     {
       break;
     }
-    this->Loosened = true;
     for (PlanRequest& request : requests)
     {
       for (double& tolerance : request.Tolerances)

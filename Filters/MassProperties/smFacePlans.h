@@ -32,16 +32,19 @@ public:
   }
 
   /// Plans every task by its face; `chosen` says which of a task's tolerances belong to the integrands. Faces that could not be
-  /// cut get an empty plan. A plan of the last run is found again. False when `progress` stopped it.
+  /// cut get an empty plan. A plan of the last run is found again. `addUp` adds the evaluations of what else is planned for the
+  /// same budget; it is called once for every loosening, stopped or not, and returns false to stop. False when `progress` or
+  /// `addUp` stopped it.
   bool Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFacePointer>& faces,
     const std::vector<std::size_t>& chosen, bool usePlacements, std::int64_t maximumEvaluations,
-    const std::function<bool(double)>& progress);
+    const std::function<bool(double)>& progress, const std::function<bool(std::int64_t&)>& addUp);
 
   const FacePlan& Get(std::size_t task) const { return *this->Plans[task]; }
   /// What was planned for, tolerances loosened.
   const PlanRequest& GetRequest(std::size_t task) const { return this->Requests[task]; }
   /// Tolerances were loosened to meet the budget.
-  bool WasLoosened() const { return this->Loosened; }
+  bool WasLoosened() const { return this->Loosenings > 0; }
+  int GetLoosenings() const { return this->Loosenings; }
 
 private:
   struct Known
@@ -59,7 +62,7 @@ private:
   std::vector<PlanRequest> Requests;
   /// By id of the face: the last run's.
   std::unordered_map<std::uint64_t, Known> Memory;
-  bool Loosened = false;
+  int Loosenings = 0;
 };
 }
 

@@ -55,12 +55,13 @@ constexpr const char* SubPatches = "SubPatches"; // 1 (int64), of all faces that
 
 constexpr const char* LengthUnit = "LengthUnit"; // string
 constexpr const char* Status = "Status";         // string, see below
-constexpr const char* Backend = "Backend";       // string: "opengl", "cpu", "none"
-constexpr const char* Renderer = "Renderer";     // string: GL_RENDERER, or "CPU, N threads"
+constexpr const char* Backend = "Backend"; // string: "opengl", "cpu", "none"; joined by + where ranks differ
+constexpr const char* Renderer = "Renderer"; // string: GL_RENDERER, or "CPU, N threads"
 constexpr const char* Evaluations =
   "Evaluations"; // 1 (int64), surface evaluations, as counted by what computed
 constexpr const char* Dispatches = "Dispatches"; // 1 (int64)
 constexpr const char* Faces = "Faces";           // 1 (int)
+constexpr const char* Ranks = "Ranks";           // 1 (int), processes that integrated faces
 
 // Columns of the tables only.
 constexpr const char* Name = "Name";     // string
@@ -74,7 +75,7 @@ constexpr const char* Text = "Text";     // string, the one cell of the text tab
 
 // What stands beside the integrands' columns in vtkSurfaceIntegralGPU's outputs: an integrand has none of these names.
 constexpr const char* BesideIntegrands[] = { Name, Id, Solid, FaceId, Faces, Status, Backend, Renderer,
-  Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated };
+  Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated, Ranks };
 
 // Cell data of the meshes on port 5 of vtkMassPropertiesGPU, besides Volume, that of the whole solid; floats.
 constexpr const char* FaceShare =

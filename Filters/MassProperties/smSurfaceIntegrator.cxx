@@ -1,10 +1,7 @@
 #include "smSurfaceIntegrator.h"
 
-#include "smFaceMemory.h"
-#include "smFacePanelsCache.h"
-#include "smFacePlans.h"
 #include "smIntegrationOrders.h"
-#include "smItemRunner.h"
+#include "smSurfaceIntegratorInternals.h"
 
 #include "vtkTimerLog.h"
 
@@ -56,79 +53,41 @@ double Now()
 }
 }
 
-struct SurfaceIntegrator::Internals
-{
-  std::unique_ptr<ItemRunner> Runner;
-  FacePanelsCache Cuts;
-  FacePlans Plans;
-  FaceMemory Memory;
-  bool KeepFaces = true;
-  /// All integrands have a theory.
-  bool Planned = false;
-  std::vector<Integrand> Integrands;
-  bool UsePlacements = false;
-  double Perturbation = 1.0;
-  bool Configured = false;
-  std::int64_t MaximumEvaluations = 2000000000;
-  double MaximumSeconds = 0.0;
-
-  /// The integrands that the runner evaluates: which of all they are.
-  std::vector<std::size_t> Chosen;
-  std::vector<Integrand> ChosenIntegrands;
-  std::vector<std::string> Obstacles;
-
-  std::string Error;
-  bool Aborted = false;
-  bool TimedOut = false;
-  bool Loosened = false;
-  std::int64_t Evaluations = 0;
-  double StartSeconds = 0.0;
-  double PrepareSeconds = 0.0;
-  double IntegrateSeconds = 0.0;
-
-  /// Of the running Integrate().
-  Progress Report;
-  double Start = 0.0;
-  std::vector<CutFacePointer> Faces;
-  std::size_t ItemsDone = 0;
-  std::size_t ItemsTotal = 1;
-
-  bool Fail(const std::string& what)
-  {
-    // An abort is told by Tell(), whoever passes it on.
-    this->Error = this->Aborted ? "aborted" : what;
-    return false;
-  }
-  bool FailByRunner() { return this->Fail(this->Runner->GetError()); }
-  bool Tell(double fraction);
-  bool TellItems();
-  void Configure();
-  bool Prepare(const std::vector<FaceTask>& tasks);
-  std::size_t GetNumberOfItems(std::size_t face) const;
-  FaceQuestion GetQuestion(const FaceTask& task, std::size_t index) const;
-  void Keep(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
-    const std::vector<FaceIntegrals>& results);
-  void Skip(const std::vector<std::size_t>& faces, std::vector<FaceIntegrals>& results) const;
-  void AddBounds(const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results) const;
-  bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
-  bool RunBatch(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
-    std::vector<FaceIntegrals>& results);
-  bool RunPortions(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
-    std::vector<FaceIntegrals>& results);
-  bool RunItems(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
-    std::vector<FaceIntegrals>& results);
-  bool RunPlanned(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
-  bool RunLevels(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
-  bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
-    std::vector<FaceIntegrals>& results);
-};
-
 bool SurfaceIntegrator::Internals::Tell(double fraction)
 {
-  this->TimedOut =
-    this->TimedOut || (this->MaximumSeconds > 0.0 && Now() - this->Start > this->MaximumSeconds);
+  this->TimedOut = this->TimedOut || (this->Seconds > 0.0 && Now() - this->Start > this->Seconds);
   this->Aborted = this->Aborted || this->TimedOut || (this->Report && !this->Report(fraction));
   return !this->Aborted || this->Fail("aborted");
+}
+
+bool SurfaceIntegrator::Internals::FailAlone(const std::string& what)
+{
+  if (!this->IsShared || this->Aborted)
+  {
+    return this->Fail(what);
+  }
+  this->Failure = what;
+  return true;
+}
+
+bool SurfaceIntegrator::Internals::AddUpPlans(std::int64_t& evaluations)
+{
+  const auto own = static_cast<double>(evaluations);
+  double total = own;
+  if (!this->Agree(total))
+  {
+    return false;
+  }
+  if (own < total)
+  {
+    this->Allowance = static_cast<std::int64_t>(own / total * static_cast<double>(this->MaximumEvaluations));
+  }
+  const bool isForced = this->ForcedLoosenings >= 0;
+  const bool isLoose = this->Plans.GetLoosenings() >= this->ForcedLoosenings;
+  evaluations = !isForced ? static_cast<std::int64_t>(total)
+    : isLoose             ? 0
+                          : std::numeric_limits<std::int64_t>::max();
+  return true;
 }
 
 bool SurfaceIntegrator::Internals::TellItems()
@@ -184,8 +143,7 @@ void SurfaceIntegrator::Internals::Keep(const std::vector<FaceTask>& tasks,
   const std::vector<std::size_t>& batch, const std::vector<FaceIntegrals>& results)
 {
   // With the budget spent, results depend on what was evaluated before them.
-  for (std::size_t i = 0; i < batch.size() && this->KeepFaces && this->Evaluations < this->MaximumEvaluations;
-       ++i)
+  for (std::size_t i = 0; i < batch.size() && this->KeepFaces && this->Evaluations < this->Allowance; ++i)
   {
     const FaceTask& task = tasks[batch[i]];
     this->Memory.Keep(task.Source->Id, this->GetQuestion(task, batch[i]), results[batch[i]]);
@@ -304,7 +262,7 @@ bool SurfaceIntegrator::Internals::RunLevels(
   std::vector<std::uint8_t> unconverged;
   for (int level = 0; !active.empty(); ++level)
   {
-    const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->MaximumEvaluations;
+    const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->Allowance;
     for (const std::size_t index : active)
     {
       SetItemOrders(items[index], GetItemOrders(ladder, items[index]), mayBisect);
@@ -327,7 +285,7 @@ bool SurfaceIntegrator::Internals::RunLevels(
       {
         bisected.push_back(active[i]);
       }
-      else if (!orders.Last && !(compared && this->Evaluations >= this->MaximumEvaluations))
+      else if (!orders.Last && !(compared && this->Evaluations >= this->Allowance))
       {
         ++item.Level;
         next.push_back(active[i]);
@@ -368,7 +326,7 @@ bool SurfaceIntegrator::Internals::RunPlanned(
     return true;
   }
   // The plan's bounds of everything but the area hold for the parts, too: their ellipses lie in the whole's.
-  const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->MaximumEvaluations;
+  const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->Allowance;
   for (const std::size_t i : compared)
   {
     DoubleOrders(items[i], mayBisect);
@@ -484,7 +442,7 @@ bool SurfaceIntegrator::Internals::RunAll(
 {
   std::map<int, std::vector<std::size_t>> groups;
   this->ItemsTotal = 1;
-  for (std::size_t i = 0; i < tasks.size(); ++i)
+  for (std::size_t i = 0; i < tasks.size() && this->Failure.empty(); ++i)
   {
     const CutFace& cut = *this->Faces[i];
     const FaceIntegrals* known =
@@ -502,7 +460,7 @@ bool SurfaceIntegrator::Internals::RunAll(
   }
   // Batches that have room for their rows, and that are not too much to lose.
   std::vector<std::vector<std::size_t>> batches;
-  const std::size_t rowLimit = this->Runner->GetRowLimit();
+  const std::size_t rowLimit = groups.empty() ? 0 : this->Runner->GetRowLimit();
   for (const auto& [group, members] : groups)
   {
     batches.emplace_back();
@@ -526,22 +484,41 @@ bool SurfaceIntegrator::Internals::RunAll(
       }
     }
   }
-  for (std::size_t i = 0; i < batches.size(); ++i)
+  batches.erase(
+    std::remove_if(batches.begin(), batches.end(), [](const auto& batch) { return batch.empty(); }),
+    batches.end());
+  return this->RunBatches(tasks, batches, results);
+}
+
+bool SurfaceIntegrator::Internals::RunBatches(const std::vector<FaceTask>& tasks,
+  const std::vector<std::vector<std::size_t>>& batches, std::vector<FaceIntegrals>& results)
+{
+  // Ranks of a shared run agree after every batch, those that are done too, until none has any left.
+  for (std::size_t next = 0;;)
   {
-    if (batches[i].empty() || this->RunBatch(tasks, batches[i], results))
+    if (next < batches.size())
     {
-      continue;
+      const bool ran = this->RunBatch(tasks, batches[next], results);
+      if (!ran && !this->Aborted && !this->FailAlone(this->Error))
+      {
+        return false;
+      }
+      next = !this->Failure.empty() ? batches.size() : ran ? next + 1 : next;
     }
-    if (!this->Aborted)
+    auto left = static_cast<double>(batches.size() - next);
+    if (!this->Agree(left))
     {
-      return false;
+      for (; next < batches.size(); ++next)
+      {
+        this->Skip(batches[next], results);
+      }
+      return true;
     }
-    for (; i < batches.size(); ++i)
+    if (left == 0.0)
     {
-      this->Skip(batches[i], results);
+      return true;
     }
   }
-  return true;
 }
 
 bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
@@ -557,27 +534,90 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
   }
   const auto cutting = [this](double fraction) { return this->Tell(CutShare * fraction); };
   std::vector<CutFacePointer> cut;
-  if (!faces.empty() && !this->Cuts.Acquire(faces, cut, cutting))
+  const bool hasCut = faces.empty() || this->Cuts.Acquire(faces, cut, cutting);
+  bool ok = hasCut || this->FailAlone(this->Cuts.GetError());
+  double nothing = 0.0;
+  if (!this->Agree(nothing) || !ok)
   {
-    return this->Fail(this->Cuts.GetError());
+    return false;
   }
   this->Faces.clear();
   auto next = cut.begin();
-  for (const FaceTask& task : tasks)
+  for (std::size_t i = 0; hasCut && i < tasks.size(); ++i)
   {
-    this->Faces.push_back(task.Cut ? task.Cut : *next++);
+    this->Faces.push_back(tasks[i].Cut ? tasks[i].Cut : *next++);
   }
   const auto planning = [this](double fraction) { return this->Tell(CutShare + PlanShare * fraction); };
+  const auto addUp = [this](std::int64_t& evaluations) { return this->AddUpPlans(evaluations); };
+  const bool works = this->Failure.empty();
   if (this->Planned &&
-    !this->Plans.Plan(
-      tasks, this->Faces, this->Chosen, this->UsePlacements, this->MaximumEvaluations, planning))
+    !this->Plans.Plan(works ? tasks : std::vector<FaceTask>(), this->Faces, this->Chosen, this->UsePlacements,
+      this->MaximumEvaluations, planning, addUp))
   {
     return this->Fail("aborted");
   }
   this->Loosened = this->Planned && this->Plans.WasLoosened();
   const auto acquiring = [this](double fraction)
   { return this->Tell(CutShare + PlanShare + AcquireShare * fraction); };
-  return this->Runner->Acquire(this->Faces, acquiring) || this->FailByRunner();
+  if (works && !tasks.empty())
+  {
+    ok = this->Runner->Acquire(this->Faces, acquiring) || this->FailAlone(this->Runner->GetError());
+  }
+  return this->Agree(nothing) && ok;
+}
+
+void SurfaceIntegrator::Internals::Begin(const Progress& progress)
+{
+  this->Error.clear();
+  this->Failure.clear();
+  this->Aborted = this->TimedOut = this->Loosened = this->IsShared = false;
+  this->Start = Now();
+  this->Seconds = this->MaximumSeconds;
+  this->Allowance = this->MaximumEvaluations;
+  this->ForcedLoosenings = -1;
+  this->Evaluations = 0;
+  this->StartSeconds = this->PrepareSeconds = this->IntegrateSeconds = 0.0;
+  this->ItemsDone = 0;
+  this->Report = progress;
+  this->Ranks.clear();
+}
+
+FaceIntegrals SurfaceIntegrator::Internals::GetNothing() const
+{
+  FaceIntegrals nothing;
+  for (const std::string& obstacle : this->Obstacles)
+  {
+    const double value = obstacle.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+    for (std::vector<double>* values :
+      { &nothing.Face, &nothing.Closing, &nothing.QuadratureError, &nothing.Rounding, &nothing.Conversion })
+    {
+      values->push_back(value);
+    }
+  }
+  return nothing;
+}
+
+bool SurfaceIntegrator::Internals::Run(
+  const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results)
+{
+  results.assign(tasks.size(), this->GetNothing());
+  const double start = Now();
+  bool ok = this->Prepare(tasks);
+  const double starting = ok && !tasks.empty() ? this->Runner->GetStartSeconds() : 0.0;
+  this->StartSeconds += starting;
+  this->PrepareSeconds += Now() - start - starting;
+  if (ok)
+  {
+    const double begin = Now();
+    ok = this->RunAll(tasks, results);
+    this->IntegrateSeconds += Now() - begin;
+  }
+  if (this->Runner)
+  {
+    this->Runner->Release();
+  }
+  this->Faces.clear();
+  return ok;
 }
 
 SurfaceIntegrator::SurfaceIntegrator()
@@ -641,47 +681,20 @@ bool SurfaceIntegrator::Integrate(
   const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results, const Progress& progress)
 {
   Internals& self = *this->Implementation;
-  self.Error.clear();
-  self.Aborted = self.TimedOut = self.Loosened = false;
-  self.Start = Now();
-  self.Evaluations = 0;
-  self.StartSeconds = self.PrepareSeconds = self.IntegrateSeconds = 0.0;
-  self.ItemsDone = 0;
+  self.Begin(progress);
   self.Configure();
-  FaceIntegrals nothing;
-  for (const std::string& obstacle : self.Obstacles)
-  {
-    const double value = obstacle.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
-    for (std::vector<double>* values :
-      { &nothing.Face, &nothing.Closing, &nothing.QuadratureError, &nothing.Rounding, &nothing.Conversion })
-    {
-      values->push_back(value);
-    }
-  }
-  results.assign(tasks.size(), nothing);
-  if (self.Integrands.empty())
-  {
-    return self.Fail("there is nothing to integrate: add an integrand");
-  }
+  results.assign(tasks.size(), self.GetNothing());
   if (tasks.empty() || self.Chosen.empty())
   {
-    return true;
+    this->Dismiss();
+    return !self.Integrands.empty() || self.Fail("there is nothing to integrate: add an integrand");
   }
-  self.Report = progress;
-  const double start = Now();
-  bool ok = self.Prepare(tasks);
-  self.StartSeconds = ok ? self.Runner->GetStartSeconds() : 0.0;
-  self.PrepareSeconds = Now() - start - self.StartSeconds;
+  const bool ok = self.Exchange ? self.IntegrateShared(tasks, results) : self.Run(tasks, results);
   if (ok)
   {
-    const double begin = Now();
-    ok = self.RunAll(tasks, results);
-    self.IntegrateSeconds = Now() - begin;
     // One that was stopped before asked for no face.
     self.Memory.EndRun();
   }
-  self.Runner->Release();
-  self.Faces.clear();
   self.Report = nullptr;
   return ok;
 }

@@ -18,7 +18,10 @@
 
 namespace sm
 {
+class FaceExchange;
 class ItemRunner;
+struct RankDevice;
+struct RankReport;
 
 /// One face to integrate. Its result depends on nothing but this.
 struct FaceTask
@@ -89,6 +92,7 @@ struct FaceIntegrals
  *
  * When the plan exceeds the budget of evaluations, tolerances are loosened until it does not; when the time is
  * over or the caller stops, faces not reached yet are skipped. Bounds say what came of it. Not thread safe.
+ * Several processes may share the work, see SetExchange().
  */
 class SurfaceIntegrator
 {
@@ -122,6 +126,25 @@ public:
   /// GetError() says why.
   bool Integrate(
     const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results, const Progress& progress);
+
+  ///@{
+  /**
+   * Shares the faces with other ranks. Integrate() on the rank that has the faces, and Help() with its number on all others,
+   * must be called together; or Dismiss() on that rank, when there is nothing to do. Shares are chosen by estimated cost, and a
+   * face travels once. As the result of a face depends on no other, results are the bits of a run alone if all ranks compute
+   * with equal devices, and no budget ends. Every rank may spend its part of the evaluations; the seconds are those of the rank
+   * that has the faces; who is stopped stops all. A rank that fails, or whose integrands are not the same, is
+   * named in GetRanks(), and its faces are integrated by the rank that has them.
+   *
+   * Null, the default: alone. The exchange must live until it is replaced. `device` is what this rank computes with.
+   */
+  void SetExchange(FaceExchange* exchange, const RankDevice& device);
+  /// False when the connection to the other ranks was lost.
+  bool Help(int root, const Progress& progress);
+  bool Dismiss();
+  /// What the ranks did in the last shared Integrate(); empty when it was not shared.
+  const std::vector<RankReport>& GetRanks() const;
+  ///@}
 
   const std::string& GetError() const;
   /// The caller stopped it, or the time was over: faces were skipped, if it returned true.

@@ -39,7 +39,7 @@
  * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density                                     |
  * | MovedByClosing, GapSquared, MaxGap, GapArea, Leak, OpenEdges | 1 | | the model's own doubt, no bound  |
  * | FlippedShells         | 1     |        | shells that were inside out and were turned                  |
- * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches | 1 | |                               |
+ * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches, Ranks | 1 | |                               |
  * | Scheme                | 1     |        | with one of the paper's schemes only, as the next three     |
  * | PaperErrorEstimate    | 1     | L^3    | the paper's estimate of the volume's error, Eq. 36: no bound |
  * | PaperErrorEstimateWithBoundary | 1 | L^3 | the same with the sub-patches on a trim boundary counted whole |
@@ -220,6 +220,10 @@ protected:
 
   void ForgetLastRun() override;
 #ifndef __VTK_WRAP__
+  bool CanShareFaces() const override
+  {
+    return !this->HasScheme();
+  }
   bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies) override;
   void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces) override;

@@ -7,11 +7,13 @@
 #include "vtkSolidStabilityInternals.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -264,7 +266,7 @@ int vtkSolidStability::FillOutputPortInformation(int port, vtkInformation* info)
 }
 
 int vtkSolidStability::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Internals& self = *this->Implementation;
   self.Worst = sm::StandingBody();
@@ -279,6 +281,14 @@ int vtkSolidStability::RequestData(
       "No exact geometry in the input. Connect the output of vtkSTEPReader directly: filters that move or "
       "rebuild points drop the NURBS model. vtkNURBSTransform moves a part and keeps it.");
     return 0;
+  }
+  // Of several ranks one has the bodies, and says where there are none.
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  const int piece =
+    outputVector->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  if (bodies.empty() && piece > 0)
+  {
+    return 1;
   }
   sm::GroundDirections ground;
   if (!sm::GroundDirections::Make(this->GravityDirection, this->GroundNormal, ground))

@@ -2,8 +2,6 @@
 
 #include "smBodyIntegrals.h"
 #include "smBodyMeshes.h"
-#include "smCPUItemRunner.h"
-#include "smGPUItemRunner.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
 #include "smSurfaceIntegrator.h"
@@ -12,6 +10,7 @@
 #include "vtkAutoInit.h"
 #include "vtkComputeContext.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,12 +20,11 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
-#include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 // Whoever loads this library has display points evaluated by OpenGL, too, and needs no vtk_module_autoinit for it.
@@ -39,6 +37,7 @@ vtkSurfaceIntegralGPU::vtkSurfaceIntegralGPU()
 {
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(6);
+  this->Implementation->Controller = vtkMultiProcessController::GetGlobalController();
 }
 
 vtkSurfaceIntegralGPU::~vtkSurfaceIntegralGPU() = default;
@@ -58,7 +57,8 @@ void vtkSurfaceIntegralGPU::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "AssemblyName: " << this->Implementation->AssemblyName << "\n"
      << indent << "Status: " << this->GetStatus() << "\n"
      << indent << "BackendName: " << this->GetBackendName() << "\n"
-     << indent << "Renderer: " << this->GetRenderer() << "\n";
+     << indent << "Renderer: " << this->GetRenderer() << "\n"
+     << indent << "Controller: " << this->GetController() << "\n";
 }
 
 void vtkSurfaceIntegralGPU::SetRelativeTolerance(double tolerance)
@@ -213,232 +213,6 @@ int vtkSurfaceIntegralGPU::FillOutputPortInformation(int port, vtkInformation* i
   return 1;
 }
 
-double vtkSurfaceIntegralGPU::Internals::GetScale(
-  const sm::Integrand& integrand, vtkTrimmedNURBSModel& model, double reach)
-{
-  if (integrand.ScalePower != 0)
-  {
-    return sm::GetAreaScale(model) * std::pow(sm::GetRadius(model), integrand.ScalePower);
-  }
-  // The integral of a monomial over a body of volume V (area A) within a distance `reach` of the origin.
-  const double size = std::pow(reach, std::max(integrand.Degree, 0));
-  return size *
-    (integrand.ClosedChain && integrand.Degree >= 0 ? sm::GetVolumeScale(model) : sm::GetAreaScale(model));
-}
-
-double vtkSurfaceIntegralGPU::Internals::GetReach(const sm::BodyIntegrals& body)
-{
-  const double* origin = body.Model->GetOrigin();
-  double squared = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    double x = body.Placement[4 * i + 3];
-    for (int j = 0; j < 3; ++j)
-    {
-      x += body.Placement[4 * i + j] * origin[j];
-    }
-    squared += x * x;
-  }
-  return std::sqrt(squared) + sm::GetRadius(*body.Model);
-}
-
-void vtkSurfaceIntegralGPU::Internals::AddTasks(
-  const sm::BodyIntegrals& body, bool placed, double tolerance, std::vector<sm::FaceTask>& tasks) const
-{
-  vtkTrimmedNURBSModel& model = *body.Model;
-  const std::vector<sm::FacePointer>& faces = model.GetFaces();
-  sm::FaceTask task;
-  if (placed)
-  {
-    const double* origin = model.GetOrigin();
-    for (int i = 0; i < 3; ++i)
-    {
-      double translation = body.Placement[4 * i + 3];
-      for (int j = 0; j < 3; ++j)
-      {
-        task.Placement[4 * i + j] = body.Placement[4 * i + j];
-        translation += body.Placement[4 * i + j] * origin[j];
-      }
-      task.Placement[4 * i + 3] = translation;
-    }
-    const double reach = GetReach(body);
-    for (const sm::Integrand& integrand : this->Integrands)
-    {
-      task.Tolerances.push_back(tolerance * GetScale(integrand, model, reach));
-    }
-  }
-  else
-  {
-    task.Tolerances = this->LocalTolerances(model);
-  }
-  for (double& t : task.Tolerances)
-  {
-    // An equal share for every face, whatever the others' results.
-    t /= std::max<std::size_t>(faces.size(), 1);
-  }
-  for (const sm::FacePointer& face : faces)
-  {
-    task.Source = face;
-    tasks.push_back(task);
-  }
-}
-
-bool vtkSurfaceIntegralGPU::Internals::ChooseRunner(vtkSurfaceIntegralGPU* self)
-{
-  Run& last = this->Last;
-  const double start = vtkTimerLog::GetUniversalTime();
-  const bool hasOpenGL = self->Backend != CPU && this->Context->Start() == vtkComputeContext::READY;
-  last.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
-  if (!hasOpenGL && self->Backend == OPENGL)
-  {
-    last.Messages.push_back("nothing was computed: " + this->Context->GetReason());
-    return false;
-  }
-  if (!hasOpenGL && self->Backend == AUTOMATIC)
-  {
-    last.FallbackReason = this->Context->GetReason();
-  }
-  // Another context may be another device, which may round otherwise.
-  const vtkTypeUInt64 generation = hasOpenGL ? this->Context->GetGeneration() : 0;
-  if (this->Generation != generation)
-  {
-    this->Integrator.ForgetFaces();
-    this->Buoyancy.GetIntegrator().ForgetFaces();
-    this->Generation = generation;
-  }
-  last.Backend = hasOpenGL ? sm::names::BackendOpenGL : sm::names::BackendCPU;
-  last.Renderer = hasOpenGL ? this->Context->GetRenderer() : sm::CPUItemRunner::GetDescription();
-  if (this->Runner != last.Backend)
-  {
-    std::unique_ptr<sm::ItemRunner> runner;
-    if (hasOpenGL)
-    {
-      runner = std::make_unique<sm::GPUItemRunner>(this->Context);
-    }
-    else
-    {
-      runner = std::make_unique<sm::CPUItemRunner>();
-    }
-    this->Integrator.SetRunner(std::move(runner));
-    this->Buoyancy.SetRunner(hasOpenGL
-        ? std::unique_ptr<sm::ItemRunner>(std::make_unique<sm::GPUItemRunner>(this->Context))
-        : std::make_unique<sm::CPUItemRunner>());
-    this->Runner = last.Backend;
-  }
-  return true;
-}
-
-bool vtkSurfaceIntegralGPU::Internals::Integrate(
-  vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies)
-{
-  Run& last = this->Last;
-  if (!this->ChooseRunner(self))
-  {
-    return false;
-  }
-  const std::vector<sm::Integrand> plain = this->GetPlainIntegrands();
-  if (this->Configured != plain)
-  {
-    this->Integrator.SetIntegrands(plain);
-    this->Configured = plain;
-  }
-  // Moments about each part's own origin are carried to the instances exactly; anything else is integrated
-  // in world coordinates, instance by instance.
-  const bool placed = !this->LocalTolerances;
-  this->Integrator.SetUsePlacements(placed);
-  for (sm::SurfaceIntegrator* integrator : { &this->Integrator, &this->Buoyancy.GetIntegrator() })
-  {
-    integrator->SetPerturbation(self->ShaderPerturbation);
-    integrator->SetMaximumEvaluations(self->MaximumEvaluations);
-    integrator->SetMaximumSeconds(self->MaximumSeconds);
-    integrator->SetKeepFaces(self->KeepFaces);
-  }
-
-  std::vector<sm::FaceTask> tasks;
-  std::vector<std::size_t> firstTask;
-  std::map<vtkTrimmedNURBSModel*, std::size_t> known;
-  for (const sm::BodyIntegrals& body : bodies)
-  {
-    const auto shared = known.find(body.Model);
-    if (!placed && shared != known.end())
-    {
-      firstTask.push_back(shared->second);
-      continue;
-    }
-    known[body.Model] = tasks.size();
-    firstTask.push_back(tasks.size());
-    this->AddTasks(body, placed, self->RelativeTolerance, tasks);
-  }
-  const std::vector<std::size_t> chosen = this->ChooseTasks(tasks);
-  std::vector<sm::FaceIntegrals> results;
-  const vtkTypeUInt64 dispatches = this->Context->GetNumberOfDispatches();
-  // Without plain integrands there is nothing to run, but bodies want results of their faces.
-  results.resize(plain.empty() ? tasks.size() : 0);
-  const double share = this->Waterlines.empty() ? 1.0 : 0.5;
-  const bool done = plain.empty() ||
-    this->Integrator.Integrate(tasks, results,
-      [self, share](double fraction)
-      {
-        self->UpdateProgress(share * fraction);
-        return !self->GetAbortExecute();
-      });
-  last.Dispatches = static_cast<vtkTypeInt64>(this->Context->GetNumberOfDispatches() - dispatches);
-  if (!plain.empty())
-  {
-    last.Evaluations = this->Integrator.GetEvaluations();
-    last.StartSeconds += this->Integrator.GetStartSeconds();
-    last.PrepareSeconds = this->Integrator.GetPrepareSeconds();
-    last.IntegrateSeconds = this->Integrator.GetIntegrateSeconds();
-  }
-  if (!done)
-  {
-    last.Messages.push_back(this->Integrator.WasTimedOut() ? "nothing was computed: MaximumSeconds were over"
-        : this->Integrator.WasAborted()                    ? "the run was aborted"
-                                        : "nothing was computed: " + this->Integrator.GetError());
-    return false;
-  }
-  if (!plain.empty() && this->Integrator.WasAborted())
-  {
-    last.Messages.push_back(this->Integrator.WasTimedOut()
-        ? "MaximumSeconds were over before all faces were integrated"
-        : "the run was aborted before all faces were integrated");
-  }
-  if (!plain.empty() && this->Integrator.WasLoosened())
-  {
-    last.Messages.push_back(
-      "MaximumEvaluations are too few for the tolerance: it was loosened, and the bounds say by how much");
-  }
-  for (std::size_t k = 0; k < this->Integrands.size(); ++k)
-  {
-    const std::string obstacle = this->GetObstacle(k);
-    if (!obstacle.empty())
-    {
-      const sm::Integrand& integrand = this->Integrands[k];
-      last.Messages.push_back(integrand.Name + " was not computed: " + obstacle +
-        (integrand.Source ? ", in \"" + integrand.Expression + "\"" : std::string()));
-    }
-    else if (this->Integrands[k].Source && this->Integrands[k].Source->MayHaveKinks())
-    {
-      last.Messages.push_back(this->Integrands[k].Name +
-        " may have kinks or steps: its bound is estimated as if it were smooth on every face");
-    }
-  }
-  this->SpreadResults(chosen, results);
-  std::map<std::size_t, std::shared_ptr<const std::vector<sm::FaceIntegrals>>> sharedFaces;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-  {
-    auto& faces = sharedFaces[firstTask[i]];
-    if (!faces)
-    {
-      const auto first = results.begin() + static_cast<std::ptrdiff_t>(firstTask[i]);
-      faces = std::make_shared<const std::vector<sm::FaceIntegrals>>(
-        first, first + bodies[i].Model->GetNumberOfFaces());
-    }
-    bodies[i].Faces = faces;
-  }
-  return this->Waterlines.empty() || this->IntegrateBuoyancy(self, bodies);
-}
-
 bool vtkSurfaceIntegralGPU::IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies)
 {
   return this->Implementation->Integrate(this, bodies);
@@ -451,14 +225,33 @@ void vtkSurfaceIntegralGPU::ForgetLastRun()
 }
 
 int vtkSurfaceIntegralGPU::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Internals::Run& last = this->Implementation->Last;
   this->ForgetLastRun();
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
   sm::RejectedInput rejected;
   std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
-  if (bodies.empty() && rejected.Plain + rejected.Withheld > 0)
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  const int pieces = outputVector->GetInformationObject(port)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  const bool anyBody = !bodies.empty();
+  if (anyBody)
+  {
+    this->Implementation->ChooseBodies(input, bodies);
+  }
+  int root = 0;
+  const Internals::Role role = this->Implementation->ChooseRole(
+    this->CanShareFaces(), pieces, anyBody || rejected.Plain + rejected.Withheld > 0, !bodies.empty(), root);
+  if (role == Internals::Role::Helper)
+  {
+    this->Implementation->Help(this, root);
+  }
+  if (role != Internals::Role::Owner)
+  {
+    return 1;
+  }
+  if (!anyBody && rejected.Plain + rejected.Withheld > 0)
   {
     last.Status = sm::names::StatusEmpty;
     last.Messages.push_back(rejected.Withheld > 0 ? "the points of the input were changed after it was read, "
@@ -476,8 +269,6 @@ int vtkSurfaceIntegralGPU::RequestData(
     last.Messages.push_back(
       std::to_string(rejected.Plain + rejected.Withheld) + " meshes without exact geometry were left out");
   }
-  const bool anyBody = !bodies.empty();
-  this->Implementation->ChooseBodies(input, bodies);
   last.Solids = static_cast<int>(bodies.size());
   for (const sm::BodyIntegrals& body : bodies)
   {
@@ -489,6 +280,8 @@ int vtkSurfaceIntegralGPU::RequestData(
     last.Messages.push_back(anyBody ? "no solid is chosen" : "the input holds no solid and no surface");
   }
   const bool computed = !bodies.empty() && this->IntegrateBodies(bodies);
+  this->Implementation->Exchange = nullptr;
+  last.Ranks = computed ? std::max(last.Ranks, 1) : 0;
   for (sm::BodyIntegrals& body : bodies)
   {
     if (computed)
@@ -555,6 +348,7 @@ void vtkSurfaceIntegralGPU::Internals::FillRunData(vtkFieldData* data) const
   sm::columns::SetInteger(data, sm::names::Evaluations, this->Last.Evaluations);
   sm::columns::SetInteger(data, sm::names::Dispatches, this->Last.Dispatches);
   sm::columns::SetInteger(data, sm::names::Faces, this->Last.Faces);
+  sm::columns::SetInteger(data, sm::names::Ranks, this->Last.Ranks);
   sm::columns::SetInteger(data, sm::names::BoundsEstimated, this->Last.Estimated ? 1 : 0);
 }
 

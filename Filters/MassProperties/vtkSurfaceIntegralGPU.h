@@ -43,6 +43,8 @@
  * RequestData fails only for a wrong input (no exact geometry in it). What cannot be computed has its rows, with NaN and
  * a status: everything, when OPENGL is asked for and there is none; on the CPU, integrands that are expressions.
  *
+ * Several processes share the work where they update together, see SetController().
+ *
  * Not thread safe. With SetRenderWindow the calling thread must be the one that renders in that window.
  */
 #ifndef vtkSurfaceIntegralGPU_h
@@ -56,6 +58,7 @@
 #include <vector> // for std::vector
 
 class vtkComputeContext;
+class vtkMultiProcessController;
 class vtkNURBSDataSet;
 class vtkRenderWindow;
 class vtkTable;
@@ -257,6 +260,27 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The processes (ranks) that share the faces of a run. They do when all of them update together, each its own piece of as many as
+   * there are ranks (UpdatePiece(rank, ranks, 0), as ParaView's servers do), and one of them, of a reader the first, has bodies.
+   * Faces are divided by estimated cost and sent to the others, which need not have read anything; they are cut, planned and
+   * integrated there, and the rank that has the bodies sums them in the order of the faces: the bits are those of one
+   * process, if all ranks compute with equal devices and no budget ends the run. Later runs send new faces only.
+   *
+   * Outputs and getters of the other ranks are empty, so that nothing is there twice. Properties must be the same on all
+   * ranks; one whose integrands are not takes no part, and a message says so. A rank without OpenGL computes on the CPU; one that
+   * fails has its share done by the rank with the bodies, with a message; abort on any rank stops all, at the end of a batch of some
+   * 2e7 evaluations; of MaximumEvaluations every rank may spend the part that its faces are of the plan. Evaluations and
+   * Dispatches count all ranks. The paper's schemes run on one rank. When several ranks have bodies, each
+   * integrates its own. A plain Update() is for the calling process alone.
+   *
+   * Default: vtkMultiProcessController::GetGlobalController() when the filter was made. Null: no other process.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
+  ///@{
   /** The last run: total of the integrand (NaN when absent or not computed) and its bound. */
   double GetIntegral(const std::string& name) const;
   double GetIntegralBound(const std::string& name) const;
@@ -281,6 +305,8 @@ public:
   vtkTypeInt64 GetDispatches() const;
   int GetNumberOfSolids() const;
   int GetNumberOfFaces() const;
+  /** Processes that integrated faces; 0 when nothing was computed. */
+  int GetNumberOfRanks() const;
   /** Seconds of the last run: context and shaders; cutting into panels and upload; integration. */
   double GetStartSeconds() const;
   double GetPrepareSeconds() const;
@@ -303,6 +329,12 @@ protected:
 #ifndef __VTK_WRAP__
   /** Makes the getters return what they do before the first run. Called at the start of every run. */
   virtual void ForgetLastRun();
+
+  /** Other ranks can help IntegrateBodies(). */
+  virtual bool CanShareFaces() const
+  {
+    return true;
+  }
 
   /** Gives every body the integrals of its faces. False when nothing was computed; Last then has a message. */
   virtual bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies);

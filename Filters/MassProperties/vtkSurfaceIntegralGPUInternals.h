@@ -8,15 +8,19 @@
 #include "smBodyIntegrals.h"
 #include "smBuoyancy.h"
 #include "smColumns.h"
+#include "smControllerExchange.h"
 #include "smMassPropertyNames.h"
 #include "smSurfaceIntegrator.h"
 #include "vtkSurfaceIntegralGPU.h"
 
 #include "vtkComputeContext.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 
 class vtkFieldData;
@@ -41,6 +45,7 @@ struct vtkSurfaceIntegralGPU::Internals
     bool Estimated = false;
     int Solids = 0;
     int Faces = 0;
+    int Ranks = 0;
     double StartSeconds = 0.0;
     double PrepareSeconds = 0.0;
     double IntegrateSeconds = 0.0;
@@ -85,6 +90,17 @@ struct vtkSurfaceIntegralGPU::Internals
   std::string AssemblyName = "Assembly";
   Run Last;
 
+  /// What a rank does in a run: all there is to do; its part of what another has; or nothing, and puts nothing out.
+  enum class Role
+  {
+    Owner,
+    Helper,
+    Idle
+  };
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  /// While the faces are shared with other ranks.
+  std::unique_ptr<sm::ControllerExchange> Exchange;
+
   void Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand);
   /// Replaces the integrands that the switch added before by what `add` adds.
   void Switch(vtkSurfaceIntegralGPU* self, const std::string& name, const std::function<void()>& add);
@@ -92,6 +108,11 @@ struct vtkSurfaceIntegralGPU::Internals
   /// Gives the integrator the runner that the backend asks for and the machine has, and says so in Last.
   bool ChooseRunner(vtkSurfaceIntegralGPU* self);
   bool Integrate(vtkSurfaceIntegralGPU* self, std::vector<sm::BodyIntegrals>& bodies);
+  /// All but what is below waterlines, with the other ranks if they are met.
+  bool RunPlain(vtkSurfaceIntegralGPU* self, const std::vector<sm::FaceTask>& tasks,
+    std::vector<sm::FaceIntegrals>& results);
+  /// Says in Last which integrands were not computed, and whose bounds are estimated.
+  void TellOfIntegrands();
   /// The integrands that the integrator is given: all but those below waterlines.
   std::vector<sm::Integrand> GetPlainIntegrands() const;
   /// Why an integrand could not be evaluated; empty when it could.
@@ -110,6 +131,14 @@ struct vtkSurfaceIntegralGPU::Internals
   void SpreadResults(const std::vector<std::size_t>& chosen, std::vector<sm::FaceIntegrals>& results) const;
   /// Leaves the bodies that the selectors choose, and says which selectors choose nothing.
   void ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies);
+  /// Meets the other ranks, if they are to. `root` gets the rank that a helper helps.
+  Role ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies, int& root);
+  void Help(vtkSurfaceIntegralGPU* self, int root);
+  /// Gives the integrator what is asked of it.
+  void Configure(vtkSurfaceIntegralGPU* self);
+  sm::RankDevice GetDevice() const;
+  /// Says in Last what the ranks did.
+  void TellOfRanks();
   void FillRunData(vtkFieldData* data) const;
   /// How far the body reaches from the world origin.
   static double GetReach(const sm::BodyIntegrals& body);

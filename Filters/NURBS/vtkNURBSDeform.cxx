@@ -12,6 +12,7 @@
 #include "vtkNURBSPointEvaluator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -303,6 +304,7 @@ int vtkNURBSDeform::RequestData(
   this->NumberOfOpenedEdges = this->NumberOfChangedFaces = 0;
   this->LargestGap = 0.0;
   Run run{ this, {}, 0, 0, 0, {} };
+  vtkInformation* info = outputVector->GetInformationObject(0);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   const auto change = [&run](vtkPointSet* source, vtkPointSet* copy)
   {
@@ -315,6 +317,10 @@ int vtkNURBSDeform::RequestData(
   if (!done)
   {
     vtkErrorMacro("The deformation is not possible: " << run.Error << ".");
+  }
+  else if (run.Deformed == 0 && info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    // A rank that has no solids.
   }
   else if (run.Deformed == 0)
   {
@@ -332,5 +338,6 @@ int vtkNURBSDeform::RequestData(
   {
     output->Initialize();
   }
-  return done ? 1 : 0;
+  // Where ranks run together, what is downstream must run on all or on none.
+  return done || info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;
 }

@@ -25,6 +25,7 @@
  * vtkNURBSPointEvaluator: on the GPU where the module RenderingNURBS is loaded and there is OpenGL 4.3 with doubles, else on the CPU
  * by vtkSMPTools. Points without are mapped like control points, which is near the faces and not on them.
  * LocalBounds and scales of a model stay, and so do the tolerances that faces are integrated to.
+ * Asked for one of several pieces (ranks of a parallel run), pieces without solids pass, and an error leaves an empty output.
  *
  * Not thread safe.
  */

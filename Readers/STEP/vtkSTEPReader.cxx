@@ -201,7 +201,9 @@ int vtkSTEPReader::Fail(int status, const std::string& problem)
   this->Status = status;
   this->Last->Messages.push_back(sentence);
   vtkErrorMacro(<< sentence);
-  return 0;
+  // Other ranks, with their empty pieces, do not fail: what is downstream must run on all or on none.
+  vtkInformation* info = this->GetOutputInformation(0);
+  return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;
 }
 
 int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)

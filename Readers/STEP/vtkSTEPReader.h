@@ -32,6 +32,10 @@
  * The display mesh of one body gets 5 seconds, and the faces not reached 5 more one by one; what is left is shown on
  * a plain grid. A body whose faces are not all that the file says has GetNumberOfMissingFaces() or
  * GetNumberOfDefects() above 0.
+ *
+ * Asked for one of several pieces, as on the ranks of a parallel run, the first piece is the file and the others are empty. A
+ * file that cannot be read is an error there, too, but Update() goes on with an empty output, so that no rank waits
+ * for one that stopped.
  */
 #ifndef vtkSTEPReader_h
 #define vtkSTEPReader_h

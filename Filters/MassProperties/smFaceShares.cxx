@@ -1,0 +1,175 @@
+#include "smFaceShares.h"
+
+#include "smFaceBytes.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace sm
+{
+namespace
+{
+constexpr std::uint64_t RunsKept = 8;
+// Receivers keep faces longer than senders count on it.
+constexpr std::uint64_t RunsKeptByReceivers = 2 * RunsKept;
+}
+
+double EstimateCost(const Face& face)
+{
+  // A panel and a ribbon for every piece of a trim curve, and a panel for every cell.
+  double pieces = 0.0;
+  for (const Loop& loop : face.Loops)
+  {
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      pieces += 1.0 + coedge.Curve.GetNumberOfPieces() + coedge.Use->Curve.GetNumberOfPieces();
+    }
+  }
+  const NURBSSurface& surface = face.Surface;
+  double cells = 1.0;
+  double points = 1.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    cells *= std::max(1, surface.NumberOfControlPoints[d] - surface.Degree[d]);
+    points *= 1.0 + surface.Degree[d];
+  }
+  // An item takes about as many points as a patch has coefficients, each of which costs as many products; the constant is what
+  // planning an item costs beside.
+  return (pieces + cells) * (20.0 + points * points);
+}
+
+std::vector<int> FaceShares::Divide(const std::vector<FaceTask>& tasks, const std::vector<bool>& fit)
+{
+  if (this->Session == 0)
+  {
+    this->Forget();
+  }
+  const auto hasHome = [&fit](const Home& home) { return home.Rank >= 0 && fit[home.Rank]; };
+  std::vector<int> ranks(tasks.size(), -1);
+  std::vector<std::size_t> fresh;
+  std::vector<double> costs(tasks.size(), 0.0);
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    Home& home = this->Homes[tasks[i].Source->Id];
+    home.LastRun = this->Run;
+    if (hasHome(home))
+    {
+      ranks[i] = home.Rank;
+      continue;
+    }
+    costs[i] = EstimateCost(*tasks[i].Source);
+    fresh.push_back(i);
+  }
+  std::stable_sort(
+    fresh.begin(), fresh.end(), [&costs](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
+  std::vector<double> loads(fit.size(), 0.0);
+  for (const std::size_t i : fresh)
+  {
+    Home& home = this->Homes[tasks[i].Source->Id];
+    // Not so where another task of this run has found the face a home.
+    if (!hasHome(home))
+    {
+      int least = -1;
+      for (int rank = 0; rank < static_cast<int>(fit.size()); ++rank)
+      {
+        least = fit[rank] && (least < 0 || loads[rank] < loads[least]) ? rank : least;
+      }
+      home = { least, this->Run, false };
+    }
+    ranks[i] = home.Rank;
+    loads[home.Rank] += costs[i];
+  }
+  return ranks;
+}
+
+void FaceShares::Pack(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& own, ByteWriter& to)
+{
+  to.Put(this->Session);
+  to.Put(static_cast<std::uint64_t>(own.size()));
+  FaceWriter faces(to);
+  const FaceTask* last = nullptr;
+  for (const std::size_t i : own)
+  {
+    const FaceTask& task = tasks[i];
+    // Faces of one body are asked the same.
+    const bool isSame = last && last->Tolerances == task.Tolerances && last->Placement == task.Placement;
+    to.Put(isSame);
+    if (!isSame)
+    {
+      to.PutAll(task.Tolerances);
+      to.Put(task.Placement);
+    }
+    last = &task;
+    Home& home = this->Homes.at(task.Source->Id);
+    to.Put(task.Source->Id);
+    to.Put(!home.IsThere);
+    if (!home.IsThere)
+    {
+      faces.Put(*task.Source);
+      home.IsThere = true;
+    }
+  }
+}
+
+void FaceShares::EndRun()
+{
+  ++this->Run;
+  for (auto home = this->Homes.begin(); home != this->Homes.end();)
+  {
+    home = home->second.LastRun + RunsKept < this->Run ? this->Homes.erase(home) : std::next(home);
+  }
+}
+
+void FaceShares::Forget()
+{
+  this->Homes.clear();
+  this->Session = NewId();
+}
+
+bool ReceivedFaces::Unpack(int sender, ByteReader& from, std::vector<FaceTask>& tasks)
+{
+  const auto session = from.Get<std::uint64_t>();
+  if (sender != this->Sender || session != this->Session)
+  {
+    this->Faces.clear();
+    this->Sender = sender;
+    this->Session = session;
+  }
+  ++this->Run;
+  tasks.clear();
+  const std::size_t count = from.GetCount(2 + sizeof(std::uint64_t));
+  FaceReader faces(from);
+  FaceTask task;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (!from.Get<bool>())
+    {
+      task.Tolerances = from.GetAll<double>();
+      task.Placement = from.Get<std::array<double, 12>>();
+    }
+    const auto id = from.Get<std::uint64_t>();
+    if (from.Get<bool>())
+    {
+      const FacePointer face = faces.Get();
+      if (!face)
+      {
+        return false;
+      }
+      this->Faces.emplace(id, Entry{ face, this->Run });
+    }
+    const auto found = this->Faces.find(id);
+    if (!from.IsGood() || found == this->Faces.end())
+    {
+      return false;
+    }
+    found->second.LastRun = this->Run;
+    task.Source = found->second.Face;
+    tasks.push_back(task);
+  }
+  for (auto face = this->Faces.begin(); face != this->Faces.end();)
+  {
+    face = face->second.LastRun + RunsKeptByReceivers < this->Run ? this->Faces.erase(face) : std::next(face);
+  }
+  return from.IsGood();
+}
+}
