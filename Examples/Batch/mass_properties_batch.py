@@ -186,19 +186,21 @@ def run(job=None):
     together, shares = divide(files, ranks.count)
     rows = {}
     start = time.monotonic()
+    busy = time.process_time()
     for i in together:
         rows[i] = weigh_safely(os.path.join(folder, files[i][0]), files[i][0], options, ranks, True)
     if ranks.rank != 0:
         rows = {}
     for i in shares[ranks.rank]:
         rows[i] = weigh_safely(os.path.join(folder, files[i][0]), files[i][0], options, ranks, False)
-    gathered = ranks.gather([sorted(rows.items()), time.monotonic() - start])
+    gathered = ranks.gather([sorted(rows.items()), time.monotonic() - start, time.process_time() - busy])
     if gathered is None:
         return None
     by_file = {}
-    for rank, (some, seconds) in enumerate(gathered):
+    for rank, (some, seconds, processor) in enumerate(gathered):
         by_file.update({int(i): found for i, found in some})
-        print(f"rank {rank}: {len(shares[rank])} whole files, {len(together)} shared with all, {seconds:.1f} s")
+        print(f"rank {rank}: {len(shares[rank])} whole files, {len(together)} shared with all, {seconds:.1f} s, "
+              f"{processor:.1f} s of processor time")
     return [row for i in sorted(by_file) for row in by_file[i]]
 
 
