@@ -1,6 +1,6 @@
 /**
  * @file smSurfaceIntegratorInternals.h
- * @brief The state of a SurfaceIntegrator, for its two sources: what one rank does, and how ranks share the faces
+ * @brief The state of a SurfaceIntegrator, for its sources: a run, a batch of faces, and how ranks share the faces
  */
 #ifndef smSurfaceIntegratorInternals_h
 #define smSurfaceIntegratorInternals_h
@@ -87,10 +87,7 @@ struct SurfaceIntegrator::Internals
   bool Prepare(const std::vector<FaceTask>& tasks);
   std::size_t GetNumberOfItems(std::size_t face) const;
   FaceQuestion GetQuestion(const FaceTask& task, std::size_t index) const;
-  void Keep(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
-    const std::vector<FaceIntegrals>& results);
   void Skip(const std::vector<std::size_t>& faces, std::vector<FaceIntegrals>& results) const;
-  void AddBounds(const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results) const;
   bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
   bool RunBatches(const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& batches,
     std::vector<FaceIntegrals>& results);
@@ -98,6 +95,21 @@ struct SurfaceIntegrator::Internals
   FaceIntegrals GetNothing() const;
   /// Cuts, plans and evaluates.
   bool Run(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
+
+  // smSurfaceIntegratorBatch.cxx
+  bool RunBatch(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
+    std::vector<FaceIntegrals>& results);
+  bool RunPortions(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
+    std::vector<FaceIntegrals>& results);
+  bool RunItems(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
+    std::vector<FaceIntegrals>& results);
+  bool RunPlanned(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
+  bool RunLevels(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
+  bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
+    std::vector<FaceIntegrals>& results);
+  void AddBounds(const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results) const;
+  void Keep(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
+    const std::vector<FaceIntegrals>& results);
 
   // smSurfaceIntegratorShared.cxx
   Bytes MakeOffer() const;
@@ -112,16 +124,6 @@ struct SurfaceIntegrator::Internals
   bool DoOver(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& share,
     std::vector<FaceIntegrals>& results);
   Bytes MakeOutcome(const std::vector<FaceIntegrals>& results, std::int64_t dispatches) const;
-  bool RunBatch(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
-    std::vector<FaceIntegrals>& results);
-  bool RunPortions(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
-    std::vector<FaceIntegrals>& results);
-  bool RunItems(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
-    std::vector<FaceIntegrals>& results);
-  bool RunPlanned(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
-  bool RunLevels(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
-  bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
-    std::vector<FaceIntegrals>& results);
 };
 }
 
