@@ -224,9 +224,9 @@ void MoveLoop(DraftLoop& loop, int direction, double by)
   }
 }
 
-ParameterBox GetBox(const DraftLoop& loop)
+NativeBox GetBox(const DraftLoop& loop)
 {
-  ParameterBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };
+  NativeBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };
   for (const DraftCoedge& coedge : loop)
   {
     for (const auto& p : { coedge.GetStartPoint(), coedge.GetEndPoint() })
@@ -369,7 +369,7 @@ void ShiftLoops(DraftFace& face)
     return;
   }
   std::size_t widest = 0;
-  std::vector<ParameterBox> boxes;
+  std::vector<NativeBox> boxes;
   for (DraftLoop& loop : face.Loops)
   {
     for (std::size_t i = 1; i <= loop.size(); ++i)

@@ -94,8 +94,7 @@ void SetLinear(ConvertedSurface& result, int direction, double low, double high)
   result.Surface.Knots[direction] = LinearKnots(low, high);
 }
 
-void ConvertPlane(
-  const gp_Ax3& frame, const ParameterBox& box, const AffineMap& map, ConvertedSurface& result)
+void ConvertPlane(const gp_Ax3& frame, const NativeBox& box, const AffineMap& map, ConvertedSurface& result)
 {
   SetLinear(result, 0, box.Low[0], box.High[0]);
   SetLinear(result, 1, box.Low[1], box.High[1]);
@@ -120,7 +119,7 @@ void ConvertPlane(
 
 /// A straight profile radius(v), height(v) at both ends of v; a radius that is zero but for rounding is zero.
 std::vector<Vector3> StraightProfile(
-  const ParameterBox& box, double radius, double radiusSlope, double heightSlope)
+  const NativeBox& box, double radius, double radiusSlope, double heightSlope)
 {
   std::vector<Vector3> profile;
   for (const double v : { box.Low[1], box.High[1] })
@@ -153,7 +152,7 @@ void SetArcs(ConvertedSurface& result, int direction, double low, double high)
   result.Surface.Knots[direction] = result.Map[direction].GetKnots();
 }
 
-void ConvertRevolution(const Handle(Geom_SurfaceOfRevolution) & surface, const ParameterBox& box,
+void ConvertRevolution(const Handle(Geom_SurfaceOfRevolution) & surface, const NativeBox& box,
   const AffineMap& map, ConvertedSurface& result)
 {
   const Profile profile = ConvertProfile(surface->BasisCurve(), box.Low[1], box.High[1]);
@@ -188,7 +187,7 @@ void ConvertRevolution(const Handle(Geom_SurfaceOfRevolution) & surface, const P
   Revolve(poles, result);
 }
 
-void ConvertExtrusion(const Handle(Geom_SurfaceOfLinearExtrusion) & surface, const ParameterBox& box,
+void ConvertExtrusion(const Handle(Geom_SurfaceOfLinearExtrusion) & surface, const NativeBox& box,
   const AffineMap& map, ConvertedSurface& result)
 {
   const Profile profile = ConvertProfile(surface->BasisCurve(), box.Low[0], box.High[0]);
@@ -227,8 +226,8 @@ std::array<double, 4> MapPole(
   return { w * p[0], w * p[1], w * p[2], w };
 }
 
-void ConvertBSpline(const Handle(Geom_BSplineSurface) & surface, const ParameterBox& box,
-  const AffineMap& map, ConvertedSurface& result)
+void ConvertBSpline(const Handle(Geom_BSplineSurface) & surface, const NativeBox& box, const AffineMap& map,
+  ConvertedSurface& result)
 {
   const FlatKnots flat[2] = { MakeFlatKnots(surface->UDegree(), surface->UKnots(), surface->UMultiplicities(),
                                 surface->IsUPeriodic(), box.Low[0], box.High[0]),
@@ -273,7 +272,7 @@ void ConvertBezier(const Handle(Geom_BezierSurface) & surface, const AffineMap& 
 }
 
 /// Largest distance from the kernel's own evaluation, at a few points of the box.
-double MeasureDistance(const Handle(Geom_Surface) & surface, const ParameterBox& box, const AffineMap& map,
+double MeasureDistance(const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map,
   const ConvertedSurface& converted)
 {
   double distance = 0.0;
@@ -342,8 +341,8 @@ double GetSize(const NURBSSurface& surface)
 }
 
 /// Dispatch on the surface's type; false when none of the exact conversions applies.
-bool ConvertExactly(const Handle(Geom_Surface) & surface, const ParameterBox& box, const AffineMap& map,
-  ConvertedSurface& result)
+bool ConvertExactly(
+  const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map, ConvertedSurface& result)
 {
   if (const auto plane = Handle(Geom_Plane)::DownCast(surface))
   {
@@ -413,7 +412,7 @@ Handle(Geom_Surface) GetBasisSurface(Handle(Geom_Surface) surface)
 }
 
 ConvertedSurface ConvertSurface(
-  const Handle(Geom_Surface) & source, const ParameterBox& box, const AffineMap& map)
+  const Handle(Geom_Surface) & source, const NativeBox& box, const AffineMap& map)
 {
   const Handle(Geom_Surface) surface = GetBasisSurface(source);
   ConvertedSurface result;

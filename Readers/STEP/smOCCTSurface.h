@@ -20,7 +20,7 @@ struct ConvertedSurface
 };
 
 /// Native parameters that the trims of a face cover.
-struct ParameterBox
+struct NativeBox
 {
   double Low[2] = { 0.0, 0.0 };
   double High[2] = { 0.0, 0.0 };
@@ -31,10 +31,10 @@ Handle(Geom_Surface) GetBasisSurface(Handle(Geom_Surface) surface);
 
 /// Throws std::runtime_error with the reason when the surface cannot be carried over.
 ConvertedSurface ConvertSurface(
-  const Handle(Geom_Surface) & surface, const ParameterBox& box, const AffineMap& map);
+  const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map);
 
 /// Tensor Chebyshev fit over the box; the last resort, used for offset surfaces. Residual is stated.
-NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const ParameterBox& box, const AffineMap& map);
+NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map);
 }
 
 #endif

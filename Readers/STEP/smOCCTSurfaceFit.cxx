@@ -173,7 +173,7 @@ std::vector<double> Refine(const std::vector<double>& breaks, const std::vector<
 }
 }
 
-NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const ParameterBox& box, const AffineMap& map)
+NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map)
 {
   std::vector<double> breaks[2];
   for (int d = 0; d < 2; ++d)

@@ -122,7 +122,7 @@ private:
   /// A component that moves by no more than the tolerance is a line of constant parameter, and stays one.
   void FindConstants()
   {
-    ParameterBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };
+    NativeBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };
     this->Trim.AddTo(box);
     for (int d = 0; d < 2; ++d)
     {
@@ -322,7 +322,7 @@ std::vector<double> NativeTrim::GetBreaks() const
   return { this->First, this->Last };
 }
 
-void NativeTrim::AddTo(ParameterBox& box) const
+void NativeTrim::AddTo(NativeBox& box) const
 {
   const auto add = [&box](double u, double v)
   {

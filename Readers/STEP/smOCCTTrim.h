@@ -29,7 +29,7 @@ struct NativeTrim
   /// First, Last and the knots between.
   std::vector<double> GetBreaks() const;
   /// Widens the box by what the curve covers, before the shift.
-  void AddTo(ParameterBox& box) const;
+  void AddTo(NativeBox& box) const;
 };
 
 /// Residual that a trim curve is fitted to, in each of our parameters.

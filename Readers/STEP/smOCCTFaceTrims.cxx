@@ -1,0 +1,134 @@
+#include "smOCCTFaceTrims.h"
+
+#include <Geom_Plane.hxx>
+#include <Precision.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace sm
+{
+namespace
+{
+NativeBox GetNaturalBox(const DraftFace& face)
+{
+  NativeBox box;
+  face.Stored->Bounds(box.Low[0], box.High[0], box.Low[1], box.High[1]);
+  for (int d = 0; d < 2; ++d)
+  {
+    if (Precision::IsInfinite(box.Low[d]) || Precision::IsInfinite(box.High[d]))
+    {
+      throw std::runtime_error("it has no loops and its surface is infinite");
+    }
+  }
+  return box;
+}
+}
+
+TrimCurve ProjectOnPlane(const DraftFace& face, const AffineMap& map, const EdgeCurve& curve)
+{
+  const gp_Ax3& frame = Handle(Geom_Plane)::DownCast(face.Surface)->Position();
+  const Vector3 origin = map.MapPoint(frame.Location().XYZ());
+  const Vector3 axes[2] = { map.MapVector(frame.XDirection().XYZ()),
+    map.MapVector(frame.YDirection().XYZ()) };
+  TrimCurve result;
+  result.Breaks = curve.Breaks;
+  result.Offsets = curve.Offsets;
+  for (const Vector3& p : curve.Coefficients)
+  {
+    TrimCurve::Point uv{};
+    for (int d = 0; d < 2; ++d)
+    {
+      double square = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        uv[d] += (p[c] - origin[c]) * axes[d][c];
+        square += axes[d][c] * axes[d][c];
+      }
+      uv[d] /= square;
+    }
+    result.Coefficients.push_back(uv);
+  }
+  // In the plane, its distance in space.
+  const double residual =
+    std::hypot(curve.Residual[0], curve.Residual[1], curve.Residual[2]) / map.GetScale();
+  result.Residual = { residual, residual };
+  return result;
+}
+
+NativeBox GetCoveredBox(const DraftFace& face, const std::vector<std::vector<TrimCurve>>& projected)
+{
+  if (face.Loops.empty())
+  {
+    return GetNaturalBox(face);
+  }
+  NativeBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };
+  for (std::size_t l = 0; l < face.Loops.size(); ++l)
+  {
+    for (std::size_t i = 0; i < face.Loops[l].size(); ++i)
+    {
+      const DraftCoedge& coedge = face.Loops[l][i];
+      NativeBox own{ { 1e300, 1e300 }, { -1e300, -1e300 } };
+      if (coedge.Projected)
+      {
+        for (const auto& p : projected[l][i].Coefficients)
+        {
+          for (int d = 0; d < 2; ++d)
+          {
+            own.Low[d] = std::min(own.Low[d], p[d]);
+            own.High[d] = std::max(own.High[d], p[d]);
+          }
+        }
+      }
+      else
+      {
+        coedge.Trim.AddTo(own);
+      }
+      for (int d = 0; d < 2; ++d)
+      {
+        box.Low[d] = std::min(box.Low[d], own.Low[d] + coedge.Trim.Shift[d]);
+        box.High[d] = std::max(box.High[d], own.High[d] + coedge.Trim.Shift[d]);
+      }
+    }
+  }
+  for (int d = 0; d < 2; ++d)
+  {
+    const double least = 1e-9 * std::max({ 1.0, std::abs(box.Low[d]), std::abs(box.High[d]) });
+    if (!(box.High[d] - box.Low[d] >= least))
+    {
+      box.Low[d] -= least;
+      box.High[d] += least;
+    }
+  }
+  return box;
+}
+
+void SnapToKnots(const std::vector<double> knots[2], TrimCurve& curve)
+{
+  for (int d = 0; d < 2; ++d)
+  {
+    const double value = curve.Coefficients[0][d];
+    if (!std::all_of(curve.Coefficients.begin(), curve.Coefficients.end(),
+          [d, value](const TrimCurve::Point& p) { return p[d] == value; }))
+    {
+      continue;
+    }
+    const auto after = std::lower_bound(knots[d].begin(), knots[d].end(), value);
+    for (auto knot = after == knots[d].begin() ? after : after - 1; knot != knots[d].end() && knot <= after;
+         ++knot)
+    {
+      const double scale = std::max({ std::abs(*knot), knots[d].back() - knots[d].front() });
+      if (*knot != value && std::abs(*knot - value) <= 1e-14 * scale)
+      {
+        for (auto& p : curve.Coefficients)
+        {
+          p[d] = *knot;
+        }
+        curve.RaiseResidual(d, std::abs(*knot - value));
+        break;
+      }
+    }
+  }
+}
+}
