@@ -3,6 +3,7 @@
 #include "smMassTable.h"
 #include "smShellOrientation.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -400,6 +401,26 @@ std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model)
     }
   }
   return box;
+}
+
+void AddPlacedBox(const BodyIntegrals& body, vtkBoundingBox& box)
+{
+  const std::array<double, 6> b = GetBox(*body.Model);
+  const double* origin = body.Model->GetOrigin();
+  const std::array<double, 16>& m = body.Placement;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double p[3];
+    for (int r = 0; r < 3; ++r)
+    {
+      p[r] = m[4 * r + 3];
+      for (int c = 0; c < 3; ++c)
+      {
+        p[r] += m[4 * r + c] * (origin[c] + b[2 * c + ((corner >> c) & 1)]);
+      }
+    }
+    box.AddPoint(p);
+  }
 }
 
 double GetRadius(vtkTrimmedNURBSModel& model)

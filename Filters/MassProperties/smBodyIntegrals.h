@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+class vtkBoundingBox;
 class vtkDataObject;
 
 namespace sm
@@ -106,6 +107,8 @@ bool IsWorse(const std::string& status, const std::string& than);
 
 /// xmin, xmax, ymin … about the model's origin; from the control points where the model does not say.
 std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model);
+/// Adds the eight corners of a body's box where the body is placed.
+void AddPlacedBox(const BodyIntegrals& body, vtkBoundingBox& box);
 /// Half the diagonal of that box.
 double GetRadius(vtkTrimmedNURBSModel& model);
 /// Scales that tolerances are relative to; from the bounding box where the reader knows none.

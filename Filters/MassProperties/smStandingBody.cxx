@@ -83,31 +83,6 @@ GroundFrame MakeFrame(const GroundDirections& ground, const Vector3& origin, con
   frame.Shift = ToFrame(ground, origin, world);
   return frame;
 }
-
-vtkBoundingBox GetPlacedBox(const std::vector<const BodyIntegrals*>& parts)
-{
-  vtkBoundingBox all;
-  for (const BodyIntegrals* part : parts)
-  {
-    const std::array<double, 6> b = GetBox(*part->Model);
-    const double* origin = part->Model->GetOrigin();
-    const std::array<double, 16>& m = part->Placement;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      double p[3];
-      for (int r = 0; r < 3; ++r)
-      {
-        p[r] = m[4 * r + 3];
-        for (int c = 0; c < 3; ++c)
-        {
-          p[r] += m[4 * r + c] * (origin[c] + b[2 * c + ((corner >> c) & 1)]);
-        }
-      }
-      all.AddPoint(p);
-    }
-  }
-  return all;
-}
 }
 
 bool GroundDirections::Make(const double gravity[3], const double normal[3], GroundDirections& directions)
@@ -161,7 +136,11 @@ Vector3 StandingBody::ToWorld(const GroundDirections& ground, const Point2D& ab,
 void Stand(StandingBody& body, const GroundDirections& ground, const double* groundOrigin, double tolerance,
   FacePanelsCache& cache)
 {
-  const vtkBoundingBox box = GetPlacedBox(body.Parts);
+  vtkBoundingBox box;
+  for (const BodyIntegrals* part : body.Parts)
+  {
+    AddPlacedBox(*part, box);
+  }
   if (!box.IsValid())
   {
     return;

@@ -154,23 +154,7 @@ void vtkMassPropertiesGPU::MakeGlyphs(const std::vector<sm::BodyIntegrals>& bodi
   vtkBoundingBox all;
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
-    // The placed box of the part: its eight corners.
-    const std::array<double, 6> b = sm::GetBox(*bodies[i].Model);
-    const double* origin = bodies[i].Model->GetOrigin();
-    const std::array<double, 16>& m = bodies[i].Placement;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      double p[3];
-      for (int r = 0; r < 3; ++r)
-      {
-        p[r] = m[4 * r + 3];
-        for (int c = 0; c < 3; ++c)
-        {
-          p[r] += m[4 * r + c] * (origin[c] + b[2 * c + ((corner >> c) & 1)]);
-        }
-      }
-      all.AddPoint(p);
-    }
+    sm::AddPlacedBox(bodies[i], all);
     if (this->GlyphPerSolid && bodies.size() > 1)
     {
       add(rows[i].Properties, 2.0 * sm::GetRadius(*bodies[i].Model), bodies[i].Status);
