@@ -6,9 +6,9 @@ solidmoments_add_test(NAME ExampleMassPropertiesPipeline LABELS gpu image NODISP
 solidmoments_add_test(NAME ExampleMassPropertiesPipelineDisplay LABELS gpu image XVFB
   COMMAND MassPropertiesPipeline "${sample_part}" "${SOLIDMOMENTS_TEST_OUTPUT}/pipeline_display.png")
 
-# A display that does not answer, and a part with nothing in it: sentences, no crash and no picture.
+# A display that does not answer (a number that nobody has), and a part with nothing in it: sentences, no crash, no picture.
 solidmoments_add_test(NAME ExampleMassPropertiesPipelineDeadDisplay LABELS error NODISPLAY
-  COMMAND "${CMAKE_COMMAND}" -E env DISPLAY=:77 $<TARGET_FILE:MassPropertiesPipeline> "${sample_part}")
+  COMMAND "${CMAKE_COMMAND}" -E env DISPLAY=:50077 $<TARGET_FILE:MassPropertiesPipeline> "${sample_part}")
 set_tests_properties(ExampleMassPropertiesPipelineDeadDisplay PROPERTIES
   PASS_REGULAR_EXPRESSION "Name a picture to write")
 solidmoments_add_test(NAME ExampleMassPropertiesPipelineEmpty LABELS error NODISPLAY
@@ -80,7 +80,7 @@ set_tests_properties(DrawPaperFigures PROPERTIES FIXTURES_SETUP paper_figures)
 solidmoments_add_test(NAME DrawPaperFiguresDisplay LABELS image gpu XVFB
   COMMAND paper_figures "${SOLIDMOMENTS_TEST_OUTPUT}/paper_figures_display")
 set_tests_properties(DrawPaperFiguresDisplay PROPERTIES FIXTURES_SETUP paper_figures)
-solidmoments_add_test_program(TestPaperFigures VTK::ImagingCore)
+solidmoments_add_test_program(TestPaperFigures VTK::IOImage VTK::ImagingCore)
 solidmoments_add_test(NAME PaperFigures LABELS value image NODISPLAY FIXTURE paper_figures
   COMMAND TestPaperFigures "${paper_figures}" "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestPaperFigures.png")
 # The solids of the figures are compiled in.
@@ -98,7 +98,10 @@ set_tests_properties(PaperFiguresErrors PROPERTIES PASS_REGULAR_EXPRESSION "coul
 # A project outside the tree, against an install in the build folder; and everything else that is installed.
 set(package_options)
 if (SOLIDMOMENTS_WRAP_PYTHON)
-  list(APPEND package_options "-DPYTHON=${Python3_EXECUTABLE}" "-DPYTHON_DESTINATION=${SOLIDMOMENTS_PYTHON_DESTINATION}")
+  # Python's modules of the VTK that ours were built with: there may be others, Debian's ParaView has some on the default path.
+  set(vtk_python_path "${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
+  list(APPEND package_options "-DPYTHON=${Python3_EXECUTABLE}" "-DPYTHON_DESTINATION=${SOLIDMOMENTS_PYTHON_DESTINATION}"
+    "-DVTK_PYTHON_PATH=${vtk_python_path}")
 endif ()
 if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
   list(APPEND package_options "-DPVPYTHON=${SOLIDMOMENTS_PVPYTHON}")
@@ -112,11 +115,12 @@ solidmoments_add_test(NAME PackageConsumer LABELS package NODISPLAY TIMEOUT 600
 
 if (SOLIDMOMENTS_WRAP_PYTHON)
   set(python_path
-    "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}:/usr/lib/python3/dist-packages")
+    "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}:${vtk_python_path}")
   solidmoments_add_test(NAME PythonModules LABELS package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestModules.py"
       "${SOLIDMOMENTS_TEST_SOLIDS}")
-  if (SOLIDMOMENTS_PVPYTHON)
+  # pvpython has ParaView's VTK: modules that were built with another do not load there.
+  if (SOLIDMOMENTS_PVPYTHON AND SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
     solidmoments_add_test(NAME PythonModulesPvpython LABELS package NODISPLAY ENVIRONMENT "${python_path}"
       COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestModules.py"
         "${SOLIDMOMENTS_TEST_SOLIDS}")

@@ -58,7 +58,7 @@ if (EXISTS "${PREFIX}/bin/solidmoments")
 endif ()
 if (PYTHON)
   run_step("installed Python modules" "${CMAKE_COMMAND}" -E env
-    "PYTHONPATH=${PREFIX}/${PYTHON_DESTINATION}:/usr/lib/python3/dist-packages"
+    "PYTHONPATH=${PREFIX}/${PYTHON_DESTINATION}:${VTK_PYTHON_PATH}"
     "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/Python/TestModules.py" "${SOLIDS}")
 endif ()
 if (PVPYTHON)
