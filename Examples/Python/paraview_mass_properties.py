@@ -50,7 +50,7 @@ def draw(mass, path):
     view.GetActiveCamera().Zoom(1.3)
     simple.Render(view)
     simple.SaveScreenshot(path, view)
-    simple.Delete(view)
+    simple.Delete(view)  # with one open, sys.exit() crashes ParaView 5.11
     return ""
 
 
@@ -83,6 +83,4 @@ def main():
 
 
 if __name__ == "__main__":
-    status = main()
-    simple.Disconnect()  # filters and views end before what they draw with: sys.exit() alone would crash ParaView 5.11
-    sys.exit(status)
+    sys.exit(main())
