@@ -74,15 +74,20 @@ endforeach ()
 
 # The paper's figures, of a display and of none; what is in them is judged once.
 set(paper_figures "${SOLIDMOMENTS_TEST_OUTPUT}/paper_figures")
-solidmoments_add_test(NAME DrawPaperFigures LABELS image gpu NODISPLAY FIXTURE paper_parts
-  COMMAND paper_figures "${paper_figures}" --part "${paper_parts}/free_form.step")
+set(paper_models)
+foreach (part IN ITEMS propeller crank engine_block gear_train free_form trefoil_tube)
+  list(APPEND paper_models --model "${paper_parts}/${part}.step")
+endforeach ()
+solidmoments_add_test(NAME DrawPaperFigures LABELS image gpu NODISPLAY TIMEOUT 600 FIXTURE paper_parts
+  COMMAND paper_figures "${paper_figures}" --part "${paper_parts}/free_form.step" ${paper_models})
 set_tests_properties(DrawPaperFigures PROPERTIES FIXTURES_SETUP paper_figures)
 solidmoments_add_test(NAME DrawPaperFiguresDisplay LABELS image gpu XVFB
   COMMAND paper_figures "${SOLIDMOMENTS_TEST_OUTPUT}/paper_figures_display")
 set_tests_properties(DrawPaperFiguresDisplay PROPERTIES FIXTURES_SETUP paper_figures)
 solidmoments_add_test_program(TestPaperFigures VTK::IOImage VTK::ImagingCore)
 solidmoments_add_test(NAME PaperFigures LABELS value image NODISPLAY FIXTURE paper_figures
-  COMMAND TestPaperFigures "${paper_figures}" "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestPaperFigures.png")
+  COMMAND TestPaperFigures "${paper_figures}" "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestPaperFigures.png"
+    "${PROJECT_SOURCE_DIR}/Examples/Paper/images/fig1.png")
 # The solids of the figures are compiled in.
 solidmoments_add_test_program(TestTrimTextureOrder)
 foreach (source IN ITEMS smPaperSolid smSolidBuilder)

@@ -1,6 +1,7 @@
-// TestPaperFigures FOLDER BASELINE.png: what paper_figures wrote into FOLDER. The curves' shape is the paper's: Fig. 7a
+// TestPaperFigures FOLDER BASELINE6.png BASELINE1.png: what paper_figures wrote into FOLDER. The curves' shape is the paper's: Fig. 7a
 // converges by the order of the rule, Fig. 7b by the trim texture whatever the rule, ADAPTIVE is at rounding; the
-// paper's estimates fall as 1 / k^2. Fig. 6 looks as in the baseline.
+// paper's estimates fall as 1 / k^2. Fig. 6 and Fig. 1, with a dot in every model, look as in the baselines.
+#include "smPictureTesting.h"
 #include "smTesting.h"
 
 #include <vtkImageData.h>
@@ -200,6 +201,48 @@ void CheckPicture(const std::string& path, const std::string& baseline)
   smtest::CheckRange("Fig. 6 against its baseline", 0.0, difference->GetThresholdedError(), 5.0);
 }
 
+/// Pixels in the green of the dots, in a part of the picture.
+int CountGreen(vtkImageData* picture, int left, int bottom, int width, int height)
+{
+  int count = 0;
+  for (int y = bottom; y < bottom + height; ++y)
+  {
+    for (int x = left; x < left + width; ++x)
+    {
+      const auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      count += pixel[1] > pixel[0] + 60 && pixel[1] > pixel[2] + 60;
+    }
+  }
+  return count;
+}
+
+void CheckModels(const std::string& folder, const std::string& baseline)
+{
+  const std::vector<Row> rows = ReadTable(folder + "/fig1.csv");
+  smtest::CheckEqual("models of Fig. 1", 6, static_cast<long long>(rows.size()));
+  for (const Row& row : rows)
+  {
+    const double volume = std::stod(row.at("volume"));
+    smtest::CheckRange(row.at("model") + ", bound", 1e-16 * volume, std::stod(row.at("volume_bound")),
+      1e-9 * volume, "tolerance");
+  }
+  const vtkSmartPointer<vtkImageData> picture = smtest::ReadPicture(folder + "/fig1.png");
+  const vtkSmartPointer<vtkImageData> expected = smtest::ReadPicture(baseline);
+  const int* size = picture->GetDimensions();
+  const int width = size[0] / 3;
+  const int height = size[1] / 2;
+  for (std::size_t i = 0; i < rows.size() && width > 0; ++i)
+  {
+    const int column = static_cast<int>(i) % 3;
+    const int row = 1 - static_cast<int>(i) / 3;
+    // A sphere's radius of 0.025 of the diagonal is 6 to 8 pixels.
+    smtest::CheckRange(rows[i].at("model") + ", green pixels", 60.0,
+      CountGreen(picture, column * width, row * height, width, height), 250.0, "a dot");
+  }
+  smtest::CheckRange("Fig. 1, pixels unlike the baseline's", 0.0,
+    smtest::ShareOfOtherPixels(picture, expected), smtest::PictureLimit, "share of all");
+}
+
 /// vtkSVGExporter applies a plot's transform to its clip path as well, which then hides the plot: there must be none.
 void CheckVectors(const std::string& path)
 {
@@ -234,9 +277,9 @@ void CheckFiles(const std::string& folder)
 
 int main(int argc, char* argv[])
 {
-  if (argc != 3)
+  if (argc != 4)
   {
-    std::fprintf(stderr, "usage: TestPaperFigures FOLDER BASELINE.png\n");
+    std::fprintf(stderr, "usage: TestPaperFigures FOLDER BASELINE6.png BASELINE1.png\n");
     return 1;
   }
   const std::string folder = argv[1];
@@ -246,5 +289,6 @@ int main(int argc, char* argv[])
   CheckFreeForm(ReadTable(folder + "/fig8.csv"));
   CheckTexture(ReadTable(folder + "/fig6.csv"));
   CheckPicture(folder + "/fig6.png", argv[2]);
+  CheckModels(folder, argv[3]);
   return smtest::Finish();
 }

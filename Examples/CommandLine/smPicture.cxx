@@ -3,13 +3,10 @@
 #include "smBodyScene.h"
 #include "smReport.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -19,29 +16,6 @@ namespace
 const int Width = 900;
 const int Height = 700;
 const int Margin = 20;
-
-/// All parts in one mesh. Faces share no points, so shading breaks where they meet.
-vtkSmartPointer<vtkPolyData> JoinParts(vtkPartitionedDataSetCollection* parts)
-{
-  vtkNew<vtkAppendPolyData> append;
-  auto iterator = vtkSmartPointer<vtkDataObjectTreeIterator>::New();
-  iterator->SetDataSet(parts);
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    if (auto* part = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
-    {
-      vtkNew<vtkPolyData> colored;
-      colored->ShallowCopy(part);
-      sm::AddColors(colored);
-      append->AddInputData(colored);
-    }
-  }
-  if (append->GetNumberOfInputConnections(0) > 0)
-  {
-    append->Update();
-  }
-  return append->GetOutput();
-}
 
 /// The values that there are, and the status when it is not ok.
 std::string Caption(const sm::Json& file)
@@ -73,7 +47,7 @@ std::string Caption(const sm::Json& file)
 
 void SetUpScene(const sm::Picture& picture, vtkRenderer* body, vtkRenderer* front)
 {
-  const vtkSmartPointer<vtkPolyData> mesh = JoinParts(picture.Body);
+  const vtkSmartPointer<vtkPolyData> mesh = sm::JoinParts(picture.Body);
   sm::AddBody(body, mesh);
   sm::AddOutlines(body, sm::MakeOutlines(mesh));
   sm::AddMark(body, front, picture.Mark);

@@ -3,14 +3,17 @@
 #include "smJson.h"
 
 #include "vtkActor.h"
+#include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkErrorCode.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -57,6 +60,28 @@ void AddColors(vtkPolyData* part)
     part->GetCellData()->AddArray(colors);
   }
   part->GetCellData()->SetActiveScalars(ColorName);
+}
+
+vtkSmartPointer<vtkPolyData> JoinParts(vtkPartitionedDataSetCollection* parts)
+{
+  vtkNew<vtkAppendPolyData> append;
+  auto iterator = vtkSmartPointer<vtkDataObjectTreeIterator>::New();
+  iterator->SetDataSet(parts);
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    if (auto* part = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
+    {
+      vtkNew<vtkPolyData> colored;
+      colored->ShallowCopy(part);
+      AddColors(colored);
+      append->AddInputData(colored);
+    }
+  }
+  if (append->GetNumberOfInputConnections(0) > 0)
+  {
+    append->Update();
+  }
+  return append->GetOutput();
 }
 
 vtkSmartPointer<vtkPolyData> MakeOutlines(vtkPolyData* mesh)

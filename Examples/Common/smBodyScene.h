@@ -13,6 +13,7 @@
 
 class vtkActor;
 class vtkImageData;
+class vtkPartitionedDataSetCollection;
 class vtkPolyData;
 class vtkRenderWindow;
 class vtkRenderer;
@@ -26,6 +27,8 @@ extern const double GreenColor[3];
 
 /// Gives the cells of `part` the colours of their faces, steel where the file has none.
 void AddColors(vtkPolyData* part);
+/// All parts in one mesh with these colours. Faces share no points, so shading breaks where they meet.
+vtkSmartPointer<vtkPolyData> JoinParts(vtkPartitionedDataSetCollection* parts);
 
 /// The borders of all faces, which are open borders of the mesh since faces share no points. Its points are those of `mesh`.
 vtkSmartPointer<vtkPolyData> MakeOutlines(vtkPolyData* mesh);

@@ -12,6 +12,7 @@ add_executable(paper_figures
   smFigure.cxx
   smFigureText.cxx
   smGraphFigures.cxx
+  smModelPictures.cxx
   smPaperRun.cxx
   smPaperSolid.cxx
   smPointFigures.cxx
@@ -19,6 +20,7 @@ add_executable(paper_figures
   "${PROJECT_SOURCE_DIR}/Filters/MassProperties/smGaussLegendre.cxx")
 target_include_directories(paper_figures PRIVATE "${PROJECT_SOURCE_DIR}/Filters/MassProperties")
 target_link_libraries(paper_figures PRIVATE
+  smExampleCommon
   SolidMoments::FiltersMassProperties
   SolidMoments::ReadersSTEP
   SolidMoments::RenderingCompute

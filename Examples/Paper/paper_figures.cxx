@@ -1,7 +1,9 @@
-// paper_figures OUTDIR [--part FILE.step]: draws the figures of "Accurate Moment Computation Using the GPU" (SPM 2010) with this
-// program's own numbers, each as PNG, SVG and CSV in OUTDIR: 3 to 6, 7a, 7b, and with a part 8. Needs no display.
+// paper_figures OUTDIR [--part FILE.step] [--model FILE.step]...: draws the figures of "Accurate Moment Computation Using the GPU" (SPM
+// 2010) with this program's own numbers, each as PNG, SVG and CSV in OUTDIR: with models 1, which has no SVG; 3 to 6, 7a, 7b; and with a
+// part 8. Needs no display.
 // Exit status: 0 all drawn, 1 wrong usage or something failed.
 #include "smGraphFigures.h"
+#include "smModelPictures.h"
 #include "smPointFigures.h"
 
 #include <vtkComputeContext.h>
@@ -22,6 +24,7 @@ struct Arguments
 {
   std::string Folder;
   std::string Part;
+  std::vector<std::string> Models;
 };
 
 bool Parse(int argc, char** argv, Arguments& arguments)
@@ -32,6 +35,10 @@ bool Parse(int argc, char** argv, Arguments& arguments)
     if (argument == "--part" && i + 1 < argc)
     {
       arguments.Part = argv[++i];
+    }
+    else if (argument == "--model" && i + 1 < argc)
+    {
+      arguments.Models.emplace_back(argv[++i]);
     }
     else if (arguments.Folder.empty() && argument.compare(0, 1, "-") != 0)
     {
@@ -78,6 +85,10 @@ bool MakeFigures(const Arguments& arguments, std::vector<smfigure::Figure>& figu
   {
     figures.insert(figures.end(), made.begin(), made.end());
   }
+  if (arguments.Models.empty())
+  {
+    std::cout << "Figure 1 needs models: --model FILE.step for each\n";
+  }
   if (arguments.Part.empty())
   {
     std::cout << "Figure 8 needs a part: --part FILE.step\n";
@@ -86,8 +97,9 @@ bool MakeFigures(const Arguments& arguments, std::vector<smfigure::Figure>& figu
   return AddFigure8(arguments.Part, figures);
 }
 
-bool WriteFigures(const std::vector<smfigure::Figure>& figures, const std::string& folder)
+bool WriteFigures(const Arguments& arguments, const std::vector<smfigure::Figure>& figures)
 {
+  const std::string& folder = arguments.Folder;
   vtkNew<vtkComputeContext> context; // its window draws off screen, with a display or without
   if (context->Start() != vtkComputeContext::READY)
   {
@@ -104,6 +116,16 @@ bool WriteFigures(const std::vector<smfigure::Figure>& figures, const std::strin
     }
     std::cout << folder << "/" << figure.Name << ".png\n";
   }
+  if (!arguments.Models.empty())
+  {
+    const std::string error = smfigure::WriteFigure1(arguments.Models, folder, context->GetRenderWindow());
+    if (!error.empty())
+    {
+      std::cerr << "Figure 1: " << error << "\n";
+      return false;
+    }
+    std::cout << folder << "/fig1.png\n";
+  }
   return true;
 }
 }
@@ -113,7 +135,7 @@ int main(int argc, char** argv)
   Arguments arguments;
   if (!Parse(argc, argv, arguments))
   {
-    std::cerr << "usage: paper_figures OUTDIR [--part FILE.step]\n";
+    std::cerr << "usage: paper_figures OUTDIR [--part FILE.step] [--model FILE.step]...\n";
     return 1;
   }
   vtkSMPTools::SetBackend("STDThread");
@@ -123,5 +145,5 @@ int main(int argc, char** argv)
     return 1;
   }
   std::vector<smfigure::Figure> figures;
-  return MakeFigures(arguments, figures) && WriteFigures(figures, arguments.Folder) ? 0 : 1;
+  return MakeFigures(arguments, figures) && WriteFigures(arguments, figures) ? 0 : 1;
 }

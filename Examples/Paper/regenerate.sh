@@ -56,7 +56,9 @@ jobs=${SOLIDMOMENTS_JOBS:-$(nproc 2>/dev/null || echo 2)}
 cmake --build "$build" --parallel "$jobs" --target solidmoments make_paper_parts occt_mass_properties paper_figures
 mkdir -p "$output"
 "$build/bin/make_paper_parts" "$output/parts"
-"$build/bin/paper_figures" "$output/figures" --part "$output/parts/free_form.step"
+"$build/bin/paper_figures" "$output/figures" --part "$output/parts/free_form.step" \
+  --model "$output/parts/propeller.step" --model "$output/parts/crank.step" --model "$output/parts/engine_block.step" \
+  --model "$output/parts/gear_train.step" --model "$output/parts/free_form.step" --model "$output/parts/trefoil_tube.step"
 python3 "$root/Examples/Paper/table.py" --program "$build/bin/solidmoments" \
   --occt "$build/bin/occt_mass_properties" --markdown "$output/table.md" --csv "$output/table.csv" \
   "The parts=$output/parts" "$@"

@@ -235,6 +235,24 @@ std::string WriteSvg(const Figure& figure, const std::string& path, vtkRenderWin
   std::ifstream written(path, std::ios::ate);
   return written && written.tellg() > 0 ? "" : path + " could not be written";
 }
+}
+
+std::string FormatNumber(double value)
+{
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.17g", value);
+  return text;
+}
+
+std::vector<std::pair<double, std::string>> MakeDecadeTicks(int low, int high, int step)
+{
+  std::vector<std::pair<double, std::string>> ticks;
+  for (int power = high; power >= low; power -= step)
+  {
+    ticks.emplace_back(std::pow(10.0, power), power == 0 ? "1" : "1e" + std::to_string(power));
+  }
+  return ticks;
+}
 
 std::string WriteTable(const FigureTable& table, const std::string& path)
 {
@@ -254,24 +272,6 @@ std::string WriteTable(const FigureTable& table, const std::string& path)
   }
   file.close();
   return file ? "" : path + " could not be written";
-}
-}
-
-std::string FormatNumber(double value)
-{
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.17g", value);
-  return text;
-}
-
-std::vector<std::pair<double, std::string>> MakeDecadeTicks(int low, int high, int step)
-{
-  std::vector<std::pair<double, std::string>> ticks;
-  for (int power = high; power >= low; power -= step)
-  {
-    ticks.emplace_back(std::pow(10.0, power), power == 0 ? "1" : "1e" + std::to_string(power));
-  }
-  return ticks;
 }
 
 std::string WriteFigure(const Figure& figure, const std::string& folder, vtkRenderWindow* window)

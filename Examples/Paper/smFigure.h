@@ -107,6 +107,9 @@ std::string FormatNumber(double value);
 /// Ticks at the powers of ten from 10^low to 10^high, every `step`-th of them.
 std::vector<std::pair<double, std::string>> MakeDecadeTicks(int low, int high, int step);
 
+/// Writes CSV. Returns what went wrong, empty: nothing.
+std::string WriteTable(const FigureTable& table, const std::string& path);
+
 /// Draws into `window`, off screen, and writes FOLDER/NAME.png, .svg and .csv. Returns what went wrong, empty: nothing.
 std::string WriteFigure(const Figure& figure, const std::string& folder, vtkRenderWindow* window);
 }

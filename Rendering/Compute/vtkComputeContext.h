@@ -14,6 +14,9 @@
  * A given window is referenced weakly, so a filter that holds a context inside that window's pipeline makes no
  * reference loop.
  *
+ * When the process exits by the thread that started a context, the context is stopped before OpenGL's driver ends, so that its
+ * owner may be a static object or be never destroyed.
+ *
  * Not thread safe: a context is used by one thread at a time, and a window's by the thread that renders.
  *
  * @sa sm::ContextScope

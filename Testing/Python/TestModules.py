@@ -4,12 +4,16 @@ import sys
 import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from smcheck import Manifest, check_equal, check_true, check_values, finish  # noqa: E402
+from smcheck import Manifest, check, check_equal, check_true, check_values, finish  # noqa: E402
 
-from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU, vtkSurfaceIntegralGPU  # noqa: E402
-from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkNURBSDeform, vtkTrimmedNURBSModel  # noqa: E402
+from solidmoments.smFiltersMassProperties import (  # noqa: E402
+    vtkMassPropertiesGPU, vtkSolidStability, vtkSurfaceIntegralGPU)
+from solidmoments.smFiltersNURBS import (  # noqa: E402
+    vtkNURBSDataSet, vtkNURBSDeform, vtkNURBSTransform, vtkTrimmedNURBSModel)
 from solidmoments.smReadersSTEP import vtkBREPWriter, vtkSTEPReader, vtkSTEPWriter  # noqa: E402
 from solidmoments.smRenderingCompute import vtkComputeContext  # noqa: E402
+from solidmoments.smRenderingNURBS import vtkNURBSPointEvaluatorGPU  # noqa: E402
+from vtkmodules.vtkCommonTransforms import vtkTransform  # noqa: E402
 
 part = Manifest(sys.argv[1]).solid("slanted_hole", "moved")
 reader = vtkSTEPReader()
@@ -35,7 +39,7 @@ deform.SetInputConnection(reader.GetOutputPort())
 deform.SetDisplacement(0.0, 0.0, 1.0)
 deform.Update()
 evaluator = deform.GetPointEvaluator()
-check_equal("display points by", "vtkNURBSPointEvaluatorGPU", evaluator.GetClassName())
+check_true("display points by the GPU's class", isinstance(evaluator, vtkNURBSPointEvaluatorGPU), evaluator.GetClassName())
 check_equal("which used", "opengl", evaluator.GetBackendName())
 moved = deform.GetOutputDataObject(0).GetPartition(0, 0)
 distance = max(abs(moved.GetPoint(i)[2] - leaf.GetPoint(i)[2] - 1.0) for i in range(leaf.GetNumberOfPoints()))
@@ -46,6 +50,28 @@ integral.SetInputConnection(reader.GetOutputPort())
 integral.AddIntegrand("area", "length(normal)")
 integral.Update()
 check_true("own integrand", abs(integral.GetIntegral("area") / part["area"] - 1) < 1e-9, str(integral.GetIntegral("area")))
+
+# VTK's own objects go in and come out: a matrix, and a mirrored part's numbers.
+mirror = vtkTransform()
+mirror.Scale(-1.0, 1.0, 1.0)
+mirrored = vtkNURBSTransform()
+mirrored.SetInputConnection(reader.GetOutputPort())
+mirrored.SetTransform(mirror)
+twin = vtkMassPropertiesGPU()
+twin.SetInputConnection(mirrored.GetOutputPort())
+twin.Update()
+twin_center = [0.0] * 3
+twin.GetCenterOfMass(twin_center)
+check("volume of the mirror image", mass.GetVolume(), twin.GetVolume(), mass.GetVolumeBound() + twin.GetVolumeBound())
+check("centre of the mirror image", -center[0], twin_center[0], mass.GetCenterOfMassBound() + twin.GetCenterOfMassBound())
+box = Manifest(sys.argv[1]).solid("box")
+boxes = vtkSTEPReader()
+boxes.SetFileName(box["path"])
+standing = vtkSolidStability()
+standing.SetInputConnection(boxes.GetOutputPort())
+standing.Update()
+check_equal("a box", "stable", standing.GetStability())
+check("its margin", min(box["center_of_mass"][:2]), standing.GetMargin(), standing.GetMarginBound())  # a corner is the origin
 with tempfile.TemporaryDirectory() as output:
     for writer, name in ((vtkSTEPWriter(), "part.step"), (vtkBREPWriter(), "part.brep")):
         writer.SetInputConnection(reader.GetOutputPort())

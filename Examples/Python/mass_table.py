@@ -1,0 +1,164 @@
+"""What both scripts of this folder share: arguments, exit status, and the filter's outputs as a table to read and as CSV."""
+import argparse
+import csv
+import decimal
+import math
+import os
+import sys
+
+# As those of `solidmoments`; of several the first applies.
+ALL_OK, USAGE_OR_OUTPUT, UNREADABLE, FLAGGED = range(4)
+
+# Column of the CSV, as `solidmoments --csv` has it; array of the filter, its component.
+COLUMNS = (
+    [("volume", "Volume", 0), ("volume_bound", "VolumeBound", 0), ("area", "SurfaceArea", 0), ("area_bound", "SurfaceAreaBound", 0)]
+    + [("center_" + axis, "CenterOfMass", i) for i, axis in enumerate("xyz")] + [("center_bound", "CenterOfMassBound", 0)]
+    + [("inertia_" + axes, "VolumeInertia", i) for axes, i in zip(("xx", "yy", "zz", "xy", "yz", "xz"), (0, 4, 8, 1, 5, 2))]
+    + [("inertia_bound", "VolumeInertiaBound", 0), ("mass", "Mass", 0)])
+
+
+class Parser(argparse.ArgumentParser):
+    """Arguments of both scripts; a mistake ends with USAGE_OR_OUTPUT."""
+
+    def __init__(self, description):
+        super().__init__(description=description.strip(), formatter_class=argparse.RawDescriptionHelpFormatter)
+        self.add_argument("files", nargs="+", metavar="FILE.step")
+        self.add_argument("--density", type=float, default=0.0, metavar="D",
+                          help="of all solids, in kg/m^3; without it that which a file gives, or no mass")
+        self.add_argument("--unit", default="mm", choices=["mm", "cm", "m", "um", "inch", "ft", "file"],
+                          help="of lengths; file: the one a file is written in (default: mm)")
+        self.add_argument("--csv", metavar="FILE", help="write the table, every digit of it; - for the standard output")
+        self.add_argument("--png", metavar="FILE",
+                          help="draw the part, of FILE-NAME.png where there are several files to be drawn")
+
+    def error(self, message):
+        self.print_usage(sys.stderr)
+        self.exit(USAGE_OR_OUTPUT, f"{self.prog}: {message}\n")
+
+    def parse(self):
+        """The arguments, with `pictures`, a path or None for every file."""
+        arguments = self.parse_args()
+        if not 0.0 <= arguments.density < math.inf:
+            self.error("a density is not negative and finite")
+        arguments.pictures = [arguments.png] * len(arguments.files)
+        if arguments.png and len(arguments.files) > 1:
+            base, extension = os.path.splitext(arguments.png)
+            stems = [os.path.splitext(os.path.basename(file))[0] for file in arguments.files]
+            arguments.pictures = [f"{base}-{stem}{extension}" for stem in stems]
+            if len(set(stems)) < len(stems):
+                self.error("files of the same name would have one picture: draw them one by one")
+        return arguments
+
+
+def complain(message):
+    """Returns USAGE_OR_OUTPUT."""
+    print(f"{os.path.basename(sys.argv[0])}: {message}", file=sys.stderr, flush=True)
+    return USAGE_OR_OUTPUT
+
+
+def worse(one, other):
+    """Of two exit statuses the one that applies."""
+    return min((one, other), key=lambda status: status or math.inf)
+
+
+def get_number(data, row, name, component=0):
+    """None for what is missing or not a number. `data`: the field data of port 0, or the table of port 1."""
+    array = data.GetAbstractArray(name)
+    value = array.GetComponent(row, component) if array else math.nan
+    return value if math.isfinite(value) else None
+
+
+def get_text(data, row, name):
+    array = data.GetAbstractArray(name)
+    return array.GetValue(row) if array else ""
+
+
+def read_rows(file, totals, solids):
+    """A dictionary of the whole and of every solid, keyed as in COLUMNS. From port 0 and the table of port 1."""
+    rows = []
+    for kind, data, count in (("total", totals.GetFieldData(), 1), ("solid", solids.GetRowData(), solids.GetNumberOfRows())):
+        for i in range(count):
+            row = {"file": file, "row": kind, "name": get_text(data, i, "Name"), "id": get_text(data, i, "Id"),
+                   "status": get_text(data, i, "Status"), "length_unit": get_text(data, i, "LengthUnit")}
+            row.update((column, get_number(data, i, name, component)) for column, name, component in COLUMNS)
+            rows.append(row)
+    return rows
+
+
+def format_value(value, bound, digits=10):
+    """The digits that the bound vouches for."""
+    if value is None:
+        return "-"
+    if bound:
+        value = round(value, -math.floor(math.log10(bound)))
+    return f"{value + 0.0:.{digits}g}"
+
+
+def format_bound(bound):
+    """Two digits, rounded up: a bound that is shown holds."""
+    if bound is None:
+        return "-"
+    return f"{decimal.Context(prec=2, rounding=decimal.ROUND_CEILING).create_decimal_from_float(bound):.1e}"
+
+
+def format_table(rows):
+    """Lines of text: a head with units, a line for every solid, and one for the whole where there are several."""
+    unit = rows[0]["length_unit"]
+    lines = [("solid", f"volume {unit}^3", "+-", f"area {unit}^2", "+-", "mass kg", f"centre of mass {unit}", "+-", "status")]
+    total, solids = rows[0], rows[1:]
+    for row in solids + ([dict(total, name="total")] if len(solids) != 1 else []):
+        center = [format_value(row["center_" + axis], row["center_bound"]) for axis in "xyz"]
+        lines.append((row["name"] or row["id"], format_value(row["volume"], row["volume_bound"]), format_bound(row["volume_bound"]),
+                      format_value(row["area"], row["area_bound"]), format_bound(row["area_bound"]),
+                      format_value(row["mass"], None), "  ".join(center), format_bound(row["center_bound"]), row["status"]))
+    widths = [max(len(line[column]) for line in lines) for column in range(len(lines[0]))]
+    names = (0, len(widths) - 1)  # flush left, numbers flush right
+    return ["  ".join(cell.ljust(width) if column in names else cell.rjust(width)
+                      for column, (cell, width) in enumerate(zip(line, widths))).rstrip() for line in lines]
+
+
+def print_report(file, totals, solids, messages, arguments, rows):
+    """Prints what a person wants to see of one file, and adds its rows to `rows`. Returns the exit status."""
+    status = get_text(totals.GetFieldData(), 0, "Status")
+    if not solids.GetNumberOfRows():
+        complain(f"{file} is unreadable" + (": " + messages[-1] if messages else ""))
+        return UNREADABLE
+    found = read_rows(file, totals, solids)
+    rows += found
+    backend, renderer = (get_text(totals.GetFieldData(), 0, name) for name in ("Backend", "Renderer"))
+    lines = [f"{file}   {status}   by {backend} on {renderer}"]
+    lines += ["  " + line for line in format_table(found)] + ["  note: " + message for message in messages]
+    # The standard output is one thing only.
+    print(*lines, sep="\n", file=sys.stderr if arguments.csv == "-" else sys.stdout, flush=True)
+    return ALL_OK if status == "ok" else FLAGGED
+
+
+def write_csv(path, rows):
+    """Every number with all its digits: read back it has the same bits. Raises OSError."""
+    head = ["file", "row", "name", "id", "status", "length_unit"] + [column for column, _, _ in COLUMNS]
+
+    def write(file):
+        writer = csv.DictWriter(file, head, restval="", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)  # a float is written by repr()
+
+    if path == "-":
+        write(sys.stdout)
+        sys.stdout.flush()
+        return
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        write(file)
+
+
+def run(arguments, weigh):
+    """Calls weigh(file, picture, arguments, rows) for every file and writes the CSV. Returns the exit status."""
+    rows = []
+    status = ALL_OK
+    for file, picture in zip(arguments.files, arguments.pictures):
+        status = worse(status, weigh(file, picture, arguments, rows))
+    if arguments.csv:
+        try:
+            write_csv(arguments.csv, rows)
+        except OSError as error:
+            status = complain(f"{arguments.csv} cannot be written: {error.strerror}")
+    return status

@@ -1,0 +1,27 @@
+# The scripts of Examples/Python, in every interpreter that runs them, with and without a display.
+#
+# solidmoments_add_python_example(<name> <flavour of TestPythonExamples.py> <interpreter> [MODES <option>...] <more of
+#   solidmoments_add_test>...)
+function(solidmoments_add_python_example name flavour interpreter)
+  cmake_parse_arguments(example "" "" "MODES" ${ARGN})
+  solidmoments_add_test(NAME PythonExamples_${name} LABELS value image error ${example_UNPARSED_ARGUMENTS}
+    ENVIRONMENT "${python_path}"
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestPythonExamples.py" ${flavour} ${example_MODES}
+      --interpreter "${interpreter}" --examples "${PROJECT_SOURCE_DIR}/Examples" --plugin "${example_plugin}"
+      --program "$<TARGET_FILE:solidmoments>" --solids "${SOLIDMOMENTS_TEST_SOLIDS}"
+      --output "${SOLIDMOMENTS_TEST_OUTPUT}" --baselines "${CMAKE_CURRENT_SOURCE_DIR}/Baselines")
+endfunction ()
+
+set(example_plugin none)
+if (SOLIDMOMENTS_WRAP_PYTHON)
+  solidmoments_add_python_example(python3 vtk "${Python3_EXECUTABLE}" gpu package NODISPLAY)
+  solidmoments_add_python_example(python3_display vtk "${Python3_EXECUTABLE}" gpu package XVFB MODES --without-errors)
+  # pvpython has ParaView's VTK.
+  if (SOLIDMOMENTS_PVPYTHON AND SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
+    solidmoments_add_python_example(pvpython vtk "${SOLIDMOMENTS_PVPYTHON}" gpu package NODISPLAY MODES --without-errors)
+  endif ()
+endif ()
+if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
+  set(example_plugin "$<TARGET_FILE:SolidMoments>")
+  solidmoments_add_python_example(paraview paraview "${SOLIDMOMENTS_PVPYTHON}" plugin XVFB)
+endif ()

@@ -1,0 +1,63 @@
+"""A picture against its baseline; the Python sibling of smPictureTesting.h, where the reasons are."""
+import os
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+
+from smcheck import check_true
+
+COLOR_TOLERANCE = 24
+LIMIT = 3e-4
+
+
+def to_colors(image):
+    """Rows of pixels of red, green, blue."""
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[:, :, :3].astype(int)
+
+
+def read_picture(path):
+    """None when there is no such file."""
+    if not os.path.exists(path):
+        return None
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return to_colors(reader.GetOutput())
+
+
+def write_picture(image, path):
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    writer.SetFileName(path)
+    writer.Write()
+
+
+def _lacks(picture, other):
+    """Where no pixel of `picture`, there or next to it, has the colour of `other`."""
+    height, width, _ = other.shape
+    around = numpy.pad(picture, ((1, 1), (1, 1), (0, 0)), constant_values=-1000)
+    lacks = numpy.ones((height, width), dtype=bool)
+    for j in range(3):
+        for i in range(3):
+            lacks &= abs(around[j:j + height, i:i + width] - other).max(axis=2) > COLOR_TOLERANCE
+    return lacks
+
+
+def share_of_other_pixels(one, other):
+    """Of the pixels of either picture whose colour the other one has not, a pixel's shift forgiven; 1 where sizes differ."""
+    if one is None or other is None or one.shape != other.shape:
+        return 1.0
+    return float((_lacks(one, other) | _lacks(other, one)).mean())
+
+
+def check_picture(what, expected, actual):
+    share = share_of_other_pixels(actual, expected)
+    return check_true(f"{what}: pixels unlike the baseline's", share <= LIMIT, f"share {share:.2g}, limit {LIMIT:g}")
+
+
+def check_noticed(what, expected, wrong):
+    """That a picture known to be wrong is found so, and is one of that size."""
+    share = share_of_other_pixels(wrong, expected)
+    return check_true(f"{what}: noticed", 2 * LIMIT <= share <= 0.9, f"share {share:.2g}, limit {LIMIT:g}")
