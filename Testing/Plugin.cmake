@@ -71,7 +71,7 @@ if (SOLIDMOMENTS_MPIRUN AND SOLIDMOMENTS_PVBATCH AND SOLIDMOMENTS_WRAP_PYTHON)
     ENVIRONMENT ${SOLIDMOMENTS_MPI_ENVIRONMENT} "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
       PYTHONDONTWRITEBYTECODE=1
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestBatch.py"
-      --script "${PROJECT_SOURCE_DIR}/Examples/Batch/mass_properties_batch.py" --pvbatch "${SOLIDMOMENTS_PVBATCH}"
+      --script "${PROJECT_SOURCE_DIR}/Examples/Python/mass_properties_batch.py" --pvbatch "${SOLIDMOMENTS_PVBATCH}"
       --mpirun "${SOLIDMOMENTS_MPIRUN}" --solids "${SOLIDMOMENTS_TEST_SOLIDS}"
       --sample "${PROJECT_SOURCE_DIR}/Examples/Models/sample_part.step" --output "${SOLIDMOMENTS_TEST_OUTPUT}")
   set_tests_properties(ExampleBatch PROPERTIES PROCESSORS 3)

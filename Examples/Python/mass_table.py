@@ -1,4 +1,4 @@
-"""What both scripts of this folder share: arguments, exit status, and the filter's outputs as a table to read and as CSV."""
+"""What the scripts of this folder share: arguments, exit status, and the filter's outputs as a table to read and as CSV."""
 import argparse
 import csv
 import decimal
@@ -14,7 +14,10 @@ COLUMNS = (
     [("volume", "Volume", 0), ("volume_bound", "VolumeBound", 0), ("area", "SurfaceArea", 0), ("area_bound", "SurfaceAreaBound", 0)]
     + [("center_" + axis, "CenterOfMass", i) for i, axis in enumerate("xyz")] + [("center_bound", "CenterOfMassBound", 0)]
     + [("inertia_" + axes, "VolumeInertia", i) for axes, i in zip(("xx", "yy", "zz", "xy", "yz", "xz"), (0, 4, 8, 1, 5, 2))]
-    + [("inertia_bound", "VolumeInertiaBound", 0), ("mass", "Mass", 0)])
+    + [("inertia_bound", "VolumeInertiaBound", 0)] + [(f"principal_{i + 1}", "PrincipalMoments", i) for i in range(3)]
+    + [("mass", "Mass", 0), ("moved_by_closing", "MovedByClosing", 0), ("gap_squared", "GapSquared", 0), ("max_gap", "MaxGap", 0),
+       ("gap_area", "GapArea", 0), ("open_edges", "OpenEdges", 0), ("leak", "Leak", 0)])
+HEAD = ["file", "row", "name", "id", "status", "length_unit"] + [column for column, _, _ in COLUMNS]
 
 
 class Parser(argparse.ArgumentParser):
@@ -65,7 +68,9 @@ def get_number(data, row, name, component=0):
     """None for what is missing or not a number. `data`: the field data of port 0, or the table of port 1."""
     array = data.GetAbstractArray(name)
     value = array.GetComponent(row, component) if array else math.nan
-    return value if math.isfinite(value) else None
+    if not math.isfinite(value):
+        return None
+    return value if array.GetDataTypeAsString() == "double" else int(value)
 
 
 def get_text(data, row, name):
@@ -133,12 +138,11 @@ def print_report(file, totals, solids, messages, arguments, rows):
     return ALL_OK if status == "ok" else FLAGGED
 
 
-def write_csv(path, rows):
-    """Every number with all its digits: read back it has the same bits. Raises OSError."""
-    head = ["file", "row", "name", "id", "status", "length_unit"] + [column for column, _, _ in COLUMNS]
+def write_csv(path, rows, head=None):
+    """The columns HEAD, or those of `head`. Every number with all its digits: read back it has the same bits. Raises OSError."""
 
     def write(file):
-        writer = csv.DictWriter(file, head, restval="", lineterminator="\n")
+        writer = csv.DictWriter(file, head or HEAD, restval="", lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)  # a float is written by repr()
 

@@ -61,6 +61,9 @@ def check_row(row, entry):
                      "inertia_xy": inertia[0][1], "inertia_yz": inertia[1][2], "inertia_xz": inertia[0][2]})
     expected.update({column + "_bound": entry["bounds"][key] for column, key in
                      (("volume", "volume"), ("area", "area"), ("center", "center_of_mass"), ("inertia", "inertia"))})
+    expected.update({f"principal_{i + 1}": entry["principal_moments"][i] for i in range(3)})
+    expected.update({column: entry[column] for column in
+                     ("moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak")})
     for column, value in expected.items():
         check(f"{row['row']} {row['id']} {column}", value, float(row[column]), 0.0, "(same bits)")
 

@@ -16,9 +16,7 @@ in a process of its own. Exit status: 0 all files ok, 1 wrong usage or nothing w
 flagged.
 """
 import argparse
-import csv
 import json
-import math
 import os
 import signal
 import sys
@@ -28,13 +26,12 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import mass_table  # noqa: E402
+
 TAG = 551310
 STATUS_UNREADABLE = "unreadable"
-HEAD = (["file", "row", "name", "id", "status", "length_unit", "volume", "volume_bound", "area", "area_bound"]
-        + ["center_" + axis for axis in "xyz"] + ["center_bound"]
-        + ["inertia_" + pair for pair in ("xx", "yy", "zz", "xy", "yz", "xz")] + ["inertia_bound"]
-        + ["principal_1", "principal_2", "principal_3", "mass", "moved_by_closing", "max_gap", "leak", "open_edges",
-           "faces", "evaluations", "message"])
+HEAD = mass_table.HEAD + ["faces", "evaluations", "message"]
 
 
 # --- talking to the other ranks ------------------------------------------------------------------
@@ -72,53 +69,6 @@ class Ranks:
 
 
 # --- one file ------------------------------------------------------------------------------------
-def number(value):
-    return value if isinstance(value, int) or math.isfinite(value) else None
-
-
-class Fields:
-    """The first tuples of the arrays of field data, or the rows of a table."""
-
-    def __init__(self, data):
-        self.data = data
-
-    def numbers(self, name, count, row=0):
-        array = self.data.GetArray(name)
-        if array is None:
-            return [None] * count
-        return [number(array.GetComponent(row, i)) for i in range(count)]
-
-    def one(self, name, row=0):
-        return self.numbers(name, 1, row)[0]
-
-    def text(self, name, row=0):
-        array = self.data.GetAbstractArray(name)
-        return str(array.GetVariantValue(row).ToString()) if array else ""
-
-
-def make_row(file, kind, fields, row):
-    inertia = fields.numbers("VolumeInertia", 9, row)
-    values = {"file": file, "row": kind, "name": fields.text("Name", row), "id": fields.text("Id", row),
-              "status": fields.text("Status", row), "length_unit": fields.text("LengthUnit", row)}
-    for column, name in (("volume", "Volume"), ("area", "SurfaceArea"), ("center", "CenterOfMass"),
-                         ("inertia", "VolumeInertia")):
-        values[column + "_bound"] = fields.one(name + "Bound", row)
-    values["volume"] = fields.one("Volume", row)
-    values["area"] = fields.one("SurfaceArea", row)
-    for i, axis in enumerate("xyz"):
-        values["center_" + axis] = fields.numbers("CenterOfMass", 3, row)[i]
-    for pair, at in (("xx", 0), ("yy", 4), ("zz", 8), ("xy", 1), ("yz", 5), ("xz", 2)):
-        values["inertia_" + pair] = inertia[at]
-    for i in range(3):
-        values[f"principal_{i + 1}"] = fields.numbers("PrincipalMoments", 3, row)[i]
-    for column, name in (("mass", "Mass"), ("moved_by_closing", "MovedByClosing"), ("max_gap", "MaxGap"), ("leak", "Leak")):
-        values[column] = fields.one(name, row)
-    for column, name in (("open_edges", "OpenEdges"), ("faces", "Faces"), ("evaluations", "Evaluations")):
-        value = fields.one(name, row)
-        values[column] = None if value is None else int(value)
-    return values
-
-
 def weigh(path, name, options, ranks, together):
     """The rows of a file; with `together` on all ranks at once, and rows on rank 0 alone."""
     from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU
@@ -148,12 +98,11 @@ def weigh(path, name, options, ranks, together):
         return [{"file": name, "row": "total", "status": reader.GetStatusAsString(),
                  "message": messages[-1] if messages else "nothing was read"}]
     messages = [mass.GetMessage(i) for i in range(mass.GetNumberOfMessages())] + messages
-    rows = [make_row(name, "total", Fields(mass.GetOutput().GetFieldData()), 0)]
-    rows[0]["message"] = messages[0] if messages else None
-    table = mass.GetOutputDataObject(1)
-    unit = rows[0]["length_unit"]
-    for row in range(table.GetNumberOfRows()):
-        rows.append(dict(make_row(name, "solid", Fields(table.GetRowData()), row), length_unit=unit))
+    totals = mass.GetOutput()
+    rows = mass_table.read_rows(name, totals, mass.GetOutputDataObject(1))
+    for column, array in (("faces", "Faces"), ("evaluations", "Evaluations")):
+        rows[0][column] = mass_table.get_number(totals.GetFieldData(), 0, array)
+    rows[0]["message"] = messages[0] if messages else ""
     return rows
 
 
@@ -204,19 +153,11 @@ def run(job=None):
     return [row for i in sorted(by_file) for row in by_file[i]]
 
 
-def write(path, rows):
-    with (sys.stdout if path == "-" else open(path, "w", newline="", encoding="utf-8")) as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(HEAD)
-        for row in rows:
-            writer.writerow(["" if row.get(key) is None else row[key] for key in HEAD])
-
-
 def get_status(rows):
     statuses = {row["status"] for row in rows if row["row"] == "total"}
     if statuses & {STATUS_UNREADABLE, "empty", "aborted"}:
-        return 2
-    return 3 if statuses - {"ok"} else 0
+        return mass_table.UNREADABLE
+    return mass_table.FLAGGED if statuses - {"ok"} else mass_table.ALL_OK
 
 
 def run_on_satellites(job):
@@ -291,7 +232,7 @@ def main(arguments):
         return ranks.broadcast(None)
     status = get_status(rows)
     try:
-        write(options.csv, rows)
+        mass_table.write_csv(options.csv, rows, HEAD)
     except OSError as error:
         print(f"{options.csv} cannot be written: {error.strerror}.", file=sys.stderr)
         status = 1
