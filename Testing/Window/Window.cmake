@@ -5,6 +5,23 @@ endif ()
 set(window_tests "${CMAKE_CURRENT_LIST_DIR}")
 set(window_part "${PROJECT_SOURCE_DIR}/Examples/Models/sample_part.step")
 set(window_assembly "${SOLIDMOMENTS_TEST_SOLIDS}/assembly.step")
+solidmoments_add_test(NAME PluginState LABELS plugin XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginState.py" "$<TARGET_FILE:SolidMoments>" "${window_assembly}"
+    "${SOLIDMOMENTS_TEST_OUTPUT}")
+solidmoments_add_test(NAME PluginProgress LABELS plugin robust NODISPLAY
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginProgress.py" "$<TARGET_FILE:SolidMoments>" "${window_part}"
+    "${window_assembly}")
+if (SOLIDMOMENTS_PVSERVER)
+  solidmoments_add_test(NAME PluginProgressOnServer LABELS plugin robust NODISPLAY
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/with_server.py" "${SOLIDMOMENTS_PVSERVER}"
+      "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginProgress.py" "$<TARGET_FILE:SolidMoments>" "${window_part}"
+      "${window_assembly}")
+endif ()
+if (SOLIDMOMENTS_PARAVIEW)
+  solidmoments_add_test(NAME PluginEscape LABELS plugin robust XVFB
+    COMMAND "${Python3_EXECUTABLE}" "${window_tests}/TestPluginEscape.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
+      "${window_part}" "${SOLIDMOMENTS_TEST_OUTPUT}")
+endif ()
 find_program(SOLIDMOMENTS_MPIRUN mpirun)
 find_program(SOLIDMOMENTS_PVBATCH pvbatch)
 if (SOLIDMOMENTS_MPIRUN AND SOLIDMOMENTS_PVBATCH)
