@@ -5,6 +5,9 @@ endif ()
 set(window_tests "${CMAKE_CURRENT_LIST_DIR}")
 set(window_part "${PROJECT_SOURCE_DIR}/Examples/Models/sample_part.step")
 set(window_assembly "${SOLIDMOMENTS_TEST_SOLIDS}/assembly.step")
+solidmoments_add_test(NAME PluginTables LABELS plugin XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginTables.py" "$<TARGET_FILE:SolidMoments>" "${window_part}"
+    "${SOLIDMOMENTS_TEST_OUTPUT}")
 solidmoments_add_test(NAME PluginState LABELS plugin XVFB
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginState.py" "$<TARGET_FILE:SolidMoments>" "${window_assembly}"
     "${SOLIDMOMENTS_TEST_OUTPUT}")
