@@ -8,6 +8,8 @@ set(window_assembly "${SOLIDMOMENTS_TEST_SOLIDS}/assembly.step")
 solidmoments_add_test(NAME PluginTables LABELS plugin XVFB
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginTables.py" "$<TARGET_FILE:SolidMoments>" "${window_part}"
     "${SOLIDMOMENTS_TEST_OUTPUT}")
+solidmoments_add_test(NAME PluginInputs LABELS plugin error NODISPLAY
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginInputs.py" "$<TARGET_FILE:SolidMoments>" "${window_part}")
 solidmoments_add_test(NAME PluginState LABELS plugin XVFB
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginState.py" "$<TARGET_FILE:SolidMoments>" "${window_assembly}"
     "${SOLIDMOMENTS_TEST_OUTPUT}")
