@@ -337,7 +337,7 @@ std::string vtkMassPropertiesGPU::FindReason(
   const bool stopped = this->Scheme == ADAPTIVE ? this->Implementation->Integrator.WasAborted()
                                                 : this->Last->Run.GetIntegrator().WasAborted();
   const auto worst = std::find_if(bodies.begin(), bodies.end(),
-    [&status](const sm::BodyIntegrals& body) { return body.Status == status && !body.Messages.empty(); });
+    [&status](const sm::BodyIntegrals& body) { return body.Status == status && !body.Reason.empty(); });
   // What stopped the whole run was said last; else what is wrong with a body.
   if (!messages.empty() &&
     (stopped || worst == bodies.end() || std::isnan(this->Last->Row.Properties.Volume)))
@@ -345,7 +345,7 @@ std::string vtkMassPropertiesGPU::FindReason(
     return messages.back();
   }
   return worst == bodies.end() ? std::string()
-                               : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Messages.front();
+                               : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Reason;
 }
 
 void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals,
