@@ -180,6 +180,10 @@ void BodyIntegrals::Degrade(const std::string& status)
 
 void BodyIntegrals::Flag(const std::string& status, const std::string& message)
 {
+  if (IsWorse(status, this->Status))
+  {
+    this->Reason = message;
+  }
   this->Degrade(status);
   this->Messages.push_back(message);
 }

@@ -60,6 +60,8 @@ struct BodyIntegrals
   std::vector<signed char> Sides;
   std::string Status;
   std::vector<std::string> Messages;
+  /// That of the messages which gave it its status; empty when the status is "ok".
+  std::string Reason;
 
   bool IsSolid() const { return this->Model->GetBody() == vtkTrimmedNURBSModel::SOLID; }
   /// A solid, or a free shell that is closed: it has a volume.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <sstream>
 
 namespace sm
 {
@@ -22,6 +23,24 @@ std::string Format(const char* format, Values... values)
 std::string GetBoundText(double bound)
 {
   return std::isfinite(bound) ? " (+- " + FormatBound(bound) + ")" : std::string(" (bound not known)");
+}
+
+/// Lines of whole words, each at most `width` long if its words are, with a line's end behind each.
+std::string Wrap(const std::string& text, std::size_t width)
+{
+  std::string result;
+  std::string line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+  {
+    if (!line.empty() && line.size() + 1 + word.size() > width)
+    {
+      result += line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return line.empty() ? result : result + line + "\n";
 }
 
 struct Quantity
@@ -185,8 +204,8 @@ std::string FormatWithBound(double value, double bound, const std::string& unit)
     : std::string("not known");
 }
 
-std::string FormatSummary(
-  const MassRow& total, const std::string& status, const std::string& unit, int solids)
+std::string FormatSummary(const MassRow& total, const std::string& status, const std::string& reason,
+  const std::string& unit, int solids)
 {
   const MassProperties& p = total.Properties;
   const auto triple = [&unit](const std::array<double, 3>& values, double bound, const std::string& power)
@@ -200,7 +219,7 @@ std::string FormatSummary(
   std::string text;
   if (status != names::StatusOk)
   {
-    text += "Status: " + status + "\n";
+    text += "Status: " + status + "\n" + Wrap(reason, 64);
   }
   if (solids > 1)
   {

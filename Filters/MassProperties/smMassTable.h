@@ -59,9 +59,10 @@ std::string FormatNumber(double value, double bound);
 /// Value, unit and bound.
 std::string FormatWithBound(double value, double bound, const std::string& unit);
 
-/// A few lines: status, number of solids, volume, area, centre, principal moments, mass.
-std::string FormatSummary(
-  const MassRow& total, const std::string& status, const std::string& unit, int solids);
+/// A few lines: status, unless it is ok, with the reason, if any, in lines of at most 64 characters; number of solids, volume, area,
+/// centre, principal moments, mass.
+std::string FormatSummary(const MassRow& total, const std::string& status, const std::string& reason,
+  const std::string& unit, int solids);
 }
 
 #endif

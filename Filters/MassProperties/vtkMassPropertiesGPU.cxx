@@ -330,6 +330,24 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
   return row;
 }
 
+std::string vtkMassPropertiesGPU::FindReason(
+  const std::vector<sm::BodyIntegrals>& bodies, const std::string& status) const
+{
+  const std::vector<std::string>& messages = this->Implementation->Last.Messages;
+  const bool stopped = this->Scheme == ADAPTIVE ? this->Implementation->Integrator.WasAborted()
+                                                : this->Last->Run.GetIntegrator().WasAborted();
+  const auto worst = std::find_if(bodies.begin(), bodies.end(),
+    [&status](const sm::BodyIntegrals& body) { return body.Status == status && !body.Reason.empty(); });
+  // What stopped the whole run was said last; else what is wrong with a body.
+  if (!messages.empty() &&
+    (stopped || worst == bodies.end() || std::isnan(this->Last->Row.Properties.Volume)))
+  {
+    return messages.back();
+  }
+  return worst == bodies.end() ? std::string()
+                               : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Reason;
+}
+
 void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals,
   vtkTable* solids, vtkTable* text, vtkTable* faces)
 {
@@ -443,7 +461,8 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   sm::columns::SetInteger(totals->GetFieldData(), sm::names::OpenEdges, openEdges);
   sm::columns::SetInteger(totals->GetFieldData(), sm::names::FlippedShells, flippedShells);
   columns.AddTo(solids->GetRowData());
-  std::string summary = sm::FormatSummary(total, status, unit, static_cast<int>(bodies.size()));
+  std::string summary =
+    sm::FormatSummary(total, status, this->FindReason(bodies, status), unit, static_cast<int>(bodies.size()));
   this->AddSchemeOutputs(bodies, oneUnit, totals, solids, summary);
   sm::columns::AddBodyColumns(bodies, solids);
   sm::columns::SetString(text->GetRowData(), sm::names::Text, summary);

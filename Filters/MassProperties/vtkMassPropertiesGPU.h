@@ -21,7 +21,8 @@
  * | 5    | partitioned dataset collection | the bodies' meshes, see vtkSurfaceIntegralGPU, with the cell arrays Volume (of the solid), FaceShare (of the face in it), FaceGap and FaceBound, floats |
  *
  * The glyph's active cell scalars are its colour, green, or red where the result is flagged: vtkPolyDataMapper shows it as it
- * is. The text's field data has Status.
+ * is. Where there is none to draw, port 0 has one point without a cell, in the middle of the solids' box. The text's field data has
+ * Status.
  *
  * Field data (smMassPropertyNames.h), each quantity with `<name>Bound`, one number in the quantity's unit:
  * | name                  | comp. | unit   | meaning                                                     |
@@ -238,6 +239,8 @@ private:
     return this->Scheme != ADAPTIVE;
   }
   std::string GetSchemeMessage() const;
+  /// What made a result have this status, in a sentence, for the summary.
+  std::string FindReason(const std::vector<sm::BodyIntegrals>& bodies, const std::string& status) const;
   /// The largest leak of what counts as closed.
   double GetLargestLeak(const sm::BodyIntegrals& body, double perArea) const;
   void AddSchemeOutputs(const std::vector<sm::BodyIntegrals>& bodies, bool oneUnit, vtkPolyData* totals,

@@ -6,6 +6,7 @@
 #include "smStabilityNames.h"
 #include "vtkSolidStabilityInternals.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
@@ -25,6 +26,49 @@ namespace
 {
 namespace names = sm::names;
 const double Degrees = sm::DegreesPerRadian;
+
+/// Part of a run that the mass properties take, as its progress has it.
+constexpr double MassShare = 0.8;
+
+/// While it lives, passes the progress of a filter inside on to its owner, and the owner's wish to stop to the filter.
+class ProgressRelay
+{
+public:
+  ProgressRelay(vtkAlgorithm* inside, vtkAlgorithm* owner, double share)
+    : Inside(inside)
+    , Owner(owner)
+    , Share(share)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback(
+      [](vtkObject*, unsigned long, void* relay, void*) { static_cast<ProgressRelay*>(relay)->PassOn(); });
+    this->Tag = inside->AddObserver(vtkCommand::ProgressEvent, command);
+  }
+  ~ProgressRelay()
+  {
+    this->Inside->RemoveObserver(this->Tag);
+    // VTK 9.2 leaves it set.
+    this->Inside->SetAbortExecute(0);
+  }
+  ProgressRelay(const ProgressRelay&) = delete;
+  void operator=(const ProgressRelay&) = delete;
+
+private:
+  void PassOn()
+  {
+    this->Owner->UpdateProgress(this->Share * this->Inside->GetProgress());
+    if (this->Owner->GetAbortExecute())
+    {
+      this->Inside->SetAbortExecute(1);
+    }
+  }
+
+  vtkAlgorithm* Inside;
+  vtkAlgorithm* Owner;
+  double Share;
+  unsigned long Tag = 0;
+};
 
 /// The larger the worse.
 int GetBadness(sm::Verdict verdict)
@@ -305,7 +349,10 @@ int vtkSolidStability::RequestData(
   }
   // A leaf of a composite may have changed, which this does not show; faces that did not are kept.
   self.Mass->Modified();
-  self.Mass->Update();
+  {
+    const ProgressRelay relay(self.Mass, this, MassShare);
+    self.Mass->Update();
+  }
   self.Status = self.Mass->GetStatus();
   for (int i = 0; i < self.Mass->GetNumberOfMessages(); ++i)
   {
@@ -315,6 +362,12 @@ int vtkSolidStability::RequestData(
   std::vector<sm::StandingBody> standing = self.Collect(bodies, this->Bodies == TOGETHER);
   for (std::size_t i = 0; i < standing.size(); ++i)
   {
+    if (this->GetAbortExecute())
+    {
+      self.Messages.push_back("the run was aborted before all bodies were put on the ground");
+      vtkWarningMacro(<< self.Messages.back());
+      break;
+    }
     sm::StandingBody& body = standing[i];
     sm::Stand(
       body, ground, this->Ground == PLANE ? this->GroundOrigin : nullptr, this->ContactTolerance, self.Cache);
@@ -327,7 +380,8 @@ int vtkSolidStability::RequestData(
     {
       self.Worst = body;
     }
-    this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(standing.size()));
+    this->UpdateProgress(
+      MassShare + (1.0 - MassShare) * static_cast<double>(i + 1) / static_cast<double>(standing.size()));
   }
   // What it points to ends with this run.
   self.Worst.Parts.clear();

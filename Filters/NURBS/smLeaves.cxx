@@ -9,7 +9,8 @@
 namespace sm
 {
 bool CopyLeaves(vtkDataObject* input, vtkDataObject* output,
-  const std::function<bool(vtkPointSet* source, vtkPointSet* copy)>& change)
+  const std::function<bool(vtkPointSet* source, vtkPointSet* copy)>& change,
+  const std::function<bool(double share)>& report)
 {
   auto* inputTree = vtkCompositeDataSet::SafeDownCast(input);
   auto* outputTree = vtkCompositeDataSet::SafeDownCast(output);
@@ -17,7 +18,7 @@ bool CopyLeaves(vtkDataObject* input, vtkDataObject* output,
   {
     output->ShallowCopy(input);
     auto* source = vtkPointSet::SafeDownCast(input);
-    return !source || change(source, vtkPointSet::SafeDownCast(output));
+    return (!source || change(source, vtkPointSet::SafeDownCast(output))) && report(1.0);
   }
   if (!outputTree)
   {
@@ -26,6 +27,12 @@ bool CopyLeaves(vtkDataObject* input, vtkDataObject* output,
   outputTree->CopyStructure(inputTree);
   outputTree->GetFieldData()->PassData(inputTree->GetFieldData());
   const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(inputTree->NewIterator());
+  double total = 0.0;
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    total += 1.0;
+  }
+  double done = 0.0;
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
     vtkDataObject* leaf = iterator->GetCurrentDataObject();
@@ -37,6 +44,11 @@ bool CopyLeaves(vtkDataObject* input, vtkDataObject* output,
       return false;
     }
     outputTree->SetDataSet(iterator, copy);
+    done += 1.0;
+    if (!report(done / total))
+    {
+      return false;
+    }
   }
   return true;
 }

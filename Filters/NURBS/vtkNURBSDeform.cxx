@@ -312,7 +312,18 @@ int vtkNURBSDeform::RequestData(
     auto* to = vtkNURBSDataSet::SafeDownCast(copy);
     return !from || !to || !from->GetModel() || run.Change(from, to);
   };
-  bool done = sm::CopyLeaves(vtkDataObject::GetData(inputVector[0], 0), output, change);
+  const auto report = [this](double share)
+  {
+    this->UpdateProgress(share);
+    return !this->GetAbortExecute();
+  };
+  bool done = sm::CopyLeaves(vtkDataObject::GetData(inputVector[0], 0), output, change, report);
+  if (!done && run.Error.empty() && this->GetAbortExecute())
+  {
+    output->Initialize();
+    vtkWarningMacro("The run was aborted: the output is empty.");
+    return 1;
+  }
   const auto worst = std::max_element(this->Faces.begin(), this->Faces.end());
   if (!done)
   {

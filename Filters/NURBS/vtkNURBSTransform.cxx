@@ -197,8 +197,18 @@ int vtkNURBSTransform::RequestData(
     }
     return true;
   };
-  return sm::CopyLeaves(
-           vtkDataObject::GetData(inputVector[0], 0), vtkDataObject::GetData(outputVector, 0), move)
-    ? 1
-    : 0;
+  const auto report = [this](double share)
+  {
+    this->UpdateProgress(share);
+    return !this->GetAbortExecute();
+  };
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  const bool done = sm::CopyLeaves(vtkDataObject::GetData(inputVector[0], 0), output, move, report);
+  if (!done && this->GetAbortExecute())
+  {
+    output->Initialize();
+    vtkWarningMacro("The run was aborted: the output is empty.");
+    return 1;
+  }
+  return done ? 1 : 0;
 }

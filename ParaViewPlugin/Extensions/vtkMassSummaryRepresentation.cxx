@@ -78,6 +78,8 @@ int vtkMassSummaryRepresentation::ProcessViewRequest(
     }
     const bool flagged = data && IsFlagged(data->GetFieldData());
     text->SetColor(flagged ? this->FlaggedColor : this->OrdinaryColor);
+    // ParaView has no property for it, and VTK's lines touch each other.
+    text->SetLineSpacing(1.3);
     for (int i = 0; i < 3; ++i)
     {
       this->DrawnColor[i] = flagged ? this->FlaggedColor[i] : -1.0;

@@ -19,7 +19,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Red, green and blue from 0 to 1. Default: 0.85 0.1 0.1. */
+  /** Red, green and blue from 0 to 1. Default: 1 0.4 0.35. */
   vtkSetVector3Macro(FlaggedColor, double);
   vtkGetVector3Macro(FlaggedColor, double);
   ///@}
@@ -38,7 +38,7 @@ private:
   vtkMassSummaryRepresentation(const vtkMassSummaryRepresentation&) = delete;
   void operator=(const vtkMassSummaryRepresentation&) = delete;
 
-  double FlaggedColor[3] = { 0.85, 0.1, 0.1 };
+  double FlaggedColor[3] = { 1.0, 0.4, 0.35 };
   /// The colour to come back to.
   double OrdinaryColor[3] = { 1.0, 1.0, 1.0 };
   /// Not negative: the flagged colour that is drawn now.

@@ -9,6 +9,7 @@
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <vector>
@@ -74,11 +75,24 @@ int vtkNURBSModelWriter::Write()
   return this->Superclass::Write();
 }
 
+vtkTypeBool vtkNURBSModelWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    vtkInformation* info = inputVector[0]->GetInformationObject(0);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), this->Piece);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), this->NumberOfPieces);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
 void vtkNURBSModelWriter::WriteData()
 {
   *this->Last = Results();
-  vtkInformation* info = this->GetInputInformation(0, 0);
-  if (info && info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  if (this->Piece > 0)
   {
     return;
   }
@@ -163,5 +177,6 @@ void vtkNURBSModelWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+     << indent << "Piece: " << this->Piece << " of " << this->NumberOfPieces << "\n"
      << indent << "Faces: " << this->Last->Faces << "\n";
 }

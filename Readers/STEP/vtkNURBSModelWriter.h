@@ -28,8 +28,9 @@
  * | OutOfDiskSpaceError | the disk is full                                                            |
  * | UnknownError        | OpenCASCADE failed, or the application asked to stop                        |
  *
- * One file is written or read at a time in a process, others wait: OpenCASCADE's settings are global. Under MPI every
- * process that calls Write() updates its whole input and writes the same file: call it in one. No OpenGL context is needed.
+ * One file is written or read at a time in a process, others wait: OpenCASCADE's settings are global. Under MPI call Write() in
+ * every process with SetNumberOfPieces() and SetPiece(), as ParaView does: each updates its own piece of the input, and the first one, where
+ * vtkSTEPReader and our filters have all solids, writes the file. No OpenGL context is needed.
  */
 #ifndef vtkNURBSModelWriter_h
 #define vtkNURBSModelWriter_h
@@ -61,8 +62,22 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  ///@{
+  /**
+   * The piece of the input to update, from 0, of how many: rank and number of MPI processes. A piece other than 0 is updated, nothing is
+   * written, and Write() returns 1. Values are clamped, the number to 1 or more, the piece to 0 or more. Default: 0 of 1.
+   */
+  vtkSetClampMacro(Piece, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Piece, int);
+  vtkSetClampMacro(NumberOfPieces, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfPieces, int);
+  ///@}
+
   /** Updates the input and writes it. Returns 1 when the file was written whole, else 0. */
   int Write() override;
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   ///@{
   /** What the last Write() has to say, one sentence each; an error is the last one. An index out of range gives an empty string. */
@@ -92,6 +107,8 @@ private:
   void Fail(unsigned long code, const std::string& problem);
 
   char* FileName = nullptr;
+  int Piece = 0;
+  int NumberOfPieces = 1;
   struct Results;
   std::unique_ptr<Results> Last;
 };

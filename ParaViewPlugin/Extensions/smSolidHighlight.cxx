@@ -1,9 +1,7 @@
-#include "vtkSMSolidHighlightHelper.h"
+#include "smSolidHighlight.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
-#include "vtkPVXMLElement.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
@@ -17,8 +15,8 @@
 #include <set>
 #include <string>
 
-vtkStandardNewMacro(vtkSMSolidHighlightHelper);
-
+namespace sm
+{
 namespace
 {
 /// Carries the selection of the table's port over to the meshes' port; owned by the proxy that it observes.
@@ -121,25 +119,11 @@ private:
 };
 }
 
-vtkSMSolidHighlightHelper::vtkSMSolidHighlightHelper() = default;
-vtkSMSolidHighlightHelper::~vtkSMSolidHighlightHelper() = default;
-
-void vtkSMSolidHighlightHelper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-}
-
-void vtkSMSolidHighlightHelper::PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType)
+void HighlightSolidsOfRows(vtkSMSourceProxy* filter, unsigned int tablePort, unsigned int meshesPort)
 {
   vtkNew<HighlightCommand> command;
-  int port = 0;
-  if (xml->GetScalarAttribute("table", &port))
-  {
-    command->TablePort = static_cast<unsigned int>(port);
-  }
-  if (xml->GetScalarAttribute("meshes", &port))
-  {
-    command->MeshesPort = static_cast<unsigned int>(port);
-  }
-  proxy->AddObserver(vtkCommand::SelectionChangedEvent, command);
+  command->TablePort = tablePort;
+  command->MeshesPort = meshesPort;
+  filter->AddObserver(vtkCommand::SelectionChangedEvent, command);
+}
 }

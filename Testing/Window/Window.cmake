@@ -1,0 +1,41 @@
+# What ParaView's user has to do with: tables, states, progress, inputs, files of a parallel server.
+if (NOT SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
+  return ()
+endif ()
+set(window_tests "${CMAKE_CURRENT_LIST_DIR}")
+set(window_part "${PROJECT_SOURCE_DIR}/Examples/Models/sample_part.step")
+set(window_assembly "${SOLIDMOMENTS_TEST_SOLIDS}/assembly.step")
+solidmoments_add_test(NAME PluginTables LABELS plugin XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginTables.py" "$<TARGET_FILE:SolidMoments>" "${window_part}"
+    "${SOLIDMOMENTS_TEST_OUTPUT}")
+solidmoments_add_test(NAME PluginInputs LABELS plugin error NODISPLAY
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginInputs.py" "$<TARGET_FILE:SolidMoments>" "${window_part}")
+solidmoments_add_test(NAME PluginState LABELS plugin XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginState.py" "$<TARGET_FILE:SolidMoments>" "${window_assembly}"
+    "${SOLIDMOMENTS_TEST_OUTPUT}")
+solidmoments_add_test(NAME PluginProgress LABELS plugin robust NODISPLAY
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginProgress.py" "$<TARGET_FILE:SolidMoments>" "${window_part}"
+    "${window_assembly}")
+if (SOLIDMOMENTS_PVSERVER)
+  solidmoments_add_test(NAME PluginProgressOnServer LABELS plugin robust NODISPLAY
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/with_server.py" "${SOLIDMOMENTS_PVSERVER}"
+      "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginProgress.py" "$<TARGET_FILE:SolidMoments>" "${window_part}"
+      "${window_assembly}")
+endif ()
+if (SOLIDMOMENTS_PARAVIEW)
+  solidmoments_add_test(NAME PluginEscape LABELS plugin robust XVFB
+    COMMAND "${Python3_EXECUTABLE}" "${window_tests}/TestPluginEscape.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
+      "${window_part}" "${SOLIDMOMENTS_TEST_OUTPUT}")
+endif ()
+find_program(SOLIDMOMENTS_MPIRUN mpirun)
+find_program(SOLIDMOMENTS_PVBATCH pvbatch)
+if (SOLIDMOMENTS_MPIRUN AND SOLIDMOMENTS_PVBATCH)
+  # What Open MPI needs to run as root, with more ranks than cores, and in a container.
+  solidmoments_add_test(NAME PluginWritersRanks LABELS plugin value NODISPLAY
+    ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+      OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
+      "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
+    COMMAND "${Python3_EXECUTABLE}" "${window_tests}/TestPluginWritersRanks.py" "$<TARGET_FILE:SolidMoments>" "${window_part}"
+      "${SOLIDMOMENTS_TEST_OUTPUT}" "${SOLIDMOMENTS_PVPYTHON}" "${SOLIDMOMENTS_MPIRUN}" "${SOLIDMOMENTS_PVBATCH}")
+  set_tests_properties(PluginWritersRanks PROPERTIES PROCESSORS 2)
+endif ()
