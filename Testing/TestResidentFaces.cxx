@@ -1,4 +1,4 @@
-// Faces on the GPU: uploaded once, packed into pages, dropped by age within a budget, gone with their context.
+// Faces on the GPU: uploaded once, packed into pages, dropped with their models and by age within a budget, gone with their context.
 #include "smContextScope.h"
 #include "smFacePanelsCache.h"
 #include "smResidentFaces.h"
@@ -39,7 +39,7 @@ void CheckPages(vtkComputeContext* context)
   {
     const sm::ResidentFace& place = places[i];
     isPacked = isPacked && place.Error.empty() && place.Page == places[0].Page + i / 3 &&
-      place.FirstPatch == 16u * (i % 3) && place.Source == faces[i]->Source;
+      place.FirstPatch == 16u * (i % 3) && place.Source.lock() == faces[i]->Source;
   }
   CheckTrue("three faces a page, one after another", isPacked);
   CheckEqual("uploads", 10, static_cast<long long>(resident.GetNumberOfUploads()));
@@ -65,6 +65,42 @@ void CheckPages(vtkComputeContext* context)
     "is still there", static_cast<long long>(uploads), static_cast<long long>(resident.GetNumberOfUploads()));
   CheckTrue("all again, above the budget", resident.Acquire(faces, places, nullptr), resident.GetError());
   CheckTrue("what was dropped is uploaded again", resident.GetNumberOfUploads() > uploads);
+}
+
+/// A long drag: every edit replaces one face of a model of ten.
+void CheckEdits(vtkComputeContext* context)
+{
+  std::vector<sm::FacePointer> model;
+  for (int i = 0; i < 10; ++i)
+  {
+    model.push_back(MakeSquare(1 + i, 4));
+  }
+  sm::ResidentFaces resident(context);
+  std::vector<sm::ResidentFace> places;
+  sm::FacePanelsCache cache;
+  std::vector<sm::CutFacePointer> cut;
+  std::size_t bytes = 0;
+  for (int edit = 0; edit <= 100; ++edit)
+  {
+    cache.Acquire(model, cut, nullptr);
+    CheckTrue("acquire", resident.Acquire(cut, places, nullptr), resident.GetError());
+    bytes = edit == 0 ? resident.GetBytes() : bytes;
+    model[edit % 3] = MakeSquare(100 + edit, 4);
+    cut.clear();
+  }
+  CheckEqual("after 100 edits: uploads", 110, static_cast<long long>(resident.GetNumberOfUploads()));
+  // The first page has seven faces that live, and three that do not; three faces of edits have a page each.
+  CheckEqual("faces", 13, static_cast<long long>(resident.GetNumberOfFaces()));
+  CheckEqual(
+    "bytes", static_cast<long long>(bytes + 3 * (bytes / 10)), static_cast<long long>(resident.GetBytes()));
+  const std::uint64_t uploads = resident.GetNumberOfUploads();
+  model.clear();
+  model.push_back(MakeSquare(1000, 4));
+  cache.Acquire(model, cut, nullptr);
+  resident.Acquire(cut, places, nullptr);
+  CheckEqual("another model: uploads", static_cast<long long>(uploads + 1),
+    static_cast<long long>(resident.GetNumberOfUploads()));
+  CheckEqual("and nothing of the first", 1, static_cast<long long>(resident.GetNumberOfFaces()));
 }
 
 void CheckMistakes(vtkComputeContext* context)
@@ -101,6 +137,7 @@ int main()
     return Skipped;
   }
   CheckPages(context);
+  CheckEdits(context);
   CheckMistakes(context);
   return Finish();
 }

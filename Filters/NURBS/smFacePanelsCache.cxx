@@ -77,6 +77,23 @@ struct FacePanelsCache::Internals
     this->Bytes += bytes;
   }
 
+  /// What only the cache holds: no model has the face, and nobody what it was cut into.
+  void ForgetDead()
+  {
+    for (auto entry = this->Faces.begin(); entry != this->Faces.end();)
+    {
+      const CutFacePointer& face = entry->second.Face;
+      if (face.use_count() > 1 || face->Source.use_count() > 1)
+      {
+        ++entry;
+        continue;
+      }
+      this->Bytes -= entry->second.Bytes;
+      entry = this->Faces.erase(entry);
+      ++this->Evictions;
+    }
+  }
+
   /// The oldest first; of one age, the lower id first.
   void Evict()
   {
@@ -149,6 +166,10 @@ bool FacePanelsCache::Acquire(const std::vector<FacePointer>& faces, std::vector
   if (!self.FindMissing(faces, missing))
   {
     return false;
+  }
+  if (!missing.empty())
+  {
+    self.ForgetDead();
   }
   for (std::size_t begin = 0; begin < missing.size(); begin += CutsPerReport)
   {

@@ -38,9 +38,9 @@ struct CutFace
 using CutFacePointer = std::shared_ptr<const CutFace>;
 
 /**
- * Cuts faces (BuildFacePanels) in parallel, by vtkSMPTools, and keeps them by their ids, so that a face is cut once. When
- * the bytes exceed the budget, the faces asked for longest ago are forgotten, those of the last request last; whoever
- * holds a pointer keeps its face alive. What a face is cut into depends on the face alone: forgotten and cut again,
+ * Cuts faces (BuildFacePanels) in parallel, by vtkSMPTools, and keeps them by their ids, so that a face is cut once. Faces that
+ * nobody else has any more, as after an edit, are forgotten before others are cut. When the bytes exceed the budget, the faces
+ * asked for longest ago are forgotten, those of the last request last; whoever holds a pointer keeps its face alive. What a face is cut into depends on the face alone: forgotten and cut again,
  * it is the same.
  *
  * Not thread safe: one thread at a time calls Acquire().
@@ -63,7 +63,7 @@ public:
     const std::function<bool(double)>& progress);
 
   ///@{
-  /// Counters: faces and bytes kept now; faces cut and faces forgotten since construction.
+  /// Counters: faces and bytes kept now; faces cut and faces forgotten, for either reason, since construction.
   std::size_t GetNumberOfFaces() const;
   std::size_t GetBytes() const;
   std::uint64_t GetNumberOfCuts() const;

@@ -2,10 +2,58 @@
 
 #include "smOpenGL.h"
 
+#include "vtkObjectFactory.h"
+
 // After everything else: X defines common words as macros.
 #include "vtkXOpenGLRenderWindow.h"
 #include <EGL/egl.h>
 #include <GL/glx.h>
+
+namespace
+{
+/// A window on a display that stays open: VTK leaves its colour map and its last events to the end of the connection.
+class OwnXWindow : public vtkXOpenGLRenderWindow
+{
+public:
+  static OwnXWindow* New();
+  vtkTypeMacro(OwnXWindow, vtkXOpenGLRenderWindow);
+
+protected:
+  OwnXWindow() = default;
+  ~OwnXWindow() override { this->Finalize(); }
+
+  void DestroyWindow() override
+  {
+    Window ended = this->WindowId;
+    // Forgotten with the window.
+    Display* const display = this->DisplayId;
+    const Colormap colors = this->ColorMap;
+    this->Superclass::DestroyWindow();
+    if (!ended || !display)
+    {
+      return;
+    }
+    if (colors)
+    {
+      XFreeColormap(display, colors);
+      this->ColorMap = 0;
+    }
+    // Nobody reads the events of this connection. Others' windows may be on it: theirs stay.
+    XSync(display, False);
+    XEvent event;
+    const auto isOfWindow = [](Display*, XEvent* of, XPointer window) -> Bool
+    { return of->xany.window == *reinterpret_cast<Window*>(window) ? True : False; };
+    while (XCheckIfEvent(display, &event, isOfWindow, reinterpret_cast<XPointer>(&ended)))
+    {
+    }
+  }
+
+private:
+  OwnXWindow(const OwnXWindow&) = delete;
+  void operator=(const OwnXWindow&) = delete;
+};
+vtkStandardNewMacro(OwnXWindow);
+}
 
 namespace sm
 {
@@ -100,7 +148,7 @@ bool MakeWindowCurrent(vtkOpenGLRenderWindow* window)
 
 vtkOpenGLRenderWindow* NewXWindow(void* display)
 {
-  vtkXOpenGLRenderWindow* window = vtkXOpenGLRenderWindow::New();
+  OwnXWindow* window = OwnXWindow::New();
   window->SetDisplayId(display);
   window->SetShowWindow(false);
   window->SetUseOffScreenBuffers(true);

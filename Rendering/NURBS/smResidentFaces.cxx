@@ -138,6 +138,29 @@ struct ResidentFaces::Internals
     return bytes;
   }
 
+  /// Returns the page behind the dropped one.
+  std::map<int, Page>::iterator Drop(std::map<int, Page>::iterator page)
+  {
+    for (const std::uint64_t id : page->second.Faces)
+    {
+      this->Faces.erase(id);
+    }
+    this->Bytes -= page->second.GetBytes();
+    ++this->Evictions;
+    return this->Pages.erase(page);
+  }
+
+  /// Drops the pages of which no face exists any more. An edit's faces have pages of their own, so that the next edit frees them.
+  void DropDead()
+  {
+    const auto isDead = [this](std::uint64_t id) { return this->Faces.at(id).Source.expired(); };
+    for (auto page = this->Pages.begin(); page != this->Pages.end();)
+    {
+      const std::vector<std::uint64_t>& faces = page->second.Faces;
+      page = std::all_of(faces.begin(), faces.end(), isDead) ? this->Drop(page) : std::next(page);
+    }
+  }
+
   /// Drops the pages used longest ago until the budget holds, but none used at `now`.
   void Evict(std::uint64_t now)
   {
@@ -149,13 +172,7 @@ struct ResidentFaces::Internals
       {
         return;
       }
-      for (const std::uint64_t id : oldest->second.Faces)
-      {
-        this->Faces.erase(id);
-      }
-      this->Bytes -= oldest->second.GetBytes();
-      this->Pages.erase(oldest);
-      ++this->Evictions;
+      this->Drop(oldest);
     }
   }
 
@@ -287,7 +304,7 @@ bool ResidentFaces::Acquire(const std::vector<CutFacePointer>& faces, std::vecto
     const auto [first, isNew] = asked.emplace(id, face->Source);
     const auto found = self.Faces.find(id);
     const bool isResident = found != self.Faces.end();
-    if (first->second != face->Source || (isResident && found->second.Source != face->Source))
+    if (first->second != face->Source || (isResident && found->second.Source.lock() != face->Source))
     {
       self.Error = "two different faces have the id " + std::to_string(id) +
         "; give every new face an id of its own, sm::NewId()";
@@ -301,6 +318,10 @@ bool ResidentFaces::Acquire(const std::vector<CutFacePointer>& faces, std::vecto
     {
       missing.push_back(face);
     }
+  }
+  if (!missing.empty())
+  {
+    self.DropDead();
   }
   if (!self.UploadAll(missing, now, progress))
   {

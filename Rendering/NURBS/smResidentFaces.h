@@ -27,8 +27,8 @@ struct ResidentFace
   std::uint32_t FirstPatch = 0;
   std::uint32_t FirstCoefficient = 0;
   std::uint32_t FirstCap = 0;
-  /// The face itself: an id stands for one face only.
-  FacePointer Source;
+  /// The face itself: an id stands for one face only. What is resident keeps no face alive.
+  std::weak_ptr<const Face> Source;
   /// Not empty: the face is too large for a storage block of this GPU and nothing of it is there.
   std::string Error;
 };
@@ -36,7 +36,8 @@ struct ResidentFace
 /**
  * Uploads what the shaders read of cut faces: control points, patches, polynomial coefficients and caps. Faces are
  * packed into pages, each a set of buffers within the driver's limit of a storage block. A face that is resident is found
- * again by its id and costs nothing. When the bytes exceed the budget, the pages used longest ago are dropped as a whole.
+ * again by its id and costs nothing. A page whose faces nobody has any more, as after an edit, is dropped by the next upload. When
+ * the bytes exceed the budget, the pages used longest ago are dropped as a whole.
  *
  * When the GL context ends everything is forgotten and the next Acquire() starts anew.
  * Storage and bindings: see glsl/smResident.glsl. Methods enter the context by themselves, except Bind();

@@ -1,4 +1,4 @@
-// Cut faces are kept by id: found again, forgotten by age within a budget, never taken from who holds them.
+// Cut faces are kept by id: found again, forgotten with their models and by age within a budget, never taken from who holds them.
 #include "smFacePanelsCache.h"
 #include "smTestFaces.h"
 #include "smTesting.h"
@@ -71,6 +71,34 @@ void CheckBudget()
   CheckEqual("and kept in part", 3, static_cast<long long>(cache.GetNumberOfFaces()));
 }
 
+/// A long drag: every edit replaces one face of a model of ten.
+void CheckEdits()
+{
+  sm::FacePanelsCache cache;
+  std::vector<sm::FacePointer> faces;
+  for (int i = 0; i < 10; ++i)
+  {
+    faces.push_back(MakeSquare(1 + i, 4));
+  }
+  std::vector<sm::CutFacePointer> cut;
+  cache.Acquire(faces, cut, nullptr);
+  const std::size_t bytes = cache.GetBytes();
+  const sm::CutFacePointer held = cut[9];
+  for (int edit = 0; edit < 100; ++edit)
+  {
+    faces[edit % 3] = MakeSquare(100 + edit, 4);
+    cache.Acquire(faces, cut, nullptr);
+  }
+  CheckEqual("after 100 edits: faces cut", 110, static_cast<long long>(cache.GetNumberOfCuts()));
+  CheckEqual("faces kept", 10, static_cast<long long>(cache.GetNumberOfFaces()));
+  CheckEqual("bytes kept", static_cast<long long>(bytes), static_cast<long long>(cache.GetBytes()));
+  faces.pop_back();
+  faces[0] = MakeSquare(500, 4);
+  cache.Acquire(faces, cut, nullptr);
+  CheckEqual("what somebody holds is kept", 10, static_cast<long long>(cache.GetNumberOfFaces()));
+  CheckTrue("and found", cache.Acquire({ held->Source }, cut, nullptr) && cut[0] == held);
+}
+
 void CheckMistakes()
 {
   sm::FacePanelsCache cache;
@@ -118,6 +146,7 @@ int main()
 {
   CheckFound();
   CheckBudget();
+  CheckEdits();
   CheckMistakes();
   return Finish();
 }
