@@ -366,6 +366,8 @@ int vtkSolidStability::RequestData(
     {
       self.Messages.push_back("the run was aborted before all bodies were put on the ground");
       vtkWarningMacro(<< self.Messages.back());
+      // Of those that were not it is not known.
+      self.Worst = standing[i];
       break;
     }
     sm::StandingBody& body = standing[i];

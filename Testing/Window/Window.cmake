@@ -27,13 +27,9 @@ if (SOLIDMOMENTS_PARAVIEW)
     COMMAND "${Python3_EXECUTABLE}" "${window_tests}/TestPluginEscape.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
       "${window_part}" "${SOLIDMOMENTS_TEST_OUTPUT}")
 endif ()
-find_program(SOLIDMOMENTS_MPIRUN mpirun)
-find_program(SOLIDMOMENTS_PVBATCH pvbatch)
 if (SOLIDMOMENTS_MPIRUN AND SOLIDMOMENTS_PVBATCH)
-  # What Open MPI needs to run as root, with more ranks than cores, and in a container.
   solidmoments_add_test(NAME PluginWritersRanks LABELS plugin value NODISPLAY
-    ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
-      OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
+    ENVIRONMENT ${SOLIDMOMENTS_MPI_ENVIRONMENT}
       "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
     COMMAND "${Python3_EXECUTABLE}" "${window_tests}/TestPluginWritersRanks.py" "$<TARGET_FILE:SolidMoments>" "${window_part}"
       "${SOLIDMOMENTS_TEST_OUTPUT}" "${SOLIDMOMENTS_PVPYTHON}" "${SOLIDMOMENTS_MPIRUN}" "${SOLIDMOMENTS_PVBATCH}")
