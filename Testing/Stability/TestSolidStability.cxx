@@ -430,6 +430,29 @@ void TestBodies(const std::string& folder, const smtest::Manifest& manifest)
     smtest::Check("margin of the cube", 5.0, rows->GetValueByName(0, names::Margin).ToDouble(), 1e-9);
     smtest::Check("margin of the plate", 5.0, rows->GetValueByName(1, names::Margin).ToDouble(), 1e-9);
   }
+  // Stopped when the first stands: what is not known of the second is not known of the worst.
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* running = vtkAlgorithm::SafeDownCast(caller);
+      running->SetAbortExecute(running->GetProgress() > 0.85 ? 1 : 0);
+    });
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  const smtest::MessageTrap stopped(filter);
+  filter->Modified();
+  filter->Update();
+  smtest::CheckEqual("a warning that it was stopped", 1, stopped.NumberOfWarnings);
+  smtest::CheckEqual("stopped", names::VerdictUnknown, filter->GetStability());
+  rows = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+  smtest::CheckEqual("the one that stood", "stable", rows->GetValueByName(0, names::Stability).ToString());
+  smtest::CheckEqual(
+    "the one that did not", names::VerdictUnknown, rows->GetValueByName(1, names::Stability).ToString());
+  filter->RemoveObserver(tag);
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  smtest::CheckEqual("not stopped", "stable", filter->GetStability());
   // One density says nothing of the other.
   leaves[0]->GetModel()->SetDensity(8000.0);
   filter->SetBodies(vtkSolidStability::TOGETHER);
