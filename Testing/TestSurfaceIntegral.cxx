@@ -28,6 +28,8 @@ void CheckIntegrands(const Expected& part)
   CheckEqual("integrands", 8, integral->GetNumberOfIntegrands());
   CheckEqual("name", "flux", integral->GetIntegrandName(5));
   integral->Update();
+  CheckEqual(
+    "a point that carries the field data to another process", 1, integral->GetOutput()->GetNumberOfPoints());
   CheckEqual("status", "ok", integral->GetStatus());
 
   // A box a x b x c in a corner at t: the part is box-far's sibling, so every integral is a polynomial.

@@ -330,22 +330,9 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
   return row;
 }
 
-std::string vtkMassPropertiesGPU::FindReason(
-  const std::vector<sm::BodyIntegrals>& bodies, const std::string& status) const
+bool vtkMassPropertiesGPU::WasStopped() const
 {
-  const std::vector<std::string>& messages = this->Implementation->Last.Messages;
-  const bool stopped = this->Scheme == ADAPTIVE ? this->Implementation->Integrator.WasAborted()
-                                                : this->Last->Run.GetIntegrator().WasAborted();
-  const auto worst = std::find_if(bodies.begin(), bodies.end(),
-    [&status](const sm::BodyIntegrals& body) { return body.Status == status && !body.Reason.empty(); });
-  // What stopped the whole run was said last; else what is wrong with a body.
-  if (!messages.empty() &&
-    (stopped || worst == bodies.end() || std::isnan(this->Last->Row.Properties.Volume)))
-  {
-    return messages.back();
-  }
-  return worst == bodies.end() ? std::string()
-                               : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Reason;
+  return this->HasScheme() ? this->Last->Run.GetIntegrator().WasAborted() : this->Superclass::WasStopped();
 }
 
 void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals,

@@ -225,6 +225,7 @@ protected:
   {
     return !this->HasScheme();
   }
+  bool WasStopped() const override;
   bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies) override;
   void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces) override;
@@ -239,8 +240,6 @@ private:
     return this->Scheme != ADAPTIVE;
   }
   std::string GetSchemeMessage() const;
-  /// What made a result have this status, in a sentence, for the summary.
-  std::string FindReason(const std::vector<sm::BodyIntegrals>& bodies, const std::string& status) const;
   /// The largest leak of what counts as closed.
   double GetLargestLeak(const sm::BodyIntegrals& body, double perArea) const;
   void AddSchemeOutputs(const std::vector<sm::BodyIntegrals>& bodies, bool oneUnit, vtkPolyData* totals,

@@ -172,14 +172,4 @@ void vtkMassPropertiesGPU::MakeGlyphs(const std::vector<sm::BodyIntegrals>& bodi
     output->GetPointData()->ShallowCopy(glyphs->GetOutput()->GetPointData());
     output->GetCellData()->ShallowCopy(glyphs->GetOutput()->GetCellData());
   }
-  else if (all.IsValid())
-  {
-    // VTK sends polydata without points as text, and cannot read the NaN of what was not computed from that.
-    double middle[3];
-    all.GetCenter(middle);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->InsertNextPoint(middle);
-    output->SetPoints(points);
-  }
 }

@@ -8,6 +8,7 @@
 #include "vtkSurfaceIntegralGPUInternals.h"
 
 #include "vtkAutoInit.h"
+#include "vtkBoundingBox.h"
 #include "vtkComputeContext.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExecutive.h"
@@ -18,6 +19,7 @@
 #include "vtkNURBSDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -31,6 +33,32 @@
 VTK_MODULE_INIT(smRenderingNURBS)
 
 vtkStandardNewMacro(vtkSurfaceIntegralGPU);
+
+namespace
+{
+/// Field data want a point: VTK sends polydata without points as text, and cannot read the NaN of what was not computed from that.
+void AddCarrier(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals)
+{
+  if (totals->GetNumberOfPoints() > 0)
+  {
+    return;
+  }
+  vtkBoundingBox box;
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    sm::AddPlacedBox(body, box);
+  }
+  double middle[3] = { 0.0, 0.0, 0.0 };
+  if (box.IsValid())
+  {
+    box.GetCenter(middle);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(middle);
+  totals->SetPoints(points);
+}
+}
 
 vtkSurfaceIntegralGPU::vtkSurfaceIntegralGPU()
   : Implementation(new Internals)
@@ -218,6 +246,30 @@ bool vtkSurfaceIntegralGPU::IntegrateBodies(std::vector<sm::BodyIntegrals>& bodi
   return this->Implementation->Integrate(this, bodies);
 }
 
+bool vtkSurfaceIntegralGPU::WasStopped() const
+{
+  return this->Implementation->Integrator.WasAborted() ||
+    (!this->Implementation->Waterlines.empty() &&
+      this->Implementation->Buoyancy.GetIntegrator().WasAborted());
+}
+
+std::string vtkSurfaceIntegralGPU::FindReason(
+  const std::vector<sm::BodyIntegrals>& bodies, const std::string& status) const
+{
+  const std::vector<std::string>& messages = this->Implementation->Last.Messages;
+  const auto worst = std::find_if(bodies.begin(), bodies.end(),
+    [&status](const sm::BodyIntegrals& body) { return body.Status == status && !body.Reason.empty(); });
+  const bool computed =
+    std::any_of(bodies.begin(), bodies.end(), [](const sm::BodyIntegrals& body) { return body.Faces; });
+  // What stopped the whole run was said last; else what is wrong with a body.
+  if (!messages.empty() && (this->WasStopped() || worst == bodies.end() || !computed))
+  {
+    return messages.back();
+  }
+  return worst == bodies.end() ? std::string()
+                               : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Reason;
+}
+
 void vtkSurfaceIntegralGPU::ForgetLastRun()
 {
   this->Implementation->Last = Internals::Run();
@@ -307,6 +359,7 @@ int vtkSurfaceIntegralGPU::RequestData(
   }
   this->ProduceOutputs(bodies, vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
     vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3));
+  AddCarrier(bodies, vtkPolyData::GetData(outputVector, 0));
   sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
   sm::MakeBodyMeshes(
     bodies, this->GetMeshArrays(bodies), input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));
@@ -316,6 +369,10 @@ int vtkSurfaceIntegralGPU::RequestData(
     {
       last.Status = body.Status;
     }
+  }
+  const std::string reason = this->FindReason(bodies, last.Status);
+  for (const sm::BodyIntegrals& body : bodies)
+  {
     last.Estimated = last.Estimated || body.IsEstimated();
     for (const std::string& message : body.Messages)
     {
@@ -328,7 +385,7 @@ int vtkSurfaceIntegralGPU::RequestData(
   }
   if (last.Status != sm::names::StatusOk && !last.Messages.empty())
   {
-    vtkWarningMacro("Status " << last.Status << ": " << last.Messages.front()
+    vtkWarningMacro("Status " << last.Status << (reason.empty() ? "" : ": ") << reason
                               << (last.Messages.size() > 1 ? " (and more, see GetMessage())" : ""));
   }
   // Last, for it is nothing that is wrong with the result.

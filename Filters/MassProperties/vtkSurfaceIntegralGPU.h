@@ -26,7 +26,7 @@
  * Outputs:
  * | port | type     | what                                                                           |
  * |------|----------|--------------------------------------------------------------------------------|
- * | 0    | polydata | empty; field data: one array per integrand (total), its Bound, Status …; centres of buoyancy |
+ * | 0    | polydata | a point without a cell, in the middle of the solids' box; field data: one array per integrand (total), its Bound, Status …; centres of buoyancy |
  * | 1    | table    | a row per solid instance: Name, Id, every integrand, its Bound, Status; centres of buoyancy |
  * | 2    | table    | 1x1, column Text: a readable summary                                           |
  * | 3    | table    | a row per face and instance: Solid, FaceId, every integrand, its Bound         |
@@ -335,6 +335,12 @@ protected:
   {
     return true;
   }
+
+  /** The last run was stopped, by the caller or by the clock. */
+  virtual bool WasStopped() const;
+
+  /** What made a result of these bodies have this status, in a sentence; empty where nothing is known. */
+  std::string FindReason(const std::vector<sm::BodyIntegrals>& bodies, const std::string& status) const;
 
   /** Gives every body the integrals of its faces. False when nothing was computed; Last then has a message. */
   virtual bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies);
