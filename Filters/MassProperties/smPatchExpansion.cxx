@@ -1,0 +1,480 @@
+// The series of PatchMajorants: what is known of a patch, and its expansion on a box of it.
+#include "smChebyshev.h"
+#include "smPatchMajorants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+using Vector = std::array<double, 3>;
+
+// A row of control points this close together, relative to the patch, is one point; a length this close to a
+// polynomial is one. Both leave what rounding leaves.
+constexpr double CollapsedSize = 1e-15;
+// Coefficients of series longer than MostKept that are this small, relative to the largest, are rounding of the samples: in an
+// ellipse they would grow with their degree. They are left out of it and charged as they are.
+constexpr int MostKept = 12;
+constexpr double NoiseSize = 2e-16;       // times the number of coefficients in both directions
+constexpr double LengthTolerance = 3e-15; // times the degrees, whose rounding adds up
+
+Vector Cross(const double* a, const double* b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double Norm(const double* a)
+{
+  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
+
+/// Chebyshev coefficients k of the Bernstein polynomials j of a degree on [middle - half, middle + half]: row k.
+void MakeConversion(int degree, double middle, double half, std::vector<double>& conversion)
+{
+  const int n = degree + 1;
+  const ChebyshevRule& rule = ChebyshevRule::Get(n);
+  conversion.assign(n * n, 0.0);
+  double basis[MaximumDegree + 1];
+  for (int i = 0; i < n; ++i)
+  {
+    const double x = middle + half * rule.GetNode(i);
+    basis[0] = 1.0;
+    for (int k = 1; k <= degree; ++k)
+    {
+      double carried = 0.0;
+      for (int j = 0; j < k; ++j)
+      {
+        const double term = basis[j];
+        basis[j] = carried + (1.0 - x) * term;
+        carried = x * term;
+      }
+      basis[k] = carried;
+    }
+    for (int k = 0; k < n; ++k)
+    {
+      const double factor = rule.GetTransform(k)[i];
+      for (int j = 0; j < n; ++j)
+      {
+        conversion[k * n + j] += factor * basis[j];
+      }
+    }
+  }
+}
+}
+
+PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
+{
+  PatchTraits traits;
+  const int columns = p + 1;
+  const int count = columns * (q + 1);
+  double size = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    traits.Polynomial = traits.Polynomial && points[i][3] == points[0][3];
+    size = std::max(size, Norm(points[i].data()) / points[i][3]);
+  }
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    const bool inS = edge < 2;
+    const int first = edge == 1 ? p : edge == 3 ? columns * q : 0;
+    const std::array<double, 4>& a = points[first];
+    bool collapsed = true;
+    for (int i = 1; i <= (inS ? q : p); ++i)
+    {
+      const std::array<double, 4>& b = points[first + i * (inS ? columns : 1)];
+      const double offset[3] = { a[0] / a[3] - b[0] / b[3], a[1] / a[3] - b[1] / b[3],
+        a[2] / a[3] - b[2] / b[3] };
+      collapsed = collapsed && Norm(offset) <= CollapsedSize * size;
+    }
+    traits.Collapsed[edge] = collapsed;
+  }
+
+  PatchMajorants patch;
+  patch.P = p;
+  patch.Q = q;
+  patch.Box = { { 0.5, 0.5 }, { 0.5, 0.5 } };
+  patch.Traits = traits;
+  const int countS = 3 * p - 1;
+  const int countR = 3 * q - 1;
+  patch.ExpandPosition(points);
+  patch.SampleNumerators({ 0.0, 0.0, 0.0 });
+  // Deviations are judged as those of n = factors m~ / w^3: where weights differ a lot, m~ is no scale.
+  const auto cube = [&patch](double x, double y)
+  {
+    const double w = patch.EvaluateWeight(x, y);
+    return w * w * w;
+  };
+  const double tolerance = LengthTolerance * (p + q);
+  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
+  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
+  double largest = 0.0;
+  const double* longest = patch.Samples.data();
+  const auto forEachSample = [&](const auto& visit)
+  {
+    for (int b = 0; b < countR; ++b)
+    {
+      for (int a = 0; a < countS; ++a)
+      {
+        visit(patch.Samples.data() + PatchMajorants::Components * (a + static_cast<std::size_t>(countS) * b),
+          cube(ruleS.GetNode(a), ruleR.GetNode(b)));
+      }
+    }
+  };
+  forEachSample(
+    [&](const double* sample, double weight)
+    {
+      if (sample[4] / weight > largest)
+      {
+        largest = sample[4] / weight;
+        longest = sample;
+      }
+    });
+  // Whether all samples are parallel to the longest one: m~ - (m~.e) e has the degrees of m~, so these nodes determine it.
+  double across = 0.0;
+  forEachSample(
+    [&](const double* sample, double weight)
+    {
+      const Vector product = Cross(sample + 1, longest + 1);
+      across = std::max(across, Norm(product.data()) / (longest[4] * weight));
+    });
+  if (across <= tolerance * largest)
+  {
+    traits.ConstantDirection = true;
+    traits.LengthDeviation = 8.0 * across;
+    return traits;
+  }
+  patch.Transform(countS, countR);
+  // h^2 - m~.m~ has the degrees 2 (countS - 1) and 2 (countR - 1): zero at as many nodes and one more, it is zero.
+  const ChebyshevRule& checkS = ChebyshevRule::Get(2 * countS - 1);
+  const ChebyshevRule& checkR = ChebyshevRule::Get(2 * countR - 1);
+  std::vector<double> line(static_cast<std::size_t>(PatchMajorants::Components) * countR);
+  for (int a = 0; a < checkS.GetSize(); ++a)
+  {
+    std::fill(line.begin(), line.end(), 0.0);
+    for (int l = 0; l < countR; ++l)
+    {
+      for (int k = 0; k < countS; ++k)
+      {
+        const double* from =
+          patch.Samples.data() + PatchMajorants::Components * (k + static_cast<std::size_t>(countS) * l);
+        for (int c = 1; c < PatchMajorants::Components; ++c)
+        {
+          line[PatchMajorants::Components * l + c] += checkS.GetValues(a)[k] * from[c];
+        }
+      }
+    }
+    for (int b = 0; b < checkR.GetSize(); ++b)
+    {
+      double value[PatchMajorants::Components] = {};
+      for (int l = 0; l < countR; ++l)
+      {
+        for (int c = 1; c < PatchMajorants::Components; ++c)
+        {
+          value[c] += checkR.GetValues(b)[l] * line[PatchMajorants::Components * l + c];
+        }
+      }
+      const double weight = cube(checkS.GetNode(a), checkR.GetNode(b));
+      const double length = Norm(value + 1);
+      const double deviation = std::abs(length - value[4]) / weight;
+      // Where the length is small a difference of squares says little of a difference.
+      if (!(deviation <= tolerance * largest && length > 1e-3 * largest * weight))
+      {
+        traits.LengthDeviation = 0.0;
+        return traits;
+      }
+      // 8: a polynomial between so many Chebyshev nodes rises to a few times its values there.
+      traits.LengthDeviation = std::max(traits.LengthDeviation, 8.0 * deviation);
+    }
+  }
+  traits.PolynomialLength = true;
+  return traits;
+}
+
+void PatchMajorants::ExpandNet(const double* net, int countS, int countR, std::vector<double>& series)
+{
+  static thread_local std::vector<double> toS;
+  static thread_local std::vector<double> toR;
+  MakeConversion(countS - 1, this->Box.Middle[0], this->Box.Half[0], toS);
+  MakeConversion(countR - 1, this->Box.Middle[1], this->Box.Half[1], toR);
+  const int columns = this->P + 1;
+  this->Scratch.assign(4 * static_cast<std::size_t>(countS) * countR, 0.0);
+  for (int j = 0; j < countR; ++j)
+  {
+    for (int k = 0; k < countS; ++k)
+    {
+      double* to = this->Scratch.data() + 4 * (k + countS * j);
+      for (int i = 0; i < countS; ++i)
+      {
+        const double factor = toS[k * countS + i];
+        const double* point = net + 4 * (i + countS * j);
+        for (int c = 0; c < 4; ++c)
+        {
+          to[c] += factor * point[c];
+        }
+      }
+    }
+  }
+  series.assign(4 * static_cast<std::size_t>(columns) * (this->Q + 1), 0.0);
+  for (int l = 0; l < countR; ++l)
+  {
+    for (int j = 0; j < countR; ++j)
+    {
+      const double factor = toR[l * countR + j];
+      const double* from = this->Scratch.data() + 4 * countS * j;
+      double* to = series.data() + 4 * columns * l;
+      for (int e = 0; e < 4 * countS; ++e)
+      {
+        to[e] += factor * from[e];
+      }
+    }
+  }
+}
+
+void PatchMajorants::ExpandPosition(const std::array<double, 4>* points)
+{
+  // Derivatives from differences of control points: differentiating a series would amplify its rounding by the square of
+  // the degree, and on a small box again.
+  const int columns = this->P + 1;
+  const int rows = this->Q + 1;
+  this->ExpandNet(points->data(), columns, rows, this->Series[0]);
+  static thread_local std::vector<double> net;
+  net.resize(4 * static_cast<std::size_t>(columns) * rows);
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < this->P; ++i)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        net[4 * (i + this->P * j) + c] =
+          this->P * (points[i + 1 + columns * j][c] - points[i + columns * j][c]);
+      }
+    }
+  }
+  this->ExpandNet(net.data(), this->P, rows, this->Series[1]);
+  for (int j = 0; j < this->Q; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        net[4 * (i + columns * j) + c] =
+          this->Q * (points[i + columns * (j + 1)][c] - points[i + columns * j][c]);
+      }
+    }
+  }
+  this->ExpandNet(net.data(), columns, this->Q, this->Series[2]);
+}
+
+void PatchMajorants::SampleNumerators(const Vector& origin)
+{
+  const int columns = this->P + 1;
+  const int rows = this->Q + 1;
+  const int countS = 3 * this->P - 1;
+  const int countR = 3 * this->Q - 1;
+  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
+  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
+  this->Samples.resize(static_cast<std::size_t>(Components) * countS * countR);
+  static thread_local std::vector<double> lines;
+  lines.resize(12 * rows);
+  for (int a = 0; a < countS; ++a)
+  {
+    // The three series at this s: a line of rows each.
+    const double* t = ruleS.GetValues(a);
+    std::fill(lines.begin(), lines.end(), 0.0);
+    for (int f = 0; f < 3; ++f)
+    {
+      for (int l = 0; l < rows; ++l)
+      {
+        const double* from = this->Series[f].data() + 4 * columns * l;
+        double* to = lines.data() + 4 * (rows * f + l);
+        for (int k = 0; k < columns; ++k)
+        {
+          for (int c = 0; c < 4; ++c)
+          {
+            to[c] += t[k] * from[4 * k + c];
+          }
+        }
+      }
+    }
+    const double s = this->Box.Middle[0] + this->Box.Half[0] * ruleS.GetNode(a);
+    for (int b = 0; b < countR; ++b)
+    {
+      const double* tr = ruleR.GetValues(b);
+      double h[3][4] = {};
+      for (int f = 0; f < 3; ++f)
+      {
+        for (int l = 0; l < rows; ++l)
+        {
+          for (int c = 0; c < 4; ++c)
+          {
+            h[f][c] += tr[l] * lines[4 * (rows * f + l) + c];
+          }
+        }
+      }
+      const Vector sr = Cross(h[1], h[2]);
+      const Vector rp = Cross(h[2], h[0]);
+      const Vector ps = Cross(h[0], h[1]);
+      const double r = this->Box.Middle[1] + this->Box.Half[1] * ruleR.GetNode(b);
+      const double factor = this->GetFactor(s, r);
+      double* sample = this->Samples.data() + Components * (a + static_cast<std::size_t>(countS) * b);
+      double m[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        m[c] = h[0][3] * sr[c] + h[1][3] * rp[c] + h[2][3] * ps[c];
+        sample[1 + c] = m[c] / factor;
+      }
+      sample[0] = h[0][0] * sr[0] + h[0][1] * sr[1] + h[0][2] * sr[2] + origin[0] * m[0] + origin[1] * m[1] +
+        origin[2] * m[2];
+      sample[4] = Norm(sample + 1);
+    }
+  }
+}
+
+void PatchMajorants::Transform(int countS, int countR)
+{
+  const std::size_t line = static_cast<std::size_t>(Components) * countS;
+  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
+  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
+  this->Scratch.assign(line * countR, 0.0);
+  for (int b = 0; b < countR; ++b)
+  {
+    const double* from = this->Samples.data() + line * b;
+    double* to = this->Scratch.data() + line * b;
+    for (int k = 0; k < countS; ++k)
+    {
+      const double* row = ruleS.GetTransform(k);
+      for (int a = 0; a < countS; ++a)
+      {
+        for (int c = 0; c < Components; ++c)
+        {
+          to[Components * k + c] += row[a] * from[Components * a + c];
+        }
+      }
+    }
+  }
+  std::fill(this->Samples.begin(), this->Samples.end(), 0.0);
+  for (int l = 0; l < countR; ++l)
+  {
+    const double* row = ruleR.GetTransform(l);
+    double* to = this->Samples.data() + line * l;
+    for (int b = 0; b < countR; ++b)
+    {
+      const double* from = this->Scratch.data() + line * b;
+      for (std::size_t e = 0; e < line; ++e)
+      {
+        to[e] += row[b] * from[e];
+      }
+    }
+  }
+}
+
+void PatchMajorants::DropNoise(std::size_t count, double noise)
+{
+  // D, m~ and h, each against its own largest coefficient.
+  const auto size = [](const double* entry, int which) {
+    return which == 0 ? std::abs(entry[0]) : which == 1 ? Norm(entry + 1) : std::abs(entry[4]);
+  };
+  for (int which = 0; which < 3; ++which)
+  {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      largest = std::max(largest, size(this->Samples.data() + Components * i, which));
+    }
+    for (std::size_t i = 1; i < count; ++i)
+    {
+      double* entry = this->Samples.data() + Components * i;
+      const double length = size(entry, which);
+      if (length <= noise * largest)
+      {
+        this->Dropped[which] += length;
+        const int begin = which == 0 ? 0 : which == 1 ? 1 : 4;
+        std::fill(entry + begin, entry + (which == 0 ? 1 : which == 1 ? 4 : 5), 0.0);
+      }
+    }
+  }
+}
+
+void PatchMajorants::MakeTables(int countS, int countR)
+{
+  this->CountS = countS;
+  this->CountR = countR;
+  const double* first = this->Samples.data();
+  this->FirstLength = this->Traits.PolynomialLength ? std::abs(first[4]) : Norm(first + 1);
+  double rest = 0.0;
+  double beside = 0.0;
+  Vector e{ 0.0, 0.0, 0.0 };
+  for (int c = 0; c < 3; ++c)
+  {
+    e[c] = this->FirstLength > 0.0 ? first[1 + c] / this->FirstLength : 0.0;
+  }
+  const std::size_t count = static_cast<std::size_t>(countS) * countR;
+  this->Products.assign(count, {});
+  this->Dropped = {};
+  if (std::max(countS, countR) > MostKept)
+  {
+    this->DropNoise(count, NoiseSize * (countS + countR));
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double* entry = first + Components * i;
+    ProductEntry& product = this->Products[i];
+    product[Numerator] = std::abs(entry[0]);
+    product[Normal] = Norm(entry + 1);
+    if (this->Traits.PolynomialLength)
+    {
+      product[Along] = i == 0 ? 0.0 : std::abs(entry[4]);
+      rest += product[Along];
+      continue;
+    }
+    const double along = entry[1] * e[0] + entry[2] * e[1] + entry[3] * e[2];
+    const double across[3] = { entry[1] - along * e[0], entry[2] - along * e[1], entry[3] - along * e[2] };
+    product[Along] = i == 0 ? 0.0 : std::abs(along);
+    rest += product[Along];
+    product[Across] = i == 0 ? 0.0 : Norm(across);
+    beside += product[Across];
+  }
+  rest += this->Dropped[this->Traits.PolynomialLength ? 2 : 1];
+  this->Positive = rest < 0.999999 * this->FirstLength;
+  this->Nonzero = rest + beside < 0.999999 * this->FirstLength;
+}
+
+void PatchMajorants::ExpandWithoutNormal(
+  const std::array<double, 4>* points, int p, int q, const PatchTraits& traits, const ParameterBox& box)
+{
+  this->P = p;
+  this->Q = q;
+  this->Box = box;
+  this->Traits = traits;
+  this->ExpandPosition(points);
+  const std::vector<double>& series = this->Series[0];
+  this->FirstWeight = series[3];
+  const Vector center{ series[0] / series[3], series[1] / series[3], series[2] / series[3] };
+  this->CenterOffset = Norm(center.data());
+  this->Weight.Resize(p + 1, q + 1);
+  this->Position.Resize(p + 1, q + 1);
+  for (std::size_t i = 0; i < this->Weight.Entries.size(); ++i)
+  {
+    const double* entry = series.data() + 4 * i;
+    const double offset[3] = { entry[0] - center[0] * entry[3], entry[1] - center[1] * entry[3],
+      entry[2] - center[2] * entry[3] };
+    this->Position.Entries[i] = Norm(offset);
+    this->Weight.Entries[i] = i == 0 || traits.Polynomial ? 0.0 : std::abs(entry[3]);
+  }
+}
+
+void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
+  const ParameterBox& box, const Vector& origin)
+{
+  this->ExpandWithoutNormal(points, p, q, traits, box);
+  const std::vector<double>& series = this->Series[0];
+  const double fromOrigin[3] = { origin[0] + series[0] / series[3], origin[1] + series[1] / series[3],
+    origin[2] + series[2] / series[3] };
+  this->CenterDistance = Norm(fromOrigin);
+  this->SampleNumerators(origin);
+  this->Transform(3 * p - 1, 3 * q - 1);
+  this->MakeTables(3 * p - 1, 3 * q - 1);
+}
+}
