@@ -4,6 +4,7 @@
 #include "smCurrentContext.h"
 #include "smOpenGL.h"
 #include "smProbe.h"
+#include "smReadyContexts.h"
 #include "smWindowWatch.h"
 #include "vtkEGLSurfacelessRenderWindow.h"
 
@@ -17,10 +18,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <map>
-#include <mutex>
-#include <thread>
-#include <unistd.h>
 #include <utility>
 
 namespace
@@ -54,70 +51,6 @@ bool IsInitialized(vtkOpenGLRenderWindow* window)
   window->GetOpenGLVersion(major, minor);
   return major > 2;
 }
-
-/// The contexts that are READY. When the process exits, they are stopped before the OpenGL driver ends: who still owns
-/// one then, as ParaView's session does after Python's sys.exit(), may end later, and an X error would end the process.
-class ReadyContexts
-{
-public:
-  static void Add(vtkComputeContext* context)
-  {
-    Shared& shared = Get();
-    const std::lock_guard<std::mutex> lock(shared.Mutex);
-    shared.Contexts[context] = std::this_thread::get_id();
-    if (!shared.IsRegistered)
-    {
-      // What the driver has registered by now comes after this.
-      shared.IsRegistered = std::atexit(StopAll) == 0;
-      shared.Process = getpid();
-    }
-  }
-
-  static void Remove(vtkComputeContext* context)
-  {
-    Shared& shared = Get();
-    const std::lock_guard<std::mutex> lock(shared.Mutex);
-    shared.Contexts.erase(context);
-  }
-
-private:
-  struct Shared
-  {
-    std::mutex Mutex;
-    /// With the thread that started them.
-    std::map<vtkComputeContext*, std::thread::id> Contexts;
-    bool IsRegistered = false;
-    pid_t Process = 0;
-  };
-
-  static Shared& Get()
-  {
-    static auto* shared = new Shared; // outlives all statics
-    return *shared;
-  }
-
-  static void StopAll()
-  {
-    std::map<vtkComputeContext*, std::thread::id> contexts;
-    {
-      Shared& shared = Get();
-      const std::lock_guard<std::mutex> lock(shared.Mutex);
-      if (shared.Process != getpid())
-      {
-        return; // a fork, which shares the connection to the display
-      }
-      contexts = shared.Contexts;
-    }
-    for (const auto& [context, thread] : contexts)
-    {
-      // Another thread may be using its context, and this one when exit() was called in the midst of a dispatch.
-      if (thread == std::this_thread::get_id() && sm::GetOpenScopes() == 0)
-      {
-        context->Stop();
-      }
-    }
-  }
-};
 }
 
 class vtkComputeContext::vtkInternals
@@ -341,7 +274,7 @@ void vtkComputeContext::vtkInternals::Adopt(vtkOpenGLRenderWindow* window)
   resources.Generation = sm::ContextResources::NewGeneration();
   this->Used = window;
   this->Self->Status = READY;
-  ReadyContexts::Add(this->Self);
+  sm::AddReadyContext(this->Self);
   this->Watch = vtkSmartPointer<sm::EndWatch>::New();
   this->Watch->OnEnd = [this](vtkWindow* ended)
   {
@@ -360,7 +293,7 @@ void vtkComputeContext::vtkInternals::End(bool current, int status)
   }
   this->Self->Resources->End(current);
   this->Self->Status = status;
-  ReadyContexts::Remove(this->Self);
+  sm::RemoveReadyContext(this->Self);
   this->Used->RemoveObserver(this->Deleted);
   this->Used = nullptr;
   this->Renderer.clear();

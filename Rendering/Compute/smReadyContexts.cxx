@@ -1,0 +1,73 @@
+#include "smReadyContexts.h"
+
+#include "smCurrentContext.h"
+#include "vtkComputeContext.h"
+
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <unistd.h>
+
+namespace sm
+{
+namespace
+{
+struct ReadyContexts
+{
+  std::mutex Mutex;
+  /// With the thread that started them.
+  std::map<vtkComputeContext*, std::thread::id> Contexts;
+  bool IsRegistered = false;
+  pid_t Process = 0;
+};
+
+ReadyContexts& GetReadyContexts()
+{
+  static auto* ready = new ReadyContexts; // outlives all statics
+  return *ready;
+}
+
+void StopContexts()
+{
+  std::map<vtkComputeContext*, std::thread::id> contexts;
+  {
+    ReadyContexts& ready = GetReadyContexts();
+    const std::lock_guard<std::mutex> lock(ready.Mutex);
+    if (ready.Process != getpid())
+    {
+      return; // a fork, which shares the connection to the display
+    }
+    contexts = ready.Contexts;
+  }
+  for (const auto& [context, thread] : contexts)
+  {
+    // Another thread may be using its context.
+    if (thread == std::this_thread::get_id() && GetOpenScopes() == 0)
+    {
+      context->Stop();
+    }
+  }
+}
+}
+
+void AddReadyContext(vtkComputeContext* context)
+{
+  ReadyContexts& ready = GetReadyContexts();
+  const std::lock_guard<std::mutex> lock(ready.Mutex);
+  ready.Contexts[context] = std::this_thread::get_id();
+  if (!ready.IsRegistered)
+  {
+    // What the driver has registered by now comes after this.
+    ready.IsRegistered = std::atexit(StopContexts) == 0;
+    ready.Process = getpid();
+  }
+}
+
+void RemoveReadyContext(vtkComputeContext* context)
+{
+  ReadyContexts& ready = GetReadyContexts();
+  const std::lock_guard<std::mutex> lock(ready.Mutex);
+  ready.Contexts.erase(context);
+}
+}
