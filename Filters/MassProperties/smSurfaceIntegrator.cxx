@@ -55,7 +55,7 @@ bool SurfaceIntegrator::Internals::AddUpPlans(std::int64_t& evaluations)
   }
   if (own < total)
   {
-    this->Allowance = static_cast<std::int64_t>(own / total * static_cast<double>(this->MaximumEvaluations));
+    this->Allowance = static_cast<std::int64_t>(own / total * static_cast<double>(this->RunMaximum));
   }
   const bool isForced = this->ForcedLoosenings >= 0;
   const bool isLoose = this->Plans.GetLoosenings() >= this->ForcedLoosenings;
@@ -248,7 +248,7 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
   const bool works = this->Failure.empty();
   if (this->Planned &&
     !this->Plans.Plan(works ? tasks : std::vector<FaceTask>(), this->Faces, this->Chosen, this->UsePlacements,
-      this->MaximumEvaluations, planning, addUp))
+      this->RunMaximum, planning, addUp))
   {
     return this->Fail("aborted");
   }
@@ -269,7 +269,7 @@ void SurfaceIntegrator::Internals::Begin(const Progress& progress)
   this->Aborted = this->TimedOut = this->Loosened = this->IsShared = false;
   this->Start = Now();
   this->Seconds = this->MaximumSeconds;
-  this->Allowance = this->MaximumEvaluations;
+  this->Allowance = this->RunMaximum = this->MaximumEvaluations;
   this->ForcedLoosenings = -1;
   this->Evaluations = 0;
   this->StartSeconds = this->PrepareSeconds = this->IntegrateSeconds = 0.0;

@@ -58,6 +58,8 @@ struct SurfaceIntegrator::Internals
   bool IsShared = false;
   /// Not empty: this rank has failed, and takes no more part than to agree.
   std::string Failure;
+  /// MaximumEvaluations of the rank that has the faces: all ranks compare their plans with it.
+  std::int64_t RunMaximum = 0;
   /// Evaluations that this rank may spend, its part of the maximum.
   std::int64_t Allowance = 0;
   /// Not negative: the tolerances are loosened as often, whatever the plan says.

@@ -33,6 +33,8 @@ struct ShareHeader
   bool Planned = false;
   /// 0: no limit.
   double Seconds = 0.0;
+  /// For all ranks, and for this one.
+  std::int64_t RunMaximum = 0;
   std::int64_t Allowance = 0;
 };
 }
@@ -167,8 +169,9 @@ bool SurfaceIntegrator::Internals::SendShares(
     const double spent = vtkTimerLog::GetUniversalTime() - this->Start;
     header.Seconds = this->Seconds > 0.0 ? std::max(this->Seconds - spent, 1e-9) : 0.0;
     header.Allowance = shares[rank].size() == tasks.size()
-      ? this->MaximumEvaluations
-      : static_cast<std::int64_t>(costs[rank] / total * static_cast<double>(this->MaximumEvaluations));
+      ? this->RunMaximum
+      : static_cast<std::int64_t>(costs[rank] / total * static_cast<double>(this->RunMaximum));
+    header.RunMaximum = this->RunMaximum;
     if (static_cast<int>(rank) == root)
     {
       this->Allowance = header.Allowance;
@@ -224,7 +227,7 @@ bool SurfaceIntegrator::Internals::DoOver(const std::vector<FaceTask>& tasks,
   std::vector<FaceIntegrals> found;
   // With the tolerances that all agreed on, so that the bits are the same.
   this->ForcedLoosenings = this->Planned ? this->Plans.GetLoosenings() : -1;
-  this->Allowance = this->MaximumEvaluations;
+  this->Allowance = this->RunMaximum;
   const bool ran = !this->Aborted && this->Run(again, found);
   if (!ran && !this->Aborted)
   {
@@ -367,6 +370,7 @@ bool SurfaceIntegrator::Help(int root, const Progress& progress)
   }
   self.Start = vtkTimerLog::GetUniversalTime();
   self.Seconds = header.Seconds;
+  self.RunMaximum = header.RunMaximum;
   self.Allowance = header.Allowance;
   std::vector<FaceTask> tasks;
   if (!self.Received.Unpack(root, from, tasks))

@@ -330,11 +330,6 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
   return row;
 }
 
-bool vtkMassPropertiesGPU::WasStopped() const
-{
-  return this->HasScheme() ? this->Last->Run.GetIntegrator().WasAborted() : this->Superclass::WasStopped();
-}
-
 void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals,
   vtkTable* solids, vtkTable* text, vtkTable* faces)
 {

@@ -225,7 +225,6 @@ protected:
   {
     return !this->HasScheme();
   }
-  bool WasStopped() const override;
   bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies) override;
   void ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals, vtkTable* solids,
     vtkTable* text, vtkTable* faces) override;

@@ -82,7 +82,7 @@ bool vtkMassPropertiesGPU::IntegrateBodies(std::vector<sm::BodyIntegrals>& bodie
   shared.Last.IntegrateSeconds = integrator.GetIntegrateSeconds();
   if (!done)
   {
-    shared.Last.Messages.push_back(this->Last->Run.GetMessage());
+    shared.TellReason(this->Last->Run.GetMessage());
   }
   return done;
 }

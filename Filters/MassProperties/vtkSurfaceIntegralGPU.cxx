@@ -246,28 +246,23 @@ bool vtkSurfaceIntegralGPU::IntegrateBodies(std::vector<sm::BodyIntegrals>& bodi
   return this->Implementation->Integrate(this, bodies);
 }
 
-bool vtkSurfaceIntegralGPU::WasStopped() const
+void vtkSurfaceIntegralGPU::ForgetAbort()
 {
-  return this->Implementation->Integrator.WasAborted() ||
-    (!this->Implementation->Waterlines.empty() &&
-      this->Implementation->Buoyancy.GetIntegrator().WasAborted());
+  if (this->GetAbortExecute())
+  {
+    this->SetAbortExecute(0);
+  }
 }
 
 std::string vtkSurfaceIntegralGPU::FindReason(
   const std::vector<sm::BodyIntegrals>& bodies, const std::string& status) const
 {
-  const std::vector<std::string>& messages = this->Implementation->Last.Messages;
+  const Internals::Run& last = this->Implementation->Last;
   const auto worst = std::find_if(bodies.begin(), bodies.end(),
     [&status](const sm::BodyIntegrals& body) { return body.Status == status && !body.Reason.empty(); });
-  const bool computed =
-    std::any_of(bodies.begin(), bodies.end(), [](const sm::BodyIntegrals& body) { return body.Faces; });
-  // What stopped the whole run was said last; else what is wrong with a body.
-  if (!messages.empty() && (this->WasStopped() || worst == bodies.end() || !computed))
-  {
-    return messages.back();
-  }
-  return worst == bodies.end() ? std::string()
-                               : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Reason;
+  return !last.Reason.empty() ? last.Reason
+    : worst == bodies.end()   ? last.Remark
+                              : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Reason;
 }
 
 void vtkSurfaceIntegralGPU::ForgetLastRun()
@@ -298,6 +293,7 @@ int vtkSurfaceIntegralGPU::RequestData(
   if (role == Internals::Role::Helper)
   {
     this->Implementation->Help(this, root);
+    this->ForgetAbort();
   }
   if (role != Internals::Role::Owner)
   {
@@ -329,9 +325,11 @@ int vtkSurfaceIntegralGPU::RequestData(
   last.Status = bodies.empty() ? sm::names::StatusEmpty : sm::names::StatusOk;
   if (bodies.empty())
   {
-    last.Messages.push_back(anyBody ? "no solid is chosen" : "the input holds no solid and no surface");
+    this->Implementation->TellReason(
+      anyBody ? "no solid is chosen" : "the input holds no solid and no surface");
   }
   const bool computed = !bodies.empty() && this->IntegrateBodies(bodies);
+  const bool isShared = this->Implementation->Exchange != nullptr;
   this->Implementation->Exchange = nullptr;
   last.Ranks = computed ? std::max(last.Ranks, 1) : 0;
   for (sm::BodyIntegrals& body : bodies)
@@ -394,6 +392,10 @@ int vtkSurfaceIntegralGPU::RequestData(
     last.Messages.push_back("computed on the CPU, without OpenGL: " + last.FallbackReason);
   }
   this->Implementation->FillRunData(vtkPolyData::GetData(outputVector, 0)->GetFieldData());
+  if (isShared)
+  {
+    this->ForgetAbort();
+  }
   return 1;
 }
 

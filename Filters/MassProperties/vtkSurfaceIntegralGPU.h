@@ -336,13 +336,13 @@ protected:
     return true;
   }
 
-  /** The last run was stopped, by the caller or by the clock. */
-  virtual bool WasStopped() const;
-
   /** What made a result of these bodies have this status, in a sentence; empty where nothing is known. */
   std::string FindReason(const std::vector<sm::BodyIntegrals>& bodies, const std::string& status) const;
 
-  /** Gives every body the integrals of its faces. False when nothing was computed; Last then has a message. */
+  /** VTK 9.2 leaves the flag of an abort set. Whoever clears it on one rank alone would have that rank run, and wait, alone. */
+  void ForgetAbort();
+
+  /** Gives every body the integrals of its faces. False when nothing was computed; Last then has a reason. */
   virtual bool IntegrateBodies(std::vector<sm::BodyIntegrals>& bodies);
 
   /** The arrays of the meshes on port 5, once the other outputs are there. The bodies outlive them. */

@@ -116,13 +116,13 @@ bool vtkSurfaceIntegralGPU::Internals::IntegrateBuoyancy(
   if (!done)
   {
     this->Displaced.clear();
-    last.Messages.push_back(
+    this->TellReason(
       integrator.WasAborted() ? "the run was aborted" : "nothing was computed: " + integrator.GetError());
     return false;
   }
   if (integrator.WasAborted())
   {
-    last.Messages.push_back("the run was stopped before all faces were integrated below the waterlines");
+    this->TellReason("the run was stopped before all faces were integrated below the waterlines");
   }
   if (integrator.WasLoosened())
   {

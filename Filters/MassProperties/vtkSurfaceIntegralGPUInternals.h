@@ -34,6 +34,8 @@ struct vtkSurfaceIntegralGPU::Internals
   {
     std::string Status;
     std::vector<std::string> Messages;
+    /// The message that says what stopped the run, or why there was nothing to compute; empty when neither is so.
+    std::string Reason;
     /// What is said of all bodies at once, behind what each of them says.
     std::string Remark;
     std::string Backend = sm::names::BackendNone;
@@ -102,6 +104,8 @@ struct vtkSurfaceIntegralGPU::Internals
   std::unique_ptr<sm::ControllerExchange> Exchange;
 
   void Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand);
+  /// Adds a message; the first of a run is its reason.
+  void TellReason(const std::string& message);
   /// Replaces the integrands that the switch added before by what `add` adds.
   void Switch(vtkSurfaceIntegralGPU* self, const std::string& name, const std::function<void()>& add);
   void SwitchWaterline(vtkSurfaceIntegralGPU* self);

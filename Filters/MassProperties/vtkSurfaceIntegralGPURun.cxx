@@ -84,6 +84,12 @@ void vtkSurfaceIntegralGPU::Internals::AddTasks(
   }
 }
 
+void vtkSurfaceIntegralGPU::Internals::TellReason(const std::string& message)
+{
+  this->Last.Messages.push_back(message);
+  this->Last.Reason = this->Last.Reason.empty() ? message : this->Last.Reason;
+}
+
 bool vtkSurfaceIntegralGPU::Internals::ChooseRunner(vtkSurfaceIntegralGPU* self)
 {
   Run& last = this->Last;
@@ -92,7 +98,7 @@ bool vtkSurfaceIntegralGPU::Internals::ChooseRunner(vtkSurfaceIntegralGPU* self)
   last.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
   if (!hasOpenGL && self->Backend == OPENGL)
   {
-    last.Messages.push_back("nothing was computed: " + this->Context->GetReason());
+    this->TellReason("nothing was computed: " + this->Context->GetReason());
     return false;
   }
   if (!hasOpenGL && self->Backend == AUTOMATIC)
@@ -177,15 +183,15 @@ bool vtkSurfaceIntegralGPU::Internals::RunPlain(vtkSurfaceIntegralGPU* self,
   const bool timedOut = this->Integrator.WasTimedOut();
   if (!done)
   {
-    last.Messages.push_back(timedOut    ? "nothing was computed: MaximumSeconds were over"
+    this->TellReason(timedOut           ? "nothing was computed: MaximumSeconds were over"
         : this->Integrator.WasAborted() ? "the run was aborted"
                                         : "nothing was computed: " + this->Integrator.GetError());
     return false;
   }
   if (this->Integrator.WasAborted())
   {
-    last.Messages.push_back(timedOut ? "MaximumSeconds were over before all faces were integrated"
-                                     : "the run was aborted before all faces were integrated");
+    this->TellReason(timedOut ? "MaximumSeconds were over before all faces were integrated"
+                              : "the run was aborted before all faces were integrated");
   }
   if (this->Integrator.WasLoosened())
   {
