@@ -72,7 +72,8 @@ public:
   {
   }
 
-  void Run(int i)
+  /// `count`: what the contexts hold then, the filter's with the scene, the window's without it.
+  void Run(int i, bool count)
   {
     if (this->Mode == "window" || !this->Window)
     {
@@ -103,49 +104,52 @@ public:
       return;
     }
     this->Scene->Hide(this->Window);
+    if (count)
+    {
+      this->CountOwn();
+    }
     this->Scene.reset();
     // The window forgets the actors' objects when it draws next.
     this->Window->Render();
+    if (count)
+    {
+      this->CountWindow();
+    }
     if (this->Mode == "window")
     {
       this->Window = nullptr;
     }
   }
 
+  /// What is held after the last Run(), which counted.
   Held Count()
   {
-    Held held;
-    if (this->Window)
+    if (this->Mode == "edit")
     {
-      this->Window->MakeCurrent();
-      held.Window = CountGLObjects();
+      this->CountWindow();
+      this->CountOwn();
     }
-    if (this->Scene)
-    {
-      const sm::ContextScope scope(this->Scene->Mass->GetComputeContext());
-      held.Own = CountGLObjects();
-    }
-    held.Process = GetProcessResources();
-    return held;
+    this->Last.Process = GetProcessResources();
+    return this->Last;
   }
 
   /// The counting itself: what is made is seen, what is freed is not.
   void CheckCounting()
   {
-    if (!this->Window)
-    {
-      return;
-    }
-    const long before = this->Count().Window.GetTotal();
+    const vtkSmartPointer<vtkRenderWindow> window = this->Window ? this->Window : NewCycleWindow(this->Part);
+    window->Render();
+    window->MakeCurrent();
+    const long before = CountGLObjects().GetTotal();
+    CheckTrue("a window has objects", before > 0, std::to_string(before));
     GLuint made[2] = { 0, 0 };
     glGenBuffers(1, &made[0]);
     glBindBuffer(GL_COPY_WRITE_BUFFER, made[0]);
     made[1] = glCreateShader(GL_COMPUTE_SHADER);
-    CheckEqual("two objects more are seen", before + 2, this->Count().Window.GetTotal());
+    CheckEqual("two objects more are seen", before + 2, CountGLObjects().GetTotal());
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
     glDeleteBuffers(1, &made[0]);
     glDeleteShader(made[1]);
-    CheckEqual("and none when they are freed", before, this->Count().Window.GetTotal());
+    CheckEqual("and none when they are freed", before, CountGLObjects().GetTotal());
   }
 
   /// Ends what is left.
@@ -160,6 +164,18 @@ public:
   int NotByOpenGL = 0;
 
 private:
+  void CountWindow()
+  {
+    this->Window->MakeCurrent();
+    this->Last.Window = CountGLObjects();
+  }
+  void CountOwn()
+  {
+    const sm::ContextScope scope(this->Scene->Mass->GetComputeContext());
+    this->Last.Own = CountGLObjects();
+  }
+
+  Held Last;
   std::string Mode;
   bool Shared;
   Expected Part;
@@ -182,15 +198,16 @@ int main(int argc, char* argv[])
   const int warm = std::max(20, count / 5);
   for (int i = 0; i < warm; ++i)
   {
-    cycles.Run(i);
+    cycles.Run(i, i == warm - 1);
   }
   cycles.CheckCounting();
   const Held before = cycles.Count();
   before.Print(0);
   for (int i = 1; i <= count; ++i)
   {
-    cycles.Run(warm + i - 1);
-    if (i % std::max(1, count / 10) == 0 && i < count)
+    const bool isCounted = i % std::max(1, count / 10) == 0 || i == count;
+    cycles.Run(warm + i - 1, isCounted);
+    if (isCounted && i < count)
     {
       cycles.Count().Print(i);
     }
@@ -198,6 +215,7 @@ int main(int argc, char* argv[])
   const Held after = cycles.Count();
   after.Print(count);
 
+  CheckTrue("objects were counted", before.Window.GetTotal() > 0 && before.Own.GetTotal() > 0);
   CheckEqual("OpenGL errors", 0, cycles.Errors);
   CheckEqual("wrong volumes", 0, cycles.WrongVolumes);
   CheckEqual("runs without OpenGL", 0, cycles.NotByOpenGL);

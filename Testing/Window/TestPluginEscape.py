@@ -33,6 +33,8 @@ if child:
     with open(task["ready"], "w", encoding="utf-8") as file:
         file.write("ready\n")
     results = [run(mass, "stopped")]
+    with open(task["stopped"], "w", encoding="utf-8") as file:
+        file.write("stopped\n")
     mass.Scheme = "Adaptive"
     results.append(run(mass, "next"))
     simple.Delete(mass)
@@ -49,7 +51,7 @@ from smx11 import Display  # noqa: E402
 
 paraview, plugin, part, output = sys.argv[1:5]
 ESCAPE = 9  # the keycode of every PC keyboard, also of Xvfb's
-task = {name: os.path.join(output, "PluginEscape." + name) for name in ("task", "ready", "results")}
+task = {name: os.path.join(output, "PluginEscape." + name) for name in ("task", "ready", "stopped", "results")}
 for path in task.values():
     if os.path.exists(path):
         os.remove(path)
@@ -67,7 +69,8 @@ try:
         # One tap, once the run has gone on for a while; more, should that one come before it.
         if os.path.exists(task["ready"]) and (tapped is None or time.monotonic() - tapped > 10.0):
             time.sleep(3.0)
-            display.tap(ESCAPE)
+            if not os.path.exists(task["stopped"]):
+                display.tap(ESCAPE)
             tapped = time.monotonic()
         time.sleep(0.1)
     if check_true("the script in the window came to its end", os.path.exists(task["results"]), "see PluginEscape.log"):
