@@ -38,6 +38,13 @@ class Process:
         return f"heap {self.heap / 1e3:.0f} kB, in memory {self.resident / 1e6:.1f} MB, {self.threads} threads, {self.files} files"
 
 
+def get_growth(what, *counted):
+    """Bytes a cycle, from (cycles, Process) of the start, the middle and the end, the smaller of both halves: what grows does so in
+    both; what is made once, late, in one. what: heap or resident."""
+    return min((getattr(after, what) - getattr(before, what)) / (last - first)
+               for (first, before), (last, after) in zip(counted, counted[1:]))
+
+
 def count_objects(window):
     """Objects by kind that live in the context of a vtkRenderWindow, and what is current afterwards is that context."""
     window.MakeCurrent()
