@@ -71,7 +71,8 @@ set(SOLIDMOMENTS_MPI_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT
 function(solidmoments_add_test_program name)
   add_executable(${name} ${name}.cxx)
   target_link_libraries(${name} PRIVATE
-    SolidMoments::FiltersMassProperties SolidMoments::ReadersSTEP SolidMoments::RenderingCompute
+    SolidMoments::FiltersStability SolidMoments::FiltersNURBSEdit SolidMoments::ReadersSTEP
+    SolidMoments::RenderingCompute
     VTK::RenderingOpenGL2 nlohmann_json::nlohmann_json ${ARGN})
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
   vtk_module_autoinit(TARGETS ${name} MODULES VTK::RenderingOpenGL2 ${ARGN})

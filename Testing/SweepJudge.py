@@ -10,7 +10,7 @@ import math
 
 DEFAULT_TOLERANCE = 1e-9
 TOLERANCES = (DEFAULT_TOLERANCE, 1e-12)
-LEAK_LIMIT = 1e-12
+CLOSURE_LIMIT = 1e-12
 # Name here -> key in JSON, of the program and of the reference.
 QUANTITIES = {"volume": "volume", "area": "area", "center": "center_of_mass", "inertia": "inertia"}
 # References of surfaces state no uncertainty.
@@ -41,8 +41,8 @@ class Run:
         return self.document["status"] if self.document else "crash"
 
     def is_closed(self):
-        leak = self.total("leak")
-        return leak is not None and leak <= LEAK_LIMIT
+        leak = self.total("closure_residual")
+        return leak is not None and leak <= CLOSURE_LIMIT
 
     def is_tight(self, name):
         bound = self.bounds.get(name)

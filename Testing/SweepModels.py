@@ -86,7 +86,7 @@ def check_counts(swept):
     for index, tolerance in enumerate(SweepJudge.TOLERANCES):
         closed = sum(1 for entry in solids if entry.runs[index].is_closed())
         if closed < CLOSED_FILES:
-            failures.append(f"leak <= {SweepJudge.LEAK_LIMIT:g} at {tolerance:g} on {closed} files, {CLOSED_FILES} expected")
+            failures.append(f"leak <= {SweepJudge.CLOSURE_LIMIT:g} at {tolerance:g} on {closed} files, {CLOSED_FILES} expected")
         if tolerance == SweepJudge.DEFAULT_TOLERANCE:
             continue  # judged file by file
         for name in SweepJudge.QUANTITIES:

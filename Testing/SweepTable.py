@@ -30,7 +30,7 @@ def console_header():
     head = ["file", "faces", "volume", "reference"]
     for name in ("dV", "dA", "dc", "dI"):
         head += [name, "bound"]
-    return CONSOLE.format(*head, "leak", "at 1e-12", "OCCT dV", "claimed", "status", "s")
+    return CONSOLE.format(*head, "closure_residual", "at 1e-12", "OCCT dV", "claimed", "status", "s")
 
 
 def console_row(entry):
@@ -43,7 +43,7 @@ def console_row(entry):
     solids = entry.has_solids()
     status = first.status() if first.status() == second.status() else first.status() + "/" + second.status()
     return CONSOLE.format(
-        *cells, number(first.total("leak")), number(second.bounds.get("volume")),
+        *cells, number(first.total("closure_residual")), number(second.bounds.get("volume")),
         number(SweepJudge.occt_error(reference) if solids else None),
         number(reference[SweepJudge.OCCT]["claimed"] if solids else None), status,
         number(first.seconds + second.seconds, "{:.1f}"))
@@ -55,7 +55,7 @@ def write_csv(swept, file):
     for name in NAMES:
         head += [f"{name}_error", f"{name}_bound", f"{name}_allowed"]
     writer.writerow(head + ["volume", "volume_bound_absolute", "volume_reference", "area", "area_reference", "uncertainty",
-                            "gap_squared", "leak", "moved_by_closing", "volume_written_by_cad", "occt_volume", "occt_error",
+                            "gap_squared", "closure_residual", "closure_correction", "volume_written_by_cad", "occt_volume", "occt_error",
                             "occt_error_of_faces", "occt_claimed", "evaluations", "seconds"])
     for entry in swept:
         reference, solids = entry.reference, entry.has_solids()
@@ -65,8 +65,8 @@ def write_csv(swept, file):
             for name in NAMES:
                 row += [run.errors.get(name), run.bounds.get(name), run.allowed.get(name)]
             row += [run.total("volume"), (run.total("bounds") or {}).get("volume"), reference.get("volume"), run.total("area"),
-                    reference.get("area"), reference.get("uncertainty"), reference.get("gap_squared"), run.total("leak"),
-                    run.total("moved_by_closing"), reference.get("volume_written_by_cad")]
+                    reference.get("area"), reference.get("uncertainty"), reference.get("gap_squared"), run.total("closure_residual"),
+                    run.total("closure_correction"), reference.get("volume_written_by_cad")]
             row += [reference[SweepJudge.OCCT]["volume"], SweepJudge.occt_error(reference),
                     SweepJudge.occt_error(reference, "volume_faces_only"),
                     reference[SweepJudge.OCCT]["claimed"]] if solids else [None] * 4
@@ -91,7 +91,7 @@ def markdown(swept, summary):
                  number(used(second, "volume"), "{:.0e}")]
         for name in ("area", "center", "inertia"):
             cells += [number(first.errors.get(name)), number(first.bounds.get(name))]
-        cells += [number(first.total("leak")), number(SweepJudge.occt_error(reference)),
+        cells += [number(first.total("closure_residual")), number(SweepJudge.occt_error(reference)),
                   number(reference[SweepJudge.OCCT]["claimed"])]
         lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines) + "\n"
@@ -125,9 +125,9 @@ def summary(swept, seconds):
     lines += ["", "Errors are those on the files whose reference vouches for twelve digits "
               f"({len(vouched)} of {count})."]
     for index, tolerance in enumerate(SweepJudge.TOLERANCES):
-        leaks = [entry.runs[index].total("leak") for entry in solids]
+        leaks = [entry.runs[index].total("closure_residual") for entry in solids]
         closed = sum(1 for entry in solids if entry.runs[index].is_closed())
-        lines.append(f"Leak at {tolerance:.0e}: <= {SweepJudge.LEAK_LIMIT:.0e} on {closed} of {count}; median, worst "
+        lines.append(f"Leak at {tolerance:.0e}: <= {SweepJudge.CLOSURE_LIMIT:.0e} on {closed} of {count}; median, worst "
                      f"{middle_and_worst(leaks)}.")
     lines += occt_lines(solids)
     return "\n".join(line.rstrip() for line in lines)

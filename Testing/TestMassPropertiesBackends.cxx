@@ -22,7 +22,7 @@ std::vector<double> GetAll(vtkMassPropertiesGPU* mass)
 {
   std::vector<double> all;
   for (const char* name : { names::Volume, names::SurfaceArea, names::CenterOfMass, names::VolumeInertia,
-         names::GapSquared, names::MaxGap, names::GapArea, names::MovedByClosing, names::Evaluations })
+         names::GapSquared, names::MaxGap, names::GapArea, names::ClosureCorrection, names::Evaluations })
   {
     for (const std::string& full : { std::string(name), std::string(name) + names::BoundSuffix })
     {

@@ -22,8 +22,8 @@ std::vector<double> GetNumbers(vtkMassPropertiesGPU* mass)
   std::vector<double> numbers;
   vtkFieldData* fields = mass->GetOutput()->GetFieldData();
   for (const char* name : { names::Volume, names::SurfaceArea, names::CenterOfMass, names::FirstMoments,
-         names::SecondMoments, names::VolumeInertia, names::PrincipalMoments, names::MovedByClosing,
-         names::GapSquared, names::Leak, names::Evaluations })
+         names::SecondMoments, names::VolumeInertia, names::PrincipalMoments, names::ClosureCorrection,
+         names::GapSquared, names::ClosureResidual, names::Evaluations })
   {
     for (const std::string& full : { std::string(name), std::string(name) + names::BoundSuffix })
     {

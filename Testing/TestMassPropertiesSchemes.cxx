@@ -60,7 +60,7 @@ void CheckForm(vtkMassPropertiesGPU* mass, const std::string& scheme)
     CheckTrue(std::string(name) + " has no bound", std::isnan(GetFieldBound(fields, name)));
   }
   for (const char* name :
-    { names::MovedByClosing, names::MaxGap, names::GapArea, names::GapSquared, names::Leak })
+    { names::ClosureCorrection, names::MaxGap, names::GapArea, names::GapSquared, names::ClosureResidual })
   {
     const std::vector<double> values = GetArray(mass, name);
     CheckTrue(std::string(name) + " is not known", values.size() == 1 && std::isnan(values[0]));

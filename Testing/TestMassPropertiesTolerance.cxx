@@ -95,9 +95,9 @@ std::vector<double> Collect(vtkMassPropertiesGPU* mass)
 {
   std::vector<double> values;
   vtkFieldData* fields = mass->GetOutput()->GetFieldData();
-  for (const char* name :
-    { names::Volume, names::SurfaceArea, names::CenterOfMass, names::FirstMoments, names::SecondMoments,
-      names::VolumeInertia, names::PrincipalMoments, names::RadiiOfGyration, names::GapSquared, names::Leak })
+  for (const char* name : { names::Volume, names::SurfaceArea, names::CenterOfMass, names::FirstMoments,
+         names::SecondMoments, names::VolumeInertia, names::PrincipalMoments, names::RadiiOfGyration,
+         names::GapSquared, names::ClosureResidual })
   {
     vtkDataArray* array = fields->GetArray(name);
     for (int i = 0; array && i < array->GetNumberOfComponents(); ++i)

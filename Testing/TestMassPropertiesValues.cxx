@@ -202,7 +202,7 @@ void CheckRun(const Pipeline& pipeline, vtkFieldData* fields)
   CheckTrue("evaluations were counted", GetField(fields, names::Evaluations) > 0);
   CheckTrue("dispatches were counted", GetField(fields, names::Dispatches) > 0);
   CheckEqual("open edges", 0, static_cast<long long>(GetField(fields, names::OpenEdges)));
-  Check("leak", 0.0, GetField(fields, names::Leak), 1e-9, "(a closed chain)");
+  Check("closure_residual", 0.0, GetField(fields, names::ClosureResidual), 1e-9, "(a closed chain)");
   auto* table = vtkTable::SafeDownCast(pipeline.Mass->GetOutputDataObject(1));
   CheckEqual("rows of solids", 1, table->GetNumberOfRows());
   Check("volume in the table", pipeline.Mass->GetVolume(), table->GetValueByName(0, names::Volume).ToDouble(),

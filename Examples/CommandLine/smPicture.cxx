@@ -36,7 +36,10 @@ std::string Caption(const sm::Json& file)
   if (!total["stability"].is_null())
   {
     text += "\nstability  " + total["stability"]["verdict"].get<std::string>();
-    add("margin", sm::FormatValue(total["stability"]["margin"], total["stability"]["bounds"]["margin"]), 1);
+    add("stability_margin",
+      sm::FormatValue(
+        total["stability"]["stability_margin"], total["stability"]["bounds"]["stability_margin"]),
+      1);
   }
   if (file["status"] != "ok")
   {

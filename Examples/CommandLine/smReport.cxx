@@ -186,7 +186,8 @@ std::string Stability(const Json& total, const Json& file)
                          : ", rests on " + std::string(support == "area" ? "an area" : "a " + support)) +
       (rolls ? ", by its curvature" : ""),
     "", nullptr);
-  text += Row("margin", sm::FormatValue(found["margin"], bounds["margin"]), length, bounds["margin"]);
+  text += Row("stability_margin", sm::FormatValue(found["stability_margin"], bounds["stability_margin"]),
+    length, bounds["stability_margin"]);
   if (rolls)
   {
     return text +
@@ -195,8 +196,8 @@ std::string Stability(const Json& total, const Json& file)
   }
   text += Row("least tip angle", sm::FormatValue(found["tip_angle"], bounds["tip_angle"]), "degrees",
     bounds["tip_angle"]);
-  text += Row("centre rises by", sm::FormatValue(found["work_to_tip"], bounds["work_to_tip"]), length,
-    bounds["work_to_tip"]);
+  text += Row("centre rises by", sm::FormatValue(found["center_of_mass_rise"], bounds["center_of_mass_rise"]),
+    length, bounds["center_of_mass_rise"]);
   return found["tip_energy"].is_null()
     ? text
     : text + Row("work to tip", sm::FormatValue(found["tip_energy"], nullptr, 9), "J", nullptr);
@@ -222,13 +223,14 @@ std::string Doubt(const Json& total, const Json& file)
   std::string text;
   if (total["open_edges"].is_number() && total["open_edges"] != 0)
   {
-    text += Row("open edges", Dump(total["open_edges"]) + ", leak " + Short(total["leak"]), "", nullptr);
+    text += Row(
+      "open edges", Dump(total["open_edges"]) + ", leak " + Short(total["closure_residual"]), "", nullptr);
   }
-  if (total["moved_by_closing"].is_number() && total["moved_by_closing"].get<double>() > 0.0)
+  if (total["closure_correction"].is_number() && total["closure_correction"].get<double>() > 0.0)
   {
     text += Row("model's gaps",
       "widest " + ShortBound(total["max_gap"]) + " " + sm::FormatUnit(file, 1) +
-        "; closing them moved the volume by " + Short(total["moved_by_closing"]) + " " +
+        "; closing them moved the volume by " + Short(total["closure_correction"]) + " " +
         sm::FormatUnit(file, 3),
       "", nullptr);
   }

@@ -128,8 +128,9 @@ Columns CsvRow(const Json& file, const Json& row, bool isTotal, const Extras& ex
     columns.Add("axis" + std::to_string(i + 1), axes.is_null() ? Json() : axes[i], { "x", "y", "z" });
   }
   columns.Add("mass", row["mass"]);
-  for (const char* key : { "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak",
-         "flipped_shells", "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches" })
+  for (const char* key :
+    { "closure_correction", "gap_squared", "max_gap", "gap_area", "open_edges", "closure_residual",
+      "flipped_shells", "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches" })
   {
     columns.Add(key, row[key]);
   }

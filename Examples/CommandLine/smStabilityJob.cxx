@@ -37,9 +37,10 @@ Json Sides(vtkSolidStability* filter, vtkIdType solid)
     if (static_cast<vtkIdType>(owner->GetComponent(row, 0)) == solid)
     {
       sides.push_back({ { "from", GetPoint(columns, row, names::SideFrom) },
-        { "to", GetPoint(columns, row, names::SideTo) }, { "margin", GetNumber(columns, row, names::Margin) },
+        { "to", GetPoint(columns, row, names::SideTo) },
+        { "stability_margin", GetNumber(columns, row, names::StabilityMargin) },
         { "tip_angle", GetNumber(columns, row, names::TipAngle) },
-        { "work_to_tip", GetNumber(columns, row, names::WorkToTip) } });
+        { "center_of_mass_rise", GetNumber(columns, row, names::CenterOfMassRise) } });
     }
   }
   return sides;
@@ -54,8 +55,8 @@ Json Describe(vtkSolidStability* filter, vtkIdType row)
   entry["support"] = GetText(columns, row, names::Support);
   entry["decided_by"] = GetText(columns, row, names::DecidedBy);
   Json bounds;
-  for (const auto& [key, name] : { std::pair("margin", names::Margin),
-         std::pair("tip_angle", names::TipAngle), std::pair("work_to_tip", names::WorkToTip),
+  for (const auto& [key, name] : { std::pair("stability_margin", names::StabilityMargin),
+         std::pair("tip_angle", names::TipAngle), std::pair("center_of_mass_rise", names::CenterOfMassRise),
          std::pair("center_height", names::CenterHeight), std::pair("rolling_margin", names::RollingMargin) })
   {
     entry[key] = GetNumber(columns, row, name);
@@ -64,7 +65,7 @@ Json Describe(vtkSolidStability* filter, vtkIdType row)
   entry["bounds"] = bounds;
   entry["tip_energy"] = GetNumber(columns, row, names::TipEnergy);
   entry["rolling_radius"] = GetNumber(columns, row, names::RollingRadius);
-  entry["plumb_foot"] = GetPoint(columns, row, names::PlumbFoot);
+  entry["projected_center_of_mass"] = GetPoint(columns, row, names::ProjectedCenterOfMass);
   entry["contact_faces"] = GetCount(columns, row, names::ContactFaces);
   entry["contact_edges"] = GetCount(columns, row, names::ContactEdges);
   entry["sides"] = Sides(filter, row);

@@ -168,7 +168,7 @@ bool ParseIntegral(const std::string& text, std::string& name, std::string& expr
 
 std::string FindClash(const JobOptions& options)
 {
-  std::set<std::string> taken(std::begin(names::BesideIntegrands), std::end(names::BesideIntegrands));
+  std::set<std::string> taken(std::begin(names::ReservedColumnNames), std::end(names::ReservedColumnNames));
   ListMoments(options.MomentDegree, [&taken](const std::string& name, int, int, int) { taken.insert(name); });
   std::string name;
   std::string expression;

@@ -90,12 +90,12 @@ Json GetQuantities(vtkFieldData* data, vtkIdType row)
   q["bounds"]["area"] = GetNumber(data, row, names::SurfaceArea + bound);
   q["bounds"]["center_of_mass"] = GetNumber(data, row, names::CenterOfMass + bound);
   q["bounds"]["inertia"] = GetNumber(data, row, names::VolumeInertia + bound);
-  q["moved_by_closing"] = GetNumber(data, row, names::MovedByClosing);
+  q["closure_correction"] = GetNumber(data, row, names::ClosureCorrection);
   q["gap_squared"] = GetNumber(data, row, names::GapSquared);
   q["max_gap"] = GetNumber(data, row, names::MaxGap);
   q["gap_area"] = GetNumber(data, row, names::GapArea);
   q["open_edges"] = GetCount(data, row, names::OpenEdges);
-  q["leak"] = GetNumber(data, row, names::Leak);
+  q["closure_residual"] = GetNumber(data, row, names::ClosureResidual);
   q["flipped_shells"] = GetCount(data, row, names::FlippedShells);
   q["paper_error_estimate"] = GetNumber(data, row, names::PaperErrorEstimate);
   q["paper_error_estimate_with_boundary"] = GetNumber(data, row, names::PaperErrorEstimateWithBoundary);

@@ -6,7 +6,6 @@ foreach (component IN ITEMS ChartsCore IOExport RenderingContext2D RenderingCont
   endif ()
 endforeach ()
 
-# The Gauss rules are no part of the library's interface: their source is compiled in.
 add_executable(paper_figures
   paper_figures.cxx
   smFigure.cxx
@@ -16,9 +15,7 @@ add_executable(paper_figures
   smPaperRun.cxx
   smPaperSolid.cxx
   smPointFigures.cxx
-  smSolidBuilder.cxx
-  "${PROJECT_SOURCE_DIR}/Filters/MassProperties/smGaussLegendre.cxx")
-target_include_directories(paper_figures PRIVATE "${PROJECT_SOURCE_DIR}/Filters/MassProperties")
+  smSolidBuilder.cxx)
 target_link_libraries(paper_figures PRIVATE
   smExampleCommon
   SolidMoments::FiltersMassProperties

@@ -68,7 +68,7 @@ class Result:
     bound: float = None
     estimate: float = None
     estimate_with_boundary: float = None
-    moved_by_closing: float = None
+    closure_correction: float = None
     sub_patches: int = None
     faces: int = None
 
@@ -122,7 +122,7 @@ class Row:
     def doubt(self):
         """What GAUSS2's difference may have beside its own error on curved faces: what the reference cannot vouch for, what
         closing the model's gaps moves, and the chords of planes."""
-        return ((self.uncertainty or 0.0) + abs(self.fraction(self.adaptive.moved_by_closing) or 0.0)
+        return ((self.uncertainty or 0.0) + abs(self.fraction(self.adaptive.closure_correction) or 0.0)
                 + abs(self.chords_doubt() or 0.0))
 
     def is_estimate_below_error(self, estimate):
@@ -187,7 +187,7 @@ def measure(options, path, arguments):
                       integrate=seconds["integrate"], bound=total["bounds"]["volume"], faces=entry.get("faces"),
                       estimate=total.get("paper_error_estimate"),
                       estimate_with_boundary=total.get("paper_error_estimate_with_boundary"),
-                      moved_by_closing=total.get("moved_by_closing"), sub_patches=total.get("sub_patches"))
+                      closure_correction=total.get("closure_correction"), sub_patches=total.get("sub_patches"))
     except Failure as failure:
         return Result(reason=str(failure))
     except (KeyError, IndexError, TypeError) as error:

@@ -110,7 +110,7 @@ def coordinates(center):
 def write_csv(sections, file):
     writer = csv.writer(file)
     writer.writerow(["table", "model", "faces", "reference", "reference_kind", "reference_uncertainty", "center_x", "center_y",
-                     "center_z", "center_kind", "moved_by_closing", "gauss2_chord_tolerance", "gauss2_chords_doubt",
+                     "center_z", "center_kind", "closure_correction", "gauss2_chord_tolerance", "gauss2_chords_doubt",
                      "gauss2_volume", "gauss2_sub_patches", "gauss2_estimate_fraction", "gauss2_estimate_with_boundary_fraction",
                      "gauss2_difference", "gauss2_center_x", "gauss2_center_y", "gauss2_center_z",
                      "gauss2_center_difference", "gauss2_prepare_seconds", "gauss2_integrate_seconds", "estimate_below_error",
@@ -123,7 +123,7 @@ def write_csv(sections, file):
             gauss2, adaptive, occt = row.gauss2, row.adaptive, row.occt
             writer.writerow([
                 title, row.name, row.faces(), row.reference, row.reference_kind, row.uncertainty,
-                *coordinates(row.center()), row.center_kind(), row.fraction(adaptive.moved_by_closing), row.chord,
+                *coordinates(row.center()), row.center_kind(), row.fraction(adaptive.closure_correction), row.chord,
                 row.chords_doubt(), gauss2.volume, gauss2.sub_patches, row.fraction(gauss2.estimate),
                 row.fraction(gauss2.estimate_with_boundary), row.difference(gauss2), *coordinates(gauss2.center),
                 center_difference(row, gauss2), gauss2.prepare, gauss2.integrate,

@@ -120,11 +120,7 @@ def weigh(file, picture, arguments, rows):
     reader, mass = make_pipeline(file, arguments)
     status = mass_table.print_report(file, mass.GetOutputDataObject(0), mass.GetOutputDataObject(1),
                                      messages(reader) + messages(mass), arguments, rows)
-    if picture and status != mass_table.UNREADABLE:
-        problem = draw(mass, picture)
-        if problem:
-            status = mass_table.complain(f"no picture {picture}: {problem}")
-    return status
+    return mass_table.add_picture(status, picture, lambda path: draw(mass, path))
 
 
 def main():

@@ -15,8 +15,8 @@ COLUMNS = (
     + [("center_" + axis, "CenterOfMass", i) for i, axis in enumerate("xyz")] + [("center_bound", "CenterOfMassBound", 0)]
     + [("inertia_" + axes, "VolumeInertia", i) for axes, i in zip(("xx", "yy", "zz", "xy", "yz", "xz"), (0, 4, 8, 1, 5, 2))]
     + [("inertia_bound", "VolumeInertiaBound", 0)] + [(f"principal_{i + 1}", "PrincipalMoments", i) for i in range(3)]
-    + [("mass", "Mass", 0), ("moved_by_closing", "MovedByClosing", 0), ("gap_squared", "GapSquared", 0), ("max_gap", "MaxGap", 0),
-       ("gap_area", "GapArea", 0), ("open_edges", "OpenEdges", 0), ("leak", "Leak", 0)])
+    + [("mass", "Mass", 0), ("closure_correction", "ClosureCorrection", 0), ("gap_squared", "GapSquared", 0), ("max_gap", "MaxGap", 0),
+       ("gap_area", "GapArea", 0), ("open_edges", "OpenEdges", 0), ("closure_residual", "ClosureResidual", 0)])
 HEAD = ["file", "row", "name", "id", "status", "length_unit"] + [column for column, _, _ in COLUMNS]
 
 
@@ -136,6 +136,13 @@ def print_report(file, totals, solids, messages, arguments, rows):
     # The standard output is one thing only.
     print(*lines, sep="\n", file=sys.stderr if arguments.csv == "-" else sys.stdout, flush=True)
     return ALL_OK if status == "ok" else FLAGGED
+
+
+def add_picture(status, path, draw):
+    """Calls draw(path), which returns why it could not or an empty string, if there is a path and something to draw. Returns the
+    exit status, that of the table included."""
+    problem = draw(path) if path and status != UNREADABLE else ""
+    return complain(f"no picture {path}: {problem}") if problem else status
 
 
 def write_csv(path, rows, head=None):

@@ -63,11 +63,7 @@ def weigh(file, picture, arguments, rows):
     # Tables and the marker are plain data; the bodies stay where they are.
     marker, solids = (servermanager.Fetch(mass, idx=port) for port in (MARKER, SOLIDS))
     status = mass_table.print_report(file, marker, solids, [], arguments, rows)  # messages are on the standard error
-    if picture and status != mass_table.UNREADABLE:
-        problem = draw(mass, picture)
-        if problem:
-            status = mass_table.complain(f"no picture {picture}: {problem}")
-    return status
+    return mass_table.add_picture(status, picture, lambda path: draw(mass, path))
 
 
 def main():

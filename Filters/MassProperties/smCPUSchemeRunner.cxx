@@ -1,6 +1,6 @@
 #include "smCPUSchemeRunner.h"
 
-#include "smRowSums.h"
+#include "Items/smRowSums.h"
 
 #include "vtkSMPTools.h"
 
@@ -174,7 +174,8 @@ std::int64_t Integrate(
 }
 }
 
-bool CPUSchemeRunner::Run(const SchemeBatch& batch, const Setup& setup, Results& results, const GoOn& goOn)
+bool CPUSchemeRunner::Run(
+  const SchemeBatch& batch, const Setup& setup, Results& results, const ContinueCallback& shouldContinue)
 {
   SchemeLists lists{ batch, setup, {}, {} };
   try
@@ -213,7 +214,7 @@ bool CPUSchemeRunner::Run(const SchemeBatch& batch, const Setup& setup, Results&
             Integrate(lists, part.Kernel, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to));
         });
       first = last;
-      if (goOn && !goOn())
+      if (shouldContinue && !shouldContinue())
       {
         return this->Fail("aborted");
       }

@@ -5,15 +5,18 @@
 #ifndef smCPUSchemeRunner_h
 #define smCPUSchemeRunner_h
 
+#include "smFiltersMassPropertiesModule.h"
+#include "smProgressCallback.h"
 #include "smSchemeRunner.h"
 
 namespace sm
 {
 /// In parallel by vtkSMPTools, with whatever backend and number of threads the application chose.
-class CPUSchemeRunner : public SchemeRunner
+class SMFILTERSMASSPROPERTIES_EXPORT CPUSchemeRunner : public SchemeRunner
 {
 public:
-  bool Run(const SchemeBatch& batch, const Setup& setup, Results& results, const GoOn& goOn) override;
+  bool Run(const SchemeBatch& batch, const Setup& setup, Results& results,
+    const ContinueCallback& shouldContinue) override;
 };
 }
 

@@ -112,8 +112,8 @@ struct GPUSchemeRunner::Internals
   ComputeProgram* GetProgram(const ProgramKey& key);
   bool Upload(const SchemeBatch& batch);
   bool Dispatch(const ProgramKey& key, std::uint32_t first, std::uint32_t count);
-  bool DispatchAll(
-    const ProgramKey& key, std::uint32_t first, std::uint32_t last, std::uint32_t step, const GoOn& goOn);
+  bool DispatchAll(const ProgramKey& key, std::uint32_t first, std::uint32_t last, std::uint32_t step,
+    const ContinueCallback& shouldContinue);
 };
 
 ComputeProgram* GPUSchemeRunner::Internals::GetProgram(const ProgramKey& key)
@@ -184,8 +184,8 @@ bool GPUSchemeRunner::Internals::Dispatch(const ProgramKey& key, std::uint32_t f
   return true;
 }
 
-bool GPUSchemeRunner::Internals::DispatchAll(
-  const ProgramKey& key, std::uint32_t first, std::uint32_t last, std::uint32_t step, const GoOn& goOn)
+bool GPUSchemeRunner::Internals::DispatchAll(const ProgramKey& key, std::uint32_t first, std::uint32_t last,
+  std::uint32_t step, const ContinueCallback& shouldContinue)
 {
   while (first < last)
   {
@@ -195,7 +195,7 @@ bool GPUSchemeRunner::Internals::DispatchAll(
       return false;
     }
     first += count;
-    if (goOn && !goOn())
+    if (shouldContinue && !shouldContinue())
     {
       this->Error = "aborted";
       return false;
@@ -238,18 +238,19 @@ bool GPUSchemeRunner::Prepare(const std::set<SchemeKernel>& kernels)
   return ok || this->Fail(self.Error);
 }
 
-bool GPUSchemeRunner::Run(const SchemeBatch& batch, const Setup& setup, Results& results, const GoOn& goOn)
+bool GPUSchemeRunner::Run(
+  const SchemeBatch& batch, const Setup& setup, Results& results, const ContinueCallback& shouldContinue)
 {
   Internals& self = *this->Implementation;
   self.Chosen = setup;
   bool ok = self.Upload(batch) &&
-    self.DispatchAll({ Step::DrawTrims, {} }, 0, batch.Trims, TrimsPerDispatch, goOn) &&
-    self.DispatchAll({ Step::SweepTexels, {} }, 0, batch.TexelRows, TexelRowsPerDispatch, goOn);
+    self.DispatchAll({ Step::DrawTrims, {} }, 0, batch.Trims, TrimsPerDispatch, shouldContinue) &&
+    self.DispatchAll({ Step::SweepTexels, {} }, 0, batch.TexelRows, TexelRowsPerDispatch, shouldContinue);
   for (auto part = batch.Parts.begin(); ok && part != batch.Parts.end(); ++part)
   {
     const std::int64_t step = std::max<std::int64_t>(CostPerDispatch / GetCost(*part, setup.Points), 1);
-    ok = self.DispatchAll(
-      { Step::Integrate, part->Kernel }, part->First, part->Last, static_cast<std::uint32_t>(step), goOn);
+    ok = self.DispatchAll({ Step::Integrate, part->Kernel }, part->First, part->Last,
+      static_cast<std::uint32_t>(step), shouldContinue);
   }
   std::uint32_t evaluations = 0;
   if (!ok || !self.Counts.Read(&evaluations, sizeof(evaluations)))

@@ -5,6 +5,8 @@
 #ifndef smGPUSchemeRunner_h
 #define smGPUSchemeRunner_h
 
+#include "smFiltersMassPropertiesModule.h"
+#include "smProgressCallback.h"
 #include "smSchemeRunner.h"
 
 #include <memory>
@@ -17,7 +19,7 @@ namespace sm
  * Uploads every batch as a whole, dispatches it in portions of limited cost, each in a scope of the context of its own, and
  * reduces the rows of each tile over a fixed tree (sm::Reduction). The context must be READY.
  */
-class GPUSchemeRunner : public SchemeRunner
+class SMFILTERSMASSPROPERTIES_EXPORT GPUSchemeRunner : public SchemeRunner
 {
 public:
   explicit GPUSchemeRunner(vtkComputeContext* context);
@@ -27,7 +29,8 @@ public:
   std::size_t GetMaximumBytes() const override;
   /// Compiles the shaders and runs each once, with nothing to do.
   bool Prepare(const std::set<SchemeKernel>& kernels) override;
-  bool Run(const SchemeBatch& batch, const Setup& setup, Results& results, const GoOn& goOn) override;
+  bool Run(const SchemeBatch& batch, const Setup& setup, Results& results,
+    const ContinueCallback& shouldContinue) override;
 
 private:
   struct Internals;

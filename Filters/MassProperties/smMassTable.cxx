@@ -1,10 +1,10 @@
 #include "smMassTable.h"
 
+#include "smFormat.h"
 #include "smMassPropertyNames.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <sstream>
 
@@ -12,19 +12,6 @@ namespace sm
 {
 namespace
 {
-template <typename... Values>
-std::string Format(const char* format, Values... values)
-{
-  char text[256];
-  std::snprintf(text, sizeof(text), format, values...);
-  return text;
-}
-
-std::string GetBoundText(double bound)
-{
-  return std::isfinite(bound) ? " (+- " + FormatBound(bound) + ")" : std::string(" (bound not known)");
-}
-
 /// Lines of whole words, each at most `width` long if its words are, with a line's end behind each.
 std::string Wrap(const std::string& text, std::size_t width)
 {
@@ -74,11 +61,11 @@ const Quantity Quantities[] = {
     [](Row r) { return &r.Properties.AxesBound; } },
   { names::RadiiOfGyration, 3, true, [](Row r) { return r.Properties.Gyration.data(); },
     [](Row r) { return &r.Properties.GyrationBound; } },
-  { names::MovedByClosing, 1, false, [](Row r) { return &r.MovedByClosing; }, nullptr },
+  { names::ClosureCorrection, 1, false, [](Row r) { return &r.ClosureCorrection; }, nullptr },
   { names::GapSquared, 1, false, [](Row r) { return &r.GapSquared; }, nullptr },
   { names::MaxGap, 1, false, [](Row r) { return &r.MaxGap; }, nullptr },
   { names::GapArea, 1, false, [](Row r) { return &r.GapArea; }, nullptr },
-  { names::Leak, 1, false, [](Row r) { return &r.Leak; }, nullptr },
+  { names::ClosureResidual, 1, false, [](Row r) { return &r.ClosureResidual; }, nullptr },
 };
 
 const Quantity MassQuantities[] = {
@@ -91,7 +78,7 @@ const Quantity MassQuantities[] = {
 MassRow::MassRow()
 {
   this->Area = this->AreaBound = this->Mass = this->MassBound = this->MassInertiaBound =
-    this->MovedByClosing = this->GapSquared = this->MaxGap = this->GapArea = this->Leak =
+    this->ClosureCorrection = this->GapSquared = this->MaxGap = this->GapArea = this->ClosureResidual =
       std::numeric_limits<double>::quiet_NaN();
   this->MassInertia.fill(this->Mass);
 }
@@ -159,51 +146,6 @@ double GetMetres(const std::string& lengthUnit)
   return 0.0;
 }
 
-std::string FormatBound(double bound)
-{
-  if (!std::isfinite(bound))
-  {
-    return "not known";
-  }
-  if (bound <= 0.0)
-  {
-    return Format("%g", bound);
-  }
-  int exponent = static_cast<int>(std::floor(std::log10(bound)));
-  double digit = std::ceil(bound / std::pow(10.0, exponent));
-  if (digit > 9.0)
-  {
-    digit = 1.0;
-    ++exponent;
-  }
-  return Format("%.0fe%+03d", digit, exponent);
-}
-
-std::string FormatNumber(double value, double bound)
-{
-  if (!std::isfinite(value))
-  {
-    return "not known";
-  }
-  if (!std::isfinite(bound))
-  {
-    return Format("%.6g", value);
-  }
-  if (std::abs(value) <= bound)
-  {
-    return "0";
-  }
-  const double ratio = bound > 0.0 ? std::log10(std::abs(value) / bound) : 12.0;
-  return Format("%.*g", std::clamp(static_cast<int>(std::floor(ratio)) + 1, 1, 12), value);
-}
-
-std::string FormatWithBound(double value, double bound, const std::string& unit)
-{
-  return std::isfinite(value)
-    ? FormatNumber(value, bound) + (unit.empty() ? "" : " ") + unit + GetBoundText(bound)
-    : std::string("not known");
-}
-
 std::string FormatSummary(const MassRow& total, const std::string& status, const std::string& reason,
   const std::string& unit, int solids)
 {
@@ -212,7 +154,7 @@ std::string FormatSummary(const MassRow& total, const std::string& status, const
   {
     const bool known = std::isfinite(values[0] + values[1] + values[2]);
     return (known ? FormatNumber(values[0], bound) + "  " + FormatNumber(values[1], bound) + "  " +
-                 FormatNumber(values[2], bound) + " " + unit + power + GetBoundText(bound)
+                 FormatNumber(values[2], bound) + " " + unit + power + FormatBoundNote(bound)
                   : std::string("not known")) +
       "\n";
   };
@@ -223,7 +165,7 @@ std::string FormatSummary(const MassRow& total, const std::string& status, const
   }
   if (solids > 1)
   {
-    text += Format("Solids: %d\n", solids);
+    text += "Solids: " + std::to_string(solids) + "\n";
   }
   text += "Volume: " + FormatWithBound(p.Volume, p.VolumeBound, unit + "^3") + "\n";
   text += "Area: " + FormatWithBound(total.Area, total.AreaBound, unit + "^2") + "\n";

@@ -6,6 +6,7 @@
 #define smMassTable_h
 
 #include "smColumns.h"
+#include "smFiltersMassPropertiesModule.h"
 #include "smMoments.h"
 
 #include <string>
@@ -16,7 +17,7 @@ class vtkFieldData;
 namespace sm
 {
 /// Everything that is put out for one body, or for the total.
-struct MassRow
+struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
 {
   MassProperties Properties;
   double Area;
@@ -26,18 +27,18 @@ struct MassRow
   double MassBound;
   std::array<double, 9> MassInertia;
   double MassInertiaBound;
-  double MovedByClosing;
+  double ClosureCorrection;
   double GapSquared;
   double MaxGap;
   double GapArea;
-  double Leak;
+  double ClosureResidual;
 
   /// Everything NaN.
   MassRow();
 };
 
 /// Appends rows to arrays named as in smMassPropertyNames.h and hands them to field data or a table.
-class MassColumns
+class SMFILTERSMASSPROPERTIES_EXPORT MassColumns
 {
 public:
   explicit MassColumns(bool withMass);
@@ -50,19 +51,12 @@ private:
 };
 
 /// Metres in a length unit as the reader names it ("mm", "inch", …); 0 when it is not known.
-double GetMetres(const std::string& lengthUnit);
-
-/// A bound with one digit, rounded up; "not known" for what is not finite, here and below.
-std::string FormatBound(double bound);
-/// A value with no more digits than its bound leaves; 0 within its bound.
-std::string FormatNumber(double value, double bound);
-/// Value, unit and bound.
-std::string FormatWithBound(double value, double bound, const std::string& unit);
+SMFILTERSMASSPROPERTIES_EXPORT double GetMetres(const std::string& lengthUnit);
 
 /// A few lines: status, unless it is ok, with the reason, if any, in lines of at most 64 characters; number of solids, volume, area,
 /// centre, principal moments, mass.
-std::string FormatSummary(const MassRow& total, const std::string& status, const std::string& reason,
-  const std::string& unit, int solids);
+SMFILTERSMASSPROPERTIES_EXPORT std::string FormatSummary(const MassRow& total, const std::string& status,
+  const std::string& reason, const std::string& unit, int solids);
 }
 
 #endif

@@ -1,13 +1,13 @@
 #include "smMassTolerance.h"
 
 #include "smBodyIntegrals.h"
+#include "smFormat.h"
 #include "smMassPropertyNames.h"
 
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace sm
 {
@@ -66,10 +66,9 @@ std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance)
     const double scale = std::abs(quantity.Scale);
     if (std::isfinite(scale) && !(quantity.Bound <= quantity.Asked.Get(scale)))
     {
-      char text[128];
       const double ratio = quantity.Bound / scale;
-      std::snprintf(text, sizeof(text), "%s%s ", unmet.empty() ? "" : ", ", quantity.Name);
-      unmet += text + (std::isfinite(ratio) ? FormatBound(ratio) : std::string("not bounded"));
+      unmet += (unmet.empty() ? "" : ", ") + std::string(quantity.Name) + " " +
+        (std::isfinite(ratio) ? FormatBound(ratio) : std::string("not bounded"));
     }
   }
   return unmet;

@@ -5,6 +5,7 @@
 #ifndef smMassTolerance_h
 #define smMassTolerance_h
 
+#include "smFiltersMassPropertiesModule.h"
 #include "smMassTable.h"
 
 #include <string>
@@ -49,10 +50,11 @@ struct MassTolerance
 
 /// Absolute tolerances of the integrands about the part's own origin, such that the derived quantities meet theirs. They depend
 /// on the model's fixed scales only, not on results.
-std::vector<double> ShareTolerance(const MassTolerance& tolerance, vtkTrimmedNURBSModel& model);
+SMFILTERSMASSPROPERTIES_EXPORT std::vector<double> ShareTolerance(
+  const MassTolerance& tolerance, vtkTrimmedNURBSModel& model);
 
 /// What did not meet its tolerance and by how much, relative; empty when everything did. A quantity that does not exist did.
-std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance);
+SMFILTERSMASSPROPERTIES_EXPORT std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance);
 }
 
 #endif

@@ -1,4 +1,5 @@
 #include "smMoments.h"
+#include "smUnitRoundoff.h"
 
 #include "vtkMath.h"
 
@@ -11,7 +12,6 @@ namespace sm
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double UnitRoundoff = 1.1102230246251565e-16;
 
 // Position of (i,j) in XX YY ZZ XY YZ XZ.
 constexpr int Packed[3][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 } };

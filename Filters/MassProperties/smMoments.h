@@ -7,13 +7,14 @@
 #ifndef smMoments_h
 #define smMoments_h
 
+#include "smFiltersMassPropertiesModule.h"
 #include <array>
 #include <vector>
 
 namespace sm
 {
 /// Symmetric second moments are stored as XX YY ZZ XY YZ XZ.
-struct Moments
+struct SMFILTERSMASSPROPERTIES_EXPORT Moments
 {
   /// World point that first and second moments are about. Near the body, so that no digits are lost.
   std::array<double, 3> Reference{};
@@ -39,7 +40,7 @@ struct Moments
 };
 
 /// What follows from the moments. NaN where it does not exist.
-struct MassProperties
+struct SMFILTERSMASSPROPERTIES_EXPORT MassProperties
 {
   double Volume, VolumeBound;
   std::array<double, 3> Center;
@@ -65,7 +66,7 @@ struct MassProperties
   MassProperties();
 };
 
-MassProperties ComputeMassProperties(const Moments& moments);
+SMFILTERSMASSPROPERTIES_EXPORT MassProperties ComputeMassProperties(const Moments& moments);
 }
 
 #endif

@@ -38,10 +38,10 @@ bool IsSame(const SchemeOptions& a, const SchemeOptions& b)
   return a.Factor == b.Factor && a.TextureFactor == b.TextureFactor && a.Deviation == b.Deviation;
 }
 
-/// Calls `work` for parts of [0, count), from several threads, and `ask` with the fraction done after every portion. A portion has
-/// at most twice as many items as the one before, so that one clock reading that is off costs little. False when `ask` is.
+/// Calls `work` for parts of [0, count), from several threads, and `progress` with the fraction done after every portion. A portion has
+/// at most twice as many items as the one before, so that one clock reading that is off costs little. False when `progress` is.
 bool RunPortions(std::size_t count, std::size_t first,
-  const std::function<void(std::size_t begin, std::size_t end)>& work, const std::function<bool(double)>& ask)
+  const std::function<void(std::size_t begin, std::size_t end)>& work, const ProgressCallback& progress)
 {
   std::size_t size = first;
   for (std::size_t begin = 0; begin < count;)
@@ -55,7 +55,7 @@ bool RunPortions(std::size_t count, std::size_t first,
     const double wanted = static_cast<double>(end - begin) * PortionSeconds / std::max(seconds, 1e-6);
     size = static_cast<std::size_t>(std::max(1.0, std::min(wanted, 2.0 * static_cast<double>(size))));
     begin = end;
-    if (!ask(static_cast<double>(end) / static_cast<double>(count)))
+    if (!progress(static_cast<double>(end) / static_cast<double>(count)))
     {
       return false;
     }
@@ -90,7 +90,7 @@ std::vector<std::size_t> PreparedFaces::FindMissing(
 }
 
 bool PreparedFaces::PrepareMissing(const std::vector<SchemeTask>& tasks,
-  const std::vector<std::size_t>& missing, const SchemeOptions& options, const Ask& ask)
+  const std::vector<std::size_t>& missing, const SchemeOptions& options, const ProgressCallback& progress)
 {
   std::vector<std::shared_ptr<SubPatchFace>> faces(missing.size());
   const auto prepare = [&](std::size_t begin, std::size_t end)
@@ -103,8 +103,8 @@ bool PreparedFaces::PrepareMissing(const std::vector<SchemeTask>& tasks,
       faces[i] = std::make_shared<SubPatchFace>(PrepareSubPatchShape(task.Source, own));
     }
   };
-  if (!RunPortions(
-        missing.size(), FirstFaces, prepare, [&ask](double done) { return ask(ShapesShare * done); }))
+  if (!RunPortions(missing.size(), FirstFaces, prepare,
+        [&progress](double done) { return progress(ShapesShare * done); }))
   {
     return false;
   }
@@ -125,14 +125,14 @@ bool PreparedFaces::PrepareMissing(const std::vector<SchemeTask>& tasks,
     }
   };
   const std::size_t count = starts.back();
-  const auto goOn = [&](double done)
+  const auto shouldContinue = [&](double done)
   {
     const auto now = static_cast<std::int64_t>(done * static_cast<double>(count) + 0.5);
     this->LargestPortion = std::max(this->LargestPortion, now - this->Deviations);
     this->Deviations = now;
-    return ask(ShapesShare + (1.0 - ShapesShare) * done);
+    return progress(ShapesShare + (1.0 - ShapesShare) * done);
   };
-  if (!RunPortions(count, FirstSubPatches, deviate, goOn))
+  if (!RunPortions(count, FirstSubPatches, deviate, shouldContinue))
   {
     return false;
   }
@@ -159,11 +159,11 @@ void PreparedFaces::Keep(const std::vector<SchemeTask>& tasks)
 }
 
 bool PreparedFaces::Prepare(
-  const std::vector<SchemeTask>& tasks, const SchemeOptions& options, const Ask& ask)
+  const std::vector<SchemeTask>& tasks, const SchemeOptions& options, const ProgressCallback& progress)
 {
   this->Deviations = this->LargestPortion = 0;
   this->Faces.assign(tasks.size(), nullptr);
-  if (!this->PrepareMissing(tasks, this->FindMissing(tasks, options), options, ask))
+  if (!this->PrepareMissing(tasks, this->FindMissing(tasks, options), options, progress))
   {
     this->Faces.clear();
     return false;

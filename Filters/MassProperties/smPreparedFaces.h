@@ -5,6 +5,8 @@
 #ifndef smPreparedFaces_h
 #define smPreparedFaces_h
 
+#include "smFiltersMassPropertiesModule.h"
+#include "smProgressCallback.h"
 #include "smSubPatches.h"
 
 #include <cstddef>
@@ -30,14 +32,12 @@ using PreparedFace = std::shared_ptr<const SubPatchFace>;
  * portions the calling thread asks whether to go on. Faces are kept by their id, while they are small, so that an edit prepares
  * only those that changed. Not thread safe.
  */
-class PreparedFaces
+class SMFILTERSMASSPROPERTIES_EXPORT PreparedFaces
 {
 public:
-  /// Fraction done, false to stop.
-  using Ask = std::function<bool(double)>;
-
   /// A face per task; ChordTolerance of the options is not used. False when `ask` says so: then there are none.
-  bool Prepare(const std::vector<SchemeTask>& tasks, const SchemeOptions& options, const Ask& ask);
+  bool Prepare(
+    const std::vector<SchemeTask>& tasks, const SchemeOptions& options, const ProgressCallback& progress);
   const std::vector<PreparedFace>& Get() const { return this->Faces; }
   /// Lets go of all that is not kept for the next run.
   void Release() { this->Faces.clear(); }
@@ -49,7 +49,7 @@ public:
 private:
   std::vector<std::size_t> FindMissing(const std::vector<SchemeTask>& tasks, const SchemeOptions& options);
   bool PrepareMissing(const std::vector<SchemeTask>& tasks, const std::vector<std::size_t>& missing,
-    const SchemeOptions& options, const Ask& ask);
+    const SchemeOptions& options, const ProgressCallback& progress);
   void Keep(const std::vector<SchemeTask>& tasks);
 
   struct Kept

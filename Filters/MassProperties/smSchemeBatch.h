@@ -8,6 +8,7 @@
 #ifndef smSchemeBatch_h
 #define smSchemeBatch_h
 
+#include "smFiltersMassPropertiesModule.h"
 #include "smSubPatches.h"
 
 #include <array>
@@ -41,7 +42,8 @@ struct TileRange
 };
 
 /// Cuts the sub-patches of a face into tiles, from bottom to top. Nothing of a planar face.
-std::vector<TileRange> MakeTiles(std::size_t index, const SubPatchFace& face, int textureFactor);
+SMFILTERSMASSPROPERTIES_EXPORT std::vector<TileRange> MakeTiles(
+  std::size_t index, const SubPatchFace& face, int textureFactor);
 
 /// As smSchemeTile in glsl/smSchemeTile.glsl, std430.
 struct SchemeTile
@@ -67,10 +69,10 @@ static_assert(sizeof(SchemePatch) == 64, "layout of smSchemePatch");
 using SchemeKernel = std::pair<int, int>;
 
 /// The kernel for a face. The choice depends on nothing but its degrees.
-SchemeKernel ChooseSchemeKernel(const SubPatchFace& face);
+SMFILTERSMASSPROPERTIES_EXPORT SchemeKernel ChooseSchemeKernel(const SubPatchFace& face);
 
 /// Tiles that are evaluated at once, those of one kernel side by side.
-class SchemeBatch
+class SMFILTERSMASSPROPERTIES_EXPORT SchemeBatch
 {
 public:
   /// Adds a tile of `face` unless a list would exceed `maximumBytes`, or the batch has enough; then false. The first tile always

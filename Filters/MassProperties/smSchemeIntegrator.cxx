@@ -96,7 +96,7 @@ struct SchemeIntegrator::Internals
   double IntegrateSeconds = 0.0;
 
   /// Of the running Integrate().
-  Progress Report;
+  ProgressCallback Progress;
   Setup Chosen;
   double Start = 0.0;
   std::vector<ColumnSums> Sums;
@@ -108,12 +108,12 @@ struct SchemeIntegrator::Internals
     this->Error = this->Aborted ? "aborted" : what;
     return false;
   }
-  bool Tell(double fraction)
+  bool ReportProgress(double fraction)
   {
     this->TimedOut = this->TimedOut ||
       (this->Chosen.MaximumSeconds > 0.0 &&
         vtkTimerLog::GetUniversalTime() - this->Start > this->Chosen.MaximumSeconds);
-    this->Aborted = this->Aborted || this->TimedOut || (this->Report && !this->Report(fraction));
+    this->Aborted = this->Aborted || this->TimedOut || (this->Progress && !this->Progress(fraction));
     return !this->Aborted || this->Fail("aborted");
   }
   bool CheckCost(const std::vector<SchemeTask>& tasks);
@@ -149,9 +149,9 @@ bool SchemeIntegrator::Internals::CheckCost(const std::vector<SchemeTask>& tasks
 
 bool SchemeIntegrator::Internals::PrepareFaces(const std::vector<SchemeTask>& tasks)
 {
-  return this->Tell(0.0) &&
-    this->Prepared.Prepare(
-      tasks, this->Chosen.Options, [this](double fraction) { return this->Tell(PreparedShare * fraction); });
+  return this->ReportProgress(0.0) &&
+    this->Prepared.Prepare(tasks, this->Chosen.Options,
+      [this](double fraction) { return this->ReportProgress(PreparedShare * fraction); });
 }
 
 bool SchemeIntegrator::Internals::PrepareRunner()
@@ -195,14 +195,14 @@ std::vector<TileRange> SchemeIntegrator::Internals::MakeAllTiles()
 
 bool SchemeIntegrator::Internals::RunBatch(const SchemeBatch& batch, std::vector<SchemeResult>& results)
 {
-  const auto goOn = [this]()
+  const auto shouldContinue = [this]()
   {
     const double done = static_cast<double>(this->SubPatchesDone) / this->SubPatchesTotal;
-    return this->Tell(PreparedShare + (1.0 - PreparedShare) * done);
+    return this->ReportProgress(PreparedShare + (1.0 - PreparedShare) * done);
   };
   SchemeRunner::Results found;
-  if (!this->Runner->Run(
-        batch, { this->Chosen.Points, this->Chosen.Perturbation, this->Chosen.KeepTextures }, found, goOn))
+  if (!this->Runner->Run(batch, { this->Chosen.Points, this->Chosen.Perturbation, this->Chosen.KeepTextures },
+        found, shouldContinue))
   {
     return this->Fail(this->Runner->GetError());
   }
@@ -223,7 +223,7 @@ bool SchemeIntegrator::Internals::RunBatch(const SchemeBatch& batch, std::vector
     }
   }
   this->SubPatchesDone += batch.SubPatches;
-  return goOn();
+  return shouldContinue();
 }
 
 bool SchemeIntegrator::Internals::RunAll(std::vector<SchemeResult>& results)
@@ -312,7 +312,7 @@ void SchemeIntegrator::SetRunner(std::unique_ptr<SchemeRunner> runner)
 }
 
 bool SchemeIntegrator::Integrate(const std::vector<SchemeTask>& tasks, const Setup& setup,
-  std::vector<SchemeResult>& results, const Progress& progress)
+  std::vector<SchemeResult>& results, const ProgressCallback& progress)
 {
   Internals& self = *this->Implementation;
   self.Error.clear();
@@ -320,7 +320,7 @@ bool SchemeIntegrator::Integrate(const std::vector<SchemeTask>& tasks, const Set
   self.Evaluations = 0;
   self.SubPatchesDone = 0;
   self.StartSeconds = self.PrepareSeconds = self.IntegrateSeconds = 0.0;
-  self.Report = progress;
+  self.Progress = progress;
   self.Chosen = setup;
   const double start = self.Start = vtkTimerLog::GetUniversalTime();
   results.assign(tasks.size(), SchemeResult());
@@ -348,7 +348,7 @@ bool SchemeIntegrator::Integrate(const std::vector<SchemeTask>& tasks, const Set
   self.IntegrateSeconds = vtkTimerLog::GetUniversalTime() - begin;
   self.Prepared.Release();
   self.Sums.clear();
-  self.Report = nullptr;
+  self.Progress = nullptr;
   return ok;
 }
 

@@ -12,7 +12,9 @@
 #ifndef smSchemeIntegrator_h
 #define smSchemeIntegrator_h
 
+#include "smFiltersMassPropertiesModule.h"
 #include "smPreparedFaces.h"
+#include "smProgressCallback.h"
 #include "smSurfaceIntegrator.h"
 
 #include <array>
@@ -55,7 +57,7 @@ struct SchemeResult
  * result of a face depends on nothing but the face and the options. Faces are prepared, and kept from run to run, by
  * PreparedFaces. The clock and `progress` are asked in the calling thread about every tenth of a second. Not thread safe.
  */
-class SchemeIntegrator
+class SMFILTERSMASSPROPERTIES_EXPORT SchemeIntegrator
 {
 public:
   SchemeIntegrator();
@@ -78,14 +80,11 @@ public:
   /// What evaluates; never null once Integrate() is called.
   void SetRunner(std::unique_ptr<SchemeRunner> runner);
 
-  /// Fraction done, false to stop.
-  using Progress = std::function<bool(double)>;
-
   /// False, with GetError(), when it was stopped, takes too many evaluations, memory is short or a shader does not build; there are
   /// no results then, for without a bound a part of them would say nothing. A face that cannot be integrated says so in its
   /// result's Error.
   bool Integrate(const std::vector<SchemeTask>& tasks, const Setup& setup, std::vector<SchemeResult>& results,
-    const Progress& progress);
+    const ProgressCallback& progress);
 
   /// What the last Integrate() prepared; its faces are gone.
   const PreparedFaces& GetPrepared() const;

@@ -36,7 +36,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const TrimTexture& texture)
 }
 
 bool SchemeRun::Integrate(
-  const Options& options, std::vector<BodyIntegrals>& bodies, const SchemeIntegrator::Progress& progress)
+  const Options& options, std::vector<BodyIntegrals>& bodies, const ProgressCallback& progress)
 {
   this->Forget();
   if (!this->HasRunner || this->RunnerContext != options.Context)

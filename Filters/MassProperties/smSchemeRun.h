@@ -6,6 +6,7 @@
 #define smSchemeRun_h
 
 #include "smBodyIntegrals.h"
+#include "smProgressCallback.h"
 #include "smSchemeIntegrator.h"
 
 #include "vtkImageData.h"
@@ -59,7 +60,7 @@ public:
 
   /// Gives every body its Faces. False when nothing came of it; then GetMessage() says why.
   bool Integrate(
-    const Options& options, std::vector<BodyIntegrals>& bodies, const SchemeIntegrator::Progress& progress);
+    const Options& options, std::vector<BodyIntegrals>& bodies, const ProgressCallback& progress);
   std::string GetMessage() const;
 
   /// Of the last Integrate(), for a model, and for all bodies; nothing computed for what it did not have.
@@ -94,7 +95,7 @@ void ZeroBounds(Moments& moments);
 void ForgetBounds(MassRow& row);
 /// How far the vector area of a closed surface may be from 0, as a leak (relative to the volume), where trimmed faces are weighed
 /// by texels: above, a shell without edges is taken for a surface.
-constexpr double LargestSchemeLeak = 0.1;
+constexpr double LargestSchemeClosureResidual = 0.1;
 }
 
 #endif

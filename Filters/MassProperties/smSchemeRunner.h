@@ -5,6 +5,7 @@
 #ifndef smSchemeRunner_h
 #define smSchemeRunner_h
 
+#include "smProgressCallback.h"
 #include "smSchemeBatch.h"
 
 #include <cstddef>
@@ -22,15 +23,12 @@ namespace sm
  * the sub-patches are evaluated and weighed by their texels (glsl/smTrimTexture.glsl, glsl/smSubPatch.glsl). The sums of a tile
  * depend on nothing but the tile: the same bits in any batch, for any number of threads or dispatches.
  *
- * Methods return false when they fail, with GetError(), or when `goOn` said so. Not thread safe.
+ * Methods return false when they fail, with GetError(), or when `shouldContinue` said so. Not thread safe.
  */
 class SchemeRunner
 {
 public:
   virtual ~SchemeRunner() = default;
-
-  /// Called between parts of the work; returns false to stop. May be empty.
-  using GoOn = std::function<bool()>;
 
   struct Setup
   {
@@ -55,7 +53,8 @@ public:
   virtual std::size_t GetMaximumBytes() const { return std::numeric_limits<std::uint32_t>::max(); }
   /// Builds what these kernels need.
   virtual bool Prepare(const std::set<SchemeKernel>&) { return true; }
-  virtual bool Run(const SchemeBatch& batch, const Setup& setup, Results& results, const GoOn& goOn) = 0;
+  virtual bool Run(const SchemeBatch& batch, const Setup& setup, Results& results,
+    const ContinueCallback& shouldContinue) = 0;
 
   const std::string& GetError() const { return this->Error; }
 

@@ -1,9 +1,11 @@
 #include "vtkMassPropertiesGPU.h"
+#include "smFormat.h"
+#include "smUnitRoundoff.h"
 
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
 #include "smMassTolerance.h"
-#include "smSanity.h"
+#include "smPlausibility.h"
 #include "vtkMassPropertiesGPUInternals.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
@@ -21,7 +23,6 @@ vtkStandardNewMacro(vtkMassPropertiesGPU);
 
 namespace
 {
-constexpr double UnitRoundoff = 1.1102230246251565e-16;
 
 std::vector<sm::Integrand> MakeIntegrands()
 {
@@ -67,7 +68,7 @@ void SetMass(sm::MassRow& row, double density, const std::string& unit)
   const double metres = sm::GetMetres(unit);
   const double factor = density > 0.0 && metres > 0.0 ? density * metres * metres * metres : vtkMath::Nan();
   row.Mass = factor * row.Properties.Volume;
-  row.MassBound = factor * row.Properties.VolumeBound + 4.0 * UnitRoundoff * std::abs(row.Mass);
+  row.MassBound = factor * row.Properties.VolumeBound + 4.0 * sm::UnitRoundoff * std::abs(row.Mass);
   for (int i = 0; i < 9; ++i)
   {
     row.MassInertia[i] = factor * row.Properties.Inertia[i];
@@ -76,7 +77,7 @@ void SetMass(sm::MassRow& row, double density, const std::string& unit)
 }
 
 /// Facts that hold for every body and not for this result make it suspect.
-void FlagInsanity(sm::BodyIntegrals& body, const sm::MassProperties& properties)
+void CheckPlausibility(sm::BodyIntegrals& body, const sm::MassProperties& properties)
 {
   std::array<double, 3> center;
   for (int i = 0; i < 3; ++i)
@@ -89,7 +90,8 @@ void FlagInsanity(sm::BodyIntegrals& body, const sm::MassProperties& properties)
   {
     slack = std::max(slack, 2.0 * face.Outside);
   }
-  for (const std::string& violation : sm::CheckSanity(properties, center, sm::GetHullBox(*body.Model), slack))
+  for (const std::string& violation :
+    sm::FindImplausibilities(properties, center, sm::GetHullBox(*body.Model), slack))
   {
     body.Flag(sm::names::StatusSuspect, violation);
   }
@@ -262,7 +264,7 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
   row.GapSquared = body.GapSquared;
   row.MaxGap = body.MaxGap;
   row.GapArea = body.GapArea;
-  row.MovedByClosing = row.Leak = vtkMath::Nan();
+  row.ClosureCorrection = row.ClosureResidual = vtkMath::Nan();
   const bool computed = body.Faces != nullptr;
   if (computed && body.HasVolume())
   {
@@ -279,28 +281,28 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
     }
     else
     {
-      row.MovedByClosing = std::abs(body.Value[sm::MassVolume] - body.FaceValue[sm::MassVolume]);
+      row.ClosureCorrection = std::abs(body.Value[sm::MassVolume] - body.FaceValue[sm::MassVolume]);
     }
     const double perArea = std::cbrt(moments.Volume) / (3.0 * moments.Volume);
-    row.Leak = perArea * vtkMath::Norm(body.Value.data() + sm::MassVectorArea);
-    const double tight = this->GetLargestLeak(body, perArea);
-    if (!body.IsSolid() && body.SkippedFaces == 0 && !(row.Leak <= tight))
+    row.ClosureResidual = perArea * vtkMath::Norm(body.Value.data() + sm::MassVectorArea);
+    const double tight = this->GetLargestClosureResidual(body, perArea);
+    if (!body.IsSolid() && body.SkippedFaces == 0 && !(row.ClosureResidual <= tight))
     {
       // A surface whose border is no edge: a patch without loops.
       body.Flag(sm::names::StatusOpen, "a surface, not a solid: it has an area and no volume");
       row.Properties = sm::MassProperties();
-      row.MovedByClosing = row.Leak = vtkMath::Nan();
+      row.ClosureCorrection = row.ClosureResidual = vtkMath::Nan();
       return row;
     }
-    if (body.OpenEdges == 0 && body.SkippedFaces == 0 && !(row.Leak <= tight))
+    if (body.OpenEdges == 0 && body.SkippedFaces == 0 && !(row.ClosureResidual <= tight))
     {
       body.Flag(sm::names::StatusSuspect,
         "the faces do not close although every edge is shared: a loop is broken or a face is wrong" +
-          (std::isfinite(row.Leak) ? ". The volume changes by " + sm::FormatBound(row.Leak) +
-                " of itself when the origin moves by its cube root"
-                                   : std::string()));
+          (std::isfinite(row.ClosureResidual) ? ". The volume changes by " +
+                sm::FormatBound(row.ClosureResidual) + " of itself when the origin moves by its cube root"
+                                              : std::string()));
     }
-    FlagInsanity(body, row.Properties);
+    CheckPlausibility(body, row.Properties);
   }
   if (computed && body.HasVolume() && !std::isfinite(body.Value[sm::MassVolume]))
   {
@@ -316,10 +318,10 @@ sm::MassRow vtkMassPropertiesGPU::MakeRow(sm::BodyIntegrals& body, sm::Moments& 
     if (body.HasVolume())
     {
       // Once for all bodies.
-      this->Implementation->Last.Remark = this->GetSchemeMessage();
+      this->Implementation->Last.Note = this->GetSchemeMessage();
     }
     // It would be that of the texels.
-    row.Leak = vtkMath::Nan();
+    row.ClosureResidual = vtkMath::Nan();
     return row;
   }
   const std::string unmet = computed ? sm::FindUnmet(row, this->GetTolerance()) : std::string();
@@ -338,7 +340,7 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   sm::MassRow& total = this->Last->Row;
   if (!bodies.empty())
   {
-    total.Area = total.AreaBound = total.MovedByClosing = total.GapSquared = total.GapArea = total.MaxGap =
+    total.Area = total.AreaBound = total.ClosureCorrection = total.GapSquared = total.GapArea = total.MaxGap =
       0.0;
   }
   const bool oneUnit = std::all_of(bodies.begin(), bodies.end(),
@@ -368,14 +370,14 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
     const double density = this->Density > 0.0 ? this->Density : body.Model->GetDensity();
     SetMass(row, density, body.Model->GetLengthUnit());
     total.Area += row.Area;
-    total.AreaBound += row.AreaBound + 2.0 * UnitRoundoff * total.Area;
+    total.AreaBound += row.AreaBound + 2.0 * sm::UnitRoundoff * total.Area;
     total.GapSquared += row.GapSquared;
     total.GapArea += row.GapArea;
     // Not std::max, which loses a NaN.
     total.MaxGap = row.MaxGap > total.MaxGap || std::isnan(row.MaxGap) ? row.MaxGap : total.MaxGap;
     if (std::isfinite(row.Properties.Volume))
     {
-      total.MovedByClosing += row.MovedByClosing;
+      total.ClosureCorrection += row.ClosureCorrection;
       for (int i = 0; i < 3; ++i)
       {
         vectorArea[i] += std::abs(body.Value[sm::MassVectorArea + i]);
@@ -394,8 +396,9 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
     {
       sm::ForgetBounds(total);
     }
-    total.Leak = this->HasScheme() ? vtkMath::Nan()
-                                   : vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
+    total.ClosureResidual = this->HasScheme()
+      ? vtkMath::Nan()
+      : vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
     if (this->Density > 0.0 || rows.size() == 1)
     {
       SetMass(total, this->Density > 0.0 ? this->Density : bodies.front().Model->GetDensity(), unit);
@@ -410,7 +413,7 @@ void vtkMassPropertiesGPU::ProduceOutputs(std::vector<sm::BodyIntegrals>& bodies
   }
   else
   {
-    total.MovedByClosing = vtkMath::Nan();
+    total.ClosureCorrection = vtkMath::Nan();
   }
   this->Implementation->Last.Integrals = { { sm::names::Volume,
                                              { total.Properties.Volume, total.Properties.VolumeBound } },

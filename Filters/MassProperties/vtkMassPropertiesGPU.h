@@ -8,7 +8,7 @@
  * instance and to the total. World coordinates; L is the model's length unit; density in kg/m^3.
  *
  * SetScheme() chooses, instead, one of the schemes of the paper that this filter grew from, for comparison: they have no
- * bound (every `<name>Bound` is NaN), so that Status is at best tolerance-not-met, and MovedByClosing and the gaps are NaN.
+ * bound (every `<name>Bound` is NaN), so that Status is at best tolerance-not-met, and ClosureCorrection and the gaps are NaN.
  *
  * Outputs:
  * | port | type     | what                                                                              |
@@ -38,7 +38,7 @@
  * | PrincipalAxes         | 9     | 1      | rows; PrincipalAxesDegenerate is 1 when moments coincide    |
  * | RadiiOfGyration       | 3     | L      | about the principal axes                                    |
  * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density                                     |
- * | MovedByClosing, GapSquared, MaxGap, GapArea, Leak, OpenEdges | 1 | | the model's own doubt, no bound  |
+ * | ClosureCorrection, GapSquared, MaxGap, GapArea, ClosureResidual, OpenEdges | 1 | | the model's own doubt, no bound  |
  * | FlippedShells         | 1     |        | shells that were inside out and were turned                  |
  * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches, Ranks | 1 | |                               |
  * | Scheme                | 1     |        | with one of the paper's schemes only, as the next three     |
@@ -53,6 +53,7 @@
 #ifndef vtkMassPropertiesGPU_h
 #define vtkMassPropertiesGPU_h
 
+#include "smFiltersMassPropertiesModule.h"
 #include "vtkSurfaceIntegralGPU.h"
 
 namespace sm
@@ -240,7 +241,7 @@ private:
   }
   std::string GetSchemeMessage() const;
   /// The largest leak of what counts as closed.
-  double GetLargestLeak(const sm::BodyIntegrals& body, double perArea) const;
+  double GetLargestClosureResidual(const sm::BodyIntegrals& body, double perArea) const;
   void AddSchemeOutputs(const std::vector<sm::BodyIntegrals>& bodies, bool oneUnit, vtkPolyData* totals,
     vtkTable* solids, std::string& summary);
   /// k, texels, chords and deviation in words.

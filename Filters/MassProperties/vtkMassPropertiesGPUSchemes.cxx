@@ -1,4 +1,5 @@
 // The paper's schemes in vtkMassPropertiesGPU.
+#include "smFormat.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
 #include "smMassTolerance.h"
@@ -15,7 +16,7 @@
 namespace
 {
 // The closed chain of a sound solid leaks rounding only: at most 2e-13 on 87 real files.
-constexpr double LargestLeak = 1e-9;
+constexpr double LargestClosureResidual = 1e-9;
 }
 
 void vtkMassPropertiesGPU::SetChordTolerance(double tolerance)
@@ -82,7 +83,7 @@ bool vtkMassPropertiesGPU::IntegrateBodies(std::vector<sm::BodyIntegrals>& bodie
   shared.Last.IntegrateSeconds = integrator.GetIntegrateSeconds();
   if (!done)
   {
-    shared.TellReason(this->Last->Run.GetMessage());
+    shared.SetReason(this->Last->Run.GetMessage());
   }
   return done;
 }
@@ -103,15 +104,15 @@ std::string vtkMassPropertiesGPU::GetSchemeOptions() const
   return text;
 }
 
-double vtkMassPropertiesGPU::GetLargestLeak(const sm::BodyIntegrals& body, double perArea) const
+double vtkMassPropertiesGPU::GetLargestClosureResidual(const sm::BodyIntegrals& body, double perArea) const
 {
   if (!this->HasScheme())
   {
     // What quadrature leaves of the vector area, at a loose tolerance or without convergence, is no hole.
-    return LargestLeak + perArea * vtkMath::Norm(body.Bound.data() + sm::MassVectorArea);
+    return LargestClosureResidual + perArea * vtkMath::Norm(body.Bound.data() + sm::MassVectorArea);
   }
   // Texels leave the faces of a sound solid open: only what has no edges is told by its leak.
-  return body.IsSolid() ? std::numeric_limits<double>::infinity() : sm::LargestSchemeLeak;
+  return body.IsSolid() ? std::numeric_limits<double>::infinity() : sm::LargestSchemeClosureResidual;
 }
 
 void vtkMassPropertiesGPU::AddSchemeOutputs(const std::vector<sm::BodyIntegrals>& bodies, bool oneUnit,

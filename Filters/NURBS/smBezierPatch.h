@@ -47,7 +47,7 @@ SMFILTERSNURBS_EXPORT std::array<double, 3> GetReach(const std::array<double, 4>
 SMFILTERSNURBS_EXPORT void MeasurePatch(const std::array<double, 4>* points, Patch& patch);
 
 /// The patch on [u0,u1] x [v0,v1], which lies in one span of each direction, Exchanged aside; appends its control points.
-Patch MakePatch(const NURBSSurface& surface, double u0, double u1, double v0, double v1,
+SMFILTERSNURBS_EXPORT Patch MakePatch(const NURBSSurface& surface, double u0, double u1, double v0, double v1,
   std::vector<std::array<double, 4>>& points);
 
 /// Position relative to the patch's centre, and derivatives in s and r: formulas and rounding of Rendering/NURBS/glsl/smPatch.glsl.

@@ -155,8 +155,8 @@ void FacePanelsCache::SetBudget(std::size_t bytes)
   this->Implementation->Budget = bytes;
 }
 
-bool FacePanelsCache::Acquire(const std::vector<FacePointer>& faces, std::vector<CutFacePointer>& cut,
-  const std::function<bool(double)>& progress)
+bool FacePanelsCache::Acquire(
+  const std::vector<FacePointer>& faces, std::vector<CutFacePointer>& cut, const ProgressCallback& progress)
 {
   Internals& self = *this->Implementation;
   self.Error.clear();

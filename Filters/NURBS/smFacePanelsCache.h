@@ -6,6 +6,7 @@
 #define smFacePanelsCache_h
 
 #include "smFiltersNURBSModule.h"
+#include "smProgressCallback.h"
 
 #include "smFacePanels.h"
 
@@ -60,7 +61,7 @@ public:
   /// returns false to stop. False, with GetError() and an empty `cut`, when stopped or when two different faces have one id;
   /// what was cut until then is kept.
   bool Acquire(const std::vector<FacePointer>& faces, std::vector<CutFacePointer>& cut,
-    const std::function<bool(double)>& progress);
+    const ProgressCallback& progress);
 
   ///@{
   /// Counters: faces and bytes kept now; faces cut and faces forgotten, for either reason, since construction.

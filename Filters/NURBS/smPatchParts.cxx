@@ -1,4 +1,5 @@
 #include "smPatchParts.h"
+#include "smUnitRoundoff.h"
 
 #include "smPolynomialCurve.h"
 
@@ -12,7 +13,6 @@ namespace
 {
 using Point3 = std::array<double, 3>;
 
-constexpr double UnitRoundoff = 1.1102230246251565e-16;
 }
 
 std::uint32_t AppendPatchPart(const FacePanels& from, std::uint32_t index, const std::array<double, 2>& low,

@@ -15,7 +15,7 @@
 namespace sm
 {
 /// The cells of a surface: the grid of its distinct knots. Column c is [U[c], U[c+1]], row j is [V[j], V[j+1]].
-struct CellGrid
+struct SMFILTERSNURBS_EXPORT CellGrid
 {
   std::vector<double> U;
   std::vector<double> V;
@@ -48,7 +48,8 @@ SMFILTERSNURBS_EXPORT void FindSignChanges(
   const double* coefficients, int degree, std::vector<double>& roots);
 
 /// Cuts a piece at the interior knots of the grid and appends its segments in the order of the parameter.
-void CutAtKnotLines(const BernsteinPiece<2>& piece, const CellGrid& grid, std::vector<TrimSegment>& segments);
+SMFILTERSNURBS_EXPORT void CutAtKnotLines(
+  const BernsteinPiece<2>& piece, const CellGrid& grid, std::vector<TrimSegment>& segments);
 }
 
 #endif

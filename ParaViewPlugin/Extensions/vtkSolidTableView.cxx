@@ -30,17 +30,17 @@ constexpr const char* RowNumber = "vtkOriginalIndices";
 /// Before the names that a user gave to integrals: what the row is of, and what is looked for first.
 constexpr const char* Leading[] = { RowNumber, names::Solid, names::FaceId, names::EdgeId, names::Name,
   names::Id, names::Status, names::Stability, names::Support, names::DecidedBy, names::SideFrom,
-  names::SideTo, names::Margin, names::TipAngle, names::WorkToTip, names::TipEnergy, names::Volume,
-  names::Mass, names::SurfaceArea, names::CenterOfMass };
+  names::SideTo, names::StabilityMargin, names::TipAngle, names::CenterOfMassRise, names::TipEnergy,
+  names::Volume, names::Mass, names::SurfaceArea, names::CenterOfMass };
 
 /// Behind them: units, tensors, how a body stands, and what the model itself leaves in doubt.
 constexpr const char* Trailing[] = { names::LengthUnit, names::PrincipalMoments, names::RadiiOfGyration,
   names::PrincipalAxes, names::PrincipalAxesDegenerate, names::VolumeInertia, names::MassInertia,
   names::VolumeInertiaAtOrigin, names::FirstMoments, names::SecondMoments, names::CenterHeight,
-  names::Clearance, names::RollingRadius, names::RollingMargin, names::PlumbFoot, names::ContactFaces,
-  names::ContactEdges, names::Uses, names::Open, names::MaxGap, names::GapArea, names::GapSquared,
-  names::MovedByClosing, names::Leak, names::Faces, names::OpenEdges, names::FlippedShells,
-  names::BoundsEstimated };
+  names::Clearance, names::RollingRadius, names::RollingMargin, names::ProjectedCenterOfMass,
+  names::ContactFaces, names::ContactEdges, names::Uses, names::Open, names::MaxGap, names::GapArea,
+  names::GapSquared, names::ClosureCorrection, names::ClosureResidual, names::Faces, names::OpenEdges,
+  names::FlippedShells, names::BoundsEstimated };
 
 std::vector<std::string> GetNames(vtkTable* table)
 {
@@ -58,7 +58,7 @@ bool HasSolids(const std::vector<std::string>& columns)
   const auto has = [&columns](const char* name)
   { return std::find(columns.begin(), columns.end(), name) != columns.end(); };
   return (has(names::Name) && has(names::Id) && has(names::Status)) ||
-    (has(names::Solid) && (has(names::FaceId) || has(names::EdgeId) || has(names::Margin)));
+    (has(names::Solid) && (has(names::FaceId) || has(names::EdgeId) || has(names::StabilityMargin)));
 }
 
 bool StartsWith(const std::string& text, const std::string& start)

@@ -6,7 +6,7 @@
  * mass filters, of Surface Integral and Solid Stability are shown and exported thus: the row's number; Name, Id, Status; Volume, Mass,
  * SurfaceArea, CenterOfMass; integrals by the names that the user gave them; units, tensors and gaps; each followed by its bound. The
  * magnitudes that the view adds to centres, tensors and axes, which mean nothing, are left out. Any other table is shown as ParaView
- * does. A table is known by its columns: Name, Id and Status; or Solid with FaceId, EdgeId or Margin.
+ * does. A table is known by its columns: Name, Id and Status; or Solid with FaceId, EdgeId or StabilityMargin.
  *
  * The plugin puts it in the place of the class of the view SpreadSheetView.
  */

@@ -6,6 +6,7 @@
 #define smChebyshevFit_h
 
 #include "smPolynomialCurve.h"
+#include "smUnitRoundoff.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +16,6 @@
 
 namespace sm
 {
-/// Unit roundoff of double.
-constexpr double UnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// A piece is sampled at FitOrder + 1 Chebyshev points of the second kind, both ends included.
 constexpr int FitOrder = 16;

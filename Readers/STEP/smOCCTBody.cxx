@@ -70,13 +70,13 @@ class BodyConverter
 {
 public:
   BodyConverter(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-    const ShapeTable& table, const std::function<bool(double)>& report)
+    const ShapeTable& table, const ProgressCallback& progress)
     : Shape(shape)
     , Trsf(trsf)
     , Unit(unit)
     , Origin{ origin[0], origin[1], origin[2] }
     , Table(table)
-    , Report(report)
+    , Report(progress)
   {
   }
 
@@ -497,7 +497,7 @@ private:
   double Unit;
   double Origin[3];
   const ShapeTable& Table;
-  const std::function<bool(double)>& Report;
+  const ProgressCallback& Report;
   /// Of the body, in model units.
   double Size = 0.0;
   TopTools_IndexedMapOfShape EdgeShapes;
@@ -511,8 +511,8 @@ private:
 }
 
 ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-  const ShapeTable& table, const std::function<bool(double)>& report)
+  const ShapeTable& table, const ProgressCallback& progress)
 {
-  return BodyConverter(shape, trsf, unit, origin, table, report).Convert();
+  return BodyConverter(shape, trsf, unit, origin, table, progress).Convert();
 }
 }

@@ -7,6 +7,7 @@
 
 #include "smFace.h"
 #include "smOCCTLoop.h"
+#include "smProgressCallback.h"
 
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
@@ -61,18 +62,18 @@ struct ConvertedBody
   int MissingFaces = 0;
   /// As vtkTrimmedNURBSModel::GetNumberOfDefects; Messages names them.
   int Defects = 0;
-  /// `report` said to stop; the rest is empty.
+  /// `progress` said to stop; the rest is empty.
   bool Aborted = false;
 };
 
 /**
  * Converts all faces of `shape` (its own location included). `trsf` and then `unit` apply before `origin` is
  * subtracted. A face that fails is reported and left out; nothing else is lost. Edges and faces are converted
- * by vtkSMPTools with whatever backend the application chose. `report`, where there is one, gets a fraction in
+ * by vtkSMPTools with whatever backend the application chose. `progress`, where there is one, gets a fraction in
  * [0,1] now and then, on the calling thread, and answers false to stop.
  */
 ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-  const ShapeTable& table, const std::function<bool(double)>& report = {});
+  const ShapeTable& table, const ProgressCallback& progress = {});
 }
 
 #endif

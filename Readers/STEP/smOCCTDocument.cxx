@@ -298,8 +298,8 @@ private:
   std::map<const void*, TopoDS_Compound> LooseFaces;
 };
 
-void Read(const std::string& fileName, const FileCheck& check, const std::function<bool(double)>& report,
-  Document& document)
+void Read(
+  const std::string& fileName, const FileCheck& check, const ProgressCallback& progress, Document& document)
 {
   const KernelSession kernel;
   STEPCAFControl_Reader reader;
@@ -328,7 +328,7 @@ void Read(const std::string& fileName, const FileCheck& check, const std::functi
       (check.Truncated ? "; it ends in the middle: copy or export it again" : "; export it again");
     return;
   }
-  if (!report(ParsingShare))
+  if (!progress(ParsingShare))
   {
     document.Status = ReadStatus::Aborted;
     return;
@@ -359,10 +359,10 @@ void Read(const std::string& fileName, const FileCheck& check, const std::functi
       "Entities of its properties are damaged: volumes and materials it states were not read.");
   }
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
-  const Handle(KernelProgress) progress =
-    new KernelProgress([&report](double x) { return report(ParsingShare + (1.0 - ParsingShare) * x); });
-  reader.Transfer(xde, progress->Start());
-  if (!report(1.0))
+  const Handle(KernelProgress) indicator =
+    new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
+  reader.Transfer(xde, indicator->Start());
+  if (!progress(1.0))
   {
     document.Status = ReadStatus::Aborted;
     return;
@@ -395,7 +395,7 @@ void Read(const std::string& fileName, const FileCheck& check, const std::functi
 }
 }
 
-Document ReadDocument(const std::string& fileName, const std::function<bool(double)>& report)
+Document ReadDocument(const std::string& fileName, const ProgressCallback& progress)
 {
   Document document;
   const FileCheck check = CheckFile(fileName);
@@ -415,7 +415,7 @@ Document ReadDocument(const std::string& fileName, const std::function<bool(doub
   }
   try
   {
-    Read(fileName, check, report, document);
+    Read(fileName, check, progress, document);
   }
   catch (const Standard_Failure& failure)
   {

@@ -6,6 +6,7 @@
 #define smOCCTDocument_h
 
 #include "smOCCTBody.h"
+#include "smProgressCallback.h"
 
 #include <functional>
 #include <limits>
@@ -76,10 +77,10 @@ struct Document
 };
 
 /**
- * Reads the file. `report` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession, so that one
+ * Reads the file. `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession, so that one
  * thread of the process reads at a time. Throws nothing.
  */
-Document ReadDocument(const std::string& fileName, const std::function<bool(double)>& report);
+Document ReadDocument(const std::string& fileName, const ProgressCallback& progress);
 }
 
 #endif

@@ -269,13 +269,13 @@ private:
 };
 
 void Write(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
-  const std::function<bool(double)>& report, ExportResult& result)
+  const ProgressCallback& progress, ExportResult& result)
 {
   const KernelSession kernel;
   const WriteSettings settings(options.UnitName);
   const auto ask = [&](double x)
   {
-    result.Aborted = result.Aborted || !report(x);
+    result.Aborted = result.Aborted || !progress(x);
     return !result.Aborted;
   };
   const std::vector<BuiltPart> parts =
@@ -364,13 +364,13 @@ ExportResult Guard(const Work& work)
 }
 
 ExportResult WriteSTEP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
-  const std::function<bool(double)>& report)
+  const ProgressCallback& progress)
 {
-  return Guard([&](ExportResult& result) { Write(tree, options, stream, report, result); });
+  return Guard([&](ExportResult& result) { Write(tree, options, stream, progress, result); });
 }
 
 ExportResult WriteBREP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
-  const std::function<bool(double)>& report)
+  const ProgressCallback& progress)
 {
   return Guard(
     [&](ExportResult& result)
@@ -379,7 +379,7 @@ ExportResult WriteBREP(const ExportTree& tree, const ExportOptions& options, std
       const std::vector<BuiltPart> parts = BuildParts(tree, options.Unit, result.Warnings,
         [&](double x)
         {
-          result.Aborted = result.Aborted || !report(BuildingShare * x);
+          result.Aborted = result.Aborted || !progress(BuildingShare * x);
           return !result.Aborted;
         });
       if (result.Aborted)
@@ -400,7 +400,7 @@ ExportResult WriteBREP(const ExportTree& tree, const ExportOptions& options, std
         return;
       }
       BRepTools::Write(compound, stream);
-      report(1.0);
+      progress(1.0);
     });
 }
 }

@@ -6,6 +6,7 @@
 #define smOCCTExport_h
 
 #include "smExportTree.h"
+#include "smProgressCallback.h"
 
 #include <functional>
 #include <iosfwd>
@@ -37,14 +38,14 @@ struct ExportResult
 /**
  * AP214 (AUTOMOTIVE_DESIGN): products, assemblies, colours, layers, materials; faces with their trim curves, every number with
  * 17 digits. Bodies, faces and edges keep their names, and their entity numbers where no other body took them first.
- * `report` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession. Throws nothing.
+ * `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession. Throws nothing.
  */
 ExportResult WriteSTEP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
-  const std::function<bool(double)>& report);
+  const ProgressCallback& progress);
 
 /// OpenCASCADE's own text format, one compound of all instances; it knows neither units, names nor colours.
 ExportResult WriteBREP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
-  const std::function<bool(double)>& report);
+  const ProgressCallback& progress);
 }
 
 #endif

@@ -29,13 +29,13 @@ AffineMap MakeMap(const ExportBody& body, double unit)
 }
 }
 
-std::vector<BuiltPart> BuildParts(const ExportTree& tree, double unit, std::vector<std::string>& warnings,
-  const std::function<bool(double)>& report)
+std::vector<BuiltPart> BuildParts(
+  const ExportTree& tree, double unit, std::vector<std::string>& warnings, const ProgressCallback& progress)
 {
   std::vector<BuiltPart> parts;
   for (const ExportPart& from : tree.Parts)
   {
-    if (!report(static_cast<double>(parts.size()) / tree.Parts.size()))
+    if (!progress(static_cast<double>(parts.size()) / tree.Parts.size()))
     {
       break;
     }

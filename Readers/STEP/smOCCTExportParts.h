@@ -7,6 +7,7 @@
 
 #include "smExportTree.h"
 #include "smOCCTBuildBody.h"
+#include "smProgressCallback.h"
 
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Shape.hxx>
@@ -25,9 +26,9 @@ struct BuiltPart
 };
 
 /// Builds all parts with `unit` kernel lengths per length of the models, and adds what there is to say, with the part's name.
-/// Stops, with fewer parts than the tree has, when `report` answers false.
-std::vector<BuiltPart> BuildParts(const ExportTree& tree, double unit, std::vector<std::string>& warnings,
-  const std::function<bool(double)>& report);
+/// Stops, with fewer parts than the tree has, when `progress` answers false.
+std::vector<BuiltPart> BuildParts(
+  const ExportTree& tree, double unit, std::vector<std::string>& warnings, const ProgressCallback& progress);
 
 /// A rigid placement, its translation scaled by `unit`.
 TopLoc_Location MakeLocation(const Placement& placement, double unit);

@@ -145,8 +145,8 @@ double GetThreadSeconds()
     : static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-KernelProgress::KernelProgress(std::function<bool(double)> report, double seconds)
-  : Report(std::move(report))
+KernelProgress::KernelProgress(ProgressCallback progress, double seconds)
+  : Report(std::move(progress))
   , Limited(seconds > 0.0)
   , Deadline(GetThreadSeconds() + seconds)
 {

@@ -5,6 +5,8 @@
 #ifndef smOCCTFile_h
 #define smOCCTFile_h
 
+#include "smProgressCallback.h"
+
 #include <Message_ProgressIndicator.hxx>
 #include <Message_SequenceOfPrinters.hxx>
 #include <TCollection_AsciiString.hxx>
@@ -58,13 +60,13 @@ private:
 /// file has the same bits on a busy one.
 double GetThreadSeconds();
 
-/// OpenCASCADE's progress as a call of `report` with a fraction in [0,1]; report answers false to stop. It also
+/// OpenCASCADE's progress as a call of `progress` with a fraction in [0,1]; progress answers false to stop. It also
 /// stops after so many seconds of this thread's; 0: never.
 class KernelProgress : public Message_ProgressIndicator
 {
   DEFINE_STANDARD_RTTI_INLINE(KernelProgress, Message_ProgressIndicator)
 public:
-  explicit KernelProgress(std::function<bool(double)> report, double seconds = 0.0);
+  explicit KernelProgress(ProgressCallback progress, double seconds = 0.0);
 
   bool IsTimedOut() const { return this->TimedOut; }
 
@@ -73,7 +75,7 @@ protected:
   void Show(const Message_ProgressScope& scope, const Standard_Boolean force) override;
 
 private:
-  std::function<bool(double)> Report;
+  ProgressCallback Report;
   double Last = -1.0;
   bool Limited;
   double Deadline;

@@ -179,13 +179,13 @@ bool GetFiniteBox(const TopoDS_Shape& shape, double bounds[6])
 
 /// One by one, the faces that a stopped mesher left, but the first: it had held up the others.
 void MeshRemainder(const TopoDS_Shape& shape, const IMeshTools_Parameters& parameters,
-  const std::function<bool(double)>& report, double seconds)
+  const ProgressCallback& progress, double seconds)
 {
   const double start = GetThreadSeconds();
   bool culprit = true;
   for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
   {
-    if (GetThreadSeconds() - start >= seconds || (report && !report(1.0)))
+    if (GetThreadSeconds() - start >= seconds || (progress && !progress(1.0)))
     {
       return;
     }
@@ -196,8 +196,8 @@ void MeshRemainder(const TopoDS_Shape& shape, const IMeshTools_Parameters& param
     }
     if (!culprit)
     {
-      const Handle(KernelProgress) progress = new KernelProgress({}, FaceShare * seconds);
-      BRepMesh_IncrementalMesh(faces.Current(), parameters, progress->Start());
+      const Handle(KernelProgress) indicator = new KernelProgress({}, FaceShare * seconds);
+      BRepMesh_IncrementalMesh(faces.Current(), parameters, indicator->Start());
     }
     culprit = false;
   }
@@ -278,7 +278,7 @@ double LimitDeflection(double deflection, double diagonal)
 }
 
 std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, double angle,
-  const std::function<bool(double)>& report, double seconds)
+  const ProgressCallback& progress, double seconds)
 {
   try
   {
@@ -288,13 +288,13 @@ std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, doubl
     parameters.Relative = false;
     parameters.InParallel = false;
     parameters.MinSize = std::max(0.01 * deflection, Precision::Confusion());
-    const Handle(KernelProgress) progress = new KernelProgress(report, seconds);
-    BRepMesh_IncrementalMesh(shape, parameters, progress->Start());
-    if (!progress->IsTimedOut())
+    const Handle(KernelProgress) indicator = new KernelProgress(progress, seconds);
+    BRepMesh_IncrementalMesh(shape, parameters, indicator->Start());
+    if (!indicator->IsTimedOut())
     {
       return {};
     }
-    MeshRemainder(shape, parameters, report, seconds);
+    MeshRemainder(shape, parameters, progress, seconds);
     return "OpenCASCADE's mesher took more than " + FormatShort(seconds) +
       " s and was stopped; the display mesh of some faces may be coarse.";
   }

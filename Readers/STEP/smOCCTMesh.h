@@ -6,6 +6,7 @@
 #define smOCCTMesh_h
 
 #include "smOCCTBody.h"
+#include "smProgressCallback.h"
 
 #include <string>
 #include <vector>
@@ -36,12 +37,12 @@ bool GetShapeBounds(const TopoDS_Shape& shape, double bounds[6], int* unbounded 
 double LimitDeflection(double deflection, double diagonal);
 
 /**
- * Triangulates the shape; deflection in mm, angle in radians. What goes wrong is a sentence, else empty. `report`,
+ * Triangulates the shape; deflection in mm, angle in radians. What goes wrong is a sentence, else empty. `progress`,
  * where there is one, gets a fraction in [0,1] and answers false to stop. After `seconds` (0: never) it stops too and
  * gives the faces that were not reached as much again, one by one; some may have no triangles then.
  */
 std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, double angle,
-  const std::function<bool(double)>& report = {}, double seconds = 0.0);
+  const ProgressCallback& progress = {}, double seconds = 0.0);
 
 /// The triangles of the faces that were converted; `trsf`, `unit` and `origin` as in ConvertBody.
 DisplayMesh BuildMesh(ConvertedBody& body, const gp_Trsf& trsf, double unit, const double origin[3]);

@@ -56,8 +56,8 @@ void FillPlacement(const gp_Trsf& trsf, double unit, vtkMatrix4x4* matrix)
 }
 }
 
-LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options,
-  const std::function<bool(double)>& report)
+LeafMaker::LeafMaker(
+  const PartBody& part, const ShapeTable& table, const LeafOptions& options, const ProgressCallback& progress)
   : Options(options)
   , Color(part.Color)
   , Model(vtkSmartPointer<vtkTrimmedNURBSModel>::New())
@@ -82,9 +82,9 @@ LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOp
       deflection = options.RelativeDeflection ? options.LinearDeflection * diagonal
                                               : options.LinearDeflection / (options.Unit * scale);
       deflection = LimitDeflection(deflection, diagonal);
-      const auto reportMesh = [this, &report](double x)
+      const auto reportMesh = [this, &progress](double x)
       {
-        this->Aborted = this->Aborted || !report(MeshShare * x);
+        this->Aborted = this->Aborted || !progress(MeshShare * x);
         return !this->Aborted;
       };
       const std::string problem =
@@ -103,7 +103,7 @@ LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOp
       origin[d] = static_cast<float>(0.5 * (bounds[2 * d] + bounds[2 * d + 1]) * scale * options.Unit);
     }
     this->Model->SetOrigin(origin);
-    const auto reportFaces = [&report](double x) { return report(MeshShare + (1.0 - MeshShare) * x); };
+    const auto reportFaces = [&progress](double x) { return progress(MeshShare + (1.0 - MeshShare) * x); };
     ConvertedBody converted = this->Aborted
       ? ConvertedBody()
       : ConvertBody(part.Shape, part.Scale, options.Unit, origin, table, reportFaces);

@@ -7,6 +7,7 @@
 
 #include "smOCCTDocument.h"
 #include "smOCCTMesh.h"
+#include "smProgressCallback.h"
 
 #include "vtkSmartPointer.h"
 
@@ -36,17 +37,17 @@ struct LeafOptions
 class LeafMaker
 {
 public:
-  /// Triangulates and converts the body. Throws nothing: what fails is in the messages. `report` gets a fraction in
+  /// Triangulates and converts the body. Throws nothing: what fails is in the messages. `progress` gets a fraction in
   /// [0,1] and answers false to stop.
   LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options,
-    const std::function<bool(double)>& report);
+    const ProgressCallback& progress);
 
   /// One occurrence, in world coordinates; it shares the model, and all arrays that the placement leaves alone.
   vtkSmartPointer<vtkNURBSDataSet> MakeLeaf(const BodyInstance& instance);
 
   /// What a user should know of this body, with its name.
   const std::vector<std::string>& GetMessages() const { return this->Messages; }
-  /// `report` said to stop; the leaf is not whole.
+  /// `progress` said to stop; the leaf is not whole.
   bool IsAborted() const { return this->Aborted; }
   double GetMeshSeconds() const { return this->MeshSeconds; }
   double GetConversionSeconds() const { return this->ConversionSeconds; }

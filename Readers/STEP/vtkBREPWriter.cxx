@@ -17,7 +17,7 @@ std::string vtkBREPWriter::ChooseUnit(const sm::ExportTree&)
 }
 
 sm::ExportResult vtkBREPWriter::WriteTree(const sm::ExportTree& tree, const sm::ExportOptions& options,
-  std::ostream& stream, const std::function<bool(double)>& report)
+  std::ostream& stream, const sm::ProgressCallback& progress)
 {
-  return sm::WriteBREP(tree, options, stream, report);
+  return sm::WriteBREP(tree, options, stream, progress);
 }

@@ -9,6 +9,7 @@
 #ifndef vtkBREPWriter_h
 #define vtkBREPWriter_h
 
+#include "smProgressCallback.h"
 #include "smReadersSTEPModule.h"
 #include "vtkNURBSModelWriter.h"
 
@@ -27,7 +28,7 @@ protected:
 
   std::string ChooseUnit(const sm::ExportTree& tree) override;
   sm::ExportResult WriteTree(const sm::ExportTree& tree, const sm::ExportOptions& options,
-    std::ostream& stream, const std::function<bool(double)>& report) override;
+    std::ostream& stream, const sm::ProgressCallback& progress) override;
 
 private:
   vtkBREPWriter(const vtkBREPWriter&) = delete;

@@ -35,6 +35,7 @@
 #ifndef vtkNURBSModelWriter_h
 #define vtkNURBSModelWriter_h
 
+#include "smProgressCallback.h"
 #include "smReadersSTEPModule.h"
 #include "vtkWriter.h"
 
@@ -98,7 +99,7 @@ protected:
   /// Unit of the file's lengths.
   virtual std::string ChooseUnit(const sm::ExportTree& tree) = 0;
   virtual sm::ExportResult WriteTree(const sm::ExportTree& tree, const sm::ExportOptions& options,
-    std::ostream& stream, const std::function<bool(double)>& report) = 0;
+    std::ostream& stream, const sm::ProgressCallback& progress) = 0;
 
 private:
   vtkNURBSModelWriter(const vtkNURBSModelWriter&) = delete;

@@ -20,9 +20,9 @@ std::string vtkSTEPWriter::ChooseUnit(const sm::ExportTree& tree)
 }
 
 sm::ExportResult vtkSTEPWriter::WriteTree(const sm::ExportTree& tree, const sm::ExportOptions& options,
-  std::ostream& stream, const std::function<bool(double)>& report)
+  std::ostream& stream, const sm::ProgressCallback& progress)
 {
-  return sm::WriteSTEP(tree, options, stream, report);
+  return sm::WriteSTEP(tree, options, stream, progress);
 }
 
 void vtkSTEPWriter::PrintSelf(ostream& os, vtkIndent indent)

@@ -12,6 +12,7 @@
 #ifndef vtkSTEPWriter_h
 #define vtkSTEPWriter_h
 
+#include "smProgressCallback.h"
 #include "smReadersSTEPModule.h"
 #include "vtkNURBSModelWriter.h"
 
@@ -41,7 +42,7 @@ protected:
 
   std::string ChooseUnit(const sm::ExportTree& tree) override;
   sm::ExportResult WriteTree(const sm::ExportTree& tree, const sm::ExportOptions& options,
-    std::ostream& stream, const std::function<bool(double)>& report) override;
+    std::ostream& stream, const sm::ProgressCallback& progress) override;
 
 private:
   vtkSTEPWriter(const vtkSTEPWriter&) = delete;

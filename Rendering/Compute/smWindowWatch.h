@@ -41,10 +41,10 @@ protected:
   ~EndWatch() override = default;
 };
 /// Keeps a window's complaints from being printed, and its exits from being aborts, while it is tried.
-class Hush
+class ScopedErrorSilencer
 {
 public:
-  explicit Hush(vtkObject* object)
+  explicit ScopedErrorSilencer(vtkObject* object)
     : Object(object)
   {
     this->Command->SetClientData(this);
@@ -53,7 +53,7 @@ public:
       {
         if (event == vtkCommand::ErrorEvent && text)
         {
-          static_cast<Hush*>(self)->Text = static_cast<const char*>(text);
+          static_cast<ScopedErrorSilencer*>(self)->Text = static_cast<const char*>(text);
         }
       });
     for (const unsigned long event :
@@ -62,9 +62,9 @@ public:
       object->AddObserver(event, this->Command);
     }
   }
-  ~Hush() { this->Object->RemoveObserver(this->Command); }
-  Hush(const Hush&) = delete;
-  Hush& operator=(const Hush&) = delete;
+  ~ScopedErrorSilencer() { this->Object->RemoveObserver(this->Command); }
+  ScopedErrorSilencer(const ScopedErrorSilencer&) = delete;
+  ScopedErrorSilencer& operator=(const ScopedErrorSilencer&) = delete;
 
   std::string Text;
 

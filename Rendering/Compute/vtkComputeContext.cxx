@@ -110,7 +110,7 @@ int vtkComputeContext::vtkInternals::TryWindow()
   {
     return this->Fail(label, std::string(this->Given->GetClassName()) + " is no OpenGL window", NO_CONTEXT);
   }
-  const sm::Hush hush(window);
+  const sm::ScopedErrorSilencer silencer(window);
   if (!sm::MakeWindowCurrent(window) && !this->WasOpened)
   {
     // An X window without a display would abort the process.
@@ -142,7 +142,7 @@ int vtkComputeContext::vtkInternals::TryWindow()
   }
   if (!IsInitialized(window))
   {
-    return this->Fail(label, "OpenGL could not be initialized. " + hush.Text, NO_CONTEXT);
+    return this->Fail(label, "OpenGL could not be initialized. " + silencer.Text, NO_CONTEXT);
   }
   const int status = this->Use(window, "window", label);
   this->WasOpened = this->WasOpened || status == READY;
@@ -161,11 +161,11 @@ int vtkComputeContext::vtkInternals::TryX()
   auto window = vtkSmartPointer<vtkOpenGLRenderWindow>::Take(sm::NewXWindow(display));
   int status = NO_CONTEXT;
   {
-    const sm::Hush hush(window);
+    const sm::ScopedErrorSilencer silencer(window);
     window->Initialize();
     if (!sm::MakeWindowCurrent(window) || !IsInitialized(window))
     {
-      status = this->Fail(label, "no OpenGL 3.2 context could be made. " + hush.Text, NO_CONTEXT);
+      status = this->Fail(label, "no OpenGL 3.2 context could be made. " + silencer.Text, NO_CONTEXT);
     }
     else
     {
@@ -191,11 +191,11 @@ int vtkComputeContext::vtkInternals::TryEGL()
   }
   int status = NO_CONTEXT;
   {
-    const sm::Hush hush(window);
+    const sm::ScopedErrorSilencer silencer(window);
     window->Initialize();
     if (!sm::MakeWindowCurrent(window) || !IsInitialized(window))
     {
-      status = this->Fail(label, "OpenGL could not be initialized. " + hush.Text, NO_CONTEXT);
+      status = this->Fail(label, "OpenGL could not be initialized. " + silencer.Text, NO_CONTEXT);
     }
     else
     {

@@ -1,6 +1,6 @@
 // The CPU runner by itself: rows depend on nothing but their items, sums of any segments are right to rounding, and
 // neither order, portions nor threads change a bit.
-#include "smCPUItemRunner.h"
+#include "Items/smCPUItemRunner.h"
 #include "smIntegrand.h"
 #include "smTesting.h"
 
@@ -81,11 +81,11 @@ struct Job
     CheckTrue("begin", this->Runner.BeginBatch(batch) && this->Runner.BeginRows(this->Items.size()));
   }
 
-  bool Run(const std::vector<std::size_t>& active, const ItemRunner::GoOn& goOn = nullptr)
+  bool Run(const std::vector<std::size_t>& active, const sm::ContinueCallback& shouldContinue = nullptr)
   {
     std::vector<std::uint8_t> unconverged;
     std::int64_t evaluations = 0;
-    const bool done = this->Runner.Run(this->Items, active, unconverged, evaluations, goOn);
+    const bool done = this->Runner.Run(this->Items, active, unconverged, evaluations, shouldContinue);
     return done && std::count(unconverged.begin(), unconverged.end(), 0) == static_cast<long>(active.size());
   }
 

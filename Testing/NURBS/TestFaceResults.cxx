@@ -1,5 +1,5 @@
 // The results of a face are the same bits whatever faces it is integrated with, where rows are short of room too.
-#include "smCPUItemRunner.h"
+#include "Items/smCPUItemRunner.h"
 #include "smSurfaceIntegrator.h"
 #include "smTesting.h"
 

@@ -1,9 +1,9 @@
 // Faces shared among ranks, here threads of one process: the bits of a run alone, whoever fails; what travels, bit for bit;
 // and who gets what.
-#include "smCPUItemRunner.h"
-#include "smFaceBytes.h"
-#include "smFaceExchange.h"
-#include "smFaceShares.h"
+#include "Items/smCPUItemRunner.h"
+#include "Sharing/smFaceBytes.h"
+#include "Sharing/smFaceExchange.h"
+#include "Sharing/smFaceShares.h"
 #include "smSurfaceIntegrator.h"
 #include "smTesting.h"
 
@@ -201,7 +201,7 @@ public:
     : FailsIn(failsIn)
   {
   }
-  bool Acquire(const std::vector<sm::CutFacePointer>& faces, const Progress& progress) override
+  bool Acquire(const std::vector<sm::CutFacePointer>& faces, const sm::ProgressCallback& progress) override
   {
     return this->FailsIn == "acquiring" ? this->Fail("no room")
                                         : this->CPUItemRunner::Acquire(faces, progress);
@@ -256,7 +256,7 @@ struct Team
           }
           else
           {
-            integrator.Help(0, nullptr);
+            integrator.RunAsWorker(0, nullptr);
           }
           integrator.SetExchange(nullptr, {});
         });
@@ -283,13 +283,13 @@ void CheckRun(const std::string& what, Team& team, const std::vector<sm::FaceTas
   CheckTrue(what + ": integrated", team.Integrate(tasks, results), team.Members[0]->GetError());
   CheckTrue(what + ": the same bits", GetBytes(results) == GetBytes(expected));
   const std::vector<sm::RankReport>& ranks = team.Members[0]->GetRanks();
-  CheckEqual(what + ": trouble of rank 1", trouble, ranks[1].Trouble);
+  CheckEqual(what + ": trouble of rank 1", trouble, ranks[1].FailureReason);
   std::size_t faces = 0;
   for (const sm::RankReport& report : ranks)
   {
     faces += report.Faces;
     CheckTrue(
-      what + ": took part", report.Faces > 0 || !report.Trouble.empty(), std::to_string(report.Faces));
+      what + ": took part", report.Faces > 0 || !report.FailureReason.empty(), std::to_string(report.Faces));
   }
   CheckTrue(what + ": faces counted once", faces == tasks.size() || (!trouble.empty() && ranks[1].Faces == 0),
     std::to_string(faces));

@@ -1,8 +1,8 @@
 // The shaders' kernels compiled as C++: single panels, ribbons and caps against formulas, and against the same
 // Gauss sums in extended precision, within the rounding that their rows state.
-#include "smBatchParameters.h"
+#include "Items/smBatchParameters.h"
+#include "Items/smItemKernels.h"
 #include "smGaussLegendre.h"
-#include "smItemKernels.h"
 #include "smTesting.h"
 
 #include <algorithm>

@@ -20,7 +20,7 @@ constexpr double Unit = 1.1102230246251565e-16;
 #define SM_INTEGRANDS 2
 #define SM_ROUNDINGS 1
 #define SM_PLACEMENT IsPlaced
-#define SM_LUCK 1e-3
+#define SM_MIN_ERROR_SHARE 1e-3
 
 /// Two integrands that share a rounding. Rows: three columns of gaps, values, errors, rounding, differences.
 class Chunk

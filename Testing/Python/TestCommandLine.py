@@ -21,7 +21,7 @@ options = parser.parse_args()
 manifest = Manifest(options.solids)
 
 BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments", "principal_axes", "mass", "bounds",
-             "moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak", "flipped_shells",
+             "closure_correction", "gap_squared", "max_gap", "gap_area", "open_edges", "closure_residual", "flipped_shells",
              "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches", "stability"}
 FILE_KEYS = {"file", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer", "total", "solids",
              "faces", "free_faces", "integrals", "waterlines", "diagonal", "evaluations", "dispatches", "seconds"}
@@ -364,12 +364,12 @@ def stability():
     result, files = run_json("--stability", "-z", "--density", "1000", box["path"])
     check_equal("exit status", 0, result.returncode)
     found = files[0]["total"]["stability"]
-    check_equal("verdict", ["stable", "area", "margin"], [found[key] for key in ("verdict", "support", "decided_by")])
+    check_equal("verdict", ["stable", "area", "stability_margin"], [found[key] for key in ("verdict", "support", "decided_by")])
     margin = min(center[0], center[1])  # a corner of the box is the origin
-    check("margin", margin, found["margin"], found["bounds"]["margin"])
+    check("stability_margin", margin, found["stability_margin"], found["bounds"]["stability_margin"])
     check("tip angle", math.degrees(math.atan2(margin, center[2])), found["tip_angle"], found["bounds"]["tip_angle"])
     rise = math.hypot(margin, center[2]) - center[2]
-    check("work to tip", rise, found["work_to_tip"], found["bounds"]["work_to_tip"])
+    check("work to tip", rise, found["center_of_mass_rise"], found["bounds"]["center_of_mass_rise"])
     check("joules", box["volume"] * 1e-9 * 1000 * 9.80665 * rise * 1e-3, found["tip_energy"], 1e-9)
     check_equal("sides", 4, len(found["sides"]))
     check_equal("of the only solid", found, files[0]["solids"][0]["stability"])
@@ -496,8 +496,8 @@ def no_context():
     with open(csv, encoding="utf-8") as file:
         lines = file.read().splitlines()
     row = dict(zip(lines[0].split(","), lines[1].split(",")))
-    check_equal("empty cells", {"volume": "", "area_bound": "", "center_x": "", "inertia_xx": "", "leak": ""},
-                {key: row[key] for key in ("volume", "area_bound", "center_x", "inertia_xx", "leak")})
+    check_equal("empty cells", {"volume": "", "area_bound": "", "center_x": "", "inertia_xx": "", "closure_residual": ""},
+                {key: row[key] for key in ("volume", "area_bound", "center_x", "inertia_xx", "closure_residual")})
 
     result, files = run_json("--backend", "cpu", solid["path"])
     check_equal("exit status", 0, result.returncode)

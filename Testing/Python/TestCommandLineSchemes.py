@@ -53,7 +53,7 @@ def check_numbers():
                 check_equal("no bounds", {key: None for key in ("volume", "area", "center_of_mass", "inertia")},
                             body["bounds"])
                 check_equal("what is not known", [None] * 4,
-                            [body[key] for key in ("moved_by_closing", "max_gap", "gap_area", "leak")])
+                            [body[key] for key in ("closure_correction", "max_gap", "gap_area", "closure_residual")])
                 check_true("an estimate", 0 <= body["paper_error_estimate"] <= body["paper_error_estimate_with_boundary"])
                 check_true("sub-patches", body["sub_patches"] % 64 == 0 and body["sub_patches"] > 0)
             check_true("evaluations", 0 < file["evaluations"] <= points**2 * total["sub_patches"])

@@ -6,10 +6,11 @@ import tempfile
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import Manifest, check, check_equal, check_true, check_values, finish  # noqa: E402
 
-from solidmoments.smFiltersMassProperties import (  # noqa: E402
-    vtkMassPropertiesGPU, vtkSolidStability, vtkSurfaceIntegralGPU)
-from solidmoments.smFiltersNURBS import (  # noqa: E402
-    vtkNURBSDataSet, vtkNURBSDeform, vtkNURBSTransform, vtkTrimmedNURBSModel)
+from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
+from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkTrimmedNURBSModel  # noqa: E402
+from solidmoments.smFiltersNURBSEdit import vtkNURBSDeform, vtkNURBSTransform  # noqa: E402
+from solidmoments.smFiltersStability import vtkSolidStability  # noqa: E402
+from solidmoments.smFiltersSurfaceIntegrals import vtkSurfaceIntegralGPU  # noqa: E402
 from solidmoments.smReadersSTEP import vtkBREPWriter, vtkSTEPReader, vtkSTEPWriter  # noqa: E402
 from solidmoments.smRenderingCompute import vtkComputeContext  # noqa: E402
 from solidmoments.smRenderingNURBS import vtkNURBSPointEvaluatorGPU  # noqa: E402

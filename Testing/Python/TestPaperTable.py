@@ -47,7 +47,7 @@ def answer(volume, bound=None, estimate=None, with_boundary=None, status="ok", m
     return {"files": [{"status": status, "messages": ["it | is"], "faces": 7, "diagonal": diagonal,
                        "seconds": {"start": 9.0, "read": 5.0, "prepare": seconds[0], "integrate": seconds[1]},
                        "total": {"volume": volume, "area": 200.0, "center_of_mass": [1.0, 2.0, 3.0], "bounds": {"volume": bound},
-                                 "moved_by_closing": moved, "paper_error_estimate": estimate,
+                                 "closure_correction": moved, "paper_error_estimate": estimate,
                                  "paper_error_estimate_with_boundary": with_boundary, "sub_patches": 12}}]}
 
 

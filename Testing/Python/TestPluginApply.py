@@ -4,6 +4,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
+from smselection import count_selected_cells, select_rows  # noqa: E402
 
 from paraview import servermanager, simple  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
@@ -111,25 +112,6 @@ check_true("coloured by share: red and blue faces", count_pixels(is_red) > 1000,
 # A row that is selected in the table highlights its solid.
 manager = servermanager.ProxyManager().SMProxyManager
 
-
-def select_rows(rows):
-    source = manager.NewProxy("sources", "IDSelectionSource")
-    source.GetProperty("FieldType").SetElement(0, 5)  # rows
-    ids = source.GetProperty("IDs")
-    ids.SetNumberOfElements(2 * len(rows))
-    for i, row in enumerate(rows):
-        ids.SetElement(2 * i, 0)
-        ids.SetElement(2 * i + 1, row)
-    source.UpdateVTKObjects()
-    many.SMProxy.SetSelectionInput(1, servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(source), 0)
-
-
-def count_selected():
-    output = many.SMProxy.GetSelectionOutput(5)
-    output.UpdatePipeline()
-    return output.GetDataInformation(0).GetNumberOfCells()
-
-
 simple.Delete(mass)
 simple.Delete(reader)
 assembly = manifest.special("assembly")
@@ -139,24 +121,24 @@ many = MassPropertiesGPU(Input=reader, Density=2700.0)  # noqa: F821
 apply(many, everything)
 check_equal("nothing is selected", 0, count_pixels(is_magenta))
 total = servermanager.OutputPort(many, 5).GetDataInformation().GetNumberOfCells()
-select_rows([499])
-one = count_selected()
+select_rows(many, 1, [499])
+one = count_selected_cells(many, 5)
 check_equal("cells of a selected solid", total // 500, one)
 check_true("magenta pixels of a selected solid", count_pixels(is_magenta) > 5, str(count_pixels(is_magenta)))
-select_rows(range(100, 200))
-check_equal("cells of a hundred selected solids", 100 * one, count_selected())
+select_rows(many, 1, range(100, 200))
+check_equal("cells of a hundred selected solids", 100 * one, count_selected_cells(many, 5))
 check_true("more magenta pixels", count_pixels(is_magenta) > 300, str(count_pixels(is_magenta)))
 many.SMProxy.CleanSelectionInputs(1)
 check_equal("cleared with the rows", 0, count_pixels(is_magenta))
 # What is selected in the view stays when the rows, as ParaView does then, are cleared.
-select_rows([499])
+select_rows(many, 1, [499])
 block = manager.NewProxy("sources", "BlockSelectorsSelectionSource")
 block.GetProperty("BlockSelectors").SetElement(0, "/Root")
 block.UpdateVTKObjects()
 many.SMProxy.SetSelectionInput(5, servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(block), 0)
-check_equal("all are selected in the view", total, count_selected())
+check_equal("all are selected in the view", total, count_selected_cells(many, 5))
 many.SMProxy.CleanSelectionInputs(1)
-check_equal("and stay so", total, count_selected())
+check_equal("and stay so", total, count_selected_cells(many, 5))
 
 # A table that the user asks for does open.
 sheet = simple.CreateView("SpreadSheetView")

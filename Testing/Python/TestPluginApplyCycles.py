@@ -8,7 +8,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import check_equal, check_true, finish  # noqa: E402
-from smresources import Process, count_errors, count_objects, free_buffer, get_growth, make_buffer  # noqa: E402
+from smresources import Process, check_counting, check_held, count_errors, count_objects, run_counted  # noqa: E402
 
 import solidmoments.smFiltersMassProperties  # noqa: E402, F401  (so that the filter itself can be asked, and its context)
 import solidmoments.smRenderingCompute  # noqa: E402, F401
@@ -75,41 +75,17 @@ def count():
     return held
 
 
-def report(done, held):
-    print(f"after {done:4} cycles: {held[0]}; view: {sum(held[1].values())} objects, filter: {sum(held[2].values())}")
-    sys.stdout.flush()
-
-
 # Counts are of the same phase, where cycles are a multiple of 4.
 warm = max(32, cycles // 40 * 8)
 for i in range(warm):
     cycle(i)
-name = make_buffer(own)
-more = count_objects(own)["buffers"]
-free_buffer(own, name)
-check_equal("an object more is seen", more - 1, count_objects(own)["buffers"])
-start = count()
-report(0, start)
+check_counting(own)
 evaluations = 0
-for i in range(1, cycles + 1):
-    cycle(warm + i - 1)
-    if i == cycles // 2:
-        middle = (i, Process())
-    if i % max(10, cycles // 10) == 0 and i < cycles:
-        report(i, count())
-end = count()
-report(cycles, end)
+start, end, growth = run_counted(cycle, warm, cycles, count, lambda view_objects, own_objects:
+                                 f"view: {sum(view_objects.values())} objects, filter: {sum(own_objects.values())}")
 check_equal("OpenGL errors", 0, errors)
 check_true("runs that evaluated", evaluations >= 0.4 * cycles, f"{evaluations} of {cycles}")
-# VTK's timers, a pool as large as the driver is late; the filter has none.
-check_true("queries of the view", end[1].pop("queries") <= 64)
-start[1].pop("queries")
-check_equal("other objects of the view", start[1], end[1])
 check_equal("objects of the filter", start[2], end[2])
-check_equal("threads", start[0].threads, end[0].threads)
-check_equal("files", start[0].files, end[0].files)
-heap, resident = (get_growth(what, (0, start[0]), middle, (cycles, end[0])) for what in ("heap", "resident"))
 # Measured: 4 and 100. A page of the part's faces has 600 kB, its mesh 1 MB.
-check_true("growth of the heap", heap <= 5e3, f"{heap:.0f} bytes a cycle, limit 5000")
-check_true("growth in memory", resident <= 2e4, f"{resident:.0f} bytes a cycle, limit 20000")
+check_held(start, end, growth, heap=5e3, resident=2e4)
 finish()

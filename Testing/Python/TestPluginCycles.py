@@ -6,8 +6,8 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from smcheck import check_equal, check_true, finish  # noqa: E402
-from smresources import Process, count_errors, count_objects, free_buffer, get_growth, make_buffer  # noqa: E402
+from smcheck import check_equal, finish  # noqa: E402
+from smresources import Process, check_counting, check_held, count_errors, count_objects, run_counted  # noqa: E402
 
 from paraview import servermanager, simple  # noqa: E402
 
@@ -74,11 +74,6 @@ def count():
     return Process(), count_objects(window)
 
 
-def report(done, held):
-    print(f"after {done:4} cycles: {held[0]}; view: {sum(held[1].values())} objects")
-    sys.stdout.flush()
-
-
 # Caches, ParaView's own and the driver's, fill first.
 errors = 0
 warm = max(6, min(50, cycles // 10 * 2))
@@ -86,30 +81,10 @@ for i in range(warm):
     cycle(i)
     if i % 10 == 4:
         count()
-name = make_buffer(window)
-more = count_objects(window)["buffers"]
-free_buffer(window, name)
-check_equal("an object more is seen", more - 1, count_objects(window)["buffers"])
-start = count()
-report(0, start)
-for i in range(1, cycles + 1):
-    cycle(warm + i - 1)
-    if i == cycles // 2:
-        middle = (i, Process())
-    if i % max(10, cycles // 10) == 0 and i < cycles:
-        report(i, count())
-end = count()
-report(cycles, end)
+check_counting(window)
+start, end, growth = run_counted(cycle, warm, cycles, count, lambda objects: f"view: {sum(objects.values())} objects")
 check_equal("OpenGL errors", 0, errors)
-# VTK's timers, a pool as large as the driver is late.
-check_true("queries of the view", end[1].pop("queries") <= 64)
-start[1].pop("queries")
-check_equal("other objects of the view", start[1], end[1])
-check_equal("threads", start[0].threads, end[0].threads)
-check_equal("files", start[0].files, end[0].files)
-heap, resident = (get_growth(what, (0, start[0]), middle, (cycles, end[0])) for what in ("heap", "resident"))
 # Of the brief cycles of its own sources ParaView keeps 30 to 60 kB of the heap, and takes 0.5 MB of memory at first and 0.1 MB after a hundred.
 # A mesh of the sample part has 1 MB, and its faces 600 kB on the GPU, which with Mesa's llvmpipe is the heap too.
-check_true("growth of the heap", heap <= 150e3, f"{heap:.0f} bytes a cycle, limit 150000")
-check_true("growth in memory", resident <= 1.5e6, f"{resident:.0f} bytes a cycle, limit 1500000")
+check_held(start, end, growth, heap=150e3, resident=1.5e6)
 finish()

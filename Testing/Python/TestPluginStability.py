@@ -34,7 +34,7 @@ check_true("the input stays visible", simple.GetRepresentation(reader, view).Vis
 drawing = servermanager.Fetch(standing, idx=0)
 check_equal("verdict", "stable", text(drawing, "Stability"))
 margin = min(center[0], center[1])  # a corner of the box is the origin
-check("margin", margin, number(drawing, "Margin"), number(drawing, "MarginBound"))
+check("margin", margin, number(drawing, "StabilityMargin"), number(drawing, "StabilityMarginBound"))
 check("tip angle", math.degrees(math.atan2(margin, center[2])), number(drawing, "TipAngle"), number(drawing, "TipAngleBound"))
 colors = drawing.GetCellData().GetArray("StabilityColor")
 check_true("a colour for every cell", colors.GetNumberOfTuples() == drawing.GetNumberOfCells() > 3)

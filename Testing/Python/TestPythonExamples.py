@@ -63,7 +63,7 @@ def check_row(row, entry):
                      (("volume", "volume"), ("area", "area"), ("center", "center_of_mass"), ("inertia", "inertia"))})
     expected.update({f"principal_{i + 1}": entry["principal_moments"][i] for i in range(3)})
     expected.update({column: entry[column] for column in
-                     ("moved_by_closing", "gap_squared", "max_gap", "gap_area", "open_edges", "leak")})
+                     ("closure_correction", "gap_squared", "max_gap", "gap_area", "open_edges", "closure_residual")})
     for column, value in expected.items():
         check(f"{row['row']} {row['id']} {column}", value, float(row[column]), 0.0, "(same bits)")
 

@@ -4,6 +4,8 @@ import ctypes
 import gc
 import os
 
+from smcheck import check_equal, check_true
+
 _libc = ctypes.CDLL(None)
 _opengl = ctypes.CDLL("libOpenGL.so.0")
 # Names above are not asked for.
@@ -43,6 +45,48 @@ def get_growth(what, *counted):
     both; what is made once, late, in one. what: heap or resident."""
     return min((getattr(after, what) - getattr(before, what)) / (last - first)
                for (first, before), (last, after) in zip(counted, counted[1:]))
+
+
+def run_counted(cycle, first, cycles, count, describe):
+    """Runs cycle(i), of numbers from `first` on, and prints what count() finds, a list with a Process in front, every now and then:
+    `describe` makes text of the rest. Returns what it found at the start and the end, and the growth a cycle by name."""
+    def report(done, held):
+        print(f"after {done:4} cycles: {held[0]}; {describe(*held[1:])}", flush=True)
+
+    start = end = count()
+    report(0, start)
+    counted = [(0, start[0])]
+    for i in range(1, cycles + 1):
+        cycle(first + i - 1)
+        if i == cycles // 2:
+            counted.append((i, Process()))
+        if i == cycles or i % max(10, cycles // 10) == 0:
+            end = count()
+            report(i, end)
+    counted.append((cycles, end[0]))
+    return start, end, {what: get_growth(what, *counted) for what in ("heap", "resident")}
+
+
+def check_held(start, end, growth, heap, resident):
+    """Of a run_counted() whose count() has the objects of a view behind the Process: as many at the end, and at most `heap` and `resident`
+    bytes more a cycle."""
+    # VTK's timers, a pool as large as the driver is late.
+    check_true("queries of the view", end[1].pop("queries") <= 64)
+    start[1].pop("queries")
+    check_equal("other objects of the view", start[1], end[1])
+    check_equal("threads", start[0].threads, end[0].threads)
+    check_equal("files", start[0].files, end[0].files)
+    check_true("growth of the heap", growth["heap"] <= heap, f"{growth['heap']:.0f} bytes a cycle, limit {heap:.0f}")
+    check_true("growth in memory", growth["resident"] <= resident,
+               f"{growth['resident']:.0f} bytes a cycle, limit {resident:.0f}")
+
+
+def check_counting(window):
+    """What is made is seen, what is freed is not."""
+    name = make_buffer(window)
+    more = count_objects(window)["buffers"]
+    free_buffer(window, name)
+    check_equal("an object more is seen", more - 1, count_objects(window)["buffers"])
 
 
 def count_objects(window):

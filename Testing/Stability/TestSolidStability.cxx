@@ -66,10 +66,10 @@ void CheckVerdict(const std::string& what, vtkSolidStability* filter, const char
 /// Margin m and height z on level ground, with the angle and the work that follow.
 void CheckStanding(vtkSolidStability* filter, double m, double z, double size, double relative = 1e-8)
 {
-  CheckBounded(filter, names::Margin, m, relative * size);
+  CheckBounded(filter, names::StabilityMargin, m, relative * size);
   CheckBounded(filter, names::CenterHeight, z, 1e-8 * size);
   CheckBounded(filter, names::TipAngle, std::atan2(m, z) * Degrees, 10.0 * Degrees * relative * size / z);
-  CheckBounded(filter, names::WorkToTip, std::hypot(m, z) - z, 10.0 * relative * size);
+  CheckBounded(filter, names::CenterOfMassRise, std::hypot(m, z) - z, 10.0 * relative * size);
 }
 
 // --- shapes ------------------------------------------------------------------------------------
@@ -96,7 +96,7 @@ void TestShapes(const std::string& folder)
       dome.Filter->SetBackend(backend);
       dome.Filter->Update();
       CheckVerdict("hemisphere on its dome", dome.Filter, "stable", "point", "rolling");
-      CheckBounded(dome.Filter, names::Margin, 0.0, 1e-7 * r);
+      CheckBounded(dome.Filter, names::StabilityMargin, 0.0, 1e-7 * r);
       CheckBounded(dome.Filter, names::CenterHeight, 0.625 * r, 1e-8 * r);
       CheckBounded(dome.Filter, names::RollingMargin, 0.375 * r, 1e-6 * r);
     }
@@ -109,13 +109,13 @@ void TestShapes(const std::string& folder)
       folder, "tilted", smtest::Turned(smtest::MakeHemisphere(r, true), axis, 0.05, shift)));
     tilted.Filter->Update();
     CheckVerdict("tilted hemisphere", tilted.Filter, "unstable", "point", "margin");
-    CheckBounded(tilted.Filter, names::Margin, -0.375 * r * std::sin(0.05), 1e-7 * r);
+    CheckBounded(tilted.Filter, names::StabilityMargin, -0.375 * r * std::sin(0.05), 1e-7 * r);
   }
   {
     Case lying(smtest::WriteStanding(folder, "cylinder", smtest::MakeLyingCylinder(r, 30.0)));
     lying.Filter->Update();
     CheckVerdict("lying cylinder", lying.Filter, "too-close", "line", "rolling");
-    CheckBounded(lying.Filter, names::Margin, 0.0, 1e-7 * r);
+    CheckBounded(lying.Filter, names::StabilityMargin, 0.0, 1e-7 * r);
     CheckBounded(lying.Filter, names::RollingMargin, 0.0, 1e-6 * r);
     vtkTable* sides = vtkTable::SafeDownCast(lying.Filter->GetOutputDataObject(3));
     if (smtest::CheckEqual("both ways to roll", 2, sides->GetNumberOfRows()))
@@ -138,7 +138,7 @@ void TestShapes(const std::string& folder)
     Case tripod(smtest::WriteStanding(folder, "tripod", smtest::MakeTripod(10.0)));
     tripod.Filter->Update();
     CheckVerdict("tripod on three balls", tripod.Filter, "stable", "area", "margin");
-    CheckBounded(tripod.Filter, names::Margin, 5.0, 1e-6);
+    CheckBounded(tripod.Filter, names::StabilityMargin, 5.0, 1e-6);
     smtest::CheckEqual(
       "three sides", 3, vtkTable::SafeDownCast(tripod.Filter->GetOutputDataObject(3))->GetNumberOfRows());
   }
@@ -162,7 +162,7 @@ void TestOneSided(const std::string& folder)
   Case rocker(smtest::WriteStanding(folder, "rocker", smtest::MakeHalfRocker()));
   rocker.Filter->Update();
   CheckVerdict("half a rocker", rocker.Filter, "unstable", "line", "rolling");
-  CheckBounded(rocker.Filter, names::Margin, 0.0, 1e-6);
+  CheckBounded(rocker.Filter, names::StabilityMargin, 0.0, 1e-6);
   CheckBounded(rocker.Filter, names::RollingMargin, -Get(rocker.Filter, names::CenterHeight), 1e-6);
 }
 
@@ -172,7 +172,7 @@ void TestHalfBall(const std::string& folder)
   Case half(smtest::WriteStanding(folder, "half_ball", smtest::MakeHalfBall()));
   half.Filter->Update();
   CheckVerdict("half a ball on its pole", half.Filter, "unstable", "point", "rolling");
-  CheckBounded(half.Filter, names::Margin, 0.0, 1e-6);
+  CheckBounded(half.Filter, names::StabilityMargin, 0.0, 1e-6);
   CheckBounded(half.Filter, names::RollingMargin, -Get(half.Filter, names::CenterHeight), 1e-6);
 }
 
@@ -275,7 +275,7 @@ void CheckPrism(const std::string& folder, const std::string& name, double share
     Case standing(smtest::WriteStanding(folder, "prism_" + name, prism));
     standing.Filter->Update();
     CheckVerdict("prism, " + name, standing.Filter, verdict, "area", "margin");
-    CheckBounded(standing.Filter, names::Margin, exact, 1e-10);
+    CheckBounded(standing.Filter, names::StabilityMargin, exact, 1e-10);
     CheckBounded(standing.Filter, names::TipAngle, std::atan2(exact, 0.5 * height) * Degrees, 1e-9);
     smtest::CheckEqual(
       "four sides", 4, vtkTable::SafeDownCast(standing.Filter->GetOutputDataObject(3))->GetNumberOfRows());
@@ -311,7 +311,7 @@ void TestTipping(const std::string& folder)
       folder, "prism_over", smtest::MakeLeaningPrism(a, 20.0, 30.0, a * (1.0 - 2.0 * share))));
     over.Filter->Update();
     CheckVerdict("prism over its edge", over.Filter, "too-close", "area", "margin");
-    CheckBounded(over.Filter, names::Margin, share * a, 1e-10);
+    CheckBounded(over.Filter, names::StabilityMargin, share * a, 1e-10);
   }
   {
     // Mirrored: the same on the other side. And it follows a move.
@@ -322,12 +322,13 @@ void TestTipping(const std::string& folder)
     prism.Filter->SetInputConnection(mirror->GetOutputPort());
     prism.Filter->Update();
     CheckVerdict("mirrored prism", prism.Filter, "stable", "area", "margin");
-    CheckBounded(prism.Filter, names::Margin, 1.0, 1e-9);
-    smtest::Check("plumb foot", -9.0, Get(prism.Filter, names::PlumbFoot, 0), 1e-9);
+    CheckBounded(prism.Filter, names::StabilityMargin, 1.0, 1e-9);
+    smtest::Check("plumb foot", -9.0, Get(prism.Filter, names::ProjectedCenterOfMass, 0), 1e-9);
     mirror->SetTranslation(100, 0, 50);
     prism.Filter->Update();
-    smtest::Check("plumb foot after the move", 91.0, Get(prism.Filter, names::PlumbFoot, 0), 1e-9);
-    smtest::Check("its height", 50.0, Get(prism.Filter, names::PlumbFoot, 2), 1e-9);
+    smtest::Check(
+      "plumb foot after the move", 91.0, Get(prism.Filter, names::ProjectedCenterOfMass, 0), 1e-9);
+    smtest::Check("its height", 50.0, Get(prism.Filter, names::ProjectedCenterOfMass, 2), 1e-9);
     mirror->SetRotation(0, 40, 0);
     prism.Filter->Update();
     smtest::CheckTrue("a turn is seen",
@@ -353,12 +354,12 @@ void TestGround(const std::string& folder)
     slope.Filter->SetDensity(1000.0);
     slope.Filter->Update();
     CheckVerdict("box on a slope", slope.Filter, angle < limit ? "stable" : "unstable", "area", "margin");
-    CheckBounded(slope.Filter, names::Margin, 0.5 * a - 0.5 * h * std::tan(angle), 1e-9);
+    CheckBounded(slope.Filter, names::StabilityMargin, 0.5 * a - 0.5 * h * std::tan(angle), 1e-9);
     CheckBounded(slope.Filter, names::TipAngle, (limit - angle) * Degrees, 1e-8);
     // 1 - cos without its cancellation.
     const double half = std::sin(0.5 * (limit - angle));
     const double rise = angle < limit ? 2.0 * std::hypot(0.5 * a, 0.5 * h) * half * half : 0.0;
-    CheckBounded(slope.Filter, names::WorkToTip, rise, 1e-9);
+    CheckBounded(slope.Filter, names::CenterOfMassRise, rise, 1e-9);
     // 6 cm^3 of water.
     smtest::Check("joules", 6e-3 * 9.80665 * rise * 1e-3, Get(slope.Filter, names::TipEnergy), 1e-12);
   }
@@ -419,7 +420,7 @@ void TestBodies(const std::string& folder, const smtest::Manifest& manifest)
   filter->Update();
   CheckVerdict("cube and plate", filter, "unstable", "area", "margin");
   // (1000 x 5 + 600 x 25) / 1600 = 12.5
-  CheckBounded(filter, names::Margin, -2.5, 1e-9);
+  CheckBounded(filter, names::StabilityMargin, -2.5, 1e-9);
   smtest::CheckEqual("one row", 1, vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfRows());
   filter->SetBodies(vtkSolidStability::EACH);
   filter->Update();
@@ -427,8 +428,10 @@ void TestBodies(const std::string& folder, const smtest::Manifest& manifest)
   vtkTable* rows = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
   if (smtest::CheckEqual("two rows", 2, rows->GetNumberOfRows()))
   {
-    smtest::Check("margin of the cube", 5.0, rows->GetValueByName(0, names::Margin).ToDouble(), 1e-9);
-    smtest::Check("margin of the plate", 5.0, rows->GetValueByName(1, names::Margin).ToDouble(), 1e-9);
+    smtest::Check(
+      "margin of the cube", 5.0, rows->GetValueByName(0, names::StabilityMargin).ToDouble(), 1e-9);
+    smtest::Check(
+      "margin of the plate", 5.0, rows->GetValueByName(1, names::StabilityMargin).ToDouble(), 1e-9);
   }
   // Stopped when the first stands: what is not known of the second is not known of the worst.
   vtkNew<vtkCallbackCommand> stop;
@@ -457,7 +460,7 @@ void TestBodies(const std::string& folder, const smtest::Manifest& manifest)
   leaves[0]->GetModel()->SetDensity(8000.0);
   filter->SetBodies(vtkSolidStability::TOGETHER);
   filter->Update();
-  CheckBounded(filter, names::Margin, -2.5, 1e-9);
+  CheckBounded(filter, names::StabilityMargin, -2.5, 1e-9);
   smtest::CheckTrue("a message",
     filter->GetNumberOfMessages() > 0 &&
       filter->GetMessage(filter->GetNumberOfMessages() - 1).find("by volume") != std::string::npos);
@@ -467,12 +470,12 @@ void TestBodies(const std::string& folder, const smtest::Manifest& manifest)
   filter->Modified();
   filter->Update();
   CheckVerdict("heavy cube and plate", filter, "stable", "area", "margin");
-  CheckBounded(filter, names::Margin, 10.0 - 5.5e7 / 8.6e6, 1e-9);
+  CheckBounded(filter, names::StabilityMargin, 10.0 - 5.5e7 / 8.6e6, 1e-9);
 
   // An edit of the input is seen: the second box goes, and the cube stands alone.
   assembly->SetNumberOfPartitionedDataSets(1);
   filter->Update();
-  CheckBounded(filter, names::Margin, 5.0, 1e-9);
+  CheckBounded(filter, names::StabilityMargin, 5.0, 1e-9);
 
   Case open(manifest.GetSpecial("open_solid").Path);
   smtest::MessageTrap trap(open.Filter->GetMassProperties());

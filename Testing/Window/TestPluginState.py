@@ -4,6 +4,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Python"))
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
+from smselection import count_selected_cells, select_rows  # noqa: E402
 
 from paraview import servermanager, simple, smstate  # noqa: E402
 
@@ -12,25 +13,6 @@ simple.LoadPlugin(plugin, ns=globals())
 controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
 # Other than ParaView's defaults and other than ours.
 VALUES = {0: {"LineWidth": 5.0, "DiffuseColor": [0.2, 0.3, 0.9]}, 2: {"FontSize": 20, "FlaggedColor": [0.9, 0.1, 0.8]}, 5: {"Opacity": 0.65}}
-
-
-def count_selected(mass):
-    output = mass.SMProxy.GetSelectionOutput(5)
-    output.UpdatePipeline()
-    return output.GetDataInformation(0).GetNumberOfCells()
-
-
-def select_rows(mass, rows):
-    manager = servermanager.ProxyManager().SMProxyManager
-    source = manager.NewProxy("sources", "IDSelectionSource")
-    source.GetProperty("FieldType").SetElement(0, 5)  # rows
-    ids = source.GetProperty("IDs")
-    ids.SetNumberOfElements(2 * len(rows))
-    for i, row in enumerate(rows):
-        ids.SetElement(2 * i, 0)
-        ids.SetElement(2 * i + 1, row)
-    source.UpdateVTKObjects()
-    mass.SMProxy.SetSelectionInput(1, servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(source), 0)
 
 
 def check_pipeline(what, mass, view):
@@ -45,11 +27,11 @@ def check_pipeline(what, mass, view):
     fields = servermanager.Fetch(mass, idx=0).GetFieldData()
     check_equal(f"{what}: status", "ok", fields.GetAbstractArray("Status").GetValue(0))
     cells = servermanager.OutputPort(mass, 5).GetDataInformation().GetNumberOfCells()
-    select_rows(mass, [0])
-    one = count_selected(mass)
+    select_rows(mass, 1, [0])
+    one = count_selected_cells(mass, 5)
     check_true(f"{what}: a selected row highlights its solid", 0 < one < cells, f"{one} of {cells} cells")
-    select_rows(mass, range(5))
-    check_true(f"{what}: five rows, more of it", one < count_selected(mass) < cells, str(count_selected(mass)))
+    select_rows(mass, 1, range(5))
+    check_true(f"{what}: five rows, more of it", one < count_selected_cells(mass, 5) < cells, str(count_selected_cells(mass, 5)))
     mass.SMProxy.CleanSelectionInputs(1)
     check_true(f"{what}: cleared with the rows", not mass.SMProxy.GetSelectionInput(5))
     return fields.GetArray("Volume").GetValue(0)

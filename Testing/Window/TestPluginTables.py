@@ -92,7 +92,7 @@ ids = [client.GetValue(row, place).ToInt() for row in range(client.GetNumberOfRo
 check_true("edges: sorted by a column", len(set(ids)) > 5 and ids in (sorted(ids), sorted(ids, reverse=True)), str(ids[:9]))
 sheet.ColumnToSort = ""
 standing = SolidStability(Input=reader)  # noqa: F821
-check_equal("stability", ["vtkOriginalIndices", "Name", "Id", "Status", "Stability", "Support", "DecidedBy", "Margin", "MarginBound"],
+check_equal("stability", ["vtkOriginalIndices", "Name", "Id", "Status", "Stability", "Support", "DecidedBy", "StabilityMargin", "StabilityMarginBound"],
             show(standing, 1, "Row Data")[1][:9])
 integral = SurfaceIntegralGPU(Input=reader, BendingEnergy=1, MomentDegree=0, Integrands="a = dA")  # noqa: F821
 check_equal("integrals", ["vtkOriginalIndices", "Name", "Id", "Status", "BendingEnergy", "BendingEnergyBound", "a", "aBound",

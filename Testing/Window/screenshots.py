@@ -2,6 +2,7 @@
 import os
 
 from paraview import servermanager, simple
+from smselection import select_rows  # of Testing/Python
 
 scene, path, ready = (os.environ[name] for name in ("SM_SCENE", "SM_FILE", "SM_READY"))
 reader = simple.OpenDataFile(path)
@@ -37,18 +38,8 @@ elif scene == "table":
     view.Update()
     simple.Show(servermanager.OutputPort(mass, 1), sheet)
     simple.SetActiveView(view)
-    manager = servermanager.ProxyManager().SMProxyManager
-    rows = manager.NewProxy("sources", "IDSelectionSource")
-    rows.GetProperty("FieldType").SetElement(0, 5)  # rows
-    ids = rows.GetProperty("IDs")
-    selected = (1, 3)
-    ids.SetNumberOfElements(2 * len(selected))
-    for i, row in enumerate(selected):
-        ids.SetElement(2 * i, 0)
-        ids.SetElement(2 * i + 1, row)
-    rows.UpdateVTKObjects()
     simple.ResetCamera(view)
-    mass.SMProxy.SetSelectionInput(1, servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(rows), 0)
+    select_rows(mass, 1, (1, 3))
     simple.SetActiveSource(mass)
 else:
     simple.SetActiveSource(mass)

@@ -18,7 +18,7 @@ trap 'rm -rf "$work"' EXIT
 
 grab() { # SCENE FILE.step
   rm -f "$work/ready"
-  SM_SCENE=$1 SM_FILE=$2 SM_READY=$work/ready HOME=$work QT_QPA_PLATFORM=xcb xvfb-run -a \
+  SM_SCENE=$1 SM_FILE=$2 SM_READY=$work/ready HOME=$work PYTHONPATH=$here/../Python QT_QPA_PLATFORM=xcb xvfb-run -a \
     -s "-noreset -screen 0 1440x900x24" sh -c '
       paraview --dr --plugin-search-paths="$1" --plugins=SolidMoments --script="$2" > "$3/log" 2>&1 &
       window=$!

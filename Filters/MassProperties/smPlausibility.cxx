@@ -1,0 +1,93 @@
+#include "smPlausibility.h"
+
+#include "smFormat.h"
+
+#include "vtkTrimmedNURBSModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+// A bound of the volume above this fraction of the box is a run cut short, and says nothing about the solid.
+constexpr double ResolvedVolume = 1e-9;
+}
+
+std::array<double, 6> GetHullBox(const vtkTrimmedNURBSModel& model)
+{
+  const double largest = std::numeric_limits<double>::max();
+  std::array<double, 6> box = { largest, -largest, largest, -largest, largest, -largest };
+  const auto add = [&box](const double* p, double weight)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      box[2 * d] = std::min(box[2 * d], p[d] / weight);
+      box[2 * d + 1] = std::max(box[2 * d + 1], p[d] / weight);
+    }
+  };
+  for (const FacePointer& face : model.GetFaces())
+  {
+    for (const std::array<double, 4>& p : face->Surface.ControlPoints)
+    {
+      add(p.data(), p[3]);
+    }
+    for (const Loop& loop : face->Loops)
+    {
+      for (const Coedge& coedge : loop.Coedges)
+      {
+        for (const EdgeCurve::Point& p : coedge.Use->Curve.Coefficients)
+        {
+          add(p.data(), 1.0);
+        }
+        add(coedge.Use->StartVertex.data(), 1.0);
+        add(coedge.Use->EndVertex.data(), 1.0);
+      }
+    }
+  }
+  return box;
+}
+
+std::vector<std::string> FindImplausibilities(const MassProperties& properties,
+  const std::array<double, 3>& center, const std::array<double, 6>& box, double slack)
+{
+  std::vector<std::string> violations;
+  const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+  if (properties.Volume < -properties.VolumeBound)
+  {
+    violations.push_back("the volume is negative");
+  }
+  else if (properties.Volume <= properties.VolumeBound &&
+    properties.VolumeBound <= ResolvedVolume * diagonal * diagonal * diagonal)
+  {
+    violations.push_back("the volume is zero within its bound");
+  }
+  double outside = 0.0;
+  for (int d = 0; d < 3; ++d)
+  {
+    outside = std::max({ outside, box[2 * d] - center[d], center[d] - box[2 * d + 1] });
+  }
+  // The bound holds for a component in the world; here it is turned into the part's frame.
+  if (outside > slack + std::sqrt(3.0) * properties.CenterBound)
+  {
+    violations.push_back(
+      "the centre of mass lies outside the box of the solid, by " + FormatDigits(outside, 3));
+  }
+  const std::array<double, 3>& moments = properties.Principal;
+  if (moments[0] < -properties.PrincipalBound)
+  {
+    violations.push_back("the inertia is not positive definite: its smallest principal moment is " +
+      FormatDigits(moments[0], 3));
+  }
+  const double excess = moments[2] - moments[1] - moments[0];
+  if (excess > 3.0 * properties.PrincipalBound)
+  {
+    violations.push_back(
+      "the principal moments are no body's: the largest exceeds the sum of the others by " +
+      FormatDigits(excess, 3));
+  }
+  return violations;
+}
+}

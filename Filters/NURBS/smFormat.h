@@ -1,0 +1,32 @@
+/**
+ * @file smFormat.h
+ * @brief Numbers as text for messages, summaries and shaders; with a decimal point in every locale
+ */
+#ifndef smFormat_h
+#define smFormat_h
+
+#include "smFiltersNURBSModule.h"
+
+#include <string>
+
+namespace sm
+{
+/// At most `digits` significant digits, without trailing zeros: 1.5, 1.23e-05, nan, inf.
+SMFILTERSNURBS_EXPORT std::string FormatDigits(double value, int digits);
+/// Exactly `digits` digits behind the point.
+SMFILTERSNURBS_EXPORT std::string FormatFixed(double value, int digits);
+
+/// A bound with one digit, rounded up; "not known" for what is not finite, here and below.
+SMFILTERSNURBS_EXPORT std::string FormatBound(double bound);
+/// A value with no more digits than its bound leaves; 0 within its bound.
+SMFILTERSNURBS_EXPORT std::string FormatNumber(double value, double bound);
+/// " (+- bound)", to stand behind a value and its unit.
+SMFILTERSNURBS_EXPORT std::string FormatBoundNote(double bound);
+/// Value, unit and bound.
+SMFILTERSNURBS_EXPORT std::string FormatWithBound(double value, double bound, const std::string& unit);
+
+/// A double literal of GLSL that reads back to the bit: "-1.50000000000000000e+00LF".
+SMFILTERSNURBS_EXPORT std::string MakeLiteral(double value);
+}
+
+#endif

@@ -1,0 +1,18 @@
+/**
+ * @file smProgressCallback.h
+ * @brief How long work reports its progress and learns that it is to stop
+ */
+#ifndef smProgressCallback_h
+#define smProgressCallback_h
+
+#include <functional>
+
+namespace sm
+{
+/// Gets the fraction of the work that is done, from 0 to 1; returns false to stop the work. An empty one means: never stop.
+using ProgressCallback = std::function<bool(double)>;
+/// Returns false to stop the work.
+using ContinueCallback = std::function<bool()>;
+}
+
+#endif

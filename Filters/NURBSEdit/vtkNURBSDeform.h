@@ -1,0 +1,172 @@
+/**
+ * @class   vtkNURBSDeform
+ * @brief   deforms solids by moving the control points of their exact faces
+ *
+ * Every vtkNURBSDataSet of the input (one, or the leaves of a composite dataset) gets a new model that shares the faces that
+ * nothing moved; structure, names and assembly are kept, and the input stays as it is. Two ways:
+ *
+ * DISPLACE: control points of the chosen faces move by Displacement (1 - r^2)^3, r = distance from Center / Radius, up to r = 1:
+ * twice continuously differentiable. World coordinates; an instance that is moved gets a model of its own.
+ *
+ * LATTICE: free-form deformation (Sederberg and Parry, "Free-form deformation of solid geometric models", SIGGRAPH 1986). Control
+ * points of all faces move by sum B_i(x) B_j(y) B_k(z) d_ijk, Bernstein polynomials over the box of the solid (LocalBounds of its
+ * model), with the d_ijk given; coordinates and displacements are those of the part, and instances keep sharing one model.
+ *
+ * A closed solid stays closed where faces meet along whole boundary rows of the same control points, however they are
+ * oriented: rows, edge and vertices move together. Elsewhere (trimmed faces, rows of different degree or knots) the
+ * coefficients of the edge's curve are mapped like the control points, and as mapping control points is not mapping points,
+ * face and edge part by about h^2/8 times the second derivatives of the map for control points h apart. Ribbons and
+ * caps close the chain in any case, so that volume and moments are those of a closed surface; GetNumberOfOpenedEdges() and
+ * GetLargestGap() say how far it went (a bump of 5 % of the part's size, radius 0.6 sizes: nothing on sphere, torus and
+ * blocks of Bezier faces; 0.6 % of the size on Examples/Models/sample_part.step; 5 % on a slanted hole in a block, whose faces
+ * have four control points; the chain was closed to 1e-20 of the volume in all of them), and vtkMassPropertiesGPU's MaxGap and ClosureCorrection what it means.
+ *
+ * Display points that have FaceIndex and Parameters are evaluated again on the new faces, with their normals, by a
+ * vtkNURBSPointEvaluator: on the GPU where the module RenderingNURBS is loaded and there is OpenGL 4.3 with doubles, else on the CPU
+ * by vtkSMPTools. Points without are mapped like control points, which is near the faces and not on them.
+ * LocalBounds and scales of a model stay, and so do the tolerances that faces are integrated to.
+ * Asked for one of several pieces (ranks of a parallel run), pieces without solids pass, and an error leaves an empty output.
+ *
+ * Not thread safe.
+ */
+#ifndef vtkNURBSDeform_h
+#define vtkNURBSDeform_h
+
+#include "smFiltersNURBSEditModule.h"
+#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSmartPointer.h" // for the evaluator
+
+#include <array>  // for the lattice
+#include <map>    // for the lattice
+#include <vector> // for the faces
+
+class vtkNURBSPointEvaluator;
+
+class SMFILTERSNURBSEDIT_EXPORT vtkNURBSDeform : public vtkPassInputTypeAlgorithm
+{
+public:
+  static vtkNURBSDeform* New();
+  vtkTypeMacro(vtkNURBSDeform, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** How control points move. */
+  enum ModeType
+  {
+    DISPLACE = 0,
+    LATTICE = 1
+  };
+
+  ///@{
+  /** See above. Clamped to these. Default: DISPLACE. */
+  vtkSetClampMacro(Mode, int, DISPLACE, LATTICE);
+  vtkGetMacro(Mode, int);
+  ///@}
+
+  ///@{
+  /** Of DISPLACE: the displacement at the centre, world coordinates, in the input's length unit. Default: 0 0 0. */
+  vtkSetVector3Macro(Displacement, double);
+  vtkGetVector3Macro(Displacement, double);
+  ///@}
+
+  ///@{
+  /** Of DISPLACE: where the displacement is largest, world coordinates. Default: 0 0 0. */
+  vtkSetVector3Macro(Center, double);
+  vtkGetVector3Macro(Center, double);
+  ///@}
+
+  ///@{
+  /** Of DISPLACE: the distance from the centre, a length, from which on nothing moves; 0: everything moves alike. Clamped to
+   * >= 0. Default: 0. */
+  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /** Of DISPLACE: faces by their index, as in the array FaceIndex, of every solid that is chosen. None: all faces. An index that
+   * no chosen solid has is an error of the next run. Default: none. */
+  void AddFace(int index);
+  void RemoveAllFaces();
+  int GetNumberOfFaces() const;
+  ///@}
+
+  ///@{
+  /** The solid to deform, counted from 0 over the leaves with exact geometry; -1: all. One that is not there is an error.
+   * Clamped to >= -1. Default: -1. */
+  vtkSetClampMacro(Solid, int, -1, VTK_INT_MAX);
+  vtkGetMacro(Solid, int);
+  ///@}
+
+  ///@{
+  /** Of DISPLACE: faces that were not chosen follow along boundary rows that they share with chosen ones. Off: the chosen
+   * faces leave their neighbours, and the solid opens. Default: on. */
+  vtkSetMacro(KeepClosed, bool);
+  vtkGetMacro(KeepClosed, bool);
+  vtkBooleanMacro(KeepClosed, bool);
+  ///@}
+
+  ///@{
+  /** Of LATTICE: its points in x, y and z, each clamped to 2 .. 10. Displacements of points that are not in it are ignored.
+   * Default: 2 2 2. */
+  void SetLatticeSize(int x, int y, int z);
+  void SetLatticeSize(const int size[3]) { this->SetLatticeSize(size[0], size[1], size[2]); }
+  vtkGetVector3Macro(LatticeSize, int);
+  ///@}
+
+  ///@{
+  /** Of LATTICE: displacement of point i, j, k, counted from 0, in the model's length unit. Default: none, all are 0. */
+  void SetLatticeDisplacement(int i, int j, int k, double x, double y, double z);
+  void ClearLatticeDisplacements();
+  /** The same for callers that have nothing but doubles; i, j and k are rounded. */
+  void AddLatticeDisplacement(double i, double j, double k, double x, double y, double z);
+  ///@}
+
+  ///@{
+  /** Evaluates the display points, and says of the last leaf by what. Give it a window's context, or a backend, before the first
+   * run; filters may share one. Null: one of the filter's own, vtkNURBSPointEvaluator::New(). Default: that. */
+  void SetPointEvaluator(vtkNURBSPointEvaluator* evaluator);
+  vtkNURBSPointEvaluator* GetPointEvaluator();
+  ///@}
+
+  /** Follows the evaluator: another backend runs the filter. */
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /** The last run: edges of faces that parted from their curve, by more than 1e-12 of the solid's size, and the widest such
+   * gap, a length. 0 where every solid is as closed as before. */
+  vtkGetMacro(NumberOfOpenedEdges, int);
+  vtkGetMacro(LargestGap, double);
+  ///@}
+  ///@{
+  /** The last run: faces that are new, those of a shared model counted once. */
+  vtkGetMacro(NumberOfChangedFaces, int);
+  ///@}
+
+protected:
+  vtkNURBSDeform();
+  ~vtkNURBSDeform() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkNURBSDeform(const vtkNURBSDeform&) = delete;
+  void operator=(const vtkNURBSDeform&) = delete;
+
+  struct Run;
+
+  int Mode = DISPLACE;
+  double Displacement[3] = { 0.0, 0.0, 0.0 };
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  double Radius = 0.0;
+  std::vector<int> Faces;
+  int Solid = -1;
+  bool KeepClosed = true;
+  int LatticeSize[3] = { 2, 2, 2 };
+  std::map<std::array<int, 3>, std::array<double, 3>> LatticeDisplacements;
+  vtkSmartPointer<vtkNURBSPointEvaluator> PointEvaluator;
+  int NumberOfOpenedEdges = 0;
+  double LargestGap = 0.0;
+  int NumberOfChangedFaces = 0;
+};
+
+#endif

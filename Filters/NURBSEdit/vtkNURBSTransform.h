@@ -1,0 +1,89 @@
+/**
+ * @class   vtkNURBSTransform
+ * @brief   moves solids rigidly and keeps their exact geometry
+ *
+ * VTK's own transform filters move points and drop the exact geometry. This one changes the placement of every
+ * vtkNURBSDataSet in its input (one, or the leaves of a composite dataset) by a rotation, a reflection and a translation, and
+ * moves the points and normals of every leaf alike, of plain meshes too. Models, and with them all that is kept for their faces,
+ * stay shared: after a move no face is integrated again. A reflection also turns the cells of polydata around, so that they
+ * stay counter-clockwise from outside.
+ *
+ * p' = Translation + Rz Rx Ry M p in world coordinates, with M the mirror image and R the rotations about the axes through the origin; or
+ * the given Transform instead. A transform that is not rigid (to 1e-12) is an error, and the output is empty.
+ *
+ * Not thread safe.
+ */
+#ifndef vtkNURBSTransform_h
+#define vtkNURBSTransform_h
+
+#include "smFiltersNURBSEditModule.h"
+#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSmartPointer.h" // for the transform
+
+class vtkLinearTransform;
+class vtkMatrix4x4;
+
+class SMFILTERSNURBSEDIT_EXPORT vtkNURBSTransform : public vtkPassInputTypeAlgorithm
+{
+public:
+  static vtkNURBSTransform* New();
+  vtkTypeMacro(vtkNURBSTransform, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Translation, in the input's length unit. Default: 0 0 0. */
+  vtkSetVector3Macro(Translation, double);
+  vtkGetVector3Macro(Translation, double);
+  ///@}
+
+  ///@{
+  /** Angles in degrees about the x, y and z axis through the origin; y is turned first, then x, then z, as vtkProp3D does.
+   * Default: 0 0 0. */
+  vtkSetVector3Macro(Rotation, double);
+  vtkGetVector3Macro(Rotation, double);
+  ///@}
+
+  /** The coordinate that a reflection changes the sign of. */
+  enum MirrorType
+  {
+    NONE = 0,
+    X = 1,
+    Y = 2,
+    Z = 3
+  };
+
+  ///@{
+  /** Reflection at the plane through the origin across this axis, before the rotation. Clamped to these. Default: NONE. */
+  vtkSetClampMacro(Mirror, int, NONE, Z);
+  vtkGetMacro(Mirror, int);
+  ///@}
+
+  ///@{
+  /** A transform to use instead of all of the above: a rotation, reflection and translation. Default: null. */
+  void SetTransform(vtkLinearTransform* transform);
+  vtkLinearTransform* GetTransform();
+  ///@}
+
+  /** The matrix that the next run applies. */
+  void GetMatrix(vtkMatrix4x4* matrix);
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkNURBSTransform();
+  ~vtkNURBSTransform() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkNURBSTransform(const vtkNURBSTransform&) = delete;
+  void operator=(const vtkNURBSTransform&) = delete;
+
+  double Translation[3] = { 0.0, 0.0, 0.0 };
+  double Rotation[3] = { 0.0, 0.0, 0.0 };
+  int Mirror = NONE;
+  vtkSmartPointer<vtkLinearTransform> Transform;
+};
+
+#endif

@@ -1,0 +1,65 @@
+/**
+ * @file smChebyshev.h
+ * @brief Chebyshev series on [-1,1]: nodes, transforms, and what bounds a series on an ellipse
+ */
+#ifndef smChebyshev_h
+#define smChebyshev_h
+
+#include "smFiltersQuadratureModule.h"
+#include <vector>
+
+namespace sm
+{
+/// n Chebyshev nodes cos((i + 1/2) pi / n), the values of T_0 .. T_{n-1} there, and the transform that takes samples at
+/// the nodes to the coefficients of the interpolating series: exact for polynomials of degree n - 1.
+class SMFILTERSQUADRATURE_EXPORT ChebyshevRule
+{
+public:
+  /// Largest n.
+  static constexpr int MaximumSize = 160;
+
+  /// The rule of n nodes, 1 <= n <= MaximumSize. Thread safe.
+  static const ChebyshevRule& Get(int n);
+
+  int GetSize() const { return this->Size; }
+  double GetNode(int i) const { return this->Nodes[i]; }
+  /// T_0 .. T_{n-1} at node i.
+  const double* GetValues(int i) const { return this->Values.data() + i * this->Size; }
+  /// Row k: coefficient k is the sum of row[i] times sample i.
+  const double* GetTransform(int k) const { return this->Transform.data() + k * this->Size; }
+
+private:
+  explicit ChebyshevRule(int n);
+
+  int Size;
+  std::vector<double> Nodes;
+  std::vector<double> Values;
+  std::vector<double> Transform;
+};
+
+/// Coefficients of the derivative of a series of `count` coefficients that lie `stride` doubles apart; the last one is 0.
+SMFILTERSQUADRATURE_EXPORT void DifferentiateChebyshev(
+  const double* series, double* derivative, int count, int stride);
+
+/// An ellipse with foci -1 and 1: the points with |z - 1| + |z + 1| <= 2 A, A = (rho + 1/rho) / 2. On it |T_k| <= T_k(A).
+class SMFILTERSQUADRATURE_EXPORT Ellipse
+{
+public:
+  /// From the sum of half axes, rho >= 1; or from A >= 1.
+  static Ellipse FromRadius(double rho) { return Ellipse(0.5 * (rho + 1.0 / rho)); }
+  static Ellipse FromHalfAxis(double a) { return Ellipse(a > 1.0 ? a : 1.0); }
+
+  double GetHalfAxis() const { return this->A; }
+  /// T_0(A) .. T_{count-1}(A).
+  void GetMajorants(int count, std::vector<double>& majorants) const;
+
+private:
+  explicit Ellipse(double a)
+    : A(a)
+  {
+  }
+  double A;
+};
+}
+
+#endif

@@ -1,0 +1,176 @@
+/**
+ * @file smPatchMajorants.h
+ * @brief What bounds the integrands on a box of a rational Bézier patch, also for complex parameters
+ *
+ * NUMERICS 3. Position, normal and weight of the patch are expanded in Chebyshev series on the box; sums of absolute
+ * coefficients times T_k T_l bound them on a product of ellipses. With P = (w x, w y, w z) homogeneous,
+ *
+ *     m = w Ps x Pr + ws Pr x P + wr P x Ps,   n = Ss x Sr = m / w^3,   x.n = D / w^3,   D = det(P, Ps, Pr),
+ *
+ * so every integrand but the area's is a polynomial over a power of w: the numerators, which have degrees 3p-2 and
+ * 3q-2, are sampled at 3p-1 by 3q-1 nodes and so known exactly. For the area see Area below.
+ */
+#ifndef smPatchMajorants_h
+#define smPatchMajorants_h
+
+#include "smChebyshev.h"
+#include "smFacePanels.h"
+#include "smFiltersQuadratureModule.h"
+
+#include <array>
+#include <vector>
+
+namespace sm
+{
+/// Integrands that share one bound: those of one kind and one degree of the polynomial factor.
+struct BoundClass
+{
+  enum KindType
+  {
+    /// x.n g(x) / (3 + Degree).
+    VolumeMoment,
+    /// A component of n.
+    VectorArea,
+    /// |n| g(x).
+    AreaMoment,
+    /// z n_z g(x) / (k + 1), k the power of z in g.
+    HeightMoment
+  };
+  KindType Kind;
+  int Degree;
+
+  bool operator==(const BoundClass& other) const
+  {
+    return this->Kind == other.Kind && this->Degree == other.Degree;
+  }
+};
+
+/// What is known of a whole patch before any box of it is looked at.
+struct PatchTraits
+{
+  /// All weights are equal: numerators are the integrands up to a constant.
+  bool Polynomial = true;
+  /// Edges that are one point (poles): s = 0, s = 1, r = 0, r = 1. There m has the factor s, 1-s, r, 1-r.
+  std::array<bool, 4> Collapsed{};
+  /// |m| over those factors is itself a polynomial, as on every elementary surface (an arc's speed is rational).
+  bool PolynomialLength = false;
+  /// m keeps its direction, as in a plane: |m| is one as long as m does not vanish.
+  bool ConstantDirection = false;
+  /// How far |n| over those factors is from what that gives: rounding.
+  double LengthDeviation = 0.0;
+};
+
+/// Points are those of the patch: (p+1) x (q+1), s fastest, homogeneous relative to its centre.
+SMFILTERSQUADRATURE_EXPORT PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q);
+
+/// Intervals of s and r.
+struct ParameterBox
+{
+  double Middle[2];
+  double Half[2];
+};
+
+class SMFILTERSQUADRATURE_EXPORT PatchMajorants
+{
+public:
+  /// Expands the patch on the box. `origin`: the patch's centre as seen from the point that moments are about, so that
+  /// x = origin + P / w.
+  void Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
+    const ParameterBox& box, const std::array<double, 3>& origin);
+  /// Only what EvaluatePosition() needs.
+  void ExpandWithoutNormal(
+    const std::array<double, 4>* points, int p, int q, const PatchTraits& traits, const ParameterBox& box);
+
+  /// Bounds of the integrands of each class, without the Jacobian of the panel, for s and r (scaled to [-1,1] on the
+  /// box) in the two ellipses. False when the weight may vanish there; an area's bound is infinite where |m| may.
+  bool Evaluate(const Ellipse& s, const Ellipse& r, const std::vector<BoundClass>& classes,
+    std::vector<double>& bounds) const;
+  /// Largest distance from the point that moments are about.
+  double GetReach() const;
+
+  /// Upper bound of the part of |n| that is not in the series of a polynomial length; real parameters.
+  double GetLengthDeviation() const;
+
+  /// |n| has no zero on the box, but at collapsed edges.
+  bool HasLength() const;
+  /// Bounds, for real parameters, of what the series leave out as rounding; without the Jacobian.
+  void GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const;
+  /// Where the box sticks out beyond a collapsed edge, |n| has a kink there that the factor has not: twice how far it does,
+  /// relative to the factor's largest value, in s (0) or r (1).
+  double GetKink(int direction) const;
+
+  /// Upper bounds in the ellipses of |w x| relative to the patch's centre, and of w.
+  void EvaluatePosition(const Ellipse& s, const Ellipse& r, double& position, double& weight) const;
+
+  /// The direction in which weight and normal change more across the box: 0 for s, 1 for r.
+  int GetVaryingDirection() const;
+
+private:
+  friend PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q);
+
+  struct Table
+  {
+    int CountS = 0;
+    int CountR = 0;
+    std::vector<double> Entries;
+    void Resize(int countS, int countR);
+    double Sum(const std::vector<double>& s, const std::vector<double>& r) const;
+  };
+  using ProductEntry = std::array<double, 4>;
+  ProductEntry SumProducts(const std::vector<double>& s, const std::vector<double>& r) const;
+  double GetLowestWeight() const;
+  double EvaluateWeight(double x, double y) const;
+  /// |m~| is a polynomial on the box.
+  bool IsPolynomialLength() const;
+  void ExpandNet(const double* net, int countS, int countR, std::vector<double>& series);
+  void ExpandPosition(const std::array<double, 4>* points);
+  void SampleNumerators(const std::array<double, 3>& origin);
+  void Transform(int countS, int countR);
+  void MakeTables(int countS, int countR);
+  void DropNoise(std::size_t count, double noise);
+  /// The product of the collapsed edges' factors at a point, and its largest modulus in the ellipses.
+  double GetFactor(double s, double r) const;
+  double GetFactorMajorant(const Ellipse& s, const Ellipse& r) const;
+
+  int P = 1;
+  int Q = 1;
+  ParameterBox Box{};
+  PatchTraits Traits;
+  /// |w_00|, and |m~_00| or |h_00|.
+  double FirstWeight = 1.0;
+  double FirstLength = 0.0;
+  /// h, or m~ . e with its direction e at the middle, is positive on the box; and |m~| is.
+  bool Positive = false;
+  bool Nonzero = false;
+  /// Sums of the coefficients of D, m~ and h that were dropped.
+  std::array<double, 3> Dropped{};
+  /// Distance of the box's centre from the origin of moments, and from the patch's centre.
+  double CenterDistance = 0.0;
+  double CenterOffset = 0.0;
+
+  // Series of (w x, w y, w z, w) and of its derivatives, four doubles a coefficient, s fastest.
+  std::vector<double> Series[3];
+  // Samples, then coefficients, of D, m~ (3) and |m~|: five doubles a node.
+  static constexpr int Components = 5;
+  std::vector<double> Samples;
+  std::vector<double> Scratch;
+
+  Table Weight;   // |w_kl| without the first
+  Table Position; // |P_kl - c w_kl|, c = P_00 / w_00
+  // Four tables of one size, entry by entry, which are summed together.
+  enum Product
+  {
+    Numerator, // |D_kl|
+    Normal,    // |m_kl|, or |m~_kl| with m = factors m~
+    Along,     // |m~_kl . e| without the first, e = m~_00 / |m~_00|; or |h_kl|, h = |m~|
+    Across     // |m~_kl - (m~_kl . e) e|
+  };
+  int CountS = 0;
+  int CountR = 0;
+  std::vector<ProductEntry> Products;
+  mutable std::vector<double> MajorantS;
+  mutable std::vector<double> MajorantR;
+};
+}
+
+#endif

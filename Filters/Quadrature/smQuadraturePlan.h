@@ -1,0 +1,102 @@
+/**
+ * @file smQuadraturePlan.h
+ * @brief The Gauss orders of a face's panels and ribbons, chosen by theorem before a point is evaluated
+ *
+ * NUMERICS 3 and 5. Every panel and ribbon gets the fewest points whose bound is within its share of the face's tolerances; where
+ * more than LargestOrder would be needed it is bisected. The bounds of all items add up to the face's, so nothing has to
+ * be evaluated twice. Where the bound of the area cannot hold, because normals nearly vanish, a panel that has been
+ * bisected often enough is to be evaluated at two orders and compared: the face is then `estimated`.
+ */
+#ifndef smQuadraturePlan_h
+#define smQuadraturePlan_h
+
+#include "smFacePanels.h"
+#include "smFiltersQuadratureModule.h"
+#include "smPatchMajorants.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace sm
+{
+enum class ItemKind
+{
+  Panel = 0,
+  Ribbon = 1,
+  Cap = 2
+};
+
+/// One work item with its orders.
+struct PlannedItem
+{
+  ItemKind Kind;
+  /// Index into the face's panels, ribbons or caps.
+  std::uint32_t Index;
+  /// Parts of the item's range of t, and of xi (a panel's), as fractions of it.
+  double Start = 0.0, End = 1.0;
+  double XiStart = 0.0, XiEnd = 1.0;
+  /// Gauss points along t, and across.
+  int Along = 1;
+  int Across = 1;
+  /// Fraction of an undivided item's tolerances.
+  double Share = 1.0;
+  /// To be evaluated again with twice the points, and compared: the area has no bound.
+  bool Compared = false;
+};
+
+struct FacePlan
+{
+  std::vector<PlannedItem> Items;
+  /// Per class: bound of the quadrature error of all items; where items are compared the area's is not in it.
+  std::vector<double> QuadratureBound;
+  /// Per class: what residuals of trim curves, edge curves and surface, and the rounding of control points, may move.
+  std::vector<double> ConversionBound;
+  /// Per class: bound of the integral's magnitude, panels and ribbons together, for a face that is not evaluated.
+  std::vector<double> Magnitude;
+  /// Points of all items, caps aside.
+  std::int64_t Evaluations = 0;
+  /// Some area is compared, or the surface is a fit whose normals are not bounded.
+  bool Estimated = false;
+};
+
+struct PlanRequest
+{
+  std::vector<BoundClass> Classes;
+  /// Absolute tolerance per class for the face; not positive: nothing is asked.
+  std::vector<double> Tolerances;
+  /// Position relative to the point that moments are about, minus that in model coordinates, turned back by the
+  /// placement: zero without one.
+  std::array<double, 3> Shift{};
+  /// Points that integrate the flat directions of ribbons and caps exactly.
+  int StripPoints = 3;
+
+  bool operator==(const PlanRequest& other) const
+  {
+    return this->Classes == other.Classes && this->Tolerances == other.Tolerances &&
+      this->Shift == other.Shift && this->StripPoints == other.StripPoints;
+  }
+};
+
+/// Residuals and orders come from `face`, everything else from its panels. Thread safe.
+SMFILTERSQUADRATURE_EXPORT FacePlan PlanFace(
+  const Face& face, const FacePanels& panels, const PlanRequest& request);
+
+///@{
+/// The same in parts, for threads: portions in any order, then joined. Where portions begin depends on the panels alone, and so
+/// do the bits of the plan. Thread safe.
+struct PlanPortion
+{
+  FacePlan Plan;
+  double Reach = 0.0;
+};
+SMFILTERSQUADRATURE_EXPORT std::size_t GetNumberOfPortions(const FacePanels& panels);
+SMFILTERSQUADRATURE_EXPORT PlanPortion PlanFacePortion(
+  const Face& face, const FacePanels& panels, const PlanRequest& request, std::size_t portion);
+SMFILTERSQUADRATURE_EXPORT FacePlan JoinPortions(const Face& face, const FacePanels& panels,
+  const PlanRequest& request, const std::vector<PlanPortion>& portions);
+///@}
+}
+
+#endif

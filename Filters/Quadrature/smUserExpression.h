@@ -1,0 +1,82 @@
+/**
+ * @file smUserExpression.h
+ * @brief An integrand as the user wrote it: checked, translated to the shaders' GLSL, and compilers' messages told in its columns
+ */
+#ifndef smUserExpression_h
+#define smUserExpression_h
+
+#include "smFiltersQuadratureModule.h"
+#include <map>
+#include <string>
+#include <vector>
+
+namespace sm
+{
+/**
+ * GLSL, with three differences: sin, cos, tan, exp, log and pow are of doubles (smElementary.glsl); numbers are
+ * doubles, so that 1/3 is a third, unless they have a suffix or stand within [ ]; and names of constants are replaced by
+ * their values. What else it may name is in vtkSurfaceIntegralGPU.h.
+ */
+class SMFILTERSQUADRATURE_EXPORT UserExpression
+{
+public:
+  using Constants = std::map<std::string, double>;
+
+  /// What a sample must be described by.
+  enum DetailType
+  {
+    PositionAndNormal = 0,
+    Parameters = 1,
+    FirstDerivatives = 2,
+    SecondDerivatives = 3
+  };
+
+  UserExpression(const std::string& text, const Constants& constants);
+
+  /// Why it cannot be an expression, with its place; empty when it may.
+  const std::string& GetError() const { return this->Error; }
+  int GetDetail() const { return this->Detail; }
+  /// It names one of our own functions.
+  bool NeedsFunctions() const { return this->HasFunctions; }
+  /// It names what has kinks or steps: abs, min, ?: and their like.
+  bool MayHaveKinks() const;
+
+  /// A GLSL function `double NAME(dvec3 position, dvec3 normal)`, each of the user's tokens on a line of its own.
+  /// `forMessages` gives these lines numbers by which Explain() knows them.
+  std::string MakeFunction(const std::string& name, bool forMessages) const;
+
+  /// The errors of a compiler's log about such a function: "column 8: …; column 30: …", or with lines where the text has
+  /// several. What it says of other lines is about the whole expression, and told where nothing else is.
+  std::string Explain(const std::string& log) const;
+
+  /// Whether a constant may have this name: an identifier that means nothing yet.
+  static bool IsFree(const std::string& name);
+
+private:
+  struct Token
+  {
+    std::string Glsl;
+    std::size_t At;
+    /// A bracket around arguments.
+    bool IsCall = false;
+  };
+  void Read(const Constants& constants);
+  bool ReadToken(std::size_t& at, const Constants& constants);
+  void AddName(const std::string& name, std::size_t at, const Constants& constants);
+  bool AddNumber(const std::string& number, std::size_t at);
+  bool TrackBracket(char c, std::size_t at);
+  bool Fail(std::size_t at, const std::string& what);
+  std::string GetPlace(std::size_t at) const;
+
+  std::string Text;
+  std::vector<Token> Tokens;
+  /// Brackets that are open.
+  std::vector<Token> Open;
+  std::vector<std::string> Names;
+  int Detail = PositionAndNormal;
+  bool HasFunctions = false;
+  std::string Error;
+};
+}
+
+#endif

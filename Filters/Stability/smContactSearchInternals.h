@@ -1,0 +1,105 @@
+/**
+ * @file smContactSearchInternals.h
+ * @brief What the parts of ContactSearch share: the search for the least height and that for contacts; not installed
+ */
+#ifndef smContactSearchInternals_h
+#define smContactSearchInternals_h
+
+#include "smFaceContact.h"
+#include "smGroundContact.h"
+#include "smUnitRoundoff.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <vector>
+
+namespace sm
+{
+// Compositions have degrees up to some hundred, and every product of theirs rounds.
+constexpr double RoundingUnits = 512.0;
+// Of the size: contacts are located, and corners told apart, to this.
+constexpr double RelativeResolution = 1e-13;
+constexpr int MaximumNets = 40000;
+inline const double LeastWidth = std::ldexp(1.0, -50);
+// Cosine of a thousandth: what counts as tangent to the ground.
+constexpr double TangentCosine = 1.0 - 5e-7;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// A net that waits for its turn, the lowest first.
+struct Candidate
+{
+  double Low;
+  /// Index of the segment, or -1 - index of the patch.
+  int Owner;
+  GroundCurve Curve;
+  GroundPatch Box;
+  bool operator<(const Candidate& other) const { return this->Low > other.Low; }
+};
+
+struct ContactSearch::Internals
+{
+  std::vector<FaceContact> Faces;
+  double Size = 0.0;
+  /// The least height reached by a point of a trimmed face.
+  double Reached = Infinity;
+
+  // Of FindContacts.
+  double Limit = 0.0;
+  GroundContacts Found;
+  /// Hull of the contacts that are certain.
+  SupportPolygon Certain;
+
+  /// Rounding of a slope is that of the coefficients, times the degree and the largest weight.
+  static double GetSlackFactor(const std::vector<GroundPoint>& points, double degree)
+  {
+    double weight = 0.0;
+    for (const GroundPoint& p : points)
+    {
+      weight = std::max(weight, p[3]);
+    }
+    return degree * weight;
+  }
+  double GetRounding() const { return RoundingUnits * UnitRoundoff * this->Size; }
+  double GetResolution() const { return RelativeResolution * this->Size; }
+  double GetSlack(const GroundPatch& root) const
+  {
+    return 64.0 * UnitRoundoff * this->Size *
+      GetSlackFactor(root.Points, std::max(root.Degree[0], root.Degree[1]));
+  }
+  double GetSlack(const GroundCurve& root) const
+  {
+    // Of a composition, whose products round as often as its degree.
+    const double degree = static_cast<double>(root.Points.size());
+    return 16.0 * degree * UnitRoundoff * this->Size * GetSlackFactor(root.Points, degree);
+  }
+
+  /// A coarse look at whether the segment may come down to a height, without composing it.
+  bool MayReach(const FaceContact& face, const Segment& segment, double height) const;
+  void Reach(double height) { this->Reached = std::min(this->Reached, height); }
+
+  double BoundFace(FaceContact& face);
+  bool StepCurve(FaceContact& face, Candidate& item, std::priority_queue<Candidate>& queue, double& low);
+  bool StepPatch(FaceContact& face, Candidate& item, std::priority_queue<Candidate>& queue, double& low);
+
+  void AddSample(const FaceContact& face, int patch, std::array<double, 2> sr, const Point2D& position);
+  static std::uint32_t FindDirections(
+    const FaceContact& face, int patch, const std::array<double, 2>& sr, const GroundPatch::Shape& shape);
+  static std::uint32_t FindPoleDirections(const FaceContact& face, int patch, std::array<double, 2> sr);
+  void AddPoint(const FaceContact& face, const Segment& segment, double t, const GroundPoint& point);
+  void AddCurve(const FaceContact& face, const Segment& segment, const GroundCurve& curve);
+  void FindOnTrims(FaceContact& face);
+  void FindOnCurve(FaceContact& face, const Segment& segment);
+  void FindOnBorder(FaceContact& face, const Segment& segment, const GroundCurve& root, bool whole);
+  void FindOnPatch(FaceContact& face, int patch);
+  void FindArea(FaceContact& face, int patch);
+  /// Returns the size of what encloses a stationary point: of a strip its width.
+  double AddLeaf(const FaceContact& face, int patch, const GroundPatch& box, bool inside);
+  bool IsCovered(const std::vector<GroundPoint>& points) const;
+  void UpdateCertain();
+};
+}
+
+#endif

@@ -1,0 +1,107 @@
+/**
+ * @file smGroundContact.h
+ * @brief Where trimmed faces touch the ground: their least height, enclosed, and the contacts within a tolerance of the ground
+ *
+ * **Least height.** Branch and bound over control nets. On a trimmed face the least height is reached on a trim curve, on a crease
+ * (an interior knot line where the surface is only continuous), or at a stationary point inside the loops. Trim curves are
+ * composed with their patch, exactly, so a trim is nowhere approximated by a box. A net is dropped when it lies above what was reached, when its height
+ * has a slope of one sign (then it is lower elsewhere), or when it lies outside the loops. Heights reached, at ends of trim curves and
+ * points inside the loops, bound the least height from above; what is left of the nets bounds it from below.
+ *
+ * **Contacts** with a height limit, the ground plus the tolerance:
+ *   - corners of loops not above the limit, and kinks of trim curves that are lowest locally;
+ *   - pieces of trim curves (one Bézier piece on one patch) that lie below the limit as a whole; of others the stationary
+ *     points below it;
+ *   - patches that lie below the limit as a whole, with all that the loops leave of them; of others the stationary points below
+ *     the limit inside the loops.
+ * So a flat face counts when all of it is within the tolerance, and a dome touches in one point whatever the tolerance: it is no
+ * disc of the points that are low enough.
+ *
+ * Every contact is a piece with points that certainly are contacts (Inner) and points whose hull encloses it (Outer).
+ */
+#ifndef smGroundContact_h
+#define smGroundContact_h
+
+#include "smFacePanelsCache.h"
+#include "smFiltersStabilityModule.h"
+#include "smGroundNet.h"
+#include "smSupportPolygon.h"
+#include "smTrimClassifier.h"
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace sm
+{
+struct ContactPiece
+{
+  std::vector<Point2D> Inner;
+  std::vector<Point2D> Outer;
+  /// A curve that can be halved to bring Inner and Outer together; no points: there is none.
+  GroundCurve Curve;
+};
+
+/// How the body would roll at a contact.
+struct ContactSample
+{
+  Point2D Position;
+  /// Least radius of curvature of a surface that is tangent to the ground here; infinite where it is flat; 0 for corners and edges.
+  double Radius;
+  /// About how far off the radius may be: an estimate, no bound.
+  double Doubt;
+  /// The largest radius there; infinite where it is flat in some direction.
+  double Widest;
+  /// Bit k: the surface goes on in direction k (see GetContactDirection). Where it ends the body tips over its border.
+  std::uint32_t GoesOn = ~0u;
+};
+
+constexpr int ContactDirections = 32;
+/// Unit vectors in the ground, counter-clockwise from a.
+SMFILTERSSTABILITY_EXPORT Point2D GetContactDirection(int k);
+
+struct GroundContacts
+{
+  std::vector<ContactPiece> Pieces;
+  std::vector<ContactSample> Samples;
+  /// Entity numbers of the faces that touch with a whole patch, and of the edges that touch with a whole piece.
+  std::set<int> FaceIds;
+  std::set<int> EdgeIds;
+  /// Stationary points are known to within this, where rounding leaves the sign of a slope open: how far Inner points may be from
+  /// true contacts, and these outside the hull of all Outer points.
+  double Spread = 0.0;
+  /// The search gave up somewhere: contacts there are enclosed by their nets only.
+  bool Coarse = false;
+};
+
+class SMFILTERSSTABILITY_EXPORT ContactSearch
+{
+public:
+  ContactSearch();
+  ~ContactSearch();
+  ContactSearch(const ContactSearch&) = delete;
+  ContactSearch& operator=(const ContactSearch&) = delete;
+
+  /// The face must outlive the search; one that could not be cut is left out.
+  void AddFace(const CutFacePointer& face, const GroundFrame& frame);
+
+  /// Largest coordinate, in the ground's frame, of all control points; 0 without faces.
+  double GetSize() const;
+  /// What rounding may have done to a coordinate.
+  double GetRounding() const;
+  /// Corners closer than this are one.
+  double GetResolution() const;
+
+  /// Encloses the least height of all faces. NaN without faces.
+  HeightRange FindLowest();
+
+  GroundContacts FindContacts(double limit);
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+};
+}
+
+#endif

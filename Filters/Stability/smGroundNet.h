@@ -1,0 +1,102 @@
+/**
+ * @file smGroundNet.h
+ * @brief Curves and patches of faces in the frame of the ground: heights enclosed by control points, and their slopes
+ *
+ * The frame's coordinates are a, b in the ground's plane and the height h along its normal, away from the body's support.
+ * A rational Bézier curve or patch lies in the convex hull of its control points (weights are positive), so the least and
+ * the largest h_i enclose its heights; halving a net halves its slack at second order. The slope of h = H / W has the sign of
+ * H' - h W', linear in h: where its Bernstein coefficients have one sign for the least and the largest h, it has that sign on
+ * the whole net, and no height on it is stationary.
+ */
+#ifndef smGroundNet_h
+#define smGroundNet_h
+
+#include "smFacePanels.h"
+#include "smFiltersStabilityModule.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace sm
+{
+/// Homogeneous: w a, w b, w h, w.
+using GroundPoint = std::array<double, 4>;
+
+/// From model coordinates to the ground's frame: rotation or reflection, then translation.
+struct SMFILTERSSTABILITY_EXPORT GroundFrame
+{
+  std::array<std::array<double, 3>, 3> Rows{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+  std::array<double, 3> Shift{};
+
+  GroundPoint Transform(const std::array<double, 4>& homogeneous, const double center[3]) const;
+};
+
+struct HeightRange
+{
+  double Low;
+  double High;
+};
+
+/// A curve over t in [0,1] of its root; halving keeps the root's parameter.
+struct SMFILTERSSTABILITY_EXPORT GroundCurve
+{
+  std::vector<GroundPoint> Points;
+  /// Bernstein coefficients of the derivative of Points in the root's parameter, degree one less; none for a point.
+  std::vector<GroundPoint> Steps;
+  double Start = 0.0;
+  double End = 1.0;
+
+  /// From its control points.
+  static GroundCurve FromPoints(std::vector<GroundPoint> points);
+
+  HeightRange GetHeights() const;
+  /// The height rises or falls all along; `slack` is what rounding may have done to H and W.
+  bool IsMonotone(double slack) const;
+  /// No slope is larger than what rounding may have done.
+  bool IsLevel(double slack) const;
+  std::pair<GroundCurve, GroundCurve> Split() const;
+};
+
+/// A patch over a box of its root's parameters (s, r).
+struct SMFILTERSSTABILITY_EXPORT GroundPatch
+{
+  int Degree[2] = { 1, 1 };
+  /// (Degree[0]+1) x (Degree[1]+1), s fastest.
+  std::vector<GroundPoint> Points;
+  /// Derivatives in the root's s and r.
+  std::vector<GroundPoint> Steps[2];
+  double Low[2] = { 0.0, 0.0 };
+  double High[2] = { 1.0, 1.0 };
+
+  GroundPatch() = default;
+  GroundPatch(const FacePanels& panels, const Patch& patch, const GroundFrame& frame);
+
+  HeightRange GetHeights() const;
+  /// The height rises or falls all over the box in direction d.
+  bool IsMonotone(int direction, double slack) const;
+  /// How much the slopes of the height, in the root's parameters, vary along a direction: the one to halve is that with more.
+  double GetVariation(int direction) const;
+  std::pair<GroundPatch, GroundPatch> Split(int direction) const;
+  /// Border d = `direction`, at its low (0) or high (1) end, as a curve in the other direction.
+  GroundCurve GetBorder(int direction, int end) const;
+  /// Largest distance in the plane of control points from their neighbour at the other end of the net, along a direction.
+  double GetExtent(int direction) const;
+  /// The map to the ground's plane is proved to keep its sense all over the box: what it covers ends at the image of the border.
+  bool IsRegular() const;
+
+  /// Height and curvature at a point of the root (Low = 0, High = 1).
+  struct Shape
+  {
+    double Normal; ///< cosine between the surface's normal and the ground's, not negative
+    /// Largest principal curvature, positive where the surface bends away from the ground; NaN where there is no normal.
+    double Curvature;
+    /// The least one; and the derivatives in s and r, in the ground's plane.
+    double LeastCurvature;
+    std::array<double, 2> Tangents[2];
+  };
+  Shape GetShape(double s, double r) const;
+};
+}
+
+#endif

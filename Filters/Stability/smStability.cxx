@@ -1,0 +1,458 @@
+#include "smStability.h"
+#include "smUnitRoundoff.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double HalfPi = 1.5707963267948966;
+// Of the size: the height of a curved side over its chord in the polygon that is drawn.
+constexpr double DrawnSagitta = 1e-3;
+// Of the size: the width of the margin's interval that refinement aims at, and what it may cost.
+constexpr double AimedWidth = 1e-10;
+// The same where the sign of the margin is beyond doubt, by this factor.
+constexpr double RelaxedWidth = 1e-5;
+constexpr double BeyondDoubt = 100.0;
+constexpr std::size_t MaximumPieces = 12000;
+// With more critical directions than these, all are.
+constexpr std::size_t ManyDirections = 64;
+// Of the size: hulls that are narrower are a line, or a point.
+constexpr double LineWidth = 1e-9;
+
+struct Hulls
+{
+  SupportPolygon Inner;
+  SupportPolygon Outer;
+};
+
+Hulls MakeHulls(const std::vector<ContactPiece>& pieces, double merge)
+{
+  std::vector<Point2D> inner;
+  std::vector<Point2D> outer;
+  for (const ContactPiece& piece : pieces)
+  {
+    inner.insert(inner.end(), piece.Inner.begin(), piece.Inner.end());
+    outer.insert(outer.end(), piece.Inner.begin(), piece.Inner.end());
+    outer.insert(outer.end(), piece.Outer.begin(), piece.Outer.end());
+  }
+  return { SupportPolygon::FromPoints(std::move(inner), merge),
+    SupportPolygon::FromPoints(std::move(outer), merge) };
+}
+
+ContactPiece MakePiece(GroundCurve curve)
+{
+  ContactPiece piece;
+  for (const GroundPoint& p : curve.Points)
+  {
+    piece.Outer.push_back({ p[0] / p[3], p[1] / p[3] });
+  }
+  piece.Inner = { piece.Outer.front(), piece.Outer.back() };
+  piece.Curve = std::move(curve);
+  return piece;
+}
+
+/// Largest distance of the control points from the chord's line (from its ends where it has no length).
+double GetSagitta(const ContactPiece& piece)
+{
+  const Point2D& a = piece.Outer.front();
+  const Point2D& b = piece.Outer.back();
+  const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+  double sagitta = 0.0;
+  for (const Point2D& p : piece.Outer)
+  {
+    const double turn = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+    sagitta =
+      std::max(sagitta, length > 0.0 ? std::abs(turn) / length : std::hypot(p[0] - a[0], p[1] - a[1]));
+  }
+  return sagitta;
+}
+
+/// Halves the pieces for which `wanted` says so; false when there were none.
+template <typename Predicate>
+bool HalvePieces(std::vector<ContactPiece>& pieces, const Predicate& wanted)
+{
+  bool any = false;
+  const std::size_t count = pieces.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (pieces[i].Curve.Steps.empty() || !wanted(pieces[i]))
+    {
+      continue;
+    }
+    auto halves = pieces[i].Curve.Split();
+    pieces[i] = MakePiece(std::move(halves.first));
+    pieces.push_back(MakePiece(std::move(halves.second)));
+    any = true;
+  }
+  return any;
+}
+
+double GetSupport(const ContactPiece& piece, const Point2D& direction)
+{
+  double support = -Infinity;
+  for (const Point2D& p : piece.Outer)
+  {
+    support = std::max(support, p[0] * direction[0] + p[1] * direction[1]);
+  }
+  return support;
+}
+
+/// Halves curves until the hulls agree on the margin, or there are too many.
+Hulls Refine(std::vector<ContactPiece>& pieces, const Point2D& foot, double size, double merge)
+{
+  const double aim = AimedWidth * size;
+  Hulls hulls = MakeHulls(pieces, merge);
+  for (int round = 0; round < 60 && pieces.size() < MaximumPieces; ++round)
+  {
+    const double inner = hulls.Inner.GetMargin(foot);
+    const double outer = hulls.Outer.GetMargin(foot);
+    const double width = outer - inner;
+    const bool sure = std::min(std::abs(inner), std::abs(outer)) > BeyondDoubt * width;
+    if (!(width > (sure ? RelaxedWidth * size : aim)))
+    {
+      break;
+    }
+    const std::vector<Point2D> directions =
+      std::isfinite(inner) ? hulls.Inner.GetCriticalDirections(foot, outer - inner) : std::vector<Point2D>();
+    std::vector<double> supports;
+    for (const Point2D& d : directions.size() > ManyDirections ? std::vector<Point2D>() : directions)
+    {
+      supports.push_back(hulls.Inner.GetSupport(d));
+    }
+    const bool halved = HalvePieces(pieces,
+      [&](const ContactPiece& piece)
+      {
+        if (directions.size() > ManyDirections)
+        {
+          return GetSagitta(piece) > 0.25 * aim;
+        }
+        for (std::size_t i = 0; i < directions.size(); ++i)
+        {
+          if (GetSupport(piece, directions[i]) > supports[i] + 0.25 * aim)
+          {
+            return true;
+          }
+        }
+        return false;
+      });
+    if (!halved)
+    {
+      break;
+    }
+    hulls = MakeHulls(pieces, merge);
+  }
+  return hulls;
+}
+
+struct Tip
+{
+  double Angle;
+  double AngleBound;
+  double Work;
+  double WorkBound;
+};
+
+/// See the header; m and z may be off by `bound`, together.
+Tip ComputeTip(double m, double z, double uv, double uh, double bound)
+{
+  const double d = std::hypot(m, z);
+  const double u = std::hypot(uv, uh);
+  Tip tip;
+  tip.Angle = std::atan2(m, z) - std::atan2(uv, uh);
+  // The angle under which a ball is seen is asin(bound / d).
+  tip.AngleBound = bound < d ? HalfPi * bound / d + 8.0 * UnitRoundoff : 2.0 * HalfPi;
+  const double half = std::sin(0.5 * tip.Angle);
+  tip.Work = tip.Angle > 0.0 ? 2.0 * u * d * half * half : 0.0;
+  tip.WorkBound = u *
+      (2.0 * bound * half * half +
+        (d + bound) *
+          (std::abs(std::sin(tip.Angle)) * tip.AngleBound + 0.5 * tip.AngleBound * tip.AngleBound)) +
+    16.0 * UnitRoundoff * std::abs(tip.Work);
+  if (tip.Angle + tip.AngleBound <= 0.0)
+  {
+    tip.WorkBound = 0.0;
+  }
+  return tip;
+}
+
+struct Frame
+{
+  const StabilityCase& Body;
+  Point2D Center;
+  Point2D Foot;
+  double Height;
+  double Bound;
+
+  StabilitySide MakeSide(const Point2D& from, const Point2D& to, double slack) const
+  {
+    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    // Inwards: to the left.
+    const Point2D v = { (from[1] - to[1]) / length, (to[0] - from[0]) / length };
+    const auto distance = [&](const Point2D& p) { return (p[0] - from[0]) * v[0] + (p[1] - from[1]) * v[1]; };
+    const Tip tip = ComputeTip(distance(this->Center), this->Height,
+      this->Body.Up[0] * v[0] + this->Body.Up[1] * v[1], this->Body.Up[2], this->Bound + slack);
+    return { from, to, distance(this->Foot), this->Bound + slack, tip.Angle, tip.AngleBound, tip.Work,
+      tip.WorkBound };
+  }
+
+  std::vector<StabilitySide> MakeSides(const SupportPolygon& polygon, double slack) const
+  {
+    std::vector<StabilitySide> sides;
+    const std::size_t count = polygon.Corners.size();
+    for (std::size_t i = 0; i < count && count > 1; ++i)
+    {
+      sides.push_back(this->MakeSide(polygon.Corners[i], polygon.Corners[(i + 1) % count], slack));
+    }
+    return sides;
+  }
+};
+
+/// Middle and half of an interval.
+void SetInterval(double low, double high, double& value, double& bound)
+{
+  value = 0.5 * (low + high);
+  bound = 0.5 * (high - low) + 2.0 * UnitRoundoff * std::abs(value);
+}
+
+/// The least over all sides, between that of the hull from inside and that of the hull from outside.
+void SetLeast(
+  const std::vector<StabilitySide>& inner, const std::vector<StabilitySide>& outer, StabilityResult& result)
+{
+  double angle[2] = { Infinity, Infinity };
+  double work[2] = { Infinity, Infinity };
+  for (const StabilitySide& side : inner)
+  {
+    angle[0] = std::min(angle[0], side.TipAngle - side.TipAngleBound);
+    work[0] = std::min(work[0], std::max(0.0, side.CenterOfMassRise - side.CenterOfMassRiseBound));
+  }
+  for (const StabilitySide& side : outer)
+  {
+    angle[1] = std::min(angle[1], side.TipAngle + side.TipAngleBound);
+    work[1] = std::min(work[1], side.CenterOfMassRise + side.CenterOfMassRiseBound);
+  }
+  SetInterval(std::min(angle[0], angle[1]), angle[1], result.TipAngle, result.TipAngleBound);
+  SetInterval(std::min(work[0], work[1]), work[1], result.CenterOfMassRise, result.CenterOfMassRiseBound);
+}
+
+/// Upper concave envelope of the samples along the line of contacts, at the foot, for rolling in a direction: surfaces that end
+/// there count as edges.
+ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& foot, const Point2D& along,
+  double reach, int direction)
+{
+  ContactSample best{ foot, -Infinity, 0.0, 0.0 };
+  std::vector<ContactSample> samples = all;
+  for (ContactSample& sample : samples)
+  {
+    if ((sample.GoesOn >> direction & 1u) == 0)
+    {
+      sample.Radius = sample.Doubt = sample.Widest = 0.0;
+    }
+  }
+  const auto take = [&best](double radius, double doubt, double widest)
+  {
+    if (radius > best.Radius)
+    {
+      best.Radius = radius;
+      best.Doubt = doubt;
+      best.Widest = widest;
+    }
+  };
+  const auto position = [&](const ContactSample& s)
+  { return (s.Position[0] - foot[0]) * along[0] + (s.Position[1] - foot[1]) * along[1]; };
+  for (const ContactSample& a : samples)
+  {
+    const double x = position(a);
+    if (std::abs(x) <= reach)
+    {
+      take(a.Radius, a.Doubt, a.Widest);
+    }
+    for (const ContactSample& b : samples)
+    {
+      const double y = position(b);
+      if (x < -reach && y > reach)
+      {
+        const double share = -x / (y - x);
+        take(
+          a.Radius + share * (b.Radius - a.Radius), std::max(a.Doubt, b.Doubt), std::max(a.Widest, b.Widest));
+      }
+    }
+  }
+  return best;
+}
+
+void Roll(
+  const Frame& frame, const GroundContacts& contacts, const SupportPolygon& hull, StabilityResult& result)
+{
+  Point2D along{ 1.0, 0.0 };
+  if (result.Support == SupportKind::Line)
+  {
+    double longest = 0.0;
+    for (const Point2D& p : hull.Corners)
+    {
+      const double dx = p[0] - hull.Corners[0][0];
+      const double dy = p[1] - hull.Corners[0][1];
+      const double length = std::hypot(dx, dy);
+      if (length > longest)
+      {
+        longest = length;
+        along = { dx / length, dy / length };
+      }
+    }
+  }
+  const double reach = std::max(frame.Body.Tolerance, frame.Bound);
+  // The side to which it rolls worst: both sides of a line, any side of a point.
+  const bool isLine = result.Support == SupportKind::Line;
+  ContactSample sample{ frame.Foot, Infinity, 0.0, Infinity };
+  for (int k = 0; k < ContactDirections; ++k)
+  {
+    const Point2D e = GetContactDirection(k);
+    const double skew = std::abs(e[0] * along[0] + e[1] * along[1]);
+    if (!isLine || skew <= 1.01 * std::sin(2.0 * HalfPi / ContactDirections))
+    {
+      const ContactSample one = GetEnvelope(contacts.Samples, frame.Foot, along, reach, k);
+      sample = one.Radius < sample.Radius || !(one.Radius >= 0.0) ? one : sample;
+    }
+  }
+  if (!(sample.Radius >= 0.0))
+  {
+    return;
+  }
+  // On a slope the balanced centre is z / u_h above the contact, along u. A turn about the axis a carries it 1 - (a.u)^2 of
+  // that, and the contact radius u_h, both as seen from above: so z counts (1 - (a.u)^2) / u_h^2 times.
+  const std::array<double, 3>& up = frame.Body.Up;
+  const double turned = isLine ? along[0] * up[0] + along[1] * up[1] : 0.0;
+  const double factor = up[0] == 0.0 && up[1] == 0.0 ? 1.0 : (1.0 - turned * turned) / (up[2] * up[2]);
+  result.RollingRadius = sample.Radius;
+  result.RollingMargin = sample.Radius - factor * frame.Height;
+  result.RollingMarginBound = sample.Doubt + factor * frame.Bound;
+  // The least radius belongs to one direction: of a point on a slope, or of two points that make a line, not surely to the worst.
+  if (isLine ? sample.Widest < 1e6 * frame.Body.Size : factor > 1.0)
+  {
+    result.RollingMarginBound += std::max(0.0, sample.Widest - sample.Radius);
+  }
+  if (result.StabilityMargin + result.StabilityMarginBound < -reach)
+  {
+    return; // not in balance
+  }
+  result.ByRolling = true;
+  // Along the line it tips over the ends.
+  double ends[2] = { 0.0, 0.0 };
+  for (const Point2D& p : hull.Corners)
+  {
+    const double x = (p[0] - frame.Foot[0]) * along[0] + (p[1] - frame.Foot[1]) * along[1];
+    ends[0] = std::min(ends[0], x);
+    ends[1] = std::max(ends[1], x);
+  }
+  if (result.Support == SupportKind::Line && std::min(-ends[0], ends[1]) <= frame.Bound &&
+    !(result.RollingMargin < -result.RollingMarginBound))
+  {
+    result.Decision = Verdict::TooClose;
+    return;
+  }
+  result.Decision = result.RollingMargin > result.RollingMarginBound ? Verdict::Stable
+    : result.RollingMargin < -result.RollingMarginBound ||
+      (!isLine && sample.Radius + sample.Doubt + frame.Bound < frame.Height)
+    ? Verdict::Unstable
+    : Verdict::TooClose;
+}
+}
+
+StabilityResult::StabilityResult()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  this->Foot = { nan, nan };
+  this->Height = this->HeightBound = this->StabilityMargin = this->StabilityMarginBound = this->TipAngle =
+    this->TipAngleBound = this->CenterOfMassRise = this->CenterOfMassRiseBound = this->RollingRadius =
+      this->RollingMargin = this->RollingMarginBound = nan;
+}
+
+StabilityResult ComputeStability(const StabilityCase& body, GroundContacts contacts)
+{
+  StabilityResult result;
+  if (!std::isfinite(body.CenterBound) || !std::isfinite(body.Center[0] + body.Center[1] + body.Center[2]))
+  {
+    return result;
+  }
+  const double ground = 0.5 * (body.Ground.Low + body.Ground.High);
+  Frame frame{ body, { body.Center[0], body.Center[1] }, {}, body.Center[2] - ground, 0.0 };
+  const double lean[2] = { body.Up[0] / body.Up[2], body.Up[1] / body.Up[2] };
+  for (int i = 0; i < 2; ++i)
+  {
+    frame.Foot[i] = body.Center[i] - frame.Height * lean[i];
+  }
+  // What the centre, the ground and rounding move the foot by; the foot moves with the height where the ground leans.
+  const double steep = 1.0 + std::hypot(lean[0], lean[1]);
+  const double heightBound = body.CenterBound + 0.5 * (body.Ground.High - body.Ground.Low) + body.Rounding;
+  // The directions are rounded, too: the lean by 8 u (1 + its square), more than it is where the ground is steep.
+  frame.Bound =
+    steep * (heightBound + body.Rounding + 8.0 * UnitRoundoff * steep * (std::abs(frame.Height) + body.Size));
+  result.Foot = frame.Foot;
+  result.Height = frame.Height;
+  result.HeightBound = heightBound;
+  if (contacts.Pieces.empty())
+  {
+    result.Decision = Verdict::NoContact;
+    return result;
+  }
+
+  // What is closer than stationary points are known is one.
+  const double merge = body.Resolution + 2.0 * contacts.Spread;
+  while (contacts.Pieces.size() < MaximumPieces &&
+    HalvePieces(contacts.Pieces,
+      [&](const ContactPiece& piece) { return GetSagitta(piece) > DrawnSagitta * body.Size; }))
+  {
+  }
+  const Hulls drawn = MakeHulls(contacts.Pieces, merge);
+  result.Polygon = drawn.Inner.Corners.empty() ? drawn.Outer.Corners : drawn.Inner.Corners;
+  result.Support = !(drawn.Outer.GetWidth() <= LineWidth * body.Size) ? SupportKind::Area
+    : drawn.Outer.GetLength() <= LineWidth * body.Size                ? SupportKind::Point
+                                                                      : SupportKind::Line;
+
+  const Hulls fine = Refine(contacts.Pieces, frame.Foot, body.Size, merge);
+  // Points this close to certain ones were passed by, and the outer hull leaves out as much again.
+  const double beyond = 8.0 * merge + contacts.Spread;
+  const double inner = fine.Inner.GetMargin(frame.Foot);
+  double low = inner - contacts.Spread - frame.Bound;
+  double high = fine.Outer.GetMargin(frame.Foot) + beyond + frame.Bound;
+  if (!std::isfinite(low))
+  {
+    // Only possible contacts: how far the foot is from the farthest of them is the least that is sure.
+    low = -body.Size - std::abs(high);
+  }
+  SetInterval(low, high, result.StabilityMargin, result.StabilityMarginBound);
+  result.Decision = low > 0.0 ? Verdict::Stable : high < 0.0 ? Verdict::Unstable : Verdict::TooClose;
+
+  for (StabilitySide& side : frame.MakeSides(drawn.Inner, contacts.Spread))
+  {
+    // Contacts that are possible only lie beyond the side by this.
+    const double length = std::hypot(side.To[0] - side.From[0], side.To[1] - side.From[1]);
+    const Point2D outward = { (side.To[1] - side.From[1]) / length, (side.From[0] - side.To[0]) / length };
+    const double support =
+      std::max(0.0, fine.Outer.GetSupport(outward) - (side.From[0] * outward[0] + side.From[1] * outward[1]));
+    result.Sides.push_back(frame.MakeSide(side.From, side.To, support + beyond));
+  }
+  if (fine.Inner.Corners.size() == 1)
+  {
+    const Point2D& p = fine.Inner.Corners[0];
+    const double offset = std::hypot(frame.Foot[0] - p[0], frame.Foot[1] - p[1]);
+    const double reach = std::hypot(frame.Center[0] - p[0], frame.Center[1] - p[1], frame.Height);
+    result.TipAngle = -std::asin(std::min(1.0, offset * body.Up[2] / std::max(reach, offset)));
+    result.TipAngleBound = HalfPi * std::min(2.0, (frame.Bound + beyond) / reach);
+    result.CenterOfMassRise = result.CenterOfMassRiseBound = 0.0;
+  }
+  else if (fine.Inner.Corners.size() > 1)
+  {
+    SetLeast(frame.MakeSides(fine.Inner, contacts.Spread), frame.MakeSides(fine.Outer, beyond), result);
+  }
+  if (result.Support != SupportKind::Area)
+  {
+    Roll(frame, contacts, drawn.Outer, result);
+  }
+  return result;
+}
+}

@@ -1,0 +1,123 @@
+/**
+ * @file smStability.h
+ * @brief Does a body stand? Margin, tip angles and works from its contacts and its centre of mass, with bounds
+ *
+ * Everything is in the frame of the ground (smGroundNet.h): a, b in its plane, h along its normal. The body is rigid and does not
+ * slide. It stands when the plumb line from the centre of mass meets the ground inside the convex hull of the contacts.
+ *
+ * **Margin**: signed distance of that foot from the border of the hull, in the ground's plane, positive inside; minus the distance
+ * where the hull is a point or a segment. Hulls from inside and outside of all contacts give an interval, the bounds of
+ * the centre widen it.
+ *
+ * **Tipping about a side** with unit inward normal v, in the plane: with m the signed distance of the centre from the side along v, z its
+ * height above the ground, d = hypot(m, z), and u_v, u_h the components of the upward direction along v and along the
+ * ground's normal, the centre is highest after a turn by the angle phi, and has risen by W then:
+ *
+ *     phi = atan2(m, z) - atan2(u_v, u_h),     W = hypot(u_v, u_h) d (1 - cos phi)        (0 where phi <= 0)
+ *
+ * On level ground phi = atan(m / z) and W = d - z. W is a length: the work is W times weight.
+ *
+ * **Rolling.** Where the contacts are one point, or lie in one line, the margin is not positive, and curvature decides. The height
+ * of the centre over the ground, as a function of the direction of the ground seen from the body, is the support function of the
+ * body about the centre; its second derivative in a direction of rolling is (radius of curvature) - z. So a body that is in
+ * balance rolls back when the radius of curvature of its surface at the contact, across the line of contacts, exceeds the height of
+ * the centre: RollingMargin = radius - z. Corners and edges have radius 0. Between two contacts of a line the radius counts linearly (upper
+ * concave envelope: the body lies on both). Where a surface ends at the contact, the body tips over that border: the radius to
+ * that side is 0. On a slope z counts 1 / cos^2 times, of its angle across the axis of rolling. Radii come from derivatives at the contacts: their doubt is an estimate, no
+ * theorem.
+ */
+#ifndef smStability_h
+#define smStability_h
+
+#include "smGroundContact.h"
+#include "smSupportPolygon.h"
+
+#include <array>
+#include <vector>
+
+namespace sm
+{
+enum class Verdict
+{
+  Stable,
+  Unstable,
+  TooClose,
+  NoContact,
+  BelowGround,
+  Unknown ///< there is no centre of mass, or no face
+};
+
+enum class SupportKind
+{
+  None,
+  Point,
+  Line,
+  Area
+};
+
+struct StabilityCase
+{
+  /// In the ground's frame.
+  std::array<double, 3> Center{};
+  /// How far the centre may be off, in any direction; not finite: there is none.
+  double CenterBound = 0.0;
+  /// Unit vector against gravity; its h component is positive.
+  std::array<double, 3> Up{ 0.0, 0.0, 1.0 };
+  /// The ground lies between these heights.
+  HeightRange Ground{ 0.0, 0.0 };
+  /// Of the search: see there.
+  double Size = 0.0;
+  double Rounding = 0.0;
+  double Resolution = 0.0;
+  /// Contacts were looked for within this of the ground: a body that is out of balance by less is in balance. A length.
+  double Tolerance = 0.0;
+};
+
+struct StabilitySide
+{
+  Point2D From;
+  Point2D To;
+  /// Of the foot of the plumb line from the side's line, in the ground's plane.
+  double StabilityMargin;
+  double StabilityMarginBound;
+  /// Radians; negative: the centre is beyond the side already.
+  double TipAngle;
+  double TipAngleBound;
+  /// Rise of the centre of mass, a length.
+  double CenterOfMassRise;
+  double CenterOfMassRiseBound;
+};
+
+struct StabilityResult
+{
+  Verdict Decision = Verdict::Unknown;
+  SupportKind Support = SupportKind::None;
+  /// The margin could not decide, and rolling did.
+  bool ByRolling = false;
+  Point2D Foot;
+  double Height;
+  double HeightBound;
+  double StabilityMargin;
+  double StabilityMarginBound;
+  /// The least of all directions.
+  double TipAngle;
+  double TipAngleBound;
+  double CenterOfMassRise;
+  double CenterOfMassRiseBound;
+  /// NaN unless the support is a point or a line.
+  double RollingRadius;
+  double RollingMargin;
+  double RollingMarginBound;
+  /// Counter-clockwise seen against the ground's normal: certain contacts, curved sides to a thousandth of the size.
+  std::vector<Point2D> Polygon;
+  std::vector<StabilitySide> Sides;
+
+  /// Numbers NaN.
+  StabilityResult();
+};
+
+/// `contacts` are refined where it matters.
+StabilityResult ComputeStability(const StabilityCase& body, GroundContacts contacts);
+}
+
+#endif

@@ -1,0 +1,370 @@
+#include "smSupportedBody.h"
+
+#include "smStabilityNames.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+double Dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector3 Cross(const Vector3& a, const Vector3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+Vector3 Normalized(const Vector3& v)
+{
+  // By the largest first, so that no square overflows.
+  const double largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+  const Vector3 scaled{ v[0] / largest, v[1] / largest, v[2] / largest };
+  const double length = std::sqrt(Dot(scaled, scaled));
+  return { scaled[0] / length, scaled[1] / length, scaled[2] / length };
+}
+
+/// Position in the ground's frame of a point of the world, given in parts that are added in wider numbers.
+Vector3 ToFrame(
+  const GroundDirections& ground, const Vector3& origin, const std::array<long double, 3>& world)
+{
+  Vector3 result;
+  const Vector3* rows[3] = { &ground.A, &ground.B, &ground.Normal };
+  for (int i = 0; i < 3; ++i)
+  {
+    long double sum = 0.0L;
+    for (int j = 0; j < 3; ++j)
+    {
+      sum += (*rows[i])[j] * (world[j] - origin[j]);
+    }
+    result[i] = static_cast<double>(sum);
+  }
+  return result;
+}
+
+GroundFrame MakeFrame(const GroundDirections& ground, const Vector3& origin, const BodyIntegrals& part)
+{
+  GroundFrame frame;
+  const std::array<double, 16>& m = part.Placement;
+  const double* partOrigin = part.Model->GetOrigin();
+  const Vector3* rows[3] = { &ground.A, &ground.B, &ground.Normal };
+  std::array<long double, 3> world{};
+  for (int i = 0; i < 3; ++i)
+  {
+    world[i] = m[4 * i + 3];
+    for (int j = 0; j < 3; ++j)
+    {
+      world[i] += static_cast<long double>(m[4 * i + j]) * partOrigin[j];
+    }
+    for (int j = 0; j < 3; ++j)
+    {
+      long double sum = 0.0L;
+      for (int k = 0; k < 3; ++k)
+      {
+        sum += static_cast<long double>((*rows[i])[k]) * m[4 * k + j];
+      }
+      frame.Rows[i][j] = static_cast<double>(sum);
+    }
+  }
+  frame.Shift = ToFrame(ground, origin, world);
+  return frame;
+}
+}
+
+bool GroundDirections::Make(const double gravity[3], const double normal[3], GroundDirections& directions)
+{
+  directions.Up = Normalized({ -gravity[0], -gravity[1], -gravity[2] });
+  const bool level = normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 0.0;
+  Vector3 n = level ? directions.Up : Normalized({ normal[0], normal[1], normal[2] });
+  const double cosine = Dot(n, directions.Up);
+  if (!(std::abs(cosine) >= 1e-6))
+  {
+    return false;
+  }
+  if (cosine < 0.0)
+  {
+    n = { -n[0], -n[1], -n[2] };
+  }
+  directions.Normal = n;
+  // The world axis that lies in the ground most nearly.
+  int axis = 0;
+  for (int i = 1; i < 3; ++i)
+  {
+    axis = std::abs(n[i]) < std::abs(n[axis]) ? i : axis;
+  }
+  Vector3 a{};
+  a[axis] = 1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    a[i] -= n[axis] * n[i];
+  }
+  directions.A = Normalized(a);
+  directions.B = Cross(n, directions.A);
+  return true;
+}
+
+SupportedBody::SupportedBody()
+  : Mass(vtkMath::Nan())
+  , Metres(vtkMath::Nan())
+{
+}
+
+Vector3 SupportedBody::ToWorld(const GroundDirections& ground, const Point2D& ab, double h) const
+{
+  Vector3 world;
+  for (int i = 0; i < 3; ++i)
+  {
+    world[i] = this->Origin[i] + ab[0] * ground.A[i] + ab[1] * ground.B[i] + h * ground.Normal[i];
+  }
+  return world;
+}
+
+void EvaluateStability(SupportedBody& body, const GroundDirections& ground, const double* groundOrigin,
+  double tolerance, FacePanelsCache& cache)
+{
+  vtkBoundingBox box;
+  for (const BodyIntegrals* part : body.Parts)
+  {
+    AddPlacedBox(*part, box);
+  }
+  if (!box.IsValid())
+  {
+    return;
+  }
+  body.Size = box.GetDiagonalLength();
+  box.GetCenter(body.Origin.data());
+  ContactSearch search;
+  std::vector<CutFacePointer> held;
+  for (const BodyIntegrals* part : body.Parts)
+  {
+    std::vector<CutFacePointer> cut;
+    cache.Acquire(part->Model->GetFaces(), cut, {});
+    const GroundFrame frame = MakeFrame(ground, body.Origin, *part);
+    for (const CutFacePointer& face : cut)
+    {
+      search.AddFace(face, frame);
+    }
+  }
+  const HeightRange lowest = search.FindLowest();
+  if (std::isnan(lowest.Low))
+  {
+    return;
+  }
+
+  StabilityCase standing;
+  const Vector3 center = ToFrame(ground, body.Origin, { body.Center[0], body.Center[1], body.Center[2] });
+  standing.Center = center;
+  // That of its components.
+  standing.CenterBound = std::sqrt(3.0) * body.CenterBound;
+  standing.Up = { Dot(ground.Up, ground.A), Dot(ground.Up, ground.B), Dot(ground.Up, ground.Normal) };
+  if (ground.Up == ground.Normal)
+  {
+    standing.Up = { 0.0, 0.0, 1.0 };
+  }
+  standing.Size = search.GetSize();
+  standing.Rounding = search.GetRounding();
+  standing.Resolution = search.GetResolution();
+  standing.Tolerance = tolerance * body.Size;
+  standing.Ground = lowest;
+  if (groundOrigin)
+  {
+    const double h = ToFrame(ground, body.Origin, { groundOrigin[0], groundOrigin[1], groundOrigin[2] })[2];
+    // The plane's own point is rounded as the body's are.
+    const double rounding = standing.Rounding + 4e-16 * std::abs(h);
+    standing.Ground = { h - rounding, h + rounding };
+    body.Clearance = { lowest.Low - standing.Ground.High, lowest.High - standing.Ground.Low };
+  }
+  body.GroundHeight = 0.5 * (standing.Ground.Low + standing.Ground.High);
+  if (groundOrigin && body.Clearance.High < -standing.Tolerance)
+  {
+    body.Result = ComputeStability(standing, {});
+    body.Result.Decision = Verdict::BelowGround;
+    return;
+  }
+  GroundContacts contacts = search.FindContacts(standing.Ground.High + standing.Tolerance);
+  body.ContactFaces = static_cast<int>(contacts.FaceIds.size());
+  body.ContactEdges = static_cast<int>(contacts.EdgeIds.size());
+  body.Coarse = contacts.Coarse;
+  body.Result = ComputeStability(standing, std::move(contacts));
+}
+
+// --- the drawing -------------------------------------------------------------------------------
+
+namespace
+{
+const unsigned char* GetColor(Verdict verdict)
+{
+  static const unsigned char green[3] = { 38, 166, 65 };
+  static const unsigned char red[3] = { 214, 40, 40 };
+  static const unsigned char amber[3] = { 255, 176, 0 };
+  static const unsigned char grey[3] = { 140, 140, 140 };
+  return verdict == Verdict::Stable   ? green
+    : verdict == Verdict::Unstable    ? red
+    : verdict == Verdict::TooClose    ? amber
+    : verdict == Verdict::BelowGround ? red
+                                      : grey;
+}
+
+/// Cells with a colour each; lines come before polygons in a polydata.
+class Pen
+{
+public:
+  Pen()
+  {
+    this->Points->SetDataTypeToDouble();
+    for (vtkUnsignedCharArray* colors : { this->LineColors.Get(), this->PolyColors.Get() })
+    {
+      colors->SetNumberOfComponents(3);
+    }
+  }
+
+  vtkIdType AddPoint(const Vector3& p) { return this->Points->InsertNextPoint(p.data()); }
+
+  void AddLine(const std::vector<Vector3>& points, bool closed, const unsigned char* color)
+  {
+    this->Lines->InsertNextCell(static_cast<int>(points.size()) + (closed ? 1 : 0));
+    const vtkIdType first = this->Points->GetNumberOfPoints();
+    for (const Vector3& p : points)
+    {
+      this->Lines->InsertCellPoint(this->AddPoint(p));
+    }
+    if (closed)
+    {
+      this->Lines->InsertCellPoint(first);
+    }
+    this->LineColors->InsertNextTypedTuple(color);
+  }
+
+  void AddPolygon(const std::vector<Vector3>& points, const unsigned char* color)
+  {
+    this->Polys->InsertNextCell(static_cast<int>(points.size()));
+    for (const Vector3& p : points)
+    {
+      this->Polys->InsertCellPoint(this->AddPoint(p));
+    }
+    this->PolyColors->InsertNextTypedTuple(color);
+  }
+
+  void AddSphere(const Vector3& center, double radius, const unsigned char* color)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    sphere->SetCenter(center[0], center[1], center[2]);
+    sphere->SetRadius(radius);
+    sphere->SetThetaResolution(24);
+    sphere->SetPhiResolution(16);
+    sphere->Update();
+    vtkPolyData* mesh = sphere->GetOutput();
+    for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+    {
+      vtkNew<vtkIdList> ids;
+      mesh->GetCellPoints(i, ids);
+      std::vector<Vector3> points(ids->GetNumberOfIds());
+      for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+      {
+        mesh->GetPoint(ids->GetId(k), points[k].data());
+      }
+      this->AddPolygon(points, color);
+    }
+  }
+
+  void Finish(vtkPolyData* drawing)
+  {
+    drawing->SetPoints(this->Points);
+    drawing->SetLines(this->Lines);
+    drawing->SetPolys(this->Polys);
+    this->LineColors->SetName(names::StabilityColor);
+    for (vtkIdType i = 0; i < this->PolyColors->GetNumberOfTuples(); ++i)
+    {
+      this->LineColors->InsertNextTuple(i, this->PolyColors);
+    }
+    drawing->GetCellData()->SetScalars(this->LineColors);
+  }
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkCellArray> Polys;
+  vtkNew<vtkUnsignedCharArray> LineColors;
+  vtkNew<vtkUnsignedCharArray> PolyColors;
+};
+
+void DrawBody(const SupportedBody& body, const GroundDirections& ground, Pen& pen)
+{
+  const StabilityResult& result = body.Result;
+  if (!std::isfinite(result.Height))
+  {
+    return;
+  }
+  const unsigned char* color = GetColor(result.Decision);
+  // A little below the ground, so that the faces that touch it do not hide the polygon.
+  const double ground0 = body.GroundHeight;
+  const double below = ground0 - 2e-3 * body.Size;
+  const double footHeight = ground0 - 1e-3 * body.Size;
+  const double dot = 0.015 * body.Size;
+  const auto disc = [&](const Point2D& at, double radius, double h)
+  {
+    std::vector<Vector3> points;
+    const int count = 32;
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * i / count;
+      points.push_back(
+        body.ToWorld(ground, { at[0] + radius * std::cos(angle), at[1] + radius * std::sin(angle) }, h));
+    }
+    return points;
+  };
+  std::vector<Vector3> corners;
+  for (const Point2D& p : result.Polygon)
+  {
+    corners.push_back(body.ToWorld(ground, p, below));
+  }
+  if (corners.size() > 2)
+  {
+    pen.AddPolygon(corners, color);
+  }
+  if (corners.size() > 1)
+  {
+    pen.AddLine(corners, corners.size() > 2, color);
+  }
+  if (corners.size() < 3)
+  {
+    for (const Point2D& p : result.Polygon)
+    {
+      pen.AddLine(disc(p, 2.0 * dot, below), true, color);
+    }
+  }
+  static const unsigned char ink[3] = { 30, 36, 44 };
+  const Vector3 foot = body.ToWorld(ground, result.Foot, footHeight);
+  pen.AddLine({ body.Center, foot }, false, ink);
+  pen.AddPolygon(disc(result.Foot, dot, footHeight), ink);
+  pen.AddLine(disc(result.Foot, 2.0 * dot, footHeight), true, ink);
+  pen.AddSphere(body.Center, 1.5 * dot, color);
+}
+}
+
+void DrawStanding(
+  const std::vector<SupportedBody>& bodies, const GroundDirections& ground, vtkPolyData* drawing)
+{
+  Pen pen;
+  for (const SupportedBody& body : bodies)
+  {
+    DrawBody(body, ground, pen);
+  }
+  pen.Finish(drawing);
+}
+}

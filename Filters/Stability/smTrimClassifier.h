@@ -1,0 +1,60 @@
+/**
+ * @file smTrimClassifier.h
+ * @brief Which boxes of a face's parameters lie inside its loops, outside, or may be crossed by one
+ */
+#ifndef smTrimClassifier_h
+#define smTrimClassifier_h
+
+#include "smFace.h"
+#include "smFiltersStabilityModule.h"
+
+#include <array>
+#include <vector>
+
+namespace sm
+{
+enum class TrimSide
+{
+  Inside,
+  Outside,
+  /// A loop crosses the box, or runs so near that it may.
+  Undecided
+};
+
+/// The loops as polygons whose distance from the curves is known, sorted by v for the search.
+class SMFILTERSSTABILITY_EXPORT TrimClassifier
+{
+public:
+  /// Takes the face's loops; it is not kept.
+  explicit TrimClassifier(const Face& face);
+
+  /// The closed box in the face's own (u, v). What Inside and Outside say is proved for the trim curves themselves. A box may
+  /// have no width. Points that loops wind around, in either sense, are inside; everything is where there are no loops.
+  /// `hopeless`, if not null, gets whether the box is undecided and no smaller one near it would be better off.
+  TrimSide Classify(
+    const std::array<double, 2>& low, const std::array<double, 2>& high, bool* hopeless = nullptr) const;
+
+private:
+  struct Chord
+  {
+    std::array<double, 2> From;
+    std::array<double, 2> To;
+    int Curve;
+  };
+  void AddLoop(const Loop& loop, const std::array<double, 2>& tolerance);
+  int GetWinding(const std::array<double, 2>& point) const;
+
+  std::vector<Chord> Chords;
+  /// Chords by rows of equal height in v, for the search.
+  std::vector<std::vector<int>> Rows;
+  double RowStart = 0.0;
+  double RowHeight = 1.0;
+  int GetRow(double v) const;
+  /// By curve: how far its chords may be from it, in u and in v; and the largest in v.
+  std::vector<std::array<double, 2>> Deviations;
+  double Largest = 0.0;
+  bool Everything = false;
+};
+}
+
+#endif

@@ -1,0 +1,409 @@
+#include "vtkSolidStability.h"
+
+#include "smColumns.h"
+#include "smMassPropertyNames.h"
+#include "smMassTable.h"
+#include "smStabilityNames.h"
+#include "vtkSolidStabilityInternals.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSolidStability);
+
+namespace
+{
+namespace names = sm::names;
+const double Degrees = sm::DegreesPerRadian;
+
+/// Part of a run that the mass properties take, as its progress has it.
+constexpr double MassShare = 0.8;
+
+/// While it lives, passes the progress of a filter inside on to its owner, and the owner's wish to stop to the filter.
+class ProgressRelay
+{
+public:
+  ProgressRelay(vtkAlgorithm* inside, vtkAlgorithm* owner, double share)
+    : Inside(inside)
+    , Owner(owner)
+    , Share(share)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback(
+      [](vtkObject*, unsigned long, void* relay, void*) { static_cast<ProgressRelay*>(relay)->PassOn(); });
+    this->Tag = inside->AddObserver(vtkCommand::ProgressEvent, command);
+  }
+  ~ProgressRelay()
+  {
+    this->Inside->RemoveObserver(this->Tag);
+    // VTK 9.2 leaves it set.
+    this->Inside->SetAbortExecute(0);
+  }
+  ProgressRelay(const ProgressRelay&) = delete;
+  void operator=(const ProgressRelay&) = delete;
+
+private:
+  void PassOn()
+  {
+    this->Owner->UpdateProgress(this->Share * this->Inside->GetProgress());
+    if (this->Owner->GetAbortExecute())
+    {
+      this->Inside->SetAbortExecute(1);
+    }
+  }
+
+  vtkAlgorithm* Inside;
+  vtkAlgorithm* Owner;
+  double Share;
+  unsigned long Tag = 0;
+};
+
+/// The larger the worse.
+int GetBadness(sm::Verdict verdict)
+{
+  switch (verdict)
+  {
+    case sm::Verdict::Stable:
+      return 0;
+    case sm::Verdict::TooClose:
+      return 1;
+    case sm::Verdict::Unstable:
+      return 2;
+    case sm::Verdict::NoContact:
+      return 3;
+    case sm::Verdict::BelowGround:
+      return 4;
+    case sm::Verdict::Unknown:
+      break;
+  }
+  return 5;
+}
+
+}
+
+// --- the filter --------------------------------------------------------------------------------
+
+vtkSolidStability::vtkSolidStability()
+  : Implementation(new Internals)
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(4);
+}
+
+vtkSolidStability::~vtkSolidStability() = default;
+
+void vtkSolidStability::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const double v[3])
+  { os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n"; };
+  print("GravityDirection", this->GravityDirection);
+  print("GroundNormal", this->GroundNormal);
+  print("GroundOrigin", this->GroundOrigin);
+  os << indent << "Ground: " << this->Ground << "\n"
+     << indent << "ContactTolerance: " << this->ContactTolerance << "\n"
+     << indent << "Bodies: " << this->Bodies << "\n"
+     << indent << "GravityStrength: " << this->GravityStrength << "\n"
+     << indent << "Stability: " << this->GetStability() << "\n"
+     << indent << "MassProperties:\n";
+  this->Implementation->Mass->PrintSelf(os, indent.GetNextIndent());
+}
+
+void vtkSolidStability::SetVector(
+  const char* name, double (&vector)[3], double x, double y, double z, bool mayVanish)
+{
+  const bool vanishes = x == 0.0 && y == 0.0 && z == 0.0;
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || (vanishes && !mayVanish))
+  {
+    vtkErrorMacro(<< name << "(" << x << ", " << y << ", " << z << "): give three finite numbers"
+                  << (mayVanish ? "." : ", not all 0, for example 0, 0, -1."));
+    return;
+  }
+  const double values[3] = { x, y, z };
+  if (!std::equal(values, values + 3, vector))
+  {
+    std::copy_n(values, 3, vector);
+    this->Modified();
+  }
+}
+
+void vtkSolidStability::SetGravityDirection(double x, double y, double z)
+{
+  this->SetVector("SetGravityDirection", this->GravityDirection, x, y, z, false);
+}
+
+void vtkSolidStability::SetGravityDirection(const double direction[3])
+{
+  this->SetGravityDirection(direction[0], direction[1], direction[2]);
+}
+
+void vtkSolidStability::SetGroundNormal(double x, double y, double z)
+{
+  this->SetVector("SetGroundNormal", this->GroundNormal, x, y, z, true);
+}
+
+void vtkSolidStability::SetGroundNormal(const double normal[3])
+{
+  this->SetGroundNormal(normal[0], normal[1], normal[2]);
+}
+
+void vtkSolidStability::SetGroundOrigin(double x, double y, double z)
+{
+  this->SetVector("SetGroundOrigin", this->GroundOrigin, x, y, z, true);
+}
+
+void vtkSolidStability::SetGroundOrigin(const double origin[3])
+{
+  this->SetGroundOrigin(origin[0], origin[1], origin[2]);
+}
+
+void vtkSolidStability::SetContactTolerance(double tolerance)
+{
+  if (std::isnan(tolerance))
+  {
+    vtkErrorMacro("SetContactTolerance: not a number; give a value in [0, 0.1], for example 1e-6.");
+    return;
+  }
+  const double clamped = std::clamp(tolerance, 0.0, 0.1);
+  if (this->ContactTolerance != clamped)
+  {
+    this->ContactTolerance = clamped;
+    this->Modified();
+  }
+}
+
+void vtkSolidStability::SetDensity(double density)
+{
+  this->Implementation->Mass->SetDensity(density);
+}
+
+double vtkSolidStability::GetDensity()
+{
+  return this->Implementation->Mass->GetDensity();
+}
+
+void vtkSolidStability::SetRelativeTolerance(double tolerance)
+{
+  this->Implementation->Mass->SetRelativeTolerance(tolerance);
+}
+
+double vtkSolidStability::GetRelativeTolerance()
+{
+  return this->Implementation->Mass->GetRelativeTolerance();
+}
+
+void vtkSolidStability::SetBackend(int backend)
+{
+  this->Implementation->Mass->SetBackend(backend);
+}
+
+int vtkSolidStability::GetBackend()
+{
+  return this->Implementation->Mass->GetBackend();
+}
+
+void vtkSolidStability::SetRenderWindow(vtkRenderWindow* window)
+{
+  this->Implementation->Mass->SetRenderWindow(window);
+}
+
+vtkRenderWindow* vtkSolidStability::GetRenderWindow()
+{
+  return this->Implementation->Mass->GetRenderWindow();
+}
+
+vtkMassPropertiesGPU* vtkSolidStability::GetMassProperties()
+{
+  return this->Implementation->Mass;
+}
+
+std::string vtkSolidStability::GetStability() const
+{
+  return sm::GetName(this->Implementation->Worst.Result.Decision);
+}
+
+std::string vtkSolidStability::GetSupport() const
+{
+  return sm::GetName(this->Implementation->Worst.Result.Support);
+}
+
+double vtkSolidStability::GetMargin() const
+{
+  return this->Implementation->Worst.Result.StabilityMargin;
+}
+
+double vtkSolidStability::GetMarginBound() const
+{
+  return this->Implementation->Worst.Result.StabilityMarginBound;
+}
+
+double vtkSolidStability::GetTipAngle() const
+{
+  return this->Implementation->Worst.Result.TipAngle * Degrees;
+}
+
+double vtkSolidStability::GetTipAngleBound() const
+{
+  return this->Implementation->Worst.Result.TipAngleBound * Degrees;
+}
+
+double vtkSolidStability::GetWorkToTip() const
+{
+  return this->Implementation->Worst.Result.CenterOfMassRise;
+}
+
+double vtkSolidStability::GetWorkToTipBound() const
+{
+  return this->Implementation->Worst.Result.CenterOfMassRiseBound;
+}
+
+double vtkSolidStability::GetRollingMargin() const
+{
+  return this->Implementation->Worst.Result.RollingMargin;
+}
+
+std::string vtkSolidStability::GetStatus() const
+{
+  return this->Implementation->Status;
+}
+
+int vtkSolidStability::GetNumberOfMessages() const
+{
+  return static_cast<int>(this->Implementation->Messages.size());
+}
+
+std::string vtkSolidStability::GetMessage(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfMessages() ? this->Implementation->Messages[index] : "";
+}
+
+vtkMTimeType vtkSolidStability::GetMTime()
+{
+  // The input of the filter inside changes in every run, its options do so by its user.
+  return std::max(this->Superclass::GetMTime(), this->Implementation->Mass->GetMTime());
+}
+
+int vtkSolidStability::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkSolidStability::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+int vtkSolidStability::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  Internals& self = *this->Implementation;
+  self.Worst = sm::SupportedBody();
+  self.Status.clear();
+  self.Messages.clear();
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
+  sm::RejectedInput rejected;
+  const std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
+  if (bodies.empty() && rejected.Plain + rejected.Withheld > 0)
+  {
+    vtkErrorMacro(
+      "No exact geometry in the input. Connect the output of vtkSTEPReader directly: filters that move or "
+      "rebuild points drop the NURBS model. vtkNURBSTransform moves a part and keeps it.");
+    return 0;
+  }
+  // Of several ranks one has the bodies, and says where there are none.
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  const int piece =
+    outputVector->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  if (bodies.empty() && piece > 0)
+  {
+    return 1;
+  }
+  sm::GroundDirections ground;
+  if (!sm::GroundDirections::Make(this->GravityDirection, this->GroundNormal, ground))
+  {
+    vtkErrorMacro(
+      "The ground stands upright: its normal is at right angles to gravity. Give SetGroundNormal a vector "
+      "that is not, or 0, 0, 0 for a level ground.");
+    return 0;
+  }
+  // The data alone: the filter inside must not run this one's pipeline.
+  if (self.Mass->GetInputDataObject(0, 0) != input)
+  {
+    self.Mass->SetInputDataObject(input);
+  }
+  // A leaf of a composite may have changed, which this does not show; faces that did not are kept.
+  self.Mass->Modified();
+  {
+    const ProgressRelay relay(self.Mass, this, MassShare);
+    self.Mass->Update();
+  }
+  self.Status = self.Mass->GetStatus();
+  for (int i = 0; i < self.Mass->GetNumberOfMessages(); ++i)
+  {
+    self.Messages.push_back(self.Mass->GetMessage(i));
+  }
+
+  std::vector<sm::SupportedBody> standing = self.Collect(bodies, this->Bodies == TOGETHER);
+  for (std::size_t i = 0; i < standing.size(); ++i)
+  {
+    if (this->GetAbortExecute())
+    {
+      self.Messages.push_back("the run was aborted before all bodies were put on the ground");
+      vtkWarningMacro(<< self.Messages.back());
+      // Of those that were not it is not known.
+      self.Worst = standing[i];
+      break;
+    }
+    sm::SupportedBody& body = standing[i];
+    sm::EvaluateStability(
+      body, ground, this->Ground == PLANE ? this->GroundOrigin : nullptr, this->ContactTolerance, self.Cache);
+    if (body.Coarse)
+    {
+      self.Messages.push_back((body.Name.empty() ? "" : body.Name + ": ") +
+        "the search for contacts was cut short; the bound of the margin says by how much");
+    }
+    if (i == 0 || GetBadness(body.Result.Decision) > GetBadness(self.Worst.Result.Decision))
+    {
+      self.Worst = body;
+    }
+    this->UpdateProgress(
+      MassShare + (1.0 - MassShare) * static_cast<double>(i + 1) / static_cast<double>(standing.size()));
+  }
+  // What it points to ends with this run.
+  self.Worst.Parts.clear();
+
+  vtkPolyData* drawing = vtkPolyData::GetData(outputVector, 0);
+  sm::DrawStanding(standing, ground, drawing);
+  const auto worst = std::max_element(standing.begin(), standing.end(),
+    [](const sm::SupportedBody& a, const sm::SupportedBody& b)
+    { return GetBadness(a.Result.Decision) < GetBadness(b.Result.Decision); });
+  if (worst != standing.end())
+  {
+    Internals::AddColumns({ *worst }, ground, this->GravityStrength, drawing->GetFieldData());
+  }
+  sm::columns::SetString(
+    drawing->GetFieldData(), names::Status, standing.empty() ? std::string(names::StatusEmpty) : self.Status);
+  sm::columns::SetString(drawing->GetFieldData(), names::Backend, self.Mass->GetBackendName());
+  Internals::AddColumns(
+    standing, ground, this->GravityStrength, vtkTable::GetData(outputVector, 1)->GetRowData());
+  sm::columns::SetString(vtkTable::GetData(outputVector, 2)->GetRowData(), names::Text,
+    Internals::GetSummary(standing, this->GravityStrength));
+  Internals::AddSides(standing, ground, this->GravityStrength, vtkTable::GetData(outputVector, 3));
+  return 1;
+}

@@ -1,0 +1,177 @@
+/**
+ * @class   vtkSolidStability
+ * @brief   does a solid stand on the ground? contacts, margin, tip angles and works, with bounds, drawn in three colours
+ *
+ * Input as of vtkMassPropertiesGPU: a vtkNURBSDataSet or a composite of them; the centre of mass comes from such a filter inside
+ * (GetMassProperties()), with its bound, and the contacts from the exact trimmed faces (smGroundContact.h), by
+ * branch and bound over their control nets, on the CPU. The body is rigid and does not slide; the ground is a plane.
+ *
+ * Verdicts: `stable` and `unstable` are proved, up to the bounds; `too-close` when the margin is smaller than its bound. A point or
+ * line of contact has no positive margin: there the curvature decides (DecidedBy is `rolling`): a hemisphere on its dome is stable, for it
+ * rolls back, a lying cylinder is too close, for it rolls anywhere, a ball is too close as well, a cone on its tip unstable.
+ * A body whose plumb line misses the contact by no more than the contact tolerance counts as balanced there. Radii of curvature are
+ * computed at the contacts, and their doubt is an estimate. `no-contact`: the given plane is out of reach; `below-ground`:
+ * parts of the body are below it by more than the tolerance; `unknown`: there is no centre of mass (an open surface), see Status.
+ * An open solid has a verdict for the centre that the mass filter states; Status says open.
+ *
+ * | port | type     | what                                                                              |
+ * |------|----------|-----------------------------------------------------------------------------------|
+ * | 0    | polydata | polygon of contacts, plumb line, its foot, centre of mass, in the verdict's colour; field data as below |
+ * | 1    | table    | a row per body, the same columns, with Name and Id                                |
+ * | 2    | table    | 1x1, column Text: a summary to show in a view                                      |
+ * | 3    | table    | a row per side of the polygon: Solid (row of port 1), From, To, StabilityMargin, TipAngle, CenterOfMassRise, with bounds, TipEnergy |
+ *
+ * Field data (smStabilityNames.h, with units), of the only body or of the worst: the first with the worst verdict (unstable,
+ * too-close, stable; before them unknown, below-ground, no-contact). Numbers that do not exist are NaN. Curved
+ * sides of the polygon are drawn, and listed, as chords to a thousandth of the size; margin, least tip angle and work are those of the
+ * curve. Angles in degrees. CenterOfMassRise is the rise of the centre of mass: times the weight it is the work.
+ *
+ * Getters return values of the last run. RequestData fails only for wrong input: no exact geometry, or a ground that stands upright.
+ * Not thread safe; with SetRenderWindow of the filter inside the calling thread must be the one that renders there.
+ */
+#ifndef vtkSolidStability_h
+#define vtkSolidStability_h
+
+#include "smFiltersStabilityModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for the implementation
+#include <string> // for std::string
+
+class vtkMassPropertiesGPU;
+class vtkRenderWindow;
+
+class SMFILTERSSTABILITY_EXPORT vtkSolidStability : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSolidStability* New();
+  vtkTypeMacro(vtkSolidStability, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Where things fall, in world coordinates; of any length but 0. Zero, infinite or not a number: an error, and nothing changes.
+   * Default 0 0 -1. */
+  void SetGravityDirection(double x, double y, double z);
+  void SetGravityDirection(const double direction[3]);
+  vtkGetVector3Macro(GravityDirection, double);
+  ///@}
+
+  /** What the body stands on. */
+  enum GroundType
+  {
+    RESTING = 0,
+    PLANE = 1
+  };
+
+  ///@{
+  /** RESTING: the plane through the lowest point of the body, or of each body alone; PLANE: through GroundOrigin. Clamped to these.
+   * Default RESTING. */
+  vtkSetClampMacro(Ground, int, RESTING, PLANE);
+  vtkGetMacro(Ground, int);
+  ///@}
+
+  ///@{
+  /** Normal of the ground, of any length; 0 0 0 (default): against gravity. Another one makes a slope; at right angles to
+   * gravity it is no ground, and the run fails. Its sense does not matter. Not finite: an error, and nothing changes. */
+  void SetGroundNormal(double x, double y, double z);
+  void SetGroundNormal(const double normal[3]);
+  vtkGetVector3Macro(GroundNormal, double);
+  ///@}
+
+  ///@{
+  /** With PLANE: a point of the ground, world coordinates, L. Not finite: an error, and nothing changes. Default 0 0 0. */
+  void SetGroundOrigin(double x, double y, double z);
+  void SetGroundOrigin(const double origin[3]);
+  vtkGetVector3Macro(GroundOrigin, double);
+  ///@}
+
+  ///@{
+  /** Faces, edges and points within this of the ground touch it, relative to the diagonal of the body's box. Clamped to [0, 0.1];
+   * not a number is an error and changes nothing. Default 1e-6: above what files and modelling kernels leave (1e-7 of a part),
+   * below what is meant. A dome still touches in one point, see smGroundContact.h. */
+  void SetContactTolerance(double tolerance);
+  vtkGetMacro(ContactTolerance, double);
+  ///@}
+
+  /** What is put on the ground. */
+  enum BodiesType
+  {
+    TOGETHER = 0,
+    EACH = 1
+  };
+
+  ///@{
+  /** TOGETHER: all solids as one rigid body, the centre weighted by mass where every solid has a density, else by volume. EACH: every
+   * solid alone. Clamped to these. Default TOGETHER. */
+  vtkSetClampMacro(Bodies, int, TOGETHER, EACH);
+  vtkGetMacro(Bodies, int);
+  ///@}
+
+  ///@{
+  /** Strength of gravity for TipEnergy, in m/s^2. Clamped to >= 0. Default 9.80665. */
+  vtkSetClampMacro(GravityStrength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(GravityStrength, double);
+  ///@}
+
+  ///@{
+  /** Of the mass filter inside, see there: density in kg/m^3, 0 (default) that of the file; relative tolerance; backend. */
+  void SetDensity(double density);
+  double GetDensity();
+  void SetRelativeTolerance(double tolerance);
+  double GetRelativeTolerance();
+  void SetBackend(int backend);
+  int GetBackend();
+  void SetRenderWindow(vtkRenderWindow* window);
+  vtkRenderWindow* GetRenderWindow();
+  ///@}
+  /** The filter inside, for its other options and its results. Never null; its input is set by every run. */
+  vtkMassPropertiesGPU* GetMassProperties();
+
+  ///@{
+  /** The last run, of the only body or the worst; NaN and "unknown" before. Angles in degrees. */
+  std::string GetStability() const;
+  std::string GetSupport() const;
+  double GetMargin() const;
+  double GetMarginBound() const;
+  double GetTipAngle() const;
+  double GetTipAngleBound() const;
+  double GetWorkToTip() const;
+  double GetWorkToTipBound() const;
+  double GetRollingMargin() const;
+  ///@}
+  ///@{
+  /** The last run: what the mass filter has to say, and what is to be said of contacts. */
+  std::string GetStatus() const;
+  int GetNumberOfMessages() const;
+  std::string GetMessage(int index) const;
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkSolidStability();
+  ~vtkSolidStability() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSolidStability(const vtkSolidStability&) = delete;
+  void operator=(const vtkSolidStability&) = delete;
+
+  void SetVector(const char* name, double (&vector)[3], double x, double y, double z, bool mayVanish);
+
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+
+  double GravityDirection[3] = { 0.0, 0.0, -1.0 };
+  int Ground = RESTING;
+  double GroundNormal[3] = { 0.0, 0.0, 0.0 };
+  double GroundOrigin[3] = { 0.0, 0.0, 0.0 };
+  double ContactTolerance = 1e-6;
+  int Bodies = TOGETHER;
+  double GravityStrength = 9.80665;
+};
+
+#endif

@@ -1,0 +1,359 @@
+#include "smFormat.h"
+#include "vtkSolidStabilityInternals.h"
+
+#include "smColumns.h"
+#include "smMassPropertyNames.h"
+#include "smMassTable.h"
+#include "smStabilityNames.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+namespace names = sm::names;
+const double Degrees = sm::DegreesPerRadian;
+const char* GetDecider(const sm::StabilityResult& result)
+{
+  const bool decided = result.Decision == sm::Verdict::Stable || result.Decision == sm::Verdict::Unstable ||
+    result.Decision == sm::Verdict::TooClose;
+  return !decided ? "none" : result.ByRolling ? "rolling" : "margin";
+}
+
+double GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name, int component = 0)
+{
+  vtkDataArray* array = data->GetArray(name.c_str());
+  return array && row < array->GetNumberOfTuples() ? array->GetComponent(row, component) : vtkMath::Nan();
+}
+
+void SetCenter(sm::SupportedBody& body, vtkFieldData* data, vtkIdType row)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    body.Center[i] = GetNumber(data, row, names::CenterOfMass, i);
+  }
+  body.CenterBound = GetNumber(data, row, std::string(names::CenterOfMass) + names::BoundSuffix);
+  body.Mass = GetNumber(data, row, names::Mass);
+}
+
+/// Solids of different density have their common centre where their masses balance: c = sum m_i c_i / sum m_i, with bounds e_i of m_i
+/// and d_i of c_i off by at most (sum m_i d_i + e_i (|c_i - c| + d_i)) / (sum m_i - e_i).
+void SetCommonCenter(sm::SupportedBody& body, vtkFieldData* rows, vtkIdType count)
+{
+  std::array<long double, 3> sum{};
+  double mass = 0.0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    mass += GetNumber(rows, i, names::Mass);
+    for (int c = 0; c < 3; ++c)
+    {
+      sum[c] += static_cast<long double>(GetNumber(rows, i, names::Mass)) *
+        GetNumber(rows, i, names::CenterOfMass, c);
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    body.Center[c] = static_cast<double>(sum[c] / mass);
+  }
+  double error = 0.0;
+  double least = mass;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double m = GetNumber(rows, i, names::Mass);
+    const double e = GetNumber(rows, i, std::string(names::Mass) + names::BoundSuffix);
+    const double d = GetNumber(rows, i, std::string(names::CenterOfMass) + names::BoundSuffix);
+    double squared = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double x = GetNumber(rows, i, names::CenterOfMass, c) - body.Center[c];
+      squared += x * x;
+    }
+    error += m * d + e * (std::sqrt(squared) + d);
+    least -= e;
+  }
+  const double size = std::abs(body.Center[0]) + std::abs(body.Center[1]) + std::abs(body.Center[2]);
+  body.CenterBound = least > 0.0 ? error / least + 8e-16 * size : vtkMath::Nan();
+  body.Mass = mass;
+}
+
+/// True when every solid has a mass and their densities are not all the same.
+bool HasDensities(vtkFieldData* rows, vtkIdType count)
+{
+  bool differ = false;
+  double first = 0.0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double density = GetNumber(rows, i, names::Mass) / GetNumber(rows, i, names::Volume);
+    if (!(density > 0.0))
+    {
+      return false;
+    }
+    first = i == 0 ? density : first;
+    differ = differ || std::abs(density - first) > 1e-9 * first;
+  }
+  return differ;
+}
+}
+
+namespace sm
+{
+const char* GetName(Verdict verdict)
+{
+  switch (verdict)
+  {
+    case Verdict::Stable:
+      return names::VerdictStable;
+    case Verdict::Unstable:
+      return names::VerdictUnstable;
+    case Verdict::TooClose:
+      return names::VerdictTooClose;
+    case Verdict::NoContact:
+      return names::VerdictNoContact;
+    case Verdict::BelowGround:
+      return names::VerdictBelowGround;
+    case Verdict::Unknown:
+      break;
+  }
+  return names::VerdictUnknown;
+}
+
+const char* GetName(SupportKind support)
+{
+  return support == SupportKind::Area ? "area"
+    : support == SupportKind::Line    ? "line"
+    : support == SupportKind::Point   ? "point"
+                                      : "none";
+}
+}
+
+/// Some solids have a mass, and some have none.
+static bool LacksDensities(vtkFieldData* rows, vtkIdType count)
+{
+  vtkIdType known = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    known += GetNumber(rows, i, names::Mass) > 0.0 ? 1 : 0;
+  }
+  return known > 0 && known < count;
+}
+
+/// What stands alone, with its centre of mass.
+std::vector<sm::SupportedBody> vtkSolidStability::Internals::Collect(
+  const std::vector<sm::BodyIntegrals>& bodies, bool together)
+{
+  std::vector<sm::SupportedBody> standing;
+  vtkFieldData* rows = vtkTable::SafeDownCast(this->Mass->GetOutputDataObject(1))->GetRowData();
+  auto* status = vtkStringArray::SafeDownCast(rows->GetAbstractArray(names::Status));
+  const auto count = static_cast<vtkIdType>(bodies.size());
+  const auto setMetres = [](sm::SupportedBody& body)
+  {
+    const double metres = sm::GetMetres(body.Parts.front()->Model->GetLengthUnit());
+    body.Metres = metres > 0.0 ? metres : vtkMath::Nan();
+  };
+  if (together && count > 0)
+  {
+    sm::SupportedBody all;
+    all.Name = count == 1 ? bodies[0].Name : "all solids";
+    all.Id = count == 1 ? bodies[0].Id : "";
+    all.Status = this->Mass->GetStatus();
+    for (const sm::BodyIntegrals& body : bodies)
+    {
+      all.Parts.push_back(&body);
+    }
+    if (count > 1 && HasDensities(rows, count))
+    {
+      SetCommonCenter(all, rows, count);
+    }
+    else
+    {
+      SetCenter(all, this->Mass->GetOutput()->GetFieldData(), 0);
+      if (LacksDensities(rows, count))
+      {
+        all.Mass = vtkMath::Nan();
+        this->Messages.push_back("not every solid has a density: the common centre is weighted by volume");
+      }
+    }
+    setMetres(all);
+    standing.push_back(all);
+  }
+  for (vtkIdType i = 0; i < count && !together; ++i)
+  {
+    sm::SupportedBody body;
+    body.Name = bodies[i].Name;
+    body.Id = bodies[i].Id;
+    body.Status = status && i < status->GetNumberOfValues() ? std::string(status->GetValue(i)) : "";
+    body.Parts.push_back(&bodies[i]);
+    SetCenter(body, rows, i);
+    setMetres(body);
+    standing.push_back(body);
+  }
+  return standing;
+}
+
+double vtkSolidStability::Internals::GetEnergy(const sm::SupportedBody& body, double work, double strength)
+{
+  return body.Mass * strength * work * body.Metres;
+}
+
+void vtkSolidStability::Internals::AddColumns(const std::vector<sm::SupportedBody>& bodies,
+  const sm::GroundDirections& ground, double strength, vtkFieldData* data)
+{
+  const auto texts = [&](const char* name, const auto& get)
+  {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name);
+    for (const sm::SupportedBody& body : bodies)
+    {
+      array->InsertNextValue(get(body));
+    }
+    data->AddArray(array);
+  };
+  const auto numbers = [&](const std::string& name, const auto& get)
+  {
+    sm::columns::Column column(name, 1);
+    for (const sm::SupportedBody& body : bodies)
+    {
+      const double value = get(body);
+      column.Append(&value);
+    }
+    column.AddTo(data);
+  };
+  const auto counts = [&](const char* name, const auto& get)
+  {
+    vtkNew<vtkIntArray> array;
+    array->SetName(name);
+    for (const sm::SupportedBody& body : bodies)
+    {
+      array->InsertNextValue(get(body));
+    }
+    data->AddArray(array);
+  };
+  using Body = sm::SupportedBody;
+  const std::string bound = names::BoundSuffix;
+  texts(names::Name, [](const Body& b) { return b.Name; });
+  texts(names::Id, [](const Body& b) { return b.Id; });
+  texts(names::Stability, [](const Body& b) { return sm::GetName(b.Result.Decision); });
+  texts(names::Support, [](const Body& b) { return sm::GetName(b.Result.Support); });
+  texts(names::DecidedBy, [](const Body& b) { return GetDecider(b.Result); });
+  numbers(names::StabilityMargin, [](const Body& b) { return b.Result.StabilityMargin; });
+  numbers(names::StabilityMargin + bound, [](const Body& b) { return b.Result.StabilityMarginBound; });
+  numbers(names::TipAngle, [](const Body& b) { return b.Result.TipAngle * Degrees; });
+  numbers(names::TipAngle + bound, [](const Body& b) { return b.Result.TipAngleBound * Degrees; });
+  numbers(names::CenterOfMassRise, [](const Body& b) { return b.Result.CenterOfMassRise; });
+  numbers(names::CenterOfMassRise + bound, [](const Body& b) { return b.Result.CenterOfMassRiseBound; });
+  numbers(names::TipEnergy,
+    [strength](const Body& b) { return GetEnergy(b, b.Result.CenterOfMassRise, strength); });
+  numbers(names::CenterHeight, [](const Body& b) { return b.Result.Height; });
+  numbers(names::CenterHeight + bound, [](const Body& b) { return b.Result.HeightBound; });
+  numbers(names::Clearance, [](const Body& b) { return 0.5 * (b.Clearance.Low + b.Clearance.High); });
+  numbers(names::Clearance + bound, [](const Body& b) { return 0.5 * (b.Clearance.High - b.Clearance.Low); });
+  numbers(names::RollingRadius, [](const Body& b) { return b.Result.RollingRadius; });
+  numbers(names::RollingMargin, [](const Body& b) { return b.Result.RollingMargin; });
+  numbers(names::RollingMargin + bound, [](const Body& b) { return b.Result.RollingMarginBound; });
+  sm::columns::Column feet(names::ProjectedCenterOfMass, 3);
+  sm::columns::Column centers(names::CenterOfMass, 3);
+  for (const Body& body : bodies)
+  {
+    feet.Append(body.ToWorld(ground, body.Result.Foot, body.GroundHeight).data());
+    centers.Append(body.Center.data());
+  }
+  feet.AddTo(data);
+  centers.AddTo(data);
+  numbers(names::CenterOfMass + bound, [](const Body& b) { return b.CenterBound; });
+  counts(names::ContactFaces, [](const Body& b) { return b.ContactFaces; });
+  counts(names::ContactEdges, [](const Body& b) { return b.ContactEdges; });
+  texts(names::LengthUnit, [](const Body& b) { return b.Parts.front()->Model->GetLengthUnit(); });
+  texts(names::Status, [](const Body& b) { return b.Status; });
+}
+
+void vtkSolidStability::Internals::AddSides(const std::vector<sm::SupportedBody>& bodies,
+  const sm::GroundDirections& ground, double strength, vtkTable* sides)
+{
+  vtkNew<vtkIntArray> solid;
+  solid->SetName(names::Solid);
+  sm::columns::Column from(names::SideFrom, 3);
+  sm::columns::Column to(names::SideTo, 3);
+  const std::string bound = names::BoundSuffix;
+  std::vector<sm::columns::Column> columns;
+  for (const std::string& name : { std::string(names::StabilityMargin), names::StabilityMargin + bound,
+         std::string(names::TipAngle), names::TipAngle + bound, std::string(names::CenterOfMassRise),
+         names::CenterOfMassRise + bound, std::string(names::TipEnergy) })
+  {
+    columns.emplace_back(name, 1);
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    const sm::SupportedBody& body = bodies[i];
+    for (const sm::StabilitySide& side : body.Result.Sides)
+    {
+      solid->InsertNextValue(static_cast<int>(i));
+      from.Append(body.ToWorld(ground, side.From, body.GroundHeight).data());
+      to.Append(body.ToWorld(ground, side.To, body.GroundHeight).data());
+      const double values[7] = { side.StabilityMargin, side.StabilityMarginBound, side.TipAngle * Degrees,
+        side.TipAngleBound * Degrees, side.CenterOfMassRise, side.CenterOfMassRiseBound,
+        GetEnergy(body, side.CenterOfMassRise, strength) };
+      for (std::size_t k = 0; k < columns.size(); ++k)
+      {
+        columns[k].Append(&values[k]);
+      }
+    }
+  }
+  vtkFieldData* data = sides->GetRowData();
+  data->AddArray(solid);
+  from.AddTo(data);
+  to.AddTo(data);
+  for (const sm::columns::Column& column : columns)
+  {
+    column.AddTo(data);
+  }
+}
+
+std::string vtkSolidStability::Internals::GetSummary(
+  const std::vector<sm::SupportedBody>& bodies, double strength)
+{
+  std::string text;
+  const std::size_t most = 20;
+  for (std::size_t i = 0; i < std::min(bodies.size(), most); ++i)
+  {
+    const sm::SupportedBody& body = bodies[i];
+    const sm::StabilityResult& r = body.Result;
+    const std::string unit = body.Parts.front()->Model->GetLengthUnit();
+    text += (bodies.size() > 1 ? body.Name + ": " : std::string()) + sm::GetName(r.Decision);
+    if (r.Support == sm::SupportKind::None)
+    {
+      text += "\n";
+      continue;
+    }
+    text += std::string(", rests on ") +
+      (r.Support == sm::SupportKind::Area      ? "an area"
+          : r.Support == sm::SupportKind::Line ? "a line"
+                                               : "a point") +
+      "\n";
+    text += "margin " + sm::FormatWithBound(r.StabilityMargin, r.StabilityMarginBound, unit) + "\n";
+    if (r.ByRolling)
+    {
+      text += "rolling margin " + sm::FormatWithBound(r.RollingMargin, r.RollingMarginBound, unit) + "\n";
+    }
+    else
+    {
+      text +=
+        "tip angle " + sm::FormatWithBound(r.TipAngle * Degrees, r.TipAngleBound * Degrees, "deg") + "\n";
+      text +=
+        "centre rises by " + sm::FormatWithBound(r.CenterOfMassRise, r.CenterOfMassRiseBound, unit) + "\n";
+    }
+    const double energy = GetEnergy(body, r.CenterOfMassRise, strength);
+    if (std::isfinite(energy) && !r.ByRolling)
+    {
+      text += "work to tip " + sm::FormatNumber(energy, 1e-6 * energy) + " J\n";
+    }
+  }
+  return bodies.size() > most ? text + "and " + std::to_string(bodies.size() - most) + " more\n" : text;
+}

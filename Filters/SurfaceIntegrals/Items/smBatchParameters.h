@@ -1,0 +1,28 @@
+/**
+ * @file smBatchParameters.h
+ * @brief The constants that the items of a batch read: Gauss rules, tolerances, placements
+ */
+#ifndef smBatchParameters_h
+#define smBatchParameters_h
+
+#include "smFiltersSurfaceIntegralsModule.h"
+#include "smItemRunner.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace sm
+{
+/// As smParameters in glsl/smWorkStorage.glsl.
+struct SMFILTERSSURFACEINTEGRALS_EXPORT BatchParameters
+{
+  std::vector<double> Values;
+  std::uint32_t ToleranceOffset = 0;
+  std::uint32_t PlacementOffset = 0;
+
+  BatchParameters() = default;
+  BatchParameters(const std::vector<ItemRunner::BatchFace>& faces, bool usePlacements);
+};
+}
+
+#endif

@@ -1,0 +1,198 @@
+#include "smCPUItemRunner.h"
+
+#include "smBatchParameters.h"
+#include "smItemKernels.h"
+#include "smRowSums.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <new>
+
+namespace sm
+{
+namespace
+{
+// Rows at a time: they stay within a few tens of MiB.
+constexpr std::size_t RowsAtMost = 65536;
+// Estimated cost between two questions whether to go on: some tens of milliseconds of one core.
+constexpr std::int64_t CostPerPart = 4000000;
+// Items that a thread takes at a time.
+constexpr vtkIdType ItemsPerTask = 16;
+
+double FindLargest(const double* rows, std::size_t count, int stride)
+{
+  double largest = count > 0 ? rows[0] : 0.0;
+  for (std::size_t row = 1; row < count; ++row)
+  {
+    const double value = rows[row * stride];
+    largest = value > largest || std::isnan(value) ? value : largest;
+  }
+  return largest;
+}
+}
+
+struct CPUItemRunner::Internals
+{
+  SampleFormulas Formulas;
+  std::vector<CutFacePointer> Faces;
+  /// Of the last BeginBatch().
+  std::vector<const FacePanels*> Slots;
+  BatchParameters Batch;
+  std::vector<double> Rows;
+};
+
+CPUItemRunner::CPUItemRunner()
+  : Implementation(new Internals)
+{
+}
+
+CPUItemRunner::~CPUItemRunner() = default;
+
+std::string CPUItemRunner::GetDescription()
+{
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  return "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+}
+
+std::string CPUItemRunner::GetObstacle(const Integrand& integrand) const
+{
+  return integrand.Form != Integrand::Kind::User ? ""
+                                                 : "the expression of " + integrand.Name +
+      " is GLSL, which the CPU backend cannot run: it needs OpenGL 4.3 with doubles (Mesa's llvmpipe has "
+      "them)";
+}
+
+void CPUItemRunner::OnConfigure()
+{
+  this->Implementation->Formulas = SampleFormulas(this->Configured.Integrands, this->Layout);
+}
+
+bool CPUItemRunner::Acquire(const std::vector<CutFacePointer>& faces, const ProgressCallback&)
+{
+  this->Implementation->Slots.clear();
+  this->Implementation->Faces = faces;
+  return true;
+}
+
+std::string CPUItemRunner::GetFaceError(std::size_t) const
+{
+  return "";
+}
+
+int CPUItemRunner::GetGroup(std::size_t) const
+{
+  return 0;
+}
+
+std::size_t CPUItemRunner::GetRowLimit() const
+{
+  return RowsAtMost;
+}
+
+bool CPUItemRunner::BeginBatch(const std::vector<BatchFace>& faces)
+{
+  Internals& self = *this->Implementation;
+  self.Slots.clear();
+  for (const BatchFace& face : faces)
+  {
+    self.Slots.push_back(&self.Faces[face.Face]->Panels);
+  }
+  self.Batch = BatchParameters(faces, this->Configured.UsePlacements);
+  return true;
+}
+
+bool CPUItemRunner::BeginRows(std::size_t rows)
+{
+  try
+  {
+    this->Implementation->Rows.assign(rows * this->Layout.GetStride(), 0.0);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->Fail("there is no memory for the results of " + std::to_string(rows) + " items");
+  }
+  return true;
+}
+
+bool CPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
+  std::vector<std::uint8_t>& unconverged, std::int64_t& evaluations, const ContinueCallback& shouldContinue)
+{
+  Internals& self = *this->Implementation;
+  const KernelData data = { &this->Configured, &this->Layout, &self.Formulas, self.Batch.Values.data(),
+    self.Batch.ToleranceOffset, self.Batch.PlacementOffset, self.Rows.data() };
+  unconverged.assign(active.size(), 0);
+  for (std::size_t begin = 0; begin < active.size();)
+  {
+    std::size_t end = begin;
+    for (std::int64_t cost = 0; end < active.size() && cost < CostPerPart; ++end)
+    {
+      cost += items[active[end]].GetCost();
+    }
+    // An integer: the same in any order.
+    std::atomic<std::int64_t> spent{ 0 };
+    vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end), ItemsPerTask,
+      [&](vtkIdType from, vtkIdType to)
+      {
+        KernelScratch scratch(this->Layout);
+        std::int64_t count = 0;
+        for (vtkIdType i = from; i < to; ++i)
+        {
+          const WorkItem& item = items[active[i]];
+          const KernelResult result = EvaluateItem(data, *self.Slots[item.GetSlot()], item, scratch);
+          unconverged[i] = result.Converged ? 0 : 1;
+          count += result.Evaluations;
+        }
+        spent += count;
+      });
+    evaluations += spent;
+    begin = end;
+    if (shouldContinue && !shouldContinue())
+    {
+      return this->Fail("aborted");
+    }
+  }
+  return true;
+}
+
+void CPUItemRunner::Release()
+{
+  Internals& self = *this->Implementation;
+  self.Slots.clear();
+  self.Faces.clear();
+  // Room for a batch is not kept for the time between runs.
+  self.Rows = std::vector<double>();
+}
+
+bool CPUItemRunner::Sum(
+  const std::vector<Segment>& segments, std::vector<double>& sums, std::vector<double>& largestGaps)
+{
+  const Internals& self = *this->Implementation;
+  const int stride = this->Layout.GetStride();
+  for (const auto& [first, last] : segments)
+  {
+    if (first > last || static_cast<std::size_t>(last) * stride > self.Rows.size())
+    {
+      return this->Fail("a segment of rows " + std::to_string(first) + " to " + std::to_string(last) +
+        " is outside of the results");
+    }
+  }
+  sums.assign(segments.size() * stride, 0.0);
+  largestGaps.assign(segments.size(), 0.0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(segments.size()), ItemsPerTask,
+    [&](vtkIdType from, vtkIdType to)
+    {
+      std::vector<double> errors;
+      for (vtkIdType i = from; i < to; ++i)
+      {
+        const auto [first, last] = segments[i];
+        const double* rows = self.Rows.data() + static_cast<std::size_t>(first) * stride;
+        SumRows(rows, last - first, stride, errors, sums.data() + i * stride);
+        largestGaps[i] = FindLargest(rows + RowLayout::LargestGap, last - first, stride);
+      }
+    });
+  return true;
+}
+}

@@ -1,0 +1,338 @@
+#include "smGPUItemRunner.h"
+
+#include "smBatchParameters.h"
+#include "smComputeBuffer.h"
+#include "smContextScope.h"
+#include "smIntegrationPrograms.h"
+#include "smReduction.h"
+#include "smResidentFaces.h"
+
+#include "vtkComputeContext.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <map>
+
+namespace sm
+{
+namespace
+{
+// Invocations per work group, as in the shaders.
+constexpr unsigned int LocalSize = 32;
+// Estimated cost (evaluations times the degree's share) of one dispatch: some 50 ms on two CPU cores, so that
+// abort is heard and no driver's watchdog fires.
+constexpr std::int64_t CostPerDispatch = 4000000;
+// Bounds the memory of rows and lists.
+constexpr std::size_t RowsAtMost = 262144;
+
+ProgramKey ChooseProgram(const WorkItem& item)
+{
+  return IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1]);
+}
+}
+
+struct GPUItemRunner::Internals
+{
+  explicit Internals(vtkComputeContext* context)
+    : Context(context)
+    , Resident(context)
+    , Programs(context)
+    , Sums(context)
+    , Work(context)
+    , Parameters(context)
+    , Rows(context)
+    , StatusFlags(context)
+  {
+  }
+
+  vtkSmartPointer<vtkComputeContext> Context;
+  ResidentFaces Resident;
+  IntegrationPrograms Programs;
+  Reduction Sums;
+  ComputeBuffer Work;
+  ComputeBuffer Parameters;
+  ComputeBuffer Rows;
+  ComputeBuffer StatusFlags;
+
+  /// Of the last Acquire().
+  std::vector<ResidentFace> Places;
+  /// Of the last BeginBatch(): where the face of each slot lies; all lie on one page.
+  std::vector<const ResidentFace*> Slots;
+  BatchParameters Batch;
+
+  bool Bind(const ProgramKey& key, int page)
+  {
+    const bool isCap = std::get<0>(key) == ItemKind::Cap;
+    return (isCap ? this->Resident.BindCaps(page) : this->Resident.Bind(page)) && this->Work.Bind(3) &&
+      this->Parameters.Bind(4) && this->Rows.Bind(5) && this->StatusFlags.Bind(6);
+  }
+
+  std::string GetBufferErrors() const
+  {
+    return this->Work.GetError() + this->Parameters.GetError() + this->Rows.GetError() +
+      this->StatusFlags.GetError();
+  }
+
+  /// The record with the places of its face's data on the page.
+  WorkRecord MakeRecord(const WorkItem& item) const
+  {
+    const ResidentFace& place = *this->Slots[item.GetSlot()];
+    WorkRecord record = item.Work;
+    if (item.Kind == ItemKind::Cap)
+    {
+      record.Item[1] += 9 * place.FirstCap;
+      return record;
+    }
+    record.Item[0] += place.FirstPatch;
+    record.Item[1] += place.FirstCoefficient;
+    if (item.Kind == ItemKind::Ribbon)
+    {
+      record.Detail[1] += place.FirstCoefficient;
+    }
+    return record;
+  }
+
+  /// Builds the programs that the faces need and runs each once.
+  bool WarmUp(const std::vector<CutFacePointer>& faces, std::string& error);
+  bool Dispatch(const Setup& setup, const RowLayout& layout, const ProgramKey& key, std::size_t begin,
+    std::size_t count, std::string& error);
+};
+
+GPUItemRunner::GPUItemRunner(vtkComputeContext* context)
+  : Implementation(new Internals(context))
+{
+}
+
+GPUItemRunner::~GPUItemRunner() = default;
+
+std::string GPUItemRunner::GetObstacle(const Integrand& integrand) const
+{
+  return this->Implementation->Programs.FindError(integrand);
+}
+
+void GPUItemRunner::OnConfigure()
+{
+  this->Implementation->Programs.Configure(this->Configured, this->Layout);
+}
+
+bool GPUItemRunner::Acquire(const std::vector<CutFacePointer>& faces, const ProgressCallback& progress)
+{
+  Internals& self = *this->Implementation;
+  this->StartSeconds = 0.0;
+  self.Slots.clear();
+  if (!self.Resident.Acquire(faces, self.Places, progress))
+  {
+    self.Places.clear();
+    return this->Fail(self.Resident.GetError());
+  }
+  const double start = vtkTimerLog::GetUniversalTime();
+  std::string error;
+  const bool isWarm = self.WarmUp(faces, error);
+  this->StartSeconds = vtkTimerLog::GetUniversalTime() - start;
+  return isWarm || this->Fail(error);
+}
+
+bool GPUItemRunner::Internals::WarmUp(const std::vector<CutFacePointer>& faces, std::string& error)
+{
+  std::map<ProgramKey, int> needed;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const CutFace& face = *faces[i];
+    const std::pair<ItemKind, std::size_t> counts[] = { { ItemKind::Panel, face.Panels.Panels.size() },
+      { ItemKind::Ribbon, face.Panels.Ribbons.size() }, { ItemKind::Cap, face.Panels.Caps.size() } };
+    for (const auto& [kind, count] : counts)
+    {
+      if (count > 0 && this->Places[i].Error.empty())
+      {
+        needed[IntegrationPrograms::ChooseProgram(kind, face.Degree[0], face.Degree[1])] =
+          this->Places[i].Page;
+      }
+    }
+  }
+  if (!this->Work.Allocate(sizeof(WorkRecord)) || !this->Parameters.Allocate(sizeof(double)) ||
+    !this->Rows.Allocate(sizeof(double)) || !this->StatusFlags.Allocate(sizeof(std::uint32_t)))
+  {
+    error = this->GetBufferErrors();
+    return false;
+  }
+  const ContextScope scope(this->Context);
+  if (!scope)
+  {
+    error = this->Context->GetReason();
+    return false;
+  }
+  for (const auto& [key, page] : needed)
+  {
+    ComputeProgram* program = this->Programs.Get(key);
+    if (!program)
+    {
+      error = this->Programs.GetError();
+      return false;
+    }
+    // Drivers finish compiling at the first dispatch: one with nothing to do.
+    if (!this->Bind(key, page) || !program->SetUniform("smWorkCount", 0u) || !program->Dispatch(1, LocalSize))
+    {
+      error = "a shader could not be run: " + program->GetError();
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string GPUItemRunner::GetFaceError(std::size_t face) const
+{
+  return this->Implementation->Places[face].Error;
+}
+
+int GPUItemRunner::GetGroup(std::size_t face) const
+{
+  return this->Implementation->Places[face].Page;
+}
+
+std::size_t GPUItemRunner::GetRowLimit() const
+{
+  const std::size_t bytes = std::max(this->Layout.GetStride() * sizeof(double), sizeof(WorkRecord));
+  const auto block = static_cast<std::size_t>(this->Implementation->Context->GetMaximumStorageBlockSize());
+  return std::clamp<std::size_t>(block / bytes, 1, RowsAtMost);
+}
+
+bool GPUItemRunner::BeginBatch(const std::vector<BatchFace>& faces)
+{
+  Internals& self = *this->Implementation;
+  self.Slots.clear();
+  for (const BatchFace& face : faces)
+  {
+    self.Slots.push_back(&self.Places[face.Face]);
+  }
+  self.Batch = BatchParameters(faces, this->Configured.UsePlacements);
+  return self.Parameters.Upload(self.Batch.Values) || this->Fail(self.Parameters.GetError());
+}
+
+bool GPUItemRunner::BeginRows(std::size_t rows)
+{
+  Internals& self = *this->Implementation;
+  return (self.Rows.Allocate(rows * this->Layout.GetStride() * sizeof(double)) && self.Rows.Clear()) ||
+    this->Fail("the results do not fit on the GPU: " + self.Rows.GetError());
+}
+
+bool GPUItemRunner::Internals::Dispatch(const Setup& setup, const RowLayout& layout, const ProgramKey& key,
+  std::size_t begin, std::size_t count, std::string& error)
+{
+  const ContextScope scope(this->Context);
+  if (!scope)
+  {
+    error = "the OpenGL context was lost: " + this->Context->GetReason();
+    return false;
+  }
+  ComputeProgram* program = this->Programs.Get(key);
+  if (!program)
+  {
+    error = this->Programs.GetError();
+    return false;
+  }
+  program->SetUniform("smFirstWork", static_cast<unsigned int>(begin));
+  program->SetUniform("smToleranceOffset", this->Batch.ToleranceOffset);
+  program->SetUniform("smPlacementOffset", this->Batch.PlacementOffset);
+  program->SetUniform("smIntegrandCount", static_cast<unsigned int>(setup.Integrands.size()));
+  program->SetUniform("smGapSteps", FootPointSteps);
+  program->SetUniform("smRoundingCount", static_cast<unsigned int>(layout.GetNumberOfRoundings()));
+  if (!this->Bind(key, this->Slots.front()->Page) ||
+    !program->SetUniform("smWorkCount", static_cast<unsigned int>(count)) ||
+    !program->Dispatch(static_cast<unsigned int>(count), LocalSize))
+  {
+    error = "a dispatch failed: " + program->GetError() + this->GetBufferErrors();
+    return false;
+  }
+  return true;
+}
+
+bool GPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
+  std::vector<std::uint8_t>& unconverged, std::int64_t& evaluations, const ContinueCallback& shouldContinue)
+{
+  Internals& self = *this->Implementation;
+  // By program and order, so that neighbouring invocations do the same; stable within.
+  std::vector<std::pair<ProgramKey, std::size_t>> order;
+  order.reserve(active.size());
+  for (std::size_t i = 0; i < active.size(); ++i)
+  {
+    order.emplace_back(ChooseProgram(items[active[i]]), i);
+  }
+  std::stable_sort(order.begin(), order.end(),
+    [&](const auto& a, const auto& b)
+    {
+      return std::tie(a.first, items[active[a.second]].Work.Detail[0]) <
+        std::tie(b.first, items[active[b.second]].Work.Detail[0]);
+    });
+  std::vector<WorkRecord> work;
+  work.reserve(active.size());
+  for (const auto& [key, i] : order)
+  {
+    work.push_back(self.MakeRecord(items[active[i]]));
+  }
+  const std::uint32_t zero = 0;
+  if (!self.Work.Upload(work) || !self.StatusFlags.Allocate((active.size() + 1) * sizeof(std::uint32_t)) ||
+    !self.StatusFlags.Upload(&zero, sizeof(zero)))
+  {
+    return this->Fail("the work list does not fit on the GPU: " + self.Work.GetError());
+  }
+  for (std::size_t begin = 0; begin < order.size();)
+  {
+    const ProgramKey key = order[begin].first;
+    std::size_t end = begin;
+    std::int64_t cost = 0;
+    while (end < order.size() && order[end].first == key && cost < CostPerDispatch)
+    {
+      cost += items[active[order[end].second]].GetCost();
+      ++end;
+    }
+    std::string error;
+    if (!self.Dispatch(this->Configured, this->Layout, key, begin, end - begin, error))
+    {
+      return this->Fail(error);
+    }
+    begin = end;
+    if (shouldContinue && !shouldContinue())
+    {
+      return this->Fail("aborted");
+    }
+  }
+  std::vector<std::uint32_t> status(active.size() + 1);
+  if (!self.StatusFlags.Read(status.data(), status.size() * sizeof(status[0])))
+  {
+    return this->Fail(self.StatusFlags.GetError());
+  }
+  evaluations += status[0];
+  unconverged.assign(active.size(), 0);
+  for (std::size_t at = 0; at < order.size(); ++at)
+  {
+    unconverged[order[at].second] = status[1 + at] != 0 ? 1 : 0;
+  }
+  return true;
+}
+
+void GPUItemRunner::Release()
+{
+  this->Implementation->Slots.clear();
+  this->Implementation->Places.clear();
+}
+
+bool GPUItemRunner::Sum(
+  const std::vector<Segment>& segments, std::vector<double>& sums, std::vector<double>& largestGaps)
+{
+  Internals& self = *this->Implementation;
+  const auto stride = static_cast<unsigned int>(this->Layout.GetStride());
+  // The largest gap is the first column.
+  static_assert(RowLayout::LargestGap == 0, "the column that is reduced to its maximum");
+  if (!self.Sums.Reduce(self.Rows, stride, stride, segments, Reduction::Operation::SUM, sums) ||
+    !self.Sums.Reduce(self.Rows, stride, 1, segments, Reduction::Operation::MAXIMUM, largestGaps))
+  {
+    return this->Fail("the reduction failed: " + self.Sums.GetError());
+  }
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    largestGaps[i] = segments[i].first == segments[i].second ? 0.0 : largestGaps[i];
+  }
+  return true;
+}
+}

@@ -1,0 +1,112 @@
+/**
+ * @file smBytes.h
+ * @brief Values as bytes and back, for messages between ranks of one kind of machine
+ *
+ * Numbers travel as they lie in memory, so that doubles keep their bits. A ByteReader never reads beyond the end: what is
+ * missing or makes no sense leaves it not IsGood(), and zeros in what was asked for.
+ */
+#ifndef smBytes_h
+#define smBytes_h
+
+#include "smFiltersSurfaceIntegralsModule.h"
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace sm
+{
+using Bytes = std::vector<char>;
+
+class ByteWriter
+{
+public:
+  template <typename Type>
+  void Put(const Type& value)
+  {
+    static_assert(std::is_trivially_copyable_v<Type>, "only plain values have their bytes");
+    this->Append(&value, sizeof(Type));
+  }
+  template <typename Type>
+  void PutAll(const std::vector<Type>& values)
+  {
+    static_assert(std::is_trivially_copyable_v<Type>, "only plain values have their bytes");
+    this->Put(static_cast<std::uint64_t>(values.size()));
+    this->Append(values.data(), values.size() * sizeof(Type));
+  }
+  void PutText(const std::string& text)
+  {
+    this->Put(static_cast<std::uint64_t>(text.size()));
+    this->Append(text.data(), text.size());
+  }
+  Bytes& GetBytes() { return this->Content; }
+
+private:
+  void Append(const void* from, std::size_t size)
+  {
+    const char* first = static_cast<const char*>(from);
+    this->Content.insert(this->Content.end(), first, first + size);
+  }
+
+  Bytes Content;
+};
+
+class SMFILTERSSURFACEINTEGRALS_EXPORT ByteReader
+{
+public:
+  /// The bytes must outlive the reader.
+  explicit ByteReader(const Bytes& bytes)
+    : Content(bytes)
+  {
+  }
+
+  template <typename Type>
+  Type Get()
+  {
+    static_assert(std::is_trivially_copyable_v<Type>, "only plain values have their bytes");
+    Type value{};
+    this->Take(&value, 1, sizeof(Type));
+    return value;
+  }
+  template <typename Type>
+  std::vector<Type> GetAll()
+  {
+    std::vector<Type> values(this->GetCount(sizeof(Type)));
+    this->Take(values.data(), values.size(), sizeof(Type));
+    return values;
+  }
+  std::string GetText()
+  {
+    std::string text(this->GetCount(1), '\0');
+    this->Take(text.data(), text.size(), 1);
+    return text;
+  }
+  /// How many things of at least `size` bytes follow: 0, and not good, when they cannot all be there.
+  std::size_t GetCount(std::size_t size)
+  {
+    const auto count = this->Get<std::uint64_t>();
+    this->Good = this->Good && count <= (this->Content.size() - this->At) / size;
+    return this->Good ? static_cast<std::size_t>(count) : 0;
+  }
+  bool IsGood() const { return this->Good; }
+
+private:
+  void Take(void* to, std::size_t count, std::size_t size)
+  {
+    this->Good = this->Good && count <= (this->Content.size() - this->At) / size;
+    if (this->Good && count > 0)
+    {
+      std::memcpy(to, this->Content.data() + this->At, count * size);
+      this->At += count * size;
+    }
+  }
+
+  const Bytes& Content;
+  std::size_t At = 0;
+  bool Good = true;
+};
+}
+
+#endif

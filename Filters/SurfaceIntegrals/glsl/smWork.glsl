@@ -1,0 +1,133 @@
+// What all items of integration share: Gauss rules, placements, and the end of an item, where its sums are compared with
+// those of a lower order and stored in its row.
+//
+// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_ROUNDINGS, SM_PLACEMENT (whether faces are placed), SM_MIN_ERROR_SHARE (the share of the
+// difference before the last that an error has at least); arrays
+// smValues, smResults of SM_INTEGRANDS and smRoundings, smNoises of SM_ROUNDINGS doubles, smRoundingOf of
+// SM_INTEGRANDS ints; columns of a row smValueColumn, smErrorColumn, smRoundingColumn, smDifferenceColumn,
+// smStride; smIntegrandCount, smRoundingCount (again, not constants); smToleranceOffset, smPlacementOffset;
+// double smParameter(uint at), double smGetRow(uint at), void smSetRow(uint at, double value),
+// void smSetStatus(uint index, bool converged).
+
+// u: half the spacing of doubles at 1.
+SM_CONSTANT double smUnitRoundoff = 1.1102230246251565e-16LF;
+
+SM_CONSTANT double smLargest = 1.7976931348623157e308LF;
+
+// Node and weight of the rule of `count` points on [0,1].
+dvec2 smRule(int count, int index)
+{
+  uint at = uint(count * (count - 1) + 2 * index);
+  return dvec2(smParameter(at), smParameter(at + 1u));
+}
+
+void smClear()
+{
+  for (int k = 0; k < SM_INTEGRANDS; ++k)
+  {
+    smValues[k] = 0.0LF;
+  }
+  for (int k = 0; k < SM_ROUNDINGS; ++k)
+  {
+    smRoundings[k] = 0.0LF;
+  }
+}
+
+// The error of a value whose last order changed it by `difference` and the one before by `before` (negative: there was
+// none). Where differences fall fast, the last one is far above the error; where they hardly fall (area near a
+// vanishing normal) the error is a geometric tail of them; and one small difference after a large one may be luck, more so at
+// kinks, which a user's expression may have.
+double smEstimate(double difference, double before)
+{
+  if (before < 0.0LF)
+  {
+    return 10.0LF * difference;
+  }
+  double ratio = difference < before ? difference / before : 1.0LF;
+  return max(difference * max(1.0LF, 10.0LF * ratio), SM_MIN_ERROR_SHARE * before);
+}
+
+// Compares with the row's values of a lower order, stores values, errors, roundings and differences. False when the
+// item was discarded, to be bisected. The loops run to variables, so that drivers do not unroll the memory accesses:
+// llvmpipe would take a second longer to compile.
+bool smFinish(uint index, smWorkRecord work)
+{
+  for (int k = 0; k < SM_INTEGRANDS; ++k)
+  {
+    smResults[k] = smValues[k];
+  }
+  for (int k = 0; k < SM_ROUNDINGS; ++k)
+  {
+    smNoises[k] = smUnitRoundoff * smRoundings[k];
+  }
+  uint row = work.item.z * smStride;
+  uint tolerance = smToleranceOffset + work.item.w * uint(SM_INTEGRANDS);
+  uint flags = work.detail.x >> 24;
+  bool isFirst = (flags & smFlagFirst) != 0u;
+  bool converged = true;
+  double scale = double(uintBitsToFloat(work.detail.w));
+  // Of two orders alone a single difference may be small by chance; the largest relative to its tolerance never was
+  // below the error of any (NUMERICS 3). What rounding makes of differences is no error of an order.
+  double largest = 0.0LF;
+  for (uint k = 0u; k < smIntegrandCount; ++k)
+  {
+    double share = scale * smParameter(tolerance + k);
+    if (!isFirst && share > 0.0LF && abs(smResults[k]) <= smLargest)
+    {
+      double difference = abs(smResults[k] - smGetRow(row + smValueColumn + k));
+      largest = max(largest, (difference - 10.0LF * smNoises[smRoundingOf[k]]) / share);
+    }
+  }
+  for (uint k = 0u; k < smIntegrandCount; ++k)
+  {
+    // Not a number, or infinite: no order and no bisection will mend it, so it counts as converged, with that error.
+    bool isNumber = abs(smResults[k]) <= smLargest;
+    double error = isNumber ? 0.0LF : abs(smResults[k]);
+    double difference = -1.0LF;
+    if (!isFirst && isNumber)
+    {
+      difference = abs(smResults[k] - smGetRow(row + smValueColumn + k));
+      double share = scale * smParameter(tolerance + k);
+      double before = smGetRow(row + smDifferenceColumn + k);
+      error = smEstimate(before < 0.0LF ? max(difference, largest * share) : difference, before);
+      // Differences of the size of rounding say nothing more.
+      converged = converged && !(error > share + 10.0LF * smNoises[smRoundingOf[k]]);
+    }
+    smSetRow(row + smValueColumn + k, smResults[k]);
+    smSetRow(row + smErrorColumn + k, error);
+    smSetRow(row + smDifferenceColumn + k, difference);
+  }
+  for (uint k = 0u; k < smRoundingCount; ++k)
+  {
+    smSetRow(row + smRoundingColumn + k, smNoises[k]);
+  }
+  bool kept = converged || (flags & smFlagDiscard) == 0u;
+  if (!kept)
+  {
+    for (uint k = 0u; k < 3u * smIntegrandCount + smRoundingCount; ++k)
+    {
+      smSetRow(row + smValueColumn + k, 0.0LF);
+    }
+  }
+  smSetStatus(index, converged);
+  return kept;
+}
+
+// Applies the face's placement, if faces are placed.
+void smPlace(uint face, SM_INOUT(dvec3) position, SM_INOUT(dvec3) normal)
+{
+  if (SM_PLACEMENT)
+  {
+    dvec3 placedPosition = dvec3(0.0LF);
+    dvec3 placedNormal = dvec3(0.0LF);
+    for (int i = 0; i < 3; ++i)
+    {
+      uint at = smPlacementOffset + face * 12u + uint(4 * i);
+      dvec3 row = dvec3(smParameter(at), smParameter(at + 1u), smParameter(at + 2u));
+      placedPosition[i] = dot(row, position) + smParameter(at + 3u);
+      placedNormal[i] = dot(row, normal);
+    }
+    position = placedPosition;
+    normal = placedNormal;
+  }
+}

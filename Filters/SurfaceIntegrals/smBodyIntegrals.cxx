@@ -1,0 +1,450 @@
+#include "smBodyIntegrals.h"
+#include "smUnitRoundoff.h"
+
+#include "smFormat.h"
+#include "smShellOrientation.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <unordered_map>
+
+namespace sm
+{
+namespace
+{
+// A trim curve this far outside its surface, relative to the body, is no rounding any more (NUMERICS 1).
+constexpr double SuspectOutside = 1e-5;
+
+std::string NameOf(vtkInformation* info, const std::string& otherwise)
+{
+  const char* name = info ? info->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return name && *name ? name : otherwise;
+}
+
+void Collect(
+  vtkDataObject* data, const std::string& name, std::vector<BodyIntegrals>& bodies, RejectedInput& rejected)
+{
+  if (auto leaf = vtkNURBSDataSet::SafeDownCast(data))
+  {
+    if (vtkTrimmedNURBSModel* model = leaf->GetModel())
+    {
+      BodyIntegrals body;
+      body.Model = model;
+      body.Mesh = leaf;
+      std::copy_n(leaf->GetPlacementData(), 16, body.Placement.begin());
+      body.Name = name.empty() ? model->GetName() : name;
+      body.Id = std::to_string(bodies.size() + 1);
+      bodies.push_back(std::move(body));
+      return;
+    }
+    ++(leaf->IsModelWithheld() ? rejected.Withheld : rejected.Plain);
+  }
+  else if (auto collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
+  {
+    for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+    {
+      vtkInformation* info = collection->HasMetaData(i) ? collection->GetMetaData(i) : nullptr;
+      Collect(collection->GetPartitionedDataSet(i), NameOf(info, name), bodies, rejected);
+    }
+  }
+  else if (auto partitions = vtkPartitionedDataSet::SafeDownCast(data))
+  {
+    for (unsigned int i = 0; i < partitions->GetNumberOfPartitions(); ++i)
+    {
+      Collect(partitions->GetPartitionAsDataObject(i), name, bodies, rejected);
+    }
+  }
+  else if (auto blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+  {
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      vtkInformation* info = blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr;
+      Collect(blocks->GetBlock(i), NameOf(info, name), bodies, rejected);
+    }
+  }
+  else if (data)
+  {
+    ++rejected.Plain;
+  }
+}
+
+/// Neumaier's compensated sum.
+struct CompensatedSum
+{
+  double Sum = 0.0;
+  double Carry = 0.0;
+  void Add(double x)
+  {
+    const double t = this->Sum + x;
+    this->Carry += std::abs(this->Sum) >= std::abs(x) ? (this->Sum - t) + x : (x - t) + this->Sum;
+    this->Sum = t;
+  }
+  double Get() const { return this->Sum + this->Carry; }
+};
+
+/// To a power of two: a display mesh that comes out a little different must not change what is asked of a face.
+double RoundDown(double scale)
+{
+  return scale > 0.0 ? std::exp2(std::floor(std::log2(scale))) : 0.0;
+}
+
+/// The first few entity numbers.
+std::string ListIds(const std::vector<int>& ids)
+{
+  std::string list;
+  for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 5); ++i)
+  {
+    list += (i > 0 ? ", #" : "#") + std::to_string(ids[i]);
+  }
+  return list + (ids.size() > 5 ? ", ..." : "");
+}
+
+bool IsRigid(const std::array<double, 16>& m)
+{
+  bool rigid = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = i; j < 3; ++j)
+    {
+      const double product = m[i] * m[j] + m[4 + i] * m[4 + j] + m[8 + i] * m[8 + j];
+      rigid = rigid && std::abs(product - (i == j ? 1.0 : 0.0)) <= 1e-12;
+    }
+  }
+  return rigid;
+}
+
+void CountOpenEdges(BodyIntegrals& body)
+{
+  // Signed uses of every edge: a seam or a 2+2 non-manifold edge cancels, a border does not.
+  std::unordered_map<const Edge*, int> uses;
+  for (const FacePointer& face : body.Model->GetFaces())
+  {
+    for (const Loop& loop : face->Loops)
+    {
+      for (const Coedge& coedge : loop.Coedges)
+      {
+        if (!coedge.Use->Degenerate)
+        {
+          uses[coedge.Use.get()] += face->Reversed == coedge.Reversed ? 1 : -1;
+        }
+      }
+    }
+  }
+  std::vector<int> open;
+  for (const auto& [edge, sum] : uses)
+  {
+    if (sum != 0)
+    {
+      open.push_back(edge->FileId);
+    }
+  }
+  body.OpenEdges = static_cast<int>(open.size());
+  if (open.empty())
+  {
+    if (!body.IsSolid())
+    {
+      body.Messages.push_back("a closed shell that the file does not call a solid; its volume is given");
+    }
+    return;
+  }
+  if (!body.IsSolid())
+  {
+    body.Flag("open", "a surface, not a solid: it has an area and no volume");
+    return;
+  }
+  std::sort(open.begin(), open.end());
+  body.Flag("open",
+    std::to_string(open.size()) + " edges are not shared by two faces (" + ListIds(open) +
+      "): the volume depends on the origin, see the leak");
+}
+}
+
+void BodyIntegrals::Degrade(const std::string& status)
+{
+  if (IsWorse(status, this->Status))
+  {
+    this->Status = status;
+  }
+}
+
+void BodyIntegrals::Flag(const std::string& status, const std::string& message)
+{
+  if (IsWorse(status, this->Status))
+  {
+    this->Reason = message;
+  }
+  this->Degrade(status);
+  this->Messages.push_back(message);
+}
+
+bool IsWorse(const std::string& status, const std::string& than)
+{
+  static const std::string order[] = { "", "ok", "tolerance-not-met", "suspect", "open", "empty",
+    "unreadable" };
+  const auto rank = [](const std::string& s) { return std::find(std::begin(order), std::end(order), s); };
+  return rank(status) > rank(than);
+}
+
+std::vector<BodyIntegrals> CollectBodies(vtkDataObject* input, RejectedInput& rejected)
+{
+  std::vector<BodyIntegrals> bodies;
+  Collect(input, "", bodies, rejected);
+  return bodies;
+}
+
+void CheckTopology(BodyIntegrals& body)
+{
+  body.Status = "ok";
+  const std::vector<std::string>& said = body.Model->GetMessages();
+  body.Messages.insert(body.Messages.end(), said.begin(), said.end());
+  if (body.Model->GetNumberOfMissingFaces() > 0)
+  {
+    body.Flag("suspect",
+      std::to_string(body.Model->GetNumberOfMissingFaces()) + " faces of the file could not be carried over");
+  }
+  if (body.Model->GetNumberOfDefects() > 0)
+  {
+    body.Flag("suspect",
+      std::to_string(body.Model->GetNumberOfDefects()) + " defects in the file's loops, edges or instances");
+  }
+  if (!IsRigid(body.Placement))
+  {
+    body.Flag("suspect",
+      "its placement scales or shears it; only rotations, mirrors and translations are understood");
+  }
+  CountOpenEdges(body);
+}
+
+void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
+{
+  CheckTopology(body);
+  const double size = GetRadius(*body.Model);
+  for (std::size_t i = 0; i < body.Faces->size(); ++i)
+  {
+    const FaceIntegrals& result = (*body.Faces)[i];
+    const Face& source = *body.Model->GetFaces()[i];
+    const std::string label = "face #" + std::to_string(source.FileId);
+    if (!result.Error.empty())
+    {
+      body.Flag("suspect", result.Error + "; it is left out");
+      continue;
+    }
+    for (const std::string& message : source.Messages)
+    {
+      body.Messages.push_back(label + ": " + message);
+    }
+    body.GapSquared += result.GapSquared;
+    body.GapArea += result.GapArea;
+    body.MaxGap = GetLargerGap(body.MaxGap, result.MaxGap);
+    if (result.Estimated)
+    {
+      body.EstimatedFaces.push_back(source.FileId);
+    }
+    body.SkippedFaces += result.Skipped ? 1 : 0;
+    if (result.CoverageDefects > 0)
+    {
+      body.Flag("suspect", label + ": a loop covers part of the surface more than once or from outside");
+    }
+    if (result.Outside > SuspectOutside * size)
+    {
+      body.Flag(
+        "suspect", label + ": a trim curve leaves the surface by about " + FormatBound(result.Outside));
+    }
+  }
+  SumValues(body, integrands);
+  if (body.SkippedFaces > 0)
+  {
+    body.Flag("tolerance-not-met",
+      "the run was stopped: " + std::to_string(body.SkippedFaces) +
+        " faces were not integrated; they count as 0, and the bounds hold the most that they can be");
+  }
+  const bool everything = std::any_of(
+    integrands.begin(), integrands.end(), [](const Integrand& integrand) { return integrand.Degree < 0; });
+  if (everything && body.IsEstimated())
+  {
+    body.Messages.push_back("the bounds are estimated from the differences of two orders");
+  }
+  else if (body.IsEstimated())
+  {
+    body.Messages.push_back("the bound of the area is estimated on " +
+      std::to_string(body.EstimatedFaces.size()) + " faces (" + ListIds(body.EstimatedFaces) +
+      "), whose normals nearly vanish somewhere or are those of a fitted surface");
+  }
+}
+
+void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands)
+{
+  const std::size_t count = integrands.size();
+  std::vector<CompensatedSum> face(count);
+  std::vector<CompensatedSum> all(count);
+  body.Bound.assign(count, 0.0);
+  body.Value.assign(count, 0.0);
+  body.FaceValue.assign(count, 0.0);
+  bool complete = body.Model->GetNumberOfMissingFaces() == 0 && !body.Faces->empty();
+  for (std::size_t i = 0; i < body.Faces->size(); ++i)
+  {
+    const FaceIntegrals& result = (*body.Faces)[i];
+    if (!result.Error.empty())
+    {
+      complete = false;
+      continue;
+    }
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const double side = integrands[k].ClosedChain ? body.GetSide(i) : 1.0;
+      face[k].Add(side * result.Face[k]);
+      all[k].Add(side * result.Face[k]);
+      all[k].Add(side * result.Closing[k]);
+      body.Bound[k] += result.GetBound(k);
+    }
+  }
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    body.Value[k] = all[k].Get();
+    body.FaceValue[k] = face[k].Get();
+    body.Bound[k] +=
+      complete ? 4.0 * UnitRoundoff * std::abs(body.Value[k]) : std::numeric_limits<double>::infinity();
+  }
+}
+
+void MeasureEdges(std::vector<BodyIntegrals>& bodies)
+{
+  using Key = std::pair<vtkTrimmedNURBSModel*, const std::vector<FaceIntegrals>*>;
+  std::map<Key, std::shared_ptr<const std::vector<EdgeGap>>> known;
+  for (BodyIntegrals& body : bodies)
+  {
+    auto& edges = known[{ body.Model, body.Faces.get() }];
+    if (!edges)
+    {
+      edges = std::make_shared<const std::vector<EdgeGap>>(CollectEdgeGaps(*body.Model, body.Faces.get()));
+    }
+    body.Edges = edges;
+    const std::string message = DescribeWorstEdge(*edges, 2.0 * GetRadius(*body.Model));
+    if (!message.empty())
+    {
+      body.Messages.push_back(message);
+    }
+  }
+}
+
+void TurnShells(BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume)
+{
+  std::vector<double> volumes;
+  std::vector<double> bounds;
+  for (const FaceIntegrals& face : *body.Faces)
+  {
+    // A face that could not be integrated leaves its shell open; the body is suspect already.
+    if (face.Error.empty() && body.OpenEdges == 0)
+    {
+      volumes.push_back(face.Face[volume] + face.Closing[volume]);
+      // The paper's schemes have no bound: their values are taken as they are.
+      const double bound = face.GetBound(volume);
+      bounds.push_back(std::isnan(bound) ? 0.0 : bound);
+    }
+  }
+  ShellOrientation found;
+  found.Shells = std::max(1, static_cast<int>(body.Model->GetShells().size()));
+  if (volumes.size() == body.Faces->size())
+  {
+    found = OrientShells(*body.Model, body.Mesh, volumes, bounds);
+  }
+  if (!found.Doubt.empty())
+  {
+    body.Flag("suspect", found.Doubt + "; its shells are taken as the file orients them");
+  }
+  if (!found.Sides.empty())
+  {
+    body.Sides = found.Sides;
+    body.FlippedShells = found.Flipped;
+    body.Messages.push_back(std::to_string(found.Flipped) + " of " + std::to_string(found.Shells) +
+      (found.Flipped == 1 ? " shells was inside out and was turned"
+                          : " shells were inside out and were turned"));
+    SumValues(body, integrands);
+  }
+  if (body.Value[volume] < 0.0)
+  {
+    body.InsideOut = true;
+    body.FlippedShells = found.Shells;
+    body.Messages.push_back("the solid is inside out in the file; it was turned");
+  }
+}
+
+std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model)
+{
+  std::array<double, 6> box;
+  std::copy_n(model.GetLocalBounds(), 6, box.begin());
+  if (box[0] < box[1] || box[2] < box[3] || box[4] < box[5] || model.GetFaces().empty())
+  {
+    return box;
+  }
+  for (int d = 0; d < 3; ++d)
+  {
+    box[2 * d] = std::numeric_limits<double>::max();
+    box[2 * d + 1] = -box[2 * d];
+  }
+  for (const FacePointer& face : model.GetFaces())
+  {
+    for (const std::array<double, 4>& p : face->Surface.ControlPoints)
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        box[2 * d] = std::min(box[2 * d], p[d] / p[3]);
+        box[2 * d + 1] = std::max(box[2 * d + 1], p[d] / p[3]);
+      }
+    }
+  }
+  return box;
+}
+
+void AddPlacedBox(const BodyIntegrals& body, vtkBoundingBox& box)
+{
+  const std::array<double, 6> b = GetBox(*body.Model);
+  const double* origin = body.Model->GetOrigin();
+  const std::array<double, 16>& m = body.Placement;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double p[3];
+    for (int r = 0; r < 3; ++r)
+    {
+      p[r] = m[4 * r + 3];
+      for (int c = 0; c < 3; ++c)
+      {
+        p[r] += m[4 * r + c] * (origin[c] + b[2 * c + ((corner >> c) & 1)]);
+      }
+    }
+    box.AddPoint(p);
+  }
+}
+
+double GetRadius(vtkTrimmedNURBSModel& model)
+{
+  const std::array<double, 6> b = GetBox(model);
+  return 0.5 * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+}
+
+double GetVolumeScale(vtkTrimmedNURBSModel& model)
+{
+  const double radius = GetRadius(model);
+  const double box = radius * radius * radius;
+  const double known = model.GetVolumeScale();
+  // A scale outside what the box allows comes from a broken mesh.
+  return RoundDown(known > 1e-9 * box && known < 8.0 * box ? known : box);
+}
+
+double GetAreaScale(vtkTrimmedNURBSModel& model)
+{
+  const double radius = GetRadius(model);
+  const double known = model.GetAreaScale();
+  return RoundDown(known > 1e-9 * radius * radius ? known : radius * radius);
+}
+}

@@ -1,0 +1,114 @@
+/**
+ * @file smBuoyancy.h
+ * @brief Volume and first moments of what lies below a plane, and their centre, with bounds
+ *
+ * With h the height above the waterline's plane and up its unit normal, up h and up x_i h - ... have divergences 1 and x_i and
+ * vanish on the plane: their flux through the submerged part of the closed chain is the displaced volume and its first
+ * moments, and nothing is to be added for the waterplane. In coordinates with z = h these are fluxes of z n_z times 1, x, y
+ * and z/2 (Integrand::HeightMoment): placements turn positions and normals there, so that another plane needs no other
+ * shader. What is submerged of a face is a list of panels, ribbons and caps again (smSubmergedFace.h).
+ */
+#ifndef smBuoyancy_h
+#define smBuoyancy_h
+
+#include "smBodyIntegrals.h"
+#include "smFiltersSurfaceIntegralsModule.h"
+#include "smProgressCallback.h"
+#include "smSubmergedFace.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace sm
+{
+/// A point of the plane, in world coordinates, and the direction out of the water, of any length but 0.
+struct Waterline
+{
+  std::array<double, 3> Point{};
+  std::array<double, 3> Up{};
+};
+
+/// Moments about a point near the body, along the world's axes, and their bounds.
+struct SMFILTERSSURFACEINTEGRALS_EXPORT DisplacedMoments
+{
+  std::array<double, 3> Origin{};
+  double Volume = 0.0;
+  double VolumeBound = 0.0;
+  std::array<double, 3> First{};
+  std::array<double, 3> FirstBound{};
+
+  /// Adds those of another body.
+  void Add(const DisplacedMoments& other);
+  /// NaN, with a bound that is NaN, where the volume is not surely there: its bound is no less than it.
+  std::array<double, 3> GetCenter(double& bound) const;
+};
+
+/// Of one body under one waterline.
+struct BodyBuoyancy
+{
+  /// By face of the model: volume, and moments in x, y and z about the world's origin.
+  std::vector<FaceIntegrals> Faces;
+  DisplacedMoments Total;
+};
+
+class SMFILTERSSURFACEINTEGRALS_EXPORT BuoyancyIntegrator
+{
+public:
+  SurfaceIntegrator& GetIntegrator() { return this->Integrator; }
+  /// A new runner of what evaluates; every Integrate() needs one.
+  void SetRunner(std::unique_ptr<ItemRunner> runner);
+
+  /**
+   * `results` gets one entry per waterline and body, bodies fastest. `chosen(face)` says whether a face counts. Tolerances are
+   * relative to the body's volume, and its radius. False when nothing was computed: the integrator's GetError() says why.
+   */
+  bool Integrate(const std::vector<BodyIntegrals>& bodies, const std::vector<Waterline>& waterlines,
+    double relativeTolerance, const std::function<bool(const Face&)>& chosen,
+    const ProgressCallback& progress, std::vector<BodyBuoyancy>& results);
+
+  /// Seconds of the last Integrate() until all faces were cut.
+  double GetCutSeconds() const { return this->CutSeconds; }
+
+private:
+  /// A body as one waterline sees it.
+  struct Frame
+  {
+    /// In the model's coordinates.
+    HeightPlane Plane;
+    /// To coordinates with z = height, near the body; and the directions of x, y and z in the world.
+    std::array<double, 12> Placement{};
+    std::array<std::array<double, 3>, 3> Axes{};
+    std::array<double, 3> Origin{};
+    /// The middle of the body's box, in the model's coordinates and the world's.
+    std::array<double, 3> LocalMiddle{};
+    std::array<double, 3> Middle{};
+    /// What rounding may move the plane by; no point is further from the frame's origin than this.
+    double PlaneBound = 0.0;
+    double Reach = 0.0;
+  };
+  struct Known
+  {
+    HeightPlane Plane;
+    double Tolerance;
+    SubmergedFace Face;
+    bool Used;
+  };
+  static Frame MakeFrame(const BodyIntegrals& body, const Waterline& waterline);
+  void CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane, double tolerance,
+    std::vector<SubmergedFace>& below);
+
+  SurfaceIntegrator Integrator;
+  FacePanelsCache Cuts;
+  bool IsConfigured = false;
+  double CutSeconds = 0.0;
+  /// By id of the face: of the last run.
+  std::unordered_map<std::uint64_t, std::vector<Known>> Memory;
+};
+}
+
+#endif

@@ -1,0 +1,59 @@
+/**
+ * @file smColumns.h
+ * @brief Field data and table columns, written in one way
+ */
+#ifndef smColumns_h
+#define smColumns_h
+
+#include "smBodyIntegrals.h"
+#include "smFiltersSurfaceIntegralsModule.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+class vtkTable;
+
+namespace sm
+{
+namespace columns
+{
+/// A column of doubles that grows row by row.
+class SMFILTERSSURFACEINTEGRALS_EXPORT Column
+{
+public:
+  Column(const std::string& name, int components);
+  void Append(const double* values) { this->Array->InsertNextTuple(values); }
+  void AddTo(vtkFieldData* data) const;
+
+private:
+  vtkNew<vtkDoubleArray> Array;
+};
+
+/// One-row arrays.
+SMFILTERSSURFACEINTEGRALS_EXPORT void SetDoubles(
+  vtkFieldData* data, const std::string& name, const double* values, int components);
+SMFILTERSSURFACEINTEGRALS_EXPORT void SetInteger(
+  vtkFieldData* data, const std::string& name, vtkTypeInt64 value);
+SMFILTERSSURFACEINTEGRALS_EXPORT void SetString(
+  vtkFieldData* data, const std::string& name, const std::string& value);
+
+/// Name, Id, Status, LengthUnit, OpenEdges, FlippedShells and Faces of every body.
+SMFILTERSSURFACEINTEGRALS_EXPORT void AddBodyColumns(
+  const std::vector<BodyIntegrals>& bodies, vtkTable* solids);
+
+/// A row per face and instance: Solid, FaceId, the `wanted` integrands (indices) over face, ribbons and caps, and their
+/// bounds. A flux of a shell or a body that is inside out is turned with it.
+SMFILTERSSURFACEINTEGRALS_EXPORT void AddFaceRows(const std::vector<BodyIntegrals>& bodies,
+  const std::vector<Integrand>& integrands, vtkTable* faces, const std::vector<int>& wanted);
+
+/// A row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared.
+SMFILTERSSURFACEINTEGRALS_EXPORT void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges);
+}
+}
+
+#endif

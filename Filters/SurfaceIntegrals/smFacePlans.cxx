@@ -1,0 +1,183 @@
+#include "smFacePlans.h"
+
+#include "smSurfaceIntegrator.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+// Faces planned between two reports of progress.
+constexpr std::size_t PlansPerReport = 256;
+// Portions that a thread takes at a time.
+constexpr vtkIdType PortionsPerTask = 1;
+// What tolerances are multiplied by until a plan meets its budget, and how often.
+constexpr double LooseningFactor = 1e3;
+constexpr int MostLoosenings = 5;
+
+bool FindClass(const Integrand& integrand, BoundClass& found)
+{
+  switch (integrand.Form)
+  {
+    case Integrand::Kind::VolumeMoment:
+      found = { BoundClass::VolumeMoment, integrand.Degree };
+      return true;
+    case Integrand::Kind::AreaMoment:
+      found = { BoundClass::AreaMoment, integrand.Degree };
+      return true;
+    case Integrand::Kind::HeightMoment:
+      found = { BoundClass::HeightMoment, integrand.Degree };
+      return true;
+    case Integrand::Kind::VectorArea:
+      found = { BoundClass::VectorArea, 0 };
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The translation of a placement turned back by its rotation.
+std::array<double, 3> GetShift(const std::array<double, 12>& placement)
+{
+  std::array<double, 3> shift{};
+  for (int j = 0; j < 3; ++j)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      shift[j] += placement[4 * i + j] * placement[4 * i + 3];
+    }
+  }
+  return shift;
+}
+}
+
+bool FacePlans::SetIntegrands(const std::vector<Integrand>& integrands, int stripPoints)
+{
+  this->Classes.clear();
+  this->ClassOf.clear();
+  this->Memory.clear();
+  this->Plans.clear();
+  this->StripPoints = stripPoints;
+  for (const Integrand& integrand : integrands)
+  {
+    BoundClass wanted{};
+    if (!FindClass(integrand, wanted))
+    {
+      return false;
+    }
+    auto found = std::find(this->Classes.begin(), this->Classes.end(), wanted);
+    if (found == this->Classes.end())
+    {
+      found = this->Classes.insert(found, wanted);
+    }
+    this->ClassOf.push_back(static_cast<std::size_t>(found - this->Classes.begin()));
+  }
+  return true;
+}
+
+bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vector<CutFacePointer>& faces,
+  const ProgressCallback& progress)
+{
+  for (std::size_t begin = 0; begin < faces.size(); begin += PlansPerReport)
+  {
+    if (progress && !progress(static_cast<double>(begin) / faces.size()))
+    {
+      return false;
+    }
+    const std::size_t end = std::min(begin + PlansPerReport, faces.size());
+    // Portions of all faces alike: one face that changed is planned by all threads, too.
+    std::vector<std::size_t> missing;
+    std::vector<std::vector<PlanPortion>> portions;
+    std::vector<std::pair<std::size_t, std::size_t>> work;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const auto known = this->Memory.find(faces[i]->Source->Id);
+      if (known != this->Memory.end() && known->second.Request == requests[i])
+      {
+        this->Plans[i] = known->second.Plan;
+        continue;
+      }
+      portions.emplace_back(GetNumberOfPortions(faces[i]->Panels));
+      for (std::size_t k = 0; k < portions.back().size(); ++k)
+      {
+        work.emplace_back(missing.size(), k);
+      }
+      missing.push_back(i);
+    }
+    vtkSMPTools::For(0, static_cast<vtkIdType>(work.size()), PortionsPerTask,
+      [&](vtkIdType from, vtkIdType to)
+      {
+        for (vtkIdType w = from; w < to; ++w)
+        {
+          const auto [m, k] = work[w];
+          const std::size_t i = missing[m];
+          portions[m][k] = PlanFacePortion(*faces[i]->Source, faces[i]->Panels, requests[i], k);
+        }
+      });
+    for (std::size_t m = 0; m < missing.size(); ++m)
+    {
+      const std::size_t i = missing[m];
+      this->Plans[i] = std::make_shared<const FacePlan>(
+        JoinPortions(*faces[i]->Source, faces[i]->Panels, requests[i], portions[m]));
+    }
+  }
+  return true;
+}
+
+bool FacePlans::Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFacePointer>& faces,
+  const std::vector<std::size_t>& chosen, bool usePlacements, std::int64_t maximumEvaluations,
+  const ProgressCallback& progress, const std::function<bool(std::int64_t&)>& addUp)
+{
+  std::vector<PlanRequest> requests(tasks.size());
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    PlanRequest& request = requests[i];
+    request.Classes = this->Classes;
+    request.Tolerances.assign(this->Classes.size(), std::numeric_limits<double>::max());
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+    {
+      double& tolerance = request.Tolerances[this->ClassOf[k]];
+      tolerance = std::min(tolerance, tasks[i].Tolerances[chosen[k]]);
+    }
+    request.Shift = usePlacements ? GetShift(tasks[i].Placement) : std::array<double, 3>{};
+    request.StripPoints = this->StripPoints;
+  }
+  this->Plans.assign(tasks.size(), nullptr);
+  for (this->Loosenings = 0;; ++this->Loosenings)
+  {
+    const bool planned = this->PlanAll(requests, faces, progress);
+    std::int64_t evaluations = 0;
+    for (const auto& plan : this->Plans)
+    {
+      evaluations += plan ? plan->Evaluations : 0;
+    }
+    if (!addUp(evaluations) || !planned)
+    {
+      return false;
+    }
+    if (evaluations <= maximumEvaluations || this->Loosenings == MostLoosenings)
+    {
+      break;
+    }
+    for (PlanRequest& request : requests)
+    {
+      for (double& tolerance : request.Tolerances)
+      {
+        tolerance *= LooseningFactor;
+      }
+    }
+  }
+  this->Memory.clear();
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    this->Memory.emplace(faces[i]->Source->Id, Known{ requests[i], this->Plans[i] });
+  }
+  this->Requests = std::move(requests);
+  return true;
+}
+}

@@ -1,0 +1,70 @@
+/**
+ * @file smFacePlans.h
+ * @brief The plans of a run's faces: made in parallel, kept for the next run, loosened to a budget
+ */
+#ifndef smFacePlans_h
+#define smFacePlans_h
+
+#include "smFacePanelsCache.h"
+#include "smIntegrand.h"
+#include "smProgressCallback.h"
+#include "smQuadraturePlan.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace sm
+{
+struct FaceTask;
+
+class FacePlans
+{
+public:
+  /// False when an integrand has no theory, so that nothing can be planned. Forgets all plans.
+  bool SetIntegrands(const std::vector<Integrand>& integrands, int stripPoints);
+  /// The class that bounds an integrand, an index into a plan's bounds.
+  std::size_t GetClass(std::size_t integrand) const { return this->ClassOf[integrand]; }
+  const BoundClass& GetBoundClass(std::size_t integrand) const
+  {
+    return this->Classes[this->ClassOf[integrand]];
+  }
+
+  /// Plans every task by its face; `chosen` says which of a task's tolerances belong to the integrands. Faces that could not be
+  /// cut get an empty plan. A plan of the last run is found again. `addUp` adds the evaluations of what else is planned for the
+  /// same budget; it is called once for every loosening, stopped or not, and returns false to stop. False when `progress` or
+  /// `addUp` stopped it.
+  bool Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFacePointer>& faces,
+    const std::vector<std::size_t>& chosen, bool usePlacements, std::int64_t maximumEvaluations,
+    const ProgressCallback& progress, const std::function<bool(std::int64_t&)>& addUp);
+
+  const FacePlan& Get(std::size_t task) const { return *this->Plans[task]; }
+  /// What was planned for, tolerances loosened.
+  const PlanRequest& GetRequest(std::size_t task) const { return this->Requests[task]; }
+  /// Tolerances were loosened to meet the budget.
+  bool WasLoosened() const { return this->Loosenings > 0; }
+  int GetLoosenings() const { return this->Loosenings; }
+
+private:
+  struct Known
+  {
+    PlanRequest Request;
+    std::shared_ptr<const FacePlan> Plan;
+  };
+  bool PlanAll(const std::vector<PlanRequest>& requests, const std::vector<CutFacePointer>& faces,
+    const ProgressCallback& progress);
+
+  std::vector<BoundClass> Classes;
+  std::vector<std::size_t> ClassOf;
+  int StripPoints = 3;
+  std::vector<std::shared_ptr<const FacePlan>> Plans;
+  std::vector<PlanRequest> Requests;
+  /// By id of the face: the last run's.
+  std::unordered_map<std::uint64_t, Known> Memory;
+  int Loosenings = 0;
+};
+}
+
+#endif

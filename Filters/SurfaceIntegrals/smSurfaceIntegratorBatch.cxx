@@ -1,0 +1,317 @@
+// What a SurfaceIntegrator does with a batch of faces: runs its items, level by level or as planned, and adds them up.
+#include "smIntegrationOrders.h"
+#include "smSurfaceIntegratorInternals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+// Halvings of t and xi after the ladder's end.
+constexpr int MaximumBisections = 6;
+
+/// Adds what was measured along a part of a coedge, counted through all loops of the face.
+void AddGap(const Face& face, int index, const CoedgeGap& measured, std::vector<CoedgeGap>& gaps)
+{
+  CoedgeGap gap = measured;
+  gap.Coedge = index;
+  while (gap.Coedge >= static_cast<int>(face.Loops[gap.Loop].Coedges.size()))
+  {
+    gap.Coedge -= static_cast<int>(face.Loops[gap.Loop].Coedges.size());
+    ++gap.Loop;
+  }
+  const auto found = std::find_if(gaps.begin(), gaps.end(),
+    [&gap](const CoedgeGap& other) { return other.Loop == gap.Loop && other.Coedge == gap.Coedge; });
+  if (found == gaps.end())
+  {
+    gaps.push_back(gap);
+    return;
+  }
+  found->GapSquared += gap.GapSquared;
+  found->GapArea += gap.GapArea;
+  found->MaxGap = GetLargerGap(found->MaxGap, gap.MaxGap);
+}
+}
+
+void SurfaceIntegrator::Internals::Store(const std::vector<FaceTask>& tasks,
+  const std::vector<std::size_t>& batch, const std::vector<FaceIntegrals>& results)
+{
+  // With the budget spent, results depend on what was evaluated before them.
+  for (std::size_t i = 0; i < batch.size() && this->KeepFaces && this->Evaluations < this->Allowance; ++i)
+  {
+    const FaceTask& task = tasks[batch[i]];
+    this->Memory.Store(task.Source->Id, this->GetQuestion(task, batch[i]), results[batch[i]]);
+  }
+}
+
+void SurfaceIntegrator::Internals::AddBounds(
+  const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results) const
+{
+  for (const std::size_t face : batch)
+  {
+    FaceIntegrals& result = results[face];
+    if (!this->Planned)
+    {
+      result.Estimated = true;
+      continue;
+    }
+    const FacePlan& plan = this->Plans.Get(face);
+    result.Estimated = plan.Estimated;
+    for (std::size_t k = 0; k < this->Chosen.size(); ++k)
+    {
+      // What rows hold is the error of compared items, for the area; and what is not finite.
+      double& error = result.QuadratureError[this->Chosen[k]];
+      const bool compared = this->Plans.GetBoundClass(k).Kind == BoundClass::AreaMoment;
+      error = compared || !std::isfinite(error) ? error : 0.0;
+      error += plan.QuadratureBound[this->Plans.GetClass(k)];
+      result.Conversion[this->Chosen[k]] += plan.ConversionBound[this->Plans.GetClass(k)];
+    }
+  }
+}
+
+bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items,
+  const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
+{
+  // Rows of a face lie together: its panels, its ribbons coedge by coedge, its caps. A segment for each.
+  struct Part
+  {
+    std::uint32_t Slot;
+    ItemKind Kind;
+    int Coedge;
+  };
+  std::vector<ItemRunner::Segment> segments;
+  std::vector<Part> parts;
+  for (std::size_t row = 0; row < items.size(); ++row)
+  {
+    const WorkItem& item = items[row];
+    if (parts.empty() || parts.back().Slot != item.GetSlot() || parts.back().Kind != item.Kind ||
+      parts.back().Coedge != item.Coedge)
+    {
+      segments.emplace_back(static_cast<unsigned int>(row), static_cast<unsigned int>(row));
+      parts.push_back({ item.GetSlot(), item.Kind, item.Coedge });
+    }
+    segments.back().second = static_cast<unsigned int>(row + 1);
+  }
+  std::vector<double> sums;
+  std::vector<double> largest;
+  if (!this->Runner->Sum(segments, sums, largest))
+  {
+    return this->FailByRunner();
+  }
+  const RowLayout& layout = this->Runner->GetLayout();
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    FaceIntegrals& result = results[batch[parts[i].Slot]];
+    const double* sum = sums.data() + i * layout.GetStride();
+    std::vector<double>& values = parts[i].Kind == ItemKind::Panel ? result.Face : result.Closing;
+    for (int k = 0; k < layout.GetNumberOfIntegrands(); ++k)
+    {
+      const std::size_t to = this->Chosen[k];
+      values[to] += sum[layout.GetValue(k)];
+      result.QuadratureError[to] += sum[layout.GetError(k)];
+      result.Rounding[to] += sum[layout.GetRounding(k)];
+    }
+    result.GapSquared += sum[RowLayout::SquaredGap];
+    result.GapArea += sum[RowLayout::GapArea];
+    result.MaxGap = GetLargerGap(result.MaxGap, largest[i]);
+    if (parts[i].Coedge >= 0)
+    {
+      AddGap(*this->Faces[batch[parts[i].Slot]]->Source, parts[i].Coedge,
+        { 0, 0, sum[RowLayout::SquaredGap], sum[RowLayout::GapArea], largest[i] }, result.Gaps);
+    }
+  }
+  return true;
+}
+
+bool SurfaceIntegrator::Internals::RunLevels(
+  std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected)
+{
+  const OrderLadder ladder(this->ChosenIntegrands);
+  const auto shouldContinue = [this]() { return this->ReportItemProgress(); };
+  std::vector<std::size_t> active(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    active[i] = i;
+    items[i].Work.Item[2] = static_cast<std::uint32_t>(i);
+  }
+  std::vector<std::uint8_t> unconverged;
+  for (int level = 0; !active.empty(); ++level)
+  {
+    const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->Allowance;
+    for (const std::size_t index : active)
+    {
+      SetItemOrders(items[index], GetItemOrders(ladder, items[index]), mayBisect);
+    }
+    if (!this->Runner->Run(items, active, unconverged, this->Evaluations, shouldContinue))
+    {
+      return this->FailByRunner();
+    }
+    std::vector<std::size_t> next;
+    for (std::size_t i = 0; i < active.size(); ++i)
+    {
+      WorkItem& item = items[active[i]];
+      const Orders orders = GetItemOrders(ladder, item);
+      const bool compared = item.Level > 0 || orders.Exact;
+      if (orders.Exact || (compared && unconverged[i] == 0))
+      {
+        continue;
+      }
+      if (orders.Last && mayBisect)
+      {
+        bisected.push_back(active[i]);
+      }
+      else if (!orders.Last && !(compared && this->Evaluations >= this->Allowance))
+      {
+        ++item.Level;
+        next.push_back(active[i]);
+      }
+    }
+    active = std::move(next);
+    if (depth == 0 && level == 1)
+    {
+      this->ItemsDone += items.size();
+    }
+  }
+  return true;
+}
+
+bool SurfaceIntegrator::Internals::RunPlanned(
+  std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected)
+{
+  std::vector<std::size_t> all(items.size());
+  std::vector<std::size_t> compared;
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    all[i] = i;
+    items[i].Work.Item[2] = static_cast<std::uint32_t>(i);
+    if (items[i].Compared)
+    {
+      compared.push_back(i);
+    }
+  }
+  const auto shouldContinue = [this]() { return this->ReportItemProgress(); };
+  std::vector<std::uint8_t> unconverged;
+  if (!this->Runner->Run(items, all, unconverged, this->Evaluations, shouldContinue))
+  {
+    return this->FailByRunner();
+  }
+  this->ItemsDone += depth == 0 ? items.size() : 0;
+  if (compared.empty())
+  {
+    return true;
+  }
+  // The plan's bounds of everything but the area hold for the parts, too: their ellipses lie in the whole's.
+  const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->Allowance;
+  for (const std::size_t i : compared)
+  {
+    DoubleOrders(items[i], mayBisect);
+  }
+  if (!this->Runner->Run(items, compared, unconverged, this->Evaluations, shouldContinue))
+  {
+    return this->FailByRunner();
+  }
+  for (std::size_t i = 0; i < compared.size(); ++i)
+  {
+    if (mayBisect && unconverged[i] != 0)
+    {
+      bisected.push_back(compared[i]);
+    }
+  }
+  return true;
+}
+
+bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
+  const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
+{
+  if (!this->Runner->BeginRows(items.size()))
+  {
+    return this->FailByRunner();
+  }
+  std::vector<std::size_t> bisected;
+  const bool ran =
+    this->Planned ? this->RunPlanned(items, depth, bisected) : this->RunLevels(items, depth, bisected);
+  if (!ran || !this->Accumulate(items, batch, results))
+  {
+    return false;
+  }
+  std::vector<WorkItem> children;
+  for (const std::size_t index : bisected)
+  {
+    // Parts share their parent's tolerance. Along a line without normals half of the quarters need none of theirs.
+    const bool quarters = items[index].Kind == ItemKind::Panel && !this->Planned;
+    BisectItem(items[index], quarters ? 2 : 1, children);
+  }
+  if (this->Planned)
+  {
+    std::for_each(children.begin(), children.end(), HalveOrders);
+  }
+  return this->RunPortions(children, batch, depth + 1, results);
+}
+
+bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
+  const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
+{
+  // In portions that have room for their rows; the results of a face add up in order. Where a portion ends within a face must not
+  // depend on other faces: it is cut before the face, or where the face has filled portions of its own.
+  const std::size_t portion = this->Runner->GetRowLimit();
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < items.size(); begin = end)
+  {
+    end = std::min(begin + portion, items.size());
+    if (end < items.size() && items[begin].GetSlot() != items[end].GetSlot())
+    {
+      while (items[end - 1].GetSlot() == items[end].GetSlot())
+      {
+        --end;
+      }
+    }
+    std::vector<WorkItem> part(
+      items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end));
+    if (!this->RunItems(part, batch, depth, results))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
+  const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
+{
+  std::vector<WorkItem> items;
+  std::vector<ItemRunner::BatchFace> faces;
+  for (std::size_t slot = 0; slot < batch.size(); ++slot)
+  {
+    const FaceTask& task = tasks[batch[slot]];
+    const CutFace& cut = *this->Faces[batch[slot]];
+    if (this->Planned)
+    {
+      AddPlannedItems(cut, this->Plans.Get(batch[slot]), static_cast<std::uint32_t>(slot), items);
+    }
+    else
+    {
+      AddItems(cut, static_cast<std::uint32_t>(slot), items);
+    }
+    ItemRunner::BatchFace face{ batch[slot], {}, task.Placement };
+    for (const std::size_t k : this->Chosen)
+    {
+      face.Tolerances.push_back(task.Tolerances[k] / std::max<std::size_t>(cut.GetNumberOfItems(), 1));
+    }
+    faces.push_back(std::move(face));
+  }
+  if (!this->Runner->BeginBatch(faces))
+  {
+    return this->FailByRunner();
+  }
+  if (!this->RunPortions(items, batch, 0, results))
+  {
+    return false;
+  }
+  this->AddBounds(batch, results);
+  this->Store(tasks, batch, results);
+  return true;
+}
+}
