@@ -364,7 +364,7 @@ def stability():
     result, files = run_json("--stability", "-z", "--density", "1000", box["path"])
     check_equal("exit status", 0, result.returncode)
     found = files[0]["total"]["stability"]
-    check_equal("verdict", ["stable", "area", "stability_margin"], [found[key] for key in ("verdict", "support", "decided_by")])
+    check_equal("verdict", ["stable", "area", "margin"], [found[key] for key in ("verdict", "support", "decided_by")])
     margin = min(center[0], center[1])  # a corner of the box is the origin
     check("stability_margin", margin, found["stability_margin"], found["bounds"]["stability_margin"])
     check("tip angle", math.degrees(math.atan2(margin, center[2])), found["tip_angle"], found["bounds"]["tip_angle"])

@@ -8,9 +8,10 @@ from smcheck import check_equal, check_true, finish  # noqa: E402
 
 from paraview import servermanager, simple  # noqa: E402
 
-from solidmoments.smFiltersMassProperties import (  # noqa: E402
-    vtkMassPropertiesGPU, vtkSolidStability, vtkSurfaceIntegralGPU)
-from solidmoments.smFiltersNURBS import vtkNURBSDeform, vtkNURBSTransform  # noqa: E402
+from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
+from solidmoments.smFiltersNURBSEdit import vtkNURBSDeform, vtkNURBSTransform  # noqa: E402
+from solidmoments.smFiltersStability import vtkSolidStability  # noqa: E402
+from solidmoments.smFiltersSurfaceIntegrals import vtkSurfaceIntegralGPU  # noqa: E402
 from solidmoments.smReadersSTEP import vtkSTEPReader, vtkSTEPWriter  # noqa: E402
 
 simple.LoadPlugin(sys.argv[1], ns=globals())
