@@ -29,18 +29,11 @@ constexpr const char* RadiiOfGyration = "RadiiOfGyration";                 // 3,
 constexpr const char* Mass = "Mass";                                       // 1, kg; only with a density
 constexpr const char* MassInertia = "MassInertia"; // 9, kg L^2, about the centre; with a density
 
-// The model's own doubt; no part of a bound.
+// Defects of the model; no part of a bound.
 constexpr const char* ClosureCorrection =
   "ClosureCorrection"; // 1, L^3, |volume closed - volume of the faces alone|
 constexpr const char* ClosureResidual =
   "ClosureResidual"; // 1, relative change of V when the origin moves by cbrt(V)
-// Only with one of the paper's schemes, see vtkMassPropertiesGPU::SetScheme.
-constexpr const char* Scheme = "Scheme"; // string: "MIDPOINT", "GAUSS2" or "GAUSS3"
-constexpr const char* PaperErrorEstimate =
-  "PaperErrorEstimate"; // 1, L^3, Eq. 36 over whole sub-patches; no bound
-constexpr const char* PaperErrorEstimateWithBoundary =
-  "PaperErrorEstimateWithBoundary"; // 1, L^3, over those that a trim curve crosses as well; no bound
-constexpr const char* SubPatches = "SubPatches"; // 1 (int64), of all faces that are not planar
 
 // Cell data of the meshes on port 5 of vtkMassPropertiesGPU, besides Volume, that of the whole solid; floats.
 constexpr const char* FaceShare =
@@ -49,7 +42,6 @@ constexpr const char* FaceGap = "FaceGap";     // 1, L, widest gap between the f
 constexpr const char* FaceBound = "FaceBound"; // 1, L^3, bound of the face's part of the volume
 // Cell data of the glyph on port 0: what to draw it in.
 constexpr const char* Color = "Color"; // 3 (uchar), sRGB: green, red where the result is flagged
-
 }
 }
 

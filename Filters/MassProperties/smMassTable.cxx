@@ -83,6 +83,17 @@ MassRow::MassRow()
   this->MassInertia.fill(this->Mass);
 }
 
+void MassRow::RemoveBounds()
+{
+  MassProperties& p = this->Properties;
+  for (double* bound : { &p.VolumeBound, &p.CenterBound, &p.FirstBound, &p.SecondBound, &p.InertiaBound,
+         &p.InertiaAtOriginBound, &p.PrincipalBound, &p.AxesBound, &p.GyrationBound, &this->AreaBound,
+         &this->MassBound, &this->MassInertiaBound })
+  {
+    *bound = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
 MassColumns::MassColumns(bool withMass)
   : WithMass(withMass)
 {

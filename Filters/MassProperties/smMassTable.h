@@ -35,6 +35,8 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
 
   /// Everything NaN.
   MassRow();
+  /// Makes every bound NaN.
+  void RemoveBounds();
 };
 
 /// Appends rows to arrays named as in smMassPropertyNames.h and hands them to field data or a table.

@@ -6,6 +6,7 @@
 #define smMassTolerance_h
 
 #include "smFiltersMassPropertiesModule.h"
+#include "smMassIntegrands.h"
 #include "smMassTable.h"
 
 #include <string>
@@ -15,17 +16,6 @@ class vtkTrimmedNURBSModel;
 
 namespace sm
 {
-/// Order of the integrands of the mass properties: volume, three first, six second moments, vector area, area.
-enum MassIntegrand
-{
-  MassVolume = 0,
-  MassFirst = 1,
-  MassSecond = 4,
-  MassVectorArea = 10,
-  MassArea = 13,
-  NumberOfMassIntegrands = 14
-};
-
 /// A bound meets its tolerance when it is at most the larger of the two.
 struct Tolerance
 {

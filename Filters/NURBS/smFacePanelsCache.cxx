@@ -200,6 +200,12 @@ bool FacePanelsCache::Acquire(
   return true;
 }
 
+void FacePanelsCache::Clear()
+{
+  this->Implementation->Faces.clear();
+  this->Implementation->Bytes = 0;
+}
+
 std::size_t FacePanelsCache::GetNumberOfFaces() const
 {
   return this->Implementation->Faces.size();

@@ -63,6 +63,9 @@ public:
   bool Acquire(const std::vector<FacePointer>& faces, std::vector<CutFacePointer>& cut,
     const ProgressCallback& progress);
 
+  /// Forgets all faces.
+  void Clear();
+
   ///@{
   /// Counters: faces and bytes kept now; faces cut and faces forgotten, for either reason, since construction.
   std::size_t GetNumberOfFaces() const;

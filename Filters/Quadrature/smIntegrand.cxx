@@ -65,17 +65,6 @@ Integrand Integrand::HeightMoment(const std::string& name, int i, int j, int k)
     Kind::HeightMoment, factor, { i, j, k + 1 }, factor, degree + 1 };
 }
 
-Integrand Integrand::Displaced(const std::string& name, int waterline, int quantity)
-{
-  Integrand result{ name, "", true, quantity > 0 ? 1 : 0, "", Kind::Displaced };
-  result.Waterline = waterline;
-  if (quantity > 0)
-  {
-    result.Powers[quantity - 1] = 1;
-  }
-  return result;
-}
-
 Integrand Integrand::User(const std::string& name, const std::string& expression, bool closedChain,
   const UserExpression::Constants& constants)
 {

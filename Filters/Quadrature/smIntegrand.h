@@ -27,8 +27,6 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
     VectorArea,
     /// Factor * normal.z * x^i y^j z^k: vanishes with z.
     HeightMoment,
-    /// Volume (Powers 0) or a first moment of what is below a waterline: BuoyancyIntegrator's.
-    Displaced,
     /// An expression of the user's: Source.
     User
   };
@@ -55,8 +53,6 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   std::shared_ptr<const UserExpression> Source{};
   /// The integral grows with this power of the body's size beyond area; tolerances of a User's are relative to that.
   int ScalePower = 0;
-  /// A Displaced's: which of the filter's.
-  int Waterline = -1;
 
   /// Flux of x g(x) / (3 + i + j + k) with g = x^i y^j z^k: the volume integral of g.
   static Integrand VolumeMoment(const std::string& name, int i, int j, int k);
@@ -66,8 +62,6 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   static Integrand VectorArea(const std::string& name, int component);
   /// Flux of (0, 0, z) g(x) / (k + 1) with g = x^i y^j z^k: the volume integral of g, too, with nothing to add where z = 0.
   static Integrand HeightMoment(const std::string& name, int i, int j, int k);
-  /// What BuoyancyIntegrator computes: 0 the volume, 1, 2, 3 the first moments.
-  static Integrand Displaced(const std::string& name, int waterline, int quantity);
   static Integrand User(const std::string& name, const std::string& expression, bool closedChain,
     const UserExpression::Constants& constants = {});
 

@@ -159,40 +159,29 @@ void CountOpenEdges(BodyIntegrals& body)
   }
   if (!body.IsSolid())
   {
-    body.Flag("open", "a surface, not a solid: it has an area and no volume");
+    body.Flag(Status::Open, "a surface, not a solid: it has an area and no volume");
     return;
   }
   std::sort(open.begin(), open.end());
-  body.Flag("open",
+  body.Flag(Status::Open,
     std::to_string(open.size()) + " edges are not shared by two faces (" + ListIds(open) +
-      "): the volume depends on the origin, see the leak");
+      "): the volume depends on the origin, see the closure residual");
 }
 }
 
-void BodyIntegrals::Degrade(const std::string& status)
+void BodyIntegrals::Degrade(sm::Status status)
 {
-  if (IsWorse(status, this->Status))
-  {
-    this->Status = status;
-  }
+  this->Status = std::max(this->Status, status);
 }
 
-void BodyIntegrals::Flag(const std::string& status, const std::string& message)
+void BodyIntegrals::Flag(sm::Status status, const std::string& message)
 {
-  if (IsWorse(status, this->Status))
+  if (status > this->Status)
   {
     this->Reason = message;
   }
   this->Degrade(status);
   this->Messages.push_back(message);
-}
-
-bool IsWorse(const std::string& status, const std::string& than)
-{
-  static const std::string order[] = { "", "ok", "tolerance-not-met", "suspect", "open", "empty",
-    "unreadable" };
-  const auto rank = [](const std::string& s) { return std::find(std::begin(order), std::end(order), s); };
-  return rank(status) > rank(than);
 }
 
 std::vector<BodyIntegrals> CollectBodies(vtkDataObject* input, RejectedInput& rejected)
@@ -204,25 +193,37 @@ std::vector<BodyIntegrals> CollectBodies(vtkDataObject* input, RejectedInput& re
 
 void CheckTopology(BodyIntegrals& body)
 {
-  body.Status = "ok";
+  body.Status = Status::Ok;
   const std::vector<std::string>& said = body.Model->GetMessages();
   body.Messages.insert(body.Messages.end(), said.begin(), said.end());
   if (body.Model->GetNumberOfMissingFaces() > 0)
   {
-    body.Flag("suspect",
+    body.Flag(Status::Suspect,
       std::to_string(body.Model->GetNumberOfMissingFaces()) + " faces of the file could not be carried over");
   }
   if (body.Model->GetNumberOfDefects() > 0)
   {
-    body.Flag("suspect",
+    body.Flag(Status::Suspect,
       std::to_string(body.Model->GetNumberOfDefects()) + " defects in the file's loops, edges or instances");
   }
   if (!IsRigid(body.Placement))
   {
-    body.Flag("suspect",
+    body.Flag(Status::Suspect,
       "its placement scales or shears it; only rotations, mirrors and translations are understood");
   }
   CountOpenEdges(body);
+}
+
+void SetUnknown(BodyIntegrals& body, std::size_t integrands)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  body.Value.assign(integrands, nan);
+  body.FaceValue.assign(integrands, nan);
+  body.Bound.assign(integrands, nan);
+  body.GapSquared = body.GapArea = body.MaxGap = nan;
+  CheckTopology(body);
+  // What has no bound meets no tolerance.
+  body.Flag(Status::ToleranceNotMet, "nothing was computed");
 }
 
 void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
@@ -236,7 +237,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     const std::string label = "face #" + std::to_string(source.FileId);
     if (!result.Error.empty())
     {
-      body.Flag("suspect", result.Error + "; it is left out");
+      body.Flag(Status::Suspect, result.Error + "; it is left out");
       continue;
     }
     for (const std::string& message : source.Messages)
@@ -253,18 +254,19 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     body.SkippedFaces += result.Skipped ? 1 : 0;
     if (result.CoverageDefects > 0)
     {
-      body.Flag("suspect", label + ": a loop covers part of the surface more than once or from outside");
+      body.Flag(
+        Status::Suspect, label + ": a loop covers part of the surface more than once or from outside");
     }
     if (result.Outside > SuspectOutside * size)
     {
       body.Flag(
-        "suspect", label + ": a trim curve leaves the surface by about " + FormatBound(result.Outside));
+        Status::Suspect, label + ": a trim curve leaves the surface by about " + FormatBound(result.Outside));
     }
   }
   SumValues(body, integrands);
   if (body.SkippedFaces > 0)
   {
-    body.Flag("tolerance-not-met",
+    body.Flag(Status::ToleranceNotMet,
       "the run was stopped: " + std::to_string(body.SkippedFaces) +
         " faces were not integrated; they count as 0, and the bounds hold the most that they can be");
   }
@@ -360,7 +362,7 @@ void TurnShells(BodyIntegrals& body, const std::vector<Integrand>& integrands, i
   }
   if (!found.Doubt.empty())
   {
-    body.Flag("suspect", found.Doubt + "; its shells are taken as the file orients them");
+    body.Flag(Status::Suspect, found.Doubt + "; its shells are taken as the file orients them");
   }
   if (!found.Sides.empty())
   {
@@ -430,6 +432,22 @@ double GetRadius(vtkTrimmedNURBSModel& model)
 {
   const std::array<double, 6> b = GetBox(model);
   return 0.5 * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+}
+
+double GetReach(const BodyIntegrals& body)
+{
+  const double* origin = body.Model->GetOrigin();
+  double squared = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    double x = body.Placement[4 * i + 3];
+    for (int j = 0; j < 3; ++j)
+    {
+      x += body.Placement[4 * i + j] * origin[j];
+    }
+    squared += x * x;
+  }
+  return std::sqrt(squared) + GetRadius(*body.Model);
 }
 
 double GetVolumeScale(vtkTrimmedNURBSModel& model)

@@ -6,9 +6,10 @@
 #define smBodyIntegrals_h
 
 #include "smEdgeGaps.h"
+#include "smFaceIntegrals.h"
 #include "smFiltersSurfaceIntegralsModule.h"
 #include "smIntegrand.h"
-#include "smSurfaceIntegrator.h"
+#include "smStatus.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -59,9 +60,9 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   /// Shells that were inside out, all of them when the solid is; and 1 or -1 by face when only some were.
   int FlippedShells = 0;
   std::vector<signed char> Sides;
-  std::string Status;
+  sm::Status Status = sm::Status::None;
   std::vector<std::string> Messages;
-  /// That of the messages which gave it its status; empty when the status is "ok".
+  /// That of the messages which gave it its status; empty when the status is Ok.
   std::string Reason;
 
   bool IsSolid() const { return this->Model->GetBody() == vtkTrimmedNURBSModel::SOLID; }
@@ -71,10 +72,10 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   double GetSide(std::size_t face) const { return this->Sides.empty() ? 1.0 : this->Sides[face]; }
   /// Some bound is no theorem.
   bool IsEstimated() const { return !this->EstimatedFaces.empty(); }
-  /// Lowers the status when `status` is worse.
-  void Degrade(const std::string& status);
+  /// Makes the status `status` if that is worse.
+  void Degrade(sm::Status status);
   /// The same, and says why.
-  void Flag(const std::string& status, const std::string& message);
+  void Flag(sm::Status status, const std::string& message);
 };
 
 /// Meshes found in the input that have no exact geometry: none was there, or it was dropped.
@@ -108,8 +109,8 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureEdges(std::vector<BodyIntegrals>& b
 SMFILTERSSURFACEINTEGRALS_EXPORT void TurnShells(
   BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume);
 
-/// Order of badness: ok, tolerance-not-met, suspect, open, empty, unreadable.
-SMFILTERSSURFACEINTEGRALS_EXPORT bool IsWorse(const std::string& status, const std::string& than);
+/// Gives a body for which nothing was computed as many values that are NaN, and says so.
+SMFILTERSSURFACEINTEGRALS_EXPORT void SetUnknown(BodyIntegrals& body, std::size_t integrands);
 
 /// xmin, xmax, ymin … about the model's origin; from the control points where the model does not say.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model);
@@ -117,6 +118,8 @@ SMFILTERSSURFACEINTEGRALS_EXPORT std::array<double, 6> GetBox(vtkTrimmedNURBSMod
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddPlacedBox(const BodyIntegrals& body, vtkBoundingBox& box);
 /// Half the diagonal of that box.
 SMFILTERSSURFACEINTEGRALS_EXPORT double GetRadius(vtkTrimmedNURBSModel& model);
+/// The largest distance of a placed body from the world origin, about.
+SMFILTERSSURFACEINTEGRALS_EXPORT double GetReach(const BodyIntegrals& body);
 /// Scales that tolerances are relative to; from the bounding box where the reader knows none.
 SMFILTERSSURFACEINTEGRALS_EXPORT double GetVolumeScale(vtkTrimmedNURBSModel& model);
 SMFILTERSSURFACEINTEGRALS_EXPORT double GetAreaScale(vtkTrimmedNURBSModel& model);

@@ -73,7 +73,7 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
   {
     name->InsertNextValue(body.Name);
     id->InsertNextValue(body.Id);
-    status->InsertNextValue(body.Status);
+    status->InsertNextValue(GetText(body.Status));
     unit->InsertNextValue(body.Model->GetLengthUnit());
     open->InsertNextValue(body.OpenEdges);
     flipped->InsertNextValue(body.FlippedShells);

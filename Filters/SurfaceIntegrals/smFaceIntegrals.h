@@ -57,6 +57,15 @@ struct FaceIntegrals
   {
     return this->QuadratureError[integrand] + this->Rounding[integrand] + this->Conversion[integrand];
   }
+  /// Adds an integrand, with this number for all of its entries.
+  void Append(double value)
+  {
+    for (std::vector<double>* values :
+      { &this->Face, &this->Closing, &this->QuadratureError, &this->Rounding, &this->Conversion })
+    {
+      values->push_back(value);
+    }
+  }
   /// The bound of the area, or of an integrand without a theory, is no theorem.
   bool Estimated = false;
   /// The run was stopped before this face: its integrals are 0, with their largest possible magnitude as error.

@@ -14,9 +14,6 @@ namespace names
 {
 // <quantity> + BoundSuffix: 1 number, the largest error of any component, in the quantity's unit.
 constexpr const char* BoundSuffix = "Bound";
-// <waterline> + CenterSuffix: 3, L, the centre of buoyancy, see vtkSurfaceIntegralGPU::AddBuoyancy.
-constexpr const char* CenterSuffix = "Center";
-
 // Defects of the model; no part of a bound.
 constexpr const char* GapSquared = "GapSquared"; // 1, L^3, integral of the squared gap along the coedges
 constexpr const char* MaxGap = "MaxGap";         // 1, L
@@ -61,6 +58,7 @@ constexpr const char* StatusOk = "ok";
 constexpr const char* StatusOpen = "open";
 constexpr const char* StatusToleranceNotMet = "tolerance-not-met";
 constexpr const char* StatusSuspect = "suspect";
+constexpr const char* StatusNotComputed = "not-computed";
 constexpr const char* StatusEmpty = "empty";
 constexpr const char* StatusUnreadable = "unreadable";
 }

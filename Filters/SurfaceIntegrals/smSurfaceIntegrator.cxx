@@ -141,8 +141,9 @@ bool SurfaceIntegrator::Internals::RunAll(
   for (std::size_t i = 0; i < tasks.size() && this->Failure.empty(); ++i)
   {
     const CutFace& cut = *this->Faces[i];
-    const FaceIntegrals* known =
-      this->KeepFaces ? this->Memory.Find(tasks[i].Source->Id, this->GetQuestion(tasks[i], i)) : nullptr;
+    const FaceIntegrals* known = this->CacheFaceResults
+      ? this->Memory.Find(tasks[i].Source->Id, this->GetQuestion(tasks[i], i))
+      : nullptr;
     if (known)
     {
       results[i] = *known;
@@ -350,10 +351,10 @@ void SurfaceIntegrator::SetPerturbation(double factor)
   this->Implementation->Perturbation = factor;
 }
 
-void SurfaceIntegrator::SetKeepFaces(bool keep)
+void SurfaceIntegrator::SetCacheFaceResults(bool cache)
 {
-  this->Implementation->KeepFaces = keep;
-  if (!keep)
+  this->Implementation->CacheFaceResults = cache;
+  if (!cache)
   {
     this->ForgetFaces();
   }
@@ -362,6 +363,17 @@ void SurfaceIntegrator::SetKeepFaces(bool keep)
 void SurfaceIntegrator::ForgetFaces()
 {
   this->Implementation->Memory.Forget();
+}
+
+void SurfaceIntegrator::ReleaseMemory()
+{
+  Internals& self = *this->Implementation;
+  self.Runner.reset();
+  self.Configured = false;
+  self.Cuts.Clear();
+  self.Memory.Forget();
+  self.Shares.Forget();
+  self.Received = ReceivedFaces();
 }
 
 void SurfaceIntegrator::SetMaximumEvaluations(std::int64_t evaluations)

@@ -54,9 +54,11 @@ public:
    * those of a full run, and evaluations count what was evaluated. What was kept is forgotten when anything changes that
    * results depend on, when this is switched off, and for faces that were not in the last 8 runs. Default: on.
    */
-  void SetKeepFaces(bool keep);
+  void SetCacheFaceResults(bool cache);
   /// Forgets the results of all faces.
   void ForgetFaces();
+  /// Forgets everything that is kept for later runs: cut faces, results, faces of other ranks; buffers on the GPU.
+  void ReleaseMemory();
   /// Of one Integrate(); 0: no limit.
   void SetMaximumSeconds(double seconds);
 

@@ -40,7 +40,8 @@ void SurfaceIntegrator::Internals::Store(const std::vector<FaceTask>& tasks,
   const std::vector<std::size_t>& batch, const std::vector<FaceIntegrals>& results)
 {
   // With the budget spent, results depend on what was evaluated before them.
-  for (std::size_t i = 0; i < batch.size() && this->KeepFaces && this->Evaluations < this->Allowance; ++i)
+  for (std::size_t i = 0; i < batch.size() && this->CacheFaceResults && this->Evaluations < this->Allowance;
+       ++i)
   {
     const FaceTask& task = tasks[batch[i]];
     this->Memory.Store(task.Source->Id, this->GetQuestion(task, batch[i]), results[batch[i]]);

@@ -22,7 +22,7 @@ struct SurfaceIntegrator::Internals
   FacePanelsCache Cuts;
   FacePlans Plans;
   FaceResultCache Memory;
-  bool KeepFaces = true;
+  bool CacheFaceResults = true;
   /// All integrands have a theory.
   bool Planned = false;
   std::vector<Integrand> Integrands;

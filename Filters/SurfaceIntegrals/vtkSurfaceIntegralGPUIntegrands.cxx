@@ -1,20 +1,23 @@
-// The integrands of vtkSurfaceIntegralGPU: the user's own and the ready ones; constants, and which faces they are integrated over.
+// The integrands of vtkSurfaceIntegralGPU: the user's own and the ready ones; constants, and the faces to integrate over.
 #include "vtkSurfaceIntegralGPU.h"
 
 #include "smFormat.h"
 #include "smGaussLegendre.h"
+#include "smIntegralNames.h"
 #include "smUserExpression.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <sstream>
 
 namespace
 {
 /// Beyond it, caps and straight panels would take Gauss rules that the table does not have (OrderLadder).
 constexpr int LargestDegree = 60;
 static_assert((LargestDegree + 4) / 2 <= sm::MaximumRuleSize, "the points of a cap");
+// 165 moments are one shader, which drivers take seconds to compile, and longer than in proportion for more.
+constexpr int LargestMomentDegree = 8;
 
 bool AreValidPowers(int i, int j, int k)
 {
@@ -32,6 +35,117 @@ std::string UnitVector(double x, double y, double z)
   return "dvec3(" + sm::MakeLiteral(x / length) + ", " + sm::MakeLiteral(y / length) + ", " +
     sm::MakeLiteral(z / length) + ")";
 }
+
+sm::Integrand MakeFlux(
+  const std::string& name, const std::string& x, const std::string& y, const std::string& z)
+{
+  return sm::Integrand::User(name, "dot(dvec3(" + x + ", " + y + ", " + z + "), normal)", true);
+}
+
+sm::Integrand MakeBendingEnergy(const std::string& name)
+{
+  sm::Integrand integrand =
+    sm::Integrand::User(name, "(4 * meanCurvature * meanCurvature - 2 * gaussianCurvature) * dA", false);
+  // It is the same for bodies of all sizes.
+  integrand.ScalePower = -2;
+  return integrand;
+}
+
+sm::Integrand MakeProjectedArea(const std::string& name, const std::string& direction)
+{
+  return sm::Integrand::User(name, "0.5 * abs(dot(" + direction + ", normal))", false);
+}
+
+/// One of the two would be a column of the other.
+bool HasClash(const std::vector<sm::Integrand>& integrands, const std::string& name)
+{
+  const std::string bound = sm::names::BoundSuffix;
+  return std::any_of(integrands.begin(), integrands.end(),
+    [&](const sm::Integrand& other)
+    { return other.Name == name || other.Name == name + bound || other.Name + bound == name; });
+}
+
+std::string Trim(const std::string& text)
+{
+  const char* const blanks = " \t\r\n";
+  const std::string::size_type first = text.find_first_not_of(blanks);
+  return first == std::string::npos ? std::string()
+                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string> Split(const std::string& text, char separator)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);)
+  {
+    parts.push_back(Trim(part));
+  }
+  return parts;
+}
+}
+
+std::vector<sm::Integrand> vtkSurfaceIntegralGPU::Internals::GetIntegrands() const
+{
+  std::vector<sm::Integrand> all;
+  const auto add = [&all](const sm::Integrand& integrand)
+  {
+    if (!HasClash(all, integrand.Name))
+    {
+      all.push_back(integrand);
+    }
+  };
+  std::for_each(this->Added.begin(), this->Added.end(), add);
+  std::for_each(this->OfText.begin(), this->OfText.end(), add);
+  for (int total = 0; total <= this->MomentDegree; ++total)
+  {
+    for (int i = total; i >= 0; --i)
+    {
+      for (int j = total - i; j >= 0; --j)
+      {
+        const int k = total - i - j;
+        add(sm::Integrand::VolumeMoment(
+          "moment_" + std::to_string(i) + "_" + std::to_string(j) + "_" + std::to_string(k), i, j, k));
+      }
+    }
+  }
+  if (this->BendingEnergy)
+  {
+    add(MakeBendingEnergy("BendingEnergy"));
+  }
+  const double* d = this->ProjectedAreaDirection;
+  const std::string direction = UnitVector(d[0], d[1], d[2]);
+  if (!direction.empty())
+  {
+    add(MakeProjectedArea("ProjectedArea", direction));
+  }
+  for (sm::Integrand& integrand : all)
+  {
+    if (integrand.Source)
+    {
+      const int scalePower = integrand.ScalePower;
+      integrand =
+        sm::Integrand::User(integrand.Name, integrand.Expression, integrand.ClosedChain, this->Constants);
+      integrand.ScalePower = scalePower;
+    }
+  }
+  return all;
+}
+
+void vtkSurfaceIntegralGPU::Add(const sm::Integrand& integrand, std::vector<sm::Integrand>& integrands)
+{
+  const std::string& name = integrand.Name;
+  const bool isReserved =
+    std::find(std::begin(sm::names::ReservedColumnNames), std::end(sm::names::ReservedColumnNames), name) !=
+    std::end(sm::names::ReservedColumnNames);
+  if (name.empty() || isReserved || HasClash(this->Implementation->GetIntegrands(), name))
+  {
+    vtkErrorMacro(
+      "The name '" << name << "' of an integrand is empty, or a column of the outputs has it or would.");
+    return;
+  }
+  integrands.push_back(integrand);
+  this->Modified();
 }
 
 void vtkSurfaceIntegralGPU::AddIntegrand(const std::string& name, const std::string& expression, int support)
@@ -42,8 +156,7 @@ void vtkSurfaceIntegralGPU::AddIntegrand(const std::string& name, const std::str
       "AddIntegrand: the expression of '" << name << "' is empty; give GLSL of position and normal.");
     return;
   }
-  this->Implementation->Add(
-    this, sm::Integrand::User(name, expression, support == CLOSED_CHAIN, this->Implementation->Constants));
+  this->Add(sm::Integrand::User(name, expression, support == CLOSED_CHAIN), this->Implementation->Added);
 }
 
 void vtkSurfaceIntegralGPU::AddVolumeMoment(const std::string& name, int i, int j, int k)
@@ -55,7 +168,7 @@ void vtkSurfaceIntegralGPU::AddVolumeMoment(const std::string& name, int i, int 
                                                  << LargestDegree << ".");
     return;
   }
-  this->Implementation->Add(this, sm::Integrand::VolumeMoment(name, i, j, k));
+  this->Add(sm::Integrand::VolumeMoment(name, i, j, k), this->Implementation->Added);
 }
 
 void vtkSurfaceIntegralGPU::AddAreaMoment(const std::string& name, int i, int j, int k)
@@ -67,22 +180,18 @@ void vtkSurfaceIntegralGPU::AddAreaMoment(const std::string& name, int i, int j,
                                                << LargestDegree << ".");
     return;
   }
-  this->Implementation->Add(this, sm::Integrand::AreaMoment(name, i, j, k));
+  this->Add(sm::Integrand::AreaMoment(name, i, j, k), this->Implementation->Added);
 }
 
 void vtkSurfaceIntegralGPU::AddFlux(
   const std::string& name, const std::string& x, const std::string& y, const std::string& z)
 {
-  this->AddIntegrand(name, "dot(dvec3(" + x + ", " + y + ", " + z + "), normal)", CLOSED_CHAIN);
+  this->Add(MakeFlux(name, x, y, z), this->Implementation->Added);
 }
 
 void vtkSurfaceIntegralGPU::AddBendingEnergy(const std::string& name)
 {
-  sm::Integrand integrand =
-    sm::Integrand::User(name, "(4 * meanCurvature * meanCurvature - 2 * gaussianCurvature) * dA", false, {});
-  // It is the same for bodies of all sizes.
-  integrand.ScalePower = -2;
-  this->Implementation->Add(this, integrand);
+  this->Add(MakeBendingEnergy(name), this->Implementation->Added);
 }
 
 void vtkSurfaceIntegralGPU::AddProjectedArea(const std::string& name, double x, double y, double z)
@@ -93,8 +202,7 @@ void vtkSurfaceIntegralGPU::AddProjectedArea(const std::string& name, double x, 
     vtkErrorMacro("AddProjectedArea: '" << name << "' has no direction; give a vector that is not 0.");
     return;
   }
-  this->Implementation->Add(
-    this, sm::Integrand::User(name, "0.5 * abs(dot(" + direction + ", normal))", false, {}));
+  this->Add(MakeProjectedArea(name, direction), this->Implementation->Added);
 }
 
 void vtkSurfaceIntegralGPU::AddConstant(const std::string& name, double value)
@@ -106,34 +214,134 @@ void vtkSurfaceIntegralGPU::AddConstant(const std::string& name, double value)
                        << ": the name must be an identifier without a meaning yet, the value finite.");
     return;
   }
+  const auto found = this->Implementation->Constants.find(name);
+  if (found == this->Implementation->Constants.end() || found->second != value)
+  {
+    this->Implementation->Constants[name] = value;
+    this->Modified();
+  }
+}
+
+void vtkSurfaceIntegralGPU::RemoveAllIntegrands()
+{
   Internals& self = *this->Implementation;
-  const auto found = self.Constants.find(name);
-  if (found != self.Constants.end() && found->second == value)
+  self.Added.clear();
+  self.OfText.clear();
+  self.IntegrandText.clear();
+  self.MomentDegree = -1;
+  self.BendingEnergy = false;
+  std::fill_n(self.ProjectedAreaDirection, 3, 0.0);
+  this->Modified();
+}
+
+int vtkSurfaceIntegralGPU::GetNumberOfIntegrands() const
+{
+  return static_cast<int>(this->Implementation->GetIntegrands().size());
+}
+
+std::string vtkSurfaceIntegralGPU::GetIntegrandName(int index) const
+{
+  const std::vector<sm::Integrand> integrands = this->Implementation->GetIntegrands();
+  return index >= 0 && index < static_cast<int>(integrands.size()) ? integrands[index].Name : "";
+}
+
+// --- integrands as settings --------------------------------------------------------------------
+
+void vtkSurfaceIntegralGPU::SetIntegrandText(const std::string& text)
+{
+  Internals& self = *this->Implementation;
+  if (self.IntegrandText == text)
   {
     return;
   }
-  self.Constants[name] = value;
-  for (sm::Integrand& integrand : self.Integrands)
+  self.IntegrandText = text;
+  self.OfText.clear();
+  for (const std::string& line : Split(text, '\n'))
   {
-    if (integrand.Source)
+    const std::string::size_type equals = line.find('=');
+    const std::string name = Trim(line.substr(0, equals));
+    const std::vector<std::string> parts =
+      equals == std::string::npos ? std::vector<std::string>() : Split(line.substr(equals + 1), ';');
+    const bool complete =
+      std::none_of(parts.begin(), parts.end(), [](const std::string& part) { return part.empty(); });
+    if (line.empty())
     {
-      const int scalePower = integrand.ScalePower;
-      integrand =
-        sm::Integrand::User(integrand.Name, integrand.Expression, integrand.ClosedChain, self.Constants);
-      integrand.ScalePower = scalePower;
+      continue;
     }
+    if (name.empty() || !complete || (parts.size() != 1 && parts.size() != 3))
+    {
+      vtkErrorMacro(
+        "'" << line
+            << "' is no integrand: write NAME = EXPRESSION, for example area = dA, or NAME = X ; Y ; Z "
+               "for the flux of a vector.");
+      continue;
+    }
+    this->Add(parts.size() == 3 ? MakeFlux(name, parts[0], parts[1], parts[2])
+                                : sm::Integrand::User(name, parts[0], false),
+      self.OfText);
   }
   this->Modified();
 }
 
-void vtkSurfaceIntegralGPU::AddFaceId(int id)
+std::string vtkSurfaceIntegralGPU::GetIntegrandText() const
 {
-  if (this->Implementation->LocalTolerances)
+  return this->Implementation->IntegrandText;
+}
+
+void vtkSurfaceIntegralGPU::SetMomentDegree(int degree)
+{
+  const int clamped = std::clamp(degree, -1, LargestMomentDegree);
+  if (this->Implementation->MomentDegree != clamped)
   {
-    vtkErrorMacro("AddFaceId: " << this->GetClassName()
-                                << " integrates whole bodies. Use vtkSurfaceIntegralGPU for chosen faces.");
+    this->Implementation->MomentDegree = clamped;
+    this->Modified();
+  }
+}
+
+int vtkSurfaceIntegralGPU::GetMomentDegree() const
+{
+  return this->Implementation->MomentDegree;
+}
+
+void vtkSurfaceIntegralGPU::SetBendingEnergy(bool on)
+{
+  if (this->Implementation->BendingEnergy != on)
+  {
+    this->Implementation->BendingEnergy = on;
+    this->Modified();
+  }
+}
+
+bool vtkSurfaceIntegralGPU::GetBendingEnergy() const
+{
+  return this->Implementation->BendingEnergy;
+}
+
+void vtkSurfaceIntegralGPU::SetProjectedAreaDirection(double x, double y, double z)
+{
+  const double direction[3] = { x, y, z };
+  if (!std::isfinite(x + y + z))
+  {
+    vtkErrorMacro("SetProjectedAreaDirection: " << x << " " << y << " " << z
+                                                << " is no direction; give a vector, or 0 0 0 for none.");
     return;
   }
+  if (!std::equal(direction, direction + 3, this->Implementation->ProjectedAreaDirection))
+  {
+    std::copy_n(direction, 3, this->Implementation->ProjectedAreaDirection);
+    this->Modified();
+  }
+}
+
+double* vtkSurfaceIntegralGPU::GetProjectedAreaDirection()
+{
+  return this->Implementation->ProjectedAreaDirection;
+}
+
+// --- faces -------------------------------------------------------------------------------------
+
+void vtkSurfaceIntegralGPU::AddFaceId(int id)
+{
   if (this->Implementation->FaceIds.insert(id).second)
   {
     this->Modified();
@@ -152,85 +360,4 @@ void vtkSurfaceIntegralGPU::RemoveAllFaceIds()
 int vtkSurfaceIntegralGPU::GetNumberOfFaceIds() const
 {
   return static_cast<int>(this->Implementation->FaceIds.size());
-}
-
-std::vector<std::size_t> vtkSurfaceIntegralGPU::Internals::ChooseTasks(std::vector<sm::FaceTask>& tasks)
-{
-  std::vector<std::size_t> chosen;
-  if (this->FaceIds.empty())
-  {
-    return chosen;
-  }
-  std::set<int> missing = this->FaceIds;
-  std::vector<sm::FaceTask> kept;
-  for (sm::FaceTask& task : tasks)
-  {
-    const int id = task.Source->FileId;
-    missing.erase(id);
-    chosen.push_back(this->FaceIds.count(id) > 0 ? kept.size() : tasks.size());
-    if (chosen.back() < tasks.size())
-    {
-      kept.push_back(std::move(task));
-    }
-  }
-  tasks = std::move(kept);
-  for (const int id : missing)
-  {
-    this->Last.Messages.push_back("there is no face #" + std::to_string(id) + " to integrate over");
-  }
-  return chosen;
-}
-
-void vtkSurfaceIntegralGPU::Internals::SpreadResults(
-  const std::vector<std::size_t>& chosen, std::vector<sm::FaceIntegrals>& results) const
-{
-  if (chosen.empty())
-  {
-    return;
-  }
-  sm::FaceIntegrals nothing;
-  const std::size_t count = this->Configured.size();
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    const double value =
-      this->Integrator.GetObstacle(k).empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
-    for (std::vector<double>* values :
-      { &nothing.Face, &nothing.Closing, &nothing.QuadratureError, &nothing.Rounding, &nothing.Conversion })
-    {
-      values->push_back(value);
-    }
-  }
-  std::vector<sm::FaceIntegrals> all;
-  for (const std::size_t result : chosen)
-  {
-    all.push_back(result < results.size() ? results[result] : nothing);
-  }
-  results = std::move(all);
-}
-
-void vtkSurfaceIntegralGPU::Internals::Add(vtkSurfaceIntegralGPU* self, const sm::Integrand& integrand)
-{
-  const std::string& name = integrand.Name;
-  const std::string bound = sm::names::BoundSuffix;
-  const bool exists = std::any_of(this->Integrands.begin(), this->Integrands.end(),
-    [&](const sm::Integrand& other)
-    { return other.Name == name || other.Name == name + bound || other.Name + bound == name; });
-  const bool isBeside =
-    std::find(std::begin(sm::names::ReservedColumnNames), std::end(sm::names::ReservedColumnNames), name) !=
-    std::end(sm::names::ReservedColumnNames);
-  if (name.empty() || exists || isBeside)
-  {
-    vtkErrorWithObjectMacro(self,
-      "The name '" << name << "' of an integrand is empty, or a column of the outputs has it or would.");
-    return;
-  }
-  if (this->LocalTolerances)
-  {
-    vtkErrorWithObjectMacro(self,
-      "'" << integrand.Name << "' was not added: the integrands of " << self->GetClassName()
-          << " are fixed. Use vtkSurfaceIntegralGPU for others.");
-    return;
-  }
-  this->Integrands.push_back(integrand);
-  self->Modified();
 }

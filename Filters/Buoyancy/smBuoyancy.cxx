@@ -1,0 +1,498 @@
+#include "smBuoyancy.h"
+#include "smUnitRoundoff.h"
+
+#include "vtkSMPTools.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+using Point3 = std::array<double, 3>;
+using Wide = long double;
+using Wide3 = std::array<Wide, 3>;
+
+constexpr auto WideRoundoff = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
+// Of a face's tolerance: for where it is cut, and for the quadrature. First moments turned to the world's axes add up to sqrt(3) of
+// their bounds, and a face may be twice as far from the frame's origin as the radius.
+constexpr double CutShare = 0.125;
+constexpr double QuadratureShare = 0.4;
+constexpr std::size_t Quantities = 4;
+
+Wide Dot(const Wide3& a, const Wide3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Wide3 Normalized(const Wide3& a)
+{
+  // Scaled first: the square of a length may overflow.
+  const Wide largest = std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
+  const Wide3 b{ a[0] / largest, a[1] / largest, a[2] / largest };
+  const Wide length = std::sqrt(Dot(b, b));
+  return { b[0] / length, b[1] / length, b[2] / length };
+}
+
+Wide3 Cross(const Wide3& a, const Wide3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+/// Radius of a ball about `center` that holds a cut face.
+double GetReach(const FacePanels& panels, const Point3& center)
+{
+  double reach = 0.0;
+  const auto add = [&](const double* p, double radius)
+  { reach = std::max(reach, std::hypot(p[0] - center[0], p[1] - center[1], p[2] - center[2]) + radius); };
+  for (const Patch& patch : panels.Patches)
+  {
+    add(patch.Center, patch.Radius);
+  }
+  for (const Ribbon& ribbon : panels.Ribbons)
+  {
+    for (int i = 0; i <= ribbon.EdgeDegree; ++i)
+    {
+      add(panels.Coefficients.data() + ribbon.Edge + 3 * i, 0.0);
+    }
+  }
+  for (const Cap& cap : panels.Caps)
+  {
+    add(cap.Apex.data(), 0.0);
+    add(cap.From.data(), 0.0);
+    add(cap.To.data(), 0.0);
+  }
+  return reach;
+}
+
+/// No less than the area of a face's panels and strips.
+double GetLargestArea(const FacePanels& panels)
+{
+  double area = 0.0;
+  for (const Patch& patch : panels.Patches)
+  {
+    area += patch.Stretch[0] * patch.Stretch[1];
+  }
+  return area;
+}
+
+/// False when all patches are further from the plane than the distance.
+bool MayTouch(const FacePanels& panels, const HeightPlane& plane, double distance)
+{
+  for (const Patch& patch : panels.Patches)
+  {
+    const double middle = plane.GetHeight({ patch.Center[0], patch.Center[1], patch.Center[2] });
+    if (!(std::abs(middle) > 2.0 * patch.Radius + distance))
+    {
+      double low = std::numeric_limits<double>::infinity();
+      double high = -low;
+      for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
+      {
+        const std::array<double, 4>& p = panels.Points[patch.FirstPoint + i];
+        const double h = middle + (plane.Up[0] * p[0] + plane.Up[1] * p[1] + plane.Up[2] * p[2]) / p[3];
+        low = std::min(low, h);
+        high = std::max(high, h);
+      }
+      if (!(low > distance || high < -distance))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The sums of the categories of a face's results as they are for moments about the world's origin.
+void ToWorld(const Point3& origin, const std::array<Point3, 3>& axes, std::vector<double>& values, bool bound)
+{
+  std::vector<double> world(Quantities, 0.0);
+  world[0] = values[0];
+  for (int c = 0; c < 3; ++c)
+  {
+    world[1 + c] = (bound ? std::abs(origin[c]) : origin[c]) * values[0];
+    for (int k = 0; k < 3; ++k)
+    {
+      world[1 + c] += (bound ? std::abs(axes[k][c]) : axes[k][c]) * values[1 + k];
+    }
+  }
+  values = std::move(world);
+}
+
+/// Adds the results of a part of a face.
+void AddPart(const FaceIntegrals& from, FaceIntegrals& to)
+{
+  const std::pair<std::vector<double>*, const std::vector<double>*> pairs[] = { { &to.Face, &from.Face },
+    { &to.Closing, &from.Closing }, { &to.QuadratureError, &from.QuadratureError },
+    { &to.Rounding, &from.Rounding }, { &to.Conversion, &from.Conversion } };
+  for (const auto& [sum, more] : pairs)
+  {
+    for (std::size_t k = 0; k < Quantities; ++k)
+    {
+      (*sum)[k] += (*more)[k];
+    }
+  }
+  to.Estimated = to.Estimated || from.Estimated;
+  to.Skipped = to.Skipped || from.Skipped;
+  to.CoverageDefects += from.CoverageDefects;
+  to.Outside = std::max(to.Outside, from.Outside);
+  to.Error = from.Error.empty() ? to.Error : from.Error;
+}
+}
+
+void DisplacedMoments::Add(const DisplacedMoments& other)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    const double shift = other.Origin[c] - this->Origin[c];
+    this->First[c] += other.First[c] + shift * other.Volume;
+    this->FirstBound[c] += other.FirstBound[c] + std::abs(shift) * other.VolumeBound +
+      4.0 * UnitRoundoff *
+        (std::abs(this->First[c]) + std::abs(other.First[c]) +
+          (std::abs(other.Origin[c]) + std::abs(this->Origin[c])) * std::abs(other.Volume));
+  }
+  this->Volume += other.Volume;
+  this->VolumeBound += other.VolumeBound + 2.0 * UnitRoundoff * std::abs(this->Volume);
+}
+
+Point3 DisplacedMoments::GetCenter(double& bound) const
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double size = std::abs(this->Volume);
+  if (!(size > this->VolumeBound))
+  {
+    bound = nan;
+    return { nan, nan, nan };
+  }
+  // NUMERICS 6: |m/V - c| <= (b_i + |c_i| b) / (|V| - b).
+  Point3 center;
+  bound = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double local = this->First[c] / this->Volume;
+    center[c] = this->Origin[c] + local;
+    bound = std::max(bound,
+      (this->FirstBound[c] + std::abs(local) * this->VolumeBound) / (size - this->VolumeBound) +
+        4.0 * UnitRoundoff * (std::abs(local) + std::abs(this->Origin[c])));
+  }
+  return center;
+}
+
+BuoyancyIntegrator::Frame BuoyancyIntegrator::MakeFrame(const BodyIntegrals& body, const Waterline& waterline)
+{
+  const Wide3 up = Normalized({ waterline.Up[0], waterline.Up[1], waterline.Up[2] });
+  const int least = static_cast<int>(
+    std::min_element(up.begin(), up.end(), [](Wide a, Wide b) { return std::abs(a) < std::abs(b); }) -
+    up.begin());
+  Wide3 axis{};
+  axis[least] = 1.0L;
+  const Wide3 x = Normalized(Cross(axis, up));
+  const std::array<Wide3, 3> axes = { x, Cross(up, x), up };
+
+  const std::array<double, 6> box = GetBox(*body.Model);
+  const double* modelOrigin = body.Model->GetOrigin();
+  const double* m = body.Placement.data();
+  Frame frame;
+  // The model's origin and the middle of its box, as seen from the waterline's point.
+  Wide3 toModel;
+  Wide3 toMiddle;
+  double distance = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    toModel[i] = static_cast<Wide>(m[4 * i + 3]) - waterline.Point[i];
+    Wide local = 0.0L;
+    for (int j = 0; j < 3; ++j)
+    {
+      toModel[i] += static_cast<Wide>(m[4 * i + j]) * modelOrigin[j];
+      local += static_cast<Wide>(m[4 * i + j]) * 0.5L * (static_cast<Wide>(box[2 * j]) + box[2 * j + 1]);
+      distance += std::abs(m[4 * i + j] * modelOrigin[j]);
+    }
+    toMiddle[i] = toModel[i] + local;
+    frame.LocalMiddle[i] = 0.5 * (box[2 * i] + box[2 * i + 1]);
+    frame.Middle[i] = static_cast<double>(toMiddle[i] + waterline.Point[i]);
+    distance += std::abs(m[4 * i + 3]) + std::abs(waterline.Point[i]);
+  }
+  frame.Plane.Offset = Dot(up, toModel);
+  const double radius = GetRadius(*body.Model);
+  frame.PlaneBound = 16.0 * WideRoundoff * distance;
+  const std::array<Wide, 3> middle = { Dot(axes[0], toMiddle), Dot(axes[1], toMiddle),
+    Dot(axes[2], toMiddle) };
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      Wide entry = 0.0L;
+      for (int i = 0; i < 3; ++i)
+      {
+        entry += axes[k][i] * m[4 * i + j];
+      }
+      frame.Placement[4 * k + j] = static_cast<double>(entry);
+      frame.Axes[k][j] = static_cast<double>(axes[k][j]);
+    }
+    // Across, the frame's origin is at the body; along `up`, in the plane.
+    frame.Placement[4 * k + 3] = static_cast<double>(Dot(axes[k], toModel) - (k < 2 ? middle[k] : 0.0L));
+  }
+  frame.Plane.Up = { frame.Placement[8], frame.Placement[9], frame.Placement[10] };
+  for (int i = 0; i < 3; ++i)
+  {
+    frame.Origin[i] =
+      static_cast<double>(waterline.Point[i] + middle[0] * axes[0][i] + middle[1] * axes[1][i]);
+  }
+  frame.Reach = radius;
+  return frame;
+}
+
+void BuoyancyIntegrator::MoveToMiddle(Frame& frame)
+{
+  // Any plane of this direction will do for a body that is below as a whole: one through the body keeps numbers small.
+  frame.Placement[11] = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    frame.Placement[11] -= frame.Plane.Up[c] * frame.LocalMiddle[c];
+  }
+  frame.Origin = frame.Middle;
+  frame.PlaneBound = 0.0;
+}
+
+void BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane,
+  double tolerance, std::vector<SubmergedFace>& below)
+{
+  below.assign(faces.size(), {});
+  const auto isSame = [&](const KnownCut& known) {
+    return known.Plane.Up == plane.Up && known.Plane.Offset == plane.Offset && known.Tolerance == tolerance;
+  };
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    std::vector<KnownCut>& entries = this->Known[faces[i]->Source->Id];
+    const auto found = std::find_if(entries.begin(), entries.end(), isSame);
+    if (found == entries.end())
+    {
+      missing.push_back(i);
+      continue;
+    }
+    found->IsUsed = true;
+    below[i] = found->Face;
+  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(missing.size()), 1,
+    [&](vtkIdType from, vtkIdType to)
+    {
+      for (vtkIdType i = from; i < to; ++i)
+      {
+        below[missing[i]] = CutBelow(faces[missing[i]], plane, tolerance);
+      }
+    });
+  for (const std::size_t i : missing)
+  {
+    this->Known[faces[i]->Source->Id].push_back({ plane, tolerance, below[i], true });
+  }
+}
+
+void BuoyancyIntegrator::ForgetUnused()
+{
+  for (auto entries = this->Known.begin(); entries != this->Known.end();)
+  {
+    std::vector<KnownCut>& known = entries->second;
+    known.erase(std::remove_if(known.begin(), known.end(), [](const KnownCut& one) { return !one.IsUsed; }),
+      known.end());
+    for (KnownCut& one : known)
+    {
+      one.IsUsed = false;
+    }
+    entries = known.empty() ? this->Known.erase(entries) : std::next(entries);
+  }
+}
+
+void BuoyancyIntegrator::ReleaseMemory()
+{
+  this->Known.clear();
+  this->Cuts.Clear();
+}
+
+bool BuoyancyIntegrator::CutAtWaterline(
+  const BodyIntegrals& body, const Waterline& waterline, double tolerance, CutBody& cut)
+{
+  const std::vector<FacePointer>& sources = body.Model->GetFaces();
+  if (!this->Cuts.Acquire(sources, cut.Faces, nullptr))
+  {
+    return false;
+  }
+  Frame& frame = cut.View;
+  frame = MakeFrame(body, waterline);
+  this->CutFaces(cut.Faces, frame.Plane, CutShare * tolerance, cut.Below);
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    cut.IsWhole = cut.IsWhole && cut.Below[i].Parts[0] == cut.Faces[i];
+  }
+  // Faces that are below, or above, by no more than the plane may be off: a body that is whole, or not there at all, may have a
+  // sheet on the other side.
+  const double rounded = frame.PlaneBound + 2.0 * UnitRoundoff * frame.Reach;
+  cut.VolumeErrors.assign(sources.size(), 0.0);
+  cut.Errors.resize(sources.size());
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    const SubmergedFace& below = cut.Below[i];
+    const bool isWhole = below.Parts[0] == cut.Faces[i];
+    const bool isNothing = !below.Parts[0] && !below.Parts[1];
+    const FacePanels& panels = cut.Faces[i]->Panels;
+    const bool mayHaveSheet =
+      (isNothing || (cut.IsWhole && isWhole)) && MayTouch(panels, frame.Plane, 2.0 * rounded);
+    cut.VolumeErrors[i] = below.CutError + (mayHaveSheet ? 2.0 * rounded * GetLargestArea(panels) : 0.0);
+    cut.Errors[i] = cut.Faces[i]->Error;
+  }
+  if (cut.IsWhole)
+  {
+    MoveToMiddle(frame);
+  }
+  return true;
+}
+
+void BuoyancyIntegrator::AddTasks(
+  CutBody& cut, std::size_t body, double tolerance, std::vector<FaceTask>& tasks, std::vector<Place>& places)
+{
+  Frame& frame = cut.View;
+  FaceTask task;
+  task.Placement = frame.Placement;
+  task.Tolerances.assign(Quantities, QuadratureShare * tolerance * frame.Reach);
+  task.Tolerances[0] = 2.0 * QuadratureShare * tolerance;
+  // The frame's origin in the model's coordinates: placements are orthonormal.
+  Point3 center{};
+  for (int j = 0; j < 3; ++j)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      center[j] -= frame.Placement[4 * k + j] * frame.Placement[4 * k + 3];
+    }
+  }
+  for (std::size_t i = 0; i < cut.Faces.size(); ++i)
+  {
+    const double moved = frame.PlaneBound + (cut.IsWhole ? 0.0 : 2.0 * UnitRoundoff * frame.Reach);
+    const SubmergedFace& below = cut.Below[i];
+    for (const CutFacePointer& part : below.Parts)
+    {
+      if (part)
+      {
+        task.Source = part->Source;
+        task.Cut = part;
+        tasks.push_back(task);
+        for (double& own : tasks.back().Tolerances)
+        {
+          own *= below.Parts[0] && below.Parts[1] ? 0.5 : 1.0;
+        }
+        places.push_back({ body, i });
+        cut.VolumeErrors[i] += moved * GetLargestArea(part->Panels);
+      }
+    }
+    frame.Reach =
+      std::max(frame.Reach, cut.VolumeErrors[i] > 0.0 ? GetReach(cut.Faces[i]->Panels, center) : 0.0);
+  }
+}
+
+void BuoyancyIntegrator::SumBody(const CutBody& cut, BodyBuoyancy& result)
+{
+  const Frame& frame = cut.View;
+  DisplacedMoments& total = result.Total;
+  total.Origin = frame.Origin;
+  std::vector<double> sums(Quantities, 0.0);
+  std::vector<double> bounds(Quantities, 0.0);
+  double magnitude = 0.0;
+  for (std::size_t i = 0; i < result.Faces.size(); ++i)
+  {
+    FaceIntegrals& face = result.Faces[i];
+    face.Error = face.Error.empty() ? cut.Errors[i] : face.Error;
+    for (std::size_t k = 0; k < Quantities; ++k)
+    {
+      face.Conversion[k] += cut.VolumeErrors[i] * (k == 0 ? 1.0 : frame.Reach);
+      sums[k] += face.Face[k] + face.Closing[k];
+      bounds[k] += face.Error.empty() ? face.GetBound(k) : std::numeric_limits<double>::infinity();
+    }
+    magnitude += std::abs(face.Face[0]) + std::abs(face.Closing[0]);
+  }
+  // Sums of as many numbers.
+  const double rounding = UnitRoundoff * static_cast<double>(result.Faces.size() + 8) * magnitude;
+  bounds[0] += rounding;
+  for (std::size_t k = 1; k < Quantities; ++k)
+  {
+    bounds[k] += rounding * frame.Reach;
+  }
+  total.Volume = sums[0];
+  total.VolumeBound = bounds[0];
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      total.First[c] += frame.Axes[k][c] * sums[1 + k];
+      total.FirstBound[c] += std::abs(frame.Axes[k][c]) * bounds[1 + k];
+    }
+  }
+  for (FaceIntegrals& face : result.Faces)
+  {
+    const double volume = std::abs(face.Face[0]) + std::abs(face.Closing[0]);
+    ToWorld(frame.Origin, frame.Axes, face.Face, false);
+    ToWorld(frame.Origin, frame.Axes, face.Closing, false);
+    ToWorld(frame.Origin, frame.Axes, face.QuadratureError, true);
+    ToWorld(frame.Origin, frame.Axes, face.Rounding, true);
+    ToWorld(frame.Origin, frame.Axes, face.Conversion, true);
+    for (int c = 0; c < 3; ++c)
+    {
+      face.Rounding[1 + c] += 8.0 * UnitRoundoff * (std::abs(frame.Origin[c]) + frame.Reach) * volume;
+    }
+  }
+}
+
+std::vector<Integrand> BuoyancyIntegrator::MakeIntegrands()
+{
+  return { Integrand::HeightMoment("V", 0, 0, 0), Integrand::HeightMoment("X", 1, 0, 0),
+    Integrand::HeightMoment("Y", 0, 1, 0), Integrand::HeightMoment("Z", 0, 0, 1) };
+}
+
+bool BuoyancyIntegrator::Integrate(SurfaceIntegrator& integrator, const std::vector<BodyIntegrals>& bodies,
+  const Waterline& waterline, double relativeTolerance, const ProgressCallback& progress,
+  std::vector<BodyBuoyancy>& results)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  std::vector<FaceTask> tasks;
+  std::vector<Place> places;
+  std::vector<CutBody> cuts(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    vtkTrimmedNURBSModel& model = *bodies[b].Model;
+    const double tolerance =
+      relativeTolerance * GetVolumeScale(model) / std::max<std::size_t>(model.GetFaces().size(), 1);
+    if (!this->CutAtWaterline(bodies[b], waterline, tolerance, cuts[b]))
+    {
+      return false;
+    }
+    AddTasks(cuts[b], b, tolerance, tasks, places);
+  }
+  this->CutSeconds = vtkTimerLog::GetUniversalTime() - start;
+  std::vector<FaceIntegrals> integrals;
+  if (!integrator.Integrate(tasks, integrals, progress))
+  {
+    return false;
+  }
+  this->ForgetUnused();
+  FaceIntegrals zero;
+  for (std::size_t k = 0; k < Quantities; ++k)
+  {
+    zero.Append(0.0);
+  }
+  results.assign(bodies.size(), {});
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    results[b].Faces.assign(cuts[b].Faces.size(), zero);
+  }
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+  {
+    AddPart(integrals[i], results[places[i].Body].Faces[places[i].Face]);
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    SumBody(cuts[b], results[b]);
+  }
+  return true;
+}
+}

@@ -1,0 +1,104 @@
+#include "smSubmergedFace.h"
+
+#include "smSubmergedPanels.h"
+#include "smSubmergedStrips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+/// -1: below, or in the plane; 1: above, or in the plane; 0: both.
+int FindSide(const FacePanels& panels, const HeightPlane& plane)
+{
+  bool below = false;
+  bool above = panels.Outside > 0.0;
+  below = above;
+  const auto add = [&](double height)
+  {
+    below = below || height < 0.0;
+    above = above || height > 0.0;
+  };
+  for (const Patch& patch : panels.Patches)
+  {
+    const double middle = plane.GetHeight({ patch.Center[0], patch.Center[1], patch.Center[2] });
+    if (std::abs(middle) > 2.0 * patch.Radius)
+    {
+      add(middle);
+      continue;
+    }
+    for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
+    {
+      const std::array<double, 4>& p = panels.Points[patch.FirstPoint + i];
+      add(middle + (plane.Up[0] * p[0] + plane.Up[1] * p[1] + plane.Up[2] * p[2]) / p[3]);
+    }
+  }
+  for (const Ribbon& ribbon : panels.Ribbons)
+  {
+    for (int i = 0; i <= ribbon.EdgeDegree && !(below && above); ++i)
+    {
+      const double* p = panels.Coefficients.data() + ribbon.Edge + 3 * i;
+      add(plane.GetHeight({ p[0], p[1], p[2] }));
+    }
+  }
+  for (const Cap& cap : panels.Caps)
+  {
+    add(plane.GetHeight(cap.Apex));
+    add(plane.GetHeight(cap.From));
+    add(plane.GetHeight(cap.To));
+  }
+  return below && above ? 0 : above ? 1 : -1;
+}
+
+CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchanged)
+{
+  if (panels.Panels.empty() && panels.Ribbons.empty() && panels.Caps.empty())
+  {
+    return nullptr;
+  }
+  auto face = std::make_shared<Face>(*source.Source);
+  face->Id = NewId();
+  if (exchanged)
+  {
+    // They belong to the ribbons, which are all in the other part.
+    face->Loops.clear();
+  }
+  auto cut = std::make_shared<CutFace>();
+  cut->Source = std::move(face);
+  cut->Degree[0] = source.Degree[exchanged ? 1 : 0];
+  cut->Degree[1] = source.Degree[exchanged ? 0 : 1];
+  if (!exchanged)
+  {
+    panels.CoverageDefects = source.Panels.CoverageDefects;
+    panels.Outside = source.Panels.Outside;
+  }
+  cut->Panels = std::move(panels);
+  return cut;
+}
+}
+
+SubmergedFace CutBelow(const CutFacePointer& face, const HeightPlane& plane, double tolerance)
+{
+  SubmergedFace result;
+  const int side = face->Error.empty() ? FindSide(face->Panels, plane) : -1;
+  if (side != 0)
+  {
+    result.Parts[0] = side < 0 ? face : nullptr;
+    return result;
+  }
+  SubmergedPanels panels(face->Panels, plane, 0.5 * tolerance);
+  panels.Cut();
+  result.Boxes = panels.GetBoxes();
+  result.CutError =
+    panels.GetCutError() + CutStripsBelow(face->Panels, plane, 0.5 * tolerance, panels.GetPanels(false));
+  for (int i = 0; i < 2; ++i)
+  {
+    result.Parts[i] = MakeFace(*face, panels.GetPanels(i == 1), i == 1);
+  }
+  return result;
+}
+}

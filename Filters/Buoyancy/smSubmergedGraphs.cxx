@@ -1,0 +1,260 @@
+#include "smSubmergedPanels.h"
+
+#include "smChebyshev.h"
+#include "smPatchParts.h"
+#include "smSignChanges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+using Point2 = std::array<double, 2>;
+
+// Degrees of graphs.
+constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
+// Part of the room beside a box that the waterline may be off by where a part may be on either side of it: a graph finds it there.
+constexpr double CrossingRoom = 0.05;
+// Parts of a piece of so high a degree that its height has no series.
+constexpr std::size_t MostParts = 4096;
+
+/// Bernstein coefficients of the polynomial with these values at the Chebyshev nodes of [0,1].
+std::vector<double> ToBernstein(const std::vector<double>& values)
+{
+  // Degrees are 9 at most: elimination in wide numbers is good to rounding.
+  const int n = static_cast<int>(values.size());
+  const ChebyshevRule& rule = ChebyshevRule::Get(n);
+  std::vector<std::vector<long double>> rows(n, std::vector<long double>(n + 1));
+  for (int i = 0; i < n; ++i)
+  {
+    const long double x = 0.5L * (1.0L + rule.GetNode(i));
+    long double binomial = 1.0L;
+    for (int j = 0; j < n; ++j)
+    {
+      rows[i][j] = binomial * std::pow(x, j) * std::pow(1.0L - x, n - 1 - j);
+      binomial = binomial * (n - 1 - j) / (j + 1);
+    }
+    rows[i][n] = values[i];
+  }
+  for (int k = 0; k < n; ++k)
+  {
+    const auto largest = std::max_element(rows.begin() + k, rows.end(),
+      [k](const auto& a, const auto& b) { return std::abs(a[k]) < std::abs(b[k]); });
+    std::swap(rows[k], *largest);
+    for (int i = 0; i < n; ++i)
+    {
+      const long double factor = i == k ? 0.0L : rows[i][k] / rows[k][k];
+      for (int j = k; j <= n && i != k; ++j)
+      {
+        rows[i][j] -= factor * rows[k][j];
+      }
+    }
+  }
+  std::vector<double> coefficients(n);
+  for (int k = 0; k < n; ++k)
+  {
+    coefficients[k] = static_cast<double>(rows[k][n] / rows[k][k]);
+  }
+  return coefficients;
+}
+
+/// How far a coordinate runs to and fro along a part, at most.
+double GetVariation(const RegionPart& part, int direction, double start, double end)
+{
+  const std::vector<Point2>& b = *part.Piece;
+  double largest = 0.0;
+  for (std::size_t i = 1; i < b.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(b[i][direction] - b[i - 1][direction]));
+  }
+  return part.GetDegree() * largest * (end - start);
+}
+}
+
+std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const RegionPart& part)
+{
+  const std::vector<Point2>& b = *part.Piece;
+  int degree = 0;
+  for (int d = 0; d < 2; ++d)
+  {
+    const bool constant =
+      std::all_of(b.begin(), b.end(), [&](const Point2& point) { return point[d] == b[0][d]; });
+    degree += constant ? 0 : box.Net->GetDegree(d) * part.GetDegree();
+  }
+  std::vector<SignedRange> ranges;
+  if (degree < ChebyshevRule::MaximumSize)
+  {
+    FindSignedRanges(
+      [&](double t)
+      {
+        const Point2 at = part.Evaluate(t);
+        return box.Net->Evaluate(at[0], at[1]);
+      },
+      degree, part.Start, part.End,
+      [&](double start, double end, double largest, bool last)
+      {
+        const double cost = box.Rate * largest * largest * GetVariation(part, 1, start, end);
+        if (last || (cost <= this->Small && largest <= CrossingRoom * box.Room * box.Slope))
+        {
+          this->CutError += cost;
+          return true;
+        }
+        return false;
+      },
+      ranges);
+    return ranges;
+  }
+  // Of such degrees: the height on the box of ever smaller parts, until those without a sign are worth little.
+  std::vector<std::array<double, 2>> open{ { part.End, part.Start } };
+  for (std::size_t steps = 0; !open.empty(); ++steps)
+  {
+    const double start = open.back()[1];
+    const double end = open.back()[0];
+    open.pop_back();
+    const RegionPart small = MakePart(part, start, end, part.Evaluate(start), part.Evaluate(end));
+    ParameterRange around;
+    for (int d = 0; d < 2; ++d)
+    {
+      const double low = std::min(small.From[d], small.To[d]);
+      const double width = box.Range.High[d] - box.Range.Low[d];
+      const std::array<double, 2> extent =
+        GetExtent(small, d, low, std::max(std::max(small.From[d], small.To[d]), low + 1e-12 * width));
+      around.Low[d] = extent[0];
+      around.High[d] = extent[1];
+    }
+    const NetRange range = box.Net->GetRange(around);
+    const double largest = std::max(std::abs(range.Low), std::abs(range.High));
+    const double cost = box.Rate * largest * largest * GetVariation(part, 1, start, end);
+    const bool sure = range.High <= 0.0 || range.Low >= 0.0;
+    const bool isSmall = cost <= this->Small && largest <= CrossingRoom * box.Room * box.Slope;
+    if (sure || isSmall || steps > MostParts)
+    {
+      this->CutError += sure ? 0.0 : cost;
+      ranges.push_back({ start, end, range.Low + range.High < 0.0 });
+    }
+    else
+    {
+      open.push_back({ end, 0.5 * (start + end) });
+      open.push_back({ 0.5 * (start + end), start });
+    }
+  }
+  return ranges;
+}
+
+void SubmergedPanels::CutMonotone(const Source& source, Monotone& box, const Region& region)
+{
+  FacePanels& result = this->Results[box.Exchanged ? 1 : 0];
+  const ParameterRange own = box.Exchanged ? box.Range.Exchanged() : box.Range;
+  box.Patch = AppendPatchPart(this->From, source.Patch, own.Low, own.High, box.Exchanged, result);
+  box.Shape = !box.Exchanged || source.Shape == PanelShape::Flat ? source.Shape : PanelShape::General;
+  this->Flip = source.Flip != box.Exchanged;
+  SignedIntervals waterline;
+  for (const RegionPart& part : region)
+  {
+    Point2 from = part.From;
+    const std::vector<SignedRange> ranges = this->FindRanges(box, part);
+    for (const SignedRange& range : ranges)
+    {
+      const Point2 to = range.End == part.End ? part.To : part.Evaluate(range.End);
+      if (range.Negative)
+      {
+        this->AddPanel(
+          box.Exchanged, box.Patch, box.Shape, this->Flip, MakePart(part, range.Start, range.End, from, to));
+      }
+      if (range.Negative != box.Increasing)
+      {
+        waterline.Add(from[1], to[1], range.Negative ? -part.Sign : part.Sign);
+      }
+      from = to;
+    }
+  }
+  for (const SignedIntervals::Interval& interval : waterline.Get())
+  {
+    // Where the waterline is left of the box there is nothing between.
+    const RegionPart border = MakeLine(box.Range.Low[0], interval.Start, interval.End, 1);
+    for (const SignedRange& range : this->FindRanges(box, border))
+    {
+      if (range.Negative == box.Increasing)
+      {
+        const double start = range.Start == 0.0 ? interval.Start : border.Evaluate(range.Start)[1];
+        const double end = range.End == 1.0 ? interval.End : border.Evaluate(range.End)[1];
+        this->AddGraph(box, start, end, interval.Multiplicity);
+      }
+    }
+  }
+}
+
+bool SubmergedPanels::FitGraph(
+  const Monotone& box, double start, double end, int degree, bool accept, PiecePointer& piece)
+{
+  const ChebyshevRule& rule = ChebyshevRule::Get(degree + 1);
+  const double low = box.Range.Low[0] - 0.5 * box.Room;
+  const double high = box.Range.High[0] + 0.5 * box.Room;
+  std::vector<double> values;
+  for (int i = 0; i <= degree; ++i)
+  {
+    const double y = start + (end - start) * 0.5 * (1.0 + rule.GetNode(i));
+    values.push_back(box.Net->Solve(y, low, high));
+  }
+  const std::vector<double> coefficients = ToBernstein(values);
+  std::vector<Point2> points;
+  for (int i = 0; i <= degree; ++i)
+  {
+    points.push_back({ coefficients[i], i == degree ? end : start + (end - start) * i / degree });
+  }
+  RegionPart graph;
+  graph.Piece = std::make_shared<const std::vector<Point2>>(std::move(points));
+  std::vector<double> series;
+  ExpandPolynomial(
+    [&](double t)
+    {
+      const Point2 at = graph.Evaluate(t);
+      return box.Net->Evaluate(at[0], at[1]);
+    },
+    box.Net->GetDegree(0) * degree + box.Net->GetDegree(1), 0.0, 1.0, series);
+  const double largest = GetLargest(series);
+  // The sliver must stay where the height is known to be monotone.
+  const std::array<double, 2> extent = GetExtent(graph, 0, low, high);
+  const bool inside = extent[0] > box.Range.Low[0] - box.Room && extent[1] < box.Range.High[0] + box.Room &&
+    largest <= 0.25 * box.Room * box.Slope;
+  const double cost =
+    std::abs(end - start) * (inside ? std::min(box.Rate * largest * largest, box.Whole) : box.Whole);
+  if (cost <= this->Small || accept)
+  {
+    this->CutError += cost;
+    piece = graph.Piece;
+    return true;
+  }
+  return false;
+}
+
+void SubmergedPanels::AddGraph(Monotone& box, double start, double end, int sign)
+{
+  RegionPart graph;
+  const int most = (ChebyshevRule::MaximumSize - 1 - box.Net->GetDegree(1)) / box.Net->GetDegree(0);
+  for (const int degree : GraphDegrees)
+  {
+    const bool last = degree == 9 || degree + 2 > most;
+    if (this->FitGraph(box, start, end, std::min(degree, most), last && box.Halvings == 0, graph.Piece))
+    {
+      graph.From = graph.Piece->front();
+      graph.To = graph.Piece->back();
+      graph.Sign = sign;
+      // Its ends are where trim curves cross the plane: known to rounding.
+      graph.Covered = true;
+      this->AddPanel(box.Exchanged, box.Patch, box.Shape, this->Flip, graph);
+      return;
+    }
+    if (last)
+    {
+      break;
+    }
+  }
+  --box.Halvings;
+  const double middle = 0.5 * (start + end);
+  this->AddGraph(box, start, middle, sign);
+  this->AddGraph(box, middle, end, sign);
+}
+}

@@ -1,0 +1,331 @@
+#include "smSubmergedPanels.h"
+
+#include "smPatchParts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+using Point2 = std::array<double, 2>;
+
+// Of the tolerance: what boxes that are left over may cost together, and a single cut or fit.
+constexpr double LeftoverShare = 0.25;
+constexpr double PieceShare = 1.0 / 4096.0;
+// Boxes that a face is worth beyond its patches, and the smallest one, relative to its patch.
+constexpr std::size_t MostBoxes = 20000;
+constexpr double SmallestBox = 1e-13;
+// A graph does not rise faster than by this many boxes, so that few polynomials fit it; and the part of a box beside it in which
+// its height is known to be monotone, too.
+constexpr double SteepestGraph = 8.0;
+constexpr double Room = 1.0 / 64.0;
+// Halvings of the graphs in a box.
+constexpr int MostGraphHalvings = 1000;
+
+}
+
+SubmergedPanels::SubmergedPanels(const FacePanels& source, const HeightPlane& plane, double tolerance)
+  : From(source)
+  , Plane(plane)
+  , Tolerance(tolerance)
+  , Small(PieceShare * tolerance)
+{
+}
+
+void SubmergedPanels::Cut()
+{
+  std::map<std::uint32_t, Region> regions;
+  std::map<std::uint32_t, PiecePointer> pieces;
+  std::map<std::uint32_t, const Panel*> panels;
+  for (const Panel& panel : this->From.Panels)
+  {
+    PiecePointer& piece = pieces[panel.Trim];
+    if (!piece)
+    {
+      std::vector<Point2> points;
+      for (int i = 0; i <= panel.TrimDegree; ++i)
+      {
+        const double* from = this->From.Coefficients.data() + panel.Trim + 2 * i;
+        points.push_back({ from[0], from[1] });
+      }
+      piece = std::make_shared<const std::vector<Point2>>(std::move(points));
+    }
+    regions[panel.Patch].push_back(
+      { piece, panel.Start, panel.End, panel.From, panel.To, panel.Negative ? -1 : 1, panel.Covered });
+    panels[panel.Patch] = &panel;
+  }
+  for (auto& [patch, parts] : regions)
+  {
+    const Panel& panel = *panels[patch];
+    const HeightNet net(this->From, this->From.Patches[patch], this->Plane);
+    this->Sources.push_back({ patch, panel.Shape, panel.FlipNormal, net, net.Exchanged() });
+    this->AddPatch(patch, std::move(parts));
+  }
+  // The box that may be worth most is halved first, until what is left is worth little.
+  const auto isLess = [](const Box& a, const Box& b) { return a.Majorant < b.Majorant; };
+  std::make_heap(this->Open.begin(), this->Open.end(), isLess);
+  const auto sum = [this]()
+  {
+    double total = 0.0;
+    for (const Box& box : this->Open)
+    {
+      total += box.Majorant;
+    }
+    return total;
+  };
+  const std::size_t most = this->Boxes + MostBoxes;
+  double left = sum();
+  double final = 0.0;
+  while (!this->Open.empty() && this->Boxes < most && left + final > LeftoverShare * this->Tolerance)
+  {
+    std::pop_heap(this->Open.begin(), this->Open.end(), isLess);
+    const Box box = std::move(this->Open.back());
+    this->Open.pop_back();
+    const Patch& patch = this->From.Patches[this->Sources[box.Net].Patch];
+    if (box.Range.High[0] - box.Range.Low[0] < SmallestBox * patch.Width[0] ||
+      box.Range.High[1] - box.Range.Low[1] < SmallestBox * patch.Width[1])
+    {
+      final += box.Majorant;
+      left = sum();
+      continue;
+    }
+    const std::size_t before = this->Open.size();
+    this->Halve(box);
+    left -= box.Majorant;
+    for (std::size_t i = before; i < this->Open.size(); ++i)
+    {
+      left += this->Open[i].Majorant;
+      std::push_heap(this->Open.begin(), this->Open.begin() + static_cast<std::ptrdiff_t>(i) + 1, isLess);
+    }
+    left = std::isfinite(left) ? left : sum();
+  }
+  this->CutError += final + sum();
+}
+
+void SubmergedPanels::AddPatch(std::uint32_t index, Region parts)
+{
+  const Patch& patch = this->From.Patches[index];
+  Box box;
+  box.Net = this->Sources.size() - 1;
+  for (int d = 0; d < 2; ++d)
+  {
+    // Pieces may leave the surface a little: its polynomial goes on.
+    std::array<double, 2> extent{ patch.Start[d], patch.Start[d] + patch.Width[d] };
+    for (const RegionPart& part : parts)
+    {
+      extent = GetExtent(part, d, extent[0], extent[1]);
+    }
+    box.Range.Low[d] = extent[0];
+    box.Range.High[d] = extent[1];
+  }
+  if (box.Range.Low[0] < patch.Start[0])
+  {
+    // The parts are about what is right of the patch's left border.
+    SignedIntervals covered;
+    for (const RegionPart& part : parts)
+    {
+      covered.Add(part.From[1], part.To[1], part.Sign);
+    }
+    for (const SignedIntervals::Interval& interval : covered.Get())
+    {
+      parts.push_back(MakeLine(patch.Start[0], interval.Start, interval.End, -interval.Multiplicity));
+    }
+  }
+  if (box.Range.Low[0] < patch.Start[0] || box.Range.Low[1] < patch.Start[1] ||
+    box.Range.High[0] > patch.Start[0] + patch.Width[0] ||
+    box.Range.High[1] > patch.Start[1] + patch.Width[1])
+  {
+    // What bounds the normal on the patch does not bound it there.
+    FacePanels wider;
+    AppendPatchPart(this->From, index, box.Range.Low, box.Range.High, false, wider);
+    const double normal = HeightNet(wider, wider.Patches[0], this->Plane).GetLargestNormal();
+    Source& source = this->Sources.back();
+    source.Net.RaiseNormal(normal);
+    source.Turned.RaiseNormal(normal);
+  }
+  box.Parts = std::move(parts);
+  if (!this->Resolve(box))
+  {
+    this->Open.push_back(std::move(box));
+  }
+}
+
+bool SubmergedPanels::IsMonotone(const HeightNet& net, const ParameterRange& range, Monotone& found) const
+{
+  ParameterRange wide = range;
+  const double room = Room * (range.High[0] - range.Low[0]);
+  wide.Low[0] -= room;
+  wide.High[0] += room;
+  const NetRange bounds = net.GetRange(wide);
+  if (!(bounds.LowestWeight > 0.0) || !(bounds.SlopeLow[0] > 0.0 || bounds.SlopeHigh[0] < 0.0))
+  {
+    return false;
+  }
+  const double slope = std::min(std::abs(bounds.SlopeLow[0]), std::abs(bounds.SlopeHigh[0]));
+  const double across = std::max(std::abs(bounds.SlopeLow[1]), std::abs(bounds.SlopeHigh[1]));
+  const double width[2] = { net.ToLocal(0, range.High[0]) - net.ToLocal(0, range.Low[0]),
+    net.ToLocal(1, range.High[1]) - net.ToLocal(1, range.Low[1]) };
+  if (!(SteepestGraph * slope * width[0] >= across * width[1]))
+  {
+    return false;
+  }
+  found.Net = &net;
+  found.Range = range;
+  found.Increasing = bounds.SlopeLow[0] > 0.0;
+  // Per step of the parameter itself.
+  found.Slope = slope * width[0] / (range.High[0] - range.Low[0]);
+  // |h| <= N / w on a sliver N / slope wide.
+  found.Rate = net.GetLargestNormal() / (bounds.LowestWeight * found.Slope);
+  found.Room = room;
+  found.Whole = bounds.GetLargestHeight() * net.GetLargestNormal() * (wide.High[0] - wide.Low[0]);
+  found.Halvings = MostGraphHalvings;
+  return true;
+}
+
+bool SubmergedPanels::IsResolved(const Box& box, bool& below, int& monotone) const
+{
+  const Source& source = this->Sources[box.Net];
+  const NetRange range = source.Net.GetRange(box.Range);
+  below = range.High <= 0.0;
+  monotone = -1;
+  if (below || range.Low >= 0.0)
+  {
+    return true;
+  }
+  Monotone found;
+  if (this->IsMonotone(source.Net, box.Range, found))
+  {
+    monotone = 0;
+    return true;
+  }
+  if (this->IsMonotone(source.Turned, box.Range.Exchanged(), found))
+  {
+    monotone = 1;
+    return true;
+  }
+  return false;
+}
+
+bool SubmergedPanels::Resolve(Box& box)
+{
+  if (box.Parts.empty())
+  {
+    return true;
+  }
+  ++this->Boxes;
+  const Source& source = this->Sources[box.Net];
+  bool below = false;
+  int monotone = -1;
+  if (!this->IsResolved(box, below, monotone))
+  {
+    const NetRange range = source.Net.GetRange(box.Range);
+    box.Majorant = range.GetLargestHeight() * source.Net.GetLargestNormal() *
+      (box.Range.High[0] - box.Range.Low[0]) * (box.Range.High[1] - box.Range.Low[1]);
+    return false;
+  }
+  if (below)
+  {
+    const std::uint32_t patch =
+      AppendPatchPart(this->From, source.Patch, box.Range.Low, box.Range.High, false, this->Results[0]);
+    for (const RegionPart& part : box.Parts)
+    {
+      this->AddPanel(false, patch, source.Shape, source.Flip, part);
+    }
+  }
+  else if (monotone >= 0)
+  {
+    const bool exchanged = monotone == 1;
+    Monotone found;
+    this->IsMonotone(
+      exchanged ? source.Turned : source.Net, exchanged ? box.Range.Exchanged() : box.Range, found);
+    found.Exchanged = exchanged;
+    this->CutMonotone(
+      source, found, exchanged ? ExchangeRegion(box.Parts, box.Range.Low[0], box.Range.Low[1]) : box.Parts);
+  }
+  return true;
+}
+
+int SubmergedPanels::ChooseDirection(const Box& box) const
+{
+  // The direction that settles more halves; where both do the same, the one that calms the slopes more.
+  int settled[2] = { 0, 0 };
+  double spread[2] = { 0.0, 0.0 };
+  for (int d = 0; d < 2; ++d)
+  {
+    for (int half = 0; half < 2; ++half)
+    {
+      Box part;
+      part.Net = box.Net;
+      part.Range = box.Range;
+      (half == 0 ? part.Range.High : part.Range.Low)[d] = 0.5 * (box.Range.Low[d] + box.Range.High[d]);
+      bool below;
+      int monotone;
+      settled[d] += this->IsResolved(part, below, monotone) ? 1 : 0;
+      const HeightNet& net = this->Sources[box.Net].Net;
+      const NetRange range = net.GetRange(part.Range);
+      for (int e = 0; e < 2; ++e)
+      {
+        spread[d] += (range.SlopeHigh[e] - range.SlopeLow[e]) *
+          (net.ToLocal(e, box.Range.High[e]) - net.ToLocal(e, box.Range.Low[e]));
+      }
+    }
+  }
+  if (settled[0] != settled[1])
+  {
+    return settled[0] > settled[1] ? 0 : 1;
+  }
+  return spread[0] < spread[1] ? 0 : 1;
+}
+
+void SubmergedPanels::Halve(const Box& box)
+{
+  const int d = this->ChooseDirection(box);
+  const double middle = 0.5 * (box.Range.Low[d] + box.Range.High[d]);
+  Box halves[2];
+  CutRegion(box.Parts, d, middle, halves[0].Parts, halves[1].Parts);
+  for (int half = 0; half < 2; ++half)
+  {
+    halves[half].Net = box.Net;
+    halves[half].Range = box.Range;
+    (half == 0 ? halves[half].Range.High : halves[half].Range.Low)[d] = middle;
+    if (!this->Resolve(halves[half]))
+    {
+      this->Open.push_back(std::move(halves[half]));
+    }
+  }
+}
+
+void SubmergedPanels::AddPanel(
+  bool exchanged, std::uint32_t patch, PanelShape shape, bool flip, const RegionPart& part)
+{
+  FacePanels& result = this->Results[exchanged ? 1 : 0];
+  const std::vector<Point2>& b = *part.Piece;
+  const double left = result.Patches[patch].Start[0];
+  const bool leavesLeft =
+    std::any_of(b.begin(), b.end(), [left](const Point2& point) { return point[0] != left; });
+  const bool rises =
+    std::any_of(b.begin(), b.end(), [&b](const Point2& point) { return point[1] != b[0][1]; });
+  if (!leavesLeft || !rises || !(part.End > part.Start))
+  {
+    return;
+  }
+  const auto [entry, isNew] = this->Trims[exchanged ? 1 : 0].emplace(
+    part.Piece.get(), static_cast<std::uint32_t>(result.Coefficients.size()));
+  if (isNew)
+  {
+    this->Kept.push_back(part.Piece);
+    for (const Point2& point : b)
+    {
+      result.Coefficients.insert(result.Coefficients.end(), point.begin(), point.end());
+    }
+  }
+  for (int m = 0; m < std::abs(part.Sign); ++m)
+  {
+    result.Panels.push_back({ patch, entry->second, static_cast<std::uint8_t>(part.GetDegree()), shape,
+      part.Sign < 0, flip, part.Start, part.End, part.Covered, part.From, part.To });
+  }
+}
+}

@@ -1,0 +1,332 @@
+#include "vtkBuoyancy.h"
+
+#include "smBodyMeshes.h"
+#include "smBuoyancy.h"
+#include "smBuoyancyNames.h"
+#include "smColumns.h"
+#include "smFormat.h"
+#include "smIntegralEngine.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+vtkStandardNewMacro(vtkBuoyancy);
+
+namespace
+{
+/// Volume, and first moments in x, y and z.
+constexpr std::size_t NumberOfIntegrands = 4;
+
+/// A row of the outputs.
+struct Row
+{
+  double Volume = vtkMath::Nan();
+  double VolumeBound = vtkMath::Nan();
+  std::array<double, 3> First = { vtkMath::Nan(), vtkMath::Nan(), vtkMath::Nan() };
+  double FirstBound = vtkMath::Nan();
+  std::array<double, 3> Center = { vtkMath::Nan(), vtkMath::Nan(), vtkMath::Nan() };
+  double CenterBound = vtkMath::Nan();
+};
+
+/// Appends rows to the six arrays, and hands them to field data or a table.
+class Columns
+{
+public:
+  Columns()
+    : Values{ { sm::names::DisplacedVolume, 1 }, { sm::names::DisplacedFirstMoments, 3 },
+      { sm::names::CenterOfBuoyancy, 3 } }
+    , Bounds{ { std::string(sm::names::DisplacedVolume) + sm::names::BoundSuffix, 1 },
+      { std::string(sm::names::DisplacedFirstMoments) + sm::names::BoundSuffix, 1 },
+      { std::string(sm::names::CenterOfBuoyancy) + sm::names::BoundSuffix, 1 } }
+  {
+  }
+  void Append(const Row& row)
+  {
+    const double* values[3] = { &row.Volume, row.First.data(), row.Center.data() };
+    const double* bounds[3] = { &row.VolumeBound, &row.FirstBound, &row.CenterBound };
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Values[i].Append(values[i]);
+      this->Bounds[i].Append(bounds[i]);
+    }
+  }
+  void AddTo(vtkFieldData* data) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Values[i].AddTo(data);
+      this->Bounds[i].AddTo(data);
+    }
+  }
+
+private:
+  sm::columns::Column Values[3];
+  sm::columns::Column Bounds[3];
+};
+
+/// What the tolerance of volume (0) and first moments (1) is relative to.
+double GetScale(const sm::BodyIntegrals& body, int degree)
+{
+  return std::pow(sm::GetReach(body), degree) * sm::GetVolumeScale(*body.Model);
+}
+
+/// The sums of a body's faces, and the centre about a point near it.
+Row MakeRow(const sm::BodyIntegrals& body, const sm::DisplacedMoments* moments)
+{
+  Row row;
+  row.Volume = body.Value[0];
+  row.VolumeBound = body.Bound[0];
+  std::copy_n(body.Value.begin() + 1, 3, row.First.begin());
+  row.FirstBound = *std::max_element(body.Bound.begin() + 1, body.Bound.end());
+  if (moments)
+  {
+    row.Center = moments->GetCenter(row.CenterBound);
+  }
+  return row;
+}
+
+bool AreFinite(double x, double y, double z)
+{
+  return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
+}
+}
+
+struct vtkBuoyancy::Internals
+{
+  sm::BuoyancyIntegrator Integrator;
+  /// Of the last run, by body; empty when nothing was computed.
+  std::vector<sm::BodyBuoyancy> Results;
+  std::vector<Row> Rows;
+  Row Total;
+};
+
+vtkBuoyancy::vtkBuoyancy()
+  : Implementation(new Internals)
+{
+}
+
+vtkBuoyancy::~vtkBuoyancy() = default;
+
+void vtkBuoyancy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Point: " << this->Point[0] << " " << this->Point[1] << " " << this->Point[2] << "\n"
+     << indent << "Normal: " << this->Normal[0] << " " << this->Normal[1] << " " << this->Normal[2] << "\n"
+     << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
+}
+
+void vtkBuoyancy::SetPoint(double x, double y, double z)
+{
+  if (!AreFinite(x, y, z))
+  {
+    vtkErrorMacro("SetPoint: " << x << " " << y << " " << z << " is no point; give finite coordinates.");
+    return;
+  }
+  const double point[3] = { x, y, z };
+  if (!std::equal(point, point + 3, this->Point))
+  {
+    std::copy_n(point, 3, this->Point);
+    this->Modified();
+  }
+}
+
+void vtkBuoyancy::SetNormal(double x, double y, double z)
+{
+  if (!AreFinite(x, y, z) || (x == 0.0 && y == 0.0 && z == 0.0))
+  {
+    vtkErrorMacro("SetNormal: " << x << " " << y << " " << z
+                                << " is no direction; give a vector out of the water that is not 0.");
+    return;
+  }
+  const double normal[3] = { x, y, z };
+  if (!std::equal(normal, normal + 3, this->Normal))
+  {
+    std::copy_n(normal, 3, this->Normal);
+    this->Modified();
+  }
+}
+
+double vtkBuoyancy::GetDisplacedVolume() const
+{
+  return this->Implementation->Total.Volume;
+}
+
+double vtkBuoyancy::GetDisplacedVolumeBound() const
+{
+  return this->Implementation->Total.VolumeBound;
+}
+
+void vtkBuoyancy::GetDisplacedFirstMoments(double moments[3]) const
+{
+  std::copy_n(this->Implementation->Total.First.begin(), 3, moments);
+}
+
+double vtkBuoyancy::GetDisplacedFirstMomentsBound() const
+{
+  return this->Implementation->Total.FirstBound;
+}
+
+void vtkBuoyancy::GetCenterOfBuoyancy(double center[3]) const
+{
+  std::copy_n(this->Implementation->Total.Center.begin(), 3, center);
+}
+
+double vtkBuoyancy::GetCenterOfBuoyancyBound() const
+{
+  return this->Implementation->Total.CenterBound;
+}
+
+void vtkBuoyancy::ResetResults()
+{
+  this->Superclass::ResetResults();
+  this->Implementation->Results.clear();
+  this->Implementation->Rows.clear();
+  this->Implementation->Total = Row();
+}
+
+void vtkBuoyancy::ReleaseKept()
+{
+  this->Implementation->Integrator.ReleaseMemory();
+}
+
+sm::IntegralRequest vtkBuoyancy::MakeRequest() const
+{
+  sm::IntegralRequest request;
+  request.Integrands = sm::BuoyancyIntegrator::MakeIntegrands();
+  request.Integrands[0].Name = sm::names::DisplacedVolume;
+  return request;
+}
+
+bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vector<sm::BodyIntegrals>& bodies)
+{
+  Internals& self = *this->Implementation;
+  sm::IntegralEngine& engine = this->GetEngine();
+  sm::RunReport& report = engine.GetReport();
+  const sm::IntegralLimits limits = this->MakeLimits();
+  if (!engine.ChooseRunner(limits.Backend))
+  {
+    return false;
+  }
+  engine.Configure(request, limits);
+  sm::SurfaceIntegrator& integrator = engine.GetIntegrator();
+  const sm::Waterline waterline{ { this->Point[0], this->Point[1], this->Point[2] },
+    { this->Normal[0], this->Normal[1], this->Normal[2] } };
+  const vtkTypeUInt64 dispatches = engine.GetContext()->GetNumberOfDispatches();
+  const bool done = self.Integrator.Integrate(
+    integrator, bodies, waterline, this->RelativeTolerance, limits.Progress, self.Results);
+  engine.AddEffort(dispatches);
+  report.PrepareSeconds += self.Integrator.GetCutSeconds();
+  if (!done)
+  {
+    self.Results.clear();
+    report.SetReason(
+      integrator.WasAborted() ? "the run was aborted" : "nothing was computed: " + integrator.GetError());
+    return false;
+  }
+  if (integrator.WasAborted())
+  {
+    report.SetReason("the run was stopped before all faces were integrated below the waterline");
+  }
+  if (integrator.WasLoosened())
+  {
+    report.Messages.push_back("MaximumEvaluations are too few for the tolerance below the waterline: it was "
+                              "loosened, and the bounds say by how much");
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    bodies[b].Faces = std::make_shared<const std::vector<sm::FaceIntegrals>>(self.Results[b].Faces);
+  }
+  return true;
+}
+
+void vtkBuoyancy::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
+{
+  Internals& self = *this->Implementation;
+  sm::DisplacedMoments moments;
+  Row& total = self.Total;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    sm::BodyIntegrals& body = bodies[b];
+    for (std::size_t k = 0; k < NumberOfIntegrands && body.Faces; ++k)
+    {
+      const std::string quantity = k == 0 ? "displaced volume" : "first moments of the displaced volume";
+      if (!std::isfinite(body.Value[k]))
+      {
+        body.Flag(sm::Status::Suspect, "the " + quantity + " is not a finite number somewhere on the faces");
+      }
+      else if (!(body.Bound[k] <= this->RelativeTolerance * GetScale(body, k == 0 ? 0 : 1)))
+      {
+        body.Flag(sm::Status::ToleranceNotMet, "the bound of the " + quantity + " is above the tolerance");
+      }
+    }
+    const sm::DisplacedMoments* own = self.Results.empty() ? nullptr : &self.Results[b].Total;
+    const Row row = MakeRow(body, own);
+    self.Rows.push_back(row);
+    if (b == 0)
+    {
+      total = row;
+      moments = own ? *own : moments;
+      continue;
+    }
+    total.Volume += row.Volume;
+    total.VolumeBound += row.VolumeBound;
+    for (int c = 0; c < 3; ++c)
+    {
+      total.First[c] += row.First[c];
+    }
+    total.FirstBound += row.FirstBound;
+    if (own)
+    {
+      moments.Add(*own);
+      total.Center = moments.GetCenter(total.CenterBound);
+    }
+  }
+}
+
+void vtkBuoyancy::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const
+{
+  const Internals& self = *this->Implementation;
+  Columns totals;
+  totals.Append(self.Total);
+  totals.AddTo(outputs.Totals->GetFieldData());
+  Columns solids;
+  for (const Row& row : self.Rows)
+  {
+    solids.Append(row);
+  }
+  solids.AddTo(outputs.Solids->GetRowData());
+  const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
+  std::string summary =
+    "Displaced volume: " + sm::FormatWithBound(self.Total.Volume, self.Total.VolumeBound, unit + "^3") + "\n";
+  if (std::isfinite(self.Total.CenterBound))
+  {
+    summary += "Centre of buoyancy: ";
+    for (const double coordinate : self.Total.Center)
+    {
+      summary += sm::FormatNumber(coordinate, self.Total.CenterBound) + "  ";
+    }
+    summary += unit + sm::FormatBoundNote(self.Total.CenterBound) + "\n";
+  }
+  sm::columns::SetString(outputs.Totals->GetFieldData(), sm::names::LengthUnit, unit);
+  sm::columns::AddBodyColumns(bodies, outputs.Solids);
+  sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, summary);
+  sm::columns::AddFaceRows(bodies, this->MakeRequest().Integrands, outputs.Faces, { 0 });
+}
+
+std::vector<sm::MeshArray> vtkBuoyancy::GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const
+{
+  const auto getVolume = [&bodies](std::size_t body, std::size_t face)
+  {
+    const sm::FaceIntegrals* result = bodies[body].Faces ? &(*bodies[body].Faces)[face] : nullptr;
+    return result && result->Error.empty() ? result->Face[0] + result->Closing[0] : vtkMath::Nan();
+  };
+  return { { sm::names::DisplacedVolume, getVolume } };
+}

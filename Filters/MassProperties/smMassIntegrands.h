@@ -1,0 +1,30 @@
+/**
+ * @file smMassIntegrands.h
+ * @brief The integrals that mass properties are made of: ten moments, the vector area and the area
+ */
+#ifndef smMassIntegrands_h
+#define smMassIntegrands_h
+
+#include "smFiltersMassPropertiesModule.h"
+#include "smIntegrand.h"
+
+#include <vector>
+
+namespace sm
+{
+/// Order of the integrands: volume, three first, six second moments (XX YY ZZ XY YZ XZ), vector area, area.
+enum MassIntegrand
+{
+  MassVolume = 0,
+  MassFirst = 1,
+  MassSecond = 4,
+  MassVectorArea = 10,
+  MassArea = 13,
+  NumberOfMassIntegrands = 14
+};
+
+/// In that order, about each part's own origin.
+SMFILTERSMASSPROPERTIES_EXPORT std::vector<Integrand> MakeMassIntegrands();
+}
+
+#endif

@@ -1,0 +1,193 @@
+#include "vtkMassPropertiesBase.h"
+
+#include "smBodyMeshes.h"
+#include "smColumns.h"
+#include "smIntegralEngine.h"
+#include "smMassAnalysis.h"
+#include "smMassGlyphs.h"
+#include "smMassIntegrands.h"
+#include "smMassPropertyNames.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkMath.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkMassPropertiesBase::vtkMassPropertiesBase()
+  : Analysis(new sm::MassAnalysis)
+{
+}
+
+vtkMassPropertiesBase::~vtkMassPropertiesBase() = default;
+
+void vtkMassPropertiesBase::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Density: " << this->Density << "\n"
+     << indent << "GlyphScale: " << this->GlyphScale << "\n"
+     << indent << "ShowPrincipalAxes: " << this->ShowPrincipalAxes << "\n"
+     << indent << "GlyphPerSolid: " << this->GlyphPerSolid << "\n";
+}
+
+void vtkMassPropertiesBase::SetDensity(double density)
+{
+  if (!std::isfinite(density) || density < 0.0)
+  {
+    vtkErrorMacro(
+      "SetDensity: " << density << " is no density; give kg/m^3, for example 7850 for steel, or 0.");
+    return;
+  }
+  if (this->Density != density)
+  {
+    this->Density = density;
+    this->Modified();
+  }
+}
+
+double vtkMassPropertiesBase::GetVolume() const
+{
+  return this->Analysis->Total.Properties.Volume;
+}
+
+double vtkMassPropertiesBase::GetVolumeBound() const
+{
+  return this->Analysis->Total.Properties.VolumeBound;
+}
+
+double vtkMassPropertiesBase::GetSurfaceArea() const
+{
+  return this->Analysis->Total.Area;
+}
+
+double vtkMassPropertiesBase::GetSurfaceAreaBound() const
+{
+  return this->Analysis->Total.AreaBound;
+}
+
+void vtkMassPropertiesBase::GetCenterOfMass(double center[3]) const
+{
+  std::copy_n(this->Analysis->Total.Properties.Center.begin(), 3, center);
+}
+
+double vtkMassPropertiesBase::GetCenterOfMassBound() const
+{
+  return this->Analysis->Total.Properties.CenterBound;
+}
+
+void vtkMassPropertiesBase::GetVolumeInertia(double inertia[9]) const
+{
+  std::copy_n(this->Analysis->Total.Properties.Inertia.begin(), 9, inertia);
+}
+
+double vtkMassPropertiesBase::GetVolumeInertiaBound() const
+{
+  return this->Analysis->Total.Properties.InertiaBound;
+}
+
+void vtkMassPropertiesBase::GetPrincipalMoments(double moments[3]) const
+{
+  std::copy_n(this->Analysis->Total.Properties.Principal.begin(), 3, moments);
+}
+
+void vtkMassPropertiesBase::GetPrincipalAxes(double axes[9]) const
+{
+  std::copy_n(this->Analysis->Total.Properties.Axes.begin(), 9, axes);
+}
+
+double vtkMassPropertiesBase::GetMass() const
+{
+  return this->Analysis->Total.Mass;
+}
+
+const sm::MassAnalysis& vtkMassPropertiesBase::GetAnalysis() const
+{
+  return *this->Analysis;
+}
+
+void vtkMassPropertiesBase::ResetResults()
+{
+  this->Superclass::ResetResults();
+  *this->Analysis = sm::MassAnalysis();
+}
+
+void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
+{
+  sm::MassAnalysisOptions options = this->MakeAnalysisOptions();
+  options.Density = this->Density;
+  *this->Analysis = sm::AnalyzeMass(bodies, options);
+  sm::RunReport& report = this->GetEngine().GetReport();
+  report.Status = std::max(report.Status, this->Analysis->TotalStatus);
+  report.Messages.insert(
+    report.Messages.end(), this->Analysis->Messages.begin(), this->Analysis->Messages.end());
+}
+
+void vtkMassPropertiesBase::WriteOutputs(
+  const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const
+{
+  const sm::MassAnalysis& analysis = *this->Analysis;
+  vtkFieldData* totals = outputs.Totals->GetFieldData();
+  sm::MassColumns totalColumns(analysis.HasMass || this->Density > 0.0);
+  totalColumns.Append(analysis.Total);
+  totalColumns.AddTo(totals);
+  sm::columns::SetString(totals, sm::names::LengthUnit, analysis.Unit);
+  sm::columns::SetInteger(totals, sm::names::OpenEdges, analysis.OpenEdges);
+  sm::columns::SetInteger(totals, sm::names::FlippedShells, analysis.FlippedShells);
+  sm::MassColumns columns(analysis.HasMass || this->Density > 0.0);
+  for (const sm::MassRow& row : analysis.Rows)
+  {
+    columns.Append(row);
+  }
+  columns.AddTo(outputs.Solids->GetRowData());
+  const sm::Status status = this->GetEngine().GetReport().Status;
+  std::string summary = sm::FormatSummary(analysis.Total, sm::GetText(status), this->FindReason(bodies),
+    analysis.Unit, static_cast<int>(bodies.size()));
+  this->WriteMoreOutputs(bodies, outputs, summary);
+  sm::columns::AddBodyColumns(bodies, outputs.Solids);
+  sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, summary);
+  sm::columns::AddFaceRows(bodies, sm::MakeMassIntegrands(), outputs.Faces, { sm::MassVolume, sm::MassArea });
+  sm::columns::SetString(outputs.Text->GetFieldData(), sm::names::Status, sm::GetText(status));
+  sm::MakeMassGlyphs(bodies, analysis, status,
+    { this->GlyphScale, this->ShowPrincipalAxes, this->GlyphPerSolid }, outputs.Totals);
+}
+
+void vtkMassPropertiesBase::WriteMoreOutputs(
+  const std::vector<sm::BodyIntegrals>&, const Outputs&, std::string&) const
+{
+}
+
+std::vector<sm::MeshArray> vtkMassPropertiesBase::GetMeshArrays(
+  const std::vector<sm::BodyIntegrals>& bodies) const
+{
+  const std::vector<sm::MassRow>& rows = this->Analysis->Rows;
+  const bool hasBounds = this->MakeAnalysisOptions().HasBounds;
+  const auto getFace = [&bodies](std::size_t body, std::size_t face)
+  {
+    const sm::FaceIntegrals* result = bodies[body].Faces ? &(*bodies[body].Faces)[face] : nullptr;
+    return result && result->Error.empty() ? result : nullptr;
+  };
+  const auto getShare = [&bodies, &rows, getFace](std::size_t body, std::size_t face)
+  {
+    const sm::FaceIntegrals* result = getFace(body, face);
+    const double side = (bodies[body].InsideOut ? -1.0 : 1.0) * bodies[body].GetSide(face);
+    return result
+      ? side * (result->Face[sm::MassVolume] + result->Closing[sm::MassVolume]) / rows[body].Properties.Volume
+      : vtkMath::Nan();
+  };
+  const auto getGap = [hasBounds, getFace](std::size_t body, std::size_t face)
+  {
+    const sm::FaceIntegrals* result = hasBounds ? getFace(body, face) : nullptr;
+    return result ? result->MaxGap : vtkMath::Nan();
+  };
+  const auto getBound = [hasBounds, getFace](std::size_t body, std::size_t face)
+  {
+    const sm::FaceIntegrals* result = hasBounds ? getFace(body, face) : nullptr;
+    return result ? result->GetBound(sm::MassVolume) : vtkMath::Nan();
+  };
+  return { { sm::names::Volume,
+             [&rows](std::size_t body, std::size_t) { return rows[body].Properties.Volume; } },
+    { sm::names::FaceShare, getShare }, { sm::names::FaceGap, getGap }, { sm::names::FaceBound, getBound } };
+}

@@ -1,0 +1,293 @@
+#include "smIntegralEngine.h"
+
+#include "Items/smCPUItemRunner.h"
+#include "Items/smGPUItemRunner.h"
+#include "smColumns.h"
+
+#include "vtkTimerLog.h"
+#include "vtkTrimmedNURBSModel.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace sm
+{
+namespace
+{
+/// Adds the tasks of a body's faces, without what a whole body has in common.
+void AddTasks(const IntegralRequest& request, const BodyIntegrals& body, std::vector<FaceTask>& tasks)
+{
+  const std::vector<FacePointer>& faces = body.Model->GetFaces();
+  FaceTask task;
+  if (request.UsePlacements)
+  {
+    const double* origin = body.Model->GetOrigin();
+    for (int i = 0; i < 3; ++i)
+    {
+      double translation = body.Placement[4 * i + 3];
+      for (int j = 0; j < 3; ++j)
+      {
+        task.Placement[4 * i + j] = body.Placement[4 * i + j];
+        translation += body.Placement[4 * i + j] * origin[j];
+      }
+      task.Placement[4 * i + 3] = translation;
+    }
+  }
+  task.Tolerances = request.GetTolerances(body);
+  for (double& t : task.Tolerances)
+  {
+    t /= static_cast<double>(std::max<std::size_t>(faces.size(), 1));
+  }
+  for (const FacePointer& face : faces)
+  {
+    task.Source = face;
+    tasks.push_back(task);
+  }
+}
+}
+
+void RunReport::SetReason(const std::string& message)
+{
+  this->Messages.push_back(message);
+  this->Reason = this->Reason.empty() ? message : this->Reason;
+}
+
+void RunReport::FillFieldData(vtkFieldData* data) const
+{
+  columns::SetString(data, names::Status, GetText(this->Status));
+  columns::SetString(data, names::Backend, this->Backend);
+  columns::SetString(data, names::Renderer, this->Renderer);
+  columns::SetInteger(data, names::Evaluations, this->Evaluations);
+  columns::SetInteger(data, names::Dispatches, this->Dispatches);
+  columns::SetInteger(data, names::Faces, this->Faces);
+  columns::SetInteger(data, names::Ranks, this->Ranks);
+  columns::SetInteger(data, names::BoundsEstimated, this->Estimated ? 1 : 0);
+}
+
+IntegralEngine::IntegralEngine()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
+
+IntegralEngine::~IntegralEngine() = default;
+
+bool IntegralEngine::ChooseRunner(BackendChoice backend)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  const bool hasOpenGL = backend != BackendChoice::CPU && this->Context->Start() == vtkComputeContext::READY;
+  this->Report.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
+  if (!hasOpenGL && backend == BackendChoice::OpenGL)
+  {
+    this->Report.SetReason("nothing was computed: " + this->Context->GetReason());
+    return false;
+  }
+  if (!hasOpenGL && backend == BackendChoice::Automatic)
+  {
+    this->Report.FallbackReason = this->Context->GetReason();
+  }
+  // Another context may be another device, which may round otherwise.
+  const vtkTypeUInt64 generation = hasOpenGL ? this->Context->GetGeneration() : 0;
+  if (this->Generation != generation)
+  {
+    this->Integrator.ForgetFaces();
+    this->Generation = generation;
+  }
+  this->Report.Backend = hasOpenGL ? names::BackendOpenGL : names::BackendCPU;
+  this->Report.Renderer = hasOpenGL ? this->Context->GetRenderer() : CPUItemRunner::GetDescription();
+  if (this->Runner != this->Report.Backend)
+  {
+    std::unique_ptr<ItemRunner> runner;
+    if (hasOpenGL)
+    {
+      runner = std::make_unique<GPUItemRunner>(this->Context);
+    }
+    else
+    {
+      runner = std::make_unique<CPUItemRunner>();
+    }
+    this->Integrator.SetRunner(std::move(runner));
+    this->Runner = this->Report.Backend;
+  }
+  return true;
+}
+
+void IntegralEngine::Configure(const IntegralRequest& request, const IntegralLimits& limits)
+{
+  if (this->Configured != request.Integrands)
+  {
+    this->Integrator.SetIntegrands(request.Integrands);
+    this->Configured = request.Integrands;
+  }
+  this->Integrator.SetUsePlacements(request.UsePlacements);
+  this->Integrator.SetPerturbation(limits.Perturbation);
+  this->Integrator.SetMaximumEvaluations(limits.MaximumEvaluations);
+  this->Integrator.SetMaximumSeconds(limits.MaximumSeconds);
+  this->Integrator.SetCacheFaceResults(limits.CacheFaceResults);
+}
+
+void IntegralEngine::AddEffort(vtkTypeUInt64 dispatches)
+{
+  this->Report.Dispatches += static_cast<std::int64_t>(this->Context->GetNumberOfDispatches() - dispatches);
+  this->Report.Evaluations += this->Integrator.GetEvaluations();
+  this->Report.StartSeconds += this->Integrator.GetStartSeconds();
+  this->Report.PrepareSeconds += this->Integrator.GetPrepareSeconds();
+  this->Report.IntegrateSeconds += this->Integrator.GetIntegrateSeconds();
+}
+
+bool IntegralEngine::RunTasks(
+  const IntegralLimits& limits, const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results)
+{
+  const vtkTypeUInt64 dispatches = this->Context->GetNumberOfDispatches();
+  const bool done = this->Integrator.Integrate(tasks, results, limits.Progress);
+  this->AddEffort(dispatches);
+  this->ReportRanks();
+  const bool timedOut = this->Integrator.WasTimedOut();
+  if (!done)
+  {
+    this->Report.SetReason(timedOut     ? "nothing was computed: MaximumSeconds were over"
+        : this->Integrator.WasAborted() ? "the run was aborted"
+                                        : "nothing was computed: " + this->Integrator.GetError());
+    return false;
+  }
+  if (this->Integrator.WasAborted())
+  {
+    this->Report.SetReason(timedOut ? "MaximumSeconds were over before all faces were integrated"
+                                    : "the run was aborted before all faces were integrated");
+  }
+  if (this->Integrator.WasLoosened())
+  {
+    this->Report.Messages.push_back(
+      "MaximumEvaluations are too few for the tolerance: it was loosened, and the bounds say by how much");
+  }
+  return true;
+}
+
+void IntegralEngine::ReportIntegrands(const IntegralRequest& request)
+{
+  for (std::size_t k = 0; k < request.Integrands.size(); ++k)
+  {
+    const Integrand& integrand = request.Integrands[k];
+    const std::string obstacle = this->GetObstacle(k);
+    if (!obstacle.empty())
+    {
+      this->Report.Messages.push_back(integrand.Name + " was not computed: " + obstacle +
+        (integrand.Source ? ", in \"" + integrand.Expression + "\"" : std::string()));
+    }
+    else if (integrand.Source && integrand.Source->MayHaveKinks())
+    {
+      this->Report.Messages.push_back(integrand.Name +
+        " may have kinks or steps: its bound is estimated as if it were smooth on every face");
+    }
+  }
+}
+
+std::vector<std::size_t> IntegralEngine::ChooseTasks(
+  const std::set<int>& faceIds, std::vector<FaceTask>& tasks)
+{
+  std::vector<std::size_t> chosen;
+  if (faceIds.empty())
+  {
+    return chosen;
+  }
+  std::set<int> missing = faceIds;
+  std::vector<FaceTask> kept;
+  for (FaceTask& task : tasks)
+  {
+    const int id = task.Source->FileId;
+    missing.erase(id);
+    chosen.push_back(faceIds.count(id) > 0 ? kept.size() : tasks.size());
+    if (chosen.back() < tasks.size())
+    {
+      kept.push_back(std::move(task));
+    }
+  }
+  tasks = std::move(kept);
+  for (const int id : missing)
+  {
+    this->Report.Messages.push_back("there is no face #" + std::to_string(id) + " to integrate over");
+  }
+  return chosen;
+}
+
+void IntegralEngine::SpreadResults(
+  const std::vector<std::size_t>& chosen, std::size_t integrands, std::vector<FaceIntegrals>& results) const
+{
+  if (chosen.empty())
+  {
+    return;
+  }
+  FaceIntegrals zero;
+  for (std::size_t k = 0; k < integrands; ++k)
+  {
+    zero.Append(this->GetObstacle(k).empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN());
+  }
+  std::vector<FaceIntegrals> all;
+  for (const std::size_t result : chosen)
+  {
+    all.push_back(result < results.size() ? results[result] : zero);
+  }
+  results = std::move(all);
+}
+
+bool IntegralEngine::Integrate(
+  const IntegralRequest& request, const IntegralLimits& limits, std::vector<BodyIntegrals>& bodies)
+{
+  const bool hasRunner = this->ChooseRunner(limits.Backend);
+  this->Integrator.SetExchange(this->Exchange.get(), this->GetDevice());
+  if (!hasRunner)
+  {
+    this->Integrator.ReleaseWorkers();
+    this->Integrator.SetExchange(nullptr, {});
+    return false;
+  }
+  this->Configure(request, limits);
+  std::vector<FaceTask> tasks;
+  std::vector<std::size_t> firstTask;
+  std::map<vtkTrimmedNURBSModel*, std::size_t> known;
+  for (const BodyIntegrals& body : bodies)
+  {
+    const auto shared = known.find(body.Model);
+    if (!request.UsePlacements && shared != known.end())
+    {
+      firstTask.push_back(shared->second);
+      continue;
+    }
+    known[body.Model] = tasks.size();
+    firstTask.push_back(tasks.size());
+    AddTasks(request, body, tasks);
+  }
+  const std::vector<std::size_t> chosen = this->ChooseTasks(request.FaceIds, tasks);
+  std::vector<FaceIntegrals> results;
+  const bool done = this->RunTasks(limits, tasks, results);
+  this->Integrator.SetExchange(nullptr, {});
+  if (!done)
+  {
+    return false;
+  }
+  this->ReportIntegrands(request);
+  this->SpreadResults(chosen, request.Integrands.size(), results);
+  std::map<std::pair<std::size_t, vtkTrimmedNURBSModel*>, std::shared_ptr<const std::vector<FaceIntegrals>>>
+    shared;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    // Keyed by the model too: a body without faces starts at the same task as the one behind it.
+    auto& faces = shared[{ firstTask[i], bodies[i].Model }];
+    if (!faces)
+    {
+      const auto first = results.begin() + static_cast<std::ptrdiff_t>(firstTask[i]);
+      faces = std::make_shared<const std::vector<FaceIntegrals>>(
+        first, first + static_cast<std::ptrdiff_t>(bodies[i].Model->GetNumberOfFaces()));
+    }
+    bodies[i].Faces = faces;
+  }
+  return true;
+}
+
+void IntegralEngine::ReleaseMemory()
+{
+  // The next run chooses a runner, which cuts and uploads anew.
+  this->Integrator.ReleaseMemory();
+  this->Runner.clear();
+}
+}

@@ -1,0 +1,521 @@
+#include "vtkSurfaceIntegralBase.h"
+
+#include "smBodyMeshes.h"
+#include "smBodySelection.h"
+#include "smColumns.h"
+#include "smIntegralEngine.h"
+
+#include "vtkAutoInit.h"
+#include "vtkBoundingBox.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <new>
+
+// Whoever loads this library has display points evaluated by OpenGL, too, and needs no vtk_module_autoinit for it.
+VTK_MODULE_INIT(smRenderingNURBS)
+
+namespace
+{
+/// A point without a cell where there is none: VTK sends polydata without points as text, and cannot read back the NaN in its field
+/// data.
+void AddPlaceholderPoint(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals)
+{
+  if (totals->GetNumberOfPoints() > 0)
+  {
+    return;
+  }
+  vtkBoundingBox box;
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    sm::AddPlacedBox(body, box);
+  }
+  double middle[3] = { 0.0, 0.0, 0.0 };
+  if (box.IsValid())
+  {
+    box.GetCenter(middle);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(middle);
+  totals->SetPoints(points);
+}
+}
+
+vtkSurfaceIntegralBase::vtkSurfaceIntegralBase()
+  : Engine(new sm::IntegralEngine)
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(6);
+}
+
+vtkSurfaceIntegralBase::~vtkSurfaceIntegralBase() = default;
+
+void vtkSurfaceIntegralBase::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Backend: " << this->Backend << "\n"
+     << indent << "MaximumEvaluations: " << this->MaximumEvaluations << "\n"
+     << indent << "MaximumSeconds: " << this->MaximumSeconds << "\n"
+     << indent << "Selectors: " << this->Selectors.size() << "\n"
+     << indent << "AssemblyName: " << this->AssemblyName << "\n"
+     << indent << "Status: " << this->GetStatus() << "\n"
+     << indent << "BackendName: " << this->GetBackendName() << "\n"
+     << indent << "Renderer: " << this->GetRenderer() << "\n"
+     << indent << "Controller: " << this->GetController() << "\n";
+}
+
+// --- settings ----------------------------------------------------------------------------------
+
+void vtkSurfaceIntegralBase::ChangeRelativeTolerance(double tolerance)
+{
+  if (std::isnan(tolerance))
+  {
+    vtkErrorMacro("SetRelativeTolerance: not a number; give a value in (0, 1], for example 1e-9.");
+    return;
+  }
+  const double clamped = std::clamp(tolerance, 1e-15, 1.0);
+  if (this->RelativeTolerance != clamped)
+  {
+    this->RelativeTolerance = clamped;
+    this->Modified();
+  }
+}
+
+void vtkSurfaceIntegralBase::AddSelector(const std::string& selector)
+{
+  if (!selector.empty() &&
+    std::find(this->Selectors.begin(), this->Selectors.end(), selector) == this->Selectors.end())
+  {
+    this->Selectors.push_back(selector);
+    this->Modified();
+  }
+}
+
+void vtkSurfaceIntegralBase::ClearSelectors()
+{
+  if (!this->Selectors.empty())
+  {
+    this->Selectors.clear();
+    this->Modified();
+  }
+}
+
+int vtkSurfaceIntegralBase::GetNumberOfSelectors() const
+{
+  return static_cast<int>(this->Selectors.size());
+}
+
+void vtkSurfaceIntegralBase::SetAssemblyName(const std::string& name)
+{
+  if (this->AssemblyName != name)
+  {
+    this->AssemblyName = name;
+    this->Modified();
+  }
+}
+
+std::string vtkSurfaceIntegralBase::GetAssemblyName() const
+{
+  return this->AssemblyName;
+}
+
+void vtkSurfaceIntegralBase::SetRenderWindow(vtkRenderWindow* window)
+{
+  if (this->GetComputeContext()->GetWindow() != window)
+  {
+    this->GetComputeContext()->SetWindow(window);
+    this->Modified();
+  }
+}
+
+vtkRenderWindow* vtkSurfaceIntegralBase::GetRenderWindow()
+{
+  return this->GetComputeContext()->GetWindow();
+}
+
+vtkComputeContext* vtkSurfaceIntegralBase::GetComputeContext()
+{
+  return this->Engine->GetContext();
+}
+
+void vtkSurfaceIntegralBase::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Engine->GetController() != controller)
+  {
+    this->Engine->SetController(controller);
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkSurfaceIntegralBase::GetController()
+{
+  return this->Engine->GetController();
+}
+
+void vtkSurfaceIntegralBase::ReleaseMemory()
+{
+  this->Engine->ReleaseMemory();
+  this->ReleaseKept();
+}
+
+// --- the last run ------------------------------------------------------------------------------
+
+std::string vtkSurfaceIntegralBase::GetStatus() const
+{
+  return sm::GetText(this->Engine->GetReport().Status);
+}
+
+int vtkSurfaceIntegralBase::GetNumberOfMessages() const
+{
+  return static_cast<int>(this->Engine->GetReport().Messages.size());
+}
+
+std::string vtkSurfaceIntegralBase::GetMessage(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfMessages() ? this->Engine->GetReport().Messages[index] : "";
+}
+
+std::string vtkSurfaceIntegralBase::GetBackendName() const
+{
+  return this->Engine->GetReport().Backend;
+}
+
+std::string vtkSurfaceIntegralBase::GetRenderer() const
+{
+  return this->Engine->GetReport().Renderer;
+}
+
+vtkTypeInt64 vtkSurfaceIntegralBase::GetEvaluations() const
+{
+  return this->Engine->GetReport().Evaluations;
+}
+
+vtkTypeInt64 vtkSurfaceIntegralBase::GetDispatches() const
+{
+  return this->Engine->GetReport().Dispatches;
+}
+
+int vtkSurfaceIntegralBase::GetNumberOfSolids() const
+{
+  return this->Engine->GetReport().Solids;
+}
+
+int vtkSurfaceIntegralBase::GetNumberOfFaces() const
+{
+  return this->Engine->GetReport().Faces;
+}
+
+int vtkSurfaceIntegralBase::GetNumberOfRanks() const
+{
+  return this->Engine->GetReport().Ranks;
+}
+
+double vtkSurfaceIntegralBase::GetStartSeconds() const
+{
+  return this->Engine->GetReport().StartSeconds;
+}
+
+double vtkSurfaceIntegralBase::GetPrepareSeconds() const
+{
+  return this->Engine->GetReport().PrepareSeconds;
+}
+
+double vtkSurfaceIntegralBase::GetIntegrateSeconds() const
+{
+  return this->Engine->GetReport().IntegrateSeconds;
+}
+
+// --- for subclasses ----------------------------------------------------------------------------
+
+void vtkSurfaceIntegralBase::ResetResults()
+{
+  this->Engine->GetReport() = sm::RunReport();
+}
+
+bool vtkSurfaceIntegralBase::IntegrateBodies(
+  const sm::IntegralRequest& request, std::vector<sm::BodyIntegrals>& bodies)
+{
+  return this->Engine->Integrate(request, this->MakeLimits(), bodies);
+}
+
+sm::IntegralLimits vtkSurfaceIntegralBase::MakeLimits(double begin, double end)
+{
+  sm::IntegralLimits limits;
+  limits.Backend = static_cast<sm::BackendChoice>(this->Backend);
+  limits.MaximumEvaluations = this->MaximumEvaluations;
+  limits.MaximumSeconds = this->MaximumSeconds;
+  limits.CacheFaceResults = this->CacheFaceResults;
+  limits.Perturbation = this->ShaderPerturbation;
+  limits.Progress = [this, begin, end](double fraction)
+  {
+    this->UpdateProgress(begin + (end - begin) * fraction);
+    return !this->GetAbortExecute();
+  };
+  return limits;
+}
+
+std::string vtkSurfaceIntegralBase::FindReason(const std::vector<sm::BodyIntegrals>& bodies) const
+{
+  const sm::RunReport& report = this->Engine->GetReport();
+  const auto worst = std::find_if(bodies.begin(), bodies.end(),
+    [&report](const sm::BodyIntegrals& body)
+    { return body.Status == report.Status && !body.Reason.empty(); });
+  return !report.Reason.empty() ? report.Reason
+    : worst == bodies.end()     ? report.Note
+                                : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Reason;
+}
+
+sm::IntegralEngine& vtkSurfaceIntegralBase::GetEngine()
+{
+  return *this->Engine;
+}
+
+const sm::IntegralEngine& vtkSurfaceIntegralBase::GetEngine() const
+{
+  return *this->Engine;
+}
+
+// --- a run -------------------------------------------------------------------------------------
+
+int vtkSurfaceIntegralBase::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkSurfaceIntegralBase::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    port == 0     ? "vtkPolyData"
+      : port == 5 ? "vtkPartitionedDataSetCollection"
+                  : "vtkTable");
+  return 1;
+}
+
+void vtkSurfaceIntegralBase::ClearAbort()
+{
+  if (this->GetAbortExecute())
+  {
+    this->SetAbortExecute(0);
+  }
+}
+
+void vtkSurfaceIntegralBase::ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies)
+{
+  if (this->Selectors.empty())
+  {
+    return;
+  }
+  std::vector<std::string>& messages = this->Engine->GetReport().Messages;
+  std::set<vtkDataObject*> chosen;
+  std::vector<std::string> unmatched;
+  const std::string problem = sm::SelectLeaves(input, this->AssemblyName, this->Selectors, chosen, unmatched);
+  if (!problem.empty())
+  {
+    messages.push_back(problem);
+  }
+  for (const std::string& selector : unmatched)
+  {
+    messages.push_back("the selector \"" + selector + "\" names no solid");
+  }
+  bodies.erase(std::remove_if(bodies.begin(), bodies.end(),
+                 [&chosen](const sm::BodyIntegrals& body) { return chosen.count(body.Mesh) == 0; }),
+    bodies.end());
+}
+
+int vtkSurfaceIntegralBase::RejectInput(bool isWithheld)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  report.Status = sm::Status::Empty;
+  report.Messages.push_back(isWithheld ? "the points of the input were changed after it was read, "
+                                         "so its exact geometry no longer describes it"
+                                       : "the input is a mesh without exact geometry");
+  vtkErrorMacro(
+    "No exact geometry in the input: " << report.Messages.back()
+                                       << ". Connect the output of vtkSTEPReader directly: filters "
+                                          "that move or rebuild points drop the NURBS model. "
+                                          "vtkNURBSTransform moves a part and keeps it.");
+  return 0;
+}
+
+void vtkSurfaceIntegralBase::Analyze(
+  const sm::IntegralRequest& request, bool computed, std::vector<sm::BodyIntegrals>& bodies)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  report.Ranks = computed ? std::max(report.Ranks, 1) : 0;
+  for (sm::BodyIntegrals& body : bodies)
+  {
+    if (computed)
+    {
+      sm::SumFaces(body, request.Integrands);
+    }
+    else
+    {
+      // What was not computed has no bound, so no tolerance is met.
+      sm::SetUnknown(body, request.Integrands.size());
+    }
+  }
+  if (computed)
+  {
+    sm::MeasureEdges(bodies);
+  }
+  report.Status = bodies.empty() ? sm::Status::Empty : sm::Status::Ok;
+  this->AnalyzeBodies(bodies);
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    report.Status = std::max(report.Status, body.Status);
+  }
+}
+
+void vtkSurfaceIntegralBase::Write(
+  const std::vector<sm::BodyIntegrals>& bodies, vtkDataObject* input, vtkInformationVector* outputVector)
+{
+  const Outputs outputs{ vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
+    vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3) };
+  this->WriteOutputs(bodies, outputs);
+  AddPlaceholderPoint(bodies, outputs.Totals);
+  sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
+  sm::MakeBodyMeshes(
+    bodies, this->GetMeshArrays(bodies), input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));
+  this->Engine->GetReport().FillFieldData(outputs.Totals->GetFieldData());
+}
+
+int vtkSurfaceIntegralBase::Run(
+  vtkInformation* request, vtkDataObject* input, vtkInformationVector* outputVector)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  sm::RejectedInput rejected;
+  std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
+  const int meshes = rejected.Plain + rejected.Withheld;
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  const int pieces = outputVector->GetInformationObject(port)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  const bool anyBody = !bodies.empty();
+  if (anyBody)
+  {
+    this->ChooseBodies(input, bodies);
+  }
+  int root = 0;
+  const sm::IntegralEngine::Role role =
+    this->Engine->ChooseRole(this->CanShareFaces(), pieces, anyBody || meshes > 0, !bodies.empty(), root);
+  if (role == sm::IntegralEngine::Role::Worker)
+  {
+    this->Engine->RunAsWorker(this->MakeRequest(), this->MakeLimits(), root);
+  }
+  if (role != sm::IntegralEngine::Role::Owner)
+  {
+    return 1;
+  }
+  if (!anyBody && meshes > 0)
+  {
+    return this->RejectInput(rejected.Withheld > 0);
+  }
+  if (meshes > 0)
+  {
+    report.Messages.push_back(std::to_string(meshes) + " meshes without exact geometry were left out");
+  }
+  report.Solids = static_cast<int>(bodies.size());
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    report.Faces += static_cast<int>(body.Model->GetNumberOfFaces());
+  }
+  if (bodies.empty())
+  {
+    report.SetReason(anyBody ? "no solid is chosen" : "the input holds no solid and no surface");
+  }
+  const sm::IntegralRequest wanted = this->MakeRequest();
+  const bool computed = !bodies.empty() && this->IntegrateBodies(wanted, bodies);
+  this->Engine->EndSharing();
+  this->Analyze(wanted, computed, bodies);
+  this->Write(bodies, input, outputVector);
+  this->AddMessages(bodies);
+  return 1;
+}
+
+void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& bodies)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  const std::string reason = this->FindReason(bodies);
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    for (const std::string& message : body.Messages)
+    {
+      report.Messages.push_back((body.Name.empty() ? "" : body.Name + ": ") + message);
+    }
+  }
+  if (!report.Note.empty())
+  {
+    report.Messages.push_back(report.Note);
+  }
+  if (report.Status != sm::Status::Ok && !report.Messages.empty())
+  {
+    vtkWarningMacro("Status " << this->GetStatus() << (reason.empty() ? "" : ": ") << reason
+                              << (report.Messages.size() > 1 ? " (and more, see GetMessage())" : ""));
+  }
+  // Last, for it is nothing that is wrong with the result.
+  if (!report.FallbackReason.empty())
+  {
+    report.Messages.push_back("computed on the CPU, without OpenGL: " + report.FallbackReason);
+  }
+}
+
+int vtkSurfaceIntegralBase::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->ResetResults();
+  int result = 1;
+  try
+  {
+    result = this->Run(request, vtkDataObject::GetData(inputVector[0], 0), outputVector);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Fail("there is not enough memory", outputVector);
+  }
+  catch (const std::exception& error)
+  {
+    this->Fail(std::string("an error of the program: ") + error.what(), outputVector);
+  }
+  this->Engine->EndSharing();
+  this->ClearAbort();
+  if (this->GetReleaseDataFlag())
+  {
+    this->ReleaseMemory();
+  }
+  return result;
+}
+
+void vtkSurfaceIntegralBase::Fail(const std::string& what, vtkInformationVector* outputVector)
+{
+  // What is kept from run to run may be half made.
+  this->ReleaseMemory();
+  this->ResetResults();
+  sm::RunReport& report = this->Engine->GetReport();
+  report.Status = sm::Status::NotComputed;
+  report.SetReason("nothing was computed: " + what);
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize();
+  }
+  vtkPolyData* totals = vtkPolyData::GetData(outputVector, 0);
+  AddPlaceholderPoint({}, totals);
+  report.FillFieldData(totals->GetFieldData());
+  sm::columns::SetString(vtkTable::GetData(outputVector, 2)->GetRowData(), sm::names::Text,
+    "Status: " + this->GetStatus() + "\n" + report.Reason + "\n");
+  vtkWarningMacro("Status " << this->GetStatus() << ": " << report.Reason);
+}
