@@ -1,7 +1,6 @@
 #include "smArguments.h"
 
 #include "smOutputFiles.h"
-#include "smStabilityJob.h"
 #include "smUserIntegrals.h"
 #include "smVersion.h"
 
@@ -235,6 +234,10 @@ void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
     ->check(CheckIntegral)
     ->take_all()
     ->expected(1);
+}
+
+void DeclareWaterlines(CLI::App& app, sm::Arguments& arguments)
+{
   app
     .add_option("--waterline", arguments.Job.Waterlines,
       "Volume below a waterline, and its centre, the centre of buoyancy: the\n"
@@ -301,6 +304,35 @@ void DeclareSchemes(CLI::App& app, sm::Arguments& arguments)
     ->type_name("FOLDER");
 }
 
+/// An option whose module this program was built without, in a sentence; empty when there is none.
+std::string FindMissingModule(const CLI::App& app, const sm::Arguments& arguments)
+{
+  const auto say = [](const char* option, const char* module)
+  { return std::string(option) + " needs a build with " + module + "=ON: this one is without"; };
+#ifndef SM_HAS_BUOYANCY
+  if (app.count("--waterline") > 0)
+  {
+    return say("--waterline", "SOLIDMOMENTS_ENABLE_BUOYANCY");
+  }
+#endif
+#ifndef SM_HAS_STABILITY
+  if (app.count("--stability") > 0)
+  {
+    return say("--stability", "SOLIDMOMENTS_ENABLE_STABILITY");
+  }
+#endif
+#ifndef SM_HAS_MOMENT_SCHEMES
+  if (arguments.Job.Scheme != "adaptive")
+  {
+    return say("--scheme", "SOLIDMOMENTS_ENABLE_MOMENT_SCHEMES");
+  }
+#endif
+  (void)app;
+  (void)arguments;
+  (void)say;
+  return {};
+}
+
 /// What is wrong with arguments that are well-formed one by one; empty when nothing is.
 std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
 {
@@ -328,6 +360,11 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
     {
       return std::string(option) + " is for --scheme adaptive: the paper's schemes know no tolerance";
     }
+  }
+  const std::string missing = FindMissingModule(app, arguments);
+  if (!missing.empty())
+  {
+    return missing;
   }
   const std::string clash = sm::FindClash(arguments.Job);
   if (!clash.empty())
@@ -365,6 +402,7 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
     "solidmoments");
   Declare(app, arguments);
   DeclareIntegrals(app, arguments);
+  DeclareWaterlines(app, arguments);
   DeclareStability(app, arguments);
   DeclareSchemes(app, arguments);
   try

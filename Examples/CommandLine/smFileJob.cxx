@@ -5,9 +5,16 @@
 #include "smMessageList.h"
 #include "smPicture.h"
 #include "smQuantities.h"
-#include "smStabilityJob.h"
-#include "smTrimPictures.h"
 #include "smUserIntegrals.h"
+#ifdef SM_HAS_BUOYANCY
+#include "smBuoyancyJob.h"
+#endif
+#ifdef SM_HAS_MOMENT_SCHEMES
+#include "smSchemeJob.h"
+#endif
+#ifdef SM_HAS_STABILITY
+#include "smStabilityJob.h"
+#endif
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
@@ -36,6 +43,16 @@ using sm::Json;
 namespace names = sm::names;
 
 // --- from tables to JSON -----------------------------------------------------------------------
+
+/// The quantities of a row of field data or of a table.
+Json GetQuantities(vtkFieldData* data, vtkIdType row)
+{
+  Json quantities = sm::GetQuantities(data, row);
+#ifdef SM_HAS_MOMENT_SCHEMES
+  quantities.update(sm::GetSchemeQuantities(data, row));
+#endif
+  return quantities;
+}
 
 /// By solid, the edges with the widest gaps, at most five; the table has the widest first. Edges without a gap are none.
 std::vector<Json> WorstEdges(vtkTable* table, vtkIdType solids)
@@ -79,7 +96,7 @@ Json Solids(vtkTable* table, vtkTable* edges)
     solid["name"] = sm::GetText(columns, row, names::Name);
     solid["id"] = sm::GetText(columns, row, names::Id);
     solid["status"] = sm::GetText(columns, row, names::Status);
-    solid.update(sm::GetQuantities(columns, row));
+    solid.update(GetQuantities(columns, row));
     solid["worst_edges"] = worst[static_cast<size_t>(row)];
     solids.push_back(std::move(solid));
   }
@@ -98,7 +115,7 @@ Json EmptyFile(const std::string& fileName)
   file["scheme_options"] = nullptr;
   file["backend"] = nullptr;
   file["renderer"] = nullptr;
-  file["total"] = sm::GetQuantities(nothing, 0);
+  file["total"] = GetQuantities(nothing, 0);
   file["solids"] = Json::array();
   file["integrals"] = Json::object();
   file["waterlines"] = Json::array();
@@ -227,51 +244,33 @@ void SetQuantityTolerance(vtkMassPropertiesGPU* filter, const std::string& text)
   }
 }
 
-void SetScheme(vtkMassPropertiesGPU* filter, const sm::JobOptions& options)
+vtkSmartPointer<vtkMassPropertiesBase> MakeFilter(vtkSTEPReader* reader, const sm::JobOptions& options)
 {
-  filter->SetScheme(options.Scheme == "midpoint" ? vtkMassPropertiesGPU::MIDPOINT
-      : options.Scheme == "gauss2"               ? vtkMassPropertiesGPU::GAUSS2
-      : options.Scheme == "gauss3"               ? vtkMassPropertiesGPU::GAUSS3
-                                                 : vtkMassPropertiesGPU::ADAPTIVE);
-  filter->SetSubPatchFactor(options.SubPatches);
-  filter->SetTrimTextureFactor(options.TrimTexture);
-  filter->SetChordTolerance(options.ChordTolerance);
-  filter->SetDeviation(
-    options.Deviation == "sampled" ? vtkMassPropertiesGPU::SAMPLED : vtkMassPropertiesGPU::BOUNDED);
-  filter->SetKeepTrimTextures(!options.TexturePrefix.empty());
-}
-
-/// What the filter integrates with; null with the adaptive scheme, which knows none of it.
-Json SchemeOptions(vtkMassPropertiesGPU* filter)
-{
-  if (filter->GetScheme() == vtkMassPropertiesGPU::ADAPTIVE)
+  vtkSmartPointer<vtkMassPropertiesBase> filter;
+  if (options.Scheme == "adaptive")
   {
-    return nullptr;
+    auto adaptive = vtkSmartPointer<vtkMassPropertiesGPU>::New();
+    adaptive->SetRelativeTolerance(options.Tolerance);
+    for (const std::string& text : options.QuantityTolerances)
+    {
+      SetQuantityTolerance(adaptive, text);
+    }
+    filter = adaptive;
   }
-  Json options;
-  options["sub_patch_factor"] = filter->GetSubPatchFactor();
-  options["texture_factor"] = filter->GetTrimTextureFactor();
-  options["chord_tolerance"] = filter->GetChordTolerance();
-  options["deviation"] = filter->GetDeviation() == vtkMassPropertiesGPU::SAMPLED ? "sampled" : "bounded";
-  return options;
-}
-
-vtkSmartPointer<vtkMassPropertiesGPU> MakeFilter(vtkSTEPReader* reader, const sm::JobOptions& options)
-{
-  auto filter = vtkSmartPointer<vtkMassPropertiesGPU>::New();
+#ifdef SM_HAS_MOMENT_SCHEMES
+  else
+  {
+    filter = sm::MakeSchemeFilter(options);
+  }
+#endif
   filter->SetInputConnection(reader->GetOutputPort());
   sm::SetUpFilter(filter, options);
-  for (const std::string& text : options.QuantityTolerances)
-  {
-    SetQuantityTolerance(filter, text);
-  }
   filter->SetDensity(options.Density);
-  SetScheme(filter, options);
   return filter;
 }
 
 void Integrate(
-  vtkMassPropertiesGPU* filter, const sm::JobListener& tell, Json& file, sm::MessageList& messages)
+  vtkMassPropertiesBase* filter, const sm::JobListener& tell, Json& file, sm::MessageList& messages)
 {
   {
     ProgressScope progress(filter, "integrate", tell);
@@ -283,7 +282,7 @@ void Integrate(
   messages.AddFilter(filter);
   file["backend"] = filter->GetBackendName();
   file["renderer"] = filter->GetRenderer();
-  file["total"] = sm::GetQuantities(fields, 0);
+  file["total"] = GetQuantities(fields, 0);
   file["solids"] = Solids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)),
     vtkTable::SafeDownCast(filter->GetOutputDataObject(4)));
   file["faces"] = filter->GetNumberOfFaces();
@@ -295,7 +294,7 @@ void Integrate(
   file["seconds"]["integrate"] = filter->GetIntegrateSeconds();
 }
 
-std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesGPU* filter, vtkPolyData* stability,
+std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* stability,
   const sm::JobOptions& options, const Json& file)
 {
   vtkComputeContext* context = filter->GetComputeContext();
@@ -326,7 +325,9 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   if (isRead)
   {
     file["scheme"] = options.Scheme;
-    file["scheme_options"] = SchemeOptions(filter);
+#ifdef SM_HAS_MOMENT_SCHEMES
+    file["scheme_options"] = sm::GetSchemeOptions(filter);
+#endif
     Integrate(filter, tell, file, messages);
     const auto update = [&tell](vtkAlgorithm* algorithm)
     {
@@ -334,7 +335,12 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
       algorithm->Update();
     };
     sm::IntegrateUsers(reader, options, update, file, messages);
+#ifdef SM_HAS_BUOYANCY
+    sm::IntegrateBelowWaterlines(reader, options, update, file, messages);
+#endif
+#ifdef SM_HAS_STABILITY
     stability = sm::FindStability(reader, options, update, file, messages);
+#endif
   }
   for (const std::string& message : collector->GetMessages())
   {
@@ -342,10 +348,12 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   }
   file["messages"] = messages.Get();
   tell({ { "result", file } });
+#ifdef SM_HAS_MOMENT_SCHEMES
   if (!options.TexturePrefix.empty() && isRead)
   {
     tell({ { "textures", sm::WriteTrimPictures(filter, options.TexturePrefix) } });
   }
+#endif
   if (!options.PictureName.empty() && isRead)
   {
     tell({ { "progress", { "draw", 0.0 } } });
@@ -357,6 +365,29 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
 
 namespace sm
 {
+bool ParseDirection(const std::string& text, std::array<double, 3>& direction)
+{
+  direction = { 0.0, 0.0, 0.0 };
+  const bool sign = !text.empty() && (text[0] == '+' || text[0] == '-');
+  if (text.size() == (sign ? 2u : 1u) && text.back() >= 'x' && text.back() <= 'z')
+  {
+    direction[text.back() - 'x'] = text[0] == '-' ? -1.0 : 1.0;
+    return true;
+  }
+  const char* next = text.c_str();
+  for (int i = 0; i < 3; ++i)
+  {
+    char* end = nullptr;
+    direction[i] = std::strtod(next, &end);
+    if (end == next || *end != (i < 2 ? ',' : '\0') || !std::isfinite(direction[i]))
+    {
+      return false;
+    }
+    next = end + 1;
+  }
+  return direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0;
+}
+
 bool ParseQuantityTolerance(
   const std::string& text, std::string& quantity, double& relative, double& absolute)
 {

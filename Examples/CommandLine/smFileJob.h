@@ -26,7 +26,7 @@ struct JobOptions
   /// Volume moments up to this degree; negative: none. And expressions, "NAME=EXPR".
   int MomentDegree = -1;
   std::vector<std::string> Integrals;
-  /// Where things fall, see ParseDirection() of smStabilityJob.h; empty: stability is not asked for.
+  /// Where things fall, see ParseDirection(); empty: stability is not asked for.
   std::string Stability;
   /// Heights of waterlines along Up, in the unit of the results; Up is not 0.
   std::vector<double> Waterlines;
@@ -34,7 +34,7 @@ struct JobOptions
   double MaximumEvaluations = 2e9;
   double MaximumSeconds = 0.0;
   std::string Scheme =
-    "adaptive"; ///< of vtkMassPropertiesGPU in lower case; the next four are for the paper's schemes
+    "adaptive"; ///< or "midpoint", "gauss2", "gauss3", the paper's; the next four are for the paper's schemes
   int SubPatches = 2;
   int TrimTexture = 4;
   double ChordTolerance = 1e-8;
@@ -56,6 +56,9 @@ void RunFileJob(const JobOptions& options, const JobListener& tell);
 /// One of QuantityTolerances taken apart; false when it is not well formed.
 bool ParseQuantityTolerance(
   const std::string& text, std::string& quantity, double& relative, double& absolute);
+
+/// "x", "+y", "-z", or three numbers, "0,0.1,-1"; false when it is neither, or all three are 0.
+bool ParseDirection(const std::string& text, std::array<double, 3>& direction);
 
 /// The entry of a file that could not be read: every key is there, every value null.
 Json UnreadableFile(const std::string& fileName, const std::string& message);

@@ -5,7 +5,7 @@
 #include "vtkNURBSDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkSTEPReader.h"
-#include "vtkSurfaceIntegralGPU.h"
+#include "vtkSurfaceIntegralBase.h"
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ void MessageList::AddReader(vtkSTEPReader* reader)
   }
 }
 
-void MessageList::AddFilter(vtkSurfaceIntegralGPU* filter)
+void MessageList::AddFilter(vtkSurfaceIntegralBase* filter)
 {
   for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
   {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-class vtkSurfaceIntegralGPU;
+class vtkSurfaceIntegralBase;
 class vtkSTEPReader;
 class vtkTrimmedNURBSModel;
 
@@ -28,7 +28,7 @@ public:
   /// After the reader ran.
   void AddReader(vtkSTEPReader* reader);
   /// After the filter ran on that reader's output.
-  void AddFilter(vtkSurfaceIntegralGPU* filter);
+  void AddFilter(vtkSurfaceIntegralBase* filter);
   /// An error or warning of VTK's; those that repeat what was heard are left out.
   void AddEcho(const std::string& message);
 

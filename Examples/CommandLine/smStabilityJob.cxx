@@ -15,9 +15,6 @@
 #include "vtkSolidStability.h"
 #include "vtkTable.h"
 
-#include <cmath>
-#include <cstdlib>
-
 namespace
 {
 using sm::GetCount;
@@ -75,29 +72,6 @@ Json Describe(vtkSolidStability* filter, vtkIdType row)
 
 namespace sm
 {
-bool ParseDirection(const std::string& text, std::array<double, 3>& direction)
-{
-  direction = { 0.0, 0.0, 0.0 };
-  const bool sign = !text.empty() && (text[0] == '+' || text[0] == '-');
-  if (text.size() == (sign ? 2u : 1u) && text.back() >= 'x' && text.back() <= 'z')
-  {
-    direction[text.back() - 'x'] = text[0] == '-' ? -1.0 : 1.0;
-    return true;
-  }
-  const char* next = text.c_str();
-  for (int i = 0; i < 3; ++i)
-  {
-    char* end = nullptr;
-    direction[i] = std::strtod(next, &end);
-    if (end == next || *end != (i < 2 ? ',' : '\0') || !std::isfinite(direction[i]))
-    {
-      return false;
-    }
-    next = end + 1;
-  }
-  return direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0;
-}
-
 vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
 {
@@ -111,6 +85,7 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptio
   filter->SetGravityDirection(direction.data());
   filter->SetDensity(options.Density);
   SetUpFilter(filter->GetMassProperties(), options);
+  filter->GetMassProperties()->SetRelativeTolerance(options.Tolerance);
   update(filter);
   auto drawing = vtkSmartPointer<vtkPolyData>::New();
   if (filter->GetMassProperties()->GetNumberOfSolids() == 0)

@@ -9,9 +9,7 @@
 
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <functional>
-#include <string>
 
 class vtkAlgorithm;
 class vtkPolyData;
@@ -20,9 +18,6 @@ class vtkSTEPReader;
 namespace sm
 {
 class MessageList;
-
-/// "x", "+y", "-z", or three numbers, "0,0.1,-1"; false when it is neither, or all three are 0.
-bool ParseDirection(const std::string& text, std::array<double, 3>& direction);
 
 /// Fills `stability` of the total (all solids as one body, resting on their lowest points) and of every solid alone. `update` runs a
 /// filter. Returns the drawing for the picture; null when it was not asked for.

@@ -61,78 +61,6 @@ void ListMoments(int degree, const AddMoment& add)
   }
 }
 
-void AddEffort(vtkSurfaceIntegralGPU* filter, Json& file, sm::MessageList& messages)
-{
-  if (file["status"] == names::StatusOk)
-  {
-    file["status"] = filter->GetStatus();
-  }
-  file["evaluations"] = file["evaluations"].get<long long>() + filter->GetEvaluations();
-  file["dispatches"] = file["dispatches"].get<long long>() + filter->GetDispatches();
-  messages.AddFilter(filter);
-}
-
-/// Where the data are columns or field data with a row for each body.
-Json Displaced(vtkFieldData* data, vtkIdType row, const std::string& name)
-{
-  const auto get = [&](const std::string& array, int component)
-  {
-    vtkDataArray* values = data->GetArray(array.c_str());
-    return values && row < values->GetNumberOfTuples() ? Finite(values->GetComponent(row, component))
-                                                       : Json();
-  };
-  const std::string center = name + names::CenterSuffix;
-  const Json first = get(center, 0);
-  Json found;
-  found["volume"] = get(name, 0);
-  found["center"] = first.is_null() ? Json() : Json({ first, get(center, 1), get(center, 2) });
-  found["bounds"] = { { "volume", get(name + names::BoundSuffix, 0) },
-    { "center", get(center + names::BoundSuffix, 0) } };
-  return found;
-}
-
-std::string WaterlineName(std::size_t index)
-{
-  return "waterline" + std::to_string(index);
-}
-
-void ReportWaterlines(
-  vtkSurfaceIntegralGPU* filter, const sm::JobOptions& options, Json& file, sm::MessageList& messages)
-{
-  const auto report = [&](Json& entry, vtkFieldData* data, vtkIdType row)
-  {
-    entry["waterlines"] = Json::array();
-    for (std::size_t i = 0; i < options.Waterlines.size(); ++i)
-    {
-      Json found = { { "height", options.Waterlines[i] }, { "up", options.Up } };
-      found.update(Displaced(data, row, WaterlineName(i)));
-      entry["waterlines"].push_back(found);
-    }
-  };
-  report(file, filter->GetOutput()->GetFieldData(), 0);
-  vtkIdType row = 0;
-  for (Json& solid : file["solids"])
-  {
-    report(solid, vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData(), row);
-    ++row;
-  }
-  AddEffort(filter, file, messages);
-}
-
-void AddWaterlines(vtkSurfaceIntegralGPU* filter, const sm::JobOptions& options)
-{
-  const std::array<double, 3>& up = options.Up;
-  const double largest = std::max({ std::abs(up[0]), std::abs(up[1]), std::abs(up[2]) });
-  const std::array<double, 3> scaled = { up[0] / largest, up[1] / largest, up[2] / largest };
-  const double length = std::hypot(scaled[0], scaled[1], scaled[2]);
-  for (std::size_t i = 0; i < options.Waterlines.size(); ++i)
-  {
-    const double along = options.Waterlines[i] / length;
-    filter->AddBuoyancy(WaterlineName(i), along * scaled[0], along * scaled[1], along * scaled[2], scaled[0],
-      scaled[1], scaled[2]);
-  }
-}
-
 void Report(vtkSurfaceIntegralGPU* filter, Json& file, sm::MessageList& messages)
 {
   vtkDataSetAttributes* columns = vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData();
@@ -148,7 +76,7 @@ void Report(vtkSurfaceIntegralGPU* filter, Json& file, sm::MessageList& messages
       ++row;
     }
   }
-  AddEffort(filter, file, messages);
+  sm::AddEffort(filter, file, messages);
 }
 }
 
@@ -189,17 +117,27 @@ std::string FindClash(const JobOptions& options)
   return {};
 }
 
-void SetUpFilter(vtkSurfaceIntegralGPU* filter, const JobOptions& options)
+void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
 {
-  filter->SetRelativeTolerance(options.Tolerance);
   filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));
   filter->SetMaximumSeconds(options.MaximumSeconds);
-  filter->SetBackend(options.Backend == "auto" ? vtkSurfaceIntegralGPU::AUTOMATIC
-      : options.Backend == "cpu"               ? vtkSurfaceIntegralGPU::CPU
-                                               : vtkSurfaceIntegralGPU::OPENGL);
+  filter->SetBackend(options.Backend == "auto" ? vtkSurfaceIntegralBase::AUTOMATIC
+      : options.Backend == "cpu"               ? vtkSurfaceIntegralBase::CPU
+                                               : vtkSurfaceIntegralBase::OPENGL);
   filter->GetComputeContext()->SetSource(options.Backend == "egl" ? vtkComputeContext::EGL
       : options.Backend == "x"                                    ? vtkComputeContext::X
                                                                   : vtkComputeContext::AUTOMATIC);
+}
+
+void AddEffort(vtkSurfaceIntegralBase* filter, Json& file, MessageList& messages)
+{
+  if (file["status"] == names::StatusOk)
+  {
+    file["status"] = filter->GetStatus();
+  }
+  file["evaluations"] = file["evaluations"].get<long long>() + filter->GetEvaluations();
+  file["dispatches"] = file["dispatches"].get<long long>() + filter->GetDispatches();
+  messages.AddFilter(filter);
 }
 
 void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
@@ -232,6 +170,7 @@ void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
   const auto run = [&](vtkSurfaceIntegralGPU* filter)
   {
     SetUpFilter(filter, options);
+    filter->SetRelativeTolerance(options.Tolerance);
     if (options.MaximumSeconds > 0.0)
     {
       // Of all together.
@@ -248,13 +187,6 @@ void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
       run(filter);
       Report(filter, file, messages);
     }
-  }
-  if (!options.Waterlines.empty())
-  {
-    vtkNew<vtkSurfaceIntegralGPU> buoyancy;
-    AddWaterlines(buoyancy, options);
-    run(buoyancy);
-    ReportWaterlines(buoyancy, options, file, messages);
   }
 }
 }

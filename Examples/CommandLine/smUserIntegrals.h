@@ -1,6 +1,6 @@
 /**
  * @file smUserIntegrals.h
- * @brief What a user asked for besides mass properties: moments, expressions of one's own, and what waterlines displace
+ * @brief What a user asked for besides mass properties: moments and expressions of one's own
  */
 #ifndef smUserIntegrals_h
 #define smUserIntegrals_h
@@ -11,7 +11,7 @@
 
 class vtkAlgorithm;
 class vtkSTEPReader;
-class vtkSurfaceIntegralGPU;
+class vtkSurfaceIntegralBase;
 
 namespace sm
 {
@@ -26,12 +26,14 @@ bool ParseIntegral(const std::string& text, std::string& name, std::string& expr
 /// A name that two of the integrals would have, or an integral and another column of the results; empty when none.
 std::string FindClash(const JobOptions& options);
 
-/// Gives a filter what all filters of a job share: tolerance, budgets and backend.
-void SetUpFilter(vtkSurfaceIntegralGPU* filter, const JobOptions& options);
+/// Gives a filter what all filters of a job share: limits and backend.
+void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options);
 
-/// Computes the integrals that the options ask for into `integrals` of the file and of each solid: {NAME: {"value",
-/// "bound"}}, null where it is not known; and what is below the waterlines into `waterlines` of each, a list of {"height", "up",
-/// "volume", "center", "bounds": {"volume", "center"}}. A flag of theirs becomes the file's when that was ok. `update` runs a filter.
+/// Adds evaluations, dispatches and messages of a filter's last run to the file's. Its status becomes the file's when that was ok.
+void AddEffort(vtkSurfaceIntegralBase* filter, Json& file, MessageList& messages);
+
+/// Computes the integrals that the options ask for into `integrals` of the file and of each solid: {NAME: {"value", "bound"}}, null
+/// where it is not known. `update` runs a filter.
 void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages);
 }

@@ -97,9 +97,6 @@ Json GetQuantities(vtkFieldData* data, vtkIdType row)
   q["open_edges"] = GetCount(data, row, names::OpenEdges);
   q["closure_residual"] = GetNumber(data, row, names::ClosureResidual);
   q["flipped_shells"] = GetCount(data, row, names::FlippedShells);
-  q["paper_error_estimate"] = GetNumber(data, row, names::PaperErrorEstimate);
-  q["paper_error_estimate_with_boundary"] = GetNumber(data, row, names::PaperErrorEstimateWithBoundary);
-  q["sub_patches"] = GetCount(data, row, names::SubPatches);
   q["stability"] = nullptr;
   const Json estimated = GetCount(data, row, names::BoundsEstimated);
   q["bounds_estimated"] = estimated.is_null() ? estimated : Json(estimated != 0);

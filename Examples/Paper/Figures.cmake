@@ -18,7 +18,7 @@ add_executable(paper_figures
   smSolidBuilder.cxx)
 target_link_libraries(paper_figures PRIVATE
   smExampleCommon
-  SolidMoments::FiltersMassProperties
+  SolidMoments::FiltersMomentSchemes
   SolidMoments::ReadersSTEP
   SolidMoments::RenderingCompute
   VTK::ChartsCore

@@ -4,6 +4,8 @@
 #include <vtkDataObject.h>
 #include <vtkImageData.h>
 
+#include <limits>
+
 namespace smfigure
 {
 const char* GetName(Scheme scheme)
@@ -23,48 +25,41 @@ const char* GetName(Scheme scheme)
 
 PaperFilter::PaperFilter(vtkDataObject* input)
 {
-  this->Mass->SetInputDataObject(input);
-  this->Mass->SetRelativeTolerance(1e-12);
-  this->Mass->SetChordTolerance(1e-9);
+  this->Adaptive->SetInputDataObject(input);
+  this->Adaptive->SetRelativeTolerance(1e-12);
+  this->Schemes->SetInputDataObject(input);
+  this->Schemes->SetChordTolerance(1e-9);
   // That the schemes have no bound is a warning of every run; the results are judged here.
-  this->Mass->AddObserver(vtkCommand::WarningEvent, this->Silence);
-}
-
-PaperRun PaperFilter::Run(Scheme scheme, int factor)
-{
-  this->Mass->SetScheme(static_cast<int>(scheme));
-  this->Mass->Update();
-  PaperRun run;
-  run.Used = scheme;
-  run.Factor = factor;
-  run.SubPatches = this->Mass->GetSubPatches();
-  run.Volume = this->Mass->GetVolume();
-  run.Bound = this->Mass->GetVolumeBound();
-  run.Estimate = this->Mass->GetPaperErrorEstimate();
-  run.EstimateWithBoundary = this->Mass->GetPaperErrorEstimateWithBoundary();
-  return run;
+  this->Adaptive->AddObserver(vtkCommand::WarningEvent, this->Silence);
+  this->Schemes->AddObserver(vtkCommand::WarningEvent, this->Silence);
 }
 
 PaperRun PaperFilter::RunAdaptive()
 {
-  return this->Run(Scheme::Adaptive, 0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  this->Adaptive->Update();
+  return { Scheme::Adaptive, 0, 0, this->Adaptive->GetVolume(), this->Adaptive->GetVolumeBound(), nan, nan };
 }
 
 PaperRun PaperFilter::RunScheme(Scheme scheme, int factor)
 {
-  this->Mass->SetSubPatchFactor(factor);
-  return this->Run(scheme, factor);
+  this->Schemes->SetScheme(static_cast<int>(scheme));
+  this->Schemes->SetSubPatchFactor(factor);
+  this->Schemes->Update();
+  return { scheme, factor, this->Schemes->GetSubPatches(), this->Schemes->GetVolume(),
+    this->Schemes->GetVolumeBound(), this->Schemes->GetPaperErrorEstimate(),
+    this->Schemes->GetPaperErrorEstimateWithBoundary() };
 }
 
 TexturePoints PaperFilter::MakeTexture(int factor, int textureFactor)
 {
   TexturePoints points;
-  this->Mass->SetScheme(vtkMassPropertiesGPU::GAUSS2);
-  this->Mass->SetSubPatchFactor(factor);
-  this->Mass->SetTrimTextureFactor(textureFactor);
-  this->Mass->SetKeepTrimTextures(true);
-  this->Mass->Update();
-  vtkImageData* texture = this->Mass->GetTrimTexture(0);
+  this->Schemes->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS2);
+  this->Schemes->SetSubPatchFactor(factor);
+  this->Schemes->SetTrimTextureFactor(textureFactor);
+  this->Schemes->SetKeepTrimTextures(true);
+  this->Schemes->Update();
+  vtkImageData* texture = this->Schemes->GetTrimTexture(0);
   if (!texture)
   {
     return points;
@@ -89,6 +84,8 @@ TexturePoints PaperFilter::MakeTexture(int factor, int textureFactor)
 
 std::string PaperFilter::GetBackend()
 {
-  return std::string(this->Mass->GetBackendName()) + " on " + this->Mass->GetRenderer();
+  const bool hasAdaptive = !this->Adaptive->GetRenderer().empty();
+  return hasAdaptive ? this->Adaptive->GetBackendName() + " on " + this->Adaptive->GetRenderer()
+                     : this->Schemes->GetBackendName() + " on " + this->Schemes->GetRenderer();
 }
 }

@@ -8,6 +8,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkMassPropertiesGPU.h>
 #include <vtkNew.h>
+#include <vtkSchemeMassPropertiesGPU.h>
 
 #include <string>
 #include <vector>
@@ -18,10 +19,10 @@ namespace smfigure
 {
 enum class Scheme
 {
-  Adaptive = vtkMassPropertiesGPU::ADAPTIVE,
-  Midpoint = vtkMassPropertiesGPU::MIDPOINT,
-  Gauss2 = vtkMassPropertiesGPU::GAUSS2,
-  Gauss3 = vtkMassPropertiesGPU::GAUSS3
+  Adaptive = 0,
+  Midpoint = vtkSchemeMassPropertiesGPU::MIDPOINT,
+  Gauss2 = vtkSchemeMassPropertiesGPU::GAUSS2,
+  Gauss3 = vtkSchemeMassPropertiesGPU::GAUSS3
 };
 
 const char* GetName(Scheme scheme);
@@ -49,7 +50,7 @@ struct TexturePoints
   std::vector<bool> Inside;
 };
 
-/// The filter on one input, its shaders and faces kept from run to run.
+/// Both filters on one input, their shaders and faces kept from run to run.
 class PaperFilter
 {
 public:
@@ -65,10 +66,9 @@ public:
   std::string GetBackend();
 
 private:
-  PaperRun Run(Scheme scheme, int factor);
-
   vtkNew<vtkCallbackCommand> Silence;
-  vtkNew<vtkMassPropertiesGPU> Mass;
+  vtkNew<vtkMassPropertiesGPU> Adaptive;
+  vtkNew<vtkSchemeMassPropertiesGPU> Schemes;
 };
 }
 

@@ -261,21 +261,18 @@ void BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, cons
   double tolerance, std::vector<SubmergedFace>& below)
 {
   below.assign(faces.size(), {});
-  const auto isSame = [&](const KnownCut& known) {
-    return known.Plane.Up == plane.Up && known.Plane.Offset == plane.Offset && known.Tolerance == tolerance;
-  };
+  const CutKey key{ plane, tolerance };
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    std::vector<KnownCut>& entries = this->Known[faces[i]->Source->Id];
-    const auto found = std::find_if(entries.begin(), entries.end(), isSame);
-    if (found == entries.end())
+    if (const SubmergedFace* known = this->Below.Find(faces[i]->Source->Id, key))
+    {
+      below[i] = *known;
+    }
+    else
     {
       missing.push_back(i);
-      continue;
     }
-    found->IsUsed = true;
-    below[i] = found->Face;
   }
   vtkSMPTools::For(0, static_cast<vtkIdType>(missing.size()), 1,
     [&](vtkIdType from, vtkIdType to)
@@ -287,28 +284,19 @@ void BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, cons
     });
   for (const std::size_t i : missing)
   {
-    this->Known[faces[i]->Source->Id].push_back({ plane, tolerance, below[i], true });
-  }
-}
-
-void BuoyancyIntegrator::ForgetUnused()
-{
-  for (auto entries = this->Known.begin(); entries != this->Known.end();)
-  {
-    std::vector<KnownCut>& known = entries->second;
-    known.erase(std::remove_if(known.begin(), known.end(), [](const KnownCut& one) { return !one.IsUsed; }),
-      known.end());
-    for (KnownCut& one : known)
+    std::size_t bytes = 0;
+    for (const CutFacePointer& part : below[i].Parts)
     {
-      one.IsUsed = false;
+      // A face that is below as a whole is kept by the other cache.
+      bytes += part && part != faces[i] ? CountBytes(*part) : 0;
     }
-    entries = known.empty() ? this->Known.erase(entries) : std::next(entries);
+    this->Below.Store(faces[i]->Source->Id, key, below[i], bytes);
   }
 }
 
 void BuoyancyIntegrator::ReleaseMemory()
 {
-  this->Known.clear();
+  this->Below.Clear();
   this->Cuts.Clear();
 }
 
@@ -474,7 +462,7 @@ bool BuoyancyIntegrator::Integrate(SurfaceIntegrator& integrator, const std::vec
   {
     return false;
   }
-  this->ForgetUnused();
+  this->Below.EndRun();
   FaceIntegrals zero;
   for (std::size_t k = 0; k < Quantities; ++k)
   {

@@ -12,6 +12,7 @@
 #define smBuoyancy_h
 
 #include "smBodyIntegrals.h"
+#include "smFaceCache.h"
 #include "smFacePanelsCache.h"
 #include "smFiltersBuoyancyModule.h"
 #include "smProgressCallback.h"
@@ -21,7 +22,6 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace sm
@@ -112,13 +112,17 @@ private:
     std::size_t Body;
     std::size_t Face;
   };
-  /// A face that was cut before at this plane.
-  struct KnownCut
+  /// What the part of a face below the waterline depends on, beside the face.
+  struct CutKey
   {
     HeightPlane Plane;
     double Tolerance;
-    SubmergedFace Face;
-    bool IsUsed;
+
+    bool operator==(const CutKey& other) const
+    {
+      return this->Plane.Up == other.Plane.Up && this->Plane.Offset == other.Plane.Offset &&
+        this->Tolerance == other.Tolerance;
+    }
   };
 
   static Frame MakeFrame(const BodyIntegrals& body, const Waterline& waterline);
@@ -129,12 +133,10 @@ private:
   bool CutAtWaterline(const BodyIntegrals& body, const Waterline& waterline, double tolerance, CutBody& cut);
   void CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane, double tolerance,
     std::vector<SubmergedFace>& below);
-  void ForgetUnused();
 
   FacePanelsCache Cuts;
   double CutSeconds = 0.0;
-  /// By id of the face: of the last run.
-  std::unordered_map<std::uint64_t, std::vector<KnownCut>> Known;
+  FaceCache<CutKey, SubmergedFace> Below{ CacheBudget::GetProcessBudget(), 1 };
 };
 }
 

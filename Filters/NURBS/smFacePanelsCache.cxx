@@ -3,7 +3,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <exception>
 #include <unordered_map>
 
 namespace sm
@@ -18,13 +18,6 @@ template <typename Type>
 std::size_t GetBytesOf(const std::vector<Type>& values)
 {
   return values.capacity() * sizeof(Type);
-}
-
-std::size_t GetBytesOf(const FacePanels& panels)
-{
-  return sizeof(CutFace) + GetBytesOf(panels.Patches) + GetBytesOf(panels.Points) +
-    GetBytesOf(panels.Coefficients) + GetBytesOf(panels.Panels) + GetBytesOf(panels.Ribbons) +
-    GetBytesOf(panels.Caps);
 }
 
 CutFacePointer Cut(const FacePointer& face)
@@ -47,136 +40,69 @@ CutFacePointer Cut(const FacePointer& face)
 }
 }
 
-struct FacePanelsCache::Internals
+std::size_t CountBytes(const CutFace& face)
 {
-  struct Entry
-  {
-    CutFacePointer Face;
-    std::size_t Bytes = 0;
-    std::uint64_t LastUse = 0;
-  };
+  const FacePanels& panels = face.Panels;
+  return sizeof(CutFace) + GetBytesOf(panels.Patches) + GetBytesOf(panels.Points) +
+    GetBytesOf(panels.Coefficients) + GetBytesOf(panels.Panels) + GetBytesOf(panels.Ribbons) +
+    GetBytesOf(panels.Caps);
+}
 
-  std::unordered_map<std::uint64_t, Entry> Faces;
-  std::size_t Budget = std::size_t{ 1 } << 30;
-  std::size_t Bytes = 0;
-  std::uint64_t Clock = 0;
-  std::uint64_t Cuts = 0;
-  std::uint64_t Evictions = 0;
-  std::string Error;
-
-  bool Fail(const std::string& what)
-  {
-    this->Error = what;
-    return false;
-  }
-
-  void Keep(const CutFacePointer& face)
-  {
-    const std::size_t bytes = GetBytesOf(face->Panels);
-    this->Faces[face->Source->Id] = { face, bytes, this->Clock };
-    this->Bytes += bytes;
-  }
-
-  /// What only the cache holds: no model has the face, and nobody what it was cut into.
-  void ForgetDead()
-  {
-    for (auto entry = this->Faces.begin(); entry != this->Faces.end();)
-    {
-      const CutFacePointer& face = entry->second.Face;
-      if (face.use_count() > 1 || face->Source.use_count() > 1)
-      {
-        ++entry;
-        continue;
-      }
-      this->Bytes -= entry->second.Bytes;
-      entry = this->Faces.erase(entry);
-      ++this->Evictions;
-    }
-  }
-
-  /// The oldest first; of one age, the lower id first.
-  void Evict()
-  {
-    if (this->Bytes <= this->Budget)
-    {
-      return;
-    }
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> ages;
-    for (const auto& [id, entry] : this->Faces)
-    {
-      ages.emplace_back(entry.LastUse, id);
-    }
-    std::sort(ages.begin(), ages.end());
-    for (auto oldest = ages.begin(); this->Bytes > this->Budget && oldest != ages.end(); ++oldest)
-    {
-      const auto entry = this->Faces.find(oldest->second);
-      this->Bytes -= entry->second.Bytes;
-      this->Faces.erase(entry);
-      ++this->Evictions;
-    }
-  }
-
-  /// The faces that must be cut, each once, in the order of the request.
-  bool FindMissing(const std::vector<FacePointer>& faces, std::vector<FacePointer>& missing)
-  {
-    std::unordered_map<std::uint64_t, FacePointer> asked;
-    for (const FacePointer& face : faces)
-    {
-      const auto [first, isNew] = asked.emplace(face->Id, face);
-      const auto found = this->Faces.find(face->Id);
-      const bool isKept = found != this->Faces.end();
-      if (first->second != face || (isKept && found->second.Face->Source != face))
-      {
-        return this->Fail("two different faces have the id " + std::to_string(face->Id) +
-          "; give every new face an id of its own, sm::NewId()");
-      }
-      if (isKept)
-      {
-        found->second.LastUse = this->Clock;
-      }
-      else if (isNew)
-      {
-        missing.push_back(face);
-      }
-    }
-    return true;
-  }
-};
-
-FacePanelsCache::FacePanelsCache()
-  : Implementation(new Internals)
+FacePanelsCache::FacePanelsCache(CacheBudget& budget)
+  // No face goes by its age alone.
+  : Faces(budget, std::uint64_t{ 1 } << 62)
 {
 }
 
-FacePanelsCache::~FacePanelsCache() = default;
-
-void FacePanelsCache::SetBudget(std::size_t bytes)
+bool FacePanelsCache::Fail(const std::string& what)
 {
-  this->Implementation->Budget = bytes;
+  this->Error = what;
+  return false;
+}
+
+/// The faces that must be cut, each once, in the order of the request.
+bool FacePanelsCache::FindMissing(const std::vector<FacePointer>& faces, std::vector<FacePointer>& missing)
+{
+  std::unordered_map<std::uint64_t, FacePointer> asked;
+  for (const FacePointer& face : faces)
+  {
+    const auto [first, isNew] = asked.emplace(face->Id, face);
+    const CutFacePointer* kept = this->Faces.Find(face->Id, {});
+    if (first->second != face || (kept && (*kept)->Source != face))
+    {
+      return this->Fail("two different faces have the id " + std::to_string(face->Id) +
+        "; give every new face an id of its own, sm::NewId()");
+    }
+    if (!kept && isNew)
+    {
+      missing.push_back(face);
+    }
+  }
+  return true;
 }
 
 bool FacePanelsCache::Acquire(
   const std::vector<FacePointer>& faces, std::vector<CutFacePointer>& cut, const ProgressCallback& progress)
 {
-  Internals& self = *this->Implementation;
-  self.Error.clear();
-  ++self.Clock;
+  this->Error.clear();
   cut.clear();
   std::vector<FacePointer> missing;
-  if (!self.FindMissing(faces, missing))
+  if (!this->FindMissing(faces, missing))
   {
     return false;
   }
   if (!missing.empty())
   {
-    self.ForgetDead();
+    // No model has such a face any more, and nobody what it was cut into.
+    this->Faces.RemoveIf(
+      [](const CutFacePointer& face) { return face.use_count() == 1 && face->Source.use_count() == 1; });
   }
   for (std::size_t begin = 0; begin < missing.size(); begin += CutsPerReport)
   {
     if (progress && !progress(static_cast<double>(begin) / missing.size()))
     {
-      self.Evict();
-      return self.Fail("aborted");
+      this->Faces.EndRun();
+      return this->Fail("aborted");
     }
     const std::size_t count = std::min(CutsPerReport, missing.size() - begin);
     std::vector<CutFacePointer> portion(count);
@@ -188,46 +114,18 @@ bool FacePanelsCache::Acquire(
           portion[i] = Cut(missing[begin + i]);
         }
       });
-    std::for_each(portion.begin(), portion.end(), [&self](const CutFacePointer& face) { self.Keep(face); });
-    self.Cuts += count;
+    for (const CutFacePointer& face : portion)
+    {
+      this->Faces.Store(face->Source->Id, {}, face, CountBytes(*face));
+    }
+    this->Cuts += count;
   }
   cut.reserve(faces.size());
   for (const FacePointer& face : faces)
   {
-    cut.push_back(self.Faces.at(face->Id).Face);
+    cut.push_back(*this->Faces.Find(face->Id, {}));
   }
-  self.Evict();
+  this->Faces.EndRun();
   return true;
-}
-
-void FacePanelsCache::Clear()
-{
-  this->Implementation->Faces.clear();
-  this->Implementation->Bytes = 0;
-}
-
-std::size_t FacePanelsCache::GetNumberOfFaces() const
-{
-  return this->Implementation->Faces.size();
-}
-
-std::size_t FacePanelsCache::GetBytes() const
-{
-  return this->Implementation->Bytes;
-}
-
-std::uint64_t FacePanelsCache::GetNumberOfCuts() const
-{
-  return this->Implementation->Cuts;
-}
-
-std::uint64_t FacePanelsCache::GetNumberOfEvictions() const
-{
-  return this->Implementation->Evictions;
-}
-
-const std::string& FacePanelsCache::GetError() const
-{
-  return this->Implementation->Error;
 }
 }

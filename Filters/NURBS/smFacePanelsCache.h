@@ -8,11 +8,11 @@
 #include "smFiltersNURBSModule.h"
 #include "smProgressCallback.h"
 
+#include "smFaceCache.h"
 #include "smFacePanels.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,47 +38,48 @@ struct CutFace
 };
 using CutFacePointer = std::shared_ptr<const CutFace>;
 
+/// Bytes of what a face was cut into.
+SMFILTERSNURBS_EXPORT std::size_t CountBytes(const CutFace& face);
+
 /**
  * Cuts faces (BuildFacePanels) in parallel, by vtkSMPTools, and keeps them by their ids, so that a face is cut once. Faces that
- * nobody else has any more, as after an edit, are forgotten before others are cut. When the bytes exceed the budget, the faces
- * asked for longest ago are forgotten, those of the last request last; whoever holds a pointer keeps its face alive. What a face is cut into depends on the face alone: forgotten and cut again,
- * it is the same.
+ * nobody else has any more, as after an edit, are forgotten before others are cut. When the budget is spent, the faces asked for
+ * longest ago are forgotten; whoever holds a pointer keeps its face alive. What a face is cut into depends on the face alone: forgotten
+ * and cut again, it is the same.
  *
  * Not thread safe: one thread at a time calls Acquire().
  */
 class SMFILTERSNURBS_EXPORT FacePanelsCache
 {
 public:
-  FacePanelsCache();
-  ~FacePanelsCache();
-  FacePanelsCache(const FacePanelsCache&) = delete;
-  FacePanelsCache& operator=(const FacePanelsCache&) = delete;
-
-  /// Bytes that cut faces may take together; default 1 GiB. One request may exceed it while it is used.
-  void SetBudget(std::size_t bytes);
+  explicit FacePanelsCache(CacheBudget& budget = CacheBudget::GetProcessBudget());
 
   /// `cut` gets one entry per face, never null. `progress` (may be empty) gets the fraction done, between cuts, and
   /// returns false to stop. False, with GetError() and an empty `cut`, when stopped or when two different faces have one id;
-  /// what was cut until then is kept.
+  /// what was cut until then is kept. One request may exceed the budget while it is used.
   bool Acquire(const std::vector<FacePointer>& faces, std::vector<CutFacePointer>& cut,
     const ProgressCallback& progress);
 
   /// Forgets all faces.
-  void Clear();
+  void Clear() { this->Faces.Clear(); }
 
   ///@{
   /// Counters: faces and bytes kept now; faces cut and faces forgotten, for either reason, since construction.
-  std::size_t GetNumberOfFaces() const;
-  std::size_t GetBytes() const;
-  std::uint64_t GetNumberOfCuts() const;
-  std::uint64_t GetNumberOfEvictions() const;
+  std::size_t GetNumberOfFaces() const { return this->Faces.GetNumberOfFaces(); }
+  std::size_t GetBytes() const { return this->Faces.GetBytes(); }
+  std::uint64_t GetNumberOfCuts() const { return this->Cuts; }
+  std::uint64_t GetNumberOfEvictions() const { return this->Cuts - this->Faces.GetNumberOfFaces(); }
   ///@}
 
-  const std::string& GetError() const;
+  const std::string& GetError() const { return this->Error; }
 
 private:
-  struct Internals;
-  std::unique_ptr<Internals> Implementation;
+  bool Fail(const std::string& what);
+  bool FindMissing(const std::vector<FacePointer>& faces, std::vector<FacePointer>& missing);
+
+  FaceCache<NoKey, CutFacePointer> Faces;
+  std::uint64_t Cuts = 0;
+  std::string Error;
 };
 }
 

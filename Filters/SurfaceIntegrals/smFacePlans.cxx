@@ -12,6 +12,13 @@ namespace sm
 {
 namespace
 {
+std::size_t CountBytes(const FacePlan& plan)
+{
+  return sizeof(FacePlan) + plan.Items.capacity() * sizeof(PlannedItem) +
+    (plan.QuadratureBound.capacity() + plan.ConversionBound.capacity() + plan.Magnitude.capacity()) *
+    sizeof(double);
+}
+
 // Faces planned between two reports of progress.
 constexpr std::size_t PlansPerReport = 256;
 // Portions that a thread takes at a time.
@@ -60,7 +67,7 @@ bool FacePlans::SetIntegrands(const std::vector<Integrand>& integrands, int stri
 {
   this->Classes.clear();
   this->ClassOf.clear();
-  this->Memory.clear();
+  this->Kept.Clear();
   this->Plans.clear();
   this->StripPoints = stripPoints;
   for (const Integrand& integrand : integrands)
@@ -80,6 +87,13 @@ bool FacePlans::SetIntegrands(const std::vector<Integrand>& integrands, int stri
   return true;
 }
 
+void FacePlans::Clear()
+{
+  this->Kept.Clear();
+  this->Plans.clear();
+  this->Requests.clear();
+}
+
 bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vector<CutFacePointer>& faces,
   const ProgressCallback& progress)
 {
@@ -96,10 +110,9 @@ bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vec
     std::vector<std::pair<std::size_t, std::size_t>> work;
     for (std::size_t i = begin; i < end; ++i)
     {
-      const auto known = this->Memory.find(faces[i]->Source->Id);
-      if (known != this->Memory.end() && known->second.Request == requests[i])
+      if (const auto* known = this->Kept.Find(faces[i]->Source->Id, requests[i]))
       {
-        this->Plans[i] = known->second.Plan;
+        this->Plans[i] = *known;
         continue;
       }
       portions.emplace_back(GetNumberOfPortions(faces[i]->Panels));
@@ -172,11 +185,11 @@ bool FacePlans::Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFa
       }
     }
   }
-  this->Memory.clear();
   for (std::size_t i = 0; i < tasks.size(); ++i)
   {
-    this->Memory.emplace(faces[i]->Source->Id, Known{ requests[i], this->Plans[i] });
+    this->Kept.Store(faces[i]->Source->Id, requests[i], this->Plans[i], CountBytes(*this->Plans[i]));
   }
+  this->Kept.EndRun();
   this->Requests = std::move(requests);
   return true;
 }

@@ -5,6 +5,7 @@
 #ifndef smFacePlans_h
 #define smFacePlans_h
 
+#include "smFaceCache.h"
 #include "smFacePanelsCache.h"
 #include "smIntegrand.h"
 #include "smProgressCallback.h"
@@ -25,6 +26,8 @@ class FacePlans
 public:
   /// False when an integrand has no theory, so that nothing can be planned. Forgets all plans.
   bool SetIntegrands(const std::vector<Integrand>& integrands, int stripPoints);
+  /// Forgets all plans.
+  void Clear();
   /// The class that bounds an integrand, an index into a plan's bounds.
   std::size_t GetClass(std::size_t integrand) const { return this->ClassOf[integrand]; }
   const BoundClass& GetBoundClass(std::size_t integrand) const
@@ -48,11 +51,6 @@ public:
   int GetLoosenings() const { return this->Loosenings; }
 
 private:
-  struct Known
-  {
-    PlanRequest Request;
-    std::shared_ptr<const FacePlan> Plan;
-  };
   bool PlanAll(const std::vector<PlanRequest>& requests, const std::vector<CutFacePointer>& faces,
     const ProgressCallback& progress);
 
@@ -61,8 +59,7 @@ private:
   int StripPoints = 3;
   std::vector<std::shared_ptr<const FacePlan>> Plans;
   std::vector<PlanRequest> Requests;
-  /// By id of the face: the last run's.
-  std::unordered_map<std::uint64_t, Known> Memory;
+  FaceCache<PlanRequest, std::shared_ptr<const FacePlan>> Kept{ CacheBudget::GetProcessBudget(), 1 };
   int Loosenings = 0;
 };
 }

@@ -1,55 +1,16 @@
 #include "smFaceResultCache.h"
 
-#include <algorithm>
-
 namespace sm
 {
-namespace
+std::size_t CountBytes(const FaceIntegrals& result)
 {
-constexpr std::uint64_t RunsKept = 8;
-}
-
-const FaceIntegrals* FaceResultCache::Find(std::uint64_t face, const FaceResultKey& question)
-{
-  const auto found = this->Faces.find(face);
-  if (found == this->Faces.end())
+  std::size_t bytes =
+    sizeof(FaceIntegrals) + result.Gaps.capacity() * sizeof(CoedgeGap) + result.Error.capacity();
+  for (const std::vector<double>* values :
+    { &result.Face, &result.Closing, &result.QuadratureError, &result.Rounding, &result.Conversion })
   {
-    return nullptr;
+    bytes += values->capacity() * sizeof(double);
   }
-  for (Entry& entry : found->second)
-  {
-    if (entry.Question == question)
-    {
-      entry.LastRun = this->Run;
-      return &entry.Result;
-    }
-  }
-  return nullptr;
-}
-
-void FaceResultCache::Store(std::uint64_t face, const FaceResultKey& question, const FaceIntegrals& result)
-{
-  if (!this->Find(face, question))
-  {
-    this->Faces[face].push_back({ question, result, this->Run });
-  }
-}
-
-void FaceResultCache::EndRun()
-{
-  ++this->Run;
-  for (auto face = this->Faces.begin(); face != this->Faces.end();)
-  {
-    std::vector<Entry>& entries = face->second;
-    entries.erase(std::remove_if(entries.begin(), entries.end(),
-                    [this](const Entry& entry) { return entry.LastRun + RunsKept < this->Run; }),
-      entries.end());
-    face = entries.empty() ? this->Faces.erase(face) : std::next(face);
-  }
-}
-
-void FaceResultCache::Forget()
-{
-  this->Faces.clear();
+  return bytes;
 }
 }

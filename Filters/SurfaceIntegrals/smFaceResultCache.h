@@ -5,13 +5,13 @@
 #ifndef smFaceResultCache_h
 #define smFaceResultCache_h
 
+#include "smFaceCache.h"
+#include "smFaceIntegrals.h"
 #include "smQuadraturePlan.h"
-#include "smSurfaceIntegrator.h"
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <unordered_map>
+#include <memory>
 #include <vector>
 
 namespace sm
@@ -32,28 +32,10 @@ struct FaceResultKey
   }
 };
 
-/// Forgets what was not asked for in the last 8 runs. Not thread safe.
-class FaceResultCache
-{
-public:
-  /// Null when it is not known. The pointer is good until the next Store(), EndRun() or Forget().
-  const FaceIntegrals* Find(std::uint64_t face, const FaceResultKey& question);
-  void Store(std::uint64_t face, const FaceResultKey& question, const FaceIntegrals& result);
-  void EndRun();
-  void Forget();
-  std::size_t GetNumberOfFaces() const { return this->Faces.size(); }
+using FaceResultCache = FaceCache<FaceResultKey, std::shared_ptr<const FaceIntegrals>>;
 
-private:
-  struct Entry
-  {
-    FaceResultKey Question;
-    FaceIntegrals Result;
-    std::uint64_t LastRun;
-  };
-  /// A face that stands in several places has an entry for each.
-  std::unordered_map<std::uint64_t, std::vector<Entry>> Faces;
-  std::uint64_t Run = 0;
-};
+/// Bytes of a result.
+std::size_t CountBytes(const FaceIntegrals& result);
 }
 
 #endif

@@ -77,7 +77,7 @@ void SurfaceIntegrator::Internals::Configure()
   {
     return;
   }
-  this->Memory.Forget();
+  this->Results.Clear();
   this->Chosen.clear();
   this->ChosenIntegrands.clear();
   this->Obstacles.clear();
@@ -105,7 +105,7 @@ std::size_t SurfaceIntegrator::Internals::GetNumberOfItems(std::size_t face) con
   return this->Planned ? this->Plans.Get(face).Items.size() : this->Faces[face]->GetNumberOfItems();
 }
 
-FaceResultKey SurfaceIntegrator::Internals::GetQuestion(const FaceTask& task, std::size_t index) const
+FaceResultKey SurfaceIntegrator::Internals::GetResultKey(const FaceTask& task, std::size_t index) const
 {
   FaceResultKey question;
   question.Tolerances = task.Tolerances;
@@ -141,12 +141,12 @@ bool SurfaceIntegrator::Internals::RunAll(
   for (std::size_t i = 0; i < tasks.size() && this->Failure.empty(); ++i)
   {
     const CutFace& cut = *this->Faces[i];
-    const FaceIntegrals* known = this->CacheFaceResults
-      ? this->Memory.Find(tasks[i].Source->Id, this->GetQuestion(tasks[i], i))
+    const std::shared_ptr<const FaceIntegrals>* known = this->CacheFaceResults
+      ? this->Results.Find(tasks[i].Source->Id, this->GetResultKey(tasks[i], i))
       : nullptr;
     if (known)
     {
-      results[i] = *known;
+      results[i] = **known;
       continue;
     }
     this->ItemsTotal += this->GetNumberOfItems(i);
@@ -362,7 +362,7 @@ void SurfaceIntegrator::SetCacheFaceResults(bool cache)
 
 void SurfaceIntegrator::ForgetFaces()
 {
-  this->Implementation->Memory.Forget();
+  this->Implementation->Results.Clear();
 }
 
 void SurfaceIntegrator::ReleaseMemory()
@@ -371,7 +371,8 @@ void SurfaceIntegrator::ReleaseMemory()
   self.Runner.reset();
   self.Configured = false;
   self.Cuts.Clear();
-  self.Memory.Forget();
+  self.Results.Clear();
+  self.Plans.Clear();
   self.Shares.Forget();
   self.Received = ReceivedFaces();
 }
@@ -402,7 +403,7 @@ bool SurfaceIntegrator::Integrate(
   if (ok)
   {
     // One that was stopped before asked for no face.
-    self.Memory.EndRun();
+    self.Results.EndRun();
   }
   self.Progress = nullptr;
   return ok;

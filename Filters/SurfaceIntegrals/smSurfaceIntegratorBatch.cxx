@@ -44,7 +44,9 @@ void SurfaceIntegrator::Internals::Store(const std::vector<FaceTask>& tasks,
        ++i)
   {
     const FaceTask& task = tasks[batch[i]];
-    this->Memory.Store(task.Source->Id, this->GetQuestion(task, batch[i]), results[batch[i]]);
+    auto result = std::make_shared<const FaceIntegrals>(results[batch[i]]);
+    const std::size_t bytes = CountBytes(*result);
+    this->Results.Store(task.Source->Id, this->GetResultKey(task, batch[i]), std::move(result), bytes);
   }
 }
 

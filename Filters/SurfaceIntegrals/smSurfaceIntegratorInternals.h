@@ -21,7 +21,7 @@ struct SurfaceIntegrator::Internals
   std::unique_ptr<ItemRunner> Runner;
   FacePanelsCache Cuts;
   FacePlans Plans;
-  FaceResultCache Memory;
+  FaceResultCache Results;
   bool CacheFaceResults = true;
   /// All integrands have a theory.
   bool Planned = false;
@@ -89,7 +89,7 @@ struct SurfaceIntegrator::Internals
   void Configure();
   bool Prepare(const std::vector<FaceTask>& tasks);
   std::size_t GetNumberOfItems(std::size_t face) const;
-  FaceResultKey GetQuestion(const FaceTask& task, std::size_t index) const;
+  FaceResultKey GetResultKey(const FaceTask& task, std::size_t index) const;
   void Skip(const std::vector<std::size_t>& faces, std::vector<FaceIntegrals>& results) const;
   bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
   bool RunBatches(const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& batches,

@@ -390,7 +390,7 @@ bool SurfaceIntegrator::RunAsWorker(int root, const ProgressCallback& progress)
   self.Run(tasks, results);
   const bool isLost = !self.IsShared;
   self.IsShared = false;
-  self.Memory.EndRun();
+  self.Results.EndRun();
   self.Progress = nullptr;
   const std::int64_t more = (self.Device.CountDispatches ? self.Device.CountDispatches() : 0) - dispatches;
   return (!isLost && self.Exchange->Gather(root, self.MakeResults(results, more), nobody)) ||

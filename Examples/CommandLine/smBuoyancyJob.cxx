@@ -1,0 +1,77 @@
+#include "smBuoyancyJob.h"
+
+#include "smBuoyancyNames.h"
+#include "smMessageList.h"
+#include "smQuantities.h"
+#include "smUserIntegrals.h"
+
+#include "vtkBuoyancy.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSTEPReader.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+using sm::Json;
+namespace names = sm::names;
+
+/// A row of field data or of a table.
+Json Describe(vtkFieldData* data, vtkIdType row)
+{
+  const std::string bound = names::BoundSuffix;
+  Json found;
+  found["volume"] = sm::GetNumber(data, row, names::DisplacedVolume);
+  found["center"] = sm::GetPoint(data, row, names::CenterOfBuoyancy);
+  found["bounds"] = { { "volume", sm::GetNumber(data, row, names::DisplacedVolume + bound) },
+    { "center", sm::GetNumber(data, row, names::CenterOfBuoyancy + bound) } };
+  return found;
+}
+}
+
+namespace sm
+{
+void IntegrateBelowWaterlines(vtkSTEPReader* reader, const JobOptions& options,
+  const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
+{
+  if (options.Waterlines.empty())
+  {
+    return;
+  }
+  const std::array<double, 3>& up = options.Up;
+  const double largest = std::max({ std::abs(up[0]), std::abs(up[1]), std::abs(up[2]) });
+  const std::array<double, 3> scaled = { up[0] / largest, up[1] / largest, up[2] / largest };
+  const double length = std::hypot(scaled[0], scaled[1], scaled[2]);
+  vtkNew<vtkBuoyancy> filter;
+  SetUpFilter(filter, options);
+  filter->SetRelativeTolerance(options.Tolerance);
+  filter->SetNormal(scaled.data());
+  filter->SetInputConnection(reader->GetOutputPort());
+  for (const double height : options.Waterlines)
+  {
+    const double along = height / length;
+    filter->SetPoint(along * scaled[0], along * scaled[1], along * scaled[2]);
+    update(filter);
+    const auto add = [&](Json& entry, vtkFieldData* data, vtkIdType row)
+    {
+      Json waterline = { { "height", height }, { "up", up } };
+      waterline.update(Describe(data, row));
+      entry["waterlines"].push_back(waterline);
+    };
+    add(file, filter->GetOutput()->GetFieldData(), 0);
+    vtkIdType row = 0;
+    for (Json& solid : file["solids"])
+    {
+      add(solid, vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData(), row);
+      ++row;
+    }
+    AddEffort(filter, file, messages);
+  }
+}
+}

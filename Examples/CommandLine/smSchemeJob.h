@@ -1,0 +1,34 @@
+/**
+ * @file smSchemeJob.h
+ * @brief Mass properties by the schemes of the paper: the filter, its part of the JSON, its trim textures as PNG files
+ */
+#ifndef smSchemeJob_h
+#define smSchemeJob_h
+
+#include "smFileJob.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+
+class vtkFieldData;
+class vtkMassPropertiesBase;
+
+namespace sm
+{
+/// A filter for the scheme of the options, which is none but "midpoint", "gauss2" and "gauss3".
+vtkSmartPointer<vtkMassPropertiesBase> MakeSchemeFilter(const JobOptions& options);
+
+/// What such a filter integrates with; null for any other.
+Json GetSchemeOptions(vtkMassPropertiesBase* filter);
+
+/// The paper's estimates of the error and the number of sub-patches in a row of field data or of a table; null where they are not.
+Json GetSchemeQuantities(vtkFieldData* data, vtkIdType row);
+
+/// Writes the textures that the last run kept, v upwards, white in the face: PREFIX-NAME.png, NAME the texture's with everything but
+/// letters, digits and points as dashes; -2, -3 … where names are equal. Returns why it could not, empty when it could.
+std::string WriteTrimPictures(vtkMassPropertiesBase* filter, const std::string& prefix);
+}
+
+#endif
