@@ -17,6 +17,11 @@ solidmoments_add_test(NAME ExampleMassPropertiesPipelineEmpty LABELS error NODIS
 set_tests_properties(ExampleMassPropertiesPipelineEmpty PROPERTIES
   PASS_REGULAR_EXPRESSION "There is nothing to show" FAIL_REGULAR_EXPRESSION "volume")
 
+# A dataset built by hand, against closed forms.
+solidmoments_add_test(NAME ExampleBuildByHand LABELS value error gpu NODISPLAY
+  COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestSmallExamples.py" half-ball
+    "$<TARGET_FILE:BuildByHand>")
+
 # The interactive example: a stream of events in, values and pictures out.
 set(edit_part "${PROJECT_SOURCE_DIR}/Examples/Interactive")
 set(free_form_part "${PROJECT_SOURCE_DIR}/Examples/Models/free_form_part.step")
