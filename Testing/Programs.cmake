@@ -93,6 +93,9 @@ solidmoments_add_test_program(TestPaperFigures VTK::IOImage VTK::ImagingCore)
 solidmoments_add_test(NAME PaperFigures LABELS value image NODISPLAY FIXTURE paper_figures
   COMMAND TestPaperFigures "${paper_figures}" "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestPaperFigures.png"
     "${PROJECT_SOURCE_DIR}/Examples/Paper/images/fig1.png")
+# What the page says of the figures is in them.
+add_test(NAME PaperPage COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Examples/Paper/write_docs.py" --check "${paper_figures}")
+set_tests_properties(PaperPage PROPERTIES LABELS robust FIXTURES_REQUIRED paper_figures)
 # The solids of the figures are compiled in.
 solidmoments_add_test_program(TestTrimTextureOrder)
 foreach (source IN ITEMS smPaperSolid smSolidBuilder)
