@@ -1,5 +1,7 @@
 #include "vtkTrimmedNURBSModel.h"
 
+#include "smFormat.h"
+
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
 
@@ -7,8 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <locale>
-#include <sstream>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -22,14 +22,11 @@ std::string Count(vtkIdType count, const char* what)
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// The range of a curve's parameter; with a decimal point in every locale.
+/// The range of a curve's parameter.
 template <int Dimension>
 std::string FormatRange(const sm::PolynomialCurve<Dimension>& curve)
 {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << "[" << curve.GetStart() << ", " << curve.GetEnd() << "]";
-  return text.str();
+  return "[" + sm::FormatDigits(curve.GetStart(), 6) + ", " + sm::FormatDigits(curve.GetEnd(), 6) + "]";
 }
 
 /// All values of an array with this number of components; empty, with a sentence in `problem`, where it is not such an array.
