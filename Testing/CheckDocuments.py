@@ -2,7 +2,8 @@
 
 Without a program:
 - README has at most 130 lines;
-- every relative link of a Markdown file leads to a file and, behind a '#', to a heading of it;
+- every relative link of a Markdown file leads to a file and, behind a '#', to a heading of it, and every path of the tree that is
+  named in code (`Testing/run.sh`) exists; CHANGELOG may name what is gone;
 - every code block in C++ or Python follows a line <!-- Snippet: EXAMPLE [MARK] -->, and is the region of that example between two comment
   lines "// [MARK]" or "# [MARK]", which CTest builds or runs; the indentation of the region is taken off.
 With a program:
@@ -26,6 +27,9 @@ SNIPPET = re.compile(r"(?P<head><!-- Snippet: (?P<example>\S+) \[(?P<mark>[^]]+)
                      re.DOTALL | re.MULTILINE)
 SAMPLE = re.compile(r"(?P<head><!-- Sample: (?P<file>\S+) -->\n```\n)(?P<text>.*?)(?=^```$)", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"\[[^]]*\]\(([^)\s]+)\)")
+PATH = re.compile(r"(?<![\w./-])(?:Documentation|Examples|Filters|ParaViewPlugin|Readers|Rendering|Testing|cmake)/[\w./-]*\w")
+# Below the build folder, where the documents say so.
+BUILT = ("Testing/output", "Testing/solids")
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e[-+]?\d+)?")
 # Bounds and gaps are printed with two digits and are sums over all samples; of other numbers the last digit may be rounded otherwise.
 BOUND_FACTOR = 1.5
@@ -87,6 +91,12 @@ def check_links(checker, path, text):
             checker.check(anchor in list_anchors(checker.read(place)), f"{path}: {place} has no heading #{anchor}")
 
 
+def check_paths(checker, path, text):
+    code = re.findall(r"^```sh$.*?^```$", text, re.DOTALL | re.MULTILINE) + re.findall(r"`[^`\n]+`", text)
+    for name in sorted({name for span in code for name in PATH.findall(span)}):
+        checker.check(name in BUILT or os.path.exists(os.path.join(checker.root, name)), f"{path}: there is no {name}")
+
+
 def get_region(checker, example, mark):
     """The marked lines of an example without their indentation; None where it has no such region."""
     comment = "#" if example.endswith(".py") else "//"
@@ -119,6 +129,8 @@ def check_files(checker):
     checker.check(lines <= README_LINES, f"README.md has {lines} lines, {README_LINES} are allowed")
     for path in checker.find_documents():
         check_links(checker, path, checker.read(path))
+        if path != "CHANGELOG.md":
+            check_paths(checker, path, checker.read(path))
         check_snippets(checker, path, checker.read(path))
 
 
