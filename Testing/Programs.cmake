@@ -17,6 +17,11 @@ solidmoments_add_test(NAME ExampleMassPropertiesPipelineEmpty LABELS error NODIS
 set_tests_properties(ExampleMassPropertiesPipelineEmpty PROPERTIES
   PASS_REGULAR_EXPRESSION "There is nothing to show" FAIL_REGULAR_EXPRESSION "volume")
 
+# A dataset built by hand, against closed forms.
+solidmoments_add_test(NAME ExampleBuildByHand LABELS value error gpu NODISPLAY
+  COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestSmallExamples.py" half-ball
+    "$<TARGET_FILE:BuildByHand>")
+
 # The interactive example: a stream of events in, values and pictures out.
 set(edit_part "${PROJECT_SOURCE_DIR}/Examples/Interactive")
 set(free_form_part "${PROJECT_SOURCE_DIR}/Examples/Models/free_form_part.step")
@@ -88,6 +93,9 @@ solidmoments_add_test_program(TestPaperFigures VTK::IOImage VTK::ImagingCore)
 solidmoments_add_test(NAME PaperFigures LABELS value image NODISPLAY FIXTURE paper_figures
   COMMAND TestPaperFigures "${paper_figures}" "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestPaperFigures.png"
     "${PROJECT_SOURCE_DIR}/Examples/Paper/images/fig1.png")
+# What the page says of the figures is in them.
+add_test(NAME PaperPage COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Examples/Paper/write_docs.py" --check "${paper_figures}")
+set_tests_properties(PaperPage PROPERTIES LABELS robust FIXTURES_REQUIRED paper_figures)
 # The solids of the figures are compiled in.
 solidmoments_add_test_program(TestTrimTextureOrder)
 foreach (source IN ITEMS smPaperSolid smSolidBuilder)

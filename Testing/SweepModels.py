@@ -1,7 +1,7 @@
 """Runs solidmoments over every real file of the models folder, at two tolerances, and compares with its reference values.
 
     SweepModels.py --program solidmoments --models FOLDER --folder UNPACKED [--exceptions FILE] [--only ID ...]
-                   [--markdown FILE] [--csv FILE] [--readme README.md]
+                   [--markdown FILE] [--csv FILE] [--document FILE.md]
 
 What must hold, at the default tolerance of 1e-9 and at 1e-12, of volume, area, centre and inertia alike (SweepJudge.py):
 - |value - reference| <= bound + uncertainty of the reference, and its squared gap where that is large;
@@ -12,8 +12,8 @@ What must hold, at the default tolerance of 1e-9 and at 1e-12, of volume, area, 
 - on the files whose CAD system wrote a precise volume, the distance from it is at least 50 times less than that of
   OpenCASCADE's BRepGProp with Eps = 1e-9.
 
-Prints a row per file while it runs and the summary that README shows; --markdown and --csv write the table (SweepTable.py),
---readme puts the summary between README's marks.
+Prints a row per file while it runs and the summary that Documentation/Numerics.md shows; --markdown and --csv write the table
+(SweepTable.py), --document puts the summary between the marks of that document.
 Exit status 0 when all of this holds. SweepExceptions.json names the files that may miss a condition, each with the reason:
 {"id": {"volume": "why", "status": "why"}}. An exception that is not needed is an error, too.
 """
@@ -120,7 +120,7 @@ def main():
     parser.add_argument("--only", action="append", help="this file only; may be given several times")
     parser.add_argument("--markdown", help="write the table and its summary there")
     parser.add_argument("--csv", help="write a row per file and tolerance there")
-    parser.add_argument("--readme", help="put the summary there")
+    parser.add_argument("--document", help="put the summary there")
     options = parser.parse_args()
     subprocess.run(["sh", os.path.join(options.models, "unpack.sh"), options.folder], check=True)
     with open(os.path.join(options.models, "reference.jsonl"), encoding="utf-8") as file:
@@ -156,10 +156,10 @@ def main():
     if options.csv:
         with open(options.csv, "w", encoding="utf-8", newline="") as file:
             SweepTable.write_csv(swept, file)
-    if options.readme:
-        with open(options.readme, encoding="utf-8") as file:
+    if options.document:
+        with open(options.document, encoding="utf-8") as file:
             text = file.read()
-        with open(options.readme, "w", encoding="utf-8") as file:
+        with open(options.document, "w", encoding="utf-8") as file:
             file.write(SweepTable.replace_summary(text, summary))
     for failure in failures:
         print("FAIL", failure)

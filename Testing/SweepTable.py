@@ -1,4 +1,4 @@
-"""The tables of SweepModels.py: a row on the console, Markdown, CSV, and the summary that README shows."""
+"""The tables of SweepModels.py: a row on the console, Markdown, CSV, and the summary that Documentation/Numerics.md shows."""
 import csv
 import statistics
 
@@ -7,7 +7,7 @@ import SweepJudge
 NAMES = {"volume": "volume", "area": "area", "center": "centre", "inertia": "inertia"}
 
 
-README_MARKS = ("<!-- SweepModels -->\n", "<!-- /SweepModels -->\n")
+DOCUMENT_MARKS = ("<!-- SweepModels -->\n", "<!-- /SweepModels -->\n")
 
 
 def number(value, form="{:.1e}"):
@@ -103,7 +103,7 @@ def middle_and_worst(values):
 
 
 def summary(swept, seconds):
-    """Markdown: what README shows."""
+    """Markdown: what Documentation/Numerics.md shows."""
     solids = [entry for entry in swept if entry.has_solids()]
     count = len(solids)
     # Where the reference vouches for twelve digits the error is the program's.
@@ -127,18 +127,18 @@ def summary(swept, seconds):
     for index, tolerance in enumerate(SweepJudge.TOLERANCES):
         leaks = [entry.runs[index].total("closure_residual") for entry in solids]
         closed = sum(1 for entry in solids if entry.runs[index].is_closed())
-        lines.append(f"Leak at {tolerance:.0e}: <= {SweepJudge.CLOSURE_LIMIT:.0e} on {closed} of {count}; median, worst "
+        lines.append(f"Closure residual at {tolerance:.0e}: <= {SweepJudge.CLOSURE_LIMIT:.0e} on {closed} of {count}; median, worst "
                      f"{middle_and_worst(leaks)}.")
     lines += occt_lines(solids)
     return "\n".join(line.rstrip() for line in lines)
 
 
-def replace_summary(readme, text):
-    before, _, rest = readme.partition(README_MARKS[0])
-    _, _, after = rest.partition(README_MARKS[1])
+def replace_summary(document, text):
+    before, _, rest = document.partition(DOCUMENT_MARKS[0])
+    _, _, after = rest.partition(DOCUMENT_MARKS[1])
     if not after:
-        raise ValueError("README has no place for the summary: " + README_MARKS[0].strip())
-    return before + README_MARKS[0] + text + "\n" + README_MARKS[1] + after
+        raise ValueError("the document has no place for the summary: " + DOCUMENT_MARKS[0].strip())
+    return before + DOCUMENT_MARKS[0] + text + "\n" + DOCUMENT_MARKS[1] + after
 
 
 def occt_lines(solids):

@@ -13,11 +13,13 @@ int main(int argc, char** argv)
     std::cerr << "usage: consumer FILE.step\n";
     return 1;
   }
+  // [ten lines]
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(argv[1]);
   vtkNew<vtkMassPropertiesGPU> mass;
   mass->SetInputConnection(reader->GetOutputPort());
   mass->Update();
   std::cout << std::setprecision(17) << mass->GetVolume() << "\n";
+  // [ten lines]
   return mass->GetStatus() == "ok" ? 0 : 2;
 }

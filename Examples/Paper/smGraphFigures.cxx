@@ -223,24 +223,39 @@ Figure MakeErrorFigure(
   return figure;
 }
 
-/// It hardly depends on the rule: that of GAUSS2, as in the paper.
+/// An estimate hardly depends on the rule: that of GAUSS2 is drawn, as in the paper. One of 0, where no sub-patch lies wholly in its
+/// face, has no logarithm and is left out.
 void AddEstimate(Figure& errors, const Study& study, const char* label, double PaperRun::*estimate)
 {
-  Series series =
-    MakeSeries(study.Runs[1], [&](const PaperRun& run) { return run.*estimate / study.Reference; });
+  Series series = MakeStyle(study.Runs[1].front().Used);
+  for (const PaperRun& run : study.Runs[1])
+  {
+    if (run.*estimate > 0.0)
+    {
+      series.X.push_back(run.Factor);
+      series.Y.push_back(run.*estimate / study.Reference);
+    }
+  }
   series.Label = label;
   series.Hue = colors::Vermillion;
   series.Symbol = Marker::None;
   errors.Content.push_back(series);
 }
 
-/// Where the exact volume is known: errors of the schemes and of ADAPTIVE, and the paper's estimate.
+/// The paper's estimate over the sub-patches that are whole, wholly in their faces, which is how the paper reads, and over all.
+void AddBothEstimates(Figure& errors, const Study& study)
+{
+  AddEstimate(errors, study, "Eq. 36, whole", &PaperRun::Estimate);
+  errors.Content.back().Dashed = true;
+  AddEstimate(errors, study, "Eq. 36, all", &PaperRun::EstimateWithBoundary);
+}
+
+/// Where the exact volume is known: errors of the schemes and of ADAPTIVE.
 Figure MakeExactErrorFigure(
   const std::string& name, const Study& study, const std::vector<int>& factors, const std::string& xTitle)
 {
   Figure figure = MakeErrorFigure(name, study, factors, xTitle);
   figure.Content.push_back(MakeLevel("ADAPTIVE", GetError(study, study.Adaptive), factors, false));
-  AddEstimate(figure, study, "paper's estimate", &PaperRun::EstimateWithBoundary);
   figure.LegendColumns = 3;
   return figure;
 }
@@ -260,6 +275,8 @@ std::vector<Figure> MakeFigure7a()
   std::vector<Figure> figures;
   figures.push_back(MakeVolumeFigure("fig7a", study, factors, xTitle, "volume / exact volume"));
   figures.push_back(MakeExactErrorFigure("fig7a_error", study, factors, xTitle));
+  // Nothing is trimmed: both estimates are the same.
+  AddEstimate(figures.back(), study, "paper's estimate", &PaperRun::EstimateWithBoundary);
   SetErrorAxis(figures.back(), ErrorTitle);
   return figures;
 }
@@ -275,6 +292,8 @@ std::vector<Figure> MakeFigure7b()
   figures.push_back(MakeVolumeFigure("fig7b", study, factors, KTitle, "volume / exact volume"));
   figures.push_back(MakeExactErrorFigure("fig7b_error", study, factors, KTitle));
   Figure& errors = figures.back();
+  AddBothEstimates(errors, study);
+  errors.LegendColumns = 4;
   Series slope;
   slope.Label = "1 / k";
   slope.Hue = colors::Grey;
@@ -303,9 +322,7 @@ std::vector<Figure> MakeFigure8(vtkDataObject* part)
   figures.push_back(MakeVolumeFigure("fig8", study, factors, KTitle, "volume / volume by ADAPTIVE"));
   figures.push_back(MakeErrorFigure("fig8_error", study, factors, KTitle));
   Figure& errors = figures.back();
-  AddEstimate(errors, study, "estimate, untrimmed", &PaperRun::Estimate);
-  errors.Content.back().Dashed = true;
-  AddEstimate(errors, study, "estimate, all", &PaperRun::EstimateWithBoundary);
+  AddBothEstimates(errors, study);
   errors.Content.push_back(
     MakeLevel("bound of ADAPTIVE", study.Adaptive.Bound / study.Reference, factors, true));
   errors.LegendColumns = 3;

@@ -1,12 +1,123 @@
 #include "vtkTrimmedNURBSModel.h"
 
+#include "smFormat.h"
+
+#include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <string>
 #include <unordered_set>
 #include <utility>
 
 vtkStandardNewMacro(vtkTrimmedNURBSModel);
+
+namespace
+{
+std::string Count(vtkIdType count, const char* what)
+{
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// The range of a curve's parameter.
+template <int Dimension>
+std::string FormatRange(const sm::PolynomialCurve<Dimension>& curve)
+{
+  return "[" + sm::FormatDigits(curve.GetStart(), 6) + ", " + sm::FormatDigits(curve.GetEnd(), 6) + "]";
+}
+
+/// All values of an array with this number of components; empty, with a sentence in `problem`, where it is not such an array.
+std::vector<double> GetValues(vtkDataArray* array, int components, const char* what, std::string& problem)
+{
+  std::vector<double> values;
+  if (!array)
+  {
+    problem = std::string("the array of ") + what + " is missing";
+    return values;
+  }
+  if (array->GetNumberOfComponents() != components)
+  {
+    problem = std::string(what) + " need " + Count(components, "component") + ", the array has " +
+      std::to_string(array->GetNumberOfComponents());
+    return values;
+  }
+  const vtkIdType tuples = array->GetNumberOfTuples();
+  for (vtkIdType i = 0; i < tuples; ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      values.push_back(array->GetComponent(i, c));
+      if (!std::isfinite(values.back()))
+      {
+        problem = "tuple " + std::to_string(i) + " of the " + what + " is not finite";
+        return {};
+      }
+    }
+  }
+  return values;
+}
+
+/// Fills a curve of which Breaks and Coefficients are empty; returns what is wrong, or an empty string.
+template <int Dimension>
+std::string MakeCurve(
+  vtkDataArray* breaks, vtkDataArray* coefficients, double residual, sm::PolynomialCurve<Dimension>& curve)
+{
+  std::string problem;
+  curve.Breaks = GetValues(breaks, 1, "breaks", problem);
+  const std::vector<double> values =
+    problem.empty() ? GetValues(coefficients, Dimension, "coefficients", problem) : std::vector<double>();
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  const auto pieces = static_cast<vtkIdType>(curve.Breaks.size()) - 1;
+  const auto points = static_cast<vtkIdType>(values.size()) / Dimension;
+  if (pieces < 1)
+  {
+    return "a curve needs two breaks or more, there " + std::string(pieces < 0 ? "is none" : "is one");
+  }
+  for (vtkIdType i = 0; i < pieces; ++i)
+  {
+    if (!(curve.Breaks[i] < curve.Breaks[i + 1]))
+    {
+      return "breaks have to increase, break " + std::to_string(i + 1) + " does not";
+    }
+  }
+  const vtkIdType degree = (points - 1) / pieces;
+  if (points < 1 || degree * pieces != points - 1 || (degree == 0 && pieces > 1))
+  {
+    return Count(points, "coefficient") + " do not fit " + Count(pieces, "piece") +
+      " of one degree: a curve has pieces * degree + 1";
+  }
+  if (degree > sm::MaximumDegree)
+  {
+    return "the degree " + std::to_string(degree) + " is above " + std::to_string(sm::MaximumDegree);
+  }
+  if (!(residual >= 0.0) || !std::isfinite(residual))
+  {
+    return "the residual has to be finite and not negative";
+  }
+  std::vector<std::array<double, Dimension>> piece(degree + 1);
+  const std::vector<double> ends(curve.Breaks.begin() + 1, curve.Breaks.end());
+  curve.Breaks.resize(1);
+  for (vtkIdType k = 0; k < pieces; ++k)
+  {
+    for (vtkIdType i = 0; i <= degree; ++i)
+    {
+      for (int d = 0; d < Dimension; ++d)
+      {
+        piece[i][d] = values[(k * degree + i) * Dimension + d];
+      }
+    }
+    curve.AppendPiece(ends[k], piece.data(), static_cast<int>(degree));
+  }
+  curve.Residual.fill(residual);
+  return {};
+}
+}
 
 vtkTrimmedNURBSModel::vtkTrimmedNURBSModel()
   : FileVolume(std::numeric_limits<double>::quiet_NaN())
@@ -75,6 +186,119 @@ void vtkTrimmedNURBSModel::SetMessages(std::vector<std::string> messages)
   this->Modified();
 }
 
+int vtkTrimmedNURBSModel::AddEdge(vtkDataArray* breaks, vtkDataArray* coefficients, double residual)
+{
+  auto edge = std::make_shared<sm::Edge>();
+  const std::string problem = MakeCurve(breaks, coefficients, residual, edge->Curve);
+  if (!problem.empty())
+  {
+    vtkErrorMacro("AddEdge: " << problem << ".");
+    return -1;
+  }
+  edge->Id = sm::NewId();
+  edge->StartVertex = edge->Curve.GetStartPoint();
+  edge->EndVertex = edge->Curve.GetEndPoint();
+  edge->Degenerate = edge->Curve.Coefficients.size() == 1;
+  this->AddedEdges.push_back(edge);
+  return static_cast<int>(this->AddedEdges.size()) - 1;
+}
+
+int vtkTrimmedNURBSModel::AddFace(int degreeU, vtkDataArray* knotsU, int degreeV, vtkDataArray* knotsV,
+  vtkDataArray* controlPoints, bool reversed)
+{
+  auto face = std::make_shared<sm::Face>();
+  sm::NURBSSurface& surface = face->Surface;
+  surface.Degree[0] = degreeU;
+  surface.Degree[1] = degreeV;
+  std::string problem;
+  surface.Knots[0] = GetValues(knotsU, 1, "knots in u", problem);
+  if (problem.empty())
+  {
+    surface.Knots[1] = GetValues(knotsV, 1, "knots in v", problem);
+  }
+  const int components = controlPoints && controlPoints->GetNumberOfComponents() == 3 ? 3 : 4;
+  std::vector<double> values;
+  if (problem.empty())
+  {
+    values = GetValues(controlPoints, components, "control points", problem);
+  }
+  for (std::size_t i = 0; i < values.size(); i += components)
+  {
+    surface.ControlPoints.push_back(
+      { values[i], values[i + 1], values[i + 2], components == 4 ? values[i + 3] : 1.0 });
+    surface.Rational = surface.Rational || surface.ControlPoints.back()[3] != surface.ControlPoints[0][3];
+  }
+  for (int d = 0; d < 2; ++d)
+  {
+    surface.NumberOfControlPoints[d] =
+      static_cast<int>(surface.Knots[d].size()) - std::clamp(surface.Degree[d], 0, sm::MaximumDegree) - 1;
+  }
+  if (problem.empty())
+  {
+    problem = surface.Check();
+  }
+  if (!problem.empty())
+  {
+    vtkErrorMacro("AddFace: " << problem << ".");
+    return -1;
+  }
+  face->Id = sm::NewId();
+  face->Reversed = reversed;
+  this->Faces.push_back(face);
+  this->Modified();
+  return static_cast<int>(this->Faces.size()) - 1;
+}
+
+bool vtkTrimmedNURBSModel::AddCoedge(int face, int loop, int edge, bool reversed, vtkDataArray* breaks,
+  vtkDataArray* coefficients, double residual)
+{
+  std::string problem;
+  sm::Coedge coedge;
+  if (face < 0 || face >= this->GetNumberOfFaces())
+  {
+    problem = "face " + std::to_string(face) + " does not exist, there are " +
+      std::to_string(this->GetNumberOfFaces());
+  }
+  else if (loop < 0 || loop > static_cast<int>(this->Faces[face]->Loops.size()))
+  {
+    problem = "loop " + std::to_string(loop) + " of face " + std::to_string(face) +
+      " is neither one of its " + std::to_string(this->Faces[face]->Loops.size()) + " loops nor the next one";
+  }
+  else if (edge < 0 || edge >= static_cast<int>(this->AddedEdges.size()))
+  {
+    problem = "edge " + std::to_string(edge) + " does not exist, AddEdge() has added " +
+      std::to_string(this->AddedEdges.size());
+  }
+  else
+  {
+    problem = MakeCurve(breaks, coefficients, residual, coedge.Curve);
+  }
+  if (problem.empty())
+  {
+    coedge.Use = this->AddedEdges[edge];
+    const sm::EdgeCurve& curve = coedge.Use->Curve;
+    if (coedge.Curve.GetStart() != curve.GetStart() || coedge.Curve.GetEnd() != curve.GetEnd())
+    {
+      problem = "the trim curve runs over " + FormatRange(coedge.Curve) + ", edge " + std::to_string(edge) +
+        " over " + FormatRange(curve) + ": give both the same range";
+    }
+  }
+  if (!problem.empty())
+  {
+    vtkErrorMacro("AddCoedge: " << problem << ".");
+    return false;
+  }
+  coedge.Reversed = reversed;
+  // Faces are immutable values: others may share this one.
+  auto changed = std::make_shared<sm::Face>(*this->Faces[face]);
+  changed->Id = sm::NewId();
+  changed->Loops.resize(std::max(changed->Loops.size(), static_cast<std::size_t>(loop) + 1));
+  changed->Loops[loop].Coedges.push_back(std::move(coedge));
+  this->Faces[face] = std::move(changed);
+  this->Modified();
+  return true;
+}
+
 void vtkTrimmedNURBSModel::ShallowCopy(vtkTrimmedNURBSModel* source)
 {
   if (!source || source == this)
@@ -105,6 +329,7 @@ void vtkTrimmedNURBSModel::ShallowCopy(vtkTrimmedNURBSModel* source)
   this->Faces = source->Faces;
   this->Shells = source->Shells;
   this->Messages = source->Messages;
+  this->AddedEdges = source->AddedEdges;
   this->Modified();
 }
 

@@ -19,8 +19,11 @@
 
 #include "smFace.h" // for FacePointer
 
+#include <memory> // for std::shared_ptr
 #include <string> // for std::string
 #include <vector> // for std::vector
+
+class vtkDataArray;
 
 class SMFILTERSNURBS_EXPORT vtkTrimmedNURBSModel : public vtkObject
 {
@@ -103,6 +106,42 @@ public:
   /** Number of distinct edges that the faces use. */
   vtkIdType GetNumberOfEdges() const;
 
+  ///@{
+  /**
+   * Builds the body from arrays: edges first, then faces, then the coedges of each face's loops. C++ can make sm::Face objects and
+   * hand them to SetFaces() instead. Coordinates are relative to Origin, in LengthUnit. Documentation/DeveloperGuide.md, "Build a
+   * dataset by hand", has a complete example.
+   *
+   * Curves are piecewise polynomials in Bernstein form, all pieces of one degree d (at most 25): `breaks` holds the n + 1
+   * increasing parameters where the n pieces begin and end, `coefficients` holds n d + 1 tuples; the last coefficient of a piece is
+   * the first of the next. A curve that is not polynomial, a circle for example, has to be fitted; `residual` is then the largest
+   * distance of the fit from the curve in any coordinate (not negative, 0: exact), and the bounds of the results include it.
+   *
+   * AddEdge() adds the curve in space (3 components) that the faces on both sides of an edge share; its first and last points are the
+   * vertices. One coefficient over one interval makes a degenerate edge, the pole of a sphere. Any curve near the faces'
+   * common boundary will do: the integrals close the gap between a face and its edge.
+   *
+   * AddFace() adds a B-spline surface. Knots do not decrease; there are (degree + 1 + number of control points) of them in each
+   * direction. `controlPoints` holds all control points, u fastest: 4 components are homogeneous coordinates (w x, w y, w z, w) with
+   * w > 0, 3 components are points of weight 1. With `reversed` the outward normal is -(Su x Sv). Without a coedge the face covers the
+   * whole domain of the surface, but only coedges connect it with other faces: a solid has coedges along all boundaries.
+   *
+   * AddCoedge() appends a use of the edge to a loop of the face: 0 to the number of its loops, which begins a new one. Coedges of a
+   * loop follow each other counter-clockwise in the (u,v) plane, with the face on their left, whatever `reversed` of the face
+   * says; holes run clockwise. `reversed` says that the loop runs against the parameter of the edge. The trim curve has 2 components
+   * (u, v) and runs over the same parameter range as the edge, in the direction of the edge. The face becomes a new face with a new id.
+   *
+   * Both Add methods return the index of what they added, AddCoedge() returns true. A missing array, a wrong number of
+   * components or values, a value that is not finite, an index that does not exist, and whatever NURBSSurface::Check() refuses
+   * are errors: they return -1 or false and change nothing.
+   */
+  int AddEdge(vtkDataArray* breaks, vtkDataArray* coefficients, double residual = 0.0);
+  int AddFace(int degreeU, vtkDataArray* knotsU, int degreeV, vtkDataArray* knotsV,
+    vtkDataArray* controlPoints, bool reversed = false);
+  bool AddCoedge(int face, int loop, int edge, bool reversed, vtkDataArray* breaks,
+    vtkDataArray* coefficients, double residual = 0.0);
+  ///@}
+
 #ifndef __VTK_WRAP__
   const std::vector<sm::FacePointer>& GetFaces() const
   {
@@ -159,6 +198,8 @@ private:
   std::vector<sm::FacePointer> Faces;
   std::vector<std::vector<int>> Shells;
   std::vector<std::string> Messages;
+  /// Of AddEdge(), by index.
+  std::vector<std::shared_ptr<const sm::Edge>> AddedEdges;
 };
 
 #endif

@@ -168,9 +168,14 @@ std::vector<SpecialFile> WriteSpecialFiles(const std::string& folder)
   WriteText(add("truncated"), whole.substr(0, whole.size() / 2));
   files.push_back({ "junk_header", "junk_header.step", 1, Box(30, 20, 10), std::sqrt(1400.0) });
   WriteText(folder + "/junk_header.step", "s\n" + whole);
-  files.push_back(
-    { "cone_tip", "cone_tip.step", 1, ConeFrustum(12, 0, 20), std::sqrt(24.0 * 24.0 * 2.0 + 400.0) });
-  WriteStep(BRepPrimAPI_MakeCone(12.0, 0.0, 20.0).Shape(), folder + "/cone_tip.step");
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(12.0, 0.0, 20.0).Shape();
+  for (const bool allDigits : { true, false })
+  {
+    const std::string name = allDigits ? "cone_tip" : "cone_tip_digits12";
+    files.push_back(
+      { name, name + ".step", 1, ConeFrustum(12, 0, 20), std::sqrt(24.0 * 24.0 * 2.0 + 400.0) });
+    WriteStep(cone, folder + "/" + name + ".step", { true, allDigits });
+  }
   files.push_back(WriteTwoSolids(folder));
   files.push_back(WriteAssembly(folder));
   return files;

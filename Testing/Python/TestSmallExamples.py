@@ -1,0 +1,70 @@
+"""TestSmallExamples.py [--solids FOLDER] half-ball|volume COMMAND...: the short examples as a user runs them.
+
+half-ball: BuildByHand or build_by_hand.py. What it prints is compared here with the closed forms of half a ball; bounds must hold and must
+be small; a wrong argument ends with a sentence and exit status 1.
+volume: volume.py on a box of the generated solids, and on a file that does not exist.
+"""
+import argparse
+import math
+import os
+import re
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
+
+NUMBER = r"(-?[0-9.]+(?:e[-+]?[0-9]+)?)"
+
+
+def run(*arguments):
+    result = subprocess.run([*options.command, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+                            timeout=200, env=dict(os.environ, PYTHONDONTWRITEBYTECODE="1"), check=False)
+    print("$", os.path.basename(options.command[-1]), *arguments, "->", result.returncode)
+    return result
+
+
+def check_half_ball(r, *arguments):
+    result = run(*arguments)
+    if not check_equal("exit status", 0, result.returncode):
+        print(result.stdout, result.stderr)
+    # Of the bound: 1e-9 of the quantity's scale is the tolerance.
+    for what, exact, scale in (("volume", 2 / 3 * math.pi * r ** 3, r ** 3), ("area", 3 * math.pi * r ** 2, r ** 2),
+                               ("height of the centre", 3 / 8 * r, r)):
+        found = re.search(rf"^{what} {NUMBER} \+/- {NUMBER}, ", result.stdout, re.MULTILINE)
+        if check_true(what + " is printed", found, "" if found else result.stdout):
+            value, bound = map(float, found.groups())
+            # 15 digits are printed.
+            check(what, exact, value, bound + 1e-14 * exact, "(its bound)")
+            check_true(what + ": the bound is a small one", 0.0 < bound <= 2e-9 * scale, f"{bound} of {scale}")
+    check_true("status", "status ok" in result.stdout)
+
+
+def half_ball():
+    check_half_ball(10.0)
+    check_half_ball(0.25, "0.25")
+    for wrong in (["-1"], ["nan"], ["x"], ["1", "2"]):
+        result = run(*wrong)
+        check_equal("a wrong argument", 1, result.returncode)
+        check_true("is explained", result.stderr.startswith("usage: "), result.stderr.strip())
+
+
+def volume():
+    box = Manifest(options.solids).solid("box")
+    result = run(box["path"])
+    check_equal("exit status", 0, result.returncode)
+    found = re.fullmatch(rf"volume {NUMBER} \+/- {NUMBER} ok\n", result.stdout)
+    if check_true("one line", found, result.stdout + result.stderr):
+        value, bound = map(float, found.groups())
+        check("volume", box["volume"], value, bound, "(its bound)")
+        check_true("the bound is a small one", 0.0 < bound <= 1e-9 * box["volume"], str(bound))
+    check_equal("no file: exit status", 3, run(box["path"] + ".missing").returncode)
+
+
+parser = argparse.ArgumentParser()
+parser.add_argument("mode", choices=("half-ball", "volume"))
+parser.add_argument("--solids")
+parser.add_argument("command", nargs=argparse.REMAINDER)
+options = parser.parse_args()
+{"half-ball": half_ball, "volume": volume}[options.mode]()
+finish()
