@@ -254,18 +254,11 @@ MassProperties::MassProperties()
   this->Gyration.fill(NaN);
 }
 
-MassProperties ComputeMassProperties(const Moments& moments)
+namespace
 {
-  MassProperties result;
-  const double v = moments.Volume;
-  const double b = moments.VolumeBound;
-  if (!std::isfinite(v))
-  {
-    return result;
-  }
-  result.Volume = v;
-  result.VolumeBound = b;
-
+/// First moments and inertia about the origin.
+void SetPropertiesAtOrigin(const Moments& moments, MassProperties& result)
+{
   Moments atOrigin = moments;
   atOrigin.MoveReference({ 0.0, 0.0, 0.0 });
   result.First = atOrigin.First;
@@ -273,11 +266,13 @@ MassProperties ComputeMassProperties(const Moments& moments)
   result.InertiaAtOrigin = InertiaOf(atOrigin.Second);
   const std::array<double, 9> originBound = InertiaBoundOf(atOrigin.SecondBound, atOrigin.Second);
   result.InertiaAtOriginBound = Largest(originBound.data(), 9);
-  if (!(b < std::abs(v)))
-  {
-    return result;
-  }
+}
 
+/// Centre of mass, and second moments and inertia about it (NUMERICS 6). Returns the bounds of the inertia's components.
+std::array<double, 9> SetCentralProperties(const Moments& moments, MassProperties& result)
+{
+  const double v = moments.Volume;
+  const double b = moments.VolumeBound;
   Vector c;
   Vector d;
   for (int i = 0; i < 3; ++i)
@@ -306,14 +301,12 @@ MassProperties ComputeMassProperties(const Moments& moments)
   result.Inertia = InertiaOf(result.Second);
   const std::array<double, 9> inertiaBound = InertiaBoundOf(bound, result.Second);
   result.InertiaBound = Largest(inertiaBound.data(), 9);
+  return inertiaBound;
+}
 
-  // Weyl: eigenvalues move by at most the largest absolute row sum of the perturbation.
-  double e = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    e = std::max(e, inertiaBound[3 * i] + inertiaBound[3 * i + 1] + inertiaBound[3 * i + 2]);
-  }
-  e += 8.0 * UnitRoundoff * Largest(result.Inertia.data(), 9);
+/// Ascending principal moments and a right-handed frame of axes, each of the first two with its largest component positive.
+void SetPrincipalAxes(MassProperties& result)
+{
   double matrix[3][3];
   double vectors[3][3];
   double* rows[3] = { matrix[0], matrix[1], matrix[2] };
@@ -334,8 +327,6 @@ MassProperties ComputeMassProperties(const Moments& moments)
       result.Axes[3 * i + j] = vectors[j][order[i]];
     }
   }
-  result.PrincipalBound = e;
-  // A right-handed frame, each of the first two axes with its largest component positive.
   for (int i = 0; i < 2; ++i)
   {
     double* axis = result.Axes.data() + 3 * i;
@@ -347,13 +338,32 @@ MassProperties ComputeMassProperties(const Moments& moments)
     }
   }
   vtkMath::Cross(result.Axes.data(), result.Axes.data() + 3, result.Axes.data() + 6);
+}
 
+/// Bounds of principal moments and axes, from those of the inertia's components.
+void SetPrincipalBounds(const std::array<double, 9>& inertiaBound, MassProperties& result)
+{
+  // Weyl: eigenvalues move by at most the largest absolute row sum of the perturbation.
+  double e = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    e = std::max(e, inertiaBound[3 * i] + inertiaBound[3 * i + 1] + inertiaBound[3 * i + 2]);
+  }
+  e += 8.0 * UnitRoundoff * Largest(result.Inertia.data(), 9);
+  result.PrincipalBound = e;
   const double gap =
     std::min(result.Principal[1] - result.Principal[0], result.Principal[2] - result.Principal[1]);
   // Coinciding moments: within the bound, or within what rounding of the file's coordinates leaves.
   result.AxesDegenerate = gap <= std::max(2.0 * e, 1e-9 * std::abs(result.Principal[2]));
   result.AxesBound = result.AxesDegenerate ? NaN : std::asin(std::min(1.0, e / (gap - e)));
+}
 
+/// Radii of gyration about the principal axes.
+void SetRadiiOfGyration(MassProperties& result)
+{
+  const double v = result.Volume;
+  const double b = result.VolumeBound;
+  const double e = result.PrincipalBound;
   result.GyrationBound = 0.0;
   for (int i = 0; i < 3; ++i)
   {
@@ -365,6 +375,27 @@ MassProperties ComputeMassProperties(const Moments& moments)
     // Not std::max, which loses a NaN; nor one that is already there.
     result.GyrationBound = error > result.GyrationBound || std::isnan(error) ? error : result.GyrationBound;
   }
+}
+}
+
+MassProperties ComputeMassProperties(const Moments& moments)
+{
+  MassProperties result;
+  if (!std::isfinite(moments.Volume))
+  {
+    return result;
+  }
+  result.Volume = moments.Volume;
+  result.VolumeBound = moments.VolumeBound;
+  SetPropertiesAtOrigin(moments, result);
+  if (!(moments.VolumeBound < std::abs(moments.Volume)))
+  {
+    return result;
+  }
+  const std::array<double, 9> inertiaBound = SetCentralProperties(moments, result);
+  SetPrincipalAxes(result);
+  SetPrincipalBounds(inertiaBound, result);
+  SetRadiiOfGyration(result);
   return result;
 }
 }

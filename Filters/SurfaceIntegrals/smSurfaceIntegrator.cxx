@@ -133,8 +133,8 @@ void SurfaceIntegrator::Internals::Skip(
   }
 }
 
-bool SurfaceIntegrator::Internals::RunAll(
-  const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results)
+bool SurfaceIntegrator::Internals::MakeBatches(const std::vector<FaceTask>& tasks,
+  std::vector<FaceIntegrals>& results, std::vector<std::vector<std::size_t>>& batches)
 {
   std::map<int, std::vector<std::size_t>> groups;
   this->ItemsTotal = 1;
@@ -155,8 +155,6 @@ bool SurfaceIntegrator::Internals::RunAll(
     results[i].Outside = cut.Panels.Outside;
     groups[this->Runner->GetGroup(i)].push_back(i);
   }
-  // Batches that have room for their rows, and that are not too much to lose.
-  std::vector<std::vector<std::size_t>> batches;
   const std::size_t rowLimit = groups.empty() ? 0 : this->Runner->GetRowLimit();
   for (const auto& [group, members] : groups)
   {
@@ -184,6 +182,18 @@ bool SurfaceIntegrator::Internals::RunAll(
   batches.erase(
     std::remove_if(batches.begin(), batches.end(), [](const auto& batch) { return batch.empty(); }),
     batches.end());
+  return true;
+}
+
+bool SurfaceIntegrator::Internals::RunAll(
+  const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results)
+{
+  std::vector<std::vector<std::size_t>> batches;
+  if (!this->Guard([&]() { return this->MakeBatches(tasks, results, batches); }) &&
+    !this->FailAlone(this->Error))
+  {
+    return false;
+  }
   return this->RunBatches(tasks, batches, results);
 }
 
@@ -195,7 +205,7 @@ bool SurfaceIntegrator::Internals::RunBatches(const std::vector<FaceTask>& tasks
   {
     if (next < batches.size())
     {
-      const bool ran = this->RunBatch(tasks, batches[next], results);
+      const bool ran = this->Guard([&]() { return this->RunBatch(tasks, batches[next], results); });
       if (!ran && !this->Aborted && !this->FailAlone(this->Error))
       {
         return false;
@@ -231,8 +241,11 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
   }
   const auto cutting = [this](double fraction) { return this->ReportProgress(CutShare * fraction); };
   std::vector<CutFacePointer> cut;
-  const bool hasCut = faces.empty() || this->Cuts.Acquire(faces, cut, cutting);
-  bool ok = hasCut || this->FailAlone(this->Cuts.GetError());
+  const bool hasCut = this->Guard(
+    [&]() {
+      return faces.empty() || this->Cuts.Acquire(faces, cut, cutting) || this->Fail(this->Cuts.GetError());
+    });
+  bool ok = hasCut || this->FailAlone(this->Error);
   double nothing = 0.0;
   if (!this->Agree(nothing) || !ok)
   {
@@ -255,11 +268,17 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
     return this->Fail("aborted");
   }
   this->Loosened = this->Planned && this->Plans.WasLoosened();
+  if (!this->Guard([this]() { return this->Plans.CheckSuccess(); }))
+  {
+    ok = this->FailAlone(this->Error);
+  }
   const auto acquiring = [this](double fraction)
   { return this->ReportProgress(CutShare + PlanShare + AcquireShare * fraction); };
-  if (works && !tasks.empty())
+  if (works && this->Failure.empty() && !tasks.empty())
   {
-    ok = this->Runner->Acquire(this->Faces, acquiring) || this->FailAlone(this->Runner->GetError());
+    ok =
+      this->Guard([&]() { return this->Runner->Acquire(this->Faces, acquiring) || this->FailByRunner(); }) ||
+      this->FailAlone(this->Error);
   }
   return this->Agree(nothing) && ok;
 }

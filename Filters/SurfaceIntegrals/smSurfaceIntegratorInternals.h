@@ -14,6 +14,9 @@
 #include "smProgressCallback.h"
 #include "smSurfaceIntegrator.h"
 
+#include <exception>
+#include <new>
+
 namespace sm
 {
 struct SurfaceIntegrator::Internals
@@ -80,6 +83,32 @@ struct SurfaceIntegrator::Internals
   }
   /// Where a rank cannot go on: in a shared run it goes on without work, and true.
   bool FailAlone(const std::string& what);
+  /// Runs a step of this rank that may throw, for want of memory. In a shared run an exception is a failure of this rank, which goes on
+  /// to agree with the others; alone it is thrown on.
+  template <typename Step>
+  bool Guard(Step&& step)
+  {
+    try
+    {
+      return step();
+    }
+    catch (const std::bad_alloc&)
+    {
+      if (!this->IsShared)
+      {
+        throw;
+      }
+      return this->Fail("there is not enough memory");
+    }
+    catch (const std::exception& error)
+    {
+      if (!this->IsShared)
+      {
+        throw;
+      }
+      return this->Fail(error.what());
+    }
+  }
   bool FailByRunner() { return this->Fail(this->Runner->GetError()); }
   bool ReportProgress(double fraction);
   bool ReportItemProgress();
@@ -92,6 +121,9 @@ struct SurfaceIntegrator::Internals
   FaceResultKey GetResultKey(const FaceTask& task, std::size_t index) const;
   void Skip(const std::vector<std::size_t>& faces, std::vector<FaceIntegrals>& results) const;
   bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
+  /// Takes known results, and parts the other faces into batches that have room for their rows and are not too much to lose.
+  bool MakeBatches(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results,
+    std::vector<std::vector<std::size_t>>& batches);
   bool RunBatches(const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& batches,
     std::vector<FaceIntegrals>& results);
   void Begin(const ProgressCallback& progress);

@@ -32,7 +32,8 @@ void CheckFound()
 
 void CheckBudget()
 {
-  sm::FacePanelsCache cache;
+  sm::CacheBudget budget(std::size_t{ 1 } << 30);
+  sm::FacePanelsCache cache(budget);
   std::vector<sm::FacePointer> faces;
   for (int i = 0; i < 10; ++i)
   {
@@ -43,7 +44,7 @@ void CheckBudget()
   const std::size_t bytes = cache.GetBytes();
   CheckTrue("bytes of a face", bytes > 16 * (sizeof(sm::Patch) + sizeof(sm::Panel)), std::to_string(bytes));
   const sm::CutFacePointer held = cut[0];
-  cache.SetBudget(3 * bytes + bytes / 2);
+  budget.SetLimit(3 * bytes + bytes / 2);
   for (const sm::FacePointer& face : faces)
   {
     cache.Acquire({ face }, cut, nullptr);
