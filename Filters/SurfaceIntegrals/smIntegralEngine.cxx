@@ -47,6 +47,25 @@ void AddTasks(const IntegralRequest& request, const BodyIntegrals& body, std::ve
 }
 }
 
+/// Shares the integrator's work with the other ranks, if there are any, until the scope ends.
+class IntegralEngine::SharingScope
+{
+public:
+  explicit SharingScope(IntegralEngine& engine)
+    : Engine(engine)
+    , Exchange(std::move(engine.Exchange))
+  {
+    engine.Integrator.SetExchange(this->Exchange.get(), engine.GetDevice());
+  }
+  ~SharingScope() { this->Engine.Integrator.SetExchange(nullptr, {}); }
+  SharingScope(const SharingScope&) = delete;
+  SharingScope& operator=(const SharingScope&) = delete;
+
+private:
+  IntegralEngine& Engine;
+  std::unique_ptr<ControllerExchange> Exchange;
+};
+
 void RunReport::SetReason(const std::string& message)
 {
   this->Messages.push_back(message);
@@ -139,6 +158,7 @@ bool IntegralEngine::RunTasks(
   const IntegralLimits& limits, const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results)
 {
   const vtkTypeUInt64 dispatches = this->Context->GetNumberOfDispatches();
+  const SharingScope sharing(*this);
   const bool done = this->Integrator.Integrate(tasks, results, limits.Progress);
   this->AddEffort(dispatches);
   this->ReportRanks();
@@ -230,19 +250,9 @@ void IntegralEngine::SpreadResults(
   results = std::move(all);
 }
 
-bool IntegralEngine::Integrate(
-  const IntegralRequest& request, const IntegralLimits& limits, std::vector<BodyIntegrals>& bodies)
+std::vector<std::size_t> IntegralEngine::MakeTasks(const IntegralRequest& request,
+  const std::vector<BodyIntegrals>& bodies, std::vector<FaceTask>& tasks) const
 {
-  const bool hasRunner = this->ChooseRunner(limits.Backend);
-  this->Integrator.SetExchange(this->Exchange.get(), this->GetDevice());
-  if (!hasRunner)
-  {
-    this->Integrator.ReleaseWorkers();
-    this->Integrator.SetExchange(nullptr, {});
-    return false;
-  }
-  this->Configure(request, limits);
-  std::vector<FaceTask> tasks;
   std::vector<std::size_t> firstTask;
   std::map<vtkTrimmedNURBSModel*, std::size_t> known;
   for (const BodyIntegrals& body : bodies)
@@ -257,11 +267,22 @@ bool IntegralEngine::Integrate(
     firstTask.push_back(tasks.size());
     AddTasks(request, body, tasks);
   }
+  return firstTask;
+}
+
+bool IntegralEngine::Integrate(
+  const IntegralRequest& request, const IntegralLimits& limits, std::vector<BodyIntegrals>& bodies)
+{
+  if (!this->ChooseRunner(limits.Backend))
+  {
+    return false;
+  }
+  this->Configure(request, limits);
+  std::vector<FaceTask> tasks;
+  const std::vector<std::size_t> firstTask = this->MakeTasks(request, bodies, tasks);
   const std::vector<std::size_t> chosen = this->ChooseTasks(request.FaceIds, tasks);
   std::vector<FaceIntegrals> results;
-  const bool done = this->RunTasks(limits, tasks, results);
-  this->Integrator.SetExchange(nullptr, {});
-  if (!done)
+  if (!this->RunTasks(limits, tasks, results))
   {
     return false;
   }
@@ -282,6 +303,35 @@ bool IntegralEngine::Integrate(
     bodies[i].Faces = faces;
   }
   return true;
+}
+
+void IntegralEngine::ReleaseWorkers()
+{
+  if (this->Exchange)
+  {
+    const SharingScope sharing(*this);
+    this->Integrator.ReleaseWorkers();
+  }
+}
+
+void IntegralEngine::RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits, int root)
+{
+  this->ChooseRunner(limits.Backend);
+  this->Configure(request, limits);
+  bool done = false;
+  {
+    const SharingScope sharing(*this);
+    done = this->Integrator.RunAsWorker(root, limits.Progress);
+  }
+  // The rank that has the faces reports what was computed here.
+  RunReport own;
+  own.Backend = this->Report.Backend;
+  own.Renderer = this->Report.Renderer;
+  this->Report = own;
+  if (!done)
+  {
+    this->Report.Messages.push_back(this->Integrator.GetError());
+  }
 }
 
 void IntegralEngine::ReleaseMemory()

@@ -124,10 +124,8 @@ public:
    * the rank that a worker works for. Collective.
    */
   Role ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies, int& root);
-  /// While the faces of a run are shared with other ranks.
-  bool IsShared() const { return this->Exchange != nullptr; }
-  /// Ends the sharing of this run.
-  void EndSharing();
+  /// Releases the ranks that wait for a share of this run, if it ended before they got one.
+  void ReleaseWorkers();
 
   /// Gives the integrator the runner that `backend` asks for and the machine has. False, with a reason in the report, without one.
   bool ChooseRunner(BackendChoice backend);
@@ -152,11 +150,16 @@ public:
   void ReleaseMemory();
 
 private:
+  class SharingScope;
+
   RankDevice GetDevice() const;
   void ReportRanks();
   void ReportIntegrands(const IntegralRequest& request);
   bool RunTasks(
     const IntegralLimits& limits, const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
+  /// Appends a task per face; returns the first task of every body.
+  std::vector<std::size_t> MakeTasks(const IntegralRequest& request, const std::vector<BodyIntegrals>& bodies,
+    std::vector<FaceTask>& tasks) const;
   std::vector<std::size_t> ChooseTasks(const std::set<int>& faceIds, std::vector<FaceTask>& tasks);
   void SpreadResults(const std::vector<std::size_t>& chosen, std::size_t integrands,
     std::vector<FaceIntegrals>& results) const;

@@ -61,11 +61,6 @@ IntegralEngine::Role IntegralEngine::ChooseRole(
   return hasInput || (inputs == 0 && exchange->GetRank() == 0) ? Role::Owner : Role::Idle;
 }
 
-void IntegralEngine::EndSharing()
-{
-  this->Exchange = nullptr;
-}
-
 RankDevice IntegralEngine::GetDevice() const
 {
   RankDevice device;
@@ -78,24 +73,6 @@ RankDevice IntegralEngine::GetDevice() const
   device.CountDispatches = [this]()
   { return static_cast<std::int64_t>(this->Context->GetNumberOfDispatches()); };
   return device;
-}
-
-void IntegralEngine::RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits, int root)
-{
-  this->ChooseRunner(limits.Backend);
-  this->Integrator.SetExchange(this->Exchange.get(), this->GetDevice());
-  this->Configure(request, limits);
-  const bool done = this->Integrator.RunAsWorker(root, limits.Progress);
-  this->Integrator.SetExchange(nullptr, {});
-  // The rank that has the faces reports what was computed here.
-  RunReport own;
-  own.Backend = this->Report.Backend;
-  own.Renderer = this->Report.Renderer;
-  this->Report = own;
-  if (!done)
-  {
-    this->Report.Messages.push_back(this->Integrator.GetError());
-  }
 }
 
 void IntegralEngine::ReportRanks()

@@ -373,9 +373,11 @@ bool SurfaceIntegrator::RunAsWorker(int root, const ProgressCallback& progress)
   self.RunMaximum = header.RunMaximum;
   self.Allowance = header.Allowance;
   std::vector<FaceTask> tasks;
-  if (!self.Received.Unpack(root, from, tasks))
+  self.IsShared = true;
+  if (!self.Guard(
+        [&]() { return self.Received.Unpack(root, from, tasks) || self.Fail("the faces did not arrive"); }))
   {
-    self.Failure = "the faces did not arrive";
+    self.Failure = self.Error;
     tasks.clear();
   }
   if (self.Planned != header.Planned)
@@ -384,7 +386,6 @@ bool SurfaceIntegrator::RunAsWorker(int root, const ProgressCallback& progress)
     self.Planned = header.Planned;
     self.Configured = false;
   }
-  self.IsShared = true;
   std::vector<FaceIntegrals> results;
   const std::int64_t dispatches = self.Device.CountDispatches ? self.Device.CountDispatches() : 0;
   self.Run(tasks, results);

@@ -440,7 +440,7 @@ int vtkSurfaceIntegralBase::Run(
   }
   const sm::IntegralRequest wanted = this->MakeRequest();
   const bool computed = !bodies.empty() && this->IntegrateBodies(wanted, bodies);
-  this->Engine->EndSharing();
+  this->Engine->ReleaseWorkers();
   this->Analyze(wanted, computed, bodies);
   this->Write(bodies, input, outputVector);
   this->AddMessages(bodies);
@@ -491,7 +491,7 @@ int vtkSurfaceIntegralBase::RequestData(
   {
     this->Fail(std::string("an error of the program: ") + error.what(), outputVector);
   }
-  this->Engine->EndSharing();
+  this->Engine->ReleaseWorkers();
   this->ClearAbort();
   if (this->GetReleaseDataFlag())
   {
