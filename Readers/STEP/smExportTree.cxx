@@ -1,7 +1,7 @@
 #include "smExportTree.h"
 
 #include "smExportColors.h"
-#include "smOCCTText.h"
+#include "smFormat.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -350,7 +350,7 @@ private:
       this->Tree.Notes.push_back("\"" + part.Name + "\": " + std::to_string(fits) +
         (fits == 1 ? " face is" : " faces are") +
         " saved as the reader fitted them, offset surfaces having no exact form: good to " +
-        FormatShort(worst) + " " + this->Tree.LengthUnit + ".");
+        FormatDistance(worst) + " " + this->Tree.LengthUnit + ".");
     }
   }
 

@@ -1,12 +1,12 @@
 #include "smOCCTBody.h"
 
 #include "smCommonParameter.h"
+#include "smFormat.h"
 #include "smOCCTCurve.h"
 #include "smOCCTFaceTrims.h"
-#include "smOCCTText.h"
+#include "smOCCTFailure.h"
 
 #include <BRep_Tool.hxx>
-#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -15,34 +15,15 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <new>
 #include <stdexcept>
 
 namespace sm
 {
 namespace
 {
-/// Runs `work`; what it throws becomes a sentence.
-template <class Work>
-std::string Catch(const Work& work)
-{
-  try
-  {
-    work();
-    return {};
-  }
-  catch (const Standard_Failure& failure)
-  {
-    const char* text = failure.GetMessageString();
-    return std::string("OpenCASCADE raised ") + failure.DynamicType()->Name() + (text && *text ? ": " : "") +
-      (text ? text : "");
-  }
-  catch (const std::exception& failure)
-  {
-    return failure.what();
-  }
-}
-
 const ShapeInfo& Find(const ShapeTable& table, const TopoDS_Shape& shape)
 {
   static const ShapeInfo none;
@@ -101,7 +82,6 @@ public:
   }
 
 private:
-  using Failure = std::string;
   /// Share of the progress that edges take.
   static constexpr double EdgeShare = 0.3;
   /// Edges or faces between two reports.
@@ -116,7 +96,7 @@ private:
         return;
       }
       DraftFace draft;
-      const std::string failure = Catch(
+      const std::string failure = CatchFailure(
         [&]
         {
           draft = CollectFace(TopoDS::Face(face), this->EdgeShapes);
@@ -174,23 +154,36 @@ private:
     }
   }
 
-  /// Calls convert(i), which answers why it failed, for all i on the application's threads.
+  /// Calls convert(i) for all i on the application's threads. An edge or face for which it throws is left out, and a message says why.
   template <class Work>
   void Run(std::size_t count, const Work& convert, const char* kind, double done)
   {
     const double share = *kind == 'E' ? EdgeShare : 1.0 - EdgeShare;
-    std::vector<Failure> failures(count);
+    std::vector<std::string> failures(count);
+    // An exception must not leave a worker thread.
+    std::atomic<bool> outOfMemory{ false };
     for (std::size_t start = 0; start < count && !this->Result.Aborted; start += Chunk)
     {
       const std::size_t stop = std::min(count, start + Chunk);
       vtkSMPTools::For(static_cast<vtkIdType>(start), static_cast<vtkIdType>(stop), 16,
         [&](vtkIdType begin, vtkIdType end)
         {
-          for (vtkIdType i = begin; i < end; ++i)
+          try
           {
-            failures[i] = Catch([&] { convert(static_cast<std::size_t>(i)); });
+            for (vtkIdType i = begin; i < end; ++i)
+            {
+              failures[i] = CatchFailure([&] { convert(static_cast<std::size_t>(i)); });
+            }
+          }
+          catch (const std::bad_alloc&)
+          {
+            outOfMemory = true;
           }
         });
+      if (outOfMemory)
+      {
+        throw std::bad_alloc();
+      }
       this->Result.Aborted = this->Report && !this->Report(done + share * stop / count);
     }
     for (std::size_t i = 0; i < count; ++i)
@@ -405,7 +398,7 @@ private:
     draft.Defects += open;
     if (!(largest <= 2.0 * tolerance) || open > 0)
     {
-      face.Messages.push_back("A loop does not close: its largest gap is " + FormatShort(largest) +
+      face.Messages.push_back("A loop does not close: its largest gap is " + FormatDistance(largest) +
         " beyond the file's tolerances. A straight line in (u,v) closes it.");
     }
   }
@@ -445,7 +438,7 @@ private:
       if (!(gap <= EndTolerance * this->Size))
       {
         ++this->Result.Defects;
-        this->Result.Messages.push_back(Label("Edge", edge->FileId, i) + " ends " + FormatShort(gap) +
+        this->Result.Messages.push_back(Label("Edge", edge->FileId, i) + " ends " + FormatDistance(gap) +
           " away from its vertex; its curve is taken as it is.");
       }
     }

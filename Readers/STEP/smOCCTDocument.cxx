@@ -1,13 +1,14 @@
 #include "smOCCTDocument.h"
 
+#include "smLengthUnits.h"
 #include "smOCCTDamage.h"
+#include "smOCCTFailure.h"
 #include "smOCCTFile.h"
 #include "smOCCTModel.h"
 #include "smOCCTTable.h"
 
 #include <BRep_Builder.hxx>
 #include <STEPCAFControl_Reader.hxx>
-#include <Standard_Failure.hxx>
 #include <StepData_StepModel.hxx>
 #include <TDF_Label.hxx>
 #include <TDF_LabelSequence.hxx>
@@ -298,11 +299,8 @@ private:
   std::map<const void*, TopoDS_Compound> LooseFaces;
 };
 
-void Read(
-  const std::string& fileName, const FileCheck& check, const ProgressCallback& progress, Document& document)
+void Configure(STEPCAFControl_Reader& reader)
 {
-  const KernelSession kernel;
-  STEPCAFControl_Reader reader;
   reader.SetColorMode(true);
   reader.SetNameMode(true);
   reader.SetLayerMode(true);
@@ -311,6 +309,12 @@ void Read(
   reader.SetGDTMode(false);
   reader.SetViewMode(false);
   reader.SetSHUOMode(false);
+}
+
+/// Reads the entities of the file. False, with document.Problem, when OpenCASCADE cannot.
+bool Parse(
+  const std::string& fileName, const FileCheck& check, STEPCAFControl_Reader& reader, Document& document)
+{
   IFSelect_ReturnStatus status;
   if (check.JunkBytes > 0)
   {
@@ -326,6 +330,60 @@ void Read(
   {
     document.Problem = std::string("OpenCASCADE cannot parse it") +
       (check.Truncated ? "; it ends in the middle: copy or export it again" : "; export it again");
+    return false;
+  }
+  return true;
+}
+
+/// Turns off the attributes whose entities are damaged: OpenCASCADE would crash on them.
+void SkipDamagedAttributes(
+  const Handle(StepData_StepModel) & model, STEPCAFControl_Reader& reader, Document& document)
+{
+  const Attributes damaged = FindDamagedAttributes(model);
+  if (damaged.Colors)
+  {
+    reader.SetColorMode(false);
+    document.Messages.push_back("Entities of its colours are damaged: colours were not read.");
+  }
+  if (damaged.Properties)
+  {
+    reader.SetPropsMode(false);
+    reader.SetMatMode(false);
+    document.Messages.push_back(
+      "Entities of its properties are damaged: volumes and materials it states were not read.");
+  }
+}
+
+/// Sets the status after the transfer, by the bodies that it made.
+void Conclude(const Handle(StepData_StepModel) & model, Document& document)
+{
+  if (!document.Bodies.empty())
+  {
+    document.Status = ReadStatus::Ok;
+  }
+  else if (HasGeometry(model))
+  {
+    document.Problem =
+      "it has faces, but OpenCASCADE makes no shape of them: its product structure or its geometry "
+      "is malformed; export it again";
+  }
+  else
+  {
+    document.Status = ReadStatus::Empty;
+    document.Problem =
+      "it has no solid, shell or face; export the part as a boundary representation (AP203, AP214 "
+      "or AP242)";
+  }
+}
+
+void Read(
+  const std::string& fileName, const FileCheck& check, const ProgressCallback& progress, Document& document)
+{
+  const KernelSession kernel;
+  STEPCAFControl_Reader reader;
+  Configure(reader);
+  if (!Parse(fileName, check, reader, document))
+  {
     return;
   }
   if (!progress(ParsingShare))
@@ -345,19 +403,7 @@ void Read(
   {
     return;
   }
-  const Attributes damaged = FindDamagedAttributes(model);
-  if (damaged.Colors)
-  {
-    reader.SetColorMode(false);
-    document.Messages.push_back("Entities of its colours are damaged: colours were not read.");
-  }
-  if (damaged.Properties)
-  {
-    reader.SetPropsMode(false);
-    reader.SetMatMode(false);
-    document.Messages.push_back(
-      "Entities of its properties are damaged: volumes and materials it states were not read.");
-  }
+  SkipDamagedAttributes(model, reader, document);
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   const Handle(KernelProgress) indicator =
     new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
@@ -375,23 +421,7 @@ void Read(
   {
     body.Misplaced = body.Misplaced || !found;
   }
-  if (!document.Bodies.empty())
-  {
-    document.Status = ReadStatus::Ok;
-  }
-  else if (HasGeometry(model))
-  {
-    document.Problem =
-      "it has faces, but OpenCASCADE makes no shape of them: its product structure or its geometry "
-      "is malformed; export it again";
-  }
-  else
-  {
-    document.Status = ReadStatus::Empty;
-    document.Problem =
-      "it has no solid, shell or face; export the part as a boundary representation (AP203, AP214 "
-      "or AP242)";
-  }
+  Conclude(model, document);
 }
 }
 
@@ -413,20 +443,11 @@ Document ReadDocument(const std::string& fileName, const ProgressCallback& progr
   {
     document.Messages.push_back("The file does not end with END-ISO-10303-21: part of it may be missing.");
   }
-  try
-  {
-    Read(fileName, check, progress, document);
-  }
-  catch (const Standard_Failure& failure)
+  const std::string failure = CatchFailure([&]() { Read(fileName, check, progress, document); });
+  if (!failure.empty())
   {
     document.Status = ReadStatus::Unreadable;
-    document.Problem =
-      std::string("OpenCASCADE failed on it (") + failure.DynamicType()->Name() + "); export it again";
-  }
-  catch (const std::exception& failure)
-  {
-    document.Status = ReadStatus::Unreadable;
-    document.Problem = std::string("reading it failed (") + failure.what() + ")";
+    document.Problem = "it could not be read (" + failure + "); export it again";
   }
   if (document.FreeFaces > 0)
   {

@@ -78,7 +78,7 @@ struct Document
 
 /**
  * Reads the file. `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession, so that one
- * thread of the process reads at a time. Throws nothing.
+ * thread of the process reads at a time. Throws std::bad_alloc, and nothing else.
  */
 Document ReadDocument(const std::string& fileName, const ProgressCallback& progress);
 }

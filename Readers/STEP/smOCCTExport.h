@@ -38,7 +38,7 @@ struct ExportResult
 /**
  * AP214 (AUTOMOTIVE_DESIGN): products, assemblies, colours, layers, materials; faces with their trim curves, every number with
  * 17 digits. Bodies, faces and edges keep their names, and their entity numbers where no other body took them first.
- * `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession. Throws nothing.
+ * `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession. Throws std::bad_alloc, and nothing else.
  */
 ExportResult WriteSTEP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
   const ProgressCallback& progress);

@@ -1,5 +1,7 @@
 #include "smOCCTLoop.h"
 
+#include "smOCCTFailure.h"
+
 #include <BRep_CurveRepresentation.hxx>
 #include <BRep_GCurve.hxx>
 #include <BRep_ListIteratorOfListOfCurveRepresentation.hxx>
@@ -7,7 +9,6 @@
 #include <BRep_Tool.hxx>
 #include <Geom_Plane.hxx>
 #include <ShapeFix_Edge.hxx>
-#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -45,17 +46,14 @@ bool FindStoredTrim(const TopoDS_Edge& edge, const Handle(Geom_Surface) & surfac
 /// A pcurve for an edge that came without one on a curved surface.
 bool AddMissingTrim(const TopoDS_Edge& edge, const TopoDS_Face& face, NativeTrim& trim)
 {
-  try
-  {
-    const bool seam = BRep_Tool::IsClosed(edge, face);
-    ShapeFix_Edge().FixAddPCurve(edge, face, seam);
-    trim.Curve = BRep_Tool::CurveOnSurface(edge, face, trim.First, trim.Last);
-  }
-  catch (const Standard_Failure&)
-  {
-    trim.Curve.Nullify();
-  }
-  return !trim.Curve.IsNull();
+  const std::string failure = CatchFailure(
+    [&]()
+    {
+      const bool seam = BRep_Tool::IsClosed(edge, face);
+      ShapeFix_Edge().FixAddPCurve(edge, face, seam);
+      trim.Curve = BRep_Tool::CurveOnSurface(edge, face, trim.First, trim.Last);
+    });
+  return failure.empty() && !trim.Curve.IsNull();
 }
 
 /// Squared distance in native (u,v), whole periods left out; -1 when a pcurve is not there to ask.

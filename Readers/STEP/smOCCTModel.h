@@ -13,12 +13,6 @@
 
 namespace sm
 {
-/// Length of a unit in mm; 0 for a name that is not known. Knows STEP's spellings and short ones.
-double GetUnitInMillimetres(const std::string& unit);
-
-/// The unit of that length among those that lengths are read and written in: mm, cm, m, um, inch, ft. Empty for another.
-std::string GetShortUnit(double millimetres);
-
 /// The file's own length unit as it spells it ("millimetre", "INCH"); empty when it gives none.
 std::string ReadLengthUnit(
   STEPControl_Reader& reader, const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);

@@ -1,9 +1,9 @@
 #include "smOCCTSurface.h"
 
 #include "smChebyshevFit.h"
+#include "smFormat.h"
 #include "smOCCTProfile.h"
 #include "smOCCTSpline.h"
-#include "smOCCTText.h"
 
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
@@ -450,7 +450,7 @@ ConvertedSurface ConvertSurface(
   if (!(distance <= allowed))
   {
     throw std::runtime_error(
-      "its surface differs from the file's by " + FormatShort(distance) + " after conversion");
+      "its surface differs from the file's by " + FormatDistance(distance) + " after conversion");
   }
   return result;
 }

@@ -1,8 +1,8 @@
 #include "smOCCTSurface.h"
 
 #include "smChebyshevFit.h"
+#include "smFormat.h"
 #include "smOCCTSpline.h"
-#include "smOCCTText.h"
 
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_OffsetSurface.hxx>
@@ -258,7 +258,7 @@ NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& b
   if (!(s.Residual < 1e-6 * size))
   {
     throw std::runtime_error("its surface (" + std::string(surface->DynamicType()->Name()) +
-      ") could not be fitted: a residual of " + FormatShort(s.Residual) + " is left");
+      ") could not be fitted: a residual of " + FormatDistance(s.Residual) + " is left");
   }
   return s;
 }

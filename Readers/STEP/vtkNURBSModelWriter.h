@@ -23,10 +23,12 @@
  * | GetErrorCode()      | when                                                                        |
  * |---------------------|-----------------------------------------------------------------------------|
  * | NoFileNameError     | FileName is empty                                                           |
- * | UserError           | no input, an input without exact geometry, an unknown unit, a nested update |
+ * | UserError           | no input, an input that could not be computed or has no exact geometry, an unknown unit, a nested update |
  * | CannotOpenFileError | no file can be made there, or a folder, device or pipe is there             |
  * | OutOfDiskSpaceError | the disk is full                                                            |
- * | UnknownError        | OpenCASCADE failed, or the application asked to stop                        |
+ * | UnknownError        | OpenCASCADE failed, an exception was thrown (out of memory), or the application asked to stop |
+ *
+ * No exception leaves Write().
  *
  * One file is written or read at a time in a process, others wait: OpenCASCADE's settings are global. Under MPI call Write() in
  * every process with SetNumberOfPieces() and SetPiece(), as ParaView does: each updates its own piece of the input, and the first one, where
@@ -43,6 +45,7 @@
 #include <iosfwd>     // for std::ostream
 #include <memory>     // for the messages
 #include <string>     // for std::string
+#include <vector>     // for the warnings
 
 namespace sm
 {
@@ -106,6 +109,11 @@ private:
   void operator=(const vtkNURBSModelWriter&) = delete;
 
   void Fail(unsigned long code, const std::string& problem);
+  void WriteFile();
+  /// False, after an error, when the input cannot be written.
+  bool MakeOptions(const sm::ExportTree& tree, sm::ExportOptions& options);
+  /// Keeps the warnings as messages and raises one VTK warning.
+  void Warn(const std::vector<std::string>& warnings);
 
   char* FileName = nullptr;
   int Piece = 0;
