@@ -143,20 +143,6 @@ void MassColumns::AddTo(vtkFieldData* data) const
   }
 }
 
-double GetMetres(const std::string& lengthUnit)
-{
-  static const std::pair<const char*, double> units[] = { { "um", 1e-6 }, { "mm", 1e-3 }, { "cm", 1e-2 },
-    { "dm", 1e-1 }, { "m", 1.0 }, { "km", 1e3 }, { "inch", 0.0254 }, { "in", 0.0254 }, { "ft", 0.3048 } };
-  for (const auto& [name, metres] : units)
-  {
-    if (lengthUnit == name)
-    {
-      return metres;
-    }
-  }
-  return 0.0;
-}
-
 std::string FormatSummary(const MassRow& total, const std::string& status, const std::string& reason,
   const std::string& unit, int solids)
 {

@@ -7,6 +7,7 @@
 
 #include "smColumns.h"
 #include "smFiltersMassPropertiesModule.h"
+#include "smLengthUnits.h"
 #include "smMoments.h"
 
 #include <string>
@@ -51,9 +52,6 @@ private:
   std::vector<columns::Column> Columns;
   bool WithMass;
 };
-
-/// Metres in a length unit as the reader names it ("mm", "inch", …); 0 when it is not known.
-SMFILTERSMASSPROPERTIES_EXPORT double GetMetres(const std::string& lengthUnit);
 
 /// A few lines: status, unless it is ok, with the reason, if any, in lines of at most 64 characters; number of solids, volume, area,
 /// centre, principal moments, mass.

@@ -16,6 +16,9 @@ SMFILTERSNURBS_EXPORT std::string FormatDigits(double value, int digits);
 /// Exactly `digits` digits behind the point.
 SMFILTERSNURBS_EXPORT std::string FormatFixed(double value, int digits);
 
+/// A distance for a message, with three digits; "an unknown distance" for what is not finite.
+SMFILTERSNURBS_EXPORT std::string FormatDistance(double distance);
+
 /// A bound with one digit, rounded up; "not known" for what is not finite, here and below.
 SMFILTERSNURBS_EXPORT std::string FormatBound(double bound);
 /// A value with no more digits than its bound leaves; 0 within its bound.

@@ -1,6 +1,7 @@
 #include "smBodyIntegrals.h"
 #include "smUnitRoundoff.h"
 
+#include "smCompensatedSum.h"
 #include "smFormat.h"
 #include "smShellOrientation.h"
 
@@ -77,20 +78,6 @@ void Collect(
     ++rejected.Plain;
   }
 }
-
-/// Neumaier's compensated sum.
-struct CompensatedSum
-{
-  double Sum = 0.0;
-  double Carry = 0.0;
-  void Add(double x)
-  {
-    const double t = this->Sum + x;
-    this->Carry += std::abs(this->Sum) >= std::abs(x) ? (this->Sum - t) + x : (x - t) + this->Sum;
-    this->Sum = t;
-  }
-  double Get() const { return this->Sum + this->Carry; }
-};
 
 /// To a power of two: a display mesh that comes out a little different must not change what is asked of a face.
 double RoundDown(double scale)

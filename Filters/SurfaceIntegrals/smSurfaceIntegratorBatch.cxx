@@ -1,9 +1,11 @@
 // What a SurfaceIntegrator does with a batch of faces: runs its items, level by level or as planned, and adds them up.
+#include "smCoedgeGaps.h"
 #include "smIntegrationOrders.h"
 #include "smSurfaceIntegratorInternals.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace sm
@@ -12,28 +14,6 @@ namespace
 {
 // Halvings of t and xi after the ladder's end.
 constexpr int MaximumBisections = 6;
-
-/// Adds what was measured along a part of a coedge, counted through all loops of the face.
-void AddGap(const Face& face, int index, const CoedgeGap& measured, std::vector<CoedgeGap>& gaps)
-{
-  CoedgeGap gap = measured;
-  gap.Coedge = index;
-  while (gap.Coedge >= static_cast<int>(face.Loops[gap.Loop].Coedges.size()))
-  {
-    gap.Coedge -= static_cast<int>(face.Loops[gap.Loop].Coedges.size());
-    ++gap.Loop;
-  }
-  const auto found = std::find_if(gaps.begin(), gaps.end(),
-    [&gap](const CoedgeGap& other) { return other.Loop == gap.Loop && other.Coedge == gap.Coedge; });
-  if (found == gaps.end())
-  {
-    gaps.push_back(gap);
-    return;
-  }
-  found->GapSquared += gap.GapSquared;
-  found->GapArea += gap.GapArea;
-  found->MaxGap = GetLargerGap(found->MaxGap, gap.MaxGap);
-}
 }
 
 void SurfaceIntegrator::Internals::Store(const std::vector<FaceTask>& tasks,
@@ -105,9 +85,14 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
     return this->FailByRunner();
   }
   const RowLayout& layout = this->Runner->GetLayout();
+  std::optional<CoedgeGaps> gaps;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     FaceIntegrals& result = results[batch[parts[i].Slot]];
+    if (i == 0 || parts[i].Slot != parts[i - 1].Slot)
+    {
+      gaps.emplace(*this->Faces[batch[parts[i].Slot]]->Source, result.Gaps);
+    }
     const double* sum = sums.data() + i * layout.GetStride();
     std::vector<double>& values = parts[i].Kind == ItemKind::Panel ? result.Face : result.Closing;
     for (int k = 0; k < layout.GetNumberOfIntegrands(); ++k)
@@ -122,8 +107,7 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
     result.MaxGap = GetLargerGap(result.MaxGap, largest[i]);
     if (parts[i].Coedge >= 0)
     {
-      AddGap(*this->Faces[batch[parts[i].Slot]]->Source, parts[i].Coedge,
-        { 0, 0, sum[RowLayout::SquaredGap], sum[RowLayout::GapArea], largest[i] }, result.Gaps);
+      gaps->Add(parts[i].Coedge, { 0, 0, sum[RowLayout::SquaredGap], sum[RowLayout::GapArea], largest[i] });
     }
   }
   return true;

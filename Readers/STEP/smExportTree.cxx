@@ -1,7 +1,7 @@
 #include "smExportTree.h"
 
 #include "smExportColors.h"
-#include "smOCCTText.h"
+#include "smFormat.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -26,7 +26,7 @@ namespace
 /// Placements that differ by less, of 1 or of the larger translation, are one.
 constexpr double SamePlacement = 1e-12;
 
-/// How far the rows of a rotation may be from orthonormal.
+/// Largest deviation of a rotation's rows from orthonormality.
 constexpr double RigidTolerance = 1e-12;
 
 struct Leaf
@@ -62,7 +62,7 @@ Placement Multiply(const Placement& a, const Placement& b)
   return c;
 }
 
-/// Of a rigid placement.
+/// Inverse of a rigid placement.
 Placement Invert(const Placement& a)
 {
   Placement b{};
@@ -350,7 +350,7 @@ private:
       this->Tree.Notes.push_back("\"" + part.Name + "\": " + std::to_string(fits) +
         (fits == 1 ? " face is" : " faces are") +
         " saved as the reader fitted them, offset surfaces having no exact form: good to " +
-        FormatShort(worst) + " " + this->Tree.LengthUnit + ".");
+        FormatDistance(worst) + " " + this->Tree.LengthUnit + ".");
     }
   }
 

@@ -1,12 +1,12 @@
 #include "smOCCTBody.h"
 
 #include "smCommonParameter.h"
+#include "smFormat.h"
 #include "smOCCTCurve.h"
 #include "smOCCTFaceTrims.h"
-#include "smOCCTText.h"
+#include "smOCCTFailure.h"
 
 #include <BRep_Tool.hxx>
-#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -15,34 +15,15 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <new>
 #include <stdexcept>
 
 namespace sm
 {
 namespace
 {
-/// Runs `work`; what it throws becomes a sentence.
-template <class Work>
-std::string Catch(const Work& work)
-{
-  try
-  {
-    work();
-    return {};
-  }
-  catch (const Standard_Failure& failure)
-  {
-    const char* text = failure.GetMessageString();
-    return std::string("OpenCASCADE raised ") + failure.DynamicType()->Name() + (text && *text ? ": " : "") +
-      (text ? text : "");
-  }
-  catch (const std::exception& failure)
-  {
-    return failure.what();
-  }
-}
-
 const ShapeInfo& Find(const ShapeTable& table, const TopoDS_Shape& shape)
 {
   static const ShapeInfo none;
@@ -101,7 +82,6 @@ public:
   }
 
 private:
-  using Failure = std::string;
   /// Share of the progress that edges take.
   static constexpr double EdgeShare = 0.3;
   /// Edges or faces between two reports.
@@ -116,7 +96,7 @@ private:
         return;
       }
       DraftFace draft;
-      const std::string failure = Catch(
+      const std::string failure = CatchFailure(
         [&]
         {
           draft = CollectFace(TopoDS::Face(face), this->EdgeShapes);
@@ -174,23 +154,36 @@ private:
     }
   }
 
-  /// Calls convert(i), which answers why it failed, for all i on the application's threads.
+  /// Calls convert(i) for all i on the application's threads. An edge or face for which it throws is left out, and a message says why.
   template <class Work>
   void Run(std::size_t count, const Work& convert, const char* kind, double done)
   {
     const double share = *kind == 'E' ? EdgeShare : 1.0 - EdgeShare;
-    std::vector<Failure> failures(count);
+    std::vector<std::string> failures(count);
+    // An exception must not leave a worker thread.
+    std::atomic<bool> outOfMemory{ false };
     for (std::size_t start = 0; start < count && !this->Result.Aborted; start += Chunk)
     {
       const std::size_t stop = std::min(count, start + Chunk);
       vtkSMPTools::For(static_cast<vtkIdType>(start), static_cast<vtkIdType>(stop), 16,
         [&](vtkIdType begin, vtkIdType end)
         {
-          for (vtkIdType i = begin; i < end; ++i)
+          try
           {
-            failures[i] = Catch([&] { convert(static_cast<std::size_t>(i)); });
+            for (vtkIdType i = begin; i < end; ++i)
+            {
+              failures[i] = CatchFailure([&] { convert(static_cast<std::size_t>(i)); });
+            }
+          }
+          catch (const std::bad_alloc&)
+          {
+            outOfMemory = true;
           }
         });
+      if (outOfMemory)
+      {
+        throw std::bad_alloc();
+      }
       this->Result.Aborted = this->Report && !this->Report(done + share * stop / count);
     }
     for (std::size_t i = 0; i < count; ++i)
@@ -274,32 +267,34 @@ private:
     this->Edges[index] = result;
   }
 
+  /// The trims of coedges without a pcurve of their own: the edge's curve projected on the plane. Others are empty.
+  std::vector<std::vector<TrimCurve>> ProjectTrims(const DraftFace& draft, const AffineMap& map) const
+  {
+    std::vector<std::vector<TrimCurve>> trims(draft.Loops.size());
+    bool any = draft.Loops.empty();
+    for (std::size_t l = 0; l < draft.Loops.size(); ++l)
+    {
+      for (const DraftCoedge& coedge : draft.Loops[l])
+      {
+        const auto& edge = this->Edges[coedge.EdgeIndex];
+        any = any || edge != nullptr;
+        trims[l].push_back(coedge.Projected && edge ? ProjectOnPlane(draft, map, edge->Curve) : TrimCurve());
+      }
+    }
+    if (!any)
+    {
+      throw std::runtime_error("none of its edges could be carried over");
+    }
+    return trims;
+  }
+
   void ConvertFace(std::size_t index)
   {
     DraftFace& draft = this->Drafts[index];
     OrderLoops(draft);
     ShiftLoops(draft);
     const AffineMap map = this->MakeMap(draft.Location);
-
-    std::vector<std::vector<TrimCurve>> trims(draft.Loops.size());
-    for (std::size_t l = 0; l < draft.Loops.size(); ++l)
-    {
-      for (const DraftCoedge& coedge : draft.Loops[l])
-      {
-        const auto& edge = this->Edges[coedge.EdgeIndex];
-        trims[l].push_back(coedge.Projected && edge ? ProjectOnPlane(draft, map, edge->Curve) : TrimCurve());
-      }
-    }
-    const bool any = std::any_of(draft.Loops.begin(), draft.Loops.end(),
-      [this](const DraftLoop& loop)
-      {
-        return std::any_of(loop.begin(), loop.end(),
-          [this](const DraftCoedge& coedge) { return this->Edges[coedge.EdgeIndex] != nullptr; });
-      });
-    if (!draft.Loops.empty() && !any)
-    {
-      throw std::runtime_error("none of its edges could be carried over");
-    }
+    std::vector<std::vector<TrimCurve>> trims = this->ProjectTrims(draft, map);
     const NativeBox box = GetCoveredBox(draft, trims);
     ConvertedSurface surface = ConvertSurface(draft.Surface, box, map);
 
@@ -311,63 +306,63 @@ private:
     face->Color = info.Color;
     face->Reversed = draft.Reversed != map.IsMirrored();
     face->Messages = draft.Messages;
-    const std::vector<double> knots[2] = { surface.Surface.GetSpanBreaks(0),
-      surface.Surface.GetSpanBreaks(1) };
-    const double width[2] = { box.High[0] - box.Low[0], box.High[1] - box.Low[1] };
-    std::vector<std::vector<TopoDS_Edge>> sources;
-    int restored = 0;
-    int lagging = 0;
+    ConvertedFace& result = this->Faces[index];
     for (std::size_t l = 0; l < draft.Loops.size(); ++l)
     {
-      Loop loop;
-      std::vector<TopoDS_Edge> loopSources;
-      for (std::size_t i = 0; i < draft.Loops[l].size(); ++i)
-      {
-        const DraftCoedge& from = draft.Loops[l][i];
-        Coedge coedge;
-        coedge.Use = this->Edges[from.EdgeIndex];
-        if (!coedge.Use)
-        {
-          face->Messages.push_back(
-            "An edge could not be carried over; its loop is closed by a straight line.");
-          ++draft.Defects;
-          continue;
-        }
-        coedge.Reversed = from.Reversed;
-        coedge.Curve = from.Projected ? std::move(trims[l][i])
-                                      : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
-                                          coedge.Use->Curve.GetEnd(), surface.Map, width);
-        SnapToKnots(knots, coedge.Curve);
-        if (!coedge.Use->Degenerate && !from.Projected)
-        {
-          const StepResult step = RestoreCommonParameter(surface.Surface, coedge.Use->Curve, this->Size,
-            GetTrimTolerance(surface.Map, width), coedge.Curve);
-          restored += step == StepResult::Restored ? 1 : 0;
-          lagging += step == StepResult::Failed ? 1 : 0;
-        }
-        loop.Coedges.push_back(std::move(coedge));
-        loopSources.push_back(from.Edge);
-      }
-      if (!loop.Coedges.empty())
-      {
-        sources.push_back(std::move(loopSources));
-        face->Loops.push_back(std::move(loop));
-      }
+      this->ConvertLoop(draft, draft.Loops[l], surface, box, trims[l], *face, result);
     }
     face->Surface = std::move(surface.Surface);
     this->CheckClosing(draft, *face);
-    ConvertedFace& result = this->Faces[index];
     result.Defects = draft.Defects;
-    result.RestoredCoedges = restored;
-    result.LaggingCoedges = lagging;
     result.Source = draft.Face;
-    result.SourceEdges = std::move(sources);
     for (int d = 0; d < 2; ++d)
     {
       result.Map[d] = surface.Map[d];
       result.Period[d] = draft.Period[d];
     }
     result.Result = face;
+  }
+
+  /// Appends a loop to `face`, and its edges to the source edges of `result`.
+  void ConvertLoop(DraftFace& draft, const DraftLoop& draftLoop, const ConvertedSurface& surface,
+    const NativeBox& box, std::vector<TrimCurve>& projected, Face& face, ConvertedFace& result) const
+  {
+    const std::vector<double> knots[2] = { surface.Surface.GetSpanBreaks(0),
+      surface.Surface.GetSpanBreaks(1) };
+    const double width[2] = { box.High[0] - box.Low[0], box.High[1] - box.Low[1] };
+    Loop loop;
+    std::vector<TopoDS_Edge> sources;
+    for (std::size_t i = 0; i < draftLoop.size(); ++i)
+    {
+      const DraftCoedge& from = draftLoop[i];
+      Coedge coedge;
+      coedge.Use = this->Edges[from.EdgeIndex];
+      if (!coedge.Use)
+      {
+        face.Messages.push_back("An edge could not be carried over; its loop is closed by a straight line.");
+        ++draft.Defects;
+        continue;
+      }
+      coedge.Reversed = from.Reversed;
+      coedge.Curve = from.Projected ? std::move(projected[i])
+                                    : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
+                                        coedge.Use->Curve.GetEnd(), surface.Map, width);
+      SnapToKnots(knots, coedge.Curve);
+      if (!coedge.Use->Degenerate && !from.Projected)
+      {
+        const StepResult step = RestoreCommonParameter(
+          surface.Surface, coedge.Use->Curve, this->Size, GetTrimTolerance(surface.Map, width), coedge.Curve);
+        result.RestoredCoedges += step == StepResult::Restored ? 1 : 0;
+        result.LaggingCoedges += step == StepResult::Failed ? 1 : 0;
+      }
+      loop.Coedges.push_back(std::move(coedge));
+      sources.push_back(from.Edge);
+    }
+    if (!loop.Coedges.empty())
+    {
+      result.SourceEdges.push_back(std::move(sources));
+      face.Loops.push_back(std::move(loop));
+    }
   }
 
   /// Loops are judged in space, against the tolerances the file states (NUMERICS 1).
@@ -405,7 +400,7 @@ private:
     draft.Defects += open;
     if (!(largest <= 2.0 * tolerance) || open > 0)
     {
-      face.Messages.push_back("A loop does not close: its largest gap is " + FormatShort(largest) +
+      face.Messages.push_back("A loop does not close: its largest gap is " + FormatDistance(largest) +
         " beyond the file's tolerances. A straight line in (u,v) closes it.");
     }
   }
@@ -445,7 +440,7 @@ private:
       if (!(gap <= EndTolerance * this->Size))
       {
         ++this->Result.Defects;
-        this->Result.Messages.push_back(Label("Edge", edge->FileId, i) + " ends " + FormatShort(gap) +
+        this->Result.Messages.push_back(Label("Edge", edge->FileId, i) + " ends " + FormatDistance(gap) +
           " away from its vertex; its curve is taken as it is.");
       }
     }
@@ -474,9 +469,9 @@ private:
     if (lagging > 0)
     {
       this->Result.Messages.push_back(std::to_string(lagging) +
-        (lagging == 1 ? " curve of an edge on a face does" : " curves of edges on faces do") +
-        " not run in step with the edge, and no common parameter could be found: gaps there may be stated "
-        "too wide.");
+        (lagging == 1 ? " curve of an edge on a face is" : " curves of edges on faces are") +
+        " parametrised differently from the edge, and no common parameter could be found; gaps there may be "
+        "overstated.");
     }
     for (const std::vector<int>& shell : this->Shells)
     {
@@ -498,7 +493,7 @@ private:
   double Origin[3];
   const ShapeTable& Table;
   const ProgressCallback& Report;
-  /// Of the body, in model units.
+  /// Diagonal of the box around all edges, in model units.
   double Size = 0.0;
   TopTools_IndexedMapOfShape EdgeShapes;
   std::vector<DraftFace> Drafts;

@@ -1,7 +1,8 @@
 #include "smOCCTBuildBody.h"
 
+#include "smFormat.h"
 #include "smOCCTBuildGeometry.h"
-#include "smOCCTText.h"
+#include "smOCCTFailure.h"
 
 #include "vtkTrimmedNURBSModel.h"
 
@@ -360,19 +361,10 @@ private:
   void TryFace(std::size_t index)
   {
     const Face& face = *this->Model->GetFaces()[index];
-    std::string problem;
-    try
+    const std::string problem = CatchFailure([&]() { this->Result.Faces[index] = this->BuildFace(face); });
+    if (problem.empty())
     {
-      this->Result.Faces[index] = this->BuildFace(face);
       return;
-    }
-    catch (const Standard_Failure& failure)
-    {
-      problem = std::string("OpenCASCADE raised ") + failure.DynamicType()->Name();
-    }
-    catch (const std::exception& failure)
-    {
-      problem = failure.what();
     }
     this->Result.Warnings.push_back((face.FileId > 0 ? "Face #" + std::to_string(face.FileId)
                                                      : "Face number " + std::to_string(index + 1)) +
@@ -563,7 +555,7 @@ private:
     {
       const int id = widest->Source->FileId;
       this->Result.Warnings.push_back("Faces lie off " + std::to_string(wide) + " of their edges, by up to " +
-        FormatShort(widest->Gap) + " " + this->Model->GetLengthUnit() +
+        FormatDistance(widest->Gap) + " " + this->Model->GetLengthUnit() +
         (id > 0 ? " at edge #" + std::to_string(id) : std::string()) +
         ". They are saved as they are; programs that heal what they read may change them.");
     }

@@ -1,13 +1,14 @@
 #include "smOCCTDocument.h"
 
+#include "smLengthUnits.h"
 #include "smOCCTDamage.h"
+#include "smOCCTFailure.h"
 #include "smOCCTFile.h"
 #include "smOCCTModel.h"
 #include "smOCCTTable.h"
 
 #include <BRep_Builder.hxx>
 #include <STEPCAFControl_Reader.hxx>
-#include <Standard_Failure.hxx>
 #include <StepData_StepModel.hxx>
 #include <TDF_Label.hxx>
 #include <TDF_LabelSequence.hxx>
@@ -60,7 +61,7 @@ public:
 private:
   static constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
 
-  /// What an occurrence takes from the assemblies above it.
+  /// Attributes that an occurrence inherits from the assemblies above it.
   struct Inherited
   {
     Vector3 Color{ -1.0, -1.0, -1.0 };
@@ -86,7 +87,7 @@ private:
     return info != this->Result.Table.end() && info->second.OpenSolid;
   }
 
-  /// What the file calls a solid and is closed at half of its edges or more is a solid with holes.
+  /// A shell that the file calls a solid is read as a solid with holes when at least half of its edges are closed.
   static bool IsMostlyClosed(const TopoDS_Shape& shell)
   {
     TopTools_IndexedDataMapOfShapeListOfShape users;
@@ -130,7 +131,7 @@ private:
     node.Layer = GetLabelLayer(this->Xde, product);
     if (XCAFDoc_ShapeTool::IsAssembly(product))
     {
-      // Some systems hang the validation properties and the material of their one solid on the product above it.
+      // Some systems attach the validation properties and the material of their only solid to the product above it.
       const bool single = CountSolids(XCAFDoc_ShapeTool::GetShape(product)) == 1;
       inherited.Volume = single ? inherited.Volume : Nothing;
       inherited.Area = single ? inherited.Area : Nothing;
@@ -255,7 +256,7 @@ private:
       if (scaled)
       {
         body.Scale.SetScaleFactor(scale);
-        // What the file says of the part holds for its own size only.
+        // The volume and area that the file states hold for the unscaled part.
         body.FileVolume *= scale * scale * scale;
         body.FileArea *= scale * scale;
       }
@@ -298,11 +299,8 @@ private:
   std::map<const void*, TopoDS_Compound> LooseFaces;
 };
 
-void Read(
-  const std::string& fileName, const FileCheck& check, const ProgressCallback& progress, Document& document)
+void Configure(STEPCAFControl_Reader& reader)
 {
-  const KernelSession kernel;
-  STEPCAFControl_Reader reader;
   reader.SetColorMode(true);
   reader.SetNameMode(true);
   reader.SetLayerMode(true);
@@ -311,6 +309,12 @@ void Read(
   reader.SetGDTMode(false);
   reader.SetViewMode(false);
   reader.SetSHUOMode(false);
+}
+
+/// Reads the entities of the file. False, with document.Problem, when OpenCASCADE cannot.
+bool Parse(
+  const std::string& fileName, const FileCheck& check, STEPCAFControl_Reader& reader, Document& document)
+{
   IFSelect_ReturnStatus status;
   if (check.JunkBytes > 0)
   {
@@ -326,6 +330,60 @@ void Read(
   {
     document.Problem = std::string("OpenCASCADE cannot parse it") +
       (check.Truncated ? "; it ends in the middle: copy or export it again" : "; export it again");
+    return false;
+  }
+  return true;
+}
+
+/// Turns off the attributes whose entities are damaged: OpenCASCADE would crash on them.
+void SkipDamagedAttributes(
+  const Handle(StepData_StepModel) & model, STEPCAFControl_Reader& reader, Document& document)
+{
+  const Attributes damaged = FindDamagedAttributes(model);
+  if (damaged.Colors)
+  {
+    reader.SetColorMode(false);
+    document.Messages.push_back("Entities of its colours are damaged: colours were not read.");
+  }
+  if (damaged.Properties)
+  {
+    reader.SetPropsMode(false);
+    reader.SetMatMode(false);
+    document.Messages.push_back(
+      "Entities of its properties are damaged: volumes and materials it states were not read.");
+  }
+}
+
+/// Sets the status after the transfer, by the bodies that it made.
+void Conclude(const Handle(StepData_StepModel) & model, Document& document)
+{
+  if (!document.Bodies.empty())
+  {
+    document.Status = ReadStatus::Ok;
+  }
+  else if (HasGeometry(model))
+  {
+    document.Problem =
+      "it has faces, but OpenCASCADE makes no shape of them: its product structure or its geometry "
+      "is malformed; export it again";
+  }
+  else
+  {
+    document.Status = ReadStatus::Empty;
+    document.Problem =
+      "it has no solid, shell or face; export the part as a boundary representation (AP203, AP214 "
+      "or AP242)";
+  }
+}
+
+void Read(
+  const std::string& fileName, const FileCheck& check, const ProgressCallback& progress, Document& document)
+{
+  const KernelSession kernel;
+  STEPCAFControl_Reader reader;
+  Configure(reader);
+  if (!Parse(fileName, check, reader, document))
+  {
     return;
   }
   if (!progress(ParsingShare))
@@ -345,23 +403,12 @@ void Read(
   {
     return;
   }
-  const Attributes damaged = FindDamagedAttributes(model);
-  if (damaged.Colors)
-  {
-    reader.SetColorMode(false);
-    document.Messages.push_back("Entities of its colours are damaged: colours were not read.");
-  }
-  if (damaged.Properties)
-  {
-    reader.SetPropsMode(false);
-    reader.SetMatMode(false);
-    document.Messages.push_back(
-      "Entities of its properties are damaged: volumes and materials it states were not read.");
-  }
+  SkipDamagedAttributes(model, reader, document);
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   const Handle(KernelProgress) indicator =
     new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
   reader.Transfer(xde, indicator->Start());
+  indicator->Rethrow();
   if (!progress(1.0))
   {
     document.Status = ReadStatus::Aborted;
@@ -375,23 +422,7 @@ void Read(
   {
     body.Misplaced = body.Misplaced || !found;
   }
-  if (!document.Bodies.empty())
-  {
-    document.Status = ReadStatus::Ok;
-  }
-  else if (HasGeometry(model))
-  {
-    document.Problem =
-      "it has faces, but OpenCASCADE makes no shape of them: its product structure or its geometry "
-      "is malformed; export it again";
-  }
-  else
-  {
-    document.Status = ReadStatus::Empty;
-    document.Problem =
-      "it has no solid, shell or face; export the part as a boundary representation (AP203, AP214 "
-      "or AP242)";
-  }
+  Conclude(model, document);
 }
 }
 
@@ -413,20 +444,11 @@ Document ReadDocument(const std::string& fileName, const ProgressCallback& progr
   {
     document.Messages.push_back("The file does not end with END-ISO-10303-21: part of it may be missing.");
   }
-  try
-  {
-    Read(fileName, check, progress, document);
-  }
-  catch (const Standard_Failure& failure)
+  const std::string failure = CatchFailure([&]() { Read(fileName, check, progress, document); });
+  if (!failure.empty())
   {
     document.Status = ReadStatus::Unreadable;
-    document.Problem =
-      std::string("OpenCASCADE failed on it (") + failure.DynamicType()->Name() + "); export it again";
-  }
-  catch (const std::exception& failure)
-  {
-    document.Status = ReadStatus::Unreadable;
-    document.Problem = std::string("reading it failed (") + failure.what() + ")";
+    document.Problem = "it could not be read (" + failure + "); export it again";
   }
   if (document.FreeFaces > 0)
   {

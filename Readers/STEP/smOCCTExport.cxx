@@ -1,6 +1,7 @@
 #include "smOCCTExport.h"
 
 #include "smOCCTExportParts.h"
+#include "smOCCTFailure.h"
 #include "smOCCTFile.h"
 #include "smSTEPEntities.h"
 
@@ -10,7 +11,6 @@
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
-#include <Standard_Failure.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
@@ -342,22 +342,15 @@ void AddInstances(const ExportNode& node, const std::vector<BuiltPart>& parts, d
   }
 }
 
-/// Runs `work`; what it throws becomes the result's problem.
+/// Runs work(result); the reason why it threw an exception becomes the result's problem.
 template <class Work>
 ExportResult Guard(const Work& work)
 {
   ExportResult result;
-  try
+  const std::string problem = CatchFailure([&]() { work(result); });
+  if (!problem.empty())
   {
-    work(result);
-  }
-  catch (const Standard_Failure& failure)
-  {
-    result.Problem = std::string("OpenCASCADE raised ") + failure.DynamicType()->Name();
-  }
-  catch (const std::exception& failure)
-  {
-    result.Problem = std::string("it failed (") + failure.what() + ")";
+    result.Problem = "it failed (" + problem + ")";
   }
   return result;
 }

@@ -20,7 +20,7 @@ struct ExportOptions
   /// Unit of the file's lengths, and how many of them one length of the models is.
   std::string UnitName = "mm";
   double Unit = 1.0;
-  /// What the header says: the file's name, and the program with its version.
+  /// Entries of the header: the file's name, and the program with its version.
   std::string FileName;
   std::string System;
 };
@@ -38,12 +38,12 @@ struct ExportResult
 /**
  * AP214 (AUTOMOTIVE_DESIGN): products, assemblies, colours, layers, materials; faces with their trim curves, every number with
  * 17 digits. Bodies, faces and edges keep their names, and their entity numbers where no other body took them first.
- * `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession. Throws nothing.
+ * `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession. Throws std::bad_alloc, and nothing else.
  */
 ExportResult WriteSTEP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
   const ProgressCallback& progress);
 
-/// OpenCASCADE's own text format, one compound of all instances; it knows neither units, names nor colours.
+/// OpenCASCADE's own text format, one compound of all instances; it has neither units, names nor colours.
 ExportResult WriteBREP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
   const ProgressCallback& progress);
 }

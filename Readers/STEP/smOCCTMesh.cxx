@@ -1,8 +1,9 @@
 #include "smOCCTMesh.h"
 
+#include "smFormat.h"
+#include "smOCCTFailure.h"
 #include "smOCCTFile.h"
 #include "smOCCTGridMesh.h"
-#include "smOCCTText.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -11,7 +12,6 @@
 #include <IMeshTools_Parameters.hxx>
 #include <Poly_Triangulation.hxx>
 #include <Precision.hxx>
-#include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
@@ -28,7 +28,7 @@ constexpr int GridCells = 160;
 constexpr int FewGridCells = 24;
 constexpr int ManyFaces = 20;
 
-/// Of the mesher's time for a body, what one face gets after the mesher was stopped.
+/// Share of the mesher's time for a body that one face gets after the mesher was stopped.
 constexpr double FaceShare = 0.1;
 
 Vector3 Subtract(const Vector3& a, const Vector3& b)
@@ -158,23 +158,22 @@ bool GetGridTriangles(const ConvertedFace& face, int cells, const double origin[
 /// False when there is no box, or an infinite one.
 bool GetFiniteBox(const TopoDS_Shape& shape, double bounds[6])
 {
-  try
-  {
-    Bnd_Box box;
-    BRepBndLib::Add(shape, box, true);
-    if (box.IsVoid() || box.IsOpen())
+  bool finite = false;
+  const std::string failure = CatchFailure(
+    [&]()
     {
-      return false;
-    }
-    box.SetGap(0.0);
-    box.Get(bounds[0], bounds[2], bounds[4], bounds[1], bounds[3], bounds[5]);
-    return std::all_of(
-      bounds, bounds + 6, [](double b) { return std::abs(b) < 0.5 * Precision::Infinite(); });
-  }
-  catch (const Standard_Failure&)
-  {
-    return false;
-  }
+      Bnd_Box box;
+      BRepBndLib::Add(shape, box, true);
+      if (box.IsVoid() || box.IsOpen())
+      {
+        return;
+      }
+      box.SetGap(0.0);
+      box.Get(bounds[0], bounds[2], bounds[4], bounds[1], bounds[3], bounds[5]);
+      finite =
+        std::all_of(bounds, bounds + 6, [](double b) { return std::abs(b) < 0.5 * Precision::Infinite(); });
+    });
+  return failure.empty() && finite;
 }
 
 /// One by one, the faces that a stopped mesher left, but the first: it had held up the others.
@@ -280,34 +279,32 @@ double LimitDeflection(double deflection, double diagonal)
 std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, double angle,
   const ProgressCallback& progress, double seconds)
 {
-  try
-  {
-    IMeshTools_Parameters parameters;
-    parameters.Deflection = deflection;
-    parameters.Angle = angle;
-    parameters.Relative = false;
-    parameters.InParallel = false;
-    parameters.MinSize = std::max(0.01 * deflection, Precision::Confusion());
-    const Handle(KernelProgress) indicator = new KernelProgress(progress, seconds);
-    BRepMesh_IncrementalMesh(shape, parameters, indicator->Start());
-    if (!indicator->IsTimedOut())
+  bool stopped = false;
+  const std::string failure = CatchFailure(
+    [&]()
     {
-      return {};
-    }
-    MeshRemainder(shape, parameters, progress, seconds);
-    return "OpenCASCADE's mesher took more than " + FormatShort(seconds) +
-      " s and was stopped; the display mesh of some faces may be coarse.";
-  }
-  catch (const Standard_Failure& failure)
+      IMeshTools_Parameters parameters;
+      parameters.Deflection = deflection;
+      parameters.Angle = angle;
+      parameters.Relative = false;
+      parameters.InParallel = false;
+      parameters.MinSize = std::max(0.01 * deflection, Precision::Confusion());
+      const Handle(KernelProgress) indicator = new KernelProgress(progress, seconds);
+      BRepMesh_IncrementalMesh(shape, parameters, indicator->Start());
+      indicator->Rethrow();
+      if (indicator->IsTimedOut())
+      {
+        stopped = true;
+        MeshRemainder(shape, parameters, progress, seconds);
+      }
+    });
+  if (!failure.empty())
   {
-    return std::string("OpenCASCADE's mesher failed (") + failure.DynamicType()->Name() +
-      "); parts of the display mesh are missing.";
+    return "OpenCASCADE's mesher failed (" + failure + "); parts of the display mesh are missing.";
   }
-  catch (const std::exception& failure)
-  {
-    return std::string("OpenCASCADE's mesher failed (") + failure.what() +
-      "); parts of the display mesh are missing.";
-  }
+  return stopped ? "OpenCASCADE's mesher took more than " + FormatDigits(seconds, 3) +
+      " s and was stopped; the display mesh of some faces may be coarse."
+                 : std::string();
 }
 
 DisplayMesh BuildMesh(ConvertedBody& body, const gp_Trsf& trsf, double unit, const double origin[3])

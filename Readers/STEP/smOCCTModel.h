@@ -1,6 +1,6 @@
 /**
  * @file smOCCTModel.h
- * @brief Questions to the entities of a STEP file that OpenCASCADE's transfer answers wrongly or not at all
+ * @brief Data of a STEP file's entities that OpenCASCADE's transfer loses: length unit, scales, mirrors, faces without a product
  */
 #ifndef smOCCTModel_h
 #define smOCCTModel_h
@@ -13,20 +13,14 @@
 
 namespace sm
 {
-/// Length of a unit in mm; 0 for a name that is not known. Knows STEP's spellings and short ones.
-double GetUnitInMillimetres(const std::string& unit);
-
-/// The unit of that length among those that lengths are read and written in: mm, cm, m, um, inch, ft. Empty for another.
-std::string GetShortUnit(double millimetres);
-
 /// The file's own length unit as it spells it ("millimetre", "INCH"); empty when it gives none.
 std::string ReadLengthUnit(
   STEPControl_Reader& reader, const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
 
 /**
- * Transformation operators (CARTESIAN_TRANSFORMATION_OPERATOR_3D): OpenCASCADE 7.6 drops their scale and their
- * reflection without a word, which a message says here, and crashes on one without a local origin, which gets the
- * origin here. Returns those that lose something. Call before the transfer.
+ * Transformation operators (CARTESIAN_TRANSFORMATION_OPERATOR_3D): OpenCASCADE 7.6 ignores their scale and their
+ * reflection, which is reported in `messages`, and crashes on one without a local origin, which gets the
+ * origin here. Returns the operators whose scale or reflection is lost. Call before the transfer.
  */
 std::vector<Handle(Standard_Transient)> CheckOperators(
   const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);

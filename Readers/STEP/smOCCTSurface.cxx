@@ -1,9 +1,9 @@
 #include "smOCCTSurface.h"
 
 #include "smChebyshevFit.h"
+#include "smFormat.h"
 #include "smOCCTProfile.h"
 #include "smOCCTSpline.h"
-#include "smOCCTText.h"
 
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
@@ -316,7 +316,7 @@ NearSurface MoveToOrigin(const Handle(Geom_Surface) & surface, const AffineMap& 
     }
     origin.SetCoord(j + 1, sum / (scale * scale));
   }
-  // What the rounding of `origin` leaves of the translation; large terms cancel.
+  // The translation after the rounding of `origin` is subtracted; large terms cancel.
   for (int i = 0; i < 3; ++i)
   {
     long double sum = map.Translation[i];
@@ -450,7 +450,7 @@ ConvertedSurface ConvertSurface(
   if (!(distance <= allowed))
   {
     throw std::runtime_error(
-      "its surface differs from the file's by " + FormatShort(distance) + " after conversion");
+      "its surface differs from the file's by " + FormatDistance(distance) + " after conversion");
   }
   return result;
 }

@@ -1,5 +1,7 @@
 #include "smSTEPLeaf.h"
 
+#include "smOCCTFailure.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -14,15 +16,13 @@
 #include "vtkTrimmedNURBSModel.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <Standard_Failure.hxx>
-
 #include <cmath>
 
 namespace sm
 {
 namespace
 {
-/// What a face without a colour gets where others have one.
+/// Grey value of a face without a colour in a body where others have one.
 constexpr double DefaultColor = 0.8;
 
 /// Share of a body's progress that its triangles take.
@@ -63,95 +63,105 @@ LeafMaker::LeafMaker(
   , Model(vtkSmartPointer<vtkTrimmedNURBSModel>::New())
 {
   const double start = vtkTimerLog::GetUniversalTime();
-  double bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  this->MeshEnd = start;
+  Extent extent;
   ConvertedBody body;
-  double deflection = 0.0;
-  double meshed = start;
-  try
+  const std::string failure = CatchFailure([&]() { this->Convert(part, table, progress, extent, body); });
+  if (!failure.empty())
   {
-    const double scale = std::abs(part.Scale.ScaleFactor());
-    int unbounded = 0;
-    if (GetShapeBounds(part.Shape, bounds, &unbounded))
-    {
-      if (unbounded > 0)
-      {
-        body.Messages.push_back(std::to_string(unbounded) +
-          " faces have no finite bounding box; the size of the body is taken from the others.");
-      }
-      const double diagonal = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-      deflection = options.RelativeDeflection ? options.LinearDeflection * diagonal
-                                              : options.LinearDeflection / (options.Unit * scale);
-      deflection = LimitDeflection(deflection, diagonal);
-      const auto reportMesh = [this, &progress](double x)
-      {
-        this->Aborted = this->Aborted || !progress(MeshShare * x);
-        return !this->Aborted;
-      };
-      const std::string problem =
-        TriangulateShape(part.Shape, deflection, options.AngularDeflection, reportMesh, MeshLimit);
-      if (!problem.empty())
-      {
-        body.Messages.push_back(problem);
-      }
-      GetShapeBounds(part.Shape, bounds);
-    }
-    meshed = vtkTimerLog::GetUniversalTime();
-    // A centre in single precision: subtracting it costs no digits of coordinates that are near it.
-    double origin[3];
-    for (int d = 0; d < 3; ++d)
-    {
-      origin[d] = static_cast<float>(0.5 * (bounds[2 * d] + bounds[2 * d + 1]) * scale * options.Unit);
-    }
-    this->Model->SetOrigin(origin);
-    const auto reportFaces = [&progress](double x) { return progress(MeshShare + (1.0 - MeshShare) * x); };
-    ConvertedBody converted = this->Aborted
-      ? ConvertedBody()
-      : ConvertBody(part.Shape, part.Scale, options.Unit, origin, table, reportFaces);
-    this->Aborted = this->Aborted || converted.Aborted;
-    converted.Messages.insert(converted.Messages.begin(), body.Messages.begin(), body.Messages.end());
-    body = std::move(converted);
-    this->Mesh = BuildMesh(body, part.Scale, options.Unit, origin);
-    for (double& b : bounds)
-    {
-      b *= scale * options.Unit;
-    }
-    deflection *= scale * options.Unit;
-  }
-  catch (const Standard_Failure& failure)
-  {
-    body.Messages.push_back(std::string("The body could not be carried over: OpenCASCADE raised ") +
-      failure.DynamicType()->Name() + ".");
+    body.Messages.push_back("The body could not be carried over: " + failure + ".");
     ++body.MissingFaces;
-  }
-  catch (const std::exception& failure)
-  {
-    ++body.MissingFaces;
-    body.Messages.push_back(std::string("The body could not be carried over: ") + failure.what() + ".");
   }
   if (part.Misplaced)
   {
     ++body.Defects;
     body.Messages.push_back("An instance of it lost its scale or its mirror.");
   }
-  this->MakeModel(part, bounds, deflection, body);
+  this->MakeModel(part, extent, body);
   this->MakeSharedArrays();
-  if (!body.Messages.empty())
-  {
-    std::string message = "Body \"" + part.Name + "\"" +
-      (part.FileId > 0 ? " (#" + std::to_string(part.FileId) + ")" : std::string()) + ": " +
-      body.Messages.front();
-    if (body.Messages.size() > 1)
-    {
-      message += " (and " + std::to_string(body.Messages.size() - 1) + " more, see its model)";
-    }
-    this->Messages.push_back(message);
-  }
-  this->MeshSeconds = meshed - start;
-  this->ConversionSeconds = vtkTimerLog::GetUniversalTime() - meshed;
+  this->Summarise(part, body.Messages);
+  this->MeshSeconds = this->MeshEnd - start;
+  this->ConversionSeconds = vtkTimerLog::GetUniversalTime() - this->MeshEnd;
 }
 
-void LeafMaker::MakeModel(
-  const PartBody& part, const double bounds[6], double deflection, ConvertedBody& body)
+void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
+  Extent& extent, ConvertedBody& body)
+{
+  this->Triangulate(part, progress, extent, body.Messages);
+  this->MeshEnd = vtkTimerLog::GetUniversalTime();
+  const double toOutput = std::abs(part.Scale.ScaleFactor()) * this->Options.Unit;
+  // A centre in single precision: its subtraction from coordinates near it is exact.
+  double origin[3];
+  for (int d = 0; d < 3; ++d)
+  {
+    origin[d] = static_cast<float>(0.5 * (extent.Bounds[2 * d] + extent.Bounds[2 * d + 1]) *
+      std::abs(part.Scale.ScaleFactor()) * this->Options.Unit);
+  }
+  this->Model->SetOrigin(origin);
+  const auto report = [&progress](double x) { return progress(MeshShare + (1.0 - MeshShare) * x); };
+  ConvertedBody converted = this->Aborted
+    ? ConvertedBody()
+    : ConvertBody(part.Shape, part.Scale, this->Options.Unit, origin, table, report);
+  this->Aborted = this->Aborted || converted.Aborted;
+  converted.Messages.insert(converted.Messages.begin(), body.Messages.begin(), body.Messages.end());
+  body = std::move(converted);
+  this->Mesh = BuildMesh(body, part.Scale, this->Options.Unit, origin);
+  for (double& b : extent.Bounds)
+  {
+    b *= toOutput;
+  }
+  extent.Deflection *= toOutput;
+}
+
+void LeafMaker::Triangulate(
+  const PartBody& part, const ProgressCallback& progress, Extent& extent, std::vector<std::string>& messages)
+{
+  double* bounds = extent.Bounds;
+  int unbounded = 0;
+  if (!GetShapeBounds(part.Shape, bounds, &unbounded))
+  {
+    return;
+  }
+  if (unbounded > 0)
+  {
+    messages.push_back(std::to_string(unbounded) +
+      " faces have no finite bounding box; the size of the body is taken from the others.");
+  }
+  const double scale = std::abs(part.Scale.ScaleFactor());
+  const double diagonal = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  const double wanted = this->Options.RelativeDeflection
+    ? this->Options.LinearDeflection * diagonal
+    : this->Options.LinearDeflection / (this->Options.Unit * scale);
+  extent.Deflection = LimitDeflection(wanted, diagonal);
+  const auto report = [this, &progress](double x)
+  {
+    this->Aborted = this->Aborted || !progress(MeshShare * x);
+    return !this->Aborted;
+  };
+  const std::string problem =
+    TriangulateShape(part.Shape, extent.Deflection, this->Options.AngularDeflection, report, MeshLimit);
+  if (!problem.empty())
+  {
+    messages.push_back(problem);
+  }
+  // With triangles the box is tighter than that of the control points.
+  GetShapeBounds(part.Shape, bounds);
+}
+
+void LeafMaker::Summarise(const PartBody& part, const std::vector<std::string>& messages)
+{
+  if (messages.empty())
+  {
+    return;
+  }
+  const std::string id = part.FileId > 0 ? " (#" + std::to_string(part.FileId) + ")" : std::string();
+  const std::string more = messages.size() > 1
+    ? " (and " + std::to_string(messages.size() - 1) + " more, see its model)"
+    : std::string();
+  this->Messages.push_back("Body \"" + part.Name + "\"" + id + ": " + messages.front() + more);
+}
+
+void LeafMaker::MakeModel(const PartBody& part, const Extent& extent, ConvertedBody& body)
 {
   const double unit = this->Options.Unit;
   vtkTrimmedNURBSModel* model = this->Model;
@@ -169,8 +179,8 @@ void LeafMaker::MakeModel(
   for (int d = 0; d < 3; ++d)
   {
     // The triangles lie inside a convex body by up to the deflection.
-    local[2 * d] = bounds[2 * d] - deflection - origin[d];
-    local[2 * d + 1] = bounds[2 * d + 1] + deflection - origin[d];
+    local[2 * d] = extent.Bounds[2 * d] - extent.Deflection - origin[d];
+    local[2 * d + 1] = extent.Bounds[2 * d + 1] + extent.Deflection - origin[d];
   }
   model->SetLocalBounds(local);
   model->SetVolumeScale(this->Mesh.Volume);

@@ -37,7 +37,7 @@ struct LeafOptions
 class LeafMaker
 {
 public:
-  /// Triangulates and converts the body. Throws nothing: what fails is in the messages. `progress` gets a fraction in
+  /// Triangulates and converts the body. A failure is a message; only std::bad_alloc is thrown. `progress` gets a fraction in
   /// [0,1] and answers false to stop.
   LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options,
     const ProgressCallback& progress);
@@ -45,7 +45,7 @@ public:
   /// One occurrence, in world coordinates; it shares the model, and all arrays that the placement leaves alone.
   vtkSmartPointer<vtkNURBSDataSet> MakeLeaf(const BodyInstance& instance);
 
-  /// What a user should know of this body, with its name.
+  /// A sentence with the body's name when its conversion had problems; else empty.
   const std::vector<std::string>& GetMessages() const { return this->Messages; }
   /// `progress` said to stop; the leaf is not whole.
   bool IsAborted() const { return this->Aborted; }
@@ -53,7 +53,20 @@ public:
   double GetConversionSeconds() const { return this->ConversionSeconds; }
 
 private:
-  void MakeModel(const PartBody& part, const double bounds[6], double deflection, ConvertedBody& body);
+  /// Bounding box of the shape and largest distance of the display mesh from it: in mm before the scale, later in output units.
+  struct Extent
+  {
+    double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+    double Deflection = 0.0;
+  };
+
+  void Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
+    Extent& extent, ConvertedBody& body);
+  void Triangulate(const PartBody& part, const ProgressCallback& progress, Extent& extent,
+    std::vector<std::string>& messages);
+  void MakeModel(const PartBody& part, const Extent& extent, ConvertedBody& body);
+  /// The first message with the body's name, and how many there are.
+  void Summarise(const PartBody& part, const std::vector<std::string>& messages);
   void MakeSharedArrays();
   vtkSmartPointer<vtkCellArray> GetTriangles(bool mirrored);
   vtkSmartPointer<vtkDataArray> MakeColors(const BodyInstance& instance) const;
@@ -68,6 +81,8 @@ private:
   vtkSmartPointer<vtkDataArray> Parameters;
   std::vector<std::string> Messages;
   bool Aborted = false;
+  /// Time at which the display mesh was done.
+  double MeshEnd = 0.0;
   double MeshSeconds = 0.0;
   double ConversionSeconds = 0.0;
 };

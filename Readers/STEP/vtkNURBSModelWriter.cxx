@@ -1,9 +1,10 @@
 #include "vtkNURBSModelWriter.h"
 
 #include "smExportTree.h"
+#include "smLengthUnits.h"
 #include "smOCCTExport.h"
+#include "smOCCTFailure.h"
 #include "smOCCTFile.h"
-#include "smOCCTModel.h"
 #include "smSafeFile.h"
 
 #include "vtkErrorCode.h"
@@ -12,12 +13,12 @@
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <vector>
-
 struct vtkNURBSModelWriter::Results
 {
   std::vector<std::string> Messages;
   int Faces = 0;
+  /// The input was computed.
+  bool HadInput = false;
 };
 
 vtkNURBSModelWriter::vtkNURBSModelWriter()
@@ -64,15 +65,27 @@ void vtkNURBSModelWriter::Fail(unsigned long code, const std::string& problem)
 
 int vtkNURBSModelWriter::Write()
 {
+  *this->Last = Results();
   if (this->GetNumberOfInputConnections(0) < 1)
   {
-    *this->Last = Results();
     this->Fail(vtkErrorCode::UserError, "there is no input; call SetInputConnection or SetInputData first");
+    return 0;
+  }
+  // Before the update, so that all ranks of a parallel run fail, not only the one that writes.
+  if (!this->FileName || !*this->FileName)
+  {
+    this->Fail(vtkErrorCode::NoFileNameError, "no file name was given; call SetFileName first");
     return 0;
   }
   // An executive that fails before it asks for data leaves the code of the run before.
   this->SetErrorCode(vtkErrorCode::NoError);
-  return this->Superclass::Write();
+  const int written = this->Superclass::Write();
+  if (written != 0 && !this->Last->HadInput)
+  {
+    this->Fail(vtkErrorCode::UserError, "its input could not be computed; see the errors before this one");
+    return 0;
+  }
+  return written;
 }
 
 vtkTypeBool vtkNURBSModelWriter::ProcessRequest(
@@ -92,10 +105,20 @@ vtkTypeBool vtkNURBSModelWriter::ProcessRequest(
 void vtkNURBSModelWriter::WriteData()
 {
   *this->Last = Results();
+  this->Last->HadInput = true;
   if (this->Piece > 0)
   {
     return;
   }
+  const std::string problem = sm::CatchEverything([this]() { this->WriteFile(); });
+  if (!problem.empty())
+  {
+    this->Fail(vtkErrorCode::UnknownError, problem);
+  }
+}
+
+void vtkNURBSModelWriter::WriteFile()
+{
   if (!this->FileName || !*this->FileName)
   {
     this->Fail(vtkErrorCode::NoFileNameError, "no file name was given; call SetFileName first");
@@ -109,35 +132,12 @@ void vtkNURBSModelWriter::WriteData()
     return;
   }
   const sm::ExportTree tree = sm::MakeExportTree(this->GetInput());
-  this->Last->Messages = tree.Notes;
-  if (tree.Parts.empty())
-  {
-    this->Last->Messages.insert(this->Last->Messages.end(), tree.Warnings.begin(), tree.Warnings.end());
-    this->Fail(vtkErrorCode::UserError,
-      "its input has no exact geometry" +
-        (tree.Warnings.empty() ? std::string("; save what vtkSTEPReader gave, and filters that keep it")
-                               : " (" + tree.Warnings.front() + ")"));
-    return;
-  }
   sm::ExportOptions options;
-  const std::string unit = this->ChooseUnit(tree);
-  const double from = sm::GetUnitInMillimetres(tree.LengthUnit);
-  const double to = sm::GetUnitInMillimetres(unit);
-  // OpenCASCADE passes over a unit that it has another word for, and would call these lengths mm.
-  options.UnitName = sm::GetShortUnit(to);
-  if (!(from > 0.0) || options.UnitName.empty())
+  if (!this->MakeOptions(tree, options))
   {
-    this->Fail(vtkErrorCode::UserError,
-      "the length unit \"" + (from > 0.0 ? unit : tree.LengthUnit) +
-        "\" is not known; use mm, cm, m, um, inch or ft");
     return;
   }
-  options.Unit = from == to ? 1.0 : from / to;
-  const std::string path = this->FileName;
-  options.FileName = path.substr(path.find_last_of("/\\") + 1);
-  options.System = "SolidMoments " SOLIDMOMENTS_VERSION;
-
-  sm::SafeFile file(path);
+  sm::SafeFile file(this->FileName);
   if (!file.GetProblem().empty())
   {
     this->Fail(vtkErrorCode::CannotOpenFileError, file.GetProblem());
@@ -163,14 +163,51 @@ void vtkNURBSModelWriter::WriteData()
   this->Last->Faces = result.Faces;
   std::vector<std::string> warnings = tree.Warnings;
   warnings.insert(warnings.end(), result.Warnings.begin(), result.Warnings.end());
-  this->Last->Messages.insert(this->Last->Messages.end(), warnings.begin(), warnings.end());
-  if (!warnings.empty())
+  this->Warn(warnings);
+}
+
+bool vtkNURBSModelWriter::MakeOptions(const sm::ExportTree& tree, sm::ExportOptions& options)
+{
+  this->Last->Messages = tree.Notes;
+  if (tree.Parts.empty())
   {
-    vtkWarningMacro("Saved " << path << ". " << warnings.front()
-                             << (warnings.size() > 1 ? " (and " + std::to_string(warnings.size() - 1) +
-                                      " more, see GetMessage)"
-                                                     : std::string()));
+    this->Last->Messages.insert(this->Last->Messages.end(), tree.Warnings.begin(), tree.Warnings.end());
+    this->Fail(vtkErrorCode::UserError,
+      "its input has no exact geometry" +
+        (tree.Warnings.empty() ? std::string("; save what vtkSTEPReader gave, and filters that keep it")
+                               : " (" + tree.Warnings.front() + ")"));
+    return false;
   }
+  const std::string unit = this->ChooseUnit(tree);
+  const double from = sm::GetUnitInMillimetres(tree.LengthUnit);
+  const double to = sm::GetUnitInMillimetres(unit);
+  // OpenCASCADE ignores a unit that it spells differently, and would call these lengths mm.
+  options.UnitName = sm::GetShortUnit(to);
+  if (!(from > 0.0) || options.UnitName.empty())
+  {
+    this->Fail(vtkErrorCode::UserError,
+      "the length unit \"" + (from > 0.0 ? unit : tree.LengthUnit) +
+        "\" is not known; use mm, cm, m, um, inch or ft");
+    return false;
+  }
+  options.Unit = from == to ? 1.0 : from / to;
+  const std::string path = this->FileName;
+  options.FileName = path.substr(path.find_last_of("/\\") + 1);
+  options.System = "SolidMoments " SOLIDMOMENTS_VERSION;
+  return true;
+}
+
+void vtkNURBSModelWriter::Warn(const std::vector<std::string>& warnings)
+{
+  if (warnings.empty())
+  {
+    return;
+  }
+  this->Last->Messages.insert(this->Last->Messages.end(), warnings.begin(), warnings.end());
+  const std::string more = warnings.size() > 1
+    ? " (and " + std::to_string(warnings.size() - 1) + " more, see GetMessage)"
+    : std::string();
+  vtkWarningMacro("Saved " << this->FileName << ". " << warnings.front() << more);
 }
 
 void vtkNURBSModelWriter::PrintSelf(ostream& os, vtkIndent indent)

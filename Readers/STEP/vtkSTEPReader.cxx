@@ -1,26 +1,27 @@
 #include "vtkSTEPReader.h"
 
+#include "smLengthUnits.h"
 #include "smOCCTDocument.h"
+#include "smOCCTFailure.h"
 #include "smOCCTFile.h"
-#include "smOCCTMesh.h"
-#include "smOCCTModel.h"
 #include "smSTEPLeaf.h"
+#include "smSTEPTree.h"
 
+#include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataAssembly.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimerLog.h"
-#include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <vector>
 
 vtkStandardNewMacro(vtkSTEPReader);
@@ -30,42 +31,19 @@ namespace
 /// Share of the progress that OpenCASCADE's reading takes.
 constexpr double ReadingShare = 0.5;
 
-/// Short name of a unit the reader can write.
-int AddChild(vtkDataAssembly* assembly, int parent, const std::string& name, const std::string& fallback)
+/**
+ * The rank that updates the first piece, when all ranks of `controller` update this reader together, each a piece of its own; -1 when
+ * they do not. An update for another number of pieces than there are ranks is one of this rank alone, and the others do not answer.
+ */
+int FindFirstPiece(vtkMultiProcessController* controller, int piece, int pieces)
 {
-  std::string valid = name.empty() ? fallback : vtkDataAssembly::MakeValidNodeName(name.c_str());
-  if (vtkDataAssembly::IsNodeNameReserved(valid.c_str()))
+  if (!controller || pieces < 2 || controller->GetNumberOfProcesses() != pieces)
   {
-    valid += "_";
+    return -1;
   }
-  const int node = assembly->AddNode(valid.c_str(), parent);
-  assembly->SetAttribute(node, "label", name.empty() ? fallback.c_str() : name.c_str());
-  return node;
-}
-
-void AddProduct(vtkDataAssembly* assembly, int parent, const sm::ProductNode& product)
-{
-  const int node = AddChild(assembly, parent, product.Name, "Part");
-  if (!product.Layer.empty())
-  {
-    assembly->SetAttribute(node, "layer", product.Layer.c_str());
-  }
-  for (const int instance : product.Instances)
-  {
-    assembly->AddDataSetIndex(node, static_cast<unsigned int>(instance));
-  }
-  for (const sm::ProductNode& child : product.Children)
-  {
-    AddProduct(assembly, node, child);
-  }
-}
-
-std::string GetStem(const std::string& path)
-{
-  const std::size_t slash = path.find_last_of("/\\");
-  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-  const std::size_t dot = name.find_last_of('.');
-  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+  const int own = piece == 0 ? controller->GetLocalProcessId() : -1;
+  int root = -1;
+  return controller->AllReduce(&own, &root, 1, vtkCommunicator::MAX_OP) != 0 ? root : -1;
 }
 }
 
@@ -163,7 +141,7 @@ int vtkSTEPReader::FillOutputPortInformation(int, vtkInformation* info)
 int vtkSTEPReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  // Pieces beyond the first are empty: every rank of a parallel run may ask.
+  // Pieces beyond the first have no leaves: every rank of a parallel run may ask for one.
   outputVector->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }
@@ -194,16 +172,13 @@ bool vtkSTEPReader::Report(double fraction)
   return !this->GetAbortExecute();
 }
 
-int vtkSTEPReader::Fail(int status, const std::string& problem)
+void vtkSTEPReader::Fail(int status, const std::string& problem)
 {
   const std::string sentence =
     std::string("Cannot read ") + (this->FileName ? this->FileName : "a STEP file") + ": " + problem + ".";
   this->Status = status;
   this->Last->Messages.push_back(sentence);
   vtkErrorMacro(<< sentence);
-  // Other ranks, with their empty pieces, do not fail: what is downstream must run on all or on none.
-  vtkInformation* info = this->GetOutputInformation(0);
-  return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;
 }
 
 int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
@@ -212,33 +187,83 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   auto* output = vtkPartitionedDataSetCollection::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT()));
   *this->Last = Results();
   this->Status = EMPTY;
-  if (info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  const int piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  const int pieces = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const int root = FindFirstPiece(controller, piece, pieces);
+  if (piece == 0)
+  {
+    this->ReadGuarded(output);
+  }
+  else
   {
     this->Status = OK;
-    return 1;
   }
-  if (!this->FileName || !*this->FileName)
+  if (root >= 0)
   {
-    return this->Fail(UNREADABLE, "no file name was given; call SetFileName first");
+    this->ShareTree(controller, root, output);
   }
-  const bool fileUnit = this->OutputUnit == "file";
-  double millimetres = fileUnit ? 1.0 : sm::GetUnitInMillimetres(this->OutputUnit);
-  if (!fileUnit && sm::GetShortUnit(millimetres).empty())
-  {
-    return this->Fail(UNREADABLE,
-      "OutputUnit \"" + this->OutputUnit + "\" is not known; use mm, cm, m, um, inch, ft or file");
-  }
+  // One rank of several does not fail: the filters downstream must run on all ranks or on none.
+  const bool failed = this->Status == EMPTY || this->Status == UNREADABLE;
+  return failed && pieces < 2 ? 0 : 1;
+}
 
-  if (sm::KernelSession::IsHeldHere())
+void vtkSTEPReader::ShareTree(
+  vtkMultiProcessController* controller, int root, vtkPartitionedDataSetCollection* output)
+{
+  Results& last = *this->Last;
+  vtkMultiProcessStream stream;
+  const bool isRoot = controller->GetLocalProcessId() == root;
+  if (isRoot)
   {
-    return this->Fail(UNREADABLE,
-      "another file is being read on this thread, and OpenCASCADE reads one at a time; do not update a "
-      "reader "
-      "inside an observer of another one's progress");
+    stream << this->Status << last.Bodies << last.Instances << last.FreeFaces << last.FileUnit
+           << last.LengthUnit << static_cast<int>(last.Messages.size());
+    for (const std::string& message : last.Messages)
+    {
+      stream << message;
+    }
+    sm::PackTree(output, stream);
+  }
+  if (!controller->Broadcast(stream, root))
+  {
+    this->Fail(UNREADABLE, "the connection to the other ranks was lost");
+    return;
+  }
+  if (!isRoot)
+  {
+    int messages = 0;
+    stream >> this->Status >> last.Bodies >> last.Instances >> last.FreeFaces >> last.FileUnit >>
+      last.LengthUnit >> messages;
+    last.Messages.resize(messages);
+    for (std::string& message : last.Messages)
+    {
+      stream >> message;
+    }
+    sm::UnpackTree(stream, output);
+  }
+}
+
+void vtkSTEPReader::ReadGuarded(vtkPartitionedDataSetCollection* output)
+{
+  const std::string problem = sm::CatchEverything([this, output]() { this->Read(output); });
+  if (!problem.empty())
+  {
+    output->Initialize();
+    this->Fail(UNREADABLE, problem);
+  }
+}
+
+void vtkSTEPReader::Read(vtkPartitionedDataSetCollection* output)
+{
+  const std::string mistake = this->FindMistake();
+  if (!mistake.empty())
+  {
+    this->Fail(UNREADABLE, mistake);
+    return;
   }
   const sm::KernelSession kernel;
   const double start = vtkTimerLog::GetUniversalTime();
-  sm::Document document =
+  const sm::Document document =
     sm::ReadDocument(this->FileName, [this](double x) { return this->Report(ReadingShare * x); });
   this->Last->ReadSeconds = vtkTimerLog::GetUniversalTime() - start;
   this->Last->Messages = document.Messages;
@@ -246,13 +271,59 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   if (document.Status == sm::ReadStatus::Aborted)
   {
     this->Status = ABORTED;
-    return 1;
+    return;
   }
   if (document.Status != sm::ReadStatus::Ok)
   {
-    return this->Fail(document.Status == sm::ReadStatus::Empty ? EMPTY : UNREADABLE, document.Problem);
+    this->Fail(document.Status == sm::ReadStatus::Empty ? EMPTY : UNREADABLE, document.Problem);
+    return;
   }
-  if (fileUnit)
+  this->Last->FreeFaces = document.FreeFaces;
+  const sm::LeafOptions options = this->ChooseOptions(document);
+  std::vector<std::unique_ptr<sm::LeafMaker>> makers;
+  if (!this->MakeBodies(document, options, makers))
+  {
+    this->Status = ABORTED;
+    return;
+  }
+  const double assembling = vtkTimerLog::GetUniversalTime();
+  output->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(document.Instances.size()));
+  for (unsigned int i = 0; i < document.Instances.size(); ++i)
+  {
+    const sm::BodyInstance& instance = document.Instances[i];
+    output->SetPartition(i, 0, makers[instance.Body]->MakeLeaf(instance));
+    output->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), instance.Name.c_str());
+  }
+  sm::AddAssembly(document.Root, this->FileName, output);
+  this->Last->Bodies = static_cast<int>(document.Bodies.size());
+  this->Last->Instances = static_cast<int>(document.Instances.size());
+  this->Last->ConversionSeconds += vtkTimerLog::GetUniversalTime() - assembling;
+  this->Status = OK;
+  this->UpdateProgress(1.0);
+}
+
+std::string vtkSTEPReader::FindMistake() const
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    return "no file name was given; call SetFileName first";
+  }
+  if (this->OutputUnit != "file" && sm::GetShortUnit(sm::GetUnitInMillimetres(this->OutputUnit)).empty())
+  {
+    return "OutputUnit \"" + this->OutputUnit + "\" is not known; use mm, cm, m, um, inch, ft or file";
+  }
+  if (sm::KernelSession::IsHeldHere())
+  {
+    return "another file is being read on this thread, and OpenCASCADE reads one at a time; do not update a "
+           "reader inside an observer of another one's progress";
+  }
+  return {};
+}
+
+sm::LeafOptions vtkSTEPReader::ChooseOptions(const sm::Document& document)
+{
+  double millimetres = sm::GetUnitInMillimetres(this->OutputUnit);
+  if (this->OutputUnit == "file")
   {
     millimetres = document.FileUnitInMillimetres;
     if (sm::GetShortUnit(millimetres).empty())
@@ -263,8 +334,6 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
     }
   }
   this->Last->LengthUnit = sm::GetShortUnit(millimetres);
-  this->Last->FreeFaces = document.FreeFaces;
-
   sm::LeafOptions options;
   options.Unit = 1.0 / millimetres;
   options.UnitName = this->Last->LengthUnit;
@@ -272,54 +341,31 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   options.LinearDeflection = this->LinearDeflection;
   options.RelativeDeflection = this->RelativeDeflection;
   options.AngularDeflection = this->AngularDeflection;
+  return options;
+}
 
-  std::vector<std::unique_ptr<sm::LeafMaker>> makers;
+bool vtkSTEPReader::MakeBodies(const sm::Document& document, const sm::LeafOptions& options,
+  std::vector<std::unique_ptr<sm::LeafMaker>>& makers)
+{
   for (std::size_t i = 0; i < document.Bodies.size(); ++i)
   {
     const auto report = [this, i, &document](double x)
     { return this->Report(ReadingShare + (1.0 - ReadingShare) * (i + x) / document.Bodies.size()); };
-    bool aborted = !report(0.0);
-    if (!aborted)
+    if (!report(0.0))
     {
-      makers.emplace_back(new sm::LeafMaker(document.Bodies[i], document.Table, options, report));
-      aborted = makers.back()->IsAborted();
+      return false;
     }
-    if (aborted)
+    makers.emplace_back(new sm::LeafMaker(document.Bodies[i], document.Table, options, report));
+    if (makers.back()->IsAborted())
     {
-      this->Status = ABORTED;
-      return 1;
+      return false;
     }
     this->Last->MeshSeconds += makers.back()->GetMeshSeconds();
     this->Last->ConversionSeconds += makers.back()->GetConversionSeconds();
-    for (const std::string& message : makers.back()->GetMessages())
-    {
-      this->Last->Messages.push_back(message);
-    }
+    const std::vector<std::string>& messages = makers.back()->GetMessages();
+    this->Last->Messages.insert(this->Last->Messages.end(), messages.begin(), messages.end());
   }
-
-  const double assembling = vtkTimerLog::GetUniversalTime();
-  output->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(document.Instances.size()));
-  for (unsigned int i = 0; i < document.Instances.size(); ++i)
-  {
-    const sm::BodyInstance& instance = document.Instances[i];
-    output->SetPartition(i, 0, makers[instance.Body]->MakeLeaf(instance));
-    output->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), instance.Name.c_str());
-  }
-  vtkNew<vtkDataAssembly> assembly;
-  const std::string stem = GetStem(this->FileName);
-  assembly->SetRootNodeName("STEP");
-  assembly->SetAttribute(vtkDataAssembly::GetRootNode(), "label", stem.c_str());
-  for (const sm::ProductNode& product : document.Root.Children)
-  {
-    AddProduct(assembly, vtkDataAssembly::GetRootNode(), product);
-  }
-  output->SetDataAssembly(assembly);
-  this->Last->Bodies = static_cast<int>(document.Bodies.size());
-  this->Last->Instances = static_cast<int>(document.Instances.size());
-  this->Last->ConversionSeconds += vtkTimerLog::GetUniversalTime() - assembling;
-  this->Status = OK;
-  this->UpdateProgress(1.0);
-  return 1;
+  return true;
 }
 
 void vtkSTEPReader::PrintSelf(ostream& os, vtkIndent indent)

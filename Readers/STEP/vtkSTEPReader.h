@@ -19,23 +19,26 @@
  * | Color   | cell        | 3 (uchar)  | sRGB colour of the face; only when the file gives the body a colour |
  *
  * Points are in world coordinates and OutputUnit. A face that cannot be carried over is left out and named in the
- * messages of its model (vtkTrimmedNURBSModel::GetMessages); nothing else is lost. Faces that lie beside
- * the solids of a file belong to no body: they are counted (GetNumberOfFreeFaces) and left out.
+ * messages of its model (vtkTrimmedNURBSModel::GetMessages); nothing else is lost. Faces outside the solids
+ * of a file belong to no body: they are counted (GetNumberOfFreeFaces) and left out.
  *
  * A file that cannot be read raises one error that names it and the remedy; the output is empty then and
- * GetStatus says why. Under MPI, piece 0 holds everything and the other pieces are empty.
+ * GetStatus says why. No exception leaves Update(): one that OpenCASCADE, an observer or a lack of memory raises is such an error.
+ *
+ * Under MPI, all ranks have the same tree: as many partitioned datasets, the same names, the same assembly. The leaves are on the rank
+ * that asks for the first piece; on the others every partition is null. Status, messages and counts are the same on all ranks. For that
+ * the ranks of the global controller talk to each other when the number of pieces is the number of ranks, so all of them must update
+ * the reader; each asks for a piece of its own. With any other number of pieces a rank is updated for itself, and pieces beyond the
+ * first are empty collections. On several ranks a file that cannot be read is an error on the rank that reads it, but Update() goes on
+ * with an empty output on all, so that no rank waits for one that stopped.
  *
  * One file is read at a time in a process, readers on other threads wait: OpenCASCADE's settings are global. A
  * reader that is updated by an observer of another one's progress raises an error. Conversion uses vtkSMPTools. No
  * OpenGL context is needed.
  *
- * The display mesh of one body gets 5 seconds, and the faces not reached 5 more one by one; what is left is shown on
- * a plain grid. A body whose faces are not all that the file says has GetNumberOfMissingFaces() or
- * GetNumberOfDefects() above 0.
- *
- * Asked for one of several pieces, as on the ranks of a parallel run, the first piece is the file and the others are empty. A
- * file that cannot be read is an error there, too, but Update() goes on with an empty output, so that no rank waits
- * for one that stopped.
+ * The display mesh of one body gets 5 seconds of CPU time, and the faces that were not meshed then 5 more, one by one; faces without
+ * a mesh are shown on a plain grid. A body whose faces are not complete has GetNumberOfMissingFaces() or GetNumberOfDefects()
+ * above 0 in its model.
  */
 #ifndef vtkSTEPReader_h
 #define vtkSTEPReader_h
@@ -45,6 +48,16 @@
 
 #include <memory> // for the messages and results
 #include <string> // for std::string
+#include <vector> // for the bodies
+
+class vtkMultiProcessController;
+
+namespace sm
+{
+class LeafMaker;
+struct Document;
+struct LeafOptions;
+}
 
 class SMREADERSSTEP_EXPORT vtkSTEPReader : public vtkPartitionedDataSetCollectionAlgorithm
 {
@@ -93,7 +106,7 @@ public:
   vtkGetMacro(OutputUnit, std::string);
   ///@}
 
-  /** How the last Update() ended. */
+  /** Result of the last Update(). */
   enum StatusType
   {
     OK = 0,
@@ -112,7 +125,7 @@ public:
   std::string GetLengthUnit() const;
 
   ///@{
-  /** What the last Update() has to say about the file, one sentence each; an error is the last one. An
+  /** Messages of the last Update() about the file, one sentence each; an error is the last one. An
    * index out of range gives an empty string. Messages about a body are in its model. */
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;
@@ -121,7 +134,7 @@ public:
   /** Bodies with geometry of their own, and instances of them, in the last output; 0 before the first. */
   int GetNumberOfBodies() const;
   int GetNumberOfInstances() const;
-  /** Faces that lay beside the solids of the last file and were left out. */
+  /** Faces outside the solids of the last file, which were left out. */
   int GetNumberOfFreeFaces() const;
 
   ///@{
@@ -148,7 +161,18 @@ private:
 
   /// Reports `fraction`; false when the application asked to stop.
   bool Report(double fraction);
-  int Fail(int status, const std::string& problem);
+  void Fail(int status, const std::string& problem);
+  /// Read() that lets no exception out: one is an error, and the output is empty.
+  void ReadGuarded(vtkPartitionedDataSetCollection* output);
+  void Read(vtkPartitionedDataSetCollection* output);
+  /// The mistake in the settings; empty when there is none.
+  std::string FindMistake() const;
+  sm::LeafOptions ChooseOptions(const sm::Document& document);
+  /// Converts all bodies; false when the application asked to stop.
+  bool MakeBodies(const sm::Document& document, const sm::LeafOptions& options,
+    std::vector<std::unique_ptr<sm::LeafMaker>>& makers);
+  /// Sends status, messages and the tree of the output from `root` to all other ranks.
+  void ShareTree(vtkMultiProcessController* controller, int root, vtkPartitionedDataSetCollection* output);
 
   char* FileName = nullptr;
   double LinearDeflection = 0.001;
