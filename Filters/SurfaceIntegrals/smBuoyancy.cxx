@@ -1,9 +1,9 @@
 #include "smBuoyancy.h"
+#include "smParallelFor.h"
 #include "smUnitRoundoff.h"
 
 #include "Items/smItemRunner.h"
 
-#include "vtkSMPTools.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -252,10 +252,10 @@ void BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, cons
     found->Used = true;
     below[i] = found->Face;
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(missing.size()), 1,
-    [&](vtkIdType from, vtkIdType to)
+  ParallelFor(missing.size(), 1,
+    [&](std::size_t from, std::size_t to)
     {
-      for (vtkIdType i = from; i < to; ++i)
+      for (std::size_t i = from; i < to; ++i)
       {
         below[missing[i]] = CutBelow(faces[missing[i]], plane, tolerance);
       }

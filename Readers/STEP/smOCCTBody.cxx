@@ -4,6 +4,7 @@
 #include "smOCCTCurve.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTText.h"
+#include "smParallelFor.h"
 
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
@@ -11,8 +12,6 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -183,12 +182,12 @@ private:
     for (std::size_t start = 0; start < count && !this->Result.Aborted; start += Chunk)
     {
       const std::size_t stop = std::min(count, start + Chunk);
-      vtkSMPTools::For(static_cast<vtkIdType>(start), static_cast<vtkIdType>(stop), 16,
-        [&](vtkIdType begin, vtkIdType end)
+      ParallelFor(stop - start, 16,
+        [&](std::size_t begin, std::size_t end)
         {
-          for (vtkIdType i = begin; i < end; ++i)
+          for (std::size_t i = start + begin; i < start + end; ++i)
           {
-            failures[i] = Catch([&] { convert(static_cast<std::size_t>(i)); });
+            failures[i] = Catch([&] { convert(i); });
           }
         });
       this->Result.Aborted = this->Report && !this->Report(done + share * stop / count);
