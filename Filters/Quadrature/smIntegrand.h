@@ -66,7 +66,7 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   static Integrand VectorArea(const std::string& name, int component);
   /// Flux of (0, 0, z) g(x) / (k + 1) with g = x^i y^j z^k: the volume integral of g, too, with nothing to add where z = 0.
   static Integrand HeightMoment(const std::string& name, int i, int j, int k);
-  /// What BuoyancyIntegrator computes: 0 the volume, 1, 2, 3 the first moments.
+  /// Quantity of BuoyancyIntegrator: 0 the volume, 1, 2, 3 the first moments.
   static Integrand Displaced(const std::string& name, int waterline, int quantity);
   static Integrand User(const std::string& name, const std::string& expression, bool closedChain,
     const UserExpression::Constants& constants = {});
