@@ -2,10 +2,12 @@
 //   x, egl   that context is taken; a perturbed shader changes the result by its factor; two runs give the same bits
 //   none     no usable context (the caller limits OpenGL): the CPU computes and a message says why; with OpenGL asked for,
 //            NaN, backend "none" and the reason
+#include "smResidentFaces.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
 #include <vtkComputeContext.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkTable.h>
 
 #include <cstdio>
@@ -86,6 +88,44 @@ void CheckPerturbation(const Expected& part)
   Check("volume without it", part.Volume, pipeline.Mass->GetVolume(), 1e-9 * part.Volume);
 }
 
+/// Two filters of one window on one part: its faces are on the GPU once, and all memory is free when both are gone.
+void CheckSharedFaces(const Expected& part)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(part.Path.c_str());
+  vtkNew<vtkComputeContext> context;
+  context->Start();
+  const vtkTypeInt64 before = context->GetAllocatedBytes();
+  vtkNew<vtkMassPropertiesGPU> first;
+  std::vector<double> numbers;
+  {
+    vtkNew<vtkMassPropertiesGPU> second;
+    vtkTypeInt64 bytes[3] = { before };
+    int run = 0;
+    for (vtkMassPropertiesGPU* mass : { first.Get(), second.Get() })
+    {
+      mass->SetRenderWindow(context->GetRenderWindow());
+      mass->SetInputConnection(reader->GetOutputPort());
+      mass->Update();
+      CheckEqual("backend in the window", "opengl", mass->GetBackendName());
+      bytes[++run] = context->GetAllocatedBytes();
+    }
+    CheckTrue("same bits", AreSameBits(GetNumbers(first), GetNumbers(second)));
+    std::printf("the first filter takes %lld bytes, the second %lld more\n",
+      static_cast<long long>(bytes[1] - bytes[0]), static_cast<long long>(bytes[2] - bytes[1]));
+    // The second one has lists and results of its own, of the same size, but no faces.
+    sm::ResidentFaces resident(context);
+    std::vector<sm::ResidentFace> places;
+    CheckTrue("the shared faces", resident.Acquire({}, places, nullptr) && resident.GetBytes() > 0);
+    CheckEqual("the second filter adds no faces",
+      static_cast<long long>(bytes[1] - bytes[0]) - static_cast<long long>(resident.GetBytes()),
+      static_cast<long long>(bytes[2] - bytes[1]));
+  }
+  CheckTrue("the first one still has the faces", context->GetAllocatedBytes() > before);
+  first->SetRenderWindow(nullptr);
+  CheckEqual("all is released", static_cast<long long>(before), context->GetAllocatedBytes());
+}
+
 /// No OpenGL, and none was insisted on: the CPU's numbers.
 void CheckFallback(const Expected& part)
 {
@@ -158,5 +198,6 @@ int main(int argc, char* argv[])
   }
   CheckContext(part, mode);
   CheckPerturbation(part);
+  CheckSharedFaces(part);
   return Finish();
 }

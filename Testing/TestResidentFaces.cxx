@@ -7,6 +7,9 @@
 
 #include <vtkComputeContext.h>
 #include <vtkNew.h>
+#include <vtkOpenGLRenderWindow.h>
+
+#include <memory>
 
 namespace
 {
@@ -103,6 +106,55 @@ void CheckEdits(vtkComputeContext* context)
   CheckEqual("and nothing of the first", 1, static_cast<long long>(resident.GetNumberOfFaces()));
 }
 
+/// Two users of one window, each with a context of its own: a face is on the GPU once, until both have released it.
+void CheckSharing(vtkComputeContext* context)
+{
+  const long long before = context->GetAllocatedBytes();
+  sm::FacePanelsCache cache;
+  const std::vector<sm::CutFacePointer> faces = MakeFaces(cache, 10);
+  std::vector<sm::ResidentFace> places;
+  std::vector<sm::ResidentFace> others;
+  auto first = std::make_unique<sm::ResidentFaces>(context);
+  CheckTrue("first user", first->Acquire(faces, places, nullptr), first->GetError());
+  const long long bytes = context->GetAllocatedBytes();
+  CheckTrue("the faces take memory", bytes > before);
+  vtkNew<vtkComputeContext> context2;
+  context2->SetSource(vtkComputeContext::WINDOW);
+  context2->SetWindow(context->GetRenderWindow());
+  CheckEqual("second context", vtkComputeContext::READY, context2->Start());
+  sm::ResidentFaces second(context2);
+  CheckTrue("second user", second.Acquire(faces, others, nullptr), second.GetError());
+  CheckEqual("nothing is uploaded twice", 0, static_cast<long long>(second.GetNumberOfUploads()));
+  CheckEqual("allocated bytes stay", bytes, context2->GetAllocatedBytes());
+  CheckTrue("one place", others[3].Page == places[3].Page && others[3].FirstPatch == places[3].FirstPatch);
+
+  // Pages of a run of the one are not dropped for the other.
+  second.SetBudget(1);
+  CheckTrue("above the budget", second.Acquire({ faces[0] }, others, nullptr));
+  CheckEqual("pinned by the first", bytes, context->GetAllocatedBytes());
+  first = nullptr;
+  CheckEqual("the second still has them", bytes, context->GetAllocatedBytes());
+  {
+    const sm::ContextScope scope(context2);
+    CheckTrue("and can bind them", second.Bind(others[0].Page));
+  }
+  {
+    sm::ResidentFaces alone(context, sm::ResidentFaces::Sharing::None);
+    CheckTrue("a user with pages of its own", alone.Acquire(faces, places, nullptr), alone.GetError());
+    CheckEqual("uploads", 10, static_cast<long long>(alone.GetNumberOfUploads()));
+    CheckEqual("twice the bytes", 2 * bytes - before, context->GetAllocatedBytes());
+  }
+  second.Release();
+  CheckEqual("nobody has them", before, context->GetAllocatedBytes());
+  CheckTrue("they can be had again", second.Acquire(faces, others, nullptr), second.GetError());
+  CheckEqual("at the same cost", bytes, context->GetAllocatedBytes());
+  context2->Stop();
+  CheckEqual("the end of the context frees them", before, context->GetAllocatedBytes());
+  CheckEqual("no faces", 0, static_cast<long long>(second.GetNumberOfFaces()));
+  context2->Start();
+  CheckTrue("and again", second.Acquire(faces, others, nullptr), second.GetError());
+}
+
 void CheckMistakes(vtkComputeContext* context)
 {
   sm::FacePanelsCache cache;
@@ -138,6 +190,8 @@ int main()
   }
   CheckPages(context);
   CheckEdits(context);
+  CheckSharing(context);
+  CheckEqual("all is released", 0, context->GetAllocatedBytes());
   CheckMistakes(context);
   return Finish();
 }

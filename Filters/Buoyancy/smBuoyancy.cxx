@@ -1,7 +1,7 @@
 #include "smBuoyancy.h"
+#include "smParallelFor.h"
 #include "smUnitRoundoff.h"
 
-#include "vtkSMPTools.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -274,10 +274,10 @@ void BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, cons
       missing.push_back(i);
     }
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(missing.size()), 1,
-    [&](vtkIdType from, vtkIdType to)
+  ParallelFor(missing.size(), 1,
+    [&](std::size_t from, std::size_t to)
     {
-      for (vtkIdType i = from; i < to; ++i)
+      for (std::size_t i = from; i < to; ++i)
       {
         below[missing[i]] = CutBelow(faces[missing[i]], plane, tolerance);
       }

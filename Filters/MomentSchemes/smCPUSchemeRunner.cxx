@@ -2,8 +2,7 @@
 
 #include "Items/smRowSums.h"
 
-#include "vtkSMPTools.h"
-
+#include "smParallelFor.h"
 #include "smPortableCxx.h"
 
 #include <algorithm>
@@ -16,7 +15,7 @@ namespace sm
 namespace
 {
 // Sub-patches that a thread takes at a time.
-constexpr vtkIdType SubPatchesPerTask = 64;
+constexpr std::size_t SubPatchesPerTask = 64;
 // Estimated cost between two questions whether to go on: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
 
@@ -188,12 +187,12 @@ bool CPUSchemeRunner::Run(
     return this->Fail(
       "there is no memory for the results of " + std::to_string(batch.SubPatches) + " sub-patches");
   }
-  const auto tiles = static_cast<vtkIdType>(batch.Tiles.size());
-  vtkSMPTools::For(0, tiles, 1,
-    [&](vtkIdType from, vtkIdType to)
+  const std::size_t tiles = batch.Tiles.size();
+  ParallelFor(tiles, 1,
+    [&](std::size_t from, std::size_t to)
     {
       Kernel<0, 0> kernel(lists);
-      for (vtkIdType i = from; i < to; ++i)
+      for (std::size_t i = from; i < to; ++i)
       {
         kernel.DrawTrims(batch.Tiles[i]);
         kernel.SweepTexels(batch.Tiles[i]);
@@ -207,11 +206,11 @@ bool CPUSchemeRunner::Run(
     for (std::uint32_t first = part.First; first < part.Last;)
     {
       const std::uint32_t last = first + std::min(step, part.Last - first);
-      vtkSMPTools::For(first, last, SubPatchesPerTask,
-        [&](vtkIdType from, vtkIdType to)
+      ParallelFor(last - first, SubPatchesPerTask,
+        [&](std::size_t from, std::size_t to)
         {
-          evaluations +=
-            Integrate(lists, part.Kernel, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to));
+          evaluations += Integrate(lists, part.Kernel, first + static_cast<std::uint32_t>(from),
+            first + static_cast<std::uint32_t>(to));
         });
       first = last;
       if (shouldContinue && !shouldContinue())
@@ -222,11 +221,11 @@ bool CPUSchemeRunner::Run(
   }
   results.Evaluations = evaluations;
   results.Sums.assign(batch.Tiles.size() * NumberOfSchemeColumns, 0.0);
-  vtkSMPTools::For(0, tiles, 1,
-    [&](vtkIdType from, vtkIdType to)
+  ParallelFor(tiles, 1,
+    [&](std::size_t from, std::size_t to)
     {
       std::vector<double> errors;
-      for (vtkIdType i = from; i < to; ++i)
+      for (std::size_t i = from; i < to; ++i)
       {
         const std::size_t begin = static_cast<std::size_t>(batch.Tiles[i].Begin[0]) * NumberOfSchemeColumns;
         SumRows(lists.Rows.data() + begin, batch.Ranges[i].GetNumberOfSubPatches(), NumberOfSchemeColumns,

@@ -1,5 +1,7 @@
 #include "smPlaneMoments.h"
 
+#include "smVector.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,7 @@ namespace sm
 namespace
 {
 using Point2 = std::array<double, 2>;
-using Point3 = std::array<double, 3>;
+using Point3 = Vector3;
 constexpr int NumberOfIntegrals = 11;
 
 /// The plane S(u,v) = Center + (u - Middle[0]) U + (v - Middle[1]) V.
@@ -67,11 +69,6 @@ struct CompensatedSum
 double Mean(const Point3& f)
 {
   return (f[0] + f[1] + f[2]) / 3.0;
-}
-
-double Dot(const Point3& f, const Point3& g)
-{
-  return f[0] * g[0] + f[1] * g[1] + f[2] * g[2];
 }
 
 double Mean(const Point3& f, const Point3& g)
@@ -158,7 +155,7 @@ std::array<double, 14> ComputePlaneMoments(const SubPatchFace& face)
   {
     moments[10 + c] = normal[c] * area;
   }
-  moments[13] = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]) * area;
+  moments[13] = Norm(normal) * area;
   return moments;
 }
 }

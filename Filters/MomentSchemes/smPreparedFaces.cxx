@@ -1,6 +1,7 @@
 #include "smPreparedFaces.h"
 
-#include "vtkSMPTools.h"
+#include "smParallelFor.h"
+
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -48,9 +49,7 @@ bool RunPortions(std::size_t count, std::size_t first,
   {
     const std::size_t end = begin + std::min(size, count - begin);
     const double start = vtkTimerLog::GetUniversalTime();
-    vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end),
-      [&](vtkIdType from, vtkIdType to)
-      { work(static_cast<std::size_t>(from), static_cast<std::size_t>(to)); });
+    ParallelFor(end - begin, 0, [&](std::size_t from, std::size_t to) { work(begin + from, begin + to); });
     const double seconds = vtkTimerLog::GetUniversalTime() - start;
     const double wanted = static_cast<double>(end - begin) * PortionSeconds / std::max(seconds, 1e-6);
     size = static_cast<std::size_t>(std::max(1.0, std::min(wanted, 2.0 * static_cast<double>(size))));

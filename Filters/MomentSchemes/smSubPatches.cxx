@@ -1,5 +1,7 @@
 #include "smSubPatches.h"
 
+#include "smVector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -15,7 +17,7 @@ using Homogeneous = std::array<double, 4>;
 // Points of a rise that are compared with the surface's domain: its ends, where v is extreme, and some between.
 constexpr int PointsOfRise = 5;
 
-// Of the coordinates' size. The corners of a plane were rounded where the file placed them, which may be far from the model's
+// Tolerance relative to the size of the coordinates. The corners of a plane were rounded where the file placed them, which may be far from the model's
 // origin; what is taken for a plane then moves the volume by less than this times size times area.
 constexpr double PlanarGap = 1e-12;
 
@@ -34,7 +36,7 @@ std::vector<double> DivideIntervals(const std::vector<double>& breaks, int facto
   return borders;
 }
 
-/// What a face must fulfil before anything of it is computed; throws what is wrong.
+/// Checks the preconditions of a face; throws with a message that names the violated one.
 void CheckFace(const Face& face, const SchemeOptions& options)
 {
   const std::string reason = face.Surface.Check();
@@ -107,12 +109,12 @@ void AddPatch(SubPatchFace& face, double u0, double u1, double v0, double v1)
   for (std::size_t i = 0; i < count; ++i)
   {
     const Homogeneous& p = points[i];
-    patch.Radius = std::max(patch.Radius, std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / p[3]);
+    patch.Radius = std::max(patch.Radius, Norm(p.data()) / p[3]);
   }
   face.Patches.push_back(patch);
 }
 
-/// How far, about, the trim curves lead out of the surface's domain, as a length: by the size of the patch that they leave.
+/// Estimated distance, a length, by which the trim curves leave the surface's domain, from the size of the patch that they leave.
 double MeasureOutside(const SubPatchFace& face)
 {
   const std::vector<double>* const borders[2] = { &face.Grid.U, &face.Grid.V };
@@ -161,7 +163,7 @@ void PreparePlane(SubPatchFace& face, const SchemeOptions& options)
   surface.Evaluate(surface.GetDomainStart(0), surface.GetDomainStart(1), position, du, dv);
   const auto shareOf = [&options](const double(&d)[3])
   {
-    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double length = Norm(d);
     return 0.5 * options.ChordTolerance / std::max(length, 1e-300);
   };
   // |S(c) - S(chord)| <= |du| |Su| + |dv| |Sv|, and the derivatives are constant.

@@ -65,11 +65,11 @@ struct SchemeOptions
   /// Texels of the trim texture per sub-patch and direction, at least 1.
   int TextureFactor = 4;
   DeviationMode Deviation = DeviationMode::Bounded;
-  /// How far, as a length, the chords of a planar face's trim polygon may be from its trim curves; above 0.
+  /// Largest distance, a length, of the chords of a planar face's trim polygon from its trim curves; above 0.
   double ChordTolerance = 0.0;
 };
 
-/// What the schemes read of a face. u and v are not exchanged.
+/// Data of a face that the schemes read. u and v are not exchanged.
 struct SubPatchFace
 {
   FacePointer Source;
@@ -81,12 +81,12 @@ struct SubPatchFace
   std::vector<std::array<double, 4>> Points;
   /// K per sub-patch, u fastest.
   std::vector<double> Deviations;
-  /// Of a planar face, at the chord tolerance. No loops: it is not trimmed.
+  /// Trim polygons of a planar face, at the chord tolerance. No loops: it is not trimmed.
   TrimPolygons Polygons;
-  /// Of any other face: the trim texture is made from the curves themselves. Chords to a share of a texel would not do: along L
+  /// Trim curves of any other face: the trim texture is made from the curves themselves. Chords to a share of a texel would not do: along L
   /// texels of a curve they err to one side by their deviation times L, the texels' own errors by the root of L.
   std::vector<TrimRise> Rises;
-  /// How far the trim curves lead out of the surface, about, as a length; 0 of a planar face, whose plane goes on.
+  /// Estimated distance, a length, by which the trim curves leave the surface; 0 for a planar face, whose plane has no border.
   double Outside = 0.0;
 
   /// There is a trim texture.

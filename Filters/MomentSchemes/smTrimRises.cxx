@@ -9,7 +9,7 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
-// Of the largest |v| of a face: turns within that are rounding.
+// Relative to the largest |v| of a face: reversals of direction within that are rounding.
 constexpr double Resolution = 0x1p-46;
 // Halvings of a piece that keeps on turning.
 constexpr int MaximumDepth = 40;

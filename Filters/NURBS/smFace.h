@@ -75,7 +75,7 @@ struct Face
   std::vector<Loop> Loops;
   /// Display colour, r g b in [0,1]; negative: none given.
   std::array<double, 3> Color{ -1.0, -1.0, -1.0 };
-  /// What the reader could not carry over exactly, one sentence each; empty for a sound face.
+  /// Notes of the reader on what it could not convert exactly, one sentence each; empty for a sound face.
   std::vector<std::string> Messages;
 };
 

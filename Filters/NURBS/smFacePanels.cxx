@@ -3,6 +3,7 @@
 #include "smCoverage.h"
 #include "smPatchParts.h"
 #include "smTrimCutting.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,26 +15,11 @@ namespace sm
 namespace
 {
 using Point2 = std::array<double, 2>;
-using Point3 = std::array<double, 3>;
+using Point3 = Vector3;
 
 // Corners and ribbons whose gap is below this fraction of the coordinates' size hold less than the square of
 // it: far below rounding.
 constexpr double NegligibleGap = 1e-14;
-
-Point3 Subtract(const Point3& a, const Point3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Point3 Cross(const Point3& a, const Point3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Norm(const Point3& a)
-{
-  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
 
 class Builder
 {
@@ -56,12 +42,12 @@ private:
   void AddCorner(const Coedge& before, const Coedge& after, const Point2& from, const Point2& to);
   void AddCap(const Point3& apex, const Point3& from, const Point3& to);
   void AddCoveredEdges();
-  Point2 Turn(const Point2& uv) const { return this->Turned ? Point2{ uv[1], uv[0] } : uv; }
+  Point2 Transpose(const Point2& uv) const { return this->Transposed ? Point2{ uv[1], uv[0] } : uv; }
 
   const Face& Source;
   NURBSSurface Surface;
   /// u and v are exchanged.
-  bool Turned;
+  bool Transposed;
   CellGrid Grid;
   Coverage Cover;
   double Size = 0.0;
@@ -76,7 +62,7 @@ private:
 Builder::Builder(const Face& face)
   : Source(face)
   , Surface(face.Surface.Degree[0] > face.Surface.Degree[1] ? face.Surface.Transposed() : face.Surface)
-  , Turned(face.Surface.Degree[0] > face.Surface.Degree[1])
+  , Transposed(face.Surface.Degree[0] > face.Surface.Degree[1])
   , Grid{ this->Surface.GetSpanBreaks(0), this->Surface.GetSpanBreaks(1) }
   , Cover(this->Grid.GetNumberOfColumns(), this->Grid.GetNumberOfRows())
 {
@@ -97,7 +83,7 @@ std::uint32_t Builder::GetPatch(int column, int row)
   }
   Patch patch = MakePatch(this->Surface, this->Grid.U[column], this->Grid.U[column + 1], this->Grid.V[row],
     this->Grid.V[row + 1], this->Result.Points);
-  patch.Exchanged = this->Turned;
+  patch.Exchanged = this->Transposed;
   this->Result.Patches.push_back(patch);
   this->ShapeOfPatch.push_back(this->Classify(patch));
   return entry->second;
@@ -208,10 +194,10 @@ void Builder::AddPanel(
   const TrimSegment& segment, const BernsteinPiece<2>& piece, std::uint32_t trim, bool reversed)
 {
   // In exchanged parameters a counter-clockwise loop runs clockwise.
-  const bool negative = reversed != this->Turned;
+  const bool negative = reversed != this->Transposed;
   const double start = reversed ? segment.EndPoint[1] : segment.StartPoint[1];
   const double end = reversed ? segment.StartPoint[1] : segment.EndPoint[1];
-  this->Cover.AddPiece(segment.Column, segment.Row, start, end, this->Turned ? -1 : 1);
+  this->Cover.AddPiece(segment.Column, segment.Row, start, end, this->Transposed ? -1 : 1);
 
   const double left = this->Grid.U[segment.Column];
   bool runsInV = false;
@@ -236,8 +222,8 @@ void Builder::AddPanel(
   if (runsInV && leavesLeft)
   {
     this->Result.Panels.push_back({ patch, trim, static_cast<std::uint8_t>(piece.Degree),
-      this->ShapeOfPatch[patch], negative, this->Source.Reversed != this->Turned, segment.Start, segment.End,
-      false, segment.StartPoint, segment.EndPoint });
+      this->ShapeOfPatch[patch], negative, this->Source.Reversed != this->Transposed, segment.Start,
+      segment.End, false, segment.StartPoint, segment.EndPoint });
   }
 }
 
@@ -303,7 +289,7 @@ void Builder::AddCoedge(const Coedge& coedge, const Point2* loopStart)
     coefficients.assign(source.Coefficients, source.Coefficients + source.Degree + 1);
     for (Point2& c : coefficients)
     {
-      c = this->Turn(c);
+      c = this->Transpose(c);
     }
     const BernsteinPiece<2> piece{ coefficients.data(), source.Degree };
     const std::uint32_t trim = this->AddTrim(piece);
@@ -384,9 +370,9 @@ void Builder::AddLoop(const Loop& loop)
 {
   const std::size_t count = loop.Coedges.size();
   const auto startOf = [this](const Coedge& c)
-  { return this->Turn(c.Reversed ? c.Curve.GetEndPoint() : c.Curve.GetStartPoint()); };
+  { return this->Transpose(c.Reversed ? c.Curve.GetEndPoint() : c.Curve.GetStartPoint()); };
   const auto endOf = [this](const Coedge& c)
-  { return this->Turn(c.Reversed ? c.Curve.GetStartPoint() : c.Curve.GetEndPoint()); };
+  { return this->Transpose(c.Reversed ? c.Curve.GetStartPoint() : c.Curve.GetEndPoint()); };
   const auto same = [this](const Point2& a, const Point2& b)
   {
     const double scale[2] = { std::max(std::abs(this->Grid.U.front()), std::abs(this->Grid.U.back())),
@@ -426,7 +412,7 @@ void Builder::AddCoveredEdges()
     for (int m = 0; m < std::abs(edge.Multiplicity); ++m)
     {
       this->Result.Panels.push_back({ patch, trim, 1, this->ShapeOfPatch[patch], edge.Multiplicity < 0,
-        this->Source.Reversed != this->Turned, 0.0, 1.0, true, line[0], line[1] });
+        this->Source.Reversed != this->Transposed, 0.0, 1.0, true, line[0], line[1] });
     }
   }
 }

@@ -25,7 +25,7 @@
 
 namespace sm
 {
-/// What a panel's shape says about the order of its Gauss rules.
+/// Shape of a panel, as far as it decides the order of its Gauss rules.
 enum class PanelShape : std::uint8_t
 {
   General,

@@ -1,9 +1,10 @@
 #include "smFacePanelsCache.h"
 
-#include "vtkSMPTools.h"
+#include "smParallelFor.h"
 
 #include <algorithm>
-#include <exception>
+#include <new>
+#include <stdexcept>
 #include <unordered_map>
 
 namespace sm
@@ -12,7 +13,7 @@ namespace
 {
 // Faces cut between two reports of progress.
 constexpr std::size_t CutsPerReport = 256;
-constexpr vtkIdType CutsPerTask = 8;
+constexpr std::size_t CutsPerTask = 8;
 
 template <typename Type>
 std::size_t GetBytesOf(const std::vector<Type>& values)
@@ -25,12 +26,16 @@ CutFacePointer Cut(const FacePointer& face)
   auto cut = std::make_shared<CutFace>();
   cut->Source = face;
   // As BuildFacePanels: the inner direction is the one of lower degree.
-  const bool turned = face->Surface.Degree[0] > face->Surface.Degree[1];
-  cut->Degree[0] = face->Surface.Degree[turned ? 1 : 0];
-  cut->Degree[1] = face->Surface.Degree[turned ? 0 : 1];
+  const bool transposed = face->Surface.Degree[0] > face->Surface.Degree[1];
+  cut->Degree[0] = face->Surface.Degree[transposed ? 1 : 0];
+  cut->Degree[1] = face->Surface.Degree[transposed ? 0 : 1];
   try
   {
     cut->Panels = BuildFacePanels(*face);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw; // a fault of the machine, not of the face
   }
   catch (const std::exception& error)
   {
@@ -106,10 +111,10 @@ bool FacePanelsCache::Acquire(
     }
     const std::size_t count = std::min(CutsPerReport, missing.size() - begin);
     std::vector<CutFacePointer> portion(count);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), CutsPerTask,
-      [&](vtkIdType from, vtkIdType to)
+    ParallelFor(count, CutsPerTask,
+      [&](std::size_t from, std::size_t to)
       {
-        for (vtkIdType i = from; i < to; ++i)
+        for (std::size_t i = from; i < to; ++i)
         {
           portion[i] = Cut(missing[begin + i]);
         }

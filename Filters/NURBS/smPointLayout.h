@@ -35,7 +35,7 @@ struct LocalPoint
 class SMFILTERSNURBS_EXPORT PointLayout
 {
 public:
-  /// Of a mesh's points, one tuple each; `parameters` must live, unchanged, as long as MakePatches() is called. Indices below 0 and
+  /// Arrays of a mesh's points, one tuple each; `parameters` must live, unchanged, as long as MakePatches() is called. Indices below 0 and
   /// from `faces` on belong to no face.
   PointLayout(vtkDataArray* faceIndex, vtkDataArray* parameters, std::size_t faces);
 

@@ -1,5 +1,7 @@
 #include "vtkNURBSPointEvaluator.h"
 
+#include "smParallelFor.h"
+
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkNURBSDataSet.h"
@@ -7,17 +9,17 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 #include "vtkTrimmedNURBSModel.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <utility>
 
 vtkObjectFactoryNewMacro(vtkNURBSPointEvaluator);
 
 namespace
 {
-constexpr vtkIdType PointsPerTask = 512;
+constexpr std::size_t PointsPerTask = 512;
 
 /// The rows of a mesh's placement about the model's origin.
 struct Frame
@@ -53,25 +55,70 @@ struct Range
 void EvaluateOnCPU(const sm::PointLayout& layout, const std::vector<Range>& ranges,
   const std::vector<sm::CutFacePointer>& patches, std::vector<sm::PointAndNormal>& results)
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(results.size()), PointsPerTask,
-    [&](vtkIdType begin, vtkIdType end)
+  sm::ParallelFor(results.size(), PointsPerTask,
+    [&](std::size_t begin, std::size_t end)
     {
-      auto range = std::upper_bound(ranges.begin(), ranges.end(), static_cast<std::size_t>(begin),
+      auto range = std::upper_bound(ranges.begin(), ranges.end(), begin,
                      [](std::size_t at, const Range& r) { return at < r.First; }) -
         1;
-      for (vtkIdType i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
-        while (range + 1 != ranges.end() && (range + 1)->First <= static_cast<std::size_t>(i))
+        while (range + 1 != ranges.end() && (range + 1)->First <= i)
         {
           ++range;
         }
-        const sm::LocalPoint& point =
-          layout.GetPoints()[layout.GetFirst(range->Face) + static_cast<std::size_t>(i) - range->First];
+        const sm::LocalPoint& point = layout.GetPoints()[layout.GetFirst(range->Face) + i - range->First];
         const sm::FacePanels& face = patches[range - ranges.begin()]->Panels;
         const sm::Patch& patch = face.Patches[point.Patch];
         results[i] = sm::EvaluateDisplayPoint(patch, face.Points.data() + patch.FirstPoint, point.S, point.R);
       }
     });
+}
+
+/// Puts the results, which are in the model's frame, into copies of the mesh's points and normals. A point where the surface has no
+/// normal keeps the old one.
+void MovePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBSModel* edited, const sm::PointLayout& layout,
+  const std::vector<Range>& ranges, const std::vector<sm::PointAndNormal>& results)
+{
+  const std::vector<sm::FacePointer>& is = edited->GetFaces();
+  const Frame frame(mesh, edited);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  points->DeepCopy(mesh->GetPoints());
+  vtkSmartPointer<vtkDataArray> normals;
+  if (vtkDataArray* old = mesh->GetPointData()->GetNormals())
+  {
+    normals.TakeReference(old->NewInstance());
+    normals->DeepCopy(old);
+  }
+  sm::ParallelFor(ranges.size(), 1,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const Range& range = ranges[k];
+        const double side = is[range.Face]->Reversed ? -1.0 : 1.0;
+        for (std::size_t i = 0; i < layout.GetCount(range.Face); ++i)
+        {
+          const sm::PointAndNormal& result = results[range.First + i];
+          const std::int64_t id = layout.GetIds()[layout.GetFirst(range.Face) + i];
+          double moved[3];
+          frame.Apply(result.data(), 1.0, moved);
+          points->SetPoint(id, moved);
+          const double normal[3] = { side * result[3], side * result[4], side * result[5] };
+          if (normals && (normal[0] != 0.0 || normal[1] != 0.0 || normal[2] != 0.0))
+          {
+            frame.Apply(normal, 0.0, moved);
+            normals->SetTuple(id, moved);
+          }
+        }
+      }
+    });
+  mesh->SetPoints(points);
+  if (normals)
+  {
+    mesh->GetPointData()->SetNormals(normals);
+  }
 }
 }
 
@@ -109,6 +156,34 @@ struct vtkNURBSPointEvaluator::Internals
     this->Meshes.push_back({ faceIndex, parameters, faceIndex->GetMTime(), parameters->GetMTime(),
       std::make_shared<sm::PointLayout>(faceIndex, parameters, faces) });
     return this->Meshes.back().Layout;
+  }
+
+  /// The points of the faces that changed; `ranges` gets where the results of each begin.
+  static Work MakeWork(const std::vector<sm::FacePointer>& was, const std::vector<sm::FacePointer>& is,
+    std::shared_ptr<sm::PointLayout> known, std::vector<Range>& ranges)
+  {
+    Work work;
+    work.Layout = std::move(known);
+    sm::PointLayout& layout = *work.Layout;
+    for (std::size_t f = 0; f < is.size(); ++f)
+    {
+      if (is[f] != was[f] && layout.GetCount(f) > 0)
+      {
+        work.Faces.push_back(f);
+        ranges.push_back({ f, work.NumberOfPoints });
+        work.NumberOfPoints += layout.GetCount(f);
+      }
+    }
+    work.Patches.resize(work.Faces.size());
+    sm::ParallelFor(work.Faces.size(), 1,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          work.Patches[i] = layout.MakePatches(is[work.Faces[i]], work.Faces[i]);
+        }
+      });
+    return work;
   }
 };
 
@@ -168,29 +243,10 @@ bool vtkNURBSPointEvaluator::UpdatePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBS
       std::to_string(was.size()));
   }
 
-  Work work;
-  work.Layout = this->Implementation->GetLayout(faceIndex, parameters, is.size());
-  sm::PointLayout& layout = *work.Layout;
   std::vector<Range> ranges;
-  for (std::size_t f = 0; f < is.size(); ++f)
-  {
-    if (is[f] != was[f] && layout.GetCount(f) > 0)
-    {
-      work.Faces.push_back(f);
-      ranges.push_back({ f, work.NumberOfPoints });
-      work.NumberOfPoints += layout.GetCount(f);
-    }
-  }
-  work.Patches.resize(work.Faces.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(work.Faces.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        work.Patches[i] = layout.MakePatches(is[work.Faces[i]], work.Faces[i]);
-      }
-    });
-
+  const Work work =
+    Internals::MakeWork(was, is, this->Implementation->GetLayout(faceIndex, parameters, is.size()), ranges);
+  const sm::PointLayout& layout = *work.Layout;
   std::vector<sm::PointAndNormal> results(work.NumberOfPoints);
   if (!results.empty())
   {
@@ -207,44 +263,7 @@ bool vtkNURBSPointEvaluator::UpdatePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBS
   }
   this->NumberOfEvaluations = static_cast<vtkTypeInt64>(results.size());
 
-  const Frame frame(mesh, edited);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  points->DeepCopy(mesh->GetPoints());
-  vtkSmartPointer<vtkDataArray> normals;
-  if (vtkDataArray* old = mesh->GetPointData()->GetNormals())
-  {
-    normals.TakeReference(old->NewInstance());
-    normals->DeepCopy(old);
-  }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ranges.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        const Range& range = ranges[k];
-        const double side = is[range.Face]->Reversed ? -1.0 : 1.0;
-        for (std::size_t i = 0; i < layout.GetCount(range.Face); ++i)
-        {
-          const sm::PointAndNormal& result = results[range.First + i];
-          const std::int64_t id = layout.GetIds()[layout.GetFirst(range.Face) + i];
-          double moved[3];
-          frame.Apply(result.data(), 1.0, moved);
-          points->SetPoint(id, moved);
-          const double normal[3] = { side * result[3], side * result[4], side * result[5] };
-          if (normals && (normal[0] != 0.0 || normal[1] != 0.0 || normal[2] != 0.0))
-          {
-            frame.Apply(normal, 0.0, moved);
-            normals->SetTuple(id, moved);
-          }
-        }
-      }
-    });
-  mesh->SetPoints(points);
-  if (normals)
-  {
-    mesh->GetPointData()->SetNormals(normals);
-  }
+  MovePoints(mesh, edited, layout, ranges, results);
   mesh->SetModel(edited);
   return true;
 }

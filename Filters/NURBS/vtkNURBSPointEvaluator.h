@@ -38,7 +38,7 @@ public:
   vtkTypeMacro(vtkNURBSPointEvaluator, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What evaluates; the numbers are those of vtkSurfaceIntegralGPU. */
+  /** The processor that evaluates; the numbers are those of vtkSurfaceIntegralGPU. */
   enum BackendType
   {
     AUTOMATIC = 0, ///< OpenGL where there is 4.3 with doubles, else the CPU
@@ -75,7 +75,7 @@ protected:
   ~vtkNURBSPointEvaluator() override;
 
 #ifndef __VTK_WRAP__
-  /// What is to be evaluated: all points of some faces of a layout.
+  /// A request for evaluation: all points of some faces of a layout.
   struct Work
   {
     std::shared_ptr<sm::PointLayout> Layout;

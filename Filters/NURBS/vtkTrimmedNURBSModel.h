@@ -32,7 +32,7 @@ public:
   vtkTypeMacro(vtkTrimmedNURBSModel, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What the model is: a solid (its faces should close) or a free shell (a surface with area only). */
+  /** Kind of the model: a solid (its faces should close) or a free shell (a surface with area only). */
   enum BodyType
   {
     SOLID = 0,
@@ -158,7 +158,7 @@ public:
   }
   void SetShells(std::vector<std::vector<int>> shells);
 
-  /** What the reader has to say about the body, one sentence each. */
+  /** Notes of the reader on the body, one sentence each. */
   const std::vector<std::string>& GetMessages() const
   {
     return this->Messages;

@@ -11,9 +11,9 @@ namespace
 using Wide = long double;
 using WidePoint = std::array<Wide, 3>;
 
-// Of a domain's width: what a trim curve may be off the side that it lies on.
+// Largest distance of a trim curve from the side that it lies on, relative to the domain's width.
 constexpr double SideTolerance = 1e-12;
-// Of a fit: degree of a piece, halvings, and the residual relative to the largest displacement.
+// Limits of a fit: degree of a piece, halvings, and the residual relative to the largest displacement.
 constexpr int FitDegree = 12;
 constexpr int FitHalvings = 8;
 constexpr double FitTolerance = 1e-14;
@@ -55,7 +55,7 @@ double FindParameter(const Function& x, double start, double end, double knot)
     }
     (x(middle) < knot ? start : end) = middle;
   }
-  // Of the two neighbours the one that is nearer: a parameter that is a double itself is found exactly.
+  // The nearer of the two neighbours: a parameter that is a double itself is found exactly.
   return std::abs(x(start) - knot) < std::abs(x(end) - knot) ? start : end;
 }
 
@@ -241,7 +241,7 @@ private:
         residual[c] = std::max(residual[c], static_cast<double>(std::abs(fitted[c] - exact[c])));
       }
     }
-    // What is left of the samples' rounding: trim curves are evaluated in double.
+    // The remainder is rounding of the samples: trim curves are evaluated in double.
     if (*std::max_element(residual.begin(), residual.end()) > FitTolerance * this->Scale && halvings > 1)
     {
       const double middle = 0.5 * (start + end);

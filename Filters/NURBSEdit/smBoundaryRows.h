@@ -51,7 +51,7 @@ struct RowCurve
 /// The same degree and knots, points within `tolerance`, a length, and weights that differ by one factor.
 bool Coincide(const RowCurve& a, const RowCurve& b, double tolerance);
 
-/// What an edge was, and the row that it followed, before the first edit of the row; and the row that it follows now. One that
+/// An edge and the row that it followed before the first edit of the row, and the row that it follows now. One that
 /// moved since has left the edge behind, which then begins anew.
 struct EdgeOrigin
 {

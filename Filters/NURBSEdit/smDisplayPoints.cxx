@@ -1,5 +1,7 @@
 #include "smDisplayPoints.h"
 
+#include "smParallelFor.h"
+
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -8,7 +10,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 
@@ -33,10 +34,10 @@ void MapPoints(vtkNURBSDataSet* leaf, const double origin[3], const PointMap& ma
   vtkNew<vtkPoints> points;
   points->SetDataType(old->GetDataType());
   points->SetNumberOfPoints(old->GetNumberOfPoints());
-  vtkSMPTools::For(0, old->GetNumberOfPoints(), 256,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelFor(static_cast<std::size_t>(old->GetNumberOfPoints()), 256,
+    [&](std::size_t begin, std::size_t end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      for (auto i = static_cast<vtkIdType>(begin); i < static_cast<vtkIdType>(end); ++i)
       {
         double world[3];
         double part[3];

@@ -202,7 +202,7 @@ ModelEdit MoveControlPoints(vtkTrimmedNURBSModel* model, int face,
   std::vector<std::pair<ControlPointIndex, std::array<double, 4>>> points;
   for (const ControlPointIndex& index : indices)
   {
-    // What does not exist is told by SetControlPoints().
+    // SetControlPoints() reports control points that do not exist.
     std::array<double, 4> point{ 0.0, 0.0, 0.0, 1.0 };
     GetControlPoint(model, face, index, point);
     for (int c = 0; c < 3; ++c)

@@ -78,7 +78,7 @@ struct OpenedEdge
 struct ModelEdit
 {
   EditStatus Status = EditStatus::Ok;
-  /// What is wrong and what would be right; empty when Status is Ok.
+  /// The mistake and its remedy; empty when Status is Ok.
   std::string Message;
   /// The edited model; null when Status is not Ok.
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;

@@ -93,7 +93,7 @@ private:
   PointMap Map;
   double Tolerance = 0.0;
   std::vector<EdgeUses> Edges;
-  /// Of each face: index of the edge and of the use in it.
+  /// For each face: index of the edge and of the use in it.
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> EdgesOfFace;
   std::map<const Edge*, std::shared_ptr<const Edge>> NewEdges;
   /// The map's results for edges are numbers.

@@ -1,7 +1,7 @@
 #include "smModelEdit.h"
 #include "smNetChange.h"
-
-#include "vtkSMPTools.h"
+#include "smParallelFor.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,12 +34,12 @@ double GetDistance(const EdgeCurve& curve, double t, const double point[3])
       return std::isnan(distance) ? distance : least;
     }
     least = distance;
-    const double speed = tangent[0] * tangent[0] + tangent[1] * tangent[1] + tangent[2] * tangent[2];
+    const double speed = Dot(tangent, tangent);
     if (!(speed > 0.0))
     {
       break;
     }
-    const double dot = off[0] * tangent[0] + off[1] * tangent[1] + off[2] * tangent[2];
+    const double dot = Dot(off, tangent.data());
     t = std::clamp(t + dot / speed, curve.GetStart(), curve.GetEnd());
   }
   return least;
@@ -260,10 +260,10 @@ std::vector<OpenedEdge> FindOpenedEdges(vtkTrimmedNURBSModel* before, vtkTrimmed
     }
   }
   std::vector<std::vector<OpenedEdge>> found(changed.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(changed.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelFor(changed.size(), 1,
+    [&](std::size_t begin, std::size_t end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         const std::size_t f = changed[i];
         found[i] = CompareFace(*before->GetFaces()[f], *after->GetFaces()[f], static_cast<int>(f), tolerance);

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <string>
 
 vtkStandardNewMacro(vtkNURBSDeform);
@@ -23,7 +24,7 @@ vtkStandardNewMacro(vtkNURBSDeform);
 struct vtkNURBSDeform::Run
 {
   vtkNURBSDeform* Self;
-  /// Of the lattice: models that several leaves share are deformed once.
+  /// Results of LATTICE by model: one that several leaves share is deformed once.
   std::map<vtkTrimmedNURBSModel*, sm::ModelEdit> Known;
   int Solids = 0;
   int Deformed = 0;
@@ -62,7 +63,7 @@ sm::PointMap vtkNURBSDeform::Run::MakeDisplacement(vtkNURBSDataSet* leaf) const
     {
       return p;
     }
-    // What is no number is to be one nowhere.
+    // NaN in a parameter gives NaN everywhere.
     const double q = radius == 0.0 ? 1.0 : 1.0 - (distance / radius) * (distance / radius);
     const double factor = q * q * q;
     return std::array<double, 3>{ p[0] + factor * displacement[0], p[1] + factor * displacement[1],
@@ -173,7 +174,7 @@ bool vtkNURBSDeform::Run::Change(vtkNURBSDataSet* source, vtkNURBSDataSet* copy)
     this->Error = edit.Message + "; displacements, centre and radius must be finite";
     return false;
   }
-  // What nothing moved keeps its model, and instances theirs in common.
+  // A leaf that nothing moved keeps its model, and instances keep sharing theirs.
   return edit.Replaced.empty() ||
     sm::SetEditedModel(copy, edit.Model, map, this->Self->GetPointEvaluator(), this->Error);
 }
@@ -303,9 +304,29 @@ int vtkNURBSDeform::RequestData(
 {
   this->NumberOfOpenedEdges = this->NumberOfChangedFaces = 0;
   this->LargestGap = 0.0;
-  Run run{ this, {}, 0, 0, 0, {} };
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  bool done = false;
+  try
+  {
+    done = this->DeformInput(vtkDataObject::GetData(inputVector[0], 0),
+      info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()), output);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("The deformation failed: " << error.what() << ". The output is empty.");
+  }
+  if (!done)
+  {
+    output->Initialize();
+  }
+  // Where ranks run together, what is downstream must run on all or on none.
+  return done || info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;
+}
+
+bool vtkNURBSDeform::DeformInput(vtkDataObject* input, int piece, vtkDataObject* output)
+{
+  Run run{ this, {}, 0, 0, 0, {} };
   const auto change = [&run](vtkPointSet* source, vtkPointSet* copy)
   {
     auto* from = vtkNURBSDataSet::SafeDownCast(source);
@@ -317,19 +338,19 @@ int vtkNURBSDeform::RequestData(
     this->UpdateProgress(share);
     return !this->GetAbortExecute();
   };
-  bool done = sm::CopyLeaves(vtkDataObject::GetData(inputVector[0], 0), output, change, report);
+  bool done = sm::CopyLeaves(input, output, change, report);
   if (!done && run.Error.empty() && this->GetAbortExecute())
   {
     output->Initialize();
     vtkWarningMacro("The run was aborted: the output is empty.");
-    return 1;
+    return true;
   }
   const auto worst = std::max_element(this->Faces.begin(), this->Faces.end());
   if (!done)
   {
     vtkErrorMacro("The deformation is not possible: " << run.Error << ".");
   }
-  else if (run.Deformed == 0 && info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  else if (run.Deformed == 0 && piece > 0)
   {
     // A rank that has no solids.
   }
@@ -345,10 +366,5 @@ int vtkNURBSDeform::RequestData(
     vtkErrorMacro(
       "There is no face " << *worst << ": the solid has " << run.MostFaces << ", counted from 0.");
   }
-  if (!done)
-  {
-    output->Initialize();
-  }
-  // Where ranks run together, what is downstream must run on all or on none.
-  return done || info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;
+  return done;
 }

@@ -49,7 +49,7 @@ public:
   vtkTypeMacro(vtkNURBSDeform, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** How control points move. */
+  /** The displacement of control points. */
   enum ModeType
   {
     DISPLACE = 0,
@@ -63,26 +63,26 @@ public:
   ///@}
 
   ///@{
-  /** Of DISPLACE: the displacement at the centre, world coordinates, in the input's length unit. Default: 0 0 0. */
+  /** With DISPLACE: the displacement at the centre, world coordinates, in the input's length unit. Default: 0 0 0. */
   vtkSetVector3Macro(Displacement, double);
   vtkGetVector3Macro(Displacement, double);
   ///@}
 
   ///@{
-  /** Of DISPLACE: where the displacement is largest, world coordinates. Default: 0 0 0. */
+  /** With DISPLACE: the point where the displacement is largest, world coordinates. Default: 0 0 0. */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
   ///@}
 
   ///@{
-  /** Of DISPLACE: the distance from the centre, a length, from which on nothing moves; 0: everything moves alike. Clamped to
+  /** With DISPLACE: the distance from the centre, a length, beyond which nothing moves; 0: everything moves alike. Clamped to
    * >= 0. Default: 0. */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
-  /** Of DISPLACE: faces by their index, as in the array FaceIndex, of every solid that is chosen. None: all faces. An index that
+  /** With DISPLACE: faces by their index, as in the array FaceIndex, of every solid that is chosen. None: all faces. An index that
    * no chosen solid has is an error of the next run. Default: none. */
   void AddFace(int index);
   void RemoveAllFaces();
@@ -97,7 +97,7 @@ public:
   ///@}
 
   ///@{
-  /** Of DISPLACE: faces that were not chosen follow along boundary rows that they share with chosen ones. Off: the chosen
+  /** With DISPLACE: faces that were not chosen follow along boundary rows that they share with chosen ones. Off: the chosen
    * faces leave their neighbours, and the solid opens. Default: on. */
   vtkSetMacro(KeepClosed, bool);
   vtkGetMacro(KeepClosed, bool);
@@ -105,7 +105,7 @@ public:
   ///@}
 
   ///@{
-  /** Of LATTICE: its points in x, y and z, each clamped to 2 .. 10. Displacements of points that are not in it are ignored.
+  /** With LATTICE: the number of its points in x, y and z, each clamped to 2 .. 10. Displacements of points that are not in it are ignored.
    * Default: 2 2 2. */
   void SetLatticeSize(int x, int y, int z);
   void SetLatticeSize(const int size[3]) { this->SetLatticeSize(size[0], size[1], size[2]); }
@@ -113,7 +113,7 @@ public:
   ///@}
 
   ///@{
-  /** Of LATTICE: displacement of point i, j, k, counted from 0, in the model's length unit. Default: none, all are 0. */
+  /** With LATTICE: displacement of point i, j, k, counted from 0, in the model's length unit. Default: none, all are 0. */
   void SetLatticeDisplacement(int i, int j, int k, double x, double y, double z);
   void ClearLatticeDisplacements();
   /** The same for callers that have nothing but doubles; i, j and k are rounded. */
@@ -153,6 +153,8 @@ private:
   void operator=(const vtkNURBSDeform&) = delete;
 
   struct Run;
+  // RequestData() without the handling of exceptions; false when the output must be empty.
+  bool DeformInput(vtkDataObject* input, int piece, vtkDataObject* output);
 
   int Mode = DISPLACE;
   double Displacement[3] = { 0.0, 0.0, 0.0 };

@@ -14,11 +14,13 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTransform.h"
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 vtkStandardNewMacro(vtkNURBSTransform);
 
@@ -64,7 +66,7 @@ void MovePoints(vtkPointSet* data, const double m[16])
   data->SetPoints(to);
 }
 
-void TurnNormals(vtkDataSetAttributes* attributes, const double m[16])
+void MapNormals(vtkDataSetAttributes* attributes, const double m[16])
 {
   vtkDataArray* from = attributes->GetNormals();
   if (!from)
@@ -87,15 +89,15 @@ void TurnNormals(vtkDataSetAttributes* attributes, const double m[16])
   attributes->SetNormals(to);
 }
 
-void TurnCells(vtkPolyData* data)
+void ReverseCells(vtkPolyData* data)
 {
-  vtkNew<vtkCellArray> turned;
-  turned->DeepCopy(data->GetPolys());
-  for (vtkIdType i = 0; i < turned->GetNumberOfCells(); ++i)
+  vtkNew<vtkCellArray> reversed;
+  reversed->DeepCopy(data->GetPolys());
+  for (vtkIdType i = 0; i < reversed->GetNumberOfCells(); ++i)
   {
-    turned->ReverseCellAtId(i);
+    reversed->ReverseCellAtId(i);
   }
-  data->SetPolys(turned);
+  data->SetPolys(reversed);
 }
 }
 
@@ -163,6 +165,23 @@ int vtkNURBSTransform::FillInputPortInformation(int, vtkInformation* info)
 int vtkNURBSTransform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  try
+  {
+    return this->MoveInput(vtkDataObject::GetData(inputVector[0], 0), output) ? 1 : 0;
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro("The transformation failed: " << error.what() << ". The output is empty.");
+  }
+  // Where ranks run together, what is downstream must run on all or on none.
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;
+}
+
+bool vtkNURBSTransform::MoveInput(vtkDataObject* input, vtkDataObject* output)
+{
   vtkNew<vtkMatrix4x4> matrix;
   this->GetMatrix(matrix);
   const double* m = matrix->GetData();
@@ -172,18 +191,18 @@ int vtkNURBSTransform::RequestData(
     vtkErrorMacro("The transform is not rigid: it scales, shears or projects (off by "
       << deviation << "), and a placement of exact geometry may only rotate, reflect and translate. Leave "
       << "the scale out, choose the reader's output unit instead, or deform the part with vtkNURBSDeform.");
-    return 0;
+    return false;
   }
   const bool mirrored = matrix->Determinant() < 0.0;
   const auto move = [&](vtkPointSet* source, vtkPointSet* copy)
   {
     MovePoints(copy, m);
-    TurnNormals(copy->GetPointData(), m);
-    TurnNormals(copy->GetCellData(), m);
+    MapNormals(copy->GetPointData(), m);
+    MapNormals(copy->GetCellData(), m);
     auto* mesh = vtkPolyData::SafeDownCast(copy);
     if (mirrored && mesh && mesh->GetPolys())
     {
-      TurnCells(mesh);
+      ReverseCells(mesh);
     }
     auto* from = vtkNURBSDataSet::SafeDownCast(source);
     auto* to = vtkNURBSDataSet::SafeDownCast(copy);
@@ -202,13 +221,12 @@ int vtkNURBSTransform::RequestData(
     this->UpdateProgress(share);
     return !this->GetAbortExecute();
   };
-  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
-  const bool done = sm::CopyLeaves(vtkDataObject::GetData(inputVector[0], 0), output, move, report);
+  const bool done = sm::CopyLeaves(input, output, move, report);
   if (!done && this->GetAbortExecute())
   {
     output->Initialize();
     vtkWarningMacro("The run was aborted: the output is empty.");
-    return 1;
+    return true;
   }
-  return done ? 1 : 0;
+  return done;
 }

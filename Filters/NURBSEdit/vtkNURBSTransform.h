@@ -37,7 +37,7 @@ public:
   ///@}
 
   ///@{
-  /** Angles in degrees about the x, y and z axis through the origin; y is turned first, then x, then z, as vtkProp3D does.
+  /** Angles in degrees about the x, y and z axis through the origin; rotated about y first, then x, then z, as vtkProp3D does.
    * Default: 0 0 0. */
   vtkSetVector3Macro(Rotation, double);
   vtkGetVector3Macro(Rotation, double);
@@ -79,6 +79,9 @@ protected:
 private:
   vtkNURBSTransform(const vtkNURBSTransform&) = delete;
   void operator=(const vtkNURBSTransform&) = delete;
+
+  // RequestData() without the handling of exceptions.
+  bool MoveInput(vtkDataObject* input, vtkDataObject* output);
 
   double Translation[3] = { 0.0, 0.0, 0.0 };
   double Rotation[3] = { 0.0, 0.0, 0.0 };

@@ -20,7 +20,7 @@ constexpr std::size_t MostParts = 128;
 constexpr std::size_t MostPartsOfMoments = 8192;
 // A higher exact order costs more than the one that a bound asks for.
 constexpr int LargestExactOrder = 10;
-// Of a crossing's parameter, in u times its largest coordinate: 2 (degree + 2) for trim pieces up to degree 25.
+// Rounding of a crossing's parameter, in units of u times its largest coordinate: 2 (degree + 2) for trim pieces up to degree 25.
 constexpr double EndRounding = 54.0;
 // An end this close to a patch's corner is that corner: cuts at knots are the knots themselves.
 constexpr double RowBorder = 1e-15;
@@ -269,7 +269,7 @@ bool PanelPlanner::IsSmall(double kink, double share) const
   return true;
 }
 
-void PanelPlanner::ChargeEnds(const Panel& panel, const Part& part)
+void PanelPlanner::AddEndError(const Panel& panel, const Part& part)
 {
   // The covered part of a patch's right edge ends where a trim curve crosses it: known to the rounding of that curve.
   if (!panel.Covered)
@@ -360,7 +360,7 @@ void PanelPlanner::Keep(
     // A rule is off by at most twice the largest value.
     this->Result.QuadratureBound[i] += this->Bounds[i] > 0.0 ? 2.0 * this->Bounds[i] * jacobian : 0.0;
   }
-  this->ChargeEnds(this->Panels.Panels[index], part);
+  this->AddEndError(this->Panels.Panels[index], part);
   this->Result.Evaluations += static_cast<std::int64_t>(along) * across * (compared ? 5 : 1);
   this->Result.Items.push_back(item);
 }

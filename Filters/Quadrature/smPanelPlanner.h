@@ -44,7 +44,7 @@ private:
   bool FindOrders(double share, bool withArea, int& along, int& across) const;
   double GetError(std::size_t integrand, int along, int across) const;
   bool IsSmall(double kink, double share) const;
-  void ChargeEnds(const Panel& panel, const Part& part);
+  void AddEndError(const Panel& panel, const Part& part);
   int ChooseDirection(const Part& part, double share) const;
   void Keep(std::uint32_t index, const Part& part, int along, int across, bool compared, double noise);
 
@@ -58,7 +58,7 @@ private:
   std::vector<Part> Pending;
   std::size_t Parts = 0;
 
-  // Of the part in hand.
+  // Values of the current part.
   TrimSeries Trim;
   PatchMajorants Majorants;
   DirectionBound AlongT;

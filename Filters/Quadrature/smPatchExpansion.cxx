@@ -1,6 +1,7 @@
 // The series of PatchMajorants: what is known of a patch, and its expansion on a box of it.
 #include "smChebyshev.h"
 #include "smPatchMajorants.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,26 +10,16 @@ namespace sm
 {
 namespace
 {
-using Vector = std::array<double, 3>;
+using Vector = Vector3;
 
 // A row of control points this close together, relative to the patch, is one point; a length this close to a
 // polynomial is one. Both leave what rounding leaves.
 constexpr double CollapsedSize = 1e-15;
 // Coefficients of series longer than MostKept that are this small, relative to the largest, are rounding of the samples: in an
-// ellipse they would grow with their degree. They are left out of it and charged as they are.
+// ellipse they would grow with their degree. They are left out of it, and their absolute values are added to the bound.
 constexpr int MostKept = 12;
 constexpr double NoiseSize = 2e-16;       // times the number of coefficients in both directions
 constexpr double LengthTolerance = 3e-15; // times the degrees, whose rounding adds up
-
-Vector Cross(const double* a, const double* b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Norm(const double* a)
-{
-  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
 
 /// Chebyshev coefficients k of the Bernstein polynomials j of a degree on [middle - half, middle + half]: row k.
 void MakeConversion(int degree, double middle, double half, std::vector<double>& conversion)
@@ -62,19 +53,11 @@ void MakeConversion(int degree, double middle, double half, std::vector<double>&
     }
   }
 }
-}
 
-PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
+/// An edge of the net is collapsed when its control points are one point, relative to the size of the patch.
+void FindCollapsedEdges(const std::array<double, 4>* points, int p, int q, double size, PatchTraits& traits)
 {
-  PatchTraits traits;
   const int columns = p + 1;
-  const int count = columns * (q + 1);
-  double size = 0.0;
-  for (int i = 0; i < count; ++i)
-  {
-    traits.Polynomial = traits.Polynomial && points[i][3] == points[0][3];
-    size = std::max(size, Norm(points[i].data()) / points[i][3]);
-  }
   for (int edge = 0; edge < 4; ++edge)
   {
     const bool inS = edge < 2;
@@ -90,66 +73,109 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
     }
     traits.Collapsed[edge] = collapsed;
   }
+}
+}
+
+PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
+{
+  PatchTraits traits;
+  const int columns = p + 1;
+  const int count = columns * (q + 1);
+  double size = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    traits.Polynomial = traits.Polynomial && points[i][3] == points[0][3];
+    size = std::max(size, Norm(points[i].data()) / points[i][3]);
+  }
+  FindCollapsedEdges(points, p, q, size, traits);
 
   PatchMajorants patch;
   patch.P = p;
   patch.Q = q;
   patch.Box = { { 0.5, 0.5 }, { 0.5, 0.5 } };
   patch.Traits = traits;
-  const int countS = 3 * p - 1;
-  const int countR = 3 * q - 1;
   patch.ExpandPosition(points);
   patch.SampleNumerators({ 0.0, 0.0, 0.0 });
-  // Deviations are judged as those of n = factors m~ / w^3: where weights differ a lot, m~ is no scale.
-  const auto cube = [&patch](double x, double y)
-  {
-    const double w = patch.EvaluateWeight(x, y);
-    return w * w * w;
-  };
   const double tolerance = LengthTolerance * (p + q);
-  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
-  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
-  double largest = 0.0;
-  const double* longest = patch.Samples.data();
-  const auto forEachSample = [&](const auto& visit)
-  {
-    for (int b = 0; b < countR; ++b)
-    {
-      for (int a = 0; a < countS; ++a)
-      {
-        visit(patch.Samples.data() + PatchMajorants::Components * (a + static_cast<std::size_t>(countS) * b),
-          cube(ruleS.GetNode(a), ruleR.GetNode(b)));
-      }
-    }
-  };
-  forEachSample(
-    [&](const double* sample, double weight)
-    {
-      if (sample[4] / weight > largest)
-      {
-        largest = sample[4] / weight;
-        longest = sample;
-      }
-    });
-  // Whether all samples are parallel to the longest one: m~ - (m~.e) e has the degrees of m~, so these nodes determine it.
-  double across = 0.0;
-  forEachSample(
-    [&](const double* sample, double weight)
-    {
-      const Vector product = Cross(sample + 1, longest + 1);
-      across = std::max(across, Norm(product.data()) / (longest[4] * weight));
-    });
+  const double* longest = nullptr;
+  const double largest = patch.FindLongestSample(longest);
+  const double across = patch.MeasureAcross(longest);
   if (across <= tolerance * largest)
   {
     traits.ConstantDirection = true;
     traits.LengthDeviation = 8.0 * across;
     return traits;
   }
-  patch.Transform(countS, countR);
+  patch.Transform(3 * p - 1, 3 * q - 1);
+  double deviation = 0.0;
+  if (patch.MeasureLengthDeviation(tolerance * largest, largest, deviation))
+  {
+    // 8: a polynomial between so many Chebyshev nodes rises to a few times its values there.
+    traits.LengthDeviation = 8.0 * deviation;
+    traits.PolynomialLength = true;
+  }
+  return traits;
+}
+
+double PatchMajorants::EvaluateCube(double x, double y) const
+{
+  const double w = this->EvaluateWeight(x, y);
+  return w * w * w;
+}
+
+template <class Visit>
+void PatchMajorants::VisitSamples(const Visit& visit) const
+{
+  const int countS = 3 * this->P - 1;
+  const int countR = 3 * this->Q - 1;
+  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
+  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
+  for (int b = 0; b < countR; ++b)
+  {
+    for (int a = 0; a < countS; ++a)
+    {
+      visit(this->Samples.data() + Components * (a + static_cast<std::size_t>(countS) * b),
+        this->EvaluateCube(ruleS.GetNode(a), ruleR.GetNode(b)));
+    }
+  }
+}
+
+double PatchMajorants::FindLongestSample(const double*& longest) const
+{
+  double largest = 0.0;
+  longest = this->Samples.data();
+  this->VisitSamples(
+    [&](const double* sample, double cube)
+    {
+      if (sample[4] / cube > largest)
+      {
+        largest = sample[4] / cube;
+        longest = sample;
+      }
+    });
+  return largest;
+}
+
+double PatchMajorants::MeasureAcross(const double* longest) const
+{
+  double across = 0.0;
+  this->VisitSamples(
+    [&](const double* sample, double cube)
+    {
+      const Vector product = Cross(sample + 1, longest + 1);
+      across = std::max(across, Norm(product.data()) / (longest[4] * cube));
+    });
+  return across;
+}
+
+bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, double& deviation) const
+{
+  const int countS = 3 * this->P - 1;
+  const int countR = 3 * this->Q - 1;
   // h^2 - m~.m~ has the degrees 2 (countS - 1) and 2 (countR - 1): zero at as many nodes and one more, it is zero.
   const ChebyshevRule& checkS = ChebyshevRule::Get(2 * countS - 1);
   const ChebyshevRule& checkR = ChebyshevRule::Get(2 * countR - 1);
-  std::vector<double> line(static_cast<std::size_t>(PatchMajorants::Components) * countR);
+  std::vector<double> line(static_cast<std::size_t>(Components) * countR);
   for (int a = 0; a < checkS.GetSize(); ++a)
   {
     std::fill(line.begin(), line.end(), 0.0);
@@ -157,39 +183,35 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
     {
       for (int k = 0; k < countS; ++k)
       {
-        const double* from =
-          patch.Samples.data() + PatchMajorants::Components * (k + static_cast<std::size_t>(countS) * l);
-        for (int c = 1; c < PatchMajorants::Components; ++c)
+        const double* from = this->Samples.data() + Components * (k + static_cast<std::size_t>(countS) * l);
+        for (int c = 1; c < Components; ++c)
         {
-          line[PatchMajorants::Components * l + c] += checkS.GetValues(a)[k] * from[c];
+          line[Components * l + c] += checkS.GetValues(a)[k] * from[c];
         }
       }
     }
     for (int b = 0; b < checkR.GetSize(); ++b)
     {
-      double value[PatchMajorants::Components] = {};
+      double value[Components] = {};
       for (int l = 0; l < countR; ++l)
       {
-        for (int c = 1; c < PatchMajorants::Components; ++c)
+        for (int c = 1; c < Components; ++c)
         {
-          value[c] += checkR.GetValues(b)[l] * line[PatchMajorants::Components * l + c];
+          value[c] += checkR.GetValues(b)[l] * line[Components * l + c];
         }
       }
-      const double weight = cube(checkS.GetNode(a), checkR.GetNode(b));
+      const double cube = this->EvaluateCube(checkS.GetNode(a), checkR.GetNode(b));
       const double length = Norm(value + 1);
-      const double deviation = std::abs(length - value[4]) / weight;
+      const double difference = std::abs(length - value[4]) / cube;
       // Where the length is small a difference of squares says little of a difference.
-      if (!(deviation <= tolerance * largest && length > 1e-3 * largest * weight))
+      if (!(difference <= allowed && length > 1e-3 * largest * cube))
       {
-        traits.LengthDeviation = 0.0;
-        return traits;
+        return false;
       }
-      // 8: a polynomial between so many Chebyshev nodes rises to a few times its values there.
-      traits.LengthDeviation = std::max(traits.LengthDeviation, 8.0 * deviation);
+      deviation = std::max(deviation, difference);
     }
   }
-  traits.PolynomialLength = true;
-  return traits;
+  return true;
 }
 
 void PatchMajorants::ExpandNet(const double* net, int countS, int countR, std::vector<double>& series)

@@ -45,7 +45,7 @@ struct BoundClass
   }
 };
 
-/// What is known of a whole patch before any box of it is looked at.
+/// Properties of a whole patch, found before any box of it is examined.
 struct PatchTraits
 {
   /// All weights are equal: numerators are the integrands up to a constant.
@@ -56,7 +56,7 @@ struct PatchTraits
   bool PolynomialLength = false;
   /// m keeps its direction, as in a plane: |m| is one as long as m does not vanish.
   bool ConstantDirection = false;
-  /// How far |n| over those factors is from what that gives: rounding.
+  /// Deviation, due to rounding, of |n| over those factors from that form.
   double LengthDeviation = 0.0;
 };
 
@@ -120,6 +120,17 @@ private:
   ProductEntry SumProducts(const std::vector<double>& s, const std::vector<double>& r) const;
   double GetLowestWeight() const;
   double EvaluateWeight(double x, double y) const;
+  /// The cube of the weight at a point of the box: n = factors m~ / w^3, so lengths of m~ are compared after division by it.
+  double EvaluateCube(double x, double y) const;
+  /// Calls visit(sample, cube of the weight there) for all nodes.
+  template <class Visit>
+  void VisitSamples(const Visit& visit) const;
+  /// The largest |m~| / w^3 of all samples; `longest` becomes that sample.
+  double FindLongestSample(const double*& longest) const;
+  /// The largest part of a sample across the longest one. m~ - (m~.e) e has the degrees of m~: 0 at all nodes, it is 0.
+  double MeasureAcross(const double* longest) const;
+  /// True when |m~| is the polynomial h within `allowed`, and nowhere much smaller than `largest`; `deviation` is the largest found.
+  bool MeasureLengthDeviation(double allowed, double largest, double& deviation) const;
   /// |m~| is a polynomial on the box.
   bool IsPolynomialLength() const;
   void ExpandNet(const double* net, int countS, int countR, std::vector<double>& series);

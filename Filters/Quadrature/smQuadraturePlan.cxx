@@ -30,9 +30,9 @@ struct Portions
   }
 };
 
-/// What a fitted surface may move: the solid by its residual over the area. The normals of a fit are not bounded by its
+/// Adds the error of a fitted surface: it may move the solid by its residual over the area. The normals of a fit are not bounded by its
 /// distance; Markov's inequality for the pieces' degree gives their size.
-void ChargeSurface(const Face& face, const FacePanels& panels, const std::vector<BoundClass>& classes,
+void AddFitError(const Face& face, const FacePanels& panels, const std::vector<BoundClass>& classes,
   double reach, double area, FacePlan& plan)
 {
   const double residual = face.Surface.Residual;
@@ -80,7 +80,7 @@ double GetPolygonLength(const std::array<double, 4>* points, int degree, int str
 }
 
 /**
- * What rounding of the patches' control points, by d, may move; a point of the patch is a convex sum of theirs. The ribbons
+ * Adds the error of rounding of the patches' control points, by d; a point of the patch is a convex sum of theirs. The ribbons
  * start from the same rounded patch, so the chain's moments change by the flux of d through the area, `area` at most; but
  * along interior knot lines each of two patches has moved by itself, and a slit opens. The area changes with
  * the tangents. A step w_(i+1) d_(i+1) - w_i d_i - (w_(i+1) - w_i) D, D the displacement here, is at most 2 d max(w_i, w_(i+1)),
@@ -88,7 +88,7 @@ double GetPolygonLength(const std::array<double, 4>* points, int degree, int str
  * neighbours up to q apart that is 2 p d q / (1 + (q - 1) min(s, 1-s)), on average over s 4 p d q / (q - 1) ln((q + 1) / 2);
  * without weights 2 p d. A curve in r is no longer than its control polygon, at most 2 q rc. Sr likewise.
  */
-void ChargeDisplacements(const FacePanels& panels, const PlanRequest& request, double area, FacePlan& plan)
+void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, double area, FacePlan& plan)
 {
   for (const Patch& patch : panels.Patches)
   {
@@ -101,7 +101,7 @@ void ChargeDisplacements(const FacePanels& panels, const PlanRequest& request, d
     const double spread = ratio > 1.0 ? 4.0 * ratio / (ratio - 1.0) * std::log(0.5 * (ratio + 1.0)) : 2.0;
     const double length[2] = { std::min(patch.Stretch[0], 2.0 * patch.Degree[0] * patch.Radius),
       std::min(patch.Stretch[1], 2.0 * patch.Degree[1] * patch.Radius) };
-    const double turned = spread * (patch.Degree[0] * length[1] + patch.Degree[1] * length[0]);
+    const double rotated = spread * (patch.Degree[0] * length[1] + patch.Degree[1] * length[0]);
     double border = 0.0;
     if (panels.Patches.size() > 1)
     {
@@ -122,7 +122,7 @@ void ChargeDisplacements(const FacePanels& panels, const PlanRequest& request, d
       plan.ConversionBound[i] += c.Kind == BoundClass::VolumeMoment
         ? power * (swept + reach * d * border / (3 + c.Degree))
         : c.Kind == BoundClass::HeightMoment ? power * (swept + reach * d * border)
-        : c.Kind == BoundClass::AreaMoment   ? d * power * turned
+        : c.Kind == BoundClass::AreaMoment   ? d * power * rotated
                                              : d * border;
     }
   }
@@ -222,8 +222,8 @@ FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequ
     cap.Along = cap.Across = request.StripPoints;
     plan.Items.push_back(cap);
   }
-  ChargeSurface(face, panels, all.Classes, reach, area, plan);
-  ChargeDisplacements(panels, all, area, plan);
+  AddFitError(face, panels, all.Classes, reach, area, plan);
+  AddDisplacementError(panels, all, area, plan);
   for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
   {
     values->resize(request.Classes.size());

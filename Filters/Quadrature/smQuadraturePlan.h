@@ -66,7 +66,7 @@ struct PlanRequest
   std::vector<BoundClass> Classes;
   /// Absolute tolerance per class for the face; not positive: nothing is asked.
   std::vector<double> Tolerances;
-  /// Position relative to the point that moments are about, minus that in model coordinates, turned back by the
+  /// Position relative to the point that moments are about, minus that in model coordinates, rotated back by the
   /// placement: zero without one.
   std::array<double, 3> Shift{};
   /// Points that integrate the flat directions of ribbons and caps exactly.

@@ -1,5 +1,7 @@
 #include "smRibbonPlanner.h"
 #include "smUnitRoundoff.h"
+#include "smVector.h"
+#include "smWideEvaluation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,90 +20,13 @@ constexpr int MostNodes = 128;
 // Points along a ribbon that also measures the gap between coedge and edge.
 constexpr int LeastGapPoints = 3;
 
-double Norm(const double* a)
-{
-  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
-
-// What evaluating a ribbon costs, about: rounding of its width, in units of the patch's radius and of its stretch.
+// Estimated error of evaluating a ribbon: rounding of its width, in units of u times the patch's radius and its stretch.
 constexpr double RibbonRoundings = 8.0;
 constexpr double TrimRoundings = 3.0;
-// Of a sample of the gap: of the trim curve, the patch and the edge, up to degree 25 each.
+// Roundings of a sample of the gap: those of the trim curve, the patch and the edge, up to degree 25 each.
 constexpr double SampleRoundings = 64.0;
 
-using Wide = RibbonPlanner::Wide;
 constexpr auto WideRoundoff = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
-
-/// B_i^degree(x), and those of one degree less.
-void EvaluateBasis(int degree, Wide x, Wide* basis, Wide* lower)
-{
-  basis[0] = 1;
-  for (int k = 1; k <= degree; ++k)
-  {
-    if (k == degree)
-    {
-      std::copy(basis, basis + degree, lower);
-    }
-    Wide carried = 0;
-    for (int j = 0; j < k; ++j)
-    {
-      const Wide term = basis[j];
-      basis[j] = carried + (1 - x) * term;
-      carried = x * term;
-    }
-    basis[k] = carried;
-  }
-}
-
-/// (w x, w y, w z, w) of the patch and its derivatives in s and r.
-void EvaluatePatch(const std::array<double, 4>* points, int p, int q, Wide s, Wide r, Wide h[3][4])
-{
-  Wide basisS[MaximumDegree + 1];
-  Wide lowerS[MaximumDegree + 1];
-  Wide basisR[MaximumDegree + 1];
-  Wide lowerR[MaximumDegree + 1];
-  EvaluateBasis(p, s, basisS, lowerS);
-  EvaluateBasis(q, r, basisR, lowerR);
-  std::fill(&h[0][0], &h[0][0] + 12, Wide(0));
-  for (int j = 0; j <= q; ++j)
-  {
-    Wide line[2][4] = {};
-    for (int i = 0; i <= p; ++i)
-    {
-      const Wide slope = p * ((i > 0 ? lowerS[i - 1] : 0) - (i < p ? lowerS[i] : 0));
-      const std::array<double, 4>& point = points[i + (p + 1) * j];
-      for (int c = 0; c < 4; ++c)
-      {
-        line[0][c] += basisS[i] * point[c];
-        line[1][c] += slope * point[c];
-      }
-    }
-    const Wide slope = q * ((j > 0 ? lowerR[j - 1] : 0) - (j < q ? lowerR[j] : 0));
-    for (int c = 0; c < 4; ++c)
-    {
-      h[0][c] += basisR[j] * line[0][c];
-      h[1][c] += basisR[j] * line[1][c];
-      h[2][c] += slope * line[0][c];
-    }
-  }
-}
-
-/// A polynomial piece of `size` coordinates in Bernstein form, relative to `origin`.
-void EvaluatePiece(
-  const double* coefficients, int size, int degree, Wide t, const double* origin, Wide* point)
-{
-  Wide basis[MaximumDegree + 1];
-  Wide lower[MaximumDegree + 1];
-  EvaluateBasis(degree, t, basis, lower);
-  for (int d = 0; d < size; ++d)
-  {
-    point[d] = 0;
-    for (int i = 0; i <= degree; ++i)
-    {
-      point[d] += basis[i] * (static_cast<Wide>(coefficients[size * i + d]) - origin[d]);
-    }
-  }
-}
 }
 
 RibbonPlanner::RibbonPlanner(
@@ -111,7 +36,7 @@ RibbonPlanner::RibbonPlanner(
   , Result(plan)
 {
   // Panels may have u and v exchanged, see smFacePanels.h.
-  const bool turned = face.Surface.Degree[0] > face.Surface.Degree[1];
+  const bool transposed = face.Surface.Degree[0] > face.Surface.Degree[1];
   for (const Loop& loop : face.Loops)
   {
     for (const Coedge& coedge : loop.Coedges)
@@ -119,7 +44,7 @@ RibbonPlanner::RibbonPlanner(
       const std::array<double, 2>& trim = coedge.Curve.Residual;
       const std::array<double, 3>& edge = coedge.Use->Curve.Residual;
       this->Residuals.push_back(
-        { turned ? std::array<double, 2>{ trim[1], trim[0] } : trim, Norm(edge.data()) });
+        { transposed ? std::array<double, 2>{ trim[1], trim[0] } : trim, Norm(edge.data()) });
     }
   }
 }
@@ -355,14 +280,14 @@ void RibbonPlanner::Bound(const Majorants& m, std::vector<double>& bounds) const
 
 bool RibbonPlanner::IsRounding(const Ribbon& ribbon, const Majorants& real) const
 {
-  // About what smRibbon.glsl would charge; both bounds hold, this one is to be the smaller.
+  // An estimate of the rounding bound of smRibbon.glsl; both bounds hold, this one is to be the smaller.
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
   const double rounding =
     UnitRoundoff * (RibbonRoundings * patch.Radius + TrimRoundings * (this->Stretch[0] + this->Stretch[1]));
   return real.Gap + this->Noise / real.Weight <= rounding;
 }
 
-void RibbonPlanner::ChargeNoise(const Majorants& real)
+void RibbonPlanner::AddNoiseError(const Majorants& real)
 {
   // With G off by e, G' by at most 2 N^2 e (Markov): a rule errs by at most twice what the integrand changes.
   const double e = this->Noise / real.Weight;
@@ -387,7 +312,7 @@ void RibbonPlanner::ChargeNoise(const Majorants& real)
   }
 }
 
-void RibbonPlanner::ChargeResiduals(const Ribbon& ribbon, const Majorants& real)
+void RibbonPlanner::AddResidualError(const Ribbon& ribbon, const Majorants& real)
 {
   if (ribbon.Coedge < 0)
   {
@@ -475,8 +400,8 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
       this->Result.QuadratureBound[i] += this->Supremum[i];
       this->Result.Magnitude[i] += this->Supremum[i];
     }
-    this->ChargeNoise(real);
-    this->ChargeResiduals(ribbon, real);
+    this->AddNoiseError(real);
+    this->AddResidualError(ribbon, real);
     return;
   }
   PlannedItem item{ ItemKind::Ribbon, index };
@@ -495,8 +420,8 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   }
   if (sound)
   {
-    this->ChargeNoise(real);
-    this->ChargeResiduals(ribbon, real);
+    this->AddNoiseError(real);
+    this->AddResidualError(ribbon, real);
   }
   this->Result.Evaluations += item.Along;
   this->Result.Items.push_back(item);

@@ -46,13 +46,13 @@ private:
   void SampleGap(const Ribbon& ribbon, double start, double end, int nodes, double tail);
   /// Stretch, TrimSlope and NormalLength from a patch's values at node x.
   void SampleTangents(double x, const Wide values[3][4]);
-  /// The part is narrower than what its evaluation would be charged for rounding: its largest size is the better bound, and it
+  /// The part is narrower than the rounding bound of its evaluation: its largest size is the better bound, and it
   /// is left out. Its gap counts as none.
   bool IsRounding(const Ribbon& ribbon, const Majorants& real) const;
   bool Evaluate(const Ellipse& t, Majorants& majorants) const;
   void Bound(const Majorants& majorants, std::vector<double>& bounds) const;
-  void ChargeNoise(const Majorants& real);
-  void ChargeResiduals(const Ribbon& ribbon, const Majorants& real);
+  void AddNoiseError(const Majorants& real);
+  void AddResidualError(const Ribbon& ribbon, const Majorants& real);
 
   const FacePanels& Panels;
   const PlanRequest& Request;
@@ -65,14 +65,14 @@ private:
   };
   std::vector<Residual> Residuals;
 
-  // Of the part in hand: series in t on [-1,1].
+  // Values of the current part: series in t on [-1,1].
   TrimSeries Trim;
   PatchMajorants Crude;
   DirectionBound AlongT;
   std::vector<std::array<double, 3>> Curve;
   std::vector<std::array<double, 4>> Gap;
   double CurveDistance = 0.0;
-  /// What is not in the series of U, and the number of nodes.
+  /// Bound of the remainder that the series of U lack, and the number of nodes.
   double Noise = 0.0;
   /// The nodes leave more of U than rounding does.
   bool Rough = false;

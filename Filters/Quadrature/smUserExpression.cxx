@@ -197,7 +197,7 @@ bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)
 
 bool UserExpression::TrackBracket(char c, std::size_t at)
 {
-  // Of a function, or of an array's constructor.
+  // The parenthesis of a function, or of an array's constructor.
   const bool isCall = c == '(' && !this->Tokens.empty() &&
     (IsNameStart(this->Tokens.back().Glsl[0]) || this->Tokens.back().Glsl == "]");
   this->Tokens.push_back({ std::string(1, c), at, isCall });
@@ -330,7 +330,7 @@ std::string UserExpression::Explain(const std::string& log) const
       ofWhole = ofWhole.empty() ? what.substr(0, what.find(", in function")) : ofWhole;
       continue;
     }
-    // What follows the last token is ours: the text ended too early.
+    // Text behind the last token is ours: the expression ended too early.
     const bool isBeyond = token >= static_cast<long>(this->Tokens.size());
     const std::string message =
       this->GetPlace(isBeyond ? this->Text.size() : this->Tokens[token].At) + ": " + what;

@@ -22,7 +22,7 @@ class SMFILTERSQUADRATURE_EXPORT UserExpression
 public:
   using Constants = std::map<std::string, double>;
 
-  /// What a sample must be described by.
+  /// Quantities that a sample must provide.
   enum DetailType
   {
     PositionAndNormal = 0,
@@ -49,7 +49,7 @@ public:
   /// several. What it says of other lines is about the whole expression, and told where nothing else is.
   std::string Explain(const std::string& log) const;
 
-  /// Whether a constant may have this name: an identifier that means nothing yet.
+  /// True when a constant may have this name: an identifier without a meaning so far.
   static bool IsFree(const std::string& name);
 
 private:

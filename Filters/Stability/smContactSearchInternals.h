@@ -1,6 +1,6 @@
 /**
  * @file smContactSearchInternals.h
- * @brief What the parts of ContactSearch share: the search for the least height and that for contacts; not installed
+ * @brief State and constants that the parts of ContactSearch share: the search for the least height and that for contacts; not installed
  */
 #ifndef smContactSearchInternals_h
 #define smContactSearchInternals_h
@@ -19,7 +19,7 @@ namespace sm
 {
 // Compositions have degrees up to some hundred, and every product of theirs rounds.
 constexpr double RoundingUnits = 512.0;
-// Of the size: contacts are located, and corners told apart, to this.
+// Accuracy, relative to the size, to which contacts are located and corners distinguished.
 constexpr double RelativeResolution = 1e-13;
 constexpr int MaximumNets = 40000;
 inline const double LeastWidth = std::ldexp(1.0, -50);
@@ -71,7 +71,7 @@ struct ContactSearch::Internals
   }
   double GetSlack(const GroundCurve& root) const
   {
-    // Of a composition, whose products round as often as its degree.
+    // Rounding of a composition, whose products round as often as its degree.
     const double degree = static_cast<double>(root.Points.size());
     return 16.0 * degree * UnitRoundoff * this->Size * GetSlackFactor(root.Points, degree);
   }

@@ -43,7 +43,7 @@ struct ContactPiece
   GroundCurve Curve;
 };
 
-/// How the body would roll at a contact.
+/// Curvature of the body at a contact, for rolling.
 struct ContactSample
 {
   Point2D Position;
@@ -88,7 +88,7 @@ public:
 
   /// Largest coordinate, in the ground's frame, of all control points; 0 without faces.
   double GetSize() const;
-  /// What rounding may have done to a coordinate.
+  /// Bound of the rounding error of a coordinate.
   double GetRounding() const;
   /// Corners closer than this are one.
   double GetResolution() const;

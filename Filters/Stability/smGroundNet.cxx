@@ -1,5 +1,7 @@
 #include "smGroundNet.h"
 
+#include "smVector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -79,17 +81,7 @@ double Combination(int n, int k)
   return result;
 }
 
-using Vector = std::array<double, 3>;
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using Vector = Vector3;
 
 /// Values, first and second derivatives of the Bernstein polynomials of a degree.
 void EvaluateBasis(int degree, double x, std::vector<double> (&basis)[3])

@@ -75,7 +75,7 @@ struct SMFILTERSSTABILITY_EXPORT GroundPatch
   HeightRange GetHeights() const;
   /// The height rises or falls all over the box in direction d.
   bool IsMonotone(int direction, double slack) const;
-  /// How much the slopes of the height, in the root's parameters, vary along a direction: the one to halve is that with more.
+  /// Variation of the slopes of the height, in the root's parameters, along a direction: the direction with more is halved.
   double GetVariation(int direction) const;
   std::pair<GroundPatch, GroundPatch> Split(int direction) const;
   /// Border d = `direction`, at its low (0) or high (1) end, as a curve in the other direction.

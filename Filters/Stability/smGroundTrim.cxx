@@ -145,7 +145,7 @@ GroundCurve ComposeTrim(
 
 bool StaysInSquare(const Patch& patch, const double* uv, int degree, double start, double end)
 {
-  // What rounding moves a trim curve by is far below what it moves a height by.
+  // The effect of rounding on a trim curve is far below that on a height.
   const double outside = 1e-14;
   const std::vector<std::array<double, 2>> local = RestrictTrim(patch, uv, degree, start, end);
   return std::all_of(local.begin(), local.end(),

@@ -11,9 +11,9 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double HalfPi = 1.5707963267948966;
-// Of the size: the height of a curved side over its chord in the polygon that is drawn.
+// Height of a curved side over its chord in the polygon that is drawn, relative to the size.
 constexpr double DrawnSagitta = 1e-3;
-// Of the size: the width of the margin's interval that refinement aims at, and what it may cost.
+// Width of the margin's interval that refinement aims at, relative to the size, and the limit of its cost.
 constexpr double AimedWidth = 1e-10;
 // The same where the sign of the margin is beyond doubt, by this factor.
 constexpr double RelaxedWidth = 1e-5;
@@ -21,7 +21,7 @@ constexpr double BeyondDoubt = 100.0;
 constexpr std::size_t MaximumPieces = 12000;
 // With more critical directions than these, all are.
 constexpr std::size_t ManyDirections = 64;
-// Of the size: hulls that are narrower are a line, or a point.
+// Width, relative to the size, below which a hull counts as a line or a point.
 constexpr double LineWidth = 1e-9;
 
 struct Hulls
@@ -153,8 +153,8 @@ struct Tip
 {
   double Angle;
   double AngleBound;
-  double Work;
-  double WorkBound;
+  double Rise;
+  double RiseBound;
 };
 
 /// See the header; m and z may be off by `bound`, together.
@@ -167,15 +167,15 @@ Tip ComputeTip(double m, double z, double uv, double uh, double bound)
   // The angle under which a ball is seen is asin(bound / d).
   tip.AngleBound = bound < d ? HalfPi * bound / d + 8.0 * UnitRoundoff : 2.0 * HalfPi;
   const double half = std::sin(0.5 * tip.Angle);
-  tip.Work = tip.Angle > 0.0 ? 2.0 * u * d * half * half : 0.0;
-  tip.WorkBound = u *
+  tip.Rise = tip.Angle > 0.0 ? 2.0 * u * d * half * half : 0.0;
+  tip.RiseBound = u *
       (2.0 * bound * half * half +
         (d + bound) *
           (std::abs(std::sin(tip.Angle)) * tip.AngleBound + 0.5 * tip.AngleBound * tip.AngleBound)) +
-    16.0 * UnitRoundoff * std::abs(tip.Work);
+    16.0 * UnitRoundoff * std::abs(tip.Rise);
   if (tip.Angle + tip.AngleBound <= 0.0)
   {
-    tip.WorkBound = 0.0;
+    tip.RiseBound = 0.0;
   }
   return tip;
 }
@@ -184,7 +184,7 @@ struct Frame
 {
   const StabilityCase& Body;
   Point2D Center;
-  Point2D Foot;
+  Point2D ProjectedCenter;
   double Height;
   double Bound;
 
@@ -196,8 +196,8 @@ struct Frame
     const auto distance = [&](const Point2D& p) { return (p[0] - from[0]) * v[0] + (p[1] - from[1]) * v[1]; };
     const Tip tip = ComputeTip(distance(this->Center), this->Height,
       this->Body.Up[0] * v[0] + this->Body.Up[1] * v[1], this->Body.Up[2], this->Bound + slack);
-    return { from, to, distance(this->Foot), this->Bound + slack, tip.Angle, tip.AngleBound, tip.Work,
-      tip.WorkBound };
+    return { from, to, distance(this->ProjectedCenter), this->Bound + slack, tip.Angle, tip.AngleBound,
+      tip.Rise, tip.RiseBound };
   }
 
   std::vector<StabilitySide> MakeSides(const SupportPolygon& polygon, double slack) const
@@ -307,14 +307,14 @@ void Roll(
   const double reach = std::max(frame.Body.Tolerance, frame.Bound);
   // The side to which it rolls worst: both sides of a line, any side of a point.
   const bool isLine = result.Support == SupportKind::Line;
-  ContactSample sample{ frame.Foot, Infinity, 0.0, Infinity };
+  ContactSample sample{ frame.ProjectedCenter, Infinity, 0.0, Infinity };
   for (int k = 0; k < ContactDirections; ++k)
   {
     const Point2D e = GetContactDirection(k);
     const double skew = std::abs(e[0] * along[0] + e[1] * along[1]);
     if (!isLine || skew <= 1.01 * std::sin(2.0 * HalfPi / ContactDirections))
     {
-      const ContactSample one = GetEnvelope(contacts.Samples, frame.Foot, along, reach, k);
+      const ContactSample one = GetEnvelope(contacts.Samples, frame.ProjectedCenter, along, reach, k);
       sample = one.Radius < sample.Radius || !(one.Radius >= 0.0) ? one : sample;
     }
   }
@@ -344,7 +344,8 @@ void Roll(
   double ends[2] = { 0.0, 0.0 };
   for (const Point2D& p : hull.Corners)
   {
-    const double x = (p[0] - frame.Foot[0]) * along[0] + (p[1] - frame.Foot[1]) * along[1];
+    const double x =
+      (p[0] - frame.ProjectedCenter[0]) * along[0] + (p[1] - frame.ProjectedCenter[1]) * along[1];
     ends[0] = std::min(ends[0], x);
     ends[1] = std::max(ends[1], x);
   }
@@ -365,7 +366,7 @@ void Roll(
 StabilityResult::StabilityResult()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  this->Foot = { nan, nan };
+  this->ProjectedCenter = { nan, nan };
   this->Height = this->HeightBound = this->StabilityMargin = this->StabilityMarginBound = this->TipAngle =
     this->TipAngleBound = this->CenterOfMassRise = this->CenterOfMassRiseBound = this->RollingRadius =
       this->RollingMargin = this->RollingMarginBound = nan;
@@ -383,15 +384,15 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
   const double lean[2] = { body.Up[0] / body.Up[2], body.Up[1] / body.Up[2] };
   for (int i = 0; i < 2; ++i)
   {
-    frame.Foot[i] = body.Center[i] - frame.Height * lean[i];
+    frame.ProjectedCenter[i] = body.Center[i] - frame.Height * lean[i];
   }
-  // What the centre, the ground and rounding move the foot by; the foot moves with the height where the ground leans.
+  // Errors of the centre, of the ground and of rounding in the projected centre; on a slope the height adds to it.
   const double steep = 1.0 + std::hypot(lean[0], lean[1]);
   const double heightBound = body.CenterBound + 0.5 * (body.Ground.High - body.Ground.Low) + body.Rounding;
   // The directions are rounded, too: the lean by 8 u (1 + its square), more than it is where the ground is steep.
   frame.Bound =
     steep * (heightBound + body.Rounding + 8.0 * UnitRoundoff * steep * (std::abs(frame.Height) + body.Size));
-  result.Foot = frame.Foot;
+  result.ProjectedCenter = frame.ProjectedCenter;
   result.Height = frame.Height;
   result.HeightBound = heightBound;
   if (contacts.Pieces.empty())
@@ -400,7 +401,7 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
     return result;
   }
 
-  // What is closer than stationary points are known is one.
+  // Points nearer to each other than the accuracy of stationary points count as one.
   const double merge = body.Resolution + 2.0 * contacts.Spread;
   while (contacts.Pieces.size() < MaximumPieces &&
     HalvePieces(contacts.Pieces,
@@ -413,12 +414,12 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
     : drawn.Outer.GetLength() <= LineWidth * body.Size                ? SupportKind::Point
                                                                       : SupportKind::Line;
 
-  const Hulls fine = Refine(contacts.Pieces, frame.Foot, body.Size, merge);
+  const Hulls fine = Refine(contacts.Pieces, frame.ProjectedCenter, body.Size, merge);
   // Points this close to certain ones were passed by, and the outer hull leaves out as much again.
   const double beyond = 8.0 * merge + contacts.Spread;
-  const double inner = fine.Inner.GetMargin(frame.Foot);
+  const double inner = fine.Inner.GetMargin(frame.ProjectedCenter);
   double low = inner - contacts.Spread - frame.Bound;
-  double high = fine.Outer.GetMargin(frame.Foot) + beyond + frame.Bound;
+  double high = fine.Outer.GetMargin(frame.ProjectedCenter) + beyond + frame.Bound;
   if (!std::isfinite(low))
   {
     // Only possible contacts: how far the foot is from the farthest of them is the least that is sure.
@@ -439,7 +440,7 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
   if (fine.Inner.Corners.size() == 1)
   {
     const Point2D& p = fine.Inner.Corners[0];
-    const double offset = std::hypot(frame.Foot[0] - p[0], frame.Foot[1] - p[1]);
+    const double offset = std::hypot(frame.ProjectedCenter[0] - p[0], frame.ProjectedCenter[1] - p[1]);
     const double reach = std::hypot(frame.Center[0] - p[0], frame.Center[1] - p[1], frame.Height);
     result.TipAngle = -std::asin(std::min(1.0, offset * body.Up[2] / std::max(reach, offset)));
     result.TipAngleBound = HalfPi * std::min(2.0, (frame.Bound + beyond) / reach);

@@ -1,30 +1,31 @@
 /**
  * @file smStability.h
- * @brief Does a body stand? Margin, tip angles and works from its contacts and its centre of mass, with bounds
+ * @brief Static stability of a body on the ground: stability margin, tip angles and rises of the centre of mass, with bounds
  *
  * Everything is in the frame of the ground (smGroundNet.h): a, b in its plane, h along its normal. The body is rigid and does not
- * slide. It stands when the plumb line from the centre of mass meets the ground inside the convex hull of the contacts.
+ * slide. It is stable when its centre of mass, projected along gravity onto the ground, lies inside the support polygon, the convex
+ * hull of the contacts.
  *
- * **Margin**: signed distance of that foot from the border of the hull, in the ground's plane, positive inside; minus the distance
- * where the hull is a point or a segment. Hulls from inside and outside of all contacts give an interval, the bounds of
- * the centre widen it.
+ * **Stability margin**: signed distance from the projected centre of mass to the nearest edge of the support polygon, in the ground's
+ * plane, positive inside; minus the distance where the hull is a point or a segment. Hulls from inside and outside of all contacts
+ * give an interval, and the bound of the centre widens it.
  *
  * **Tipping about a side** with unit inward normal v, in the plane: with m the signed distance of the centre from the side along v, z its
  * height above the ground, d = hypot(m, z), and u_v, u_h the components of the upward direction along v and along the
- * ground's normal, the centre is highest after a turn by the angle phi, and has risen by W then:
+ * ground's normal, the centre is highest after a rotation by the angle phi, and has risen by W then:
  *
  *     phi = atan2(m, z) - atan2(u_v, u_h),     W = hypot(u_v, u_h) d (1 - cos phi)        (0 where phi <= 0)
  *
- * On level ground phi = atan(m / z) and W = d - z. W is a length: the work is W times weight.
+ * On level ground phi = atan(m / z) and W = d - z. The rise W is a length; the energy is W times the weight.
  *
- * **Rolling.** Where the contacts are one point, or lie in one line, the margin is not positive, and curvature decides. The height
+ * **Rolling.** Where the contacts are one point, or lie on one line, the margin is not positive, and the curvature decides. The height
  * of the centre over the ground, as a function of the direction of the ground seen from the body, is the support function of the
  * body about the centre; its second derivative in a direction of rolling is (radius of curvature) - z. So a body that is in
  * balance rolls back when the radius of curvature of its surface at the contact, across the line of contacts, exceeds the height of
  * the centre: RollingMargin = radius - z. Corners and edges have radius 0. Between two contacts of a line the radius counts linearly (upper
  * concave envelope: the body lies on both). Where a surface ends at the contact, the body tips over that border: the radius to
- * that side is 0. On a slope z counts 1 / cos^2 times, of its angle across the axis of rolling. Radii come from derivatives at the contacts: their doubt is an estimate, no
- * theorem.
+ * that side is 0. On a slope z is multiplied by 1 / cos^2 of the slope's angle across the axis of rolling. Radii come from derivatives at the
+ * contacts: the bound of the rolling margin is an estimate and not proved.
  */
 #ifndef smStability_h
 #define smStability_h
@@ -59,17 +60,17 @@ struct StabilityCase
 {
   /// In the ground's frame.
   std::array<double, 3> Center{};
-  /// How far the centre may be off, in any direction; not finite: there is none.
+  /// Largest error of the centre, in any direction; not finite: there is no centre.
   double CenterBound = 0.0;
   /// Unit vector against gravity; its h component is positive.
   std::array<double, 3> Up{ 0.0, 0.0, 1.0 };
   /// The ground lies between these heights.
   HeightRange Ground{ 0.0, 0.0 };
-  /// Of the search: see there.
+  /// As in ContactSearch.
   double Size = 0.0;
   double Rounding = 0.0;
   double Resolution = 0.0;
-  /// Contacts were looked for within this of the ground: a body that is out of balance by less is in balance. A length.
+  /// Contacts were searched within this distance of the ground, a length: a body that is out of balance by less counts as in balance.
   double Tolerance = 0.0;
 };
 
@@ -77,7 +78,7 @@ struct StabilitySide
 {
   Point2D From;
   Point2D To;
-  /// Of the foot of the plumb line from the side's line, in the ground's plane.
+  /// Signed distance of the projected centre of mass from the side's line, in the ground's plane.
   double StabilityMargin;
   double StabilityMarginBound;
   /// Radians; negative: the centre is beyond the side already.
@@ -92,14 +93,14 @@ struct StabilityResult
 {
   Verdict Decision = Verdict::Unknown;
   SupportKind Support = SupportKind::None;
-  /// The margin could not decide, and rolling did.
+  /// The rolling margin decided, because the stability margin could not.
   bool ByRolling = false;
-  Point2D Foot;
+  Point2D ProjectedCenter;
   double Height;
   double HeightBound;
   double StabilityMargin;
   double StabilityMarginBound;
-  /// The least of all directions.
+  /// The smallest of all directions.
   double TipAngle;
   double TipAngleBound;
   double CenterOfMassRise;
@@ -116,7 +117,7 @@ struct StabilityResult
   StabilityResult();
 };
 
-/// `contacts` are refined where it matters.
+/// Refines `contacts` where the result depends on them.
 StabilityResult ComputeStability(const StabilityCase& body, GroundContacts contacts);
 }
 

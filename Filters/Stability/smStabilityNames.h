@@ -1,6 +1,6 @@
 /**
  * @file smStabilityNames.h
- * @brief The names of what vtkSolidStability puts out, beside those of smMassPropertyNames.h
+ * @brief Names of the arrays of vtkSolidStability, beside those of smMassPropertyNames.h
  *
  * Field data of port 0 and columns of the tables use the same names. L is the length unit of the model. A quantity with a bound has
  * `<name>Bound` beside it (sm::names::BoundSuffix), in the same unit.
@@ -16,24 +16,25 @@ constexpr const char* Stability = "Stability"; // string, one of the verdicts be
 constexpr const char* Support = "Support";     // string: "area", "line", "point", "none"
 constexpr const char* DecidedBy = "DecidedBy"; // string: "margin", "rolling", "none"
 constexpr const char* StabilityMargin =
-  "StabilityMargin"; // 1, L, with bound: of the plumb line's foot inside the polygon of contacts
-constexpr const char* TipAngle = "TipAngle"; // 1, degrees, with bound: least of all sides; negative: beyond
+  "StabilityMargin"; // 1, L, with bound: signed distance from the projected centre of mass to the nearest edge of the support polygon, positive inside
+constexpr const char* TipAngle =
+  "TipAngle"; // 1, degrees, with bound: the smallest of all sides; negative: the centre is beyond the side
 constexpr const char* CenterOfMassRise =
   "CenterOfMassRise"; // 1, L, with bound: least rise of the centre of mass on the way to tipping
 constexpr const char* TipEnergy =
   "TipEnergy"; // 1, J: mass times gravity times that rise; NaN without a density
 constexpr const char* CenterHeight =
-  "CenterHeight"; // 1, L, with bound: of the centre of mass above the ground
+  "CenterHeight"; // 1, L, with bound: height of the centre of mass above the ground
 constexpr const char* ProjectedCenterOfMass =
-  "ProjectedCenterOfMass"; // 3, L: where the plumb line meets the ground
+  "ProjectedCenterOfMass"; // 3, L: the centre of mass projected along gravity onto the ground
 constexpr const char* Clearance =
-  "Clearance"; // 1, L, with bound: of the lowest point above the ground; 0 when resting
+  "Clearance"; // 1, L, with bound: height of the lowest point above the ground; 0 when resting
 constexpr const char* ContactFaces = "ContactFaces"; // 1 (int), faces that touch with a patch or more
 constexpr const char* ContactEdges = "ContactEdges"; // 1 (int), edges that touch along a piece or more
 constexpr const char* RollingRadius =
   "RollingRadius"; // 1, L: radius of curvature at a point or line of contact
 constexpr const char* RollingMargin =
-  "RollingMargin"; // 1, L, with estimated bound: that radius less CenterHeight (on a slope less more, smStability.h)
+  "RollingMargin"; // 1, L, with estimated bound: that radius minus CenterHeight (scaled on a slope, see smStability.h)
 
 // Columns of the table of sides.
 constexpr const char* SideFrom = "From"; // 3, L
@@ -42,6 +43,9 @@ constexpr const char* SideTo = "To";     // 3, L
 // Cell data of the drawing.
 constexpr const char* StabilityColor =
   "StabilityColor"; // 3 (unsigned char): green, red, amber; grey: no verdict
+
+// Status of a run that ended with an exception; others are those of the mass filter.
+constexpr const char* StabilityStatusFailed = "failed";
 
 // Verdicts.
 constexpr const char* VerdictStable = "stable";

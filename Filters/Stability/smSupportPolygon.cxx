@@ -20,7 +20,7 @@ double GetDistance(const Point2D& a, const Point2D& b)
   return std::hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-/// Of b from the line through a and c, where these differ.
+/// Distance of b from the line through a and c, where these differ.
 double GetHeight(const Point2D& a, const Point2D& b, const Point2D& c)
 {
   const double base = GetDistance(a, c);
@@ -98,7 +98,7 @@ SupportPolygon SupportPolygon::FromPoints(std::vector<Point2D> points, double me
   }
   // Corners of nearly no turn, one at a time, so that what is left out stays near the line that is kept.
   std::vector<Point2D> kept;
-  // How far those since the last one that was kept may be outside together.
+  // Largest distance outside of the points since the last one that was kept.
   double left = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
@@ -150,7 +150,7 @@ std::vector<Point2D> SupportPolygon::GetCriticalDirections(const Point2D& point,
   const double margin = this->GetMargin(point);
   if (margin < 0.0 || count < 3)
   {
-    // Of the nearest point; where that is the point itself, across the segment.
+    // The normal at the nearest point; where that is the point itself, across the segment.
     for (std::size_t i = 0; i < count; ++i)
     {
       const Point2D& a = this->Corners[i];

@@ -19,25 +19,6 @@ namespace sm
 {
 namespace
 {
-double Dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector3 Cross(const Vector3& a, const Vector3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-Vector3 Normalized(const Vector3& v)
-{
-  // By the largest first, so that no square overflows.
-  const double largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
-  const Vector3 scaled{ v[0] / largest, v[1] / largest, v[2] / largest };
-  const double length = std::sqrt(Dot(scaled, scaled));
-  return { scaled[0] / length, scaled[1] / length, scaled[2] / length };
-}
-
 /// Position in the ground's frame of a point of the world, given in parts that are added in wider numbers.
 Vector3 ToFrame(
   const GroundDirections& ground, const Vector3& origin, const std::array<long double, 3>& world)
@@ -165,41 +146,41 @@ void EvaluateStability(SupportedBody& body, const GroundDirections& ground, cons
     return;
   }
 
-  StabilityCase standing;
+  StabilityCase stabilityCase;
   const Vector3 center = ToFrame(ground, body.Origin, { body.Center[0], body.Center[1], body.Center[2] });
-  standing.Center = center;
+  stabilityCase.Center = center;
   // That of its components.
-  standing.CenterBound = std::sqrt(3.0) * body.CenterBound;
-  standing.Up = { Dot(ground.Up, ground.A), Dot(ground.Up, ground.B), Dot(ground.Up, ground.Normal) };
+  stabilityCase.CenterBound = std::sqrt(3.0) * body.CenterBound;
+  stabilityCase.Up = { Dot(ground.Up, ground.A), Dot(ground.Up, ground.B), Dot(ground.Up, ground.Normal) };
   if (ground.Up == ground.Normal)
   {
-    standing.Up = { 0.0, 0.0, 1.0 };
+    stabilityCase.Up = { 0.0, 0.0, 1.0 };
   }
-  standing.Size = search.GetSize();
-  standing.Rounding = search.GetRounding();
-  standing.Resolution = search.GetResolution();
-  standing.Tolerance = tolerance * body.Size;
-  standing.Ground = lowest;
+  stabilityCase.Size = search.GetSize();
+  stabilityCase.Rounding = search.GetRounding();
+  stabilityCase.Resolution = search.GetResolution();
+  stabilityCase.Tolerance = tolerance * body.Size;
+  stabilityCase.Ground = lowest;
   if (groundOrigin)
   {
     const double h = ToFrame(ground, body.Origin, { groundOrigin[0], groundOrigin[1], groundOrigin[2] })[2];
     // The plane's own point is rounded as the body's are.
-    const double rounding = standing.Rounding + 4e-16 * std::abs(h);
-    standing.Ground = { h - rounding, h + rounding };
-    body.Clearance = { lowest.Low - standing.Ground.High, lowest.High - standing.Ground.Low };
+    const double rounding = stabilityCase.Rounding + 4e-16 * std::abs(h);
+    stabilityCase.Ground = { h - rounding, h + rounding };
+    body.Clearance = { lowest.Low - stabilityCase.Ground.High, lowest.High - stabilityCase.Ground.Low };
   }
-  body.GroundHeight = 0.5 * (standing.Ground.Low + standing.Ground.High);
-  if (groundOrigin && body.Clearance.High < -standing.Tolerance)
+  body.GroundHeight = 0.5 * (stabilityCase.Ground.Low + stabilityCase.Ground.High);
+  if (groundOrigin && body.Clearance.High < -stabilityCase.Tolerance)
   {
-    body.Result = ComputeStability(standing, {});
+    body.Result = ComputeStability(stabilityCase, {});
     body.Result.Decision = Verdict::BelowGround;
     return;
   }
-  GroundContacts contacts = search.FindContacts(standing.Ground.High + standing.Tolerance);
+  GroundContacts contacts = search.FindContacts(stabilityCase.Ground.High + stabilityCase.Tolerance);
   body.ContactFaces = static_cast<int>(contacts.FaceIds.size());
   body.ContactEdges = static_cast<int>(contacts.EdgeIds.size());
   body.Coarse = contacts.Coarse;
-  body.Result = ComputeStability(standing, std::move(contacts));
+  body.Result = ComputeStability(stabilityCase, std::move(contacts));
 }
 
 // --- the drawing -------------------------------------------------------------------------------
@@ -349,15 +330,15 @@ void DrawBody(const SupportedBody& body, const GroundDirections& ground, Pen& pe
     }
   }
   static const unsigned char ink[3] = { 30, 36, 44 };
-  const Vector3 foot = body.ToWorld(ground, result.Foot, footHeight);
+  const Vector3 foot = body.ToWorld(ground, result.ProjectedCenter, footHeight);
   pen.AddLine({ body.Center, foot }, false, ink);
-  pen.AddPolygon(disc(result.Foot, dot, footHeight), ink);
-  pen.AddLine(disc(result.Foot, 2.0 * dot, footHeight), true, ink);
+  pen.AddPolygon(disc(result.ProjectedCenter, dot, footHeight), ink);
+  pen.AddLine(disc(result.ProjectedCenter, 2.0 * dot, footHeight), true, ink);
   pen.AddSphere(body.Center, 1.5 * dot, color);
 }
 }
 
-void DrawStanding(
+void DrawSupportedBodies(
   const std::vector<SupportedBody>& bodies, const GroundDirections& ground, vtkPolyData* drawing)
 {
   Pen pen;

@@ -1,6 +1,6 @@
 /**
  * @file smSupportedBody.h
- * @brief Puts bodies on the ground: frames, contacts and stability, and the drawing of it
+ * @brief Evaluates bodies on the ground: frames, contacts and stability, and draws the results
  */
 #ifndef smSupportedBody_h
 #define smSupportedBody_h
@@ -8,6 +8,7 @@
 #include "smBodyIntegrals.h"
 #include "smFacePanelsCache.h"
 #include "smStability.h"
+#include "smVector.h"
 
 #include <array>
 #include <string>
@@ -17,8 +18,6 @@ class vtkPolyData;
 
 namespace sm
 {
-using Vector3 = std::array<double, 3>;
-
 /// Unit vectors; Normal.Up > 0.
 struct GroundDirections
 {
@@ -32,14 +31,14 @@ struct GroundDirections
   static bool Make(const double gravity[3], const double normal[3], GroundDirections& directions);
 };
 
-/// Bodies that stand as one, and what came out.
+/// One or several solids that rest on the ground as one rigid body, and the results for it.
 struct SupportedBody
 {
   std::string Name;
   std::string Id;
   std::string Status;
   std::vector<const BodyIntegrals*> Parts;
-  /// World; a bound that is not finite: there is none.
+  /// World coordinates; a bound that is not finite: there is no centre.
   Vector3 Center{};
   double CenterBound = 0.0;
   /// kg and metres per length unit; NaN: not known.
@@ -66,8 +65,9 @@ struct SupportedBody
 void EvaluateStability(SupportedBody& body, const GroundDirections& ground, const double* groundOrigin,
   double tolerance, FacePanelsCache& cache);
 
-/// Polygon, plumb line, its foot and the centre, in the verdict's colour (cell data StabilityColor).
-void DrawStanding(
+/// Support polygon, centre of mass, its projection onto the ground and the line between them, in the verdict's colour (cell data
+/// StabilityColor).
+void DrawSupportedBodies(
   const std::vector<SupportedBody>& bodies, const GroundDirections& ground, vtkPolyData* drawing);
 }
 

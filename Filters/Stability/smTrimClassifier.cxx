@@ -9,7 +9,7 @@ namespace sm
 {
 namespace
 {
-// Of the domain: where chords may leave the curves. Boxes nearer than that to a curve stay undecided.
+// Largest distance of chords from their curves, relative to the domain. Boxes nearer than that to a curve stay undecided.
 constexpr double ChordTolerance = 1e-6;
 
 /// False when no point of the chord is in the box.

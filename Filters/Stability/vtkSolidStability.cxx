@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 vtkStandardNewMacro(vtkSolidStability);
 
@@ -90,10 +91,7 @@ int GetBadness(sm::Verdict verdict)
   }
   return 5;
 }
-
 }
-
-// --- the filter --------------------------------------------------------------------------------
 
 vtkSolidStability::vtkSolidStability()
   : Implementation(new Internals)
@@ -239,12 +237,12 @@ std::string vtkSolidStability::GetSupport() const
   return sm::GetName(this->Implementation->Worst.Result.Support);
 }
 
-double vtkSolidStability::GetMargin() const
+double vtkSolidStability::GetStabilityMargin() const
 {
   return this->Implementation->Worst.Result.StabilityMargin;
 }
 
-double vtkSolidStability::GetMarginBound() const
+double vtkSolidStability::GetStabilityMarginBound() const
 {
   return this->Implementation->Worst.Result.StabilityMarginBound;
 }
@@ -259,12 +257,12 @@ double vtkSolidStability::GetTipAngleBound() const
   return this->Implementation->Worst.Result.TipAngleBound * Degrees;
 }
 
-double vtkSolidStability::GetWorkToTip() const
+double vtkSolidStability::GetCenterOfMassRise() const
 {
   return this->Implementation->Worst.Result.CenterOfMassRise;
 }
 
-double vtkSolidStability::GetWorkToTipBound() const
+double vtkSolidStability::GetCenterOfMassRiseBound() const
 {
   return this->Implementation->Worst.Result.CenterOfMassRiseBound;
 }
@@ -316,7 +314,29 @@ int vtkSolidStability::RequestData(
   self.Worst = sm::SupportedBody();
   self.Status.clear();
   self.Messages.clear();
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  vtkInformation* info = outputVector->GetInformationObject(port);
+  try
+  {
+    return this->Evaluate(vtkDataObject::GetData(inputVector[0], 0),
+      info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()), outputVector);
+  }
+  catch (const std::exception& error)
+  {
+    self.Worst = sm::SupportedBody();
+    self.Status = names::StabilityStatusFailed;
+    for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i)
+    {
+      vtkDataObject::GetData(outputVector, i)->Initialize();
+    }
+    vtkErrorMacro("The stability could not be evaluated: " << error.what() << ". The outputs are empty.");
+  }
+  // Where ranks run together, what is downstream must run on all or on none.
+  return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;
+}
+
+int vtkSolidStability::Evaluate(vtkDataObject* input, int piece, vtkInformationVector* outputVector)
+{
   sm::RejectedInput rejected;
   const std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
   if (bodies.empty() && rejected.Plain + rejected.Withheld > 0)
@@ -326,10 +346,7 @@ int vtkSolidStability::RequestData(
       "rebuild points drop the NURBS model. vtkNURBSTransform moves a part and keeps it.");
     return 0;
   }
-  // Of several ranks one has the bodies, and says where there are none.
-  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  const int piece =
-    outputVector->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  // One of several ranks has the bodies, and reports when there are none.
   if (bodies.empty() && piece > 0)
   {
     return 1;
@@ -342,6 +359,16 @@ int vtkSolidStability::RequestData(
       "that is not, or 0, 0, 0 for a level ground.");
     return 0;
   }
+  this->UpdateMassProperties(input);
+  std::vector<sm::SupportedBody> supported = this->Implementation->Collect(bodies, this->Bodies == TOGETHER);
+  this->EvaluateBodies(ground, supported);
+  this->FillOutputs(ground, supported, outputVector);
+  return 1;
+}
+
+void vtkSolidStability::UpdateMassProperties(vtkDataObject* input)
+{
+  Internals& self = *this->Implementation;
   // The data alone: the filter inside must not run this one's pipeline.
   if (self.Mass->GetInputDataObject(0, 0) != input)
   {
@@ -358,19 +385,23 @@ int vtkSolidStability::RequestData(
   {
     self.Messages.push_back(self.Mass->GetMessage(i));
   }
+}
 
-  std::vector<sm::SupportedBody> standing = self.Collect(bodies, this->Bodies == TOGETHER);
-  for (std::size_t i = 0; i < standing.size(); ++i)
+void vtkSolidStability::EvaluateBodies(
+  const sm::GroundDirections& ground, std::vector<sm::SupportedBody>& supported)
+{
+  Internals& self = *this->Implementation;
+  for (std::size_t i = 0; i < supported.size(); ++i)
   {
     if (this->GetAbortExecute())
     {
       self.Messages.push_back("the run was aborted before all bodies were put on the ground");
       vtkWarningMacro(<< self.Messages.back());
-      // Of those that were not it is not known.
-      self.Worst = standing[i];
+      // The verdict of the remaining bodies is not known.
+      self.Worst = supported[i];
       break;
     }
-    sm::SupportedBody& body = standing[i];
+    sm::SupportedBody& body = supported[i];
     sm::EvaluateStability(
       body, ground, this->Ground == PLANE ? this->GroundOrigin : nullptr, this->ContactTolerance, self.Cache);
     if (body.Coarse)
@@ -383,27 +414,31 @@ int vtkSolidStability::RequestData(
       self.Worst = body;
     }
     this->UpdateProgress(
-      MassShare + (1.0 - MassShare) * static_cast<double>(i + 1) / static_cast<double>(standing.size()));
+      MassShare + (1.0 - MassShare) * static_cast<double>(i + 1) / static_cast<double>(supported.size()));
   }
-  // What it points to ends with this run.
+  // The parts end with this run.
   self.Worst.Parts.clear();
+}
 
+void vtkSolidStability::FillOutputs(const sm::GroundDirections& ground,
+  const std::vector<sm::SupportedBody>& supported, vtkInformationVector* outputVector)
+{
+  Internals& self = *this->Implementation;
   vtkPolyData* drawing = vtkPolyData::GetData(outputVector, 0);
-  sm::DrawStanding(standing, ground, drawing);
-  const auto worst = std::max_element(standing.begin(), standing.end(),
+  sm::DrawSupportedBodies(supported, ground, drawing);
+  const auto worst = std::max_element(supported.begin(), supported.end(),
     [](const sm::SupportedBody& a, const sm::SupportedBody& b)
     { return GetBadness(a.Result.Decision) < GetBadness(b.Result.Decision); });
-  if (worst != standing.end())
+  if (worst != supported.end())
   {
     Internals::AddColumns({ *worst }, ground, this->GravityStrength, drawing->GetFieldData());
   }
-  sm::columns::SetString(
-    drawing->GetFieldData(), names::Status, standing.empty() ? std::string(names::StatusEmpty) : self.Status);
+  sm::columns::SetString(drawing->GetFieldData(), names::Status,
+    supported.empty() ? std::string(names::StatusEmpty) : self.Status);
   sm::columns::SetString(drawing->GetFieldData(), names::Backend, self.Mass->GetBackendName());
   Internals::AddColumns(
-    standing, ground, this->GravityStrength, vtkTable::GetData(outputVector, 1)->GetRowData());
+    supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 1)->GetRowData());
   sm::columns::SetString(vtkTable::GetData(outputVector, 2)->GetRowData(), names::Text,
-    Internals::GetSummary(standing, this->GravityStrength));
-  Internals::AddSides(standing, ground, this->GravityStrength, vtkTable::GetData(outputVector, 3));
-  return 1;
+    Internals::GetSummary(supported, this->GravityStrength));
+  Internals::AddSides(supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 3));
 }

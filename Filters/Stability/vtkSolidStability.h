@@ -1,6 +1,6 @@
 /**
  * @class   vtkSolidStability
- * @brief   does a solid stand on the ground? contacts, margin, tip angles and works, with bounds, drawn in three colours
+ * @brief   static stability of solids on the ground: contacts, stability margin, tip angles, rises of the centre of mass, with bounds
  *
  * Input as of vtkMassPropertiesGPU: a vtkNURBSDataSet or a composite of them; the centre of mass comes from such a filter inside
  * (GetMassProperties()), with its bound, and the contacts from the exact trimmed faces (smGroundContact.h), by
@@ -9,24 +9,24 @@
  * Verdicts: `stable` and `unstable` are proved, up to the bounds; `too-close` when the margin is smaller than its bound. A point or
  * line of contact has no positive margin: there the curvature decides (DecidedBy is `rolling`): a hemisphere on its dome is stable, for it
  * rolls back, a lying cylinder is too close, for it rolls anywhere, a ball is too close as well, a cone on its tip unstable.
- * A body whose plumb line misses the contact by no more than the contact tolerance counts as balanced there. Radii of curvature are
- * computed at the contacts, and their doubt is an estimate. `no-contact`: the given plane is out of reach; `below-ground`:
+ * A body whose projected centre of mass misses the contact by no more than the contact tolerance counts as balanced there. Radii of curvature are
+ * computed at the contacts, and their bound is an estimate. `no-contact`: the given plane is out of reach; `below-ground`:
  * parts of the body are below it by more than the tolerance; `unknown`: there is no centre of mass (an open surface), see Status.
  * An open solid has a verdict for the centre that the mass filter states; Status says open.
  *
- * | port | type     | what                                                                              |
+ * | port | type     | content                                                                           |
  * |------|----------|-----------------------------------------------------------------------------------|
- * | 0    | polydata | polygon of contacts, plumb line, its foot, centre of mass, in the verdict's colour; field data as below |
+ * | 0    | polydata | support polygon, centre of mass, its projection and the line between, in the verdict's colour; field data as below |
  * | 1    | table    | a row per body, the same columns, with Name and Id                                |
  * | 2    | table    | 1x1, column Text: a summary to show in a view                                      |
  * | 3    | table    | a row per side of the polygon: Solid (row of port 1), From, To, StabilityMargin, TipAngle, CenterOfMassRise, with bounds, TipEnergy |
  *
  * Field data (smStabilityNames.h, with units), of the only body or of the worst: the first with the worst verdict (unstable,
  * too-close, stable; before them unknown, below-ground, no-contact). Numbers that do not exist are NaN. Curved
- * sides of the polygon are drawn, and listed, as chords to a thousandth of the size; margin, least tip angle and work are those of the
- * curve. Angles in degrees. CenterOfMassRise is the rise of the centre of mass: times the weight it is the work.
+ * sides of the polygon are drawn, and listed, as chords to a thousandth of the size; margin, smallest tip angle and rise are those of the
+ * curve. Angles in degrees. CenterOfMassRise is the rise of the centre of mass until the body tips: times the weight it is the energy.
  *
- * Getters return values of the last run. RequestData fails only for wrong input: no exact geometry, or a ground that stands upright.
+ * Getters return values of the last run. RequestData fails for wrong input, no exact geometry or a vertical ground, and when memory runs out; the outputs are empty then.
  * Not thread safe; with SetRenderWindow of the filter inside the calling thread must be the one that renders there.
  */
 #ifndef vtkSolidStability_h
@@ -37,9 +37,16 @@
 
 #include <memory> // for the implementation
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 class vtkMassPropertiesGPU;
 class vtkRenderWindow;
+
+namespace sm
+{
+struct GroundDirections;
+struct SupportedBody;
+}
 
 class SMFILTERSSTABILITY_EXPORT vtkSolidStability : public vtkPolyDataAlgorithm
 {
@@ -49,14 +56,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Where things fall, in world coordinates; of any length but 0. Zero, infinite or not a number: an error, and nothing changes.
+  /** Direction of gravity, in world coordinates; of any length but 0. Zero, infinite or not a number: an error, and nothing changes.
    * Default 0 0 -1. */
   void SetGravityDirection(double x, double y, double z);
   void SetGravityDirection(const double direction[3]);
   vtkGetVector3Macro(GravityDirection, double);
   ///@}
 
-  /** What the body stands on. */
+  /** The ground that supports the body. */
   enum GroundType
   {
     RESTING = 0,
@@ -93,7 +100,7 @@ public:
   vtkGetMacro(ContactTolerance, double);
   ///@}
 
-  /** What is put on the ground. */
+  /** The rigid bodies that are evaluated. */
   enum BodiesType
   {
     TOGETHER = 0,
@@ -114,7 +121,7 @@ public:
   ///@}
 
   ///@{
-  /** Of the mass filter inside, see there: density in kg/m^3, 0 (default) that of the file; relative tolerance; backend. */
+  /** Options of the mass filter inside, see there: density in kg/m^3, 0 (default) that of the file; relative tolerance; backend. */
   void SetDensity(double density);
   double GetDensity();
   void SetRelativeTolerance(double tolerance);
@@ -131,16 +138,16 @@ public:
   /** The last run, of the only body or the worst; NaN and "unknown" before. Angles in degrees. */
   std::string GetStability() const;
   std::string GetSupport() const;
-  double GetMargin() const;
-  double GetMarginBound() const;
+  double GetStabilityMargin() const;
+  double GetStabilityMarginBound() const;
   double GetTipAngle() const;
   double GetTipAngleBound() const;
-  double GetWorkToTip() const;
-  double GetWorkToTipBound() const;
+  double GetCenterOfMassRise() const;
+  double GetCenterOfMassRiseBound() const;
   double GetRollingMargin() const;
   ///@}
   ///@{
-  /** The last run: what the mass filter has to say, and what is to be said of contacts. */
+  /** The last run: status and messages of the mass filter, and messages about contacts. */
   std::string GetStatus() const;
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;
@@ -163,6 +170,14 @@ private:
   void SetVector(const char* name, double (&vector)[3], double x, double y, double z, bool mayVanish);
 
   struct Internals;
+
+  // Steps of RequestData().
+  int Evaluate(vtkDataObject* input, int piece, vtkInformationVector* outputVector);
+  void UpdateMassProperties(vtkDataObject* input);
+  void EvaluateBodies(const sm::GroundDirections& ground, std::vector<sm::SupportedBody>& supported);
+  void FillOutputs(const sm::GroundDirections& ground, const std::vector<sm::SupportedBody>& supported,
+    vtkInformationVector* outputVector);
+
   std::unique_ptr<Internals> Implementation;
 
   double GravityDirection[3] = { 0.0, 0.0, -1.0 };

@@ -1,6 +1,6 @@
 /**
  * @file vtkSolidStabilityInternals.h
- * @brief What vtkSolidStability keeps of its last run, and how results become arrays; not installed
+ * @brief Results that vtkSolidStability keeps of its last run, and their conversion to arrays; not installed
  */
 #ifndef vtkSolidStabilityInternals_h
 #define vtkSolidStabilityInternals_h
@@ -35,7 +35,7 @@ struct vtkSolidStability::Internals
   std::vector<std::string> Messages;
 
   std::vector<sm::SupportedBody> Collect(const std::vector<sm::BodyIntegrals>& bodies, bool together);
-  static double GetEnergy(const sm::SupportedBody& body, double work, double strength);
+  static double GetEnergy(const sm::SupportedBody& body, double rise, double strength);
   static void AddColumns(const std::vector<sm::SupportedBody>& bodies, const sm::GroundDirections& ground,
     double strength, vtkFieldData* data);
   static void AddSides(const std::vector<sm::SupportedBody>& bodies, const sm::GroundDirections& ground,

@@ -145,11 +145,11 @@ static bool LacksDensities(vtkFieldData* rows, vtkIdType count)
   return known > 0 && known < count;
 }
 
-/// What stands alone, with its centre of mass.
+/// The bodies that are evaluated one by one, each with its centre of mass.
 std::vector<sm::SupportedBody> vtkSolidStability::Internals::Collect(
   const std::vector<sm::BodyIntegrals>& bodies, bool together)
 {
-  std::vector<sm::SupportedBody> standing;
+  std::vector<sm::SupportedBody> supported;
   vtkFieldData* rows = vtkTable::SafeDownCast(this->Mass->GetOutputDataObject(1))->GetRowData();
   auto* status = vtkStringArray::SafeDownCast(rows->GetAbstractArray(names::Status));
   const auto count = static_cast<vtkIdType>(bodies.size());
@@ -182,7 +182,7 @@ std::vector<sm::SupportedBody> vtkSolidStability::Internals::Collect(
       }
     }
     setMetres(all);
-    standing.push_back(all);
+    supported.push_back(all);
   }
   for (vtkIdType i = 0; i < count && !together; ++i)
   {
@@ -193,14 +193,14 @@ std::vector<sm::SupportedBody> vtkSolidStability::Internals::Collect(
     body.Parts.push_back(&bodies[i]);
     SetCenter(body, rows, i);
     setMetres(body);
-    standing.push_back(body);
+    supported.push_back(body);
   }
-  return standing;
+  return supported;
 }
 
-double vtkSolidStability::Internals::GetEnergy(const sm::SupportedBody& body, double work, double strength)
+double vtkSolidStability::Internals::GetEnergy(const sm::SupportedBody& body, double rise, double strength)
 {
-  return body.Mass * strength * work * body.Metres;
+  return body.Mass * strength * rise * body.Metres;
 }
 
 void vtkSolidStability::Internals::AddColumns(const std::vector<sm::SupportedBody>& bodies,
@@ -258,14 +258,14 @@ void vtkSolidStability::Internals::AddColumns(const std::vector<sm::SupportedBod
   numbers(names::RollingRadius, [](const Body& b) { return b.Result.RollingRadius; });
   numbers(names::RollingMargin, [](const Body& b) { return b.Result.RollingMargin; });
   numbers(names::RollingMargin + bound, [](const Body& b) { return b.Result.RollingMarginBound; });
-  sm::columns::Column feet(names::ProjectedCenterOfMass, 3);
+  sm::columns::Column projected(names::ProjectedCenterOfMass, 3);
   sm::columns::Column centers(names::CenterOfMass, 3);
   for (const Body& body : bodies)
   {
-    feet.Append(body.ToWorld(ground, body.Result.Foot, body.GroundHeight).data());
+    projected.Append(body.ToWorld(ground, body.Result.ProjectedCenter, body.GroundHeight).data());
     centers.Append(body.Center.data());
   }
-  feet.AddTo(data);
+  projected.AddTo(data);
   centers.AddTo(data);
   numbers(names::CenterOfMass + bound, [](const Body& b) { return b.CenterBound; });
   counts(names::ContactFaces, [](const Body& b) { return b.ContactFaces; });
@@ -352,7 +352,7 @@ std::string vtkSolidStability::Internals::GetSummary(
     const double energy = GetEnergy(body, r.CenterOfMassRise, strength);
     if (std::isfinite(energy) && !r.ByRolling)
     {
-      text += "work to tip " + sm::FormatNumber(energy, 1e-6 * energy) + " J\n";
+      text += "energy to tip " + sm::FormatNumber(energy, 1e-6 * energy) + " J\n";
     }
   }
   return bodies.size() > most ? text + "and " + std::to_string(bodies.size() - most) + " more\n" : text;

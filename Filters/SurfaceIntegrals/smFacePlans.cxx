@@ -1,8 +1,7 @@
 #include "smFacePlans.h"
 
+#include "smParallelFor.h"
 #include "smSurfaceIntegrator.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <limits>
@@ -22,7 +21,7 @@ std::size_t CountBytes(const FacePlan& plan)
 // Faces planned between two reports of progress.
 constexpr std::size_t PlansPerReport = 256;
 // Portions that a thread takes at a time.
-constexpr vtkIdType PortionsPerTask = 1;
+constexpr std::size_t PortionsPerTask = 1;
 // What tolerances are multiplied by until a plan meets its budget, and how often.
 constexpr double LooseningFactor = 1e3;
 constexpr int MostLoosenings = 5;
@@ -122,10 +121,10 @@ bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vec
       }
       missing.push_back(i);
     }
-    vtkSMPTools::For(0, static_cast<vtkIdType>(work.size()), PortionsPerTask,
-      [&](vtkIdType from, vtkIdType to)
+    ParallelFor(work.size(), PortionsPerTask,
+      [&](std::size_t from, std::size_t to)
       {
-        for (vtkIdType w = from; w < to; ++w)
+        for (std::size_t w = from; w < to; ++w)
         {
           const auto [m, k] = work[w];
           const std::size_t i = missing[m];

@@ -344,6 +344,14 @@ SurfaceIntegrator::SurfaceIntegrator()
 
 SurfaceIntegrator::~SurfaceIntegrator() = default;
 
+void SurfaceIntegrator::FreeMemory()
+{
+  if (this->Implementation->Runner)
+  {
+    this->Implementation->Runner->FreeMemory();
+  }
+}
+
 void SurfaceIntegrator::SetRunner(std::unique_ptr<ItemRunner> runner)
 {
   this->Implementation->Runner = std::move(runner);

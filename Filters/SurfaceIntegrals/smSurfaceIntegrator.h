@@ -44,6 +44,9 @@ public:
   /// What evaluates; never null once Integrate() is called. Cut faces outlive a change.
   void SetRunner(std::unique_ptr<ItemRunner> runner);
 
+  /// Frees what the runner keeps between calls of Integrate(), memory of the GPU above all.
+  void FreeMemory();
+
   /// A change drops the compiled shaders. An integrand that the runner cannot evaluate is left out; its results are NaN.
   void SetIntegrands(const std::vector<Integrand>& integrands);
   void SetUsePlacements(bool use);

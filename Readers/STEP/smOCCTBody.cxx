@@ -5,6 +5,7 @@
 #include "smOCCTCurve.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
+#include "smParallelFor.h"
 
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -12,12 +13,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
-#include "vtkSMPTools.h"
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <new>
 #include <stdexcept>
 
 namespace sm
@@ -160,30 +157,17 @@ private:
   {
     const double share = *kind == 'E' ? EdgeShare : 1.0 - EdgeShare;
     std::vector<std::string> failures(count);
-    // An exception must not leave a worker thread.
-    std::atomic<bool> outOfMemory{ false };
     for (std::size_t start = 0; start < count && !this->Result.Aborted; start += Chunk)
     {
       const std::size_t stop = std::min(count, start + Chunk);
-      vtkSMPTools::For(static_cast<vtkIdType>(start), static_cast<vtkIdType>(stop), 16,
-        [&](vtkIdType begin, vtkIdType end)
+      ParallelFor(stop - start, 16,
+        [&](std::size_t begin, std::size_t end)
         {
-          try
+          for (std::size_t i = start + begin; i < start + end; ++i)
           {
-            for (vtkIdType i = begin; i < end; ++i)
-            {
-              failures[i] = CatchFailure([&] { convert(static_cast<std::size_t>(i)); });
-            }
-          }
-          catch (const std::bad_alloc&)
-          {
-            outOfMemory = true;
+            failures[i] = CatchFailure([&] { convert(i); });
           }
         });
-      if (outOfMemory)
-      {
-        throw std::bad_alloc();
-      }
       this->Result.Aborted = this->Report && !this->Report(done + share * stop / count);
     }
     for (std::size_t i = 0; i < count; ++i)

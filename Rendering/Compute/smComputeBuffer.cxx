@@ -5,6 +5,7 @@
 #include "smOpenGL.h"
 #include "vtkComputeContext.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -13,6 +14,9 @@ namespace
 {
 /// A binding point needs some bytes behind it even when the buffer has none.
 constexpr std::size_t LeastBytes = 16;
+
+/// Stores up to this size are never replaced by smaller ones.
+constexpr std::size_t SmallStore = 65536;
 
 bool Enter(const sm::ContextResources& resources, std::optional<sm::ContextScope>& scope)
 {
@@ -57,6 +61,8 @@ ComputeBuffer& ComputeBuffer::operator=(ComputeBuffer&& other) noexcept
     this->Name = std::exchange(other.Name, 0);
     this->Size = std::exchange(other.Size, 0);
     this->Capacity = std::exchange(other.Capacity, 0);
+    this->SmallUses = std::exchange(other.SmallUses, 0);
+    this->LargestSmallUse = std::exchange(other.LargestSmallUse, 0);
     this->Error = std::move(other.Error);
   }
   return *this;
@@ -78,6 +84,11 @@ std::size_t ComputeBuffer::GetSize() const
   return this->IsLost() ? 0 : this->Size;
 }
 
+std::size_t ComputeBuffer::GetCapacity() const
+{
+  return this->IsLost() ? 0 : this->Capacity;
+}
+
 void ComputeBuffer::Free()
 {
   if (this->Name != 0 && !this->IsLost())
@@ -93,6 +104,8 @@ void ComputeBuffer::Free()
   this->Generation = 0;
   this->Size = 0;
   this->Capacity = 0;
+  this->SmallUses = 0;
+  this->LargestSmallUse = 0;
 }
 
 bool ComputeBuffer::Create(std::size_t bytes)
@@ -116,6 +129,23 @@ bool ComputeBuffer::Create(std::size_t bytes)
   return true;
 }
 
+/// The size of the store that a use of `bytes` asks for: the present one, a larger one, or a smaller one after many small uses.
+std::size_t ComputeBuffer::ChooseCapacity(std::size_t bytes)
+{
+  if (bytes > this->Capacity)
+  {
+    return bytes;
+  }
+  if (this->Capacity <= SmallStore || bytes >= this->Capacity / 4)
+  {
+    this->SmallUses = 0;
+    this->LargestSmallUse = 0;
+    return this->Capacity;
+  }
+  this->LargestSmallUse = std::max(this->LargestSmallUse, bytes);
+  return ++this->SmallUses < UsesBeforeShrinking ? this->Capacity : this->LargestSmallUse;
+}
+
 bool ComputeBuffer::Allocate(std::size_t bytes)
 {
   this->Error.clear();
@@ -123,7 +153,8 @@ bool ComputeBuffer::Allocate(std::size_t bytes)
   {
     this->Free();
   }
-  if (bytes <= this->Capacity)
+  const std::size_t capacity = this->ChooseCapacity(bytes);
+  if (capacity == this->Capacity)
   {
     this->Size = bytes;
     return true;
@@ -138,7 +169,7 @@ bool ComputeBuffer::Allocate(std::size_t bytes)
     this->Free();
     return this->Fail(std::to_string(bytes) + " bytes are too many for a buffer");
   }
-  if (!this->Create(bytes))
+  if (!this->Create(capacity))
   {
     return false;
   }

@@ -40,8 +40,13 @@ public:
   ComputeBuffer(const ComputeBuffer&) = delete;
   ComputeBuffer& operator=(const ComputeBuffer&) = delete;
 
-  /** Makes the size `bytes`; the content is undefined afterwards. The store is kept when it is large enough. */
+  /**
+   * Makes the size `bytes`; the content is undefined afterwards. A store that is large enough is kept, until the last
+   * UsesBeforeShrinking calls all needed less than a quarter of it: it is then replaced by one of the largest size they needed. A
+   * small use between large ones so costs nothing.
+   */
   bool Allocate(std::size_t bytes);
+  static constexpr int UsesBeforeShrinking = 8;
 
   /** Copies from the host. With offset 0 the buffer grows when it is smaller; else the range must be inside. */
   bool Upload(const void* data, std::size_t bytes, std::size_t offset = 0);
@@ -69,7 +74,10 @@ public:
   /** Bytes asked for; 0 when the context ended since. */
   std::size_t GetSize() const;
 
-  /** Whether the store was made in a context that has ended. */
+  /** Bytes of the store, which may be more than GetSize(); 0 when the context ended since. */
+  std::size_t GetCapacity() const;
+
+  /** True when the store was made in a context that has ended. */
   bool IsLost() const;
 
   /** Frees the store; the buffer can be used again. */
@@ -87,12 +95,16 @@ public:
 private:
   bool Fail(const std::string& what);
   bool Create(std::size_t bytes);
+  std::size_t ChooseCapacity(std::size_t bytes);
 
   std::shared_ptr<ContextResources> Resources;
   std::uint64_t Generation = 0;
   unsigned int Name = 0;
   std::size_t Size = 0;
   std::size_t Capacity = 0;
+  // Calls of Allocate() in a row that needed less than a quarter of the store, and the largest of these needs.
+  int SmallUses = 0;
+  std::size_t LargestSmallUse = 0;
   std::string Error;
 };
 }

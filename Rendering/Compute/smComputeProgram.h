@@ -35,7 +35,7 @@ public:
    * ContextScope. On failure GetError() holds `name`, the driver's log and the source with line numbers. */
   bool Build(vtkComputeContext* context, const std::string& name, const std::string& source);
 
-  /** Whether there is a program in the context's present generation. */
+  /** True when there is a program in the context's present generation. */
   bool IsBuilt() const;
 
   ///@{
@@ -58,7 +58,7 @@ public:
   /** Why the last failed operation failed. */
   const std::string& GetError() const { return this->Error; }
 
-  /** What the driver said of the last source, if it refused it; else empty. */
+  /** The driver's message on the last source, if it refused it; else empty. */
   const std::string& GetLog() const { return this->Log; }
 
   /** GL programs that exist in the process. Thread safe. */

@@ -1,8 +1,10 @@
 #include "smContextResources.h"
 
 #include "smOpenGL.h"
+#include "smWindowResources.h"
 
 #include <atomic>
+#include <utility>
 
 namespace
 {
@@ -19,6 +21,7 @@ void ContextResources::AddBuffer(unsigned int name, std::size_t bytes)
   this->Buffers[name] = bytes;
   ++LiveBuffers;
   LiveBytes += static_cast<std::int64_t>(bytes);
+  this->Window->AddBytes(bytes);
 }
 
 void ContextResources::AddProgram(unsigned int name)
@@ -33,6 +36,7 @@ void ContextResources::FreeBuffer(unsigned int name)
   if (found != this->Buffers.end())
   {
     LiveBytes -= static_cast<std::int64_t>(found->second);
+    this->Window->AllocatedBytes -= found->second;
     --LiveBuffers;
     this->Buffers.erase(found);
     glDeleteBuffers(1, &name);
@@ -50,6 +54,12 @@ void ContextResources::FreeProgram(unsigned int name)
 
 void ContextResources::End(bool current)
 {
+  while (!this->AtEnd.empty())
+  {
+    const std::function<void()> callback = std::move(this->AtEnd.begin()->second);
+    this->AtEnd.erase(this->AtEnd.begin());
+    callback();
+  }
   for (const auto& buffer : this->Buffers)
   {
     if (current)
@@ -57,6 +67,7 @@ void ContextResources::End(bool current)
       glDeleteBuffers(1, &buffer.first);
     }
     LiveBytes -= static_cast<std::int64_t>(buffer.second);
+    this->Window->AllocatedBytes -= buffer.second;
     --LiveBuffers;
   }
   for (const unsigned int program : this->Programs)
@@ -69,6 +80,7 @@ void ContextResources::End(bool current)
   }
   this->Buffers.clear();
   this->Programs.clear();
+  this->Window = nullptr;
   this->Generation = 0;
   this->MaximumStorageBlockSize = 0;
   this->StorageOffsetAlignment = 0;

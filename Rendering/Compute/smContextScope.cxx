@@ -3,6 +3,7 @@
 #include "smContextResources.h"
 #include "smCurrentContext.h"
 #include "smOpenGL.h"
+#include "smWindowResources.h"
 #include "vtkComputeContext.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -91,6 +92,7 @@ struct ContextScope::State
 {
   CurrentContext Previous;
   std::shared_ptr<ContextResources> Resources;
+  std::shared_ptr<WindowResources> Window;
   std::uint64_t Generation = 0;
   bool WasCurrent = false;
   vtkSmartPointer<vtkShaderProgram> Shader;
@@ -118,7 +120,8 @@ ContextScope::ContextScope(vtkComputeContext* context)
   state->Saved.Save();
   state->Shader = window->GetShaderCache()->GetLastShaderBound();
   window->GetShaderCache()->ReleaseCurrentShader();
-  ++state->Resources->ScopeDepth;
+  state->Window = state->Resources->Window;
+  ++state->Window->ScopeDepth;
   ++GetOpenScopes();
   this->Saved = std::move(state);
 }
@@ -133,7 +136,7 @@ ContextScope::~ContextScope()
 
 void ContextScope::State::Leave()
 {
-  --this->Resources->ScopeDepth;
+  --this->Window->ScopeDepth;
   --GetOpenScopes();
   vtkComputeContext* context = this->Resources->Context;
   if (!context || this->Resources->Generation != this->Generation)
@@ -170,6 +173,6 @@ ContextScope::operator bool() const
 bool ContextScope::IsInside(vtkComputeContext* context)
 {
   vtkOpenGLRenderWindow* window = context ? context->GetRenderWindow() : nullptr;
-  return window && context->GetResources()->ScopeDepth > 0 && window->IsCurrent();
+  return window && context->GetResources()->Window->ScopeDepth > 0 && window->IsCurrent();
 }
 }

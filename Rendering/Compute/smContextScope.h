@@ -35,10 +35,11 @@ public:
   ContextScope(const ContextScope&) = delete;
   ContextScope& operator=(const ContextScope&) = delete;
 
-  /** Whether the context was made current. */
+  /** True when the context was made current. */
   explicit operator bool() const;
 
-  /** Whether this thread is inside a scope of `context` and that context is current. */
+  /** True when this thread is inside a scope of `context`, or of another one of the same window, and its OpenGL context is
+   * current. */
   static bool IsInside(vtkComputeContext* context);
 
 private:

@@ -4,6 +4,8 @@
 
 #include "vtkObjectFactory.h"
 
+#include <mutex>
+
 // After everything else: X defines common words as macros.
 #include "vtkXOpenGLRenderWindow.h"
 #include <EGL/egl.h>
@@ -156,43 +158,52 @@ vtkOpenGLRenderWindow* NewXWindow(void* display)
   return window;
 }
 
+namespace
+{
+/// Null, with a reason, when there is no display or its GLX is of no use.
+Display* OpenDisplayWithGLX(const char*& reason)
+{
+  Display* opened = XOpenDisplay(nullptr);
+  if (!opened)
+  {
+    reason = "no X display could be opened";
+    return nullptr;
+  }
+  int opcode = 0;
+  int event = 0;
+  int error = 0;
+  if (!XQueryExtension(opened, "GLX", &opcode, &event, &error))
+  {
+    XCloseDisplay(opened);
+    reason = "the X server has no GLX";
+    return nullptr;
+  }
+  // The least that vtkXOpenGLRenderWindow settles for; it aborts the process without.
+  static const int wanted[] = { GLX_DRAWABLE_TYPE, GLX_WINDOW_BIT, GLX_RENDER_TYPE, GLX_RGBA_BIT,
+    GLX_RED_SIZE, 1, GLX_GREEN_SIZE, 1, GLX_BLUE_SIZE, 1, GLX_ALPHA_SIZE, 1, GLX_DEPTH_SIZE, 1, None };
+  int count = 0;
+  GLXFBConfig* configurations = glXChooseFBConfig(opened, DefaultScreen(opened), wanted, &count);
+  if (configurations)
+  {
+    XFree(configurations);
+  }
+  if (count == 0)
+  {
+    XCloseDisplay(opened);
+    reason = "the X server's GLX has no usable configuration";
+    return nullptr;
+  }
+  return opened;
+}
+}
+
 void* GetXDisplay(const char*& reason)
 {
+  // Contexts of several threads may ask at the same time.
+  static std::mutex mutex;
   static Display* display = nullptr;
-  if (!display)
-  {
-    Display* opened = XOpenDisplay(nullptr);
-    if (!opened)
-    {
-      reason = "no X display could be opened";
-      return nullptr;
-    }
-    int opcode = 0;
-    int event = 0;
-    int error = 0;
-    if (!XQueryExtension(opened, "GLX", &opcode, &event, &error))
-    {
-      XCloseDisplay(opened);
-      reason = "the X server has no GLX";
-      return nullptr;
-    }
-    // The least that vtkXOpenGLRenderWindow settles for; it aborts the process without.
-    static const int wanted[] = { GLX_DRAWABLE_TYPE, GLX_WINDOW_BIT, GLX_RENDER_TYPE, GLX_RGBA_BIT,
-      GLX_RED_SIZE, 1, GLX_GREEN_SIZE, 1, GLX_BLUE_SIZE, 1, GLX_ALPHA_SIZE, 1, GLX_DEPTH_SIZE, 1, None };
-    int count = 0;
-    GLXFBConfig* configurations = glXChooseFBConfig(opened, DefaultScreen(opened), wanted, &count);
-    if (configurations)
-    {
-      XFree(configurations);
-    }
-    if (count == 0)
-    {
-      XCloseDisplay(opened);
-      reason = "the X server's GLX has no usable configuration";
-      return nullptr;
-    }
-    display = opened;
-  }
+  const std::lock_guard<std::mutex> lock(mutex);
+  display = display ? display : OpenDisplayWithGLX(reason);
   return display;
 }
 }

@@ -1,6 +1,6 @@
 /**
  * @file smProbe.h
- * @brief Whether a driver computes in double precision; not installed
+ * @brief Test that a driver computes in double precision; not installed
  */
 #ifndef smProbe_h
 #define smProbe_h

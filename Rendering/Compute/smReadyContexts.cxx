@@ -30,9 +30,9 @@ ReadyContexts& GetReadyContexts()
 
 void StopContexts()
 {
+  ReadyContexts& ready = GetReadyContexts();
   std::map<vtkComputeContext*, std::thread::id> contexts;
   {
-    ReadyContexts& ready = GetReadyContexts();
     const std::lock_guard<std::mutex> lock(ready.Mutex);
     if (ready.Process != getpid())
     {
@@ -42,8 +42,14 @@ void StopContexts()
   }
   for (const auto& [context, thread] : contexts)
   {
+    // The end of one may have deleted another.
+    bool isReady = false;
+    {
+      const std::lock_guard<std::mutex> lock(ready.Mutex);
+      isReady = ready.Contexts.count(context) != 0;
+    }
     // Another thread may be using its context.
-    if (thread == std::this_thread::get_id() && GetOpenScopes() == 0)
+    if (isReady && thread == std::this_thread::get_id() && GetOpenScopes() == 0)
     {
       context->Stop();
     }
@@ -58,7 +64,7 @@ void AddReadyContext(vtkComputeContext* context)
   ready.Contexts[context] = std::this_thread::get_id();
   if (!ready.IsRegistered)
   {
-    // What the driver has registered by now comes after this.
+    // Functions that the driver has registered by now are called after this one.
     ready.IsRegistered = std::atexit(StopContexts) == 0;
     ready.Process = getpid();
   }

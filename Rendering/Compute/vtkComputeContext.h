@@ -125,13 +125,20 @@ public:
   ///@}
 
   ///@{
+  /** Bytes of GPU memory that the buffers of this module hold in the OpenGL context now, and the most at a time since its first
+   * use. Contexts of the same window share the OpenGL context, and each reports the sum. 0 when not READY. */
+  vtkTypeInt64 GetAllocatedBytes();
+  vtkTypeInt64 GetPeakAllocatedBytes();
+  ///@}
+
+  ///@{
   /** Dispatches since the context object was made or the counters were reset. */
   vtkTypeUInt64 GetNumberOfDispatches();
   void ResetCounters();
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** What the context shares with the buffers and programs made in it. For this module's own classes. */
+  /** State shared with the buffers and programs made in the context. For this module's own classes. */
   const std::shared_ptr<sm::ContextResources>& GetResources() const
   {
     return this->Resources;

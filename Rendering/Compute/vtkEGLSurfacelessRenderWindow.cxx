@@ -94,7 +94,7 @@ public:
   int MaximumVersion[2] = { 0, 0 };
   std::string Reason;
   std::vector<sm::CurrentContext> Stack;
-  /// What was current when MakeCurrent() took over.
+  /// The context that was current before MakeCurrent().
   std::optional<sm::CurrentContext> Displaced;
 
   /// Fails with an addition to Reason. The display is never terminated: others in the process may use it.
@@ -369,7 +369,7 @@ int vtkEGLSurfacelessRenderWindow::ReadPixels(
   const vtkRecti& rect, int front, int glFormat, int glType, void* data, int right)
 {
   const int result = this->Superclass::ReadPixels(rect, front, glFormat, glType, data, right);
-  // Who reads pixels calls MakeCurrent() first (vtkWindowToImageFilter) and never gives the context back.
+  // Code that reads pixels calls MakeCurrent() first (vtkWindowToImageFilter) and never gives the context back.
   if (sm::GetOpenScopes() == 0 && this->Internals->Displaced)
   {
     this->Internals->Displaced->Restore();
@@ -429,7 +429,7 @@ vtkTypeBool vtkEGLSurfacelessRenderWindow::IsDirect()
 
 int vtkEGLSurfacelessRenderWindow::GetColorBufferSizes(int* rgba)
 {
-  // What VTK's own framebuffers have; there is no framebuffer 0 to ask.
+  // The sizes of VTK's own framebuffers; there is no framebuffer 0 to ask.
   if (!rgba)
   {
     return 0;

@@ -27,31 +27,41 @@ struct ResidentFace
   std::uint32_t FirstPatch = 0;
   std::uint32_t FirstCoefficient = 0;
   std::uint32_t FirstCap = 0;
-  /// The face itself: an id stands for one face only. What is resident keeps no face alive.
+  /// The face itself: an id stands for one face only. A page keeps no face alive.
   std::weak_ptr<const Face> Source;
   /// Not empty: the face is too large for a storage block of this GPU and nothing of it is there.
   std::string Error;
 };
 
 /**
- * Uploads what the shaders read of cut faces: control points, patches, polynomial coefficients and caps. Faces are
- * packed into pages, each a set of buffers within the driver's limit of a storage block. A face that is resident is found
- * again by its id and costs nothing. A page whose faces nobody has any more, as after an edit, is dropped by the next upload. When
- * the bytes exceed the budget, the pages used longest ago are dropped as a whole.
+ * Uploads control points, patches, polynomial coefficients and caps of cut faces, which the shaders read. Faces are packed into
+ * pages, each a set of buffers within the driver's limit of a storage block. A face that is resident is found again by its id and
+ * costs nothing. A page whose faces no longer exist, as after an edit, is dropped by the next upload. When the bytes exceed the
+ * budget, the pages used longest ago are dropped as a whole.
  *
- * When the GL context ends everything is forgotten and the next Acquire() starts anew.
+ * All users of one OpenGL context share the pages: a face that two filters of a window integrate is there once. A page is dropped
+ * when its last user has released it. The faces of a user's last request stay until its EndRun(), whatever others ask for.
+ *
+ * When the OpenGL context ends, everything is forgotten and the next Acquire() starts anew.
  * Storage and bindings: see glsl/smResident.glsl. Methods enter the context by themselves, except Bind();
  * progress is reported outside of it.
  */
 class SMRENDERINGNURBS_EXPORT ResidentFaces
 {
 public:
-  explicit ResidentFaces(vtkComputeContext* context);
+  enum class Sharing
+  {
+    Context, ///< one set of pages for all users of the OpenGL context; a face is always cut in the same way
+    None     ///< pages of this user alone, for faces that are cut for its purpose
+  };
+
+  /// The context must be READY when Acquire() is called.
+  explicit ResidentFaces(vtkComputeContext* context, Sharing sharing = Sharing::Context);
   ~ResidentFaces();
   ResidentFaces(const ResidentFaces&) = delete;
   ResidentFaces& operator=(const ResidentFaces&) = delete;
 
-  /// Bytes of GPU memory that pages may take together; default 1 GiB. One request may exceed it.
+  /// Bytes of GPU memory that the pages may take together, of all users that share them; default 1 GiB. One request may exceed it.
   void SetBudget(std::size_t bytes);
 
   /// Work items (panels, ribbons, caps) of one page at most; default 262144. A larger face has a page of its own.
@@ -62,13 +72,19 @@ public:
   bool Acquire(const std::vector<CutFacePointer>& faces, std::vector<ResidentFace>& locations,
     const std::function<bool(double)>& progress);
 
+  /// The locations of the last Acquire() are not used any more: their pages may be dropped for others.
+  void EndRun();
+
+  /// Gives up all faces: pages that nobody else uses are freed. The next Acquire() uploads again.
+  void Release();
+
   /// Binds a page's buffers to storage bindings 0 (control points), 1 (patches), 2 (coefficients).
   bool Bind(int page);
   /// Binds a page's caps to storage binding 2.
   bool BindCaps(int page);
 
   ///@{
-  /// Counters: faces and bytes resident now, faces uploaded and pages dropped since construction.
+  /// Counters: faces and bytes resident now, and pages dropped, of all users that share them; faces uploaded by this one.
   std::size_t GetNumberOfFaces() const;
   std::size_t GetBytes() const;
   std::uint64_t GetNumberOfUploads() const;

@@ -67,7 +67,7 @@ struct vtkNURBSPointEvaluatorGPU::Internals
 
   explicit Internals(vtkComputeContext* context)
     : Context(context)
-    , Resident(context)
+    , Resident(context, sm::ResidentFaces::Sharing::None)
     , FirstPatches(context)
     , Results(context)
   {

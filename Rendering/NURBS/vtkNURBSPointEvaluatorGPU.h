@@ -2,7 +2,7 @@
  * @class   vtkNURBSPointEvaluatorGPU
  * @brief   display points of edited faces by compute shaders, with the evaluator of the integrals
  *
- * What vtkNURBSPointEvaluator::New() makes where this module is loaded. Patches of the faces that changed go to the GPU
+ * vtkNURBSPointEvaluator::New() makes this class where this module is loaded. Patches of the faces that changed go to the GPU
  * (sm::ResidentFaces), places of points on them stay there from update to update, and one invocation evaluates a point, by
  * the chunks that integrate (smPatch.glsl). Where OpenGL 4.3 with doubles is missing, or memory on the GPU, the CPU evaluates,
  * unless Backend is OPENGL.

@@ -2,6 +2,8 @@
 #include "smComputeTesting.h"
 #include "smTestBrokenCS.h"
 
+#include "vtkOpenGLRenderWindow.h"
+
 #include <limits>
 #include <utility>
 
@@ -108,6 +110,49 @@ void TestBuffers(vtkComputeContext* context)
   CheckEqual("all stores are freed", before, sm::ComputeBuffer::GetLiveCount());
 }
 
+/// The counters of the context follow the stores; a store that is too large for its uses is replaced by a smaller one.
+void TestMemory(vtkComputeContext* context)
+{
+  constexpr long long large = 1 << 20;
+  constexpr long long small = 1 << 17;
+  const long long before = context->GetAllocatedBytes();
+  {
+    sm::ComputeBuffer buffer(context);
+    sm::ComputeBuffer other(context);
+    CheckTrue("allocates", buffer.Allocate(large) && other.Allocate(100));
+    CheckEqual("allocated bytes", before + large + 100, context->GetAllocatedBytes());
+    for (int use = 1; use < sm::ComputeBuffer::UsesBeforeShrinking; ++use)
+    {
+      CheckTrue("a small use", buffer.Allocate(small));
+    }
+    CheckEqual("a few small uses keep the store", large, static_cast<long long>(buffer.GetCapacity()));
+    CheckTrue("a large use", buffer.Allocate(large / 2));
+    for (int use = 1; use < sm::ComputeBuffer::UsesBeforeShrinking; ++use)
+    {
+      CheckTrue("a small use", buffer.Allocate(small + use));
+    }
+    CheckEqual("and they are counted anew", large, static_cast<long long>(buffer.GetCapacity()));
+    CheckTrue("one more", buffer.Allocate(1000), buffer.GetError());
+    const long long shrunk = small + sm::ComputeBuffer::UsesBeforeShrinking - 1;
+    CheckEqual(
+      "the store shrinks to the largest of them", shrunk, static_cast<long long>(buffer.GetCapacity()));
+    CheckEqual("its size", 1000, static_cast<long long>(buffer.GetSize()));
+    CheckEqual("allocated bytes after it", before + shrunk + 100, context->GetAllocatedBytes());
+    CheckTrue("peak", context->GetPeakAllocatedBytes() >= before + large + 100);
+    double value = 3.0;
+    CheckTrue(
+      "it holds data", buffer.Upload(&value, sizeof(value), 8) && buffer.Read(&value, sizeof(value), 8));
+    buffer.Free();
+    CheckEqual("freed", before + 100, context->GetAllocatedBytes());
+    vtkNew<vtkComputeContext> same;
+    same->SetSource(vtkComputeContext::WINDOW);
+    same->SetWindow(context->GetRenderWindow());
+    CheckEqual("another context of the window", vtkComputeContext::READY, same->Start());
+    CheckEqual("reports the same bytes", before + 100, same->GetAllocatedBytes());
+  }
+  CheckEqual("everything is released", 0, context->GetAllocatedBytes());
+}
+
 void TestLargeBlock(vtkComputeContext* context)
 {
   const std::size_t limit = static_cast<std::size_t>(context->GetMaximumStorageBlockSize());
@@ -138,6 +183,7 @@ int main()
     TestUniformsAndDispatch(context);
     TestManyGroups(context);
     TestBuffers(context);
+    TestMemory(context);
     TestLargeBlock(context);
     CheckNothingLives();
   }

@@ -2,6 +2,10 @@
 #include "smFilterTesting.h"
 
 #include <vtkNURBSDeform.h>
+#include <vtkNURBSPointEvaluator.h>
+#include <vtkObjectFactory.h>
+
+#include <new>
 
 namespace
 {
@@ -212,6 +216,33 @@ void CheckPlainPoints()
   Check("they are mapped", 0.0, worst, 1e-14, "rounding of 5");
   CheckTrue("and the model is there", output->GetModel() != nullptr);
 }
+
+class EvaluatorWithoutMemory : public vtkNURBSPointEvaluator
+{
+public:
+  static EvaluatorWithoutMemory* New() { VTK_STANDARD_NEW_BODY(EvaluatorWithoutMemory); }
+  vtkTypeMacro(EvaluatorWithoutMemory, vtkNURBSPointEvaluator);
+
+protected:
+  bool EvaluateByOpenGL(const Work&, std::vector<sm::PointAndNormal>&, std::string&) override
+  {
+    throw std::bad_alloc();
+  }
+};
+
+/// An exception is an error of the filter with an empty output; it does not leave Update().
+void CheckOutOfMemory()
+{
+  LatticeBody body;
+  vtkNew<vtkNURBSDeform> filter;
+  filter->SetInputData(MakeProduct(body));
+  filter->SetDisplacement(0.0, 0.0, 0.5);
+  filter->SetPointEvaluator(vtkNew<EvaluatorWithoutMemory>());
+  CheckFails(filter, "bad_alloc");
+  filter->SetPointEvaluator(nullptr);
+  filter->Update();
+  CheckStructure(filter->GetOutputDataObject(0));
+}
 }
 
 int main()
@@ -220,5 +251,6 @@ int main()
   CheckLattice();
   CheckGap();
   CheckPlainPoints();
+  CheckOutOfMemory();
   return Finish();
 }

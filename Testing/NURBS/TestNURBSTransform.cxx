@@ -2,7 +2,10 @@
 #include "smFilterTesting.h"
 
 #include <vtkNURBSTransform.h>
+#include <vtkObjectFactory.h>
 #include <vtkTransform.h>
+
+#include <new>
 
 namespace
 {
@@ -50,6 +53,25 @@ void CheckMoved(vtkNURBSTransform* filter, vtkPartitionedDataSetCollection* prod
   double to[4];
   matrix->MultiplyPoint(in, to);
   Check("a plain mesh moves along", to[0], plain ? plain->GetPoint(0)[0] : 0.0, 1e-5, "a float");
+}
+
+class TransformWithoutMemory : public vtkTransform
+{
+public:
+  static TransformWithoutMemory* New() { VTK_STANDARD_NEW_BODY(TransformWithoutMemory); }
+  vtkTypeMacro(TransformWithoutMemory, vtkTransform);
+
+protected:
+  void InternalUpdate() override { throw std::bad_alloc(); }
+};
+
+/// An exception is an error of the filter with an empty output; it does not leave Update().
+void CheckOutOfMemory(vtkDataObject* input)
+{
+  vtkNew<vtkNURBSTransform> filter;
+  filter->SetInputData(input);
+  filter->SetTransform(vtkNew<TransformWithoutMemory>());
+  CheckFails(filter, "bad_alloc");
 }
 }
 
@@ -103,5 +125,6 @@ int main()
   CheckFails(filter, "not rigid");
   filter->SetTranslation(0.0, 0.0, 0.0);
   CheckMoved(filter, product, true);
+  CheckOutOfMemory(product);
   return Finish();
 }

@@ -72,7 +72,7 @@ standing = vtkSolidStability()
 standing.SetInputConnection(boxes.GetOutputPort())
 standing.Update()
 check_equal("a box", "stable", standing.GetStability())
-check("its margin", min(box["center_of_mass"][:2]), standing.GetMargin(), standing.GetMarginBound())  # a corner is the origin
+check("its margin", min(box["center_of_mass"][:2]), standing.GetStabilityMargin(), standing.GetStabilityMarginBound())  # a corner is the origin
 with tempfile.TemporaryDirectory() as output:
     for writer, name in ((vtkSTEPWriter(), "part.step"), (vtkBREPWriter(), "part.brep")):
         writer.SetInputConnection(reader.GetOutputPort())

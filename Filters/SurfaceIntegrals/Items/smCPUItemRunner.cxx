@@ -2,9 +2,8 @@
 
 #include "smBatchParameters.h"
 #include "smItemKernels.h"
+#include "smParallelFor.h"
 #include "smRowSums.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>
@@ -20,7 +19,7 @@ constexpr std::size_t RowsAtMost = 65536;
 // Estimated cost between two questions whether to go on: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
 // Items that a thread takes at a time.
-constexpr vtkIdType ItemsPerTask = 16;
+constexpr std::size_t ItemsPerTask = 16;
 
 double FindLargest(const double* rows, std::size_t count, int stride)
 {
@@ -133,12 +132,12 @@ bool CPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<st
     }
     // An integer: the same in any order.
     std::atomic<std::int64_t> spent{ 0 };
-    vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end), ItemsPerTask,
-      [&](vtkIdType from, vtkIdType to)
+    ParallelFor(end - begin, ItemsPerTask,
+      [&](std::size_t from, std::size_t to)
       {
         KernelScratch scratch(this->Layout);
         std::int64_t count = 0;
-        for (vtkIdType i = from; i < to; ++i)
+        for (std::size_t i = begin + from; i < begin + to; ++i)
         {
           const WorkItem& item = items[active[i]];
           const KernelResult result = EvaluateItem(data, *self.Slots[item.GetSlot()], item, scratch);
@@ -181,11 +180,11 @@ bool CPUItemRunner::Sum(
   }
   sums.assign(segments.size() * stride, 0.0);
   largestGaps.assign(segments.size(), 0.0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(segments.size()), ItemsPerTask,
-    [&](vtkIdType from, vtkIdType to)
+  ParallelFor(segments.size(), ItemsPerTask,
+    [&](std::size_t from, std::size_t to)
     {
       std::vector<double> errors;
-      for (vtkIdType i = from; i < to; ++i)
+      for (std::size_t i = from; i < to; ++i)
       {
         const auto [first, last] = segments[i];
         const double* rows = self.Rows.data() + static_cast<std::size_t>(first) * stride;

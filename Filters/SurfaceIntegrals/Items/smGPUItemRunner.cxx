@@ -315,6 +315,18 @@ void GPUItemRunner::Release()
 {
   this->Implementation->Slots.clear();
   this->Implementation->Places.clear();
+  this->Implementation->Resident.EndRun();
+}
+
+void GPUItemRunner::FreeMemory()
+{
+  this->Release();
+  this->Implementation->Resident.Release();
+  this->Implementation->Work.Free();
+  this->Implementation->Parameters.Free();
+  this->Implementation->Rows.Free();
+  this->Implementation->StatusFlags.Free();
+  this->Implementation->Sums.Free();
 }
 
 bool GPUItemRunner::Sum(

@@ -40,6 +40,7 @@ public:
   bool Sum(const std::vector<Segment>& segments, std::vector<double>& sums,
     std::vector<double>& largestGaps) override;
   void Release() override;
+  void FreeMemory() override;
 
 protected:
   void OnConfigure() override;

@@ -105,6 +105,9 @@ public:
   /// Ends a run: lets go of the faces of Acquire(). What is resident stays, within its own budget.
   virtual void Release() = 0;
 
+  /// Frees what is kept between runs, on the GPU above all; the next run makes it again. Not within a run.
+  virtual void FreeMemory() { this->Release(); }
+
   /// Seconds that the last Acquire() spent building what belongs to no face (shaders).
   double GetStartSeconds() const { return this->StartSeconds; }
   const std::string& GetError() const { return this->Error; }

@@ -1,4 +1,4 @@
-// Whether the driver's doubles are doubles, see vtkComputeContext. The operands are uniforms so that nothing is
+// Tests that the driver computes in double precision, see vtkComputeContext. The operands are uniforms so that nothing is
 // folded at compile time.
 layout(local_size_x = 1) in;
 layout(std430, binding = 0) writeonly buffer smValues

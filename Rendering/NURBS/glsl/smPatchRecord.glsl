@@ -1,4 +1,4 @@
-// What a shader knows of one rational Bezier patch.
+// One rational Bezier patch, as shaders read it.
 struct smPatchRecord
 {
   dvec4 centerRadius; // centre x y z, largest distance of a control point from it

@@ -1,4 +1,4 @@
-// What lets a chunk of mathematics compile as GLSL and, through GLM, as C++ (smPortableCxx.h defines the same
+// Macros by which a chunk of mathematics compiles as GLSL and, through GLM, as C++ (smPortableCxx.h defines the same
 // names there). In C++ a chunk is included in the body of a class whose members are what it needs.
 #define SM_OUT(type) out type
 #define SM_INOUT(type) inout type

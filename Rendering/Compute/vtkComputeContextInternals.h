@@ -1,0 +1,63 @@
+/**
+ * @file vtkComputeContextInternals.h
+ * @brief How vtkComputeContext finds an OpenGL context, and how it learns that one has ended; not installed
+ */
+#ifndef vtkComputeContextInternals_h
+#define vtkComputeContextInternals_h
+
+#include "smWindowWatch.h"
+#include "vtkComputeContext.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <string>
+
+class vtkComputeContext::vtkInternals
+{
+public:
+  explicit vtkInternals(vtkComputeContext* self)
+    : Self(self)
+  {
+    this->Deleted->SetClientData(this);
+    this->Deleted->SetCallback([](vtkObject*, unsigned long, void* internals, void*)
+      { static_cast<vtkInternals*>(internals)->WindowIsDeleted(); });
+  }
+
+  vtkComputeContext* Self;
+  vtkWeakPointer<vtkRenderWindow> Given;
+  bool WasGiven = false;
+  /// The given window was READY once; when it closes it is not opened again.
+  bool WasOpened = false;
+  vtkSmartPointer<vtkOpenGLRenderWindow> Own;
+  /// The window in use while READY, never dangling: the watch and DeleteEvent come before its end.
+  vtkOpenGLRenderWindow* Used = nullptr;
+  vtkSmartPointer<sm::EndWatch> Watch;
+  vtkNew<vtkCallbackCommand> Deleted;
+  int MaximumVersion[2] = { 0, 0 };
+  std::string Reason;
+  std::string Renderer;
+  std::string Version;
+  const char* SourceName = "";
+
+  /// Each returns a status, READY or why not; the reasons are collected.
+  int TryWindow();
+  int TryX();
+  int TryEGL();
+  int Use(vtkOpenGLRenderWindow* window, const char* name, const char* label);
+  void Adopt(vtkOpenGLRenderWindow* window);
+  void End(bool current, int status);
+  void Detach();
+  void WindowIsDeleted();
+
+  int Fail(const char* label, const std::string& what, int status)
+  {
+    this->Reason += (this->Reason.empty() ? "" : " ") + std::string(label) + ": " + what + ".";
+    return status;
+  }
+};
+
+#endif

@@ -1,0 +1,99 @@
+/**
+ * @file smResidentStore.h
+ * @brief The pages of faces of one OpenGL context, which all its ResidentFaces share; not installed
+ */
+#ifndef smResidentStore_h
+#define smResidentStore_h
+
+#include "smComputeBuffer.h"
+#include "smResidentFaces.h"
+
+#include "vtkComputeContext.h"
+#include "vtkSmartPointer.h"
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace sm
+{
+struct PageData;
+
+/**
+ * A page is a set of buffers with several faces in it. It knows its users; the last one that leaves drops it. Pages of the last
+ * request of a user are pinned: nothing drops them until that user ends its run, asks for other faces, or leaves.
+ *
+ * A shared store has a compute context of its own on the window, so that it survives whichever of its users' contexts ends first.
+ */
+class ResidentStore
+{
+public:
+  /// Identifies a user.
+  using User = const ResidentFaces*;
+  using Progress = std::function<bool(double)>;
+
+  /// The store that all users of the window of `context` share, or a new one for one user. Null, with `error`, without OpenGL.
+  static std::shared_ptr<ResidentStore> Open(vtkComputeContext* context, bool isShared, std::string& error);
+
+  /// True while the OpenGL context lasts in which the store was made.
+  bool IsAlive() const { return this->Host->GetGeneration() == this->Generation; }
+
+  /// See ResidentFaces::Acquire(). `uploads` is increased by the faces that were uploaded for it.
+  bool Acquire(User user, const std::vector<CutFacePointer>& faces, std::vector<ResidentFace>& locations,
+    const Progress& progress, std::size_t itemsPerPage, std::uint64_t& uploads);
+  void Unpin(User user);
+  void Leave(User user);
+  bool Bind(int page, bool caps);
+
+  std::size_t Budget = std::size_t{ 1 } << 30;
+  /// Bytes of all pages.
+  std::size_t Bytes = 0;
+  std::unordered_map<std::uint64_t, ResidentFace> Faces;
+  std::uint64_t Evictions = 0;
+  std::string Error;
+
+private:
+  struct Page
+  {
+    ComputeBuffer Points;
+    ComputeBuffer Patches;
+    ComputeBuffer Coefficients;
+    ComputeBuffer Caps;
+    std::size_t Bytes = 0;
+    std::vector<std::pair<std::uint64_t, std::weak_ptr<const Face>>> Faces;
+    std::set<User> Users;
+    std::set<User> Pins;
+    std::uint64_t LastUse = 0;
+  };
+  using Pages = std::map<int, Page>;
+
+  /// A request in progress: who asks, and what was packed for the next page.
+  struct Request
+  {
+    User Asker;
+    std::size_t ItemsPerPage;
+    std::vector<std::pair<std::uint64_t, ResidentFace>> Packed;
+  };
+
+  bool Fail(const std::string& what);
+  bool FindMissing(User user, const std::vector<CutFacePointer>& faces, std::vector<CutFacePointer>& missing);
+  void Use(User user, Page& page);
+  Pages::iterator Drop(Pages::iterator page);
+  void DropDead();
+  void Evict();
+  bool Upload(const PageData& data, Page& page);
+  bool Flush(Request& request, PageData& data);
+  bool UploadAll(Request& request, const std::vector<CutFacePointer>& faces, const Progress& progress);
+
+  vtkSmartPointer<vtkComputeContext> Host;
+  vtkTypeUInt64 Generation = 0;
+  Pages AllPages;
+  int NextPage = 0;
+  std::uint64_t Clock = 0;
+};
+}
+
+#endif
