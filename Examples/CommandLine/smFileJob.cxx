@@ -6,6 +6,7 @@
 #include "smPicture.h"
 #include "smQuantities.h"
 #include "smStabilityJob.h"
+#include "smText.h"
 #include "smTrimPictures.h"
 #include "smUserIntegrals.h"
 
@@ -27,7 +28,6 @@
 #include "vtkTable.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <exception>
 
 namespace
@@ -37,7 +37,7 @@ namespace names = sm::names;
 
 // --- from tables to JSON -----------------------------------------------------------------------
 
-/// By solid, the edges with the widest gaps, at most five; the table has the widest first. Edges without a gap are none.
+/// For each solid the edges with the widest gaps, at most five, without those that have no gap. The table has the widest first.
 std::vector<Json> WorstEdges(vtkTable* table, vtkIdType solids)
 {
   const size_t most = 5;
@@ -90,7 +90,7 @@ Json EmptyFile(const std::string& fileName)
 {
   vtkNew<vtkFieldData> nothing;
   Json file;
-  file["file"] = fileName;
+  sm::SetFileName(file, fileName);
   file["length_unit"] = nullptr;
   file["status"] = names::StatusUnreadable;
   file["messages"] = Json::array();
@@ -112,7 +112,7 @@ Json EmptyFile(const std::string& fileName)
   return file;
 }
 
-/// Of the box of all display meshes; null where there are none.
+/// The diagonal of the bounding box of all display meshes; null where there are none.
 Json Diagonal(vtkDataObject* input)
 {
   vtkBoundingBox box;
@@ -133,14 +133,14 @@ Json Diagonal(vtkDataObject* input)
 
 // --- progress ----------------------------------------------------------------------------------
 
-/// Tells the listener about the progress of an algorithm while it lives.
+/// Sends the progress of an algorithm to the listener, from construction to destruction.
 class ProgressScope
 {
 public:
-  ProgressScope(vtkAlgorithm* algorithm, const char* stage, const sm::JobListener& tell)
+  ProgressScope(vtkAlgorithm* algorithm, const char* stage, const sm::JobListener& send)
     : Algorithm(algorithm)
     , Stage(stage)
-    , Tell(tell)
+    , Send(send)
   {
     this->Command->SetClientData(this);
     this->Command->SetCallback(
@@ -159,13 +159,13 @@ private:
     if (std::abs(fraction - this->Last) >= 0.01)
     {
       this->Last = fraction;
-      this->Tell({ { "progress", { this->Stage, fraction } } });
+      this->Send({ { "progress", { this->Stage, fraction } } });
     }
   }
 
   vtkAlgorithm* Algorithm;
   const char* Stage;
-  const sm::JobListener& Tell;
+  const sm::JobListener& Send;
   vtkNew<vtkCallbackCommand> Command;
   unsigned long Tag = 0;
   double Last = -1.0;
@@ -173,18 +173,18 @@ private:
 
 // --- the job -----------------------------------------------------------------------------------
 
-/// Reads the file; false when there is nothing to integrate, and then the entry says why.
-bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& tell, Json& file,
+/// Reads the file; false when there is nothing to integrate, for the reason that status and messages of the entry give.
+bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
   sm::MessageList& messages)
 {
   reader->SetFileName(options.FileName.c_str());
   reader->SetOutputUnit(options.Unit);
   {
-    ProgressScope progress(reader, "read", tell);
+    ProgressScope progress(reader, "read", send);
     reader->Update();
   }
   file["seconds"]["read"] = reader->GetReadSeconds();
-  // All that comes after OpenCASCADE has the shape in memory counts as preparing, the display mesh too.
+  // "prepare" begins when OpenCASCADE has the shape in memory, so it includes the display mesh.
   file["seconds"]["prepare"] = reader->GetMeshSeconds() + reader->GetConversionSeconds();
   file["status"] = reader->GetStatusAsString();
   messages.AddReader(reader);
@@ -241,7 +241,7 @@ void SetScheme(vtkMassPropertiesGPU* filter, const sm::JobOptions& options)
   filter->SetKeepTrimTextures(!options.TexturePrefix.empty());
 }
 
-/// What the filter integrates with; null with the adaptive scheme, which knows none of it.
+/// The options of the paper's schemes as the filter has them; null with the adaptive scheme, which has none.
 Json SchemeOptions(vtkMassPropertiesGPU* filter)
 {
   if (filter->GetScheme() == vtkMassPropertiesGPU::ADAPTIVE)
@@ -271,10 +271,10 @@ vtkSmartPointer<vtkMassPropertiesGPU> MakeFilter(vtkSTEPReader* reader, const sm
 }
 
 void Integrate(
-  vtkMassPropertiesGPU* filter, const sm::JobListener& tell, Json& file, sm::MessageList& messages)
+  vtkMassPropertiesGPU* filter, const sm::JobListener& send, Json& file, sm::MessageList& messages)
 {
   {
-    ProgressScope progress(filter, "integrate", tell);
+    ProgressScope progress(filter, "integrate", send);
     filter->Update();
   }
   vtkFieldData* fields = filter->GetOutput()->GetFieldData();
@@ -310,7 +310,7 @@ std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesGPU* filter, vtkPolyDat
                         : "there is no OpenGL context to draw in: " + context->GetReason();
 }
 
-void Run(const sm::JobOptions& options, const sm::JobListener& tell)
+void Run(const sm::JobOptions& options, const sm::JobListener& send)
 {
   vtkNew<smMessageCollector> collector;
   vtkOutputWindow::SetInstance(collector);
@@ -320,17 +320,17 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   Json file = EmptyFile(options.FileName);
   vtkNew<vtkSTEPReader> reader;
   sm::MessageList messages;
-  const bool isRead = Read(reader, options, tell, file, messages);
+  const bool isRead = Read(reader, options, send, file, messages);
   const auto filter = MakeFilter(reader, options);
   vtkSmartPointer<vtkPolyData> stability;
   if (isRead)
   {
     file["scheme"] = options.Scheme;
     file["scheme_options"] = SchemeOptions(filter);
-    Integrate(filter, tell, file, messages);
-    const auto update = [&tell](vtkAlgorithm* algorithm)
+    Integrate(filter, send, file, messages);
+    const auto update = [&send](vtkAlgorithm* algorithm)
     {
-      ProgressScope progress(algorithm, "integrate", tell);
+      ProgressScope progress(algorithm, "integrate", send);
       algorithm->Update();
     };
     sm::IntegrateUsers(reader, options, update, file, messages);
@@ -341,15 +341,15 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
     messages.AddEcho(message);
   }
   file["messages"] = messages.Get();
-  tell({ { "result", file } });
+  send({ { "result", file } });
   if (!options.TexturePrefix.empty() && isRead)
   {
-    tell({ { "textures", sm::WriteTrimPictures(filter, options.TexturePrefix) } });
+    send({ { "textures", sm::WriteTrimPictures(filter, options.TexturePrefix) } });
   }
   if (!options.PictureName.empty() && isRead)
   {
-    tell({ { "progress", { "draw", 0.0 } } });
-    tell({ { "picture", Draw(reader, filter, stability, options, file) } });
+    send({ { "progress", { "draw", 0.0 } } });
+    send({ { "picture", Draw(reader, filter, stability, options, file) } });
   }
   vtkOutputWindow::SetInstance(nullptr);
 }
@@ -370,38 +370,33 @@ bool ParseQuantityTolerance(
   {
     return false;
   }
-  const std::string numbers = text.substr(equals + 1);
-  char* end = nullptr;
-  relative = std::strtod(numbers.c_str(), &end);
-  bool well = end != numbers.c_str();
-  absolute = 0.0;
-  if (well && *end == ',')
+  const std::vector<double> numbers = ParseNumbers(text.substr(equals + 1));
+  if (numbers.empty() || numbers.size() > 2)
   {
-    const char* second = end + 1;
-    absolute = std::strtod(second, &end);
-    well = end != second;
+    return false;
   }
-  return well && *end == '\0' && relative >= 0.0 && relative <= 1.0 && absolute >= 0.0 &&
-    std::isfinite(absolute);
+  relative = numbers[0];
+  absolute = numbers.size() == 2 ? numbers[1] : 0.0;
+  return relative >= 0.0 && relative <= 1.0 && absolute >= 0.0 && std::isfinite(absolute);
 }
 
-void RunFileJob(const JobOptions& options, const JobListener& tell)
+void RunFileJob(const JobOptions& options, const JobListener& send)
 {
-  // A result that was told stands, whatever happens to the picture.
-  bool isTold = false;
+  // When the result was already sent, an error concerns the pictures only.
+  bool isSent = false;
   try
   {
     Run(options,
       [&](const Json& message)
       {
-        tell(message);
-        isTold = isTold || message.contains("result");
+        send(message);
+        isSent = isSent || message.contains("result");
       });
   }
   catch (const std::exception& error)
   {
     const std::string reason = std::string("stopped by an error: ") + error.what();
-    tell(isTold ? Json{ { options.PictureName.empty() ? "textures" : "picture", reason } }
+    send(isSent ? Json{ { options.PictureName.empty() ? "textures" : "picture", reason } }
                 : Json{ { "result", UnreadableFile(options.FileName, reason) } });
   }
 }

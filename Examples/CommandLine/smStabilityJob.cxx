@@ -4,6 +4,7 @@
 #include "smMessageList.h"
 #include "smQuantities.h"
 #include "smStabilityNames.h"
+#include "smText.h"
 #include "smUserIntegrals.h"
 
 #include "vtkDataArray.h"
@@ -15,8 +16,9 @@
 #include "vtkSolidStability.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <vector>
 
 namespace
 {
@@ -84,17 +86,13 @@ bool ParseDirection(const std::string& text, std::array<double, 3>& direction)
     direction[text.back() - 'x'] = text[0] == '-' ? -1.0 : 1.0;
     return true;
   }
-  const char* next = text.c_str();
-  for (int i = 0; i < 3; ++i)
+  const std::vector<double> numbers = ParseNumbers(text);
+  if (numbers.size() != 3 ||
+    !std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }))
   {
-    char* end = nullptr;
-    direction[i] = std::strtod(next, &end);
-    if (end == next || *end != (i < 2 ? ',' : '\0') || !std::isfinite(direction[i]))
-    {
-      return false;
-    }
-    next = end + 1;
+    return false;
   }
+  std::copy(numbers.begin(), numbers.end(), direction.begin());
   return direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0;
 }
 
@@ -119,7 +117,7 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptio
   }
   drawing->ShallowCopy(filter->GetOutput());
   file["total"]["stability"] = Describe(filter, 0);
-  // Its first ones are those of the mass filter, which are known.
+  // Its first messages are those of its mass filter, which the list has already.
   for (int i = filter->GetMassProperties()->GetNumberOfMessages(); i < filter->GetNumberOfMessages(); ++i)
   {
     messages.AddEcho(filter->GetMessage(i));
