@@ -26,7 +26,7 @@ PaperFilter::PaperFilter(vtkDataObject* input)
   this->Mass->SetInputDataObject(input);
   this->Mass->SetRelativeTolerance(1e-12);
   this->Mass->SetChordTolerance(1e-9);
-  // That the schemes have no bound is a warning of every run; the results are judged here.
+  // Every run warns that the schemes have no bound; the programs check the results themselves.
   this->Mass->AddObserver(vtkCommand::WarningEvent, this->Silence);
 }
 

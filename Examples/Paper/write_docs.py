@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes what regenerate.sh made into the page: write_docs.py OUTDIR
+"""Writes the output of regenerate.sh into the page: write_docs.py OUTDIR
 
 Pictures go to images/; in README.md the table between <!-- Table --> and <!-- /Table -->, and, where OUTDIR's table has a section
 "Real files", its end between <!-- RealFiles --> and <!-- /RealFiles --> and the whole of it in real_files.md. Sentences about the
