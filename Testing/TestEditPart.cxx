@@ -1,8 +1,9 @@
 // TestEditPart MODE FILE.step EVENTS FOLDER [-T FOLDER -V BASELINE.png]: the interactive example, played back.
-//   drag    the stream of events that is shipped: values against a full run and against a formula, picture, undo
-//   placed  a turned, mirrored, shifted body: along the screen, along the normal, given up, weights
-//   open    one face moved alone: which edges open, how far
-//   record  what a window reports is recorded, and gives the same bits when it is played
+//   drag     the shipped recording: values against a full run and against a formula, picture, undo
+//   placed   a rotated, mirrored, translated body: drags along the screen and the normal, a cancelled drag, weights
+//   open     one face moved alone: the opened edges and their gaps
+//   record   events of a window are recorded, with its size, and give the same bits when they are played
+//   numbers  the texts have decimal points, also in the locale de_DE.UTF-8 where LOCPATH has it
 #include "smEditSession.h"
 #include "smMassPropertyNames.h"
 #include "smNetMoments.h"
@@ -18,10 +19,16 @@
 #include <vtkNURBSTransform.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkPropCollection.h>
+#include <vtkRendererCollection.h>
 #include <vtkSTEPReader.h>
 #include <vtkTesting.h>
+#include <vtkTextActor.h>
 
 #include <algorithm>
+#include <clocale>
+#include <cstdlib>
+#include <regex>
 #include <vector>
 
 namespace
@@ -29,7 +36,7 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
-/// The pixels in which two pictures differ; -1 when they differ in size.
+/// The number of pixels in which two pictures differ; -1 when their sizes differ.
 long long CountDifferent(vtkImageData* a, vtkImageData* b)
 {
   vtkDataArray* x = a->GetPointData()->GetScalars();
@@ -55,7 +62,7 @@ long long CountDifferent(vtkImageData* a, vtkImageData* b)
   return count;
 }
 
-/// What a filter that never saw the part before says of it.
+/// The results of a new filter for the part.
 std::vector<double> RunAnew(EditSession& session)
 {
   vtkNew<vtkMassPropertiesGPU> mass;
@@ -90,7 +97,7 @@ void CheckVector(const std::string& what, const Point3& expected, const Point3& 
   }
 }
 
-/// Distance of the display points from the faces that they were taken from, of a body that is where its model is.
+/// The largest distance of the display points from their faces, for a body without a placement.
 double GetMeshError(vtkNURBSDataSet* body)
 {
   vtkDataArray* faces = body->GetPointData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName());
@@ -113,7 +120,7 @@ double GetMeshError(vtkNURBSDataSet* body)
 
 // --- drag --------------------------------------------------------------------------------------
 
-/// One drag of the shipped stream: where it begins, by how many pixels, whether along the normal.
+/// One drag of the shipped recording: its start, its displacement in pixels, and true when it is along the normal.
 struct Drag
 {
   int X;
@@ -123,7 +130,7 @@ struct Drag
   bool AlongNormal;
 };
 
-/// The drags of a stream, from its own lines.
+/// The drags of a recording.
 std::vector<Drag> ReadDrags(const std::string& fileName)
 {
   std::vector<Drag> drags;
@@ -134,8 +141,11 @@ std::vector<Drag> ReadDrags(const std::string& fileName)
   int modifiers = 0;
   int ignored = 0;
   std::string key;
-  std::string header;
-  std::getline(file, header);
+  std::string comment;
+  while (file.peek() == '#')
+  {
+    std::getline(file, comment);
+  }
   Drag drag{};
   while (file >> event >> x >> y >> modifiers >> ignored >> ignored >> key)
   {
@@ -178,23 +188,10 @@ void CheckAgainstFormula(EditSession& session, NetMoments& expected)
   }
 }
 
-void CheckDrag(
-  vtkSTEPReader* reader, const std::string& events, const std::string& folder, int argc, char* argv[])
+/// Compares the moved control points of the net with the drags, and moves those of `net` alike. Returns the number of dragged points.
+int CheckMoves(
+  EditSession& session, vtkTrimmedNURBSModel* original, const std::vector<Drag>& drags, NetMoments& net)
 {
-  EditSession session(reader->GetOutput(), "free_form_part.step", folder);
-  vtkMassPropertiesGPU* mass = session.Scene.GetMass();
-  const std::vector<double> first = GetFieldNumbers(mass);
-  const vtkSmartPointer<vtkImageData> before = sm::GrabImage(session.Window);
-  CheckRange(
-    "display points on their faces", 0.0, GetMeshError(session.Part.GetBody(0)), 1e-6, "OpenCASCADE's");
-  NetMoments net(session.Part.GetBody(0)->GetModel());
-  CheckAgainstFormula(session, net);
-  vtkSmartPointer<vtkTrimmedNURBSModel> original = session.Part.GetBody(0)->GetModel();
-
-  // What each drag should do, foretold from the stream and the camera; the camera does not move.
-  const std::vector<Drag> drags = ReadDrags(events);
-  CheckTrue("the stream has drags", drags.size() >= 3);
-  CheckEqual("played", "", sm::PlayEvents(session.Interactor, events));
   const int face = session.Scene.GetNet().GetFace();
   CheckTrue("a net is shown", session.Scene.GetNet().IsShown());
   const sm::NURBSSurface& surface = original->GetFaces().at(face)->Surface;
@@ -215,7 +212,7 @@ void CheckDrag(
     const std::array<int, 2> pixel = session.ToPixel(was);
     const auto drag = std::find_if(drags.begin(), drags.end(),
       [&](const Drag& d) { return std::hypot(d.X - pixel[0], d.Y - pixel[1]) < 12.0; });
-    if (!CheckTrue("what moved was dragged", drag != drags.end()))
+    if (!CheckTrue("a point that moved was dragged", drag != drags.end()))
     {
       continue;
     }
@@ -228,6 +225,57 @@ void CheckDrag(
   }
   CheckEqual("every drag moved a point", static_cast<long long>(drags.size()), moved);
   CheckTrue("and those of neighbours with it", followed > moved, std::to_string(followed));
+  return moved;
+}
+
+/// Undo, redo and reset by keys; a click beside the part removes the net and the notice.
+void CheckUndo(EditSession& session, int steps, const std::vector<double>& first, vtkImageData* before)
+{
+  vtkMassPropertiesGPU* mass = session.Scene.GetMass();
+  const std::vector<double> last = GetFieldNumbers(mass);
+  const auto press = [&](int count, const char* key)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      session.AddKey(key, EditSession::Control);
+    }
+  };
+  press(steps, "z");
+  session.AddClick(700, 540);
+  session.Play();
+  CheckTrue("undone, the first bits", HaveSameBits(first, GetFieldNumbers(mass)));
+  CheckEqual("undone, the first picture", 0, CountDifferent(before, sm::GrabImage(session.Window)));
+  press(1, "z");
+  session.Play();
+  CheckTrue("nothing more to undo", HaveSameBits(first, GetFieldNumbers(mass)));
+  press(steps, "y");
+  session.Play();
+  CheckTrue("redone, the last bits", HaveSameBits(last, GetFieldNumbers(mass)));
+  session.AddKey("r");
+  session.AddClick(700, 540);
+  session.Play();
+  CheckTrue("reset, the first bits", HaveSameBits(first, GetFieldNumbers(mass)));
+  CheckEqual("reset, the first picture", 0, CountDifferent(before, sm::GrabImage(session.Window)));
+}
+
+void CheckDrag(
+  vtkSTEPReader* reader, const std::string& events, const std::string& folder, int argc, char* argv[])
+{
+  EditSession session(reader->GetOutput(), "free_form_part.step", folder);
+  vtkMassPropertiesGPU* mass = session.Scene.GetMass();
+  const std::vector<double> first = GetFieldNumbers(mass);
+  const vtkSmartPointer<vtkImageData> before = sm::GrabImage(session.Window);
+  CheckRange(
+    "display points on their faces", 0.0, GetMeshError(session.Part.GetBody(0)), 1e-6, "OpenCASCADE's");
+  NetMoments net(session.Part.GetBody(0)->GetModel());
+  CheckAgainstFormula(session, net);
+  vtkSmartPointer<vtkTrimmedNURBSModel> original = session.Part.GetBody(0)->GetModel();
+
+  // The effect of each drag follows from the recording and the camera, which does not move.
+  const std::vector<Drag> drags = ReadDrags(events);
+  CheckTrue("the recording has drags", drags.size() >= 3);
+  CheckEqual("played", "", sm::PlayEvents(session.Interactor, events));
+  const int moved = CheckMoves(session, original, drags, net);
   CheckEqual("status", names::StatusOk, mass->GetStatus());
   CheckEqual("nothing opened", 0, static_cast<long long>(session.Part.GetOpened(0).size()));
   CheckAgainstFormula(session, net);
@@ -245,36 +293,73 @@ void CheckDrag(
   const vtkSmartPointer<vtkImageData> after = sm::GrabImage(session.Window);
   CheckRange("pixels that changed", 5000.0, static_cast<double>(CountDifferent(before, after)), 400000.0);
 
-  // All of it back, by keys; a click beside the part takes the net and the notice away.
-  const auto undo = [&](int count)
-  {
-    for (int i = 0; i < count; ++i)
-    {
-      session.AddKey("z", EditSession::Control);
-    }
-  };
-  undo(moved);
-  session.AddClick(700, 540);
-  session.Play();
-  CheckTrue("undone, the first bits", HaveSameBits(first, GetFieldNumbers(mass)));
-  CheckEqual("undone, the first picture", 0, CountDifferent(before, sm::GrabImage(session.Window)));
-  undo(1);
-  session.Play();
-  CheckTrue("nothing more to undo", HaveSameBits(first, GetFieldNumbers(mass)));
-  for (int i = 0; i < moved; ++i)
-  {
-    session.AddKey("y", EditSession::Control);
-  }
-  session.Play();
-  CheckTrue("done again, the last bits", HaveSameBits(last, GetFieldNumbers(mass)));
-  session.AddKey("r");
-  session.AddClick(700, 540);
-  session.Play();
-  CheckTrue("reset, the first bits", HaveSameBits(first, GetFieldNumbers(mass)));
-  CheckEqual("reset, the first picture", 0, CountDifferent(before, sm::GrabImage(session.Window)));
+  CheckUndo(session, moved, first, before);
 }
 
 // --- placed ------------------------------------------------------------------------------------
+
+/// Drags a point along the normal of its face, then cancels the drag.
+void CheckNormal(EditSession& session, const sm::Grip& grip)
+{
+  std::printf("--- along the normal\n");
+  vtkMassPropertiesGPU* mass = session.Scene.GetMass();
+  const std::vector<double> before = GetFieldNumbers(mass);
+  const Point3 now = GetWorld(session, grip);
+  const Point3 normal = session.Part.GetNormal(grip);
+  const std::array<int, 2> start = session.ToPixel(now);
+  // The direction of the drag on the screen is that of the normal.
+  const std::array<int, 2> tip =
+    session.ToPixel({ now[0] + 10.0 * normal[0], now[1] + 10.0 * normal[1], now[2] + 10.0 * normal[2] });
+  session.AddDrag(start[0], start[1], tip[0] - start[0], tip[1] - start[1], EditSession::Shift);
+  session.Play();
+  const Point3 pulled = GetWorld(session, grip);
+  const Point3 pull{ pulled[0] - now[0], pulled[1] - now[1], pulled[2] - now[2] };
+  const double along = vtkMath::Dot(pull, normal);
+  Check("along the normal", std::hypot(pull[0], pull[1], pull[2]), along, 1e-9 * along);
+  CheckRange("about 10", 7.0, along, 13.0, "pixels are whole, and nearer is larger");
+  CheckTrue("outwards: more volume", mass->GetVolume() > before[0]);
+
+  std::printf("--- cancelled\n");
+  session.AddKey("z", EditSession::Control); // not in the middle of a drag
+  session.AddKey("Escape");
+  session.Add("LeftButtonReleaseEvent", tip[0], tip[1]);
+  session.Play();
+  CheckTrue("the bits before the drag", HaveSameBits(before, GetFieldNumbers(mass)));
+}
+
+void CheckWeight(EditSession& session, const sm::Grip& grip)
+{
+  std::printf("--- weight\n");
+  vtkMassPropertiesGPU* mass = session.Scene.GetMass();
+  const std::vector<double> before = GetFieldNumbers(mass);
+  const Point3 now = GetWorld(session, grip);
+  const std::array<int, 2> start = session.ToPixel(now);
+  session.Add("MouseWheelForwardEvent", start[0], start[1], EditSession::Control);
+  session.Play();
+  double weight = 0.0;
+  session.Part.GetWeight(grip, weight);
+  Check("weight", 1.25, weight, 0.0);
+  CheckVector("the same position", now, GetWorld(session, grip), 1e-12 * 600.0);
+  CheckTrue("other numbers", !HaveSameBits(before, GetFieldNumbers(mass)));
+  CheckTrue("the bits of a full run", HaveSameBits(GetFieldNumbers(mass), RunAnew(session)));
+  session.AddKey("z", EditSession::Control);
+  session.Play();
+  CheckTrue("undone, the same bits", HaveSameBits(before, GetFieldNumbers(mass)));
+}
+
+void CheckView(EditSession& session)
+{
+  std::printf("--- the view alone\n");
+  const std::vector<double> before = GetFieldNumbers(session.Scene.GetMass());
+  const std::size_t updates = session.Scene.GetTimes().size();
+  session.AddDrag(20, 500, 60, 30);
+  session.Add("LeftButtonReleaseEvent", 80, 530);
+  session.Add("MouseWheelForwardEvent", 360, 280);
+  session.Play();
+  CheckTrue("changes no number", HaveSameBits(before, GetFieldNumbers(session.Scene.GetMass())));
+  CheckEqual("and is no update", static_cast<long long>(updates),
+    static_cast<long long>(session.Scene.GetTimes().size()));
+}
 
 void CheckPlaced(vtkSTEPReader* reader, const std::string& folder)
 {
@@ -330,50 +415,9 @@ void CheckPlaced(vtkSTEPReader* reader, const std::string& folder)
   const std::vector<double> second = GetFieldNumbers(mass);
   CheckTrue("the bits of a full run", HaveSameBits(second, RunAnew(session)));
 
-  std::printf("--- along the normal\n");
-  const Point3 normal = session.Part.GetNormal(grip);
-  std::array<int, 2> start = session.ToPixel(now);
-  // The drag's own direction on the screen: that of the normal.
-  const std::array<int, 2> tip =
-    session.ToPixel({ now[0] + 10.0 * normal[0], now[1] + 10.0 * normal[1], now[2] + 10.0 * normal[2] });
-  session.AddDrag(start[0], start[1], tip[0] - start[0], tip[1] - start[1], EditSession::Shift);
-  session.Play();
-  const Point3 pulled = GetWorld(session, grip);
-  const Point3 pull{ pulled[0] - now[0], pulled[1] - now[1], pulled[2] - now[2] };
-  const double along = vtkMath::Dot(pull, normal);
-  Check("along the normal", std::hypot(pull[0], pull[1], pull[2]), along, 1e-9 * along);
-  CheckRange("about 10", 7.0, along, 13.0, "pixels are whole, and nearer is larger");
-  CheckTrue("outwards: more volume", mass->GetVolume() > second[0]);
-
-  std::printf("--- given up\n");
-  session.AddKey("z", EditSession::Control); // not in the middle of a drag
-  session.AddKey("Escape");
-  session.Add("LeftButtonReleaseEvent", tip[0], tip[1]);
-  session.Play();
-  CheckTrue("the bits before the drag", HaveSameBits(second, GetFieldNumbers(mass)));
-
-  std::printf("--- weight\n");
-  session.Add("MouseWheelForwardEvent", start[0], start[1], EditSession::Control);
-  session.Play();
-  double weight = 0.0;
-  session.Part.GetWeight(grip, weight);
-  Check("weight", 1.25, weight, 0.0);
-  CheckVector("where it was", now, GetWorld(session, grip), 1e-12 * 600.0);
-  CheckTrue("other numbers", !HaveSameBits(second, GetFieldNumbers(mass)));
-  CheckTrue("the bits of a full run", HaveSameBits(GetFieldNumbers(mass), RunAnew(session)));
-  session.AddKey("z", EditSession::Control);
-  session.Play();
-  CheckTrue("undone, the same bits", HaveSameBits(second, GetFieldNumbers(mass)));
-
-  std::printf("--- the view alone\n");
-  const std::size_t updates = session.Scene.GetTimes().size();
-  session.AddDrag(20, 500, 60, 30);
-  session.Add("LeftButtonReleaseEvent", 80, 530);
-  session.Add("MouseWheelForwardEvent", 360, 280);
-  session.Play();
-  CheckTrue("changes no number", HaveSameBits(second, GetFieldNumbers(mass)));
-  CheckEqual("and is no update", static_cast<long long>(updates),
-    static_cast<long long>(session.Scene.GetTimes().size()));
+  CheckNormal(session, grip);
+  CheckWeight(session, grip);
+  CheckView(session);
 }
 
 // --- open --------------------------------------------------------------------------------------
@@ -438,6 +482,55 @@ void CheckOpen(vtkSTEPReader* reader, const std::string& folder)
   CheckTrue("other numbers", !HaveSameBits(torn, GetFieldNumbers(mass)));
 }
 
+// --- numbers -------------------------------------------------------------------------------------
+
+/// All texts of the window's layers.
+std::string GetTexts(vtkRenderWindow* window)
+{
+  std::string texts;
+  for (int i = 0; i < window->GetRenderers()->GetNumberOfItems(); ++i)
+  {
+    auto* renderer = vtkRenderer::SafeDownCast(window->GetRenderers()->GetItemAsObject(i));
+    vtkPropCollection* props = renderer->GetViewProps();
+    for (int k = 0; k < props->GetNumberOfItems(); ++k)
+    {
+      auto* actor = vtkTextActor::SafeDownCast(props->GetItemAsObject(k));
+      texts += actor ? std::string(actor->GetInput()) + "\n" : std::string();
+    }
+  }
+  return texts;
+}
+
+void CheckNumbers(vtkSTEPReader* reader, const std::string& folder)
+{
+  // Where no such locale exists the test checks the locale "C".
+  const bool hasCommas = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
+  CheckTrue("the locale of LOCPATH", hasCommas || !std::getenv("LOCPATH"));
+  EditSession session(reader->GetOutput(), "numbers", folder);
+  session.Scene.SetShowTimes(true);
+  int body = -1;
+  int face = -1;
+  session.Scene.PickFace(355, 205, body, face);
+  session.ShowNet(body, face);
+  const std::array<int, 2> pixel = session.ToPixel(GetWorld(session, { body, face, { 2, 0 } }));
+  session.AddKey("o");
+  session.AddDrag(pixel[0], pixel[1], 10, 30);
+  session.Add("LeftButtonReleaseEvent", pixel[0] + 10, pixel[1] + 30);
+  session.Play();
+  session.Scene.Draw(); // in the locale of the test, which the player does not use
+  std::string texts = GetTexts(session.Window);
+  for (const char* pattern : { "Update: [0-9]+[.][0-9] ms", "largest gap [0-9]+[.][0-9]+ mm" })
+  {
+    CheckTrue(std::string("texts have ") + pattern, std::regex_search(texts, std::regex(pattern)), texts);
+  }
+  vtkRenderWindowInteractor* interactor = session.Interactor;
+  interactor->SetEventInformation(pixel[0], pixel[1], 1);
+  interactor->MouseWheelForwardEvent();
+  texts = GetTexts(session.Window);
+  CheckTrue("weight", std::regex_search(texts, std::regex("weight 1[.]25")), texts);
+  CheckTrue("no decimal comma", !std::regex_search(texts, std::regex("[0-9],[0-9]")), texts);
+}
+
 // --- record ------------------------------------------------------------------------------------
 
 void CheckRecord(vtkSTEPReader* reader, const std::string& folder)
@@ -468,21 +561,31 @@ void CheckRecord(vtkSTEPReader* reader, const std::string& folder)
     last = GetFieldNumbers(session.Scene.GetMass());
     CheckTrue("the drag did something", !HaveSameBits(first, last));
   }
+  const std::optional<std::array<int, 2>> size = sm::ReadWindowSize(events);
+  CheckTrue("the recording has the size of its window",
+    size == std::array<int, 2>{ EditSession::Width, EditSession::Height });
   EditSession session(reader->GetOutput(), "played", folder);
   CheckTrue("the file's part again", HaveSameBits(first, GetFieldNumbers(session.Scene.GetMass())));
   CheckEqual("played", "", sm::PlayEvents(session.Interactor, events));
   CheckTrue("the same bits", HaveSameBits(last, GetFieldNumbers(session.Scene.GetMass())));
   CheckTrue("help is shown", session.Scene.IsHelpShown());
+
+  session.Window->SetSize(EditSession::Width - 20, EditSession::Height);
+  const std::string refusal = sm::PlayEvents(session.Interactor, events);
+  CheckTrue(
+    "refused in a window of another size", refusal.find("give --size 720 560") != std::string::npos, refusal);
+  CheckTrue("and nothing is played", HaveSameBits(last, GetFieldNumbers(session.Scene.GetMass())));
 }
 }
 
 int main(int argc, char* argv[])
 {
   const std::string mode = argc > 4 ? argv[1] : "";
-  if (mode != "drag" && mode != "placed" && mode != "open" && mode != "record")
+  if (mode != "drag" && mode != "placed" && mode != "open" && mode != "record" && mode != "numbers")
   {
     std::fprintf(stderr,
-      "usage: TestEditPart drag|placed|open|record FILE.step EVENTS FOLDER [-T FOLDER -V BASELINE.png]\n");
+      "usage: TestEditPart drag|placed|open|record|numbers FILE.step EVENTS FOLDER [-T FOLDER -V "
+      "BASELINE.png]\n");
     return 2;
   }
   vtkNew<vtkSTEPReader> reader;
@@ -501,6 +604,10 @@ int main(int argc, char* argv[])
   else if (mode == "open")
   {
     CheckOpen(reader, argv[4]);
+  }
+  else if (mode == "numbers")
+  {
+    CheckNumbers(reader, argv[4]);
   }
   else
   {

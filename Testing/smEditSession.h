@@ -39,7 +39,7 @@ public:
     Control = 2
   };
 
-  /// `folder` is where the events go, that are played from a file as a user's are.
+  /// Events are played from a file in `folder`, as those of a user. Sessions that run at the same time need different folders.
   EditSession(vtkPartitionedDataSetCollection* bodies, const std::string& name, const std::string& folder)
     : Part(bodies)
     , Folder(folder)

@@ -6,6 +6,7 @@
 #include "smReport.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fcntl.h>
 #include <fstream>
@@ -17,7 +18,7 @@ namespace
 {
 // --- progress ----------------------------------------------------------------------------------
 
-/// One line on a terminal, and nothing anywhere else.
+/// A line that is rewritten on a terminal; prints nothing to a file or a pipe.
 class ProgressLine
 {
 public:
@@ -30,7 +31,8 @@ public:
   {
     if (this->Active)
     {
-      std::fprintf(stderr, "\r%s  %s %3.0f %%\033[K", head.c_str(), stage.c_str(), 100.0 * fraction);
+      std::fprintf(
+        stderr, "\r%s  %s %3ld %%\033[K", head.c_str(), stage.c_str(), std::lround(100.0 * fraction));
       std::fflush(stderr);
     }
   }
@@ -50,9 +52,9 @@ private:
 
 // --- output ------------------------------------------------------------------------------------
 
-/// The results and a child's pipe never take the place of a standard stream that was closed by the caller: writing to
-/// such an output then fails as it should.
-void HoldStandardStreams()
+/// Opens /dev/null, in the wrong direction, for every standard stream that the caller closed. Results and a child's pipe can then not
+/// take its descriptor, and writing to a closed standard output fails as it should.
+void OccupyStandardStreams()
 {
   for (const auto& [stream, mode] : { std::pair(STDIN_FILENO, O_RDONLY), std::pair(STDOUT_FILENO, O_RDONLY),
          std::pair(STDERR_FILENO, O_WRONLY) })
@@ -77,17 +79,18 @@ bool Save(const std::string& name, const std::string& text)
   return static_cast<bool>(file);
 }
 
-int StatusOf(const sm::Json& file)
+int GetExitStatus(const sm::Json& file)
 {
   return file["status"] == "ok" ? sm::AllOk : file["status"] == "unreadable" ? sm::Unreadable : sm::Flagged;
 }
 
-int Worse(int a, int b)
+/// The exit status of two results.
+int Combine(int a, int b)
 {
   return a == sm::AllOk ? b : b == sm::AllOk ? a : std::min(a, b);
 }
 
-/// Why there are no numbers: the sentence that says so, or else the last one.
+/// The message that says why nothing was computed, otherwise the last message.
 std::string FindReason(const sm::Json& file)
 {
   std::string reason;
@@ -102,7 +105,7 @@ std::string FindReason(const sm::Json& file)
   return reason;
 }
 
-/// What a person sees of a file that is finished.
+/// Prints the table of a finished file, or, without tables, why the file has no results.
 void Print(const sm::Json& file, bool showTable, bool isFirst)
 {
   if (showTable)
@@ -126,7 +129,7 @@ int WriteOutputs(const sm::Arguments& arguments, const sm::Json& files)
 {
   int exitStatus = sm::AllOk;
   if (!arguments.Json.empty() &&
-    !Save(arguments.Json, sm::FormatJson({ { "version", 1 }, { "files", files } })))
+    !Save(arguments.Json, sm::FormatJson({ { "version", 2 }, { "files", files } })))
   {
     exitStatus = sm::Complain(Describe(arguments.Json) + " cannot be written");
   }
@@ -137,13 +140,42 @@ int WriteOutputs(const sm::Arguments& arguments, const sm::Json& files)
   return exitStatus;
 }
 
+/// Adds a failed output of a job to the messages of its file and to the exit status.
+void ReportFailure(const std::string& message, sm::Json& file, int& exitStatus)
+{
+  file["messages"].push_back(message);
+  exitStatus = Combine(exitStatus, sm::Complain(message));
+}
+
+/// Computes one file; its entry is null when the run was interrupted before there was one.
+sm::Json RunFile(const sm::JobOptions& job, const std::string& head, ProgressLine& progress, int& exitStatus)
+{
+  sm::JobOutcome outcome = sm::RunIsolatedJob(
+    job, [&](const std::string& stage, double fraction) { progress.Show(head, stage, fraction); });
+  progress.Clear();
+  if (outcome.File.is_null())
+  {
+    return outcome.File;
+  }
+  exitStatus = Combine(exitStatus, GetExitStatus(outcome.File));
+  if (!outcome.TextureError.empty())
+  {
+    ReportFailure("trim textures are missing: " + outcome.TextureError, outcome.File, exitStatus);
+  }
+  if (!outcome.PictureError.empty())
+  {
+    ReportFailure("no picture " + job.PictureName + ": " + outcome.PictureError, outcome.File, exitStatus);
+  }
+  return outcome.File;
+}
+
 int Run(const sm::Arguments& arguments)
 {
   const bool showTable = !arguments.Quiet && arguments.Json != "-" && arguments.Csv != "-";
   const std::vector<std::string> pictures = sm::PictureNames(arguments);
   const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
   const std::string count = std::to_string(arguments.Files.size());
-  ProgressLine line(!arguments.Quiet);
+  ProgressLine progress(!arguments.Quiet);
   sm::Json files = sm::Json::array();
   int exitStatus = sm::AllOk;
   sm::CatchInterrupt();
@@ -153,35 +185,20 @@ int Run(const sm::Arguments& arguments)
     job.FileName = arguments.Files[i];
     job.PictureName = pictures[i];
     job.TexturePrefix = prefixes[i];
-    const std::string head = "[" + std::to_string(i + 1) + "/" + count + "] " + sm::Stem(job.FileName);
-    sm::JobOutcome outcome = sm::RunIsolatedJob(
-      job, [&](const std::string& stage, double fraction) { line.Show(head, stage, fraction); });
-    line.Clear();
-    if (outcome.File.is_null())
+    const std::string head = "[" + std::to_string(i + 1) + "/" + count + "] " + sm::GetStem(job.FileName);
+    sm::Json file = RunFile(job, head, progress, exitStatus);
+    if (file.is_null())
     {
       break;
     }
-    exitStatus = Worse(exitStatus, StatusOf(outcome.File));
-    if (!outcome.TextureError.empty())
-    {
-      const std::string message = "trim textures are missing: " + outcome.TextureError;
-      outcome.File["messages"].push_back(message);
-      exitStatus = Worse(exitStatus, sm::Complain(message));
-    }
-    if (!outcome.PictureError.empty())
-    {
-      const std::string message = "no picture " + job.PictureName + ": " + outcome.PictureError;
-      outcome.File["messages"].push_back(message);
-      exitStatus = Worse(exitStatus, sm::Complain(message));
-    }
-    Print(outcome.File, showTable, i == 0);
-    files.push_back(std::move(outcome.File));
+    Print(file, showTable, i == 0);
+    files.push_back(std::move(file));
   }
   if (showTable && !std::cout)
   {
-    exitStatus = Worse(exitStatus, sm::Complain("the table cannot be written to the standard output"));
+    exitStatus = Combine(exitStatus, sm::Complain("the table cannot be written to the standard output"));
   }
-  exitStatus = Worse(exitStatus, WriteOutputs(arguments, files));
+  exitStatus = Combine(exitStatus, WriteOutputs(arguments, files));
   if (sm::IsInterrupted())
   {
     sm::Complain("interrupted; " + std::to_string(files.size()) + " of " + count + " files were finished");
@@ -193,7 +210,7 @@ int Run(const sm::Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  HoldStandardStreams();
+  OccupyStandardStreams();
   sm::Arguments arguments;
   const std::optional<int> done = sm::ParseArguments(argc, argv, arguments);
   if (!done)

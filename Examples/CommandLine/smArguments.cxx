@@ -4,23 +4,21 @@
 #include "smUserIntegrals.h"
 #include "smVersion.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
-#include <limits>
+#include <iterator>
 #include <set>
 
 namespace
 {
 const char* Footer =
   R"(Results are in millimetres unless --unit says otherwise; inertia is about the centre of mass, for unit
-density. The number after +/- is the bound of the numerical error; what the model itself leaves open (gaps
-between faces, open edges) is said apart. A value that does not exist is null in JSON, empty in CSV.
-Each file is read in a process of its own: one that crashes costs only itself.
+density. The number after +/- is the bound of the numerical error; defects of the model (gaps between faces,
+open edges) are reported separately. A value that does not exist is null in JSON, empty in CSV. In JSON a file
+name is UTF-8; when it has other bytes, they are U+FFFD in "file", and "file_bytes" has the name percent-encoded
+(otherwise null). Each file is read in a process of its own: when one crashes, the others are still computed.
 
 Examples:
   solidmoments bracket.step
@@ -65,17 +63,9 @@ std::string CheckUnit(const std::string& name)
     : "there is no unit " + name + "; use mm, cm, m, um, inch, ft or file";
 }
 
-/// NaN when the text is not a number from end to end.
-double ParseNumber(const std::string& text)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return text.empty() || *end != '\0' ? std::numeric_limits<double>::quiet_NaN() : value;
-}
-
 std::string CheckTolerance(const std::string& text)
 {
-  const double value = ParseNumber(text);
+  const double value = sm::ParseNumber(text);
   return value > 0.0 && value <= 1.0 ? "" : "the tolerance must be a number above 0, at most 1";
 }
 
@@ -86,13 +76,13 @@ std::string CheckQuantityTolerance(const std::string& text)
   double absolute = 0.0;
   return sm::ParseQuantityTolerance(text, quantity, relative, absolute)
     ? ""
-    : text + " is no tolerance of a quantity; write for example volume=1e-6 or center=0,1e-3";
+    : text + " is not the tolerance of a quantity; write for example volume=1e-6 or center=0,1e-3";
 }
 
-/// A whole number from 1 to `most`.
+/// The text must be a whole number from 1 to `most`.
 std::string CheckFactor(const std::string& what, int most, const std::string& text)
 {
-  const double value = ParseNumber(text);
+  const double value = sm::ParseNumber(text);
   return value >= 1.0 && value <= most && value == std::floor(value)
     ? ""
     : "the number of " + what + " must be a whole number from 1 to " + std::to_string(most);
@@ -100,25 +90,25 @@ std::string CheckFactor(const std::string& what, int most, const std::string& te
 
 std::string CheckChord(const std::string& text)
 {
-  const double value = ParseNumber(text);
+  const double value = sm::ParseNumber(text);
   return value > 0.0 && value < 1.0 ? "" : "the chord tolerance must be a number above 0 and below 1";
 }
 
 std::string CheckEvaluations(const std::string& text)
 {
-  const double value = ParseNumber(text);
+  const double value = sm::ParseNumber(text);
   return value >= 1.0 && value <= 1e18 ? "" : "the number of evaluations must be at least 1, at most 1e18";
 }
 
 std::string CheckSeconds(const std::string& text)
 {
-  const double value = ParseNumber(text);
+  const double value = sm::ParseNumber(text);
   return value >= 0.0 && value < 1e300 ? "" : "the seconds must be a number that is not negative";
 }
 
 std::string CheckDegree(const std::string& text)
 {
-  const double value = ParseNumber(text);
+  const double value = sm::ParseNumber(text);
   return value >= 0.0 && value <= sm::LargestMomentDegree && value == std::floor(value)
     ? ""
     : "the degree of moments must be a whole number from 0 to " + std::to_string(sm::LargestMomentDegree);
@@ -130,12 +120,12 @@ std::string CheckIntegral(const std::string& text)
   std::string expression;
   return sm::ParseIntegral(text, name, expression)
     ? ""
-    : text + " is no integral; write NAME=EXPRESSION, for example 'area=dA'";
+    : text + " is not an integral; write NAME=EXPRESSION, for example 'area=dA'";
 }
 
 std::string CheckHeight(const std::string& text)
 {
-  return std::isfinite(ParseNumber(text)) ? "" : "the height of a waterline must be a finite number";
+  return std::isfinite(sm::ParseNumber(text)) ? "" : "the height of a waterline must be a finite number";
 }
 
 std::string CheckDirection(const std::string& text)
@@ -143,36 +133,34 @@ std::string CheckDirection(const std::string& text)
   std::array<double, 3> direction;
   return sm::ParseDirection(text, direction)
     ? ""
-    : text + " is no direction; write x, y, z, -x, -y, -z, or three numbers such as 0,0.1,-1";
+    : text + " is not a direction; write x, y, z, -x, -y, -z, or three numbers such as 0,0.1,-1";
 }
 
 std::string CheckDensity(const std::string& text)
 {
-  const double value = ParseNumber(text);
+  const double value = sm::ParseNumber(text);
   return value > 0.0 && value < 1e300 ? "" : "the density must be a positive number, in kg/m^3";
 }
 
-void Declare(CLI::App& app, sm::Arguments& arguments)
+void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
 {
   app.add_option("FILE", arguments.Files, "STEP files")->required()->type_name("");
-  app
-    .add_option(
-      "--json", arguments.Json, "Write all results as JSON; - for standard output, and then no table")
-    ->type_name("FILE");
-  app.add_option("--csv", arguments.Csv, "Write a row per file and per solid; - as for --json")
-    ->type_name("FILE");
-  app
-    .add_option("--png", arguments.Picture,
-      "Draw the part, translucent, with its centre of mass marked. Of several\n"
-      "files, each picture has the STEP file's name added: out-bracket.png")
-    ->type_name("FILE");
-  app
-    .add_option("--tolerance", arguments.Job.Tolerance,
-      "Tolerance of every result, relative to the size of the solid (default 1e-9)")
-    ->type_name("NUMBER")
+  sm::AddFileOption(
+    app, "--json", arguments.Json, "Write all results as JSON; - for standard output, and then no table");
+  sm::AddFileOption(app, "--csv", arguments.Csv, "Write a row per file and per solid; - as for --json");
+  sm::AddFileOption(app, "--png", arguments.Picture,
+    "Draw the part, translucent, with its centre of mass marked. With several\n"
+    "files, each picture has the STEP file's name added: out-bracket.png");
+  app.add_flag("--quiet,-q", arguments.Quiet, "Print no table and no progress, only errors");
+}
+
+void DeclareComputation(CLI::App& app, sm::JobOptions& job)
+{
+  sm::AddNumberOption(app, "--tolerance", job.Tolerance,
+    "Tolerance of every result, relative to the size of the solid (default 1e-9)")
     ->check(CheckTolerance);
   app
-    .add_option("--tolerance-of", arguments.Job.QuantityTolerances,
+    .add_option("--tolerance-of", job.QuantityTolerances,
       "Tolerance of one quantity, volume, area, center or inertia: relative (0:\n"
       "that of --tolerance), or relative and absolute, of which the larger\n"
       "counts; may be given several times: --tolerance-of center=0,1e-6")
@@ -180,42 +168,33 @@ void Declare(CLI::App& app, sm::Arguments& arguments)
     ->check(CheckQuantityTolerance)
     ->take_all()
     ->expected(1);
-  app
-    .add_option("--max-evaluations", arguments.Job.MaximumEvaluations,
-      "Most surface evaluations of a file (default 2e9); where that is too few,\n"
-      "the tolerance is loosened and the bounds say by how much")
-    ->type_name("NUMBER")
+  sm::AddNumberOption(app, "--max-evaluations", job.MaximumEvaluations,
+    "Largest number of surface evaluations of a file (default 2e9); where that\n"
+    "is too few, the tolerance is loosened and the bounds say by how much")
     ->check(CheckEvaluations);
-  app
-    .add_option("--max-seconds", arguments.Job.MaximumSeconds,
-      "Most seconds to integrate a file (default: no limit); faces not reached\n"
-      "count as 0, and the bounds hold what they may be")
-    ->type_name("NUMBER")
+  sm::AddNumberOption(app, "--max-seconds", job.MaximumSeconds,
+    "Largest time to integrate a file (default: no limit); faces not reached\n"
+    "count as 0, and the bounds include their largest possible values")
     ->check(CheckSeconds);
   app
-    .add_option("--unit", arguments.Job.Unit,
+    .add_option("--unit", job.Unit,
       "Length unit of all results: mm (default), cm, m, um, inch, ft; or file:\n"
       "the one that the file is written in")
     ->type_name("UNIT")
     ->check(CheckUnit);
-  app
-    .add_option("--density", arguments.Job.Density,
-      "Density in kg/m^3, for the mass in kg (default: what the file states)")
-    ->type_name("NUMBER")
+  sm::AddNumberOption(
+    app, "--density", job.Density, "Density in kg/m^3, for the mass in kg (default: that of the file)")
     ->check(CheckDensity);
   app
-    .add_option("--backend", arguments.Job.Backend,
+    .add_option("--backend", job.Backend,
       "opengl: compute shaders, on the X display or through EGL where there is\n"
       "none; x or egl: only that one; cpu: no OpenGL; auto (default): opengl\n"
       "where there is OpenGL 4.3 with doubles, else cpu")
     ->type_name("NAME")
     ->check(CheckBackend);
-  app.add_flag("--quiet,-q", arguments.Quiet, "Print no table and no progress, only errors");
-  app.set_version_flag("--version", std::string("solidmoments ") + sm::Version);
-  app.footer(Footer);
 }
 
-/// Integrals besides mass properties.
+/// Integrals beside the mass properties.
 void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
 {
   app
@@ -239,7 +218,10 @@ void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
 void DeclareWaterlines(CLI::App& app, sm::Arguments& arguments)
 {
   app
-    .add_option("--waterline", arguments.Job.Waterlines,
+    .add_option_function<std::vector<std::string>>(
+      "--waterline",
+      [&heights = arguments.Job.Waterlines](const std::vector<std::string>& texts)
+      { std::transform(texts.begin(), texts.end(), std::back_inserter(heights), sm::ParseNumber); },
       "Volume below a waterline, and its centre, the centre of buoyancy: the\n"
       "plane at HEIGHT along --up from the origin, in the unit of the results;\n"
       "may be given several times")
@@ -247,7 +229,7 @@ void DeclareWaterlines(CLI::App& app, sm::Arguments& arguments)
     ->check(CheckHeight)
     ->take_all()
     ->expected(1);
-  app.add_option("--up", arguments.Up, "Direction out of the water, of any length (default 0,0,1)")
+  app.add_option("--up", arguments.Up, "Upward normal of the waterlines, of any length (default 0,0,1)")
     ->type_name("X,Y,Z")
     ->check(CheckDirection);
 }
@@ -256,16 +238,18 @@ void DeclareStability(CLI::App& app, sm::Arguments& arguments)
 {
   app
     .add_option("--stability", arguments.Job.Stability,
-      "Whether the part stands on its lowest points when things fall along DIR,\n"
-      "x, y, z, +x .. -z or three numbers: margin of the plumb line inside the\n"
-      "contacts, angle and rise of the centre until it tips, with bounds; all\n"
-      "solids as one body, and each alone: --stability -z")
+      "Static stability of the part, resting on its lowest points, under gravity\n"
+      "along DIR, x, y, z, +x .. -z or three numbers: the stability margin\n"
+      "(signed distance from the projected centre of mass to the nearest edge\n"
+      "of the support polygon), tip angle and rise of the centre of mass before\n"
+      "tipping, with bounds; for all solids as one body, and for each alone:\n"
+      "--stability -z")
     ->type_name("DIR")
     ->check(CheckDirection)
     ->expected(1);
 }
 
-/// The schemes of the paper, and what they alone take.
+/// The schemes of the paper and their own options.
 void DeclareSchemes(CLI::App& app, sm::Arguments& arguments)
 {
   sm::JobOptions& job = arguments.Job;
@@ -277,31 +261,44 @@ void DeclareSchemes(CLI::App& app, sm::Arguments& arguments)
     ->type_name("NAME")
     ->check(CheckScheme);
   app
-    .add_option("--subpatches", job.SubPatches,
-      "Of the paper's schemes: K x K sub-patches per knot interval (default 2)")
+    .add_option(
+      "--subpatches", job.SubPatches, "Paper's schemes: K x K sub-patches per knot interval (default 2)")
     ->type_name("K")
     ->check([](const std::string& text) { return CheckFactor("sub-patches", 1024, text); });
   app
-    .add_option(
-      "--trim-texture", job.TrimTexture, "Of the paper's schemes: M x M texels per sub-patch (default 4)")
+    .add_option("--trim-texture", job.TrimTexture, "Paper's schemes: M x M texels per sub-patch (default 4)")
     ->type_name("M")
     ->check([](const std::string& text) { return CheckFactor("texels", 16, text); });
-  app
-    .add_option("--chord", job.ChordTolerance,
-      "Of the paper's schemes: how far the chords of planar faces' trim curves\n"
-      "may be from these, relative to the size of the solid (default 1e-8)")
-    ->type_name("NUMBER")
+  sm::AddNumberOption(app, "--chord", job.ChordTolerance,
+    "Paper's schemes: largest distance of the chords of planar faces' trim\n"
+    "curves from these, relative to the size of the solid (default 1e-8)")
     ->check(CheckChord);
   app
     .add_option("--deviation", job.Deviation,
-      "Of the paper's schemes: how its error estimate finds the deviation of a\n"
+      "Paper's schemes: how the error estimate finds the deviation of a\n"
       "sub-patch: bounded (default), or sampled")
     ->type_name("NAME")
     ->check(CheckDeviation);
-  app
-    .add_option("--trim-textures", arguments.TextureFolder,
-      "Write the trim textures of the paper's schemes there, a PNG per face")
+  sm::AddFileOption(app, "--trim-textures", arguments.TextureFolder,
+    "Write the trim textures of the paper's schemes to FOLDER, a PNG per face")
     ->type_name("FOLDER");
+}
+
+/// An error message when a file name is empty; empty otherwise.
+std::string FindEmptyName(const CLI::App& app, const sm::Arguments& arguments)
+{
+  if (std::count(arguments.Files.begin(), arguments.Files.end(), "") > 0)
+  {
+    return "a file name is empty; name a STEP file";
+  }
+  for (const char* option : { "--json", "--csv", "--png", "--trim-textures" })
+  {
+    if (app.count(option) > 0 && app[option]->as<std::string>().empty())
+    {
+      return std::string("the file name of ") + option + " is empty";
+    }
+  }
+  return {};
 }
 
 /// An option whose module this program was built without, in a sentence; empty when there is none.
@@ -333,20 +330,9 @@ std::string FindMissingModule(const CLI::App& app, const sm::Arguments& argument
   return {};
 }
 
-/// What is wrong with arguments that are well-formed one by one; empty when nothing is.
-std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
+/// An error message when an option does not belong to the scheme; empty otherwise.
+std::string FindForeignOption(const CLI::App& app, const sm::Arguments& arguments)
 {
-  if (std::count(arguments.Files.begin(), arguments.Files.end(), "") > 0)
-  {
-    return "a file name is empty; name a STEP file";
-  }
-  for (const char* option : { "--json", "--csv", "--png", "--trim-textures" })
-  {
-    if (app.count(option) > 0 && app[option]->as<std::string>().empty())
-    {
-      return std::string("the file name of ") + option + " is empty";
-    }
-  }
   for (const char* option : { "--subpatches", "--trim-texture", "--chord", "--deviation", "--trim-textures" })
   {
     if (app.count(option) > 0 && arguments.Job.Scheme == "adaptive")
@@ -358,23 +344,15 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
   {
     if (app.count(option) > 0 && arguments.Job.Scheme != "adaptive")
     {
-      return std::string(option) + " is for --scheme adaptive: the paper's schemes know no tolerance";
+      return std::string(option) + " is for --scheme adaptive: the paper's schemes have no tolerance";
     }
   }
-  const std::string missing = FindMissingModule(app, arguments);
-  if (!missing.empty())
-  {
-    return missing;
-  }
-  const std::string clash = sm::FindClash(arguments.Job);
-  if (!clash.empty())
-  {
-    return "two results would be called " + clash + ": give an integral another name";
-  }
-  if (app.count("--up") > 0 && arguments.Job.Waterlines.empty())
-  {
-    return "--up is for --waterline: add a height";
-  }
+  return {};
+}
+
+/// An error message when outputs exclude each other or have a wrong name; empty otherwise.
+std::string FindWrongOutput(const sm::Arguments& arguments)
+{
   if (arguments.Json == "-" && arguments.Csv == "-")
   {
     return "only one of --json and --csv can go to standard output";
@@ -388,7 +366,29 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
   {
     return "--png writes PNG files only: the name must end in .png, and " + arguments.Picture + " does not";
   }
-  const std::string problem = sm::CheckOutputs(arguments);
+  return sm::CheckOutputs(arguments);
+}
+
+/// An error message when arguments that are well-formed one by one do not fit together; empty otherwise.
+std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
+{
+  for (const std::string& problem : { FindEmptyName(app, arguments), FindMissingModule(app, arguments), FindForeignOption(app, arguments) })
+  {
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  const std::string clash = sm::FindClash(arguments.Job);
+  if (!clash.empty())
+  {
+    return "two results would be called " + clash + ": give an integral another name";
+  }
+  if (app.count("--up") > 0 && arguments.Job.Waterlines.empty())
+  {
+    return "--up is for --waterline: add a height";
+  }
+  const std::string problem = FindWrongOutput(arguments);
   return problem.empty() ? sm::MakeTextureFolder(arguments) : problem;
 }
 }
@@ -400,7 +400,10 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   CLI::App app("Volume, area, centre of mass and inertia of the parts in STEP files, from their exact NURBS\n"
                "geometry, integrated on the GPU, with error bounds.",
     "solidmoments");
-  Declare(app, arguments);
+  app.set_version_flag("--version", std::string("solidmoments ") + Version);
+  app.footer(Footer);
+  DeclareFiles(app, arguments);
+  DeclareComputation(app, arguments.Job);
   DeclareIntegrals(app, arguments);
   DeclareWaterlines(app, arguments);
   DeclareStability(app, arguments);
@@ -428,24 +431,9 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   return std::nullopt;
 }
 
-int Complain(const std::string& what)
+int Complain(const std::string& message)
 {
-  std::cerr << "solidmoments: " << what << "\n";
+  std::cerr << "solidmoments: " << message << "\n";
   return UsageOrOutput;
-}
-
-std::string LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
-
-std::string Stem(const std::string& path)
-{
-  const size_t slash = path.find_last_of('/');
-  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-  const size_t dot = name.find_last_of('.');
-  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
 }
 }

@@ -6,6 +6,7 @@
 #define smArguments_h
 
 #include "smFileJob.h"
+#include "smOptions.h"
 
 #include <optional>
 #include <string>
@@ -13,39 +14,24 @@
 
 namespace sm
 {
-/// 1, 2, 3: the first that applies.
-enum ExitStatus
-{
-  AllOk = 0,
-  UsageOrOutput = 1,
-  Unreadable = 2,
-  Flagged = 3
-};
-
 struct Arguments
 {
   std::vector<std::string> Files;
   std::string Json; ///< empty: none; "-": standard output
-  std::string Csv;  ///< likewise
+  std::string Csv;  ///< empty: none; "-": standard output
   std::string Picture;
   std::string TextureFolder; ///< for trim textures; empty: none
-  std::string Up = "0,0,1";  ///< direction out of the water
-  JobOptions Job;            ///< what all files share
+  std::string Up = "0,0,1";  ///< upward normal of the waterlines
+  JobOptions Job;            ///< the options that all files share
   bool Quiet = false;
 };
 
-/// Reads the arguments. Returns an exit status when there is nothing more to do: help, version, wrong usage (explained
-/// on the standard error).
+/// Reads the arguments. Returns an exit status when there is nothing more to do: after help, version, or wrong usage, which is
+/// explained on the standard error.
 std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments);
 
-/// Says `what` on the standard error; returns UsageOrOutput.
-int Complain(const std::string& what);
-
-/// Letters beyond ASCII stay as they are.
-std::string LowerCase(std::string text);
-
-/// "bracket" from "parts/bracket.step".
-std::string Stem(const std::string& path);
+/// Prints the message on the standard error; returns UsageOrOutput.
+int Complain(const std::string& message);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "smMessageList.h"
 #include "smPicture.h"
 #include "smQuantities.h"
+#include "smText.h"
 #include "smUserIntegrals.h"
 #ifdef SM_HAS_BUOYANCY
 #include "smBuoyancyJob.h"
@@ -33,8 +34,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <exception>
 
 namespace
@@ -54,7 +55,7 @@ Json GetQuantities(vtkFieldData* data, vtkIdType row)
   return quantities;
 }
 
-/// By solid, the edges with the widest gaps, at most five; the table has the widest first. Edges without a gap are none.
+/// For each solid the edges with the widest gaps, at most five, without those that have no gap. The table has the widest first.
 std::vector<Json> WorstEdges(vtkTable* table, vtkIdType solids)
 {
   const size_t most = 5;
@@ -107,7 +108,7 @@ Json EmptyFile(const std::string& fileName)
 {
   vtkNew<vtkFieldData> nothing;
   Json file;
-  file["file"] = fileName;
+  sm::SetFileName(file, fileName);
   file["length_unit"] = nullptr;
   file["status"] = names::StatusUnreadable;
   file["messages"] = Json::array();
@@ -129,7 +130,7 @@ Json EmptyFile(const std::string& fileName)
   return file;
 }
 
-/// Of the box of all display meshes; null where there are none.
+/// The diagonal of the bounding box of all display meshes; null where there are none.
 Json Diagonal(vtkDataObject* input)
 {
   vtkBoundingBox box;
@@ -150,14 +151,14 @@ Json Diagonal(vtkDataObject* input)
 
 // --- progress ----------------------------------------------------------------------------------
 
-/// Tells the listener about the progress of an algorithm while it lives.
+/// Sends the progress of an algorithm to the listener, from construction to destruction.
 class ProgressScope
 {
 public:
-  ProgressScope(vtkAlgorithm* algorithm, const char* stage, const sm::JobListener& tell)
+  ProgressScope(vtkAlgorithm* algorithm, const char* stage, const sm::JobListener& send)
     : Algorithm(algorithm)
     , Stage(stage)
-    , Tell(tell)
+    , Send(send)
   {
     this->Command->SetClientData(this);
     this->Command->SetCallback(
@@ -176,13 +177,13 @@ private:
     if (std::abs(fraction - this->Last) >= 0.01)
     {
       this->Last = fraction;
-      this->Tell({ { "progress", { this->Stage, fraction } } });
+      this->Send({ { "progress", { this->Stage, fraction } } });
     }
   }
 
   vtkAlgorithm* Algorithm;
   const char* Stage;
-  const sm::JobListener& Tell;
+  const sm::JobListener& Send;
   vtkNew<vtkCallbackCommand> Command;
   unsigned long Tag = 0;
   double Last = -1.0;
@@ -190,18 +191,18 @@ private:
 
 // --- the job -----------------------------------------------------------------------------------
 
-/// Reads the file; false when there is nothing to integrate, and then the entry says why.
-bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& tell, Json& file,
+/// Reads the file; false when there is nothing to integrate, for the reason that status and messages of the entry give.
+bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
   sm::MessageList& messages)
 {
   reader->SetFileName(options.FileName.c_str());
   reader->SetOutputUnit(options.Unit);
   {
-    ProgressScope progress(reader, "read", tell);
+    ProgressScope progress(reader, "read", send);
     reader->Update();
   }
   file["seconds"]["read"] = reader->GetReadSeconds();
-  // All that comes after OpenCASCADE has the shape in memory counts as preparing, the display mesh too.
+  // "prepare" begins when OpenCASCADE has the shape in memory, so it includes the display mesh.
   file["seconds"]["prepare"] = reader->GetMeshSeconds() + reader->GetConversionSeconds();
   file["status"] = reader->GetStatusAsString();
   messages.AddReader(reader);
@@ -270,10 +271,10 @@ vtkSmartPointer<vtkMassPropertiesBase> MakeFilter(vtkSTEPReader* reader, const s
 }
 
 void Integrate(
-  vtkMassPropertiesBase* filter, const sm::JobListener& tell, Json& file, sm::MessageList& messages)
+  vtkMassPropertiesBase* filter, const sm::JobListener& send, Json& file, sm::MessageList& messages)
 {
   {
-    ProgressScope progress(filter, "integrate", tell);
+    ProgressScope progress(filter, "integrate", send);
     filter->Update();
   }
   vtkFieldData* fields = filter->GetOutput()->GetFieldData();
@@ -309,7 +310,7 @@ std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesBase* filter, vtkPolyDa
                         : "there is no OpenGL context to draw in: " + context->GetReason();
 }
 
-void Run(const sm::JobOptions& options, const sm::JobListener& tell)
+void Run(const sm::JobOptions& options, const sm::JobListener& send)
 {
   vtkNew<smMessageCollector> collector;
   vtkOutputWindow::SetInstance(collector);
@@ -319,7 +320,7 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
   Json file = EmptyFile(options.FileName);
   vtkNew<vtkSTEPReader> reader;
   sm::MessageList messages;
-  const bool isRead = Read(reader, options, tell, file, messages);
+  const bool isRead = Read(reader, options, send, file, messages);
   const auto filter = MakeFilter(reader, options);
   vtkSmartPointer<vtkPolyData> stability;
   if (isRead)
@@ -328,10 +329,10 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
 #ifdef SM_HAS_MOMENT_SCHEMES
     file["scheme_options"] = sm::GetSchemeOptions(filter);
 #endif
-    Integrate(filter, tell, file, messages);
-    const auto update = [&tell](vtkAlgorithm* algorithm)
+    Integrate(filter, send, file, messages);
+    const auto update = [&send](vtkAlgorithm* algorithm)
     {
-      ProgressScope progress(algorithm, "integrate", tell);
+      ProgressScope progress(algorithm, "integrate", send);
       algorithm->Update();
     };
     sm::IntegrateUsers(reader, options, update, file, messages);
@@ -347,17 +348,17 @@ void Run(const sm::JobOptions& options, const sm::JobListener& tell)
     messages.AddEcho(message);
   }
   file["messages"] = messages.Get();
-  tell({ { "result", file } });
+  send({ { "result", file } });
 #ifdef SM_HAS_MOMENT_SCHEMES
   if (!options.TexturePrefix.empty() && isRead)
   {
-    tell({ { "textures", sm::WriteTrimPictures(filter, options.TexturePrefix) } });
+    send({ { "textures", sm::WriteTrimPictures(filter, options.TexturePrefix) } });
   }
 #endif
   if (!options.PictureName.empty() && isRead)
   {
-    tell({ { "progress", { "draw", 0.0 } } });
-    tell({ { "picture", Draw(reader, filter, stability, options, file) } });
+    send({ { "progress", { "draw", 0.0 } } });
+    send({ { "picture", Draw(reader, filter, stability, options, file) } });
   }
   vtkOutputWindow::SetInstance(nullptr);
 }
@@ -374,17 +375,13 @@ bool ParseDirection(const std::string& text, std::array<double, 3>& direction)
     direction[text.back() - 'x'] = text[0] == '-' ? -1.0 : 1.0;
     return true;
   }
-  const char* next = text.c_str();
-  for (int i = 0; i < 3; ++i)
+  const std::vector<double> numbers = ParseNumbers(text);
+  if (numbers.size() != 3 ||
+    !std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }))
   {
-    char* end = nullptr;
-    direction[i] = std::strtod(next, &end);
-    if (end == next || *end != (i < 2 ? ',' : '\0') || !std::isfinite(direction[i]))
-    {
-      return false;
-    }
-    next = end + 1;
+    return false;
   }
+  std::copy(numbers.begin(), numbers.end(), direction.begin());
   return direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0;
 }
 
@@ -401,38 +398,33 @@ bool ParseQuantityTolerance(
   {
     return false;
   }
-  const std::string numbers = text.substr(equals + 1);
-  char* end = nullptr;
-  relative = std::strtod(numbers.c_str(), &end);
-  bool well = end != numbers.c_str();
-  absolute = 0.0;
-  if (well && *end == ',')
+  const std::vector<double> numbers = ParseNumbers(text.substr(equals + 1));
+  if (numbers.empty() || numbers.size() > 2)
   {
-    const char* second = end + 1;
-    absolute = std::strtod(second, &end);
-    well = end != second;
+    return false;
   }
-  return well && *end == '\0' && relative >= 0.0 && relative <= 1.0 && absolute >= 0.0 &&
-    std::isfinite(absolute);
+  relative = numbers[0];
+  absolute = numbers.size() == 2 ? numbers[1] : 0.0;
+  return relative >= 0.0 && relative <= 1.0 && absolute >= 0.0 && std::isfinite(absolute);
 }
 
-void RunFileJob(const JobOptions& options, const JobListener& tell)
+void RunFileJob(const JobOptions& options, const JobListener& send)
 {
-  // A result that was told stands, whatever happens to the picture.
-  bool isTold = false;
+  // When the result was already sent, an error concerns the pictures only.
+  bool isSent = false;
   try
   {
     Run(options,
       [&](const Json& message)
       {
-        tell(message);
-        isTold = isTold || message.contains("result");
+        send(message);
+        isSent = isSent || message.contains("result");
       });
   }
   catch (const std::exception& error)
   {
     const std::string reason = std::string("stopped by an error: ") + error.what();
-    tell(isTold ? Json{ { options.PictureName.empty() ? "textures" : "picture", reason } }
+    send(isSent ? Json{ { options.PictureName.empty() ? "textures" : "picture", reason } }
                 : Json{ { "result", UnreadableFile(options.FileName, reason) } });
   }
 }

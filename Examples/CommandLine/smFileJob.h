@@ -1,6 +1,6 @@
 /**
  * @file smFileJob.h
- * @brief One file: read it, integrate, draw it; what is found goes out as JSON
+ * @brief Reads one file, integrates and draws it; the results are sent as JSON
  */
 #ifndef smFileJob_h
 #define smFileJob_h
@@ -21,46 +21,44 @@ struct JobOptions
   std::string Unit = "mm"; ///< length unit of all results, or "file"
   std::string Backend = "auto";
   double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
-  /// Of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see vtkMassPropertiesGPU.
+  /// Tolerances of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see vtkMassPropertiesGPU.
   std::vector<std::string> QuantityTolerances;
-  /// Volume moments up to this degree; negative: none. And expressions, "NAME=EXPR".
-  int MomentDegree = -1;
-  std::vector<std::string> Integrals;
-  /// Where things fall, see ParseDirection(); empty: stability is not asked for.
-  std::string Stability;
+  int MomentDegree = -1;              ///< volume moments up to this degree; negative: none
+  std::vector<std::string> Integrals; ///< expressions, "NAME=EXPR"
+  std::string Stability;              ///< direction of gravity, see ParseDirection(); empty: no stability
   /// Heights of waterlines along Up, in the unit of the results; Up is not 0.
   std::vector<double> Waterlines;
   std::array<double, 3> Up = { 0.0, 0.0, 1.0 };
   double MaximumEvaluations = 2e9;
   double MaximumSeconds = 0.0;
-  std::string Scheme =
-    "adaptive"; ///< or "midpoint", "gauss2", "gauss3", the paper's; the next four are for the paper's schemes
+  /// "adaptive", or a scheme of the paper: "midpoint", "gauss2", "gauss3". The next four options are for these.
+  std::string Scheme = "adaptive";
   int SubPatches = 2;
   int TrimTexture = 4;
   double ChordTolerance = 1e-8;
   std::string Deviation = "bounded";
   std::string TexturePrefix; ///< "folder/stem": trim textures go to folder/stem-NAME.png; empty: none
-  double Density = 0.0;      ///< kg/m^3; 0: what the file states
+  double Density = 0.0;      ///< kg/m^3; 0: the density in the file
 };
 
-/// Takes what a job has to say, one of
+/// Receives the messages of a job, each one of
 ///   {"progress": [stage, fraction]}
-///   {"result": {the entry of "files" in DESIGN 6}}
-///   {"textures": reason why a trim texture was not written, "" when all were}
-///   {"picture": reason why there is none, "" when it was written}
+///   {"result": the entry of "files" in the JSON document}
+///   {"textures": an error message when a trim texture was not written, otherwise ""}
+///   {"picture": an error message when the picture was not written, otherwise ""}
 using JobListener = std::function<void(const Json&)>;
 
-/// Runs the whole job in this process: see smIsolatedJob.h for why that should be a child. Never throws.
-void RunFileJob(const JobOptions& options, const JobListener& tell);
+/// Runs the whole job in this process, which should be a child (smIsolatedJob.h). Never throws.
+void RunFileJob(const JobOptions& options, const JobListener& send);
 
-/// One of QuantityTolerances taken apart; false when it is not well formed.
+/// Parses an element of QuantityTolerances; false when it is not well formed.
 bool ParseQuantityTolerance(
   const std::string& text, std::string& quantity, double& relative, double& absolute);
 
-/// "x", "+y", "-z", or three numbers, "0,0.1,-1"; false when it is neither, or all three are 0.
+/// Parses "x", "+y", "-z", or three numbers, "0,0.1,-1"; false when the text is neither, or all three are 0.
 bool ParseDirection(const std::string& text, std::array<double, 3>& direction);
 
-/// The entry of a file that could not be read: every key is there, every value null.
+/// The entry of a file that could not be read: it has every key, and the values are null.
 Json UnreadableFile(const std::string& fileName, const std::string& message);
 }
 

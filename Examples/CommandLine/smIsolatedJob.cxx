@@ -21,17 +21,17 @@ void OnInterrupt(int number)
   Interrupted = number;
 }
 
-/// One line of JSON. Names in files may be in any encoding: what is not UTF-8 is replaced, not refused.
+/// Writes one line of JSON. Names in files may be in any encoding; bytes that are not UTF-8 are replaced.
 void WriteLine(int descriptor, const sm::Json& message)
 {
-  const std::string line = message.dump(-1, ' ', false, sm::Json::error_handler_t::replace) + "\n";
+  const std::string line = sm::Dump(message) + "\n";
   size_t done = 0;
   while (done < line.size())
   {
     const ssize_t count = write(descriptor, line.data() + done, line.size() - done);
     if (count < 0 && errno != EINTR)
     {
-      _exit(1); // nobody listens any more
+      _exit(1); // the parent has closed the pipe
     }
     done += count > 0 ? static_cast<size_t>(count) : 0;
   }
@@ -44,19 +44,19 @@ void WriteLine(int descriptor, const sm::Json& message)
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-  // The standard output belongs to the results; whatever a library prints goes nowhere.
-  const int nowhere = open("/dev/null", O_WRONLY);
-  if (nowhere >= 0)
+  // The standard output is for the results only, so the output of libraries goes to /dev/null.
+  const int null = open("/dev/null", O_WRONLY);
+  if (null >= 0)
   {
-    dup2(nowhere, STDOUT_FILENO);
-    close(nowhere);
+    dup2(null, STDOUT_FILENO);
+    close(null);
   }
   sm::RunFileJob(options, [descriptor](const sm::Json& message) { WriteLine(descriptor, message); });
-  // The destructors of static objects in third-party libraries have nothing to add.
+  // Without the destructors of static objects in third-party libraries, which could only fail.
   _exit(0);
 }
 
-/// Collects what the child says.
+/// Collects the messages of the child.
 struct Listener
 {
   const sm::ProgressListener& Progress;
@@ -128,7 +128,7 @@ void Listen(int descriptor, pid_t child, Listener& listener)
   }
 }
 
-/// How the child ended, when that is worth a word.
+/// How the child ended; empty when it ended normally.
 std::string DescribeEnd(int status)
 {
   if (WIFSIGNALED(status))
@@ -142,46 +142,78 @@ std::string DescribeEnd(int status)
   }
   return {};
 }
+
+/// A child process and the pipe that its messages come through.
+struct Child
+{
+  pid_t Process = -1;
+  int Pipe = -1;
+  std::string Error; ///< why there is no child; empty: there is one
+};
+
+Child StartChild(const sm::JobOptions& options)
+{
+  struct stat info = {};
+  if (stat(options.FileName.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+  {
+    // Reading a pipe or a device may never end.
+    return { -1, -1, "Cannot read " + options.FileName + ": not a regular file." };
+  }
+  int ends[2];
+  if (pipe(ends) != 0)
+  {
+    return { -1, -1, std::string("no pipe to a child process: ") + std::strerror(errno) };
+  }
+  const pid_t process = fork();
+  if (process == 0)
+  {
+    close(ends[0]);
+    RunChild(options, ends[1]);
+  }
+  const int error = errno;
+  close(ends[1]);
+  if (process < 0)
+  {
+    close(ends[0]);
+    return { -1, -1, std::string("no child process: ") + std::strerror(error) };
+  }
+  return { process, ends[0], {} };
+}
+
+/// Adds the reasons why pictures are missing that were asked for. `end` is that of DescribeEnd().
+void FindPictureErrors(
+  const sm::JobOptions& options, const Listener& listener, const std::string& end, sm::JobOutcome& outcome)
+{
+  // The status already tells why an unreadable or empty file has no pictures.
+  const sm::Json& status = outcome.File["status"];
+  if (!options.TexturePrefix.empty() && status != "unreadable")
+  {
+    outcome.TextureError = listener.Textures.is_string() ? listener.Textures.get<std::string>()
+                                                         : "the process ended before they were written";
+  }
+  if (!options.PictureName.empty() && status != "unreadable" && status != "empty")
+  {
+    outcome.PictureError = listener.Picture.is_string() ? listener.Picture.get<std::string>()
+      : end.empty()                                     ? "the process that drew it ended without one"
+                                                        : "the process that drew it " + end;
+  }
+}
 }
 
 namespace sm
 {
 JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& progress)
 {
-  struct stat info = {};
-  if (stat(options.FileName.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+  const Child child = StartChild(options);
+  if (!child.Error.empty())
   {
-    // Reading a pipe or a device may never end.
-    return { UnreadableFile(options.FileName, "Cannot read " + options.FileName + ": not a regular file."),
-      {}, {} };
+    return { UnreadableFile(options.FileName, child.Error), {}, {} };
   }
-  int ends[2];
-  if (pipe(ends) != 0)
-  {
-    return { UnreadableFile(
-               options.FileName, std::string("no pipe to a child process: ") + std::strerror(errno)),
-      {}, {} };
-  }
-  const pid_t child = fork();
-  if (child == 0)
-  {
-    close(ends[0]);
-    RunChild(options, ends[1]);
-  }
-  close(ends[1]);
-  if (child < 0)
-  {
-    const int error = errno;
-    close(ends[0]);
-    return { UnreadableFile(options.FileName, std::string("no child process: ") + std::strerror(error)), {},
-      {} };
-  }
-
   Listener listener{ progress, nullptr, nullptr, nullptr, "start", {} };
-  Listen(ends[0], child, listener);
-  close(ends[0]);
+  Listen(child.Pipe, child.Process, listener);
+  close(child.Pipe);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+  while (waitpid(child.Process, &status, 0) < 0 && errno == EINTR)
   {
   }
 
@@ -189,7 +221,7 @@ JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& pro
   outcome.File = listener.Result;
   if (outcome.File.is_object())
   {
-    // What came through the pipe has lost the bytes that are not UTF-8.
+    // The pipe carries UTF-8 only; the table and the CSV show the name with its own bytes.
     outcome.File["file"] = options.FileName;
   }
   if (Interrupted)
@@ -201,26 +233,14 @@ JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& pro
   {
     outcome.File = UnreadableFile(options.FileName,
       "the process that worked on this file " + (end.empty() ? "ended without a result" : end) +
-        " in stage \"" + listener.Stage + "\"; the file is malformed or the CAD kernel cannot digest it");
+        " in stage \"" + listener.Stage + "\"; the file is malformed or the CAD kernel cannot read it");
   }
   else if (!end.empty())
   {
     outcome.File["messages"].push_back(
-      "the process that worked on this file " + end + " after the result was there");
+      "the process that worked on this file " + end + " after it had sent the result");
   }
-  // A file that gave nothing to draw has said so by its status.
-  if (!options.TexturePrefix.empty() && outcome.File["status"] != "unreadable")
-  {
-    outcome.TextureError =
-      listener.Textures.is_string() ? listener.Textures.get<std::string>() : "the process ended before";
-  }
-  const bool isDrawable = outcome.File["status"] != "unreadable" && outcome.File["status"] != "empty";
-  if (!options.PictureName.empty() && isDrawable)
-  {
-    outcome.PictureError = listener.Picture.is_string() ? listener.Picture.get<std::string>()
-      : end.empty()                                     ? "the process that drew it ended without one"
-                                                        : "the process that drew it " + end;
-  }
+  FindPictureErrors(options, listener, end, outcome);
   return outcome;
 }
 

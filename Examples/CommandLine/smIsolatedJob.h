@@ -1,6 +1,6 @@
 /**
  * @file smIsolatedJob.h
- * @brief One file in a process of its own, so that a file that crashes a CAD kernel costs nothing but itself
+ * @brief Runs the job of one file in a child process, so that a crash of the CAD kernel ends that file's job only
  *
  * The child is forked while this process has neither threads nor an OpenGL context; results come back as lines of
  * JSON through a pipe. No signal handler is installed in the child.
@@ -15,8 +15,8 @@ namespace sm
 struct JobOutcome
 {
   Json File;                ///< entry of "files"; null when interrupted before there was one
-  std::string TextureError; ///< why trim textures that were asked for are not all there
-  std::string PictureError; ///< why the picture asked for is not there; empty: it is, or none was asked for
+  std::string TextureError; ///< why a requested trim texture is missing; empty: none is
+  std::string PictureError; ///< why the requested picture is missing; empty: it is not, or none was requested
 };
 
 using ProgressListener = std::function<void(const std::string& stage, double fraction)>;
@@ -24,10 +24,10 @@ using ProgressListener = std::function<void(const std::string& stage, double fra
 /// Runs the job in a child and waits for it. Call from a process with one thread.
 JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& progress);
 
-/// From now on Ctrl-C and SIGTERM end the job that runs and are remembered, instead of ending this process at once.
+/// Makes Ctrl-C and SIGTERM end the running job and set IsInterrupted(), instead of ending this process at once.
 void CatchInterrupt();
 bool IsInterrupted();
-/// Ends this process by the signal that was caught, as a shell expects it.
+/// Ends this process by the signal that was caught, so that the shell sees that signal.
 [[noreturn]] void EndByInterrupt();
 }
 

@@ -1,5 +1,7 @@
 #include "smMessageCollector.h"
 
+#include "smText.h"
+
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -8,7 +10,7 @@ vtkStandardNewMacro(smMessageCollector);
 
 namespace
 {
-/// VTK writes "ERROR: In file.cxx, line 12\nvtkFoo (0x55d0): text\n\n": only the text is for a user.
+/// The text for the user in VTK's "ERROR: In file.cxx, line 12\nvtkFoo (0x55d0): text\n\n".
 std::string Sentence(const char* raw)
 {
   std::string text = raw ? raw : "";
@@ -24,9 +26,8 @@ std::string Sentence(const char* raw)
   {
     text.erase(0, colon + 3);
   }
-  const size_t end = text.find_last_not_of(" \n\r\t");
-  text.erase(end == std::string::npos ? 0 : end + 1);
-  // The executive's echo of an algorithm's own error.
+  text = sm::TrimEnd(text);
+  // The executive repeats every error of an algorithm.
   return text.rfind("Algorithm vtk", 0) == 0 ? std::string() : text;
 }
 }

@@ -1,6 +1,6 @@
 /**
  * @class   smMessageCollector
- * @brief   takes what VTK would print as errors and warnings, as sentences for a list of messages
+ * @brief   collects the errors and warnings that VTK would print, as sentences
  */
 #ifndef smMessageCollector_h
 #define smMessageCollector_h

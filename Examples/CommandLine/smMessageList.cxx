@@ -12,7 +12,7 @@
 
 namespace
 {
-/// The reader's own sum of a model's messages: the first one, under the body's name.
+/// True for the reader's summary of a model's messages: the first one, under the body's name.
 bool IsSummary(const std::string& message, vtkTrimmedNURBSModel* model)
 {
   if (model->GetMessages().empty())
@@ -24,7 +24,7 @@ bool IsSummary(const std::string& message, vtkTrimmedNURBSModel* model)
   return message == start || message.rfind(start + " (and ", 0) == 0;
 }
 
-/// Whether a fact of the filter's is a face's message, which the model has as a message of its own.
+/// True when a message of the filter is that of a face, which the model has as a message of its own.
 bool IsOfFace(const std::string& fact, const std::vector<std::string>& said)
 {
   const size_t colon = fact.find(": ");
@@ -75,7 +75,7 @@ void MessageList::AddFilter(vtkSurfaceIntegralBase* filter)
   {
     const std::string message = filter->GetMessage(i);
     this->Heard.push_back(message);
-    // "instance: fact"; either may have a colon of its own.
+    // The message is "instance: fact", and both may contain colons.
     auto found = this->BodiesByName.end();
     size_t colon = message.find(": ");
     for (; colon != std::string::npos && found == this->BodiesByName.end();
@@ -106,7 +106,7 @@ void MessageList::AddFilter(vtkSurfaceIntegralBase* filter)
     }
     else if (!isSaid)
     {
-      this->Add(message); // of one of several bodies with this name
+      this->Add(message); // several bodies have this name
     }
   }
 }

@@ -1,10 +1,10 @@
 /**
  * @file smMessageList.h
- * @brief What reader and filter said about a file, each fact once
+ * @brief The messages of reader and filters about a file, each fact once
  *
- * The reader sums up a body in one message, its model has them all, the filter repeats the model's and the faces' for
- * every instance of the body, and VTK prints some of it as warnings. Here a fact is told once for each model, under
- * the name of the model's first instance.
+ * The reader has one summary message for a body, the body's model has all of its messages, the filter repeats those of the model and of
+ * its faces for every instance of the body, and VTK prints some of them as warnings. The list has a fact once for each model, under the
+ * name of the model's first instance.
  */
 #ifndef smMessageList_h
 #define smMessageList_h
@@ -25,11 +25,11 @@ namespace sm
 class MessageList
 {
 public:
-  /// After the reader ran.
+  /// Adds the messages of the reader, after its run.
   void AddReader(vtkSTEPReader* reader);
-  /// After the filter ran on that reader's output.
+  /// Adds the messages of a filter, after its run on that reader's output.
   void AddFilter(vtkSurfaceIntegralBase* filter);
-  /// An error or warning of VTK's; those that repeat what was heard are left out.
+  /// Adds an error or warning of VTK unless it repeats a message that was added before.
   void AddEcho(const std::string& message);
 
   const Json& Get() const { return this->Messages; }
@@ -48,8 +48,8 @@ private:
   void AddFact(Body& body, const std::string& fact);
 
   std::vector<Body> Bodies;                                ///< one for each model
-  std::map<std::string, std::vector<size_t>> BodiesByName; ///< of their instances
-  std::vector<std::string> Heard;                          ///< everything, as it came
+  std::map<std::string, std::vector<size_t>> BodiesByName; ///< by the names of their instances
+  std::vector<std::string> Heard;                          ///< all messages as they were given
   Json Messages = Json::array();
 };
 }

@@ -12,7 +12,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// What two names of one file have in common: device and inode when it is there, and the path without links.
+/// Keys of a file: its device and inode when it exists, and its path without links. Two names of one file share a key.
 std::set<std::string> Identities(const std::string& name)
 {
   std::set<std::string> identities;
@@ -27,7 +27,7 @@ std::set<std::string> Identities(const std::string& name)
   }
   std::error_code error;
   fs::path path = fs::absolute(name, error);
-  // A link to a file that is not there yet is a name of that file, too.
+  // A link to a file that does not exist yet is a name of that file.
   for (int i = 0; i < 8 && fs::is_symlink(fs::symlink_status(path, error)); ++i)
   {
     path = path.parent_path() / fs::read_symlink(path, error);
@@ -36,7 +36,7 @@ std::set<std::string> Identities(const std::string& name)
   return identities;
 }
 
-/// The same names, the second and third of equal ones with -2 and -3.
+/// The names with -2, -3, ... appended to the second, third, ... of equal ones.
 std::vector<std::string> MakeDistinct(std::vector<std::string> names)
 {
   std::set<std::string> taken;
@@ -80,7 +80,7 @@ std::vector<std::string> PictureNames(const Arguments& arguments)
   std::vector<std::string> plain;
   for (const std::string& file : arguments.Files)
   {
-    plain.push_back(base + "-" + Stem(file));
+    plain.push_back(base + "-" + GetStem(file));
   }
   plain = MakeDistinct(plain);
   std::transform(
@@ -94,7 +94,7 @@ std::vector<std::string> TexturePrefixes(const Arguments& arguments)
   if (!arguments.TextureFolder.empty())
   {
     std::transform(arguments.Files.begin(), arguments.Files.end(), prefixes.begin(),
-      [&](const std::string& file) { return arguments.TextureFolder + "/" + Stem(file); });
+      [&](const std::string& file) { return arguments.TextureFolder + "/" + GetStem(file); });
     prefixes = MakeDistinct(prefixes);
   }
   return prefixes;

@@ -2,6 +2,7 @@
 
 #include "smBodyScene.h"
 #include "smReport.h"
+#include "smText.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkImageData.h"
@@ -17,7 +18,7 @@ const int Width = 900;
 const int Height = 700;
 const int Margin = 20;
 
-/// The values that there are, and the status when it is not ok.
+/// The values that exist, and the status when it is not ok.
 std::string Caption(const sm::Json& file)
 {
   const sm::Json& total = file["total"];
@@ -36,7 +37,7 @@ std::string Caption(const sm::Json& file)
   if (!total["stability"].is_null())
   {
     text += "\nstability  " + total["stability"]["verdict"].get<std::string>();
-    add("stability_margin",
+    add("stability margin",
       sm::FormatValue(
         total["stability"]["stability_margin"], total["stability"]["bounds"]["stability_margin"]),
       1);
@@ -66,7 +67,7 @@ void SetUpScene(const sm::Picture& picture, vtkRenderer* body, vtkRenderer* fron
   sm::SetView(body, bounds, 1.05, -0.06); // room for the caption below
 
   const std::string path = (*picture.Result)["file"].get<std::string>();
-  sm::AddText(front, path.substr(path.find_last_of('/') + 1), 18, true, Margin, Height - Margin, true);
+  sm::AddText(front, sm::GetFileName(path), 18, true, Margin, Height - Margin, true);
   sm::AddText(front, Caption(*picture.Result), 18, false, Margin, Margin, false);
 }
 }

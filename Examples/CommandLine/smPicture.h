@@ -1,6 +1,6 @@
 /**
  * @file smPicture.h
- * @brief A picture of a part: translucent, its centre of mass marked, its numbers in a corner
+ * @brief A picture of a part, translucent, with its centre of mass marked and its results in a corner
  */
 #ifndef smPicture_h
 #define smPicture_h
@@ -17,14 +17,14 @@ namespace sm
 {
 struct Picture
 {
-  vtkOpenGLRenderWindow* Window = nullptr;         ///< where to draw, off screen
+  vtkOpenGLRenderWindow* Window = nullptr;         ///< the window to draw in, off screen
   vtkPartitionedDataSetCollection* Body = nullptr; ///< the reader's output
   vtkPolyData* Mark = nullptr;                     ///< port 0 of vtkMassPropertiesGPU
   vtkPolyData* Stability = nullptr; ///< port 0 of vtkSolidStability, in its own colours; null: none
   const Json* Result = nullptr;     ///< the file's entry, for the caption
 };
 
-/// Writes a PNG file. Returns why it could not; an empty string when it is written.
+/// Writes a PNG file. Returns an error message, empty when it is written.
 std::string WritePicture(const Picture& picture, const std::string& fileName);
 }
 

@@ -1,25 +1,20 @@
 #include "smReport.h"
 
+#include "smFormat.h"
+#include "smText.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace
 {
+using sm::Dump;
 using sm::Json;
 
 const size_t MaximumSolids = 20;
 const size_t MaximumMessages = 12;
 
-std::string Print(const char* format, int digits, double value)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), format, digits, value);
-  return text;
-}
-
-/// Every byte but those that continue a character of UTF-8.
+/// True for every byte but those that continue a character of UTF-8.
 bool StartsCharacter(char byte)
 {
   return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
@@ -51,11 +46,6 @@ std::string Pad(const std::string& text, size_t width, bool right = false)
   return right ? blanks + text : text + blanks;
 }
 
-std::string Dump(const Json& value)
-{
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 std::string Plain(const Json& value)
 {
   return value.is_string() ? value.get<std::string>() : value.is_null() ? "-" : Dump(value);
@@ -63,10 +53,10 @@ std::string Plain(const Json& value)
 
 std::string Short(const Json& value)
 {
-  return value.is_number() ? Print("%.*g", 2, value.get<double>()) : "-";
+  return value.is_number() ? sm::FormatDigits(value.get<double>(), 2) : "-";
 }
 
-/// Two digits that are not below the bound.
+/// The bound with two digits, rounded up.
 std::string ShortBound(const Json& value)
 {
   if (!value.is_number())
@@ -75,12 +65,12 @@ std::string ShortBound(const Json& value)
   }
   const double bound = value.get<double>();
   double shown = bound;
-  std::string text = Print("%.*g", 2, shown);
-  while (std::strtod(text.c_str(), nullptr) < bound)
+  std::string text = sm::FormatDigits(shown, 2);
+  while (sm::ParseNumber(text) < bound)
   {
     // Half a unit of the second digit is at most a twentieth of the number.
     shown *= 1.01;
-    text = Print("%.*g", 2, shown);
+    text = sm::FormatDigits(shown, 2);
   }
   return text;
 }
@@ -102,7 +92,7 @@ std::string Row(
   return line + "\n";
 }
 
-/// A matrix whose entries are known to within `limit`; the bound is shown when there is one to show.
+/// Three rows for a matrix whose entries are known to within `limit`; a null bound is not shown.
 std::string Rows(
   const std::string& label, const Json& matrix, const Json& limit, const std::string& unit, const Json& bound)
 {
@@ -130,8 +120,8 @@ std::string Rows(
   return text;
 }
 
-/// Of the paper's schemes.
-std::string Scheme(const Json& total, const Json& file)
+/// Scheme, sub-patches and error estimate of a run with one of the paper's schemes.
+std::string SchemeRows(const Json& total, const Json& file)
 {
   if (!total["sub_patches"].is_number())
   {
@@ -141,18 +131,18 @@ std::string Scheme(const Json& total, const Json& file)
   const std::string texels = Dump(options["texture_factor"]);
   return Row("scheme",
            Plain(file["scheme"]) + ", k = " + Dump(options["sub_patch_factor"]) + ", " + texels + " x " +
-             texels + " texels a sub-patch, chords of planes to " + Short(options["chord_tolerance"]) +
+             texels + " texels per sub-patch, chords of planes to " + Short(options["chord_tolerance"]) +
              ", deviations " + Plain(options["deviation"]),
            "", nullptr) +
     Row("",
       "on " + Dump(total["sub_patches"]) +
-        " sub-patches; the paper's error estimate of the volume, no bound: " +
+        " sub-patches; the paper's error estimate of the volume (not a bound): " +
         Short(total["paper_error_estimate"]) + " " + sm::FormatUnit(file, 3),
       "", nullptr);
 }
 
-/// What the user asked for besides.
-std::string Integrals(const Json& file)
+/// The integrals that the user asked for.
+std::string IntegralRows(const Json& file)
 {
   const size_t most = 40;
   const Json& integrals = file["integrals"];
@@ -168,8 +158,8 @@ std::string Integrals(const Json& file)
     : text;
 }
 
-/// How the part stands, where that was asked for.
-std::string Stability(const Json& total, const Json& file)
+/// Static stability, where the user asked for it.
+std::string StabilityRows(const Json& total, const Json& file)
 {
   const Json& found = total["stability"];
   if (found.is_null())
@@ -184,9 +174,9 @@ std::string Stability(const Json& total, const Json& file)
     Plain(found["verdict"]) +
       (support == "none" ? std::string()
                          : ", rests on " + std::string(support == "area" ? "an area" : "a " + support)) +
-      (rolls ? ", by its curvature" : ""),
+      (rolls ? ", decided by its curvature" : ""),
     "", nullptr);
-  text += Row("stability_margin", sm::FormatValue(found["stability_margin"], bounds["stability_margin"]),
+  text += Row("stability margin", sm::FormatValue(found["stability_margin"], bounds["stability_margin"]),
     length, bounds["stability_margin"]);
   if (rolls)
   {
@@ -194,17 +184,18 @@ std::string Stability(const Json& total, const Json& file)
       Row("rolling margin", sm::FormatValue(found["rolling_margin"], bounds["rolling_margin"]), length,
         bounds["rolling_margin"]);
   }
-  text += Row("least tip angle", sm::FormatValue(found["tip_angle"], bounds["tip_angle"]), "degrees",
+  text += Row("smallest tip angle", sm::FormatValue(found["tip_angle"], bounds["tip_angle"]), "degrees",
     bounds["tip_angle"]);
-  text += Row("centre rises by", sm::FormatValue(found["center_of_mass_rise"], bounds["center_of_mass_rise"]),
-    length, bounds["center_of_mass_rise"]);
+  text +=
+    Row("rise before tipping", sm::FormatValue(found["center_of_mass_rise"], bounds["center_of_mass_rise"]),
+      length, bounds["center_of_mass_rise"]);
   return found["tip_energy"].is_null()
     ? text
-    : text + Row("work to tip", sm::FormatValue(found["tip_energy"], nullptr, 9), "J", nullptr);
+    : text + Row("energy to tip", sm::FormatValue(found["tip_energy"], nullptr, 9), "J", nullptr);
 }
 
-/// What is below the waterlines.
-std::string Waterlines(const Json& file)
+/// Volume and centre of buoyancy below each waterline.
+std::string WaterlineRows(const Json& file)
 {
   std::string text;
   for (const Json& waterline : file["waterlines"])
@@ -218,26 +209,27 @@ std::string Waterlines(const Json& file)
   return text;
 }
 
-std::string Doubt(const Json& total, const Json& file)
+/// Defects of the model, which are not part of the bounds: open edges and gaps.
+std::string DefectRows(const Json& total, const Json& file)
 {
   std::string text;
   if (total["open_edges"].is_number() && total["open_edges"] != 0)
   {
-    text += Row(
-      "open edges", Dump(total["open_edges"]) + ", leak " + Short(total["closure_residual"]), "", nullptr);
+    text += Row("open edges",
+      Dump(total["open_edges"]) + ", closure residual " + Short(total["closure_residual"]), "", nullptr);
   }
   if (total["closure_correction"].is_number() && total["closure_correction"].get<double>() > 0.0)
   {
-    text += Row("model's gaps",
+    text += Row("gaps of the model",
       "widest " + ShortBound(total["max_gap"]) + " " + sm::FormatUnit(file, 1) +
-        "; closing them moved the volume by " + Short(total["closure_correction"]) + " " +
+        "; closing them changed the volume by " + Short(total["closure_correction"]) + " " +
         sm::FormatUnit(file, 3),
       "", nullptr);
   }
   return text;
 }
 
-/// Everything of a file that was integrated, or should have been.
+/// All rows of a file that the filter ran on.
 std::string Results(const Json& file)
 {
   const Json& total = file["total"];
@@ -257,7 +249,7 @@ std::string Results(const Json& file)
     bounds["center_of_mass"]);
   if (!total["mass"].is_null())
   {
-    text += Row("mass", sm::FormatValue(total["mass"], nullptr), "kg", nullptr);
+    text += Row("mass", sm::FormatValue(total["mass"], bounds["mass"]), "kg", bounds["mass"]);
   }
   text += Rows("inertia about centre", total["inertia"], bounds["inertia"], inertiaUnit, bounds["inertia"]);
   text += Row("principal moments", sm::FormatVector(total["principal_moments"], bounds["inertia"]),
@@ -265,17 +257,17 @@ std::string Results(const Json& file)
   text += total["principal_axes_degenerate"] == true
     ? Row("principal axes", "not unique, moments coincide", "", nullptr)
     : Rows("principal axes", total["principal_axes"], 1e-9, "", nullptr);
-  text += Stability(total, file);
-  text += Integrals(file);
-  text += Waterlines(file);
-  text += Scheme(total, file);
-  text += Doubt(total, file);
+  text += StabilityRows(total, file);
+  text += IntegralRows(file);
+  text += WaterlineRows(file);
+  text += SchemeRows(total, file);
+  text += DefectRows(total, file);
   return text +
     Row("evaluations", Plain(file["evaluations"]) + " in " + Plain(file["dispatches"]) + " dispatches", "",
       nullptr);
 }
 
-/// At most 9 digits of a number, or of the largest of three.
+/// At most 9 digits of a number, or of the largest of three numbers.
 std::string Brief(const Json& value, const Json& bound)
 {
   if (value.is_null())
@@ -369,11 +361,11 @@ std::string FormatValue(const Json& value, const Json& bound, int digits)
   const double limit = bound.is_number() ? bound.get<double>() : 0.0;
   if (limit > 0.0 && std::isfinite(limit))
   {
-    // Entries of a tensor that vanish within its bound show as 0, not as noise.
+    // Entries of a tensor that are 0 within its bound are shown as 0 and not as rounding errors.
     const double unit = std::pow(10.0, std::floor(std::log10(limit)));
     number = std::round(number / unit) * unit;
   }
-  const std::string text = Print("%.*g", digits, number);
+  const std::string text = FormatDigits(number, digits);
   return text == "-0" ? "0" : text;
 }
 

@@ -1,9 +1,9 @@
 /**
  * @file smReport.h
- * @brief Results as text: a table to read, JSON and CSV to keep
+ * @brief Results as text: a table for people, JSON and CSV for programs
  *
- * All take entries of "files" (DESIGN 6). JSON and CSV carry every number in the shortest form that reads back
- * to the same bits; the table and captions show the digits that the bound vouches for.
+ * All functions take entries of "files" of the JSON document. JSON and CSV carry every number in the shortest form that reads back
+ * to the same bits; the table and captions show the digits that the bound leaves. Numbers have a decimal point in every locale.
  */
 #ifndef smReport_h
 #define smReport_h
@@ -14,14 +14,14 @@
 
 namespace sm
 {
-/// Rounded to the first digit that the bound reaches, at most `digits`; "-" for null.
+/// A number rounded to the first digit that the bound reaches, with at most `digits` digits; "-" for null.
 std::string FormatValue(const Json& value, const Json& bound, int digits = 12);
-/// Three of at most 10 digits, two blanks apart.
+/// Three numbers of at most 10 digits, separated by two blanks; "-" for null.
 std::string FormatVector(const Json& values, const Json& bound);
 /// "mm^3" from "mm" and 3.
 std::string FormatUnit(const Json& file, int power);
 
-/// What a person wants to see of one file.
+/// The table of one file.
 std::string FormatTable(const Json& file);
 /// The whole document; objects over several lines, arrays of numbers on one.
 std::string FormatJson(const Json& document);

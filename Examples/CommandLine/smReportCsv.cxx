@@ -4,12 +4,8 @@
 
 namespace
 {
+using sm::Dump;
 using sm::Json;
-
-std::string Dump(const Json& value)
-{
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 std::string Cell(const Json& value)
 {
@@ -29,7 +25,7 @@ std::string Cell(const Json& value)
   return "\"" + text + "\"";
 }
 
-/// Heads and values of a row at once, so that they cannot differ.
+/// Adds heads and values of a row together, so that they match.
 struct Columns
 {
   std::string Head;
@@ -49,7 +45,7 @@ struct Columns
   }
 };
 
-/// What the user asked for besides, in all files: names of integrals and the number of waterlines.
+/// Additional columns of all files: names of integrals and the number of waterlines.
 struct Extras
 {
   std::vector<std::string> Integrals;
@@ -128,6 +124,7 @@ Columns CsvRow(const Json& file, const Json& row, bool isTotal, const Extras& ex
     columns.Add("axis" + std::to_string(i + 1), axes.is_null() ? Json() : axes[i], { "x", "y", "z" });
   }
   columns.Add("mass", row["mass"]);
+  columns.Add("mass_bound", row["bounds"]["mass"]);
   for (const char* key :
     { "closure_correction", "gap_squared", "max_gap", "gap_area", "open_edges", "closure_residual",
       "flipped_shells", "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches" })

@@ -1,13 +1,11 @@
 #include "smSchemeJob.h"
 
+#include "smBodyScene.h"
 #include "smOutputFiles.h"
 #include "smQuantities.h"
 #include "smSchemeNames.h"
 
-#include "vtkErrorCode.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPNGWriter.h"
 #include "vtkSchemeMassPropertiesGPU.h"
 
 #include <algorithm>
@@ -34,15 +32,9 @@ std::string Write(vtkImageData* image, const std::string& fileName)
 {
   if (sm::IsStepFile(fileName))
   {
-    return fileName + " would be overwritten, which is a STEP file";
+    return fileName + " would be overwritten, and it is a STEP file";
   }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->SetFileName(fileName.c_str());
-  writer->Write();
-  return writer->GetErrorCode() == vtkErrorCode::NoError
-    ? std::string()
-    : fileName + " cannot be written: " + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
+  return sm::WriteImage(image, fileName);
 }
 }
 

@@ -26,8 +26,8 @@ Json GetSchemeOptions(vtkMassPropertiesBase* filter);
 /// The paper's estimates of the error and the number of sub-patches in a row of field data or of a table; null where they are not.
 Json GetSchemeQuantities(vtkFieldData* data, vtkIdType row);
 
-/// Writes the textures that the last run kept, v upwards, white in the face: PREFIX-NAME.png, NAME the texture's with everything but
-/// letters, digits and points as dashes; -2, -3 … where names are equal. Returns why it could not, empty when it could.
+/// Writes the textures that the last run kept, v upwards, white inside the face, as PREFIX-NAME.png. NAME is the texture's name with a
+/// dash for all but letters, digits and points; equal names get -2, -3, ... Returns an error message, empty when all are written.
 std::string WriteTrimPictures(vtkMassPropertiesBase* filter, const std::string& prefix);
 }
 

@@ -4,6 +4,7 @@
 #include "smMessageList.h"
 #include "smQuantities.h"
 #include "smStabilityNames.h"
+#include "smText.h"
 #include "smUserIntegrals.h"
 
 #include "vtkDataArray.h"
@@ -94,7 +95,7 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptio
   }
   drawing->ShallowCopy(filter->GetOutput());
   file["total"]["stability"] = Describe(filter, 0);
-  // Its first ones are those of the mass filter, which are known.
+  // Its first messages are those of its mass filter, which the list has already.
   for (int i = filter->GetMassProperties()->GetNumberOfMessages(); i < filter->GetNumberOfMessages(); ++i)
   {
     messages.AddEcho(filter->GetMessage(i));

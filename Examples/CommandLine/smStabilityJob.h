@@ -1,6 +1,6 @@
 /**
  * @file smStabilityJob.h
- * @brief How the part stands when things fall in a direction: for JSON, for the table, for the picture
+ * @brief Static stability of the part under gravity in a direction: for JSON, table and picture
  */
 #ifndef smStabilityJob_h
 #define smStabilityJob_h
@@ -19,8 +19,8 @@ namespace sm
 {
 class MessageList;
 
-/// Fills `stability` of the total (all solids as one body, resting on their lowest points) and of every solid alone. `update` runs a
-/// filter. Returns the drawing for the picture; null when it was not asked for.
+/// Fills `stability` of the total (all solids as one body that rests on its lowest points) and of every solid alone. `update` runs a
+/// filter. Returns the drawing for the picture; null when the options have no direction.
 vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages);
 }

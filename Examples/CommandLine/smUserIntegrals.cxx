@@ -41,7 +41,7 @@ double Component(vtkDataSetAttributes* columns, vtkIdType row, const std::string
   return array && row < array->GetNumberOfTuples() ? array->GetComponent(row, 0) : std::nan("");
 }
 
-// A driver takes longer than in proportion to compile a shader of many integrals: of 969 more than 15 minutes (llvmpipe).
+// The time to compile a shader grows faster than its number of integrals: 969 integrals take more than 15 minutes (llvmpipe).
 constexpr int MomentsPerFilter = 40;
 
 using AddMoment = std::function<void(const std::string& name, int i, int j, int k)>;
@@ -77,6 +77,33 @@ void Report(vtkSurfaceIntegralGPU* filter, Json& file, sm::MessageList& messages
     }
   }
   sm::AddEffort(filter, file, messages);
+}
+
+/// Filters with the integrands of the options. Moments have filters of their own: beside an expression their bounds would be estimated.
+std::vector<vtkSmartPointer<vtkSurfaceIntegralGPU>> MakeFilters(const sm::JobOptions& options)
+{
+  std::vector<vtkSmartPointer<vtkSurfaceIntegralGPU>> filters;
+  ListMoments(options.MomentDegree,
+    [&filters](const std::string& name, int i, int j, int k)
+    {
+      if (filters.empty() || filters.back()->GetNumberOfIntegrands() == MomentsPerFilter)
+      {
+        filters.push_back(vtkSmartPointer<vtkSurfaceIntegralGPU>::New());
+      }
+      filters.back()->AddVolumeMoment(name, i, j, k);
+    });
+  const auto expressions = vtkSmartPointer<vtkSurfaceIntegralGPU>::New();
+  filters.push_back(expressions);
+  for (const std::string& text : options.Integrals)
+  {
+    std::string name;
+    std::string expression;
+    if (sm::ParseIntegral(text, name, expression))
+    {
+      expressions->AddIntegrand(name, expression);
+    }
+  }
+  return filters;
 }
 }
 
@@ -145,42 +172,20 @@ void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
 {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  // Moments apart: beside an expression their bounds would be estimated.
-  std::vector<vtkSmartPointer<vtkSurfaceIntegralGPU>> filters;
-  ListMoments(options.MomentDegree,
-    [&filters](const std::string& name, int i, int j, int k)
-    {
-      if (filters.empty() || filters.back()->GetNumberOfIntegrands() == MomentsPerFilter)
-      {
-        filters.push_back(vtkSmartPointer<vtkSurfaceIntegralGPU>::New());
-      }
-      filters.back()->AddVolumeMoment(name, i, j, k);
-    });
-  const auto expressions = vtkSmartPointer<vtkSurfaceIntegralGPU>::New();
-  filters.push_back(expressions);
-  for (const std::string& text : options.Integrals)
-  {
-    std::string name;
-    std::string expression;
-    if (ParseIntegral(text, name, expression))
-    {
-      expressions->AddIntegrand(name, expression);
-    }
-  }
   const auto run = [&](vtkSurfaceIntegralGPU* filter)
   {
     SetUpFilter(filter, options);
     filter->SetRelativeTolerance(options.Tolerance);
     if (options.MaximumSeconds > 0.0)
     {
-      // Of all together.
+      // The limit holds for all filters together.
       const std::chrono::duration<double> passed = Clock::now() - start;
       filter->SetMaximumSeconds(std::max(options.MaximumSeconds - passed.count(), 1e-3));
     }
     filter->SetInputConnection(reader->GetOutputPort());
     update(filter);
   };
-  for (vtkSurfaceIntegralGPU* filter : filters)
+  for (vtkSurfaceIntegralGPU* filter : MakeFilters(options))
   {
     if (filter->GetNumberOfIntegrands() > 0)
     {

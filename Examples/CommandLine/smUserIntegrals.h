@@ -1,6 +1,6 @@
 /**
  * @file smUserIntegrals.h
- * @brief What a user asked for besides mass properties: moments and expressions of one's own
+ * @brief Integrals beside the mass properties: moments and expressions of the user
  */
 #ifndef smUserIntegrals_h
 #define smUserIntegrals_h
@@ -17,13 +17,13 @@ namespace sm
 {
 class MessageList;
 
-/// Highest degree of moments that may be asked for.
+/// Highest degree of moments that a user may ask for.
 constexpr int LargestMomentDegree = 16;
 
-/// "NAME=EXPR" taken apart; false when a part is missing.
+/// Splits "NAME=EXPR"; false when a part is missing.
 bool ParseIntegral(const std::string& text, std::string& name, std::string& expression);
 
-/// A name that two of the integrals would have, or an integral and another column of the results; empty when none.
+/// A name that two integrals, or an integral and another column of the results, would share; empty when there is none.
 std::string FindClash(const JobOptions& options);
 
 /// Gives a filter what all filters of a job share: limits and backend.

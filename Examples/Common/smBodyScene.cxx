@@ -1,6 +1,6 @@
 #include "smBodyScene.h"
 
-#include "smJson.h"
+#include "smText.h"
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
@@ -37,12 +37,6 @@ namespace
 {
 const char* const ColorName = "Color"; // of vtkSTEPReader
 const unsigned char Steel[3] = { 102, 143, 199 };
-
-/// Text of a file name may be in any encoding; VTK's fonts take UTF-8 only.
-std::string MakeUtf8(const std::string& text)
-{
-  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
-}
 }
 
 void AddColors(vtkPolyData* part)
@@ -185,6 +179,7 @@ vtkSmartPointer<vtkTextActor> AddText(
 
 void SetText(vtkTextActor* actor, const std::string& text)
 {
+  // A file name may be in any encoding; VTK's fonts take UTF-8 only.
   actor->SetInput(MakeUtf8(text).c_str());
 }
 

@@ -1,8 +1,8 @@
 /**
  * @file smBodyScene.h
- * @brief How the example programs draw a body: translucent, its edges as lines, its centre of mass marked green
+ * @brief Draws a body for the example programs: translucent, its edges as lines, its centre of mass marked green
  *
- * Two layers of one window: the body's, and one in front of it for captions and for what a thick wall would hide.
+ * A window has two layers: that of the body, and one in front of it for captions and for markers inside the body.
  */
 #ifndef smBodyScene_h
 #define smBodyScene_h
@@ -22,43 +22,44 @@ class vtkTextActor;
 namespace sm
 {
 extern const double InkColor[3];
-/// Of centres of mass.
+/// The colour of centres of mass.
 extern const double GreenColor[3];
 
-/// Gives the cells of `part` the colours of their faces, steel where the file has none.
+/// Makes the faces' colours the active cell scalars of `part`; steel blue where the file has none.
 void AddColors(vtkPolyData* part);
-/// All parts in one mesh with these colours. Faces share no points, so shading breaks where they meet.
+/// One mesh of all parts, coloured by AddColors(). Faces share no points, so the shading is not smooth across their edges.
 vtkSmartPointer<vtkPolyData> JoinParts(vtkPartitionedDataSetCollection* parts);
 
 /// The borders of all faces, which are open borders of the mesh since faces share no points. Its points are those of `mesh`.
 vtkSmartPointer<vtkPolyData> MakeOutlines(vtkPolyData* mesh);
 
-/// Without a color the cells have their own, see AddColors().
+/// Adds an actor of one colour; with a null `color` the cells have their own, see AddColors().
 vtkSmartPointer<vtkActor> AddActor(
   vtkRenderer* renderer, vtkPolyData* data, const double* color, double opacity);
 vtkSmartPointer<vtkActor> AddBody(vtkRenderer* renderer, vtkPolyData* mesh);
 vtkSmartPointer<vtkActor> AddOutlines(vtkRenderer* renderer, vtkPolyData* lines);
-/// Once in its place, and once faintly over everything, for thick walls hide what is inside.
+/// Adds the marker of a centre of mass to both layers; the front one is faint and shows it through thick walls.
 void AddMark(vtkRenderer* body, vtkRenderer* front, vtkPolyData* mark);
-/// Likewise, in the colours of its cells and without lights: lines and polygons.
+/// Adds lines and polygons to both layers, in the colours of their cells and without lighting.
 void AddDrawing(vtkRenderer* body, vtkRenderer* front, vtkPolyData* drawing);
 
-/// UTF-8; what is not is replaced. Its lower left corner in pixels, or its upper left when it hangs from there.
+/// Adds text whose lower left corner, or upper left corner when `hanging`, is at the pixel (x, y).
 vtkSmartPointer<vtkTextActor> AddText(
   vtkRenderer* renderer, const std::string& text, int size, bool bold, int x, int y, bool hanging);
+/// Bytes that are not UTF-8 are replaced.
 void SetText(vtkTextActor* actor, const std::string& text);
-/// The fonts of a picture have what a plain terminal may not: raised digits, "mm^3" with a 3 that stands high.
+/// Replaces ^2 and ^3 by superscript digits, which a picture's fonts have and a terminal may not.
 std::string RaiseDigits(std::string text);
 
-/// Background, depth peeling (as many layers as `peels`), layers of the window, and one camera for both.
+/// Sets up the background, depth peeling with `peels` layers, the window's two layers and the camera that they share.
 void SetUpLayers(vtkRenderWindow* window, vtkRenderer* body, vtkRenderer* front, int peels);
-/// Looks at what is in `bounds` from in front, above and a little to the left. `zoom` 1: all of it is in the picture; the center
-/// of the picture is shifted by `shift` of its height.
+/// Sets the camera in front of `bounds`, above and a little to the left. With `zoom` 1 all of it is in the picture, whose centre is
+/// shifted by `shift` of its height.
 void SetView(vtkRenderer* body, const double bounds[6], double zoom, double shift);
 
-/// Draws the window, three bytes a pixel.
+/// Renders the window and returns its picture, three bytes a pixel.
 vtkSmartPointer<vtkImageData> GrabImage(vtkRenderWindow* window);
-/// Writes PNG. Returns why it could not; an empty string when it is written.
+/// Writes a PNG file. Returns an error message, empty when it is written.
 std::string WriteImage(vtkImageData* image, const std::string& fileName);
 }
 

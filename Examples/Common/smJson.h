@@ -7,9 +7,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace sm
 {
 using Json = nlohmann::ordered_json;
+
+/// JSON as text, on one line or with `indent` blanks for every level; bytes that are not UTF-8 are replaced by U+FFFD.
+inline std::string Dump(const Json& value, int indent = -1)
+{
+  return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 }
 
 #endif

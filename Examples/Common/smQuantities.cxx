@@ -1,6 +1,7 @@
 #include "smQuantities.h"
 
 #include "smMassPropertyNames.h"
+#include "smText.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -90,6 +91,7 @@ Json GetQuantities(vtkFieldData* data, vtkIdType row)
   q["bounds"]["area"] = GetNumber(data, row, names::SurfaceArea + bound);
   q["bounds"]["center_of_mass"] = GetNumber(data, row, names::CenterOfMass + bound);
   q["bounds"]["inertia"] = GetNumber(data, row, names::VolumeInertia + bound);
+  q["bounds"]["mass"] = GetNumber(data, row, names::Mass + bound);
   q["closure_correction"] = GetNumber(data, row, names::ClosureCorrection);
   q["gap_squared"] = GetNumber(data, row, names::GapSquared);
   q["max_gap"] = GetNumber(data, row, names::MaxGap);
@@ -101,5 +103,11 @@ Json GetQuantities(vtkFieldData* data, vtkIdType row)
   const Json estimated = GetCount(data, row, names::BoundsEstimated);
   q["bounds_estimated"] = estimated.is_null() ? estimated : Json(estimated != 0);
   return q;
+}
+
+void SetFileName(Json& entry, const std::string& name)
+{
+  entry["file"] = name;
+  entry["file_bytes"] = MakeUtf8(name) == name ? Json() : Json(PercentEncode(name));
 }
 }

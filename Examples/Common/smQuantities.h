@@ -1,8 +1,8 @@
 /**
  * @file smQuantities.h
- * @brief What vtkMassPropertiesGPU puts out, as JSON
+ * @brief The outputs of vtkMassPropertiesGPU as JSON
  *
- * `data` is the field data of port 0 (row 0) or the columns of a table. Null stands for what is missing or not a number.
+ * `data` is the field data of port 0 (row 0) or the columns of a table. A value that is missing or not finite is null.
  */
 #ifndef smQuantities_h
 #define smQuantities_h
@@ -22,11 +22,18 @@ Json GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name);
 Json GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name);
 /// A number without a fraction.
 Json GetCount(vtkFieldData* data, vtkIdType row, const std::string& name);
-/// Empty when it is missing.
+/// Text; empty when the array is missing.
 std::string GetText(vtkFieldData* data, vtkIdType row, const char* name);
 
-/// The quantities of the whole (field data of port 0) or of one solid (a row of port 1), with the keys of "total" (DESIGN 6).
+/// The quantities of all solids together (field data of port 0) or of one solid (a row of port 1): volume, area, center_of_mass,
+/// inertia, principal_moments, principal_axes, principal_axes_degenerate, mass; bounds of volume, area, center_of_mass, inertia and
+/// mass; closure_correction, gap_squared, max_gap, gap_area, open_edges, closure_residual and flipped_shells; the error estimates of the
+/// paper's schemes; stability, null here; bounds_estimated.
 Json GetQuantities(vtkFieldData* data, vtkIdType row);
+
+/// Sets the keys "file" and "file_bytes" of `entry`. "file" is the name; Dump() replaces its bytes that are not UTF-8. When there are such
+/// bytes, "file_bytes" is the percent-encoded name, which gives them back; otherwise it is null.
+void SetFileName(Json& entry, const std::string& name);
 }
 
 #endif

@@ -1,6 +1,6 @@
-// Reader, filter, actors and window in one pipeline and one OpenGL context:
-//   MassPropertiesPipeline FILE.step            shows the part on the display; the left button turns it
-//   MassPropertiesPipeline FILE.step OUT.png    draws it off screen, and needs no display
+// Reader, filter, actors and window in one pipeline and one OpenGL context;
+// run with --help for its arguments.
+#include <smFormat.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCompositePolyDataMapper2.h>
@@ -20,12 +20,23 @@
 
 #include <cmath>
 #include <iostream>
+#include <string>
 
 namespace
 {
+const char* const Help = R"(usage: MassPropertiesPipeline FILE.step [OUT.png]
+Shows a part translucent around its centre of mass and prints its volume with the bound of its error.
+
+  FILE.step            on the display; the left button rotates the part
+  FILE.step OUT.png    as a PNG file, drawn off screen without a display
+
+Exit status: 0 status ok; 1 wrong usage, no display, or the picture cannot be written; 2 nothing to show;
+3 the result is flagged.
+)";
+
 const int NothingToShow = 2;
 
-void SayWhy(vtkSTEPReader* reader)
+void PrintMessages(vtkSTEPReader* reader)
 {
   for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
   {
@@ -34,8 +45,7 @@ void SayWhy(vtkSTEPReader* reader)
   std::cerr << "There is nothing to show.\n";
 }
 
-/// Builds the pipeline of `fileName` in `window`, runs it by rendering, and prints what came out. Returns the exit
-/// status: 0, 3 when the result is flagged, NothingToShow.
+/// Builds the pipeline of `fileName` in `window`, runs it by rendering, and prints the results. Returns the exit status.
 int Show(const char* fileName, vtkRenderWindow* window)
 {
   // [twenty lines]
@@ -63,12 +73,13 @@ int Show(const char* fileName, vtkRenderWindow* window)
   // [twenty lines]
   if (reader->GetStatus() != vtkSTEPReader::OK)
   {
-    SayWhy(reader);
+    PrintMessages(reader);
     return NothingToShow;
   }
   if (std::isfinite(mass->GetVolume())) // a surface has none
   {
-    std::cout << "volume " << mass->GetVolume() << " +/- " << mass->GetVolumeBound() << "\n";
+    const std::string unit = reader->GetLengthUnit() + "^3";
+    std::cout << "volume " << sm::FormatWithBound(mass->GetVolume(), mass->GetVolumeBound(), unit) << "\n";
   }
 
   renderer->SetBackground(0.92, 0.94, 0.97);
@@ -85,7 +96,7 @@ int Show(const char* fileName, vtkRenderWindow* window)
 int ShowOnDisplay(const char* fileName)
 {
   {
-    // vtkRenderWindow ends the program when the display does not answer; a context only says so.
+    // vtkRenderWindow ends the program when the display does not answer; a context returns a status.
     vtkNew<vtkComputeContext> probe;
     probe->SetSource(vtkComputeContext::X);
     if (probe->Start() != vtkComputeContext::READY)
@@ -139,9 +150,14 @@ int DrawToFile(const char* fileName, const char* pictureName)
 
 int main(int argc, char** argv)
 {
-  if (argc != 2 && argc != 3)
+  if (argc == 2 && (argv[1] == std::string("--help") || argv[1] == std::string("-h")))
   {
-    std::cerr << "usage: MassPropertiesPipeline FILE.step [OUT.png]\n";
+    std::cout << Help;
+    return 0;
+  }
+  if ((argc != 2 && argc != 3) || argv[1][0] == '-' || argv[argc - 1][0] == '-')
+  {
+    std::cerr << Help;
     return 1;
   }
   return argc == 2 ? ShowOnDisplay(argv[1]) : DrawToFile(argv[1], argv[2]);

@@ -3,7 +3,9 @@
 #include "smEditScene.h"
 #include "smEditStyle.h"
 #include "smEventPlayer.h"
+#include "smOptions.h"
 #include "smQuantities.h"
+#include "smText.h"
 
 #include <smMassPropertyNames.h>
 #include <vtkComputeContext.h>
@@ -20,9 +22,8 @@
 #include <vtkSTEPReader.h>
 #include <vtkSmartPointer.h>
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <vector>
@@ -31,16 +32,10 @@ namespace
 {
 using sm::Json;
 
-enum ExitStatus
-{
-  Good = 0,
-  UsageOrOutput = 1,
-  Unreadable = 2,
-  Flagged = 3
-};
-
-const char* const Footer = R"(In the window: click a face, drag a control point; h shows what else there is.
-Without a display --play draws off screen. A stream of events belongs to the size of the window that it was recorded in.
+const char* const Footer =
+  R"(In the window: click a face, drag a control point; h shows the other mouse buttons and keys.
+Without a display --play draws off screen. A recording holds the size of its window, which --play uses; it cannot be
+played in a window of another size.
 
 Examples:
   edit_part
@@ -62,17 +57,19 @@ struct Arguments
   std::string Json;
   std::string Screenshot;
   std::string BeforeAfter;
-  std::vector<int> Size{ 900, 700 };
+  std::vector<int> Size; ///< width and height; empty: that of the recording, or the default
   bool NoTimes = false;
 };
 
-int Complain(const std::string& what)
+const std::array<int, 2> DefaultSize = { 900, 700 };
+
+int Complain(const std::string& message)
 {
-  std::cerr << "edit_part: " << what << "\n";
-  return UsageOrOutput;
+  std::cerr << "edit_part: " << message << "\n";
+  return sm::UsageOrOutput;
 }
 
-/// False when there is nothing more to do, with the exit status.
+/// Reads the arguments. False when there is nothing more to do, with the exit status.
 bool Parse(int argc, char** argv, Arguments& arguments, int& exitStatus)
 {
   CLI::App app(
@@ -80,22 +77,17 @@ bool Parse(int argc, char** argv, Arguments& arguments, int& exitStatus)
   app.footer(Footer);
   app.add_option("file", arguments.File, "STEP file; without one, a pull handle of 40 free-form faces")
     ->type_name("FILE");
-  auto* play =
-    app.add_option("--play", arguments.Play, "Play mouse and keys from FILE, then end")->type_name("FILE");
-  app.add_option("--record", arguments.Record, "Write mouse and keys to FILE")
-    ->type_name("FILE")
-    ->excludes(play);
+  auto* play = sm::AddFileOption(app, "--play", arguments.Play, "Play mouse and keys from FILE, then quit");
+  sm::AddFileOption(app, "--record", arguments.Record, "Write mouse and keys to FILE")->excludes(play);
+  sm::AddFileOption(app, "--json", arguments.Json,
+    "Write the first and the last results and the times to FILE (- for standard\noutput) at the end");
+  sm::AddFileOption(app, "--screenshot", arguments.Screenshot, "Write the last picture to FILE, a PNG");
+  sm::AddFileOption(app, "--before-after", arguments.BeforeAfter,
+    "Write the first and the last picture side by side to FILE, a PNG");
   app
-    .add_option("--json", arguments.Json,
-      "Write the first and the last values and the times to FILE (- for standard\noutput) at the end")
-    ->type_name("FILE");
-  app.add_option("--screenshot", arguments.Screenshot, "Write the last picture to FILE, a PNG")
-    ->type_name("FILE");
-  app
-    .add_option("--before-after", arguments.BeforeAfter,
-      "Write the first and the last picture side by side to FILE, a PNG")
-    ->type_name("FILE");
-  app.add_option("--size", arguments.Size, "Width and height of the window in pixels (default 900 700)")
+    .add_option("--size", arguments.Size,
+      "Width and height of the window in pixels (default: those of the recording\nto play, otherwise 900 "
+      "700)")
     ->expected(2)
     ->check(CLI::Range(300, 8192))
     ->type_name("NUMBER");
@@ -106,13 +98,18 @@ bool Parse(int argc, char** argv, Arguments& arguments, int& exitStatus)
   }
   catch (const CLI::ParseError& error)
   {
-    exitStatus = app.exit(error) == 0 ? Good : UsageOrOutput;
+    exitStatus = app.exit(error) == 0 ? sm::AllOk : sm::UsageOrOutput;
     return false;
+  }
+  if (arguments.Size.empty())
+  {
+    const std::array<int, 2> size = sm::ReadWindowSize(arguments.Play).value_or(DefaultSize);
+    arguments.Size.assign(size.begin(), size.end());
   }
   return true;
 }
 
-/// Least, median and largest of one part of the updates' times, but for the first, which is no edit's.
+/// Least, median and largest of one part of the times of all updates but the first, which is not that of an edit.
 Json Summarize(const std::vector<sm::UpdateTimes>& times, double (*get)(const sm::UpdateTimes&))
 {
   std::vector<double> values;
@@ -133,11 +130,12 @@ Json Describe(const Arguments& arguments, const Json& first, sm::EditScene& scen
   vtkMassPropertiesGPU* mass = scene.GetMass();
   vtkFieldData* fields = mass->GetOutput()->GetFieldData();
   const std::vector<sm::UpdateTimes>& times = scene.GetTimes();
-  Json result{ { "version", 1 }, { "file", arguments.File },
-    { "length_unit", sm::GetText(fields, 0, sm::names::LengthUnit) }, { "status", mass->GetStatus() },
-    { "backend", mass->GetBackendName() }, { "renderer", mass->GetRenderer() }, { "first", first },
-    { "last", sm::GetQuantities(fields, 0) }, { "opened", Json::array() },
-    { "faces", mass->GetNumberOfFaces() }, { "updates", times.size() - 1 } };
+  Json result{ { "version", 2 } };
+  sm::SetFileName(result, arguments.File);
+  result.update({ { "length_unit", sm::GetText(fields, 0, sm::names::LengthUnit) },
+    { "status", mass->GetStatus() }, { "backend", mass->GetBackendName() },
+    { "renderer", mass->GetRenderer() }, { "first", first }, { "last", sm::GetQuantities(fields, 0) },
+    { "opened", Json::array() }, { "faces", mass->GetNumberOfFaces() }, { "updates", times.size() - 1 } });
   for (int body = 0; body < scene.GetPart().GetNumberOfBodies(); ++body)
   {
     for (const sm::OpenedEdge& opened : scene.GetPart().GetOpened(body))
@@ -157,33 +155,33 @@ Json Describe(const Arguments& arguments, const Json& first, sm::EditScene& scen
 
 int WriteJson(const std::string& fileName, const Json& result)
 {
-  const std::string text = result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string text = sm::Dump(result, 1) + "\n";
   if (fileName == "-")
   {
-    return std::cout << text << std::flush ? Good : Complain("the standard output cannot be written");
+    return std::cout << text << std::flush ? sm::AllOk : Complain("the standard output cannot be written");
   }
   std::ofstream file(fileName);
-  return file << text << std::flush ? Good : Complain(fileName + " cannot be written");
+  return file << text << std::flush ? sm::AllOk : Complain(fileName + " cannot be written");
 }
 
 int WriteImage(vtkImageData* image, const std::string& fileName)
 {
   const std::string error = sm::WriteImage(image, fileName);
-  return error.empty() ? Good : Complain(error);
+  return error.empty() ? sm::AllOk : Complain(error);
 }
 
-/// The program's last word, after the events.
+/// Writes the requested files after the events. Returns the exit status.
 int WriteOutputs(const Arguments& arguments, const Json& first, vtkImageData* before, sm::EditScene& scene)
 {
-  int exitStatus = scene.GetMass()->GetStatus() == sm::names::StatusOk ? Good : Flagged;
-  if (!arguments.Json.empty() && WriteJson(arguments.Json, Describe(arguments, first, scene)) != Good)
+  int exitStatus = scene.GetMass()->GetStatus() == sm::names::StatusOk ? sm::AllOk : sm::Flagged;
+  if (!arguments.Json.empty() && WriteJson(arguments.Json, Describe(arguments, first, scene)) != sm::AllOk)
   {
-    exitStatus = UsageOrOutput;
+    exitStatus = sm::UsageOrOutput;
   }
   const vtkSmartPointer<vtkImageData> after = sm::GrabImage(scene.GetWindow());
-  if (!arguments.Screenshot.empty() && WriteImage(after, arguments.Screenshot) != Good)
+  if (!arguments.Screenshot.empty() && WriteImage(after, arguments.Screenshot) != sm::AllOk)
   {
-    exitStatus = UsageOrOutput;
+    exitStatus = sm::UsageOrOutput;
   }
   if (!arguments.BeforeAfter.empty())
   {
@@ -191,7 +189,8 @@ int WriteOutputs(const Arguments& arguments, const Json& first, vtkImageData* be
     both->AddInputData(before);
     both->AddInputData(after);
     both->Update();
-    exitStatus = WriteImage(both->GetOutput(), arguments.BeforeAfter) == Good ? exitStatus : UsageOrOutput;
+    exitStatus =
+      WriteImage(both->GetOutput(), arguments.BeforeAfter) == sm::AllOk ? exitStatus : sm::UsageOrOutput;
   }
   return exitStatus;
 }
@@ -199,7 +198,7 @@ int WriteOutputs(const Arguments& arguments, const Json& first, vtkImageData* be
 int Run(const Arguments& arguments, vtkSTEPReader* reader, vtkRenderWindow* window,
   vtkRenderWindowInteractor* interactor)
 {
-  const std::string name = arguments.File.substr(arguments.File.find_last_of('/') + 1);
+  const std::string name = sm::GetFileName(arguments.File);
   sm::EditedPart part(reader->GetOutput());
   window->SetSize(arguments.Size[0], arguments.Size[1]);
   window->SetWindowName(("SolidMoments: " + name).c_str());
@@ -208,7 +207,7 @@ int Run(const Arguments& arguments, vtkSTEPReader* reader, vtkRenderWindow* wind
   scene.SetShowTimes(!arguments.NoTimes);
   vtkNew<smEditStyle> style;
   style->SetScene(&scene);
-  style->SetPictureStem(name.substr(0, name.find_last_of('.')));
+  style->SetPictureStem(sm::GetStem(name));
   interactor->SetInteractorStyle(style);
   interactor->Initialize();
   scene.Draw();
@@ -239,7 +238,7 @@ int Run(const Arguments& arguments, vtkSTEPReader* reader, vtkRenderWindow* wind
 bool Read(vtkSTEPReader* reader, const std::string& fileName)
 {
   reader->SetFileName(fileName.c_str());
-  // The mesh is not cut anew by an edit: fine enough for what a flat face may become.
+  // An edit keeps the triangles of the mesh, so they are fine enough for a flat face that becomes curved.
   reader->SetLinearDeflection(2e-4);
   reader->SetAngularDeflection(0.12);
   reader->Update();
@@ -259,21 +258,21 @@ bool Read(vtkSTEPReader* reader, const std::string& fileName)
 int main(int argc, char** argv)
 {
   Arguments arguments;
-  int exitStatus = Good;
+  int exitStatus = sm::AllOk;
   if (!Parse(argc, argv, arguments, exitStatus))
   {
     return exitStatus;
   }
-  // For appending: a recording that is there is lost when there is another, and not before.
+  // Opened for appending, so that an existing recording is kept until the new one starts.
   if (!arguments.Record.empty() && !std::ofstream(arguments.Record, std::ios::app))
   {
     return Complain(arguments.Record + " cannot be written");
   }
-  // vtkRenderWindow ends the program when the display does not answer; a context only says so.
+  // vtkRenderWindow ends the program when the display does not answer; a context returns a status.
   vtkNew<vtkComputeContext> context;
   context->SetSource(vtkComputeContext::X);
   const int found = context->Start();
-  // One with an old OpenGL will do for pictures; the filter computes on the CPU then, and says so.
+  // An old OpenGL is enough for pictures; the filter then computes on the CPU and reports it.
   const bool hasDisplay = found == vtkComputeContext::READY || found == vtkComputeContext::NO_COMPUTE ||
     found == vtkComputeContext::NO_DOUBLES;
   const std::string reason = context->GetReason();
@@ -285,7 +284,7 @@ int main(int argc, char** argv)
   vtkNew<vtkSTEPReader> reader;
   if (!Read(reader, arguments.File))
   {
-    return Unreadable;
+    return sm::Unreadable;
   }
   if (hasDisplay)
   {

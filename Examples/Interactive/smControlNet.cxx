@@ -21,7 +21,7 @@ namespace sm
 namespace
 {
 const float PointSize = 11.0f; // pixels
-const double SamePixels = 1.5; // points that are nearer to each other cover each other
+const double SamePixels = 1.5; // closer points cover each other
 const double LineColor[3] = { 0.45, 0.20, 0.10 };
 const double PointColor[3] = { 160, 60, 25 };
 const double HighlightColor[3] = { 255, 235, 130 };

@@ -26,22 +26,22 @@ public:
   ControlNet(const ControlNet&) = delete;
   ControlNet& operator=(const ControlNet&) = delete;
 
-  /// Shows the net of a face; body -1 hides it. Nothing is highlighted or selected then.
+  /// Shows the net of a face, without highlight and selection; body -1 hides it.
   void Show(const EditedPart& part, int body, int face);
-  /// The points as they are now, of the same face.
+  /// Updates the points of the same face after an edit.
   void Follow(const EditedPart& part);
 
   bool IsShown() const { return this->Body >= 0; }
   int GetBody() const { return this->Body; }
   int GetFace() const { return this->Face; }
 
-  /// The control point nearest to a pixel, at most `radius` pixels away; of those that cover each other the one in
-  /// front. -1: none.
+  /// The control point nearest to a pixel, at most `radius` pixels away; where points cover each other, the one in front. -1: none.
   int FindNear(double x, double y, double radius) const;
   Grip GetGrip(int point) const;
 
   ///@{
-  /// The point under the mouse is drawn light, the selected one, which was dragged last, orange. -1: none. True when it changed.
+  /// Sets the point under the mouse, which is drawn light, and the selected point, which was dragged last and is drawn orange. -1: none.
+  /// True when it changed.
   bool SetHighlight(int point);
   bool SetSelection(int point);
   int GetHighlight() const { return this->Highlight; }

@@ -2,7 +2,9 @@
 
 #include "smBodyScene.h"
 #include "smQuantities.h"
+#include "smText.h"
 
+#include <smFormat.h>
 #include <smMassPropertyNames.h>
 #include <vtkActor.h>
 #include <vtkBoundingBox.h>
@@ -28,7 +30,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace sm
 {
@@ -36,7 +37,7 @@ namespace
 {
 const int Margin = 20;
 const int FontSize = 17;
-// The handle and parts like it have no more surfaces behind each other than this; every layer is drawn again.
+// Layers of depth peeling. Parts like the shipped one have at most this many surfaces behind each other; each layer is another pass.
 const int Peels = 8;
 const int FewPeels = 4;
 const double DarkColor[3] = { 0.12, 0.15, 0.20 };
@@ -45,30 +46,28 @@ const double RedColor[3] = { 0.85, 0.05, 0.05 };
 const int SamplesOfEdge = 32;
 
 const char* const ShortHint = "h: help";
-const char* const HelpText = "click a face: its control net\n"
-                             "drag a control point: in the plane of the screen\n"
-                             "Shift + drag: along the face's normal\n"
-                             "Ctrl + wheel: weight of the orange control point\n"
-                             "Esc: gives up a drag\n"
+const char* const HelpText = "click a face: show its control net\n"
+                             "drag a control point: move it in the plane of the screen\n"
+                             "Shift + drag: move it along the face's normal\n"
+                             "Ctrl + wheel: change the weight of the orange control point\n"
+                             "Esc: cancel a drag\n"
                              "Ctrl+Z, Ctrl+Y: undo, redo\n"
-                             "o: move one face alone, or all at an edge\n"
-                             "r: the part as in the file\n"
-                             "s: saves a picture\n"
-                             "f: whole part in view\n"
-                             "drag elsewhere: turns, middle: shifts\n"
-                             "wheel, right: nearer, farther\n"
-                             "h: hides this, q: ends";
+                             "o: move one face alone, or all faces at an edge\n"
+                             "r: reset the part to the file\n"
+                             "s: save a picture\n"
+                             "f: show the whole part\n"
+                             "drag elsewhere: rotate, middle button: pan\n"
+                             "wheel, right button: zoom\n"
+                             "h: hide this help, q: quit";
 
 void SetInput(vtkActor* actor, vtkPolyData* data)
 {
   vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
 }
 
-std::string Print(const char* format, double value)
+std::string FormatMilliseconds(double seconds, int digits = 1)
 {
-  char text[64];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
+  return FormatFixed(1e3 * seconds, digits);
 }
 }
 
@@ -84,7 +83,7 @@ EditScene::EditScene(vtkRenderWindow* window, EditedPart& part, const std::strin
     drawn.Mesh->ShallowCopy(part.GetBody(i));
     drawn.Lines = MakeOutlines(drawn.Mesh);
     drawn.Actor = AddBody(this->Body, drawn.Mesh);
-    // Opaque: as part of every layer they would double the time of a picture.
+    // Opaque lines need no depth peeling, which would double the time of a picture.
     drawn.Outlines = AddOutlines(this->Body, drawn.Lines);
     drawn.Outlines->GetProperty()->SetOpacity(1.0);
     drawn.Outlines->PickableOff();
@@ -145,7 +144,7 @@ void EditScene::ShowBodies()
     vtkNURBSDataSet* body = this->Part.GetBody(static_cast<int>(i));
     if (drawn.Mesh->GetPoints() != body->GetPoints())
     {
-      // New ones: bounds that a vtkPolyData once computed stay when it gets points that are older, as an undo's are.
+      // A new vtkPolyData, because an old one keeps its computed bounds when it gets points that are older, as after an undo.
       drawn.Mesh = vtkSmartPointer<vtkPolyData>::New();
       drawn.Mesh->ShallowCopy(body);
       SetInput(drawn.Actor, drawn.Mesh);
@@ -200,8 +199,8 @@ std::string EditScene::DescribeOpened() const
     return {};
   }
   const std::string unit = GetText(this->Mass->GetOutput()->GetFieldData(), 0, names::LengthUnit);
-  return std::to_string(count) + (count == 1 ? " boundary" : " boundaries") + " left the edge, by " +
-    Print("%.3g", widest) + " " + unit + " at most\n";
+  return std::to_string(count) + (count == 1 ? " edge" : " edges") + " opened, largest gap " +
+    FormatDigits(widest, 3) + " " + unit + "\n";
 }
 
 void EditScene::ShowNumbers()
@@ -213,15 +212,11 @@ void EditScene::ShowNumbers()
   if (this->ShowTimes && !this->Times.empty())
   {
     const UpdateTimes& t = this->Times.back();
-    text += "Update: " + Print("%.1f ms", 1e3 * t.GetComputing()) + " (edit " + Print("%.1f", 1e3 * t.Edit) +
-      ", display points " + Print("%.1f", 1e3 * t.Display) + ", moments " + Print("%.1f", 1e3 * t.Moments) +
-      "), picture " + Print("%.0f ms", 1e3 * t.Draw);
+    text += "Update: " + FormatMilliseconds(t.GetComputing()) + " ms (edit " + FormatMilliseconds(t.Edit) +
+      ", display points " + FormatMilliseconds(t.Display) + ", moments " + FormatMilliseconds(t.Moments) +
+      "), picture " + FormatMilliseconds(t.Draw, 0) + " ms";
   }
-  while (!text.empty() && text.back() == '\n')
-  {
-    text.pop_back();
-  }
-  SetText(this->Numbers, RaiseDigits(text));
+  SetText(this->Numbers, RaiseDigits(TrimEnd(text)));
   const double* color = status == names::StatusOk ? DarkColor
     : status == names::StatusToleranceNotMet      ? AmberColor
                                                   : RedColor;
@@ -242,16 +237,16 @@ void EditScene::Update()
   times.Display = this->Part.GetDisplaySeconds();
   const double start = vtkTimerLog::GetUniversalTime();
   this->Mass->Update();
-  const double weighed = vtkTimerLog::GetUniversalTime();
-  times.Moments = weighed - start;
+  const double computed = vtkTimerLog::GetUniversalTime();
+  times.Moments = computed - start;
   this->ShowBodies();
   this->ShowOpened();
   this->Net.Follow(this->Part);
-  // What the picture says of its own time is that of the one before.
+  // The picture shows the drawing time of the previous one.
   times.Draw = this->Times.empty() ? 0.0 : this->Times.back().Draw;
   this->Times.push_back(times);
   this->Draw();
-  this->Times.back().Draw = vtkTimerLog::GetUniversalTime() - weighed;
+  this->Times.back().Draw = vtkTimerLog::GetUniversalTime() - computed;
   if (times.Edit == 0.0 && this->Times.size() > 1)
   {
     this->Times.pop_back(); // an undo is no edit
@@ -261,7 +256,7 @@ void EditScene::Update()
 void EditScene::Draw()
 {
   this->ShowNumbers();
-  // Always, so that a picture depends on what is in it and not on what was.
+  // In every drawing, so that a picture does not depend on the ones before.
   this->Body->ResetCameraClippingRange();
   this->Window->Render();
 }

@@ -1,8 +1,8 @@
 /**
  * @file smEditScene.h
- * @brief The picture of an edited part: translucent body, control net, centre of mass, principal axes, opened edges, numbers
+ * @brief The picture of an edited part: translucent body, control net, centre of mass, principal axes, opened edges and results
  *
- * The mass filter works in the window's own OpenGL context. The numbers are those of the bodies as they are drawn.
+ * The mass filter works in the window's own OpenGL context. The results are those of the bodies as they are drawn.
  */
 #ifndef smEditScene_h
 #define smEditScene_h
@@ -34,7 +34,7 @@ struct UpdateTimes
   double Moments = 0.0; ///< all integrals and their bounds
   double Draw = 0.0;    ///< the picture
 
-  /// From the mouse to the numbers: all but the picture.
+  /// All but the picture: the time from the mouse event to the results.
   double GetComputing() const { return this->Edit + this->Display + this->Moments; }
 };
 
@@ -47,14 +47,14 @@ public:
   EditScene(const EditScene&) = delete;
   EditScene& operator=(const EditScene&) = delete;
 
-  /// After a change of the part: moments, picture, numbers.
+  /// Computes the moments and draws, after a change of the part.
   void Update();
-  /// After a change of the view, the net or the texts alone.
+  /// Draws, after a change of the view, the net or the texts alone.
   void Draw();
   /// Moves the camera so that all bodies are in the picture.
   void ShowAll();
 
-  /// The face under a pixel; false where there is none.
+  /// Finds the face under a pixel; false where there is none.
   bool PickFace(int x, int y, int& body, int& face);
 
   EditedPart& GetPart() { return this->Part; }
@@ -65,16 +65,16 @@ public:
 
   void SetHelp(bool shown);
   bool IsHelpShown() const { return this->Help; }
-  /// Times differ from run to run; pictures to compare leave them out. Default: shown.
+  /// Shows the times of the last update, which differ from run to run. Default: shown.
   void SetShowTimes(bool shown);
-  /// Fewer translucent layers and no smoothing of edges, for pictures during a drag; the numbers are the same. Default: off.
+  /// Draws fewer translucent layers and does not smooth edges, for pictures during a drag; the results are the same. Default: off.
   void SetHurried(bool hurried);
-  /// A line for what just happened; empty: none.
+  /// Shows a line about the last event; empty: none.
   void SetNotice(const std::string& notice);
-  /// Shown with the numbers: "all faces at an edge" or "one face".
+  /// Sets the rule of edits that the picture names when it is "one face".
   void SetRule(EditRule rule);
 
-  /// The first is that of the whole part, every other one that of an edit; undo, redo and reset have none.
+  /// Times of the updates: first that of the whole part, then one for each edit. Undo, redo and reset have none.
   const std::vector<UpdateTimes>& GetTimes() const { return this->Times; }
 
 private:

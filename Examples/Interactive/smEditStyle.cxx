@@ -2,6 +2,7 @@
 
 #include "smBodyScene.h"
 
+#include <smFormat.h>
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
@@ -67,8 +68,8 @@ std::array<double, 3> smEditStyle::GetDisplacement()
   const int* position = this->Interactor->GetEventPosition();
   const double moved[2] = { static_cast<double>(position[0] - this->Pressed[0]),
     static_cast<double>(position[1] - this->Pressed[1]) };
-  // From the point itself, which may be some pixels from where it was grabbed. What a depth of the display means follows the
-  // body's size, so that it has to be asked for again.
+  // The start is the point itself, which may be some pixels from where the mouse grabbed it. Its depth is computed anew, because the
+  // clipping range changes with the body's size.
   const std::array<double, 3> start = this->ToDisplay(this->Start);
   const std::array<double, 3> from = this->ToWorld(start[0], start[1], start[2]);
   const std::array<double, 3> to = this->ToWorld(start[0] + moved[0], start[1] + moved[1], start[2]);
@@ -78,7 +79,8 @@ std::array<double, 3> smEditStyle::GetDisplacement()
   {
     return displacement;
   }
-  // How far the normal leads on the screen, in pixels for the length of a pixel. Where it points at the eye, up is outwards.
+  // The motion on the screen, in pixels, of a move along the normal by the length of a pixel. Where the normal points at the eye, a drag
+  // upwards moves the point outwards.
   const std::array<double, 3> right = this->ToWorld(start[0] + 1.0, start[1], start[2]);
   const double pixel = std::hypot(right[0] - from[0], right[1] - from[1], right[2] - from[2]);
   const std::array<double, 3> tip = this->ToDisplay({ this->Start[0] + pixel * this->Normal[0],
@@ -113,7 +115,7 @@ void smEditStyle::EndDrag(bool keep)
     return;
   }
   this->Scene->GetPart().Cancel();
-  this->Scene->SetNotice("given up");
+  this->Scene->SetNotice("drag cancelled");
   this->Scene->Update();
 }
 
@@ -187,7 +189,7 @@ void smEditStyle::ScaleWeight(double factor)
   }
   if (point < 0 || !this->Scene->GetPart().GetWeight(this->Scene->GetNet().GetGrip(point), weight))
   {
-    this->Scene->SetNotice("no control point was dragged yet: there is none to weigh");
+    this->Scene->SetNotice("drag a control point first: its weight is changed");
     this->Scene->Draw();
     return;
   }
@@ -195,7 +197,8 @@ void smEditStyle::ScaleWeight(double factor)
   const bool done =
     this->Scene->GetPart().SetWeight(this->Scene->GetNet().GetGrip(point), weight, this->Rule);
   this->Scene->GetPart().Commit();
-  this->Scene->SetNotice(done ? "weight " + std::to_string(weight) : this->Scene->GetPart().GetMessage());
+  this->Scene->SetNotice(
+    done ? "weight " + sm::FormatDigits(weight, 7) : this->Scene->GetPart().GetMessage());
   this->Scene->Update();
 }
 
@@ -245,6 +248,36 @@ void smEditStyle::SavePicture()
   this->Scene->Draw();
 }
 
+void smEditStyle::ToggleRule()
+{
+  this->Rule = this->Rule == sm::EditRule::OneFace ? sm::EditRule::MoveSharedBoundary : sm::EditRule::OneFace;
+  this->Scene->SetRule(this->Rule);
+  this->Scene->SetNotice("");
+  this->Scene->Draw();
+}
+
+void smEditStyle::OnEditKey(const std::string& key)
+{
+  sm::EditedPart& part = this->Scene->GetPart();
+  const bool control = this->Interactor->GetControlKey() != 0;
+  if (control && key == "z")
+  {
+    this->FinishStep(part.Undo(), "undone", "nothing to undo");
+  }
+  else if (control && (key == "y" || key == "Z"))
+  {
+    this->FinishStep(part.Redo(), "redone", "nothing to redo");
+  }
+  else if (!control && key == "r")
+  {
+    this->FinishStep(part.Reset(), "reset to the file", "nothing was changed");
+  }
+  else if (!control && key == "o")
+  {
+    this->ToggleRule();
+  }
+}
+
 void smEditStyle::OnKeyPress()
 {
   const char* symbol = this->Interactor->GetKeySym();
@@ -255,51 +288,31 @@ void smEditStyle::OnKeyPress()
     {
       this->EndDrag(false);
     }
-    return; // nothing else may change what is being dragged
+    return; // other keys must not change the part during a drag
   }
-  sm::EditedPart& part = this->Scene->GetPart();
-  if (this->Interactor->GetControlKey())
-  {
-    if (key == "z")
-    {
-      this->FinishStep(part.Undo(), "undone", "nothing to undo");
-    }
-    else if (key == "y" || key == "Z")
-    {
-      this->FinishStep(part.Redo(), "done again", "nothing to do again");
-    }
-    return;
-  }
-  if (key == "h")
+  const bool control = this->Interactor->GetControlKey() != 0;
+  if (!control && key == "h")
   {
     this->Scene->SetHelp(!this->Scene->IsHelpShown());
     this->Scene->Draw();
   }
-  else if (key == "r")
-  {
-    this->FinishStep(part.Reset(), "as in the file", "nothing was changed");
-  }
-  else if (key == "s")
+  else if (!control && key == "s")
   {
     this->SavePicture();
   }
-  else if (key == "o")
-  {
-    this->Rule =
-      this->Rule == sm::EditRule::OneFace ? sm::EditRule::MoveSharedBoundary : sm::EditRule::OneFace;
-    this->Scene->SetRule(this->Rule);
-    this->Scene->SetNotice("");
-    this->Scene->Draw();
-  }
-  else if (key == "f")
+  else if (!control && key == "f")
   {
     this->Scene->ShowAll();
+  }
+  else
+  {
+    this->OnEditKey(key);
   }
 }
 
 void smEditStyle::OnChar()
 {
-  // The trackball's other keys would change how the part is drawn.
+  // The base class's other keys would change how the part is drawn.
   const char key = this->Interactor->GetKeyCode();
   if (!this->IsDragging && (key == 'q' || key == 'e'))
   {

@@ -1,9 +1,9 @@
 /**
  * @class   smEditStyle
- * @brief   what mouse and keys do to an edited part: see HelpText in smEditScene.cxx
+ * @brief   edits a part by mouse and keys; HelpText in smEditScene.cxx lists them
  *
- * Whatever is not an edit (turning, shifting, zooming) is the trackball's. A drag is computed from where it began: where the
- * mouse went in between makes no difference.
+ * Rotating, panning and zooming are those of the base class. The displacement of a drag is computed from its start, so that the path of
+ * the mouse makes no difference.
  */
 #ifndef smEditStyle_h
 #define smEditStyle_h
@@ -21,9 +21,9 @@ public:
   static smEditStyle* New();
   vtkTypeMacro(smEditStyle, vtkInteractorStyleTrackballCamera);
 
-  /// Held, not owned; must outlive the style's events.
+  /// Sets the scene, which is not owned and must outlive the style's events.
   void SetScene(sm::EditScene* scene);
-  /// Of the pictures that the key s saves: "lever" gives lever_1.png, lever_2.png …, never one that exists.
+  /// Sets the stem of the pictures that the key s saves: "lever" gives lever_1.png, lever_2.png, ...; existing files are kept.
   void SetPictureStem(const std::string& stem) { this->PictureStem = stem; }
 
   void OnLeftButtonDown() override;
@@ -46,11 +46,13 @@ private:
   void Drag();
   void EndDrag(bool keep);
   std::array<double, 3> GetDisplacement();
-  /// Pixels, and a depth in [0, 1].
+  /// World to display: pixels, and a depth in [0, 1].
   std::array<double, 3> ToDisplay(const std::array<double, 3>& world);
   std::array<double, 3> ToWorld(double x, double y, double depth);
   void ScaleWeight(double factor);
   void SavePicture();
+  void OnEditKey(const std::string& key);
+  void ToggleRule();
   void FinishStep(bool done, const char* notice, const char* nothing);
 
   sm::EditScene* Scene = nullptr;
@@ -59,7 +61,7 @@ private:
   bool IsDragging = false;
   bool MayBeClick = false;
   int Pressed[2] = { 0, 0 };
-  /// The dragged point where it was, and the face's normal there.
+  /// The position of the dragged point before the drag, and the face's normal there.
   std::array<double, 3> Start{};
   std::array<double, 3> Normal{};
   sm::Grip Dragged;

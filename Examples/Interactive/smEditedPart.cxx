@@ -14,7 +14,7 @@ namespace sm
 {
 namespace
 {
-/// Where basis function `index` is largest, about: the mean of its inner knots (Greville).
+/// The Greville abscissa of basis function `index`, the mean of its inner knots, near which the function is largest.
 double GetGreville(const NURBSSurface& surface, int direction, int index)
 {
   double sum = 0.0;
@@ -39,7 +39,7 @@ std::array<double, 3> ToWorldVector(vtkNURBSDataSet* body, const std::array<doub
 
 std::array<double, 3> ToModelVector(vtkNURBSDataSet* body, const std::array<double, 3>& world)
 {
-  // A placement is a rotation or a reflection: its inverse is its transpose.
+  // A placement is a rotation or a reflection, so its inverse is its transpose.
   const double* m = body->GetPlacementData();
   std::array<double, 3> model;
   for (int c = 0; c < 3; ++c)

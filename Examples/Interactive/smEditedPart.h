@@ -1,9 +1,9 @@
 /**
  * @file smEditedPart.h
- * @brief A part whose control points are moved: its bodies as they are now, and what they were
+ * @brief A part whose control points are moved: its current bodies and those of earlier steps
  *
- * Every change gives new bodies that share all faces that did not change; nothing that was handed out changes. An undo
- * takes the bodies from before, so that it has their bits. World coordinates outside, those of the stored faces inside.
+ * Every change gives new bodies that share all unchanged faces; bodies that were returned do not change. An undo takes the earlier bodies,
+ * so that it has their bits. Positions are world coordinates; the stored faces have coordinates of their own.
  */
 #ifndef smEditedPart_h
 #define smEditedPart_h
@@ -23,7 +23,7 @@ class vtkPartitionedDataSetCollection;
 
 namespace sm
 {
-/// A control point of a face of a body, all counted from 0.
+/// A control point of a face of a body; all indices start at 0.
 struct Grip
 {
   int Body = -1;
@@ -34,50 +34,49 @@ struct Grip
 class EditedPart
 {
 public:
-  /// Shares the bodies with exact geometry of a reader's output. Their cells get colours (smBodyScene.h).
+  /// Shares those bodies of a reader's output that have exact geometry, and gives their cells colours (smBodyScene.h).
   explicit EditedPart(vtkPartitionedDataSetCollection* source);
   ~EditedPart();
   EditedPart(const EditedPart&) = delete;
   EditedPart& operator=(const EditedPart&) = delete;
 
-  /// The bodies as they are now, a partition each; always the same object.
+  /// The current bodies, a partition each; always the same object.
   vtkPartitionedDataSetCollection* GetBodies() const;
   int GetNumberOfBodies() const;
   vtkNURBSDataSet* GetBody(int body) const;
   const FacePointer& GetFace(int body, int face) const;
 
-  /// Edges of the body that are open and were not in the file, the widest first, and how far. Their curves are those of the model
-  /// as it is now.
+  /// Edges of the body that edits have opened, the widest first, with their gaps. Their curves are those of the current model.
   const std::vector<OpenedEdge>& GetOpened(int body) const;
 
-  /// False, and nothing, when the control point does not exist.
+  /// False when the control point does not exist; the result is then unchanged.
   bool GetPosition(const Grip& grip, std::array<double, 3>& world) const;
   bool GetWeight(const Grip& grip, double& weight) const;
-  /// Outward unit normal of the face where the control point pulls most, in world coordinates; zero where there is none.
+  /// Outward unit normal of the face where the control point has most influence, in world coordinates; zero where there is none.
   std::array<double, 3> GetNormal(const Grip& grip) const;
 
   ///@{
-  /// Moves a control point by a displacement from where it was at the last Commit(), or sets its weight: calls do not add up. False
-  /// when that is no edit; GetMessage() says why, and the bodies stay.
+  /// Moves a control point by a displacement from its position at the last Commit(), or sets its weight: calls do not add up. False
+  /// when the edit is refused, for the reason in GetMessage(); the bodies are then unchanged.
   bool Move(const Grip& grip, const std::array<double, 3>& displacement, EditRule rule);
   bool SetWeight(const Grip& grip, double weight, EditRule rule);
   ///@}
   const std::string& GetMessage() const { return this->Message; }
 
-  /// Makes what was moved since the last one a step that Undo() takes back. False when nothing was moved.
+  /// Makes the changes since the last Commit() a step that Undo() takes back. False when there are none.
   bool Commit();
-  /// Forgets what was moved since the last Commit().
+  /// Discards the changes since the last Commit().
   void Cancel();
   ///@{
-  /// False when there is nothing to undo, or to do again. What was not committed is forgotten.
+  /// False when there is nothing to undo or redo. Changes that were not committed are discarded.
   bool Undo();
   bool Redo();
   ///@}
-  /// Back to the file, as a step that can be undone. False when nothing differs.
+  /// Resets the part to the file, as a step that can be undone. False when nothing differs.
   bool Reset();
 
   ///@{
-  /// Seconds of the last Move() or SetWeight(): the new faces and opened edges; their display points. 0 after an undo.
+  /// Seconds of the last Move() or SetWeight(): for new faces and opened edges, and for display points. 0 after an undo.
   double GetEditSeconds() const { return this->EditSeconds; }
   double GetDisplaySeconds() const { return this->DisplaySeconds; }
   ///@}
@@ -107,7 +106,7 @@ private:
 
 /// World position of a homogeneous control point of a body's model.
 std::array<double, 3> ToWorld(vtkNURBSDataSet* body, const std::array<double, 4>& point);
-/// World to model, for vectors: no origin, no translation.
+/// World to model and back, for vectors: without origin and translation.
 std::array<double, 3> ToModelVector(vtkNURBSDataSet* body, const std::array<double, 3>& world);
 std::array<double, 3> ToWorldVector(vtkNURBSDataSet* body, const std::array<double, 3>& model);
 }

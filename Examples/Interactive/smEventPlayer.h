@@ -1,15 +1,18 @@
 /**
  * @file smEventPlayer.h
- * @brief Mouse and keys recorded to a file and played back, in the text format of vtkInteractorEventRecorder
+ * @brief Records mouse and keys to a file and plays them back, in the text format of vtkInteractorEventRecorder
  *
- * A line per event: its name, x and y in pixels from the lower left corner, modifiers (1 Shift, 2 Ctrl, 4 Alt), the key's code,
- * a repeat count and the key's symbol ("0" for none). Pixels mean the same only in a window of the same size.
+ * A line has one event: its name, x and y in pixels from the lower left corner, modifiers (1 Shift, 2 Ctrl, 4 Alt), the key's code,
+ * a repeat count and the key's symbol ("0" for none). The same pixels show the same points only in a window of the same size, which a
+ * recording states in a comment: "# WindowSize 900 700".
  */
 #ifndef smEventPlayer_h
 #define smEventPlayer_h
 
 #include <vtkNew.h>
 
+#include <array>
+#include <optional>
 #include <string>
 
 class vtkInteractorEventRecorder;
@@ -17,11 +20,14 @@ class vtkRenderWindowInteractor;
 
 namespace sm
 {
-/// Plays a file to the end; the interactor must be initialized. Returns what is wrong with the file, and plays nothing then; an
-/// empty string when it was played.
+/// The window size that a recording states; nothing when it states none or cannot be read.
+std::optional<std::array<int, 2>> ReadWindowSize(const std::string& fileName);
+
+/// Plays a file to the end; the interactor must be initialized. Returns an error message and plays nothing when the file is wrong or
+/// belongs to a window of another size; returns an empty string when it was played.
 std::string PlayEvents(vtkRenderWindowInteractor* interactor, const std::string& fileName);
 
-/// Writes events to a file while it lives.
+/// Writes events to a file from construction to destruction; then the window's size.
 class EventRecording
 {
 public:
@@ -32,6 +38,8 @@ public:
 
 private:
   vtkNew<vtkInteractorEventRecorder> Recorder;
+  std::string FileName;
+  std::array<int, 2> Size{};
 };
 }
 

@@ -2,8 +2,8 @@
 //   make_free_form_part free_form_part.step
 // A closed pull handle in mm: a periodic bicubic B-spline surface over a lattice of 16 x 10 control points, smooth to the
 // second derivative, cut at every second knot line into 8 x 5 faces. Neighbours share their boundary rows bit for bit,
-// and no face is trimmed, so that the solid stays closed however a control point is moved. (The paper's free-form part,
-// Examples/Paper/smFreeForm.cxx, is trimmed everywhere: to move its control points opens it.)
+// and no face is trimmed, so that the solid stays closed when control points move. (The free-form part of the paper,
+// Examples/Paper/smFreeForm.cxx, has trimmed faces, and moving their control points opens it.)
 #include "smModelFile.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -36,18 +36,18 @@ gp_Pnt LatticePoint(int i, int j)
 {
   const double along = 2.0 * Pi * i / (PatchesAlong * Spans);
   const double around = 2.0 * Pi * j / (PatchesAround * Spans);
-  // How much this place belongs to the grip, at -y: 0 to 1.
+  // The weight of the grip, which is at -y: 0 to 1.
   const double grip = std::pow(0.5 - 0.5 * std::sin(along), 2.0);
   const double fingers = 3.2 * std::cos(8.0 * along) * grip;
   const double thick = 8.0 + 7.0 * grip + fingers;
   const double tall = 8.0 + 4.0 * grip - 1.5 * std::cos(2.0 * along);
   const double out = thick * std::cos(around) * (1.0 + 0.18 * std::sin(around));
   const double up = tall * std::sin(around) + 2.0 * std::cos(2.0 * around);
-  // The middle line: an oval, flatter at the grip, out of its plane at both sides.
+  // The centre line: an oval, flatter at the grip, out of its plane at both sides.
   const double x = 58.0 * std::cos(along) * (1.0 + 0.10 * std::sin(along));
   const double y = 46.0 * std::sin(along) + 5.0 * grip;
   const double z = 9.0 * std::cos(2.0 * along) - 8.0 * grip;
-  // Outwards: across the oval's tangent.
+  // The outward normal of the oval.
   const double tangentX = -58.0 * std::sin(along);
   const double tangentY = 46.0 * std::cos(along);
   const double length = std::hypot(tangentX, tangentY);
@@ -82,7 +82,7 @@ gp_Pnt Refine(const Row& row, int k)
 gp_Pnt RefinedPoint(int k, int l)
 {
   const auto wrap = [](int i, int count) { return (i % count + count) % count; };
-  // The last row of a face is the first of the next one: the same numbers.
+  // The last row of a face is the first row of the next one.
   k = wrap(k, 4 * PatchesAlong);
   l = wrap(l, 4 * PatchesAround);
   const auto across = [&](int i)

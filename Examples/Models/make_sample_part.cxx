@@ -1,7 +1,7 @@
 // Models the sample part that Examples/quickstart.sh measures, and writes it as STEP:
 //   make_sample_part sample_part.step
 // A hand lever in mm: a free-form arm lofted through closed splines, fused to a bored hub, with rolling-ball
-// fillets, slanted and straight drillings, a keyway and chamfers. The same bytes on every run.
+// fillets, slanted and straight holes, a keyway and chamfers. The file has the same bytes on every run.
 #include "smModelFile.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
@@ -68,7 +68,7 @@ TopoDS_Shape Cylinder(const gp_Pnt& start, const gp_Dir& axis, double radius, do
   return BRepPrimAPI_MakeCylinder(gp_Ax2(start, axis), radius, length).Shape();
 }
 
-/// All edges whose middle point fulfils a condition.
+/// All edges whose middle point meets a condition.
 TopTools_IndexedMapOfShape EdgesWhere(
   const TopoDS_Shape& shape, const std::function<bool(const gp_Pnt&)>& holds)
 {
@@ -131,7 +131,7 @@ TopoDS_Shape Lever()
 
   TopoDS_Shape body = Fillet(Arm(), 4.0, [](const gp_Pnt& p) { return p.X() > 126.0; });
   body = BRepAlgoAPI_Fuse(Cylinder(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1), hubRadius, hubHeight), body).Shape();
-  // Where the arm leaves the hub.
+  // The edges between arm and hub.
   body = Fillet(body, 3.5,
     [=](const gp_Pnt& p)
     { return IsAtRadius(p, hubRadius) && p.Z() > 1.0 && p.Z() < hubHeight - 1.0 && p.X() > 1.0; });
@@ -142,12 +142,12 @@ TopoDS_Shape Lever()
   body = Cut(body, BRepPrimAPI_MakeBox(gp_Pnt(-bore - 2.8, -2.5, -1), gp_Pnt(0, 2.5, hubHeight + 1)).Shape());
   body = Chamfer(body, 0.8,
     [=](const gp_Pnt& p) { return IsAtRadius(p, bore) && (p.Z() < 1e-6 || p.Z() > hubHeight - 1e-6); });
-  // A clamping screw's drilling, slanted through the hub's wall.
+  // A slanted hole for a clamping screw through the wall of the hub.
   body = Cut(body, Cylinder(gp_Pnt(0, 0, 15), gp_Dir(-0.25, -1, 0.3), 2.6, 40.0));
-  // Two drillings through the grip, one of them slanted.
+  // Two holes through the grip, one of them slanted.
   body = Cut(body, Cylinder(gp_Pnt(118, 20, 0), gp_Dir(0, 0, 1), 5.0, 50.0));
   body = Cut(body, Cylinder(gp_Pnt(92, 16, 0), gp_Dir(0.12, 0.05, 1), 3.2, 60.0));
-  // Round the mouth of the grip's drilling.
+  // The edges around the end of the hole through the grip.
   body = Fillet(body, 1.0,
     [](const gp_Pnt& p) { return std::abs(std::hypot(p.X() - 118.0, p.Y() - 20.0) - 5.0) < 1e-4; });
   return body;

@@ -14,15 +14,16 @@ namespace smmodel
 {
 struct ModelFile
 {
-  /// Of the product; also the file's name in its header, with ".step".
+  /// The name of the product and, with ".step", of the file in its header.
   std::string Name;
   std::string Description;
   /// The program that models it.
   std::string Program;
 };
 
-/// What such a program does: calls `make`, prints what came out, and writes it to the only argument of the command line. The
-/// exit status: 0, or 1 with a sentence on the standard error when there is not one valid solid or the file cannot be written.
+/// The main function of a program that models a part: calls `make`, prints a summary, and writes the part to the file that the only
+/// argument names. Returns the exit status: 0, or 1 with a message on the standard error when the shape is not one valid solid or the file
+/// cannot be written.
 int Run(int argc, char** argv, const ModelFile& file, const std::function<TopoDS_Shape()>& make);
 }
 

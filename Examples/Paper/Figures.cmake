@@ -18,6 +18,7 @@ add_executable(paper_figures
   smSolidBuilder.cxx)
 target_link_libraries(paper_figures PRIVATE
   smExampleCommon
+  CLI11::CLI11
   SolidMoments::FiltersMomentSchemes
   SolidMoments::ReadersSTEP
   SolidMoments::RenderingCompute

@@ -5,7 +5,6 @@ if (NOT OpenCASCADE_FOUND OR NOT TARGET TKFillet OR NOT TARGET TKOffset)
     "libocct-modeling-algorithms-dev, set OpenCASCADE_DIR, or configure with -DSOLIDMOMENTS_BUILD_EXAMPLES=OFF "
     "-DSOLIDMOMENTS_BUILD_TESTING=OFF.")
 endif ()
-find_package(nlohmann_json REQUIRED)
 
 add_executable(make_paper_parts
   make_paper_parts.cxx
@@ -23,7 +22,7 @@ add_executable(occt_mass_properties occt_mass_properties.cxx)
 foreach (program IN ITEMS make_paper_parts occt_mass_properties)
   target_include_directories(${program} SYSTEM PRIVATE "${OpenCASCADE_INCLUDE_DIR}")
   target_link_libraries(${program} PRIVATE
-    nlohmann_json::nlohmann_json TKXDESTEP TKSTEP TKXSBase TKXCAF TKLCAF TKCDF TKFillet TKOffset TKShHealing TKBool TKBO
+    smExampleText CLI11::CLI11 TKXDESTEP TKSTEP TKXSBase TKXCAF TKLCAF TKCDF TKFillet TKOffset TKShHealing TKBool TKBO
     TKPrim TKTopAlgo TKGeomAlgo TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
   solidmoments_warnings(${program})
 endforeach ()

@@ -1,11 +1,10 @@
-// Models the parts of Table 1 and writes them as STEP, with parts.json: what is known of each without integrating it.
-//   make_paper_parts FOLDER [NAME...]
-// Exit status 0 when every part is valid and written, 1 else; parts that fail are named, the others written.
+// Models the parts of Table 1 and writes them as STEP files, with parts.json: counts and exact values of each part.
+#include "smJson.h"
+#include "smOptions.h"
 #include "smPaperParts.h"
 #include "smPartFile.h"
 
 #include <Standard_Failure.hxx>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -14,7 +13,7 @@
 
 namespace
 {
-using Json = nlohmann::ordered_json;
+using sm::Json;
 
 struct Recipe
 {
@@ -42,7 +41,7 @@ Json Describe(const smpaper::PaperPart& part)
   return entry;
 }
 
-/// The entry of parts.json; throws what smPartFile.h and OpenCASCADE throw.
+/// Writes a part and returns its entry of parts.json. Throws the exceptions of smPartFile.h and OpenCASCADE.
 Json MakePart(const Recipe& recipe, const std::filesystem::path& folder)
 {
   const smpaper::PaperPart part = recipe.Make();
@@ -53,57 +52,85 @@ Json MakePart(const Recipe& recipe, const std::filesystem::path& folder)
             << entry["trimmed_faces"] << std::endl;
   return entry;
 }
+
+void Complain(const std::string& message)
+{
+  std::cerr << "make_paper_parts: " << message << "\n";
 }
 
-int main(int argc, char** argv)
+/// Makes a part and adds its entry to `parts`; false when it failed, which is reported.
+bool TryPart(const Recipe& recipe, const std::filesystem::path& folder, Json& parts)
 {
-  if (argc < 2 || argv[1][0] == '-')
+  try
   {
-    std::cerr << "usage: make_paper_parts FOLDER [NAME...]\n";
-    return 1;
+    parts.push_back(MakePart(recipe, folder));
+    return true;
   }
-  const std::filesystem::path folder(argv[1]);
+  catch (const Standard_Failure& failure)
+  {
+    Complain(std::string(recipe.Name) + ": OpenCASCADE: " + failure.DynamicType()->Name() + " " +
+      failure.GetMessageString());
+  }
+  catch (const std::exception& failure)
+  {
+    Complain(std::string(recipe.Name) + ": " + failure.what());
+  }
+  return false;
+}
+
+/// Makes the wanted parts, or all when none is named. Returns the exit status.
+int MakeParts(const std::filesystem::path& folder, const std::vector<std::string>& wanted)
+{
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  const std::vector<std::string> wanted(argv + 2, argv + argc);
   std::size_t found = 0;
   bool allMade = true;
   Json parts = Json::array();
   smpaper::QuietOpenCascade();
   for (const Recipe& recipe : Recipes)
   {
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), recipe.Name) == wanted.end())
+    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), recipe.Name) != wanted.end())
     {
-      continue;
-    }
-    ++found;
-    try
-    {
-      parts.push_back(MakePart(recipe, folder));
-    }
-    catch (const Standard_Failure& failure)
-    {
-      std::cerr << "make_paper_parts: " << recipe.Name << ": OpenCASCADE: " << failure.DynamicType()->Name()
-                << " " << failure.GetMessageString() << "\n";
-      allMade = false;
-    }
-    catch (const std::exception& failure)
-    {
-      std::cerr << "make_paper_parts: " << recipe.Name << ": " << failure.what() << "\n";
-      allMade = false;
+      ++found;
+      allMade = TryPart(recipe, folder, parts) && allMade;
     }
   }
   if (found < wanted.size())
   {
-    std::cerr << "make_paper_parts: some name is no part's\n";
+    Complain("some name is no part's");
     allMade = false;
   }
   std::ofstream file(folder / "parts.json");
   file << Json{ { "parts", parts } }.dump(1) << "\n";
   if (!file.flush())
   {
-    std::cerr << "make_paper_parts: " << (folder / "parts.json").string() << " cannot be written\n";
+    Complain((folder / "parts.json").string() + " cannot be written");
     return 1;
   }
   return allMade ? 0 : 1;
+}
+}
+
+int main(int argc, char** argv)
+{
+  CLI::App app(
+    "Model the parts of the paper's Table 1 and write them as STEP files, with parts.json: the counts and\n"
+    "exact values of each part.",
+    "make_paper_parts");
+  app.footer("Exit status: 0 when every part is valid and written; 1 otherwise: parts that fail are named, "
+             "the others\n"
+             "are written.");
+  std::string folder;
+  std::vector<std::string> wanted;
+  app.add_option("FOLDER", folder, "Folder to write to")->required()->type_name("");
+  app.add_option("NAME", wanted, "Parts to make (default: all)")->type_name("");
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return app.exit(error) == 0 ? 0 : 1;
+  }
+  return MakeParts(folder, wanted);
 }

@@ -1,8 +1,7 @@
-// What OpenCASCADE's own BRepGProp says of the solids in a STEP file, as JSON on stdout; lengths in mm.
-//   occt_mass_properties [--eps E] FILE.step
-// Without --eps VolumeProperties in its default way, which states no error; with it the adaptive way, whose
-// claimed relative error is "claimed". "seconds" is the time of VolumeProperties alone, "read_seconds" that of the
-// reader. Exit status 0; 1 wrong usage; 2 nothing to read, or OpenCASCADE failed, and a sentence on stderr.
+// The results of OpenCASCADE's own BRepGProp for the solids in a STEP file, for comparison.
+#include "smJson.h"
+#include "smOptions.h"
+
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
@@ -12,17 +11,21 @@
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
-#include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 #include <string>
 
 namespace
 {
-using Json = nlohmann::ordered_json;
+using sm::Json;
+
+const char* const Footer =
+  R"(Without --eps VolumeProperties works without an error estimate; with it, it is adaptive and "claimed" is its
+estimate of the relative error. "seconds" is the time of VolumeProperties alone, "read_seconds" that of the reader.
+
+Exit status: 0; 1 wrong usage; 2 the file cannot be read or has no solid, or OpenCASCADE failed.)";
 
 class Stopwatch
 {
@@ -36,7 +39,7 @@ private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
-/// Every placement of every solid; faces beside the solids are no part of a body.
+/// A compound of every placement of every solid, without the faces beside the solids, which belong to no body.
 TopoDS_Compound ReadSolids(const std::string& path, int& count)
 {
   STEPControl_Reader reader;
@@ -89,17 +92,10 @@ Json Measure(const std::string& path, double eps)
   return result;
 }
 
-bool ParseArguments(int argc, char** argv, std::string& path, double& eps)
+std::string CheckEps(const std::string& text)
 {
-  eps = 0.0;
-  if (argc == 4 && std::string(argv[1]) == "--eps")
-  {
-    eps = std::strtod(argv[2], nullptr);
-    path = argv[3];
-    return eps > 0.0 && eps < 1.0;
-  }
-  path = argc == 2 ? argv[1] : "";
-  return argc == 2 && path[0] != '-';
+  const double eps = sm::ParseNumber(text);
+  return eps > 0.0 && eps < 1.0 ? "" : "the relative error must be a number between 0 and 1";
 }
 }
 
@@ -107,15 +103,25 @@ int main(int argc, char** argv)
 {
   std::string path;
   double eps = 0.0;
-  if (!ParseArguments(argc, argv, path, eps))
+  CLI::App app("Volume, area and centre of mass of all solids in a STEP file by OpenCASCADE's BRepGProp, as "
+               "JSON on the\n"
+               "standard output; lengths in mm.",
+    "occt_mass_properties");
+  app.footer(Footer);
+  app.add_option("FILE", path, "STEP file")->required()->type_name("");
+  sm::AddNumberOption(app, "--eps", eps, "Relative error to ask VolumeProperties for")->check(CheckEps);
+  try
   {
-    std::cerr << "usage: occt_mass_properties [--eps E] FILE.step, 0 < E < 1\n";
-    return 1;
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return app.exit(error) == 0 ? 0 : 1;
   }
   Message::DefaultMessenger()->ChangePrinters().Clear();
   try
   {
-    std::cout << Measure(path, eps).dump(1) << "\n";
+    std::cout << sm::Dump(Measure(path, eps), 1) << "\n";
   }
   catch (const Standard_Failure& failure)
   {

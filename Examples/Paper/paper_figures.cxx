@@ -1,9 +1,7 @@
-// paper_figures OUTDIR [--part FILE.step] [--model FILE.step]...: draws the figures of "Accurate Moment Computation Using the GPU" (SPM
-// 2010) with this program's own numbers, each as PNG, SVG and CSV in OUTDIR: with models 1, which has no SVG; 3 to 6, 7a, 7b; and with a
-// part 8. Needs no display.
-// Exit status: 0 all drawn, 1 wrong usage or something failed.
+// Draws the figures of "Accurate Moment Computation Using the GPU" (SPM 2010) with this program's own results.
 #include "smGraphFigures.h"
 #include "smModelPictures.h"
+#include "smOptions.h"
 #include "smPointFigures.h"
 
 #include <vtkComputeContext.h>
@@ -15,6 +13,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,29 +26,32 @@ struct Arguments
   std::vector<std::string> Models;
 };
 
-bool Parse(int argc, char** argv, Arguments& arguments)
+/// Reads the arguments; an exit status when there is nothing more to do.
+std::optional<int> Parse(int argc, char** argv, Arguments& arguments)
 {
-  for (int i = 1; i < argc; ++i)
+  CLI::App app("Draw the figures of \"Accurate Moment Computation Using the GPU\" (SPM 2010) with this "
+               "program's own results,\n"
+               "each as PNG, SVG and CSV: 3 to 6, 7a and 7b, with --model 1, which has no SVG, and with "
+               "--part 8. Needs no\n"
+               "display.",
+    "paper_figures");
+  app.footer("Exit status: 0 all figures are drawn; 1 wrong usage, or a figure failed.");
+  app.add_option("FOLDER", arguments.Folder, "Folder to write to")->required()->type_name("");
+  sm::AddFileOption(app, "--part", arguments.Part, "STEP file of the part of Figure 8");
+  app.add_option("--model", arguments.Models, "STEP file of a model of Figure 1; may be given several times")
+    ->type_name("FILE")
+    ->check(sm::CheckFileName)
+    ->take_all()
+    ->expected(1);
+  try
   {
-    const std::string argument = argv[i];
-    if (argument == "--part" && i + 1 < argc)
-    {
-      arguments.Part = argv[++i];
-    }
-    else if (argument == "--model" && i + 1 < argc)
-    {
-      arguments.Models.emplace_back(argv[++i]);
-    }
-    else if (arguments.Folder.empty() && argument.compare(0, 1, "-") != 0)
-    {
-      arguments.Folder = argument;
-    }
-    else
-    {
-      return false;
-    }
+    app.parse(argc, argv);
   }
-  return !arguments.Folder.empty();
+  catch (const CLI::ParseError& error)
+  {
+    return app.exit(error) == 0 ? 0 : 1;
+  }
+  return std::nullopt;
 }
 
 bool AddFigure8(const std::string& path, std::vector<smfigure::Figure>& figures)
@@ -100,7 +102,7 @@ bool MakeFigures(const Arguments& arguments, std::vector<smfigure::Figure>& figu
 bool WriteFigures(const Arguments& arguments, const std::vector<smfigure::Figure>& figures)
 {
   const std::string& folder = arguments.Folder;
-  vtkNew<vtkComputeContext> context; // its window draws off screen, with a display or without
+  vtkNew<vtkComputeContext> context; // its window draws off screen and needs no display
   if (context->Start() != vtkComputeContext::READY)
   {
     std::cerr << context->GetReason() << "\n";
@@ -133,10 +135,9 @@ bool WriteFigures(const Arguments& arguments, const std::vector<smfigure::Figure
 int main(int argc, char** argv)
 {
   Arguments arguments;
-  if (!Parse(argc, argv, arguments))
+  if (const std::optional<int> done = Parse(argc, argv, arguments))
   {
-    std::cerr << "usage: paper_figures OUTDIR [--part FILE.step] [--model FILE.step]...\n";
-    return 1;
+    return *done;
   }
   vtkSMPTools::SetBackend("STDThread");
   if (!vtksys::SystemTools::MakeDirectory(arguments.Folder))

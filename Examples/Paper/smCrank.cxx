@@ -9,7 +9,7 @@ namespace smpaper
 {
 namespace
 {
-// The shaft turns about x. A throw is journal, web, pin, web.
+// The shaft rotates about x. A throw is journal, web, pin, web.
 const gp_Ax1 Axis(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0));
 const double JournalRadius = 17.0;
 const double JournalLength = 20.0;
@@ -25,7 +25,7 @@ TopoDS_Shape Disk(double x, double y, double radius, double length)
   return Cylinder(gp_Pnt(x, y, 0), gp_Dir(1, 0, 0), radius, length);
 }
 
-/// A cheek with its pin towards +y and its counterweight towards -y, from x on.
+/// A web that starts at x, with its pin towards +y and its counterweight towards -y.
 TopoDS_Shape Web(double x)
 {
   const gp_Vec thickness(WebThickness, 0, 0);
@@ -39,7 +39,7 @@ TopoDS_Shape Web(double x)
   return Fillet(web, 2.5, [](const gp_Pnt& p) { return std::abs(std::hypot(p.Y(), p.Z()) - 46.0) < 1e-4; });
 }
 
-/// From x on, the pin turned by an angle about the shaft.
+/// A throw that starts at x, with its pin rotated by an angle about the shaft.
 TopoDS_Shape Throw(double x, double angle)
 {
   const double firstWeb = x + JournalLength;
@@ -51,14 +51,14 @@ TopoDS_Shape Throw(double x, double angle)
   {
     body = Fillet(body, FilletRadius, OnCircle(pinAxis, PinRadius, end));
   }
-  // The pin is hollow, and its lubrication crosses the bore.
+  // The pin has a bore, which its oil hole crosses.
   body = Cut(body,
     { Disk(firstWeb - 1.0, Stroke + 2.0, 5.0, ThrowLength),
       Cylinder(gp_Pnt(pin + PinLength / 2.0, Stroke, 0), gp_Dir(0.1, 1, 0.4), 2.2, 30.0) });
   return Rotated(body, Axis, angle);
 }
 
-/// From the middle of a journal's surface through the web into the pin's bore.
+/// An oil hole from the middle of a journal's surface through the web into the pin's bore.
 TopoDS_Shape OilDrilling(double x, double angle)
 {
   const gp_Pnt from(x + JournalLength / 2.0, -JournalRadius - 2.0, 0);

@@ -7,7 +7,7 @@ namespace smpaper
 {
 namespace
 {
-// The crank turns about x; the banks lean 45 degrees to both sides of z.
+// The crank rotates about x; the banks lean 45 degrees to both sides of z.
 const double Length = 312.0;
 const double BoreSpacing = 72.0;
 const double FirstBore = 48.0;
@@ -44,7 +44,7 @@ TopoDS_Shape Casting()
     corners.emplace_back(0, -corner->Y(), corner->Z());
   }
   TopoDS_Shape body = Prism(corners, gp_Vec(Length, 0, 0));
-  // The valley's foot and the kink of both flanks run along x.
+  // Edges along x: the foot of the valley and the kink of both flanks.
   body = Fillet(
     body, 8.0, [](const gp_Pnt& p) { return std::abs(std::abs(p.Y()) - 16.0) < 1e-4 && p.Z() > 60.0; });
   return Fillet(body, 12.0,
@@ -52,7 +52,7 @@ TopoDS_Shape Casting()
     { return std::abs(std::abs(p.Y()) - SkirtSide) < 1e-4 && std::abs(p.Z() + 2.0) < 1e-4; });
 }
 
-/// Rails of the sump, ribs on both skirts, bosses for mounts and starter.
+/// Adds the rails of the sump, ribs on both skirts, and bosses for mounts and starter.
 TopoDS_Shape WithRibs(const TopoDS_Shape& casting)
 {
   std::vector<TopoDS_Shape> shapes = { casting };
@@ -71,7 +71,7 @@ TopoDS_Shape WithRibs(const TopoDS_Shape& casting)
     }
   }
   TopoDS_Shape body = Fuse(shapes);
-  // The ribs' upper and outer rims.
+  // The upper and outer edges of the ribs.
   body = Fillet(body, 1.5,
     [](const gp_Pnt& p)
     {
@@ -82,7 +82,7 @@ TopoDS_Shape WithRibs(const TopoDS_Shape& casting)
       return onRim && out > 4.0 && p.Z() > SkirtBottom + 9.5 && p.Z() < -10.0 && p.X() > 1.0 &&
         p.X() < Length - 1.0;
     });
-  // Upright corners at the rails' ends.
+  // Vertical edges at the ends of the rails.
   return Fillet(body, 6.0,
     [](const gp_Pnt& p)
     {
@@ -92,7 +92,7 @@ TopoDS_Shape WithRibs(const TopoDS_Shape& casting)
     });
 }
 
-/// Bays between the bulkheads, the crank's and the camshaft's tunnels.
+/// Cuts the bays between the bulkheads and the tunnels of crank and camshaft.
 std::vector<TopoDS_Shape> Crankcase()
 {
   const gp_Dir x(1, 0, 0);
@@ -106,7 +106,7 @@ std::vector<TopoDS_Shape> Crankcase()
         [](const gp_Pnt& p) { return p.Z() > SkirtBottom - 4.0 && p.Z() < -6.0; });
     tools.push_back(Fuse({ Cylinder(gp_Pnt(start, 0, 0), x, 43.0, 60.0), below }));
   }
-  // Room for the caps of the bearings, open below.
+  // Space for the bearing caps, open below.
   tools.push_back(Box(gp_Pnt(-1, -32, SkirtBottom - 5.0), gp_Pnt(Length + 1.0, 32, -14)));
   return tools;
 }
@@ -120,7 +120,7 @@ void AddScrewHole(
   tools.push_back(Cone(mouth.Translated(in * -0.5), inwards, radius + 1.5, radius - 0.5, 2.0));
 }
 
-/// Bores with their chamfers, screws of the heads, water and oil between them.
+/// Cuts the bores with their chamfers, the screw holes of the heads, and the water and oil passages between them.
 std::vector<TopoDS_Shape> Bank(double side)
 {
   const gp_Dir down = BankUp(side).Reversed();
@@ -156,7 +156,7 @@ std::vector<TopoDS_Shape> Screws()
   {
     for (int i = 0; i < 8; ++i)
     {
-      // Between the ribs, through the rails.
+      // Screw holes between the ribs, through the rails.
       tools.push_back(
         Cylinder(gp_Pnt(31.5 + 35.0 * i, side * (SkirtSide + 7.0), SkirtBottom - 1.0), up, 2.8, 12.0));
     }

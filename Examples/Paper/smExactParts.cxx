@@ -23,7 +23,7 @@ TopoDS_Shape QuarterDisk(double radius, double y)
   const gp_Pnt center(0.0, y, 0.0);
   const gp_Pnt onX(radius, y, 0.0);
   const gp_Pnt onZ(0.0, y, radius);
-  // The same rational quarter arc as the round face's border.
+  // The rational quarter arc that is also the border of the round face.
   TColgp_Array1OfPnt poles(1, 3);
   TColStd_Array1OfReal weights(1, 3);
   TColStd_Array1OfReal knots(1, 2);
@@ -49,7 +49,7 @@ TopoDS_Shape Rectangle(const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const 
   return BRepBuilderAPI_MakeFace(wire.Wire(), true).Shape();
 }
 
-/// Degree 2 x 1, u round the quarter, v along the axis; one knot interval both ways.
+/// The round face of degree 2 x 1, with u round the quarter, v along the axis, and one knot interval in each direction.
 TopoDS_Shape QuarterRound(double radius, double length)
 {
   const double across[] = { radius, radius, 0.0 };
@@ -117,7 +117,7 @@ PaperPart MakeSlantedBlock()
   const TopoDS_Shape solid =
     Cut(Box(gp_Pnt(0, 0, 0), gp_Pnt(a, b, c)), { Cylinder(start, axis, radius, 2.0 * c) });
   part.Components.push_back({ part.Name, OneSolid(solid), { TopLoc_Location() } });
-  // Every level of the hole is the same ellipse; its centres lie on the axis.
+  // The section of the hole at every level is the same ellipse, whose centre is on the axis.
   const double block = a * b * c;
   const double ellipse = Pi * radius * radius / std::cos(slant);
   const double hole = ellipse * c;

@@ -1,16 +1,17 @@
 #include "smFigure.h"
 
+#include "smBodyScene.h"
 #include "smFigureText.h"
 
+#include <smFormat.h>
 #include <vtkAxis.h>
 #include <vtkChartXY.h>
 #include <vtkContextScene.h>
 #include <vtkContextView.h>
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
+#include <vtkImageData.h>
 #include <vtkImageShrink3D.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPen.h>
 #include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
@@ -22,14 +23,13 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 
 namespace smfigure
 {
 namespace
 {
-/// The PNG is drawn that many times larger and averaged: smooth letters and markers on every driver.
+/// The PNG is drawn larger by this factor and averaged, which smooths letters and markers on every driver.
 constexpr int Oversampling = 3;
 
 /// One axis of the plot as pixels of the window. The charts get pixels as their data, so that their transform is the
@@ -154,7 +154,7 @@ void SetAxis(
   axis->SetGridVisible(source.Grid);
   axis->GetGridPen()->SetColor(source.GridGrey, source.GridGrey, source.GridGrey);
   axis->GetGridPen()->SetWidth(scale);
-  // The opposite one closes the frame.
+  // The opposite axis closes the frame.
   vtkAxis* opposite = chart->GetAxis(far);
   SetTicks(opposite, source, source.OppositeTicks, pixels, scale);
   opposite->SetVisible(true);
@@ -179,7 +179,7 @@ void BuildChart(vtkChartXY* chart, const Figure& figure, float scale)
   }
 }
 
-/// The figure in `window`, until the guard goes.
+/// Shows a figure in `window` from construction to destruction.
 class Drawing
 {
 public:
@@ -217,11 +217,8 @@ std::string WritePng(const Figure& figure, const std::string& path, vtkRenderWin
   average->SetInputConnection(grab->GetOutputPort());
   average->SetShrinkFactors(Oversampling, Oversampling, 1);
   average->AveragingOn();
-  vtkNew<vtkPNGWriter> png;
-  png->SetInputConnection(average->GetOutputPort());
-  png->SetFileName(path.c_str());
-  png->Write();
-  return png->GetErrorCode() == vtkErrorCode::NoError ? "" : path + " could not be written";
+  average->Update();
+  return sm::WriteImage(average->GetOutput(), path);
 }
 
 std::string WriteSvg(const Figure& figure, const std::string& path, vtkRenderWindow* window)
@@ -239,9 +236,7 @@ std::string WriteSvg(const Figure& figure, const std::string& path, vtkRenderWin
 
 std::string FormatNumber(double value)
 {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.17g", value);
-  return text;
+  return sm::FormatDigits(value, 17);
 }
 
 std::vector<std::pair<double, std::string>> MakeDecadeTicks(int low, int high, int step)

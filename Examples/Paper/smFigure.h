@@ -16,7 +16,7 @@ namespace smfigure
 {
 using Color = std::array<unsigned char, 3>;
 
-/// Okabe and Ito's palette: told apart by colour-blind readers, and in grey by lightness and marker.
+/// Okabe and Ito's palette, which colour-blind readers can tell apart; in grey, lightness and markers differ.
 namespace colors
 {
 constexpr Color Black{ 0, 0, 0 };
@@ -41,7 +41,7 @@ enum class Marker
 
 struct Series
 {
-  /// In the legend; empty: not there.
+  /// The entry in the legend; empty: none.
   std::string Label;
   std::vector<double> X;
   std::vector<double> Y;
@@ -58,7 +58,7 @@ struct FigureAxis
   std::string Title;
   double Minimum = 0.0;
   double Maximum = 1.0;
-  /// Positions and labels; a grid line at each when Grid is on.
+  /// Positions and labels, with a grid line at each when Grid is on.
   std::vector<std::pair<double, std::string>> Ticks;
   bool Log = false;
   bool Grid = false;
@@ -67,7 +67,7 @@ struct FigureAxis
   std::vector<std::pair<double, std::string>> OppositeTicks;
 };
 
-/// Columns and rows of the file beside a figure.
+/// Columns and rows of the CSV file of a figure.
 struct FigureTable
 {
   std::vector<std::string> Columns;
@@ -76,24 +76,25 @@ struct FigureTable
 
 struct Figure
 {
-  /// Of the files, without an extension.
+  /// The name of the files, without an extension.
   std::string Name;
   int Width = 800;
   int Height = 600;
-  /// From the plot to the borders, in pixels. The same above and below: vtkSVGExporter (9.1, 9.2) clips plots upside down.
+  /// Distances from the plot to the borders, in pixels. They are equal above and below, because vtkSVGExporter (9.1, 9.2) clips plots
+  /// upside down.
   float Left = 105.0f;
   float Right = 30.0f;
   float AboveAndBelow = 78.0f;
-  /// From the plot to the middle of the vertical axis' title: its labels are between.
+  /// Distance from the plot to the middle of the vertical axis' title; the labels are between them.
   float TitleLeft = 75.0f;
   FigureAxis X;
   FigureAxis Y;
   std::vector<Series> Content;
-  /// Entries in a row of the legend, which stands over the plot; 0: no legend.
+  /// Entries in a row of the legend, which is above the plot; 0: no legend.
   int LegendColumns = 0;
   FigureTable Table;
 
-  /// Left, bottom, width and height of the plot.
+  /// The left and bottom border, width and height of the plot.
   std::array<float, 4> GetPlot() const
   {
     return { this->Left, this->AboveAndBelow, this->Width - this->Left - this->Right,
@@ -101,16 +102,16 @@ struct Figure
   }
 };
 
-/// 17 digits, as much as a double holds.
+/// The number with 17 digits, which identify a double.
 std::string FormatNumber(double value);
 
 /// Ticks at the powers of ten from 10^low to 10^high, every `step`-th of them.
 std::vector<std::pair<double, std::string>> MakeDecadeTicks(int low, int high, int step);
 
-/// Writes CSV. Returns what went wrong, empty: nothing.
+/// Writes CSV. Returns an error message, empty when it is written.
 std::string WriteTable(const FigureTable& table, const std::string& path);
 
-/// Draws into `window`, off screen, and writes FOLDER/NAME.png, .svg and .csv. Returns what went wrong, empty: nothing.
+/// Draws into `window`, off screen, and writes FOLDER/NAME.png, .svg and .csv. Returns an error message, empty when all are written.
 std::string WriteFigure(const Figure& figure, const std::string& folder, vtkRenderWindow* window);
 }
 

@@ -15,10 +15,10 @@ namespace
 {
 constexpr float RowHeight = 25.0f;
 constexpr float SymbolWidth = 36.0f;
-/// From the plot to the middle of a title.
+/// Distance from the plot to the middle of a title.
 constexpr float TitleBelow = 47.0f;
 
-/// As in the plot; vtkPlot's own symbol has a marker of fixed size.
+/// Paints the symbol of the legend as in the plot; the marker of vtkPlot's own symbol has a fixed size.
 void PaintSymbol(vtkContext2D* painter, vtkPlotPoints* plot, float x, float y, float width)
 {
   if (vtkPlotLine::SafeDownCast(plot))
@@ -49,7 +49,7 @@ void FigureText::Set(vtkChart* chart, const Figure& figure, float scale)
   this->TitleLeft = scale * figure.TitleLeft;
   this->Titles[0] = figure.X.Title;
   this->Titles[1] = figure.Y.Title;
-  // Over the labels of an axis on top.
+  // The legend is above the labels of an opposite axis.
   this->Gap = scale * (figure.X.OppositeTicks.empty() ? 8.0f : 40.0f);
   for (int i = 0; i < 4; ++i)
   {

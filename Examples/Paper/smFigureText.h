@@ -1,8 +1,8 @@
 /**
  * @file smFigureText.h
- * @brief What stands around a plot: a legend in rows over it, and the titles of its axes at fixed distances
+ * @brief The text around a plot: a legend in rows above it, and the titles of its axes at fixed distances
  *
- * vtkChartLegend knows columns only, and vtkAxis puts its title as near to the labels as it can.
+ * vtkChartLegend has columns only, and vtkAxis puts its title as near to the labels as it can.
  */
 #ifndef smFigureText_h
 #define smFigureText_h

@@ -19,7 +19,7 @@ namespace smpaper
 {
 namespace
 {
-/// A closed spline across x: an egg, wider at the palm's side.
+/// A closed spline in a plane of constant x, wider at the side of the palm.
 TopoDS_Wire Section(double x, double y, double z, double halfWidth, double halfHeight, double lean)
 {
   const int count = 14;
@@ -46,7 +46,7 @@ TopoDS_Shape Loft(const std::vector<TopoDS_Wire>& sections)
   return loft.Shape();
 }
 
-/// What lies above a wavy B-spline sheet over [x0,x1] x [y0,y1].
+/// The solid above a wavy B-spline sheet over [x0,x1] x [y0,y1].
 TopoDS_Shape AboveSheet(double x0, double x1, double y0, double y1, double level, double wave, double height)
 {
   const int columns = 9;
@@ -114,7 +114,7 @@ PaperPart MakeFreeForm()
   TopoDS_Shape body = Loft({ Section(-92, 2, 4, 13, 11, 0.10), Section(-70, 1, 5, 22, 20, 0.08),
     Section(-40, -2, 6, 25, 24, 0.00), Section(-5, -4, 8, 23, 22, -0.05), Section(30, 0, 12, 26, 25, 0.00),
     Section(62, 5, 17, 31, 27, 0.05), Section(88, 8, 21, 24, 20, 0.10) });
-  // Its flat ends, its sole and its back give way to free-form sheets.
+  // Free-form sheets replace the flat ends, the bottom and the back.
   const gp_Ax1 acrossY(gp_Pnt(0, 0, 0), gp_Dir(0, 1, 0));
   body = Common(body, Rotated(AboveSheet(-70, 80, -60, 60, -85, 2.0, 166), acrossY, Pi / 2.0));
   body = Common(body, AboveSheet(-130, 130, -60, 60, -9, 1.6, 100));

@@ -45,12 +45,12 @@ PaperPart MakeGearTrain()
   {
     const gp_Pnt shaft(i * distance, 0, 0);
     shafts.Placements.push_back(At(shaft, 0.4 * i));
-    // Two planes of gears, in turn above and below.
+    // The gears lie in two planes alternately.
     const double z = i % 2 == 0 ? 4.0 : 26.0;
     if (i + 1 < shaftCount)
     {
       pinions.Placements.push_back(At(gp_Pnt(shaft.X(), 0, z)));
-      // A gap of the wheel faces the pinion's tooth.
+      // Rotates the wheel so that a gap faces the pinion's tooth.
       wheels.Placements.push_back(At(gp_Pnt(shaft.X() + distance, 0, z), Pi + Pi / wheelTeeth));
     }
     for (const double seat : { -PlateThickness, PlateGap })

@@ -91,8 +91,8 @@ TopoDS_Wire Hexagon(double acrossFlats, double z)
   return wire.Wire();
 }
 
-/// What is left of a body between z = low and high when cones of 30 degrees take `rise` off its ends at radius `rim`.
-/// The cones' seam is at an angle where the body should have no edge: OpenCASCADE makes short curves up to a seam straight.
+/// A body between z = low and high without the parts outside cones of 30 degrees, which shorten its ends by `rise` at radius `rim`. The
+/// cones' seam is at an angle where the body has no edge, because OpenCASCADE straightens short curves that end at a seam.
 TopoDS_Shape Turned(const TopoDS_Shape& body, double rim, double rise, double low, double high, double seam)
 {
   const double run = rise / std::tan(Pi / 6.0);
@@ -116,7 +116,7 @@ TopoDS_Shape MakeGear(int teeth, double width)
     Box(gp_Pnt(0, -1.5, -1), gp_Pnt(ShaftRadius + 1.6, 1.5, width + 1.0)) };
   if (root > 30.0)
   {
-    // Recesses on both sides leave a web, lightened by holes.
+    // Recesses on both sides leave a web with holes.
     const auto recess = [=](double z0, double z1)
     {
       return Cut(Cylinder(gp_Pnt(0, 0, z0), Up, root - 4.0, z1 - z0),
@@ -155,7 +155,7 @@ TopoDS_Shape MakeShaft(double length)
   }
   body = Fillet(body, 0.4, OnCircle(Axis, 7.0, 0.0));
   body = Fillet(body, 0.4, OnCircle(Axis, 7.0, length));
-  // Keys' grooves, one with round ends, and a cross hole.
+  // Keyways, one with round ends, and a cross hole.
   const TopoDS_Shape groove = Fuse({ Box(gp_Pnt(6.2, -1.5, 4), gp_Pnt(10, 1.5, length - 4.0)),
     Cylinder(gp_Pnt(6.2, 0, 4), gp_Dir(1, 0, 0), 1.5, 3.8),
     Cylinder(gp_Pnt(6.2, 0, length - 4.0), gp_Dir(1, 0, 0), 1.5, 3.8) });
@@ -216,7 +216,7 @@ TopoDS_Shape MakePlate(int shafts, double distance)
       tools.push_back(Cylinder(place.Translated(gp_Vec(0, 0, -1)), Up, 1.6, PlateThickness + 2.0));
       tools.push_back(Cone(place.Translated(gp_Vec(0, 0, PlateThickness - 1.5)), Up, 1.1, 3.6, 2.5));
     }
-    // Oil reaches the seat aslant.
+    // A slanted oil hole to the seat.
     tools.push_back(
       Cylinder(gp_Pnt(i * distance, 30, PlateThickness + 4.0), gp_Dir(0, -1, -0.45), 1.4, 26.0));
   }

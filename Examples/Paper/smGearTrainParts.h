@@ -1,6 +1,6 @@
 /**
  * @file smGearTrainParts.h
- * @brief What the gear train is put together from; each stands on z = 0, its axis along z
+ * @brief The components of the gear train; each stands on z = 0, with its axis along z
  */
 #ifndef smGearTrainParts_h
 #define smGearTrainParts_h
@@ -16,20 +16,20 @@ constexpr double GearModule = 2.0;
 constexpr double PlateThickness = 8.0;
 constexpr double BallCircle = 11.5;
 
-/// Involute teeth at 20 degrees whose ends are turned to a cone; a tooth points along +x.
+/// A gear with involute teeth at 20 degrees whose ends are cut by a cone; a tooth points along +x.
 TopoDS_Shape MakeGear(int teeth, double width);
-/// Through both plates, stepped, with a key's groove.
+/// A stepped shaft through both plates, with a keyway.
 TopoDS_Shape MakeShaft(double length);
 TopoDS_Shape MakeBearingRing(bool outer);
 TopoDS_Shape MakeBall();
 /// The frame's plate: seats of the bearings, windows, slanted oil holes, screw holes.
 TopoDS_Shape MakePlate(int shafts, double distance);
 TopoDS_Shape MakeSpacer(double length);
-/// With a hexagon socket; its head hangs below z = 0.
+/// A screw with a hexagon socket; its head is below z = 0.
 TopoDS_Shape MakeBolt(double gap);
-/// A hexagon nut, both ends turned.
+/// A hexagon nut with both ends chamfered.
 TopoDS_Shape MakeNut();
-/// Middles of the spacers, on z = 0.
+/// The centres of the spacers, on z = 0.
 std::vector<gp_Pnt> GetSpacerPlaces(int shafts, double distance);
 }
 

@@ -3,15 +3,16 @@
 #include "smPaperRun.h"
 #include "smPaperSolid.h"
 
+#include <smFormat.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace smfigure
 {
 namespace
 {
-/// A logarithm has no zero: an error of 0 is drawn as this, half an ulp of 1.
+/// Errors of 0 are drawn as half an ulp of 1, because the axis is logarithmic.
 constexpr double Rounding = 1.1102230246251565e-16;
 constexpr float LineWidth = 2.5f;
 
@@ -19,10 +20,10 @@ const Scheme PaperSchemes[3] = { Scheme::Midpoint, Scheme::Gauss2, Scheme::Gauss
 
 struct Study
 {
-  /// Of the volume, to compare with.
+  /// The volume that the errors refer to.
   double Reference;
   PaperRun Adaptive;
-  /// By scheme, then by factor.
+  /// The runs, ordered by scheme, then by factor.
   std::vector<std::vector<PaperRun>> Runs;
 };
 
@@ -73,7 +74,7 @@ Series MakeStyle(Scheme scheme)
   Series series;
   series.Label = GetName(scheme);
   series.LineWidth = LineWidth;
-  // Drawn in this order, so that of equal values each can be seen.
+  // In this order each of several equal values is visible.
   switch (scheme)
   {
     case Scheme::Midpoint:
@@ -127,7 +128,7 @@ void SetFactorAxis(FigureAxis& axis, const std::string& title, const std::vector
   axis.Title = title;
   axis.Log = true;
   axis.Grid = true;
-  // Room for the outermost markers.
+  // The range leaves room for the outermost markers.
   axis.Minimum = factors.front() / 1.08;
   axis.Maximum = factors.back() * 1.08;
   for (int power = 1; power <= factors.back(); power *= 2)
@@ -136,7 +137,7 @@ void SetFactorAxis(FigureAxis& axis, const std::string& title, const std::vector
   }
 }
 
-/// Round numbers about the values and 1.
+/// Sets ticks at round numbers around the values and 1.
 void SetVolumeAxis(Figure& figure)
 {
   double low = 1.0;
@@ -154,16 +155,14 @@ void SetVolumeAxis(Figure& figure)
   const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(step))));
   for (int i = first; i <= last; ++i)
   {
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.*f", digits, 1.0 + i * step);
-    figure.Y.Ticks.emplace_back(1.0 + i * step, text);
+    figure.Y.Ticks.emplace_back(1.0 + i * step, sm::FormatFixed(1.0 + i * step, digits));
   }
   figure.Y.Minimum = 1.0 + first * step;
   figure.Y.Maximum = 1.0 + last * step;
   figure.Y.Grid = true;
 }
 
-/// Powers of ten about the values.
+/// Sets ticks at the powers of ten around the values.
 void SetErrorAxis(Figure& figure, const std::string& title)
 {
   double low = 1.0;
@@ -195,7 +194,7 @@ Figure MakeVolumeFigure(const std::string& name, const Study& study, const std::
   figure.Y.Title = yTitle;
   SetFactorAxis(figure.X, xTitle, factors);
   figure.Content.push_back(MakeLevel("ADAPTIVE", study.Adaptive.Volume / study.Reference, factors, false));
-  // Wider, since the others come to lie on it.
+  // Wider, because the other lines are drawn on top of it.
   figure.Content.back().LineWidth = 1.8f * LineWidth;
   for (const auto& runs : study.Runs)
   {
@@ -223,8 +222,8 @@ Figure MakeErrorFigure(
   return figure;
 }
 
-/// An estimate hardly depends on the rule: that of GAUSS2 is drawn, as in the paper. One of 0, where no sub-patch lies wholly in its
-/// face, has no logarithm and is left out.
+/// The estimate of GAUSS2, as in the paper; the estimates of the other rules are nearly equal. One of 0, where no sub-patch lies wholly
+/// in its face, has no logarithm and is left out.
 void AddEstimate(Figure& errors, const Study& study, const char* label, double PaperRun::*estimate)
 {
   Series series = MakeStyle(study.Runs[1].front().Used);

@@ -17,7 +17,7 @@ namespace smfigure
 std::vector<Figure> MakeFigure7a();
 /// Fig. 7b: the same for the block with a slanted hole, against k.
 std::vector<Figure> MakeFigure7b();
-/// Fig. 8: volume as a fraction of ADAPTIVE's, its error and the paper's estimates of it, against k. No figures: the part
+/// Fig. 8: volume as a fraction of ADAPTIVE's, its error and the paper's estimates of it, against k. Empty when the part
 /// has no volume.
 std::vector<Figure> MakeFigure8(vtkDataObject* part);
 }

@@ -3,6 +3,7 @@
 #include "smBodyScene.h"
 #include "smFigure.h"
 
+#include <smFormat.h>
 #include <vtkImageData.h>
 #include <vtkImageShrink3D.h>
 #include <vtkMassPropertiesGPU.h>
@@ -17,7 +18,7 @@
 #include <vtkTextProperty.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 #include <tuple>
 
 namespace smfigure
@@ -27,7 +28,7 @@ namespace
 constexpr int Columns = 3;
 constexpr int Width = 330;
 constexpr int Height = 270;
-/// Drawn that many times larger and averaged.
+/// Pictures are drawn larger by this factor and averaged.
 constexpr int Oversampling = 2;
 
 struct Model
@@ -37,7 +38,7 @@ struct Model
   vtkNew<vtkMassPropertiesGPU> Mass;
 };
 
-/// Empty when the model has a volume and nothing is wrong with it.
+/// Reads and integrates a model. Returns an error message, empty when it has a volume and status ok.
 std::string Integrate(const std::string& file, vtkRenderWindow* window, Model& model)
 {
   const std::string name = file.substr(file.find_last_of('/') + 1);
@@ -57,12 +58,12 @@ std::string Integrate(const std::string& file, vtkRenderWindow* window, Model& m
                                          : file + " has no volume to show: " + model.Mass->GetStatus();
 }
 
-/// The volume with eight digits.
+/// The volume with eight significant digits.
 std::string MakeCaption(Model& model)
 {
-  char text[80];
-  std::snprintf(text, sizeof(text), "%#.8g mm^3", model.Mass->GetVolume());
-  return sm::RaiseDigits(text);
+  const double volume = model.Mass->GetVolume();
+  const int before = static_cast<int>(std::floor(std::log10(std::abs(volume)))) + 1;
+  return sm::RaiseDigits(sm::FormatFixed(volume, std::max(8 - before, 0)) + " mm^3");
 }
 
 vtkSmartPointer<vtkImageData> Draw(Model& model, vtkRenderWindow* window)
@@ -102,7 +103,7 @@ vtkSmartPointer<vtkImageData> Draw(Model& model, vtkRenderWindow* window)
   return average->GetOutput();
 }
 
-/// In rows from the top, white where there is none.
+/// Arranges pictures in rows from the top, on white.
 vtkSmartPointer<vtkImageData> Arrange(const std::vector<vtkSmartPointer<vtkImageData>>& pictures)
 {
   const int count = static_cast<int>(pictures.size());

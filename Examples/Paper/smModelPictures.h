@@ -1,6 +1,6 @@
 /**
  * @file smModelPictures.h
- * @brief Figure 1 of the paper: models drawn translucent, the centre of mass a green dot
+ * @brief Figure 1 of the paper: translucent models with a green dot at the centre of mass
  */
 #ifndef smModelPictures_h
 #define smModelPictures_h
@@ -15,7 +15,7 @@ namespace smfigure
 /**
  * Reads the STEP files, integrates and draws them in `window`, off screen, three in a row, and writes FOLDER/fig1.png and, with all
  * digits, FOLDER/fig1.csv: a row per model with its faces, volume (mm^3), centre of mass (mm), their bounds, and the status. The size of
- * the window is changed. Returns what went wrong, empty: nothing; a file without a volume, or a result that is flagged, is wrong.
+ * the window is changed. Returns an error message, empty when it succeeds; a file without a volume and a flagged result are errors.
  */
 std::string WriteFigure1(
   const std::vector<std::string>& files, const std::string& folder, vtkRenderWindow* window);

@@ -316,7 +316,7 @@ TopoDS_Shape SolidOfFaces(const std::vector<TopoDS_Shape>& faces)
   }
   else
   {
-    // One face that closes on itself is sewn to a face.
+    // Sewing returns a face when the only face closes on itself.
     BRep_Builder builder;
     builder.MakeShell(shell);
     builder.Add(shell, sewing.SewedShape());

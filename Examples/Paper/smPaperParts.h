@@ -1,8 +1,8 @@
 /**
  * @file smPaperParts.h
- * @brief The parts of Table 1, modelled in the spirit of the paper's
+ * @brief The parts of Table 1, modelled after the descriptions and pictures of the paper
  *
- * Lengths in mm. Nothing is random: the same shapes on every run.
+ * Lengths are in mm. The shapes are the same on every run.
  */
 #ifndef smPaperParts_h
 #define smPaperParts_h
@@ -16,7 +16,7 @@
 
 namespace smpaper
 {
-/// A solid and where it stands in the part, once or often.
+/// A solid and its placements in the part.
 struct Component
 {
   std::string Name;
@@ -24,7 +24,7 @@ struct Component
   std::vector<TopLoc_Location> Placements;
 };
 
-/// What a formula says of a part, independent of its model.
+/// The exact values of a part by formula.
 struct ExactValues
 {
   double Volume = 0.0;
@@ -35,18 +35,18 @@ struct ExactValues
 struct PaperPart
 {
   std::string Name;
-  /// One component with one placement is written as a part, else as an assembly.
+  /// One component with one placement is written as a part, otherwise all are written as an assembly.
   std::vector<Component> Components;
   std::optional<ExactValues> Exact;
 };
 
 /// A quarter of a cylinder that lies along y, its axis through the file's origin; its round face is one rational patch.
 PaperPart MakeQuarterCylinder();
-/// A block less a slanted cylinder, after the paper's Figure 1(i).
+/// A block with a slanted cylindrical hole, after the paper's Figure 1(i).
 PaperPart MakeSlantedBlock();
 /// A tube round a trefoil knot: one face, closed both ways.
 PaperPart MakeTrefoilTube();
-/// A handle of B-spline faces alone, with grooves and a duct.
+/// A handle that has only B-spline faces, with grooves and a duct.
 PaperPart MakeFreeForm();
 /// A hub with five blades, bored and keyed.
 PaperPart MakePropeller();

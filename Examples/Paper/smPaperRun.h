@@ -1,6 +1,6 @@
 /**
  * @file smPaperRun.h
- * @brief Runs of the mass filter, as the paper's graphs need them
+ * @brief Runs of the mass filter for the paper's graphs
  */
 #ifndef smPaperRun_h
 #define smPaperRun_h
@@ -34,10 +34,10 @@ struct PaperRun
   int Factor = 0;
   long long SubPatches = 0;
   double Volume;
-  /// Of ADAPTIVE; NaN with the others.
+  /// The bound of ADAPTIVE; NaN with the other schemes.
   double Bound;
-  /// The paper's estimates (Eq. 36), NaN with ADAPTIVE: over the sub-patches wholly in their faces, and with those on a trim's
-  /// boundary counted whole.
+  /// The paper's estimates (Eq. 36), NaN with ADAPTIVE: over the sub-patches entirely inside their faces, and over those and the
+  /// ones on a trim boundary, which count with their whole area.
   double Estimate;
   double EstimateWithBoundary;
 };
@@ -50,19 +50,19 @@ struct TexturePoints
   std::vector<bool> Inside;
 };
 
-/// Both filters on one input, their shaders and faces kept from run to run.
+/// Both filters on one input; they keep their shaders and faces from run to run.
 class PaperFilter
 {
 public:
   explicit PaperFilter(vtkDataObject* input);
 
-  /// At a tolerance of 1e-12.
+  /// Runs ADAPTIVE at a tolerance of 1e-12.
   PaperRun RunAdaptive();
-  /// Planes with chords as near to their curves as 1e-9 of the box, so that curved faces alone make the error.
+  /// Runs a scheme. The chords of planes are within 1e-9 of the box of their curves, so that the error is that of curved faces.
   PaperRun RunScheme(Scheme scheme, int factor);
-  /// Of the first face that has one; empty when there is none.
+  /// The trim texture of the first face that has one; empty when there is none.
   TexturePoints MakeTexture(int factor, int textureFactor);
-  /// What computed, for example "opengl on llvmpipe".
+  /// Backend and renderer, for example "opengl on llvmpipe".
   std::string GetBackend();
 
 private:

@@ -71,6 +71,59 @@ NURBSSurface MakeSweptCircle(int quarters, double radius, const Point3& center, 
   }
   return surface;
 }
+
+/// A block with the half sizes A, B, C and a hole of radius R. The axis of the hole is (Sine, 0, Cosine) v, its circle
+/// R (cos e1 + sin e2) with e1 = (Cosine, 0, -Sine) and e2 = y.
+struct SlantedHole
+{
+  double A = 30.0;
+  double B = 20.0;
+  double C = 15.0;
+  double R = 9.0;
+  double Cosine = std::cos(25.0 * Pi / 180.0);
+  double Sine = std::sin(25.0 * Pi / 180.0);
+
+  /// v of the rim at the bottom (end 0) or the top (end 1).
+  double GetHeight(int end, double u) const
+  {
+    return ((end ? this->C : -this->C) + this->R * this->Sine * EvaluateCircle(u)[0]) / this->Cosine;
+  }
+  Point3 GetRim(int end, double u) const
+  {
+    const Point2 q = EvaluateCircle(u);
+    const double v = this->GetHeight(end, u);
+    return { v * this->Sine + this->R * q[0] * this->Cosine, this->R * q[1], end ? this->C : -this->C };
+  }
+  /// The rim in the parameters of the plane that it is on; those of the bottom are along x and -y.
+  Point2 GetRimOnPlane(int end, double u) const
+  {
+    const Point3 q = this->GetRim(end, u);
+    return { (q[0] + this->A) / (2.0 * this->A), ((end ? q[1] : -q[1]) + this->B) / (2.0 * this->B) };
+  }
+};
+
+void AddHoleFace(SolidBuilder& builder, const SlantedHole& hole, const SolidBuilder::EdgePointer (&rims)[2])
+{
+  const auto trim = [&](int end)
+  {
+    return FitCurve<2>(
+      [&, end](double u) {
+        return Point2{ u, hole.GetHeight(end, u) };
+      },
+      0.0, 4.0, 4 * PiecesPerQuarter);
+  };
+  const Point3 low = rims[0]->StartVertex;
+  const Point3 high = rims[1]->StartVertex;
+  Loop around;
+  around.Coedges = { SolidBuilder::MakeCoedge(rims[0], false, trim(0)),
+    builder.MakeStraightCoedge(low, high, { 4, hole.GetHeight(0, 4) }, { 4, hole.GetHeight(1, 4) }),
+    SolidBuilder::MakeCoedge(rims[1], true, trim(1)),
+    builder.MakeStraightCoedge(high, low, { 0, hole.GetHeight(1, 0) }, { 0, hole.GetHeight(0, 0) }) };
+  const double reach = (hole.C + hole.R * hole.Sine) / hole.Cosine;
+  builder.AddFace(MakeSweptCircle(4, hole.R, { 0, 0, 0 }, { hole.Cosine, 0, -hole.Sine }, { 0, 1, 0 },
+                    { hole.Sine, 0, hole.Cosine }, -reach, reach),
+    { around }, true);
+}
 }
 
 PaperSolid MakeQuarterCylinder()
@@ -120,77 +173,42 @@ PaperSolid MakeQuarterCylinder()
 
 PaperSolid MakeSlantedBlock()
 {
-  const double a = 30.0;
-  const double b = 20.0;
-  const double c = 15.0;
-  const double r = 9.0;
-  const double angle = 25.0 * Pi / 180.0;
-  const double cosine = std::cos(angle);
-  const double sine = std::sin(angle);
+  const SlantedHole hole;
+  const double a = hole.A;
+  const double b = hole.B;
+  const double c = hole.C;
   SolidBuilder builder;
   Point3 p[8]; // bit d of the index: the high side in direction d
   for (int i = 0; i < 8; ++i)
   {
     p[i] = { i & 1 ? a : -a, i & 2 ? b : -b, i & 4 ? c : -c };
   }
-  // The hole: axis (sin, 0, cos) v, circle r (cos e1 + sin e2) with e1 = (cos, 0, -sin), e2 = y.
-  const auto height = [&](int end, double u)
-  { return ((end ? c : -c) + r * sine * EvaluateCircle(u)[0]) / cosine; };
-  const auto rim = [&](int end, double u)
-  {
-    const Point2 q = EvaluateCircle(u);
-    const double v = height(end, u);
-    return Point3{ v * sine + r * q[0] * cosine, r * q[1], end ? c : -c };
-  };
   SolidBuilder::EdgePointer rims[2];
   for (int end = 0; end < 2; ++end)
   {
-    rims[end] =
-      builder.AddEdge(FitCurve<3>([&](double u) { return rim(end, u); }, 0.0, 4.0, 4 * PiecesPerQuarter));
-    // Counter-clockwise outer loop, clockwise hole; the bottom's u and v are x and -y.
-    Loop hole;
-    const auto at = [&](double u)
-    {
-      const Point3 q = rim(end, u);
-      return Point2{ (q[0] + a) / (2.0 * a), ((end ? q[1] : -q[1]) + b) / (2.0 * b) };
-    };
-    hole.Coedges = { SolidBuilder::MakeCoedge(
-      rims[end], end == 1, FitCurve<2>(at, 0.0, 4.0, 4 * PiecesPerQuarter)) };
+    rims[end] = builder.AddEdge(
+      FitCurve<3>([&](double u) { return hole.GetRim(end, u); }, 0.0, 4.0, 4 * PiecesPerQuarter));
+    // The outer loop is counter-clockwise, the hole clockwise.
+    Loop loop;
+    loop.Coedges = { SolidBuilder::MakeCoedge(rims[end], end == 1,
+      FitCurve<2>([&](double u) { return hole.GetRimOnPlane(end, u); }, 0.0, 4.0, 4 * PiecesPerQuarter)) };
     if (end)
     {
-      builder.AddPlane({ p[4], p[5], p[7], p[6] }, { hole });
+      builder.AddPlane({ p[4], p[5], p[7], p[6] }, { loop });
     }
     else
     {
-      builder.AddPlane({ p[2], p[3], p[1], p[0] }, { hole });
+      builder.AddPlane({ p[2], p[3], p[1], p[0] }, { loop });
     }
   }
   builder.AddPlane({ p[0], p[1], p[5], p[4] });
   builder.AddPlane({ p[3], p[2], p[6], p[7] });
   builder.AddPlane({ p[1], p[3], p[7], p[5] });
   builder.AddPlane({ p[2], p[0], p[4], p[6] });
-  Loop around;
-  const auto trim = [&](int end)
-  {
-    return FitCurve<2>(
-      [&, end](double u) {
-        return Point2{ u, height(end, u) };
-      },
-      0.0, 4.0, 4 * PiecesPerQuarter);
-  };
-  const Point3 low = rims[0]->StartVertex;
-  const Point3 high = rims[1]->StartVertex;
-  around.Coedges = { SolidBuilder::MakeCoedge(rims[0], false, trim(0)),
-    builder.MakeStraightCoedge(low, high, { 4, height(0, 4) }, { 4, height(1, 4) }),
-    SolidBuilder::MakeCoedge(rims[1], true, trim(1)),
-    builder.MakeStraightCoedge(high, low, { 0, height(1, 0) }, { 0, height(0, 0) }) };
-  const double reach = (c + r * sine) / cosine;
-  builder.AddFace(
-    MakeSweptCircle(4, r, { 0, 0, 0 }, { cosine, 0, -sine }, { 0, 1, 0 }, { sine, 0, cosine }, -reach, reach),
-    { around }, true);
+  AddHoleFace(builder, hole, rims);
   const double bounds[6] = { -a, a, -b, b, -c, c };
   return { builder.Make("block with slanted hole", true, bounds),
-    8.0 * a * b * c - Pi * r * r * 2.0 * c / cosine };
+    8.0 * a * b * c - Pi * hole.R * hole.R * 2.0 * c / hole.Cosine };
 }
 
 PaperSolid MakeTrimmedPatch()

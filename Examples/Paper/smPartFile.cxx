@@ -38,7 +38,7 @@ namespace smpaper
 {
 namespace
 {
-/// Whether a trim curve is a line of constant parameter.
+/// True when a trim curve is a line of constant parameter.
 bool IsIsoLine(const TopoDS_Edge& edge, const TopoDS_Face& face)
 {
   double first = 0.0;

@@ -1,6 +1,6 @@
 /**
  * @file smPartFile.h
- * @brief Checking parts and writing them as STEP
+ * @brief Checks parts and writes them as STEP
  */
 #ifndef smPartFile_h
 #define smPartFile_h
@@ -11,14 +11,14 @@
 
 namespace smpaper
 {
-/// Counts over all placements of a part's solids.
+/// Numbers of solids and faces, over all placements of a part's solids.
 struct PartCounts
 {
   int Solids = 0;
   int Faces = 0;
-  /// Faces whose loops are not just a rectangle of constant parameters.
+  /// Faces whose loop is not a rectangle of constant parameters.
   int TrimmedFaces = 0;
-  /// Faces that the file holds; those of a solid that is placed often count once.
+  /// Faces in the file; those of a solid with several placements count once.
   int DistinctFaces = 0;
 };
 
@@ -30,7 +30,7 @@ void Check(const PaperPart& part);
 /// Turns off OpenCASCADE's messages on stdout.
 void QuietOpenCascade();
 
-/// Writes a part with its names, every number with 17 digits, the time stamp fixed: the same bytes for the same part.
+/// Writes a part with its names, 17 digits per number and a fixed time stamp, so that the same part gives the same bytes.
 /// Throws std::runtime_error.
 void WriteStep(const PaperPart& part, const std::string& path);
 }

@@ -4,29 +4,22 @@
 #include "smPaperRun.h"
 #include "smPaperSolid.h"
 
+#include <smFormat.h>
 #include <smSubPatches.h>
 #include <smTrimPolygons.h>
 #include <vtkTrimmedNURBSModel.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace smfigure
 {
 namespace
 {
-/// Of the borders of sub-patches.
+/// The grey of the borders of sub-patches.
 constexpr unsigned char GridGrey = 165;
 
 using Ticks = std::vector<std::pair<double, std::string>>;
-
-std::string FormatShort(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", value);
-  return text;
-}
 
 /// Borders of sub-patches as ticks with grid lines; every `step`-th has a label.
 Ticks MakeBorderTicks(const std::vector<double>& borders, int step)
@@ -34,7 +27,7 @@ Ticks MakeBorderTicks(const std::vector<double>& borders, int step)
   Ticks ticks;
   for (std::size_t i = 0; i < borders.size(); ++i)
   {
-    ticks.emplace_back(borders[i], i % step == 0 ? FormatShort(borders[i]) : "");
+    ticks.emplace_back(borders[i], i % step == 0 ? sm::FormatDigits(borders[i], 3) : "");
   }
   return ticks;
 }
@@ -92,11 +85,11 @@ Figure MakeSubPatchFigure(const std::string& name, int n)
   {
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {
-      axis->Ticks.emplace_back(nodes[i], FormatShort(nodes[i]));
+      axis->Ticks.emplace_back(nodes[i], sm::FormatDigits(nodes[i], 3));
       if (i > 0)
       {
         axis->OppositeTicks.emplace_back(
-          0.5 * (nodes[i - 1] + nodes[i]), FormatShort(nodes[i] - nodes[i - 1]));
+          0.5 * (nodes[i - 1] + nodes[i]), sm::FormatDigits(nodes[i] - nodes[i - 1], 3));
       }
     }
     axis->Grid = true;
@@ -220,7 +213,7 @@ Figure MakeFigure5()
 {
   Figure figure = MakeSubPatchFigure("fig5", 3);
   const Series points = MakeQuadraturePoints(MakeUnitGrid(), 3);
-  // Of a square of area 4, as in the paper: products of 5/9, 8/9, 5/9.
+  // The weights of a square of area 4, as in the paper: products of 5/9, 8/9, 5/9.
   const double rule[3] = { 5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0 };
   std::vector<double> weights;
   for (int i = 0; i < 9; ++i)

@@ -1,6 +1,6 @@
 /**
  * @file smPointFigures.h
- * @brief Figures 3 to 6 of the paper: where a surface is evaluated, and where its trim is
+ * @brief Figures 3 to 6 of the paper: evaluation points and trim textures
  */
 #ifndef smPointFigures_h
 #define smPointFigures_h
@@ -17,8 +17,8 @@ Figure MakeFigure3();
 Figure MakeFigure4();
 /// The 3 x 3 Gauss points, with areas in proportion to their weights.
 Figure MakeFigure5();
-/// The trim texture of a trimmed face, 4 x 4 texels a sub-patch, as the filter made it, over its 2 x 2 points. Returns what went
-/// wrong, empty: nothing.
+/// The trim texture of a trimmed face, 4 x 4 texels per sub-patch, as the filter made it, over its 2 x 2 points. Returns an
+/// error message, empty when it succeeds.
 std::string MakeFigure6(Figure& figure);
 }
 

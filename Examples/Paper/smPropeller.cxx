@@ -11,7 +11,7 @@ namespace
 {
 const gp_Ax1 Axis(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
 
-/// A blade's section in the plane x = radius: thicker ahead, cambered, pitched as a screw, swept back outwards.
+/// The section of a blade in the plane x = radius: thicker at the leading edge, cambered, pitched as a screw, and swept.
 TopoDS_Wire BladeSection(double radius, double chord, double thickness, double pitch, double sweep)
 {
   const int count = 16;
@@ -32,7 +32,7 @@ TopoDS_Wire BladeSection(double radius, double chord, double thickness, double p
 TopoDS_Shape Blade()
 {
   BRepOffsetAPI_ThruSections loft(true, false, 1e-6);
-  // Else it turns sections against each other.
+  // Without this setting OpenCASCADE rotates sections against each other.
   loft.CheckCompatibility(false);
   const double radii[] = { 18, 38, 60, 84, 106, 122, 132 };
   const double chords[] = { 30, 42, 58, 70, 66, 48, 22 };
@@ -64,7 +64,7 @@ PaperPart MakePropeller()
     shapes.push_back(Rotated(blade, Axis, 2.0 * Pi * i / bladeCount));
   }
   TopoDS_Shape body = Fuse(shapes);
-  // Where the blades leave the hub.
+  // The edges between blades and hub.
   body = Fillet(body, 3.0,
     [=](const gp_Pnt& p)
     { return std::abs(std::hypot(p.X(), p.Y()) - hubRadius) < 1e-3 && std::abs(p.Z()) < 25.0; });
@@ -73,7 +73,7 @@ PaperPart MakePropeller()
     Box(gp_Pnt(0, -2.5, -40), gp_Pnt(bore + 3.0, 2.5, 60)) };
   for (int i = 0; i < 4; ++i)
   {
-    // Threads' core holes for a spinner, slanted into the nose's cone.
+    // Slanted screw holes for a spinner in the cone of the nose.
     tools.push_back(
       Rotated(Cylinder(gp_Pnt(26, 0, 47), gp_Dir(-0.6, 0, -1), 2.1, 20.0), Axis, Pi / 4.0 + Pi * i / 2.0));
   }

@@ -19,8 +19,8 @@ namespace smfigure
 using Point2 = std::array<double, 2>;
 using Point3 = std::array<double, 3>;
 
-/// Polynomial pieces through the function on `pieces` equal parts of [start, end]; the residual is the largest distance seen
-/// between the points of interpolation.
+/// Polynomial pieces that interpolate the function on `pieces` equal parts of [start, end]. The residual is the largest distance sampled
+/// between the interpolation points.
 template <int Dimension>
 sm::PolynomialCurve<Dimension> FitCurve(
   const std::function<std::array<double, Dimension>(double)>& function, double start, double end, int pieces);
@@ -36,7 +36,7 @@ public:
   using EdgePointer = std::shared_ptr<const sm::Edge>;
 
   EdgePointer AddEdge(const sm::EdgeCurve& curve);
-  /// The straight edge between two points; asked for again, in either direction, it is the same edge.
+  /// The straight edge between two points; further calls, in either direction, return the same edge.
   EdgePointer GetStraightEdge(const Point3& from, const Point3& to);
 
   static sm::Coedge MakeCoedge(const EdgePointer& edge, bool reversed, const sm::TrimCurve& curve);
@@ -47,7 +47,7 @@ public:
   /// A parallelogram with straight edges, corners counter-clockwise seen from outside, u from corner 0 to 1; holes as loops.
   void AddPlane(const Point3 (&corners)[4], std::vector<sm::Loop> holes = {});
 
-  /// The faces as one body about the origin, in a data set with the corners of its box as points. No mesh to show.
+  /// The faces as one body about the origin, in a data set that has the corners of its box as points and no display mesh.
   vtkSmartPointer<vtkNURBSDataSet> Make(const char* name, bool solid, const double bounds[6]) const;
 
 private:

@@ -31,14 +31,14 @@ ENDINGS = (".step", ".stp", ".step.gz", ".stp.gz")
 ADAPTIVE_TOLERANCE = "1e-9"
 REFERENCE_TOLERANCE = "1e-12"
 SUB_PATCHES = "2"
-# Of each method of solidmoments; the faster one counts.
+# Runs of each method of solidmoments, of which the fastest counts.
 RUNS = 2
-# A reference's squared gaps, relative, above this are doubt about the reference as well (Testing/SweepJudge.py).
+# Above this, the relative squared gaps of a reference limit its accuracy (Testing/SweepJudge.py).
 LARGE_GAP_SQUARED = 1e-10
 
 
 class Failure(Exception):
-    """Why a run has no result."""
+    """A run has no result, for the reason in the message."""
 
 
 @dataclasses.dataclass
@@ -52,19 +52,19 @@ class Model:
 
 @dataclasses.dataclass
 class Result:
-    """One method's answer; a reason instead of the numbers where it has none."""
+    """The result of one method, or the reason why it has none."""
     volume: float = None
     center: list = None
     area: float = None
-    # Of the box.
+    # The diagonal of the box.
     diagonal: float = None
-    # OpenCASCADE's, which integrates only; of the others, prepare and integrate.
+    # The time to integrate with OpenCASCADE; the time to prepare and integrate with the other methods.
     seconds: float = None
     prepare: float = None
     integrate: float = None
     status: str = None
     reason: str = None
-    # Absolute, as the volume.
+    # In the unit of the volume.
     bound: float = None
     estimate: float = None
     estimate_with_boundary: float = None
@@ -81,12 +81,12 @@ class Row:
     occt: Result
     reference: float = None
     reference_kind: str = None
-    # Relative: what the reference cannot vouch for.
+    # The relative uncertainty of the reference.
     uncertainty: float = None
-    # That of the reference; None: it has none, and ADAPTIVE's stands for it.
+    # The volume of the reference; None: it has none, and that of ADAPTIVE takes its place.
     reference_center: list = None
     reference_center_kind: str = None
-    # Of GAUSS2's run, relative to the diagonal.
+    # The chord tolerance of the GAUSS2 run, relative to the diagonal.
     chord: float = None
 
     def has_independent_reference(self):
@@ -96,7 +96,7 @@ class Row:
         return self.adaptive.faces if self.adaptive.faces is not None else self.gauss2.faces
 
     def difference(self, result):
-        """Relative, signed; None without a value or a reference, and of ADAPTIVE from itself."""
+        """The signed relative error; None without a value or a reference, and for ADAPTIVE when it is the reference."""
         if result.volume is None or not self.reference or (result is self.adaptive and not self.has_independent_reference()):
             return None
         return (result.volume - self.reference) / abs(self.reference)
@@ -114,19 +114,19 @@ class Row:
         return "ADAPTIVE " + ADAPTIVE_TOLERANCE if self.adaptive.center else None
 
     def chords_doubt(self):
-        """What the chords of planes may move GAUSS2's volume by, about: their distance from the curves times the area."""
+        """The approximate effect of the chords of planes on the volume of GAUSS2: their distance from the curves times the area."""
         if None in (self.chord, self.gauss2.diagonal, self.gauss2.area):
             return None
         return self.fraction(self.chord * self.gauss2.diagonal * self.gauss2.area)
 
     def doubt(self):
-        """What GAUSS2's difference may have beside its own error on curved faces: what the reference cannot vouch for, what
-        closing the model's gaps moves, and the chords of planes."""
+        """The part of GAUSS2's difference that is not its own error on curved faces: the uncertainty of the reference, the
+        volume change by closing the model's gaps, and the chords of planes."""
         return ((self.uncertainty or 0.0) + abs(self.fraction(self.adaptive.closure_correction) or 0.0)
                 + abs(self.chords_doubt() or 0.0))
 
     def is_estimate_below_error(self, estimate):
-        """Whether the error is surely larger than the estimate; None where one of them is missing."""
+        """True when the error is certainly larger than the estimate; None where one of them is missing."""
         error, claimed = self.difference(self.gauss2), self.fraction(estimate)
         return None if error is None or claimed is None else abs(error) - self.doubt() > claimed
 
@@ -136,7 +136,7 @@ class Row:
 
 
 def run_json(command, seconds):
-    """The JSON on a command's stdout; raises Failure with a sentence."""
+    """The JSON on a command's stdout; raises Failure."""
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
                               timeout=seconds, check=False)
@@ -152,7 +152,7 @@ def run_json(command, seconds):
 
 
 def choose_message(messages):
-    """The one that says why there is no volume, where one does."""
+    """The message that says why there is no volume, if there is one."""
     for word in ("no volume", "surface"):
         for message in messages:
             if word in message:
@@ -161,7 +161,7 @@ def choose_message(messages):
 
 
 def measure_best(options, path, arguments):
-    """The fastest of some runs of solidmoments, which differ in nothing but time; the first that fails."""
+    """The fastest of several equal runs of solidmoments, or the first that fails."""
     best = None
     for _ in range(RUNS):
         result = measure(options, path, arguments)
@@ -231,7 +231,7 @@ def make_row(options, model):
 
 
 def read_exact(folder):
-    """The entries of parts.json by id, in its order; volume and centre are null, or not there, where no formula gives them."""
+    """The entries of parts.json by id, in its order; volume and centre are null or missing where no formula gives them."""
     path = os.path.join(folder, "parts.json")
     if not os.path.exists(path):
         return {}
@@ -249,7 +249,7 @@ def read_references(folder):
 
 
 def find_models(folder, unpacked):
-    """The folder's models: in the order of the lists beside them, others behind by name. Packed ones are unpacked."""
+    """The folder's models, unpacked: first those of the lists beside them, in that order, then the others by name."""
     exact, references = read_exact(folder), read_references(folder)
     order = list(exact) + list(references)
     models = []

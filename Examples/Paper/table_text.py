@@ -21,7 +21,7 @@ def point(center, form):
 
 
 def cell(text):
-    """Text that does not end a Markdown cell."""
+    """The text with its Markdown column separators escaped."""
     return " ".join(str(text).split()).replace("|", "\\|")
 
 
@@ -61,13 +61,13 @@ def middle_and_worst(values):
 
 
 def count(answers):
-    """How many are True, of how many that are known."""
+    """The number of True values and the number of known values."""
     known = [answer for answer in answers if answer is not None]
     return f"{sum(known)} of {len(known)}"
 
 
 def summary(rows):
-    """What the table says, in sentences."""
+    """A summary of the table, in sentences."""
     strict = count([row.is_estimate_below_error(row.gauss2.estimate) for row in rows])
     whole = count([row.is_estimate_below_error(row.gauss2.estimate_with_boundary) for row in rows])
     independent = [row for row in rows if row.has_independent_reference()]
@@ -96,7 +96,7 @@ def markdown(sections, deviation, chord, runs):
 
 
 def center_difference(row, result):
-    """Of the centre from the reference's or ADAPTIVE's, relative to the cube root of the volume."""
+    """The distance of the centre from that of the reference or of ADAPTIVE, relative to the cube root of the volume."""
     if result.center is None or row.center() is None or not row.reference:
         return None
     distance = max(abs(a - b) for a, b in zip(result.center, row.center()))

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """
-Mass properties of STEP files by VTK alone: a table of all solids, on request a CSV file, and a picture of the part, translucent
-around its centre of mass and principal axes. Needs no display and no GPU.
+Mass properties of STEP files by VTK alone: a table of all solids and, if requested, a CSV file and a picture of the part,
+translucent around its centre of mass and principal axes. Needs no display and no GPU.
 
   PYTHONPATH=PREFIX/lib/python3.11/site-packages python3 mass_properties.py --density 7850 --png part.png part.step
 
 PREFIX: where SolidMoments is installed, or its build folder. pvpython runs it just as well.
 Exit status: 0 all ok; 1 wrong usage, or a picture or CSV file that cannot be written; 2 a file that cannot be read; 3 a result
-that is flagged. Of several the first of 1, 2, 3.
+that is flagged. When several apply, the first of 1, 2, 3.
 """
 import os
 import sys
@@ -15,20 +15,17 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import mass_table  # noqa: E402
 
-from vtkmodules.vtkCommonCore import vtkObject, vtkSMPTools  # noqa: E402
-from vtkmodules.vtkIOImage import vtkPNGWriter  # noqa: E402
-from vtkmodules.vtkRenderingCore import (  # noqa: E402
-    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkTextActor, vtkWindowToImageFilter)
-import vtkmodules.vtkRenderingFreeType  # noqa: E402,F401  (draws text)
-from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2  # noqa: E402
-
 try:
+    from vtkmodules.vtkCommonCore import vtkObject, vtkSMPTools
+    from vtkmodules.vtkIOImage import vtkPNGWriter
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkTextActor, vtkWindowToImageFilter
+    import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws text)
+    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2
     from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU
     from solidmoments.smReadersSTEP import vtkSTEPReader
     from solidmoments.smRenderingCompute import vtkComputeContext
 except ImportError as error:
-    sys.exit(f"{error}\nPYTHONPATH has to name the folder that holds the package solidmoments, and VTK has to be the one that "
-             "SolidMoments was built with.")
+    mass_table.exit_without_package(error)
 
 SIZE = (900, 700)
 STEEL, BLACK, RED = (0.40, 0.56, 0.78), (0.1, 0.1, 0.1), (0.85, 0.1, 0.1)
@@ -59,10 +56,10 @@ def add_actor(renderer, mapper, port):
 
 
 def make_scene(mass):
-    """A renderer with what the filter puts out: bodies, marker and axes, and the text."""
+    """A renderer with the filter's outputs: bodies, marker and axes, and the text."""
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
-    # Layers of a translucent body in their order.
+    # Depth peeling draws the layers of a translucent body in the right order.
     renderer.SetUseDepthPeeling(1)
     renderer.SetMaximumNumberOfPeels(12)
     renderer.SetUseFXAA(1)
@@ -93,7 +90,7 @@ def make_scene(mass):
 
 
 def draw(mass, path):
-    """Writes PNG. Returns why it could not, or an empty string."""
+    """Writes a PNG file. Returns an error message, or an empty string."""
     context = mass.GetComputeContext()  # the filter's own; its window draws off screen
     if context.Start() != vtkComputeContext.READY:
         return context.GetReason()
@@ -115,7 +112,7 @@ def draw(mass, path):
     return "the file cannot be written" if writer.GetErrorCode() else ""
 
 
-def weigh(file, picture, arguments, rows):
+def compute(file, picture, arguments, rows):
     """Prints a file's table, adds to `rows`, draws. Returns the exit status."""
     reader, mass = make_pipeline(file, arguments)
     status = mass_table.print_report(file, mass.GetOutputDataObject(0), mass.GetOutputDataObject(1),
@@ -126,8 +123,8 @@ def weigh(file, picture, arguments, rows):
 def main():
     arguments = mass_table.Parser(__doc__).parse()
     vtkSMPTools.SetBackend("STDThread")  # VTK's default may be a single thread
-    vtkObject.GlobalWarningDisplayOff()  # all that there is to say is asked for
-    return mass_table.run(arguments, weigh)
+    vtkObject.GlobalWarningDisplayOff()  # the table has the messages
+    return mass_table.run(arguments, compute)
 
 
 if __name__ == "__main__":

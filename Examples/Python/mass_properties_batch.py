@@ -2,18 +2,17 @@
 
     mpirun -np 4 pvbatch mass_properties_batch.py FOLDER --csv OUT.csv
 
-Also: pvbatch or pvpython without mpirun, and `mpirun -np 4 pvbatch --sym ...`. The package `solidmoments` must be found:
-PYTHONPATH=PREFIX/lib/python3.11/site-packages.
+It also runs by pvbatch or pvpython without mpirun, and by `mpirun -np 4 pvbatch --sym ...`. PYTHONPATH must name the folder
+of the package `solidmoments`: PYTHONPATH=PREFIX/lib/python3.11/site-packages.
 
-A file that is so large that one rank would be busy with it while the others wait is read by one rank, and its faces are
-divided among all; the other files are divided among the ranks by size. The rows are in the order of the file names and
-the same, digit for digit, for any number of ranks of equal devices: a row `total` for every file, then one for each of its
-solids. Columns are named as those of `solidmoments --csv`; a value that does not exist is empty; `message` is the first
-thing that was said about the file.
+The faces of a file that is larger than the share of one rank are divided among all ranks; the other files are divided among the
+ranks by size. The rows are in the order of the file names and the same, digit for digit, for any number of ranks of equal
+devices: a row `total` for every file, then one for each of its solids. Columns are named as those of `solidmoments --csv`; a
+value that does not exist is empty; `message` is the first message about the file.
 
-A file that cannot be read costs its own row only. Where a file may crash the reader, use `solidmoments`, which reads each
-in a process of its own. Exit status: 0 all files ok, 1 wrong usage or nothing written, 2 some file unreadable, 3 some result
-flagged.
+A file that cannot be read has a row with the status `unreadable`, and the others are computed. Where a file may crash the
+reader, use `solidmoments`, which reads each in a process of its own. Exit status: 0 all files ok, 1 wrong usage or nothing
+written, 2 some file unreadable, 3 some result flagged.
 """
 import argparse
 import json
@@ -22,19 +21,22 @@ import signal
 import sys
 import time
 
-import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
-
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import mass_table  # noqa: E402
+
+try:
+    import numpy
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+    from vtkmodules.vtkParallelCore import vtkMultiProcessController
+except ImportError as missing:
+    mass_table.exit_without_package(missing)
 
 TAG = 551310
 STATUS_UNREADABLE = "unreadable"
 HEAD = mass_table.HEAD + ["faces", "evaluations", "message"]
 
 
-# --- talking to the other ranks ------------------------------------------------------------------
+# --- messages between ranks ------------------------------------------------------------------------
 class Ranks:
     """JSON between the ranks of the global controller; one rank where there is none."""
 
@@ -53,7 +55,7 @@ class Ranks:
         return json.loads(vtk_to_numpy(array).tobytes())
 
     def broadcast(self, value):
-        """What rank 0 gave, on all ranks."""
+        """The value of rank 0, on all ranks."""
         if self.rank != 0:
             return self._receive(0)
         for rank in range(1, self.count):
@@ -61,7 +63,7 @@ class Ranks:
         return value
 
     def gather(self, value):
-        """What all ranks gave, on rank 0; None on others."""
+        """The values of all ranks on rank 0; None on the others."""
         if self.rank != 0:
             self._send(value, 0)
             return None
@@ -69,7 +71,7 @@ class Ranks:
 
 
 # --- one file ------------------------------------------------------------------------------------
-def weigh(path, name, options, ranks, together):
+def compute(path, name, options, ranks, together):
     """The rows of a file; with `together` on all ranks at once, and rows on rank 0 alone."""
     from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU
     from solidmoments.smReadersSTEP import vtkSTEPReader
@@ -83,7 +85,7 @@ def weigh(path, name, options, ranks, together):
     mass.SetDensity(options["density"])
     mass.SetBackend({"auto": 0, "opengl": 1, "cpu": 2}[options["backend"]])
     for algorithm in (reader, mass):
-        # What goes wrong goes into the rows.
+        # The rows have the messages, so VTK prints none.
         for event in ("ErrorEvent", "WarningEvent"):
             algorithm.AddObserver(event, lambda *_: None)
         algorithm.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
@@ -106,9 +108,9 @@ def weigh(path, name, options, ranks, together):
     return rows
 
 
-def weigh_safely(path, name, options, ranks, together):
+def compute_safely(path, name, options, ranks, together):
     try:
-        return weigh(path, name, options, ranks, together)
+        return compute(path, name, options, ranks, together)
     except Exception as error:  # pylint: disable=broad-except
         return [{"file": name, "row": "total", "status": STATUS_UNREADABLE, "message": str(error)}]
 
@@ -128,7 +130,7 @@ def divide(files, count):
 
 
 def run(job=None):
-    """Called on all ranks; rank 0 gives the job and gets the rows of all files, in their order."""
+    """Called on all ranks. Rank 0 passes the job and gets the rows of all files, in the order of the files."""
     ranks = Ranks()
     job = ranks.broadcast(job)
     files, folder, options = job["files"], job["folder"], job["options"]
@@ -137,11 +139,11 @@ def run(job=None):
     start = time.monotonic()
     busy = time.process_time()
     for i in together:
-        rows[i] = weigh_safely(os.path.join(folder, files[i][0]), files[i][0], options, ranks, True)
+        rows[i] = compute_safely(os.path.join(folder, files[i][0]), files[i][0], options, ranks, True)
     if ranks.rank != 0:
         rows = {}
     for i in shares[ranks.rank]:
-        rows[i] = weigh_safely(os.path.join(folder, files[i][0]), files[i][0], options, ranks, False)
+        rows[i] = compute_safely(os.path.join(folder, files[i][0]), files[i][0], options, ranks, False)
     gathered = ranks.gather([sorted(rows.items()), time.monotonic() - start, time.process_time() - busy])
     if gathered is None:
         return None
@@ -161,7 +163,7 @@ def get_status(rows):
 
 
 def run_on_satellites(job):
-    """As run(), where this script runs on rank 0 alone: a source that all ranks execute takes the others in."""
+    """As run(), where this script runs on rank 0 alone: all ranks execute a programmable source that calls run()."""
     from paraview import simple
 
     run_as_source.job = job
@@ -175,7 +177,7 @@ def run_on_satellites(job):
 
 
 def run_as_source():
-    # When rank 0 exits with a status mpirun ends the others, which is nothing to print a stack for.
+    # mpirun ends the other ranks when rank 0 exits with a status; they should print no stack then.
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     run_as_source.rows = run(run_as_source.job)
 
@@ -210,8 +212,7 @@ def main(arguments):
         import solidmoments.smReadersSTEP  # noqa: F401  pylint: disable=unused-import
         import solidmoments.smFiltersMassProperties  # noqa: F401  pylint: disable=unused-import
     except ImportError as error:
-        print(f"The package solidmoments does not load, is its folder in PYTHONPATH? {error}", file=sys.stderr)
-        return 1
+        mass_table.exit_without_package(error)
     names = sorted(name for name in os.listdir(options.folder)
                    if name.lower().endswith((".step", ".stp", ".p21")))
     if not names:
@@ -228,7 +229,7 @@ def main(arguments):
         is_alone = not vtkProcessModule.GetProcessModule().GetSymmetricMPIMode()
     rows = run_on_satellites(job) if is_alone else run(job)
     if rows is None:
-        # Rank 0 says how it ended.
+        # The exit status is that of rank 0.
         return ranks.broadcast(None)
     status = get_status(rows)
     try:
@@ -240,7 +241,7 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    # As a module of its own: ParaView's sources in Python fill __main__ with names of theirs.
+    # Imported as a module, because ParaView's Python sources add names to __main__.
     sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
     import mass_properties_batch
     exit_status = mass_properties_batch.main(sys.argv[1:])

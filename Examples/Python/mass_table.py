@@ -1,4 +1,4 @@
-"""What the scripts of this folder share: arguments, exit status, and the filter's outputs as a table to read and as CSV."""
+"""Shared by the scripts of this folder: arguments, exit status, and the filter's outputs as a table and as CSV."""
 import argparse
 import csv
 import decimal
@@ -6,33 +6,40 @@ import math
 import os
 import sys
 
-# As those of `solidmoments`; of several the first applies.
+# Exit statuses, as those of `solidmoments`; when several apply, the first of 1, 2, 3.
 ALL_OK, USAGE_OR_OUTPUT, UNREADABLE, FLAGGED = range(4)
 
-# Column of the CSV, as `solidmoments --csv` has it; array of the filter, its component.
+# A column of the CSV with its name in `solidmoments --csv`, the filter's array, and the component.
 COLUMNS = (
     [("volume", "Volume", 0), ("volume_bound", "VolumeBound", 0), ("area", "SurfaceArea", 0), ("area_bound", "SurfaceAreaBound", 0)]
     + [("center_" + axis, "CenterOfMass", i) for i, axis in enumerate("xyz")] + [("center_bound", "CenterOfMassBound", 0)]
     + [("inertia_" + axes, "VolumeInertia", i) for axes, i in zip(("xx", "yy", "zz", "xy", "yz", "xz"), (0, 4, 8, 1, 5, 2))]
     + [("inertia_bound", "VolumeInertiaBound", 0)] + [(f"principal_{i + 1}", "PrincipalMoments", i) for i in range(3)]
-    + [("mass", "Mass", 0), ("closure_correction", "ClosureCorrection", 0), ("gap_squared", "GapSquared", 0), ("max_gap", "MaxGap", 0),
-       ("gap_area", "GapArea", 0), ("open_edges", "OpenEdges", 0), ("closure_residual", "ClosureResidual", 0)])
+    + [("mass", "Mass", 0), ("mass_bound", "MassBound", 0), ("closure_correction", "ClosureCorrection", 0),
+       ("gap_squared", "GapSquared", 0), ("max_gap", "MaxGap", 0), ("gap_area", "GapArea", 0), ("open_edges", "OpenEdges", 0),
+       ("closure_residual", "ClosureResidual", 0)])
 HEAD = ["file", "row", "name", "id", "status", "length_unit"] + [column for column, _, _ in COLUMNS]
 
 
+def exit_without_package(error):
+    """Ends the script because VTK or the package solidmoments does not load."""
+    sys.exit(f"{error}\nPYTHONPATH has to name the folder that holds the package solidmoments, and the folder of the VTK that "
+             "SolidMoments was built with.")
+
+
 class Parser(argparse.ArgumentParser):
-    """Arguments of both scripts; a mistake ends with USAGE_OR_OUTPUT."""
+    """Arguments of both scripts; wrong usage ends with USAGE_OR_OUTPUT."""
 
     def __init__(self, description):
         super().__init__(description=description.strip(), formatter_class=argparse.RawDescriptionHelpFormatter)
         self.add_argument("files", nargs="+", metavar="FILE.step")
         self.add_argument("--density", type=float, default=0.0, metavar="D",
-                          help="of all solids, in kg/m^3; without it that which a file gives, or no mass")
+                          help="density of all solids in kg/m^3 (default: that of the file; without one there is no mass)")
         self.add_argument("--unit", default="mm", choices=["mm", "cm", "m", "um", "inch", "ft", "file"],
-                          help="of lengths; file: the one a file is written in (default: mm)")
-        self.add_argument("--csv", metavar="FILE", help="write the table, every digit of it; - for the standard output")
+                          help="length unit; file: the one that the file is written in (default: mm)")
+        self.add_argument("--csv", metavar="FILE", help="write the table with all digits; - for the standard output")
         self.add_argument("--png", metavar="FILE",
-                          help="draw the part, of FILE-NAME.png where there are several files to be drawn")
+                          help="draw the part; with several files each picture has the STEP file's name added: out-bracket.png")
 
     def error(self, message):
         self.print_usage(sys.stderr)
@@ -42,7 +49,7 @@ class Parser(argparse.ArgumentParser):
         """The arguments, with `pictures`, a path or None for every file."""
         arguments = self.parse_args()
         if not 0.0 <= arguments.density < math.inf:
-            self.error("a density is not negative and finite")
+            self.error("the density must be finite and not negative")
         arguments.pictures = [arguments.png] * len(arguments.files)
         if arguments.png and len(arguments.files) > 1:
             base, extension = os.path.splitext(arguments.png)
@@ -60,12 +67,12 @@ def complain(message):
 
 
 def worse(one, other):
-    """Of two exit statuses the one that applies."""
+    """The exit status of two results."""
     return min((one, other), key=lambda status: status or math.inf)
 
 
 def get_number(data, row, name, component=0):
-    """None for what is missing or not a number. `data`: the field data of port 0, or the table of port 1."""
+    """A number; None when it is missing or not finite. `data`: the field data of port 0, or the table of port 1."""
     array = data.GetAbstractArray(name)
     value = array.GetComponent(row, component) if array else math.nan
     if not math.isfinite(value):
@@ -79,7 +86,7 @@ def get_text(data, row, name):
 
 
 def read_rows(file, totals, solids):
-    """A dictionary of the whole and of every solid, keyed as in COLUMNS. From port 0 and the table of port 1."""
+    """A dictionary for all solids together (port 0) and one for every solid (the table of port 1), keyed as in COLUMNS."""
     rows = []
     for kind, data, count in (("total", totals.GetFieldData(), 1), ("solid", solids.GetRowData(), solids.GetNumberOfRows())):
         for i in range(count):
@@ -91,7 +98,7 @@ def read_rows(file, totals, solids):
 
 
 def format_value(value, bound, digits=10):
-    """The digits that the bound vouches for."""
+    """The number with the digits that its bound leaves."""
     if value is None:
         return "-"
     if bound:
@@ -100,14 +107,14 @@ def format_value(value, bound, digits=10):
 
 
 def format_bound(bound):
-    """Two digits, rounded up: a bound that is shown holds."""
+    """The bound with two digits, rounded up, so that it still holds."""
     if bound is None:
         return "-"
     return f"{decimal.Context(prec=2, rounding=decimal.ROUND_CEILING).create_decimal_from_float(bound):.1e}"
 
 
 def format_table(rows):
-    """Lines of text: a head with units, a line for every solid, and one for the whole where there are several."""
+    """Lines of text: a head with units, a line for every solid, and one for the total when there are several solids."""
     unit = rows[0]["length_unit"]
     lines = [("solid", f"volume {unit}^3", "+-", f"area {unit}^2", "+-", "mass kg", f"centre of mass {unit}", "+-", "status")]
     total, solids = rows[0], rows[1:]
@@ -123,7 +130,7 @@ def format_table(rows):
 
 
 def print_report(file, totals, solids, messages, arguments, rows):
-    """Prints what a person wants to see of one file, and adds its rows to `rows`. Returns the exit status."""
+    """Prints the table of one file and adds its rows to `rows`. Returns the exit status."""
     status = get_text(totals.GetFieldData(), 0, "Status")
     if not solids.GetNumberOfRows():
         complain(f"{file} is unreadable" + (": " + messages[-1] if messages else ""))
@@ -133,20 +140,20 @@ def print_report(file, totals, solids, messages, arguments, rows):
     backend, renderer = (get_text(totals.GetFieldData(), 0, name) for name in ("Backend", "Renderer"))
     lines = [f"{file}   {status}   by {backend} on {renderer}"]
     lines += ["  " + line for line in format_table(found)] + ["  note: " + message for message in messages]
-    # The standard output is one thing only.
+    # The standard output has either the CSV or the table.
     print(*lines, sep="\n", file=sys.stderr if arguments.csv == "-" else sys.stdout, flush=True)
     return ALL_OK if status == "ok" else FLAGGED
 
 
 def add_picture(status, path, draw):
-    """Calls draw(path), which returns why it could not or an empty string, if there is a path and something to draw. Returns the
-    exit status, that of the table included."""
+    """Calls draw(path), which returns an error message or an empty string, when there is a path and something to draw. Returns the
+    exit status of table and picture."""
     problem = draw(path) if path and status != UNREADABLE else ""
     return complain(f"no picture {path}: {problem}") if problem else status
 
 
 def write_csv(path, rows, head=None):
-    """The columns HEAD, or those of `head`. Every number with all its digits: read back it has the same bits. Raises OSError."""
+    """Writes the columns HEAD, or those of `head`. Numbers have all digits and read back to the same bits. Raises OSError."""
 
     def write(file):
         writer = csv.DictWriter(file, head or HEAD, restval="", lineterminator="\n")
@@ -161,12 +168,12 @@ def write_csv(path, rows, head=None):
         write(file)
 
 
-def run(arguments, weigh):
-    """Calls weigh(file, picture, arguments, rows) for every file and writes the CSV. Returns the exit status."""
+def run(arguments, compute):
+    """Calls compute(file, picture, arguments, rows) for every file and writes the CSV. Returns the exit status."""
     rows = []
     status = ALL_OK
     for file, picture in zip(arguments.files, arguments.pictures):
-        status = worse(status, weigh(file, picture, arguments, rows))
+        status = worse(status, compute(file, picture, arguments, rows))
     if arguments.csv:
         try:
             write_csv(arguments.csv, rows)

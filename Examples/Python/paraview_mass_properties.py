@@ -1,12 +1,12 @@
 """
-Mass properties of STEP files by ParaView and its plugin SolidMoments: a table of all solids, on request a CSV file, and a picture of
-the part as Apply shows it in the window. Pictures need a display.
+Mass properties of STEP files by ParaView and its plugin SolidMoments: a table of all solids and, if requested, a CSV file and a
+picture of the part as Apply shows it in the window. Pictures need a display.
 
   pvpython paraview_mass_properties.py --plugin PREFIX/lib/paraview-5.11/plugins/SolidMoments/SolidMoments.so --png part.png part.step
 
 PREFIX: where SolidMoments is installed, or its build folder.
 Exit status: 0 all ok; 1 wrong usage, or a picture or CSV file that cannot be written; 2 a file that cannot be read; 3 a result
-that is flagged. Of several the first of 1, 2, 3.
+that is flagged. When several apply, the first of 1, 2, 3.
 """
 import os
 import sys
@@ -14,14 +14,17 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import mass_table  # noqa: E402
 
-from paraview import servermanager, simple  # noqa: E402
-from vtkmodules.vtkCommonCore import vtkSMPTools  # noqa: E402
+try:
+    from paraview import servermanager, simple
+    from vtkmodules.vtkCommonCore import vtkSMPTools
+except ImportError as error:
+    sys.exit(f"{error}\nRun this script by pvpython, or let PYTHONPATH name the folder that holds the package paraview.")
 
 MARKER, SOLIDS, SUMMARY, BODIES = 0, 1, 2, 5  # ports of the filter
 
 
 def can_draw():
-    """Asked first: where the display does not answer, a view ends the process."""
+    """False where the display does not answer; creating a view would then end the process."""
     abilities = servermanager.vtkPVRenderingCapabilitiesInformation
     return bool(abilities.GetLocalCapabilities() & abilities.RENDERING)
 
@@ -32,11 +35,11 @@ def make_pipeline(file, arguments):
 
 
 def draw(mass, path):
-    """Writes PNG. Returns why it could not, or an empty string."""
+    """Writes a PNG file. Returns an error message, or an empty string."""
     if not can_draw():
         return "there is no display, or it does not answer"
     try:
-        open(path, "wb").close()  # SaveScreenshot() does not tell
+        open(path, "wb").close()  # SaveScreenshot() reports no error
     except OSError as error:
         return error.strerror
     view = simple.CreateRenderView(ViewSize=[900, 700], OrientationAxesVisibility=0)
@@ -54,15 +57,15 @@ def draw(mass, path):
     return ""
 
 
-def weigh(file, picture, arguments, rows):
+def compute(file, picture, arguments, rows):
     """Prints a file's table, adds to `rows`, draws. Returns the exit status."""
     if not os.path.isfile(file):
         mass_table.complain(f"{file} is unreadable: there is no such file")
         return mass_table.UNREADABLE
     mass = make_pipeline(file, arguments)
-    # Tables and the marker are plain data; the bodies stay where they are.
+    # Tables and the marker are fetched as plain data; the bodies stay on the server.
     marker, solids = (servermanager.Fetch(mass, idx=port) for port in (MARKER, SOLIDS))
-    status = mass_table.print_report(file, marker, solids, [], arguments, rows)  # messages are on the standard error
+    status = mass_table.print_report(file, marker, solids, [], arguments, rows)  # VTK prints the messages
     return mass_table.add_picture(status, picture, lambda path: draw(mass, path))
 
 
@@ -75,7 +78,7 @@ def main():
         simple.LoadPlugin(arguments.plugin)
     except RuntimeError as error:
         return mass_table.complain(str(error))
-    return mass_table.run(arguments, weigh)
+    return mass_table.run(arguments, compute)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import signal
 import struct
 import subprocess
 import sys
+import urllib.parse
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import Manifest, check, check_equal, check_true, check_values, finish  # noqa: E402
@@ -23,8 +24,8 @@ manifest = Manifest(options.solids)
 BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments", "principal_axes", "mass", "bounds",
              "closure_correction", "gap_squared", "max_gap", "gap_area", "open_edges", "closure_residual", "flipped_shells",
              "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches", "stability"}
-FILE_KEYS = {"file", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer", "total", "solids",
-             "faces", "free_faces", "integrals", "waterlines", "diagonal", "evaluations", "dispatches", "seconds"}
+FILE_KEYS = {"file", "file_bytes", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer", "total",
+             "solids", "faces", "free_faces", "integrals", "waterlines", "diagonal", "evaluations", "dispatches", "seconds"}
 
 
 def run(*arguments, cwd=None, stdout=subprocess.PIPE):
@@ -42,10 +43,11 @@ def run_json(*arguments):
     except ValueError as error:
         check_true("JSON is valid", False, f"{error}: {result.stdout[:300]} {result.stderr[:300]}")
         sys.exit(1)
-    check_equal("version", 1, document["version"])
+    check_equal("version", 2, document["version"])
     for file in document["files"]:
         check_equal("keys of a file", [], sorted(FILE_KEYS - set(file)))
         check_equal("keys of the total", [], sorted(BODY_KEYS - set(file["total"])))
+        check_equal("keys of the bounds", ["area", "center_of_mass", "inertia", "mass", "volume"], sorted(file["total"]["bounds"]))
         check_equal("keys of the seconds", ["integrate", "prepare", "read", "start"], sorted(file["seconds"]))
         for solid in file["solids"]:
             check_equal("keys of a solid", [], sorted((BODY_KEYS | {"name", "id", "worst_edges"}) - set(solid)))
@@ -67,7 +69,8 @@ def results():
         check_values(expected, total["volume"], total["area"], total["center_of_mass"], total["inertia"],
                      total["gap_area"])
         check_true("bounds", all(0 < total["bounds"][key] for key in ("volume", "area", "center_of_mass", "inertia")))
-        check_true("no mass without a density", total["mass"] is None)
+        check_true("no mass without a density", total["mass"] is None and total["bounds"]["mass"] is None)
+        check_equal("the name is UTF-8", None, file["file_bytes"])
     check_equal("faces", 7, files[0]["faces"])
 
     # Units, density, CSV; the volume in inches.
@@ -80,6 +83,13 @@ def results():
         lines = file.read().splitlines()
     row = dict(zip(lines[0].split(","), lines[1].split(",")))
     check("volume in the CSV", files[0]["total"]["volume"], float(row["volume"]), 0.0)
+    total = files[0]["total"]
+    check_true("bound of the mass", total["bounds"]["mass"] >= 7850 * 0.0254**3 * total["bounds"]["volume"],
+               f"{total['bounds']['mass']}")
+    check("mass of a formula within its bound", 7850 * part["volume"] * 1e-9, total["mass"],
+          total["bounds"]["mass"] + 1e-12 * total["mass"])
+    check("its bound in the CSV", total["bounds"]["mass"], float(row["mass_bound"]), 0.0)
+    check_true("its bound in the table", re.search(r"mass +\S+ kg +\+/- \d", run("--density", "7850", part["path"]).stdout))
 
     # An assembly lists its instances; a table is what people get.
     result, files = run_json(manifest.special("assembly")["path"])
@@ -216,7 +226,11 @@ def check_name_that_is_not_utf8(good):
     with open(target, encoding="utf-8") as file:
         document = json.load(file)["files"][0]
     check_equal("name in JSON", "b\ufffd.step", os.path.basename(document["file"]))
+    check_equal("bytes of the name", os.fsencode(path), urllib.parse.unquote_to_bytes(document["file_bytes"] or ""))
     check_equal("status", "ok", document["status"])
+    missing = os.path.join(folder, os.fsdecode(b"\xfe 100%.step"))
+    document = run_json(missing)[1][0]
+    check_equal("bytes of a missing name", os.fsencode(missing), urllib.parse.unquote_to_bytes(document["file_bytes"] or ""))
 
 
 def check_facts_once():
@@ -287,6 +301,15 @@ def outputs():
     check_refused("one file for two outputs", folder, "a.step", "--json", "x.txt", "--csv", "./x.txt")
     check_refused("a picture in another format", folder, "a.step", "--png", "x.jpg")
     check_refused("an empty name", folder, "")
+
+    # An option in the place of a file name.
+    for option in ("--json", "--csv", "--png", "--trim-textures"):
+        other = "--csv" if option == "--json" else "--json"
+        before = sorted(os.listdir(folder))
+        result = run("--scheme", "gauss2", option, other, "a.step", cwd=folder)
+        check_equal(f"exit status of {option} {other}", 1, result.returncode)
+        check_true("it says why", "a file name is missing" in result.stderr and other in result.stderr, result.stderr)
+        check_equal("no file was written", before, sorted(os.listdir(folder)))
 
     # Stems a, a, a-2: three pictures.
     for name in ("one", "two"):
@@ -369,11 +392,11 @@ def stability():
     check("stability_margin", margin, found["stability_margin"], found["bounds"]["stability_margin"])
     check("tip angle", math.degrees(math.atan2(margin, center[2])), found["tip_angle"], found["bounds"]["tip_angle"])
     rise = math.hypot(margin, center[2]) - center[2]
-    check("work to tip", rise, found["center_of_mass_rise"], found["bounds"]["center_of_mass_rise"])
+    check("rise of the centre", rise, found["center_of_mass_rise"], found["bounds"]["center_of_mass_rise"])
     check("joules", box["volume"] * 1e-9 * 1000 * 9.80665 * rise * 1e-3, found["tip_energy"], 1e-9)
     check_equal("sides", 4, len(found["sides"]))
     check_equal("of the only solid", found, files[0]["solids"][0]["stability"])
-    check_true("table", "least tip angle" in run("--stability", "-z", box["path"]).stdout)
+    check_true("table", "smallest tip angle" in run("--stability", "-z", box["path"]).stdout)
 
     # Two solids: together, and each alone.
     result, files = run_json("--stability", "0,0,-1", manifest.special("two_solids")["path"])

@@ -52,6 +52,8 @@ def play():
     check_equal("exit status", 0, result.returncode)
     with open(os.path.join(folder, "values.json"), encoding="utf-8") as file:
         values = json.load(file)
+    check_equal("version", 2, values["version"])
+    check_equal("bounds", ["area", "center_of_mass", "inertia", "mass", "volume"], sorted(values["last"]["bounds"]))
     check_equal("status", "ok", values["status"])
     check_equal("backend", "opengl", values["backend"])
     check_equal("faces", 40, values["faces"])
@@ -106,6 +108,13 @@ def errors():
     refused("no such stream", 1, "cannot be read", "--play", "missing.events")
     refused("an empty stream", 1, "no events", "--play", write_events("empty"))
     refused("an unknown event", 1, "line 2: there is no event Mouse", "--play", write_events("bad", "Mouse 1 2 0 0 0 0"))
+    refused("another size", 1, "leave out --size, or give --size 720 560", "--size", "900", "700", "--play", options.events)
+    refused("outside the window", 1, "outside the window of 400 x 300 pixels", "--size", "400", "300", "--play",
+            write_events("outside", "LeftButtonPressEvent 500 100 0 0 0 0"))
+    refused("an option for a file", 1, "a file name is missing", "--play", "--json", "x.step")
+    result = run("--play", options.events, "--screenshot", "own_size.png")
+    check_equal("the size of the recording: exit status", 0, result.returncode)
+    check_equal("the size of the recording", (720, 560), size_of_png("own_size.png"))
     refused("no numbers", 1, "line 3", "--play", write_events("bad", key("h"), "MouseMoveEvent 1 two 0 0 0 0"))
     refused("a folder that is not there", 1, "cannot be written", "--play", events, "--screenshot", "no/where.png")
     refused("JSON that cannot be written", 1, "cannot be written", "--play", events, "--json", "no/where.json")

@@ -106,12 +106,12 @@ def check_errors(options):
     file_in_the_way = os.path.join(options.output, "no_folder")
     with open(file_in_the_way, "w", encoding="utf-8"):
         pass
-    check_refusal("make_paper_parts without folder", 1, "usage", run(options.make))
+    check_refusal("make_paper_parts without folder", 1, "FOLDER is required", run(options.make))
     check_refusal("make_paper_parts of no part", 1, "no part's", run(options.make, os.path.join(options.output, "none"), "hammer"))
     check_refusal("make_paper_parts into a file", 1, "cannot be written",
                   run(options.make, os.path.join(file_in_the_way, "deeper"), "quarter_cylinder"))
-    check_refusal("occt_mass_properties without file", 1, "usage", run(options.occt))
-    check_refusal("occt_mass_properties of a wrong eps", 1, "usage", run(options.occt, "--eps", "x", slanted))
+    check_refusal("occt_mass_properties without file", 1, "FILE is required", run(options.occt))
+    check_refusal("occt_mass_properties of a wrong eps", 1, "--eps: the relative error", run(options.occt, "--eps", "x", slanted))
     check_refusal("occt_mass_properties of no file", 2, "cannot read", run(options.occt, slanted + ".none"))
     check_refusal("occt_mass_properties of JSON", 2, "cannot read", run(options.occt, os.path.join(options.folder, "parts.json")))
 

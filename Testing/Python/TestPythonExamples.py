@@ -8,6 +8,7 @@ import csv
 import io
 import json
 import os
+import shutil
 import subprocess
 import sys
 
@@ -47,7 +48,9 @@ def check_status(expected, result):
 
 def in_output(name):
     path = os.path.join(options.output, f"python_example_{options.flavour}_{os.path.basename(options.interpreter)}_{name}")
-    if os.path.exists(path):
+    if os.path.isdir(path):
+        shutil.rmtree(path)
+    elif os.path.exists(path):
         os.remove(path)
     return path
 
@@ -55,7 +58,7 @@ def in_output(name):
 def check_row(row, entry):
     """A row of the CSV against an entry of the JSON: equal as doubles, so in every bit."""
     inertia = entry["inertia"]
-    expected = {"volume": entry["volume"], "area": entry["area"], "mass": entry["mass"]}
+    expected = {"volume": entry["volume"], "area": entry["area"], "mass": entry["mass"], "mass_bound": entry["bounds"]["mass"]}
     expected.update(zip(("center_x", "center_y", "center_z"), entry["center_of_mass"]))
     expected.update({"inertia_xx": inertia[0][0], "inertia_yy": inertia[1][1], "inertia_zz": inertia[2][2],
                      "inertia_xy": inertia[0][1], "inertia_yz": inertia[1][2], "inertia_xz": inertia[0][2]})
@@ -148,7 +151,20 @@ def errors():
     check_true("no picture", "no picture /nonexistent/part.png: " in result.stderr, result.stderr)
     check_true("but numbers", "6000" in result.stdout, result.stdout)
 
-    # What the script needs and does not find.
+    # A VTK that does not load.
+    broken = in_output("broken_vtk")
+    for package in ("vtkmodules", "paraview"):
+        os.makedirs(os.path.join(broken, package), exist_ok=True)
+        with open(os.path.join(broken, package, "__init__.py"), "w", encoding="ascii") as file:
+            file.write('raise ImportError("it is broken")\n')
+    for name in (["paraview_mass_properties.py"] if is_paraview else ["mass_properties.py", "mass_properties_batch.py"]):
+        result = subprocess.run([sys.executable, os.path.join(options.examples, "Python", name), box], capture_output=True, text=True,
+                                timeout=100, env=dict(os.environ, PYTHONPATH=broken, PYTHONDONTWRITEBYTECODE="1"), check=False)
+        check_status(1, result)
+        check_true(name + " names PYTHONPATH", "PYTHONPATH" in result.stderr, result.stderr)
+        check_true(name + " prints no stack", "Traceback" not in result.stderr, result.stderr)
+
+    # The script needs something that it does not find.
     if is_paraview:
         options.plugin = "/nonexistent/SolidMoments.so"
         result, words = run(box), "/nonexistent/SolidMoments.so"

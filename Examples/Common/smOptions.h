@@ -1,0 +1,51 @@
+/**
+ * @file smOptions.h
+ * @brief Exit statuses and options that the example programs share, for CLI11
+ */
+#ifndef smOptions_h
+#define smOptions_h
+
+#include "smText.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace sm
+{
+/// When several of 1, 2 and 3 apply, the smallest is the exit status.
+enum ExitStatus
+{
+  AllOk = 0,
+  UsageOrOutput = 1,
+  Unreadable = 2,
+  Flagged = 3
+};
+
+/// An error message when the value of an option that names a file looks like another option; empty otherwise. "-" is a file name.
+inline std::string CheckFileName(const std::string& name)
+{
+  return name.size() > 1 && name[0] == '-' ? "a file name is missing: " + name +
+      " looks like an option (write ./" + name + " for a file of that name)"
+                                           : "";
+}
+
+/// Adds an option that names a file or a folder.
+inline CLI::Option* AddFileOption(
+  CLI::App& app, const std::string& option, std::string& name, const std::string& help)
+{
+  return app.add_option(option, name, help)->type_name("FILE")->check(CheckFileName);
+}
+
+/// Adds an option that takes a number. CLI11 itself reads numbers with the decimal sign of the locale. A check must refuse NaN.
+inline CLI::Option* AddNumberOption(
+  CLI::App& app, const std::string& option, double& number, const std::string& help)
+{
+  return app
+    .add_option_function<std::string>(
+      option, [&number](const std::string& text) { number = ParseNumber(text); }, help)
+    ->type_name("NUMBER");
+}
+}
+
+#endif
