@@ -1,36 +1,38 @@
 /**
  * @file smEscapeKey.h
- * @brief Hears the key Esc in a window of this process while its event loop does not run
+ * @brief Detects the key Esc in a window of this process while its event loop does not run
  *
- * On X11, where the window with the keyboard's focus (or, where no window manager gives it to one, that below the pointer)
- * belongs to this process, as its _NET_WM_PID says; Qt sets that, VTK's own windows have none. The key is grabbed for
- * that window as long as the object lives, over a connection of its own: a tap between two questions is not lost, and the
- * application's own event queue is left alone.
+ * X11 only. The window is the one with the keyboard focus (or, where no window manager sets a focus, the one below the pointer), if its
+ * property _NET_WM_PID names this process; Qt sets that property, VTK's own windows do not have it. The key is grabbed for that window
+ * during the life of the object, over a connection of its own: a key press between two calls of WasPressed() is not lost, and the
+ * application's own event queue is not touched.
  */
 #ifndef smEscapeKey_h
 #define smEscapeKey_h
 
-#include <memory> // for the connection
+#include <memory> // for std::unique_ptr
+
+struct xcb_connection_t;
 
 namespace sm
 {
 class EscapeKey
 {
 public:
-  /** Null where there is no X display, or no window of this process has the focus; never blocks for long and never fails loudly. */
+  /** Null without an X display, or when no window of this process has the focus. Takes about a millisecond and reports no errors. */
   static std::unique_ptr<EscapeKey> Listen();
   ~EscapeKey();
 
-  /** Whether Esc went down since the object was made; once it did, always. Does not block. */
+  /** True once Esc was pressed after Listen(). Does not block. */
   bool WasPressed();
 
 private:
-  struct Internals;
-  explicit EscapeKey(std::unique_ptr<Internals> implementation);
+  explicit EscapeKey(xcb_connection_t* connection);
   EscapeKey(const EscapeKey&) = delete;
   void operator=(const EscapeKey&) = delete;
 
-  std::unique_ptr<Internals> Implementation;
+  xcb_connection_t* Connection;
+  bool Pressed = false;
 };
 }
 

@@ -19,7 +19,7 @@ namespace sm
 {
 namespace
 {
-/// Carries the selection of the table's port over to the meshes' port; owned by the proxy that it observes.
+/// Copies the selection of the table's port to the meshes' port; owned by the proxy that it observes.
 class HighlightCommand : public vtkCommand
 {
 public:
@@ -38,12 +38,12 @@ public:
       return;
     }
     const std::set<vtkIdType> rows = GetSelectedRows(filter->GetSelectionInput(this->TablePort));
-    // A selection in the view is the user's own; where it was cleared, rows that are still selected show again.
+    // A selection in the view is the user's own; after it was cleared, rows that are still selected are highlighted again.
     if (port == this->MeshesPort && (rows.empty() || filter->GetSelectionInput(this->MeshesPort)))
     {
       return;
     }
-    // ParaView clears the rows after it has set a selection made in the view, which is the user's own, too.
+    // After a selection in the view ParaView clears the rows; the user's selection has to stay.
     vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
     if (rows.empty() && shown != this->Own)
     {
@@ -71,7 +71,7 @@ private:
     {
       vtkSMProxy* source = vtkSMPropertyHelper(sources).GetAsProxy(i);
       vtkSMProperty* ids = source ? source->GetProperty("IDs") : nullptr;
-      // Pairs of a process and an index; the table is on one process.
+      // Pairs of process and index; the table is on one process.
       for (unsigned int k = 1; ids && k < vtkSMPropertyHelper(ids).GetNumberOfElements(); k += 2)
       {
         rows.insert(vtkSMPropertyHelper(ids).GetAsIdType(k));
@@ -89,7 +89,7 @@ private:
     unsigned int next = 0;
     for (const vtkIdType row : rows)
     {
-      // The elements of the hierarchy that are partitioned datasets, counted from 1; others are no nodes.
+      // The partitioned datasets of the hierarchy, counted from 1.
       selectors.Set(next++, ("/Root/*[@number_of_partitions][" + std::to_string(row + 1) + "]").c_str());
     }
     source->UpdateVTKObjects();
@@ -114,7 +114,7 @@ private:
   }
 
   bool Busy = false;
-  /// What Highlight() selected last.
+  /// The selection that Highlight() made last.
   vtkWeakPointer<vtkSMSourceProxy> Own;
 };
 }

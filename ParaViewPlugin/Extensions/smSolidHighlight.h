@@ -1,10 +1,10 @@
 /**
  * @file smSolidHighlight.h
- * @brief Highlights the solids whose rows are selected in the table of a mass filter
+ * @brief Highlights the solids whose rows are selected in the table of a filter
  *
- * From the call on a selection of rows (by index, as a spreadsheet makes it) selects the blocks, and the render views that show them
- * are rendered again; an empty one clears what was selected so, and leaves what the user selected in a view. Works on the client,
- * without Qt, so that scripts have it too. Selections by other means than indices clear the blocks.
+ * After the call, a selection of rows by index, as a spreadsheet makes it, selects the blocks of these rows, and the render views that
+ * show them are rendered again. An empty selection, or one by other means than indices, clears the blocks that were selected in this
+ * way and leaves a selection that the user made in a view. Works on the client without Qt, so also in scripts.
  */
 #ifndef smSolidHighlight_h
 #define smSolidHighlight_h
@@ -13,7 +13,7 @@ class vtkSMSourceProxy;
 
 namespace sm
 {
-/** For a filter with a table on one port and, in the order of its rows, partitioned datasets on another; once in its life. */
+/** Installs the observer: `tablePort` has a table, `meshesPort` partitioned datasets in the order of its rows. Call it once per filter. */
 void HighlightSolidsOfRows(vtkSMSourceProxy* filter, unsigned int tablePort, unsigned int meshesPort);
 }
 

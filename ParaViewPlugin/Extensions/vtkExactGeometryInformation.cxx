@@ -35,7 +35,7 @@ vtkDataObject* GetOutput(vtkObject* object, int port)
   {
     return nullptr;
   }
-  // vtkAlgorithm::GetOutputDataObject() would run a pass, which may raise errors.
+  // Not vtkAlgorithm::GetOutputDataObject(): it runs a pipeline pass, which may report errors.
   vtkInformation* info = algorithm->GetExecutive()->GetOutputInformation(output ? output->GetIndex() : port);
   return info ? vtkDataObject::GetData(info) : nullptr;
 }
@@ -86,7 +86,7 @@ void vtkExactGeometryInformation::CopyFromStream(const vtkClientServerStream* st
   int found = 0;
   if (!stream->GetArgument(0, 0, &found))
   {
-    vtkErrorMacro("The server's answer is no information about exact geometry.");
+    vtkErrorMacro("The server sent no information about exact geometry.");
   }
   this->HasExactGeometry = found != 0;
 }

@@ -2,8 +2,8 @@
  * @class   vtkExactGeometryInformation
  * @brief   tells a client whether an algorithm's output on the server holds exact NURBS geometry
  *
- * ParaView's own data information knows classes of VTK only. This one looks at the data object itself: true when it, or a leaf of it, is a
- * vtkNURBSDataSet whose model is there. Any rank of a parallel server suffices. Runs no pipeline.
+ * ParaView's own data information knows classes of VTK only. This class examines the data object: true when it, or a leaf of it, is a
+ * vtkNURBSDataSet with a model, on any rank of a parallel server. Runs no pipeline.
  */
 #ifndef vtkExactGeometryInformation_h
 #define vtkExactGeometryInformation_h
@@ -19,12 +19,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The output port to look at. Default: 0. */
+  /** The output port to examine. Default: 0. */
   vtkSetMacro(PortNumber, int);
   vtkGetMacro(PortNumber, int);
   ///@}
 
-  /** What was found. */
+  /** True after CopyFromObject() found exact geometry. */
   vtkGetMacro(HasExactGeometry, bool);
 
   void CopyFromObject(vtkObject* object) override;

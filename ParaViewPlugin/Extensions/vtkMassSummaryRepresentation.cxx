@@ -1,5 +1,7 @@
 #include "vtkMassSummaryRepresentation.h"
 
+#include "smIntegralNames.h"
+
 #include "vtk3DWidgetRepresentation.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkFieldData.h"
@@ -20,12 +22,10 @@ vtkStandardNewMacro(vtkMassSummaryRepresentation);
 
 namespace
 {
-constexpr const char* StatusName = "Status";
-
 bool IsFlagged(vtkFieldData* data)
 {
-  auto* status = vtkStringArray::SafeDownCast(data->GetAbstractArray(StatusName));
-  return status && status->GetNumberOfValues() > 0 && status->GetValue(0) != "ok";
+  auto* status = vtkStringArray::SafeDownCast(data->GetAbstractArray(sm::names::Status));
+  return status && status->GetNumberOfValues() > 0 && status->GetValue(0) != sm::names::StatusOk;
 }
 }
 
@@ -45,10 +45,10 @@ int vtkMassSummaryRepresentation::RequestData(
   const int done = this->Superclass::RequestData(request, inputVector, outputVector);
   vtkTable* input =
     inputVector[0]->GetNumberOfInformationObjects() == 1 ? vtkTable::GetData(inputVector[0], 0) : nullptr;
-  vtkAbstractArray* status = input ? input->GetFieldData()->GetAbstractArray(StatusName) : nullptr;
+  vtkAbstractArray* status = input ? input->GetFieldData()->GetAbstractArray(sm::names::Status) : nullptr;
   if (status && input->GetNumberOfRows() > 0)
   {
-    // Behind the text, which the superclass takes for the first array.
+    // After the text: the superclass draws the first array.
     this->DummyPolyData->GetFieldData()->AddArray(status);
   }
   return done;
@@ -71,14 +71,14 @@ int vtkMassSummaryRepresentation::ProcessViewRequest(
     vtkTextProperty* text = widget->GetTextActor()->GetTextProperty();
     double color[3];
     text->GetColor(color);
-    // What the user sets meanwhile is kept for later.
+    // A colour that differs from the one drawn here was set by the user or the palette.
     if (!std::equal(color, color + 3, this->DrawnColor))
     {
       std::copy_n(color, 3, this->OrdinaryColor);
     }
     const bool flagged = data && IsFlagged(data->GetFieldData());
     text->SetColor(flagged ? this->FlaggedColor : this->OrdinaryColor);
-    // ParaView has no property for it, and VTK's lines touch each other.
+    // ParaView has no property for the line spacing, and VTK's default makes lines touch.
     text->SetLineSpacing(1.3);
     for (int i = 0; i < 3; ++i)
     {

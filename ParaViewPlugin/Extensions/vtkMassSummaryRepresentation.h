@@ -1,9 +1,9 @@
 /**
  * @class   vtkMassSummaryRepresentation
- * @brief   the summary of a mass filter as text in the view, in another colour when the result is flagged
+ * @brief   the summary of a filter as text in the view, in another colour when its status is not ok
  *
- * Input as of vtkTextSourceRepresentation; the table's field data may hold the string array Status. Where it is there and not "ok" the
- * text is drawn in FlaggedColor, else in the colour of the text property, as the user or the palette sets it.
+ * The input is that of vtkTextSourceRepresentation; the table's field data may hold the string array Status. If it does and the status
+ * is not "ok", the text has the colour FlaggedColor, else the colour of the text property, as the user or the palette sets it.
  */
 #ifndef vtkMassSummaryRepresentation_h
 #define vtkMassSummaryRepresentation_h
@@ -19,7 +19,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Red, green and blue from 0 to 1. Default: 1 0.4 0.35. */
+  /** Colour of the text when the status is not ok: red, green and blue, each from 0 to 1. Default: 1 0.4 0.35. */
   vtkSetVector3Macro(FlaggedColor, double);
   vtkGetVector3Macro(FlaggedColor, double);
   ///@}
@@ -39,9 +39,9 @@ private:
   void operator=(const vtkMassSummaryRepresentation&) = delete;
 
   double FlaggedColor[3] = { 1.0, 0.4, 0.35 };
-  /// The colour to come back to.
+  /// The colour of the text property when it is not overridden.
   double OrdinaryColor[3] = { 1.0, 1.0, 1.0 };
-  /// Not negative: the flagged colour that is drawn now.
+  /// The flagged colour that the text has now; negative when it has the ordinary one.
   double DrawnColor[3] = { -1.0, -1.0, -1.0 };
 };
 

@@ -61,7 +61,7 @@ void vtkSMDisplayDefaultsHelper::PostInitializeProxy(
       }
       else if (vtkSMIntVectorProperty::SafeDownCast(property))
       {
-        // A number, or the text of an enumeration.
+        // A number, or the text of an enumeration entry.
         char* end = nullptr;
         const long number = std::strtol(values[k].c_str(), &end, 10);
         *end == '\0' ? helper.Set(k, static_cast<int>(number)) : helper.Set(k, values[k].c_str());
@@ -71,7 +71,7 @@ void vtkSMDisplayDefaultsHelper::PostInitializeProxy(
         helper.Set(k, values[k].c_str());
       }
     }
-    // Also where the value was this already: else ParaView's own default would follow.
+    // Also when the value did not change: ParaView sets its own default for properties that are not modified.
     property->Modified();
   }
   proxy->UpdateVTKObjects();

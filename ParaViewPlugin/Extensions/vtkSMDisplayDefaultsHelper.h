@@ -1,6 +1,6 @@
 /**
  * @class   vtkSMDisplayDefaultsHelper
- * @brief   gives the properties of a new representation other defaults than those of the one it is derived from
+ * @brief   gives properties of a new representation other defaults than the representation that it is derived from
  *
  * In the hints of the representation:
  * @code{xml}
@@ -8,8 +8,8 @@
  *   <Default property="Opacity" values="0.4"/>
  * </InitializationHelper>
  * @endcode
- * Values are numbers or words between blanks; none makes the representation's ColorArrayName no array. What somebody set before is
- * left alone. Defaults of properties that a representation exposes from a subproxy cannot be changed in XML.
+ * Values are numbers or words separated by blanks; an empty list sets an array property such as ColorArrayName to no array. Properties
+ * that were set explicitly keep their value. XML alone cannot change the default of a property that is exposed from a subproxy.
  */
 #ifndef vtkSMDisplayDefaultsHelper_h
 #define vtkSMDisplayDefaultsHelper_h

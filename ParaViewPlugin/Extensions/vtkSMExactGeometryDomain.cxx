@@ -4,7 +4,6 @@
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVXMLElement.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMUncheckedPropertyHelper.h"
 
@@ -16,15 +15,6 @@ vtkSMExactGeometryDomain::~vtkSMExactGeometryDomain() = default;
 void vtkSMExactGeometryDomain::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Inverse: " << this->Inverse << "\n";
-}
-
-int vtkSMExactGeometryDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
-{
-  int inverse = 0;
-  element->GetScalarAttribute("inverse", &inverse);
-  this->Inverse = inverse != 0;
-  return this->Superclass::ReadXMLAttributes(property, element);
 }
 
 int vtkSMExactGeometryDomain::IsInDomain(vtkSMProperty* property)
@@ -48,7 +38,7 @@ int vtkSMExactGeometryDomain::IsInDomain(vtkSMProperty* property)
     vtkNew<vtkExactGeometryInformation> information;
     information->SetPortNumber(static_cast<int>(inputs.GetOutputPort(i)));
     source->GatherInformation(information);
-    if (information->GetHasExactGeometry() == this->Inverse)
+    if (!information->GetHasExactGeometry())
     {
       return NOT_IN_DOMAIN;
     }

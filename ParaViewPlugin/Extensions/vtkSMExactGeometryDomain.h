@@ -2,13 +2,12 @@
  * @class   vtkSMExactGeometryDomain
  * @brief   accepts inputs that hold exact NURBS geometry
  *
- * For the input property of filters that need the exact faces: `<ExactGeometryDomain name="exact_geometry"/>`. It asks the server
- * (vtkExactGeometryInformation) on every check, so that a part whose points were changed, which keeps its class and loses its faces, is
- * refused. With the attribute `inverse="1"` it accepts inputs that hold none.
+ * For the input property of filters that need the exact faces: `<ExactGeometryDomain name="exact_geometry"/>`. Every check asks the
+ * server (vtkExactGeometryInformation): a part whose points were changed keeps its class and loses its faces, and is refused.
  *
- * ParaView 5.11 greys out a filter that a domain refuses, and takes words for it from none but its own domains: "Requirements not
- * met". So the menu has an entry that is there for the refused inputs (WhyNotThisInput in inputs.xml) and tells what to
- * connect; to scripts the filters' own error says it.
+ * ParaView 5.11 disables the menu entry of a refused filter with the status text "Requirements not met"; it takes other texts from
+ * vtkSMDataTypeDomain and vtkSMInputArrayDomain only, by functions that are not virtual. The documentation of every filter therefore
+ * says what its input must be, and a script gets the filter's own error.
  */
 #ifndef vtkSMExactGeometryDomain_h
 #define vtkSMExactGeometryDomain_h
@@ -23,20 +22,16 @@ public:
   vtkTypeMacro(vtkSMExactGeometryDomain, vtkSMDomain);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** IN_DOMAIN when every (unchecked) input of the property holds exact geometry; the inverse: when none does. */
+  /** IN_DOMAIN when the property has (unchecked) inputs and every one holds exact geometry. */
   int IsInDomain(vtkSMProperty* property) override;
 
 protected:
   vtkSMExactGeometryDomain();
   ~vtkSMExactGeometryDomain() override;
 
-  int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
-
 private:
   vtkSMExactGeometryDomain(const vtkSMExactGeometryDomain&) = delete;
   void operator=(const vtkSMExactGeometryDomain&) = delete;
-
-  bool Inverse = false;
 };
 
 #endif

@@ -35,13 +35,13 @@ public:
     }
     if (event == vtkCommand::StartEvent)
     {
-      this->Asked = false;
+      this->HasListened = false;
     }
     else if (event == vtkCommand::EndEvent)
     {
       this->Key.reset();
       algorithm->SetProgressText(this->Label.c_str());
-      // VTK 9.2 leaves it set, and every later run would end at once, too. The executive takes the time of its data after this.
+      // VTK 9.2 leaves the flag set, and the next run would end at once. The executive sets the time of the data after this event.
       if (algorithm->GetAbortExecute())
       {
         algorithm->SetAbortExecute(0);
@@ -54,10 +54,10 @@ public:
         algorithm->SetAbortExecute(1);
       }
     }
-    else if (!this->Asked)
+    else if (!this->HasListened)
     {
-      // At once: ParaView draws the text again only when the percentage changes. It costs about a millisecond.
-      this->Asked = true;
+      // At the first report, since ParaView redraws the text only when the percentage changes. Listen() takes about a millisecond.
+      this->HasListened = true;
       this->Key = sm::EscapeKey::Listen();
       if (this->Key)
       {
@@ -67,7 +67,7 @@ public:
   }
 
 private:
-  bool Asked = false;
+  bool HasListened = false;
   std::unique_ptr<sm::EscapeKey> Key;
 };
 }
@@ -96,12 +96,12 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
   {
     sm::HighlightSolidsOfRows(this, static_cast<unsigned int>(table), static_cast<unsigned int>(meshes));
   }
-  // What the status bar says, also of a run on a server: else it would be the name of the class.
+  // The text of the status bar, also for a run on a server; the default is the name of the class.
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetProgressText" << this->GetXMLLabel()
          << vtkClientServerStream::End;
   this->ExecuteStream(stream);
-  // There is one in the built-in session only.
+  // Not null in the built-in session only.
   if (auto* algorithm = vtkAlgorithm::SafeDownCast(this->GetClientSideObject()))
   {
     vtkNew<EscapeCommand> command;
@@ -109,7 +109,7 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
     for (const unsigned long event :
       { vtkCommand::StartEvent, vtkCommand::EndEvent, vtkCommand::ProgressEvent })
     {
-      // Before ParaView's own observer, which passes the text on.
+      // A higher priority than ParaView's own observer, which reads the text.
       algorithm->AddObserver(event, command, 1.0f);
     }
   }

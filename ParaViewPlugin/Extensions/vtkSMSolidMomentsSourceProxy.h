@@ -1,16 +1,16 @@
 /**
  * @class   vtkSMSolidMomentsSourceProxy
- * @brief   proxy of our reader and filters: what they need on the client however they were made
+ * @brief   proxy of the plugin's reader and filters, with highlighting of solids and the key Esc
  *
- * In the plugin's XML `<SolidMomentsSourceProxy>` stands where ParaView's own have `<SourceProxy>`. Unlike an InitializationHelper in
- * the hints, which runs for proxies made by Apply or a script, it is there for those of a loaded state as well. It gives
- * - rows selected in the table of a mass filter that highlight their solids (smSolidHighlight.h), where the hints say so:
+ * The plugin's XML uses `<SolidMomentsSourceProxy>` in place of ParaView's `<SourceProxy>`. An InitializationHelper in the hints runs
+ * only for proxies made by Apply or a script; this class also serves those of a loaded state. It adds
+ * - highlighting of the solids whose rows are selected in a table (smSolidHighlight.h), where the hints ask for it:
  * @code{xml}
  * <HighlightRows table="1" meshes="5"/>
  * @endcode
- * - the key Esc in ParaView's window, which stops a run that goes on in this process (smEscapeKey.h). ParaView 5.11 enables its
- *   own button beside the progress never. The status bar says so while it can: "Mass Properties (GPU), Esc stops it". What runs on a
- *   server cannot hear the client before it has ended: limit it by its property MaximumSeconds.
+ * - the key Esc in ParaView's window, which stops a run in this process (smEscapeKey.h); ParaView 5.11 never enables its own button
+ *   beside the progress bar. During such a run the status bar shows "Mass Properties (GPU), Esc stops it". A run on a server cannot
+ *   be stopped by the client: limit it by the property MaximumSeconds.
  */
 #ifndef vtkSMSolidMomentsSourceProxy_h
 #define vtkSMSolidMomentsSourceProxy_h

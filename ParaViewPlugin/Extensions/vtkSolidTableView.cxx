@@ -1,19 +1,22 @@
 #include "vtkSolidTableView.h"
 
 #include "smMassPropertyNames.h"
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
+#include "smBuoyancyNames.h"
+#endif
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
 #include "smStabilityNames.h"
+#endif
 
 #include "vtkAbstractArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <map>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -24,23 +27,40 @@ namespace
 {
 namespace names = sm::names;
 
-/// The row's number.
+/// The name that the view gives to the row's number.
 constexpr const char* RowNumber = "vtkOriginalIndices";
 
-/// Before the names that a user gave to integrals: what the row is of, and what is looked for first.
+/// Columns before the integrals that the user named: identity and status of the row, then the main results.
 constexpr const char* Leading[] = { RowNumber, names::Solid, names::FaceId, names::EdgeId, names::Name,
-  names::Id, names::Status, names::Stability, names::Support, names::DecidedBy, names::SideFrom,
-  names::SideTo, names::StabilityMargin, names::TipAngle, names::CenterOfMassRise, names::TipEnergy,
+  names::Id, names::Status,
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
+  names::Stability, names::Support, names::DecidedBy, names::SideFrom, names::SideTo, names::StabilityMargin,
+  names::TipAngle, names::CenterOfMassRise, names::TipEnergy,
+#endif
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
+  names::DisplacedVolume, names::CenterOfBuoyancy, names::DisplacedFirstMoments,
+#endif
   names::Volume, names::Mass, names::SurfaceArea, names::CenterOfMass };
 
-/// Behind them: units, tensors, how a body stands, and what the model itself leaves in doubt.
+/// Columns after them: units, tensors, details of the support, and defects of the model.
 constexpr const char* Trailing[] = { names::LengthUnit, names::PrincipalMoments, names::RadiiOfGyration,
   names::PrincipalAxes, names::PrincipalAxesDegenerate, names::VolumeInertia, names::MassInertia,
-  names::VolumeInertiaAtOrigin, names::FirstMoments, names::SecondMoments, names::CenterHeight,
-  names::Clearance, names::RollingRadius, names::RollingMargin, names::ProjectedCenterOfMass,
-  names::ContactFaces, names::ContactEdges, names::Uses, names::Open, names::MaxGap, names::GapArea,
-  names::GapSquared, names::ClosureCorrection, names::ClosureResidual, names::Faces, names::OpenEdges,
-  names::FlippedShells, names::BoundsEstimated };
+  names::VolumeInertiaAtOrigin, names::FirstMoments, names::SecondMoments,
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
+  names::CenterHeight, names::Clearance, names::RollingRadius, names::RollingMargin,
+  names::ProjectedCenterOfMass, names::ContactFaces, names::ContactEdges,
+#endif
+  names::Uses, names::Open, names::MaxGap, names::GapArea, names::GapSquared, names::ClosureCorrection,
+  names::ClosureResidual, names::Faces, names::OpenEdges, names::FlippedShells, names::BoundsEstimated };
+
+/// Beside Solid, a column that marks a table with several rows per solid.
+constexpr const char* PartsOfSolids[] = {
+  names::FaceId,
+  names::EdgeId,
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
+  names::StabilityMargin,
+#endif
+};
 
 std::vector<std::string> GetNames(vtkTable* table)
 {
@@ -58,7 +78,7 @@ bool HasSolids(const std::vector<std::string>& columns)
   const auto has = [&columns](const char* name)
   { return std::find(columns.begin(), columns.end(), name) != columns.end(); };
   return (has(names::Name) && has(names::Id) && has(names::Status)) ||
-    (has(names::Solid) && (has(names::FaceId) || has(names::EdgeId) || has(names::StabilityMargin)));
+    (has(names::Solid) && std::any_of(std::begin(PartsOfSolids), std::end(PartsOfSolids), has));
 }
 
 bool StartsWith(const std::string& text, const std::string& start)
@@ -71,14 +91,14 @@ bool EndsWith(const std::string& text, const std::string& end)
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Whether a column is a quantity or a component of it, <name>_<i>: 0; its bound: 1; neither: -1.
+/// 0 if the column is the quantity or a component of it, <name>_<i>; 1 if it is its bound; -1 otherwise.
 int Match(const std::string& column, const std::string& quantity)
 {
   const bool value = column == quantity || StartsWith(column, quantity + "_");
   return value ? 0 : column == quantity + names::BoundSuffix ? 1 : -1;
 }
 
-/// What columns are sorted by.
+/// The key that columns are sorted by.
 std::tuple<std::size_t, int, std::string> GetPlace(const std::string& column)
 {
   std::size_t place = 0;
@@ -101,47 +121,30 @@ std::tuple<std::size_t, int, std::string> GetPlace(const std::string& column)
 }
 }
 
-struct vtkSolidTableView::Order
-{
-  /// The columns as the superclass sorted them and as they are shown, of the last table of ours.
-  std::vector<std::string> Sorted;
-  std::vector<std::string> Shown;
-  struct Block
-  {
-    vtkSmartPointer<vtkTable> Sorted;
-    vtkSmartPointer<vtkTable> Shown;
-  };
-  std::map<vtkIdType, Block> Blocks;
-
-  void Arrange(const std::vector<std::string>& sorted)
-  {
-    std::vector<std::tuple<std::size_t, int, std::string>> places;
-    places.reserve(sorted.size());
-    for (const std::string& column : sorted)
-    {
-      places.push_back(GetPlace(column));
-    }
-    std::sort(places.begin(), places.end());
-    this->Sorted = sorted;
-    this->Shown.clear();
-    for (const auto& place : places)
-    {
-      this->Shown.push_back(std::get<2>(place));
-    }
-  }
-};
-
-vtkSolidTableView::vtkSolidTableView()
-  : Columns(new Order)
-{
-}
-
+vtkSolidTableView::vtkSolidTableView() = default;
 vtkSolidTableView::~vtkSolidTableView() = default;
 
 void vtkSolidTableView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Columns in their own order: " << this->Columns->Shown.size() << "\n";
+  os << indent << "Columns in their own order: " << this->ShownColumns.size() << "\n";
+}
+
+void vtkSolidTableView::Arrange(const std::vector<std::string>& sorted)
+{
+  std::vector<std::tuple<std::size_t, int, std::string>> places;
+  places.reserve(sorted.size());
+  for (const std::string& column : sorted)
+  {
+    places.push_back(GetPlace(column));
+  }
+  std::sort(places.begin(), places.end());
+  this->SortedColumns = sorted;
+  this->ShownColumns.clear();
+  for (const auto& place : places)
+  {
+    this->ShownColumns.push_back(std::get<2>(place));
+  }
 }
 
 vtkTable* vtkSolidTableView::FetchBlock(vtkIdType blockindex)
@@ -152,40 +155,40 @@ vtkTable* vtkSolidTableView::FetchBlock(vtkIdType blockindex)
   {
     return sorted;
   }
-  Order& order = *this->Columns;
-  const auto known = order.Blocks.find(blockindex);
-  if (known == order.Blocks.end() || known->second.Sorted != sorted)
+  const auto known = this->Blocks.find(blockindex);
+  if (known != this->Blocks.end() && known->second.Sorted == sorted)
   {
-    const bool other = order.Sorted != columns;
-    if (other)
-    {
-      order.Arrange(columns);
-    }
-    // As many as the superclass keeps.
-    if (other || order.Blocks.size() >= 10)
-    {
-      order.Blocks.clear();
-    }
-    vtkNew<vtkTable> shown;
-    shown->GetFieldData()->ShallowCopy(sorted->GetFieldData());
-    for (const std::string& name : order.Shown)
-    {
-      shown->AddColumn(sorted->GetColumnByName(name.c_str()));
-    }
-    order.Blocks[blockindex] = { sorted, shown };
+    return known->second.Shown;
   }
-  return order.Blocks[blockindex].Shown;
+  const bool other = this->SortedColumns != columns;
+  if (other)
+  {
+    this->Arrange(columns);
+  }
+  // The superclass keeps 10 blocks, too.
+  if (other || this->Blocks.size() >= 10)
+  {
+    this->Blocks.clear();
+  }
+  vtkNew<vtkTable> shown;
+  shown->GetFieldData()->ShallowCopy(sorted->GetFieldData());
+  for (const std::string& name : this->ShownColumns)
+  {
+    shown->AddColumn(sorted->GetColumnByName(name.c_str()));
+  }
+  this->Blocks[blockindex] = { sorted, shown };
+  return this->Blocks[blockindex].Shown;
 }
 
 const char* vtkSolidTableView::GetColumnName(vtkIdType index)
 {
   const char* sorted = this->Superclass::GetColumnName(index);
-  const Order& order = *this->Columns;
   const auto place = static_cast<std::size_t>(index);
-  // Else the table is none of ours, or it was exchanged and no block of the new one was asked for yet.
-  const bool ours = sorted && order.Sorted.size() == static_cast<std::size_t>(this->GetNumberOfColumns()) &&
-    order.Sorted[place] == sorted;
-  return ours ? order.Shown[place].c_str() : sorted;
+  // False for a table of another origin, and for a new table until one of its blocks is fetched.
+  const bool arranged = sorted &&
+    this->SortedColumns.size() == static_cast<std::size_t>(this->GetNumberOfColumns()) &&
+    this->SortedColumns[place] == sorted;
+  return arranged ? this->ShownColumns[place].c_str() : sorted;
 }
 
 bool vtkSolidTableView::IsColumnInternal(vtkIdType index)
@@ -205,8 +208,8 @@ bool vtkSolidTableView::IsColumnInternal(const char* columnName)
   {
     return false;
   }
-  // Of a quantity of ours, and not the name of somebody's integrand.
-  const std::vector<std::string>& shown = this->Columns->Shown;
+  // A magnitude that the view added, not an integrand of that name.
+  const std::vector<std::string>& shown = this->ShownColumns;
   const auto has = [&shown](const std::string& column)
   { return std::find(shown.begin(), shown.end(), column) != shown.end(); };
   return has(name) && has(name.substr(0, name.size() - end.size()) + "_0");

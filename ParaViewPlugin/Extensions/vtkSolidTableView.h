@@ -1,22 +1,26 @@
 /**
  * @class   vtkSolidTableView
- * @brief   ParaView's spreadsheet view, with the columns of this project's tables in their own order
+ * @brief   ParaView's spreadsheet view with the columns of this project's tables in an order of their own
  *
- * vtkSpreadSheetView sorts columns by name, so that Name and Volume of a solid stand behind a hundred others. Here the tables of the
- * mass filters, of Surface Integral and Solid Stability are shown and exported thus: the row's number; Name, Id, Status; Volume, Mass,
- * SurfaceArea, CenterOfMass; integrals by the names that the user gave them; units, tensors and gaps; each followed by its bound. The
- * magnitudes that the view adds to centres, tensors and axes, which mean nothing, are left out. Any other table is shown as ParaView
- * does. A table is known by its columns: Name, Id and Status; or Solid with FaceId, EdgeId or StabilityMargin.
+ * vtkSpreadSheetView sorts columns by name, so that Name and Volume of a solid come after a hundred others. This class shows and exports
+ * the tables of Mass Properties, Surface Integral, Buoyancy and Static Stability in this order: the row's number; Name, Id, Status; the
+ * main results, such as Volume, Mass, SurfaceArea, CenterOfMass; integrals by the names that the user gave them; units, tensors and
+ * gaps; each followed by its bound. The magnitudes that the view adds to centres, tensors and axes have no meaning and are left out. Any
+ * other table is shown as ParaView does. A table of this project has the columns Name, Id and Status, or Solid with FaceId, EdgeId or
+ * StabilityMargin.
  *
- * The plugin puts it in the place of the class of the view SpreadSheetView.
+ * The plugin registers it as the class of the view SpreadSheetView.
  */
 #ifndef vtkSolidTableView_h
 #define vtkSolidTableView_h
 
 #include "smParaViewExtensionsModule.h" // for the export macro
+#include "vtkSmartPointer.h"            // for the blocks
 #include "vtkSpreadSheetView.h"
 
-#include <memory> // for the order
+#include <map>    // for the blocks
+#include <string> // for the columns
+#include <vector> // for the columns
 
 class SMPARAVIEWEXTENSIONS_EXPORT vtkSolidTableView : public vtkSpreadSheetView
 {
@@ -40,8 +44,20 @@ private:
   vtkSolidTableView(const vtkSolidTableView&) = delete;
   void operator=(const vtkSolidTableView&) = delete;
 
-  struct Order;
-  std::unique_ptr<Order> Columns;
+  /// A block of rows as the superclass returns it and with its columns in order.
+  struct Block
+  {
+    vtkSmartPointer<vtkTable> Sorted;
+    vtkSmartPointer<vtkTable> Shown;
+  };
+
+  /// Sets SortedColumns and ShownColumns.
+  void Arrange(const std::vector<std::string>& sorted);
+
+  /// Columns of the last table of this project, as the superclass sorts them and as they are shown.
+  std::vector<std::string> SortedColumns;
+  std::vector<std::string> ShownColumns;
+  std::map<vtkIdType, Block> Blocks;
 };
 
 #endif

@@ -1,4 +1,4 @@
-"""TestPluginApply.py PLUGIN.so FOLDER: what the GUI's Apply shows: translucent bodies, green marker, summary, red when flagged."""
+"""TestPluginApply.py PLUGIN.so FOLDER: the view after the GUI's Apply: translucent bodies, green marker, summary, red when flagged."""
 import os
 import sys
 
@@ -20,7 +20,7 @@ view.OrientationAxesVisibility = 0
 
 
 def apply(filter_proxy, expected):
-    """pqApplyBehavior::showData: every port is shown in the view that its hints prefer, and the input is replaced."""
+    """As pqApplyBehavior::showData(): shows every port in the view that its hints prefer, and hides the input."""
     source = filter_proxy.SMProxy
     for port, name in enumerate(expected):
         shown = controller.ShowInPreferredView(source, port, view.SMProxy)
@@ -28,7 +28,7 @@ def apply(filter_proxy, expected):
         representation = view.SMProxy.FindRepresentation(source, port)
         check_equal(f"{names[port]}: representation in the render view", name,
                     representation.GetXMLName() if representation else None)
-    check_equal("the bodies take the input's place", "1",
+    check_equal("the bodies replace the input", "1",
                 source.GetHints().FindNestedElementByName("Visibility").GetAttribute("replace_input"))
     simple.Hide(filter_proxy.Input, view)
     simple.ResetCamera(view)
@@ -86,18 +86,18 @@ check_true("and the mass once there is a density", "Mass: 0.10824524" in serverm
 mass.ShowPrincipalAxes = 0
 few = count_pixels(is_green)
 mass.ShowPrincipalAxes = 1
-check_true("the axes are there without a click", count_pixels(is_green) > 2 * few, f"{few} without")
+check_true("the axes are shown by default", count_pixels(is_green) > 2 * few, f"{few} without")
 
-# Flagged: the text turns red, and white again. A tolerance that nobody can meet leaves everything else as it is.
+# A tolerance that cannot be met: the text becomes red, and white again without it.
 mass.RelativeTolerance = 1e-15
 check_true("flagged: red text", count_pixels(is_red) > 300, str(count_pixels(is_red)))
 flagged = servermanager.Fetch(mass, idx=2).GetValueByName(0, "Text").ToString()
 check_true("flagged: the text says why", "tolerance-not-met" in flagged and "above the tolerance" in flagged, flagged)
 mass.RelativeTolerance = 1e-9
-check_equal("red pixels when it is ok again", 0, count_pixels(is_red))
+check_equal("red pixels when the status is ok again", 0, count_pixels(is_red))
 check_true("and white ones", count_pixels(is_white) > 300, str(count_pixels(is_white)))
 
-# Colouring by what was computed for solids and faces, as cell data of the bodies.
+# Cell data of the bodies, and colouring by them.
 arrays = servermanager.OutputPort(mass, 5).CellData
 check("the solid's volume", part["volume"], arrays["Volume"].GetRange()[0], 1e-6 * part["volume"], "(float)")
 shares = arrays["FaceShare"].GetRange()
@@ -109,7 +109,7 @@ bodies.RescaleTransferFunctionToDataRange(False, True)
 bodies.Opacity = 1.0
 check_true("coloured by share: red and blue faces", count_pixels(is_red) > 1000, str(count_pixels(is_red)))
 
-# A row that is selected in the table highlights its solid.
+# Rows that are selected in the table highlight their solids.
 manager = servermanager.ProxyManager().SMProxyManager
 
 simple.Delete(mass)
@@ -130,7 +130,7 @@ check_equal("cells of a hundred selected solids", 100 * one, count_selected_cell
 check_true("more magenta pixels", count_pixels(is_magenta) > 300, str(count_pixels(is_magenta)))
 many.SMProxy.CleanSelectionInputs(1)
 check_equal("cleared with the rows", 0, count_pixels(is_magenta))
-# What is selected in the view stays when the rows, as ParaView does then, are cleared.
+# A selection in the view stays when the rows are cleared, as ParaView does after it.
 select_rows(many, 1, [499])
 block = manager.NewProxy("sources", "BlockSelectorsSelectionSource")
 block.GetProperty("BlockSelectors").SetElement(0, "/Root")
@@ -138,9 +138,9 @@ block.UpdateVTKObjects()
 many.SMProxy.SetSelectionInput(5, servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(block), 0)
 check_equal("all are selected in the view", total, count_selected_cells(many, 5))
 many.SMProxy.CleanSelectionInputs(1)
-check_equal("and stay so", total, count_selected_cells(many, 5))
+check_equal("and stay selected", total, count_selected_cells(many, 5))
 
-# A table that the user asks for does open.
+# Tables open in a spreadsheet on request.
 sheet = simple.CreateView("SpreadSheetView")
 for port in (1, 3):
     check_true(f"{names[port]}: opens in a spreadsheet", sheet.SMProxy.CanDisplayData(many.SMProxy, port)

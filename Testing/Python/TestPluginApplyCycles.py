@@ -1,7 +1,7 @@
-"""TestPluginApplyCycles.py PLUGIN.so FILE.step CYCLES: a part that is open is applied again and again, with other properties and another
-shape upstream; neither OpenGL's objects, in the view's context and in the filter's, nor memory, threads or files grow.
+"""TestPluginApplyCycles.py PLUGIN.so FILE.step CYCLES: an open part is applied repeatedly, with other properties and another shape
+upstream; OpenGL objects in the contexts of view and filter, memory, threads and files do not grow.
 
-Before that: the picture of something else is, to the byte, what it was before the filter ran.
+Before that: a run of the filter does not change a byte of the view's picture.
 """
 import os
 import sys
@@ -10,7 +10,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import check_equal, check_true, finish  # noqa: E402
 from smresources import Process, check_counting, check_held, count_errors, count_objects, run_counted  # noqa: E402
 
-import solidmoments.smFiltersMassProperties  # noqa: E402, F401  (so that the filter itself can be asked, and its context)
+import solidmoments.smFiltersMassProperties  # noqa: E402, F401  (the Python class of the filter)
 import solidmoments.smRenderingCompute  # noqa: E402, F401
 from paraview import servermanager, simple  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
@@ -56,7 +56,7 @@ evaluations = 0
 
 def cycle(i):
     global errors, evaluations
-    # Another shape, faces that nobody has seen; another tolerance, and the first again; and what costs no evaluation.
+    # Another shape with new faces; another tolerance, then the first again; a density, which needs no evaluation.
     if i % 4 == 0:
         bend.Displacement = [1e-3 * (1 + i % 50), 0.0, 0.0]
     elif i % 4 == 2:
@@ -75,7 +75,7 @@ def count():
     return held
 
 
-# Counts are of the same phase, where cycles are a multiple of 4.
+# Counts are taken in the same phase of the four steps if the number of cycles is a multiple of 4.
 warm = max(32, cycles // 40 * 8)
 for i in range(warm):
     cycle(i)

@@ -1,9 +1,9 @@
-"""TestPluginClosing.py MODE PLUGIN.so FILE.step [SERVER]: what is shown may be closed in any order, and nothing crashes or stays behind.
+"""TestPluginClosing.py MODE PLUGIN.so FILE.step [SERVER]: views, filters, files and sessions are closed in any order, without crash or leak.
 
-orders: view, filter and file in every order, two views, layouts. reset: sessions that end with everything alive. exit: the program ends
-so. server: the client leaves a server, HOST:PORT, on which the filter lives; with_server.py looks how that ends. killed: the server, which
-is started with the program SERVER, dies instead.
-With - for PLUGIN.so the same is done with ParaView's own sphere and filter: what fails then is none of our doing.
+orders: view, filter and file in every order, two views, layouts. reset: a session ends with all of them open. exit: the program ends with
+all of them open. server: the client leaves the server HOST:PORT, on which the filter is; with_server.py checks how the server ends.
+killed: the server, started as the program SERVER, is killed instead.
+With - for PLUGIN.so the same is done with ParaView's own sphere and filter; a failure there is one of ParaView.
 """
 import atexit
 import gc
@@ -57,7 +57,7 @@ class Scene:
         self.volume = get_volume(self.mass)
 
     def watch(self):
-        """The algorithm itself, which somebody else may hold; only in a session without server."""
+        """Keeps a weak reference to the algorithm; only in a session without server."""
         self.watched = vtkWeakReference()
         self.watched.Set(self.mass.GetClientSideObject())
 
@@ -66,7 +66,7 @@ class Scene:
         return self.watched.Get() is None
 
     def delete(self, what):
-        """Of "view", "mass" and "reader"; what is left still works."""
+        """Deletes "view", "mass" or "reader", and checks that the others still work."""
         if what == "view":
             simple.Delete(self.views.pop(0))
         else:
@@ -172,7 +172,7 @@ def check_killed():
     sys.stdout.flush()
     if not stock:
         scene.mass.Density = 1000.0
-    # ParaView says that the connection is broken, many times.
+    # ParaView prints many messages about the broken connection.
     simple.Render(scene.views[0])
     check_true("the view is still there", True)
     simple.Disconnect()

@@ -1,6 +1,6 @@
-"""TestPluginCycles.py PLUGIN.so FILE.step CYCLES [brief]: opening, applying, choosing, selecting and deleting again leaves no memory, no OpenGL
-object, no thread and no open file behind. brief: opening, applying and deleting only, for long runs. With - for PLUGIN.so the
-brief cycles are of ParaView's own sources: what grows then is none of ours.
+"""TestPluginCycles.py PLUGIN.so FILE.step CYCLES [brief]: repeated opening, applying, selecting and deleting leaks no memory, OpenGL
+object, thread or open file. brief: opening, applying and deleting only, for long runs. With - for PLUGIN.so the brief cycles use
+ParaView's own sources, as a reference for ParaView's own growth.
 """
 import os
 import sys
@@ -22,7 +22,7 @@ view = simple.CreateRenderView()
 view.ViewSize = [200, 150]
 window = view.GetRenderWindow()
 
-# Made once: what scripts make of these is theirs to give back.
+# Made once: a script does not free its selection proxies.
 rows = manager.NewProxy("sources", "IDSelectionSource")
 rows.GetProperty("FieldType").SetElement(0, 5)  # rows
 rows.GetProperty("IDs").SetNumberOfElements(2)
@@ -47,7 +47,7 @@ def open_and_apply():
 
 
 def use(mass, i):
-    # The result is flagged, and is not any more; one solid is chosen, then all.
+    # The result is flagged, then ok; one solid is chosen, then all.
     mass.RelativeTolerance = 1e-3 if i % 2 else 1e-12
     mass.Assembly = "Hierarchy"
     mass.Selectors = ["/Root/*[@number_of_partitions][1]"]
@@ -74,7 +74,7 @@ def count():
     return Process(), count_objects(window)
 
 
-# Caches, ParaView's own and the driver's, fill first.
+# The caches of ParaView and of the driver fill first.
 errors = 0
 warm = max(6, min(50, cycles // 10 * 2))
 for i in range(warm):

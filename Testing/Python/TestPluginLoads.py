@@ -1,4 +1,4 @@
-"""TestPluginLoads.py PLUGIN.so FILE.step VOLUME: the plugin loads from where it is and computes; needs no display."""
+"""TestPluginLoads.py PLUGIN.so FILE.step VOLUME: the plugin loads and computes without a display."""
 import os
 import sys
 

@@ -1,4 +1,4 @@
-"""TestPluginMassProperties.py PLUGIN.so FOLDER: load the plugin, open a STEP file, apply Mass Properties, look at the values."""
+"""TestPluginMassProperties.py PLUGIN.so FOLDER: values of Mass Properties for a STEP file in ParaView's pipeline."""
 import os
 import sys
 
@@ -33,7 +33,7 @@ simple.Show(servermanager.OutputPort(mass, 2), view)
 simple.Render(view)
 check_true("the input stays visible", simple.GetRepresentation(reader, view).Visibility == 1)
 
-# Fetch of a collection is broken in ParaView 5.11; the glyph and the tables are plain data.
+# ParaView 5.11 fetches a collection as empty; the glyph and the tables are plain data.
 glyph = servermanager.Fetch(mass, idx=0)
 check_equal("status", "ok", text(glyph, "Status"))
 check_equal("backend", "opengl", text(glyph, "Backend"))
@@ -44,7 +44,7 @@ check_true("volume bound", 0 < numbers(glyph, "VolumeBound")[0] <= 1e-9 * part["
 check_true("the glyph has points", glyph.GetNumberOfPoints() > 10, str(glyph.GetNumberOfPoints()))
 bounds = glyph.GetBounds()
 for axis in range(3):
-    # The sphere's own tessellation is symmetric to a few percent of its radius of 0.02 diagonals.
+    # The tessellated sphere is symmetric to a few percent of its radius of 0.02 diagonals.
     check(f"the glyph is at the centre, axis {axis}", part["center_of_mass"][axis],
           (bounds[2 * axis] + bounds[2 * axis + 1]) / 2, 1e-3 * part["size"])
 
@@ -76,7 +76,7 @@ reader.FileName = sphere["path"]
 glyph = servermanager.Fetch(mass, idx=0)
 check("volume of the sphere", sphere["volume"], numbers(glyph, "Volume")[0], 1e-9 * sphere["volume"])
 
-# An assembly of 500 instances passes ParaView's own machinery (composite copies, bounds, geometry filter).
+# An assembly of 500 instances passes ParaView's composite copies, bounds and geometry filter.
 assembly = manifest.special("assembly")
 many = MassPropertiesGPU(Input=simple.OpenDataFile(assembly["path"]))  # noqa: F821
 glyph = servermanager.Fetch(many, idx=0)

@@ -1,5 +1,5 @@
-"""TestPluginPictures.py MODE PLUGIN.so SOLIDS PARTS MODELS OUTPUT BASELINES: what Apply shows in ParaView's view, against
-BASELINES/TestPluginPictures_MODE.png. Each is drawn once more with something wrong, which has to be noticed.
+"""TestPluginPictures.py MODE PLUGIN.so SOLIDS PARTS MODELS OUTPUT BASELINES: the view after Apply in ParaView, compared with
+BASELINES/TestPluginPictures_MODE.png. Each is drawn once more with a property changed, which the comparison must detect.
 
 part      translucent body with marker, axes and text
 assembly  likewise, a marker in every solid
@@ -34,7 +34,7 @@ def draw(name):
 
 
 def apply(path, **properties):
-    """Opens a file and does what the GUI's Apply does."""
+    """Opens a file and shows the outputs as the GUI's Apply does."""
     reader = simple.OpenDataFile(path)
     mass = MassPropertiesGPU(Input=reader, **properties)  # noqa: F821
     controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
@@ -80,7 +80,7 @@ if mode == "part":
 elif mode == "assembly":
     mass.GlyphPerSolid = 0
 elif mode == "flagged":
-    # The same words, not red.
+    # The same text, not red.
     simple.GetRepresentation(servermanager.OutputPort(mass, 2), view).FlaggedColor = [1.0, 1.0, 1.0]
 elif mode == "share":
     color_by(mass, "FaceGap", 0.0, 0.08)

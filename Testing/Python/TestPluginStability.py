@@ -1,4 +1,4 @@
-"""TestPluginStability.py PLUGIN.so FOLDER: Solid Stability on a box and on a ball, in ParaView's pipeline."""
+"""TestPluginStability.py PLUGIN.so FOLDER: Static Stability of a box and of a ball in ParaView's pipeline."""
 import math
 import os
 import sys
@@ -24,7 +24,7 @@ def text(data, name):
 box = manifest.solid("box")
 center = box["center_of_mass"]
 reader = simple.OpenDataFile(box["path"])
-standing = SolidStability(Input=reader)  # noqa: F821
+standing = StaticStability(Input=reader)  # noqa: F821
 view = simple.CreateRenderView()
 simple.Show(reader, view)
 simple.Show(servermanager.OutputPort(standing, 0), view)

@@ -54,7 +54,7 @@ for solid, variant in (("slanted_hole", "inch"), ("torus", "turned"), ("hollow_s
                str(text.count("ADVANCED_FACE")))
     check_equal(f"{solid}: the file's own unit", variant == "inch", "INCH" in text)
 
-# The writer's own property, and what a filter of ours changed.
+# The writer's property OutputUnit, and the BREP writer.
 reader = simple.OpenDataFile(manifest.solid("box")["path"])
 path = os.path.join(output, f"{prefix}-metres.step")
 simple.SaveData(path, proxy=reader, OutputUnit="m")

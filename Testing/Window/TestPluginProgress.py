@@ -1,8 +1,8 @@
-"""TestPluginProgress.py PLUGIN.so STEP ASSEMBLY [HOST:PORT]: progress as the status bar gets it, and runs that are stopped.
+"""TestPluginProgress.py PLUGIN.so STEP ASSEMBLY [HOST:PORT]: progress as the status bar receives it, and runs that are stopped.
 
-Here: every source and filter tells of its progress, from 0 to 1, never backwards, by its own name; stopped half way it ends
-within a few more reports, says so, and the next run gives the bits of an undisturbed one. On a server: its progress arrives, and
-MaximumSeconds stops it, for ParaView 5.11 has no other way.
+In this process: the progress of every source and filter goes from 0 to 1, never decreases and has the label as its text; a run that is
+stopped half way ends within a few more reports and says so, and the next run gives the bits of an undisturbed one. On a server: progress
+arrives, and MaximumSeconds stops a run, since ParaView 5.11 has no other way. Filters of modules that are not built are left out.
 """
 import os
 import sys
@@ -22,8 +22,12 @@ if server:
 simple.LoadPlugin(plugin, remote=False, ns=globals())
 
 
+def has(name):
+    return bool(servermanager.ProxyManager().SMProxyManager.HasDefinition("filters", name))
+
+
 class Watch:
-    """Progress of an algorithm in this process; asks it to stop at the report number `stop_at`."""
+    """Records the progress of an algorithm in this process; stops it at the report number `stop_at`."""
 
     def __init__(self, proxy, stop_at=None):
         self.algorithm = proxy.SMProxy.GetClientSideObject()
@@ -32,7 +36,7 @@ class Watch:
         self.tags = [self.algorithm.AddObserver("ProgressEvent", self.progress), self.algorithm.AddObserver("EndEvent", self.end)]
 
     def progress(self, _caller, _event):
-        # The executive sets 1 behind the end of an undisturbed run.
+        # The executive reports 1 after the end of an undisturbed run.
         self.values.append(self.algorithm.GetProgress())
         self.texts.add(self.algorithm.GetProgressText())
         if len(self.values) == self.stop_at:
@@ -112,24 +116,43 @@ if not server:
     reader.UpdatePipeline()
 
     def make_mass(**options):
-        # Every run evaluates everything: what is known of a face is no progress.
-        return lambda: MassPropertiesGPU(Input=reader, RelativeTolerance=1e-11, KeepFaces=0, **options)  # noqa: F821
+        # Without the cache, so that every run evaluates all faces.
+        return lambda: MassPropertiesGPU(Input=reader, RelativeTolerance=1e-11, CacheFaceResults=0, **options)  # noqa: F821
 
     def larger_marker(proxy):
         proxy.GlyphScale = 0.03
 
     check_filter("mass properties", "Mass Properties (GPU)", make_mass(), larger_marker, mass_result, 3)
     check_filter("mass properties on the CPU", "Mass Properties (GPU)", make_mass(Backend="CPU"), larger_marker, mass_result, 3)
-    check_filter("the paper's scheme", "Mass Properties (GPU)", make_mass(Scheme="3-point Gauss", SubPatchFactor=12), larger_marker,
-                 lambda proxy: dict(mass_result(proxy), status=summary_of(proxy).split("\n")[1]), 3)
+    if has("SchemeMassProperties"):
+        check_filter("the paper's scheme", "Mass Properties by Paper Schemes", lambda: MassPropertiesbyPaperSchemes(  # noqa: F821
+            Input=reader, Scheme="3-point Gauss", SubPatchFactor=12), larger_marker,
+            lambda proxy: dict(mass_result(proxy), status=summary_of(proxy).split("\n")[1]), 3)
+    if has("Buoyancy"):
+        afloat = Buoyancy(Input=reader, Point=[0.0, 0.0, 5.0], RelativeTolerance=1e-11)  # noqa: F821
+        full = run(afloat)
+        check_progress("buoyancy", "Buoyancy", full, 5)
+        volume = fields_of(afloat).GetArray("DisplacedVolume").GetValue(0)
+        afloat = Buoyancy(Input=reader, Point=[0.0, 0.0, 5.0], RelativeTolerance=1e-11)  # noqa: F821
+        half = len(full.values) // 2
+        stopped = run(afloat, half)
+        check_true("buoyancy: stopped half way, it ends", half <= len(stopped.values) <= half + 3,
+                   f"after {len(stopped.values)} of {len(full.values)}")
+        check_true("buoyancy: the summary says why", "abort" in summary_of(afloat) or "stopped" in summary_of(afloat), summary_of(afloat))
+        afloat.SMProxy.GetClientSideObject().Modified()
+        afloat.SMProxy.MarkDirty(None)
+        run(afloat)
+        check_equal("buoyancy: the next run", volume, fields_of(afloat).GetArray("DisplacedVolume").GetValue(0))
     some = make_mass()()
     run(some, 8)
     check_true("mass properties: the summary says why", "abort" in summary_of(some), summary_of(some))
 
     everything = STEPReader(FileName=assembly)  # noqa: F821
     everything.UpdatePipeline()
-    for what, label, proxy in (("transform", "NURBS Transform", NURBSTransform(Input=everything, Mirror="Across x")),  # noqa: F821
-                               ("deform", "NURBS Deform", NURBSDeform(Input=everything, Displacement=[0.1, 0.0, 0.0]))):  # noqa: F821
+    edits = [("transform", "NURBS Transform", NURBSTransform(Input=everything, Mirror="Across x")),  # noqa: F821
+             ("deform", "NURBS Deform", NURBSDeform(Input=everything, Displacement=[0.1, 0.0, 0.0]))  # noqa: F821
+             ] if has("NURBSTransform") else []
+    for what, label, proxy in edits:
         full = run(proxy)
         check_progress(what, label, full, 100)
         cells = proxy.GetDataInformation().GetNumberOfCells()
@@ -145,35 +168,36 @@ if not server:
 
     integral = SurfaceIntegralGPU(Input=reader, MomentDegree=3, RelativeTolerance=1e-11)  # noqa: F821
     check_progress("integrals", "Surface Integral (GPU)", run(integral), 5)
-    standing = SolidStability(Input=reader, Bodies="Each")  # noqa: F821
-    check_progress("stability", "Solid Stability", run(standing), 5)
-    standing = SolidStability(Input=reader, GravityDirection=[0.0, 1.0, 0.0])  # noqa: F821
-    stopped = run(standing, 3)
-    check_true("stability: stopped at the report 3, it ends", len(stopped.values) <= 5, str(len(stopped.values)))
-    check_true("stability: it does not say how the body stands", "stable" not in summary_of(standing), summary_of(standing))
-else:
+    if has("SolidStability"):
+        standing = StaticStability(Input=reader, Bodies="Each")  # noqa: F821
+        check_progress("stability", "Static Stability", run(standing), 5)
+        standing = StaticStability(Input=reader, GravityDirection=[0.0, 1.0, 0.0])  # noqa: F821
+        stopped = run(standing, 3)
+        check_true("stability: stopped at the report 3, it ends", len(stopped.values) <= 5, str(len(stopped.values)))
+        check_true("stability: no verdict", "stable" not in summary_of(standing), summary_of(standing))
+elif has("SchemeMassProperties"):
     reader = STEPReader(FileName=part)  # noqa: F821
     reader.UpdatePipeline()
-    # Without it hours on two cores.
+    # Without the limit the run takes hours on two cores.
     seconds = 4.0
-    mass = MassPropertiesGPU(Input=reader, Scheme="3-point Gauss", SubPatchFactor=1024, MaximumEvaluations=10**15,  # noqa: F821
-                             MaximumSeconds=seconds)
+    mass = MassPropertiesbyPaperSchemes(Input=reader, Scheme="3-point Gauss", SubPatchFactor=1024,  # noqa: F821
+                                        MaximumEvaluations=10**15, MaximumSeconds=seconds)
     reports = []
     handler = servermanager.ActiveConnection.Session.GetProgressHandler()
     handler.AddObserver("ProgressEvent", lambda *_: reports.append((handler.GetLastProgress(), handler.GetLastProgressText())))
     start = time.monotonic()
     mass.UpdatePipeline()
     passed = time.monotonic() - start
-    ours = [progress for progress, text in reports if text == "Mass Properties (GPU)"]
-    check_true("server: its progress arrives by its name", len(ours) >= 1, str(reports))
+    ours = [progress for progress, text in reports if text == "Mass Properties by Paper Schemes"]
+    check_true("server: its progress arrives with its label", len(ours) >= 1, str(reports))
     check_true("server: in percent, never backwards", ours == sorted(ours) and all(0 <= each <= 100 for each in ours), str(ours))
-    # The rest is the part of the preparation that is not divided, on a machine that may be busy.
+    # The excess is the part of the preparation that is not interruptible, on a machine that may be busy.
     check("server: seconds", seconds, passed, 25.0, "(the run would take hours)")
     check_true("server: stopped by MaximumSeconds", passed >= seconds, f"{passed:.1f} s")
     check_equal("server: status", "tolerance-not-met", fields_of(mass).GetAbstractArray("Status").GetValue(0))
     check_true("server: the summary says why", "MaximumSeconds" in summary_of(mass), summary_of(mass))
-    mass.Scheme, mass.MaximumSeconds = "Adaptive", 0.0
+    mass.SubPatchFactor, mass.MaximumSeconds = 1, 0.0
     mass.UpdatePipeline()
-    check_equal("server: the next run", "ok", fields_of(mass).GetAbstractArray("Status").GetValue(0))
+    check_true("server: the next run", fields_of(mass).GetArray("Volume").GetValue(0) > 1000.0)
     check_true("this was remote", servermanager.ActiveConnection.IsRemote())
 finish()

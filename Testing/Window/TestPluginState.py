@@ -1,4 +1,4 @@
-"""TestPluginState.py PLUGIN.so STEP FOLDER: what a saved state holds comes back, and rows of a table highlight solids then, too."""
+"""TestPluginState.py PLUGIN.so STEP FOLDER: a loaded state has the saved properties, and rows of a table highlight solids in it."""
 import os
 import sys
 
@@ -11,12 +11,12 @@ from paraview import servermanager, simple, smstate  # noqa: E402
 plugin, assembly, folder = sys.argv[1:4]
 simple.LoadPlugin(plugin, ns=globals())
 controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
-# Other than ParaView's defaults and other than ours.
+# Neither ParaView's defaults nor the plugin's.
 VALUES = {0: {"LineWidth": 5.0, "DiffuseColor": [0.2, 0.3, 0.9]}, 2: {"FontSize": 20, "FlaggedColor": [0.9, 0.1, 0.8]}, 5: {"Opacity": 0.65}}
 
 
 def check_pipeline(what, mass, view):
-    """The display as it was set, the numbers, and the rows that highlight."""
+    """Checks the display properties, the numbers, and the rows that highlight solids."""
     for port, values in VALUES.items():
         shown = simple.GetRepresentation(servermanager.OutputPort(mass, port), view)
         for name, value in values.items():
@@ -31,7 +31,7 @@ def check_pipeline(what, mass, view):
     one = count_selected_cells(mass, 5)
     check_true(f"{what}: a selected row highlights its solid", 0 < one < cells, f"{one} of {cells} cells")
     select_rows(mass, 1, range(5))
-    check_true(f"{what}: five rows, more of it", one < count_selected_cells(mass, 5) < cells, str(count_selected_cells(mass, 5)))
+    check_true(f"{what}: five rows highlight more", one < count_selected_cells(mass, 5) < cells, str(count_selected_cells(mass, 5)))
     mass.SMProxy.CleanSelectionInputs(1)
     check_true(f"{what}: cleared with the rows", not mass.SMProxy.GetSelectionInput(5))
     return fields.GetArray("Volume").GetValue(0)
@@ -52,7 +52,7 @@ volume = check_pipeline("made", mass, view)
 states = [os.path.join(folder, "PluginState." + end) for end in ("pvsm", "py")]
 simple.SaveState(states[0])
 with open(states[1], "w", encoding="utf-8") as file:
-    # File > Save State as Python does no other; SaveState() of 5.11 writes XML whatever the name.
+    # As File > Save State does for Python; SaveState() of 5.11 writes XML whatever the name.
     file.write(smstate.get_state())
 del reader, shown
 for state in states:

@@ -1,7 +1,7 @@
 """TestPluginWindow.py PARAVIEW PLUGIN.so SOURCE OUTPUT: plays TestPluginWindow.xml back in ParaView's window and compares the view.
 
-ParaView's own comparison forgives too much: with an opacity of 0.4 instead of 0.7 its error is 0, with 0.1 it is 1.2 of 5. So
-the picture is compared here: the share of pixels of which a colour is off by more than 24 of 255.
+ParaView's own comparison is too tolerant: with an opacity of 0.4 instead of 0.7 its error is 0, with 0.1 it is 1.2 of 5. This test
+compares the share of pixels in which a colour differs by more than 24 of 255.
 """
 import os
 import subprocess
