@@ -3,6 +3,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -38,6 +39,10 @@ CutFacePointer Cut(const FacePointer& face)
   try
   {
     cut->Panels = BuildFacePanels(*face);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw; // a fault of the machine, not of the face
   }
   catch (const std::exception& error)
   {
