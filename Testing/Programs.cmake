@@ -122,6 +122,7 @@ solidmoments_add_test_program(TestTrimTextureOrder)
 foreach (source IN ITEMS smPaperSolid smSolidBuilder)
   target_sources(TestTrimTextureOrder PRIVATE "${PROJECT_SOURCE_DIR}/Examples/Paper/${source}.cxx")
 endforeach ()
+target_link_libraries(TestTrimTextureOrder PRIVATE SolidMoments::FiltersMomentSchemes)
 target_include_directories(TestTrimTextureOrder PRIVATE "${PROJECT_SOURCE_DIR}/Examples/Paper")
 solidmoments_add_test(NAME TrimTextureOrder LABELS value NODISPLAY COMMAND TestTrimTextureOrder)
 solidmoments_add_test(NAME PaperFiguresErrors LABELS error NODISPLAY

@@ -1,10 +1,12 @@
 // TestBuoyancy FOLDER MODE BACKEND: volume and centre below waterlines against closed forms, each within its bound, and the bound
 // within a tolerance of 1e-6, 1e-9 and 1e-12.
+#include "smBuoyancyNames.h"
 #include "smBuoyancyTesting.h"
 #include "smTestManifest.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkMatrix4x4.h>
+#include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -23,28 +25,33 @@ void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>
   for (const double tolerance : Tolerances)
   {
     scene.Filter->SetRelativeTolerance(tolerance);
-    scene.Filter->RemoveAllIntegrands();
+    vtkTypeInt64 evaluations = 0;
+    double seconds = 0.0;
     for (const Plane& plane : planes)
     {
-      Add(scene.Filter, plane);
-    }
-    scene.Filter->Update();
-    for (const Plane& plane : planes)
-    {
+      SetPlane(scene.Filter, plane);
+      scene.Filter->Update();
+      evaluations += scene.Filter->GetEvaluations();
+      seconds += scene.Filter->GetPrepareSeconds() + scene.Filter->GetIntegrateSeconds();
       char label[16];
       std::snprintf(label, sizeof(label), ", %g", tolerance);
       const std::string name = what + ": " + plane.Name + label;
-      const double bound = scene.Filter->GetIntegralBound(plane.Name);
+      if (tolerance > 1e-10)
+      {
+        CheckEqual(name + ", status", "ok", scene.Filter->GetStatus());
+        std::printf("%s", scene.Filter->GetStatus() == "ok" ? "" : GetMessages(scene.Filter).c_str());
+      }
+      const double bound = scene.Filter->GetDisplacedVolumeBound();
       const auto area = static_cast<double>(size * size * given);
-      Check(name, static_cast<double>(plane.Below.Volume), scene.Filter->GetIntegral(plane.Name),
+      Check(name, static_cast<double>(plane.Below.Volume), scene.Filter->GetDisplacedVolume(),
         bound + area + 2.3e-16 * static_cast<double>(plane.Below.Volume), "the bound");
       // 20: the volume's scale is rounded down to a power of two; rounding is 1e-12 of the box at most.
       CheckRange(name + ", bound", 0.0, bound,
         2.0 * tolerance * static_cast<double>(whole.Volume) + area +
           3e-13 * static_cast<double>(size * size * size));
       double center[3];
-      scene.Filter->GetCenterOfBuoyancy(plane.Name, center);
-      const double centerBound = scene.Filter->GetCenterOfBuoyancyBound(plane.Name);
+      scene.Filter->GetCenterOfBuoyancy(center);
+      const double centerBound = scene.Filter->GetCenterOfBuoyancyBound();
       if (plane.Below.Volume == 0)
       {
         CheckTrue(name + ", no centre", std::isnan(center[0]) && std::isnan(centerBound));
@@ -71,18 +78,8 @@ void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>
           "the bound");
       }
     }
-    if (tolerance > 1e-10)
-    {
-      CheckEqual(what + ", status", "ok", scene.Filter->GetStatus());
-      for (int i = 0; scene.Filter->GetStatus() != "ok" && i < scene.Filter->GetNumberOfMessages(); ++i)
-      {
-        std::printf("     %s\n", scene.Filter->GetMessage(i).c_str());
-      }
-    }
-    std::printf("     %s, %g: %lld evaluations for %d planes, %.2g s, status %s\n", what.c_str(), tolerance,
-      static_cast<long long>(scene.Filter->GetEvaluations()), static_cast<int>(planes.size()),
-      scene.Filter->GetPrepareSeconds() + scene.Filter->GetIntegrateSeconds(),
-      scene.Filter->GetStatus().c_str());
+    std::printf("     %s, %g: %lld evaluations for %d planes, %.2g s\n", what.c_str(), tolerance,
+      static_cast<long long>(evaluations), static_cast<int>(planes.size()), seconds);
   }
 }
 
@@ -356,16 +353,16 @@ void CheckTouching(const Manifest& manifest)
       const Real height = 10 * length + move * up[2] / length;
       for (const double sense : { 1.0, -1.0 })
       {
-        scene.Filter->RemoveAllIntegrands();
-        scene.Filter->AddBuoyancy("below", x, 0, z, sense * up[0], 0, sense * up[2]);
+        scene.Filter->SetPoint(x, 0, z);
+        scene.Filter->SetNormal(sense * up[0], 0, sense * up[2]);
         scene.Filter->Update();
         const Real above = 600 * std::max<Real>(height, 0);
         const Real exact = sense > 0.0 ? volume - above : above;
         char label[80];
         std::snprintf(
           label, sizeof(label), "box turned by %d, %g over a far plane, %g", degrees, delta, sense);
-        const double bound = scene.Filter->GetIntegralBound("below");
-        Check(label, static_cast<double>(exact), scene.Filter->GetIntegral("below"), bound, "the bound");
+        const double bound = scene.Filter->GetDisplacedVolumeBound();
+        Check(label, static_cast<double>(exact), scene.Filter->GetDisplacedVolume(), bound, "the bound");
         CheckRange(std::string(label) + ", bound", 0.0, bound, 0.01);
       }
     }
@@ -435,10 +432,10 @@ void CheckPlates(const Manifest& manifest)
   CheckPlanes("plate", scene, planes, whole, 40);
 
   // A level plane cuts floor and ceiling in curves. No closed form: columns summed at a million points.
-  scene.Filter->RemoveAllIntegrands();
   scene.Filter->SetRelativeTolerance(1e-9);
   const double level = 4.5;
-  scene.Filter->AddBuoyancy("level", 0, 0, level, 0, 0, 1);
+  scene.Filter->SetPoint(0, 0, level);
+  scene.Filter->SetNormal(0, 0, 1);
   scene.Filter->Update();
   double volume = 0.0;
   double moment = 0.0;
@@ -454,74 +451,104 @@ void CheckPlates(const Manifest& manifest)
     }
   }
   double center[3];
-  scene.Filter->GetCenterOfBuoyancy("level", center);
-  Check("plate, level", volume, scene.Filter->GetIntegral("level"), 1e-5 * volume, "the sum's");
+  scene.Filter->GetCenterOfBuoyancy(center);
+  Check("plate, level", volume, scene.Filter->GetDisplacedVolume(), 1e-5 * volume, "the sum's");
   Check("plate, level, centre", moment / volume, center[2], 1e-4, "the sum's");
 }
 
-void CheckTables(const Manifest& manifest)
+/// Volume, first moments and centre of the box below z = height, from getters, field data and tables.
+void CheckBoxTables(vtkBuoyancy* filter, double height)
 {
-  // Rows and columns, two waterlines beside another integrand, a face alone, and reuse of what was cut.
-  Scene scene(manifest.GetSolid("box", "plain")[0].Path);
-  scene.Filter->AddVolumeMoment("V", 0, 0, 0);
-  scene.Filter->AddBuoyancy("deep", 0, 0, 7.5, 0, 0, 1);
-  scene.Filter->AddAreaMoment("A", 0, 0, 0);
-  scene.Filter->AddBuoyancy("low", 0, 0, 2.5, 0, 0, 1);
-  CheckEqual("integrands", 10, scene.Filter->GetNumberOfIntegrands());
-  scene.Filter->Update();
-  CheckEqual("status", "ok", scene.Filter->GetStatus());
-  Check("volume", 6000.0, scene.Filter->GetIntegral("V"), scene.Filter->GetIntegralBound("V"));
-  Check("area", 2200.0, scene.Filter->GetIntegral("A"), scene.Filter->GetIntegralBound("A"));
-  Check("deep", 4500.0, scene.Filter->GetIntegral("deep"), scene.Filter->GetIntegralBound("deep"));
-  Check("low", 1500.0, scene.Filter->GetIntegral("low"), scene.Filter->GetIntegralBound("low"));
-  Check("moment", 1500.0 * 15.0, scene.Filter->GetIntegral("lowMomentX"),
-    scene.Filter->GetIntegralBound("lowMomentX"));
-  vtkFieldData* fields = scene.Filter->GetOutput()->GetFieldData();
-  Check(
-    "centre in the field data", 3.75, GetField(fields, "deepCenter", 2), GetFieldBound(fields, "deepCenter"));
-  auto* solids = vtkTable::SafeDownCast(scene.Filter->GetOutputDataObject(1));
-  Check("centre of the solid", 1.25, solids->GetRowData()->GetArray("lowCenter")->GetComponent(0, 2),
-    GetFieldBound(fields, "lowCenter"));
-  auto* faces = vtkTable::SafeDownCast(scene.Filter->GetOutputDataObject(3));
+  filter->SetPoint(0, 0, height);
+  filter->Update();
+  CheckEqual("status", "ok", filter->GetStatus());
+  const double volume = 600.0 * height;
+  const double bound = filter->GetDisplacedVolumeBound();
+  Check("volume", volume, filter->GetDisplacedVolume(), bound);
+  double first[3];
+  filter->GetDisplacedFirstMoments(first);
+  vtkFieldData* fields = filter->GetOutput()->GetFieldData();
+  auto* solids = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+  const double exact[3] = { volume * 15.0, volume * 10.0, volume * 0.5 * height };
+  for (int c = 0; c < 3; ++c)
+  {
+    Check("first moment", exact[c], first[c], filter->GetDisplacedFirstMomentsBound());
+    Check("in the field data", first[c], GetField(fields, sm::names::DisplacedFirstMoments, c), 0.0);
+    Check("centre in the field data", exact[c] / volume, GetField(fields, sm::names::CenterOfBuoyancy, c),
+      GetFieldBound(fields, sm::names::CenterOfBuoyancy));
+    Check("centre of the solid", exact[c] / volume,
+      solids->GetRowData()->GetArray(sm::names::CenterOfBuoyancy)->GetComponent(0, c),
+      GetFieldBound(fields, sm::names::CenterOfBuoyancy));
+  }
+  Check("bound in the field data", bound, GetFieldBound(fields, sm::names::DisplacedVolume), 0.0);
+  auto* faces = vtkTable::SafeDownCast(filter->GetOutputDataObject(3));
   double sum = 0.0;
   double largest = 0.0;
   for (vtkIdType row = 0; row < faces->GetNumberOfRows(); ++row)
   {
-    const double share = faces->GetValueByName(row, "deep").ToDouble();
+    const double share = faces->GetValueByName(row, sm::names::DisplacedVolume).ToDouble();
     sum += share;
     largest = std::max(largest, std::abs(share));
   }
-  Check("sum of the faces", 4500.0, sum, scene.Filter->GetIntegralBound("deep"));
+  Check("sum of the faces", volume, sum, bound);
   // Only the bottom has a normal that is not level.
-  Check("the bottom's share", 4500.0, largest, scene.Filter->GetIntegralBound("deep"));
+  Check("the bottom's share", volume, largest, bound);
+}
+
+/// A ball below planes that miss it, and at half its radius to either side.
+void CheckCaps(const Expected& part)
+{
+  Scene scene(part.Path);
+  scene.Filter->SetPoint(0.0, 0.0, 1e6);
+  scene.Filter->Update();
+  Check("the whole ball", part.Volume, scene.Filter->GetDisplacedVolume(), 1e-8 * part.Volume);
+  const double radius = std::cbrt(part.Volume * 0.75 / static_cast<double>(Pi));
+  scene.Filter->SetPoint(0.0, 0.5 * radius, 0.0);
+  scene.Filter->SetNormal(0.0, 2.0, 0.0);
+  scene.Filter->Update();
+  Check("below a cap of height r / 2", part.Volume * 27.0 / 32.0, scene.Filter->GetDisplacedVolume(),
+    1e-8 * part.Volume);
+  scene.Filter->SetNormal(0.0, -1.0, 0.0);
+  scene.Filter->Update();
+  Check("the cap", part.Volume * 5.0 / 32.0, scene.Filter->GetDisplacedVolume(), 1e-8 * part.Volume);
+}
+
+void CheckTables(const Manifest& manifest)
+{
+  CheckCaps(manifest.GetSolid("sphere", "plain").front());
+  Scene scene(manifest.GetSolid("box", "plain")[0].Path);
+  double center[3];
+  scene.Filter->GetCenterOfBuoyancy(center);
+  CheckTrue("no centre before the first run", std::isnan(center[0]));
+  // Another filter over the same bodies, updated between two waterlines.
+  vtkNew<vtkSurfaceIntegralGPU> other;
+  other->SetInputConnection(scene.Move->GetOutputPort());
+  other->SetBackend(Backend);
+  other->AddVolumeMoment("V", 0, 0, 0);
+  other->AddAreaMoment("A", 0, 0, 0);
+  CheckBoxTables(scene.Filter, 7.5);
+  other->Update();
+  Check("volume", 6000.0, other->GetIntegral("V"), other->GetIntegralBound("V"));
+  Check("area", 2200.0, other->GetIntegral("A"), other->GetIntegralBound("A"));
+  CheckBoxTables(scene.Filter, 2.5);
   const vtkTypeInt64 first = scene.Filter->GetEvaluations();
   scene.Filter->Modified();
   scene.Filter->Update();
   CheckTrue("cut once, integrated once", first > 0 && scene.Filter->GetEvaluations() == 0);
 
-  scene.Filter->RemoveAllIntegrands();
-  CheckEqual("integrands removed", 0, scene.Filter->GetNumberOfIntegrands());
   MessageTrap messages(scene.Filter);
   const double nan = std::nan("");
-  scene.Filter->AddBuoyancy("a", 0, 0, 0, 0, 0, 0);
+  scene.Filter->SetNormal(0, 0, 0);
   CheckEqual("errors of no direction", 1, messages.NumberOfErrors);
-  scene.Filter->AddBuoyancy("a", 0, 0, 0, 0, nan, 1);
+  scene.Filter->SetNormal(0, nan, 1);
   CheckEqual("errors of a direction that is no number", 2, messages.NumberOfErrors);
-  scene.Filter->AddBuoyancy("a", 0, 1.0 / 0.0, 0, 0, 0, 1);
+  scene.Filter->SetPoint(0, 1.0 / 0.0, 0);
   CheckEqual("errors of an infinite point", 3, messages.NumberOfErrors);
-  scene.Filter->AddBuoyancy("", 0, 0, 0, 0, 0, 1);
-  CheckEqual("errors of an empty name", 4, messages.NumberOfErrors);
-  scene.Filter->AddVolumeMoment("aMomentY", 0, 0, 0);
-  scene.Filter->AddBuoyancy("a", 0, 0, 0, 0, 0, 1);
-  CheckEqual("errors of a name that exists", 5, messages.NumberOfErrors);
-  CheckEqual("integrands", 1, scene.Filter->GetNumberOfIntegrands());
-  double center[3];
-  scene.Filter->GetCenterOfBuoyancy("a", center);
-  CheckTrue("an unknown centre is NaN", std::isnan(center[0]));
-  vtkNew<vtkMassPropertiesGPU> mass;
-  MessageTrap refused(mass);
-  mass->AddBuoyancy("a", 0, 0, 0, 0, 0, 1);
-  CheckEqual("mass properties have no waterline", 1, refused.NumberOfErrors);
+  const double* point = scene.Filter->GetPoint();
+  const double* normal = scene.Filter->GetNormal();
+  CheckTrue("and nothing is changed",
+    point[0] == 0.0 && point[1] == 0.0 && point[2] == 2.5 && normal[0] == 0.0 && normal[1] == 0.0 &&
+      normal[2] == 1.0);
 }
 }
 

@@ -1,8 +1,10 @@
 // TestBuoyancySums FOLDER BACKEND, or TestBuoyancySums - BACKEND FILE...: what is below a plane and what is above it are the whole,
 // for solids and face by face.
+#include "smBuoyancyNames.h"
 #include "smBuoyancyTesting.h"
 #include "smTestManifest.h"
 
+#include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -14,7 +16,7 @@ using namespace smtest;
 
 /// Face by face, h up is integrated below and above: together they are its flux, whose bound is an estimate.
 void CheckFaces(
-  const std::string& what, vtkSurfaceIntegralGPU* filter, vtkSTEPReader* reader, const Plane& plane)
+  const std::string& what, vtkBuoyancy* below, vtkBuoyancy* above, vtkSTEPReader* reader, const Plane& plane)
 {
   const Vector up = Unit(plane.Up);
   char text[512];
@@ -29,22 +31,24 @@ void CheckFaces(
   flux->SetRelativeTolerance(1e-11);
   flux->AddIntegrand("flux", text, vtkSurfaceIntegralGPU::CLOSED_CHAIN);
   flux->Update();
-  auto* parts = vtkTable::SafeDownCast(filter->GetOutputDataObject(3));
+  auto* belows = vtkTable::SafeDownCast(below->GetOutputDataObject(3));
+  auto* aboves = vtkTable::SafeDownCast(above->GetOutputDataObject(3));
   auto* wholes = vtkTable::SafeDownCast(flux->GetOutputDataObject(3));
   const auto get = [](vtkTable* table, vtkIdType row, const char* name)
   { return table->GetValueByName(row, name).ToDouble(); };
   double worst = 0.0;
   int face = 0;
-  for (vtkIdType row = 0; row < parts->GetNumberOfRows(); ++row)
+  for (vtkIdType row = 0; row < belows->GetNumberOfRows(); ++row)
   {
-    const double sum = get(parts, row, "below") + get(parts, row, "above");
-    const double bound = get(parts, row, "belowBound") + get(parts, row, "aboveBound") +
-      get(wholes, row, "fluxBound") + 1e-15 * (std::abs(get(parts, row, "below")) + std::abs(sum));
+    const double part = get(belows, row, sm::names::DisplacedVolume);
+    const double sum = part + get(aboves, row, sm::names::DisplacedVolume);
+    const double bound = get(belows, row, "DisplacedVolumeBound") + get(aboves, row, "DisplacedVolumeBound") +
+      get(wholes, row, "fluxBound") + 1e-15 * (std::abs(part) + std::abs(sum));
     const double ratio = std::abs(sum - get(wholes, row, "flux")) / std::max(bound, 1e-300);
     if (!(ratio <= worst))
     {
       worst = ratio;
-      face = static_cast<int>(get(parts, row, "FaceId"));
+      face = static_cast<int>(get(belows, row, "FaceId"));
     }
   }
   CheckRange(what + ", error over bound of the worst face #" + std::to_string(face), 0.0, worst, 1.0);
@@ -70,8 +74,12 @@ void CheckWhole(
   for (const double tolerance : { 1e-6, 1e-9 })
   {
     vtkNew<vtkSurfaceIntegralGPU> plain;
-    vtkNew<vtkSurfaceIntegralGPU> filter;
-    for (vtkSurfaceIntegralGPU* each : { plain.Get(), filter.Get() })
+    plain->SetInputConnection(reader->GetOutputPort());
+    plain->SetBackend(Backend);
+    plain->SetRelativeTolerance(tolerance);
+    vtkNew<vtkBuoyancy> below;
+    vtkNew<vtkBuoyancy> above;
+    for (vtkBuoyancy* each : { below.Get(), above.Get() })
     {
       each->SetInputConnection(reader->GetOutputPort());
       each->SetBackend(Backend);
@@ -85,38 +93,41 @@ void CheckWhole(
     for (std::size_t i = 0; i < directions.size(); ++i)
     {
       const Vector& up = directions[i];
-      Plane plane{ "below", { middle[0], middle[1], middle[2] }, up, {} };
-      filter->RemoveAllIntegrands();
-      Add(filter, plane);
-      filter->Update();
-      const auto evaluations = static_cast<double>(filter->GetEvaluations());
-      plane.Name = "above";
+      Plane plane{ "", { middle[0], middle[1], middle[2] }, up, {} };
+      SetPlane(below, plane);
+      below->Update();
+      const auto evaluations = static_cast<double>(below->GetEvaluations());
       plane.Up = Scaled(up, -1);
-      Add(filter, plane);
-      filter->Update();
-      const char* const names[][2] = { { "", "V" }, { "MomentX", "X" }, { "MomentY", "Y" },
-        { "MomentZ", "Z" } };
+      SetPlane(above, plane);
+      above->Update();
       char label[64];
       std::snprintf(label, sizeof(label), ", direction %d, %g", static_cast<int>(i), tolerance);
-      for (const auto& [suffix, name] : names)
+      const auto check = [&](const char* name, double sum, double bound)
       {
-        const std::string below = std::string("below") + suffix;
-        const std::string above = std::string("above") + suffix;
-        const double bound = filter->GetIntegralBound(below) + filter->GetIntegralBound(above);
-        Check(what + label + " " + name, plain->GetIntegral(name),
-          filter->GetIntegral(below) + filter->GetIntegral(above), bound + plain->GetIntegralBound(name),
+        Check(what + label + " " + name, plain->GetIntegral(name), sum, bound + plain->GetIntegralBound(name),
           "the bounds");
+      };
+      check("V", below->GetDisplacedVolume() + above->GetDisplacedVolume(),
+        below->GetDisplacedVolumeBound() + above->GetDisplacedVolumeBound());
+      double firstBelow[3];
+      double firstAbove[3];
+      below->GetDisplacedFirstMoments(firstBelow);
+      above->GetDisplacedFirstMoments(firstAbove);
+      const char* const names[] = { "X", "Y", "Z" };
+      for (int c = 0; c < 3; ++c)
+      {
+        check(names[c], firstBelow[c] + firstAbove[c],
+          below->GetDisplacedFirstMomentsBound() + above->GetDisplacedFirstMomentsBound());
       }
       // Of several solids some may be below as a whole: their faces' shares are about another plane.
-      if (withFaces && tolerance < 1e-8 && filter->GetNumberOfSolids() == 1)
+      if (withFaces && tolerance < 1e-8 && below->GetNumberOfSolids() == 1)
       {
-        CheckFaces(what + label, filter, reader, { "", plane.Point, up, {} });
+        CheckFaces(what + label, below, above, reader, { "", plane.Point, up, {} });
       }
       std::printf("     %s%s: %.3g of the volume below, bound %.2g of it; %.0f evaluations, %.2f of the "
                   "volume's; status %s\n",
-        what.c_str(), label, filter->GetIntegral("below") / volume,
-        filter->GetIntegralBound("below") / volume, evaluations,
-        evaluations / static_cast<double>(plain->GetEvaluations()), filter->GetStatus().c_str());
+        what.c_str(), label, below->GetDisplacedVolume() / volume, below->GetDisplacedVolumeBound() / volume,
+        evaluations, evaluations / static_cast<double>(plain->GetEvaluations()), below->GetStatus().c_str());
     }
   }
 }
@@ -136,13 +147,18 @@ void CheckSums(const Manifest& manifest)
   }
   // The tori's inner circle: a plane that touches a saddle.
   Scene scene(manifest.GetSolid("torus", "plain")[0].Path);
-  Add(scene.Filter, { "below", { 14, 0, 0 }, { 1, 0, 0 }, {} });
-  Add(scene.Filter, { "above", { 14, 0, 0 }, { -1, 0, 0 }, {} });
-  scene.Filter->Update();
-  Check("torus at its saddle", 2.0 * 3.14159265358979323846 * 3.14159265358979323846 * 20.0 * 36.0,
-    scene.Filter->GetIntegral("below") + scene.Filter->GetIntegral("above"),
-    scene.Filter->GetIntegralBound("below") + scene.Filter->GetIntegralBound("above"), "the bounds");
-  CheckEqual("its status", "ok", scene.Filter->GetStatus());
+  double sum = 0.0;
+  double bound = 0.0;
+  for (const Real sign : { 1, -1 })
+  {
+    SetPlane(scene.Filter, { "", { 14, 0, 0 }, { sign, 0, 0 }, {} });
+    scene.Filter->Update();
+    CheckEqual("status of the torus at its saddle", "ok", scene.Filter->GetStatus());
+    sum += scene.Filter->GetDisplacedVolume();
+    bound += scene.Filter->GetDisplacedVolumeBound();
+  }
+  Check("torus at its saddle", 2.0 * 3.14159265358979323846 * 3.14159265358979323846 * 20.0 * 36.0, sum,
+    bound, "the bounds");
 }
 }
 

@@ -30,7 +30,7 @@ void CheckNothingLives(const std::string& what)
 /// Runs the filter once more, without what it knows from earlier runs.
 void CheckRuns(const std::string& what, vtkMassPropertiesGPU* mass, const Expected& part)
 {
-  mass->KeepFacesOff();
+  mass->CacheFaceResultsOff();
   mass->SetRelativeTolerance(mass->GetRelativeTolerance() == 1e-9 ? 1e-8 : 1e-9);
   mass->Update();
   CheckEqual(what + ": backend", sm::names::BackendOpenGL, mass->GetBackendName());

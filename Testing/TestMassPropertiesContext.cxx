@@ -57,7 +57,7 @@ void CheckContext(const Expected& part, const std::string& mode)
   CheckTrue("dispatches were counted", pipeline.Mass->GetDispatches() > 0);
   const std::vector<double> first = GetNumbers(pipeline.Mass);
 
-  pipeline.Mass->KeepFacesOff();
+  pipeline.Mass->CacheFaceResultsOff();
   pipeline.Mass->Update();
   CheckTrue("it evaluates again", pipeline.Mass->GetEvaluations() > 0);
   CheckTrue("second run of the filter: same bits", AreSameBits(first, GetNumbers(pipeline.Mass)));

@@ -127,10 +127,10 @@ void CheckCost(int backend)
   CheckRange("evaluations of the edit", 1.0, static_cast<double>(edited), static_cast<double>(full) / 10.0);
   CheckEqual("are exactly the face's of a full run", full - (original - before), edited);
   CheckEqual("undone, none at all", 0, weigh(mass, model));
-  mass->KeepFacesOff();
+  mass->CacheFaceResultsOff();
   CheckEqual("none kept, all of them", original, weigh(mass, model));
   CheckTrue("for the same bits", HaveSameBits(first, GetFieldNumbers(mass)));
-  mass->KeepFacesOn();
+  mass->CacheFaceResultsOn();
   mass->SetRelativeTolerance(1e-12);
   CheckTrue("another tolerance is another question", weigh(mass, model) >= original);
 }

@@ -108,7 +108,7 @@ int main(int argc, char* argv[])
   const Expected part = Manifest(argv[2]).GetSolid("slanted_hole", "moved")[0];
 
   Scene inside(part, shared);
-  inside.Source.Mass->KeepFacesOff();
+  inside.Source.Mass->CacheFaceResultsOff();
   CheckTrue("the filter has not run", std::isnan(inside.Source.Mass->GetVolume()));
   const auto first = inside.Render();
   Check("volume", part.Volume, inside.Source.Mass->GetVolume(), 1e-9 * part.Volume);

@@ -13,13 +13,13 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
-std::string GetText(vtkSurfaceIntegralGPU* filter)
+std::string GetText(vtkSurfaceIntegralBase* filter)
 {
   return GetFieldText(vtkTable::SafeDownCast(filter->GetOutputDataObject(2))->GetRowData(), names::Text);
 }
 
 /// Neither in the messages nor in the text of the ParaView view.
-void CheckWords(vtkSurfaceIntegralGPU* filter)
+void CheckWords(vtkSurfaceIntegralBase* filter)
 {
   const std::string all = GetMessages(filter) + GetText(filter);
   const std::regex number("\\b(nan|inf|infinity|ind)\\b", std::regex::icase);

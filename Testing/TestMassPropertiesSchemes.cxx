@@ -1,12 +1,15 @@
 // TestMassPropertiesSchemes FOLDER opengl|none: the paper's schemes through the filter: values, what is NaN, what the status says,
 // options, instances, edits, budgets; with `none` (the caller limits OpenGL) the CPU computes, or nothing.
 #include "smBoxBodies.h"
+#include "smSchemeNames.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
+#include <vtkCellData.h>
 #include <vtkImageData.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkSMPTools.h>
+#include <vtkSchemeMassPropertiesGPU.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -17,8 +20,20 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
+struct SchemePipeline
+{
+  vtkNew<vtkSTEPReader> Reader;
+  vtkNew<vtkSchemeMassPropertiesGPU> Mass;
+
+  explicit SchemePipeline(const std::string& path)
+  {
+    this->Reader->SetFileName(path.c_str());
+    this->Mass->SetInputConnection(this->Reader->GetOutputPort());
+  }
+};
+
 /// Every value that exists, for a comparison bit for bit.
-std::vector<double> GetAll(vtkMassPropertiesGPU* mass)
+std::vector<double> GetAll(vtkMassPropertiesBase* mass)
 {
   std::vector<double> all;
   for (const char* name : { names::Volume, names::SurfaceArea, names::CenterOfMass, names::FirstMoments,
@@ -32,7 +47,7 @@ std::vector<double> GetAll(vtkMassPropertiesGPU* mass)
 }
 
 /// What every result of a scheme has, and has not.
-void CheckForm(vtkMassPropertiesGPU* mass, const std::string& scheme)
+void CheckForm(vtkSchemeMassPropertiesGPU* mass, const std::string& scheme)
 {
   vtkFieldData* fields = mass->GetOutput()->GetFieldData();
   CheckEqual("status", names::StatusToleranceNotMet, mass->GetStatus());
@@ -86,6 +101,13 @@ void CheckForm(vtkMassPropertiesGPU* mass, const std::string& scheme)
   CheckTrue("faces have no bound",
     faces->GetNumberOfRows() > 0 && std::isnan(faces->GetValueByName(0, "VolumeBound").ToDouble()) &&
       std::isfinite(faces->GetValueByName(0, "Volume").ToDouble()));
+  auto* bodies = vtkPartitionedDataSetCollection::SafeDownCast(mass->GetOutputDataObject(5));
+  vtkCellData* cells = vtkPolyData::SafeDownCast(bodies->GetPartition(0, 0))->GetCellData();
+  const auto getFirst = [cells](const char* name)
+  { return cells->HasArray(name) ? cells->GetArray(name)->GetComponent(0, 0) : 0.0; };
+  CheckTrue("bounds and gaps of the mesh are not known",
+    std::isnan(getFirst(names::FaceBound)) && std::isnan(getFirst(names::FaceGap)));
+  CheckTrue("its shares are", cells->HasArray(names::FaceShare) && std::isfinite(getFirst(names::FaceShare)));
 }
 
 /// Values near the exact ones, by far more than what texels leave; the GPU's and the CPU's are the same to rounding.
@@ -95,14 +117,14 @@ void CheckSolid(const Expected& expected, double near)
   for (int scheme = 1; scheme <= 3; ++scheme)
   {
     std::printf("--- %s, %s\n", expected.Path.c_str(), schemes[scheme]);
-    Pipeline pipeline(expected.Path);
-    vtkNew<vtkMassPropertiesGPU> cpu;
+    SchemePipeline pipeline(expected.Path);
+    vtkNew<vtkSchemeMassPropertiesGPU> cpu;
     cpu->SetInputConnection(pipeline.Reader->GetOutputPort());
-    cpu->SetBackend(vtkMassPropertiesGPU::CPU);
-    pipeline.Mass->SetBackend(vtkMassPropertiesGPU::OPENGL);
+    cpu->SetBackend(vtkSchemeMassPropertiesGPU::CPU);
+    pipeline.Mass->SetBackend(vtkSchemeMassPropertiesGPU::OPENGL);
     MessageTrap trap(pipeline.Mass);
     MessageTrap cpuTrap(cpu);
-    for (vtkMassPropertiesGPU* mass : { pipeline.Mass.Get(), cpu.Get() })
+    for (vtkSchemeMassPropertiesGPU* mass : { pipeline.Mass.Get(), cpu.Get() })
     {
       mass->SetScheme(scheme);
       mass->SetSubPatchFactor(16);
@@ -144,29 +166,36 @@ void CheckOptions(const Manifest& manifest)
 {
   std::printf("--- options\n");
   const Expected hole = manifest.GetSolid("slanted_hole", "plain")[0];
-  Pipeline pipeline(hole.Path);
-  vtkMassPropertiesGPU* mass = pipeline.Mass;
+  SchemePipeline pipeline(hole.Path);
+  vtkSchemeMassPropertiesGPU* mass = pipeline.Mass;
   MessageTrap trap(mass);
   CheckTrue("defaults",
-    mass->GetScheme() == vtkMassPropertiesGPU::ADAPTIVE && mass->GetSubPatchFactor() == 2 &&
+    mass->GetScheme() == vtkSchemeMassPropertiesGPU::GAUSS2 && mass->GetSubPatchFactor() == 2 &&
       mass->GetTrimTextureFactor() == 4 && mass->GetChordTolerance() == 1e-8 &&
-      mass->GetDeviation() == vtkMassPropertiesGPU::BOUNDED && !mass->GetKeepTrimTextures());
-  // Evaluations count what is evaluated again.
-  mass->KeepFacesOff();
-  mass->Update();
-  const std::vector<double> adaptive = GetAll(mass);
-  CheckTrue("ADAPTIVE has none of it",
+      mass->GetDeviation() == vtkSchemeMassPropertiesGPU::BOUNDED && !mass->GetKeepTrimTextures());
+  CheckTrue("nothing before the first run",
     std::isnan(mass->GetPaperErrorEstimate()) && std::isnan(mass->GetPaperErrorEstimateWithBoundary()) &&
-      mass->GetSubPatches() == 0 && !mass->GetOutput()->GetFieldData()->HasArray(names::Scheme) &&
-      !mass->GetOutput()->GetFieldData()->HasArray(names::PaperErrorEstimate));
+      mass->GetSubPatches() == 0);
+  // The filter with bounds, beside this one on the same bodies. Its evaluations count what is evaluated again.
+  vtkNew<vtkMassPropertiesGPU> adaptive;
+  adaptive->SetInputConnection(pipeline.Reader->GetOutputPort());
+  adaptive->CacheFaceResultsOff();
+  adaptive->Update();
+  const std::vector<double> before = GetAll(adaptive);
+  vtkFieldData* fields = adaptive->GetOutput()->GetFieldData();
+  CheckTrue("the filter with bounds has none of it",
+    !fields->HasArray(names::Scheme) && !fields->HasArray(names::PaperErrorEstimate) &&
+      !fields->HasArray(names::PaperErrorEstimateWithBoundary) && !fields->HasArray(names::SubPatches));
 
+  mass->SetScheme(-1);
+  CheckEqual("clamped from below", vtkSchemeMassPropertiesGPU::MIDPOINT, mass->GetScheme());
   mass->SetScheme(99);
   mass->SetSubPatchFactor(0);
   mass->SetTrimTextureFactor(99);
   mass->SetDeviation(-3);
   CheckTrue("clamped",
-    mass->GetScheme() == vtkMassPropertiesGPU::GAUSS3 && mass->GetSubPatchFactor() == 1 &&
-      mass->GetTrimTextureFactor() == 16 && mass->GetDeviation() == vtkMassPropertiesGPU::BOUNDED);
+    mass->GetScheme() == vtkSchemeMassPropertiesGPU::GAUSS3 && mass->GetSubPatchFactor() == 1 &&
+      mass->GetTrimTextureFactor() == 16 && mass->GetDeviation() == vtkSchemeMassPropertiesGPU::BOUNDED);
   for (const double wrong : { 0.0, 1.0, -1e-3, std::nan("") })
   {
     mass->SetChordTolerance(wrong);
@@ -174,7 +203,7 @@ void CheckOptions(const Manifest& manifest)
   CheckTrue("refused", trap.NumberOfErrors == 4 && mass->GetChordTolerance() == 1e-8);
 
   // Only the cylinder counts: 4 knot intervals.
-  mass->SetScheme(vtkMassPropertiesGPU::GAUSS2);
+  mass->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS2);
   mass->SetSubPatchFactor(12);
   mass->SetTrimTextureFactor(4);
   mass->Update();
@@ -182,7 +211,7 @@ void CheckOptions(const Manifest& manifest)
   CheckTrue("no textures unless asked for", mass->GetNumberOfTrimTextures() == 0 && !mass->GetTrimTexture(0));
   const double bounded = mass->GetPaperErrorEstimate();
   const double volume = mass->GetVolume();
-  mass->SetDeviation(vtkMassPropertiesGPU::SAMPLED);
+  mass->SetDeviation(vtkSchemeMassPropertiesGPU::SAMPLED);
   mass->SetKeepTrimTextures(true);
   mass->Update();
   CheckRange("sampled is less than bounded", 0.5 * bounded, mass->GetPaperErrorEstimate(), bounded);
@@ -209,15 +238,18 @@ void CheckOptions(const Manifest& manifest)
   mass->Update();
   CheckRange("the error falls", 0.0, std::fabs(mass->GetVolume() - hole.Volume), coarse / 128.0);
 
-  mass->SetScheme(vtkMassPropertiesGPU::ADAPTIVE);
+  adaptive->Modified();
+  adaptive->Update();
+  CheckTrue("the filter with bounds has its bits again",
+    GetAll(adaptive) == before && adaptive->GetStatus() == names::StatusOk);
+  mass->SetKeepTrimTextures(false);
   mass->Update();
-  CheckTrue("ADAPTIVE has its bits again", GetAll(mass) == adaptive && mass->GetStatus() == names::StatusOk);
-  CheckTrue("and no textures", mass->GetNumberOfTrimTextures() == 0);
+  CheckTrue("no textures any more", mass->GetNumberOfTrimTextures() == 0);
 
   // The sphere is shaders' alone.
-  Pipeline sphere(manifest.GetSolid("sphere", "plain")[0].Path);
+  SchemePipeline sphere(manifest.GetSolid("sphere", "plain")[0].Path);
   MessageTrap sphereTrap(sphere.Mass);
-  sphere.Mass->SetScheme(vtkMassPropertiesGPU::GAUSS3);
+  sphere.Mass->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS3);
   sphere.Mass->Update();
   const double exact = sphere.Mass->GetVolume();
   sphere.Mass->SetShaderPerturbation(1.0 + 1.0 / 1024);
@@ -229,9 +261,9 @@ void CheckAssembly(const Manifest& manifest)
 {
   std::printf("--- instances\n");
   const Expected expected = manifest.GetSpecial("assembly");
-  Pipeline pipeline(expected.Path);
+  SchemePipeline pipeline(expected.Path);
   MessageTrap trap(pipeline.Mass);
-  pipeline.Mass->SetScheme(vtkMassPropertiesGPU::GAUSS2);
+  pipeline.Mass->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS2);
   pipeline.Mass->SetKeepTrimTextures(true);
   pipeline.Mass->Update();
   CheckForm(pipeline.Mass, "GAUSS2");
@@ -254,10 +286,10 @@ void CheckShells()
   BoxBody body;
   body.Add({ { -10, -10, -10 }, { 10, 10, 10 } });
   body.Add({ { -2, -3, -4 }, { 2, 3, 4 } });
-  vtkNew<vtkMassPropertiesGPU> mass;
+  vtkNew<vtkSchemeMassPropertiesGPU> mass;
   MessageTrap trap(mass);
   mass->SetInputData(body.Make());
-  mass->SetScheme(vtkMassPropertiesGPU::MIDPOINT);
+  mass->SetScheme(vtkSchemeMassPropertiesGPU::MIDPOINT);
   mass->Update();
   Check("the void counts as one", 8000.0 - 192.0, mass->GetVolume(), 1e-9);
   CheckForm(mass, "MIDPOINT");
@@ -292,10 +324,10 @@ void CheckEdit(const Manifest& manifest)
   vtkNew<vtkNURBSDataSet> leaf;
   leaf->ShallowCopy(read);
   leaf->SetModel(model);
-  vtkNew<vtkMassPropertiesGPU> mass;
+  vtkNew<vtkSchemeMassPropertiesGPU> mass;
   MessageTrap trap(mass);
   mass->SetInputData(leaf);
-  mass->SetScheme(vtkMassPropertiesGPU::GAUSS3);
+  mass->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS3);
   mass->Update();
   const std::vector<double> before = GetAll(mass);
   const sm::FacePointer old = model->GetFaces()[0];
@@ -310,10 +342,10 @@ void CheckEdit(const Manifest& manifest)
   mass->Modified();
   mass->Update();
   CheckTrue("an edit is seen", GetAll(mass) != before);
-  vtkNew<vtkMassPropertiesGPU> fresh;
+  vtkNew<vtkSchemeMassPropertiesGPU> fresh;
   MessageTrap freshTrap(fresh);
   fresh->SetInputData(leaf);
-  fresh->SetScheme(vtkMassPropertiesGPU::GAUSS3);
+  fresh->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS3);
   fresh->Update();
   CheckTrue("as by a new filter, to the bit", GetAll(mass) == GetAll(fresh));
   model->SetFace(0, old);
@@ -325,10 +357,10 @@ void CheckEdit(const Manifest& manifest)
 void CheckBudgets(const Manifest& manifest)
 {
   std::printf("--- budgets and abort\n");
-  Pipeline pipeline(manifest.GetSolid("torus", "plain")[0].Path);
-  vtkMassPropertiesGPU* mass = pipeline.Mass;
+  SchemePipeline pipeline(manifest.GetSolid("torus", "plain")[0].Path);
+  vtkSchemeMassPropertiesGPU* mass = pipeline.Mass;
   MessageTrap trap(mass);
-  mass->SetScheme(vtkMassPropertiesGPU::GAUSS2);
+  mass->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS2);
   mass->SetSubPatchFactor(1024);
   mass->SetMaximumEvaluations(1000);
   mass->Update();
@@ -344,7 +376,7 @@ void CheckBudgets(const Manifest& manifest)
   stop->SetCallback(
     [](vtkObject* filter, unsigned long, void*, void*)
     {
-      auto* self = static_cast<vtkMassPropertiesGPU*>(filter);
+      auto* self = static_cast<vtkSchemeMassPropertiesGPU*>(filter);
       self->SetAbortExecute(self->GetProgress() > 0.31 ? 1 : 0);
     });
   mass->SetMaximumEvaluations(2000000000);
@@ -369,16 +401,16 @@ void CheckBudgets(const Manifest& manifest)
 void CheckWithoutOpenGL(const Manifest& manifest)
 {
   const Expected sphere = manifest.GetSolid("sphere", "plain")[0];
-  Pipeline pipeline(sphere.Path);
+  SchemePipeline pipeline(sphere.Path);
   MessageTrap trap(pipeline.Mass);
-  pipeline.Mass->SetScheme(vtkMassPropertiesGPU::GAUSS3);
+  pipeline.Mass->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS3);
   pipeline.Mass->SetSubPatchFactor(8);
   pipeline.Mass->Update();
   CheckEqual("backend", names::BackendCPU, pipeline.Mass->GetBackendName());
   CheckForm(pipeline.Mass, "GAUSS3");
   CheckTrue("it says why", GetMessages(pipeline.Mass).find("without OpenGL") != std::string::npos);
   Check("volume", sphere.Volume, pipeline.Mass->GetVolume(), 1e-6 * sphere.Volume);
-  pipeline.Mass->SetBackend(vtkMassPropertiesGPU::OPENGL);
+  pipeline.Mass->SetBackend(vtkSchemeMassPropertiesGPU::OPENGL);
   pipeline.Mass->Update();
   CheckTrue("OpenGL insisted on: nothing",
     std::isnan(pipeline.Mass->GetVolume()) && std::isnan(pipeline.Mass->GetPaperErrorEstimate()));

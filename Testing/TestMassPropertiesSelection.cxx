@@ -218,14 +218,6 @@ void CheckMeshes(const Manifest& manifest)
   again->SetInputConnection(pipeline.Mass->GetOutputPort(5));
   again->Update();
   Check("volume of the meshes", volume, again->GetVolume(), 0.0);
-
-  // With one of the paper's schemes nothing is known of gaps and bounds.
-  pipeline.Mass->SetScheme(vtkMassPropertiesGPU::GAUSS2);
-  pipeline.Mass->Update();
-  mesh = vtkNURBSDataSet::SafeDownCast(GetBodies(pipeline.Mass)->GetPartition(0, 0));
-  CheckTrue("a scheme's bounds and gaps are not known",
-    std::isnan(Get(mesh, names::FaceBound, 0)) && std::isnan(Get(mesh, names::FaceGap, 0)));
-  CheckTrue("its shares are", std::isfinite(Get(mesh, names::FaceShare, 0)));
 }
 
 void CheckSharedArrays(const Manifest& manifest)

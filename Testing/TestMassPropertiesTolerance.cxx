@@ -136,10 +136,10 @@ void CheckBits(const Expected& solid, int backend)
   const vtkTypeInt64 all = mass->GetEvaluations();
   CheckTrue("again", SameBits(first, weigh(mass, leaf)));
   CheckEqual("known faces cost nothing", 0, mass->GetEvaluations());
-  mass->KeepFacesOff();
+  mass->CacheFaceResultsOff();
   CheckTrue("all over again", SameBits(first, weigh(mass, leaf)));
   CheckEqual("for all of it", all, mass->GetEvaluations());
-  mass->KeepFacesOn();
+  mass->CacheFaceResultsOn();
 
   // One control point of one face moves: the filter that knows the other faces, and one that knows none.
   vtkNew<vtkNURBSDataSet> edited;

@@ -3,6 +3,7 @@
 #include "smTestPipeline.h"
 
 #include <vtkCellData.h>
+#include <vtkNURBSDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkSurfaceIntegralGPU.h>
 
@@ -12,6 +13,48 @@ namespace
 {
 using namespace smtest;
 constexpr double Pi = 3.14159265358979323846;
+
+/// A name that another column has, or its bound would have, is an error and shifts no value.
+void CheckNames(vtkSTEPReader* reader, const Expected& ball)
+{
+  vtkNew<vtkSurfaceIntegralGPU> integral;
+  integral->SetInputConnection(reader->GetOutputPort());
+  MessageTrap trap(integral);
+  integral->AddAreaMoment("Displaced", 0, 0, 0);
+  integral->SetIntegrandText("DisplacedBound = 2 * dA\nvolume = position.x ; position.y ; position.z");
+  CheckEqual("a name that is another's bound is an error", 1, trap.NumberOfErrors);
+  integral->AddVolumeMoment("last", 0, 0, 0);
+  integral->AddIntegrand("tooBound", "3 * dA");
+  integral->AddAreaMoment("too", 0, 0, 0);
+  CheckEqual("so is one whose bound is another's name", 2, trap.NumberOfErrors);
+  int errors = 2;
+  std::vector<std::string> taken(
+    std::begin(sm::names::ReservedColumnNames), std::end(sm::names::ReservedColumnNames));
+  taken.push_back(vtkNURBSDataSet::FaceIndexArrayName());
+  for (const std::string& name : taken)
+  {
+    integral->AddIntegrand(name, "5 * dA");
+    CheckEqual("an integrand called " + name + " is an error", ++errors, trap.NumberOfErrors);
+  }
+  CheckEqual("integrands that are left", 4, integral->GetNumberOfIntegrands());
+  integral->Update();
+  CheckEqual("status", sm::names::StatusOk, integral->GetStatus());
+  vtkFieldData* fields = integral->GetOutput()->GetFieldData();
+  const std::pair<const char*, double> expected[] = { { "Displaced", ball.Area },
+    { "volume", 3.0 * ball.Volume }, { "last", ball.Volume }, { "tooBound", 3.0 * ball.Area } };
+  for (const auto& [name, value] : expected)
+  {
+    Check(name, value, integral->GetIntegral(name), 1e-8 * value);
+    Check(std::string(name) + " in the field data", integral->GetIntegral(name), GetField(fields, name), 0.0);
+  }
+  Check("the bound of Displaced", integral->GetIntegralBound("Displaced"), GetFieldBound(fields, "Displaced"),
+    0.0);
+  auto* meshes = vtkPartitionedDataSetCollection::SafeDownCast(integral->GetOutputDataObject(5));
+  auto* mesh = vtkPolyData::SafeDownCast(meshes->GetPartition(0, 0));
+  // Arrays of integrands are floats.
+  vtkDataArray* indices = mesh->GetCellData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName());
+  CheckTrue("the mesh has its face indices", indices && indices->GetDataType() != VTK_FLOAT);
+}
 }
 
 int main(int argc, char* argv[])
@@ -54,30 +97,12 @@ int main(int argc, char* argv[])
   CheckTrue("the mesh has the integrands to colour by",
     mesh->GetCellData()->HasArray("area") && mesh->GetCellData()->HasArray("BendingEnergy"));
 
-  integral->AddBuoyancy("mine", 0.0, 0.0, 1e6, 0.0, 0.0, 1.0);
-  integral->SetWaterlinePoint(0.0, -0.5 * radius, 0.0);
-  integral->SetWaterlineNormal(0.0, 2.0, 0.0);
-  CheckEqual("no waterline yet", 19, integral->GetNumberOfIntegrands());
-  integral->SetWaterline(true);
-  integral->SetWaterlinePoint(0.0, 0.5 * radius, 0.0);
-  CheckEqual("a waterline has four", 23, integral->GetNumberOfIntegrands());
-  integral->Update();
-  check("mine", ball.Volume);
-  check("Displaced", ball.Volume * 27.0 / 32.0); // a cap of height 3 r / 2
-  integral->SetWaterlineNormal(0.0, -1.0, 0.0);
-  integral->Update();
-  check("Displaced", ball.Volume * 5.0 / 32.0);
-  integral->SetWaterline(false);
-  integral->Update();
-  check("mine", ball.Volume);
-  CheckEqual("the waterline is gone", 19, integral->GetNumberOfIntegrands());
-
   integral->SetIntegrandText("twice = 2 * dA");
-  CheckEqual("another text replaces its own", 18, integral->GetNumberOfIntegrands());
+  CheckEqual("another text replaces its own", 14, integral->GetNumberOfIntegrands());
   integral->SetMomentDegree(-1);
   integral->SetBendingEnergy(false);
   integral->SetProjectedAreaDirection(0.0, 0.0, 0.0);
-  CheckEqual("what is switched off is gone", 6, integral->GetNumberOfIntegrands());
+  CheckEqual("what is switched off is gone", 2, integral->GetNumberOfIntegrands());
   integral->Update();
   check("byHand", area);
   check("twice", 2.0 * area);
@@ -92,15 +117,25 @@ int main(int argc, char* argv[])
   integral->SetIntegrandText("this is none\narea = dA\nhalf = ; ;\n= dA\npair = dA ; dA");
   CheckEqual("bad lines are errors", 4, trap.NumberOfErrors);
   CheckTrue("that name them", trap.Errors.find("'this is none'") != std::string::npos, trap.Errors);
-  CheckEqual("and the good ones are kept: by hand, area, 35 moments", 41, integral->GetNumberOfIntegrands());
+  CheckEqual("and the good ones are kept: by hand, area, 35 moments", 37, integral->GetNumberOfIntegrands());
   integral->SetProjectedAreaDirection(std::nan(""), 0.0, 0.0);
   CheckEqual("no direction is an error", 5, trap.NumberOfErrors);
-  CheckEqual("and changes nothing", 41, integral->GetNumberOfIntegrands());
+  CheckEqual("and changes nothing", 37, integral->GetNumberOfIntegrands());
   integral->SetMomentDegree(1000);
   CheckEqual("degrees are clamped", 8, integral->GetMomentDegree());
+  integral->SetBendingEnergy(true);
+  integral->SetProjectedAreaDirection(0.0, 0.0, 1.0);
   integral->RemoveAllIntegrands();
   CheckEqual("nothing is left", 0, integral->GetNumberOfIntegrands());
-  CheckEqual("and the switches know", -1, integral->GetMomentDegree());
-  CheckEqual("as does the text", "", integral->GetIntegrandText());
+  CheckEqual("the degree is reset", -1, integral->GetMomentDegree());
+  CheckEqual("the text is reset", "", integral->GetIntegrandText());
+  const double* direction = integral->GetProjectedAreaDirection();
+  CheckTrue("bending energy and direction are reset",
+    !integral->GetBendingEnergy() && direction[0] == 0.0 && direction[1] == 0.0 && direction[2] == 0.0);
+  integral->AddAreaMoment("alone", 0, 0, 0);
+  integral->Update();
+  CheckEqual("an integrand that is added then is alone", 1, integral->GetNumberOfIntegrands());
+  check("alone", area);
+  CheckNames(reader, ball);
   return Finish();
 }

@@ -6,8 +6,8 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
-#include <vtkMassPropertiesGPU.h>
 #include <vtkNew.h>
+#include <vtkSchemeMassPropertiesGPU.h>
 
 #include <cmath>
 #include <cstdio>
@@ -27,7 +27,7 @@ constexpr int FarFactor = 24;
 /// Relative errors by sub-patch factor.
 using Errors = std::map<int, double>;
 
-Errors GetErrors(vtkMassPropertiesGPU* mass, double volume, int texels, int lastFactor = LastFactor)
+Errors GetErrors(vtkSchemeMassPropertiesGPU* mass, double volume, int texels, int lastFactor = LastFactor)
 {
   mass->SetTrimTextureFactor(texels);
   Errors errors;
@@ -69,7 +69,7 @@ double FitOrder(const std::vector<std::pair<double, double>>& points)
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
-void CheckScheme(vtkMassPropertiesGPU* mass, double volume, int scheme, const std::string& name)
+void CheckScheme(vtkSchemeMassPropertiesGPU* mass, double volume, int scheme, const std::string& name)
 {
   mass->SetScheme(scheme);
   const Errors finest = GetErrors(mass, volume, FinestTexels, FarFactor);
@@ -101,14 +101,14 @@ void CheckScheme(vtkMassPropertiesGPU* mass, double volume, int scheme, const st
 int main()
 {
   const smfigure::PaperSolid block = smfigure::MakeSlantedBlock();
-  vtkNew<vtkMassPropertiesGPU> mass;
+  vtkNew<vtkSchemeMassPropertiesGPU> mass;
   mass->SetInputData(block.DataSet);
   // That the schemes have no bound is a warning of every run.
   vtkNew<vtkCallbackCommand> silence;
   mass->AddObserver(vtkCommand::WarningEvent, silence);
   // Planes as good as exact: the curved face makes the error.
   mass->SetChordTolerance(1e-10);
-  CheckScheme(mass, block.Volume, vtkMassPropertiesGPU::GAUSS2, "GAUSS2");
-  CheckScheme(mass, block.Volume, vtkMassPropertiesGPU::GAUSS3, "GAUSS3");
+  CheckScheme(mass, block.Volume, vtkSchemeMassPropertiesGPU::GAUSS2, "GAUSS2");
+  CheckScheme(mass, block.Volume, vtkSchemeMassPropertiesGPU::GAUSS3, "GAUSS3");
   return smtest::Finish();
 }

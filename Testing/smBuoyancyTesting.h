@@ -7,8 +7,8 @@
 
 #include "smTestPipeline.h"
 
+#include <vtkBuoyancy.h>
 #include <vtkNURBSTransform.h>
-#include <vtkSurfaceIntegralGPU.h>
 
 #include <array>
 #include <cstring>
@@ -20,7 +20,7 @@ using Vector = std::array<Real, 3>;
 
 constexpr Real Pi = 3.14159265358979323846264338327950288L;
 /// Of all filters: the programs' last argument but files.
-inline int Backend = vtkSurfaceIntegralGPU::OPENGL;
+inline int Backend = vtkBuoyancy::OPENGL;
 
 struct Part
 {
@@ -77,7 +77,7 @@ struct Scene
 {
   vtkNew<vtkSTEPReader> Reader;
   vtkNew<vtkNURBSTransform> Move;
-  vtkNew<vtkSurfaceIntegralGPU> Filter;
+  vtkNew<vtkBuoyancy> Filter;
 
   explicit Scene(const std::string& path)
   {
@@ -88,16 +88,16 @@ struct Scene
   }
 };
 
-inline void Add(vtkSurfaceIntegralGPU* filter, const Plane& plane)
+inline void SetPlane(vtkBuoyancy* filter, const Plane& plane)
 {
   const auto number = [](Real x) { return static_cast<double>(x); };
-  filter->AddBuoyancy(plane.Name, number(plane.Point[0]), number(plane.Point[1]), number(plane.Point[2]),
-    number(plane.Up[0]), number(plane.Up[1]), number(plane.Up[2]));
+  filter->SetPoint(number(plane.Point[0]), number(plane.Point[1]), number(plane.Point[2]));
+  filter->SetNormal(number(plane.Up[0]), number(plane.Up[1]), number(plane.Up[2]));
 }
 
 inline void SetBackend(const char* name)
 {
-  Backend = std::strcmp(name, "cpu") == 0 ? vtkSurfaceIntegralGPU::CPU : vtkSurfaceIntegralGPU::OPENGL;
+  Backend = std::strcmp(name, "cpu") == 0 ? vtkBuoyancy::CPU : vtkBuoyancy::OPENGL;
 }
 }
 

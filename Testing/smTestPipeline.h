@@ -86,7 +86,7 @@ inline double GetFieldBound(vtkFieldData* fields, const std::string& name)
 }
 
 /// All components of a field data array of the output; empty when it is missing.
-inline std::vector<double> GetArray(vtkSurfaceIntegralGPU* filter, const std::string& name)
+inline std::vector<double> GetArray(vtkSurfaceIntegralBase* filter, const std::string& name)
 {
   vtkDataArray* array = filter->GetOutput()->GetFieldData()->GetArray(name.c_str());
   std::vector<double> values;
@@ -98,7 +98,7 @@ inline std::vector<double> GetArray(vtkSurfaceIntegralGPU* filter, const std::st
 }
 
 /// What the last run said, a line each.
-inline std::string GetMessages(vtkSurfaceIntegralGPU* filter)
+inline std::string GetMessages(vtkSurfaceIntegralBase* filter)
 {
   std::string all;
   for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
@@ -108,16 +108,16 @@ inline std::string GetMessages(vtkSurfaceIntegralGPU* filter)
   return all;
 }
 
-inline bool Says(vtkSurfaceIntegralGPU* filter, const std::string& text)
+inline bool Says(vtkSurfaceIntegralBase* filter, const std::string& text)
 {
   return GetMessages(filter).find(text) != std::string::npos;
 }
 
 /// All numbers of the output's field data, but for what the run cost.
-inline std::vector<double> GetFieldNumbers(vtkMassPropertiesGPU* mass)
+inline std::vector<double> GetFieldNumbers(vtkSurfaceIntegralBase* filter)
 {
   std::vector<double> numbers;
-  vtkFieldData* fields = mass->GetOutput()->GetFieldData();
+  vtkFieldData* fields = filter->GetOutput()->GetFieldData();
   for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = fields->GetArray(i);

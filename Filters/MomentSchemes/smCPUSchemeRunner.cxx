@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <new>
 
 namespace sm
 {
@@ -177,16 +176,8 @@ bool CPUSchemeRunner::Run(
   const SchemeBatch& batch, const Setup& setup, Results& results, const ContinueCallback& shouldContinue)
 {
   SchemeLists lists{ batch, setup, {}, {} };
-  try
-  {
-    lists.Texels.assign(batch.Texels, 0);
-    lists.Rows.assign(static_cast<std::size_t>(batch.SubPatches) * NumberOfSchemeColumns, 0.0);
-  }
-  catch (const std::bad_alloc&)
-  {
-    return this->Fail(
-      "there is no memory for the results of " + std::to_string(batch.SubPatches) + " sub-patches");
-  }
+  lists.Texels.assign(batch.Texels, 0);
+  lists.Rows.assign(static_cast<std::size_t>(batch.SubPatches) * NumberOfSchemeColumns, 0.0);
   const std::size_t tiles = batch.Tiles.size();
   ParallelFor(tiles, 1,
     [&](std::size_t from, std::size_t to)

@@ -339,7 +339,10 @@ bool SchemeIntegrator::Integrate(const std::vector<SchemeTask>& tasks, const Set
   }
   catch (const std::bad_alloc&)
   {
-    ok = self.Fail("there is no memory for this many sub-patches or texels");
+    results.clear();
+    self.Prepared.Release();
+    self.Sums.clear();
+    throw;
   }
   if (!ok)
   {

@@ -248,6 +248,10 @@ SubPatchFace PrepareSubPatchShape(const FacePointer& face, const SchemeOptions& 
     }
     return result;
   }
+  catch (const std::bad_alloc&)
+  {
+    throw; // a fault of the machine, not of the face
+  }
   catch (const std::exception& error)
   {
     reason = error.what();

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <exception>
 #include <new>
+#include <set>
 
 // Whoever loads this library has display points evaluated by OpenGL, too, and needs no vtk_module_autoinit for it.
 VTK_MODULE_INIT(smRenderingNURBS)
@@ -51,6 +52,26 @@ void AddPlaceholderPoint(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyDa
   points->SetDataTypeToDouble();
   points->InsertNextPoint(middle);
   totals->SetPoints(points);
+}
+
+/// Throws std::bad_alloc unless there is memory for the outputs: VTK's arrays end the process where they find none.
+void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t arrays)
+{
+  // Columns of doubles with their bounds, twice as large while they grow; and the glyphs.
+  constexpr std::size_t BytesOfValue = 4 * sizeof(double);
+  constexpr std::size_t Columns = 64;
+  std::size_t bytes = std::size_t{ 1 } << 20;
+  // Instances of a model share the arrays of its cells.
+  std::set<const vtkTrimmedNURBSModel*> models;
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    const auto faces = static_cast<std::size_t>(body.Model->GetNumberOfFaces());
+    const std::size_t edges = body.Edges ? body.Edges->size() : 0;
+    const bool isFirst = models.insert(body.Model).second;
+    const std::size_t cells = isFirst ? static_cast<std::size_t>(body.Mesh->GetNumberOfCells()) : 0;
+    bytes += BytesOfValue * (Columns + faces * (arrays + 3) + edges * 8) + cells * arrays * sizeof(float);
+  }
+  ::operator delete(::operator new(bytes));
 }
 }
 
@@ -385,13 +406,14 @@ void vtkSurfaceIntegralBase::Analyze(
 void vtkSurfaceIntegralBase::Write(
   const std::vector<sm::BodyIntegrals>& bodies, vtkDataObject* input, vtkInformationVector* outputVector)
 {
+  const std::vector<sm::MeshArray> arrays = this->GetMeshArrays(bodies);
+  CheckOutputMemory(bodies, arrays.size());
   const Outputs outputs{ vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
     vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3) };
   this->WriteOutputs(bodies, outputs);
   AddPlaceholderPoint(bodies, outputs.Totals);
   sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
-  sm::MakeBodyMeshes(
-    bodies, this->GetMeshArrays(bodies), input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));
+  sm::MakeBodyMeshes(bodies, arrays, input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));
   this->Engine->GetReport().FillFieldData(outputs.Totals->GetFieldData());
 }
 

@@ -5,6 +5,7 @@
 #include "smGaussLegendre.h"
 #include "smIntegralNames.h"
 #include "smUserExpression.h"
+#include "vtkNURBSDataSet.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
 #include <algorithm>
@@ -137,7 +138,8 @@ void vtkSurfaceIntegralGPU::Add(const sm::Integrand& integrand, std::vector<sm::
   const std::string& name = integrand.Name;
   const bool isReserved =
     std::find(std::begin(sm::names::ReservedColumnNames), std::end(sm::names::ReservedColumnNames), name) !=
-    std::end(sm::names::ReservedColumnNames);
+      std::end(sm::names::ReservedColumnNames) ||
+    name == vtkNURBSDataSet::FaceIndexArrayName();
   if (name.empty() || isReserved || HasClash(this->Implementation->GetIntegrands(), name))
   {
     vtkErrorMacro(
