@@ -372,7 +372,8 @@ std::string FindWrongOutput(const sm::Arguments& arguments)
 /// An error message when arguments that are well-formed one by one do not fit together; empty otherwise.
 std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
 {
-  for (const std::string& problem : { FindEmptyName(app, arguments), FindMissingModule(app, arguments), FindForeignOption(app, arguments) })
+  for (const std::string& problem :
+    { FindEmptyName(app, arguments), FindMissingModule(app, arguments), FindForeignOption(app, arguments) })
   {
     if (!problem.empty())
     {
