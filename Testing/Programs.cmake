@@ -1,5 +1,16 @@
-# Tests of what is built on the modules: examples, command line, package, Python modules, the sweep over real files.
+# Tests of the programs that use the modules: examples, command line, package, Python modules, the sweep over real files.
 set(sample_part "${PROJECT_SOURCE_DIR}/Examples/Models/sample_part.step")
+
+solidmoments_add_test(NAME ExamplePrograms LABELS value error NODISPLAY
+  COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestExamplePrograms.py"
+    --pipeline "$<TARGET_FILE:MassPropertiesPipeline>" --sample "${sample_part}" --output "${SOLIDMOMENTS_TEST_OUTPUT}"
+    "$<TARGET_FILE:solidmoments>" "$<TARGET_FILE:edit_part>" "$<TARGET_FILE:make_paper_parts>"
+    "$<TARGET_FILE:occt_mass_properties>" "$<TARGET_FILE:paper_figures>")
+
+# Numbers have a decimal point in every locale. MakeCommaLocale makes one with a comma, where the machine has its source.
+solidmoments_add_test_program(TestExampleNumbers)
+target_link_libraries(TestExampleNumbers PRIVATE smCommandLine)
+solidmoments_add_test(NAME ExampleNumbers LABELS value error NODISPLAY COMMAND TestExampleNumbers)
 
 solidmoments_add_test(NAME ExampleMassPropertiesPipeline LABELS gpu image NODISPLAY
   COMMAND MassPropertiesPipeline "${sample_part}" "${SOLIDMOMENTS_TEST_OUTPUT}/pipeline_headless.png")
@@ -24,11 +35,21 @@ solidmoments_add_test_program(TestEditPart VTK::TestingRendering VTK::Interactio
 target_sources(TestEditPart PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Solids/smGaussRule.cxx")
 target_include_directories(TestEditPart PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Solids")
 target_link_libraries(TestEditPart PRIVATE smEditPart)
-foreach (mode IN ITEMS drag placed open record)
+# Tests may run at the same time, so each has a folder of its own for its events.
+foreach (mode IN ITEMS drag placed open record numbers)
+  set(edit_folder "${SOLIDMOMENTS_TEST_OUTPUT}/edit_part_${mode}")
+  file(MAKE_DIRECTORY "${edit_folder}")
   solidmoments_add_test(NAME EditPart_${mode} LABELS value image gpu XVFB
-    COMMAND TestEditPart ${mode} "${free_form_part}" "${edit_part}/drag.events" "${SOLIDMOMENTS_TEST_OUTPUT}"
+    COMMAND TestEditPart ${mode} "${free_form_part}" "${edit_part}/drag.events" "${edit_folder}"
       -T "${SOLIDMOMENTS_TEST_OUTPUT}" -V "${CMAKE_CURRENT_SOURCE_DIR}/Baselines/TestEditPart.png")
 endforeach ()
+
+if (TEST MakeCommaLocale)
+  set(comma_locale "LOCPATH=${SOLIDMOMENTS_TEST_OUTPUT}/locales")
+  solidmoments_add_test(NAME ExampleNumbers_commas LABELS value error NODISPLAY FIXTURE comma_locale
+    ENVIRONMENT "${comma_locale}" COMMAND TestExampleNumbers commas)
+  set_tests_properties(EditPart_numbers PROPERTIES FIXTURES_REQUIRED comma_locale ENVIRONMENT "${comma_locale}")
+endif ()
 
 set(edit_program "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestEditProgram.py"
   --program "$<TARGET_FILE:edit_part>" --events "${edit_part}/drag.events" --solids "${SOLIDMOMENTS_TEST_SOLIDS}"

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <locale.h>
 #include <sstream>
 
 namespace sm
@@ -15,6 +16,29 @@ namespace
 {
 const char* const SizeLabel = "# WindowSize ";
 const int LargestSize = 8192;
+
+/// Numbers have a decimal point in this thread from construction to destruction: vtkInteractorEventRecorder reads the version of the
+/// format, "1.2", in the current locale.
+class DecimalPoint
+{
+public:
+  DecimalPoint()
+    : Classic(newlocale(LC_NUMERIC_MASK, "C", static_cast<locale_t>(nullptr)))
+    , Before(uselocale(this->Classic))
+  {
+  }
+  ~DecimalPoint()
+  {
+    uselocale(this->Before);
+    freelocale(this->Classic);
+  }
+  DecimalPoint(const DecimalPoint&) = delete;
+  DecimalPoint& operator=(const DecimalPoint&) = delete;
+
+private:
+  locale_t Classic;
+  locale_t Before;
+};
 
 std::string DescribeSize(const int* size)
 {
@@ -101,6 +125,7 @@ std::string PlayEvents(vtkRenderWindowInteractor* interactor, const std::string&
   {
     return fileName + " holds no events";
   }
+  const DecimalPoint decimalPoint;
   vtkNew<vtkInteractorEventRecorder> player;
   player->KeyPressActivationOff();
   player->SetInteractor(interactor);
