@@ -50,7 +50,7 @@ def check_numbers():
             check("volume", expected["volume"], total["volume"], limit * expected["volume"])
             check_true("the centre and the inertia are there", total["center_of_mass"] and total["inertia"])
             for body in [total] + file["solids"]:
-                check_equal("no bounds", {key: None for key in ("volume", "area", "center_of_mass", "inertia")},
+                check_equal("no bounds", {key: None for key in ("volume", "area", "center_of_mass", "inertia", "mass")},
                             body["bounds"])
                 check_equal("what is not known", [None] * 4,
                             [body[key] for key in ("closure_correction", "max_gap", "gap_area", "closure_residual")])
@@ -88,9 +88,9 @@ def check_options():
     # Exactly once in a table and in a CSV for people.
     csv = os.path.join(options.output, "schemes.csv")
     result = run("--scheme", "gauss2", "--csv", csv, HOLE["path"])
-    check_true("its options in the table", "gauss2, k = 2, 4 x 4 texels a sub-patch, chords of planes to 1e-08, deviations "
-               "bounded" in result.stdout, result.stdout)
-    check_true("the table", "the paper's error estimate of the volume, no bound" in result.stdout, result.stdout)
+    check_true("its options in the table", "gauss2, k = 2, 4 x 4 texels per sub-patch, chords of planes to 1e-08, "
+               "deviations bounded" in result.stdout, result.stdout)
+    check_true("the table", "the paper's error estimate of the volume (not a bound)" in result.stdout, result.stdout)
     check_true("and no bound in it", "+/-" not in result.stdout, result.stdout)
     with open(csv, encoding="utf-8") as file:
         lines = file.read().splitlines()
