@@ -69,8 +69,8 @@ public:
 
   NetRange GetRange(const ParameterRange& box) const;
   double Evaluate(double u, double v) const;
-  /// Returns the u in [low, high] with N(u, v) = 0. N(., v) must be monotone there; without a zero it returns the end nearer to
-  /// one.
+  /// Returns the u in [low, high] with N(u, v) = 0; N(., v) must be monotone there. Without a zero, returns the end with the
+  /// smaller |N|.
   double Solve(double v, double low, double high) const;
   /// Returns an upper bound of |S_u x S_v| on the patch: surface area per area in the parameters of the trim pieces.
   double GetLargestNormal() const { return this->Normal; }

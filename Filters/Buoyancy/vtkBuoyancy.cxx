@@ -237,8 +237,9 @@ bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vecto
   }
   if (integrator.WasLoosened())
   {
-    report.Messages.push_back("MaximumEvaluations are too few for the tolerance below the waterline: it was "
-                              "loosened, and the bounds say by how much");
+    report.Messages.push_back(
+      "MaximumEvaluations is too small for the tolerance below the waterline, which was "
+      "loosened; the bounds show the accuracy reached");
   }
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {

@@ -91,7 +91,7 @@ double GetLargestClosureResidual(
 /// Computes the properties of a body that encloses a volume. Returns false if the body turns out to be a surface.
 bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, MassRow& row, Moments& moments)
 {
-  TurnShells(body, MakeMassIntegrands(), MassVolume);
+  ReverseShells(body, MakeMassIntegrands(), MassVolume);
   moments = GetMoments(body);
   if (!options.HasBounds)
   {

@@ -17,9 +17,9 @@ struct MassGlyphOptions
 {
   /// Radius of the sphere as a fraction of the diagonal of the bounding box of the body, or of all bodies; 0: no sphere.
   double Scale = 0.02;
-  /// Draws the principal axes, if they are determined, to 0.3 of that diagonal on either side of the centre.
+  /// If true, draws the principal axes, if they are determined, to 0.3 of that diagonal on either side of the centre.
   bool ShowPrincipalAxes = true;
-  /// Adds a glyph for every body to the glyph of the total.
+  /// If true, adds a glyph for every body to the glyph of the total.
   bool PerSolid = false;
 };
 

@@ -85,7 +85,7 @@ std::vector<std::string> FindImplausibilities(const MassProperties& properties,
   if (excess > 3.0 * properties.PrincipalBound)
   {
     violations.push_back(
-      "the principal moments are no body's: the largest exceeds the sum of the others by " +
+      "the principal moments are impossible: the largest exceeds the sum of the others by " +
       FormatDigits(excess, 3));
   }
   return violations;

@@ -7,7 +7,8 @@
  * the faces' coordinates. A trimmed sub-patch is weighted by the fraction of its texels that are in the face (section 5.4).
  * Planes are integrated by triangles (section 4), on the CPU. In addition to the integrals there are two sums of its Eq. 36,
  * int |2 K n_z| du dv by the same points: over the sub-patches that are entirely in the face, and over these and the
- * sub-patches that a trim curve crosses. They estimate the error of the volume and are not bounds; the schemes have no bound. */
+ * sub-patches that a trim curve crosses. They estimate the error of the volume and are not bounds; the schemes have no bound.
+ */
 #ifndef smSchemeIntegrator_h
 #define smSchemeIntegrator_h
 

@@ -78,7 +78,7 @@ private:
   void KeepTextures(const BodyIntegrals& body, std::vector<SchemeResult>& results, std::size_t first);
 
   SchemeIntegrator Integrator;
-  /// The device of the current runner: a context, or null for the CPU.
+  /// True if the integrator has a runner, and the context of that runner; null for the CPU.
   bool HasRunner = false;
   vtkSmartPointer<vtkComputeContext> RunnerContext;
   std::map<vtkTrimmedNURBSModel*, SchemeTotals> Totals;

@@ -36,7 +36,7 @@ public:
     int Points = 2;
     /// Factor applied to every sample, for tests.
     double Perturbation = 1.0;
-    /// Returns the texels in the results.
+    /// If true, the results include the texels.
     bool KeepTexels = false;
   };
 

@@ -14,12 +14,12 @@ namespace sm
 {
 namespace
 {
-// Of the progress: cutting, then planning, then what the runner needs of the faces; integrating is the rest.
+// Fractions of the progress for cutting, planning and the preparation by the runner; the integration takes the rest.
 constexpr double CutShare = 0.2;
 constexpr double PlanShare = 0.3;
 constexpr double AcquireShare = 0.1;
 constexpr double PreparedShare = CutShare + PlanShare + AcquireShare;
-// Evaluations of a batch, about: what is lost when the run is stopped.
+// Approximate number of evaluations of a batch, whose results are lost if the run is stopped.
 constexpr std::int64_t EvaluationsPerBatch = 20000000;
 
 double Now()
@@ -155,7 +155,7 @@ bool SurfaceIntegrator::Internals::RunAll(
     results[i].Outside = cut.Panels.Outside;
     groups[this->Runner->GetGroup(i)].push_back(i);
   }
-  // Batches that have room for their rows, and that are not too much to lose.
+  // Batches are limited by the number of rows and by the work that is lost when a run is stopped.
   std::vector<std::vector<std::size_t>> batches;
   const std::size_t rowLimit = groups.empty() ? 0 : this->Runner->GetRowLimit();
   for (const auto& [group, members] : groups)
@@ -190,7 +190,8 @@ bool SurfaceIntegrator::Internals::RunAll(
 bool SurfaceIntegrator::Internals::RunBatches(const std::vector<FaceTask>& tasks,
   const std::vector<std::vector<std::size_t>>& batches, std::vector<FaceIntegrals>& results)
 {
-  // Ranks of a shared run agree after every batch, those that are done too, until none has any left.
+  // In a shared run all ranks take part in the agreement after every batch, including those without batches left, until no rank
+  // has any left.
   for (std::size_t next = 0;;)
   {
     if (next < batches.size())
@@ -402,7 +403,7 @@ bool SurfaceIntegrator::Integrate(
   const bool ok = self.Exchange ? self.IntegrateShared(tasks, results) : self.Run(tasks, results);
   if (ok)
   {
-    // One that was stopped before asked for no face.
+    // A run that was stopped earlier has requested no faces.
     self.Results.EndRun();
   }
   self.Progress = nullptr;
