@@ -138,7 +138,8 @@ void CheckCurved(const std::string& path, double volume)
     CheckTrue("said",
       wrong == 0 ||
         Says(mass,
-          wrong == 3 ? "the solid is inside out in the file; it was turned" : "1 of 2 shells was inside out"),
+          wrong == 3 ? "the solid is inside out in the file; it was reversed"
+                     : "1 of 2 shells was inside out"),
       GetMessages(mass));
   }
 }
@@ -164,24 +165,24 @@ int main(int argc, char* argv[])
   const double v1 = middle.GetVolume();
   const double v2 = lump.GetVolume();
   const double v3 = beside.GetVolume();
-  const std::string whole = "the solid is inside out in the file; it was turned";
+  const std::string whole = "the solid is inside out in the file; it was reversed";
   CheckCase({ "one shell", { outer }, v0, 0 });
   CheckCase({ "one shell inside out", { turned(outer) }, v0, 1, names::StatusOk, whole });
   CheckCase({ "a void", { outer, middle }, v0 - v1, 0 });
   CheckCase({ "a void that is inside out", { outer, turned(middle) }, v0 - v1, 1, names::StatusOk,
-    "1 of 2 shells was inside out and was turned" });
+    "1 of 2 shells was inside out and was reversed" });
   CheckCase({ "an outer shell that is inside out", { turned(outer), middle }, v0 - v1, 1, names::StatusOk,
-    "1 of 2 shells was inside out and was turned" });
+    "1 of 2 shells was inside out and was reversed" });
   CheckCase({ "both inside out", { turned(outer), turned(middle) }, v0 - v1, 2, names::StatusOk, whole });
   CheckCase({ "a lump in a void", { middle, lump, outer }, v0 - v1 + v2, 0 });
   CheckCase({ "a lump in a void, two of them wrong", { turned(middle), turned(lump), outer }, v0 - v1 + v2, 2,
-    names::StatusOk, "2 of 3 shells were inside out and were turned" });
+    names::StatusOk, "2 of 3 shells were inside out and were reversed" });
   CheckCase({ "two lumps side by side, one wrong", { outer, turned(beside) }, v0 + v3, 1, names::StatusOk,
-    "1 of 2 shells was inside out and was turned" });
+    "1 of 2 shells was inside out and was reversed" });
   CheckCase({ "a void in the file's one shell", { outer, turned(middle) }, v0 - v1, 1, names::StatusOk,
-    "1 of 2 shells was inside out and was turned", true, true, true });
+    "1 of 2 shells was inside out and was reversed", true, true, true });
   CheckCase({ "a closed free shell with a wrong void", { outer, turned(middle) }, v0 - v1, 1, names::StatusOk,
-    "1 of 2 shells was inside out and was turned", false });
+    "1 of 2 shells was inside out and was reversed", false });
   // A plus sign of two bars: no corner of either lies in the other.
   const BoxShell bar{ { -10, -1, -1 }, { 10, 1, 1 } };
   const BoxShell across{ { -2, -10, -2 }, { 2, 10, 2 }, false };

@@ -18,8 +18,8 @@ using Wide = long double;
 using Wide3 = std::array<Wide, 3>;
 
 constexpr auto WideRoundoff = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
-// Of a face's tolerance: for where it is cut, and for the quadrature. First moments turned to the world's axes add up to sqrt(3) of
-// their bounds, and a face may be twice as far from the frame's origin as the radius.
+// Shares of a face's tolerance for cutting and for the quadrature. Rotating first moments to the world's axes multiplies their
+// bounds by at most sqrt(3), and a face may be twice as far from the frame's origin as the radius.
 constexpr double CutShare = 0.125;
 constexpr double QuadratureShare = 0.4;
 constexpr std::size_t Quantities = 4;
@@ -31,7 +31,7 @@ Wide Dot(const Wide3& a, const Wide3& b)
 
 Wide3 Normalized(const Wide3& a)
 {
-  // Scaled first: the square of a length may overflow.
+  // The vector is scaled first, as the square of its length may overflow.
   const Wide largest = std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
   const Wide3 b{ a[0] / largest, a[1] / largest, a[2] / largest };
   const Wide length = std::sqrt(Dot(b, b));
@@ -43,7 +43,7 @@ Wide3 Cross(const Wide3& a, const Wide3& b)
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
-/// Radius of a ball about `center` that holds a cut face.
+/// Returns the radius of a ball about `center` that contains a cut face.
 double GetReach(const FacePanels& panels, const Point3& center)
 {
   double reach = 0.0;
@@ -69,7 +69,7 @@ double GetReach(const FacePanels& panels, const Point3& center)
   return reach;
 }
 
-/// No less than the area of a face's panels and strips.
+/// Returns an upper bound of the area of a face's patches.
 double GetLargestArea(const FacePanels& panels)
 {
   double area = 0.0;
@@ -80,7 +80,7 @@ double GetLargestArea(const FacePanels& panels)
   return area;
 }
 
-/// False when all patches are further from the plane than the distance.
+/// Returns false if all patches are further from the plane than the distance.
 bool MayTouch(const FacePanels& panels, const HeightPlane& plane, double distance)
 {
   for (const Patch& patch : panels.Patches)
@@ -106,7 +106,7 @@ bool MayTouch(const FacePanels& panels, const HeightPlane& plane, double distanc
   return false;
 }
 
-/// The sums of the categories of a face's results as they are for moments about the world's origin.
+/// Transforms the values or bounds of one kind of a face's results to moments about the world's origin, along its axes.
 void ToWorld(const Point3& origin, const std::array<Point3, 3>& axes, std::vector<double>& values, bool bound)
 {
   std::vector<double> world(Quantities, 0.0);
@@ -122,7 +122,7 @@ void ToWorld(const Point3& origin, const std::array<Point3, 3>& axes, std::vecto
   values = std::move(world);
 }
 
-/// Adds the results of a part of a face.
+/// Adds the results of one part of a face to those of the face.
 void AddPart(const FaceIntegrals& from, FaceIntegrals& to)
 {
   const std::pair<std::vector<double>*, const std::vector<double>*> pairs[] = { { &to.Face, &from.Face },
@@ -196,7 +196,7 @@ BuoyancyIntegrator::Frame BuoyancyIntegrator::MakeFrame(const BodyIntegrals& bod
   const double* modelOrigin = body.Model->GetOrigin();
   const double* m = body.Placement.data();
   Frame frame;
-  // The model's origin and the middle of its box, as seen from the waterline's point.
+  // Model origin and middle of the model's box, relative to the waterline's point.
   Wide3 toModel;
   Wide3 toMiddle;
   double distance = 0.0;
@@ -232,7 +232,7 @@ BuoyancyIntegrator::Frame BuoyancyIntegrator::MakeFrame(const BodyIntegrals& bod
       frame.Placement[4 * k + j] = static_cast<double>(entry);
       frame.Axes[k][j] = static_cast<double>(axes[k][j]);
     }
-    // Across, the frame's origin is at the body; along `up`, in the plane.
+    // The frame's origin is near the body in the two directions across `up`, and in the plane along `up`.
     frame.Placement[4 * k + 3] = static_cast<double>(Dot(axes[k], toModel) - (k < 2 ? middle[k] : 0.0L));
   }
   frame.Plane.Up = { frame.Placement[8], frame.Placement[9], frame.Placement[10] };
@@ -247,7 +247,8 @@ BuoyancyIntegrator::Frame BuoyancyIntegrator::MakeFrame(const BodyIntegrals& bod
 
 void BuoyancyIntegrator::MoveToMiddle(Frame& frame)
 {
-  // Any plane of this direction will do for a body that is below as a whole: one through the body keeps numbers small.
+  // For a body that is entirely below the waterline any plane of this direction gives the same integrals; a plane through the
+  // body keeps the numbers small.
   frame.Placement[11] = 0.0;
   for (int c = 0; c < 3; ++c)
   {
@@ -287,7 +288,7 @@ void BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, cons
     std::size_t bytes = 0;
     for (const CutFacePointer& part : below[i].Parts)
     {
-      // A face that is below as a whole is kept by the other cache.
+      // A face that is entirely below the plane is kept and counted by the other cache.
       bytes += part && part != faces[i] ? CountBytes(*part) : 0;
     }
     this->Below.Store(faces[i]->Source->Id, key, below[i], bytes);
@@ -315,8 +316,8 @@ bool BuoyancyIntegrator::CutAtWaterline(
   {
     cut.IsWhole = cut.IsWhole && cut.Below[i].Parts[0] == cut.Faces[i];
   }
-  // Faces that are below, or above, by no more than the plane may be off: a body that is whole, or not there at all, may have a
-  // sheet on the other side.
+  // Faces below or above the plane by no more than the plane's rounding error: a body found to be entirely on one side may have a
+  // thin sheet on the other side.
   const double rounded = frame.PlaneBound + 2.0 * UnitRoundoff * frame.Reach;
   cut.VolumeErrors.assign(sources.size(), 0.0);
   cut.Errors.resize(sources.size());
@@ -346,7 +347,7 @@ void BuoyancyIntegrator::AddTasks(
   task.Placement = frame.Placement;
   task.Tolerances.assign(Quantities, QuadratureShare * tolerance * frame.Reach);
   task.Tolerances[0] = 2.0 * QuadratureShare * tolerance;
-  // The frame's origin in the model's coordinates: placements are orthonormal.
+  // Origin of the frame in the model's coordinates, as placements are orthonormal.
   Point3 center{};
   for (int j = 0; j < 3; ++j)
   {
@@ -399,7 +400,7 @@ void BuoyancyIntegrator::SumBody(const CutBody& cut, BodyBuoyancy& result)
     }
     magnitude += std::abs(face.Face[0]) + std::abs(face.Closing[0]);
   }
-  // Sums of as many numbers.
+  // Rounding of sums with this number of terms.
   const double rounding = UnitRoundoff * static_cast<double>(result.Faces.size() + 8) * magnitude;
   bounds[0] += rounding;
   for (std::size_t k = 1; k < Quantities; ++k)

@@ -1,12 +1,13 @@
 /**
  * @file smBuoyancy.h
- * @brief Volume and first moments of what lies below a plane, and their centre, with bounds
+ * @brief Volume, first moments and centroid of the part of a solid below a plane, with bounds
  *
- * With h the height above the waterline's plane and up its unit normal, up h and up x_i h - ... have divergences 1 and x_i and
- * vanish on the plane: their flux through the submerged part of the closed chain is the displaced volume and its first
- * moments, and nothing is to be added for the waterplane. In coordinates with z = h these are fluxes of z n_z times 1, x, y
- * and z/2 (Integrand::HeightMoment): placements turn positions and normals there, so that another plane needs no other
- * shader. What is submerged of a face is a list of panels, ribbons and caps again (smSubmergedFace.h).
+ * Let h be the height above the plane of the waterline, and up the plane's unit normal. In coordinates (x, y, z) with z = h the
+ * fields up h, up h x, up h y and up h z/2 have the divergences 1, x, y and z and vanish on the plane. Their fluxes through the
+ * submerged part of the closed chain are therefore the displaced volume and its first moments; the waterplane contributes
+ * nothing. These are fluxes of z n_z times 1, x, y and z/2 (Integrand::HeightMoment): the placement of a body rotates its
+ * positions and normals into these coordinates, so that no plane needs a shader of its own. The submerged part of a face is again
+ * a list of panels, ribbons and caps (smSubmergedFace.h).
  */
 #ifndef smBuoyancy_h
 #define smBuoyancy_h
@@ -26,14 +27,15 @@
 
 namespace sm
 {
-/// A point of the plane, in world coordinates, and the direction out of the water, of any length but 0.
+/// Plane of the waterline, by a point of it in world coordinates and its normal out of the water, of any length but 0.
 struct Waterline
 {
   std::array<double, 3> Point{};
   std::array<double, 3> Up{};
 };
 
-/// Moments about a point near the body, along the world's axes, and their bounds.
+/// Displaced volume and its first moments about Origin, along the world's axes, with their bounds. Origin is a point near the
+/// body.
 struct SMFILTERSBUOYANCY_EXPORT DisplacedMoments
 {
   std::array<double, 3> Origin{};
@@ -42,77 +44,80 @@ struct SMFILTERSBUOYANCY_EXPORT DisplacedMoments
   std::array<double, 3> First{};
   std::array<double, 3> FirstBound{};
 
-  /// Adds those of another body.
+  /// Adds the moments of another body, shifted to this Origin.
   void Add(const DisplacedMoments& other);
-  /// NaN, with a bound that is NaN, where the volume is not surely there: its bound is no less than it.
+  /// Returns the centroid and its bound. Both are NaN if the volume may be 0, that is, if it does not exceed its bound.
   std::array<double, 3> GetCenter(double& bound) const;
 };
 
-/// The results of one body.
+/// Results of one body.
 struct BodyBuoyancy
 {
-  /// By face of the model: volume, and moments in x, y and z about the world's origin.
+  /// Volume and first moments in x, y and z about the world's origin, for each face of the model.
   std::vector<FaceIntegrals> Faces;
   DisplacedMoments Total;
 };
 
+/// Integrates volume and first moments of the submerged parts of bodies. It keeps cut faces for later runs; it is not thread safe.
 class SMFILTERSBUOYANCY_EXPORT BuoyancyIntegrator
 {
 public:
   /**
-   * `results` gets one entry per body. `integrator` evaluates; it has a runner, and the integrands of MakeIntegrands(). The tolerance is
-   * relative to the body's volume, and for the first moments to volume times radius. False when nothing was computed: the integrator's
-   * GetError() says why.
+   * Computes one entry of `results` per body. `integrator` evaluates the panels; it must have a runner and the integrands of
+   * MakeIntegrands(). `relativeTolerance` is relative to the body's volume, and for the first moments to volume times radius.
+   * Returns false if nothing was computed; the integrator's GetError() gives the reason.
    */
   bool Integrate(SurfaceIntegrator& integrator, const std::vector<BodyIntegrals>& bodies,
     const Waterline& waterline, double relativeTolerance, const ProgressCallback& progress,
     std::vector<BodyBuoyancy>& results);
 
-  /// Volume and first moments in coordinates whose z is the height above the waterline.
+  /// Returns the integrands for volume and first moments in coordinates whose z is the height above the waterline.
   static std::vector<Integrand> MakeIntegrands();
 
-  /// Seconds of the last Integrate() until all faces were cut.
+  /// Returns the seconds that the last Integrate() needed to cut all faces.
   double GetCutSeconds() const { return this->CutSeconds; }
 
-  /// Forgets what is kept for later runs.
+  /// Releases all cut faces that are kept for later runs.
   void ReleaseMemory();
 
 private:
-  /// A body as the waterline sees it.
+  /// Plane of the waterline and coordinate frame of the integrals, for one body.
   struct Frame
   {
-    /// In the model's coordinates.
+    /// Plane of the waterline in the model's coordinates.
     HeightPlane Plane;
-    /// To coordinates with z = height, near the body; and the directions of x, y and z in the world.
+    /// Transform from the model's coordinates to coordinates near the body with z = height.
     std::array<double, 12> Placement{};
+    /// Directions of these x, y and z in the world, and the world position of their origin.
     std::array<std::array<double, 3>, 3> Axes{};
     std::array<double, 3> Origin{};
-    /// The middle of the body's box, in the model's coordinates and the world's.
+    /// Middle of the body's box, in the model's coordinates and in the world's.
     std::array<double, 3> LocalMiddle{};
     std::array<double, 3> Middle{};
-    /// How far rounding may move the plane; no point is further from the frame's origin than Reach.
+    /// Bound of the displacement of the plane by rounding.
     double PlaneBound = 0.0;
+    /// Radius about the frame's origin within which all points of the body lie.
     double Reach = 0.0;
   };
-  /// A body's faces, cut at the waterline.
+  /// Faces of a body and their parts below the waterline.
   struct CutBody
   {
     Frame View;
     std::vector<CutFacePointer> Faces;
     std::vector<SubmergedFace> Below;
-    /// All of the body is below the waterline.
+    /// True if all of the body is below the waterline.
     bool IsWhole = true;
-    /// Bounds of what cutting may move of the volume of each face; and why a face could not be cut.
+    /// Bound of the volume error caused by cutting, and the reason if the face could not be cut (else empty), for each face.
     std::vector<double> VolumeErrors;
     std::vector<std::string> Errors;
   };
-  /// The face that a task belongs to.
+  /// Indices of the body and the face that a task belongs to.
   struct Place
   {
     std::size_t Body;
     std::size_t Face;
   };
-  /// What the part of a face below the waterline depends on, beside the face.
+  /// Key of the submerged part of a face in the cache: everything it depends on except the face itself.
   struct CutKey
   {
     HeightPlane Plane;

@@ -1,11 +1,11 @@
 /**
  * @file smBuoyancyNames.h
- * @brief The names of every array that vtkBuoyancy puts out, beside those of smIntegralNames.h
+ * @brief Names of all arrays in the outputs of vtkBuoyancy except those of smIntegralNames.h
  */
 #ifndef smBuoyancyNames_h
 #define smBuoyancyNames_h
 
-#include "smIntegralNames.h" // what all filters over surface integrals put out
+#include "smIntegralNames.h" // names common to all filters over surface integrals
 
 namespace sm
 {

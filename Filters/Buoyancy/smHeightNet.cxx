@@ -114,7 +114,7 @@ NetRange HeightNet::GetRange(const ParameterRange& box) const
 
 namespace
 {
-/// Value (and slope) of a polynomial in Bernstein form, whose coefficients are lost.
+/// Evaluates a polynomial in Bernstein form, and its slope, by de Casteljau's algorithm. It overwrites the coefficients.
 double Collapse(double* b, int degree, double x, double* slope = nullptr)
 {
   if (slope)

@@ -1,6 +1,6 @@
 /**
  * @file smHeightNet.h
- * @brief The height of a rational Bézier patch above a plane, as a polynomial over the weight, and what bounds it on boxes
+ * @brief Height of a rational Bézier patch above a plane, as a quotient of polynomials N / w, with bounds on parameter boxes
  */
 #ifndef smHeightNet_h
 #define smHeightNet_h
@@ -14,11 +14,12 @@
 
 namespace sm
 {
-/// The points x of a model with Up . x + Offset = 0; Up is a unit vector. Height is positive on its side.
+/// The plane of all points x of a model with Up . x + Offset = 0. Up is a unit vector; the height is positive on the side it
+/// points to.
 struct HeightPlane
 {
   std::array<double, 3> Up{};
-  /// A length; more digits than a double has, where there are any.
+  /// Offset, a length, in extended precision where the platform's long double has it.
   long double Offset = 0.0L;
 
   double GetHeight(const std::array<double, 3>& x) const
@@ -29,7 +30,7 @@ struct HeightPlane
   }
 };
 
-/// A box in the parameters of the trim pieces: (u, v), or (v, u) where panels have them exchanged.
+/// A box in the parameters of the trim pieces: (u, v), or (v, u) for transposed panels.
 struct ParameterRange
 {
   std::array<double, 2> Low{};
@@ -41,20 +42,20 @@ struct ParameterRange
   }
 };
 
-/// What is known of height and weight on a box. Derivatives are in the patch's own s and r.
+/// Bounds of height and weight on a box. Derivatives are with respect to the patch's own parameters s and r.
 struct SMFILTERSBUOYANCY_EXPORT NetRange
 {
-  /// Of the numerator N = w h, by the convex hull of its coefficients.
+  /// Range of the numerator N = w h, by the convex hull of its coefficients.
   double Low, High;
-  /// Of its derivatives.
+  /// Ranges of the derivatives of N.
   double SlopeLow[2], SlopeHigh[2];
   double LowestWeight;
 
-  /// No less than |h|.
+  /// Returns an upper bound of |h| on the box; infinity if the weight may be 0.
   double GetLargestHeight() const;
 };
 
-/// N(s,r) = sum B_i(s) B_j(r) w_ij h_ij of one patch. Its zeros are the waterline's.
+/// The numerator N(s,r) = sum B_i(s) B_j(r) w_ij h_ij of the height over one patch. Its zeros are the waterline on the patch.
 class SMFILTERSBUOYANCY_EXPORT HeightNet
 {
 public:
@@ -68,11 +69,12 @@ public:
 
   NetRange GetRange(const ParameterRange& box) const;
   double Evaluate(double u, double v) const;
-  /// Where N(., v) vanishes in [low, high], on which it is monotone; the nearer end where it does not.
+  /// Returns the u in [low, high] with N(u, v) = 0; N(., v) must be monotone there. Without a zero, returns the end with the
+  /// smaller |N|.
   double Solve(double v, double low, double high) const;
-  /// No less than |Ss x Sr| du dv per area in the parameters of the trim pieces, anywhere on the patch.
+  /// Returns an upper bound of |S_u x S_v| on the patch: surface area per area in the parameters of the trim pieces.
   double GetLargestNormal() const { return this->Normal; }
-  /// Not a number counts as infinite.
+  /// Raises the bound of GetLargestNormal(); NaN counts as infinity.
   void RaiseNormal(double normal)
   {
     this->Normal = normal <= this->Normal ? this->Normal
@@ -80,7 +82,7 @@ public:
                                           : std::numeric_limits<double>::infinity();
   }
 
-  /// The same with the two parameters exchanged.
+  /// Returns the net with its two parameters exchanged.
   HeightNet Exchanged() const;
 
 private:
@@ -89,7 +91,7 @@ private:
   double Start[2] = { 0.0, 0.0 };
   double Width[2] = { 1.0, 1.0 };
   double Normal = 0.0;
-  /// (N, w), s fastest.
+  /// Coefficients (N, w), with s varying fastest.
   std::vector<std::array<double, 2>> Coefficients;
 };
 }

@@ -10,7 +10,7 @@ namespace
 {
 constexpr int MostHalvings = 44;
 
-/// Clenshaw's sum.
+/// Evaluates a Chebyshev series by Clenshaw's algorithm.
 double Sum(const std::vector<double>& series, double x)
 {
   double next = 0.0;
@@ -83,13 +83,13 @@ struct Search
       Append(this->Ranges, start, end, a[0] < 0.0);
       return;
     }
-    // |T_k'| <= k^2.
-    double turn = 0.0;
+    // Bound of the other terms of the derivative, as |T_k'| <= k^2.
+    double otherSlopes = 0.0;
     for (std::size_t k = 2; k < a.size(); ++k)
     {
-      turn += static_cast<double>(k * k) * std::abs(a[k]);
+      otherSlopes += static_cast<double>(k * k) * std::abs(a[k]);
     }
-    if (a.size() > 1 && turn < std::abs(a[1]))
+    if (a.size() > 1 && otherSlopes < std::abs(a[1]))
     {
       this->AppendMonotone(start, end);
       return;

@@ -1,6 +1,6 @@
 /**
  * @file smSignChanges.h
- * @brief Where a polynomial of high degree, known by evaluation, is negative: proved by its Chebyshev series
+ * @brief Sign changes of a polynomial of high degree that is known by evaluation, proved by its Chebyshev series
  */
 #ifndef smSignChanges_h
 #define smSignChanges_h
@@ -10,13 +10,14 @@
 
 namespace sm
 {
-/// Chebyshev coefficients on [start, end] of the polynomial that `evaluate` gives, of `degree` at most.
-/// 0 <= degree < ChebyshevRule::MaximumSize.
+/// Computes the Chebyshev coefficients on [start, end] of the polynomial `evaluate`, whose degree is at most `degree`. Requires 0
+/// <= degree < ChebyshevRule::MaximumSize.
 void ExpandPolynomial(const std::function<double(double)>& evaluate, int degree, double start, double end,
   std::vector<double>& series);
-/// No less than the polynomial's absolute value on [-1,1].
+/// Returns an upper bound of the polynomial's absolute value on [-1,1].
 double GetLargest(const std::vector<double>& series);
 
+/// An interval on which a polynomial has one sign.
 struct SignedRange
 {
   double Start, End;
@@ -24,10 +25,10 @@ struct SignedRange
 };
 
 /**
- * Appends the ranges of [start, end], in order, in which the polynomial of `degree` is negative, or is not. A range is halved until
- * the series shows one sign, or that it is monotone, so that bisection finds its only zero; or until `isSmall` says that a
- * polynomial no larger than `largest` there may have either sign. That is asked with halvings left and without; its last answer is
- * not heard.
+ * Splits [start, end] into ranges on which the polynomial of `degree` is negative, or is not, and appends them in order. A range
+ * is halved until the series proves one sign, or proves monotonicity, so that bisection finds the only zero, or until `isSmall`
+ * accepts that a polynomial of absolute value at most `largest` may have either sign on it. `isSmall` is called with last = true
+ * when no halvings are left; its return value is then ignored.
  */
 void FindSignedRanges(const std::function<double(double)>& evaluate, int degree, double start, double end,
   const std::function<bool(double start, double end, double largest, bool last)>& isSmall,

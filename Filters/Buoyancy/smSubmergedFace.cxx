@@ -12,7 +12,7 @@ namespace sm
 {
 namespace
 {
-/// -1: below, or in the plane; 1: above, or in the plane; 0: both.
+/// Returns -1 if the face is below or in the plane, 1 if it is above or in the plane, 0 if it may be on both sides.
 int FindSide(const FacePanels& panels, const HeightPlane& plane)
 {
   bool below = false;
@@ -64,7 +64,7 @@ CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchange
   face->Id = NewId();
   if (exchanged)
   {
-    // They belong to the ribbons, which are all in the other part.
+    // The loops belong to the ribbons, which are all in the other part.
     face->Loops.clear();
   }
   auto cut = std::make_shared<CutFace>();

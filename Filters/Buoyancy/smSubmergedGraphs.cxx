@@ -13,17 +13,17 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
-// Degrees of graphs.
+// Degrees of the polynomials that approximate graphs.
 constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
-// Part of the room beside a box that the waterline may be off by where a part may be on either side of it: a graph finds it there.
+// Share of the room beside a box by which a crossing of the waterline may be off, so that the graph still finds it there.
 constexpr double CrossingRoom = 0.05;
-// Parts of a piece of so high a degree that its height has no series.
+// Largest number of subdivisions of a piece whose degree is too high for a Chebyshev series of its height.
 constexpr std::size_t MostParts = 4096;
 
-/// Bernstein coefficients of the polynomial with these values at the Chebyshev nodes of [0,1].
+/// Returns the Bernstein coefficients of the polynomial with these values at the Chebyshev nodes of [0,1].
 std::vector<double> ToBernstein(const std::vector<double>& values)
 {
-  // Degrees are 9 at most: elimination in wide numbers is good to rounding.
+  // Degrees are 9 at most, so that elimination in extended precision is accurate to rounding.
   const int n = static_cast<int>(values.size());
   const ChebyshevRule& rule = ChebyshevRule::Get(n);
   std::vector<std::vector<long double>> rows(n, std::vector<long double>(n + 1));
@@ -60,7 +60,7 @@ std::vector<double> ToBernstein(const std::vector<double>& values)
   return coefficients;
 }
 
-/// How far a coordinate runs to and fro along a part, at most.
+/// Returns an upper bound of the total variation of a coordinate along a part.
 double GetVariation(const RegionPart& part, int direction, double start, double end)
 {
   const std::vector<Point2>& b = *part.Piece;
@@ -106,7 +106,7 @@ std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const 
       ranges);
     return ranges;
   }
-  // Of such degrees: the height on the box of ever smaller parts, until those without a sign are worth little.
+  // For higher degrees, the part is subdivided until the height has one sign on the box of each piece, or its error is small.
   std::vector<std::array<double, 2>> open{ { part.End, part.Start } };
   for (std::size_t steps = 0; !open.empty(); ++steps)
   {
@@ -172,7 +172,7 @@ void SubmergedPanels::CutMonotone(const Source& source, Monotone& box, const Reg
   }
   for (const SignedIntervals::Interval& interval : waterline.Get())
   {
-    // Where the waterline is left of the box there is nothing between.
+    // Where the waterline is left of the box, there is no area between it and the border.
     const RegionPart border = MakeLine(box.Range.Low[0], interval.Start, interval.End, 1);
     for (const SignedRange& range : this->FindRanges(box, border))
     {
@@ -215,7 +215,7 @@ bool SubmergedPanels::FitGraph(
     },
     box.Net->GetDegree(0) * degree + box.Net->GetDegree(1), 0.0, 1.0, series);
   const double largest = GetLargest(series);
-  // The sliver must stay where the height is known to be monotone.
+  // The sliver between the graph and the waterline must lie where the height is known to be monotone.
   const std::array<double, 2> extent = GetExtent(graph, 0, low, high);
   const bool inside = extent[0] > box.Range.Low[0] - box.Room && extent[1] < box.Range.High[0] + box.Room &&
     largest <= 0.25 * box.Room * box.Slope;
@@ -242,7 +242,7 @@ void SubmergedPanels::AddGraph(Monotone& box, double start, double end, int sign
       graph.From = graph.Piece->front();
       graph.To = graph.Piece->back();
       graph.Sign = sign;
-      // Its ends are where trim curves cross the plane: known to rounding.
+      // The ends of the graph are the points where trim curves cross the plane, which are known to rounding.
       graph.Covered = true;
       this->AddPanel(box.Exchanged, box.Patch, box.Shape, this->Flip, graph);
       return;

@@ -12,17 +12,17 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
-// Of the tolerance: what boxes that are left over may cost together, and a single cut or fit.
+// Shares of the tolerance for all boxes that remain unresolved together, and for a single cut or fit.
 constexpr double LeftoverShare = 0.25;
 constexpr double PieceShare = 1.0 / 4096.0;
-// Boxes that a face is worth beyond its patches, and the smallest one, relative to its patch.
+// Largest number of boxes per face in addition to its patches, and smallest width of a box relative to its patch.
 constexpr std::size_t MostBoxes = 20000;
 constexpr double SmallestBox = 1e-13;
-// A graph does not rise faster than by this many boxes, so that few polynomials fit it; and the part of a box beside it in which
-// its height is known to be monotone, too.
+// Largest slope of a graph in units of its box, so that few polynomials fit it; and the width on each side of a box, relative to
+// the box, within which the height must be monotone too.
 constexpr double SteepestGraph = 8.0;
 constexpr double Room = 1.0 / 64.0;
-// Halvings of the graphs in a box.
+// Largest number of halvings of graphs in a box.
 constexpr int MostGraphHalvings = 1000;
 
 }
@@ -64,7 +64,7 @@ void SubmergedPanels::Cut()
     this->Sources.push_back({ patch, panel.Shape, panel.FlipNormal, net, net.Exchanged() });
     this->AddPatch(patch, std::move(parts));
   }
-  // The box that may be worth most is halved first, until what is left is worth little.
+  // The box with the largest error bound is halved first, until the remaining bounds are small.
   const auto isLess = [](const Box& a, const Box& b) { return a.Majorant < b.Majorant; };
   std::make_heap(this->Open.begin(), this->Open.end(), isLess);
   const auto sum = [this]()
@@ -112,7 +112,7 @@ void SubmergedPanels::AddPatch(std::uint32_t index, Region parts)
   box.Net = this->Sources.size() - 1;
   for (int d = 0; d < 2; ++d)
   {
-    // Pieces may leave the surface a little: its polynomial goes on.
+    // Trim pieces may leave the patch slightly; its polynomial is continued there.
     std::array<double, 2> extent{ patch.Start[d], patch.Start[d] + patch.Width[d] };
     for (const RegionPart& part : parts)
     {
@@ -123,7 +123,7 @@ void SubmergedPanels::AddPatch(std::uint32_t index, Region parts)
   }
   if (box.Range.Low[0] < patch.Start[0])
   {
-    // The parts are about what is right of the patch's left border.
+    // The parts describe the region right of the patch's left border.
     SignedIntervals covered;
     for (const RegionPart& part : parts)
     {
@@ -138,13 +138,13 @@ void SubmergedPanels::AddPatch(std::uint32_t index, Region parts)
     box.Range.High[0] > patch.Start[0] + patch.Width[0] ||
     box.Range.High[1] > patch.Start[1] + patch.Width[1])
   {
-    // What bounds the normal on the patch does not bound it there.
+    // The normal bound of the patch does not hold outside of the patch.
     FacePanels wider;
     AppendPatchPart(this->From, index, box.Range.Low, box.Range.High, false, wider);
     const double normal = HeightNet(wider, wider.Patches[0], this->Plane).GetLargestNormal();
     Source& source = this->Sources.back();
     source.Net.RaiseNormal(normal);
-    source.Turned.RaiseNormal(normal);
+    source.Exchanged.RaiseNormal(normal);
   }
   box.Parts = std::move(parts);
   if (!this->Resolve(box))
@@ -175,9 +175,9 @@ bool SubmergedPanels::IsMonotone(const HeightNet& net, const ParameterRange& ran
   found.Net = &net;
   found.Range = range;
   found.Increasing = bounds.SlopeLow[0] > 0.0;
-  // Per step of the parameter itself.
+  // Slope per unit of the trim pieces' parameter.
   found.Slope = slope * width[0] / (range.High[0] - range.Low[0]);
-  // |h| <= N / w on a sliver N / slope wide.
+  // |h| <= N / w on a sliver of width N / slope.
   found.Rate = net.GetLargestNormal() / (bounds.LowestWeight * found.Slope);
   found.Room = room;
   found.Whole = bounds.GetLargestHeight() * net.GetLargestNormal() * (wide.High[0] - wide.Low[0]);
@@ -201,7 +201,7 @@ bool SubmergedPanels::IsResolved(const Box& box, bool& below, int& monotone) con
     monotone = 0;
     return true;
   }
-  if (this->IsMonotone(source.Turned, box.Range.Exchanged(), found))
+  if (this->IsMonotone(source.Exchanged, box.Range.Exchanged(), found))
   {
     monotone = 1;
     return true;
@@ -240,7 +240,7 @@ bool SubmergedPanels::Resolve(Box& box)
     const bool exchanged = monotone == 1;
     Monotone found;
     this->IsMonotone(
-      exchanged ? source.Turned : source.Net, exchanged ? box.Range.Exchanged() : box.Range, found);
+      exchanged ? source.Exchanged : source.Net, exchanged ? box.Range.Exchanged() : box.Range, found);
     found.Exchanged = exchanged;
     this->CutMonotone(
       source, found, exchanged ? ExchangeRegion(box.Parts, box.Range.Low[0], box.Range.Low[1]) : box.Parts);
@@ -250,7 +250,7 @@ bool SubmergedPanels::Resolve(Box& box)
 
 int SubmergedPanels::ChooseDirection(const Box& box) const
 {
-  // The direction that settles more halves; where both do the same, the one that calms the slopes more.
+  // The direction that resolves more halves; if both resolve the same number, the one that reduces the ranges of the slopes more.
   int settled[2] = { 0, 0 };
   double spread[2] = { 0.0, 0.0 };
   for (int d = 0; d < 2; ++d)

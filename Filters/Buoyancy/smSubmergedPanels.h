@@ -1,6 +1,6 @@
 /**
  * @file smSubmergedPanels.h
- * @brief The panels of a face below a plane, see smSubmergedFace.h
+ * @brief Panels of the part of a face below a plane, see smSubmergedFace.h
  */
 #ifndef smSubmergedPanels_h
 #define smSubmergedPanels_h
@@ -16,6 +16,7 @@
 
 namespace sm
 {
+/// Cuts the panels of one face at a plane.
 class SubmergedPanels
 {
 public:
@@ -24,21 +25,22 @@ public:
   /// Cuts the panels of all patches.
   void Cut();
 
-  /// Panels in the parameters of the source, and with them exchanged.
+  /// Returns the resulting panels: in the parameters of the source, or with these exchanged.
   FacePanels& GetPanels(bool exchanged) { return this->Results[exchanged ? 1 : 0]; }
   double GetCutError() const { return this->CutError; }
   std::size_t GetBoxes() const { return this->Boxes; }
 
 private:
+  /// A part of a patch that is being subdivided.
   struct Box
   {
     std::size_t Net;
     ParameterRange Range;
     Region Parts;
-    /// No less than the integral of |h| |n| over the box.
+    /// Upper bound of the integral of |h| |n| over the box.
     double Majorant = 0.0;
   };
-  /// A box in hand where the height is monotone in its first parameter.
+  /// A box in which the height is monotone in the first parameter.
   struct Monotone
   {
     const HeightNet* Net;
@@ -47,26 +49,29 @@ private:
     std::uint32_t Patch;
     PanelShape Shape;
     bool Increasing;
-    /// Least absolute slope in the first parameter, lowest weight; error per N^2 and step of the second parameter.
+    /// Lower bound of |dN| per unit of the first parameter, on the box and Room on both sides of it.
     double Slope;
+    /// Bound of the integral of |h| |n| over a sliver beside the waterline, per N^2 and per unit of the second parameter.
     double Rate;
+    /// Width on each side of the box, in the first parameter, within which the height is known to be monotone too.
     double Room;
-    /// Bound of the integral of |h| |n| over the box, per step of the second parameter.
+    /// Bound of the integral of |h| |n| over the box and Room on both sides, per unit of the second parameter.
     double Whole;
-    /// Halvings of graphs that are left.
+    /// Number of further halvings of graphs that are allowed.
     int Halvings;
   };
+  /// A patch of the source and its height, also with the parameters exchanged.
   struct Source
   {
     std::uint32_t Patch;
     PanelShape Shape;
     bool Flip;
     HeightNet Net;
-    HeightNet Turned;
+    HeightNet Exchanged;
   };
 
   void AddPatch(std::uint32_t patch, Region parts);
-  /// Emits what is below, or finds that the box has to be halved.
+  /// Appends the submerged panels of a box. Returns false if the box must be halved.
   bool Resolve(Box& box);
   bool IsResolved(const Box& box, bool& below, int& monotone) const;
   bool IsMonotone(const HeightNet& net, const ParameterRange& range, Monotone& found) const;
@@ -81,13 +86,13 @@ private:
   const FacePanels& From;
   HeightPlane Plane;
   double Tolerance;
-  /// What a single cut or fit may cost.
+  /// Largest error that a single cut or fit may cause.
   double Small;
   std::vector<Source> Sources;
   std::vector<Box> Open;
   FacePanels Results[2];
   std::map<const void*, std::uint32_t> Trims[2];
-  /// Pieces whose addresses are in Trims.
+  /// Pieces whose addresses are keys of Trims; they must stay alive.
   std::vector<PiecePointer> Kept;
   bool Flip = false;
   double CutError = 0.0;

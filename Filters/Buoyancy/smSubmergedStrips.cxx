@@ -17,10 +17,10 @@ namespace
 {
 using Point3 = std::array<double, 3>;
 
-// Of the tolerance: what the place of one crossing may cost.
+// Share of the tolerance for the position of one crossing.
 constexpr double CrossingShare = 1.0 / 4096.0;
 
-/// A ribbon with its two curves over [0,1] of its own range.
+/// A ribbon whose two curves are parametrised over [0,1].
 class Strip
 {
 public:
@@ -41,15 +41,15 @@ public:
     return this->Own.EdgeStart + (this->Own.EdgeEnd - this->Own.EdgeStart) * t;
   }
 
-  /// No less than the gap between the curves at equal t in [start, end].
+  /// Returns an upper bound of the distance between the curves at equal t in [start, end].
   double GetGap(double start, double end) const;
 
   int FaceDegree;
   int EdgeDegree;
-  /// Upper bounds of the gap, and of what both curves run in all.
+  /// Upper bounds of the gap between the curves and of the sum of their lengths.
   double Gap;
   double Length;
-  /// Of the patch.
+  /// Lowest weight of the patch.
   double LowestWeight;
 
 private:
@@ -120,7 +120,7 @@ Strip::Strip(const FacePanels& panels, const Ribbon& ribbon, const HeightNet& ne
 
 double Strip::GetGap(double start, double end) const
 {
-  // C w - P along the strip is a polynomial.
+  // With the edge curve C, the patch's homogeneous position P and its weight w, C w - P is a polynomial along the strip.
   const Patch& patch = this->Source;
   const int degree = this->FaceDegree + this->EdgeDegree;
   const auto sample = [&](double t)
@@ -158,7 +158,8 @@ double Strip::GetGap(double start, double end) const
   return std::hypot(largest[0], largest[1], largest[2]) / this->LowestWeight;
 }
 
-/// The triangle clipped by the plane, as one or two of its kind: h is linear on it, and rounding of a cut costs its square.
+/// Clips the triangle at the plane into at most two triangles. h is linear on it, so that a rounding error of the cut has only a
+/// second-order effect.
 void CutCap(const Cap& cap, const HeightPlane& plane, FacePanels& to)
 {
   const Point3* corners[3] = { &cap.Apex, &cap.From, &cap.To };
@@ -218,7 +219,7 @@ std::vector<SignedRange> StripCutter::FindRanges(const Strip& strip, bool ofEdge
   const int degree = ofEdge ? strip.EdgeDegree : strip.FaceDegree;
   if (degree >= ChebyshevRule::MaximumSize)
   {
-    // A degree that no file has: the whole strip may be on either side.
+    // Such a degree does not occur in files: the whole strip counts as uncertain.
     this->CutError += strip.Gap * strip.Length * (strip.Gap + strip.Length);
     ranges.push_back({ 0.0, 1.0, strip.EvaluateFace(0.5) < 0.0 });
     return ranges;
@@ -290,7 +291,7 @@ void StripCutter::Cut(const Ribbon& ribbon)
     }
     else if (ofFace[a].Negative != ofEdge[b].Negative)
     {
-      // The plane passes between the two curves, so that no point of the strip is further from it than the gap.
+      // The plane passes between the two curves, so that no point of the strip is further from the plane than the gap.
       const double gap = strip.GetGap(start, end);
       this->CutError += gap * gap * strip.Length * (end - start);
     }

@@ -1,6 +1,6 @@
 /**
  * @file smSubmergedStrips.h
- * @brief The ribbons and caps of a face below a plane, see smSubmergedFace.h
+ * @brief Ribbons and caps of the part of a face below a plane, see smSubmergedFace.h
  */
 #ifndef smSubmergedStrips_h
 #define smSubmergedStrips_h
@@ -10,8 +10,9 @@
 
 namespace sm
 {
-/// Appends what lies below to `to`, and returns a bound of the integral of |h| |n| over what was left out or in wrongly: the
-/// strips between a curve of the face below the plane and one of the edge above it, or the other way round, which are left out.
+/// Appends the ribbons and caps below the plane to `to`. Strips between a curve of the face and a curve of the edge on opposite
+/// sides of the plane are omitted. Returns an upper bound of the integral of |h| |n| over all regions that were omitted or
+/// included wrongly.
 double CutStripsBelow(const FacePanels& from, const HeightPlane& plane, double tolerance, FacePanels& to);
 }
 

@@ -12,11 +12,11 @@ namespace sm
 namespace
 {
 using Point2 = std::array<double, 2>;
-// Halvings of a piece in search of its extent, and the share of the interval that does not matter.
+// Largest number of halvings in the search for the extent of a piece, and its accuracy relative to the interval.
 constexpr int ExtentDepth = 20;
 constexpr double ExtentNoise = 1e-13;
 
-/// Raises `most` to the largest coordinate of the curve, or less than `slack` more. Coefficients are times `sign`.
+/// Raises `most` to the largest value of the polynomial with Bernstein coefficients b, exceeding it by less than `slack`.
 void FindLargest(std::vector<std::array<double, 1>> b, int depth, double slack, double& most)
 {
   const int degree = static_cast<int>(b.size()) - 1;
@@ -164,10 +164,11 @@ Region ExchangeRegion(const Region& region, double left, double bottom)
   std::map<double, SignedIntervals> horizontals;
   for (const RegionPart& part : region)
   {
-    // Counter-clockwise round what lies left of the part: along it, back to the left border, down, and forth again.
+    // The area left of the part is bounded counter-clockwise by the part, the line back to the left border, the border downwards,
+    // and the line to the start of the part.
     horizontals[part.To[1]].Add(part.To[0], left, -part.Sign);
     horizontals[part.From[1]].Add(left, part.From[0], -part.Sign);
-    RegionPart turned = part;
+    RegionPart transposed = part;
     auto piece = std::make_shared<std::vector<Point2>>(*part.Piece);
     bool isLevel = true;
     for (Point2& point : *piece)
@@ -175,13 +176,13 @@ Region ExchangeRegion(const Region& region, double left, double bottom)
       std::swap(point[0], point[1]);
       isLevel = isLevel && point[1] == (*piece)[0][1];
     }
-    turned.Piece = piece;
-    turned.From = { part.From[1], part.From[0] };
-    turned.To = { part.To[1], part.To[0] };
-    turned.Sign = -part.Sign;
+    transposed.Piece = piece;
+    transposed.From = { part.From[1], part.From[0] };
+    transposed.To = { part.To[1], part.To[0] };
+    transposed.Sign = -part.Sign;
     if (!isLevel)
     {
-      exchanged.push_back(turned);
+      exchanged.push_back(transposed);
     }
   }
   for (const auto& [y, intervals] : horizontals)

@@ -25,7 +25,7 @@ namespace
 /// Volume, and first moments in x, y and z.
 constexpr std::size_t NumberOfIntegrands = 4;
 
-/// A row of the outputs.
+/// Values of one row of the outputs.
 struct Row
 {
   double Volume = vtkMath::Nan();
@@ -36,7 +36,7 @@ struct Row
   double CenterBound = vtkMath::Nan();
 };
 
-/// Appends rows to the six arrays, and hands them to field data or a table.
+/// The six columns of values and bounds, which are added to field data or to a table.
 class Columns
 {
 public:
@@ -72,13 +72,13 @@ private:
   sm::columns::Column Bounds[3];
 };
 
-/// What the tolerance of volume (0) and first moments (1) is relative to.
+/// Returns the scale to which the tolerance of the volume (degree 0) or of the first moments (degree 1) is relative.
 double GetScale(const sm::BodyIntegrals& body, int degree)
 {
   return std::pow(sm::GetReach(body), degree) * sm::GetVolumeScale(*body.Model);
 }
 
-/// The sums of a body's faces, and the centre about a point near it.
+/// Makes a row of the sums over a body's faces and of the centre, which is computed about a point near the body.
 Row MakeRow(const sm::BodyIntegrals& body, const sm::DisplacedMoments* moments)
 {
   Row row;
@@ -102,7 +102,7 @@ bool AreFinite(double x, double y, double z)
 struct vtkBuoyancy::Internals
 {
   sm::BuoyancyIntegrator Integrator;
-  /// Of the last run, by body; empty when nothing was computed.
+  /// Results of the last run for each body; empty if nothing was computed.
   std::vector<sm::BodyBuoyancy> Results;
   std::vector<Row> Rows;
   Row Total;
@@ -237,8 +237,9 @@ bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vecto
   }
   if (integrator.WasLoosened())
   {
-    report.Messages.push_back("MaximumEvaluations are too few for the tolerance below the waterline: it was "
-                              "loosened, and the bounds say by how much");
+    report.Messages.push_back(
+      "MaximumEvaluations is too small for the tolerance below the waterline, which was "
+      "loosened; the bounds show the accuracy reached");
   }
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {

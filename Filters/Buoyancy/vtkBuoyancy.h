@@ -1,22 +1,23 @@
 /**
  * @class   vtkBuoyancy
- * @brief   what of exact CAD solids lies below a plane: displaced volume and centre of buoyancy, with error bounds
+ * @brief   displaced volume and centre of buoyancy of exact CAD solids below a plane, with error bounds
  *
- * The waterline is the plane through Point with the normal Normal, which points out of the water; world coordinates, lengths in the
- * model's unit L. Faces are cut at the waterline, so that the bounds are theorems although the part below has an edge there
- * (smBuoyancy.h). A body above the waterline displaces 0, one below it its volume. The sums are those of a flux that vanishes on the
- * plane, so that nothing is added for the waterplane. Runs on the GPU or on the CPU, see vtkSurfaceIntegralBase; needs no GLSL of the
- * user's. Of several ranks the one with the bodies computes.
+ * The waterline is the plane through Point with the normal Normal, which points out of the water. Coordinates are world
+ * coordinates and lengths are in the model's unit L. Faces are cut at the waterline, so that the bounds are proved although the
+ * submerged part has an edge there (smBuoyancy.h). A body above the waterline displaces 0, one below it displaces its volume. The
+ * integrals are those of a flux that vanishes on the plane, so that the waterplane contributes nothing. The filter runs on the
+ * GPU or on the CPU, see vtkSurfaceIntegralBase, and needs no GLSL code of the user. In a parallel run only the rank that has the
+ * bodies computes.
  *
  * Field data of port 0 and columns of port 1, each with `<name>Bound` (smBuoyancyNames.h):
- * | name                  | comp. | unit | meaning                                                              |
- * |-----------------------|-------|------|----------------------------------------------------------------------|
- * | DisplacedVolume       | 1     | L^3  | volume below the waterline                                           |
- * | DisplacedFirstMoments | 3     | L^4  | of that volume about the world's origin                              |
- * | CenterOfBuoyancy      | 3     | L    | its centroid; NaN where the volume is not surely above 0              |
- * What was not computed is NaN with a Status. Port 3 and the meshes of port 5 have the share of every face in DisplacedVolume: its flux
- * of a field that vanishes on the plane (for a body that is below as a whole: on a parallel plane through it). The other outputs are
- * those of vtkSurfaceIntegralBase.
+ * | name                  | comp. | unit | meaning                                                             |
+ * |-----------------------|-------|------|---------------------------------------------------------------------|
+ * | DisplacedVolume       | 1     | L^3  | volume below the waterline                                          |
+ * | DisplacedFirstMoments | 3     | L^4  | first moments of that volume about the world's origin               |
+ * | CenterOfBuoyancy      | 3     | L    | centroid of that volume; NaN where the volume may be 0 by its bound |
+ * Values that were not computed are NaN, and Status gives the reason. Port 3 and the meshes of port 5 have the contribution of
+ * every face to DisplacedVolume: its flux of a field that vanishes on the plane (for a body that is entirely below the waterline:
+ * on a parallel plane through the body). The other outputs are those of vtkSurfaceIntegralBase.
  */
 #ifndef vtkBuoyancy_h
 #define vtkBuoyancy_h
@@ -32,29 +33,30 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** A point of the waterline, in world coordinates. A number that is not finite is an error and changes nothing. Default 0 0 0. */
+  /** A point of the waterline, in world coordinates, unit L. A coordinate that is not finite is reported as an error and leaves
+   * the point unchanged. Default 0 0 0. */
   void SetPoint(double x, double y, double z);
   void SetPoint(const double point[3]) { this->SetPoint(point[0], point[1], point[2]); }
   vtkGetVector3Macro(Point, double);
   ///@}
   ///@{
-  /** The direction out of the water, of any length but 0. A direction of no length, or a number that is not finite, is an error and
-   * changes nothing. Default 0 0 1. */
+  /** The direction out of the water, in world coordinates, of any length but 0. A zero vector, or a component that is not
+   * finite, is reported as an error and leaves the normal unchanged. Default 0 0 1. */
   void SetNormal(double x, double y, double z);
   void SetNormal(const double normal[3]) { this->SetNormal(normal[0], normal[1], normal[2]); }
   vtkGetVector3Macro(Normal, double);
   ///@}
 
   ///@{
-  /** Tolerance of the displaced volume relative to the scale of its solid's volume, and of its first moments relative to volume times
-   * distance from the origin. Range (0, 1], clamped to [1e-15, 1]; not a number is an error and changes nothing. Default 1e-9. Unmet:
-   * Status tolerance-not-met, the values and their true bounds are kept. */
+  /** Tolerance of the displaced volume relative to the scale of its solid's volume, and of its first moments relative to volume
+   * times distance from the origin. Range (0, 1], clamped to [1e-15, 1]; NaN is reported as an error and changes nothing.
+   * Default 1e-9. If it cannot be met, Status is tolerance-not-met, and the values are kept with their true bounds. */
   void SetRelativeTolerance(double tolerance) { this->ChangeRelativeTolerance(tolerance); }
   vtkGetMacro(RelativeTolerance, double);
   ///@}
 
   ///@{
-  /** The last run's total; NaN when not computed. */
+  /** Totals of the last run over all bodies; NaN if not computed. */
   double GetDisplacedVolume() const;
   double GetDisplacedVolumeBound() const;
   void GetDisplacedFirstMoments(double moments[3]) const;

@@ -15,7 +15,7 @@ namespace sm
 {
 namespace
 {
-/// Moments of a body in the world, about its placed origin.
+/// Returns the moments of a body in the world, about its placed origin.
 Moments GetMoments(const BodyIntegrals& body)
 {
   Moments moments;
@@ -34,7 +34,7 @@ Moments GetMoments(const BodyIntegrals& body)
   return moments;
 }
 
-/// Moments without a bound: the centre and the inertia follow from them as if they were exact.
+/// Sets the bounds of moments to 0, so that the centre and the inertia follow from them as from exact ones.
 void ZeroBounds(Moments& moments)
 {
   moments.VolumeBound = 0.0;
@@ -55,7 +55,7 @@ void SetMass(MassRow& row, double density, const std::string& unit)
   row.MassInertiaBound = factor * row.Properties.InertiaBound;
 }
 
-/// Facts that hold for every body and not for this result make it suspect.
+/// Flags a body as suspect if its properties violate a fact that holds for every solid.
 void CheckPlausibility(BodyIntegrals& body, const MassProperties& properties)
 {
   std::array<double, 3> center;
@@ -63,7 +63,7 @@ void CheckPlausibility(BodyIntegrals& body, const MassProperties& properties)
   {
     center[i] = body.Value[MassFirst + i] / body.Value[MassVolume];
   }
-  // A trim that leaves its surface leads beyond the control points.
+  // A trim curve that leaves its surface may lead beyond the control points.
   double slack = 1e-12 * GetRadius(*body.Model);
   for (const FaceIntegrals& face : *body.Faces)
   {
@@ -76,22 +76,22 @@ void CheckPlausibility(BodyIntegrals& body, const MassProperties& properties)
   }
 }
 
-/// The largest closure residual of a closed surface: what quadrature leaves of the vector area, at a loose tolerance or without
-/// convergence, is no hole.
+/// Returns the largest closure residual of a surface that counts as closed. The part of the residual that a loose tolerance or
+/// missing convergence causes in the vector area is not an opening.
 double GetLargestClosureResidual(
   const BodyIntegrals& body, double residualPerArea, const MassAnalysisOptions& options)
 {
   return options.HasBounds
     ? options.LargestClosureResidual + residualPerArea * vtkMath::Norm(body.Bound.data() + MassVectorArea)
-    // Texels leave the faces of a sound solid open.
+    // The texels of the schemes leave the faces of a correct solid open.
     : body.IsSolid() ? std::numeric_limits<double>::infinity()
                      : options.LargestClosureResidual;
 }
 
-/// Properties of a body that encloses a volume. False when it turns out to be a surface.
+/// Computes the properties of a body that encloses a volume. Returns false if the body turns out to be a surface.
 bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, MassRow& row, Moments& moments)
 {
-  TurnShells(body, MakeMassIntegrands(), MassVolume);
+  ReverseShells(body, MakeMassIntegrands(), MassVolume);
   moments = GetMoments(body);
   if (!options.HasBounds)
   {
@@ -111,7 +111,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
   const bool isClosed = row.ClosureResidual <= GetLargestClosureResidual(body, residualPerArea, options);
   if (!body.IsSolid() && body.SkippedFaces == 0 && !isClosed)
   {
-    // A surface whose border is no edge: a patch without loops.
+    // The border of the surface has no edges: it is a patch without loops.
     body.Flag(Status::Open, "a surface, not a solid: it has an area and no volume");
     row.Properties = MassProperties();
     row.ClosureCorrection = row.ClosureResidual = vtkMath::Nan();
@@ -129,7 +129,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
   return true;
 }
 
-/// The row of a body; `moments` gets its moments in the world when it has a volume.
+/// Computes the row of a body. `moments` receives its moments in the world if it has a volume.
 MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Moments& moments)
 {
   MassRow row;
@@ -157,7 +157,7 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   if (!options.HasBounds)
   {
     body.Degrade(Status::ToleranceNotMet);
-    // It would be that of the texels.
+    // The residual would be that of the texels.
     row.ClosureResidual = vtkMath::Nan();
     return row;
   }
@@ -169,14 +169,14 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   return row;
 }
 
-/// Adds what simply adds up.
+/// Adds the quantities whose total is their sum.
 void AddRow(const MassRow& row, MassRow& total)
 {
   total.Area += row.Area;
   total.AreaBound += row.AreaBound + 2.0 * UnitRoundoff * total.Area;
   total.GapSquared += row.GapSquared;
   total.GapArea += row.GapArea;
-  // Not std::max, which loses a NaN.
+  // std::max is not used here because it may drop a NaN.
   total.MaxGap = row.MaxGap > total.MaxGap || std::isnan(row.MaxGap) ? row.MaxGap : total.MaxGap;
   if (std::isfinite(row.Properties.Volume))
   {
@@ -184,7 +184,7 @@ void AddRow(const MassRow& row, MassRow& total)
   }
 }
 
-/// The total of bodies that have a volume.
+/// Computes the total of all bodies that have a volume.
 void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Moments>& parts,
   const MassAnalysisOptions& options, MassAnalysis& analysis)
 {
@@ -226,7 +226,7 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
       total, options.Density > 0.0 ? options.Density : bodies.front().Model->GetDensity(), analysis.Unit);
     return;
   }
-  // Densities differ from part to part: the sum has a mass, but its inertia is not density times VolumeInertia.
+  // Densities differ from part to part: the total has a mass, but its inertia is not density times VolumeInertia.
   total.Mass = mass;
   total.MassBound = massBound;
 }
@@ -239,7 +239,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   {
     return analysis;
   }
-  // Instances are named in the length unit of the first; a reader gives all its bodies one unit.
+  // The unit of the total is that of the first body; a reader gives all its bodies the same unit.
   analysis.Unit = bodies.front().Model->GetLengthUnit();
   analysis.HasOneUnit = std::all_of(bodies.begin(), bodies.end(),
     [&analysis](const BodyIntegrals& body) { return body.Model->GetLengthUnit() == analysis.Unit; });
@@ -254,7 +254,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   }
   else
   {
-    // Cubic inches and cubic millimetres do not add up.
+    // Volumes in different units cannot be added.
     analysis.Messages.push_back(
       "the parts have different length units: there is no total; read all files with one OutputUnit");
   }
@@ -275,7 +275,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
     analysis.FlippedShells += body.FlippedShells;
   }
   AnalyzeTotal(bodies, parts, options, analysis);
-  // Bounds add up, scales need not: parts on both sides of the origin.
+  // Bounds add up but scales need not, for example for parts on opposite sides of the origin.
   const std::string unmet = FindUnmet(total, options.Tolerance);
   const bool isOk = std::all_of(
     bodies.begin(), bodies.end(), [](const BodyIntegrals& body) { return body.Status == Status::Ok; });

@@ -1,6 +1,6 @@
 /**
  * @file smMassAnalysis.h
- * @brief From the integrals of bodies to their mass properties: signs, totals, plausibility, tolerances, statuses
+ * @brief Mass properties of bodies from their integrals: signs, totals, plausibility, tolerances, statuses
  */
 #ifndef smMassAnalysis_h
 #define smMassAnalysis_h
@@ -16,40 +16,41 @@
 
 namespace sm
 {
+/// Options of AnalyzeMass().
 struct MassAnalysisOptions
 {
   MassTolerance Tolerance;
-  /// Of all bodies, kg/m^3; 0: the density that each part's file states.
+  /// Density of all bodies in kg/m^3; 0: the density that the file of each part states, if any.
   double Density = 0.0;
-  /// False: the integrals have no bounds and no closed chain (the paper's schemes); every bound, the closure correction and the
-  /// closure residual are NaN, and no body is better than tolerance-not-met.
+  /// False if the integrals have no bounds and belong to no closed chain (the paper's schemes). Then every bound, the closure
+  /// correction and the closure residual are NaN, and the status of every body is at least tolerance-not-met.
   bool HasBounds = true;
-  /// The largest closure residual of a surface that counts as closed although it has no edges. Of a solid it is a sign of a broken
-  /// loop, where there are bounds.
+  /// Largest closure residual at which a surface without open edges counts as closed. If there are bounds, a larger residual of a
+  /// solid indicates a broken loop.
   double LargestClosureResidual = 1e-9;
 };
 
 /// The results of all bodies of a run.
 struct MassAnalysis
 {
-  /// In the order of the bodies, and for all together.
+  /// Rows of the bodies, in their order, and the row of all bodies together.
   std::vector<MassRow> Rows;
   MassRow Total;
   /// Length unit of the total.
   std::string Unit = "mm";
   bool HasOneUnit = true;
-  /// Some body has a density.
+  /// True if at least one body has a density.
   bool HasMass = false;
   int OpenEdges = 0;
   int FlippedShells = 0;
-  /// Of the total alone, whose bound is the sum of theirs: Ok or ToleranceNotMet.
+  /// Status of the total alone, whose bound is the sum of the bodies' bounds: Ok or ToleranceNotMet.
   sm::Status TotalStatus = sm::Status::Ok;
-  /// What is to be said of the total.
+  /// Messages about the total.
   std::vector<std::string> Messages;
 };
 
-/// Reverses shells that are inside out, flags the bodies, and computes all mass properties. Bodies have integrals of
-/// MakeMassIntegrands() (SumFaces), or no Faces where nothing was computed.
+/// Reverses shells whose normals point inwards, sets the statuses of the bodies and computes all mass properties. Bodies have the
+/// integrals of MakeMassIntegrands() (SumFaces), or no Faces if nothing was computed.
 SMFILTERSMASSPROPERTIES_EXPORT MassAnalysis AnalyzeMass(
   std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options);
 }

@@ -19,7 +19,7 @@ namespace sm
 {
 namespace
 {
-/// Appends a glyph whose cells have the colour of its result.
+/// Appends a glyph and gives its cells the colour of its result.
 void Append(vtkAppendPolyData* glyphs, vtkPolyData* glyph, Status status)
 {
   const unsigned char green[3] = { 26, 179, 51 };
@@ -39,7 +39,7 @@ void Append(vtkAppendPolyData* glyphs, vtkPolyData* glyph, Status status)
   glyphs->AddInputData(colored);
 }
 
-/// Of radius 1 about the origin; spheres share its cells and normals.
+/// Makes a sphere of radius 1 about the origin, whose cells and normals all spheres share.
 vtkSmartPointer<vtkPolyData> MakeUnitSphere()
 {
   vtkNew<vtkSphereSource> source;

@@ -1,6 +1,6 @@
 /**
  * @file smMassGlyphs.h
- * @brief What mass properties are drawn as: a sphere at the centre of mass, and the principal axes
+ * @brief Glyph of mass properties: a sphere at the centre of mass, and the principal axes
  */
 #ifndef smMassGlyphs_h
 #define smMassGlyphs_h
@@ -12,17 +12,18 @@ class vtkPolyData;
 
 namespace sm
 {
+/// Options of MakeMassGlyphs().
 struct MassGlyphOptions
 {
-  /// Radius of the sphere as a fraction of the diagonal of the box of what it belongs to; 0: no sphere.
+  /// Radius of the sphere as a fraction of the diagonal of the bounding box of the body, or of all bodies; 0: no sphere.
   double Scale = 0.02;
-  /// By 0.3 of that diagonal to either side of the centre, where the axes are determined.
+  /// If true, draws the principal axes, if they are determined, to 0.3 of that diagonal on either side of the centre.
   bool ShowPrincipalAxes = true;
-  /// For every body as well as for the whole.
+  /// If true, adds a glyph for every body to the glyph of the total.
   bool PerSolid = false;
 };
 
-/// Gives `output` points and cells. The active cell scalars are their colour: green, red where the result is flagged.
+/// Sets the points and cells of `output`. The active cell scalars are colours: green, or red for a flagged result.
 void MakeMassGlyphs(const std::vector<BodyIntegrals>& bodies, const MassAnalysis& analysis, Status status,
   const MassGlyphOptions& options, vtkPolyData* output);
 }

@@ -1,6 +1,6 @@
 /**
  * @file smMassIntegrands.h
- * @brief The integrals that mass properties are made of: ten moments, the vector area and the area
+ * @brief Integrands of the mass properties: ten moments, the vector area and the area
  */
 #ifndef smMassIntegrands_h
 #define smMassIntegrands_h
@@ -23,7 +23,7 @@ enum MassIntegrand
   NumberOfMassIntegrands = 14
 };
 
-/// In that order, about each part's own origin.
+/// Returns the integrands in the order of MassIntegrand, about the origin of each part.
 SMFILTERSMASSPROPERTIES_EXPORT std::vector<Integrand> MakeMassIntegrands();
 }
 

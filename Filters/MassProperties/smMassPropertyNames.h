@@ -1,6 +1,6 @@
 /**
  * @file smMassPropertyNames.h
- * @brief The names of every array that vtkMassPropertiesGPU puts out, beside those of smIntegralNames.h
+ * @brief Names of all arrays in the outputs of vtkMassPropertiesGPU except those of smIntegralNames.h
  *
  * Field data of port 0 and columns of the table on port 1 use the same names. Tests, the ParaView plugin,
  * the command line and the documentation use these constants. L is the length unit of the model.
@@ -8,7 +8,7 @@
 #ifndef smMassPropertyNames_h
 #define smMassPropertyNames_h
 
-#include "smIntegralNames.h" // what all filters over surface integrals put out
+#include "smIntegralNames.h" // names common to all filters over surface integrals
 
 namespace sm
 {
@@ -29,18 +29,18 @@ constexpr const char* RadiiOfGyration = "RadiiOfGyration";                 // 3,
 constexpr const char* Mass = "Mass";                                       // 1, kg; only with a density
 constexpr const char* MassInertia = "MassInertia"; // 9, kg L^2, about the centre; with a density
 
-// Defects of the model; no part of a bound.
+// Defects of the model; they are not part of any bound.
 constexpr const char* ClosureCorrection =
   "ClosureCorrection"; // 1, L^3, |volume closed - volume of the faces alone|
 constexpr const char* ClosureResidual =
   "ClosureResidual"; // 1, relative change of V when the origin moves by cbrt(V)
 
-// Cell data of the meshes on port 5 of vtkMassPropertiesGPU, besides Volume, that of the whole solid; floats.
+// Cell data (float) of the meshes on port 5 of vtkMassPropertiesGPU, in addition to Volume, the volume of the whole solid.
 constexpr const char* FaceShare =
   "FaceShare"; // 1, part of the solid's volume: flux about the part's origin / Volume
 constexpr const char* FaceGap = "FaceGap";     // 1, L, widest gap between the face and its edges
 constexpr const char* FaceBound = "FaceBound"; // 1, L^3, bound of the face's part of the volume
-// Cell data of the glyph on port 0: what to draw it in.
+// Cell data of the glyph on port 0: its colour.
 constexpr const char* Color = "Color"; // 3 (uchar), sRGB: green, red where the result is flagged
 }
 }

@@ -12,7 +12,7 @@ namespace sm
 {
 namespace
 {
-/// Lines of whole words, each at most `width` long if its words are, with a line's end behind each.
+/// Breaks text between words into lines of at most `width` characters (more for a longer word), each with a newline.
 std::string Wrap(const std::string& text, std::size_t width)
 {
   std::string result;

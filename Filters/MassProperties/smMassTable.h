@@ -1,6 +1,6 @@
 /**
  * @file smMassTable.h
- * @brief The columns that describe the mass properties of a body or of all bodies, and their summary as text
+ * @brief Columns of the mass properties of a body or of all bodies, and their summary as text
  */
 #ifndef smMassTable_h
 #define smMassTable_h
@@ -17,13 +17,13 @@ class vtkFieldData;
 
 namespace sm
 {
-/// Everything that is put out for one body, or for the total.
+/// All values that are written for one body, or for the total.
 struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
 {
   MassProperties Properties;
   double Area;
   double AreaBound;
-  /// NaN without a density.
+  /// Mass and its inertia; NaN without a density.
   double Mass;
   double MassBound;
   std::array<double, 9> MassInertia;
@@ -34,13 +34,13 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   double GapArea;
   double ClosureResidual;
 
-  /// Everything NaN.
+  /// Sets all values to NaN.
   MassRow();
-  /// Makes every bound NaN.
+  /// Sets all bounds to NaN.
   void RemoveBounds();
 };
 
-/// Appends rows to arrays named as in smMassPropertyNames.h and hands them to field data or a table.
+/// Appends rows to arrays named as in smMassPropertyNames.h, and adds these to field data or to a table.
 class SMFILTERSMASSPROPERTIES_EXPORT MassColumns
 {
 public:
@@ -53,8 +53,8 @@ private:
   bool WithMass;
 };
 
-/// A few lines: status, unless it is ok, with the reason, if any, in lines of at most 64 characters; number of solids, volume, area,
-/// centre, principal moments, mass.
+/// Returns a summary in a few lines: the status with its reason, unless the status is ok, in lines of at most 64 characters; the
+/// number of solids, volume, area, centre, principal moments and mass.
 SMFILTERSMASSPROPERTIES_EXPORT std::string FormatSummary(const MassRow& total, const std::string& status,
   const std::string& reason, const std::string& unit, int solids);
 }

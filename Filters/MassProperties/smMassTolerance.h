@@ -1,6 +1,6 @@
 /**
  * @file smMassTolerance.h
- * @brief Tolerances of volume, area, centre and inertia: shared out to the integrals, and compared with their bounds
+ * @brief Tolerances of volume, area, centre and inertia, their distribution to the integrals, and the comparison with bounds
  */
 #ifndef smMassTolerance_h
 #define smMassTolerance_h
@@ -16,12 +16,12 @@ class vtkTrimmedNURBSModel;
 
 namespace sm
 {
-/// A bound meets its tolerance when it is at most the larger of the two.
+/// A bound meets the tolerance if it is at most the larger of the relative and the absolute tolerance.
 struct Tolerance
 {
-  /// Of the quantity's scale: V, A, the cube root of V for the centre, the trace of the inertia.
+  /// Tolerance relative to the quantity's scale: V, A, the cube root of V for the centre, the trace of the inertia.
   double Relative = 1e-9;
-  /// In the quantity's unit.
+  /// Absolute tolerance in the quantity's unit.
   double Absolute = 0.0;
 
   double Get(double scale) const
@@ -30,6 +30,7 @@ struct Tolerance
   }
 };
 
+/// Tolerances of all mass properties.
 struct MassTolerance
 {
   Tolerance Volume;
@@ -38,12 +39,13 @@ struct MassTolerance
   Tolerance Inertia;
 };
 
-/// Absolute tolerances of the integrands about the part's own origin, such that the derived quantities meet theirs. They depend
-/// on the model's fixed scales only, not on results.
+/// Returns absolute tolerances of the integrands about the part's own origin such that the derived quantities meet their
+/// tolerances. They depend only on the model's fixed scales, not on results.
 SMFILTERSMASSPROPERTIES_EXPORT std::vector<double> ShareTolerance(
   const MassTolerance& tolerance, vtkTrimmedNURBSModel& model);
 
-/// What did not meet its tolerance and by how much, relative; empty when everything did. A quantity that does not exist did.
+/// Returns the names of the quantities that do not meet their tolerance, with their relative bounds; empty if all meet it. A
+/// quantity that does not exist meets its tolerance.
 SMFILTERSMASSPROPERTIES_EXPORT std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance);
 }
 

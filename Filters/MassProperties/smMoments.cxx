@@ -13,7 +13,7 @@ namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-// Position of (i,j) in XX YY ZZ XY YZ XZ.
+// Index of (i,j) in XX YY ZZ XY YZ XZ.
 constexpr int Packed[3][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 } };
 
 using Vector = std::array<double, 3>;
@@ -24,7 +24,7 @@ double Largest(const double* values, int count)
   double largest = 0.0;
   for (int i = 0; i < count; ++i)
   {
-    // Not std::max, which loses a NaN: a bound that is not known must not come out as a small one.
+    // std::max may drop a NaN, and then an unknown bound would be returned as a small one.
     if (std::isnan(values[i]))
     {
       return values[i];
@@ -34,7 +34,7 @@ double Largest(const double* values, int count)
   return largest;
 }
 
-/// I_xx = C_yy + C_zz, I_xy = -C_xy: row-major 3x3 of second moments.
+/// Returns the row-major 3x3 inertia of second moments: I_xx = C_yy + C_zz, I_xy = -C_xy.
 std::array<double, 9> InertiaOf(const Symmetric& second)
 {
   const double trace = second[0] + second[1] + second[2];
@@ -46,14 +46,14 @@ std::array<double, 9> InertiaOf(const Symmetric& second)
       inertia[3 * i + j] = i == j ? trace - second[i] : -second[Packed[i][j]];
     }
   }
-  // The trace minus one entry is the sum of the two others: without cancellation.
+  // The trace minus one entry is computed as the sum of the two others, without cancellation.
   inertia[0] = second[1] + second[2];
   inertia[4] = second[0] + second[2];
   inertia[8] = second[0] + second[1];
   return inertia;
 }
 
-/// Entry-wise bound of the inertia from that of the second moments, with the rounding of the sums.
+/// Returns the bound of each entry of the inertia from the bounds of the second moments, with the rounding of the sums.
 std::array<double, 9> InertiaBoundOf(const Symmetric& bound, const Symmetric& second)
 {
   std::array<double, 9> result;
@@ -139,7 +139,7 @@ void Moments::MoveReference(const std::array<double, 3>& reference)
   Vector mb = this->FirstBound;
   if (this->ReferenceBound > 0.0)
   {
-    // The shift is off by up to e: first moments by V e, second ones by (|m_i| + |m_j|) e + V e^2.
+    // The shift has an error of up to e: first moments change by V e, second ones by (|m_i| + |m_j|) e + V e^2.
     const double e = this->ReferenceBound;
     for (int k = 0; k < 6; ++k)
     {
@@ -353,7 +353,7 @@ void SetPrincipalBounds(const std::array<double, 9>& inertiaBound, MassPropertie
   result.PrincipalBound = e;
   const double gap =
     std::min(result.Principal[1] - result.Principal[0], result.Principal[2] - result.Principal[1]);
-  // Coinciding moments: within the bound, or within what rounding of the file's coordinates leaves.
+  // Moments count as equal if they agree within the bound, or within the rounding of the file's coordinates.
   result.AxesDegenerate = gap <= std::max(2.0 * e, 1e-9 * std::abs(result.Principal[2]));
   result.AxesBound = result.AxesDegenerate ? NaN : std::asin(std::min(1.0, e / (gap - e)));
 }
@@ -372,7 +372,7 @@ void SetRadiiOfGyration(MassProperties& result)
     const double low = std::sqrt(std::max(0.0, (std::abs(lambda) - e) / (std::abs(v) + b)));
     const double high = std::sqrt((std::abs(lambda) + e) / (std::abs(v) - b));
     const double error = std::max(high - result.Gyration[i], result.Gyration[i] - low);
-    // Not std::max, which loses a NaN; nor one that is already there.
+    // std::max is not used here because it may drop a NaN, whether new or already present.
     result.GyrationBound = error > result.GyrationBound || std::isnan(error) ? error : result.GyrationBound;
   }
 }

@@ -1,8 +1,8 @@
 /**
  * @file smMoments.h
- * @brief Moments of order 0 to 2 with their bounds: moved, added, and turned into mass properties
+ * @brief Moments of order 0 to 2 with bounds: their translation, their sums, and the mass properties that follow from them
  *
- * All inequalities are those of NUMERICS 6: exact as long as the bound of the volume is below the volume.
+ * All inequalities are those of NUMERICS 6. They hold as long as the bound of the volume is below the volume.
  */
 #ifndef smMoments_h
 #define smMoments_h
@@ -13,12 +13,12 @@
 
 namespace sm
 {
-/// Symmetric second moments are stored as XX YY ZZ XY YZ XZ.
+/// Moments of a body. Symmetric second moments are stored as XX YY ZZ XY YZ XZ.
 struct SMFILTERSMASSPROPERTIES_EXPORT Moments
 {
-  /// World point that first and second moments are about. Near the body, so that no digits are lost.
+  /// World point that first and second moments refer to. It should be near the body, as distance causes cancellation.
   std::array<double, 3> Reference{};
-  /// How far the true point may be from Reference.
+  /// Upper bound of the distance between the true reference point and Reference.
   double ReferenceBound = 0.0;
   double Volume = 0.0;
   std::array<double, 3> First{};
@@ -29,17 +29,18 @@ struct SMFILTERSMASSPROPERTIES_EXPORT Moments
 
   /// Applies a row-major 4x4 placement (rotation or reflection, translation) to the body.
   void Place(const double placement[16]);
-  /// Refers the moments to another world point.
+  /// Changes the reference of the moments to another world point.
   void MoveReference(const std::array<double, 3>& reference);
-  /// Adds a body; it is moved to this one's reference.
+  /// Adds the moments of another body, after a change to this reference.
   void Add(Moments other);
-  /// All bodies together, about their common centre: the farther the reference, the larger the bounds. No bodies: zero.
+  /// Returns the sum over all bodies about their common centre, as a distant reference would enlarge the bounds; zero for no
+  /// bodies.
   static Moments Sum(const std::vector<Moments>& bodies);
-  /// All moments of a body turned inside out.
+  /// Negates all moments, as for a body whose orientation is reversed.
   void Negate();
 };
 
-/// What follows from the moments. NaN where it does not exist.
+/// Quantities that follow from the moments; NaN for a quantity that does not exist.
 struct SMFILTERSMASSPROPERTIES_EXPORT MassProperties
 {
   double Volume, VolumeBound;
@@ -56,13 +57,13 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassProperties
   std::array<double, 3> Principal;
   double PrincipalBound;
   std::array<double, 9> Axes;
-  /// Largest angle (radians) that an axis may be off; NaN when axes are not determined.
+  /// Largest angular error of an axis in radians; NaN if the axes are not determined.
   double AxesBound;
   bool AxesDegenerate;
   std::array<double, 3> Gyration;
   double GyrationBound;
 
-  /// Everything NaN.
+  /// Sets all values to NaN.
   MassProperties();
 };
 

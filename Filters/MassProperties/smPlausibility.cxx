@@ -12,7 +12,7 @@ namespace sm
 {
 namespace
 {
-// A bound of the volume above this fraction of the box is a run cut short, and says nothing about the solid.
+// A bound of the volume above this fraction of the box results from an incomplete run and permits no conclusion about the solid.
 constexpr double ResolvedVolume = 1e-9;
 }
 
@@ -69,7 +69,7 @@ std::vector<std::string> FindImplausibilities(const MassProperties& properties,
   {
     outside = std::max({ outside, box[2 * d] - center[d], center[d] - box[2 * d + 1] });
   }
-  // The bound holds for a component in the world; here it is turned into the part's frame.
+  // The bound holds for a component in the world; the factor accounts for its rotation into the part's frame.
   if (outside > slack + std::sqrt(3.0) * properties.CenterBound)
   {
     violations.push_back(
@@ -85,7 +85,7 @@ std::vector<std::string> FindImplausibilities(const MassProperties& properties,
   if (excess > 3.0 * properties.PrincipalBound)
   {
     violations.push_back(
-      "the principal moments are no body's: the largest exceeds the sum of the others by " +
+      "the principal moments are impossible: the largest exceeds the sum of the others by " +
       FormatDigits(excess, 3));
   }
   return violations;

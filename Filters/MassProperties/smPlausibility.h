@@ -1,6 +1,6 @@
 /**
  * @file smPlausibility.h
- * @brief What no solid can have: checks of a result against facts that hold for every body
+ * @brief Checks of a result against facts that hold for every solid
  */
 #ifndef smPlausibility_h
 #define smPlausibility_h
@@ -17,20 +17,20 @@ class vtkTrimmedNURBSModel;
 namespace sm
 {
 /**
- * xmin, xmax, ymin … about the model's origin, of the control points of all surfaces and edge curves. Weights are
- * positive, so every point of a face or an edge inside its domain lies in it; the solid, and with it its centre of mass, lies
- * in the convex hull of its boundary. The box of the display mesh is smaller, but a face without triangles is
- * missing in it, and then the check would accuse a sound solid.
+ * Returns xmin, xmax, ymin … about the model's origin of the control points of all surfaces and edge curves. Weights are
+ * positive, so that this box contains every point of a face or an edge inside its domain. The solid, and with it its centre of
+ * mass, lies in the convex hull of its boundary. The box of the display mesh is not sufficient: a face without triangles is
+ * missing in it, so that the check could reject a correct solid.
  */
 SMFILTERSMASSPROPERTIES_EXPORT std::array<double, 6> GetHullBox(const vtkTrimmedNURBSModel& model);
 
 /**
- * One sentence for each fact that the result violates by more than its bounds allow, none for a sane one:
- * - the volume is positive: above its bound, unless that is too coarse to tell;
- * - the centre of mass, `center` in the frame of the box, lies in the box, give or take `slack`, a length, and its bound;
+ * Returns one sentence for each of these facts that the result violates by more than its bounds allow:
+ * - the volume is positive: above its bound, unless the bound is too large for a decision;
+ * - the centre of mass, `center` in the frame of the box, lies in the box, within the length `slack` and its bound;
  * - the inertia is positive definite: no principal moment is below 0 by more than its bound;
  * - no principal moment exceeds the sum of the two others by more than their three bounds.
- * What is NaN violates nothing: other findings say why it is not there.
+ * NaN violates none of them, as the reason for NaN is reported elsewhere.
  */
 SMFILTERSMASSPROPERTIES_EXPORT std::vector<std::string> FindImplausibilities(const MassProperties& properties,
   const std::array<double, 3>& center, const std::array<double, 6>& box, double slack);

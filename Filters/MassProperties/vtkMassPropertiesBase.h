@@ -1,27 +1,29 @@
 /**
  * @class   vtkMassPropertiesBase
- * @brief   what filters share that put out volume, area, centre of mass and inertia
+ * @brief   base of the filters that compute volume, area, centre of mass and inertia
  *
- * Abstract; see vtkMassPropertiesGPU, which integrates to a tolerance with bounds, and vtkSchemeMassPropertiesGPU, which integrates by
- * the schemes of the paper, without. World coordinates; L is the model's length unit; density in kg/m^3.
+ * Abstract; see vtkMassPropertiesGPU, which integrates to a tolerance with bounds, and vtkSchemeMassPropertiesGPU, which
+ * integrates by the schemes of the paper, without bounds. Coordinates are world coordinates; L is the model's length unit;
+ * density is in kg/m^3.
  *
- * Outputs, beside what vtkSurfaceIntegralBase says:
- * | port | type     | what                                                                              |
- * |------|----------|-----------------------------------------------------------------------------------|
- * | 0    | polydata | sphere at the centre of mass, and principal axes; field data as below             |
- * | 1    | table    | a row per solid instance with the same columns                                     |
- * | 2    | table    | 1x1, column Text: a summary to show in a view; its field data has Status           |
- * | 3    | table    | a row per face and instance: its area, and its part of the volume (flux about the part's origin) |
- * | 5    | partitioned dataset collection | the bodies' meshes with the cell arrays Volume (of the solid), FaceShare (of the face in it), FaceGap and FaceBound, floats |
+ * Outputs, in addition to those of vtkSurfaceIntegralBase:
+ * | port | type     | contents                                                                                            |
+ * |------|----------|-----------------------------------------------------------------------------------------------------|
+ * | 0    | polydata | sphere at the centre of mass, and principal axes; field data as below                               |
+ * | 1    | table    | a row per solid instance with the same columns                                                      |
+ * | 2    | table    | 1x1, column Text: a summary to show in a view; its field data has Status                            |
+ * | 3    | table    | a row per face and instance: its area and its part of the volume (flux about the part's origin)     |
+ * | 5    | partitioned dataset collection | meshes of the bodies; cell arrays (float): Volume (of the solid), FaceShare (part |
+ * |      |          | of it due to the face), FaceGap and FaceBound                                                       |
  *
- * The glyph's active cell scalars are its colour, green, or red where the result is flagged: vtkPolyDataMapper shows it as it
- * is. Where there is none to draw, port 0 has one point without a cell, in the middle of the solids' box.
+ * The active cell scalars of the glyph are its colour, green, or red for a flagged result; vtkPolyDataMapper shows them directly.
+ * If there is no glyph, port 0 has one point without a cell, in the middle of the solids' box.
  *
- * Field data (smMassPropertyNames.h), each quantity with `<name>Bound`, one number in the quantity's unit:
+ * Field data (smMassPropertyNames.h); each quantity has a `<name>Bound`, one number in the quantity's unit:
  * | name                  | comp. | unit   | meaning                                                     |
  * |-----------------------|-------|--------|-------------------------------------------------------------|
  * | Volume                | 1     | L^3    |                                                             |
- * | SurfaceArea           | 1     | L^2    | of the faces                                                |
+ * | SurfaceArea           | 1     | L^2    | area of the faces                                           |
  * | CenterOfMass          | 3     | L      |                                                             |
  * | FirstMoments          | 3     | L^4    | about the world origin                                      |
  * | SecondMoments         | 6     | L^5    | XX YY ZZ XY YZ XZ about the centre                          |
@@ -31,8 +33,8 @@
  * | PrincipalAxes         | 9     | 1      | rows; PrincipalAxesDegenerate is 1 when moments coincide    |
  * | RadiiOfGyration       | 3     | L      | about the principal axes                                    |
  * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density                                     |
- * | ClosureCorrection, GapSquared, MaxGap, GapArea, ClosureResidual, OpenEdges | 1 | | the model's own doubt, no bound  |
- * | FlippedShells         | 1     |        | shells that were inside out and were turned                  |
+ * | ClosureCorrection, GapSquared, MaxGap, GapArea, ClosureResidual, OpenEdges | 1 | | defects of the model; no bounds  |
+ * | FlippedShells         | 1     |        | number of shells whose normals pointed inwards; reversed    |
  * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches, Ranks | 1 | |                               |
  * A quantity that does not exist is NaN (the volume of a surface, anything that was not computed).
  */
@@ -55,36 +57,36 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Density of all solids in kg/m^3. 0 (default): the density each part's file states, if any; no mass
-   * without one. A negative or infinite value, or not a number, is an error and changes nothing. */
+  /** Density of all solids in kg/m^3. 0 (default): the density that the file of each part states, if any; no mass without a
+   * density. A negative, infinite or NaN value is reported as an error and changes nothing. */
   void SetDensity(double density);
   vtkGetMacro(Density, double);
   ///@}
 
   ///@{
-  /** Radius of the sphere on port 0 as a fraction of the diagonal of the bounding box. Range [0, 1], default
-   * 0.02; 0: no sphere. */
+  /** Radius of the sphere on port 0 as a fraction of the diagonal of the bounding box. Range [0, 1], clamped. Default 0.02; 0:
+   * no sphere. */
   vtkSetClampMacro(GlyphScale, double, 0.0, 1.0);
   vtkGetMacro(GlyphScale, double);
   ///@}
 
   ///@{
-  /** Draw the principal axes at the centre of mass (not when they are degenerate), by 0.3 of the diagonal of the bounding box to either
-   * side. Default on. */
+  /** If on, draws the principal axes at the centre of mass, to 0.3 of the diagonal of the bounding box on either side. They are
+   * not drawn if they are degenerate. Default on. */
   vtkSetMacro(ShowPrincipalAxes, bool);
   vtkGetMacro(ShowPrincipalAxes, bool);
   vtkBooleanMacro(ShowPrincipalAxes, bool);
   ///@}
 
   ///@{
-  /** A glyph for every solid instance as well as for the whole. Default off. */
+  /** If on, draws a glyph for every solid instance in addition to that of the total. Default off. */
   vtkSetMacro(GlyphPerSolid, bool);
   vtkGetMacro(GlyphPerSolid, bool);
   vtkBooleanMacro(GlyphPerSolid, bool);
   ///@}
 
   ///@{
-  /** The last run's totals; NaN when not computed. See the table above for units. */
+  /** Totals of the last run; NaN if not computed. The table above has their units. */
   double GetVolume() const;
   double GetVolumeBound() const;
   double GetSurfaceArea() const;
@@ -108,13 +110,13 @@ protected:
   void WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const override;
   std::vector<sm::MeshArray> GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const override;
 
-  /** Tolerances, and whether there are bounds; the density is added. */
+  /** Returns the tolerances, and whether results have bounds. The caller sets the density. */
   virtual sm::MassAnalysisOptions MakeAnalysisOptions() const = 0;
-  /** Adds outputs of a subclass's own, and lines to the summary. */
+  /** Writes additional outputs of a subclass, and appends lines to the summary. The default writes nothing. */
   virtual void WriteMoreOutputs(
     const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs, std::string& summary) const;
 
-  /** Of the last run. */
+  /** Returns the mass properties of the last run. */
   const sm::MassAnalysis& GetAnalysis() const;
 #endif
 

@@ -13,12 +13,12 @@ namespace sm
 {
 namespace
 {
-// Sub-patches that a thread takes at a time.
+// Number of sub-patches per task of a thread.
 constexpr std::size_t SubPatchesPerTask = 64;
-// Estimated cost between two questions whether to go on: some tens of milliseconds of one core.
+// Estimated cost between two calls of shouldContinue: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
 
-/// The lists that kernels read and write. Different tiles, rows of texels and sub-patches may be taken by different threads.
+/// The lists that kernels read and write. Different threads may process different tiles, rows of texels and sub-patches.
 struct SchemeLists
 {
   const SchemeBatch& Batch;
@@ -32,7 +32,7 @@ struct SchemeLists
 #define SM_BASIS_SIZE BasisSize
 #define SM_ROW_SIZE RowSize
 
-/// The chunks and what they need, for patches of the given degrees (0: any).
+/// The shader chunks and the functions they need, for patches of the given degrees (0: any).
 template <int DegreeS, int DegreeR>
 class Kernel
 {
@@ -72,7 +72,7 @@ private:
   static constexpr int RowSize = DegreeS > 0 ? DegreeS + 1 : MaximumDegree + 1;
   static constexpr int BasisSize = DegreeS > 0 ? (DegreeS > DegreeR ? DegreeS : DegreeR) : MaximumDegree;
 
-// Types first.
+// The types are included first.
 #include "glsl/smSchemeTile.glsl"
 
 #include "glsl/smErrorFree.glsl"
@@ -132,7 +132,7 @@ private:
   const double smPerturbation;
 };
 
-/// Evaluates the sub-patches [first, last) of the batch, and returns how many evaluations that took.
+/// Evaluates the sub-patches [first, last) of the batch and returns the number of evaluations.
 template <int DegreeS, int DegreeR>
 std::int64_t IntegrateRange(SchemeLists& lists, std::uint32_t first, std::uint32_t last)
 {

@@ -1,6 +1,6 @@
 /**
  * @file smCPUSchemeRunner.h
- * @brief Evaluates tiles of the paper's schemes on the CPU, by the shaders' own chunks of mathematics
+ * @brief Evaluates tiles of the paper's schemes on the CPU, with the mathematics of the shaders
  */
 #ifndef smCPUSchemeRunner_h
 #define smCPUSchemeRunner_h
@@ -11,7 +11,7 @@
 
 namespace sm
 {
-/// In parallel by vtkSMPTools, with whatever backend and number of threads the application chose.
+/// Evaluates tiles in parallel by vtkSMPTools, with the backend and the number of threads that the application chose.
 class SMFILTERSMOMENTSCHEMES_EXPORT CPUSchemeRunner : public SchemeRunner
 {
 public:

@@ -9,12 +9,13 @@ namespace
 {
 using Homogeneous = std::array<double, 4>;
 
-// Products of patches of higher degrees than about 7 x 7 cost too much; they are bounded by intervals.
+// Largest number of points for which products of polynomials are used; patches of degrees above about 7 x 7 are bounded by
+// intervals, as their products cost too much.
 constexpr int MaximumProductPoints = 64;
 // (3p+1)(3q+1) = 9 (p+1)(q+1) - 6 (p+q+2) + 4, largest for p = q = 7.
 constexpr int MaximumProductCoefficients = 484;
 
-/// All values from Low to High. Operations give every value that the operands can give.
+/// The interval [Low, High]. Operations return an interval that contains all results for operands in their intervals.
 struct Interval
 {
   double Low = 0.0;
@@ -40,13 +41,13 @@ Interval operator*(const Interval& a, const Interval& b)
   return { *ends.first, *ends.second };
 }
 
-/// `b` is positive.
+/// Requires positive `b`.
 Interval operator/(const Interval& a, const Interval& b)
 {
   return a * Interval{ 1.0 / b.High, 1.0 / b.Low };
 }
 
-/// The sub-patch as a rational Bézier patch on its unit domain, about the centre of its control points.
+/// A sub-patch as a rational Bézier patch on its unit domain, relative to the centre of its control points.
 struct SubPatch
 {
   int Degree[2];
@@ -56,8 +57,8 @@ struct SubPatch
 
   const Homogeneous& Get(int i, int j) const { return this->Points[i + j * (this->Degree[0] + 1)]; }
 
-  /// Range of the derivative of order (a, b) of a homogeneous coordinate: that of its Bernstein coefficients, which are
-  /// differences of the control points times p (p-1) ..; empty sums are 0.
+  /// Returns the range of the derivative of order (a, b) of a homogeneous coordinate, which is that of its Bernstein
+  /// coefficients: differences of the control points times p (p-1) ..; derivatives of an order above the degree are 0.
   Interval GetRange(int a, int b, int coordinate) const;
 };
 
@@ -66,7 +67,7 @@ SubPatch::SubPatch(const NURBSSurface& surface, double u0, double u1, double v0,
 {
   surface.ExtractBezier(u0, u1, v0, v1, this->Points);
   const int count = (this->Degree[0] + 1) * (this->Degree[1] + 1);
-  // Derivatives do not depend on the origin, but the bounds of a quotient do: about the centre they are close.
+  // Derivatives do not depend on the origin, but the bounds of a quotient do; they are tightest about the centre.
   for (int c = 0; c < 3; ++c)
   {
     Interval range = { this->Points[0][c] / this->Points[0][3], this->Points[0][c] / this->Points[0][3] };
@@ -122,12 +123,12 @@ Interval SubPatch::GetRange(int a, int b, int coordinate) const
   return range;
 }
 
-/// The largest |second derivatives| by u u, u v and v v.
+/// Largest absolute values of the second derivatives by u u, u v and v v.
 using SecondDerivatives = std::array<double, 3>;
 
-/// x = X/w, so X = x w and by differentiating twice
+/// Bounds the second derivatives by interval arithmetic. With x = X/w, X = x w, and by differentiating twice:
 ///   x_u = (X_u - x w_u) / w,  x_uu = (X_uu - 2 x_u w_u - x w_uu) / w,  x_uv = (X_uv - x_u w_v - x_v w_u - x w_uv) / w.
-/// Each factor lies in the range of its Bernstein coefficients, x in that of the control points (weights are positive).
+/// Each factor lies in the range of its Bernstein coefficients, and x in that of the control points (weights are positive).
 SecondDerivatives BoundByIntervals(const SubPatch& patch)
 {
   const Interval w = patch.GetRange(0, 0, 3);
@@ -159,8 +160,8 @@ SecondDerivatives BoundByIntervals(const SubPatch& patch)
   return largest;
 }
 
-/// A polynomial of two variables on the unit square by scaled Bernstein coefficients, u fastest: b_ij C(p,i) C(q,j) belongs to
-/// s^i (1-s)^(p-i) r^j (1-r)^(q-j), so that products are convolutions.
+/// A polynomial of two variables on the unit square in scaled Bernstein form, u fastest: the coefficient b_ij C(p,i) C(q,j)
+/// belongs to s^i (1-s)^(p-i) r^j (1-r)^(q-j), so that products are convolutions.
 struct ScaledBernstein
 {
   int Degree[2];
@@ -175,7 +176,8 @@ struct ScaledBernstein
   }
 };
 
-/// Adds factor a b to `sum`, whose degrees are the sums of theirs; cheap where many coefficients of `a` are 0.
+/// Adds factor a b to `sum`, whose degrees are the sums of the degrees of a and b. The cost is low if many coefficients of `a`
+/// are 0.
 void AddProduct(double factor, const ScaledBernstein& a, const ScaledBernstein& b, ScaledBernstein& sum)
 {
   for (int j = 0; j <= a.Degree[1]; ++j)
@@ -201,7 +203,7 @@ void AddProduct(double factor, const ScaledBernstein& a, const ScaledBernstein& 
   }
 }
 
-/// a b - c d.
+/// Returns a b - c d.
 ScaledBernstein Determinant(
   const ScaledBernstein& a, const ScaledBernstein& b, const ScaledBernstein& c, const ScaledBernstein& d)
 {
@@ -211,7 +213,7 @@ ScaledBernstein Determinant(
   return result;
 }
 
-/// The derivative of order (a, b) of a homogeneous coordinate, raised to the patch's own degrees.
+/// Returns the derivative of order (a, b) of a homogeneous coordinate, elevated to the patch's own degrees.
 ScaledBernstein Differentiate(const SubPatch& patch, int a, int b, int coordinate)
 {
   const int p = patch.Degree[0];
@@ -224,7 +226,7 @@ ScaledBernstein Differentiate(const SubPatch& patch, int a, int b, int coordinat
       result.Values[i + j * (p + 1)] = patch.Get(i, j)[coordinate];
     }
   }
-  // f' has coefficients p (f_i+1 - f_i); raised by one degree, i (f_i - f_i-1) + (p - i) (f_i+1 - f_i).
+  // f' has the coefficients p (f_i+1 - f_i); elevated by one degree, i (f_i - f_i-1) + (p - i) (f_i+1 - f_i).
   const auto differentiate = [&result](int count, int stride, int start)
   {
     double* f = result.Values.data() + start;
@@ -263,11 +265,12 @@ ScaledBernstein Differentiate(const SubPatch& patch, int a, int b, int coordinat
 }
 
 /**
- * The quotient rule without a quotient: with [f] = w X_f - X w_f, which is w^2 x_f when f is u or v,
+ * Bounds the second derivatives by the quotient rule, multiplied by the denominator: with [f] = w X_f - X w_f, which is w^2 x_f
+ * when f is u or v,
  *   w^3 x_uu = w [uu] - 2 w_u [u],   w^3 x_uv = w [uv] - w_v [u] - w_u [v],   w^3 x_vv = w [vv] - 2 w_v [v].
- * Where N and D are given by Bernstein coefficients (both scaled or none) and those of D = w^3 are positive, N/D is a
- * mean of the N_i/D_i, with weights D_i B_i: no value is larger than the largest. Nearer than intervals, which take every
- * factor at its worst.
+ * If N and D are given by Bernstein coefficients (both scaled or neither) and those of D = w^3 are positive, N/D is a mean of the
+ * N_i/D_i, with weights D_i B_i, and does not exceed the largest of them. This bound is tighter than interval arithmetic, which
+ * takes the worst case of every factor separately.
  */
 SecondDerivatives BoundByProducts(const SubPatch& patch)
 {
@@ -303,7 +306,8 @@ SecondDerivatives BoundByProducts(const SubPatch& patch)
   return largest;
 }
 
-/// Value, first and second derivative at s of a polynomial given by its Bernstein coefficients, which are destroyed.
+/// Evaluates a polynomial given by its Bernstein coefficients, and its first and second derivative, at s. It overwrites the
+/// coefficients.
 void EvaluateTwice(
   Homogeneous* b, int degree, double s, Homogeneous& value, Homogeneous& first, Homogeneous& second)
 {
@@ -330,7 +334,7 @@ void EvaluateTwice(
   value = b[0];
 }
 
-/// |x_uu|, |x_uv| and |x_vv| at (s,r), raised into `largest`.
+/// Raises `largest` to |x_uu|, |x_uv| and |x_vv| at (s,r).
 void SampleSecondDerivatives(const SubPatch& patch, double s, double r, SecondDerivatives& largest)
 {
   const int p = patch.Degree[0];
@@ -370,7 +374,7 @@ double ComputeDeviation(
   SecondDerivatives largest{};
   if (mode == DeviationMode::Bounded)
   {
-    // Weights that are equal up to rounding are constant enough for intervals to be second differences.
+    // If the weights are equal up to rounding, the intervals reduce to the second differences.
     const Interval w = patch.GetRange(0, 0, 3);
     const bool rational = w.High - w.Low > 1e-12 * w.High;
     const int points = (patch.Degree[0] + 1) * (patch.Degree[1] + 1);

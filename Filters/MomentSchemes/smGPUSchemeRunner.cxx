@@ -26,16 +26,16 @@ namespace sm
 {
 namespace
 {
-// Invocations per work group, as in the shaders.
+// Number of invocations per work group, as in the shaders.
 constexpr unsigned int LocalSize = 32;
-// Estimated cost of one dispatch in bicubic evaluations: some 50 ms on two CPU cores, so that abort is heard and no driver's
-// watchdog fires.
+// Estimated cost of one dispatch in bicubic evaluations: some 50 ms on two CPU cores, so that the run can be aborted between
+// dispatches and the driver's watchdog does not interrupt it.
 constexpr std::int64_t CostPerDispatch = 4000000;
-// Parts of trim curves of one dispatch, each of which crosses up to 64 rows of texels; and rows of texels.
+// Number of parts of trim curves per dispatch, each of which crosses up to 64 rows of texels, and number of rows of texels.
 constexpr std::uint32_t TrimsPerDispatch = 4096;
 constexpr std::uint32_t TexelRowsPerDispatch = 65536;
 
-/// The shaders that make the trim texture, then those of sub-patches.
+/// Steps of a batch: two make the trim texture, the third evaluates the sub-patches.
 enum class Step
 {
   DrawTrims,
@@ -94,7 +94,7 @@ struct GPUSchemeRunner::Internals
   ComputeBuffer Rows;
   ComputeBuffer Counts;
   Reduction Sums;
-  /// Of the running Run().
+  /// Number of tiles, options and error of the current Run().
   std::uint32_t NumberOfTiles = 0;
   Setup Chosen;
   std::string Error;
@@ -174,7 +174,7 @@ bool GPUSchemeRunner::Internals::Dispatch(const ProgramKey& key, std::uint32_t f
   program->SetUniform("smTileCount", this->NumberOfTiles);
   program->SetUniform("smPoints", this->Chosen.Points);
   program->SetUniform("smPerturbation", this->Chosen.Perturbation);
-  // One invocation at least: drivers finish compiling at the first dispatch.
+  // At least one invocation runs, as drivers finish compilation at the first dispatch.
   if (!this->Bind() || !program->SetUniform("smWorkCount", count) ||
     !program->Dispatch(std::max(count, 1u), LocalSize))
   {

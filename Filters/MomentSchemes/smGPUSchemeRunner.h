@@ -16,8 +16,8 @@ class vtkComputeContext;
 namespace sm
 {
 /**
- * Uploads every batch as a whole, dispatches it in portions of limited cost, each in a scope of the context of its own, and
- * reduces the rows of each tile over a fixed tree (sm::Reduction). The context must be READY.
+ * Uploads every batch as a whole and dispatches it in portions of limited cost, each in its own scope of the context. The rows of
+ * each tile are reduced over a fixed tree (sm::Reduction). The context must be READY.
  */
 class SMFILTERSMOMENTSCHEMES_EXPORT GPUSchemeRunner : public SchemeRunner
 {
@@ -25,9 +25,9 @@ public:
   explicit GPUSchemeRunner(vtkComputeContext* context);
   ~GPUSchemeRunner() override;
 
-  /// A storage block.
+  /// Returns the largest size of a shader storage block, in bytes.
   std::size_t GetMaximumBytes() const override;
-  /// Compiles the shaders and runs each once, with nothing to do.
+  /// Compiles the shaders and runs each once on an empty range.
   bool Prepare(const std::set<SchemeKernel>& kernels) override;
   bool Run(const SchemeBatch& batch, const Setup& setup, Results& results,
     const ContinueCallback& shouldContinue) override;

@@ -10,11 +10,11 @@ namespace sm
 {
 namespace
 {
-// Prepared faces are kept while their lists take less than this.
+// Largest number of bytes of prepared faces that are kept.
 constexpr std::size_t KeptBytes = std::size_t{ 1 } << 28;
-// Of the fraction done: the faces; their deviations are the rest.
+// Fraction of the progress for the shapes of faces; the deviations take the rest.
 constexpr double ShapesShare = 0.2;
-// Seconds that a portion is meant to take, and how many items the first one has.
+// Intended duration of a portion in seconds, and the number of items of the first one.
 constexpr double PortionSeconds = 0.1;
 constexpr std::size_t FirstFaces = 16;
 constexpr std::size_t FirstSubPatches = 256;
@@ -39,8 +39,9 @@ bool IsSame(const SchemeOptions& a, const SchemeOptions& b)
   return a.Factor == b.Factor && a.TextureFactor == b.TextureFactor && a.Deviation == b.Deviation;
 }
 
-/// Calls `work` for parts of [0, count), from several threads, and `progress` with the fraction done after every portion. A portion has
-/// at most twice as many items as the one before, so that one clock reading that is off costs little. False when `progress` is.
+/// Calls `work` for parts of [0, count), from several threads, and `progress` with the fraction done after every portion. A
+/// portion has at most twice as many items as the one before, which limits the effect of a wrong clock reading. Returns false as
+/// soon as `progress` does.
 bool RunPortions(std::size_t count, std::size_t first,
   const std::function<void(std::size_t begin, std::size_t end)>& work, const ProgressCallback& progress)
 {
@@ -107,7 +108,7 @@ bool PreparedFaces::PrepareMissing(const std::vector<SchemeTask>& tasks,
   {
     return false;
   }
-  // The sub-patches of all faces in one row: those of face i are from Starts[i] on.
+  // The sub-patches of all faces are numbered consecutively; those of face i begin at starts[i].
   std::vector<std::size_t> starts(faces.size() + 1, 0);
   for (std::size_t i = 0; i < faces.size(); ++i)
   {

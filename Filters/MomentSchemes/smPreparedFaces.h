@@ -18,10 +18,11 @@
 
 namespace sm
 {
+/// A face to prepare.
 struct SchemeTask
 {
   FacePointer Source;
-  /// A length, for planar faces; above 0.
+  /// Largest distance between the trim curves of a planar face and their chords, a length above 0.
   double ChordTolerance = 0.0;
 };
 
@@ -29,20 +30,21 @@ using PreparedFace = std::shared_ptr<const SubPatchFace>;
 
 /**
  * Prepares faces, and the sub-patches within a face, with vtkSMPTools, in portions of about a tenth of a second; between two
- * portions the calling thread asks whether to go on. Faces are kept by their id, while they are small, so that an edit prepares
- * only those that changed. Not thread safe.
+ * portions the calling thread calls the progress callback, which may stop it. Prepared faces are cached by their id up to a limit
+ * of memory, so that after an edit only the changed faces are prepared. Not thread safe.
  */
 class SMFILTERSMOMENTSCHEMES_EXPORT PreparedFaces
 {
 public:
-  /// A face per task; ChordTolerance of the options is not used. False when `ask` says so: then there are none.
+  /// Prepares a face per task, with the task's ChordTolerance instead of that of the options. Returns false if `progress` stopped
+  /// it; then there are no faces.
   bool Prepare(
     const std::vector<SchemeTask>& tasks, const SchemeOptions& options, const ProgressCallback& progress);
   const std::vector<PreparedFace>& Get() const { return this->Faces; }
-  /// Lets go of all that is not kept for the next run.
+  /// Releases all faces that are not cached for the next run.
   void Release() { this->Faces.clear(); }
 
-  /// Of the last Prepare(): sub-patches whose deviation was computed, and the most of them in one portion.
+  /// Numbers of the last Prepare(): sub-patches whose deviation was computed, and the largest number of them in one portion.
   std::int64_t GetDeviations() const { return this->Deviations; }
   std::int64_t GetLargestPortion() const { return this->LargestPortion; }
 

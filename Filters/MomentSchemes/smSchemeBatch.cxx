@@ -6,18 +6,18 @@ namespace sm
 {
 namespace
 {
-// Of a tile at most: the rows of its sub-patches are 4 MiB, its texels 8 MiB.
+// Limits of a tile: the result rows of its sub-patches take 4 MiB, its texels 8 MiB.
 constexpr std::size_t SubPatchesOfTile = 32768;
 constexpr std::size_t TexelsOfTile = std::size_t{ 1 } << 21;
-// Of a batch at most, unless it has one tile only: the smallest storage block of OpenGL 4.3 is 16 MiB.
+// Limits of a batch of more than one tile: the smallest storage block of OpenGL 4.3 is 16 MiB.
 constexpr std::size_t SubPatchesOfBatch = 65536;
 constexpr std::size_t TexelsOfBatch = std::size_t{ 1 } << 22;
 
-// What one invocation draws of a rise at most, so that few long curves make many invocations.
+// Largest number of texel rows that one invocation draws, so that a long curve is divided among many invocations.
 constexpr std::uint32_t TexelRowsOfTrim = 64;
 
-/// The rises that change the texture of a tile: for each block of rows that it may cross {degree, where its coefficients begin,
-/// block}, then the coefficients; all places count from the beginning.
+/// The rises that affect the texture of a tile: for each block of rows that a rise may cross, {degree, index of its first
+/// coefficient, block}; then the coefficients. Indices are relative to the beginning.
 struct TileTrims
 {
   std::vector<double> Values;
@@ -37,7 +37,7 @@ TileTrims GetTrims(const TileRange& range, const SubPatchFace& face, std::uint32
     const auto [low, high] = std::minmax(rise.front()[1], rise.back()[1]);
     const auto leftmost =
       std::min_element(rise.begin(), rise.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
-    // What crosses no row of texel centres of the tile, or all of them on its right, changes nothing.
+    // A rise that crosses no row of texel centres of the tile, or only to the right of the tile, changes nothing.
     if (low > *top || high < *bottom || (*leftmost)[0] > right)
     {
       continue;

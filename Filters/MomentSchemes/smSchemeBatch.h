@@ -1,9 +1,9 @@
 /**
  * @file smSchemeBatch.h
- * @brief Tiles of sub-patches as the paper's schemes evaluate them, in flat lists for the GPU or the CPU
+ * @brief Tiles of sub-patches for the paper's schemes, in flat lists for the GPU or the CPU
  *
- * A **tile** is a block of sub-patches of one face, small enough for its texels and result rows to fit anywhere. How a face is
- * cut into tiles depends on nothing but the face and the options, so that its sums are the same bits in any company.
+ * A **tile** is a block of sub-patches of one face whose texels and result rows fit into any storage block. The division of a
+ * face into tiles depends only on the face and the options, so that its sums are bitwise the same in any batch.
  */
 #ifndef smSchemeBatch_h
 #define smSchemeBatch_h
@@ -20,8 +20,8 @@
 
 namespace sm
 {
-/// Results of a sub-patch, in this order: the integrals as in smMassIntegrands.h (V X Y Z XX YY ZZ XY YZ XZ, vector area, area), then
-/// the paper's estimate without and with the sub-patches on a trim boundary.
+/// Columns of the results of a sub-patch: the integrals as in smMassIntegrands.h (V X Y Z XX YY ZZ XY YZ XZ, vector area, area),
+/// then the paper's estimate without and with the sub-patches on a trim boundary.
 enum SchemeColumn
 {
   SchemeEstimate = 14,
@@ -41,11 +41,11 @@ struct TileRange
   std::size_t GetNumberOfSubPatches() const { return static_cast<std::size_t>(this->Columns) * this->Rows; }
 };
 
-/// Cuts the sub-patches of a face into tiles, from bottom to top. Nothing of a planar face.
+/// Divides the sub-patches of a face into tiles, from bottom to top. A planar face has none.
 SMFILTERSMOMENTSCHEMES_EXPORT std::vector<TileRange> MakeTiles(
   std::size_t index, const SubPatchFace& face, int textureFactor);
 
-/// As smSchemeTile in glsl/smSchemeTile.glsl, std430.
+/// A tile in the layout (std430) of smSchemeTile in glsl/smSchemeTile.glsl.
 struct SchemeTile
 {
   std::uint32_t Begin[4];
@@ -56,7 +56,7 @@ struct SchemeTile
 };
 static_assert(sizeof(SchemeTile) == 80, "layout of smSchemeTile");
 
-/// As smSchemePatch there.
+/// A patch in the layout (std430) of smSchemePatch there.
 struct SchemePatch
 {
   double Center[4];
@@ -65,21 +65,21 @@ struct SchemePatch
 };
 static_assert(sizeof(SchemePatch) == 64, "layout of smSchemePatch");
 
-/// Degrees in u and v that a kernel is compiled for; 0 0: any.
+/// Degrees in u and v that a kernel is compiled for; 0 0 for any degrees.
 using SchemeKernel = std::pair<int, int>;
 
-/// The kernel for a face. The choice depends on nothing but its degrees.
+/// Returns the kernel for a face. The choice depends only on the face's degrees.
 SMFILTERSMOMENTSCHEMES_EXPORT SchemeKernel ChooseSchemeKernel(const SubPatchFace& face);
 
-/// Tiles that are evaluated at once, those of one kernel side by side.
+/// Tiles that are evaluated together. Tiles of the same kernel are adjacent.
 class SMFILTERSMOMENTSCHEMES_EXPORT SchemeBatch
 {
 public:
-  /// Adds a tile of `face` unless a list would exceed `maximumBytes`, or the batch has enough; then false. The first tile always
-  /// finds room.
+  /// Adds a tile of `face`. Returns false if a list would exceed `maximumBytes` or the batch is full; the first tile is always
+  /// added.
   bool Add(const TileRange& range, const SubPatchFace& face, int textureFactor, std::size_t maximumBytes);
 
-  /// Bytes of the largest list that a face needs for itself, apart from its trim curves.
+  /// Returns the bytes of the largest list that a face needs by itself, without its trim curves.
   static std::size_t GetFaceBytes(const SubPatchFace& face);
 
   std::vector<std::array<double, 4>> Points;
@@ -87,15 +87,15 @@ public:
   /// Borders, deviations and trim curves of the tiles.
   std::vector<double> Values;
   std::vector<SchemeTile> Tiles;
-  /// Whose they are.
+  /// The face and block of each tile.
   std::vector<TileRange> Ranges;
-  /// What the invocations of the three steps count.
+  /// Numbers of invocations of the three steps (sub-patches, parts of trim curves, rows of texels), and number of texels.
   std::uint32_t SubPatches = 0;
   std::uint32_t Trims = 0;
   std::uint32_t TexelRows = 0;
   std::uint32_t Texels = 0;
 
-  /// Sub-patches [First, Last) that one kernel evaluates, and the highest degrees among them.
+  /// Range of sub-patches [First, Last) that one kernel evaluates, and the highest degrees among them.
   struct Part
   {
     SchemeKernel Kernel;
@@ -108,7 +108,7 @@ public:
 private:
   void AddFace(const SubPatchFace& face);
 
-  /// Of the face that the last tile is of.
+  /// The face of the last tile, and the index of its first patch.
   const SubPatchFace* Last = nullptr;
   std::uint32_t FirstPatch = 0;
 };

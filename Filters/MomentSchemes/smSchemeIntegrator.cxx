@@ -18,10 +18,10 @@ namespace sm
 {
 namespace
 {
-// Of the progress: preparing; integrating is the rest.
+// Fraction of the progress for the preparation; the integration takes the rest.
 constexpr double PreparedShare = 0.3;
 
-/// Neumaier's compensated sums of the columns.
+/// Compensated sums (Neumaier) of the columns.
 struct ColumnSums
 {
   std::array<double, NumberOfSchemeColumns> Sum{};
@@ -46,7 +46,7 @@ struct ColumnSums
 
 double CountSubPatches(const NURBSSurface& surface, int factor)
 {
-  // As a double: the product may be beyond any integer.
+  // Computed as a double, since the product may exceed any integer type.
   double count = 1.0;
   for (int d = 0; d < 2; ++d)
   {
@@ -95,7 +95,7 @@ struct SchemeIntegrator::Internals
   double PrepareSeconds = 0.0;
   double IntegrateSeconds = 0.0;
 
-  /// Of the running Integrate().
+  /// Data of the current Integrate().
   ProgressCallback Progress;
   Setup Chosen;
   double Start = 0.0;
@@ -172,7 +172,7 @@ bool SchemeIntegrator::Internals::PrepareRunner()
 
 std::vector<TileRange> SchemeIntegrator::Internals::MakeAllTiles()
 {
-  // Faces of one kernel side by side, in their order.
+  // Faces of one kernel are adjacent, in their original order.
   const std::vector<PreparedFace>& faces = this->Prepared.Get();
   std::vector<std::size_t> order(faces.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });

@@ -1,11 +1,11 @@
 /**
  * @file smSchemeNames.h
- * @brief The names of every array that vtkSchemeMassPropertiesGPU puts out, beside those of smMassPropertyNames.h
+ * @brief Names of all arrays in the outputs of vtkSchemeMassPropertiesGPU except those of smMassPropertyNames.h
  */
 #ifndef smSchemeNames_h
 #define smSchemeNames_h
 
-#include "smMassPropertyNames.h" // what all mass property filters put out
+#include "smMassPropertyNames.h" // names common to all mass property filters
 
 namespace sm
 {
@@ -13,10 +13,10 @@ namespace names
 {
 constexpr const char* Scheme = "Scheme"; // string: "MIDPOINT", "GAUSS2" or "GAUSS3"
 constexpr const char* PaperErrorEstimate =
-  "PaperErrorEstimate"; // 1, L^3, Eq. 36 over whole sub-patches; no bound
+  "PaperErrorEstimate"; // 1, L^3, Eq. 36 over sub-patches entirely in a face; not a bound
 constexpr const char* PaperErrorEstimateWithBoundary =
-  "PaperErrorEstimateWithBoundary"; // 1, L^3, over those that a trim curve crosses as well; no bound
-constexpr const char* SubPatches = "SubPatches"; // 1 (int64), of all faces that are not planar
+  "PaperErrorEstimateWithBoundary"; // 1, L^3, including sub-patches that a trim curve crosses; not a bound
+constexpr const char* SubPatches = "SubPatches"; // 1 (int64), number in all faces that are not planar
 }
 }
 

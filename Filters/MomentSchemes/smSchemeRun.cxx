@@ -61,7 +61,7 @@ bool SchemeRun::Integrate(
       const double tolerance = options.ChordTolerance * 2.0 * GetRadius(*body.Model);
       for (const FacePointer& face : body.Model->GetFaces())
       {
-        // A model without extent has no chords to speak of.
+        // A model of zero extent still needs a positive tolerance.
         tasks.push_back({ face, tolerance > 0.0 ? tolerance : std::numeric_limits<double>::min() });
       }
     }

@@ -24,7 +24,7 @@ class vtkTable;
 
 namespace sm
 {
-/// Sums of the paper's estimates (lengths cubed; NaN: not computed) and of sub-patches over faces.
+/// Sums over faces of the paper's estimates (lengths cubed; NaN if not computed) and of the numbers of sub-patches.
 struct SchemeTotals
 {
   double Estimate = std::numeric_limits<double>::quiet_NaN();
@@ -32,7 +32,7 @@ struct SchemeTotals
   std::int64_t SubPatches = 0;
 };
 
-/// A face's trim texture as an image of 0 and 255 over (u,v), and its name: that of the solid and the face's entity number.
+/// A face's trim texture as an image of 0 and 255 over (u,v), with the solid's name and the face's entity number as its name.
 struct NamedTexture
 {
   std::string Name;
@@ -40,8 +40,8 @@ struct NamedTexture
 };
 
 /**
- * Integrates every model once, about its origin, however many instances it has. Keeps the runner and prepared faces from run to run.
- * Not thread safe.
+ * Integrates every model once, about its origin, independent of its number of instances. The runner and the prepared faces are
+ * kept between runs. Not thread safe.
  */
 class SchemeRun
 {
@@ -49,41 +49,43 @@ public:
   struct Options
   {
     SchemeIntegrator::Setup Setup;
-    /// Of planes: relative to the diagonal of the model's box.
+    /// Chord tolerance of planes, relative to the diagonal of the model's box.
     double ChordTolerance = 1e-8;
-    /// Compute shaders in this context, which is READY; null: the CPU.
+    /// Context, in state READY, of the compute shaders; null for the CPU.
     vtkComputeContext* Context = nullptr;
   };
 
-  /// Gives every body its Faces. False when nothing came of it; then GetMessage() says why.
+  /// Sets the Faces of every body. Returns false if nothing was computed; GetMessage() then returns the reason.
   bool Integrate(
     const Options& options, std::vector<BodyIntegrals>& bodies, const ProgressCallback& progress);
   std::string GetMessage() const;
 
-  /// Of the last Integrate(), for a model, and for all bodies; nothing computed for what it did not have.
+  /// Return the totals of the last Integrate() for a model or for all bodies; a model that it did not integrate has no estimate
+  /// (NaN).
   SchemeTotals GetTotals(vtkTrimmedNURBSModel* model) const;
   SchemeTotals GetTotals(const std::vector<BodyIntegrals>& bodies) const;
-  /// Scheme, PaperErrorEstimate, PaperErrorEstimateWithBoundary and SubPatches, of every body and of `total`.
+  /// Adds Scheme, PaperErrorEstimate, PaperErrorEstimateWithBoundary and SubPatches of every body to `solids` and those of
+  /// `total` to `totals`.
   void AddColumns(const std::string& scheme, const std::vector<BodyIntegrals>& bodies,
     const SchemeTotals& total, vtkFieldData* totals, vtkTable* solids) const;
   const std::vector<NamedTexture>& GetTextures() const { return this->Textures; }
   const SchemeIntegrator& GetIntegrator() const { return this->Integrator; }
 
-  /// Forgets the results of the last run.
+  /// Clears the results of the last run.
   void Forget();
 
 private:
   void KeepTextures(const BodyIntegrals& body, std::vector<SchemeResult>& results, std::size_t first);
 
   SchemeIntegrator Integrator;
-  /// What the runner computes with.
+  /// True if the integrator has a runner, and the context of that runner; null for the CPU.
   bool HasRunner = false;
   vtkSmartPointer<vtkComputeContext> RunnerContext;
   std::map<vtkTrimmedNURBSModel*, SchemeTotals> Totals;
   std::vector<NamedTexture> Textures;
 };
 
-/// "MIDPOINT", "GAUSS2", "GAUSS3" for n = 1, 2, 3; empty for anything else.
+/// Returns "MIDPOINT", "GAUSS2" or "GAUSS3" for n = 1, 2, 3; an empty string for any other number.
 std::string GetSchemeName(int points);
 }
 

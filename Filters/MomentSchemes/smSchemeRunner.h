@@ -1,6 +1,6 @@
 /**
  * @file smSchemeRunner.h
- * @brief What evaluates tiles of the paper's schemes and sums their results: the GPU or the CPU
+ * @brief Interface of the GPU and CPU runners, which evaluate tiles of the paper's schemes and sum their results
  */
 #ifndef smSchemeRunner_h
 #define smSchemeRunner_h
@@ -19,11 +19,11 @@
 namespace sm
 {
 /**
- * Three steps for every batch: the trim curves are drawn into the texture of each tile, its rows are swept, and
- * the sub-patches are evaluated and weighed by their texels (glsl/smTrimTexture.glsl, glsl/smSubPatch.glsl). The sums of a tile
- * depend on nothing but the tile: the same bits in any batch, for any number of threads or dispatches.
+ * Every batch has three steps: the trim curves are drawn into the texture of each tile, the rows of the texture are swept, and
+ * the sub-patches are evaluated and weighted by their texels (glsl/smTrimTexture.glsl, glsl/smSubPatch.glsl). The sums of a tile
+ * depend only on the tile: they are bitwise the same in any batch, for any number of threads or dispatches.
  *
- * Methods return false when they fail, with GetError(), or when `shouldContinue` said so. Not thread safe.
+ * Methods return false if they fail, with GetError(), or if `shouldContinue` returned false. Not thread safe.
  */
 class SchemeRunner
 {
@@ -34,24 +34,24 @@ public:
   {
     /// n: 1, 2 or 3 Gauss points in each direction.
     int Points = 2;
-    /// A factor of every sample, for tests.
+    /// Factor applied to every sample, for tests.
     double Perturbation = 1.0;
-    /// Hand out the texels.
+    /// If true, the results include the texels.
     bool KeepTexels = false;
   };
 
   struct Results
   {
-    /// NumberOfSchemeColumns for every tile.
+    /// NumberOfSchemeColumns sums for every tile.
     std::vector<double> Sums;
-    /// Of all tiles, as their first texels say; empty unless they are to be kept.
+    /// Texels of all tiles, at the positions of their first texels; empty unless KeepTexels is set.
     std::vector<std::int32_t> Texels;
     std::int64_t Evaluations = 0;
   };
 
-  /// Bytes that a list of a batch may have.
+  /// Returns the largest size in bytes of a list of a batch.
   virtual std::size_t GetMaximumBytes() const { return std::numeric_limits<std::uint32_t>::max(); }
-  /// Builds what these kernels need.
+  /// Builds the programs of these kernels.
   virtual bool Prepare(const std::set<SchemeKernel>&) { return true; }
   virtual bool Run(const SchemeBatch& batch, const Setup& setup, Results& results,
     const ContinueCallback& shouldContinue) = 0;
@@ -65,7 +65,7 @@ protected:
     return false;
   }
 
-  /// Work of one sub-patch, about, in bicubic evaluations.
+  /// Returns the approximate cost of one sub-patch in bicubic evaluations.
   static std::int64_t GetCost(const SchemeBatch::Part& part, int points)
   {
     const std::int64_t across = part.Degree[0] + 1;

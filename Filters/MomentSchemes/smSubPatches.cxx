@@ -14,11 +14,12 @@ namespace
 using Point2 = std::array<double, 2>;
 using Homogeneous = std::array<double, 4>;
 
-// Points of a rise that are compared with the surface's domain: its ends, where v is extreme, and some between.
+// Number of points of a rise that are compared with the surface's domain: its ends, where v is extreme, and points between.
 constexpr int PointsOfRise = 5;
 
-// Tolerance relative to the size of the coordinates. The corners of a plane were rounded where the file placed them, which may be far from the model's
-// origin; what is taken for a plane then moves the volume by less than this times size times area.
+// Tolerance of planarity relative to the size of the coordinates. The corners of a plane were rounded at their position in the
+// file, which may be far from the model's origin. The volume error of treating a surface as a plane is less than this tolerance
+// times size times area.
 constexpr double PlanarGap = 1e-12;
 
 std::vector<double> DivideIntervals(const std::vector<double>& breaks, int factor)
@@ -36,7 +37,7 @@ std::vector<double> DivideIntervals(const std::vector<double>& breaks, int facto
   return borders;
 }
 
-/// Checks the preconditions of a face; throws with a message that names the violated one.
+/// Checks the requirements on a face and the options. Throws std::runtime_error with the reason.
 void CheckFace(const Face& face, const SchemeOptions& options)
 {
   const std::string reason = face.Surface.Check();
@@ -114,7 +115,8 @@ void AddPatch(SubPatchFace& face, double u0, double u1, double v0, double v1)
   face.Patches.push_back(patch);
 }
 
-/// Estimated distance, a length, by which the trim curves leave the surface's domain, from the size of the patch that they leave.
+/// Returns the approximate distance, a length, by which the trim curves leave the surface's domain, by the size of the adjacent
+/// patch.
 double MeasureOutside(const SubPatchFace& face)
 {
   const std::vector<double>* const borders[2] = { &face.Grid.U, &face.Grid.V };

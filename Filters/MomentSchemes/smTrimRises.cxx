@@ -9,9 +9,9 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
-// Relative to the largest |v| of a face: reversals of direction within that are rounding.
+// Variation of v relative to the largest |v| of a face below which an extremum counts as rounding.
 constexpr double Resolution = 0x1p-46;
-// Halvings of a piece that keeps on turning.
+// Largest number of halvings of a piece with several extrema.
 constexpr int MaximumDepth = 40;
 
 int GetSign(double x)
@@ -19,21 +19,22 @@ int GetSign(double x)
   return x > 0.0 ? 1 : x < 0.0 ? -1 : 0;
 }
 
-/// Changes of sign among the differences of the coefficients of v: at least as many as v turns, and by an even number more.
-int CountTurns(const TrimRise& b)
+/// Returns the number of sign changes among the differences of the coefficients of v. It equals the number of extrema of v or
+/// exceeds it by an even number.
+int CountSignChanges(const TrimRise& b)
 {
-  int turns = 0;
+  int changes = 0;
   int last = 0;
   for (std::size_t i = 0; i + 1 < b.size(); ++i)
   {
     const int sign = GetSign(b[i + 1][1] - b[i][1]);
-    turns += sign * last < 0 ? 1 : 0;
+    changes += sign * last < 0 ? 1 : 0;
     last = sign != 0 ? sign : last;
   }
-  return turns;
+  return changes;
 }
 
-/// Cuts at x by de Casteljau's scheme; the ends are kept to the bit.
+/// Splits at x by de Casteljau's algorithm; the end points remain bitwise the same.
 void Split(const TrimRise& b, double x, TrimRise& left, TrimRise& right)
 {
   right = b;
@@ -51,8 +52,8 @@ void Split(const TrimRise& b, double x, TrimRise& left, TrimRise& right)
   }
 }
 
-/// Where v turns, when the differences change sign once: by bisection, until no double is left between.
-double FindTurn(const TrimRise& b)
+/// Returns the extremum of v if the differences change sign once, by bisection to adjacent doubles.
+double FindExtremum(const TrimRise& b)
 {
   const BernsteinPiece<2> piece{ b.data(), static_cast<int>(b.size()) - 1 };
   const auto first =
@@ -95,8 +96,8 @@ private:
 
 void Cutter::AddPiece(const TrimRise& b, int depth)
 {
-  const int turns = CountTurns(b);
-  if (turns == 0)
+  const int changes = CountSignChanges(b);
+  if (changes == 0)
   {
     this->Keep(b);
     return;
@@ -110,10 +111,11 @@ void Cutter::AddPiece(const TrimRise& b, int depth)
   }
   TrimRise left;
   TrimRise right;
-  Split(b, turns == 1 ? FindTurn(b) : 0.5, left, right);
-  if (turns == 1)
+  Split(b, changes == 1 ? FindExtremum(b) : 0.5, left, right);
+  if (changes == 1)
   {
-    // By Descartes' rule v' has one zero, and both parts are monotone, whatever rounding makes of their coefficients.
+    // By Descartes' rule v' has one zero, so that both parts are monotone; clamping removes the effect of rounding on their
+    // coefficients.
     for (TrimRise* part : { &left, &right })
     {
       const double from = part->front()[1];

@@ -1,6 +1,6 @@
 /**
  * @file smTrimRises.h
- * @brief The loops of a face cut where they turn in v, so that each part crosses a line of constant v once
+ * @brief The loops of a face, cut at the extrema of v, so that each part crosses a line of constant v at most once
  */
 #ifndef smTrimRises_h
 #define smTrimRises_h
@@ -14,16 +14,16 @@
 
 namespace sm
 {
-/// A polynomial part of a loop along which v rises, or falls, throughout: its Bernstein coefficients (u,v) in loop direction.
-/// Its ends differ in v, and no two coefficients are further apart in v than they.
+/// A polynomial part of a loop along which v only increases or only decreases, by its Bernstein coefficients (u,v) in the
+/// direction of the loop. Its end points differ in v, and all its coefficients lie between them in v.
 using TrimRise = std::vector<std::array<double, 2>>;
 
 /**
- * Every trim piece of a face, cut where v turns; and, where the end of a coedge is not the start of the next one, the straight
- * closing piece. Parts that meet share their end to the bit, so that the windings of a loop are those of its ends; parts
- * that begin and end at one v are left out, for they cross no line. No curve is approximated: only where v stays within 2^-46 of
- * its size is a part replaced by its chord. Coedges without a curve are passed over. The degree of a piece is at most MaximumDegree, and
- * coefficients are finite. Thread safe.
+ * Returns every trim piece of a face, cut at the extrema of v, and the straight closing piece wherever the end of a coedge is not
+ * the start of the next one. Adjacent parts have bitwise equal end points, so that the winding number depends only on the end
+ * points. Parts whose ends have equal v are omitted, as they cross no line of constant v. Curves are not approximated, except
+ * that a part is replaced by its chord where v varies by less than 2^-46 of its size. Coedges without a curve are omitted.
+ * Requires a degree of at most MaximumDegree and finite coefficients. Thread safe.
  */
 SMFILTERSMOMENTSCHEMES_EXPORT std::vector<TrimRise> CutIntoRises(const Face& face);
 }

@@ -17,8 +17,8 @@ vtkStandardNewMacro(vtkSchemeMassPropertiesGPU);
 
 namespace
 {
-/// How far the vector area of a closed surface may be from 0, relative to the volume, where trimmed faces are weighed by texels:
-/// above, a shell without edges is taken for a surface.
+/// Largest closure residual of a closed surface whose trimmed faces are weighted by texels. A shell without edges and a larger
+/// residual counts as a surface, not as a solid.
 constexpr double LargestClosureResidual = 0.1;
 }
 
@@ -133,9 +133,9 @@ void vtkSchemeMassPropertiesGPU::AnalyzeBodies(std::vector<sm::BodyIntegrals>& b
     [](const sm::BodyIntegrals& body) { return body.Faces && body.HasVolume(); });
   if (hasVolume)
   {
-    // Once for all bodies.
+    // The note is set once for all bodies.
     this->GetEngine().GetReport().Note = sm::GetSchemeName(this->Scheme) +
-      " has no error bound: the paper's estimate of the volume's error is none; ADAPTIVE has one";
+      " has no error bound: the paper's estimate of the volume's error is not a bound; ADAPTIVE has one";
   }
 }
 

@@ -2,24 +2,24 @@
  * @class   vtkSchemeMassPropertiesGPU
  * @brief   mass properties by the schemes of "Accurate Moment Computation Using the GPU" (SPM 2010), for comparison
  *
- * Every knot interval of a face is divided into k x k sub-patches with 1, 2x2 or 3x3 Gauss points each (MIDPOINT, GAUSS2, GAUSS3). The
- * integrands are the fluxes along z of the paper's Eq. 16-28, over the faces alone. A trimmed sub-patch is weighed by the fraction of
- * its trim texture that lies in the face; planes are triangulated. The paper's estimate of the volume's error (Eq. 36) is put out; it
- * is no bound. vtkMassPropertiesGPU has bounds.
+ * Every knot interval of a face is divided into k x k sub-patches with 1, 2x2 or 3x3 Gauss points each (MIDPOINT, GAUSS2,
+ * GAUSS3). The integrands are the fluxes along z of the paper's Eq. 16-28, over the faces alone. A trimmed sub-patch is weighted
+ * by the fraction of its trim texture that lies in the face; planes are triangulated. The outputs include the paper's estimate of
+ * the volume's error (Eq. 36), which is not a bound. vtkMassPropertiesGPU computes bounds.
  *
- * There is no tolerance: Status is at best tolerance-not-met; every `<name>Bound`, ClosureCorrection, ClosureResidual and the gaps are
- * NaN. A trim that leaves a curved surface makes the status suspect; a loop that covers part of a surface more than once, or from
- * outside, does not: a texel counts where the winding number is any but 0. On planes, which have no end, neither does. A run that
- * needs more than MaximumEvaluations, is stopped, or is out of time computes nothing. Of several ranks the one with the bodies
- * computes.
+ * There is no tolerance: Status is at least tolerance-not-met; every `<name>Bound`, ClosureCorrection, ClosureResidual and the
+ * gaps are NaN. A trim curve that leaves a curved surface makes the status suspect; on a plane, which is unbounded, it does not.
+ * A loop that covers part of a surface more than once, or with the wrong orientation, does not either, as a texel counts wherever
+ * the winding number is not 0. A run that needs more than MaximumEvaluations, is stopped, or exceeds its time limit computes
+ * nothing. In a parallel run only the rank that has the bodies computes.
  *
- * Outputs are those of vtkMassPropertiesBase, and in field data and table (smSchemeNames.h):
+ * Outputs are those of vtkMassPropertiesBase and, in field data and table (smSchemeNames.h):
  * | name                  | comp. | unit   | meaning                                                     |
  * |-----------------------|-------|--------|-------------------------------------------------------------|
  * | Scheme                | 1     |        | "MIDPOINT", "GAUSS2" or "GAUSS3"                             |
  * | PaperErrorEstimate    | 1     | L^3    | the paper's estimate of the volume's error, Eq. 36           |
- * | PaperErrorEstimateWithBoundary | 1 | L^3 | the same with the sub-patches on a trim boundary counted whole |
- * | SubPatches            | 1     |        | of all faces that are not planar                             |
+ * | PaperErrorEstimateWithBoundary | 1 | L^3 | the same with the sub-patches on a trim boundary counted in full |
+ * | SubPatches            | 1     |        | number of sub-patches of all faces that are not planar       |
  */
 #ifndef vtkSchemeMassPropertiesGPU_h
 #define vtkSchemeMassPropertiesGPU_h
@@ -36,7 +36,7 @@ public:
   vtkTypeMacro(vtkSchemeMassPropertiesGPU, vtkMassPropertiesBase);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The numbers of Gauss points of a sub-patch in each direction. */
+  /** Number of Gauss points of a sub-patch in each direction. */
   enum SchemeType
   {
     MIDPOINT = 1,
@@ -45,32 +45,32 @@ public:
   };
 
   ///@{
-  /** The scheme. Clamped to these. Default GAUSS2. */
+  /** The scheme, by its number of Gauss points. Range [MIDPOINT, GAUSS3], clamped. Default GAUSS2. */
   vtkSetClampMacro(Scheme, int, MIDPOINT, GAUSS3);
   vtkGetMacro(Scheme, int);
   ///@}
 
   ///@{
-  /** Every knot interval is divided into k x k sub-patches. Clamped to [1, 1024], default 2. */
+  /** Sub-patch factor k: every knot interval is divided into k x k sub-patches. Range [1, 1024], clamped. Default 2. */
   vtkSetClampMacro(SubPatchFactor, int, 1, 1024);
   vtkGetMacro(SubPatchFactor, int);
   ///@}
 
   ///@{
-  /** Texels of the trim texture per sub-patch in u and in v. Clamped to [1, 16], default 4. */
+  /** Number of texels of the trim texture per sub-patch in u and in v. Range [1, 16], clamped. Default 4. */
   vtkSetClampMacro(TrimTextureFactor, int, 1, 16);
   vtkGetMacro(TrimTextureFactor, int);
   ///@}
 
   ///@{
-  /** How far the chords of a planar face's trim polygon may be from its trim curves, relative to the
-   * diagonal of the solid's box. In (0, 1), default 1e-8, so that the schemes' errors
-   * are those of curved faces. Anything else is an error and changes nothing. */
+  /** Largest distance between the trim curves of a planar face and the chords of its trim polygon, relative to the diagonal of
+   * the solid's box. Range (0, 1); any other value is reported as an error and changes nothing. Default 1e-8, so that the
+   * errors of the schemes are those of curved faces. */
   void SetChordTolerance(double tolerance);
   vtkGetMacro(ChordTolerance, double);
   ///@}
 
-  /** How the paper's deviation K of a sub-patch (Eq. 4) is found from its second derivatives. */
+  /** Method by which the paper's deviation K of a sub-patch (Eq. 4) is computed from its second derivatives. */
   enum DeviationType
   {
     BOUNDED = 0,
@@ -78,31 +78,31 @@ public:
   };
 
   ///@{
-  /** BOUNDED: from control points, never too small; SAMPLED: the largest of a few points. Changes the paper's estimates only.
-   * Clamped to these. Default BOUNDED. */
+  /** Method for the deviation K: BOUNDED uses bounds by control points and never underestimates K; SAMPLED uses the largest of
+   * a few points. It changes only the paper's estimates. Range [BOUNDED, SAMPLED], clamped. Default BOUNDED. */
   vtkSetClampMacro(Deviation, int, BOUNDED, SAMPLED);
   vtkGetMacro(Deviation, int);
   ///@}
 
   ///@{
-  /** Keep the trim textures, an image per trimmed face that is not planar. Default off. */
+  /** If on, keeps the trim textures: an image per trimmed face that is not planar. Default off. */
   vtkSetMacro(KeepTrimTextures, bool);
   vtkGetMacro(KeepTrimTextures, bool);
   vtkBooleanMacro(KeepTrimTextures, bool);
   ///@}
 
   ///@{
-  /** Trim textures of the last run: unsigned char, 255 in the face and 0 outside; origin and spacing are the texels' centres in
-   * (u,v), of an even grid where knot intervals differ. The name is that of the solid and the face's entity number, "Body #12". Null
-   * and empty for an index out of range. Instances of one model have theirs once. */
+  /** Trim textures of the last run: unsigned char, 255 in the face and 0 outside. Origin and spacing are those of the texels'
+   * centres in (u,v), averaged to an even grid if knot intervals differ. The name is that of the solid and the face's entity
+   * number, "Body #12". An index out of range gives null and an empty name. All instances of a model share its textures. */
   int GetNumberOfTrimTextures() const;
   vtkImageData* GetTrimTexture(int index) const;
   std::string GetTrimTextureName(int index) const;
   ///@}
 
   ///@{
-  /** The last run's totals: the paper's estimate of the error of the volume (L^3, no bound) over the
-   * sub-patches wholly in their faces, and over those on a trim boundary as well; and the number of sub-patches. NaN, NaN and 0 when nothing was
+  /** Totals of the last run: the paper's estimate of the error of the volume (L^3, not a bound) over the sub-patches entirely
+   * in their faces, the same including those on a trim boundary, and the number of sub-patches. NaN, NaN and 0 if nothing was
    * computed. */
   double GetPaperErrorEstimate() const;
   double GetPaperErrorEstimateWithBoundary() const;

@@ -23,7 +23,7 @@ namespace sm
 {
 namespace
 {
-// A trim curve this far outside its surface, relative to the body, is no rounding any more (NUMERICS 1).
+// Distance of a trim curve from its surface, relative to the body, above which it is not attributed to rounding (NUMERICS 1).
 constexpr double SuspectOutside = 1e-5;
 
 std::string NameOf(vtkInformation* info, const std::string& otherwise)
@@ -79,13 +79,13 @@ void Collect(
   }
 }
 
-/// To a power of two: a display mesh that comes out a little different must not change what is asked of a face.
+/// Rounds a scale down to a power of two, so that small differences of the display mesh do not change the tolerances of faces.
 double RoundDown(double scale)
 {
   return scale > 0.0 ? std::exp2(std::floor(std::log2(scale))) : 0.0;
 }
 
-/// The first few entity numbers.
+/// Lists the first five entity numbers.
 std::string ListIds(const std::vector<int>& ids)
 {
   std::string list;
@@ -112,7 +112,7 @@ bool IsRigid(const std::array<double, 16>& m)
 
 void CountOpenEdges(BodyIntegrals& body)
 {
-  // Signed uses of every edge: a seam or a 2+2 non-manifold edge cancels, a border does not.
+  // The signed uses of an edge add up to 0 at a seam or a 2+2 non-manifold edge, but not at a border.
   std::unordered_map<const Edge*, int> uses;
   for (const FacePointer& face : body.Model->GetFaces())
   {
@@ -196,7 +196,7 @@ void CheckTopology(BodyIntegrals& body)
   if (!IsRigid(body.Placement))
   {
     body.Flag(Status::Suspect,
-      "its placement scales or shears it; only rotations, mirrors and translations are understood");
+      "its placement scales or shears it; only rotations, mirrors and translations are supported");
   }
   CountOpenEdges(body);
 }
@@ -209,7 +209,7 @@ void SetUnknown(BodyIntegrals& body, std::size_t integrands)
   body.Bound.assign(integrands, nan);
   body.GapSquared = body.GapArea = body.MaxGap = nan;
   CheckTopology(body);
-  // What has no bound meets no tolerance.
+  // A value without a bound meets no tolerance.
   body.Flag(Status::ToleranceNotMet, "nothing was computed");
 }
 
@@ -255,7 +255,8 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
   {
     body.Flag(Status::ToleranceNotMet,
       "the run was stopped: " + std::to_string(body.SkippedFaces) +
-        " faces were not integrated; they count as 0, and the bounds hold the most that they can be");
+        " faces were not integrated; they count as 0, and the bounds include their largest possible "
+        "magnitude");
   }
   const bool everything = std::any_of(
     integrands.begin(), integrands.end(), [](const Integrand& integrand) { return integrand.Degree < 0; });
@@ -326,17 +327,17 @@ void MeasureEdges(std::vector<BodyIntegrals>& bodies)
   }
 }
 
-void TurnShells(BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume)
+void ReverseShells(BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume)
 {
   std::vector<double> volumes;
   std::vector<double> bounds;
   for (const FaceIntegrals& face : *body.Faces)
   {
-    // A face that could not be integrated leaves its shell open; the body is suspect already.
+    // A face that could not be integrated leaves its shell open; the body already is suspect.
     if (face.Error.empty() && body.OpenEdges == 0)
     {
       volumes.push_back(face.Face[volume] + face.Closing[volume]);
-      // The paper's schemes have no bound: their values are taken as they are.
+      // The paper's schemes have no bound: their values are used as exact ones.
       const double bound = face.GetBound(volume);
       bounds.push_back(std::isnan(bound) ? 0.0 : bound);
     }
@@ -347,24 +348,24 @@ void TurnShells(BodyIntegrals& body, const std::vector<Integrand>& integrands, i
   {
     found = OrientShells(*body.Model, body.Mesh, volumes, bounds);
   }
-  if (!found.Doubt.empty())
+  if (!found.Uncertainty.empty())
   {
-    body.Flag(Status::Suspect, found.Doubt + "; its shells are taken as the file orients them");
+    body.Flag(Status::Suspect, found.Uncertainty + "; its shells are taken as the file orients them");
   }
   if (!found.Sides.empty())
   {
     body.Sides = found.Sides;
     body.FlippedShells = found.Flipped;
     body.Messages.push_back(std::to_string(found.Flipped) + " of " + std::to_string(found.Shells) +
-      (found.Flipped == 1 ? " shells was inside out and was turned"
-                          : " shells were inside out and were turned"));
+      (found.Flipped == 1 ? " shells was inside out and was reversed"
+                          : " shells were inside out and were reversed"));
     SumValues(body, integrands);
   }
   if (body.Value[volume] < 0.0)
   {
     body.InsideOut = true;
     body.FlippedShells = found.Shells;
-    body.Messages.push_back("the solid is inside out in the file; it was turned");
+    body.Messages.push_back("the solid is inside out in the file; it was reversed");
   }
 }
 
@@ -442,7 +443,7 @@ double GetVolumeScale(vtkTrimmedNURBSModel& model)
   const double radius = GetRadius(model);
   const double box = radius * radius * radius;
   const double known = model.GetVolumeScale();
-  // A scale outside what the box allows comes from a broken mesh.
+  // A known scale that is not possible for the box comes from a faulty mesh.
   return RoundDown(known > 1e-9 * box && known < 8.0 * box ? known : box);
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file smBodyIntegrals.h
- * @brief The bodies of an input and what was integrated over each
+ * @brief The bodies of an input and their integrals
  */
 #ifndef smBodyIntegrals_h
 #define smBodyIntegrals_h
@@ -29,98 +29,99 @@ namespace sm
 struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
 {
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;
-  /// The leaf it came in: the display mesh of this instance.
+  /// Input dataset of the body: the display mesh of this instance.
   vtkSmartPointer<vtkPolyData> Mesh;
   std::array<double, 16> Placement{};
   std::string Name;
-  /// 1, 2, … in the order of the input.
+  /// Number of the instance, 1, 2, … in the order of the input.
   std::string Id;
 
-  /// Results by face of the model; instances of one model may share them. Null: not computed.
+  /// Results for each face of the model; instances of a model may share them. Null if not computed.
   std::shared_ptr<const std::vector<FaceIntegrals>> Faces;
 
-  /// The gaps by edge, the widest first; shared among the instances.
+  /// Gaps for each edge, the widest first; shared among the instances.
   std::shared_ptr<const std::vector<EdgeGap>> Edges;
 
-  /// Sums over the faces, per integrand: over faces, ribbons and caps; over the faces alone; and the bound.
+  /// Sums per integrand: over faces, ribbons and caps; over the faces alone; and the bound.
   std::vector<double> Value;
   std::vector<double> FaceValue;
   std::vector<double> Bound;
   double GapSquared = 0.0;
   double GapArea = 0.0;
   double MaxGap = 0.0;
-  /// Entity numbers of the faces whose bounds are estimated, and how many faces were skipped.
+  /// Entity numbers of the faces whose bounds are estimated, and the number of faces that were skipped.
   std::vector<int> EstimatedFaces;
   int SkippedFaces = 0;
 
-  /// Edges whose signed uses do not cancel.
+  /// Number of edges whose signed uses do not cancel.
   int OpenEdges = 0;
-  /// The faces' normals point inwards: the volume came out negative and was turned.
+  /// True if the normals of all faces point inwards: the volume was negative and was reversed.
   bool InsideOut = false;
-  /// Shells that were inside out, all of them when the solid is; and 1 or -1 by face when only some were.
+  /// Number of shells whose normals pointed inwards, which is all of them for an inside-out solid. If only some did, Sides has
+  /// the factor 1 or -1 for each face.
   int FlippedShells = 0;
   std::vector<signed char> Sides;
   sm::Status Status = sm::Status::None;
   std::vector<std::string> Messages;
-  /// That of the messages which gave it its status; empty when the status is Ok.
+  /// The message that determined the status; empty if the status is Ok.
   std::string Reason;
 
   bool IsSolid() const { return this->Model->GetBody() == vtkTrimmedNURBSModel::SOLID; }
-  /// A solid, or a free shell that is closed: it has a volume.
+  /// Returns true for a solid and for a closed free shell.
   bool HasVolume() const { return this->IsSolid() || this->OpenEdges == 0; }
-  /// The factor of a face's fluxes in the sums, apart from InsideOut.
+  /// Returns the factor of a face's fluxes in the sums, without the effect of InsideOut.
   double GetSide(std::size_t face) const { return this->Sides.empty() ? 1.0 : this->Sides[face]; }
-  /// Some bound is no theorem.
+  /// Returns true if the bound of some face is estimated and not proved.
   bool IsEstimated() const { return !this->EstimatedFaces.empty(); }
-  /// Makes the status `status` if that is worse.
+  /// Sets the status to `status` if that is worse.
   void Degrade(sm::Status status);
-  /// The same, and says why.
+  /// Calls Degrade() and adds a message.
   void Flag(sm::Status status, const std::string& message);
 };
 
-/// Meshes found in the input that have no exact geometry: none was there, or it was dropped.
+/// Numbers of meshes in the input without exact geometry: those that never had it, and those that lost it.
 struct RejectedInput
 {
   int Plain = 0;
   int Withheld = 0;
 };
 
-/// Finds every vtkNURBSDataSet with a model in a data object, in depth-first order.
+/// Returns a body for every vtkNURBSDataSet with a model in a data object, in depth-first order.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::vector<BodyIntegrals> CollectBodies(
   vtkDataObject* input, RejectedInput& rejected);
 
 /// Sets the status from the reader's findings and the signed uses of the edges, before anything is integrated.
 SMFILTERSSURFACEINTEGRALS_EXPORT void CheckTopology(BodyIntegrals& body);
 
-/// Checks the topology, collects what the faces say, and sums their results.
+/// Checks the topology, collects the messages of the faces, and sums their results.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands);
 
-/// Sums the faces' results in face order, with compensated sums, the fluxes of a shell that was turned with the other
-/// sign. A face that could not be integrated makes every bound infinite.
+/// Adds up the faces' results in face order with compensated sums. The fluxes of reversed shells have the opposite sign. A face
+/// that could not be integrated makes every bound infinite.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SumValues(
   BodyIntegrals& body, const std::vector<Integrand>& integrands);
 
-/// Collects the gaps of every body's edges (smEdgeGaps.h) and names the widest where it matters.
+/// Collects the gaps of every body's edges (smEdgeGaps.h), and adds a message about the widest gap if it is significant.
 SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureEdges(std::vector<BodyIntegrals>& bodies);
 
-/// Turns the shells that are inside out (smShellOrientation.h), given which integrand is the volume, and sums again; then
-/// marks the whole body as inside out when its volume is negative. Says so. The shells of a body that is not closed stay
-/// as they are.
-SMFILTERSSURFACEINTEGRALS_EXPORT void TurnShells(
+/// Reverses the shells whose normals point inwards (smShellOrientation.h), where `volume` is the index of the volume's integrand,
+/// and sums again. It then marks the whole body as inside out if its volume is negative. Both add a message. The shells of a body
+/// that is not closed remain unchanged.
+SMFILTERSSURFACEINTEGRALS_EXPORT void ReverseShells(
   BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume);
 
-/// Gives a body for which nothing was computed as many values that are NaN, and says so.
+/// Sets the values of a body for which nothing was computed to NaN, one per integrand, and adds a message.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SetUnknown(BodyIntegrals& body, std::size_t integrands);
 
-/// xmin, xmax, ymin … about the model's origin; from the control points where the model does not say.
+/// Returns xmin, xmax, ymin … about the model's origin; computed from the control points if the model has no box.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model);
-/// Adds the eight corners of a body's box where the body is placed.
+/// Adds the eight corners of a body's box, in the body's placement, to `box`.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddPlacedBox(const BodyIntegrals& body, vtkBoundingBox& box);
-/// Half the diagonal of that box.
+/// Returns half the diagonal of the model's box.
 SMFILTERSSURFACEINTEGRALS_EXPORT double GetRadius(vtkTrimmedNURBSModel& model);
-/// The largest distance of a placed body from the world origin, about.
+/// Returns the approximate largest distance of a placed body from the world origin.
 SMFILTERSSURFACEINTEGRALS_EXPORT double GetReach(const BodyIntegrals& body);
-/// Scales that tolerances are relative to; from the bounding box where the reader knows none.
+/// Return the scales of relative tolerances; computed from the bounding box if the reader sets none.
 SMFILTERSSURFACEINTEGRALS_EXPORT double GetVolumeScale(vtkTrimmedNURBSModel& model);
 SMFILTERSSURFACEINTEGRALS_EXPORT double GetAreaScale(vtkTrimmedNURBSModel& model);
 }

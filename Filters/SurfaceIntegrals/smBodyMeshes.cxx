@@ -18,7 +18,7 @@ namespace sm
 {
 namespace
 {
-/// Cell arrays by the array of face indices they were made for; `Values` are those of the faces.
+/// Cell arrays, shared by meshes with the same array of face indices and bitwise equal values of the faces.
 class ArrayPool
 {
 public:
@@ -27,7 +27,7 @@ public:
     std::vector<Entry>& entries = this->Entries[{ faces, name }];
     for (const Entry& entry : entries)
     {
-      // Bit for bit: a NaN is the same as itself here.
+      // The comparison is bitwise, so that NaN equals itself.
       if (entry.Values.size() == values.size() &&
         std::memcmp(entry.Values.data(), values.data(), values.size() * sizeof(float)) == 0)
       {
@@ -58,7 +58,7 @@ private:
   std::map<std::pair<vtkDataArray*, std::string>, std::vector<Entry>> Entries;
 };
 
-/// The assembly of a collection with the datasets numbered as the bodies are.
+/// Copies the assembly of a collection, with the indices of the bodies as indices of datasets.
 void KeepAssembly(
   const std::vector<BodyIntegrals>& bodies, vtkDataObject* input, vtkPartitionedDataSetCollection* output)
 {
@@ -67,7 +67,7 @@ void KeepAssembly(
   {
     return;
   }
-  // A leaf may stand in several places, and a partitioned dataset may hold several bodies.
+  // A leaf may occur at several places, and a partitioned dataset may have several bodies.
   std::map<vtkDataObject*, std::deque<unsigned int>> numbers;
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {

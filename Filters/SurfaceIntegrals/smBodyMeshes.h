@@ -1,6 +1,6 @@
 /**
  * @file smBodyMeshes.h
- * @brief The bodies' display meshes with what was computed for their faces as cell data, to colour them by
+ * @brief Display meshes of the bodies with the results of their faces as cell data, for colouring
  */
 #ifndef smBodyMeshes_h
 #define smBodyMeshes_h
@@ -16,7 +16,7 @@ class vtkPartitionedDataSetCollection;
 
 namespace sm
 {
-/// An array of the meshes: a number for every face of every body.
+/// A cell array of the meshes: a number for every face of every body.
 struct MeshArray
 {
   std::string Name;
@@ -24,9 +24,9 @@ struct MeshArray
 };
 
 /**
- * Gives `output` a partitioned dataset per body, in their order, with its mesh (points, cells, arrays and exact geometry shared
- * with the input) and the arrays, floats, as cell data; a cell that belongs to no face is NaN there. Equal arrays of instances of
- * one part are shared. An assembly of the input is kept, without the bodies that are not there.
+ * Fills `output` with one partitioned dataset per body, in their order. Each has the mesh of the body (points, cells, arrays and
+ * exact geometry shared with the input) and the arrays (float) as cell data; cells without a face have NaN. Instances of one part
+ * share equal arrays. An assembly of the input is preserved without the bodies that are not in the output.
  */
 SMFILTERSSURFACEINTEGRALS_EXPORT void MakeBodyMeshes(const std::vector<BodyIntegrals>& bodies,
   const std::vector<MeshArray>& arrays, vtkDataObject* input, vtkPartitionedDataSetCollection* output);

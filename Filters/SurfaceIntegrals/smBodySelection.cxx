@@ -25,7 +25,7 @@ std::string SelectLeaves(vtkDataObject* input, const std::string& assemblyName,
     {
       return "the input has no blocks to choose from";
     }
-    // Its assembly is the hierarchy with the indices that are right in it.
+    // The assembly of `flat` is the hierarchy with indices that are valid in `flat`.
     collection = flat.Get();
     assembly = flat->GetDataAssembly();
   }

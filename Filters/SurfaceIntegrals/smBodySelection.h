@@ -1,6 +1,6 @@
 /**
  * @file smBodySelection.h
- * @brief Bodies chosen by the nodes of an assembly
+ * @brief Selection of bodies by the nodes of an assembly
  */
 #ifndef smBodySelection_h
 #define smBodySelection_h
@@ -15,9 +15,9 @@ namespace sm
 {
 /**
  * Finds the leaves of a composite dataset below the nodes that `selectors` (see vtkDataAssembly::SelectNodes) name in an
- * assembly: "Assembly", that of a vtkPartitionedDataSetCollection itself, or "Hierarchy", its structure of blocks, which a
- * vtkMultiBlockDataSet has too. Empty, or a sentence that says why nothing can be chosen. `unmatched` gets the selectors that name
- * no leaf.
+ * assembly. The assembly is "Assembly", that of a vtkPartitionedDataSetCollection itself, or "Hierarchy", its structure of
+ * blocks, which a vtkMultiBlockDataSet has too. Returns an empty string, or a sentence with the reason why nothing can be chosen.
+ * `unmatched` receives the selectors that name no leaf.
  */
 std::string SelectLeaves(vtkDataObject* input, const std::string& assemblyName,
   const std::vector<std::string>& selectors, std::set<vtkDataObject*>& leaves,

@@ -80,7 +80,7 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
     estimated->InsertNextValue(body.IsEstimated() ? 1 : 0);
     faces->InsertNextValue(static_cast<int>(body.Model->GetNumberOfFaces()));
   }
-  // The label columns come first in a spreadsheet.
+  // The columns of labels are the first ones in a spreadsheet.
   vtkNew<vtkDataSetAttributes> values;
   values->ShallowCopy(solids->GetRowData());
   solids->GetRowData()->Initialize();
@@ -126,8 +126,8 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
       for (std::size_t column = 0; column < wanted.size(); ++column)
       {
         const int k = wanted[column];
-        const double turn = bodies[row].InsideOut ? -1.0 : 1.0;
-        const double side = integrands[k].ClosedChain ? turn * bodies[row].GetSide(i) : 1.0;
+        const double bodySign = bodies[row].InsideOut ? -1.0 : 1.0;
+        const double side = integrands[k].ClosedChain ? bodySign * bodies[row].GetSide(i) : 1.0;
         const double value = known ? side * (result->Face[k] + result->Closing[k]) : vtkMath::Nan();
         const double bound = known ? result->GetBound(k) : vtkMath::Nan();
         values[2 * column].Append(&value);

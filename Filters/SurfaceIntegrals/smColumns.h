@@ -1,6 +1,6 @@
 /**
  * @file smColumns.h
- * @brief Field data and table columns, written in one way
+ * @brief Functions that write field data and table columns
  */
 #ifndef smColumns_h
 #define smColumns_h
@@ -34,7 +34,7 @@ private:
   vtkNew<vtkDoubleArray> Array;
 };
 
-/// One-row arrays.
+/// Add arrays of one row.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SetDoubles(
   vtkFieldData* data, const std::string& name, const double* values, int components);
 SMFILTERSSURFACEINTEGRALS_EXPORT void SetInteger(
@@ -42,16 +42,16 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void SetInteger(
 SMFILTERSSURFACEINTEGRALS_EXPORT void SetString(
   vtkFieldData* data, const std::string& name, const std::string& value);
 
-/// Name, Id, Status, LengthUnit, OpenEdges, FlippedShells and Faces of every body.
+/// Adds the columns Name, Id, Status, LengthUnit, OpenEdges, FlippedShells and Faces with a row for every body.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddBodyColumns(
   const std::vector<BodyIntegrals>& bodies, vtkTable* solids);
 
-/// A row per face and instance: Solid, FaceId, the `wanted` integrands (indices) over face, ribbons and caps, and their
-/// bounds. A flux of a shell or a body that is inside out is turned with it.
+/// Adds a row per face and instance: Solid, FaceId, the integrands with indices `wanted` over face, ribbons and caps, and their
+/// bounds. Fluxes of a shell or body that is inside out are reversed.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddFaceRows(const std::vector<BodyIntegrals>& bodies,
   const std::vector<Integrand>& integrands, vtkTable* faces, const std::vector<int>& wanted);
 
-/// A row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared.
+/// Adds a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges);
 }
 }

@@ -30,7 +30,7 @@ std::vector<EdgeGap> CollectEdgeGaps(
   for (std::size_t f = 0; f < sources.size(); ++f)
   {
     const Face& face = *sources[f];
-    // Place of every coedge's edge; none for a pole.
+    // Index of the edge of every coedge; `none` for a pole.
     std::vector<std::vector<std::size_t>> placeOf(face.Loops.size());
     const std::size_t none = std::numeric_limits<std::size_t>::max();
     for (std::size_t l = 0; l < face.Loops.size(); ++l)

@@ -1,6 +1,6 @@
 /**
  * @file smEdgeGaps.h
- * @brief The gaps between faces and their common edges, edge by edge
+ * @brief Gaps between faces and their common edges, for each edge
  */
 #ifndef smEdgeGaps_h
 #define smEdgeGaps_h
@@ -15,14 +15,14 @@
 
 namespace sm
 {
-/// One edge of a body with the gaps of all its uses.
+/// The gaps of all coedges of one edge of a body.
 struct EdgeGap
 {
   const Edge* Source = nullptr;
-  /// Coedges that use the edge, and whether their directions cancel.
+  /// Number of coedges that use the edge, and the sum of their signs, which is 0 if their directions cancel.
   int Uses = 0;
   int SignedUses = 0;
-  /// Sums over the uses, and the widest gap of any; NaN when not every use was measured.
+  /// Sums over the coedges, and their widest gap; NaN if not every coedge was measured.
   double GapSquared = 0.0;
   double GapArea = 0.0;
   double MaxGap = 0.0;
@@ -30,19 +30,19 @@ struct EdgeGap
   bool IsOpen() const { return this->SignedUses != 0; }
 };
 
-/// Order of the table: the widest gap first, gaps that are not known last.
+/// Order of the table: the widest gap first, unknown gaps last.
 SMFILTERSSURFACEINTEGRALS_EXPORT bool IsWider(const EdgeGap& a, const EdgeGap& b);
 
 /**
- * Adds the coedges' gaps up by edge, the widest first, then in the order of the faces; edges that are not known come
- * last. `faces` holds the results of the model's faces in their order, or is null: nothing is known. Edges that are one
- * point are left out.
+ * Adds up the gaps of the coedges of each edge. The result is sorted by the widest gap, then in the order of the faces; edges
+ * with unknown gaps are last. `faces` has the results of the model's faces in their order; if it is null, all gaps are unknown.
+ * Edges that are one point are omitted.
  */
 SMFILTERSSURFACEINTEGRALS_EXPORT std::vector<EdgeGap> CollectEdgeGaps(
   const vtkTrimmedNURBSModel& model, const std::vector<FaceIntegrals>* faces);
 
-/// A sentence about the widest gap when it exceeds the tolerance that the file gives its edge, or 1e-5 of `size`; else
-/// empty. What rounding leaves, below 1e-12 of the size, is no gap.
+/// Returns a sentence about the widest gap if it exceeds the tolerance of its edge in the file, or 1e-5 of `size`; else an empty
+/// string. Gaps below 1e-12 of the size are attributed to rounding.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::string DescribeWorstEdge(
   const std::vector<EdgeGap>& edges, double size);
 }

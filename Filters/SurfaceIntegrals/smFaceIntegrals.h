@@ -1,6 +1,6 @@
 /**
  * @file smFaceIntegrals.h
- * @brief One face to integrate, and what came of it
+ * @brief A face to integrate, and its results
  */
 #ifndef smFaceIntegrals_h
 #define smFaceIntegrals_h
@@ -14,19 +14,20 @@
 
 namespace sm
 {
-/// One face to integrate. Its result depends on nothing but this.
+/// A face to integrate. Its result depends on nothing else.
 struct FaceTask
 {
   FacePointer Source;
-  /// Not null: what `Source` is cut into, by somebody else; its Source is the same.
+  /// Panels of `Source` if the caller has cut it; null if the integrator is to cut it. The Source of both must be the same.
   CutFacePointer Cut;
   /// Absolute tolerance of each integrand for this face.
   std::vector<double> Tolerances;
-  /// Rows of a 3x4 placement applied to positions and normals; used when SetUsePlacements(true).
+  /// Rows of a 3x4 placement applied to positions and normals; used after SetUsePlacements(true).
   std::array<double, 12> Placement{};
 };
 
-/// The gap between one use of an edge and its curve, at foot points: integral of the square, of the gap, and the largest.
+/// The gap along one coedge, the distance of the face's curve from the edge's curve at foot points: integral of its square,
+/// integral, and maximum.
 struct CoedgeGap
 {
   int Loop = 0;
@@ -36,20 +37,20 @@ struct CoedgeGap
   double MaxGap = 0.0;
 };
 
-/// Not std::max, which loses a NaN.
+/// Returns the larger of two gaps. std::max is not used here because it may drop a NaN.
 inline double GetLargerGap(double a, double b)
 {
   return std::isnan(a) || b <= a ? a : b;
 }
 
-/// Results of one face, one entry per integrand. NaN for an integrand that the runner cannot evaluate.
+/// Results of one face, with one entry per integrand. An integrand that the runner cannot evaluate is NaN.
 struct FaceIntegrals
 {
   /// Integral over the face alone, and over its ribbons and caps.
   std::vector<double> Face;
   std::vector<double> Closing;
-  /// Bounds, over both: of the quadrature's error (where Estimated: from differences of orders), of the rounding of
-  /// every sample, and of what the residuals of converted curves and surfaces may move.
+  /// Bounds over both: of the quadrature's error (if Estimated, from differences of orders), of the rounding of every sample, and
+  /// of the effect of the residuals of converted curves and surfaces.
   std::vector<double> QuadratureError;
   std::vector<double> Rounding;
   std::vector<double> Conversion;
@@ -57,7 +58,7 @@ struct FaceIntegrals
   {
     return this->QuadratureError[integrand] + this->Rounding[integrand] + this->Conversion[integrand];
   }
-  /// Adds an integrand, with this number for all of its entries.
+  /// Appends an integrand whose entries all have this value.
   void Append(double value)
   {
     for (std::vector<double>* values :
@@ -66,19 +67,19 @@ struct FaceIntegrals
       values->push_back(value);
     }
   }
-  /// The bound of the area, or of an integrand without a theory, is no theorem.
+  /// True if the bound of the area, or of an integrand without a theory, is estimated and not proved.
   bool Estimated = false;
-  /// The run was stopped before this face: its integrals are 0, with their largest possible magnitude as error.
+  /// True if the run was stopped before this face: its integrals are 0, with their largest possible magnitude as error.
   bool Skipped = false;
-  /// Gaps between coedges and their edges, at foot points: integral of the square, of the gap, and the largest.
+  /// Gaps between all coedges and their edges at foot points: integral of the square, integral, and maximum.
   double GapSquared = 0.0;
   double GapArea = 0.0;
   double MaxGap = 0.0;
-  /// The same for every coedge that was measured.
+  /// Gap of every coedge that was measured.
   std::vector<CoedgeGap> Gaps;
   int CoverageDefects = 0;
   double Outside = 0.0;
-  /// Not empty: the face could not be integrated; everything else is zero.
+  /// Reason why the face could not be integrated, in which case everything else is zero; empty otherwise.
   std::string Error;
 };
 }

@@ -18,11 +18,11 @@ std::size_t CountBytes(const FacePlan& plan)
     sizeof(double);
 }
 
-// Faces planned between two reports of progress.
+// Number of faces that are planned between two reports of progress.
 constexpr std::size_t PlansPerReport = 256;
-// Portions that a thread takes at a time.
+// Number of portions per task of a thread.
 constexpr std::size_t PortionsPerTask = 1;
-// What tolerances are multiplied by until a plan meets its budget, and how often.
+// Factor by which tolerances are multiplied until a plan meets its budget, and the largest number of times.
 constexpr double LooseningFactor = 1e3;
 constexpr int MostLoosenings = 5;
 
@@ -47,7 +47,7 @@ bool FindClass(const Integrand& integrand, BoundClass& found)
   }
 }
 
-/// The translation of a placement turned back by its rotation.
+/// Returns the translation of a placement in the rotated coordinates before the placement, R^T t.
 std::array<double, 3> GetShift(const std::array<double, 12>& placement)
 {
   std::array<double, 3> shift{};
@@ -103,7 +103,7 @@ bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vec
       return false;
     }
     const std::size_t end = std::min(begin + PlansPerReport, faces.size());
-    // Portions of all faces alike: one face that changed is planned by all threads, too.
+    // All threads share the portions of all faces, so that a single changed face is planned by all threads too.
     std::vector<std::size_t> missing;
     std::vector<std::vector<PlanPortion>> portions;
     std::vector<std::pair<std::size_t, std::size_t>> work;

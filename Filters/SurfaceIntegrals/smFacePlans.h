@@ -1,6 +1,6 @@
 /**
  * @file smFacePlans.h
- * @brief The plans of a run's faces: made in parallel, kept for the next run, loosened to a budget
+ * @brief Quadrature plans of a run's faces, computed in parallel, kept for the next run, and loosened to meet a budget
  */
 #ifndef smFacePlans_h
 #define smFacePlans_h
@@ -22,24 +22,25 @@ namespace sm
 {
 struct FaceTask;
 
+/// Plans the orders of all faces of a run.
 class FacePlans
 {
 public:
-  /// False when an integrand has no theory, so that nothing can be planned. Forgets all plans.
+  /// Sets the integrands and removes all plans. Returns false if an integrand has no theory, so that nothing can be planned.
   bool SetIntegrands(const std::vector<Integrand>& integrands, int stripPoints);
-  /// Forgets all plans.
+  /// Removes all plans.
   void Clear();
-  /// The class that bounds an integrand, an index into a plan's bounds.
+  /// Returns the class that bounds an integrand, an index into a plan's bounds.
   std::size_t GetClass(std::size_t integrand) const { return this->ClassOf[integrand]; }
   const BoundClass& GetBoundClass(std::size_t integrand) const
   {
     return this->Classes[this->ClassOf[integrand]];
   }
 
-  /// Plans every task by its face; `chosen` says which of a task's tolerances belong to the integrands. Faces that could not be
-  /// cut get an empty plan. A plan of the last run is found again. `addUp` adds the evaluations of what else is planned for the
-  /// same budget; it is called once for every loosening, stopped or not, and returns false to stop. False when `progress` or
-  /// `addUp` stopped it.
+  /// Plans every task by its face; `chosen` has the indices of the task's tolerances that belong to the integrands. Faces that
+  /// could not be cut have an empty plan. Plans of the last run are reused. `addUp` adds the evaluations of other plans with the
+  /// same budget; it is called once for every loosening, whether stopped or not, and returns false to stop. Returns false if
+  /// `progress` or `addUp` stopped it.
   bool Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFacePointer>& faces,
     const std::vector<std::size_t>& chosen, bool usePlacements, std::int64_t maximumEvaluations,
     const ProgressCallback& progress, const std::function<bool(std::int64_t&)>& addUp);
@@ -48,9 +49,9 @@ public:
   bool CheckSuccess() const;
 
   const FacePlan& Get(std::size_t task) const { return *this->Plans[task]; }
-  /// What was planned for, tolerances loosened.
+  /// Returns the request of a task's plan, with loosened tolerances.
   const PlanRequest& GetRequest(std::size_t task) const { return this->Requests[task]; }
-  /// Tolerances were loosened to meet the budget.
+  /// Returns true if tolerances were loosened to meet the budget.
   bool WasLoosened() const { return this->Loosenings > 0; }
   int GetLoosenings() const { return this->Loosenings; }
 

@@ -1,6 +1,6 @@
 /**
  * @file smFaceResultCache.h
- * @brief Integrals of faces kept by face id and by what they were asked for, so that an edit costs what it changed
+ * @brief Integrals of faces, cached by face id and request, so that after an edit only the changed faces are evaluated
  */
 #ifndef smFaceResultCache_h
 #define smFaceResultCache_h
@@ -16,13 +16,14 @@
 
 namespace sm
 {
-/// The result of a face depends on the face and on this, and on no other face; so what is kept has the bits of a full run.
+/// Cache key of the result of a face. The result depends only on the face and this key, and not on other faces, so that a cached
+/// result is bitwise equal to that of a full run.
 struct FaceResultKey
 {
   std::vector<double> Tolerances;
-  /// Zero where results do not depend on it.
+  /// Placement; zero if results do not depend on it.
   std::array<double, 12> Placement{};
-  /// Empty where nothing is planned.
+  /// Request of the plan; empty if nothing is planned.
   PlanRequest Request;
 
   bool operator==(const FaceResultKey& other) const
@@ -34,7 +35,7 @@ struct FaceResultKey
 
 using FaceResultCache = FaceCache<FaceResultKey, std::shared_ptr<const FaceIntegrals>>;
 
-/// Bytes of a result.
+/// Returns the number of bytes of a result.
 std::size_t CountBytes(const FaceIntegrals& result);
 }
 

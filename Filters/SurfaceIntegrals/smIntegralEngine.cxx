@@ -15,7 +15,7 @@ namespace sm
 {
 namespace
 {
-/// Adds the tasks of a body's faces, without what a whole body has in common.
+/// Adds a task per face of a body, each with the body's placement and an equal share of its tolerances.
 void AddTasks(const IntegralRequest& request, const BodyIntegrals& body, std::vector<FaceTask>& tasks)
 {
   const std::vector<FacePointer>& faces = body.Model->GetFaces();
@@ -105,7 +105,7 @@ bool IntegralEngine::ChooseRunner(BackendChoice backend)
   {
     this->Report.FallbackReason = this->Context->GetReason();
   }
-  // Another context may be another device, which may round otherwise.
+  // Another context may use another device, with different rounding.
   const vtkTypeUInt64 generation = hasOpenGL ? this->Context->GetGeneration() : 0;
   if (this->Generation != generation)
   {
@@ -177,8 +177,8 @@ bool IntegralEngine::RunTasks(
   }
   if (this->Integrator.WasLoosened())
   {
-    this->Report.Messages.push_back(
-      "MaximumEvaluations are too few for the tolerance: it was loosened, and the bounds say by how much");
+    this->Report.Messages.push_back("MaximumEvaluations is too small for the tolerance, which was loosened; "
+                                    "the bounds show the accuracy reached");
   }
   return true;
 }
@@ -292,7 +292,7 @@ bool IntegralEngine::Integrate(
     shared;
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
-    // Keyed by the model too: a body without faces starts at the same task as the one behind it.
+    // The key includes the model because a body without faces has the same first task as the next body.
     auto& faces = shared[{ firstTask[i], bodies[i].Model }];
     if (!faces)
     {
@@ -336,7 +336,7 @@ void IntegralEngine::RunAsWorker(const IntegralRequest& request, const IntegralL
 
 void IntegralEngine::ReleaseMemory()
 {
-  // The next run chooses a runner, which cuts and uploads anew.
+  // The next run chooses a new runner, which cuts and uploads the faces again.
   this->Integrator.ReleaseMemory();
   this->Runner.clear();
 }

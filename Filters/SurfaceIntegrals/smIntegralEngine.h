@@ -1,6 +1,6 @@
 /**
  * @file smIntegralEngine.h
- * @brief What all filters over surface integrals run on: context, backend, ranks, and the report of a run
+ * @brief Engine of all filters over surface integrals: context, backend, ranks, and the report of a run
  */
 #ifndef smIntegralEngine_h
 #define smIntegralEngine_h
@@ -29,22 +29,22 @@ class vtkFieldData;
 
 namespace sm
 {
-/// A run as its user sees it: what the getters return and what stands in the field data.
+/// Report of a run, with the values of the getters and of the field data.
 struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
 {
   sm::Status Status = sm::Status::None;
   std::vector<std::string> Messages;
-  /// The message that says what stopped the run, or why there was nothing to compute; empty when neither is so.
+  /// The message that gives the reason why the run stopped or had nothing to compute; empty otherwise.
   std::string Reason;
-  /// A message about all bodies at once, which follows those about each of them.
+  /// A message about all bodies together, which follows the messages about single bodies.
   std::string Note;
   std::string Backend = names::BackendNone;
   std::string Renderer;
-  /// Why the CPU computed where OpenGL would have been preferred.
+  /// Reason why the CPU was used although OpenGL is preferred; empty otherwise.
   std::string FallbackReason;
   std::int64_t Evaluations = 0;
   std::int64_t Dispatches = 0;
-  /// Some bound is an estimate and no theorem.
+  /// True if some bound is estimated and not proved.
   bool Estimated = false;
   int Solids = 0;
   int Faces = 0;
@@ -53,13 +53,13 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   double PrepareSeconds = 0.0;
   double IntegrateSeconds = 0.0;
 
-  /// Adds a message; the first of a run is its reason.
+  /// Adds a message; the first one of a run becomes its Reason.
   void SetReason(const std::string& message);
-  /// Status, Backend, Renderer, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated.
+  /// Adds the arrays Status, Backend, Renderer, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated.
   void FillFieldData(vtkFieldData* data) const;
 };
 
-/// Which backend may compute, as vtkSurfaceIntegralBase::BackendType.
+/// The backends that may compute, as in vtkSurfaceIntegralBase::BackendType.
 enum class BackendChoice
 {
   Automatic,
@@ -67,33 +67,35 @@ enum class BackendChoice
   CPU
 };
 
-/// What is to be integrated over the faces of the bodies.
+/// The integrals to compute over the faces of the bodies.
 struct IntegralRequest
 {
   std::vector<Integrand> Integrands;
-  /// True: in world coordinates, instance by instance. False: about each part's own origin, once for all its instances.
+  /// True: in world coordinates, for each instance. False: about each part's own origin, once for all its instances.
   bool UsePlacements = true;
-  /// Absolute tolerances of the integrands over a whole body; every face gets an equal share, whatever the others' results.
+  /// Returns absolute tolerances of the integrands over a whole body. Every face gets an equal share, independent of other
+  /// results.
   std::function<std::vector<double>(const BodyIntegrals&)> GetTolerances;
   /// Entity numbers of the faces to integrate over; empty: all.
   std::set<int> FaceIds;
 };
 
-/// What a run may use and spend.
+/// Limits and options of a run.
 struct IntegralLimits
 {
   BackendChoice Backend = BackendChoice::Automatic;
   std::int64_t MaximumEvaluations = 2000000000;
-  /// 0: no limit.
+  /// Limit of the run time in seconds; 0: no limit.
   double MaximumSeconds = 0.0;
   bool CacheFaceResults = true;
-  /// Factor of every sample, for tests.
+  /// Factor applied to every sample, for tests.
   double Perturbation = 1.0;
   ProgressCallback Progress;
 };
 
 /**
- * Keeps the context, the integrator with its runner, and what is known of faces from run to run. Not thread safe.
+ * Runs the integration for a filter. It keeps the context, the integrator with its runner, and cached data of faces from run to
+ * run. Not thread safe.
  */
 class SMFILTERSSURFACEINTEGRALS_EXPORT IntegralEngine
 {
@@ -107,12 +109,13 @@ public:
   const RunReport& GetReport() const { return this->Report; }
 
   ///@{
-  /** The ranks that may share a run; null: this process alone. */
+  /** The ranks that may share a run; null: only this process. */
   void SetController(vtkMultiProcessController* controller) { this->Controller = controller; }
   vtkMultiProcessController* GetController() const { return this->Controller; }
   ///@}
 
-  /// What a rank does in a run: all there is to do; its share of what another rank has; or nothing, with empty outputs.
+  /// Role of a rank in a run: it has the bodies; it computes a share of another rank's faces; or it has nothing to do, with empty
+  /// outputs.
   enum class Role
   {
     Owner,
@@ -120,33 +123,34 @@ public:
     Idle
   };
   /**
-   * Finds this rank's role together with the other ranks, if `pieces` of the update are as many as there are ranks. `root` gets
-   * the rank that a worker works for. Collective.
+   * Determines this rank's role together with the other ranks, if `pieces` of the update equals the number of ranks; otherwise
+   * the rank runs alone. `root` receives the rank for which a worker computes. Collective.
    */
   Role ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies, int& root);
   /// Releases the ranks that wait for a share of this run, if it ended before they got one.
   void ReleaseWorkers();
 
-  /// Gives the integrator the runner that `backend` asks for and the machine has. False, with a reason in the report, without one.
+  /// Gives the integrator a runner that `backend` allows and the machine supports. Returns false, with a reason in the report, if
+  /// there is none.
   bool ChooseRunner(BackendChoice backend);
-  /// Gives the integrator integrands and limits.
+  /// Sets the integrands and limits of the integrator.
   void Configure(const IntegralRequest& request, const IntegralLimits& limits);
 
   /**
-   * Gives every body the integrals of its faces, with the other ranks if they share the run. False when nothing was computed; the
-   * report says why.
+   * Sets the Faces of every body, together with the other ranks if they share the run. Returns false if nothing was computed; the
+   * report then has the reason.
    */
   bool Integrate(
     const IntegralRequest& request, const IntegralLimits& limits, std::vector<BodyIntegrals>& bodies);
-  /// Does this rank's share of the faces that the rank `root` has. Its report says what it computed with.
+  /// Integrates this rank's share of the faces of the rank `root`. This rank's own report has only its device.
   void RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits, int root);
 
-  /// Adds what the integrator spent in its last run to the report. `dispatches` is their number before that run.
+  /// Adds the effort of the integrator's last run to the report. `dispatches` is the number of dispatches before that run.
   void AddEffort(vtkTypeUInt64 dispatches);
-  /// Why an integrand of the last run could not be evaluated; empty when it could.
+  /// Returns the reason why an integrand of the last run could not be evaluated; empty if it could.
   std::string GetObstacle(std::size_t integrand) const { return this->Integrator.GetObstacle(integrand); }
 
-  /// Releases all memory: cut faces, results of faces, and what is on the GPU.
+  /// Releases all memory: cut faces, results of faces, and GPU buffers.
   void ReleaseMemory();
 
 private:

@@ -1,4 +1,4 @@
-// Several ranks in a run of the engine: who has bodies, who works for whom, and what is said of it.
+// Runs of the engine with several ranks: roles of the ranks, and the report.
 #include "smIntegralEngine.h"
 
 #include "Sharing/smFaceExchange.h"
@@ -9,7 +9,7 @@ namespace sm
 {
 namespace
 {
-/// "a+b": what stands in front first, everything once.
+/// Appends "+more" to a list such as "a+b", unless it already contains it.
 void Join(std::string& all, const std::string& more, const std::string& separator)
 {
   const std::string end = separator + more + separator;
@@ -24,7 +24,7 @@ IntegralEngine::Role IntegralEngine::ChooseRole(
   bool canShare, int pieces, bool hasInput, bool hasBodies, int& root)
 {
   this->Exchange = nullptr;
-  // One that asks for another number of pieces is updated for itself, and others need not be.
+  // If the update has another number of pieces, it concerns this process alone, and other ranks may not take part.
   if (!this->Controller || this->Controller->GetNumberOfProcesses() < 2 ||
     this->Controller->GetNumberOfProcesses() != pieces)
   {
@@ -57,7 +57,7 @@ IntegralEngine::Role IntegralEngine::ChooseRole(
     this->Exchange = shares ? std::move(exchange) : nullptr;
     return isOwner ? Role::Owner : shares ? Role::Worker : Role::Idle;
   }
-  // That there is nothing is said once.
+  // Only one rank reports that there are no bodies.
   return hasInput || (inputs == 0 && exchange->GetRank() == 0) ? Role::Owner : Role::Idle;
 }
 
@@ -115,7 +115,7 @@ void IntegralEngine::ReportRanks()
   {
     this->Report.Messages.push_back(
       "ranks computed with different devices: values are within their bounds, but "
-      "not the bits of one device");
+      "may differ in rounding from those of one device");
   }
 }
 }

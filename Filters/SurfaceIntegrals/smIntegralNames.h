@@ -1,6 +1,6 @@
 /**
  * @file smIntegralNames.h
- * @brief Names of the arrays and of the statuses that every filter over surface integrals puts out
+ * @brief Names of the arrays and statuses in the outputs of all filters over surface integrals
  *
  * Field data of port 0 and columns of the tables use the same names. Tests, the ParaView plugin, the command line and the
  * documentation use these constants. L is the length unit of the model.
@@ -14,25 +14,24 @@ namespace names
 {
 // <quantity> + BoundSuffix: 1 number, the largest error of any component, in the quantity's unit.
 constexpr const char* BoundSuffix = "Bound";
-// Defects of the model; no part of a bound.
+// Defects of the model; they are not part of any bound.
 constexpr const char* GapSquared = "GapSquared"; // 1, L^3, integral of the squared gap along the coedges
 constexpr const char* MaxGap = "MaxGap";         // 1, L
 constexpr const char* GapArea = "GapArea";       // 1, L^2
 constexpr const char* OpenEdges = "OpenEdges";   // 1 (int)
-constexpr const char* FlippedShells = "FlippedShells"; // 1 (int), shells that were inside out and were turned
+constexpr const char* FlippedShells = "FlippedShells"; // 1 (int), inside-out shells, all reversed
 
 constexpr const char* BoundsEstimated =
-  "BoundsEstimated"; // 1 (int), 1: some bound (the area's, or of an expression) is an estimate, no theorem
+  "BoundsEstimated"; // 1 (int), 1: some bound (of the area or an expression) is estimated, not proved
 
 constexpr const char* LengthUnit = "LengthUnit"; // string
 constexpr const char* Status = "Status";         // string, see below
 constexpr const char* Backend = "Backend"; // string: "opengl", "cpu", "none"; joined by + where ranks differ
-constexpr const char* Renderer = "Renderer"; // string: GL_RENDERER, or "CPU, N threads"
-constexpr const char* Evaluations =
-  "Evaluations"; // 1 (int64), surface evaluations, as counted by what computed
-constexpr const char* Dispatches = "Dispatches"; // 1 (int64)
-constexpr const char* Faces = "Faces";           // 1 (int)
-constexpr const char* Ranks = "Ranks";           // 1 (int), processes that integrated faces
+constexpr const char* Renderer = "Renderer";       // string: GL_RENDERER, or "CPU, N threads"
+constexpr const char* Evaluations = "Evaluations"; // 1 (int64), surface evaluations, counted by the device
+constexpr const char* Dispatches = "Dispatches";   // 1 (int64)
+constexpr const char* Faces = "Faces";             // 1 (int)
+constexpr const char* Ranks = "Ranks";             // 1 (int), processes that integrated faces
 
 // Columns of the tables only.
 constexpr const char* Name = "Name";     // string
@@ -44,16 +43,16 @@ constexpr const char* Uses = "Uses";     // int: coedges that use the edge
 constexpr const char* Open = "Open";     // int: 1 when its signed uses do not cancel
 constexpr const char* Text = "Text";     // string, the one cell of the text table
 
-// What stands beside the integrands' columns in vtkSurfaceIntegralGPU's outputs: an integrand has none of these names.
+// Names of other columns in vtkSurfaceIntegralGPU's outputs, which integrands must not have.
 constexpr const char* ReservedColumnNames[] = { Name, Id, Solid, FaceId, Faces, Status, Backend, Renderer,
   Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated, Ranks };
 
-// What computed.
+// Backends.
 constexpr const char* BackendOpenGL = "opengl";
 constexpr const char* BackendCPU = "cpu";
 constexpr const char* BackendNone = "none";
 
-// One spelling of every status.
+// Statuses, in their only spelling.
 constexpr const char* StatusOk = "ok";
 constexpr const char* StatusOpen = "open";
 constexpr const char* StatusToleranceNotMet = "tolerance-not-met";

@@ -11,13 +11,13 @@ namespace
 {
 using Point = ShellMesh::Point;
 
-/// Points asked for their winding number.
+/// Largest number of points at which the winding number is computed.
 constexpr std::size_t MostSamples = 24;
-/// Triangles longer than this part of the region in question are halved, at most so often.
+/// Longest side of a triangle, relative to the region of interest, above which it is halved, and the largest number of halvings.
 constexpr double SampleSpacing = 0.3;
 constexpr int MaximumDepth = 16;
 
-/// A winding number this far from a whole number belongs to a point on the other mesh, or to a mesh with a hole.
+/// Distance from an integer above which a winding number indicates a point on the other mesh, or a mesh with a hole.
 constexpr double WholeNumber = 0.25;
 
 Point Subtract(const Point& a, const Point& b)
@@ -40,7 +40,7 @@ double Norm(const Point& a)
   return std::sqrt(Dot(a, a));
 }
 
-/// c + x a + y b
+/// Returns c + x a + y b.
 Point Combine(const Point& c, double x, const Point& a, double y, const Point& b)
 {
   return { c[0] + x * a[0] + y * b[0], c[1] + x * a[1] + y * b[1], c[2] + x * a[2] + y * b[2] };
@@ -71,7 +71,7 @@ double GetDistance(const Point& p, const std::array<Point, 3>& t)
   return above ? std::abs(Dot(Subtract(p, t[0]), normal)) / length : border;
 }
 
-/// Solid angle of a triangle seen from p (Van Oosterom and Strackee 1983).
+/// Returns the solid angle of a triangle seen from p (Van Oosterom and Strackee 1983).
 double GetSolidAngle(const Point& p, const std::array<Point, 3>& t)
 {
   const Point a = Subtract(t[0], p);
@@ -92,8 +92,8 @@ double GetLength(const vtkBoundingBox& box)
 
 void ShellMesh::AddTriangle(const std::array<Point, 3>& corners, const std::array<Point, 3>& normals)
 {
-  // A surface that leaves the plane of a chord of length h by the angle a at its ends stands off by about h a / 4 at
-  // most; twice that is assumed.
+  // A surface that is inclined by the angle a against a chord of length h at the chord's ends deviates from it by about h a / 4
+  // at most; twice this distance is assumed.
   const Point own = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
   const double area = Norm(own);
   double longest = 0.0;
@@ -186,7 +186,7 @@ ShellMesh::Place ShellMesh::Find(const ShellMesh& other) const
   {
     return Place::Outside;
   }
-  // A corner outside the other's box by more than its surface may bulge is outside.
+  // A corner outside the other's box by more than the deviation of the other's surface is outside the shell.
   double bulge = 1e-9 * GetLength(other.Box);
   for (const Triangle& triangle : other.Triangles)
   {

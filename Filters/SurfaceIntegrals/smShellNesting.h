@@ -1,6 +1,6 @@
 /**
  * @file smShellNesting.h
- * @brief Which closed mesh lies in which, told by winding numbers
+ * @brief Nesting of closed meshes, determined by winding numbers
  */
 #ifndef smShellNesting_h
 #define smShellNesting_h
@@ -18,28 +18,30 @@ class ShellMesh
 public:
   using Point = std::array<double, 3>;
 
-  /// `normals` of the corners, unit or zero, say how far the surface may stand off a flat triangle.
+  /// Adds a triangle. The `normals` at the corners, unit or zero, determine how far the surface may deviate from the flat
+  /// triangle.
   void AddTriangle(const std::array<Point, 3>& corners, const std::array<Point, 3>& normals);
 
   bool IsEmpty() const { return this->Triangles.empty(); }
   const vtkBoundingBox& GetBox() const { return this->Box; }
 
+  /// Position of a shell with respect to another one.
   enum class Place
   {
     Inside,
     Outside,
-    /// Parts of it lie on both sides.
+    /// Parts of the shell lie on both sides.
     Crossing,
-    /// No point of it is farther from the other than the meshes are from the surfaces.
+    /// No point of the shell is farther from the other one than the meshes may be from their surfaces.
     Unknown
   };
 
   /**
-   * Where this shell lies with respect to another. Up to 24 points of this mesh, those near the other shell, ask for
-   * their winding number about the other's triangles: 0 outside, 1 or -1 inside, whichever way the other is
-   * oriented. It is a sum of solid angles, so that small holes between the triangles of two faces do not matter.
-   * Points that disagree are asked whether they are farther from the other mesh than both meshes may be from
-   * their surfaces; only those count then. A crossing smaller than the distance of the points is not seen.
+   * Returns the position of this shell with respect to another one. The winding number about the other's triangles is computed at
+   * up to 24 points of this mesh near the other shell: 0 outside, 1 or -1 inside, for either orientation of the other shell. It
+   * is a sum of solid angles, so that small holes between the triangles of two faces have little effect. If points disagree, only
+   * those count whose distance from the other mesh exceeds the possible distance of both meshes from their surfaces. A crossing
+   * smaller than the distance between the points is not detected.
    */
   Place Find(const ShellMesh& other) const;
 
@@ -47,7 +49,7 @@ private:
   struct Triangle
   {
     std::array<Point, 3> Corners;
-    /// Largest distance from the surface it stands for.
+    /// Largest distance between the triangle and the surface.
     double Deviation;
   };
   struct Sample

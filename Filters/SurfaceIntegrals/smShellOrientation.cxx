@@ -22,7 +22,7 @@ namespace sm
 {
 namespace
 {
-/// Sets of faces that only grow together.
+/// Disjoint sets of faces (union-find).
 class Partition
 {
 public:
@@ -49,7 +49,7 @@ private:
   std::vector<int> Parent;
 };
 
-/// Shell of every face, from 0 in the order of their first faces; their number comes back.
+/// Sets the shell of every face, numbered from 0 in the order of their first faces. Returns the number of shells.
 int FindShells(vtkTrimmedNURBSModel& model, std::vector<int>& shellOfFace)
 {
   const std::vector<FacePointer>& faces = model.GetFaces();
@@ -65,7 +65,7 @@ int FindShells(vtkTrimmedNURBSModel& model, std::vector<int>& shellOfFace)
       }
     }
   }
-  // Faces joined by an edge within one of the file's shells; what an edge's uses sum to there.
+  // Join faces that share an edge within one of the file's shells, and sum the signed uses of each edge within the shell.
   Partition parts(faces.size());
   struct Uses
   {
@@ -91,7 +91,7 @@ int FindShells(vtkTrimmedNURBSModel& model, std::vector<int>& shellOfFace)
       }
     }
   }
-  // A face without loops names no neighbour: all of its shell are taken for one.
+  // A face without loops has no known neighbours: all faces of its shell are joined.
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     for (std::size_t other = 0; faces[f]->Loops.empty() && other < faces.size(); ++other)
@@ -102,7 +102,7 @@ int FindShells(vtkTrimmedNURBSModel& model, std::vector<int>& shellOfFace)
       }
     }
   }
-  // Shells that close only together.
+  // Join shells that are closed only together.
   for (const auto& [edge, inShells] : uses)
   {
     int open = -1;
@@ -144,7 +144,7 @@ std::vector<ShellMesh> MakeMeshes(vtkPolyData* mesh, const std::vector<int>& she
   };
   const auto normal = [normals](vtkIdType id)
   {
-    // Without normals the triangles are taken for flat.
+    // Without normals the triangles are assumed to be flat.
     ShellMesh::Point n{ 0.0, 0.0, 0.0 };
     if (normals)
     {
@@ -152,7 +152,7 @@ std::vector<ShellMesh> MakeMeshes(vtkPolyData* mesh, const std::vector<int>& she
     }
     return n;
   };
-  // Polygons come after vertices and lines in a polydata's cell data.
+  // In the cell data of a polydata, polygons follow vertices and lines.
   vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   const auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++cell)
@@ -174,14 +174,15 @@ std::vector<ShellMesh> MakeMeshes(vtkPolyData* mesh, const std::vector<int>& she
   return meshes;
 }
 
-/// Number of shells around each shell; a sentence when it cannot be told.
+/// Computes the number of shells around each shell. Returns a sentence with the reason if it cannot be determined, else an empty
+/// string.
 std::string FindDepths(
   const std::vector<ShellMesh>& meshes, const std::vector<double>& volumes, std::vector<int>& depths)
 {
   depths.assign(meshes.size(), 0);
   if (std::any_of(meshes.begin(), meshes.end(), [](const ShellMesh& m) { return m.IsEmpty(); }))
   {
-    return "a shell has no display mesh, so that it cannot be told whether it is a void";
+    return "a shell has no display mesh, so that it cannot be determined whether it is a void";
   }
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
@@ -196,10 +197,11 @@ std::string FindDepths(
       }
       if (ij == Place::Unknown || ji == Place::Unknown)
       {
-        return "two of its shells are so near each other that it cannot be told whether one is a void in the "
+        return "two of its shells are so near each other that it cannot be determined whether one is a void "
+               "in the "
                "other";
       }
-      // What lies inside encloses less.
+      // A shell inside another one must enclose less volume.
       if ((ij == Place::Inside && !(std::abs(volumes[i]) < std::abs(volumes[j]))) ||
         (ji == Place::Inside && !(std::abs(volumes[j]) < std::abs(volumes[i]))))
       {
@@ -234,13 +236,14 @@ ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
   {
     if (!(std::abs(volumes[i]) > bounds[i]))
     {
-      result.Doubt = "a shell encloses nothing within its bound, so that it has no inside";
+      result.Uncertainty =
+        "the volume of a shell is zero within its bound, so that its orientation is unknown";
       return result;
     }
   }
   std::vector<int> depths;
-  result.Doubt = FindDepths(MakeMeshes(mesh, shellOfFace, result.Shells), volumes, depths);
-  if (!result.Doubt.empty())
+  result.Uncertainty = FindDepths(MakeMeshes(mesh, shellOfFace, result.Shells), volumes, depths);
+  if (!result.Uncertainty.empty())
   {
     return result;
   }

@@ -1,6 +1,6 @@
 /**
  * @file smShellOrientation.h
- * @brief Shells of a solid that are inside out: an outer shell encloses, a void inside it takes away
+ * @brief Orientation of the shells of a solid: an outer shell encloses volume, a void inside it removes volume
  */
 #ifndef smShellOrientation_h
 #define smShellOrientation_h
@@ -14,29 +14,31 @@ class vtkPolyData;
 
 namespace sm
 {
+/// Result of OrientShells().
 struct ShellOrientation
 {
-  /// Closed parts of the boundary that are not joined by an edge.
+  /// Number of closed parts of the boundary that are not joined by an edge.
   int Shells = 0;
-  /// Of those, how many are turned by Sides.
+  /// Number of these that Sides reverses.
   int Flipped = 0;
-  /// By face: the factor, 1 or -1, of its fluxes. Empty: as the file has them.
+  /// Factor, 1 or -1, of the fluxes of each face. Empty: the orientation of the file is kept.
   std::vector<signed char> Sides;
-  /// Every shell points the wrong way: nothing is turned here, the solid as a whole is.
+  /// True if every shell has the wrong orientation: the solid as a whole is to be reversed, and Sides is empty.
   bool InsideOut = false;
-  /// Not empty: why the file's orientation was kept although it may be wrong.
-  std::string Doubt;
+  /// Reason why the file's orientation was kept although it may be wrong; empty otherwise.
+  std::string Uncertainty;
 };
 
 /**
- * The orientation of every shell from what it encloses, `volume`, the flux of x.n/3 by face over faces, ribbons and
- * caps, known to within `bound`, and from its depth: how many other shells it lies in. At even depth the volume is
- * positive, at odd depth, in a void, negative. A shell is a part of the boundary that closes by itself: faces joined by
- * edges, within a shell of the file, and across shells where only together they close.
+ * Determines the orientation of every shell from the volume it encloses and from its depth, the number of other shells around it.
+ * `volume` is the flux of x.n/3 for each face over faces, ribbons and caps, with the error bound `bound`. The volume is positive
+ * at even depth, and negative at odd depth, in a void. A shell is a part of the boundary that is closed by itself: faces joined
+ * by edges, within a shell of the file, and across shells if they are closed only together.
  *
- * Depth is told with `mesh`, triangles with the cell array FaceIndex in any placement of the model. Shells that cross,
- * whose place cannot be told, whose volume is zero within its bound, or a model of several shells that has no mesh: Sides
- * stays empty and Doubt says why. The model must be closed. One shell: nothing to do, and the mesh is not read.
+ * The depth is determined from `mesh`, triangles with the cell array FaceIndex in any placement of the model. Sides remains
+ * empty, and Uncertainty has the reason, if shells cross, the nesting cannot be determined, the volume of a shell is zero
+ * within its bound, or a model of several shells has no mesh. The model must be closed. A model of one shell is returned
+ * unchanged, and its mesh is not read.
  */
 ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
   const std::vector<double>& volume, const std::vector<double>& bound);

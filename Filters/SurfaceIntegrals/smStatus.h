@@ -1,6 +1,6 @@
 /**
  * @file smStatus.h
- * @brief What a result is worth: one order, from good to bad
+ * @brief Status of a result, ordered from good to bad
  */
 #ifndef smStatus_h
 #define smStatus_h
@@ -9,20 +9,20 @@
 
 namespace sm
 {
-/// The status of several bodies is the largest of theirs.
+/// Status of a run or a body. The status of several bodies is the largest one.
 enum class Status
 {
   /// There was no run.
   None,
   /// Every value is within its bound, and every bound within the tolerance.
   Ok,
-  /// A bound is above the tolerance, or nothing bounds the error.
+  /// A bound is above the tolerance, or there is no bound.
   ToleranceNotMet,
   /// The file or the result contradicts itself.
   Suspect,
-  /// Edges are used once: a surface, or a solid with holes in its boundary.
+  /// Edges are used once: the body is a surface, or a solid with openings in its boundary.
   Open,
-  /// The run failed: memory was short, or an error of the program was caught.
+  /// The run failed: memory was insufficient, or an error of the program was caught.
   NotComputed,
   /// The input holds no body.
   Empty,
@@ -30,7 +30,7 @@ enum class Status
   Unreadable
 };
 
-/// The name in outputs (smIntegralNames.h): "ok", "open", …; empty for None.
+/// Returns the name in outputs (smIntegralNames.h): "ok", "open", …; empty for None.
 SMFILTERSSURFACEINTEGRALS_EXPORT const char* GetText(Status status);
 }
 

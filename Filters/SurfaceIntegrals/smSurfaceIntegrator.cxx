@@ -14,12 +14,12 @@ namespace sm
 {
 namespace
 {
-// Of the progress: cutting, then planning, then what the runner needs of the faces; integrating is the rest.
+// Fractions of the progress for cutting, planning and the preparation by the runner; the integration takes the rest.
 constexpr double CutShare = 0.2;
 constexpr double PlanShare = 0.3;
 constexpr double AcquireShare = 0.1;
 constexpr double PreparedShare = CutShare + PlanShare + AcquireShare;
-// Evaluations of a batch, about: what is lost when the run is stopped.
+// Approximate number of evaluations of a batch, whose results are lost if the run is stopped.
 constexpr std::int64_t EvaluationsPerBatch = 20000000;
 
 double Now()
@@ -200,7 +200,8 @@ bool SurfaceIntegrator::Internals::RunAll(
 bool SurfaceIntegrator::Internals::RunBatches(const std::vector<FaceTask>& tasks,
   const std::vector<std::vector<std::size_t>>& batches, std::vector<FaceIntegrals>& results)
 {
-  // Ranks of a shared run agree after every batch, those that are done too, until none has any left.
+  // In a shared run all ranks take part in the agreement after every batch, including those without batches left, until no rank
+  // has any left.
   for (std::size_t next = 0;;)
   {
     if (next < batches.size())
@@ -344,14 +345,6 @@ SurfaceIntegrator::SurfaceIntegrator()
 
 SurfaceIntegrator::~SurfaceIntegrator() = default;
 
-void SurfaceIntegrator::FreeMemory()
-{
-  if (this->Implementation->Runner)
-  {
-    this->Implementation->Runner->FreeMemory();
-  }
-}
-
 void SurfaceIntegrator::SetRunner(std::unique_ptr<ItemRunner> runner)
 {
   this->Implementation->Runner = std::move(runner);
@@ -429,7 +422,7 @@ bool SurfaceIntegrator::Integrate(
   const bool ok = self.Exchange ? self.IntegrateShared(tasks, results) : self.Run(tasks, results);
   if (ok)
   {
-    // One that was stopped before asked for no face.
+    // A run that was stopped earlier has requested no faces.
     self.Results.EndRun();
   }
   self.Progress = nullptr;

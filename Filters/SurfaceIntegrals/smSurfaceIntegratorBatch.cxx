@@ -1,4 +1,4 @@
-// What a SurfaceIntegrator does with a batch of faces: runs its items, level by level or as planned, and adds them up.
+// Evaluation of a batch of faces in a SurfaceIntegrator: its items, by levels or as planned, and their sums.
 #include "smCoedgeGaps.h"
 #include "smIntegrationOrders.h"
 #include "smSurfaceIntegratorInternals.h"
@@ -12,14 +12,14 @@ namespace sm
 {
 namespace
 {
-// Halvings of t and xi after the ladder's end.
+// Largest number of halvings of t and xi after the last order of the ladder.
 constexpr int MaximumBisections = 6;
 }
 
 void SurfaceIntegrator::Internals::Store(const std::vector<FaceTask>& tasks,
   const std::vector<std::size_t>& batch, const std::vector<FaceIntegrals>& results)
 {
-  // With the budget spent, results depend on what was evaluated before them.
+  // After the budget is spent, results depend on earlier evaluations and are not kept.
   for (std::size_t i = 0; i < batch.size() && this->CacheFaceResults && this->Evaluations < this->Allowance;
        ++i)
   {
@@ -45,7 +45,7 @@ void SurfaceIntegrator::Internals::AddBounds(
     result.Estimated = plan.Estimated;
     for (std::size_t k = 0; k < this->Chosen.size(); ++k)
     {
-      // What rows hold is the error of compared items, for the area; and what is not finite.
+      // The rows have the errors of compared items, for the area, and values that are not finite.
       double& error = result.QuadratureError[this->Chosen[k]];
       const bool compared = this->Plans.GetBoundClass(k).Kind == BoundClass::AreaMoment;
       error = compared || !std::isfinite(error) ? error : 0.0;
@@ -58,7 +58,7 @@ void SurfaceIntegrator::Internals::AddBounds(
 bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items,
   const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
 {
-  // Rows of a face lie together: its panels, its ribbons coedge by coedge, its caps. A segment for each.
+  // The rows of a face are contiguous: its panels, the ribbons of each coedge, its caps. Each of these is a segment.
   struct Part
   {
     std::uint32_t Slot;
@@ -190,7 +190,7 @@ bool SurfaceIntegrator::Internals::RunPlanned(
   {
     return true;
   }
-  // The plan's bounds of everything but the area hold for the parts, too: their ellipses lie in the whole's.
+  // The plan's bounds of everything but the area also hold for the parts, since their ellipses lie in that of the whole item.
   const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->Allowance;
   for (const std::size_t i : compared)
   {
@@ -227,7 +227,7 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
   std::vector<WorkItem> children;
   for (const std::size_t index : bisected)
   {
-    // Parts share their parent's tolerance. Along a line without normals half of the quarters need none of theirs.
+    // The parts share their parent's tolerance. Along a line with vanishing normals, half of the quarters need no part of it.
     const bool quarters = items[index].Kind == ItemKind::Panel && !this->Planned;
     BisectItem(items[index], quarters ? 2 : 1, children);
   }
@@ -241,8 +241,9 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
 bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
   const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
 {
-  // In portions that have room for their rows; the results of a face add up in order. Where a portion ends within a face must not
-  // depend on other faces: it is cut before the face, or where the face has filled portions of its own.
+  // Items are evaluated in portions that have room for their rows; the results of a face are added up in order. The end of a
+  // portion within a face must not depend on other faces: it is before the face, or where the face has filled entire portions of
+  // its own.
   const std::size_t portion = this->Runner->GetRowLimit();
   std::size_t end = 0;
   for (std::size_t begin = 0; begin < items.size(); begin = end)

@@ -1,6 +1,6 @@
 /**
  * @file smSurfaceIntegratorInternals.h
- * @brief The state of a SurfaceIntegrator, for its sources: a run, a batch of faces, and how ranks share the faces
+ * @brief State of a SurfaceIntegrator, shared by its source files: a run, a batch of faces, and the sharing among ranks
  */
 #ifndef smSurfaceIntegratorInternals_h
 #define smSurfaceIntegratorInternals_h
@@ -26,7 +26,7 @@ struct SurfaceIntegrator::Internals
   FacePlans Plans;
   FaceResultCache Results;
   bool CacheFaceResults = true;
-  /// All integrands have a theory.
+  /// True if all integrands have a theory.
   bool Planned = false;
   std::vector<Integrand> Integrands;
   bool UsePlacements = false;
@@ -35,7 +35,7 @@ struct SurfaceIntegrator::Internals
   std::int64_t MaximumEvaluations = 2000000000;
   double MaximumSeconds = 0.0;
 
-  /// The integrands that the runner evaluates: which of all they are.
+  /// Integrands that the runner evaluates, and their indices among all integrands.
   std::vector<std::size_t> Chosen;
   std::vector<Integrand> ChosenIntegrands;
   std::vector<std::string> Obstacles;
@@ -49,27 +49,27 @@ struct SurfaceIntegrator::Internals
   double PrepareSeconds = 0.0;
   double IntegrateSeconds = 0.0;
 
-  /// Null: alone.
+  /// Exchange with other ranks; null for a single process.
   FaceExchange* Exchange = nullptr;
   RankDevice Device;
   FaceShares Shares;
   ReceivedFaces Received;
   std::vector<RankReport> Ranks;
 
-  /// Of the running Integrate() or RunAsWorker().
+  /// Callback of the current Integrate() or RunAsWorker().
   ProgressCallback Progress;
-  /// Its steps are agreed on with the other ranks.
+  /// True if the steps of the run are coordinated with other ranks.
   bool IsShared = false;
-  /// Not empty: this rank has failed, and takes no more part than to agree.
+  /// Reason why this rank has failed; it then only takes part in the collective calls. Empty otherwise.
   std::string Failure;
-  /// MaximumEvaluations of the rank that has the faces: all ranks compare their plans with it.
+  /// MaximumEvaluations of the rank that has the faces, with which all ranks compare their plans.
   std::int64_t RunMaximum = 0;
-  /// Evaluations that this rank may spend, its part of the maximum.
+  /// Number of evaluations that this rank may spend, its part of the maximum.
   std::int64_t Allowance = 0;
-  /// Not negative: the tolerances are loosened as often, whatever the plan says.
+  /// If not negative, the number of times that tolerances are loosened, independent of the plan.
   int ForcedLoosenings = -1;
   double Start = 0.0;
-  /// What it may take since then.
+  /// Limit of the run time in seconds since Start.
   double Seconds = 0.0;
   std::vector<CutFacePointer> Faces;
   std::size_t ItemsDone = 0;
@@ -77,11 +77,11 @@ struct SurfaceIntegrator::Internals
 
   bool Fail(const std::string& what)
   {
-    // An abort is told by ReportProgress(), whoever passes it on.
+    // ReportProgress() sets Aborted, whatever error the caller of the callback then reports.
     this->Error = this->Aborted ? "aborted" : what;
     return false;
   }
-  /// Where a rank cannot go on: in a shared run it goes on without work, and true.
+  /// Handles a failure of this rank. In a shared run it records the failure and returns true, and the rank continues without work.
   bool FailAlone(const std::string& what);
   /// Runs a step of this rank that may throw, for want of memory. In a shared run an exception is a failure of this rank, which goes on
   /// to agree with the others; alone it is thrown on.
@@ -112,7 +112,7 @@ struct SurfaceIntegrator::Internals
   bool FailByRunner() { return this->Fail(this->Runner->GetError()); }
   bool ReportProgress(double fraction);
   bool ReportItemProgress();
-  /// Adds the numbers of all ranks up. False when some rank was stopped, and with it all.
+  /// Adds up the numbers of all ranks. Returns false if some rank was stopped, which stops all.
   bool Agree(double& number);
   bool AddUpPlans(std::int64_t& evaluations);
   void Configure();
@@ -128,7 +128,7 @@ struct SurfaceIntegrator::Internals
     std::vector<FaceIntegrals>& results);
   void Begin(const ProgressCallback& progress);
   FaceIntegrals MakeZeroResult() const;
-  /// Cuts, plans and evaluates.
+  /// Cuts the faces, plans the orders and evaluates the items.
   bool Run(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
 
   // smSurfaceIntegratorBatch.cxx
@@ -151,10 +151,10 @@ struct SurfaceIntegrator::Internals
   bool OnConnectionLost();
   bool IntegrateShared(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
   bool ReleaseWorkers();
-  /// The ranks that take part.
+  /// Returns for each rank whether it takes part.
   std::vector<bool> ReadCapabilities(const std::vector<Bytes>& capabilities);
   bool SendShares(const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& shares);
-  bool ReadResults(const Bytes& outcome, const std::vector<std::size_t>& share, RankReport& report,
+  bool ReadResults(const Bytes& message, const std::vector<std::size_t>& share, RankReport& report,
     std::vector<FaceIntegrals>& results);
   bool RecomputeLocally(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& share,
     std::vector<FaceIntegrals>& results);

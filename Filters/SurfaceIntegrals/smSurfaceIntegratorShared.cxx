@@ -1,7 +1,7 @@
-// How ranks share the faces of one of them. A shared run is a fixed sequence of collective calls, the same on every rank
-// whatever happens to it: capabilities to the root, shares from it; one agreement after cutting, one for every plan of the orders,
-// one when the faces are acquired, one after every batch, until some rank is stopped or none has any left; outcomes to the root.
-// A rank that fails goes on without work, so that nobody waits for it.
+// Sharing of faces among ranks. A shared run is a fixed sequence of collective calls, the same on every rank in all cases: all
+// ranks send their capabilities to the root and receive their shares; they agree once after cutting, once for every plan of the
+// orders, once when the faces are acquired, and once after every batch, until some rank is stopped or none has any batch left;
+// then they send their results to the root. A rank that fails continues without work, so that no rank waits for it.
 #include "Sharing/smFaceBytes.h"
 #include "smSurfaceIntegratorInternals.h"
 
@@ -15,7 +15,7 @@ namespace sm
 {
 namespace
 {
-/// FNV-1a.
+/// FNV-1a hash.
 std::uint64_t Digest(const Bytes& bytes)
 {
   std::uint64_t hash = 14695981039346656037u;
@@ -26,14 +26,14 @@ std::uint64_t Digest(const Bytes& bytes)
   return hash;
 }
 
-/// What the root tells a rank before its faces.
+/// Header of the root's message to a rank, before the faces.
 struct ShareHeader
 {
   bool Go = false;
   bool Planned = false;
-  /// 0: no limit.
+  /// Limit of the run time in seconds; 0: no limit.
   double Seconds = 0.0;
-  /// For all ranks, and for this one.
+  /// Largest numbers of evaluations of all ranks together, and of this rank.
   std::int64_t RunMaximum = 0;
   std::int64_t Allowance = 0;
 };
@@ -71,7 +71,7 @@ bool SurfaceIntegrator::Internals::Agree(double& number)
 
 Bytes SurfaceIntegrator::Internals::MakeCapabilities() const
 {
-  // What results depend on, besides the faces and what is asked for them.
+  // Settings on which results depend, in addition to the faces and their tasks.
   ByteWriter settings;
   settings.Put(this->UsePlacements);
   settings.Put(this->Perturbation);
@@ -88,43 +88,43 @@ Bytes SurfaceIntegrator::Internals::MakeCapabilities() const
   {
     obstacles += obstacle.empty() ? '0' : '1';
   }
-  ByteWriter offer;
-  offer.PutText(this->Device.DisabledReason);
-  offer.PutText(this->Device.Backend);
-  offer.PutText(this->Device.Renderer);
-  offer.PutText(this->Device.Note);
-  offer.Put(Digest(settings.GetBytes()));
-  offer.PutText(obstacles);
-  return std::move(offer.GetBytes());
+  ByteWriter message;
+  message.PutText(this->Device.DisabledReason);
+  message.PutText(this->Device.Backend);
+  message.PutText(this->Device.Renderer);
+  message.PutText(this->Device.Note);
+  message.Put(Digest(settings.GetBytes()));
+  message.PutText(obstacles);
+  return std::move(message.GetBytes());
 }
 
 std::vector<bool> SurfaceIntegrator::Internals::ReadCapabilities(const std::vector<Bytes>& capabilities)
 {
   const int root = this->Exchange->GetRank();
-  std::vector<std::pair<std::uint64_t, std::string>> sameness;
-  for (const Bytes& offer : capabilities)
+  std::vector<std::pair<std::uint64_t, std::string>> signatures;
+  for (const Bytes& message : capabilities)
   {
-    ByteReader from(offer);
+    ByteReader from(message);
     RankReport report;
     report.FailureReason = from.GetText();
     report.Backend = from.GetText();
     report.Renderer = from.GetText();
     report.Note = from.GetText();
     const auto digest = from.Get<std::uint64_t>();
-    sameness.emplace_back(digest, from.GetText());
+    signatures.emplace_back(digest, from.GetText());
     this->Ranks.push_back(report);
   }
   std::vector<bool> fit;
   for (std::size_t rank = 0; rank < capabilities.size(); ++rank)
   {
     RankReport& report = this->Ranks[rank];
-    if (report.FailureReason.empty() && sameness[rank].first != sameness[root].first)
+    if (report.FailureReason.empty() && signatures[rank].first != signatures[root].first)
     {
       report.FailureReason = "its integrands are not the same";
     }
-    else if (report.FailureReason.empty() && sameness[rank].second != sameness[root].second)
+    else if (report.FailureReason.empty() && signatures[rank].second != signatures[root].second)
     {
-      report.FailureReason = "not the same integrands can be computed there";
+      report.FailureReason = "it cannot compute the same integrands";
     }
     fit.push_back(report.FailureReason.empty());
   }
@@ -186,10 +186,10 @@ bool SurfaceIntegrator::Internals::SendShares(
   return this->Exchange->Scatter(root, messages, own) || this->OnConnectionLost();
 }
 
-bool SurfaceIntegrator::Internals::ReadResults(const Bytes& outcome, const std::vector<std::size_t>& share,
+bool SurfaceIntegrator::Internals::ReadResults(const Bytes& message, const std::vector<std::size_t>& share,
   RankReport& report, std::vector<FaceIntegrals>& results)
 {
-  ByteReader from(outcome);
+  ByteReader from(message);
   const std::string failure = from.GetText();
   report.Evaluations = from.Get<std::int64_t>();
   report.Dispatches = from.Get<std::int64_t>();
@@ -211,7 +211,7 @@ bool SurfaceIntegrator::Internals::ReadResults(const Bytes& outcome, const std::
   }
   if (report.FailureReason.empty())
   {
-    report.FailureReason = failure.empty() ? "its results make no sense" : failure;
+    report.FailureReason = failure.empty() ? "its results are invalid" : failure;
   }
   return share.empty();
 }
@@ -225,7 +225,7 @@ bool SurfaceIntegrator::Internals::RecomputeLocally(const std::vector<FaceTask>&
     again.push_back(tasks[i]);
   }
   std::vector<FaceIntegrals> found;
-  // With the tolerances that all agreed on, so that the bits are the same.
+  // The tolerances that all ranks agreed on are used, so that results are bitwise the same.
   this->ForcedLoosenings = this->Planned ? this->Plans.GetLoosenings() : -1;
   this->Allowance = this->RunMaximum;
   const bool ran = !this->Aborted && this->Run(again, found);
@@ -301,7 +301,7 @@ bool SurfaceIntegrator::Internals::IntegrateShared(
   this->Shares.EndRun();
   if (!left.empty())
   {
-    // Who failed may have forgotten what it was sent.
+    // A rank that failed may have lost the faces that it was sent.
     this->Shares.Forget();
   }
   if (!ran || !this->Failure.empty())
@@ -382,7 +382,7 @@ bool SurfaceIntegrator::RunAsWorker(int root, const ProgressCallback& progress)
   }
   if (self.Planned != header.Planned)
   {
-    // One that cannot compute the same has an empty share; what it was configured for is nothing to it.
+    // A rank that cannot compute the same integrands has an empty share, so that its own configuration does not matter.
     self.Planned = header.Planned;
     self.Configured = false;
   }

@@ -25,13 +25,14 @@
 #include <new>
 #include <set>
 
-// Whoever loads this library has display points evaluated by OpenGL, too, and needs no vtk_module_autoinit for it.
+// Initialises the OpenGL evaluation of display points for every user of this library, without vtk_module_autoinit in the
+// application.
 VTK_MODULE_INIT(smRenderingNURBS)
 
 namespace
 {
-/// A point without a cell where there is none: VTK sends polydata without points as text, and cannot read back the NaN in its field
-/// data.
+/// Adds a point without a cell to an empty polydata: VTK sends polydata without points as text, and cannot read NaN in the field
+/// data from it.
 void AddPlaceholderPoint(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals)
 {
   if (totals->GetNumberOfPoints() > 0)
@@ -387,7 +388,7 @@ void vtkSurfaceIntegralBase::Analyze(
     }
     else
     {
-      // What was not computed has no bound, so no tolerance is met.
+      // A value that was not computed has no bound and meets no tolerance.
       sm::SetUnknown(body, request.Integrands.size());
     }
   }
@@ -489,7 +490,7 @@ void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& b
     vtkWarningMacro("Status " << this->GetStatus() << (reason.empty() ? "" : ": ") << reason
                               << (report.Messages.size() > 1 ? " (and more, see GetMessage())" : ""));
   }
-  // Last, for it is nothing that is wrong with the result.
+  // This message is the last one, as it does not indicate an error of the result.
   if (!report.FallbackReason.empty())
   {
     report.Messages.push_back("computed on the CPU, without OpenGL: " + report.FallbackReason);
@@ -524,7 +525,7 @@ int vtkSurfaceIntegralBase::RequestData(
 
 void vtkSurfaceIntegralBase::Fail(const std::string& what, vtkInformationVector* outputVector)
 {
-  // What is kept from run to run may be half made.
+  // Data kept between runs may be incomplete.
   this->ReleaseMemory();
   this->ResetResults();
   sm::RunReport& report = this->Engine->GetReport();

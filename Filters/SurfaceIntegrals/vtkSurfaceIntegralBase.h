@@ -1,33 +1,36 @@
 /**
  * @class   vtkSurfaceIntegralBase
- * @brief   what all filters share that integrate over the exact faces of trimmed NURBS solids
+ * @brief   base of the filters that integrate over the exact faces of trimmed NURBS solids
  *
- * Abstract. Subclasses are siblings: vtkSurfaceIntegralGPU integrates what its user asks for, vtkMassPropertiesGPU volume, area,
- * centre of mass and inertia, vtkBuoyancy what lies below a plane, vtkSchemeMassPropertiesGPU mass properties by the schemes of the
- * paper. This class finds the solids of the input (a vtkNURBSDataSet, or the leaves of a composite dataset that are), chooses among
- * them, integrates on the GPU inside an OpenGL context of VTK, or on the CPU by the same mathematics compiled as C++, shares the work
- * with other processes, and reports what a run did. A run is in two steps: all values and statuses are computed, then the outputs
- * are written.
+ * Abstract. The subclasses are siblings: vtkSurfaceIntegralGPU computes integrals that its user chooses, vtkMassPropertiesGPU
+ * volume, area, centre of mass and inertia, vtkBuoyancy displaced volume and centre of buoyancy below a plane,
+ * vtkSchemeMassPropertiesGPU mass properties by the schemes of the paper. This class finds the solids of the input (a
+ * vtkNURBSDataSet, or those leaves of a composite dataset that are one), applies the selectors, integrates on the GPU inside an
+ * OpenGL context of VTK, or on the CPU by the same mathematics compiled as C++, shares the work with other processes, and reports
+ * on the run. A run has two steps: all values and statuses are computed, then the outputs are written.
  *
  * Outputs of every subclass:
- * | port | type     | what                                                                           |
- * |------|----------|--------------------------------------------------------------------------------|
- * | 0    | polydata | field data: totals, each with its Bound, Status, Backend, Renderer, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated |
- * | 1    | table    | a row per solid instance: Name, Id, Status, the same values                     |
- * | 2    | table    | 1x1, column Text: a readable summary                                           |
- * | 3    | table    | a row per face and instance: Solid, FaceId, values and bounds                   |
- * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared |
- * | 5    | partitioned dataset collection | the bodies' meshes in the order of port 1, points and cells shared with the input, with cell arrays to colour them by |
- * The names are in smIntegralNames.h. What could not be computed is NaN with a Status, never 0.
+ * | port | type     | contents                                                                                            |
+ * |------|----------|-----------------------------------------------------------------------------------------------------|
+ * | 0    | polydata | field data: totals, each with its Bound, Status, Backend, Renderer, Evaluations, Dispatches, Faces, |
+ * |      |          | Ranks, BoundsEstimated                                                                              |
+ * | 1    | table    | a row per solid instance: Name, Id, Status, the same values                                         |
+ * | 2    | table    | 1x1, column Text: a readable summary                                                                |
+ * | 3    | table    | a row per face and instance: Solid, FaceId, values and bounds                                       |
+ * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap,         |
+ * |      |          | GapArea, GapSquared                                                                                 |
+ * | 5    | partitioned dataset collection | meshes of the bodies in the order of port 1, points and cells shared with     |
+ * |      |          | the input, with cell arrays for colouring                                                           |
+ * The names are in smIntegralNames.h. A value that could not be computed is NaN, never 0, and Status gives the reason.
  *
- * Status, the worst of all solids: ok; tolerance-not-met (a bound is above the tolerance); suspect (the file or the result
- * contradicts itself); open (edges that are used once; a surface without a solid); not-computed (memory was short, or an error was
- * caught); empty; unreadable.
+ * Status is the worst status of all solids: ok; tolerance-not-met (a bound is above the tolerance); suspect (the file or the
+ * result contradicts itself); open (some edges are used once, or the body is a surface, not a solid); not-computed (memory was
+ * insufficient, or an error was caught); empty; unreadable.
  *
- * Getters return the values of the last run and never run the pipeline: call Update() first. RequestData fails only for a wrong input
- * (no exact geometry in it).
+ * Getters return the values of the last run and never run the pipeline: call Update() first. RequestData fails only for an input
+ * without exact geometry.
  *
- * Not thread safe. With SetRenderWindow the calling thread must be the one that renders in that window.
+ * Not thread safe. After SetRenderWindow() the calling thread must be the one that renders in that window.
  */
 #ifndef vtkSurfaceIntegralBase_h
 #define vtkSurfaceIntegralBase_h
@@ -61,10 +64,11 @@ public:
 
   ///@{
   /**
-   * Which bodies: those below the nodes of an assembly that any of these selectors names, as vtkDataAssembly::SelectNodes takes
-   * them: "/Root/Pump/Impeller", "//Bolt". None: all. The assembly is "Assembly", the product structure that the input brings, or
-   * "Hierarchy", its blocks by name. A selector that names no body is named in a message; when none does Status is empty. Default:
-   * none, of "Assembly".
+   * Selectors of the bodies: only bodies below the nodes of the assembly that one of these selectors names are used. The syntax
+   * is that of vtkDataAssembly::SelectNodes: "/Root/Pump/Impeller", "//Bolt". Without selectors all bodies are used. The assembly
+   * is "Assembly", the product structure of the input, or "Hierarchy", its blocks by name. A message names each selector that
+   * matches no body, or an assembly that does not exist; if no body is selected, Status is empty. Default: no selectors, assembly
+   * "Assembly".
    */
   void AddSelector(const std::string& selector);
   void ClearSelectors();
@@ -74,15 +78,15 @@ public:
   ///@}
 
   ///@{
-  /** The window whose OpenGL context is used and shared with its renderers. Default: none; a context of the
-   * filter's own is made (X, or EGL without a display). */
+  /** The window whose OpenGL context is used and shared with its renderers. Null, the default: the filter makes its own context
+   * (X, or EGL without a display). */
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow();
   ///@}
-  /** The context, for its source, limits and counters. Never null. */
+  /** The OpenGL context, for its source, limits and counters. Never null. */
   vtkComputeContext* GetComputeContext();
 
-  /** What computes. */
+  /** The device that computes. */
   enum BackendType
   {
     AUTOMATIC = 0,
@@ -92,58 +96,60 @@ public:
 
   ///@{
   /**
-   * What computes: OPENGL, compute shaders (OpenGL 4.3 with doubles; without, nothing is computed and Status is
-   * tolerance-not-met); CPU, all threads that vtkSMPTools has (the application chooses its backend; VTK's default may be a
-   * single thread); AUTOMATIC, OPENGL where it can be had, else CPU, with a message that says why. The two agree to rounding, not
-   * bit for bit. Clamped to these. Default AUTOMATIC.
+   * The device that computes. OPENGL: compute shaders (OpenGL 4.3 with doubles; if not available, nothing is computed and Status
+   * is tolerance-not-met). CPU: all threads of vtkSMPTools (the application chooses its backend; VTK's default may be a single
+   * thread). AUTOMATIC: OPENGL if available, else CPU, with a message that gives the reason. The results of both agree to
+   * rounding, but not bitwise. Range [AUTOMATIC, CPU], clamped. Default AUTOMATIC.
    */
   vtkSetClampMacro(Backend, int, AUTOMATIC, CPU);
   vtkGetMacro(Backend, int);
   ///@}
 
   ///@{
-  /** Most surface evaluations that a run may spend. Where the tolerances would take more they are loosened, for all
-   * faces alike, as far as need be; the values are kept with their true bounds. Default 2e9. At least 1. */
+  /** Largest number of surface evaluations of a run. If the tolerances require more, they are loosened for all faces alike, as
+   * far as necessary; the values are kept with their true bounds. At least 1, clamped. Default 2e9. */
   vtkSetClampMacro(MaximumEvaluations, vtkTypeInt64, 1, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaximumEvaluations, vtkTypeInt64);
   ///@}
 
   ///@{
-  /** Most seconds that a run may take, about. Faces that were not reached by then (or when the run is aborted) count as 0,
-   * and the bounds hold the most that they can be; before the orders are planned nothing is known, and nothing computed.
-   * Default 0: no limit. At least 0. */
+  /** Approximate limit of the duration of a run in seconds. Faces that are not integrated by then (or when the run is aborted)
+   * count as 0, and the bounds include their largest possible magnitude; if the limit ends the run before the orders are
+   * planned, nothing is computed. At least 0, clamped. Default 0: no limit. */
   vtkSetClampMacro(MaximumSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSeconds, double);
   ///@}
 
   ///@{
   /**
-   * The processes (ranks) that share the faces of a run. They do when all of them update together, each its own piece of as many as
-   * there are ranks (UpdatePiece(rank, ranks, 0), as ParaView's servers do), and one of them, of a reader the first, has bodies.
-   * Faces are divided by estimated cost and sent to the others, which need not have read anything; they are cut, planned and
-   * integrated there, and the rank that has the bodies sums them in the order of the faces: the bits are those of one
-   * process, if all ranks compute with equal devices and no budget ends the run. Later runs send new faces only.
+   * The controller of the processes (ranks) that share the faces of a run. They share them if all ranks update together, each its
+   * own piece of as many pieces as there are ranks (UpdatePiece(rank, ranks, 0), as ParaView's servers do), and one rank, with a
+   * reader the first one, has bodies. Faces are divided by estimated cost and sent to the other ranks, which need not have read
+   * anything. There they are cut, planned and integrated, and the rank that has the bodies sums the results in the order of the
+   * faces: these are bitwise equal to those of one process if all ranks have equal devices and no limit ends the run. Later runs
+   * send only new faces.
    *
-   * Outputs and getters of the other ranks are empty, so that nothing is there twice. Properties must be the same on all
-   * ranks; one whose integrands are not takes no part, and a message says so. A rank without OpenGL computes on the CPU; one that
-   * fails has its share done by the rank with the bodies, with a message; abort on any rank stops all, at the end of a batch of some
-   * 2e7 evaluations; of MaximumEvaluations every rank may spend the part that its faces are of the plan. Evaluations and
-   * Dispatches count all ranks. vtkBuoyancy and vtkSchemeMassPropertiesGPU run on the rank that has the bodies. When several ranks
-   * have bodies, each integrates its own. A plain Update() is for the calling process alone.
+   * Outputs and getters of the other ranks are empty, so that no result exists twice. Properties must be the same on all ranks; a
+   * rank with other integrands takes no part, with a message. A rank without OpenGL computes on the CPU. If a rank fails, the
+   * rank with the bodies computes its share, with a message. An abort on any rank stops all ranks, at the end of a batch of some
+   * 2e7 evaluations. Every rank may spend the part of MaximumEvaluations that corresponds to its faces' part of the plan.
+   * Evaluations and Dispatches count all ranks. vtkBuoyancy and vtkSchemeMassPropertiesGPU run on the rank that has the bodies.
+   * If several ranks have bodies, each integrates its own. A plain Update() involves only the calling process.
    *
-   * Default: vtkMultiProcessController::GetGlobalController() when the filter was made. Null: no other process.
+   * Default: vtkMultiProcessController::GetGlobalController() at construction. Null: no other process.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
 
-  /** Gives back the memory that is kept for later runs: cut faces, results of faces, and all buffers on the GPU. The next run fills
-   * it again, with the same bits. Every run ends with it when ReleaseDataFlag is on. The outputs and the getters stay. */
+  /** Releases the memory that is kept for later runs: cut faces, results of faces, and all buffers on the GPU. The next run
+   * computes it again, with bitwise equal results. If ReleaseDataFlag is on, every run ends with this call. Outputs and
+   * getters are not affected. */
   void ReleaseMemory();
 
   ///@{
-  /** The last run: worst status of all solids ("ok", "open", …; empty before the first run), what to tell the user, and how it was
-   * done: backend "opengl", "cpu" or "none", and the name of the renderer ("CPU, N threads"). */
+  /** Report of the last run: worst status of all solids ("ok", "open", …; empty before the first run), messages for the user,
+   * the backend "opengl", "cpu" or "none", the name of the renderer ("CPU, N threads"), and the effort. */
   std::string GetStatus() const;
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;
@@ -153,7 +159,7 @@ public:
   vtkTypeInt64 GetDispatches() const;
   int GetNumberOfSolids() const;
   int GetNumberOfFaces() const;
-  /** Processes that integrated faces; 0 when nothing was computed. */
+  /** Number of processes that integrated faces; 0 if nothing was computed. */
   int GetNumberOfRanks() const;
   /** Seconds of the last run: context and shaders; cutting into panels and upload; integration. */
   double GetStartSeconds() const;
@@ -161,8 +167,8 @@ public:
   double GetIntegrateSeconds() const;
   ///@}
 
-  /** For tests: makes every shader (the CPU's kernels too) multiply its samples by this factor, to show that the numbers come
-   * from there. Default 1. */
+  /** For tests: a factor by which every shader (also on the CPU) multiplies its samples, which proves that results come from
+   * them. Not clamped. Default 1. */
   vtkSetMacro(ShaderPerturbation, double);
   vtkGetMacro(ShaderPerturbation, double);
 
@@ -175,7 +181,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 #ifndef __VTK_WRAP__
-  /** The first four outputs. */
+  /** The outputs of ports 0 to 3. */
   struct Outputs
   {
     vtkPolyData* Totals;
@@ -184,50 +190,52 @@ protected:
     vtkTable* Faces;
   };
 
-  /** Makes the getters return what they do before the first run. Called at the start of every run. */
+  /** Resets the results, so that the getters return the values before the first run. Called at the start of every run. */
   virtual void ResetResults();
 
-  /** Other ranks can take a share of IntegrateBodies(). */
+  /** Returns true if other ranks can take a share of IntegrateBodies(). */
   virtual bool CanShareFaces() const
   {
     return true;
   }
 
-  /** What is to be integrated. */
+  /** Returns the integrals to compute. */
   virtual sm::IntegralRequest MakeRequest() const = 0;
 
-  /** Gives every body the integrals of its faces. False when nothing was computed; the report then has a reason. */
+  /** Sets the Faces of every body. Returns false if nothing was computed; the report then has a reason. */
   virtual bool IntegrateBodies(const sm::IntegralRequest& request, std::vector<sm::BodyIntegrals>& bodies);
 
-  /** Computes all that follows from the sums over the faces, and the statuses of the bodies; keeps it for the next two. */
+  /** Computes all quantities that follow from the sums over the faces, and the statuses of the bodies, and stores them for
+   * WriteOutputs() and GetMeshArrays(). */
   virtual void AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies) = 0;
 
-  /** Fills the outputs. */
+  /** Fills the outputs from the stored results. */
   virtual void WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const = 0;
 
-  /** The arrays of the meshes on port 5. The bodies outlive them. */
+  /** Returns the cell arrays of the meshes on port 5. The bodies outlive them. */
   virtual std::vector<sm::MeshArray> GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const = 0;
 
-  /** What a run may use and spend, with progress and abort of this algorithm between the fractions `begin` and `end`. */
+  /** Returns the limits of a run, with progress and abort of this algorithm between the fractions `begin` and `end`. */
   sm::IntegralLimits MakeLimits(double begin = 0.0, double end = 1.0);
 
-  /** What made a result of these bodies flagged, in a sentence; empty where nothing is known. */
+  /** Returns a sentence with the reason for the status of these bodies; empty if none is known. */
   std::string FindReason(const std::vector<sm::BodyIntegrals>& bodies) const;
 
-  /** Releases what a subclass keeps for later runs beside what the engine does. */
+  /** Releases data that a subclass keeps for later runs in addition to the engine's data. */
   virtual void ReleaseKept() {}
 
-  /** Context, integrator and report of the last run. */
+  /** The engine, with context, integrator and report of the last run. */
   sm::IntegralEngine& GetEngine();
   const sm::IntegralEngine& GetEngine() const;
 #endif
 
   ///@{
-  /** For subclasses that have a tolerance: relative, clamped to [1e-15, 1]; not a number is an error and changes nothing. */
+  /** Sets the relative tolerance, for subclasses that have one: clamped to [1e-15, 1]; NaN is reported as an error and changes
+   * nothing. */
   void ChangeRelativeTolerance(double tolerance);
   double RelativeTolerance = 1e-9;
   ///@}
-  /** For subclasses that can keep results of faces. */
+  /** Option of subclasses that can keep results of faces. */
   bool CacheFaceResults = true;
   int Backend = AUTOMATIC;
   vtkTypeInt64 MaximumEvaluations = 2000000000;
@@ -240,19 +248,19 @@ private:
 
 #ifndef __VTK_WRAP__
   int Run(vtkInformation* request, vtkDataObject* input, vtkInformationVector* outputVector);
-  /** Values, statuses and the report of the run, from what was integrated. */
+  /** Computes values, statuses and the report of the run from the integrals. */
   void Analyze(const sm::IntegralRequest& request, bool computed, std::vector<sm::BodyIntegrals>& bodies);
   void Write(
     const std::vector<sm::BodyIntegrals>& bodies, vtkDataObject* input, vtkInformationVector* outputVector);
-  /** No exact geometry in the input: says so, and returns 0. */
+  /** Reports that the input has no exact geometry, and returns 0. */
   int RejectInput(bool isWithheld);
-  /** The bodies that the selectors choose. */
+  /** Removes the bodies that no selector matches, and adds messages about unmatched selectors. */
   void ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies);
-  /** VTK 9.2 leaves the flag of an abort set, so that the next run would stop at once. */
+  /** Clears the abort flag, which VTK 9.2 leaves set, so that the next run would stop at once. */
   void ClearAbort();
-  /** What is said of a result: messages and one warning. */
+  /** Adds the messages of the bodies to the report, and issues at most one warning. */
   void AddMessages(const std::vector<sm::BodyIntegrals>& bodies);
-  /** The run was ended by an exception: outputs without values, and a status that says so. */
+  /** Handles an exception that ended the run: writes outputs without values, and a status with the reason. */
   void Fail(const std::string& what, vtkInformationVector* outputVector);
 
   std::unique_ptr<sm::IntegralEngine> Engine;

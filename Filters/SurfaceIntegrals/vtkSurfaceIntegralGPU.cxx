@@ -21,10 +21,10 @@ vtkStandardNewMacro(vtkSurfaceIntegralGPU);
 
 namespace
 {
-/// More would take more memory than the meshes.
+/// Limit above which the arrays would need more memory than the meshes.
 constexpr std::size_t LargestNumberOfMeshArrays = 16;
 
-/// What tolerances of an integrand are relative to.
+/// Returns the scale of relative tolerances of an integrand.
 double GetScale(const sm::Integrand& integrand, const sm::BodyIntegrals& body)
 {
   vtkTrimmedNURBSModel& model = *body.Model;
@@ -32,7 +32,7 @@ double GetScale(const sm::Integrand& integrand, const sm::BodyIntegrals& body)
   {
     return sm::GetAreaScale(model) * std::pow(sm::GetRadius(model), integrand.ScalePower);
   }
-  // The integral of a monomial over a body of volume V (area A) that reaches as far from the origin.
+  // Integral of a monomial over a body of volume V (or area A) whose farthest point is at this distance from the origin.
   const double size = std::pow(sm::GetReach(body), std::max(integrand.Degree, 0));
   return size *
     (integrand.ClosedChain && integrand.Degree >= 0 ? sm::GetVolumeScale(model) : sm::GetAreaScale(model));

@@ -2,33 +2,35 @@
  * @class   vtkSurfaceIntegralGPU
  * @brief   integrals over the exact faces of trimmed NURBS solids, by compute shaders
  *
- * Integrates any list of integrands over the faces of every solid of the input, in double precision; see vtkSurfaceIntegralBase for
- * backends, limits, ranks and outputs. An integrand is a scalar GLSL expression, which must hold the area element once (`f * dA`,
- * `dot(field, normal)`), of
+ * Integrates a list of integrands over the faces of every solid of the input, in double precision; see vtkSurfaceIntegralBase for
+ * backends, limits, ranks and outputs. An integrand is a scalar GLSL expression, which must contain the area element once
+ * (`f * dA`, `dot(field, normal)`), of
  *   - `position`: dvec3, world coordinates, in the model's length unit,
- *   - `normal`:   dvec3, outward normal of the length of the area element `dA`. Outward is what the file calls so: only
- *     vtkMassPropertiesGPU reverses a shell that is inside out, FlippedShells is 0 here,
+ *   - `normal`:   dvec3, outward normal whose length is that of the area element `dA`. The file defines which side is
+ *     outward: only vtkMassPropertiesGPU reverses a shell that is inside out, and FlippedShells is 0 here,
  *   - `unitNormal`: dvec3; `dA`: double, length(normal),
- *   - on FACES also `u`, `v`: double, the face's own parameters; `du`, `dv`, `duu`, `duv`, `dvv`: dvec3, first and
- *     second derivatives of the point in them, in world coordinates; `meanCurvature`, positive where the body is
+ *   - on FACES also `u`, `v`: double, the face's own parameters; `du`, `dv`, `duu`, `duv`, `dvv`: dvec3, first and second
+ *     derivatives of the position with respect to them, in world coordinates; `meanCurvature`, positive where the body is
  *     convex, 1/R on a sphere; `gaussianCurvature`,
- *   - constants of AddConstant(), and the functions of GLSL; sin, cos, tan, exp, log and pow are of doubles here (angles up
- *     to 2^20, beyond they are not a number).
- * Bounds of expressions are estimated, and suppose that they are smooth on every face: at kinks and steps (abs, min, max,
- * step, ?: and their like) an error may exceed its bound; a message says which expressions may have
- * some. Peaks too narrow for any point of the first two orders (3 and 6 a direction of a patch) are not seen at all.
- * Numbers are doubles, 1/3 is a third; statements, assignments, comments, commas outside of arguments and single precision are
+ *   - constants of AddConstant(), and the functions of GLSL; sin, cos, tan, exp, log and pow have double precision here (angles up
+ *     to 2^20; the result for larger angles is NaN).
+ * Bounds of expressions are estimates that assume that the expressions are smooth on every face: at kinks and steps (abs, min,
+ * max, step, ?: and similar functions) an error may exceed its bound; a message names the expressions that may have some. Peaks
+ * that are too narrow for all points of the first two orders (3 and 6 per direction of a patch) are not detected. Numbers are
+ * doubles, so that 1/3 is a third. Statements, assignments, comments, commas outside of arguments and single precision are
  * errors.
- * An integrand on the CLOSED_CHAIN is also integrated over the ribbons and caps that join the faces along
- * their common edges, so that fluxes are those of a closed surface; one on FACES (areas) is not.
+ * An integrand on FACES (such as an area) is integrated over the faces alone. An integrand on the CLOSED_CHAIN is also integrated
+ * over the ribbons (strips that close the gaps between faces and their common edges) and caps (triangles that close the gaps at
+ * the ends of edges), so that fluxes are those of a closed surface.
  *
- * Field data and columns: every integrand under its name, its bound as `<name>Bound` (ports 0, 1, 3); port 5 has the value of the face
- * (float; left out when there are more than 16 integrands). Port 0 has a point without a cell, in the middle of the solids' box.
+ * Field data and columns: every integrand under its name, its bound as `<name>Bound` (ports 0, 1, 3). The meshes on port 5 have
+ * the value of each face (float; omitted for more than 16 integrands). Port 0 has a point without a cell, in the middle of the
+ * solids' box.
  *
- * Moments and areas are planned: a theorem chooses the orders of the Gauss rules and the bisections
- * before a point is evaluated, and bounds their error (Bounds.md). For expressions the order is raised panel by panel until two
- * orders agree to the tolerance, and the error is estimated from their difference. The rounding of every sample is added to
- * both. A bound is infinite when faces are missing. On the CPU, integrands that are expressions are NaN, and a message names them.
+ * The orders for moments and areas are planned: a theorem gives the orders of the Gauss rules and the bisections before a point
+ * is evaluated, and bounds their error (Bounds.md). For expressions the order is raised for each panel until two orders agree to
+ * the tolerance, and the error is estimated from their difference. The rounding of every sample is added to both. A bound is
+ * infinite if faces are missing. On the CPU, integrands that are expressions are NaN, and a message names them.
  */
 #ifndef vtkSurfaceIntegralGPU_h
 #define vtkSurfaceIntegralGPU_h
@@ -48,7 +50,7 @@ public:
   vtkTypeMacro(vtkSurfaceIntegralGPU, vtkSurfaceIntegralBase);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Where an integrand is integrated. */
+  /** The domain of an integrand. */
   enum SupportType
   {
     CLOSED_CHAIN = 0,
@@ -56,62 +58,66 @@ public:
   };
 
   /**
-   * Adds the integrand `expression` (GLSL, double precision, see above) under `name`. An empty name or
-   * expression, or a name whose column, or whose bound's, exists or has another meaning in the outputs (ReservedColumnNames in
-   * smIntegralNames.h), is an error and adds nothing. An expression that does not compile is
-   * NaN, with a message that has the compiler's words and the column; the other integrands are computed.
+   * Adds the integrand `expression` (GLSL, double precision, see above) under `name`, on the domain `support`. The following are
+   * reported as errors and add nothing: an empty name or expression; a name for which the column, or the column of its bound,
+   * exists or has another meaning in the outputs (ReservedColumnNames in smIntegralNames.h). The result of an expression that
+   * does not compile is NaN, with a message that has the compiler's text and the column; the other integrands are computed.
    */
   void AddIntegrand(const std::string& name, const std::string& expression, int support = FACES);
-  /** Volume integral of x^i y^j z^k, by the divergence theorem: flux of r x^i y^j z^k / (3 + i + j + k).
-   * Powers are not negative, and i + j + k is 60 at most; others are an error and add nothing. */
+  /** Adds the volume integral of x^i y^j z^k, computed by the divergence theorem as the flux of
+   * r x^i y^j z^k / (3 + i + j + k). Powers must not be negative, and i + j + k must be at most 60; other values are reported as
+   * an error and add nothing. */
   void AddVolumeMoment(const std::string& name, int i, int j, int k);
-  /** Surface integral of x^i y^j z^k, powers as above. */
+  /** Adds the surface integral of x^i y^j z^k, with the same limits of the powers. */
   void AddAreaMoment(const std::string& name, int i, int j, int k);
-  /** Flux of the vector (x, y, z), each an expression, out of the body. */
+  /** Adds the flux of the vector (x, y, z), each an expression, out of the body. */
   void AddFlux(const std::string& name, const std::string& x, const std::string& y, const std::string& z);
-  /** Energy of bending as of a thin plate: the integral of k1^2 + k2^2 = 4 H^2 - 2 K, k1 and k2 the principal curvatures. Of
-   * any size of a sphere 8 pi. Relative tolerances are relative to area / size^2. */
+  /** Adds the bending energy as of a thin plate: the integral of k1^2 + k2^2 = 4 H^2 - 2 K, where k1 and k2 are the principal
+   * curvatures. It is 8 pi for a sphere of any size. Relative tolerances are relative to area / size^2. */
   void AddBendingEnergy(const std::string& name);
-  /** Half the integral of |n.d|, d the direction made a unit vector: the area of the shadow, if the body is convex; else what
-   * lies behind something counts too. */
+  /** Adds half the integral of |n.d|, where d is the normalised direction. For a convex body this is the area of its shadow;
+   * otherwise hidden parts of the surface are counted too. A direction of length 0 or that is not finite is reported as an
+   * error and adds nothing. */
   void AddProjectedArea(const std::string& name, double x, double y, double z);
-  /** Makes `name` a number in expressions, those added before too; again: another number. An error, and nothing, when it is not
-   * finite, or no identifier, or has a meaning. */
+  /** Defines `name` as a number in all expressions, including those added before; a second call changes the number. A value
+   * that is not finite, or a name that is not an identifier or already has a meaning, is reported as an error and changes
+   * nothing. */
   void AddConstant(const std::string& name, double value);
   ///@{
-  /** Integrates over faces of these entity numbers (FaceId of port 3) alone, in all bodies; none: over all. Others count as 0,
-   * and with them the strips that join them to their edges. */
+  /** Restricts the integration to the faces with these entity numbers (FaceId of port 3), in all bodies; without any, all faces
+   * are used. Other faces count as 0, and so do the strips that join them to their edges. */
   void AddFaceId(int id);
   void RemoveAllFaceIds();
   int GetNumberOfFaceIds() const;
   ///@}
-  /** Removes all integrands, and resets the next four settings. */
+  /** Removes all integrands, and resets the next four settings to their defaults. */
   void RemoveAllIntegrands();
 
   ///@{
-  /** Integrands as a text, for user interfaces: a line each, `NAME = EXPRESSION` over the faces or `NAME = X ; Y ; Z`, the flux
-   * of a vector out of the closed chain; empty lines are passed over. They replace those of an earlier text and leave all
-   * others. A line without a name, a '=' or one or three expressions is an error and is left out. Default: empty. */
+  /** Integrands as a text, for user interfaces, with one integrand per line: `NAME = EXPRESSION` over the faces, or
+   * `NAME = X ; Y ; Z` for the flux of a vector out of the closed chain; empty lines are ignored. They replace the integrands of an
+   * earlier text and leave all others. A line without a name, without '=' or without one or three expressions is reported as
+   * an error and ignored. Default: empty. */
   void SetIntegrandText(const std::string& text);
   std::string GetIntegrandText() const;
   ///@}
   ///@{
-  /** All volume moments x^i y^j z^k, i + j + k up to this degree, as `moment_i_j_k`; -1: none. Clamped to -1 .. 8, since one
-   * shader has them all; AddVolumeMoment() takes more. Beside an
-   * expression their bounds are estimated. Default: -1. */
+  /** Largest degree i + j + k of the volume moments x^i y^j z^k that are added as `moment_i_j_k`; -1: none. Range [-1, 8],
+   * clamped, since one shader computes them all; AddVolumeMoment() permits higher degrees. If there is also an expression, the
+   * bounds of the moments are estimated. Default -1. */
   void SetMomentDegree(int degree);
   int GetMomentDegree() const;
   ///@}
   ///@{
-  /** AddBendingEnergy() under the name `BendingEnergy`. Default: off. */
+  /** If on, adds AddBendingEnergy() under the name `BendingEnergy`. Default off. */
   void SetBendingEnergy(bool on);
   bool GetBendingEnergy() const;
   void BendingEnergyOn() { this->SetBendingEnergy(true); }
   void BendingEnergyOff() { this->SetBendingEnergy(false); }
   ///@}
   ///@{
-  /** AddProjectedArea() of this direction under the name `ProjectedArea`; 0 0 0: none. What is not finite is an error and changes
-   * nothing. Default: 0 0 0. */
+  /** Direction of AddProjectedArea() under the name `ProjectedArea`; 0 0 0: none. A component that is not finite is reported as
+   * an error and changes nothing. Default 0 0 0. */
   void SetProjectedAreaDirection(double x, double y, double z);
   void SetProjectedAreaDirection(const double direction[3])
   {
@@ -119,16 +125,16 @@ public:
   }
   double* GetProjectedAreaDirection() VTK_SIZEHINT(3);
   ///@}
-  /** All integrands, in the order of the outputs: those that were added, those of the text, moments, bending energy, projected area.
-   * One whose name an earlier one has is left out. */
+  /** All integrands, in the order of the outputs: added integrands, those of the text, moments, bending energy, projected area.
+   * An integrand whose name is already used by an earlier one is left out. The name for an index out of range is empty. */
   int GetNumberOfIntegrands() const;
   std::string GetIntegrandName(int index) const;
 
   ///@{
   /**
-   * Tolerance of every integral relative to the scale of its solid (volume or area times the matching power
-   * of its size). Range (0, 1], clamped to [1e-15, 1]; not a number is an error and changes nothing. Default 1e-9. Unmet: Status
-   * tolerance-not-met, the value and its true bound are kept.
+   * Tolerance of every integral relative to the scale of its solid (volume or area times the matching power of its size). Range
+   * (0, 1], clamped to [1e-15, 1]; NaN is reported as an error and changes nothing. Default 1e-9. If it cannot be met, Status is
+   * tolerance-not-met, and the value is kept with its true bound.
    */
   void SetRelativeTolerance(double tolerance) { this->ChangeRelativeTolerance(tolerance); }
   vtkGetMacro(RelativeTolerance, double);
@@ -136,9 +142,9 @@ public:
 
   ///@{
   /**
-   * Integrals of faces are kept by face, tolerances and (where they matter) placement, so that after an edit only the faces
-   * that it changed are evaluated; values and bounds have the bits of a full run, and Evaluations counts what was
-   * evaluated. Off: every run evaluates everything. Default: on.
+   * If on, integrals of faces are kept by face, tolerances and (if results depend on it) placement, so that after an edit only
+   * the changed faces are evaluated. Values and bounds are bitwise equal to those of a full run, and Evaluations counts only what
+   * was evaluated. If off, every run evaluates all faces. Default on.
    */
   vtkSetMacro(CacheFaceResults, bool);
   vtkGetMacro(CacheFaceResults, bool);
@@ -146,7 +152,7 @@ public:
   ///@}
 
   ///@{
-  /** The last run: total of the integrand (NaN when absent or not computed) and its bound. */
+  /** Total of an integrand in the last run and its bound; NaN if there is no such integrand or it was not computed. */
   double GetIntegral(const std::string& name) const;
   double GetIntegralBound(const std::string& name) const;
   ///@}
@@ -169,7 +175,7 @@ private:
 
 #ifndef __VTK_WRAP__
   struct Internals;
-  /** Adds an integrand to a list of this filter, unless its name is taken: that is an error. */
+  /** Adds an integrand to a list of this filter. A name that is already used is reported as an error. */
   void Add(const sm::Integrand& integrand, std::vector<sm::Integrand>& integrands);
   std::unique_ptr<Internals> Implementation;
 #endif

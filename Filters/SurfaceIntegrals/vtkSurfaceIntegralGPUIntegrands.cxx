@@ -1,4 +1,4 @@
-// The integrands of vtkSurfaceIntegralGPU: the user's own and the ready ones; constants, and the faces to integrate over.
+// Integrands of vtkSurfaceIntegralGPU, by the user's expressions and predefined; constants, and the selection of faces.
 #include "vtkSurfaceIntegralGPU.h"
 
 #include "smFormat.h"
@@ -14,10 +14,10 @@
 
 namespace
 {
-/// Beyond it, caps and straight panels would take Gauss rules that the table does not have (OrderLadder).
+/// Largest degree for which caps and straight panels have Gauss rules in the table (OrderLadder).
 constexpr int LargestDegree = 60;
 static_assert((LargestDegree + 4) / 2 <= sm::MaximumRuleSize, "the points of a cap");
-// 165 moments are one shader, which drivers take seconds to compile, and longer than in proportion for more.
+// 165 moments are computed by one shader, which drivers take seconds to compile; the time grows more than proportionally.
 constexpr int LargestMomentDegree = 8;
 
 bool AreValidPowers(int i, int j, int k)
@@ -25,7 +25,7 @@ bool AreValidPowers(int i, int j, int k)
   return std::min({ i, j, k }) >= 0 && std::max({ i, j, k }) <= LargestDegree && i + j + k <= LargestDegree;
 }
 
-/// dvec3 of a unit vector; empty when there is no direction.
+/// Returns a dvec3 literal of the normalised direction; empty if there is none.
 std::string UnitVector(double x, double y, double z)
 {
   const double length = std::hypot(x, y, z);
@@ -47,7 +47,7 @@ sm::Integrand MakeBendingEnergy(const std::string& name)
 {
   sm::Integrand integrand =
     sm::Integrand::User(name, "(4 * meanCurvature * meanCurvature - 2 * gaussianCurvature) * dA", false);
-  // It is the same for bodies of all sizes.
+  // The integral does not depend on the size of the body.
   integrand.ScalePower = -2;
   return integrand;
 }
@@ -57,7 +57,7 @@ sm::Integrand MakeProjectedArea(const std::string& name, const std::string& dire
   return sm::Integrand::User(name, "0.5 * abs(dot(" + direction + ", normal))", false);
 }
 
-/// One of the two would be a column of the other.
+/// Returns true if the name, or the column of its bound, is the name or bound of another integrand.
 bool HasClash(const std::vector<sm::Integrand>& integrands, const std::string& name)
 {
   const std::string bound = sm::names::BoundSuffix;
@@ -143,7 +143,7 @@ void vtkSurfaceIntegralGPU::Add(const sm::Integrand& integrand, std::vector<sm::
   if (name.empty() || isReserved || HasClash(this->Implementation->GetIntegrands(), name))
   {
     vtkErrorMacro(
-      "The name '" << name << "' of an integrand is empty, or a column of the outputs has it or would.");
+      "The name '" << name << "' of an integrand is empty, or it is used by a column of the outputs.");
     return;
   }
   integrands.push_back(integrand);
@@ -274,7 +274,7 @@ void vtkSurfaceIntegralGPU::SetIntegrandText(const std::string& text)
     {
       vtkErrorMacro(
         "'" << line
-            << "' is no integrand: write NAME = EXPRESSION, for example area = dA, or NAME = X ; Y ; Z "
+            << "' is not an integrand: write NAME = EXPRESSION, for example area = dA, or NAME = X ; Y ; Z "
                "for the flux of a vector.");
       continue;
     }

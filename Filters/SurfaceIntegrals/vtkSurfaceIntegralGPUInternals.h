@@ -1,6 +1,6 @@
 /**
  * @file vtkSurfaceIntegralGPUInternals.h
- * @brief The integrands of vtkSurfaceIntegralGPU and the results of its last run; not installed
+ * @brief Integrands and last results of vtkSurfaceIntegralGPU; not installed
  */
 #ifndef vtkSurfaceIntegralGPUInternals_h
 #define vtkSurfaceIntegralGPUInternals_h
@@ -14,7 +14,7 @@
 
 struct vtkSurfaceIntegralGPU::Internals
 {
-  /// What Add…() added, and what the lines of the text say. Expressions are translated with the constants of the run.
+  /// Integrands of the Add…() methods and of the text. Expressions are translated with the constants of the run.
   std::vector<sm::Integrand> Added;
   std::vector<sm::Integrand> OfText;
   std::string IntegrandText;
@@ -25,7 +25,7 @@ struct vtkSurfaceIntegralGPU::Internals
   /// Entity numbers of the faces to integrate over; empty: all.
   std::set<int> FaceIds;
 
-  /// The integrands of the last run; totals and their bounds, by name.
+  /// Integrands of the last run, and totals with their bounds by name.
   std::vector<sm::Integrand> Integrated;
   std::map<std::string, std::pair<double, double>> Totals;
 

@@ -1,4 +1,4 @@
-// A part of one trim curve of one tile per invocation.
+// Each invocation draws a part of one trim curve of one tile.
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smPortable

@@ -1,4 +1,4 @@
-// Storage of a batch of tiles, see smSchemeBatch.h, and the accessors by which the chunks of mathematics reach it.
+// Storage of a batch of tiles, see smSchemeBatch.h, and the accessors that the shader chunks use.
 // Bindings 0 to 6.
 //SM::Include smSchemeTile
 
@@ -26,7 +26,7 @@ layout(std430, binding = 5) writeonly buffer smResultBuffer
 {
   double smResults[];
 };
-// [0] evaluations, counted.
+// Element 0 counts the evaluations.
 layout(std430, binding = 6) buffer smCountBuffer
 {
   uint smCounts[];
@@ -41,8 +41,8 @@ double smValue(uint at)
   return smSchemeValues[at];
 }
 
-// Of one of the lists that tiles share: the last tile whose part begins at or before `index`. Tiles without a part are passed
-// over, for the next one begins where they do.
+// Returns the tile to which `index` belongs in one of the lists that tiles share: the last tile whose part begins at or before
+// it. Tiles with an empty part are skipped, because the next tile begins at the same index.
 uint smFindTile(uint index, int list)
 {
   uint low = 0u;

@@ -1,12 +1,12 @@
-// The paper's integrals over one sub-patch, equations 16 to 28 with the flux along z, by n x n Gauss points, weighed by the
+// The paper's integrals over one sub-patch, equations 16 to 28 with the flux along z, by n x n Gauss points, weighted by the
 // fraction of the sub-patch's texels that are in the face; and its error estimate, equation 36: 2 K |n_z| by the same points.
 //
-// Needs: chunks smSchemeTile, smTrimTexture, smPatch; SM_DEGREE_S, SM_DEGREE_R (of `source`: constants for the common
-// degrees); int smPoints (n), double smPerturbation (a factor of every sample); smSchemePatch smGetSource(uint index),
-// void smSetResult(uint at, double value). Writes the 16 results of row `to`: V X Y Z XX YY ZZ XY YZ XZ, vector area, area,
-// estimate where all texels are in the face, estimate where any is.
+// Needs: chunks smSchemeTile, smTrimTexture, smPatch; SM_DEGREE_S, SM_DEGREE_R (degrees of `source`, constants for the common
+// degrees); int smPoints (n), double smPerturbation (a factor of every sample); smSchemePatch smGetSource(uint index), void
+// smSetResult(uint at, double value). Writes the 16 results of row `to`: V X Y Z XX YY ZZ XY YZ XZ, vector area, area, estimate
+// if all texels are in the face, estimate if any texel is.
 
-// Node on [0,1] and weight of point i of n, equations 32 to 35; the weights sum up to 1.
+// Returns node on [0,1] and weight of point i of n, equations 32 to 35; the weights add up to 1.
 dvec2 smSchemeRule(int n, int i)
 {
   if (n == 1)
@@ -21,7 +21,7 @@ dvec2 smSchemeRule(int n, int i)
                 : dvec2(i == 0 ? 0.11270166537925831148LF : 0.88729833462074168852LF, 5.0LF / 18.0LF);
 }
 
-// Returns the number of evaluations. `index` counts the sub-patches of the tile.
+// Returns the number of evaluations. `index` is that of the sub-patch within the tile.
 uint smIntegrateSubPatch(smSchemeTile tile, uint index, uint to)
 {
   uint row = index / tile.grid.z;
@@ -38,7 +38,7 @@ uint smIntegrateSubPatch(smSchemeTile tile, uint index, uint to)
   dvec3 vectorArea = dvec3(0.0LF);
   double area = 0.0LF;
   double shadow = 0.0LF;
-  // Sub-patches that are trimmed away are dropped.
+  // Sub-patches without a texel in the face are not evaluated.
   int n = covered > 0u ? smPoints : 0;
 
   uint k = tile.shape.y;

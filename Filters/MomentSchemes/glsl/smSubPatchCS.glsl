@@ -1,4 +1,4 @@
-// One sub-patch per invocation.
+// Each invocation evaluates one sub-patch.
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smPortable

@@ -1,4 +1,4 @@
-// One row of texels of one tile per invocation.
+// Each invocation sweeps one row of texels of one tile.
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smPortable

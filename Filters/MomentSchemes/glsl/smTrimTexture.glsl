@@ -1,12 +1,13 @@
-// The trim texture of a tile: 1 where a texel's centre is in the face, else 0. The trim curves, cut into rises along which v
-// grows or falls (smTrimRises.h), are drawn into a texture of changes of the winding number: along a row of texel centres it
-// changes by 1 where a rise crosses, by +1 where v falls, for loops have the face to their left. A running sum from the left is
-// the winding number; it is not 0 in the face. Integers only, so rises may be drawn in any order.
+// The trim texture of a tile: 1 if the centre of a texel is in the face, else 0. The trim curves, cut into rises along which v
+// increases or decreases (smTrimRises.h), are drawn into a texture of changes of the winding number: along a row of texel centres
+// the winding number changes where a rise crosses, by +1 if v decreases and by -1 if it increases, as loops have the face to
+// their left. The running sum from the left is the winding number, which is not 0 in the face. All numbers are integers, so that
+// the result does not depend on the order of the rises.
 //
 // Needs: chunk smSchemeTile; double smValue(uint at), void smAddTexel(uint at, int change), int smGetTexel(uint at),
 // void smSetTexel(uint at, int value).
 
-// Centre of texel `index` between the borders from `borders` on, `factor` texels from border to border.
+// Returns the centre of texel `index` between the borders that begin at `borders`, with `factor` texels from border to border.
 double smTexelCentre(uint borders, uint factor, uint index)
 {
   uint interval = index / factor;
@@ -16,7 +17,7 @@ double smTexelCentre(uint borders, uint factor, uint index)
   return centre;
 }
 
-// The first texel of `count` intervals whose centre is at x or beyond; factor * count when none is.
+// Returns the first texel of `count` intervals whose centre is at x or beyond; factor * count if there is none.
 uint smFindTexel(uint borders, uint count, uint factor, double x)
 {
   uint low = 0u;
@@ -36,8 +37,8 @@ uint smFindTexel(uint borders, uint count, uint factor, double x)
   return low;
 }
 
-// At x one coordinate of a rise, less `origin`, and its derivative; Bernstein coefficients in every other place from `first` on.
-// Nested in 1 - x: B_i^n = C(n,i) x^i (1-x)^(n-i), and n B_i^(n-1) for the differences.
+// Returns the value at x of one coordinate of a rise, less `origin`, and its derivative. The Bernstein coefficients are every
+// other value from `first` on. Horner's scheme in 1 - x: B_i^n = C(n,i) x^i (1-x)^(n-i), and n B_i^(n-1) for the differences.
 dvec2 smRiseEvaluate(uint first, int degree, double x, double origin)
 {
   double y = 1.0LF - x;
@@ -57,9 +58,9 @@ dvec2 smRiseEvaluate(uint first, int degree, double x, double origin)
   return sum;
 }
 
-// Where a rise from v0 to v1 is at v, which is between them: Newton's steps as long as each is at most half of the one
-// before and stays between points on either side, else half of what is between. It ends where rounding begins: coefficients
-// are within |v1 - v0| of v, and a sum of up to 26 terms rounds by a few units of that.
+// Returns the parameter at which a rise from v0 to v1 has the value v, which is between them. A Newton step is taken if it is at
+// most half as long as the one before and stays inside the bracket, else a bisection step. It ends at the level of rounding:
+// coefficients are within |v1 - v0| of v, and a sum of up to 26 terms has a rounding error of a few units of that.
 double smFindCrossing(uint first, int degree, double v0, double v1, double v)
 {
   double low = 0.0LF;
@@ -92,9 +93,10 @@ double smFindCrossing(uint first, int degree, double v0, double v1, double v)
   return x;
 }
 
-// Draws part `index` of the tile's trim curves: one block of the rows that a rise crosses. A crossing left of the tile counts from its
-// first column on, one right of it not at all. Whether a row is crossed its ends decide alone, so that no rounding opens a loop;
-// where, the polynomial itself: to chords the curve would be off to one side all along.
+// Draws part `index` of the tile's trim curves: one block of the rows that a rise crosses. A crossing left of the tile counts in
+// its first column, a crossing right of it is omitted. The end points alone decide whether a row is crossed, so that rounding
+// cannot open a loop. The polynomial itself gives the position of the crossing, as chords would have an error of one sign along
+// the curve.
 void smDrawTrim(smSchemeTile tile, uint index)
 {
   uint at = tile.values.w + 3u * index;
@@ -106,7 +108,7 @@ void smDrawTrim(smSchemeTile tile, uint index)
   double v1 = smValue(first + 2u * uint(degree) + 1u);
   uint factor = tile.shape.z;
   uint columns = factor * tile.grid.z;
-  // A rise has its lower end and not its upper one, so that rises that meet on a row count once.
+  // A rise includes its lower end and excludes its upper one, so that rises that meet on a row count once.
   double top = max(v0, v1);
   uint row = smFindTexel(tile.values.y, tile.grid.w, factor, min(v0, v1)) + 64u * uint(smValue(at + 2u));
   uint end = min(row + 64u, factor * tile.grid.w);
@@ -130,7 +132,7 @@ void smDrawTrim(smSchemeTile tile, uint index)
   }
 }
 
-// Turns a row of changes into texels.
+// Replaces a row of changes of the winding number by texels.
 void smSweepTexels(smSchemeTile tile, uint row)
 {
   uint columns = tile.shape.z * tile.grid.z;
@@ -143,7 +145,7 @@ void smSweepTexels(smSchemeTile tile, uint row)
   }
 }
 
-// Texels of a sub-patch (column and row within the tile) that are in the face.
+// Returns the number of texels of a sub-patch (column and row within the tile) that are in the face.
 uint smCountTexels(smSchemeTile tile, uint column, uint row)
 {
   uint factor = tile.shape.z;

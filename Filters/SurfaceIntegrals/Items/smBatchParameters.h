@@ -1,6 +1,6 @@
 /**
  * @file smBatchParameters.h
- * @brief The constants that the items of a batch read: Gauss rules, tolerances, placements
+ * @brief Constants that the items of a batch read: Gauss rules, tolerances, placements
  */
 #ifndef smBatchParameters_h
 #define smBatchParameters_h
@@ -13,7 +13,7 @@
 
 namespace sm
 {
-/// As smParameters in glsl/smWorkStorage.glsl.
+/// Constants in the layout of smParameters in glsl/smWorkStorage.glsl.
 struct SMFILTERSSURFACEINTEGRALS_EXPORT BatchParameters
 {
   std::vector<double> Values;

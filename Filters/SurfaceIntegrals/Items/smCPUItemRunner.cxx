@@ -14,11 +14,11 @@ namespace sm
 {
 namespace
 {
-// Rows at a time: they stay within a few tens of MiB.
+// Largest number of rows at a time, which limits them to a few tens of MiB.
 constexpr std::size_t RowsAtMost = 65536;
-// Estimated cost between two questions whether to go on: some tens of milliseconds of one core.
+// Estimated cost between two calls of shouldContinue: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
-// Items that a thread takes at a time.
+// Number of items per task of a thread.
 constexpr std::size_t ItemsPerTask = 16;
 
 double FindLargest(const double* rows, std::size_t count, int stride)
@@ -37,7 +37,7 @@ struct CPUItemRunner::Internals
 {
   SampleFormulas Formulas;
   std::vector<CutFacePointer> Faces;
-  /// Of the last BeginBatch().
+  /// Faces of the last BeginBatch().
   std::vector<const FacePanels*> Slots;
   BatchParameters Batch;
   std::vector<double> Rows;
@@ -130,7 +130,7 @@ bool CPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<st
     {
       cost += items[active[end]].GetCost();
     }
-    // An integer: the same in any order.
+    // An integer, so that the sum does not depend on the order.
     std::atomic<std::int64_t> spent{ 0 };
     ParallelFor(end - begin, ItemsPerTask,
       [&](std::size_t from, std::size_t to)
@@ -161,7 +161,7 @@ void CPUItemRunner::Release()
   Internals& self = *this->Implementation;
   self.Slots.clear();
   self.Faces.clear();
-  // Room for a batch is not kept for the time between runs.
+  // The memory of a batch is not kept between runs.
   self.Rows = std::vector<double>();
 }
 

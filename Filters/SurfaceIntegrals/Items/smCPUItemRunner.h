@@ -1,6 +1,6 @@
 /**
  * @file smCPUItemRunner.h
- * @brief Evaluates items on the CPU, by the shaders' own chunks of mathematics
+ * @brief Evaluates items on the CPU, with the mathematics of the shaders
  */
 #ifndef smCPUItemRunner_h
 #define smCPUItemRunner_h
@@ -14,9 +14,9 @@
 namespace sm
 {
 /**
- * Items run in parallel by vtkSMPTools, with whatever backend and number of threads the application chose; results are
- * the same bits for any. All faces are one group. An integrand of the user's own is GLSL text, which needs OpenGL:
- * GetObstacle() says so.
+ * Evaluates items in parallel by vtkSMPTools, with the backend and the number of threads that the application chose; results are
+ * bitwise the same for any of these. All faces are one group. User integrands are GLSL text, which needs OpenGL; for these
+ * GetObstacle() returns a reason.
  */
 class SMFILTERSSURFACEINTEGRALS_EXPORT CPUItemRunner : public ItemRunner
 {
@@ -24,7 +24,7 @@ public:
   CPUItemRunner();
   ~CPUItemRunner() override;
 
-  /// "CPU, N threads".
+  /// Returns "CPU, N threads".
   static std::string GetDescription();
 
   std::string GetObstacle(const Integrand& integrand) const override;

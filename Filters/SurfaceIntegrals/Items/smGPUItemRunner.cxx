@@ -18,12 +18,12 @@ namespace sm
 {
 namespace
 {
-// Invocations per work group, as in the shaders.
+// Number of invocations per work group, as in the shaders.
 constexpr unsigned int LocalSize = 32;
-// Estimated cost (evaluations times the degree's share) of one dispatch: some 50 ms on two CPU cores, so that
-// abort is heard and no driver's watchdog fires.
+// Estimated cost (evaluations times a factor for the degree) of one dispatch: some 50 ms on two CPU cores, so that the run can be
+// aborted between dispatches and the driver's watchdog does not interrupt it.
 constexpr std::int64_t CostPerDispatch = 4000000;
-// Bounds the memory of rows and lists.
+// Largest number of rows at a time, which limits the memory of rows and lists.
 constexpr std::size_t RowsAtMost = 262144;
 
 ProgramKey ChooseProgram(const WorkItem& item)
@@ -55,9 +55,9 @@ struct GPUItemRunner::Internals
   ComputeBuffer Rows;
   ComputeBuffer StatusFlags;
 
-  /// Of the last Acquire().
+  /// Places of the faces of the last Acquire().
   std::vector<ResidentFace> Places;
-  /// Of the last BeginBatch(): where the face of each slot lies; all lie on one page.
+  /// Places of the faces of the last BeginBatch(), by slot; all are on one page.
   std::vector<const ResidentFace*> Slots;
   BatchParameters Batch;
 
@@ -74,7 +74,7 @@ struct GPUItemRunner::Internals
       this->StatusFlags.GetError();
   }
 
-  /// The record with the places of its face's data on the page.
+  /// Returns the record with indices into the page's data of its face.
   WorkRecord MakeRecord(const WorkItem& item) const
   {
     const ResidentFace& place = *this->Slots[item.GetSlot()];
@@ -93,7 +93,7 @@ struct GPUItemRunner::Internals
     return record;
   }
 
-  /// Builds the programs that the faces need and runs each once.
+  /// Builds the programs that the faces need and runs each once, as drivers finish compilation at the first dispatch.
   bool WarmUp(const std::vector<CutFacePointer>& faces, std::string& error);
   bool Dispatch(const Setup& setup, const RowLayout& layout, const ProgramKey& key, std::size_t begin,
     std::size_t count, std::string& error);
@@ -170,7 +170,7 @@ bool GPUItemRunner::Internals::WarmUp(const std::vector<CutFacePointer>& faces, 
       error = this->Programs.GetError();
       return false;
     }
-    // Drivers finish compiling at the first dispatch: one with nothing to do.
+    // Drivers finish compilation at the first dispatch; this one is empty.
     if (!this->Bind(key, page) || !program->SetUniform("smWorkCount", 0u) || !program->Dispatch(1, LocalSize))
     {
       error = "a shader could not be run: " + program->GetError();
@@ -251,7 +251,7 @@ bool GPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<st
   std::vector<std::uint8_t>& unconverged, std::int64_t& evaluations, const ContinueCallback& shouldContinue)
 {
   Internals& self = *this->Implementation;
-  // By program and order, so that neighbouring invocations do the same; stable within.
+  // The items are sorted by program and order, so that neighbouring invocations do the same work; the sort is stable.
   std::vector<std::pair<ProgramKey, std::size_t>> order;
   order.reserve(active.size());
   for (std::size_t i = 0; i < active.size(); ++i)
@@ -316,17 +316,6 @@ void GPUItemRunner::Release()
   this->Implementation->Slots.clear();
   this->Implementation->Places.clear();
   this->Implementation->Resident.EndRun();
-}
-
-void GPUItemRunner::FreeMemory()
-{
-  this->Release();
-  this->Implementation->Resident.Release();
-  this->Implementation->Work.Free();
-  this->Implementation->Parameters.Free();
-  this->Implementation->Rows.Free();
-  this->Implementation->StatusFlags.Free();
-  this->Implementation->Sums.Free();
 }
 
 bool GPUItemRunner::Sum(

@@ -15,9 +15,9 @@ class vtkComputeContext;
 namespace sm
 {
 /**
- * Keeps faces resident (ResidentFaces); a group is a page of them. Work is dispatched in portions of limited cost, each in a
- * scope of the context of its own, so that abort is heard, no driver's watchdog fires, and whoever watches the
- * progress may render elsewhere between them. The context must be READY.
+ * Keeps faces resident (ResidentFaces); a group is a page of them. Work is dispatched in portions of limited cost, each in its
+ * own scope of the context, so that a run can be aborted between them, the driver's watchdog does not interrupt it, and a
+ * progress observer may render in another window. The context must be READY.
  */
 class GPUItemRunner : public ItemRunner
 {
@@ -25,12 +25,12 @@ public:
   explicit GPUItemRunner(vtkComputeContext* context);
   ~GPUItemRunner() override;
 
-  /// What the compiler says of an expression of the user's.
+  /// Returns the compiler's message if the expression of a user integrand does not compile.
   std::string GetObstacle(const Integrand& integrand) const override;
   bool Acquire(const std::vector<CutFacePointer>& faces, const ProgressCallback& progress) override;
   std::string GetFaceError(std::size_t face) const override;
   int GetGroup(std::size_t face) const override;
-  /// Rows, and work records, fit into a storage block each.
+  /// Returns the number of rows for which the rows and the work records fit into a storage block each.
   std::size_t GetRowLimit() const override;
   bool BeginBatch(const std::vector<BatchFace>& faces) override;
   bool BeginRows(std::size_t rows) override;
@@ -40,7 +40,6 @@ public:
   bool Sum(const std::vector<Segment>& segments, std::vector<double>& sums,
     std::vector<double>& largestGaps) override;
   void Release() override;
-  void FreeMemory() override;
 
 protected:
   void OnConfigure() override;

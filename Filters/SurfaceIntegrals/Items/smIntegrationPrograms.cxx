@@ -125,7 +125,7 @@ std::string IntegrationPrograms::FindError(const Integrand& integrand)
   {
     if (program.GetLog().empty())
     {
-      // No fault of the expression's.
+      // The failure is not caused by the expression.
       this->Checked.erase(found);
       return program.GetError();
     }

@@ -1,6 +1,6 @@
 /**
  * @file smIntegrationPrograms.h
- * @brief The compute programs of integration, built for a list of integrands when first needed
+ * @brief Compute programs of integration for a list of integrands, built on first use
  */
 #ifndef smIntegrationPrograms_h
 #define smIntegrationPrograms_h
@@ -18,25 +18,27 @@ namespace sm
 {
 class ShaderSource;
 
-/// Items that one program integrates: their kind, and the degrees it is compiled for (0: any).
+/// Key of a program: the kind of its items, and the degrees it is compiled for (0: any).
 using ProgramKey = std::tuple<ItemKind, int, int>;
 
+/// Builds and keeps the compute programs of one context.
 class IntegrationPrograms
 {
 public:
   explicit IntegrationPrograms(vtkComputeContext* context);
 
-  /// A change drops the compiled shaders.
+  /// Sets integrands and layout. A change releases the compiled shaders.
   void Configure(const ItemRunner::Setup& setup, const RowLayout& layout);
 
-  /// The program for an item on a patch of these degrees. The choice depends on nothing else, so that a face
-  /// gets the same bits in any company.
+  /// Returns the key of the program for an item on a patch of these degrees. The choice depends on nothing else, so that the
+  /// results of a face are bitwise the same in any batch.
   static ProgramKey ChooseProgram(ItemKind kind, int degreeS, int degreeR);
 
-  /// Builds it if need be; null with GetError() when it does not build.
+  /// Returns the program, which is built on first use; null, with GetError(), if it cannot be built.
   ComputeProgram* Get(const ProgramKey& key);
 
-  /// Why an integrand does not compile, at the user's column; empty when it does. Each is compiled alone, and once.
+  /// Returns the reason why an integrand does not compile, with the column in the user's text; empty if it compiles. Each
+  /// integrand is compiled separately, and only once.
   std::string FindError(const Integrand& integrand);
 
   const std::string& GetError() const { return this->Error; }
@@ -45,14 +47,14 @@ private:
   std::string MakeFunctions(bool isPanel) const;
   std::string MakeValues(bool chainOnly) const;
   std::string MakeRoundings(bool chainOnly) const;
-  /// What the samples of panels must be described by, see UserExpression.
+  /// Returns the level of SM_SAMPLE_DETAIL that the integrands need, see UserExpression.
   int GetDetail(bool isPanel) const;
 
   vtkComputeContext* Context;
   ItemRunner::Setup Setup;
   RowLayout Layout;
   std::map<ProgramKey, ComputeProgram> Programs;
-  /// What the compiler said of functions of the user's.
+  /// Results of FindError() by the text of the user's functions.
   std::map<std::string, std::string> Checked;
   std::string Error;
 };

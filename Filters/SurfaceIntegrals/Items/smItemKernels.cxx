@@ -56,7 +56,7 @@ namespace
 #define SM_BASIS_SIZE BasisSize
 #define SM_ROW_SIZE RowSize
 
-/// The chunks and what they need, for patches of the given degrees (0: any).
+/// The shader chunks and the functions they need, for patches of the given degrees (0: any).
 template <int DegreeS, int DegreeR>
 class Kernel
 {
@@ -118,7 +118,7 @@ private:
   static constexpr int RowSize = DegreeS > 0 ? DegreeS + 1 : MaximumDegree + 1;
   static constexpr int BasisSize = DegreeS > 0 ? (DegreeS > DegreeR ? DegreeS : DegreeR) : MaximumDegree;
 
-// Types first.
+// The types are included first.
 #include "glsl/smPatchRecord.glsl"
 #include "glsl/smWorkRecord.glsl"
 
@@ -192,7 +192,7 @@ private:
     this->Accumulate(weight, noise, position, normal, true);
   }
 
-  /// Factors from left to right, as in the texts of the shaders; multiplying by 1 is exact.
+  /// Multiplies the factors from left to right, as in the shaders' generated text; a multiplication by 1 is exact.
   void Accumulate(double weight, double noise, const dvec3& position, const dvec3& normal, bool chainOnly)
   {
     const SampleFormulas& formulas = *this->Data.Formulas;
@@ -261,7 +261,7 @@ KernelResult EvaluatePanelOf(
 KernelResult EvaluatePanel(
   const KernelData& data, const FacePanels& face, const WorkItem& item, KernelScratch& scratch)
 {
-  // The common degrees, compiled with constants.
+  // The common degrees are compiled with constants.
   switch (100 * item.Degree[0] + item.Degree[1])
   {
     case 101:

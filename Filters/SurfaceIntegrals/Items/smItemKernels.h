@@ -1,6 +1,6 @@
 /**
  * @file smItemKernels.h
- * @brief The chunks of glsl/ compiled as C++: evaluates one item of integration
+ * @brief The shader chunks of glsl/ compiled as C++: evaluates one item of integration
  */
 #ifndef smItemKernels_h
 #define smItemKernels_h
@@ -14,23 +14,25 @@
 
 namespace sm
 {
-/// The formulas of a list of integrands (none of them a User's), flat, as a sample needs them.
+/// The formulas of a list of integrands (without user integrands) in the flat form in which samples are evaluated.
 class SMFILTERSSURFACEINTEGRALS_EXPORT SampleFormulas
 {
 public:
   SampleFormulas() = default;
   SampleFormulas(const std::vector<Integrand>& integrands, const RowLayout& layout);
 
+  /// A factor times a base times coordinates.
   struct Term
   {
-    /// Into flux, area element, normal x, y, z.
+    /// Index of the base: flux, area element, normal x, y, z.
     int Base;
     double Factor;
-    /// Two coordinates that multiply it, 3 stands for 1; and the others of higher degrees, in More.
+    /// Indices of two coordinates that multiply the term, where 3 stands for 1; the range in More has those of higher degrees.
     int First, Second;
     int MoreBegin, MoreEnd;
     bool ClosedChain;
   };
+  /// A factor times a power of the distance from the origin, which scales a rounding error.
   struct Magnitude
   {
     double Factor;
@@ -41,7 +43,7 @@ public:
   std::vector<Magnitude> Magnitudes;
 };
 
-/// What all items of a batch read and write. Items of different rows may be evaluated by different threads.
+/// Data that all items of a batch read and write. Different threads may evaluate items of different rows.
 struct KernelData
 {
   const ItemRunner::Setup* Setup = nullptr;
@@ -51,17 +53,18 @@ struct KernelData
   const double* Parameters = nullptr;
   std::uint32_t ToleranceOffset = 0;
   std::uint32_t PlacementOffset = 0;
-  /// Layout->GetStride() doubles a row.
+  /// Result rows of Layout->GetStride() doubles each.
   double* Rows = nullptr;
 };
 
+/// Result of one item.
 struct KernelResult
 {
   bool Converged = true;
   std::uint32_t Evaluations = 0;
 };
 
-/// Sums of one item at a time; every thread has its own.
+/// Buffer for the sums of one item; every thread has its own.
 class KernelScratch
 {
 public:
@@ -82,7 +85,7 @@ private:
   std::vector<double> Values;
 };
 
-/// Evaluates the item as glsl/sm{Panel,Ribbon,Cap}CS.glsl does and writes its row.
+/// Evaluates an item by the mathematics of glsl/sm{Panel,Ribbon,Cap}CS.glsl and writes its row.
 SMFILTERSSURFACEINTEGRALS_EXPORT KernelResult EvaluateItem(
   const KernelData& data, const FacePanels& face, const WorkItem& item, KernelScratch& scratch);
 }

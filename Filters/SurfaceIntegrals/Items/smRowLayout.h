@@ -13,9 +13,9 @@
 namespace sm
 {
 /**
- * A row holds the largest gap, the integrals of the squared gap and of the gap; a value and an error per integrand;
- * the roundings, one per different magnitude, which several integrands may share; and per integrand the last difference
- * between orders. As in glsl/smWorkStorage.glsl.
+ * A row has the largest gap and the integrals of the squared gap and of the gap; a value and an error per integrand; the
+ * roundings, one per different magnitude, which several integrands may share; and per integrand the last difference between
+ * orders. The layout is that of glsl/smWorkStorage.glsl.
  */
 class SMFILTERSSURFACEINTEGRALS_EXPORT RowLayout
 {
@@ -40,9 +40,9 @@ public:
 
   int GetNumberOfIntegrands() const { return this->Integrands; }
   int GetNumberOfRoundings() const { return static_cast<int>(this->Magnitudes.size()); }
-  /// Which of the roundings belongs to each integrand.
+  /// Returns the index of the rounding that belongs to each integrand.
   const std::vector<int>& GetRoundingOf() const { return this->RoundingOf; }
-  /// The first integrand of each of the different magnitudes.
+  /// Returns the index of the first integrand of each different magnitude.
   const std::vector<int>& GetMagnitudes() const { return this->Magnitudes; }
 
 private:

@@ -30,7 +30,7 @@ void SumRows(const double* rows, std::size_t count, int stride, std::vector<doub
   }
   for (int column = 0; column < stride; ++column)
   {
-    // The errors of an infinite sum are no numbers.
+    // The accumulated errors of an infinite sum are NaN.
     sums[column] += std::isfinite(sums[column]) ? errors[column] : 0.0;
   }
 }

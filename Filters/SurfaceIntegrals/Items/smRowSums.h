@@ -1,6 +1,6 @@
 /**
  * @file smRowSums.h
- * @brief Sums of the columns of a table of rows, as the GPU's reduction forms them
+ * @brief Sums of the columns of a table of rows, computed as by the GPU's reduction
  */
 #ifndef smRowSums_h
 #define smRowSums_h
@@ -11,9 +11,9 @@
 
 namespace sm
 {
-/// sums[0 .. stride): sums of all columns over `count` rows of `stride` doubles, in order, with the errors of all additions carried
-/// to the end, as sm::Reduction (Ogita, Rump, Oishi 2005, algorithm 4.4). An overflow is infinite, a NaN stays. `errors` is
-/// scratch space.
+/// Computes sums[0 .. stride), the sums of all columns over `count` rows of `stride` doubles, in order. As in sm::Reduction, the
+/// errors of all additions are accumulated and added at the end (Ogita, Rump, Oishi 2005, algorithm 4.4). An overflow results in
+/// infinity, and a NaN is preserved. `errors` is scratch space.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SumRows(
   const double* rows, std::size_t count, int stride, std::vector<double>& errors, double* sums);
 }

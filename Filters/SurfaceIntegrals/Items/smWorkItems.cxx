@@ -9,7 +9,7 @@ namespace
 {
 /// Bits of the float 1.
 constexpr std::uint32_t One = 0x3f800000u;
-/// One in the exponent of a float.
+/// Increment of a float's exponent by one, which doubles it.
 constexpr std::uint32_t Doubling = 0x00800000u;
 
 // Flags of a work record, as in glsl/smWorkRecord.glsl.
@@ -72,7 +72,7 @@ void AddPlannedItems(
     }
     else if (item.Kind == ItemKind::Ribbon)
     {
-      // The edge's range runs with the trim's.
+      // The edge's range is divided in proportion to the trim's range.
       const double edgeStart = range[2];
       const double edgeWidth = range[3] - edgeStart;
       range[2] = edgeStart + edgeWidth * planned.Start;
@@ -137,7 +137,8 @@ void BisectItem(const WorkItem& parent, int shareHalvings, std::vector<WorkItem>
     child.Level = 0;
     child.Work.Detail[3] -= shareHalvings * Doubling;
     child.Work.Range[part & 1 ? 0 : 1] = middle[0];
-    // A ribbon's second range runs along the edge's curve with the first; a panel's is its own.
+    // The second range of a ribbon, along the edge's curve, is divided together with the first one; that of a panel is
+    // independent.
     const bool upper = isPanel ? part & 2 : part & 1;
     child.Work.Range[upper ? 2 : 3] = middle[1];
     children.push_back(child);

@@ -1,9 +1,9 @@
 /**
  * @file smBytes.h
- * @brief Values as bytes and back, for messages between ranks of one kind of machine
+ * @brief Conversion of values to bytes and back, for messages between ranks on machines of one kind
  *
- * Numbers travel as they lie in memory, so that doubles keep their bits. A ByteReader never reads beyond the end: what is
- * missing or makes no sense leaves it not IsGood(), and zeros in what was asked for.
+ * Numbers are copied in their memory representation, so that doubles are bitwise preserved. A ByteReader never reads beyond the
+ * end: after missing or invalid data IsGood() is false, and the requested values are zero.
  */
 #ifndef smBytes_h
 #define smBytes_h
@@ -83,7 +83,8 @@ public:
     this->Take(text.data(), text.size(), 1);
     return text;
   }
-  /// How many things of at least `size` bytes follow: 0, and not good, when they cannot all be there.
+  /// Returns the number of following elements of at least `size` bytes each. If the message is too short for them, returns 0, and
+  /// IsGood() is false.
   std::size_t GetCount(std::size_t size)
   {
     const auto count = this->Get<std::uint64_t>();

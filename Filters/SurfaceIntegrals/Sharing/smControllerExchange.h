@@ -14,7 +14,7 @@ class vtkMultiProcessController;
 
 namespace sm
 {
-/// Messages travel under tags of their own, and so do not meet those of others between collective calls.
+/// Messages have tags of their own, so that they are not confused with other messages between collective calls.
 class SMFILTERSSURFACEINTEGRALS_EXPORT ControllerExchange : public FaceExchange
 {
 public:

@@ -25,7 +25,7 @@ void GetCurve(ByteReader& from, PolynomialCurve<Dimension>& curve)
 
 void FaceWriter::Put(const Edge& edge)
 {
-  // A number not seen yet says that the edge follows.
+  // A number that has not occurred before means that the edge's data follow.
   const auto [known, isNew] = this->Edges.emplace(&edge, static_cast<std::uint32_t>(this->Edges.size()));
   this->To.Put(known->second);
   if (!isNew)

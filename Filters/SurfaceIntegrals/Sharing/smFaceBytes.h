@@ -1,6 +1,6 @@
 /**
  * @file smFaceBytes.h
- * @brief Faces and their integrals as bytes, bit for bit
+ * @brief Bitwise conversion of faces and their integrals to bytes and back
  */
 #ifndef smFaceBytes_h
 #define smFaceBytes_h
@@ -17,7 +17,7 @@
 
 namespace sm
 {
-/// Writes faces into one message; an edge that several of them share is written once.
+/// Writes faces into one message; an edge shared by several of them is written once.
 class SMFILTERSSURFACEINTEGRALS_EXPORT FaceWriter
 {
 public:
@@ -25,8 +25,8 @@ public:
     : To(to)
   {
   }
-  /// Everything that integrals depend on, and what messages name. Not the colour, the reader's messages, and where an edit
-  /// moved an edge from.
+  /// Writes everything on which integrals depend, and the names and numbers in messages. Colours, the reader's messages and the
+  /// previous positions of edited edges are omitted.
   void Put(const Face& face);
 
 private:
@@ -36,7 +36,7 @@ private:
   std::map<const Edge*, std::uint32_t> Edges;
 };
 
-/// Reads them, in the same order.
+/// Reads the faces of a FaceWriter, in the same order.
 class SMFILTERSSURFACEINTEGRALS_EXPORT FaceReader
 {
 public:
@@ -44,7 +44,7 @@ public:
     : From(from)
   {
   }
-  /// A face with a new id, its edges too; null when the message makes no sense.
+  /// Returns a face with a new id, whose edges have new ids too; null if the message is invalid.
   FacePointer Get();
 
 private:

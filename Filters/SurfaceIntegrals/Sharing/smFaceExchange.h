@@ -1,6 +1,6 @@
 /**
  * @file smFaceExchange.h
- * @brief How the ranks of a parallel run talk while they share the faces of one of them
+ * @brief Interface for the communication of the ranks of a parallel run that share the faces of one rank
  */
 #ifndef smFaceExchange_h
 #define smFaceExchange_h
@@ -15,8 +15,8 @@
 namespace sm
 {
 /**
- * Every method is collective: all ranks call it, in the same order, and it returns when a rank has what is meant for it. False:
- * the connection is gone, for good. Ranks are numbered from 0; they are machines of one kind (smBytes.h).
+ * Every method is collective: all ranks call it, in the same order, and it returns as soon as the calling rank has its data. It
+ * returns false if the connection is permanently lost. Ranks are numbered from 0 and run on machines of one kind (smBytes.h).
  */
 class FaceExchange
 {
@@ -26,38 +26,38 @@ public:
   virtual int GetNumberOfRanks() const = 0;
   virtual int GetRank() const = 0;
 
-  /// `all` gets what every rank gave, in the order of the ranks. As many numbers on all ranks.
+  /// Sets `all` to the numbers of every rank, in the order of the ranks. All ranks must pass the same count of numbers.
   virtual bool Share(const std::vector<double>& mine, std::vector<double>& all) = 0;
-  /// `all`, on `root` alone, gets a message of every rank.
+  /// Sets `all` to one message of every rank, on `root` only.
   virtual bool Gather(int root, const Bytes& mine, std::vector<Bytes>& all) = 0;
-  /// `mine` gets the rank's message of `all`, which counts on `root` alone.
+  /// Sets `mine` to the rank's message in `all`, which is read on `root` only.
   virtual bool Scatter(int root, const std::vector<Bytes>& all, Bytes& mine) = 0;
 };
 
-/// What a rank computes with.
+/// The device with which a rank computes.
 struct RankDevice
 {
   std::string Backend;
   std::string Renderer;
-  /// Why it is not the backend that was preferred; or empty.
+  /// Reason why it is not the preferred backend; empty if it is.
   std::string Note;
-  /// Not empty: nothing can be computed on this rank.
+  /// Reason why nothing can be computed on this rank; empty if it can compute.
   std::string DisabledReason;
-  /// Counts dispatches; may be empty.
+  /// Returns the number of dispatches; may be an empty function.
   std::function<std::int64_t()> CountDispatches;
 };
 
-/// What a rank did in a shared run.
+/// Contribution of one rank to a shared run.
 struct RankReport
 {
   std::string Backend;
   std::string Renderer;
   std::string Note;
-  /// Faces that were in its share and whose results are from there.
+  /// Number of faces in its share whose results it computed.
   std::size_t Faces = 0;
   std::int64_t Evaluations = 0;
   std::int64_t Dispatches = 0;
-  /// Not empty: why it took no share, or why the share was done by the rank that has the faces.
+  /// Reason why it had no share, or why the rank that has the faces computed its share; empty otherwise.
   std::string FailureReason;
 };
 }

@@ -10,13 +10,13 @@ namespace sm
 namespace
 {
 constexpr std::uint64_t RunsKept = 8;
-// Receivers keep faces longer than senders count on it.
+// Receivers keep faces longer than senders assume.
 constexpr std::uint64_t RunsKeptByReceivers = 2 * RunsKept;
 }
 
 double EstimateCost(const Face& face)
 {
-  // A panel and a ribbon for every piece of a trim curve, and a panel for every cell.
+  // One panel and one ribbon per piece of a trim curve, and one panel per cell.
   double pieces = 0.0;
   for (const Loop& loop : face.Loops)
   {
@@ -33,8 +33,8 @@ double EstimateCost(const Face& face)
     cells *= std::max(1, surface.NumberOfControlPoints[d] - surface.Degree[d]);
     points *= 1.0 + surface.Degree[d];
   }
-  // An item takes about as many points as a patch has coefficients, each of which costs as many products; the constant is what
-  // planning an item costs beside.
+  // An item takes about as many points as a patch has coefficients, and each point costs as many products; the constant is the
+  // cost of planning an item.
   return (pieces + cells) * (20.0 + points * points);
 }
 
@@ -66,7 +66,7 @@ std::vector<int> FaceShares::Divide(const std::vector<FaceTask>& tasks, const st
   for (const std::size_t i : fresh)
   {
     Home& home = this->Homes[tasks[i].Source->Id];
-    // Not so where another task of this run has found the face a home.
+    // Another task of this run may have assigned the face already.
     if (!hasHome(home))
     {
       int least = -1;
@@ -91,7 +91,7 @@ void FaceShares::Pack(const std::vector<FaceTask>& tasks, const std::vector<std:
   for (const std::size_t i : own)
   {
     const FaceTask& task = tasks[i];
-    // Faces of one body are asked the same.
+    // Faces of one body have the same tolerances and placement.
     const bool isSame = last && last->Tolerances == task.Tolerances && last->Placement == task.Placement;
     to.Put(isSame);
     if (!isSame)

@@ -1,9 +1,10 @@
 /**
  * @file smFaceShares.h
- * @brief Which rank integrates which face, and what it needs to be sent for it
+ * @brief Assignment of faces to ranks, and the messages that send them
  *
- * A face goes to the rank that had it last, where it is cut, planned and perhaps integrated already; new ones go to the rank
- * that has the least new work, the dearest first. A face travels once: ranks keep the faces of the last runs.
+ * A face is assigned to the rank that had it last, where it is already cut, planned and perhaps integrated. New faces are
+ * assigned in the order of descending cost to the rank with the least new work. A face is sent once: ranks keep the faces of the
+ * last runs.
  */
 #ifndef smFaceShares_h
 #define smFaceShares_h
@@ -19,20 +20,23 @@
 
 namespace sm
 {
-/// About how long a face takes to be cut, planned and integrated, in no unit: its items by what they evaluate.
+/// Returns the approximate cost of cutting, planning and integrating a face in arbitrary units, from the number and degree of its
+/// items.
 SMFILTERSSURFACEINTEGRALS_EXPORT double EstimateCost(const Face& face);
 
-/// Of the rank that has the faces.
+/// Assignment of faces, on the rank that has the faces.
 class SMFILTERSSURFACEINTEGRALS_EXPORT FaceShares
 {
 public:
-  /// A rank for every task, of those that are fit (one at least is).
+  /// Returns a rank for every task, among those with `fit` true, of which there must be one at least.
   std::vector<int> Divide(const std::vector<FaceTask>& tasks, const std::vector<bool>& fit);
-  /// The message that makes another rank know the tasks that are its own. Once after a Divide() for every such rank.
+  /// Writes the message by which another rank receives the tasks assigned to it. It must be called once after each Divide() for
+  /// every such rank.
   void Pack(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& own, ByteWriter& to);
-  /// Forgets what was not asked for in the last 8 runs.
+  /// Removes the faces that were not in the last 8 runs.
   void EndRun();
-  /// Sends all faces anew; ranks forget what they have, for it may not be what is believed.
+  /// Starts a new session, in which all faces are sent again and ranks discard the faces that they have, since their state is
+  /// unknown.
   void Forget();
 
 private:
@@ -40,7 +44,7 @@ private:
   {
     int Rank = -1;
     std::uint64_t LastRun = 0;
-    /// It was sent there.
+    /// True if the face was sent to the rank.
     bool IsThere = false;
   };
   std::unordered_map<std::uint64_t, Home> Homes;
@@ -48,11 +52,11 @@ private:
   std::uint64_t Run = 0;
 };
 
-/// Of another rank: the faces that it was sent.
+/// The faces received by another rank.
 class SMFILTERSSURFACEINTEGRALS_EXPORT ReceivedFaces
 {
 public:
-  /// False when the message makes no sense, or names a face that is not here.
+  /// Reads the tasks of a message. Returns false if the message is invalid or refers to a face that was not received.
   bool Unpack(int sender, ByteReader& from, std::vector<FaceTask>& tasks);
   std::size_t GetNumberOfFaces() const { return this->Faces.size(); }
 
@@ -62,7 +66,7 @@ private:
     FacePointer Face;
     std::uint64_t LastRun = 0;
   };
-  /// By the sender's ids; the faces have ids of this process.
+  /// Faces by the sender's ids; the faces themselves have ids of this process.
   std::unordered_map<std::uint64_t, Entry> Faces;
   int Sender = -1;
   std::uint64_t Session = 0;

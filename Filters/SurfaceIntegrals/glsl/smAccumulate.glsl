@@ -1,9 +1,9 @@
-// Adds a sample to smValues and smRoundings; the terms are generated from the list of integrands.
+// Functions that add a sample to smValues and smRoundings; their terms are generated from the list of integrands.
 // Needs: chunk smWorkStorage.
 
 //SM::UserFunctions
 
-// A sample of a face: all integrands.
+// Adds a sample of a face to all integrands.
 void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal)
 {
   double size = length(position);
@@ -11,7 +11,7 @@ void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal)
   //SM::AccumulateFaceRoundings
 }
 
-// A sample of a ribbon or cap: the integrands of the closed chain.
+// Adds a sample of a ribbon or cap to the integrands of the closed chain.
 void smAccumulateChain(double weight, double noise, dvec3 position, dvec3 normal)
 {
   double size = length(position);

@@ -1,8 +1,8 @@
-// Integrates one flat triangle X = apex + l (from + t (to - from) - apex) into smValues and smRoundings: SM_STRIP_POINTS
-// squared Gauss points, exact for the polynomial integrands asked for.
+// Integrates one flat triangle X = apex + l (from + t (to - from) - apex) into smValues and smRoundings, with SM_STRIP_POINTS
+// squared Gauss points, which are exact for the polynomial integrands.
 //
-// Needs: chunk smWork; SM_STRIP_POINTS, SM_PERTURBATION; double smCap(uint index), nine coordinates a cap: apex, from, to;
-// void smAccumulateChain(double weight, double noise, dvec3 position, dvec3 normal).
+// Needs: chunk smWork; SM_STRIP_POINTS, SM_PERTURBATION; double smCap(uint index), nine coordinates per cap: apex, from, to; void
+// smAccumulateChain(double weight, double noise, dvec3 position, dvec3 normal).
 
 dvec3 smCapPoint(uint first)
 {

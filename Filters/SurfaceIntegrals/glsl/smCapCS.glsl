@@ -1,10 +1,10 @@
-// One cap per invocation.
+// Each invocation integrates one cap.
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smPortable
 //SM::Include smInvocation
 
-// Apex, from and to: nine doubles each.
+// Nine doubles per cap: the points apex, from and to.
 layout(std430, binding = 2) readonly buffer smCapBuffer
 {
   double smCaps[];

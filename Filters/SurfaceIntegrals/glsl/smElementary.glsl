@@ -1,6 +1,7 @@
-// sin, cos, tan, exp, log and pow in double precision, which GLSL does not have. Series, no tables; results within 2 units in the
-// last place (tan: 3), see TestElementary. Sine, cosine and tangent: |x| <= 2^20, beyond they are not a number; the others
-// everywhere, with infinities, zeros and not-a-numbers as C has them. Needs: chunk smPortable; as C++ smErrorFree.
+// sin, cos, tan, exp, log and pow in double precision, which GLSL does not have. They use series and no tables; results are
+// within 2 units in the last place (tan: 3), see TestElementary. Sine, cosine and tangent require |x| <= 2^20 and return NaN for
+// larger angles; the others accept all arguments, with infinities, zeros and NaN as in C. Needs: chunk smPortable; as C++
+// smErrorFree.
 
 //SM::Include smErrorFree
 
@@ -14,13 +15,13 @@ double smNotANumber()
   return packDouble2x32(uvec2(0u, 0x7ff80000u));
 }
 
-// 2^k for -1022 <= k <= 1023.
+// Returns 2^k for -1022 <= k <= 1023.
 double smPowerOfTwo(int k)
 {
   return packDouble2x32(uvec2(0u, uint(k + 1023) << 20));
 }
 
-// exp(x + low), |low| below 1e-10.
+// Returns exp(x + low) for |low| below 1e-10.
 double smExpOfSum(double x, double low)
 {
   if (!(x <= 709.8LF))
@@ -50,7 +51,7 @@ double smExpOfSum(double x, double low)
   tail = 1.0LF / 6.0LF + r * tail;
   tail = 0.5LF + r * tail;
   precise double sum = 1.0LF + (r + (r * r * tail + (rLow + rLow * r)));
-  // In two factors, for 2^n may not be a number where the result is one.
+  // The power is applied in two factors, as 2^n may overflow or underflow although the result does not.
   int power = int(n);
   int first = power / 2;
   return (sum * smPowerOfTwo(first)) * smPowerOfTwo(power - first);
@@ -61,7 +62,7 @@ double smExp(double x)
   return smExpOfSum(x, 0.0LF);
 }
 
-// log x and what it lacks, for finite x > 0: about 100 bits.
+// Returns log x and the rounding error of it, about 100 bits together, for finite x > 0.
 dvec2 smLogParts(double x)
 {
   int k = -1023;
@@ -78,7 +79,7 @@ dvec2 smLogParts(double x)
     m *= 0.5LF;
     ++k;
   }
-  // log m = 2 (s + s^3/3 + ...), s = (m - 1) / (m + 1), |s| < 0.172; the first two terms with what they lack.
+  // log m = 2 (s + s^3/3 + ...), s = (m - 1) / (m + 1), |s| < 0.172; the first two terms include their rounding errors.
   precise double f = m - 1.0LF;
   precise double g = m + 1.0LF;
   precise double gLow = f - (g - 2.0LF);
@@ -121,7 +122,7 @@ double smLog(double x)
   return x < smInfinity() ? smLogParts(x).x : x;
 }
 
-// A negative base has powers that are integers.
+// Returns x^y. A negative base requires an integer or infinite exponent, else the result is NaN.
 double smPow(double x, double y)
 {
   if (y == 0.0LF || x == 1.0LF)
@@ -149,7 +150,7 @@ double smPow(double x, double y)
   {
     return sign;
   }
-  // Larger exponents overflow likewise, for |log| is 2^-53 at least.
+  // Larger exponents overflow or underflow just as well, since |log| is at least 2^-53.
   y = clamp(y, -36893488147419103232.0LF, 36893488147419103232.0LF);
   dvec2 logarithm = smLogParts(base);
   precise double product = y * logarithm.x;
@@ -161,7 +162,7 @@ double smPow(double x, double y)
   return sign * smExpOfSum(product, low);
 }
 
-// Sine and cosine of r + low, |r| <= pi/4 about.
+// Return sine and cosine of r + low, for |r| up to about pi/4.
 double smSinNear(double r, double low)
 {
   double z = r * r;
@@ -194,8 +195,8 @@ double smCosNear(double r, double low)
   return sum;
 }
 
-// x = n pi/2 + r + low: pi/2 in three parts of 33 bits, which n times is exact, and the rest (Cody and Waite). Returns n
-// modulo 4; -1 where |x| is too large, or x no number.
+// Reduces x = n pi/2 + r + low: pi/2 is split into three parts of 33 bits, whose products with n are exact, and the rest (Cody
+// and Waite). Returns n modulo 4, or -1 if |x| is too large or x is NaN.
 int smReduceAngle(double x, SM_OUT(double) r, SM_OUT(double) low)
 {
   r = 0.0LF;

@@ -1,4 +1,4 @@
-// One expression of the user's alone, to hear what the compiler says of it. Never dispatched.
+// One user expression alone, compiled to obtain the compiler's messages about it. Never dispatched.
 //SM::Define
 layout(local_size_x = 1) in;
 //SM::Include smPortable

@@ -1,19 +1,19 @@
-// Integrates one panel {(xi s(t), r(t))} into smValues and smRoundings: Gauss points in t along the trim piece, and
-// across in xi. For a t the patch is collapsed to a curve in s once.
+// Integrates one panel {(xi s(t), r(t))} into smValues and smRoundings, with Gauss points in t along the trim piece and in xi
+// across. For each t the patch is reduced once to a curve in s.
 //
-// Needs: chunks smPatchRecord, smPatch, smWork; SM_DEGREE_S, SM_DEGREE_R (of patchRecord: constants for the common
-// degrees), SM_PERTURBATION (a factor of every sample), SM_SAMPLE_DETAIL (what smSample describes of every sample, which
-// changes nothing else; above 0 chunk smSample, above 2 smPatchSecond, too); smPatchRecord smGetPatch(uint index),
+// Needs: chunks smPatchRecord, smPatch, smWork; SM_DEGREE_S, SM_DEGREE_R (degrees of patchRecord, constants for the common
+// degrees), SM_PERTURBATION (a factor of every sample), SM_SAMPLE_DETAIL (data that smSample provides for every sample, which
+// does not affect anything else; above 0 also chunk smSample, above 2 also smPatchSecond); smPatchRecord smGetPatch(uint index),
 // void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal).
 
-// Roundings charged per sample, in units of what smIntegratePanel says; on the panels of the real files at most 2, 3.3 and 3.6 were
-// needed for p + q = 2, 3 and more.
+// Returns the number of roundings per sample that is added to the bound, in the units of smIntegratePanel. The panels of the real
+// files needed at most 2, 3.3 and 3.6 for p + q = 2, 3 and more.
 double smSampleRoundings(int p, int q)
 {
   return min(8.0LF, 2.0LF * double(p + q));
 }
 
-// Returns the number of evaluations.
+// Integrates a panel and returns the number of evaluations.
 uint smIntegratePanel(smWorkRecord work)
 {
   smPatchRecord patchRecord = smGetPatch(work.item.x);
@@ -42,7 +42,7 @@ uint smIntegratePanel(smWorkRecord work)
     dvec2 reach;
     smTrimEvaluate(work.item.y, trimDegree, t, start, uv, duv, reach);
     uv = uv / width;
-    // The rounding of the trim curve, in cells.
+    // Rounding of the trim curve in units of cells.
     double trimNoise = smTrimRoundings * max(1.0LF, max(reach.x / width.x, reach.y / width.y));
     double dr = duv.y / width.y;
     double edgeS = uv.x;
@@ -69,7 +69,7 @@ uint smIntegratePanel(smWorkRecord work)
 
       double lengthS = length(tangentS);
       double lengthR = length(tangentR);
-      // The samples' rounding, relative to the largest steps of the control net, and that of the trim curve: Bounds.md, 2.
+      // Rounding of the sample relative to the largest steps of the control net, and rounding of the trim curve: Bounds.md, 2.
       double stretchS = min(patchRecord.stretch.x, lengthS + 2.0LF * double(p) * radius);
       double stretchR = min(patchRecord.stretch.y, lengthR + 2.0LF * double(q) * radius);
       double noise = abs(weightT * ruleX.y) *

@@ -1,4 +1,4 @@
-// One panel per invocation.
+// Each invocation integrates one panel.
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smPortable

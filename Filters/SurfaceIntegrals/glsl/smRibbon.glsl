@@ -1,11 +1,12 @@
-// Integrates one ribbon X(l,t) = (1-l) A(t) + l C(t) into smValues and smRoundings, A = S(c(t)) on the face, C the edge's
-// curve: SM_STRIP_POINTS Gauss points in l, exact for the polynomial integrands asked for. Measures the gap at
-// foot points on the edge's curve.
+// Integrates one ribbon X(l,t) = (1-l) A(t) + l C(t) into smValues and smRoundings, where A = S(c(t)) is on the face and C is the
+// edge's curve, with SM_STRIP_POINTS Gauss points in l, which are exact for the polynomial integrands. It also measures the gap
+// at foot points on the edge's curve.
 //
-// Needs: as smPanel, with smAccumulateChain in place of smAccumulateFace; SM_STRIP_POINTS; smGapSteps, the steps to
-// the foot point of a gap (no constant, so that the loop stays one).
+// Needs: as smPanel, with smAccumulateChain in place of smAccumulateFace; SM_STRIP_POINTS; smGapSteps, the number of steps to the
+// foot point of a gap (not a constant, so that the compiler does not unroll the loop).
 
-// Distance of a point, relative to `origin`, from the edge piece near parameter x: Gauss-Newton steps for (C - A).C' = 0.
+// Returns the distance of a point, relative to `origin`, from the edge piece near parameter x, by Gauss-Newton steps for
+// (C - A).C' = 0.
 double smGap(uint edge, int degree, double x, dvec3 origin, dvec3 point)
 {
   double best = 0.0LF;
@@ -18,13 +19,14 @@ double smGap(uint edge, int degree, double x, dvec3 origin, dvec3 point)
     best = i == 0 ? length(gap) : min(best, length(gap));
     double squared = dot(tangent, tangent);
     x -= squared > 0.0LF ? dot(gap, tangent) / squared : 0.0LF;
-    // A little beyond the piece its polynomial still is the curve.
+    // Slightly beyond the piece, its polynomial still approximates the curve.
     x = clamp(x, -0.25LF, 1.25LF);
   }
   return best;
 }
 
-// Gets the largest gap, the integrals of its square and of itself; returns the number of evaluations.
+// Integrates a ribbon. `gaps` receives the largest gap and the integrals of its square and of itself. Returns the number of
+// evaluations.
 uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
 {
   smPatchRecord patchRecord = smGetPatch(work.item.x);
@@ -65,7 +67,7 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
     dvec4 rowS[SM_ROW_SIZE];
     dvec4 rowR[SM_ROW_SIZE];
     smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowS, rowR);
-    // Both curves relative to the patch's centre: their difference is rounded relative to the patch.
+    // Both curves are relative to the patch's centre, so that the rounding of their difference is relative to the patch.
     dvec3 a;
     dvec3 tangentS;
     dvec3 tangentR;
@@ -76,12 +78,12 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
     smEdgeEvaluate(edge, edgeDegree, e, center, c, dc);
     dc *= edgeWidth;
 
-    // What rounding moves the two curves by, that of the trim curve included; and their slopes.
+    // Bounds of the rounding of both curves, including that of the trim curve, and of the rounding of their derivatives.
     double gapWidth = length(c - a);
-    double moved = 4.0LF * (radius + length(c)) +
+    double positionNoise = 4.0LF * (radius + length(c)) +
       smTrimRoundings *
         (max(1.0LF, reach.x / width.x) * length(tangentS) + max(1.0LF, reach.y / width.y) * length(tangentR));
-    double turned = 8.0LF *
+    double slopeNoise = 8.0LF *
       (min(patchRecord.stretch.x, length(tangentS) + 2.0LF * double(p) * radius) * abs(duv.x) +
         min(patchRecord.stretch.y, length(tangentR) + 2.0LF * double(q) * radius) * abs(duv.y));
     for (int il = 0; il < SM_STRIP_POINTS; ++il)
@@ -91,7 +93,7 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
       dvec3 position = center + (1.0LF - l) * a + l * c;
       dvec3 along = (1.0LF - l) * da + l * dc;
       dvec3 normal = side * cross(c - a, along);
-      double noise = ruleT.y * ruleL.y * ((moved + 8.0LF * gapWidth) * length(along) + gapWidth * turned);
+      double noise = ruleT.y * ruleL.y * ((positionNoise + 8.0LF * gapWidth) * length(along) + gapWidth * slopeNoise);
       double weight = SM_PERTURBATION * ruleT.y * ruleL.y;
       smPlace(work.item.w, position, normal);
       smAccumulateChain(weight, noise, position, normal);
@@ -109,7 +111,7 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
   return uint(countT);
 }
 
-// The gaps of an item in its row; zeros when it was discarded.
+// Stores the gaps of an item in its row, or zeros if the item was discarded.
 void smStoreGaps(smWorkRecord work, bool kept, dvec3 gaps)
 {
   uint row = work.item.z * smStride;

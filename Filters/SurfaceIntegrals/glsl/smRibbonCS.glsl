@@ -1,4 +1,4 @@
-// One ribbon per invocation.
+// Each invocation integrates one ribbon.
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smPortable

@@ -1,14 +1,14 @@
-// What an expression of the user's may name of a sample of a face besides position and normal, see smUserExpression.h.
-// Needs: SM_SAMPLE_DETAIL: 0 nothing is set, 1 parameters, 2 first derivatives too, 3 second derivatives and curvatures too;
-// for 1 and more chunk smPatchRecord, for 2 smWork, for 3 smPatchSecond.
+// Data of a sample of a face that a user expression can name in addition to position and normal, see smUserExpression.h.
+// Needs: SM_SAMPLE_DETAIL: 0 none, 1 parameters, 2 also first derivatives, 3 also second derivatives and curvatures; for 1 and
+// more chunk smPatchRecord, for 2 smWork, for 3 smPatchSecond.
 
-// The face's own u and v; derivatives in them, u, v, uu, uv, vv; mean and Gaussian curvature.
+// The face's own u and v; derivatives with respect to u, v, uu, uv, vv; mean and Gaussian curvature.
 dvec2 smSampleParameters;
 dvec3 smSampleDerivatives[5];
 dvec2 smSampleCurvatures;
 
 #if SM_SAMPLE_DETAIL > 0
-// Patches are in exchanged parameters where the face has the higher degree in u.
+// Sets the parameters. Patches have exchanged parameters if the face has the higher degree in u.
 void smDescribeParameters(smPatchRecord patchRecord, double s, double r)
 {
   dvec2 own = patchRecord.domain.xy + dvec2(s, r) * patchRecord.domain.zw;
@@ -33,7 +33,7 @@ void smDescribeFirst(smPatchRecord patchRecord, uint face, dvec3 ds, dvec3 dr)
 #endif
 
 #if SM_SAMPLE_DETAIL > 2
-// After smDescribeFirst(); `normal` is placed, and of any length.
+// Sets second derivatives and curvatures, after smDescribeFirst(). `normal` is placed, and may have any length.
 void smDescribeSecond(smPatchRecord patchRecord, uint face, dvec3 normal, dvec3 dss, dvec3 dsr, dvec3 drr)
 {
   dvec2 width = patchRecord.domain.zw;

@@ -1,20 +1,19 @@
-// What all items of integration share: Gauss rules, placements, and the end of an item, where its sums are compared with
+// Functions common to all items of integration: Gauss rules, placements, and the end of an item, where its sums are compared with
 // those of a lower order and stored in its row.
 //
-// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_ROUNDINGS, SM_PLACEMENT (whether faces are placed), SM_MIN_ERROR_SHARE (the share of the
-// difference before the last that an error has at least); arrays
-// smValues, smResults of SM_INTEGRANDS and smRoundings, smNoises of SM_ROUNDINGS doubles, smRoundingOf of
-// SM_INTEGRANDS ints; columns of a row smValueColumn, smErrorColumn, smRoundingColumn, smDifferenceColumn,
-// smStride; smIntegrandCount, smRoundingCount (again, not constants); smToleranceOffset, smPlacementOffset;
-// double smParameter(uint at), double smGetRow(uint at), void smSetRow(uint at, double value),
-// void smSetStatus(uint index, bool converged).
+// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_ROUNDINGS, SM_PLACEMENT (true if faces are placed),
+// SM_MIN_ERROR_SHARE (smallest error as a share of the difference before the last one); arrays smValues, smResults of
+// SM_INTEGRANDS and smRoundings, smNoises of SM_ROUNDINGS doubles, smRoundingOf of SM_INTEGRANDS ints; columns of a row
+// smValueColumn, smErrorColumn, smRoundingColumn, smDifferenceColumn, smStride; smIntegrandCount, smRoundingCount (the same
+// numbers as variables); smToleranceOffset, smPlacementOffset; double smParameter(uint at), double smGetRow(uint at), void
+// smSetRow(uint at, double value), void smSetStatus(uint index, bool converged).
 
-// u: half the spacing of doubles at 1.
+// Unit roundoff u: half the spacing of doubles at 1.
 SM_CONSTANT double smUnitRoundoff = 1.1102230246251565e-16LF;
 
 SM_CONSTANT double smLargest = 1.7976931348623157e308LF;
 
-// Node and weight of the rule of `count` points on [0,1].
+// Returns node and weight of the rule of `count` points on [0,1].
 dvec2 smRule(int count, int index)
 {
   uint at = uint(count * (count - 1) + 2 * index);
@@ -33,10 +32,10 @@ void smClear()
   }
 }
 
-// The error of a value whose last order changed it by `difference` and the one before by `before` (negative: there was
-// none). Where differences fall fast, the last one is far above the error; where they hardly fall (area near a
-// vanishing normal) the error is a geometric tail of them; and one small difference after a large one may be luck, more so at
-// kinks, which a user's expression may have.
+// Estimates the error of a value from the last two differences between orders, `difference` and, before it, `before` (negative:
+// none). If differences decrease fast, the last one is far above the error. If they hardly decrease (area near a vanishing
+// normal), the error is their geometric tail. A single small difference after a large one may be a coincidence, most likely at
+// kinks, which a user expression may have.
 double smEstimate(double difference, double before)
 {
   if (before < 0.0LF)
@@ -47,9 +46,9 @@ double smEstimate(double difference, double before)
   return max(difference * max(1.0LF, 10.0LF * ratio), SM_MIN_ERROR_SHARE * before);
 }
 
-// Compares with the row's values of a lower order, stores values, errors, roundings and differences. False when the
-// item was discarded, to be bisected. The loops run to variables, so that drivers do not unroll the memory accesses:
-// llvmpipe would take a second longer to compile.
+// Compares the sums with the values of a lower order in the row, and stores values, errors, roundings and differences. Returns
+// false if the item was discarded, to be bisected. The loops run to variables so that drivers do not unroll the memory accesses,
+// which would take llvmpipe a second longer to compile.
 bool smFinish(uint index, smWorkRecord work)
 {
   for (int k = 0; k < SM_INTEGRANDS; ++k)
@@ -66,8 +65,9 @@ bool smFinish(uint index, smWorkRecord work)
   bool isFirst = (flags & smFlagFirst) != 0u;
   bool converged = true;
   double scale = double(uintBitsToFloat(work.detail.w));
-  // Of two orders alone a single difference may be small by chance; the largest relative to its tolerance never was
-  // below the error of any (NUMERICS 3). What rounding makes of differences is no error of an order.
+  // With two orders only, a single difference may be small by coincidence; the largest difference relative to its tolerance was
+  // never below the error of any integrand (NUMERICS 3). The part of differences that rounding causes is not an error of the
+  // order.
   double largest = 0.0LF;
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
@@ -80,7 +80,7 @@ bool smFinish(uint index, smWorkRecord work)
   }
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
-    // Not a number, or infinite: no order and no bisection will mend it, so it counts as converged, with that error.
+    // No order and no bisection improves a value that is NaN or infinite, so that it counts as converged, with that error.
     bool isNumber = abs(smResults[k]) <= smLargest;
     double error = isNumber ? 0.0LF : abs(smResults[k]);
     double difference = -1.0LF;
@@ -90,7 +90,7 @@ bool smFinish(uint index, smWorkRecord work)
       double share = scale * smParameter(tolerance + k);
       double before = smGetRow(row + smDifferenceColumn + k);
       error = smEstimate(before < 0.0LF ? max(difference, largest * share) : difference, before);
-      // Differences of the size of rounding say nothing more.
+      // Differences of the size of rounding contain no further information.
       converged = converged && !(error > share + 10.0LF * smNoises[smRoundingOf[k]]);
     }
     smSetRow(row + smValueColumn + k, smResults[k]);
@@ -113,7 +113,7 @@ bool smFinish(uint index, smWorkRecord work)
   return kept;
 }
 
-// Applies the face's placement, if faces are placed.
+// Applies the placement of the face, if faces are placed.
 void smPlace(uint face, SM_INOUT(dvec3) position, SM_INOUT(dvec3) normal)
 {
   if (SM_PLACEMENT)

@@ -1,5 +1,5 @@
-// Work lists, rules, tolerances and results of integration on the GPU, see smGPUItemRunner, and the accessors by which
-// the chunks of mathematics reach them. Bindings 3 to 6.
+// Work lists, rules, tolerances and results of integration on the GPU, see smGPUItemRunner, and the accessors that the shader
+// chunks use. Bindings 3 to 6.
 // Needs: SM_INTEGRANDS, SM_ROUNDINGS (counts), SM_ROUNDING_OF (list of integrands' columns).
 //SM::Include smWorkRecord
 
@@ -18,7 +18,7 @@ layout(std430, binding = 5) buffer smRowBuffer
 {
   double smRows[];
 };
-// [0] evaluations, counted; [1 + index] 1 when that item has not converged.
+// Element 0 counts the evaluations; element 1 + index is 1 if that item has not converged.
 layout(std430, binding = 6) buffer smStatusBuffer
 {
   uint smStatus[];
@@ -37,11 +37,11 @@ const uint smRoundingColumn = smErrorColumn + uint(SM_INTEGRANDS);
 const uint smDifferenceColumn = smRoundingColumn + uint(SM_ROUNDINGS);
 const uint smStride = smDifferenceColumn + uint(SM_INTEGRANDS);
 
-// The roundings column of each integrand.
+// Index of the rounding of each integrand.
 const int smRoundingOf[SM_INTEGRANDS] = int[SM_INTEGRANDS](SM_ROUNDING_OF);
 
-// What an invocation sums, and the copies that smFinish() indexes: were it to index the sums themselves, drivers would
-// keep them in memory during the summation.
+// Sums of an invocation, and their copies, which smFinish() indexes: if it indexed the sums themselves, drivers would keep them
+// in memory during the summation.
 double smValues[SM_INTEGRANDS];
 double smRoundings[SM_ROUNDINGS];
 double smResults[SM_INTEGRANDS];
