@@ -23,8 +23,8 @@ if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
   endif ()
   set(VTK_DIR "${ParaView_DIR}/vtk" CACHE PATH "ParaView's own VTK" FORCE)
 endif ()
-# Only tests need MPI itself.
-find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components} OPTIONAL_COMPONENTS ParallelMPI)
+# Only tests need MPI itself, and a filter that talks to other ranks.
+find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components} OPTIONAL_COMPONENTS ParallelMPI FiltersParallel)
 if (NOT VTK_FOUND)
   message(FATAL_ERROR "VTK 9.1 or later was not found (${VTK_NOT_FOUND_MESSAGE}). Set VTK_DIR.")
 endif ()

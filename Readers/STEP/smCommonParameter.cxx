@@ -131,7 +131,7 @@ public:
 
   bool Restore(TrimCurve& result)
   {
-    // What tau would move the ends by.
+    // tau at both ends of the edge.
     double ends[2];
     if (!this->Solve(this->Start, 0, this->Start, ends[0]) ||
       !this->Solve(this->End, this->Edge.GetNumberOfPieces() - 1, this->End, ends[1]))
@@ -185,8 +185,8 @@ private:
     return offset;
   }
 
-  /// tau with (S(c(tau)) - C(t)) . C'(t) = 0 by Newton from a guess; C is the edge's polynomial `piece`. What Newton would do
-  /// to a curve of uneven speed is kept between the points known to lie before and behind.
+  /// tau with (S(c(tau)) - C(t)) . C'(t) = 0 by Newton from a guess; C is the edge's polynomial `piece`. On a curve
+  /// of uneven speed Newton's steps are kept between the points that are known to lie before and behind.
   bool Solve(double t, int piece, double guess, double& tau) const
   {
     Point3 tangent;
@@ -408,7 +408,7 @@ private:
     return true;
   }
 
-  /// Of the range: Newton's steps are only rounding's to disturb from there on.
+  /// Share of the range below which Newton's steps are dominated by rounding.
   static constexpr double Near = 1e-9;
   /// Residual that is put up with, in tolerances.
   static constexpr double MaximumExcess = 100.0;

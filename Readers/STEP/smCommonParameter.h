@@ -1,6 +1,6 @@
 /**
  * @file smCommonParameter.h
- * @brief Trim curves that do not run in step with their edge, and the parameter that they share restored
+ * @brief Restores the common parameter of a trim curve and its edge where the two are parametrised differently
  */
 #ifndef smCommonParameter_h
 #define smCommonParameter_h

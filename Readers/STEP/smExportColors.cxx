@@ -14,7 +14,7 @@ namespace
 {
 constexpr Color None{ -1.0, -1.0, -1.0 };
 
-/// The colour that the array says, of each face; none for a face without triangles.
+/// The colour of each face in the array; none for a face without triangles.
 bool ReadShown(vtkNURBSDataSet* leaf, std::vector<Color>& shown)
 {
   auto* colors = vtkUnsignedCharArray::SafeDownCast(leaf->GetCellData()->GetArray("Color"));

@@ -26,7 +26,7 @@ namespace
 /// Placements that differ by less, of 1 or of the larger translation, are one.
 constexpr double SamePlacement = 1e-12;
 
-/// How far the rows of a rotation may be from orthonormal.
+/// Largest deviation of a rotation's rows from orthonormality.
 constexpr double RigidTolerance = 1e-12;
 
 struct Leaf
@@ -62,7 +62,7 @@ Placement Multiply(const Placement& a, const Placement& b)
   return c;
 }
 
-/// Of a rigid placement.
+/// Inverse of a rigid placement.
 Placement Invert(const Placement& a)
 {
   Placement b{};

@@ -45,7 +45,7 @@ struct ExportNode
   int Part = -1;
   /// Rigid, in the lengths of the models.
   Placement Place{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
-  /// Colour of this instance whatever its part says; negative: none.
+  /// Colour of the instance, which overrides that of its part; negative: none.
   Color InstanceColor{ -1.0, -1.0, -1.0 };
   std::vector<ExportNode> Children;
 };
@@ -55,7 +55,7 @@ struct ExportTree
   std::vector<ExportPart> Parts;
   /// Nameless; its children are the roots of the file.
   ExportNode Root;
-  /// Of the models; the bodies of one tree have one unit.
+  /// Length unit of the models; all bodies of a tree have the same.
   std::string LengthUnit;
   /// The unit that the file of the first body was written in; empty when it is not known.
   std::string FileUnit;

@@ -267,32 +267,34 @@ private:
     this->Edges[index] = result;
   }
 
+  /// The trims of coedges without a pcurve of their own: the edge's curve projected on the plane. Others are empty.
+  std::vector<std::vector<TrimCurve>> ProjectTrims(const DraftFace& draft, const AffineMap& map) const
+  {
+    std::vector<std::vector<TrimCurve>> trims(draft.Loops.size());
+    bool any = draft.Loops.empty();
+    for (std::size_t l = 0; l < draft.Loops.size(); ++l)
+    {
+      for (const DraftCoedge& coedge : draft.Loops[l])
+      {
+        const auto& edge = this->Edges[coedge.EdgeIndex];
+        any = any || edge != nullptr;
+        trims[l].push_back(coedge.Projected && edge ? ProjectOnPlane(draft, map, edge->Curve) : TrimCurve());
+      }
+    }
+    if (!any)
+    {
+      throw std::runtime_error("none of its edges could be carried over");
+    }
+    return trims;
+  }
+
   void ConvertFace(std::size_t index)
   {
     DraftFace& draft = this->Drafts[index];
     OrderLoops(draft);
     ShiftLoops(draft);
     const AffineMap map = this->MakeMap(draft.Location);
-
-    std::vector<std::vector<TrimCurve>> trims(draft.Loops.size());
-    for (std::size_t l = 0; l < draft.Loops.size(); ++l)
-    {
-      for (const DraftCoedge& coedge : draft.Loops[l])
-      {
-        const auto& edge = this->Edges[coedge.EdgeIndex];
-        trims[l].push_back(coedge.Projected && edge ? ProjectOnPlane(draft, map, edge->Curve) : TrimCurve());
-      }
-    }
-    const bool any = std::any_of(draft.Loops.begin(), draft.Loops.end(),
-      [this](const DraftLoop& loop)
-      {
-        return std::any_of(loop.begin(), loop.end(),
-          [this](const DraftCoedge& coedge) { return this->Edges[coedge.EdgeIndex] != nullptr; });
-      });
-    if (!draft.Loops.empty() && !any)
-    {
-      throw std::runtime_error("none of its edges could be carried over");
-    }
+    std::vector<std::vector<TrimCurve>> trims = this->ProjectTrims(draft, map);
     const NativeBox box = GetCoveredBox(draft, trims);
     ConvertedSurface surface = ConvertSurface(draft.Surface, box, map);
 
@@ -304,63 +306,63 @@ private:
     face->Color = info.Color;
     face->Reversed = draft.Reversed != map.IsMirrored();
     face->Messages = draft.Messages;
-    const std::vector<double> knots[2] = { surface.Surface.GetSpanBreaks(0),
-      surface.Surface.GetSpanBreaks(1) };
-    const double width[2] = { box.High[0] - box.Low[0], box.High[1] - box.Low[1] };
-    std::vector<std::vector<TopoDS_Edge>> sources;
-    int restored = 0;
-    int lagging = 0;
+    ConvertedFace& result = this->Faces[index];
     for (std::size_t l = 0; l < draft.Loops.size(); ++l)
     {
-      Loop loop;
-      std::vector<TopoDS_Edge> loopSources;
-      for (std::size_t i = 0; i < draft.Loops[l].size(); ++i)
-      {
-        const DraftCoedge& from = draft.Loops[l][i];
-        Coedge coedge;
-        coedge.Use = this->Edges[from.EdgeIndex];
-        if (!coedge.Use)
-        {
-          face->Messages.push_back(
-            "An edge could not be carried over; its loop is closed by a straight line.");
-          ++draft.Defects;
-          continue;
-        }
-        coedge.Reversed = from.Reversed;
-        coedge.Curve = from.Projected ? std::move(trims[l][i])
-                                      : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
-                                          coedge.Use->Curve.GetEnd(), surface.Map, width);
-        SnapToKnots(knots, coedge.Curve);
-        if (!coedge.Use->Degenerate && !from.Projected)
-        {
-          const StepResult step = RestoreCommonParameter(surface.Surface, coedge.Use->Curve, this->Size,
-            GetTrimTolerance(surface.Map, width), coedge.Curve);
-          restored += step == StepResult::Restored ? 1 : 0;
-          lagging += step == StepResult::Failed ? 1 : 0;
-        }
-        loop.Coedges.push_back(std::move(coedge));
-        loopSources.push_back(from.Edge);
-      }
-      if (!loop.Coedges.empty())
-      {
-        sources.push_back(std::move(loopSources));
-        face->Loops.push_back(std::move(loop));
-      }
+      this->ConvertLoop(draft, draft.Loops[l], surface, box, trims[l], *face, result);
     }
     face->Surface = std::move(surface.Surface);
     this->CheckClosing(draft, *face);
-    ConvertedFace& result = this->Faces[index];
     result.Defects = draft.Defects;
-    result.RestoredCoedges = restored;
-    result.LaggingCoedges = lagging;
     result.Source = draft.Face;
-    result.SourceEdges = std::move(sources);
     for (int d = 0; d < 2; ++d)
     {
       result.Map[d] = surface.Map[d];
       result.Period[d] = draft.Period[d];
     }
     result.Result = face;
+  }
+
+  /// Appends a loop to `face`, and its edges to the source edges of `result`.
+  void ConvertLoop(DraftFace& draft, const DraftLoop& draftLoop, const ConvertedSurface& surface,
+    const NativeBox& box, std::vector<TrimCurve>& projected, Face& face, ConvertedFace& result) const
+  {
+    const std::vector<double> knots[2] = { surface.Surface.GetSpanBreaks(0),
+      surface.Surface.GetSpanBreaks(1) };
+    const double width[2] = { box.High[0] - box.Low[0], box.High[1] - box.Low[1] };
+    Loop loop;
+    std::vector<TopoDS_Edge> sources;
+    for (std::size_t i = 0; i < draftLoop.size(); ++i)
+    {
+      const DraftCoedge& from = draftLoop[i];
+      Coedge coedge;
+      coedge.Use = this->Edges[from.EdgeIndex];
+      if (!coedge.Use)
+      {
+        face.Messages.push_back("An edge could not be carried over; its loop is closed by a straight line.");
+        ++draft.Defects;
+        continue;
+      }
+      coedge.Reversed = from.Reversed;
+      coedge.Curve = from.Projected ? std::move(projected[i])
+                                    : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
+                                        coedge.Use->Curve.GetEnd(), surface.Map, width);
+      SnapToKnots(knots, coedge.Curve);
+      if (!coedge.Use->Degenerate && !from.Projected)
+      {
+        const StepResult step = RestoreCommonParameter(
+          surface.Surface, coedge.Use->Curve, this->Size, GetTrimTolerance(surface.Map, width), coedge.Curve);
+        result.RestoredCoedges += step == StepResult::Restored ? 1 : 0;
+        result.LaggingCoedges += step == StepResult::Failed ? 1 : 0;
+      }
+      loop.Coedges.push_back(std::move(coedge));
+      sources.push_back(from.Edge);
+    }
+    if (!loop.Coedges.empty())
+    {
+      result.SourceEdges.push_back(std::move(sources));
+      face.Loops.push_back(std::move(loop));
+    }
   }
 
   /// Loops are judged in space, against the tolerances the file states (NUMERICS 1).
@@ -467,9 +469,9 @@ private:
     if (lagging > 0)
     {
       this->Result.Messages.push_back(std::to_string(lagging) +
-        (lagging == 1 ? " curve of an edge on a face does" : " curves of edges on faces do") +
-        " not run in step with the edge, and no common parameter could be found: gaps there may be stated "
-        "too wide.");
+        (lagging == 1 ? " curve of an edge on a face is" : " curves of edges on faces are") +
+        " parametrised differently from the edge, and no common parameter could be found; gaps there may be "
+        "overstated.");
     }
     for (const std::vector<int>& shell : this->Shells)
     {
@@ -491,7 +493,7 @@ private:
   double Origin[3];
   const ShapeTable& Table;
   const ProgressCallback& Report;
-  /// Of the body, in model units.
+  /// Diagonal of the box around all edges, in model units.
   double Size = 0.0;
   TopTools_IndexedMapOfShape EdgeShapes;
   std::vector<DraftFace> Drafts;

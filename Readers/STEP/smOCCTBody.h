@@ -19,7 +19,7 @@
 
 namespace sm
 {
-/// What the file says about a shape besides its geometry, keyed by the shape's TShape.
+/// Data of the file about a shape besides its geometry; a ShapeTable is keyed by the shape's TShape.
 struct ShapeInfo
 {
   int FileId = 0;
@@ -27,11 +27,11 @@ struct ShapeInfo
   Vector3 Color{ -1.0, -1.0, -1.0 };
   /// A shell that the file calls a solid; OpenCASCADE makes no solid of one that is not closed.
   bool OpenSolid = false;
-  /// Of a face: the file bounds it by edges.
+  /// The shape is a face that the file bounds by edges.
   bool Bounded = false;
-  /// Of a shell: faces that the file gives it and OpenCASCADE does not.
+  /// Faces that a shell has in the file but not in OpenCASCADE's shape.
   int LostFaces = 0;
-  /// Of a solid or shell: an instance of it lost its scale or mirror.
+  /// The shape is a solid or shell of which an instance lost its scale or its mirror.
   bool Misplaced = false;
 };
 using ShapeTable = std::unordered_map<const TopoDS_TShape*, ShapeInfo>;
@@ -47,7 +47,7 @@ struct ConvertedFace
   double Period[2] = { 0.0, 0.0 };
   /// As vtkTrimmedNURBSModel::GetNumberOfDefects, of this face.
   int Defects = 0;
-  /// Coedges that did not run in step with their edge: those put right, and those left (smCommonParameter.h).
+  /// Coedges whose 2D curve was parametrised differently from the edge's 3D curve: corrected, and not corrected (smCommonParameter.h).
   int RestoredCoedges = 0;
   int LaggingCoedges = 0;
 };

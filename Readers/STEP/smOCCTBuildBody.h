@@ -25,18 +25,18 @@ struct BuiltBody
 {
   /// A solid, a shell, or a compound of shells; null when no face is left.
   TopoDS_Shape Shape;
-  /// Of each face of the model, as the shell uses it; null where it is left out.
+  /// Shapes of the model's faces, as the shell uses them; null for a face that is left out.
   std::vector<TopoDS_Face> Faces;
   std::vector<std::pair<TopoDS_Edge, std::shared_ptr<const Edge>>> Edges;
   /// Largest tolerance of an edge, and the length of the shortest one, kernel units.
   double Tolerance = 0.0;
   double ShortestEdge = 0.0;
-  /// What is not as the model says, or would surprise who reads it; one sentence each.
+  /// Differences from the model, and properties of the file that a user should know; one sentence each.
   std::vector<std::string> Warnings;
 };
 
 /**
- * Builds the shape of all faces. `map` takes stored coordinates to those of the kernel; a mirror turns the faces.
+ * Builds the shape of all faces. `map` takes stored coordinates to those of the kernel; a mirror reverses the faces.
  *
  * The edge of a face becomes one edge with the curve C_e(t), and each coedge a curve of the same parameter in the face's
  * (u,v); two coedges of one face that run against each other are a seam. Coedges that follow each other in a loop share

@@ -2,7 +2,7 @@
  * @file smOCCTBuildGeometry.h
  * @brief NURBS surfaces, edge curves and trim curves as OpenCASCADE's B-splines: the same functions of the same parameters
  *
- * What changes is the form alone: homogeneous control points are divided by their weights, knots that are not clamped are,
+ * Only the form changes: homogeneous control points are divided by their weights, knots that are not clamped are,
  * and polynomial pieces are raised to the highest degree among them. Each costs a rounding or two of the coordinates.
  * All functions throw std::runtime_error with the reason where OpenCASCADE has no such spline, or Standard_Failure.
  */

@@ -85,7 +85,7 @@ std::string FindFailure(const Handle(StepData_StepModel) & model, int number)
   return {};
 }
 
-/// What all users of the damaged entities, and theirs in turn, come to.
+/// Faces and placements that depend on damaged entities, directly or through others.
 struct Damage
 {
   std::unordered_set<Entity> Faces;

@@ -14,7 +14,7 @@
 
 namespace sm
 {
-/// How many faces an entity of the file (a shell) lost.
+/// Number of faces that each entity of the file (a shell) lost.
 using LostFaces = std::unordered_map<const Standard_Transient*, int>;
 
 /**

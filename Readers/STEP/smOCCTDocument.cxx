@@ -61,7 +61,7 @@ public:
 private:
   static constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
 
-  /// What an occurrence takes from the assemblies above it.
+  /// Attributes that an occurrence inherits from the assemblies above it.
   struct Inherited
   {
     Vector3 Color{ -1.0, -1.0, -1.0 };
@@ -87,7 +87,7 @@ private:
     return info != this->Result.Table.end() && info->second.OpenSolid;
   }
 
-  /// What the file calls a solid and is closed at half of its edges or more is a solid with holes.
+  /// A shell that the file calls a solid is read as a solid with holes when at least half of its edges are closed.
   static bool IsMostlyClosed(const TopoDS_Shape& shell)
   {
     TopTools_IndexedDataMapOfShapeListOfShape users;
@@ -131,7 +131,7 @@ private:
     node.Layer = GetLabelLayer(this->Xde, product);
     if (XCAFDoc_ShapeTool::IsAssembly(product))
     {
-      // Some systems hang the validation properties and the material of their one solid on the product above it.
+      // Some systems attach the validation properties and the material of their only solid to the product above it.
       const bool single = CountSolids(XCAFDoc_ShapeTool::GetShape(product)) == 1;
       inherited.Volume = single ? inherited.Volume : Nothing;
       inherited.Area = single ? inherited.Area : Nothing;
@@ -256,7 +256,7 @@ private:
       if (scaled)
       {
         body.Scale.SetScaleFactor(scale);
-        // What the file says of the part holds for its own size only.
+        // The volume and area that the file states hold for the unscaled part.
         body.FileVolume *= scale * scale * scale;
         body.FileArea *= scale * scale;
       }
@@ -408,6 +408,7 @@ void Read(
   const Handle(KernelProgress) indicator =
     new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
   reader.Transfer(xde, indicator->Start());
+  indicator->Rethrow();
   if (!progress(1.0))
   {
     document.Status = ReadStatus::Aborted;

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTDocument.h
- * @brief A STEP file as parts, instances and what the file says about them
+ * @brief A STEP file as parts and instances with their attributes
  */
 #ifndef smOCCTDocument_h
 #define smOCCTDocument_h
@@ -40,7 +40,7 @@ struct BodyInstance
   int Body = 0;
   gp_Trsf Placement;
   std::string Name;
-  /// Colour the instance has whatever its part says; negative: none.
+  /// Colour of the instance, which overrides that of its part; negative: none.
   Vector3 Color{ -1.0, -1.0, -1.0 };
 };
 

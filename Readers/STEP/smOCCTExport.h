@@ -20,7 +20,7 @@ struct ExportOptions
   /// Unit of the file's lengths, and how many of them one length of the models is.
   std::string UnitName = "mm";
   double Unit = 1.0;
-  /// What the header says: the file's name, and the program with its version.
+  /// Entries of the header: the file's name, and the program with its version.
   std::string FileName;
   std::string System;
 };
@@ -43,7 +43,7 @@ struct ExportResult
 ExportResult WriteSTEP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
   const ProgressCallback& progress);
 
-/// OpenCASCADE's own text format, one compound of all instances; it knows neither units, names nor colours.
+/// OpenCASCADE's own text format, one compound of all instances; it has neither units, names nor colours.
 ExportResult WriteBREP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
   const ProgressCallback& progress);
 }

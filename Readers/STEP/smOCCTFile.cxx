@@ -18,7 +18,7 @@ namespace
 {
 const char Magic[] = "ISO-10303-21;";
 
-/// How far into a file its header is looked for.
+/// Bytes at the start of a file in which its header is searched.
 constexpr std::size_t SniffBytes = 1 << 16;
 
 std::mutex& GetKernelMutex()
@@ -167,10 +167,26 @@ void KernelProgress::Show(const Message_ProgressScope&, const Standard_Boolean f
   if (force || position > this->Last + 0.01)
   {
     this->Last = position;
-    if (this->Report && !this->Report(position))
+    try
     {
+      if (this->Report && !this->Stopped && !this->Report(position))
+      {
+        this->Stopped = true;
+      }
+    }
+    catch (...)
+    {
+      this->Thrown = std::current_exception();
       this->Stopped = true;
     }
+  }
+}
+
+void KernelProgress::Rethrow() const
+{
+  if (this->Thrown)
+  {
+    std::rethrow_exception(this->Thrown);
   }
 }
 }

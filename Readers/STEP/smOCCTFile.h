@@ -1,6 +1,6 @@
 /**
  * @file smOCCTFile.h
- * @brief What must be known of a STEP file before OpenCASCADE sees it, and how to keep OpenCASCADE quiet
+ * @brief Checks of a STEP file before OpenCASCADE reads it; OpenCASCADE's global settings and its progress
  */
 #ifndef smOCCTFile_h
 #define smOCCTFile_h
@@ -12,6 +12,7 @@
 #include <TCollection_AsciiString.hxx>
 
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -35,9 +36,8 @@ FileCheck CheckFile(const std::string& name);
 bool LooksLikeSTEP(const std::string& name);
 
 /**
- * While it lives, OpenCASCADE belongs to this thread of the process, its messenger prints nothing and lengths arrive
- * in mm: its parameters and its messenger are global. Another thread's waits; one inside another of the same
- * thread does nothing.
+ * A lock on OpenCASCADE, whose parameters and messenger are global. While a session exists, its messenger prints nothing and
+ * lengths arrive in mm. The session of another thread waits; a session inside one of the same thread changes nothing.
  */
 class KernelSession
 {
@@ -56,8 +56,8 @@ private:
   TCollection_AsciiString Unit;
 };
 
-/// Seconds that this thread has computed. Limits in them do not depend on what else the machine does, so that what is made of a
-/// file has the same bits on a busy one.
+/// CPU time of this thread in seconds. A limit in CPU time does not depend on the load of the machine, so that a file gives the same
+/// bits on a busy one.
 double GetThreadSeconds();
 
 /// OpenCASCADE's progress as a call of `progress` with a fraction in [0,1]; progress answers false to stop. It also
@@ -70,6 +70,10 @@ public:
 
   bool IsTimedOut() const { return this->TimedOut; }
 
+  /// Throws what `progress` threw: OpenCASCADE reports from destructors, which no exception may leave, and is stopped instead. Call
+  /// when it has returned.
+  void Rethrow() const;
+
 protected:
   Standard_Boolean UserBreak() override;
   void Show(const Message_ProgressScope& scope, const Standard_Boolean force) override;
@@ -81,6 +85,7 @@ private:
   double Deadline;
   std::atomic<bool> Stopped{ false };
   std::atomic<bool> TimedOut{ false };
+  std::exception_ptr Thrown;
 };
 }
 

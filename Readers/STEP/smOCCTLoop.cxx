@@ -238,6 +238,74 @@ NativeBox GetBox(const DraftLoop& loop)
   }
   return box;
 }
+
+/// Sets the trim of a coedge. Returns why there is none, a sentence, or an empty string.
+std::string SetTrim(const DraftFace& face, const TopLoc_Location& location, DraftCoedge& coedge)
+{
+  if (!FindStoredTrim(coedge.Edge, face.Stored, location, coedge.Trim))
+  {
+    double first;
+    double last;
+    TopLoc_Location edgeLocation;
+    const bool hasCurve = !BRep_Tool::Curve(coedge.Edge, edgeLocation, first, last).IsNull();
+    if (hasCurve && !Handle(Geom_Plane)::DownCast(face.Surface).IsNull())
+    {
+      coedge.Projected = true;
+    }
+    else if (!AddMissingTrim(coedge.Edge, face.Face, coedge.Trim))
+    {
+      return "An edge has no curve in the face's parameters and none could be made; it is left out.";
+    }
+  }
+  return coedge.Projected || coedge.Trim.Last > coedge.Trim.First
+    ? std::string()
+    : "An edge has an empty parameter range on this face; it is left out.";
+}
+
+/// Appends the loop of a wire to `face`.
+void AddLoop(const TopoDS_Shape& wire, const TopLoc_Location& location, DraftFace& face,
+  TopTools_IndexedMapOfShape& edges)
+{
+  DraftLoop loop;
+  int dropped = 0;
+  for (TopoDS_Iterator it(wire); it.More(); it.Next())
+  {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Value());
+    if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED)
+    {
+      continue;
+    }
+    DraftCoedge coedge;
+    coedge.Edge = edge;
+    coedge.Reversed = edge.Orientation() == TopAbs_REVERSED;
+    coedge.Degenerate = BRep_Tool::Degenerated(edge);
+    coedge.Start = TopExp::FirstVertex(edge, true);
+    coedge.End = TopExp::LastVertex(edge, true);
+    const std::string problem = SetTrim(face, location, coedge);
+    if (!problem.empty())
+    {
+      face.Messages.push_back(problem);
+      ++dropped;
+      continue;
+    }
+    coedge.EdgeIndex = edges.Add(edge.Oriented(TopAbs_FORWARD)) - 1;
+    loop.push_back(coedge);
+  }
+  if (wire.Orientation() == TopAbs_REVERSED)
+  {
+    std::reverse(loop.begin(), loop.end());
+  }
+  if (loop.empty() && dropped == 0)
+  {
+    face.Messages.push_back("A loop has no edges; it is left out.");
+    ++dropped;
+  }
+  face.Defects += dropped;
+  if (!loop.empty())
+  {
+    face.Loops.push_back(loop);
+  }
+}
 }
 
 DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edges)
@@ -246,83 +314,24 @@ DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edg
   face.Reversed = source.Orientation() == TopAbs_REVERSED;
   face.Face = TopoDS::Face(source.Oriented(TopAbs_FORWARD));
   TopLoc_Location location;
-  const Handle(Geom_Surface) stored = BRep_Tool::Surface(face.Face, location);
-  if (stored.IsNull())
+  face.Stored = BRep_Tool::Surface(face.Face, location);
+  if (face.Stored.IsNull())
   {
     throw std::runtime_error("it has no surface");
   }
-  face.Stored = stored;
-  face.Surface = GetBasisSurface(stored);
+  face.Surface = GetBasisSurface(face.Stored);
   face.Location = location.Transformation();
   face.Period[0] = face.Surface->IsUPeriodic() ? face.Surface->UPeriod() : 0.0;
   face.Period[1] = face.Surface->IsVPeriodic() ? face.Surface->VPeriod() : 0.0;
-  const bool plane = !Handle(Geom_Plane)::DownCast(face.Surface).IsNull();
-
   bool bounded = false;
   for (TopoDS_Iterator wires(face.Face); wires.More(); wires.Next())
   {
-    const TopAbs_Orientation wireOrientation = wires.Value().Orientation();
-    if (wires.Value().ShapeType() != TopAbs_WIRE || wireOrientation == TopAbs_INTERNAL ||
-      wireOrientation == TopAbs_EXTERNAL)
+    const TopAbs_Orientation orientation = wires.Value().Orientation();
+    if (wires.Value().ShapeType() == TopAbs_WIRE && orientation != TopAbs_INTERNAL &&
+      orientation != TopAbs_EXTERNAL)
     {
-      continue;
-    }
-    bounded = true;
-    DraftLoop loop;
-    int dropped = 0;
-    for (TopoDS_Iterator it(wires.Value()); it.More(); it.Next())
-    {
-      const TopoDS_Edge edge = TopoDS::Edge(it.Value());
-      if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED)
-      {
-        continue;
-      }
-      DraftCoedge coedge;
-      coedge.Edge = edge;
-      coedge.Reversed = edge.Orientation() == TopAbs_REVERSED;
-      coedge.Degenerate = BRep_Tool::Degenerated(edge);
-      coedge.Start = TopExp::FirstVertex(edge, true);
-      coedge.End = TopExp::LastVertex(edge, true);
-      if (!FindStoredTrim(edge, stored, location, coedge.Trim))
-      {
-        double first;
-        double last;
-        TopLoc_Location edgeLocation;
-        const bool hasCurve = !BRep_Tool::Curve(edge, edgeLocation, first, last).IsNull();
-        if (plane && hasCurve)
-        {
-          coedge.Projected = true;
-        }
-        else if (!AddMissingTrim(edge, face.Face, coedge.Trim))
-        {
-          face.Messages.push_back(
-            "An edge has no curve in the face's parameters and none could be made; it is left out.");
-          ++dropped;
-          continue;
-        }
-      }
-      if (!coedge.Projected && !(coedge.Trim.Last > coedge.Trim.First))
-      {
-        face.Messages.push_back("An edge has an empty parameter range on this face; it is left out.");
-        ++dropped;
-        continue;
-      }
-      coedge.EdgeIndex = edges.Add(edge.Oriented(TopAbs_FORWARD)) - 1;
-      loop.push_back(coedge);
-    }
-    if (wireOrientation == TopAbs_REVERSED)
-    {
-      std::reverse(loop.begin(), loop.end());
-    }
-    if (loop.empty() && dropped == 0)
-    {
-      face.Messages.push_back("A loop has no edges; it is left out.");
-      ++dropped;
-    }
-    face.Defects += dropped;
-    if (!loop.empty())
-    {
-      face.Loops.push_back(loop);
+      bounded = true;
+      AddLoop(wires.Value(), location, face, edges);
     }
   }
   if (bounded && face.Loops.empty())

@@ -28,7 +28,7 @@ constexpr int GridCells = 160;
 constexpr int FewGridCells = 24;
 constexpr int ManyFaces = 20;
 
-/// Of the mesher's time for a body, what one face gets after the mesher was stopped.
+/// Share of the mesher's time for a body that one face gets after the mesher was stopped.
 constexpr double FaceShare = 0.1;
 
 Vector3 Subtract(const Vector3& a, const Vector3& b)
@@ -291,6 +291,7 @@ std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, doubl
       parameters.MinSize = std::max(0.01 * deflection, Precision::Confusion());
       const Handle(KernelProgress) indicator = new KernelProgress(progress, seconds);
       BRepMesh_IncrementalMesh(shape, parameters, indicator->Start());
+      indicator->Rethrow();
       if (indicator->IsTimedOut())
       {
         stopped = true;

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTModel.h
- * @brief Questions to the entities of a STEP file that OpenCASCADE's transfer answers wrongly or not at all
+ * @brief Data of a STEP file's entities that OpenCASCADE's transfer loses: length unit, scales, mirrors, faces without a product
  */
 #ifndef smOCCTModel_h
 #define smOCCTModel_h
@@ -18,9 +18,9 @@ std::string ReadLengthUnit(
   STEPControl_Reader& reader, const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
 
 /**
- * Transformation operators (CARTESIAN_TRANSFORMATION_OPERATOR_3D): OpenCASCADE 7.6 drops their scale and their
- * reflection without a word, which a message says here, and crashes on one without a local origin, which gets the
- * origin here. Returns those that lose something. Call before the transfer.
+ * Transformation operators (CARTESIAN_TRANSFORMATION_OPERATOR_3D): OpenCASCADE 7.6 ignores their scale and their
+ * reflection, which is reported in `messages`, and crashes on one without a local origin, which gets the
+ * origin here. Returns the operators whose scale or reflection is lost. Call before the transfer.
  */
 std::vector<Handle(Standard_Transient)> CheckOperators(
   const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);

@@ -63,7 +63,7 @@ struct ParameterMap
   {
     return this->Type == Kind::Identity ? native : this->EvaluateInArc(this->FindArc(native), native);
   }
-  /// What rounding alone does to the mapped parameter.
+  /// Rounding error of the mapped parameter.
   double GetRounding() const;
   /// Homogeneous control points (c, s, w) of the unit circle (or hyperbola) over all arcs.
   std::vector<Vector3> GetControlPoints() const;

@@ -316,7 +316,7 @@ NearSurface MoveToOrigin(const Handle(Geom_Surface) & surface, const AffineMap& 
     }
     origin.SetCoord(j + 1, sum / (scale * scale));
   }
-  // What the rounding of `origin` leaves of the translation; large terms cancel.
+  // The translation after the rounding of `origin` is subtracted; large terms cancel.
   for (int i = 0; i < 3; ++i)
   {
     long double sum = map.Translation[i];

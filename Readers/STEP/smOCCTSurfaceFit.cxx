@@ -171,69 +171,68 @@ std::vector<double> Refine(const std::vector<double>& breaks, const std::vector<
   }
   return refined;
 }
+
+/// Samples the cells between the breaks. `tails` gets what each neglects in u and v; `size` grows to the largest coordinate.
+void SampleCells(const Handle(Geom_Surface) & surface, const AffineMap& map,
+  const std::vector<double> breaks[2], std::vector<Grid>& cells, std::vector<std::array<double, 2>>& tails,
+  double& size)
+{
+  const std::size_t columns = breaks[0].size() - 1;
+  const std::size_t rows = breaks[1].size() - 1;
+  if (columns * rows > MaximumCells)
+  {
+    throw std::runtime_error("its surface (" + std::string(surface->DynamicType()->Name()) +
+      ") needs more than " + std::to_string(MaximumCells) + " pieces");
+  }
+  tails.assign(columns * rows, { 0.0, 0.0 });
+  cells.resize(columns * rows);
+  for (std::size_t j = 0; j < rows; ++j)
+  {
+    for (std::size_t i = 0; i < columns; ++i)
+    {
+      Sample(surface, map, &breaks[0][i], &breaks[1][j], cells[i + j * columns], size);
+      MeasureTails(cells[i + j * columns], tails[i + j * columns].data());
+    }
+  }
 }
 
-NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map)
+/// Halves the intervals of cells that neglect more than `tolerance`; false when none is left that may be halved.
+bool RefineBreaks(
+  const std::vector<std::array<double, 2>>& tails, double tolerance, std::vector<double> breaks[2])
 {
-  std::vector<double> breaks[2];
+  const std::size_t columns = breaks[0].size() - 1;
+  std::vector<bool> marked[2] = { std::vector<bool>(columns), std::vector<bool>(breaks[1].size() - 1) };
+  bool refine = false;
+  for (std::size_t k = 0; k < tails.size(); ++k)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      if (tails[k][d] > tolerance)
+      {
+        marked[d][d == 0 ? k % columns : k / columns] = true;
+        refine = refine || breaks[d].size() <= MaximumIntervals;
+      }
+    }
+  }
+  std::vector<double> refined[2];
   for (int d = 0; d < 2; ++d)
   {
-    breaks[d] = GetBreaks(surface, d, box.Low[d], box.High[d]);
+    refined[d] = breaks[d].size() <= MaximumIntervals ? Refine(breaks[d], marked[d]) : breaks[d];
   }
-  std::vector<Grid> cells;
-  double size = 0.0;
-  double worst = 0.0;
-  while (true)
+  if (!refine || (refined[0].size() - 1) * (refined[1].size() - 1) > MaximumCells)
   {
-    const std::size_t columns = breaks[0].size() - 1;
-    const std::size_t rows = breaks[1].size() - 1;
-    if (columns * rows > MaximumCells)
-    {
-      throw std::runtime_error("its surface (" + std::string(surface->DynamicType()->Name()) +
-        ") needs more than " + std::to_string(MaximumCells) + " pieces");
-    }
-    std::vector<std::array<double, 2>> tails(columns * rows);
-    cells.resize(columns * rows);
-    for (std::size_t j = 0; j < rows; ++j)
-    {
-      for (std::size_t i = 0; i < columns; ++i)
-      {
-        Sample(surface, map, &breaks[0][i], &breaks[1][j], cells[i + j * columns], size);
-        MeasureTails(cells[i + j * columns], tails[i + j * columns].data());
-      }
-    }
-    // A sum of coefficients that are noise of rounding is no reason to go on.
-    const double tolerance = size * std::max(FitTolerance, 64.0 * UnitRoundoff * FitOrder);
-    std::vector<bool> marked[2] = { std::vector<bool>(columns), std::vector<bool>(rows) };
-    bool refine = false;
-    worst = 0.0;
-    for (std::size_t k = 0; k < tails.size(); ++k)
-    {
-      for (int d = 0; d < 2; ++d)
-      {
-        worst = std::max(worst, tails[k][d]);
-        if (tails[k][d] > tolerance)
-        {
-          marked[d][d == 0 ? k % columns : k / columns] = true;
-          refine = refine || breaks[d].size() <= MaximumIntervals;
-        }
-      }
-    }
-    std::vector<double> refined[2];
-    for (int d = 0; d < 2; ++d)
-    {
-      refined[d] = breaks[d].size() <= MaximumIntervals ? Refine(breaks[d], marked[d]) : breaks[d];
-    }
-    if (!refine || (refined[0].size() - 1) * (refined[1].size() - 1) > MaximumCells)
-    {
-      break;
-    }
-    for (int d = 0; d < 2; ++d)
-    {
-      breaks[d] = std::move(refined[d]);
-    }
+    return false;
   }
+  for (int d = 0; d < 2; ++d)
+  {
+    breaks[d] = std::move(refined[d]);
+  }
+  return true;
+}
 
+/// The B-spline surface of all cells.
+NURBSSurface JoinCells(const std::vector<double> breaks[2], const std::vector<Grid>& cells)
+{
   NURBSSurface s;
   for (int d = 0; d < 2; ++d)
   {
@@ -253,6 +252,33 @@ NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& b
   {
     StoreCell(cells[k], static_cast<int>(k % columns), static_cast<int>(k / columns), s);
   }
+  return s;
+}
+}
+
+NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map)
+{
+  std::vector<double> breaks[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    breaks[d] = GetBreaks(surface, d, box.Low[d], box.High[d]);
+  }
+  std::vector<Grid> cells;
+  std::vector<std::array<double, 2>> tails;
+  double size = 0.0;
+  double tolerance = 0.0;
+  do
+  {
+    SampleCells(surface, map, breaks, cells, tails, size);
+    // A sum of coefficients that are noise of rounding is no reason to go on.
+    tolerance = size * std::max(FitTolerance, 64.0 * UnitRoundoff * FitOrder);
+  } while (RefineBreaks(tails, tolerance, breaks));
+  double worst = 0.0;
+  for (const std::array<double, 2>& tail : tails)
+  {
+    worst = std::max({ worst, tail[0], tail[1] });
+  }
+  NURBSSurface s = JoinCells(breaks, cells);
   // Neighbours were cut off separately and then made to share a border: three times the worst cell covers it.
   s.Residual = 3.0 * worst + 8.0 * UnitRoundoff * size;
   if (!(s.Residual < 1e-6 * size))

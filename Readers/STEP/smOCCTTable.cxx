@@ -45,7 +45,7 @@ std::string ToUTF8(const TCollection_ExtendedString& text)
   return result;
 }
 
-/// What kind of shape the entity stands for; TopAbs_SHAPE when it is none of interest.
+/// The kind of shape that the entity describes; TopAbs_SHAPE for kinds that are not needed.
 TopAbs_ShapeEnum GetKind(const Handle(Standard_Transient) & entity)
 {
   if (entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface)))
@@ -111,7 +111,7 @@ bool IsBounded(const Handle(StepShape_Face) & face)
   return false;
 }
 
-/// What the kernel's transfer lost without a word.
+/// Records faces that the kernel's transfer lost without an error.
 void AddLosses(const Handle(Standard_Transient) & entity, const TopoDS_Shape& shape, const LostFaces& lost,
   ShapeTable& table)
 {

@@ -103,7 +103,7 @@ public:
 private:
   using Samples = std::array<std::array<double, 2>, FitOrder + 1>;
 
-  /// How often an interval was halved, and what residual (in tolerances) its parent left.
+  /// Number of times an interval was halved, and the residual of its parent in tolerances.
   struct Attempt
   {
     int Depth = 0;
@@ -359,7 +359,7 @@ void NativeTrim::AddTo(NativeBox& box) const
 
 std::array<double, 2> GetTrimTolerance(const ParameterMap maps[2], const double width[2])
 {
-  // Beside an angle, whose arcs are 1 wide, a length is fitted to rounding: the curve's one residual is charged to
+  // Beside an angle, whose arcs are 1 wide, a length is fitted to rounding: the curve's one residual is added to
   // both coordinates, and 1e-13 of a long cylinder is far more than 1e-13 of an arc.
   const bool plain = maps[0].Type == maps[1].Type;
   std::array<double, 2> tolerance;

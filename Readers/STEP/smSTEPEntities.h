@@ -1,6 +1,6 @@
 /**
  * @file smSTEPEntities.h
- * @brief What OpenCASCADE's translation to STEP leaves out: names and numbers of entities, accuracy, the header
+ * @brief Completes the STEP entities that OpenCASCADE makes: names and numbers, stated accuracy, header
  */
 #ifndef smSTEPEntities_h
 #define smSTEPEntities_h

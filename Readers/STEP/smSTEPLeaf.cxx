@@ -22,7 +22,7 @@ namespace sm
 {
 namespace
 {
-/// What a face without a colour gets where others have one.
+/// Grey value of a face without a colour in a body where others have one.
 constexpr double DefaultColor = 0.8;
 
 /// Share of a body's progress that its triangles take.

@@ -45,7 +45,7 @@ public:
   /// One occurrence, in world coordinates; it shares the model, and all arrays that the placement leaves alone.
   vtkSmartPointer<vtkNURBSDataSet> MakeLeaf(const BodyInstance& instance);
 
-  /// What a user should know of this body, with its name.
+  /// A sentence with the body's name when its conversion had problems; else empty.
   const std::vector<std::string>& GetMessages() const { return this->Messages; }
   /// `progress` said to stop; the leaf is not whole.
   bool IsAborted() const { return this->Aborted; }

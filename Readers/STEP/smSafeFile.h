@@ -11,8 +11,8 @@
 namespace sm
 {
 /**
- * Writes beside the file, under a name of its own, and takes the file's place when told to keep: a file that was there before is
- * lost then and not earlier. What is not kept is removed. A link is followed, also to a file that is not there yet; the permissions
+ * Writes to a temporary file in the same folder, which replaces the file when Keep() is called: until then a file that was there
+ * before stays. Without Keep() the temporary file is removed. A link is followed, also to a file that is not there yet; the permissions
  * of a file that is replaced are kept. A folder, a device or a pipe is a problem.
  */
 class SafeFile

@@ -1,9 +1,9 @@
 /**
  * @class   vtkNURBSModelWriter
- * @brief   what the writers of exact geometry share: vtkSTEPWriter and vtkBREPWriter
+ * @brief   base class of the writers of exact geometry, vtkSTEPWriter and vtkBREPWriter
  *
  * The input is a vtkNURBSDataSet or a composite dataset of them, as vtkSTEPReader makes it and vtkNURBSTransform,
- * vtkNURBSDeform or an edit (smModelEdit.h) leave it. What is saved is the exact geometry, not the mesh:
+ * vtkNURBSDeform or an edit (smModelEdit.h) leave it. The exact geometry is saved, not the mesh:
  *
  * - every face as the rational B-spline surface it is, trimmed by its own (u,v) curves and the 3D curves of its edges, which
  *   are piecewise polynomials; edges and vertices shared, seams and poles where the surface closes; solids with
@@ -12,7 +12,7 @@
  *   rigid placements only; a message says so.
  * - a body that an edit opened as it is; a warning says so.
  *
- * What is saved and read again differs by rounding: the same faces, edges and trim curves with coordinates good to
+ * Geometry that is saved and read again differs by rounding: the same faces, edges and trim curves with coordinates good to
  * a few 1e-16 of their distance from the part's origin. Planes, cylinders, cones, spheres and tori were made rational B-splines
  * by the reader and stay so. Each piece of a trim or edge curve is one span of the B-spline that is written, so that curves
  * are continuous to their pieces' accuracy but not formally smooth there. Validation properties (volume and area that the
@@ -84,7 +84,7 @@ public:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   ///@{
-  /** What the last Write() has to say, one sentence each; an error is the last one. An index out of range gives an empty string. */
+  /** Messages of the last Write(), one sentence each; an error is the last one. An index out of range gives an empty string. */
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;
   ///@}

@@ -19,8 +19,8 @@
  * | Color   | cell        | 3 (uchar)  | sRGB colour of the face; only when the file gives the body a colour |
  *
  * Points are in world coordinates and OutputUnit. A face that cannot be carried over is left out and named in the
- * messages of its model (vtkTrimmedNURBSModel::GetMessages); nothing else is lost. Faces that lie beside
- * the solids of a file belong to no body: they are counted (GetNumberOfFreeFaces) and left out.
+ * messages of its model (vtkTrimmedNURBSModel::GetMessages); nothing else is lost. Faces outside the solids
+ * of a file belong to no body: they are counted (GetNumberOfFreeFaces) and left out.
  *
  * A file that cannot be read raises one error that names it and the remedy; the output is empty then and
  * GetStatus says why. No exception leaves Update(): one that OpenCASCADE, an observer or a lack of memory raises is such an error.
@@ -36,9 +36,9 @@
  * reader that is updated by an observer of another one's progress raises an error. Conversion uses vtkSMPTools. No
  * OpenGL context is needed.
  *
- * The display mesh of one body gets 5 seconds, and the faces not reached 5 more one by one; what is left is shown on
- * a plain grid. A body whose faces are not all that the file says has GetNumberOfMissingFaces() or
- * GetNumberOfDefects() above 0.
+ * The display mesh of one body gets 5 seconds of CPU time, and the faces that were not meshed then 5 more, one by one; faces without
+ * a mesh are shown on a plain grid. A body whose faces are not complete has GetNumberOfMissingFaces() or GetNumberOfDefects()
+ * above 0 in its model.
  */
 #ifndef vtkSTEPReader_h
 #define vtkSTEPReader_h
@@ -106,7 +106,7 @@ public:
   vtkGetMacro(OutputUnit, std::string);
   ///@}
 
-  /** How the last Update() ended. */
+  /** Result of the last Update(). */
   enum StatusType
   {
     OK = 0,
@@ -125,7 +125,7 @@ public:
   std::string GetLengthUnit() const;
 
   ///@{
-  /** What the last Update() has to say about the file, one sentence each; an error is the last one. An
+  /** Messages of the last Update() about the file, one sentence each; an error is the last one. An
    * index out of range gives an empty string. Messages about a body are in its model. */
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;
@@ -134,7 +134,7 @@ public:
   /** Bodies with geometry of their own, and instances of them, in the last output; 0 before the first. */
   int GetNumberOfBodies() const;
   int GetNumberOfInstances() const;
-  /** Faces that lay beside the solids of the last file and were left out. */
+  /** Faces outside the solids of the last file, which were left out. */
   int GetNumberOfFreeFaces() const;
 
   ///@{
@@ -165,7 +165,7 @@ private:
   /// Read() that lets no exception out: one is an error, and the output is empty.
   void ReadGuarded(vtkPartitionedDataSetCollection* output);
   void Read(vtkPartitionedDataSetCollection* output);
-  /// What is wrong with the settings; empty when nothing is.
+  /// The mistake in the settings; empty when there is none.
   std::string FindMistake() const;
   sm::LeafOptions ChooseOptions(const sm::Document& document);
   /// Converts all bodies; false when the application asked to stop.

@@ -2,11 +2,11 @@
  * @class   vtkSTEPWriter
  * @brief   writes exact trimmed NURBS models as STEP (AP214)
  *
- * See vtkNURBSModelWriter for what is saved, and how a failure shows. STEP holds, besides the geometry, the product
+ * vtkNURBSModelWriter documents the geometry that is saved, and errors. STEP holds, besides the geometry, the product
  * structure (names, instances with their placements, layers), colours of bodies, faces and instances, material and density,
  * and the names and entity numbers (#1234) of bodies, faces and edges, so that a file that is read and saved keeps them.
  * A material's name that comes with a second density gets a number, "Steel (2)". Numbers have 17 digits. An assembly that
- * occurs several times is written once for each: where its parts stand is exact, that they were one is not kept. The schema is
+ * occurs several times is written once for each: the placements of its parts are exact, their grouping as one assembly is lost. The schema is
  * AP214 (AUTOMOTIVE_DESIGN), which holds all of this and which every system reads.
  */
 #ifndef vtkSTEPWriter_h

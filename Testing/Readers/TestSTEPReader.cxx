@@ -2,18 +2,21 @@
  * @file TestSTEPReader.cxx
  * @brief vtkSTEPReader at its edge: files that are not readable, units, product structure, colours, instances
  *
- * Usage: TestSTEPReader FOLDER, a folder for the files it writes.
+ * Usage: TestSTEPReader FOLDER [commas|memory], a folder for the files it writes; in a locale with a decimal comma, or with little
+ * memory.
  */
 #include "smOCCTMesh.h"
 #include "smTesting.h"
 
 #include "vtkSTEPReader.h"
+#include "vtkSTEPWriter.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataAssembly.h"
+#include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkNURBSDataSet.h"
@@ -53,13 +56,19 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <gp_Pln.hxx>
 
+#include <clocale>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <regex>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace
 {
@@ -435,48 +444,29 @@ void CheckAbort(const std::string& path, double threshold)
   smtest::CheckEqual("without an error", 0, log.Count);
   smtest::CheckEqual("and empty", 0, reader->GetOutput()->GetNumberOfPartitionedDataSets());
 }
+
+std::string Make(const std::string& name, const std::string& content)
+{
+  WriteAll(Folder + "/" + name, content);
+  return Folder + "/" + name;
 }
 
-int main(int argc, char* argv[])
+void CheckUnreadable(const std::string& text)
 {
-  if (argc < 2)
-  {
-    std::fprintf(stderr, "usage: %s FOLDER\n", argv[0]);
-    return EXIT_FAILURE;
-  }
-  Folder = argv[1];
-  const std::string good = Folder + "/reader_assembly.step";
-  WriteAssembly(good);
-  const std::string text = ReadAll(good);
-
-  CheckAssembly(good, "mm", 1.0);
-  CheckAssembly(good, "inch", 25.4);
-  CheckAssembly(good, "file", 1.0);
-  CheckMesh(good);
-  CheckAbort(good, 0.0);
-  // The last body's triangles, and its faces.
-  CheckAbort(good, 0.76);
-  CheckAbort(good, 0.96);
-  CheckBrokenBodies();
-  CheckDeflection();
-  CheckNested(good);
-
-  const auto make = [](const std::string& name, const std::string& content)
-  {
-    WriteAll(Folder + "/" + name, content);
-    return Folder + "/" + name;
-  };
   CheckFails(Folder + "/does_not_exist.step", "unreadable", "opened");
-  CheckFails(make("reader_nothing.step", ""), "unreadable", "empty");
-  CheckFails(make("reader_text.step", "solid cube\nfacet normal 0 0 1\n"), "unreadable", "not a STEP file");
-  CheckFails(make("reader_gzip.step", "\x1f\x8b\x08 and so on"), "unreadable", "gzip");
+  CheckFails(Make("reader_nothing.step", ""), "unreadable", "empty");
+  CheckFails(Make("reader_text.step", "solid cube\nfacet normal 0 0 1\n"), "unreadable", "not a STEP file");
+  CheckFails(Make("reader_gzip.step", "\x1f\x8b\x08 and so on"), "unreadable", "gzip");
   CheckFails(
-    make("reader_header.step", text.substr(0, text.find("DATA;")) + "DATA;\nENDSEC;\nEND-ISO-10303-21;\n"),
+    Make("reader_header.step", text.substr(0, text.find("DATA;")) + "DATA;\nENDSEC;\nEND-ISO-10303-21;\n"),
     "empty", "no solid");
   CheckFails(
-    make("reader_cut.step", text.substr(0, text.size() / 3)), "unreadable", "copy or export it again");
+    Make("reader_cut.step", text.substr(0, text.size() / 3)), "unreadable", "copy or export it again");
   CheckFails(Folder, "unreadable", "opened");
+}
 
+void CheckSettings(const std::string& good)
+{
   vtkNew<vtkSTEPReader> nameless;
   ErrorLog log;
   log.Watch(nameless);
@@ -492,9 +482,12 @@ int main(int argc, char* argv[])
   nameless->SetOutputUnit("mm");
   nameless->Update();
   smtest::CheckEqual("the reader recovers", 3, nameless->GetOutput()->GetNumberOfPartitionedDataSets());
+}
 
-  // Junk before the header is skipped, and said.
-  const std::string junk = make("reader_junk.step", "xyz " + text);
+/// Junk before the header is skipped, and said.
+void CheckJunk(const std::string& text)
+{
+  const std::string junk = Make("reader_junk.step", "xyz " + text);
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(junk.c_str());
   reader->Update();
@@ -505,13 +498,17 @@ int main(int argc, char* argv[])
   smtest::CheckEqual(
     "CanReadFile of text", 0, vtkSTEPReader::CanReadFile((Folder + "/reader_text.step").c_str()));
   smtest::CheckEqual("CanReadFile of nothing", 0, vtkSTEPReader::CanReadFile(nullptr));
+}
 
-  // A reference to an entity that is not there crashes OpenCASCADE: the one face that has it is left out.
+/// A reference to an entity that is not there crashes OpenCASCADE: the one face that has it is left out.
+void CheckDamage(const std::string& text)
+{
+  vtkNew<vtkSTEPReader> reader;
   std::string broken = text;
   const std::size_t surface = broken.find("),#", broken.find("ADVANCED_FACE('',(")) + 2;
   smtest::CheckTrue("a face to break", surface > 2 && surface < broken.size());
   broken.replace(surface, broken.find(',', surface) - surface, "#99999999");
-  const std::string damaged = make("reader_damaged.step", broken);
+  const std::string damaged = Make("reader_damaged.step", broken);
   reader->SetFileName(damaged.c_str());
   reader->Update();
   smtest::CheckEqual("status of a damaged file", "ok", reader->GetStatusAsString());
@@ -520,10 +517,14 @@ int main(int argc, char* argv[])
   smtest::CheckEqual("in its body only", 0, GetLeaf(reader, 2)->GetModel()->GetNumberOfMissingFaces());
   smtest::CheckTrue(
     "and said", reader->GetMessage(0).find("damaged") != std::string::npos, reader->GetMessage(0));
+}
 
-  // An edge between one vertex and itself, whose curve goes elsewhere.
+/// An edge between one vertex and itself, whose curve goes elsewhere.
+void CheckWrongVertex(const std::string& text)
+{
+  vtkNew<vtkSTEPReader> reader;
   const std::regex ends("EDGE_CURVE\\('',(#[0-9]+),(#[0-9]+),");
-  reader->SetFileName(make("reader_vertex.step",
+  reader->SetFileName(Make("reader_vertex.step",
     std::regex_replace(text, ends, "EDGE_CURVE('',$1,$1,", std::regex_constants::format_first_only))
                         .c_str());
   reader->Update();
@@ -533,17 +534,25 @@ int main(int argc, char* argv[])
   vtkNew<vtkTrimmedNURBSModel> copy;
   copy->ShallowCopy(torn);
   smtest::CheckEqual("which a copy has too", torn->GetNumberOfDefects(), copy->GetNumberOfDefects());
+}
 
-  // Lengths near the kernel's precision: the mesher must come back.
+/// Lengths near the kernel's precision: the mesher must come back.
+void CheckNanometres(const std::string& text)
+{
+  vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(
-    make("reader_nano.step", std::regex_replace(text, std::regex("\\.MILLI\\."), ".NANO.")).c_str());
+    Make("reader_nano.step", std::regex_replace(text, std::regex("\\.MILLI\\."), ".NANO.")).c_str());
   reader->Update();
   smtest::CheckTrue("a file in nanometres ends, with a mesh", GetLeaf(reader, 0)->GetNumberOfPolys() > 0);
+}
 
-  // An instance that loses its scale.
+/// An instance that loses its scale.
+void CheckLostScale(const std::string& text)
+{
+  vtkNew<vtkSTEPReader> reader;
   const std::regex part(
     "(#[0-9]+) = (ADVANCED_BREP_SHAPE_REPRESENTATION\\('',\\((#[0-9]+),#[0-9]+\\),(#[0-9]+)\\);)");
-  reader->SetFileName(make("reader_scaled.step",
+  reader->SetFileName(Make("reader_scaled.step",
     std::regex_replace(text, part,
       "$1 = SHAPE_REPRESENTATION('',($3,#900001),$4);\n#900000 = $2\n"
       "#900001 = MAPPED_ITEM('',#900002,#900003);\n#900002 = REPRESENTATION_MAP($3,#900000);\n"
@@ -558,8 +567,12 @@ int main(int argc, char* argv[])
     misplaced += GetLeaf(reader, i)->GetModel()->GetNumberOfDefects() > 0 ? 1 : 0;
   }
   smtest::CheckTrue("a lost scale is a defect", misplaced > 0);
+}
 
-  // A file without solids gives its shells; process-wide settings are as they were.
+/// A file without solids gives its shells; process-wide settings are as they were.
+void CheckLoose()
+{
+  vtkNew<vtkSTEPReader> reader;
   const std::string loose = Folder + "/reader_loose.step";
   WriteAssembly(loose, false);
   Interface_Static::SetCVal("xstep.cascade.unit", "M");
@@ -572,5 +585,202 @@ int main(int argc, char* argv[])
   vtkNURBSDataSet* leaf = GetLeaf(reader, 0);
   smtest::CheckEqual("it is a shell", vtkTrimmedNURBSModel::SHELL, leaf->GetModel()->GetBody());
   smtest::Check("area scale in mm^2", 56.0, leaf->GetModel()->GetAreaScale(), 1e-12, "a rectangle");
+}
+
+/// An exception that an observer throws while the file is read is an error, whatever its type.
+void CheckExceptions(const std::string& path)
+{
+  struct Client
+  {
+    double Threshold = 0.0;
+    bool Standard = true;
+  } client;
+  vtkNew<vtkCallbackCommand> callback;
+  callback->SetClientData(&client);
+  callback->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void* progress)
+    {
+      const auto* c = static_cast<Client*>(data);
+      const double fraction = *static_cast<double*>(progress);
+      if (fraction >= c->Threshold && fraction < 1.0)
+      {
+        if (c->Standard)
+        {
+          throw std::runtime_error("thrown by an observer");
+        }
+        throw 5;
+      }
+    });
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(path.c_str());
+  ErrorLog log;
+  ErrorLog executive;
+  log.Watch(reader);
+  executive.Watch(reader->GetExecutive());
+  const unsigned long tag = reader->AddObserver(vtkCommand::ProgressEvent, callback);
+  int errors = 0;
+  // While the file is parsed, before the first body, and with a body in hand.
+  for (const double threshold : { 0.01, 0.5, 0.76 })
+  {
+    client = { threshold, false };
+    reader->Modified();
+    bool crossed = false;
+    try
+    {
+      reader->Update();
+    }
+    catch (...)
+    {
+      crossed = true;
+    }
+    const std::string what = "an exception at " + std::to_string(threshold);
+    smtest::CheckTrue(what + " stays inside", !crossed);
+    smtest::CheckEqual(what + " is an error", ++errors, log.Count);
+    smtest::CheckEqual(what + ": status", "unreadable", reader->GetStatusAsString());
+    smtest::CheckEqual(what + ": leaves", 0, reader->GetOutput()->GetNumberOfPartitionedDataSets());
+  }
+  client = { 0.5, true };
+  reader->Modified();
+  reader->Update();
+  smtest::CheckTrue(
+    "a standard one is quoted", log.Text.find("thrown by an observer") != std::string::npos, log.Text);
+  reader->RemoveObserver(tag);
+  reader->Modified();
+  reader->Update();
+  smtest::CheckEqual("and the reader recovers", 3, reader->GetNumberOfInstances());
+}
+
+/// Numbers in messages have a decimal point in every locale.
+void CheckCommas(const std::string& text)
+{
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8"))
+  {
+    std::exit(smtest::Skipped);
+  }
+  smtest::CheckEqual("the locale's decimal point", ",", std::localeconv()->decimal_point);
+  // The first vertex moves by 0.25 mm: edges end beside it.
+  const std::regex vertex("VERTEX_POINT\\('',(#[0-9]+)\\)");
+  std::smatch found;
+  smtest::CheckTrue("a vertex to move", std::regex_search(text, found, vertex));
+  const std::string moved =
+    std::regex_replace(text, vertex, "VERTEX_POINT('',#900001)", std::regex_constants::format_first_only);
+  vtkNew<vtkSTEPReader> reader;
+  const std::size_t end = moved.rfind("ENDSEC;");
+  reader->SetFileName(Make("reader_commas.step",
+    moved.substr(0, end) + "#900001 = CARTESIAN_POINT('',(-9.25,-9.25,-9.25));\n" + moved.substr(end))
+                        .c_str());
+  reader->Update();
+  const std::vector<std::string>& messages = GetLeaf(reader, 0)->GetModel()->GetMessages();
+  const std::regex number("[0-9]\\.[0-9]");
+  const std::regex comma("[0-9],[0-9]");
+  int points = 0;
+  int commas = 0;
+  for (const std::string& message : messages)
+  {
+    std::printf("     %s\n", message.c_str());
+    points += std::regex_search(message, number) ? 1 : 0;
+    commas += std::regex_search(message, comma) ? 1 : 0;
+  }
+  smtest::CheckTrue("messages with a decimal point", points > 0);
+  smtest::CheckEqual("messages with a decimal comma", 0, commas);
+}
+
+/// Reads and writes with no more than `extra` bytes of address space than now. 0: done, 1: an error said why not.
+int RunWithMemory(const std::string& path, const std::string& copy, std::size_t extra)
+{
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  vtkNew<vtkSTEPReader> reader;
+  vtkNew<vtkSTEPWriter> writer;
+  ErrorLog log;
+  ErrorLog ignored;
+  log.Watch(reader);
+  log.Watch(writer);
+  ignored.Watch(reader->GetExecutive());
+  ignored.Watch(writer->GetExecutive());
+  reader->SetFileName(path.c_str());
+  writer->SetInputConnection(reader->GetOutputPort());
+  writer->SetFileName(copy.c_str());
+  const rlim_t bytes = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + extra;
+  const rlimit limit{ bytes, bytes };
+  setrlimit(RLIMIT_AS, &limit);
+  const bool written = writer->Write() != 0;
+  const bool said = log.Count > 0 && writer->GetErrorCode() != vtkErrorCode::NoError;
+  return written && log.Count == 0 ? 0 : !written && said ? 1 : 2;
+}
+
+/// Reads and writes in child processes that have less and less memory.
+void CheckMemory(const std::string& path)
+{
+  const std::string copy = Folder + "/reader_memory.step";
+  int done = 0;
+  int failed = 0;
+  for (const std::size_t kibibytes :
+    { 0, 256, 512, 1024, 2048, 3072, 4096, 4352, 4608, 4864, 5120, 5376, 5632, 5888, 6144, 8192, 524288 })
+  {
+    std::remove(copy.c_str());
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      _exit(RunWithMemory(path, copy, kibibytes << 10));
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    smtest::CheckTrue("with " + std::to_string(kibibytes) + " KiB: done, or an error", code < 2,
+      "exit status " + std::to_string(code));
+    smtest::CheckTrue(
+      "  a file is there when it is done", (code == 0) == static_cast<bool>(std::ifstream(copy)));
+    done += code == 0 ? 1 : 0;
+    failed += code == 1 ? 1 : 0;
+  }
+  smtest::CheckTrue("enough memory is enough", done > 0, std::to_string(done));
+  smtest::CheckTrue("too little is too little", failed > 2, std::to_string(failed));
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc < 2)
+  {
+    std::fprintf(stderr, "usage: %s FOLDER [commas|memory]\n", argv[0]);
+    return EXIT_FAILURE;
+  }
+  Folder = argv[1];
+  const std::string mode = argc > 2 ? argv[2] : "";
+  const std::string good = Folder + "/reader_assembly" + mode + ".step";
+  WriteAssembly(good);
+  const std::string text = ReadAll(good);
+  if (mode == "commas")
+  {
+    CheckCommas(text);
+    return smtest::Finish();
+  }
+  if (mode == "memory")
+  {
+    CheckMemory(good);
+    return smtest::Finish();
+  }
+  CheckAssembly(good, "mm", 1.0);
+  CheckAssembly(good, "inch", 25.4);
+  CheckAssembly(good, "file", 1.0);
+  CheckMesh(good);
+  CheckAbort(good, 0.0);
+  // The last body's triangles, and its faces.
+  CheckAbort(good, 0.76);
+  CheckAbort(good, 0.96);
+  CheckBrokenBodies();
+  CheckDeflection();
+  CheckNested(good);
+  CheckExceptions(good);
+  CheckUnreadable(text);
+  CheckSettings(good);
+  CheckJunk(text);
+  CheckDamage(text);
+  CheckWrongVertex(text);
+  CheckNanometres(text);
+  CheckLostScale(text);
+  CheckLoose();
   return smtest::Finish();
 }

@@ -1,4 +1,4 @@
-// TestWriters solids|edits|structure|errors SOLIDS OUTPUT PART: what vtkSTEPWriter and vtkBREPWriter save is what was there.
+// TestWriters solids|edits|structure|errors SOLIDS OUTPUT PART: files of vtkSTEPWriter and vtkBREPWriter, read again, equal their input.
 // TestWriters models FOLDER OUTPUT NAME...: the same for real files.
 #include "smLatticeBody.h"
 #include "smModelEdit.h"
@@ -469,6 +469,20 @@ void CheckFails(
     trap.Errors.find(writer->GetMessage(writer->GetNumberOfMessages() - 1)) != std::string::npos);
 }
 
+/// Without its input there is no file to write, whether or not the writer itself is called.
+void CheckUnreadableInput(const std::string& path)
+{
+  vtkNew<vtkSTEPReader> reader;
+  const MessageTrap readerTrap(reader);
+  const MessageTrap executiveTrap(reader->GetExecutive());
+  vtkNew<vtkSTEPWriter> writer;
+  const MessageTrap writerExecutiveTrap(writer->GetExecutive());
+  Watched watched(writer);
+  writer->SetInputConnection(reader->GetOutputPort());
+  CheckFails("an input that fails", watched, path.c_str(), vtkErrorCode::UserError, "could not be computed");
+  CheckTrue("which says why", readerTrap.Errors.find("no file name") != std::string::npos, readerTrap.Errors);
+}
+
 long long CountFiles(const std::string& folder)
 {
   return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
@@ -487,6 +501,13 @@ void CheckErrors(const std::string& folder)
   step->SetInputDataObject(box);
   CheckFails("no name", watched, nullptr, vtkErrorCode::NoFileNameError, "SetFileName");
   CheckFails("empty name", watched, "", vtkErrorCode::NoFileNameError, "SetFileName");
+  // Also on a rank that would write nothing: all ranks fail, or none.
+  step->SetNumberOfPieces(2);
+  step->SetPiece(1);
+  CheckFails("no name, second piece", watched, nullptr, vtkErrorCode::NoFileNameError, "SetFileName");
+  step->SetPiece(0);
+  step->SetNumberOfPieces(1);
+  CheckUnreadableInput(path);
   CheckFails(
     "no folder", watched, (own + "/none/box.step").c_str(), vtkErrorCode::CannotOpenFileError, "folder");
   CheckFails("a folder", watched, own.c_str(), vtkErrorCode::CannotOpenFileError, "it is a folder");
@@ -564,7 +585,7 @@ void CheckTargets(const std::string& folder)
   CheckTrue("and stays a link", fs::is_symlink(own + "/link.step"));
   CheckTrue("to the file", fs::is_regular_file(own + "/elsewhere/box.step"));
 
-  // What stands beside the file under the names that are tried first is somebody else's.
+  // A file that has the first temporary name already belongs to somebody else.
   const std::string path = own + "/box.step";
   fs::create_symlink("nowhere", path + ".saving0");
   step->SetFileName(path.c_str());
