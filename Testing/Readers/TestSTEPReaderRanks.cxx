@@ -51,7 +51,8 @@ struct Reader
         {
           ++self->Errors;
         }
-        else if (self->Throws && self->Filter->GetProgress() < 1.0)
+        // Not at the 0 and the 1 that the executive itself reports.
+        else if (self->Throws && self->Filter->GetProgress() > 0.0 && self->Filter->GetProgress() < 1.0)
         {
           throw std::runtime_error("thrown by an observer");
         }
