@@ -19,7 +19,7 @@
 
 namespace sm
 {
-/// A face and its work items. Never changes once it is made.
+/// A face and what it was cut into. Never changes once it is made.
 struct CutFace
 {
   FacePointer Source;
@@ -40,9 +40,9 @@ using CutFacePointer = std::shared_ptr<const CutFace>;
 
 /**
  * Cuts faces (BuildFacePanels) in parallel, by vtkSMPTools, and keeps them by their ids, so that a face is cut once. Faces that
- * nobody else has any more, as after an edit, are dropped before others are cut. When the bytes exceed the budget, the faces
- * asked for longest ago are dropped, those of the last request last; whoever holds a pointer keeps its face alive. The work items depend on the face alone: a face that is dropped and cut again,
- * again has the same ones.
+ * nobody else has any more, as after an edit, are forgotten before others are cut. When the bytes exceed the budget, the faces
+ * asked for longest ago are forgotten, those of the last request last; whoever holds a pointer keeps its face alive. What a face is cut into depends on the face alone: forgotten and cut again,
+ * it is the same.
  *
  * Not thread safe: one thread at a time calls Acquire().
  */
@@ -59,12 +59,12 @@ public:
 
   /// `cut` gets one entry per face, never null. `progress` (may be empty) gets the fraction done, between cuts, and
   /// returns false to stop. False, with GetError() and an empty `cut`, when stopped or when two different faces have one id;
-  /// the faces cut until then are kept.
+  /// what was cut until then is kept.
   bool Acquire(const std::vector<FacePointer>& faces, std::vector<CutFacePointer>& cut,
     const ProgressCallback& progress);
 
   ///@{
-  /// Counters: faces and bytes kept now; faces cut and faces dropped, for either reason, since construction.
+  /// Counters: faces and bytes kept now; faces cut and faces forgotten, for either reason, since construction.
   std::size_t GetNumberOfFaces() const;
   std::size_t GetBytes() const;
   std::uint64_t GetNumberOfCuts() const;

@@ -19,7 +19,7 @@ namespace sm
  * YZ = y z^2/2 nz; XZ = x z^2/2 nz; then the vector area nx, ny, nz and the area |n|. In this order, that of MassIntegrand.
  *
  * Exact, up to rounding, for the face bounded by `Polygons`: every edge of a polygon makes one signed triangle with a fixed
- * point, so that holes and any winding count as they should. Reversed reverses n, and not the area.
+ * point, so that holes and any winding count as they should. Reversed turns n, and not the area.
  *
  * `face.Planar` is true and `face.Error` empty; otherwise all are 0. Thread safe.
  */

@@ -95,7 +95,7 @@ struct SubPatchFace
   std::string Error;
 };
 
-/// Never throws: a defect of the face or the options is reported in Error. Thread safe.
+/// Never throws: what is wrong with the face or the options is told in Error. Thread safe.
 SMFILTERSNURBS_EXPORT SubPatchFace PrepareSubPatchFace(const FacePointer& face, const SchemeOptions& options);
 
 /**

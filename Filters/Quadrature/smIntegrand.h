@@ -1,6 +1,6 @@
 /**
  * @file smIntegrand.h
- * @brief An integrand: a formula of position and normal, for the GPU as text and for the CPU as structure
+ * @brief What is integrated: a formula of position and normal, for the GPU as text and for the CPU as structure
  */
 #ifndef smIntegrand_h
 #define smIntegrand_h
@@ -27,7 +27,7 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
     VectorArea,
     /// Factor * normal.z * x^i y^j z^k: vanishes with z.
     HeightMoment,
-    /// Volume (Powers 0) or a first moment of the part below a waterline: BuoyancyIntegrator's.
+    /// Volume (Powers 0) or a first moment of what is below a waterline: BuoyancyIntegrator's.
     Displaced,
     /// An expression of the user's: Source.
     User
@@ -40,7 +40,7 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   bool ClosedChain = false;
   /// Total degree of the polynomial g in x.n g(x), n g(x), |n| g(x) or z n_z g(x); -1: not such a polynomial.
   int Degree = -1;
-  /// GLSL expression of `size` = |position|: the factor of a sample's relative rounding, see Bounds.md.
+  /// GLSL expression of `size` = |position|: what multiplies a sample's relative rounding, see Bounds.md.
   std::string Magnitude;
 
   /// The same formulas as structure, to be evaluated in the order of operations of the texts: factors from left to right, x
@@ -51,7 +51,7 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   double MagnitudeFactor = 1.0;
   int MagnitudePower = 0;
 
-  /// Translation of a User's.
+  /// A User's: what it is translated to.
   std::shared_ptr<const UserExpression> Source{};
   /// The integral grows with this power of the body's size beyond area; tolerances of a User's are relative to that.
   int ScalePower = 0;
