@@ -1,6 +1,6 @@
 /**
  * @file smBezierPatch.h
- * @brief One rational Bezier patch of a surface: how it is cut out, and its value at a point
+ * @brief One rational Bezier patch of a surface: its extraction, and its value at a point
  */
 #ifndef smBezierPatch_h
 #define smBezierPatch_h

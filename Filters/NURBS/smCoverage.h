@@ -1,6 +1,6 @@
 /**
  * @file smCoverage.h
- * @brief Which parts of which cells lie inside the trim: signed coverage instead of parity
+ * @brief The parts of cells that lie inside the trim, by signed coverage instead of parity
  *
  * Green's theorem row by row: a piece of a loop that runs from v = a to v = b in row j of column c adds its
  * own part of cell (c, j), and the whole width of every cell (c', j) with c' < c between a and b, with

@@ -3,7 +3,7 @@
  * @brief Faces, loops, coedges, edges and vertices of a trimmed NURBS model: immutable values
  *
  * A face and an edge never change once they are shared. An edit makes a new face (with a new id) and
- * swaps one pointer in a shallow copy of the model. Whatever is kept for a face (GPU memory, moments) is
+ * swaps one pointer in a shallow copy of the model. Data kept for a face (GPU memory, moments) is
  * keyed by its id. All coordinates are relative to the model's origin, see vtkTrimmedNURBSModel.
  */
 #ifndef smFace_h
@@ -37,10 +37,10 @@ struct Edge
   EdgeCurve Curve;
   std::array<double, 3> StartVertex{};
   std::array<double, 3> EndVertex{};
-  /// The file's tolerance of edge and vertices, a length. Informative: not to be believed.
+  /// The file's tolerance of edge and vertices, a length. For information only: it is not reliable.
   double Tolerance = 0.0;
   bool Degenerate = false;
-  /// Not null where an edit moved the edge along with the boundary rows of its faces, see smModelEdit.h: where from.
+  /// Not null where an edit moved the edge along with the boundary rows of its faces, see smModelEdit.h: its origin.
   std::shared_ptr<const EdgeOrigin> Origin;
 };
 

@@ -5,7 +5,7 @@
  * A **panel** is the part {(xi s(t), r(t)) : 0 <= xi <= 1} of one rational Bézier patch, left of one piece
  * (s(t), r(t)) of a trim curve, in the patch's own parameters (s,r) in [0,1]^2. A **ribbon** is the ruled strip
  * (1-l) S(c(t)) + l C(t) that leads a face's boundary to its edge's curve. A **cap** is a flat triangle at a
- * corner of a loop. Together they are the closed chain of the face: what is left of its boundary are the
+ * corner of a loop. Together they are the closed chain of the face: the rest of its boundary are the
  * edge curves and the stubs between vertices and the ends of the edge curves, which cancel between faces.
  *
  * Everything is local to the face: the items of a face depend on nothing but the face. Where the degree in
@@ -71,12 +71,12 @@ struct Ribbon
   bool AlongEdge;
   double Start, End;
   double EdgeStart, EdgeEnd;
-  /// Which of the face's coedges, counted through all loops; -1: the strip at a loop's corner.
+  /// Index of the coedge, counted through all loops of the face; -1: the strip at a loop's corner.
   int Coedge;
 };
 
 /// The triangle Apex, From, To of a corner cone; the area vector of the chain is (From-Apex) x (To-Apex) / 2,
-/// turned when FlipNormal.
+/// reversed when FlipNormal.
 struct Cap
 {
   std::array<double, 3> Apex, From, To;

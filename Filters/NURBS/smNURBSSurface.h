@@ -43,7 +43,7 @@ struct SMFILTERSNURBS_EXPORT NURBSSurface
   /// Distinct knots inside and at the ends of the domain, increasing.
   std::vector<double> GetSpanBreaks(int direction) const;
 
-  /// An empty string when degrees, knots, counts and weights are consistent, else what is wrong.
+  /// An empty string when degrees, knots, counts and weights are consistent, else the first mistake.
   std::string Check() const;
 
   /// Position and (if not null) first derivatives at (u,v), in model coordinates.
@@ -52,13 +52,13 @@ struct SMFILTERSNURBS_EXPORT NURBSSurface
   /**
    * Control points of the Bézier patch on [u0,u1] x [v0,v1], which lies in one span of each direction, by blossoming:
    * (Degree[0]+1) x (Degree[1]+1) homogeneous points, u index fastest, relative to `center` (null: as the surface). The
-   * center is taken off first, so that what is rounded is the distance from there. Returns how far rounding may have moved
+   * center is subtracted first, so that the distance from it is rounded. Returns how far rounding may have moved
    * a point in x, y and z, lengths.
    */
   std::array<double, 3> ExtractBezier(double u0, double u1, double v0, double v1,
     std::array<double, 4>* points, const double center[3] = nullptr) const;
 
-  /// Evaluates points one after another, the bits of Evaluate(); what neighbours in one cell share is computed once.
+  /// Evaluates points one after another, the bits of Evaluate(); common terms of neighbours in one cell are computed once.
   class Walker;
 
   /// The same surface with u and v exchanged. Its normal Su x Sv points the other way.

@@ -17,7 +17,7 @@ class vtkDataArray;
 
 namespace sm
 {
-/// Where a display point lies: on which of its face's patches, and there.
+/// Location of a display point: the patch of its face, and its parameters there.
 struct LocalPoint
 {
   double S;
@@ -28,7 +28,7 @@ struct LocalPoint
 };
 
 /**
- * Points are sorted by face, those of a face by patch. The points of a face are looked at when the face is first asked for, and
+ * Points are sorted by face, those of a face by patch. The points of a face are located when the face is first asked for, and
  * again when its knots change. Patches are those that have points, in order, u fastest; a parameter outside the surface's
  * domain belongs to the nearest.
  */
@@ -44,14 +44,14 @@ public:
   std::size_t GetCount(std::size_t face) const { return this->Firsts[face + 1] - this->Firsts[face]; }
   std::size_t GetNumberOfFaces() const { return this->Firsts.size() - 1; }
 
-  /// The patches of `face`, which stands at `index`, without panels, ribbons and caps; looks at its points where that is needed.
+  /// The patches of `face`, which stands at `index`, without panels, ribbons and caps; locates its points where that is needed.
   /// Thread safe for different indices.
   CutFacePointer MakePatches(const FacePointer& face, std::size_t index);
 
   /// Indices of the points in the mesh, and where they lie; good for faces that patches were made of.
   const std::vector<std::int64_t>& GetIds() const { return this->Ids; }
   const std::vector<LocalPoint>& GetPoints() const { return this->Points; }
-  /// Counts how often the points of a face were looked at.
+  /// Counts how often the points of a face were located.
   std::uint64_t GetVersion(std::size_t face) const { return this->Faces[face].Version; }
 
 private:

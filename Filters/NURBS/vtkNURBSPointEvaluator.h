@@ -11,10 +11,10 @@
  * plugin, have it. That one uses OpenGL 4.3 with doubles and falls back to this one. The two agree to rounding of the part's size.
  *
  * A point whose normal vanishes (a pole, a collapsed edge) gets the normal a 4096th of the way to the middle of its Bezier
- * patch; where there is none either, it keeps what it had.
+ * patch; where there is none either, it keeps the old normal.
  *
  * An evaluator remembers how the points of a mesh lie on faces, for meshes that still exist and by their FaceIndex and Parameters
- * arrays, so that the second update of a mesh costs what changed. One object serves many meshes. Not thread safe.
+ * arrays, so that the second update of a mesh evaluates only the changes. One object serves many meshes. Not thread safe.
  */
 #ifndef vtkNURBSPointEvaluator_h
 #define vtkNURBSPointEvaluator_h

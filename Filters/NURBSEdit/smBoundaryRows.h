@@ -61,7 +61,7 @@ struct EdgeOrigin
 };
 
 /**
- * The curve of `origin` displaced by what moved its row: C(t) + now(x(t)) - origin.Row(x(t)), where x(t) is the row's
+ * The curve of `origin` displaced as its row was: C(t) + now(x(t)) - origin.Row(x(t)), where x(t) is the row's
  * parameter along `trim`. Exact but for rounding where both rows are polynomial; else fitted, and the fit's residual is added to
  * the curve's.
  */

@@ -1,6 +1,6 @@
 /**
  * @file smDisplayPoints.h
- * @brief Display points of a leaf on an edited model, whether they know their faces or not
+ * @brief Display points of a leaf on an edited model, with or without their faces and parameters
  */
 #ifndef smDisplayPoints_h
 #define smDisplayPoints_h

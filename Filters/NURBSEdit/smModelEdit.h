@@ -3,7 +3,7 @@
  * @brief Edits of a model: each gives a new model with new faces and shares everything else
  *
  * Pure functions: the model that is given stays as it is, so undo is to use it again. Faces and edges that change get new
- * ids, and what is kept for the others (cuts, plans, integrals, GPU memory) stays valid. Coordinates are those of the stored
+ * ids, and data kept for the others (cuts, plans, integrals, GPU memory) stays valid. Coordinates are those of the stored
  * faces: lengths in the model's unit, relative to its Origin. Control points are addressed by their indices in u and v.
  *
  * Setting a control point back gives the bits from before, of faces, edges and vertices (ids are new): an edge that moved along
@@ -45,7 +45,7 @@ enum class EditStatus
 /// "ok", "no-model", "no-such-face" ….
 SMFILTERSNURBSEDIT_EXPORT const char* GetName(EditStatus status);
 
-/// Which faces an edit of control points moves.
+/// The faces that an edit of control points moves.
 enum class EditRule
 {
   /// The face alone, its edges stay: where a boundary row moved, the solid opens.

@@ -1,6 +1,6 @@
 /**
  * @file smNetChange.h
- * @brief Control points of faces that change, and what follows them: neighbours' rows, edges and vertices
+ * @brief Control points of faces that change, and the neighbours' rows, edges and vertices that follow them
  */
 #ifndef smNetChange_h
 #define smNetChange_h
@@ -27,13 +27,13 @@ class NetChange
 public:
   NetChange(vtkTrimmedNURBSModel* model, EditRule rule);
 
-  /// Everything of a face but its control points, before these are set.
+  /// Sets all of a face but its control points, before these are set.
   void SetTemplate(int face, const FacePointer& face_);
-  /// Faces whose common edges follow whatever the rule says; the map moves what has no rows.
+  /// Faces whose common edges follow regardless of the rule; the map moves edges without rows.
   void SetMap(const std::vector<bool>& faces, const PointMap& map);
   void SetPoint(int face, std::size_t entry, const std::array<double, 4>& point);
 
-  /// Moves what follows and swaps the faces into a copy of the model; not when the map of an edge is not finite.
+  /// Moves rows, edges and vertices that follow and swaps the faces into a copy of the model; not when the map of an edge is not finite.
   void Finish(ModelEdit& edit);
 
 private:

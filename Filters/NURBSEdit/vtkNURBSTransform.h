@@ -4,8 +4,8 @@
  *
  * VTK's own transform filters move points and drop the exact geometry. This one changes the placement of every
  * vtkNURBSDataSet in its input (one, or the leaves of a composite dataset) by a rotation, a reflection and a translation, and
- * moves the points and normals of every leaf alike, of plain meshes too. Models, and with them all that is kept for their faces,
- * stay shared: after a move no face is integrated again. A reflection also turns the cells of polydata around, so that they
+ * moves the points and normals of every leaf alike, of plain meshes too. Models, and with them all data kept for their faces,
+ * stay shared: after a move no face is integrated again. A reflection also reverses the cells of polydata, so that they
  * stay counter-clockwise from outside.
  *
  * p' = Translation + Rz Rx Ry M p in world coordinates, with M the mirror image and R the rotations about the axes through the origin; or

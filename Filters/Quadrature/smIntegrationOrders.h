@@ -1,6 +1,6 @@
 /**
  * @file smIntegrationOrders.h
- * @brief Which Gauss rules an item of integration gets, level by level
+ * @brief Gauss rules of an item of integration, level by level
  */
 #ifndef smIntegrationOrders_h
 #define smIntegrationOrders_h

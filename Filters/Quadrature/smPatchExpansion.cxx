@@ -10,8 +10,6 @@ namespace sm
 {
 namespace
 {
-using Vector = Vector3;
-
 // A row of control points this close together, relative to the patch, is one point; a length this close to a
 // polynomial is one. Both leave what rounding leaves.
 constexpr double CollapsedSize = 1e-15;
@@ -162,7 +160,7 @@ double PatchMajorants::MeasureAcross(const double* longest) const
   this->VisitSamples(
     [&](const double* sample, double cube)
     {
-      const Vector product = Cross(sample + 1, longest + 1);
+      const Vector3 product = Cross(sample + 1, longest + 1);
       across = std::max(across, Norm(product.data()) / (longest[4] * cube));
     });
   return across;
@@ -289,7 +287,7 @@ void PatchMajorants::ExpandPosition(const std::array<double, 4>* points)
   this->ExpandNet(net.data(), columns, this->Q, this->Series[2]);
 }
 
-void PatchMajorants::SampleNumerators(const Vector& origin)
+void PatchMajorants::SampleNumerators(const Vector3& origin)
 {
   const int columns = this->P + 1;
   const int rows = this->Q + 1;
@@ -335,9 +333,9 @@ void PatchMajorants::SampleNumerators(const Vector& origin)
           }
         }
       }
-      const Vector sr = Cross(h[1], h[2]);
-      const Vector rp = Cross(h[2], h[0]);
-      const Vector ps = Cross(h[0], h[1]);
+      const Vector3 sr = Cross(h[1], h[2]);
+      const Vector3 rp = Cross(h[2], h[0]);
+      const Vector3 ps = Cross(h[0], h[1]);
       const double r = this->Box.Middle[1] + this->Box.Half[1] * ruleR.GetNode(b);
       const double factor = this->GetFactor(s, r);
       double* sample = this->Samples.data() + Components * (a + static_cast<std::size_t>(countS) * b);
@@ -427,7 +425,7 @@ void PatchMajorants::MakeTables(int countS, int countR)
   this->FirstLength = this->Traits.PolynomialLength ? std::abs(first[4]) : Norm(first + 1);
   double rest = 0.0;
   double beside = 0.0;
-  Vector e{ 0.0, 0.0, 0.0 };
+  Vector3 e{ 0.0, 0.0, 0.0 };
   for (int c = 0; c < 3; ++c)
   {
     e[c] = this->FirstLength > 0.0 ? first[1 + c] / this->FirstLength : 0.0;
@@ -473,7 +471,7 @@ void PatchMajorants::ExpandWithoutNormal(
   this->ExpandPosition(points);
   const std::vector<double>& series = this->Series[0];
   this->FirstWeight = series[3];
-  const Vector center{ series[0] / series[3], series[1] / series[3], series[2] / series[3] };
+  const Vector3 center{ series[0] / series[3], series[1] / series[3], series[2] / series[3] };
   this->CenterOffset = Norm(center.data());
   this->Weight.Resize(p + 1, q + 1);
   this->Position.Resize(p + 1, q + 1);
@@ -488,7 +486,7 @@ void PatchMajorants::ExpandWithoutNormal(
 }
 
 void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
-  const ParameterBox& box, const Vector& origin)
+  const ParameterBox& box, const Vector3& origin)
 {
   this->ExpandWithoutNormal(points, p, q, traits, box);
   const std::vector<double>& series = this->Series[0];

@@ -1,6 +1,6 @@
 /**
  * @file smPatchMajorants.h
- * @brief What bounds the integrands on a box of a rational Bézier patch, also for complex parameters
+ * @brief Bounds of the integrands on a box of a rational Bézier patch, also for complex parameters
  *
  * NUMERICS 3. Position, normal and weight of the patch are expanded in Chebyshev series on the box; sums of absolute
  * coefficients times T_k T_l bound them on a product of ellipses. With P = (w x, w y, w z) homogeneous,
@@ -93,7 +93,7 @@ public:
 
   /// |n| has no zero on the box, but at collapsed edges.
   bool HasLength() const;
-  /// Bounds, for real parameters, of what the series leave out as rounding; without the Jacobian.
+  /// Bounds, for real parameters, of the terms that the series omit as rounding; without the Jacobian.
   void GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const;
   /// Where the box sticks out beyond a collapsed edge, |n| has a kink there that the factor has not: twice how far it does,
   /// relative to the factor's largest value, in s (0) or r (1).

@@ -51,7 +51,7 @@ struct FacePlan
   std::vector<PlannedItem> Items;
   /// Per class: bound of the quadrature error of all items; where items are compared the area's is not in it.
   std::vector<double> QuadratureBound;
-  /// Per class: what residuals of trim curves, edge curves and surface, and the rounding of control points, may move.
+  /// Per class: bound of the error from residuals of trim curves, edge curves and surface, and rounding of control points.
   std::vector<double> ConversionBound;
   /// Per class: bound of the integral's magnitude, panels and ribbons together, for a face that is not evaluated.
   std::vector<double> Magnitude;
@@ -64,7 +64,7 @@ struct FacePlan
 struct PlanRequest
 {
   std::vector<BoundClass> Classes;
-  /// Absolute tolerance per class for the face; not positive: nothing is asked.
+  /// Absolute tolerance per class for the face; not positive: no requirement.
   std::vector<double> Tolerances;
   /// Position relative to the point that moments are about, minus that in model coordinates, rotated back by the
   /// placement: zero without one.

@@ -25,12 +25,12 @@ namespace sm
 class RibbonPlanner
 {
 public:
-  /// The gap is a difference of two nearly equal curves: it is sampled in wider numbers than theirs.
+  /// The gap is a difference of two nearly equal curves: it is sampled in extended precision.
   using Wide = long double;
 
   RibbonPlanner(const Face& face, const FacePanels& panels, const PlanRequest& request, FacePlan& plan);
 
-  /// Appends the parts of a ribbon to the plan and adds their bounds, and what the residuals of its curves may move.
+  /// Appends the parts of a ribbon to the plan and adds their bounds, and those of the residuals of its curves.
   void Plan(std::uint32_t index);
 
 private:
@@ -41,7 +41,7 @@ private:
   };
   void PlanPart(std::uint32_t index, double start, double end, int depth);
   void ExpandEdge(const Ribbon& ribbon, double start, double end);
-  /// Nodes that determine U and w, and a bound of what they leave.
+  /// Nodes that determine U and w, and a bound of the remainder.
   int ChooseNodes(const Ribbon& ribbon, double& tail);
   void SampleGap(const Ribbon& ribbon, double start, double end, int nodes, double tail);
   /// Stretch, TrimSlope and NormalLength from a patch's values at node x.

@@ -1,6 +1,6 @@
 /**
  * @file smTrimSeries.h
- * @brief A piece of a trim curve as Chebyshev series, and where it goes for complex parameters
+ * @brief A piece of a trim curve as Chebyshev series, and its range for complex parameters
  */
 #ifndef smTrimSeries_h
 #define smTrimSeries_h

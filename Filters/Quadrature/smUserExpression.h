@@ -1,6 +1,6 @@
 /**
  * @file smUserExpression.h
- * @brief An integrand as the user wrote it: checked, translated to the shaders' GLSL, and compilers' messages told in its columns
+ * @brief An integrand as the user wrote it: checked, translated to the shaders' GLSL, with compilers' messages given in its columns
  */
 #ifndef smUserExpression_h
 #define smUserExpression_h
@@ -15,7 +15,7 @@ namespace sm
 /**
  * GLSL, with three differences: sin, cos, tan, exp, log and pow are of doubles (smElementary.glsl); numbers are
  * doubles, so that 1/3 is a third, unless they have a suffix or stand within [ ]; and names of constants are replaced by
- * their values. What else it may name is in vtkSurfaceIntegralGPU.h.
+ * their values. Other names are listed in vtkSurfaceIntegralGPU.h.
  */
 class SMFILTERSQUADRATURE_EXPORT UserExpression
 {
@@ -38,7 +38,7 @@ public:
   int GetDetail() const { return this->Detail; }
   /// It names one of our own functions.
   bool NeedsFunctions() const { return this->HasFunctions; }
-  /// It names what has kinks or steps: abs, min, ?: and their like.
+  /// It names functions with kinks or steps: abs, min, ?: and their like.
   bool MayHaveKinks() const;
 
   /// A GLSL function `double NAME(dvec3 position, dvec3 normal)`, each of the user's tokens on a line of its own.

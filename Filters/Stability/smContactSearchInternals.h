@@ -23,7 +23,7 @@ constexpr double RoundingUnits = 512.0;
 constexpr double RelativeResolution = 1e-13;
 constexpr int MaximumNets = 40000;
 inline const double LeastWidth = std::ldexp(1.0, -50);
-// Cosine of a thousandth: what counts as tangent to the ground.
+// Cosine of a thousandth, from which a surface counts as tangent to the ground.
 constexpr double TangentCosine = 1.0 - 5e-7;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ struct ContactSearch::Internals
   /// The least height reached by a point of a trimmed face.
   double Reached = Infinity;
 
-  // Of FindContacts.
+  // Results of FindContacts.
   double Limit = 0.0;
   GroundContacts Found;
   /// Hull of the contacts that are certain.
@@ -76,7 +76,7 @@ struct ContactSearch::Internals
     return 16.0 * degree * UnitRoundoff * this->Size * GetSlackFactor(root.Points, degree);
   }
 
-  /// A coarse look at whether the segment may come down to a height, without composing it.
+  /// A coarse test, without composition, that the segment may come down to a height.
   bool MayReach(const FaceContact& face, const Segment& segment, double height) const;
   void Reach(double height) { this->Reached = std::min(this->Reached, height); }
 
@@ -95,7 +95,7 @@ struct ContactSearch::Internals
   void FindOnBorder(FaceContact& face, const Segment& segment, const GroundCurve& root, bool whole);
   void FindOnPatch(FaceContact& face, int patch);
   void FindArea(FaceContact& face, int patch);
-  /// Returns the size of what encloses a stationary point: of a strip its width.
+  /// Returns the size of the enclosure of a stationary point; for a strip, its width.
   double AddLeaf(const FaceContact& face, int patch, const GroundPatch& box, bool inside);
   bool IsCovered(const std::vector<GroundPoint>& points) const;
   void UpdateCertain();

@@ -1,6 +1,6 @@
 /**
  * @file smFaceContact.h
- * @brief A face in the ground's frame: its patches, its trim curves and creases, and what the loops leave of them; not installed
+ * @brief A face in the ground's frame: its patches, trim curves and creases, and their parts inside the loops; not installed
  */
 #ifndef smFaceContact_h
 #define smFaceContact_h
@@ -25,11 +25,11 @@ inline double GetHeight(const GroundPoint& p)
   return p[2] / p[3];
 }
 
-/// A curve on a face: a piece of a trim curve in one patch, or (Clipped) a border of a patch, of which the loops leave a part.
+/// A curve on a face: a piece of a trim curve in one patch, or (Clipped) a border of a patch, of which a part is inside the loops.
 struct Segment
 {
   int Patch = 0;
-  /// Which ribbon; -1: a border, Direction and End say which.
+  /// Index of the ribbon; -1: the border given by Direction and End.
   int Ribbon = -1;
   int Direction = 0;
   int End = 0;
@@ -67,7 +67,7 @@ private:
   bool IsCrease(int direction, double knot) const;
 };
 
-/// The knot at an end of a patch, and whether the face's domain ends there.
+/// The knot at an end of a patch; true when the face's domain ends there.
 struct BorderKnot
 {
   int Direction;

@@ -1,18 +1,18 @@
 /**
  * @file smGroundContact.h
- * @brief Where trimmed faces touch the ground: their least height, enclosed, and the contacts within a tolerance of the ground
+ * @brief Contacts of trimmed faces with the ground: enclosure of their least height, and contacts within a tolerance of the ground
  *
  * **Least height.** Branch and bound over control nets. On a trimmed face the least height is reached on a trim curve, on a crease
  * (an interior knot line where the surface is only continuous), or at a stationary point inside the loops. Trim curves are
- * composed with their patch, exactly, so a trim is nowhere approximated by a box. A net is dropped when it lies above what was reached, when its height
+ * composed with their patch, exactly, so a trim is nowhere approximated by a box. A net is dropped when it lies above the least height reached, when its height
  * has a slope of one sign (then it is lower elsewhere), or when it lies outside the loops. Heights reached, at ends of trim curves and
- * points inside the loops, bound the least height from above; what is left of the nets bounds it from below.
+ * points inside the loops, bound the least height from above; the remaining nets bound it from below.
  *
  * **Contacts** with a height limit, the ground plus the tolerance:
  *   - corners of loops not above the limit, and kinks of trim curves that are lowest locally;
  *   - pieces of trim curves (one Bézier piece on one patch) that lie below the limit as a whole; of others the stationary
  *     points below it;
- *   - patches that lie below the limit as a whole, with all that the loops leave of them; of others the stationary points below
+ *   - patches that lie below the limit as a whole, with all their parts inside the loops; of others the stationary points below
  *     the limit inside the loops.
  * So a flat face counts when all of it is within the tolerance, and a dome touches in one point whatever the tolerance: it is no
  * disc of the points that are low enough.
@@ -39,7 +39,7 @@ struct ContactPiece
 {
   std::vector<Point2D> Inner;
   std::vector<Point2D> Outer;
-  /// A curve that can be halved to bring Inner and Outer together; no points: there is none.
+  /// A curve that can be halved to bring Inner and Outer together; without points when there is none.
   GroundCurve Curve;
 };
 
@@ -49,7 +49,7 @@ struct ContactSample
   Point2D Position;
   /// Least radius of curvature of a surface that is tangent to the ground here; infinite where it is flat; 0 for corners and edges.
   double Radius;
-  /// About how far off the radius may be: an estimate, no bound.
+  /// Estimated error of the radius; no bound.
   double Doubt;
   /// The largest radius there; infinite where it is flat in some direction.
   double Widest;
@@ -71,7 +71,7 @@ struct GroundContacts
   /// Stationary points are known to within this, where rounding leaves the sign of a slope open: how far Inner points may be from
   /// true contacts, and these outside the hull of all Outer points.
   double Spread = 0.0;
-  /// The search gave up somewhere: contacts there are enclosed by their nets only.
+  /// The search stopped early somewhere: contacts there are enclosed by their nets only.
   bool Coarse = false;
 };
 

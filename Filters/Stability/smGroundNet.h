@@ -51,9 +51,9 @@ struct SMFILTERSSTABILITY_EXPORT GroundCurve
   static GroundCurve FromPoints(std::vector<GroundPoint> points);
 
   HeightRange GetHeights() const;
-  /// The height rises or falls all along; `slack` is what rounding may have done to H and W.
+  /// The height rises or falls all along; `slack` bounds the rounding errors of H and W.
   bool IsMonotone(double slack) const;
-  /// No slope is larger than what rounding may have done.
+  /// No slope is larger than its rounding bound.
   bool IsLevel(double slack) const;
   std::pair<GroundCurve, GroundCurve> Split() const;
 };
@@ -82,7 +82,7 @@ struct SMFILTERSSTABILITY_EXPORT GroundPatch
   GroundCurve GetBorder(int direction, int end) const;
   /// Largest distance in the plane of control points from their neighbour at the other end of the net, along a direction.
   double GetExtent(int direction) const;
-  /// The map to the ground's plane is proved to keep its sense all over the box: what it covers ends at the image of the border.
+  /// The map to the ground's plane is proved to keep its sense all over the box: its image ends at the image of the border.
   bool IsRegular() const;
 
   /// Height and curvature at a point of the root (Low = 0, High = 1).

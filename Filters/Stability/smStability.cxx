@@ -325,8 +325,9 @@ void Roll(
   // On a slope the balanced centre is z / u_h above the contact, along u. A turn about the axis a carries it 1 - (a.u)^2 of
   // that, and the contact radius u_h, both as seen from above: so z counts (1 - (a.u)^2) / u_h^2 times.
   const std::array<double, 3>& up = frame.Body.Up;
-  const double turned = isLine ? along[0] * up[0] + along[1] * up[1] : 0.0;
-  const double factor = up[0] == 0.0 && up[1] == 0.0 ? 1.0 : (1.0 - turned * turned) / (up[2] * up[2]);
+  const double slopeAlong = isLine ? along[0] * up[0] + along[1] * up[1] : 0.0;
+  const double factor =
+    up[0] == 0.0 && up[1] == 0.0 ? 1.0 : (1.0 - slopeAlong * slopeAlong) / (up[2] * up[2]);
   result.RollingRadius = sample.Radius;
   result.RollingMargin = sample.Radius - factor * frame.Height;
   result.RollingMarginBound = sample.Doubt + factor * frame.Bound;

@@ -1,13 +1,13 @@
 /**
  * @file smSupportPolygon.h
- * @brief Convex hulls in the ground's plane, and how far a point is inside
+ * @brief Convex hulls in the ground's plane, and the signed distance of a point from their border
  *
  * The signed distance of a point c to the border of a convex set K, positive inside, is the least over all directions of
  * (largest p.d over K) - c.d, inside and outside alike. It grows with K: a hull of certain contacts gives a lower bound, a hull
  * that encloses all possible ones an upper bound. Hulls are chains over points sorted by coordinate (Andrew's monotone chain), turns
- * decided in extended precision. What rounding leaves moves a side by less than the merging tolerance, which every bound holds.
+ * decided in extended precision. Rounding moves a side by less than the merging tolerance, which every bound holds.
  * VTK's own hulls are not used: vtkConvexHull2D is made for the screen, vtkPointsProjectedHull throws away points by octants of its
- * own and keeps duplicates; neither says what it may have moved.
+ * own and keeps duplicates; neither bounds its own error.
  */
 #ifndef smSupportPolygon_h
 #define smSupportPolygon_h
@@ -40,7 +40,7 @@ struct SMFILTERSSTABILITY_EXPORT SupportPolygon
 
   /// The corner farthest from any, and the one farthest from that: at least half the diameter apart. Not for an empty hull.
   std::array<Point2D, 2> GetTips() const;
-  /// Their distance, and what the hull extends across their line: its diameter and width within a factor of two. 0 for a point.
+  /// Their distance, and the extent of the hull across their line: its diameter and width within a factor of two. 0 for a point.
   double GetLength() const;
   double GetWidth() const;
 };

@@ -1,6 +1,6 @@
 /**
  * @file smTrimClassifier.h
- * @brief Which boxes of a face's parameters lie inside its loops, outside, or may be crossed by one
+ * @brief Classifies boxes of a face's parameters: inside its loops, outside, or possibly crossed by one
  */
 #ifndef smTrimClassifier_h
 #define smTrimClassifier_h
@@ -28,9 +28,9 @@ public:
   /// Takes the face's loops; it is not kept.
   explicit TrimClassifier(const Face& face);
 
-  /// The closed box in the face's own (u, v). What Inside and Outside say is proved for the trim curves themselves. A box may
+  /// The closed box in the face's own (u, v). Inside and Outside are proved for the trim curves themselves. A box may
   /// have no width. Points that loops wind around, in either sense, are inside; everything is where there are no loops.
-  /// `hopeless`, if not null, gets whether the box is undecided and no smaller one near it would be better off.
+  /// `hopeless`, if not null, becomes true when the box is undecided and smaller ones near it would be, too.
   TrimSide Classify(
     const std::array<double, 2>& low, const std::array<double, 2>& high, bool* hopeless = nullptr) const;
 
@@ -50,7 +50,7 @@ private:
   double RowStart = 0.0;
   double RowHeight = 1.0;
   int GetRow(double v) const;
-  /// By curve: how far its chords may be from it, in u and in v; and the largest in v.
+  /// By curve: largest distance of its chords from it, in u and in v; and the largest in v.
   std::vector<std::array<double, 2>> Deviations;
   double Largest = 0.0;
   bool Everything = false;

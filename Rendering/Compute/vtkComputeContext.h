@@ -8,8 +8,8 @@
  *
  * Everything of this module that owns a GL name (sm::ComputeBuffer, sm::ComputeProgram) is tied to a context
  * and to its generation. When the window ends, is finalized or releases its resources, the context frees
- * the names while they can be freed, the status becomes LOST and the generation changes: what was made in
- * the old generation has no content and is only forgotten. Nothing needs to be released in any order.
+ * the names while they can be freed, the status becomes LOST and the generation changes: objects of
+ * the old generation have no content. Nothing needs to be released in any order.
  *
  * A given window is referenced weakly, so a filter that holds a context inside that window's pipeline makes no
  * reference loop.
