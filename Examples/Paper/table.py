@@ -33,7 +33,7 @@ REFERENCE_TOLERANCE = "1e-12"
 SUB_PATCHES = "2"
 # Of each method of solidmoments; the faster one counts.
 RUNS = 2
-# A reference's squared gaps, relative, above this are doubt about the reference as well (Testing/SweepJudge.py).
+# A reference's squared gaps, relative, above this are doubt about the reference as well (Testing/Sweeps/SweepJudge.py).
 LARGE_GAP_SQUARED = 1e-10
 
 
