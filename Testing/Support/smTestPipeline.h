@@ -18,6 +18,7 @@
 #include <vtkPolyData.h>
 #include <vtkSTEPReader.h>
 #include <vtkStringArray.h>
+#include <vtkWeakPointer.h>
 
 #include <cstring>
 #include <limits>
@@ -31,6 +32,7 @@ class MessageTrap
 {
 public:
   explicit MessageTrap(vtkObject* object)
+    : Object(object)
   {
     this->Callback->SetClientData(this);
     this->Callback->SetCallback(
@@ -44,6 +46,15 @@ public:
     object->AddObserver(vtkCommand::ErrorEvent, this->Callback);
     object->AddObserver(vtkCommand::WarningEvent, this->Callback);
   }
+  ~MessageTrap()
+  {
+    if (this->Object)
+    {
+      this->Object->RemoveObserver(this->Callback);
+    }
+  }
+  MessageTrap(const MessageTrap&) = delete;
+  MessageTrap& operator=(const MessageTrap&) = delete;
   std::string Errors;
   std::string Warnings;
   int NumberOfErrors = 0;
@@ -51,6 +62,20 @@ public:
 
 private:
   vtkNew<vtkCallbackCommand> Callback;
+  vtkWeakPointer<vtkObject> Object;
+};
+
+/// The display mesh, which no integral depends on, takes most of the time of reading a small file.
+inline void UseCoarseMesh(vtkSTEPReader* reader)
+{
+  reader->SetLinearDeflection(0.1);
+  reader->SetAngularDeflection(1.0);
+}
+
+enum class DisplayMesh
+{
+  Coarse,
+  Fine
 };
 
 struct Pipeline
@@ -58,9 +83,13 @@ struct Pipeline
   vtkNew<vtkSTEPReader> Reader;
   vtkNew<vtkMassPropertiesGPU> Mass;
 
-  explicit Pipeline(const std::string& path)
+  explicit Pipeline(const std::string& path, DisplayMesh mesh = DisplayMesh::Coarse)
   {
     this->Reader->SetFileName(path.c_str());
+    if (mesh == DisplayMesh::Coarse)
+    {
+      UseCoarseMesh(this->Reader);
+    }
     this->Mass->SetInputConnection(this->Reader->GetOutputPort());
   }
 };

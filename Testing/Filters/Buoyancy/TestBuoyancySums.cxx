@@ -56,6 +56,7 @@ void CheckWhole(
 {
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(path.c_str());
+  UseCoarseMesh(reader);
   vtkNew<vtkMassPropertiesGPU> mass;
   mass->SetInputConnection(reader->GetOutputPort());
   mass->Update();

@@ -82,6 +82,7 @@ struct Scene
   explicit Scene(const std::string& path)
   {
     this->Reader->SetFileName(path.c_str());
+    UseCoarseMesh(this->Reader);
     this->Move->SetInputConnection(this->Reader->GetOutputPort());
     this->Filter->SetInputConnection(this->Move->GetOutputPort());
     this->Filter->SetBackend(Backend);

@@ -77,6 +77,7 @@ void CheckMoments(const char* folder, const std::string& solid, int backend, con
   const Expected part = Manifest(folder).GetSolid(solid, "plain")[0];
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(part.Path.c_str());
+  UseCoarseMesh(reader);
   vtkNew<vtkSurfaceIntegralGPU> filter;
   filter->SetInputConnection(reader->GetOutputPort());
   filter->SetBackend(backend);

@@ -63,10 +63,12 @@ void CheckArrays(const std::string& what, vtkMassPropertiesGPU* gpu, vtkMassProp
 void CheckFile(const std::string& path, double relative)
 {
   std::printf("--- %s\n", path.c_str());
-  Pipeline pipeline(path);
-  MessageTrap trap(pipeline.Mass);
-  vtkNew<vtkMassPropertiesGPU> cpu;
-  MessageTrap cpuTrap(cpu);
+  // One pair of filters for all files: their context and shaders are made once.
+  static Pipeline pipeline("");
+  static vtkNew<vtkMassPropertiesGPU> cpu;
+  pipeline.Reader->SetFileName(path.c_str());
+  const MessageTrap trap(pipeline.Mass);
+  const MessageTrap cpuTrap(cpu);
   cpu->SetInputConnection(pipeline.Reader->GetOutputPort());
   cpu->SetBackend(vtkMassPropertiesGPU::CPU);
   pipeline.Mass->SetBackend(vtkMassPropertiesGPU::OPENGL);

@@ -20,7 +20,7 @@ int TestMassPropertiesImage(int argc, char* argv[])
     std::fprintf(stderr, "usage: TestMassPropertiesImage FILE.step -T FOLDER -V BASELINE.png\n");
     return 1;
   }
-  smtest::Pipeline pipeline(argv[1]);
+  smtest::Pipeline pipeline(argv[1], smtest::DisplayMesh::Fine);
   pipeline.Mass->SetGlyphScale(0.05);
   vtkNew<vtkRenderWindow> window;
   pipeline.Mass->SetRenderWindow(window);

@@ -33,7 +33,7 @@ struct Scene
   vtkNew<vtkActor> Glyph;
 
   Scene(const Expected& part, bool shared)
-    : Source(part.Path)
+    : Source(part.Path, DisplayMesh::Fine)
   {
     if (shared)
     {

@@ -39,7 +39,7 @@ class Tile
 {
 public:
   explicit Tile(const std::string& path)
-    : Shown(path)
+    : Shown(path, smtest::DisplayMesh::Fine)
   {
     this->Shown.Mass->SetGlyphScale(0.05);
     this->BodyMapper->SetInputConnection(this->Shown.Mass->GetOutputPort(5));

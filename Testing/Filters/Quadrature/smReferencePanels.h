@@ -93,6 +93,20 @@ inline Real Slope(int n, int i, Real x)
   return n == 0 ? 0 : n * (Bernstein(n - 1, i - 1, x) - Bernstein(n - 1, i, x));
 }
 
+/// All Bernstein polynomials of a degree at x, and their derivatives.
+struct Basis
+{
+  Basis(int n, Real x)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      this->Values.push_back(Bernstein(n, i, x));
+      this->Slopes.push_back(Slope(n, i, x));
+    }
+  }
+  std::vector<Real> Values, Slopes;
+};
+
 inline Vector Cross(const Vector& a, const Vector& b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
@@ -150,13 +164,15 @@ public:
     const sm::Patch& patch = this->Panels.Patches[index];
     const int p = patch.Degree[0];
     const int q = patch.Degree[1];
+    const Basis along(p, s);
+    const Basis across(q, r);
     Real h[3][4] = {};
     for (int j = 0; j <= q; ++j)
     {
       for (int i = 0; i <= p; ++i)
       {
-        const Real f[3] = { Bernstein(p, i, s) * Bernstein(q, j, r), Slope(p, i, s) * Bernstein(q, j, r),
-          Bernstein(p, i, s) * Slope(q, j, r) };
+        const Real f[3] = { along.Values[i] * across.Values[j], along.Slopes[i] * across.Values[j],
+          along.Values[i] * across.Slopes[j] };
         for (int k = 0; k < 3; ++k)
         {
           for (int c = 0; c < 4; ++c)

@@ -41,7 +41,11 @@ Real Bernstein(int n, int i, Real x)
   {
     value *= static_cast<Real>(n - i + k) / k;
   }
-  return value * std::pow(x, static_cast<Real>(i)) * std::pow(1.0L - x, static_cast<Real>(n - i));
+  for (int k = 0; k < n && i >= 0 && i <= n; ++k)
+  {
+    value *= k < i ? x : 1.0L - x;
+  }
+  return value;
 }
 Real BernsteinSlope(int n, int i, Real x)
 {
@@ -52,13 +56,16 @@ Real BernsteinSlope(int n, int i, Real x)
 /// A polynomial piece of `size` coordinates and its derivative.
 void EvaluatePiece(const double* c, int size, int degree, Real x, Real* point, Real* slope)
 {
-  for (int d = 0; d < size; ++d)
+  std::fill_n(point, size, 0.0L);
+  std::fill_n(slope, size, 0.0L);
+  for (int i = 0; i <= degree; ++i)
   {
-    point[d] = slope[d] = 0.0L;
-    for (int i = 0; i <= degree; ++i)
+    const Real value = Bernstein(degree, i, x);
+    const Real derivative = BernsteinSlope(degree, i, x);
+    for (int d = 0; d < size; ++d)
     {
-      point[d] += Bernstein(degree, i, x) * c[size * i + d];
-      slope[d] += BernsteinSlope(degree, i, x) * c[size * i + d];
+      point[d] += value * c[size * i + d];
+      slope[d] += derivative * c[size * i + d];
     }
   }
 }
@@ -71,14 +78,19 @@ void EvaluatePatch(const sm::FacePanels& face, Real s, Real r, Vector& x, Vector
   Real h[3][4] = {};
   for (int i = 0; i <= p; ++i)
   {
+    const Real basis = Bernstein(p, i, s);
+    const Real slope = BernsteinSlope(p, i, s);
     for (int j = 0; j <= q; ++j)
     {
+      const Real products[3] = { basis * Bernstein(q, j, r), slope * Bernstein(q, j, r),
+        basis * BernsteinSlope(q, j, r) };
       for (int d = 0; d < 4; ++d)
       {
         const Real c = face.Points[patch.FirstPoint + i + j * (p + 1)][d];
-        h[0][d] += Bernstein(p, i, s) * Bernstein(q, j, r) * c;
-        h[1][d] += BernsteinSlope(p, i, s) * Bernstein(q, j, r) * c;
-        h[2][d] += Bernstein(p, i, s) * BernsteinSlope(q, j, r) * c;
+        for (int k = 0; k < 3; ++k)
+        {
+          h[k][d] += products[k] * c;
+        }
       }
     }
   }

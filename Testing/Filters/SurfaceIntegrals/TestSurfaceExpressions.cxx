@@ -29,6 +29,7 @@ struct Body
     : Part(Manifest(folder).GetSolid(solid, variant)[0])
   {
     this->Reader->SetFileName(this->Part.Path.c_str());
+    UseCoarseMesh(this->Reader);
     this->Filter->SetInputConnection(this->Reader->GetOutputPort());
   }
 

@@ -19,6 +19,7 @@ using namespace smtest;
 vtkNURBSDataSet* ReadLeaf(vtkSTEPReader* reader, const std::string& path)
 {
   reader->SetFileName(path.c_str());
+  UseCoarseMesh(reader);
   reader->Update();
   auto* output = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
   return output && output->GetNumberOfPartitionedDataSets() > 0

@@ -135,6 +135,7 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> ReadFile(const std::string& pat
   const MessageTrap executive(reader->GetExecutive());
   reader->SetFileName(path.c_str());
   reader->SetOutputUnit(unit);
+  UseCoarseMesh(reader);
   reader->Update();
   return reader->GetStatus() == vtkSTEPReader::OK ? reader->GetOutput() : nullptr;
 }
