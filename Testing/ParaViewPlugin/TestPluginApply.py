@@ -130,7 +130,7 @@ check_equal("cells of a hundred selected solids", 100 * one, count_selected_cell
 check_true("more magenta pixels", count_pixels(is_magenta) > 300, str(count_pixels(is_magenta)))
 many.SMProxy.CleanSelectionInputs(1)
 check_equal("cleared with the rows", 0, count_pixels(is_magenta))
-# What is selected in the view stays when the rows, as ParaView does then, are cleared.
+# A selection in the view stays when ParaView clears the rows.
 select_rows(many, 1, [499])
 block = manager.NewProxy("sources", "BlockSelectorsSelectionSource")
 block.GetProperty("BlockSelectors").SetElement(0, "/Root")

@@ -22,7 +22,7 @@ view = simple.CreateRenderView()
 view.ViewSize = [200, 150]
 window = view.GetRenderWindow()
 
-# Made once: what scripts make of these is theirs to give back.
+# Made once: scripts must release such proxies themselves.
 rows = manager.NewProxy("sources", "IDSelectionSource")
 rows.GetProperty("FieldType").SetElement(0, 5)  # rows
 rows.GetProperty("IDs").SetNumberOfElements(2)
@@ -84,7 +84,7 @@ for i in range(warm):
 check_counting(window)
 start, end, growth = run_counted(cycle, warm, cycles, count, lambda objects: f"view: {sum(objects.values())} objects")
 check_equal("OpenGL errors", 0, errors)
-# Of the brief cycles of its own sources ParaView keeps 30 to 60 kB of the heap, and takes 0.5 MB of memory at first and 0.1 MB after a hundred.
+# In brief cycles of its own sources ParaView keeps 30 to 60 kB of the heap, and takes 0.5 MB of memory at first and 0.1 MB after a hundred.
 # A mesh of the sample part has 1 MB, and its faces 600 kB on the GPU, which with Mesa's llvmpipe is the heap too.
 check_held(start, end, growth, heap=150e3, resident=1.5e6)
 finish()

@@ -96,7 +96,7 @@ check_true("a bulge adds to it", total(weighed, "Volume") > 1.001 * sphere["volu
 deformed.Displacement = [0.0, 0.0, 0.0]
 check("and the part is back", sphere["volume"], total(weighed, "Volume"), 1e-9 * sphere["volume"])
 
-# What the filters take: exact faces, and nothing else.
+# The filters accept exact faces and nothing else.
 filters = ("MassPropertiesGPU", "SurfaceIntegralGPU", "NURBSTransform", "NURBSDeform")
 plain = simple.Transform(Input=source)
 plain.Transform.Translate = [1.0, 0.0, 0.0]

@@ -1,6 +1,6 @@
 // TestEditPart MODE FILE.step EVENTS FOLDER [-T FOLDER -V BASELINE.png]: the interactive example, played back.
 //   drag    the stream of events that is shipped: values against a full run and against a formula, picture, undo
-//   placed  a turned, mirrored, shifted body: along the screen, along the normal, given up, weights
+//   placed  a rotated, mirrored, shifted body: along the screen, along the normal, given up, weights
 //   open    one face moved alone: which edges open, how far
 //   record  what a window reports is recorded, and gives the same bits when it is played
 #include "smEditSession.h"
@@ -55,7 +55,7 @@ long long CountDifferent(vtkImageData* a, vtkImageData* b)
   return count;
 }
 
-/// What a filter that never saw the part before says of it.
+/// Result of a filter that has not seen the part before.
 std::vector<double> RunAnew(EditSession& session)
 {
   vtkNew<vtkMassPropertiesGPU> mass;
@@ -191,7 +191,7 @@ void CheckDrag(
   CheckAgainstFormula(session, net);
   vtkSmartPointer<vtkTrimmedNURBSModel> original = session.Part.GetBody(0)->GetModel();
 
-  // What each drag should do, foretold from the stream and the camera; the camera does not move.
+  // The effect of each drag, computed from the stream and the camera, which does not move.
   const std::vector<Drag> drags = ReadDrags(events);
   CheckTrue("the stream has drags", drags.size() >= 3);
   CheckEqual("played", "", sm::PlayEvents(session.Interactor, events));

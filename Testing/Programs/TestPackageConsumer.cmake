@@ -52,7 +52,7 @@ if (NOT result EQUAL 0 OR NOT printed MATCHES "^(${VOLUME}(\\.0000000[0-9]*)?|${
   message(FATAL_ERROR "the consumer did not print the volume")
 endif ()
 
-# What else is installed stands on its own, too.
+# The other installed programs and modules run on their own.
 if (EXISTS "${PREFIX}/bin/solidmoments")
   run_step("installed solidmoments" "${PREFIX}/bin/solidmoments" "${PART}")
 endif ()

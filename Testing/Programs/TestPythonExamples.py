@@ -128,7 +128,7 @@ def picture():
     path = in_output("part.png")
     check_status(0, run("--density", "7850", "--png", path, sample))
     check_picture("the sample part", expected, read_picture(path))
-    # Of several files each has its own; an open solid's text is red.
+    # Each of several files has a picture of its own; an open solid's text is red.
     path = in_output("several.png")
     opened = manifest.special("open_solid")["path"]
     check_status(3, run("--density", "7850", "--png", path, sample, opened))

@@ -82,8 +82,8 @@ set(SOLIDMOMENTS_MPI_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT
   OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
   OMPI_MCA_btl_vader_single_copy_mechanism=none)
 
-# What every test executable has: the headers of Testing/Support, VTK's OpenGL classes, and one precompiled header for all, which
-# requires that all are compiled with the same definitions: VTK's registration of OpenGL is therefore an object of its own.
+# Gives a test executable the headers of Testing/Support, VTK's OpenGL classes and the precompiled header of all tests. The latter
+# requires the same definitions everywhere: VTK's registration of OpenGL is therefore an object of its own.
 function(solidmoments_set_up_test_executable name)
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE smTestSupport smTestOpenGL)

@@ -24,7 +24,7 @@
 
 namespace smtest
 {
-/// Two instances of one solid, the second turned by a quarter about z and moved, and a plain mesh; names and an assembly.
+/// Two instances of one solid, the second rotated by a quarter about z and moved, and a plain mesh; names and an assembly.
 inline vtkSmartPointer<vtkPartitionedDataSetCollection> MakeProduct(LatticeBody& body)
 {
   const auto first = body.Make();

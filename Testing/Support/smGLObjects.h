@@ -49,7 +49,7 @@ struct GLObjects
   }
 };
 
-/// Of the context that is current on the thread.
+/// Objects of the context that is current on the thread.
 inline GLObjects CountGLObjects()
 {
   using Ask = GLboolean (*)(GLuint);

@@ -37,7 +37,7 @@ public:
   Point Size{ 2.0, 3.0, 5.0 };
   Point Origin{ 0.0, 0.0, 0.0 };
   int Degree = 3;
-  /// Of every direction, clamped, over [0,1].
+  /// Clamped knots over [0,1], the same in every direction.
   std::vector<double> Knots{ 0.0, 0.0, 0.0, 0.0, 0.375, 1.0, 1.0, 1.0, 1.0 };
   /// Cells of each face's mesh in each direction.
   int Cells = 8;
@@ -45,7 +45,7 @@ public:
   int GetNumberOfPoints() const { return static_cast<int>(this->Knots.size()) - this->Degree - 1; }
   double GetVolume() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
 
-  /// Of the basis function i: its integral over [0,1], and what it gains from 0 to 1.
+  /// The integral of basis function i over [0,1], and its difference between 1 and 0.
   double GetIntegral(int i) const
   {
     return (this->Knots[i + this->Degree + 1] - this->Knots[i]) / (this->Degree + 1);
@@ -67,7 +67,7 @@ public:
     return change;
   }
 
-  /// Face 2 axis + side; its u and v are the next two axes, those of side 1 turned by a quarter, so that rows meet
+  /// Face 2 axis + side; its u and v are the next two axes, those of side 1 rotated by a quarter, so that rows meet
   /// reversed and across. Control point (i,j) of the face that is point (a,b) of the lattice in these axes.
   static std::array<int, 2> ToFace(int side, int last, int a, int b)
   {

@@ -22,7 +22,7 @@ namespace smtest
 class NetMoments
 {
 public:
-  /// Of the faces as they are now; the coordinates are those of the stored faces.
+  /// Moments of the present faces; the coordinates are those of the stored faces.
   explicit NetMoments(vtkTrimmedNURBSModel* model)
   {
     for (const sm::FacePointer& face : model->GetFaces())

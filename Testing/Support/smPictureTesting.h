@@ -27,7 +27,7 @@ constexpr int ColorTolerance = 24;
 /// Most of the pixels that may differ. The same driver gives 0.
 constexpr double PictureLimit = 3e-4;
 
-/// Whether `picture` has the colour that `other` has at (x, y), there or in one of the eight pixels around it.
+/// True when `picture` has the colour that `other` has at (x, y), there or in one of the eight pixels around it.
 inline bool HasColorNear(vtkImageData* picture, vtkImageData* other, int x, int y)
 {
   const int* size = picture->GetDimensions();

@@ -126,7 +126,7 @@ inline std::vector<double> GetArray(vtkSurfaceIntegralGPU* filter, const std::st
   return values;
 }
 
-/// What the last run said, a line each.
+/// Messages of the last run, a line each.
 inline std::string GetMessages(vtkSurfaceIntegralGPU* filter)
 {
   std::string all;
@@ -142,7 +142,7 @@ inline bool Says(vtkSurfaceIntegralGPU* filter, const std::string& text)
   return GetMessages(filter).find(text) != std::string::npos;
 }
 
-/// All numbers of the output's field data, but for what the run cost.
+/// All numbers of the output's field data, without evaluations and dispatches.
 inline std::vector<double> GetFieldNumbers(vtkMassPropertiesGPU* mass)
 {
   std::vector<double> numbers;
@@ -161,7 +161,7 @@ inline std::vector<double> GetFieldNumbers(vtkMassPropertiesGPU* mass)
   return numbers;
 }
 
-/// False, too, where there is hardly anything to compare.
+/// False also for fewer than 31 numbers, which would prove little.
 inline bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
 {
   return a.size() > 30 && a.size() == b.size() &&

@@ -1,4 +1,4 @@
-"""What a process and its OpenGL contexts hold: memory, threads, files, and objects by glIs...(); the Python sibling of smProcessResources.h
+"""Counts the resources of a process and of its OpenGL contexts: memory, threads, files, and objects by glIs...(); the Python sibling of smProcessResources.h
 and smGLObjects.h. Linux with glibc and GLVND."""
 import ctypes
 import gc

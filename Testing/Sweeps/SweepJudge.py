@@ -1,4 +1,4 @@
-"""What SweepModels.py asks of one run of solidmoments on one real file.
+"""The conditions of SweepModels.py on one run of solidmoments on one real file.
 
 Errors and bounds are relative: volume and area to themselves, the centre to the cube root of the volume, inertia to its
 trace. The reference's `uncertainty` is that of the integrator which made it, found by moving the origin of the volume. It

@@ -52,7 +52,7 @@ void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>
       }
       if (plane.Below.Volume < 1e-2L * whole.Volume)
       {
-        // Of so little there may be no centre; if there is, it is within its bound.
+        // So small a volume may have no centre; a centre that is there is within its bound.
         if (std::isnan(centerBound))
         {
           continue;
@@ -330,7 +330,7 @@ void CheckPlacements(const Manifest& manifest)
   }
 }
 
-/// Planes along the top of a turned box, by less than what rounding leaves of a point far away in them: whether the box is below as a
+/// Planes along the top of a rotated box, by less than what rounding leaves of a point far away in them: whether the box is below as a
 /// whole, or with all but a sheet, is beyond what can be told, and the bound has to say so.
 void CheckTouching(const Manifest& manifest)
 {
@@ -352,7 +352,7 @@ void CheckTouching(const Manifest& manifest)
     {
       const double move = static_cast<double>((delta - 10 * length) * length / up[2]);
       scene.Move->SetTranslation(0, 0, move);
-      // Of the top over the plane.
+      // Height of the top over the plane.
       const Real height = 10 * length + move * up[2] / length;
       for (const double sense : { 1.0, -1.0 })
       {
@@ -363,7 +363,7 @@ void CheckTouching(const Manifest& manifest)
         const Real exact = sense > 0.0 ? volume - above : above;
         char label[80];
         std::snprintf(
-          label, sizeof(label), "box turned by %d, %g over a far plane, %g", degrees, delta, sense);
+          label, sizeof(label), "box rotated by %d, %g over a far plane, %g", degrees, delta, sense);
         const double bound = scene.Filter->GetIntegralBound("below");
         Check(label, static_cast<double>(exact), scene.Filter->GetIntegral("below"), bound, "the bound");
         CheckRange(std::string(label) + ", bound", 0.0, bound, 0.01);

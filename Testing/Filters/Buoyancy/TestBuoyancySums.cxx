@@ -108,7 +108,7 @@ void CheckWhole(
           filter->GetIntegral(below) + filter->GetIntegral(above), bound + plain->GetIntegralBound(name),
           "the bounds");
       }
-      // Of several solids some may be below as a whole: their faces' shares are about another plane.
+      // A solid that is below as a whole has its faces' shares about another plane; with one solid this cannot happen here.
       if (withFaces && tolerance < 1e-8 && filter->GetNumberOfSolids() == 1)
       {
         CheckFaces(what + label, filter, reader, { "", plane.Point, up, {} });

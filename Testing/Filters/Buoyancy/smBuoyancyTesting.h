@@ -19,7 +19,7 @@ using Real = long double;
 using Vector = std::array<Real, 3>;
 
 constexpr Real Pi = 3.14159265358979323846264338327950288L;
-/// Of all filters: the programs' last argument but files.
+/// The backend of all filters.
 inline int Backend = vtkSurfaceIntegralGPU::OPENGL;
 
 struct Part

@@ -11,6 +11,7 @@
 
 #include <vtkComputeContext.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -31,7 +32,7 @@ int CountErrors()
   return errors;
 }
 
-/// What is counted after cycles.
+/// Resources counted after cycles.
 struct Held
 {
   ProcessResources Process;
@@ -121,7 +122,7 @@ public:
     }
   }
 
-  /// What is held after the last Run(), which counted.
+  /// Resources held after the last Run().
   Held Count()
   {
     if (this->Mode == "edit")
@@ -237,7 +238,7 @@ int TestApplyCycles(int argc, char* argv[])
     std::max(after.Window.Highest, after.Own.Highest) < GLObjects::Range / 2);
   CheckEqual("threads", before.Process.Threads, after.Process.Threads);
   CheckEqual("open files", before.Process.Files, after.Process.Files);
-  // What grows does so in both halves; what is made once, late, in one.
+  // A leak grows in both halves; something that is made once, late, grows in one.
   const auto getGrowth = [&](double ProcessResources::*bytes)
   {
     const int half = count / 2;

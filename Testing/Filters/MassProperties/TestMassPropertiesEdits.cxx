@@ -121,7 +121,7 @@ void CheckCost(int backend)
   const auto full = weigh(fresh, edit.Model);
   CheckTrue("the bits of a full run", HaveSameBits(GetFieldNumbers(fresh), incremental));
   CheckTrue("not those from before", !HaveSameBits(first, incremental));
-  // What the face cost before the edit: to a filter that knows all others.
+  // Evaluations of the face before the edit, by a filter that has results of all others.
   const auto before = weigh(fresh, model);
   CheckTrue("back again, the first bits", HaveSameBits(first, GetFieldNumbers(fresh)));
   CheckRange("evaluations of the edit", 1.0, static_cast<double>(edited), static_cast<double>(full) / 10.0);
@@ -135,7 +135,7 @@ void CheckCost(int backend)
   CheckTrue("another tolerance is another question", weigh(mass, model) >= original);
 }
 
-/// What one context computed is not told as another's.
+/// A result of one context is not reported as that of another.
 void CheckContexts()
 {
   std::printf("--- another context\n");

@@ -27,7 +27,7 @@ void UpdateTogether(vtkSurfaceIntegralGPU* filter)
   filter->UpdatePiece(rank, ranks, 0);
 }
 
-/// What may differ from a run alone.
+/// Arrays that may differ from a run alone.
 bool IsOfRanks(const std::string& name)
 {
   return name == sm::names::Ranks || name == sm::names::Dispatches ||
@@ -359,7 +359,7 @@ void CompareIntegrals(const std::string& what, const std::string& file, bool isO
   CheckTrue(what + ": said", !isOdd || Says(shared, "its integrands are not the same"), GetMessages(shared));
 }
 
-/// What is below waterlines is integrated by the rank that has the bodies; the others are not kept waiting.
+/// Volumes below waterlines are integrated by the rank that has the bodies; the others do not wait.
 void CompareBuoyancy(const std::string& what, const std::string& file, bool hasOthers)
 {
   vtkNew<vtkSTEPReader> reader;

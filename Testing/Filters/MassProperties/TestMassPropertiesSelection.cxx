@@ -14,6 +14,7 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkTable.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <set>

@@ -36,7 +36,7 @@ int GetMostUnmet(const std::string& solid)
   return floored ? 18 : 5;
 }
 
-/// What the filter says about one quantity.
+/// Value and bound of one quantity, as the filter reports them.
 double GetLargestError(vtkFieldData* fields, const char* name, const ExactQuantity& exact)
 {
   double error = 0.0;
@@ -127,7 +127,7 @@ void CheckErrors(const Expected& expected, const ExactValues& exact, vtkFieldDat
     (expected.HasPcurves ? 1e-15 : 1e-9) * expected.Volume, "(the ambiguity of closing)");
 }
 
-/// What follows from volume, centre and inertia by arithmetic, to its rounding.
+/// Quantities that follow from volume, centre and inertia by arithmetic, to its rounding.
 void CheckDerived(const Expected& expected, vtkFieldData* fields)
 {
   const double v = GetField(fields, names::Volume);

@@ -47,7 +47,7 @@ inline vtkRenderer* GetRenderer(vtkRenderWindow* window)
   return window->GetRenderers()->GetFirstRenderer();
 }
 
-/// What is in the window. Its members may be reset one by one.
+/// The pipeline and the props of a window. Its members may be reset one by one.
 struct CycleScene
 {
   vtkSmartPointer<vtkSTEPReader> Reader = vtkSmartPointer<vtkSTEPReader>::New();

@@ -31,7 +31,7 @@ std::vector<double> GetAll(vtkMassPropertiesGPU* mass)
   return all;
 }
 
-/// What every result of a scheme has, and has not.
+/// Arrays that every result of a scheme has, and those that it must not have.
 void CheckForm(vtkMassPropertiesGPU* mass, const std::string& scheme)
 {
   vtkFieldData* fields = mass->GetOutput()->GetFieldData();
@@ -261,7 +261,7 @@ void CheckShells()
   mass->Update();
   Check("the void counts as one", 8000.0 - 192.0, mass->GetVolume(), 1e-9);
   CheckForm(mass, "MIDPOINT");
-  CheckTrue("it was turned", GetMessages(mass).find("1 of 2 shells was inside out") != std::string::npos);
+  CheckTrue("it was reversed", GetMessages(mass).find("1 of 2 shells was inside out") != std::string::npos);
   CheckTrue("planes have no sub-patches and no estimate",
     mass->GetSubPatches() == 0 && mass->GetPaperErrorEstimate() == 0.0);
 

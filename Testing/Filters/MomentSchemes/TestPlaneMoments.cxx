@@ -64,7 +64,7 @@ Moments GetTetrahedronMoments(const Point3 (&p)[4])
   return m;
 }
 
-/// Four trimmed planes, every second one with its normal turned: the flux along z gives all ten moments about the origin.
+/// Four trimmed planes, every second one reversed: the flux along z gives all ten moments about the origin.
 void CheckTetrahedra()
 {
   std::mt19937 random(16);
@@ -84,14 +84,14 @@ void CheckTetrahedra()
     Moments sum{};
     for (int f = 0; f < 4; ++f)
     {
-      // Turned: u and v change places, so that Su x Sv points inwards and Reversed outwards again.
-      const bool turned = f % 2 == 1;
+      // Transposed: u and v change places, so that Su x Sv points inwards and Reversed outwards again.
+      const bool transposed = f % 2 == 1;
       const Point3& a = p[corners[f][0]];
-      const Point3& b = p[corners[f][turned ? 2 : 1]];
-      const Point3& c = p[corners[f][turned ? 1 : 2]];
+      const Point3& b = p[corners[f][transposed ? 2 : 1]];
+      const Point3& c = p[corners[f][transposed ? 1 : 2]];
       const sm::NURBSSurface plane = MakePlane(a, Minus(b, a), Minus(c, a), -0.5, 2.0, -1.0, 1.5);
       const sm::FacePointer face =
-        MakeFace(plane, { MakePolygonLoop({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.0, 1.0 } }) }, turned);
+        MakeFace(plane, { MakePolygonLoop({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.0, 1.0 } }) }, transposed);
       const Moments m = sm::ComputePlaneMoments(Prepare(face, 1e-3));
       CheckRange("area is positive in both orientations", 0.01, m[13], 10.0);
       for (int i = 0; i < 14; ++i)

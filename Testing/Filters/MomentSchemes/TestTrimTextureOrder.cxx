@@ -21,7 +21,7 @@ namespace
 constexpr int FinestTexels = 16;
 constexpr int FirstFactor = 4;
 constexpr int LastFactor = 12;
-// Of the finest texels, to see what falls with the sub-patches.
+// At the finest texels, so that the error of the sub-patches is seen.
 constexpr int FarFactor = 24;
 
 /// Relative errors by sub-patch factor.

@@ -18,7 +18,7 @@
 namespace chunk
 {
 std::vector<dvec4> controlPoints;
-/// Of the trim curves that the chunk evaluates too; none here.
+/// Coefficients of trim curves, which the chunk evaluates too; none here.
 std::vector<double> coefficients;
 
 dvec4 smControlPoint(uint index)

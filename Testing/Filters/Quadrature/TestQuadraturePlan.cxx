@@ -146,7 +146,7 @@ void Run(const Case& made, double weights, double tolerance, const std::string& 
       ++score.Exceeded;
       std::printf("%s, class %d: error %.3e, bound %.3e\n", label.c_str(), k, error, bound);
     }
-    // What rounding leaves of a fat gap's series is charged, whatever the tolerance.
+    // The rounding of a wide gap's series is added to the bound, whatever the tolerance.
     if (!(bound <= tolerance + 1e-15 + 1e-12 * weights))
     {
       ++score.Above;

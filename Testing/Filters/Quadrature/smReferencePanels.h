@@ -93,18 +93,27 @@ inline Real Slope(int n, int i, Real x)
   return n == 0 ? 0 : n * (Bernstein(n - 1, i - 1, x) - Bernstein(n - 1, i, x));
 }
 
-/// All Bernstein polynomials of a degree at x, and their derivatives.
+/// All Bernstein polynomials of degree n <= 63 at x, by raising the degree, and their derivatives.
 struct Basis
 {
   Basis(int n, Real x)
   {
-    for (int i = 0; i <= n; ++i)
+    this->Values[0] = 1;
+    this->Slopes[0] = 0;
+    for (int degree = 1; degree <= n; ++degree)
     {
-      this->Values.push_back(Bernstein(n, i, x));
-      this->Slopes.push_back(Slope(n, i, x));
+      this->Slopes[degree] = degree * this->Values[degree - 1];
+      this->Values[degree] = x * this->Values[degree - 1];
+      for (int i = degree - 1; i > 0; --i)
+      {
+        this->Slopes[i] = degree * (this->Values[i - 1] - this->Values[i]);
+        this->Values[i] = (1 - x) * this->Values[i] + x * this->Values[i - 1];
+      }
+      this->Slopes[0] = -degree * this->Values[0];
+      this->Values[0] *= 1 - x;
     }
   }
-  std::vector<Real> Values, Slopes;
+  std::array<Real, 64> Values, Slopes;
 };
 
 inline Vector Cross(const Vector& a, const Vector& b)
@@ -159,27 +168,46 @@ public:
     return sum;
   }
 
-  void EvaluatePatch(std::uint32_t index, Real s, Real r, Vector& x, Vector& ds, Vector& dr) const
+  /// The control points of a patch's curve at one r, and their derivatives by r.
+  struct Row
+  {
+    std::array<std::array<Real, 4>, 64> Points, Slopes;
+  };
+
+  Row MakeRow(std::uint32_t index, Real r) const
   {
     const sm::Patch& patch = this->Panels.Patches[index];
     const int p = patch.Degree[0];
-    const int q = patch.Degree[1];
-    const Basis along(p, s);
-    const Basis across(q, r);
-    Real h[3][4] = {};
-    for (int j = 0; j <= q; ++j)
+    const Basis across(patch.Degree[1], r);
+    Row row;
+    for (int i = 0; i <= p; ++i)
     {
-      for (int i = 0; i <= p; ++i)
+      row.Points[i] = {};
+      row.Slopes[i] = {};
+      for (int j = 0; j <= patch.Degree[1]; ++j)
       {
-        const Real f[3] = { along.Values[i] * across.Values[j], along.Slopes[i] * across.Values[j],
-          along.Values[i] * across.Slopes[j] };
-        for (int k = 0; k < 3; ++k)
+        for (int c = 0; c < 4; ++c)
         {
-          for (int c = 0; c < 4; ++c)
-          {
-            h[k][c] += f[k] * this->Panels.Points[patch.FirstPoint + i + (p + 1) * j][c];
-          }
+          const Real value = this->Panels.Points[patch.FirstPoint + i + (p + 1) * j][c];
+          row.Points[i][c] += across.Values[j] * value;
+          row.Slopes[i][c] += across.Slopes[j] * value;
         }
+      }
+    }
+    return row;
+  }
+
+  void EvaluateRow(const sm::Patch& patch, const Row& row, Real s, Vector& x, Vector& ds, Vector& dr) const
+  {
+    const Basis along(patch.Degree[0], s);
+    Real h[3][4] = {};
+    for (int i = 0; i <= patch.Degree[0]; ++i)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        h[0][c] += along.Values[i] * row.Points[i][c];
+        h[1][c] += along.Slopes[i] * row.Points[i][c];
+        h[2][c] += along.Values[i] * row.Slopes[i][c];
       }
     }
     for (int c = 0; c < 3; ++c)
@@ -189,6 +217,11 @@ public:
       dr[c] = (h[2][c] - h[2][3] * x[c]) / h[0][3];
       x[c] += patch.Center[c];
     }
+  }
+
+  void EvaluatePatch(std::uint32_t index, Real s, Real r, Vector& x, Vector& ds, Vector& dr) const
+  {
+    this->EvaluateRow(this->Panels.Patches[index], this->MakeRow(index, r), s, x, ds, dr);
   }
 
   /// In the parameters of the patch.
@@ -236,13 +269,13 @@ private:
       Real point[2];
       Real slope[2];
       this->EvaluateTrim(patch, panel.Trim, panel.TrimDegree, t0 + (t1 - t0) * ruleT.Nodes[i], point, slope);
+      const Row row = this->MakeRow(panel.Patch, point[1]);
       for (int j = 0; j < across; ++j)
       {
         Vector x;
         Vector ds;
         Vector dr;
-        this->EvaluatePatch(
-          panel.Patch, (xi0 + (xi1 - xi0) * ruleX.Nodes[j]) * point[0], point[1], x, ds, dr);
+        this->EvaluateRow(patch, row, (xi0 + (xi1 - xi0) * ruleX.Nodes[j]) * point[0], x, ds, dr);
         Add(values, ruleT.Weights[i] * ruleX.Weights[j] * (t1 - t0) * (xi1 - xi0) * point[0] * slope[1], x,
           Cross(ds, dr), true);
       }

@@ -241,7 +241,7 @@ void TestCenterBound(const std::string& folder)
 /// A torus that lies touches along a circle, and one that stands in a point; a ball anywhere.
 void TestCatalogue(const smtest::Manifest& manifest)
 {
-  // The catalogue's torus: radii 20 and 6, axis z where it is not turned.
+  // The catalogue's torus: radii 20 and 6, axis z where it is not rotated.
   for (const char* variant : { "plain", "far", "nurbs" })
   {
     Case lying(manifest.GetSolid("torus", variant)[0].Path);
@@ -281,7 +281,7 @@ void CheckPrism(const std::string& folder, const std::string& name, double share
       "four sides", 4, vtkTable::SafeDownCast(standing.Filter->GetOutputDataObject(3))->GetNumberOfRows());
   }
   {
-    // Turned with gravity, 1e5 away: the file's numbers have 11 digits behind the point there.
+    // Rotated with gravity, 1e5 away: the file's numbers have 11 digits behind the point there.
     const double axis[3] = { 1, 2, -2 };
     const double shift[3] = { 1e5, -1e5, 1e5 };
     const double angle = 1.1;

@@ -69,7 +69,7 @@ TopoDS_Shape MakeTripod(double distance)
 
 TopoDS_Shape MakeDumbbell(double radius, double length)
 {
-  // The profile above the x axis, turned about it.
+  // The profile above the x axis, revolved about it.
   const double bar = radius / 3.0;
   const double reach = std::sqrt(radius * radius - bar * bar);
   const gp_Pnt p[6] = { { -radius, 0, 0 }, { 0, radius, 0 }, { reach, bar, 0 }, { length - reach, bar, 0 },

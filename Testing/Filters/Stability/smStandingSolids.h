@@ -13,7 +13,7 @@ namespace smtest
 {
 /// The rectangle [0,a] x [0,b] at z = 0, extruded along (lean, 0, height): its centre is over the edge x = a when lean = a.
 TopoDS_Shape MakeLeaningPrism(double a, double b, double height, double lean);
-/// Of the ball about the origin the half below z = 0, or the one above.
+/// The half of the ball about the origin below z = 0, or the one above.
 TopoDS_Shape MakeHemisphere(double radius, bool below);
 /// Along x from 0 to length, axis at z = 0; of the half the part below.
 TopoDS_Shape MakeLyingCylinder(double radius, double length);
@@ -31,7 +31,7 @@ TopoDS_Shape MakeHalfBall();
 /// Tip at the origin, axis z upwards.
 TopoDS_Shape MakeTipCone(double radius, double height);
 
-/// Turned about the origin: by `angle` about the axis; then moved.
+/// Rotated about the axis through the origin by `angle`, then moved.
 TopoDS_Shape Turned(const TopoDS_Shape& shape, const double axis[3], double angle, const double shift[3]);
 
 /// Writes the shape to FOLDER/standing_NAME.step and returns the path. Throws where OCCT refuses.

@@ -43,7 +43,7 @@ Draw Uniform(double low, double high)
   return [=](std::mt19937_64& random) { return std::uniform_real_distribution<double>(low, high)(random); };
 }
 
-/// Of either sign, all exponents in the range alike.
+/// A number of either sign, with all exponents in the range equally likely.
 Draw Logarithmic(int low, int high, bool negative)
 {
   return [=](std::mt19937_64& random)

@@ -110,7 +110,7 @@ std::vector<sm::FaceTask> MakeTasks(const std::vector<sm::FacePointer>& faces, d
 }
 
 // --- ranks ---------------------------------------------------------------------------------------
-/// What the threads share: all give, then all take, then the next.
+/// Exchange between threads: all give, then all take, then the next round begins.
 class Table
 {
 public:
@@ -418,7 +418,7 @@ void TestDivision()
   std::vector<int> after = shares.Divide(edited, fit);
   after[7] = ranks[7];
   CheckTrue("faces stay", after == ranks);
-  // What a rank was sent is not sent again, and what it is not asked for is forgotten in time.
+  // A result is sent to a rank once, and dropped in time when it is not requested.
   std::vector<std::size_t> own;
   for (std::size_t i = 0; i < tasks.size(); ++i)
   {

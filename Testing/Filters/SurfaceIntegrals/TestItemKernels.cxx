@@ -456,10 +456,10 @@ void CheckCylinder()
   {
     face.Panels[0].Negative = negative;
     face.Panels[0].FlipNormal = !negative;
-    const Evaluation turned(face, MakeItems(face)[0], 16, 4);
-    CheckTrue(negative ? "negative coverage turns all signs" : "a flipped normal turns the flux",
-      turned.GetValue(0) == -whole.GetValue(0) &&
-        turned.GetValue(8) == (negative ? -1 : 1) * whole.GetValue(8));
+    const Evaluation changed(face, MakeItems(face)[0], 16, 4);
+    CheckTrue(negative ? "negative coverage changes all signs" : "a flipped normal changes the flux's sign",
+      changed.GetValue(0) == -whole.GetValue(0) &&
+        changed.GetValue(8) == (negative ? -1 : 1) * whole.GetValue(8));
   }
   std::vector<sm::WorkItem> quarters;
   sm::BisectItem(items[0], 2, quarters);

@@ -92,7 +92,7 @@ void CheckFunctions(const char* folder)
   // Area over |du x dv| is area in the (u, v) plane: four quarters times the height.
   filter->AddIntegrand("parameters", side + "1 / length(cross(du, dv))");
   filter->AddIntegrand("u", side + "u / length(cross(du, dv))");
-  // Of a circle that u runs through at any speed, n.duu = -|du|^2 / r.
+  // On a circle with any parametrisation, n.duu = -|du|^2 / r.
   filter->AddIntegrand("duu", side + "(dot(duu, unitNormal) + dot(du, du) / 8)");
   filter->Update();
   for (const char* zero : { "v is z", "dv is e_z", "u and v are orthogonal", "dvv is 0", "duv is 0", "duu" })
@@ -204,7 +204,7 @@ void CheckMistakes(const char* folder)
   struct Mistake
   {
     const char* Text;
-    /// What the message must hold.
+    /// Text that the message must contain.
     const char* Place;
     const char* Word;
   };

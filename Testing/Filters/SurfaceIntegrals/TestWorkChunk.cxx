@@ -138,7 +138,7 @@ void CheckComparison()
   CheckTrue("0.625 is below the tolerance 1", chunk.Converged);
   Check("error", 0.625, chunk.GetError(0), 0.0);
   Check("difference", 0.0625, chunk.GetDifference(0), 0.0);
-  // Of two orders the largest difference counts, relative to the tolerance.
+  // The largest difference of the two orders counts, relative to the tolerance.
   CheckRange("no difference, the other's error", 1.2, chunk.GetError(1), 1.25);
   chunk.Finish(3.0625, -5.0, 2.0, 0u);
   CheckTrue("10 is above the tolerance 2", !chunk.Converged);

@@ -9,7 +9,7 @@ reader = simple.OpenDataFile(path)
 view = simple.GetActiveViewOrCreate("RenderView")
 simple.Show(reader, view)
 mass = simple.MassPropertiesGPU(Input=reader, Density=7850.0)
-# What Apply does.
+# The same as Apply.
 controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
 for port in range(mass.SMProxy.GetNumberOfOutputPorts()):
     controller.ShowInPreferredView(mass.SMProxy, port, view.SMProxy)
@@ -43,7 +43,7 @@ elif scene == "table":
     simple.SetActiveSource(mass)
 else:
     simple.SetActiveSource(mass)
-# What a user does after Apply: a step nearer, where the view is not low and the text would stand before the solids.
+# The camera as a user sets it after Apply: a step nearer, where the view is not low and the text would stand before the solids.
 simple.GetActiveCamera().Zoom(1.4 if scene != "table" else 0.9)
 simple.Render(view)
 with open(ready, "w", encoding="utf-8") as file:

@@ -24,7 +24,7 @@ grab() { # SCENE FILE.step
       window=$!
       tries=0
       until [ -e "$3/ready" ] || [ "$tries" -ge 300 ]; do sleep 1; tries=$((tries + 1)); done
-      # What the script did shows when the window gets round to it: until two pictures are the same.
+      # The window shows the script's changes with a delay: wait until two pictures are the same.
       import -window root "$3/before.png"
       while sleep 3; do
         import -window root "$3/after.png"

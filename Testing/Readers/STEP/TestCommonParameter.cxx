@@ -107,7 +107,7 @@ void CheckCase(const Case& c)
   CheckTrue("it lagged", lagging.Lag > 1e-3);
   const sm::Step step = sm::MeasureStep(surface, trim, edge);
   const double offset = std::hypot(c.Offset[0], c.Offset[1], c.Offset[2]);
-  // Of an edge beside the face its ends keep what the offset has along the edge, and the middle some of that.
+  // The ends of an edge beside the face keep what the offset has along the edge, and the middle some of that.
   CheckRange("the lag that is left", 0.0, step.Lag, 2e-12 + offset);
   CheckRange("the gap", 0.0, step.Gap, 2e-12 + 1.01 * offset);
   CheckTrue(

@@ -99,7 +99,7 @@ void CheckKernel(const std::string& name, vtkDataObject* data, double volume, do
   CheckTrue(name + ": and finds it valid",
     view.Valid || (name == "graph_20_2-mirrored" && view.Complaints == "4:27x1 "), view.Complaints);
   CheckEqual(name + ": faces of the BREP", CountFaces(data), view.Faces);
-  // Its adaptive rule misses some of these by up to a thousandth; a face turned or lost is more.
+  // Its adaptive rule misses some of these by up to a thousandth; a face reversed or lost is more.
   Check(name + ": OpenCASCADE's volume", volume, view.Volume, 2e-3 * volume);
   Check(name + ": OpenCASCADE's area", area, view.Area, 2e-3 * area);
 }
@@ -564,7 +564,7 @@ void CheckTargets(const std::string& folder)
   CheckTrue("and stays a link", fs::is_symlink(own + "/link.step"));
   CheckTrue("to the file", fs::is_regular_file(own + "/elsewhere/box.step"));
 
-  // What stands beside the file under the names that are tried first is somebody else's.
+  // Files that exist under the temporary names tried first belong to others.
   const std::string path = own + "/box.step";
   fs::create_symlink("nowhere", path + ".saving0");
   step->SetFileName(path.c_str());

@@ -72,7 +72,7 @@ std::array<double, 4> GetDifferences(const Properties& a, const Properties& b, b
     a.Inertia[0] + a.Inertia[4] + a.Inertia[8] };
   for (int k = 0; k < 4; ++k)
   {
-    // What has no volume has no centre either, before and after.
+    // A body without volume has no centre either, before and after.
     if (!std::isfinite(d[k]) &&
       std::isnan(k == 0 ? a.Volume
           : k == 2      ? a.Center[0]

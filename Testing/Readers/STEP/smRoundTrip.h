@@ -27,7 +27,7 @@ struct Properties
   double Area = 0.0;
   std::array<double, 3> Center{};
   std::array<double, 9> Inertia{};
-  /// Of volume, area, centre (a length) and inertia (largest entry).
+  /// Bounds of volume, area, centre (a length) and inertia (largest entry).
   std::array<double, 4> Bounds{};
   double GapSquared = 0.0;
   double MaxGap = 0.0;
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> ReadFile(
 struct KernelView
 {
   bool Read = false;
-  /// What BRepCheck_Analyzer says of it.
+  /// Result of BRepCheck_Analyzer.
   bool Valid = false;
   int Solids = 0;
   int Faces = 0;

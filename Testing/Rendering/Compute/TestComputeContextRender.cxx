@@ -113,7 +113,7 @@ struct Scene
     return image;
   }
 
-  // Of the members the window ends first: the rest must bear it.
+  // The window is destroyed before the other members, which must tolerate it.
   vtkNew<ComputingFilter> Filter;
   vtkNew<vtkPolyDataMapper> Mapper;
   vtkNew<vtkRenderer> Renderer;

@@ -17,7 +17,7 @@ struct FileAccuracy
   double Inertia = 0;
 };
 
-/// What a displacement of the boundary by at most `displacement` does to the moments.
+/// Largest change of the moments when the boundary is displaced by at most `displacement`.
 FileAccuracy GetFileAccuracy(const ExactMoments& moments, double size, double displacement);
 
 /// Bound of the displacement by OCCT's format of 12 digits.

@@ -20,7 +20,7 @@ namespace smhostile
 struct TrimmedSolid
 {
   std::vector<sm::FacePointer> Faces;
-  /// What was done, for the report of a failure.
+  /// The applied operations, for the report of a failure.
   std::string Description;
 };
 

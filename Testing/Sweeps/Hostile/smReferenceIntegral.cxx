@@ -23,7 +23,7 @@ struct Cell
   Real Width = 1.0L;
   Values Integral{};
   Values Magnitude{};
-  /// What quartering the cell before changed, a quarter of it; and the largest of it in units of the target.
+  /// A quarter of the change by the last quartering of the parent cell; and its largest value in units of the target.
   Values Change{};
   Real Urgency = std::numeric_limits<Real>::infinity();
 

@@ -34,7 +34,7 @@ constexpr int AreaIntegral = 10;
 struct ReferenceIntegrals
 {
   std::array<Real, NumberOfIntegrals> Value{};
-  /// What the values may be off by: the last refinements' changes and the rounding of extended precision.
+  /// Error bounds of the values: the last refinements' changes and the rounding of extended precision.
   std::array<Real, NumberOfIntegrals> Error{};
 };
 
@@ -79,7 +79,7 @@ struct ReferenceProperties
 };
 
 /// Mass properties of the solid placed at placement * (origin + x). The 3x3 part of the placement stands for a rotation
-/// or reflection and is applied to the moments as its doubles say. A negative volume is turned.
+/// or reflection and is applied to the moments as its doubles say. A negative volume changes its sign.
 ReferenceProperties PlaceReference(
   const ReferenceIntegrals& integrals, const double origin[3], const double placement[16]);
 }
