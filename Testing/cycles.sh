@@ -28,11 +28,11 @@ count() { # COMMAND...
 
 for context in own shared; do
   for mode in edit open window; do
-    (count "$build/bin/TestApplyCycles" "$mode" "$context" "$solids" "$cycles") || status=1
+    (count "$build/bin/FiltersMassPropertiesTests" TestApplyCycles "$mode" "$context" "$solids" "$cycles") || status=1
   done
 done
 PYTHONPATH=$(echo "$build"/lib/python3*/site-packages)
 export PYTHONPATH
-(count pvpython "$here/Python/TestPluginApplyCycles.py" "$plugin" "$here/../Examples/Models/sample_part.step" "$cycles") || status=1
-(count pvpython "$here/Python/TestPluginCycles.py" "$plugin" "$solids/slanted_hole-moved.step" "$cycles" brief) || status=1
+(count pvpython "$here/ParaViewPlugin/TestPluginApplyCycles.py" "$plugin" "$here/../Examples/Models/sample_part.step" "$cycles") || status=1
+(count pvpython "$here/ParaViewPlugin/TestPluginCycles.py" "$plugin" "$solids/slanted_hole-moved.step" "$cycles" brief) || status=1
 exit "$status"

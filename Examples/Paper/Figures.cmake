@@ -6,6 +6,12 @@ foreach (component IN ITEMS ChartsCore IOExport RenderingContext2D RenderingCont
   endif ()
 endforeach ()
 
+# The solids of the figures, which a test integrates, too.
+add_library(smPaperSolids STATIC smPaperSolid.cxx smSolidBuilder.cxx)
+target_include_directories(smPaperSolids PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
+target_link_libraries(smPaperSolids PUBLIC SolidMoments::FiltersNURBS)
+solidmoments_warnings(smPaperSolids)
+
 add_executable(paper_figures
   paper_figures.cxx
   smFigure.cxx
@@ -13,11 +19,10 @@ add_executable(paper_figures
   smGraphFigures.cxx
   smModelPictures.cxx
   smPaperRun.cxx
-  smPaperSolid.cxx
-  smPointFigures.cxx
-  smSolidBuilder.cxx)
+  smPointFigures.cxx)
 target_link_libraries(paper_figures PRIVATE
   smExampleCommon
+  smPaperSolids
   CLI11::CLI11
   SolidMoments::FiltersMomentSchemes
   SolidMoments::ReadersSTEP

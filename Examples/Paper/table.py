@@ -33,7 +33,7 @@ REFERENCE_TOLERANCE = "1e-12"
 SUB_PATCHES = "2"
 # Runs of each method of solidmoments, of which the fastest counts.
 RUNS = 2
-# Above this, the relative squared gaps of a reference limit its accuracy (Testing/SweepJudge.py).
+# Above this, the relative squared gaps of a reference limit its accuracy (Testing/Sweeps/SweepJudge.py).
 LARGE_GAP_SQUARED = 1e-10
 
 

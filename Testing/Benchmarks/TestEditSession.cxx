@@ -15,11 +15,11 @@ struct FullRuns
 {
   long long Edited = 0;
   double Volume = 0.0;
-  /// What the faces that changed cost before.
+  /// Evaluations of the changed faces before the edit.
   long long Before = 0;
 };
 
-/// Of the session's present mesh, by a filter that knows no face; then of the original by the same filter, which knows all faces
+/// Integrates the session's present faces by a new filter, then the original's by the same filter, which has results of all faces
 /// but those that changed.
 FullRuns RunFully(EditSession& session, vtkNURBSDataSet* original, int backend, double tolerance)
 {

@@ -128,7 +128,7 @@ void EditSession::Renew()
 UpdateCost EditSession::Update(EditKind kind, int number)
 {
   UpdateCost cost;
-  // Of the body's size: up to 2 %, never 0.
+  // A fraction of the body's size: at most 2 %, never 0.
   const double amount = this->Size * 0.01 * (1.0 + 1e-6 * (number % 1000000));
   switch (kind)
   {

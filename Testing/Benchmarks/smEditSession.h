@@ -38,7 +38,7 @@ struct UpdateCost
   double Edit = 0.0;
   double Display = 0.0;
   double Mass = 0.0;
-  /// Of the mass properties: cutting, planning and uploading; evaluating and summing.
+  /// Seconds of the mass properties' stages: cutting, planning and uploading; evaluating and summing.
   double Prepare = 0.0;
   double Integrate = 0.0;
   long long ChangedFaces = 0;

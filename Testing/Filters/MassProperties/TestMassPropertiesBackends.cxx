@@ -1,0 +1,265 @@
+// TestMassPropertiesBackends FOLDER solids|options|FILE.step...: the CPU and OpenGL compute the same.
+//   solids    all exact solids: within the sum of both bounds, and to 1e-13
+//   options   the same bits for any number of threads; expressions, budget, abort and a change of backend
+//   FILE...   real files: within the sum of both bounds
+#include "smTestManifest.h"
+#include "smTestPipeline.h"
+
+#include <vtkSMPTools.h>
+#include <vtkSurfaceIntegralGPU.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace
+{
+using namespace smtest;
+namespace names = sm::names;
+
+/// Moments and bounds, for a comparison bit for bit.
+std::vector<double> GetAll(vtkMassPropertiesGPU* mass)
+{
+  std::vector<double> all;
+  for (const char* name : { names::Volume, names::SurfaceArea, names::CenterOfMass, names::VolumeInertia,
+         names::GapSquared, names::MaxGap, names::GapArea, names::ClosureCorrection, names::Evaluations })
+  {
+    for (const std::string& full : { std::string(name), std::string(name) + names::BoundSuffix })
+    {
+      const std::vector<double> values = GetArray(mass, full);
+      all.insert(all.end(), values.begin(), values.end());
+    }
+  }
+  return all;
+}
+
+/// `scale` times `relative` limits the difference too, where relative is not 0.
+void CheckArrays(const std::string& what, vtkMassPropertiesGPU* gpu, vtkMassPropertiesGPU* cpu, double scale,
+  double relative)
+{
+  const std::vector<double> expected = GetArray(gpu, what);
+  const std::vector<double> actual = GetArray(cpu, what);
+  CheckTrue(what + " is there", !expected.empty() && expected.size() == actual.size());
+  double worst = 0.0;
+  bool isNumber = true;
+  for (std::size_t i = 0; i < std::min(expected.size(), actual.size()); ++i)
+  {
+    isNumber = isNumber && std::isnan(expected[i]) == std::isnan(actual[i]);
+    worst = std::isnan(expected[i]) ? worst : std::max(worst, std::fabs(actual[i] - expected[i]));
+  }
+  CheckTrue(what + " is a number on both or on none", isNumber);
+  const std::vector<double> bounds[2] = { GetArray(gpu, what + names::BoundSuffix),
+    GetArray(cpu, what + names::BoundSuffix) };
+  if (!bounds[0].empty() && bounds[0].size() == bounds[1].size() && !std::isnan(bounds[0][0]))
+  {
+    Check(what + " within the bounds of both", 0.0, worst, bounds[0][0] + bounds[1][0]);
+  }
+  if (relative > 0.0)
+  {
+    Check(what + " relative", 0.0, worst / scale, relative);
+  }
+}
+
+void CheckFile(const std::string& path, double relative)
+{
+  std::printf("--- %s\n", path.c_str());
+  // One pair of filters for all files: their context and shaders are made once.
+  static Pipeline pipeline("");
+  static vtkNew<vtkMassPropertiesGPU> cpu;
+  pipeline.Reader->SetFileName(path.c_str());
+  const MessageTrap trap(pipeline.Mass);
+  const MessageTrap cpuTrap(cpu);
+  cpu->SetInputConnection(pipeline.Reader->GetOutputPort());
+  cpu->SetBackend(vtkMassPropertiesGPU::CPU);
+  pipeline.Mass->SetBackend(vtkMassPropertiesGPU::OPENGL);
+  pipeline.Mass->Update();
+  cpu->Update();
+  vtkMassPropertiesGPU* gpu = pipeline.Mass;
+  CheckEqual("backend", names::BackendOpenGL, gpu->GetBackendName());
+  CheckEqual("backend", names::BackendCPU, cpu->GetBackendName());
+  CheckEqual("status", gpu->GetStatus(), cpu->GetStatus());
+  // Equal orders but where a decision is a matter of rounding.
+  CheckRange("evaluations, of OpenGL's", 0.99,
+    static_cast<double>(cpu->GetEvaluations()) / static_cast<double>(gpu->GetEvaluations()), 1.01);
+  const double volume = std::fabs(gpu->GetVolume());
+  double inertia[9];
+  gpu->GetVolumeInertia(inertia);
+  const double length = std::cbrt(volume);
+  CheckArrays(names::Volume, gpu, cpu, volume, relative);
+  CheckArrays(names::SurfaceArea, gpu, cpu, gpu->GetSurfaceArea(), relative);
+  CheckArrays(names::CenterOfMass, gpu, cpu, length, relative);
+  CheckArrays(names::VolumeInertia, gpu, cpu, inertia[0] + inertia[4] + inertia[8], relative);
+  // Without bounds: gaps are rounded like positions.
+  const double reach = length + std::sqrt(gpu->GetSurfaceArea());
+  CheckArrays(names::MaxGap, gpu, cpu, reach, relative > 0.0 ? 1e-12 : 0.0);
+  CheckArrays(names::GapArea, gpu, cpu, reach * reach, relative > 0.0 ? 1e-12 : 0.0);
+}
+
+void CheckSolids(const std::string& folder)
+{
+  const Manifest manifest(folder);
+  for (const char* solid : { "box", "cylinder", "cone", "sphere", "torus", "slanted_hole", "bicylinder",
+         "hollow_sphere", "ellipsoid", "airfoil", "gear", "spline_ring", "wavy_plate" })
+  {
+    for (const Expected& expected : manifest.GetSolid(solid))
+    {
+      // Two sums of a million roundings: 1e-13. Far from the origin of the file nothing is worse, for moments are local.
+      CheckFile(expected.Path, 1e-13);
+    }
+  }
+}
+
+void CheckThreads(const std::string& path)
+{
+  std::printf("--- threads\n");
+  std::vector<double> first;
+  for (const int threads : { 1, 2, 3 })
+  {
+    vtkSMPTools::Initialize(threads);
+    Pipeline pipeline(path);
+    pipeline.Mass->SetBackend(vtkMassPropertiesGPU::CPU);
+    pipeline.Mass->Update();
+    const std::string renderer = pipeline.Mass->GetRenderer();
+    const int actual = vtkSMPTools::GetEstimatedNumberOfThreads();
+    CheckTrue("renderer",
+      renderer == "CPU, " + std::to_string(actual) + (actual == 1 ? " thread" : " threads"), renderer);
+    CheckTrue("volume", pipeline.Mass->GetVolume() > 0.0);
+    const std::vector<double> all = GetAll(pipeline.Mass);
+    first = first.empty() ? all : first;
+    CheckTrue("same bits for any number of threads", all == first && all.size() > 20);
+  }
+}
+
+void CheckExpression(const Expected& box)
+{
+  std::printf("--- an expression on the CPU\n");
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(box.Path.c_str());
+  vtkNew<vtkSurfaceIntegralGPU> integral;
+  MessageTrap trap(integral);
+  integral->SetInputConnection(reader->GetOutputPort());
+  integral->SetBackend(vtkSurfaceIntegralGPU::CPU);
+  integral->AddAreaMoment("A", 0, 0, 0);
+  integral->AddIntegrand("mine", "length(normal)");
+  integral->AddVolumeMoment("Vxyz", 1, 1, 1);
+  integral->Update();
+  CheckEqual("status", names::StatusToleranceNotMet, integral->GetStatus());
+  CheckTrue("the expression is NaN",
+    std::isnan(integral->GetIntegral("mine")) && std::isnan(integral->GetIntegralBound("mine")));
+  const std::string messages = GetMessages(integral);
+  CheckTrue("it is named, with the remedy",
+    messages.find("mine was not computed") != std::string::npos &&
+      messages.find("needs OpenGL 4.3 with doubles") != std::string::npos,
+    messages);
+  Check("the area is computed", box.Area, integral->GetIntegral("A"), 1e-9 * box.Area);
+  // A box 30 x 20 x 10 in a corner.
+  const double exact = 30.0 * 30 * 20 * 20 * 10 * 10 / 8;
+  Check("and the placed moment", exact, integral->GetIntegral("Vxyz"), 1e-12 * exact);
+  auto* faces = vtkTable::SafeDownCast(integral->GetOutputDataObject(3));
+  CheckTrue("NaN face by face",
+    faces && faces->GetNumberOfRows() == 6 && std::isnan(faces->GetValueByName(0, "mine").ToDouble()));
+
+  integral->SetBackend(vtkSurfaceIntegralGPU::OPENGL);
+  integral->Update();
+  CheckEqual("with OpenGL", names::StatusOk, integral->GetStatus());
+  Check("the expression", box.Area, integral->GetIntegral("mine"), 1e-9 * box.Area);
+  Check("the placed moment", exact, integral->GetIntegral("Vxyz"), 1e-12 * exact);
+
+  integral->SetBackend(vtkSurfaceIntegralGPU::CPU);
+  integral->RemoveAllIntegrands();
+  integral->AddIntegrand("mine", "length(normal)");
+  integral->Update();
+  CheckTrue("alone it is NaN, too",
+    std::isnan(integral->GetIntegral("mine")) && integral->GetStatus() == names::StatusToleranceNotMet);
+}
+
+void CheckBudgetAndAbort(const std::string& ring)
+{
+  std::printf("--- budget, abort, perturbation on the CPU\n");
+  Pipeline exact(ring);
+  exact.Mass->SetBackend(vtkMassPropertiesGPU::CPU);
+  exact.Mass->Update();
+  CheckEqual("status", names::StatusOk, exact.Mass->GetStatus());
+
+  Pipeline pipeline(ring);
+  MessageTrap trap(pipeline.Mass);
+  pipeline.Mass->SetBackend(vtkMassPropertiesGPU::CPU);
+  pipeline.Mass->SetMaximumEvaluations(1);
+  pipeline.Mass->Update();
+  CheckEqual("a spent budget", names::StatusToleranceNotMet, pipeline.Mass->GetStatus());
+  CheckTrue("spends less", pipeline.Mass->GetEvaluations() < exact.Mass->GetEvaluations());
+  CheckRange("its error over its bound", 0.0,
+    std::fabs(pipeline.Mass->GetVolume() - exact.Mass->GetVolume()) / pipeline.Mass->GetVolumeBound(), 1.0);
+
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* filter, unsigned long, void*, void*)
+    {
+      auto* mass = static_cast<vtkMassPropertiesGPU*>(filter);
+      // Past cutting: while items run.
+      mass->SetAbortExecute(mass->GetProgress() >= 0.5 ? 1 : 0);
+    });
+  pipeline.Mass->SetMaximumEvaluations(1000000000);
+  const unsigned long tag = pipeline.Mass->AddObserver(vtkCommand::ProgressEvent, stop);
+  pipeline.Mass->Update();
+  CheckTrue(
+    "an aborted run does not reach all of the volume", pipeline.Mass->GetVolume() < exact.Mass->GetVolume());
+  CheckRange("but bounds it", 0.0,
+    std::fabs(pipeline.Mass->GetVolume() - exact.Mass->GetVolume()) / pipeline.Mass->GetVolumeBound(), 1.0);
+  CheckEqual("flagged", names::StatusToleranceNotMet, pipeline.Mass->GetStatus());
+  CheckTrue("and says so",
+    pipeline.Mass->GetNumberOfMessages() > 0 &&
+      pipeline.Mass->GetMessage(0) == "the run was aborted before all faces were integrated");
+  pipeline.Mass->RemoveObserver(tag);
+  pipeline.Mass->SetAbortExecute(0);
+  pipeline.Mass->Modified();
+  pipeline.Mass->Update();
+  CheckTrue("the next run has the same bits", GetAll(pipeline.Mass) == GetAll(exact.Mass));
+
+  pipeline.Mass->SetBackend(vtkMassPropertiesGPU::OPENGL);
+  pipeline.Mass->Update();
+  CheckEqual("a change of backend", names::BackendOpenGL, pipeline.Mass->GetBackendName());
+  pipeline.Mass->SetBackend(vtkMassPropertiesGPU::CPU);
+  pipeline.Mass->Update();
+  CheckTrue("and back: the same bits", GetAll(pipeline.Mass) == GetAll(exact.Mass));
+
+  pipeline.Mass->SetShaderPerturbation(1.0 + 1.0 / 1024);
+  pipeline.Mass->Update();
+  Check("perturbed samples", exact.Mass->GetVolume() * (1.0 + 1.0 / 1024), pipeline.Mass->GetVolume(),
+    1e-12 * exact.Mass->GetVolume());
+  pipeline.Mass->SetBackend(17);
+  CheckEqual("a backend out of range is clamped", vtkMassPropertiesGPU::CPU, pipeline.Mass->GetBackend());
+}
+}
+
+int TestMassPropertiesBackends(int argc, char* argv[])
+{
+  if (argc < 3)
+  {
+    std::fprintf(stderr, "usage: TestMassPropertiesBackends FOLDER solids|options|FILE.step...\n");
+    return 1;
+  }
+  vtkSMPTools::SetBackend("STDThread");
+  const std::string folder = argv[1];
+  const std::string mode = argv[2];
+  if (mode == "solids")
+  {
+    CheckSolids(folder);
+  }
+  else if (mode == "options")
+  {
+    CheckThreads(folder + "/gear-plain.step");
+    CheckThreads(folder + "/slanted_hole-moved.step");
+    vtkSMPTools::Initialize(0);
+    CheckExpression(Manifest(folder).GetSolid("box", "plain")[0]);
+    CheckBudgetAndAbort(folder + "/spline_ring-plain.step");
+  }
+  else
+  {
+    for (int i = 2; i < argc; ++i)
+    {
+      CheckFile(folder + "/" + argv[i] + ".step", 0.0);
+    }
+  }
+  return Finish();
+}

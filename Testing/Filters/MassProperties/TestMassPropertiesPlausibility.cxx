@@ -1,0 +1,136 @@
+// Results that no body has are suspect, each with its own sentence; what is not a number is never printed as one.
+#include "smBoxBodies.h"
+#include "smTestPipeline.h"
+
+#include <vtkDataSetAttributes.h>
+#include <vtkSurfaceIntegralGPU.h>
+#include <vtkTable.h>
+
+#include <regex>
+
+namespace
+{
+using namespace smtest;
+namespace names = sm::names;
+
+std::string GetText(vtkSurfaceIntegralBase* filter)
+{
+  return GetFieldText(vtkTable::SafeDownCast(filter->GetOutputDataObject(2))->GetRowData(), names::Text);
+}
+
+/// Neither in the messages nor in the text of the ParaView view.
+void CheckWords(vtkSurfaceIntegralBase* filter)
+{
+  const std::string all = GetMessages(filter) + GetText(filter);
+  const std::regex number("\\b(nan|inf|infinity|ind)\\b", std::regex::icase);
+  CheckTrue("nothing printed as a number is none", !std::regex_search(all, number) && !all.empty(), all);
+}
+
+/// A face without loops, a part of a plane, that has no edge to be open.
+sm::FacePointer MakeBareFace(double x)
+{
+  auto face = std::make_shared<sm::Face>();
+  face->Id = sm::NewId();
+  face->FileId = 7;
+  face->Surface.Knots[0] = face->Surface.Knots[1] = { 0.0, 0.0, 1.0, 1.0 };
+  face->Surface.NumberOfControlPoints[0] = face->Surface.NumberOfControlPoints[1] = 2;
+  face->Surface.ControlPoints = { { x, -10, -5, 1 }, { x, 10, -5, 1 }, { x, -10, 5, 1 }, { x, 10, 5, 1 } };
+  return face;
+}
+
+vtkSmartPointer<vtkNURBSDataSet> AddFace(vtkNURBSDataSet* leaf, const sm::FacePointer& face)
+{
+  std::vector<sm::FacePointer> faces = leaf->GetModel()->GetFaces();
+  faces.push_back(face);
+  vtkNew<vtkTrimmedNURBSModel> model;
+  model->ShallowCopy(leaf->GetModel());
+  model->SetFaces(faces);
+  auto copy = vtkSmartPointer<vtkNURBSDataSet>::New();
+  copy->ShallowCopy(leaf);
+  copy->SetModel(model);
+  return copy;
+}
+
+void CheckCenter()
+{
+  std::printf("--- a centre outside its solid\n");
+  // A void alone, of 800, and one wall at x = 15 with a flux of 1000: 200 is left, whose centre lies at
+  // (15 * 15 * 200 / 4 + 800 * 7) / 200 = 84.25.
+  BoxBody body;
+  body.Add({ { -12, -5, -4 }, { -2, 5, 4 }, false });
+  const auto leaf = AddFace(body.Make(), MakeBareFace(15.0));
+  vtkNew<vtkMassPropertiesGPU> mass;
+  MessageTrap trap(mass);
+  mass->SetInputData(leaf);
+  mass->Update();
+  Check("volume of the nonsense", 200.0, mass->GetVolume(), 1e-9);
+  double center[3];
+  mass->GetCenterOfMass(center);
+  Check("its centre", 84.25, center[0], 1e-9);
+  CheckEqual("status", names::StatusSuspect, mass->GetStatus());
+  const std::string said = GetMessages(mass);
+  CheckTrue("the centre is named",
+    said.find("the centre of mass lies outside the box of the solid, by 69.2") != std::string::npos, said);
+  CheckTrue("the moments are named", said.find("not positive definite") != std::string::npos, said);
+  CheckWords(mass);
+}
+
+void CheckNoBound()
+{
+  std::printf("--- a face is missing: no bound is known\n");
+  BoxBody body;
+  body.Add({ { 0, 0, 0 }, { 1, 2, 3 } });
+  const auto leaf = body.Make();
+  leaf->GetModel()->SetNumberOfMissingFaces(1);
+  vtkNew<vtkMassPropertiesGPU> mass;
+  MessageTrap trap(mass);
+  mass->SetInputData(leaf);
+  mass->Update();
+  CheckTrue("the bound is infinite", std::isinf(mass->GetVolumeBound()));
+  CheckTrue("the text says so", GetText(mass).find("Volume: 6 mm^3 (bound not known)") != std::string::npos,
+    GetText(mass));
+  CheckWords(mass);
+  vtkNew<vtkSurfaceIntegralGPU> integral;
+  MessageTrap integralTrap(integral);
+  integral->AddVolumeMoment("V", 0, 0, 0);
+  integral->SetInputData(leaf);
+  integral->Update();
+  CheckTrue("so does the integral's", GetText(integral).find("V = 6 (bound not known)") != std::string::npos,
+    GetText(integral));
+  CheckWords(integral);
+}
+
+void CheckNoNumber()
+{
+  std::printf("--- a control point that is not a number\n");
+  BoxBody body;
+  body.Add({ { 0, 0, 0 }, { 1, 2, 3 } });
+  auto leaf = body.Make();
+  auto face = std::make_shared<sm::Face>(*leaf->GetModel()->GetFaces()[2]);
+  face->Id = sm::NewId();
+  face->Surface.ControlPoints[1][2] = std::numeric_limits<double>::quiet_NaN();
+  leaf->GetModel()->SetFace(2, face);
+  vtkNew<vtkMassPropertiesGPU> mass;
+  MessageTrap trap(mass);
+  mass->SetInputData(leaf);
+  mass->Update();
+  CheckEqual("status", names::StatusSuspect, mass->GetStatus());
+  CheckTrue("no volume", !std::isfinite(mass->GetVolume()) || std::isinf(mass->GetVolumeBound()));
+  CheckWords(mass);
+  vtkNew<vtkSurfaceIntegralGPU> integral;
+  MessageTrap integralTrap(integral);
+  integral->AddAreaMoment("A", 0, 0, 0);
+  integral->SetInputData(leaf);
+  integral->Update();
+  CheckEqual("status of the integral", names::StatusSuspect, integral->GetStatus());
+  CheckWords(integral);
+}
+}
+
+int TestMassPropertiesPlausibility(int, char*[])
+{
+  CheckCenter();
+  CheckNoBound();
+  CheckNoNumber();
+  return Finish();
+}

@@ -1,0 +1,485 @@
+// Edits of control points, weights and faces: what moves along, what opens, what comes back, and what is refused.
+#include "smLatticeBody.h"
+#include "smModelEdit.h"
+#include "smTesting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace
+{
+using namespace smtest;
+using Homogeneous = std::array<double, 4>;
+
+const LatticeBody::Point Displacement{ 0.3, -0.2, 0.7 };
+
+bool HaveSameBits(const sm::Edge& a, const sm::Edge& b)
+{
+  return a.Curve.Coefficients == b.Curve.Coefficients && a.Curve.Breaks == b.Curve.Breaks &&
+    a.Curve.Offsets == b.Curve.Offsets && a.Curve.Residual == b.Curve.Residual &&
+    a.StartVertex == b.StartVertex && a.EndVertex == b.EndVertex;
+}
+
+/// Everything but ids.
+bool HaveSameBits(vtkTrimmedNURBSModel* a, vtkTrimmedNURBSModel* b)
+{
+  bool same = a->GetNumberOfFaces() == b->GetNumberOfFaces();
+  for (vtkIdType f = 0; same && f < a->GetNumberOfFaces(); ++f)
+  {
+    const sm::Face& x = *a->GetFaces()[f];
+    const sm::Face& y = *b->GetFaces()[f];
+    same = x.Surface.ControlPoints == y.Surface.ControlPoints && x.Surface.Rational == y.Surface.Rational &&
+      x.Loops.size() == y.Loops.size();
+    for (std::size_t l = 0; same && l < x.Loops.size(); ++l)
+    {
+      for (std::size_t c = 0; same && c < x.Loops[l].Coedges.size(); ++c)
+      {
+        same = HaveSameBits(*x.Loops[l].Coedges[c].Use, *y.Loops[l].Coedges[c].Use);
+      }
+    }
+  }
+  return same;
+}
+
+bool IsPaired(vtkTrimmedNURBSModel* model)
+{
+  std::map<const sm::Edge*, int> uses;
+  for (const sm::FacePointer& face : model->GetFaces())
+  {
+    for (const sm::Coedge& coedge : face->Loops[0].Coedges)
+    {
+      uses[coedge.Use.get()] += coedge.Reversed == face->Reversed ? 1 : -1;
+    }
+  }
+  return std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 0; });
+}
+
+/// The face's control point of point (i,j,k) of the lattice.
+sm::ControlPointIndex At(const LatticeBody& body, int axis, int side, int i, int j, int k)
+{
+  const int at[3] = { i, j, k };
+  const auto index =
+    LatticeBody::ToFace(side, body.GetNumberOfPoints() - 1, at[(axis + 1) % 3], at[(axis + 2) % 3]);
+  return { index[0], index[1] };
+}
+
+/// Moves a point of the face z = top, and back.
+void CheckMove(const std::string& what, int i, int j, std::size_t faces)
+{
+  std::printf("--- %s\n", what.c_str());
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  const std::vector<sm::FacePointer> before = model->GetFaces();
+  const int last = body.GetNumberOfPoints() - 1;
+  const sm::ControlPointIndex index = At(body, 2, 1, i, j, last);
+  Homogeneous point;
+  CheckTrue("it exists", sm::GetControlPoint(model, 5, index, point));
+
+  const sm::ModelEdit edit =
+    sm::MoveControlPoints(model, 5, { index }, Displacement, sm::EditRule::MoveSharedBoundary);
+  CheckEqual("status", "ok", sm::GetName(edit.Status));
+  CheckTrue("the model stays", model->GetFaces() == before);
+  CheckEqual(
+    "faces that are new", static_cast<long long>(faces), static_cast<long long>(edit.Replaced.size()));
+  std::set<std::uint64_t> ids;
+  int shared = 0;
+  for (int f = 0; f < 6; ++f)
+  {
+    ids.insert(before[f]->Id);
+    ids.insert(edit.Model->GetFaces()[f]->Id);
+    shared += edit.Model->GetFaces()[f] == before[f] ? 1 : 0;
+  }
+  CheckEqual("the others are shared", static_cast<long long>(6 - faces), shared);
+  CheckEqual("new ids", static_cast<long long>(6 + faces), static_cast<long long>(ids.size()));
+  Homogeneous moved;
+  sm::GetControlPoint(edit.Model, 5, index, moved);
+  for (int c = 0; c < 3; ++c)
+  {
+    Check("it moved", point[c] + Displacement[c], moved[c], 0.0);
+  }
+  CheckEqual("nothing opened", 0, static_cast<long long>(edit.Opened.size()));
+  CheckTrue("edges are shared by two faces", IsPaired(edit.Model));
+
+  const sm::ModelEdit second =
+    sm::MoveControlPoints(edit.Model, 5, { index }, { 0.1, 0.1, 0.1 }, sm::EditRule::MoveSharedBoundary);
+  const sm::ModelEdit back =
+    sm::SetControlPoints(second.Model, 5, { { index, point } }, sm::EditRule::MoveSharedBoundary);
+  CheckTrue("setting it back gives the same bits", HaveSameBits(model, back.Model));
+  CheckTrue("the edit did not", !HaveSameBits(model, edit.Model));
+  const sm::ModelEdit undone = sm::ReplaceFaces(edit.Model, edit.Replaced);
+  CheckTrue("so does an undo, with the same faces", undone.Model->GetFaces() == before);
+
+  // On this face alone: what it opens is named, with its width.
+  const sm::ModelEdit alone = sm::MoveControlPoints(model, 5, { index }, Displacement, sm::EditRule::OneFace);
+  CheckEqual("one face", 1, static_cast<long long>(alone.Replaced.size()));
+  CheckEqual("opened edges", static_cast<long long>(faces) - 1, static_cast<long long>(alone.Opened.size()));
+  for (const sm::OpenedEdge& opened : alone.Opened)
+  {
+    CheckEqual("face", 5, opened.Face);
+    Check("gap before", 0.0, opened.GapBefore, 1e-14, "rounding");
+    // A corner's basis function is 1 there; its foot may lie on the edge's line. Else a cubic's maximum.
+    const double length = std::hypot(Displacement[0], Displacement[1], Displacement[2]);
+    CheckRange("gap", 0.3 * length, opened.Gap, length * (1.0 + 1e-9));
+  }
+  const sm::ModelEdit closed =
+    sm::SetControlPoints(alone.Model, 5, { { index, point } }, sm::EditRule::OneFace);
+  CheckTrue("set back it is closed", HaveSameBits(model, closed.Model) && closed.Opened.empty());
+}
+
+void CheckWeights()
+{
+  std::printf("--- weights\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  const int last = body.GetNumberOfPoints() - 1;
+  // On the edge of z = top and x = 0, bent first, so that a weight moves points.
+  const sm::ControlPointIndex index = At(body, 2, 1, 0, 2, last);
+  const sm::ModelEdit bent =
+    sm::MoveControlPoints(leaf->GetModel(), 5, { index }, Displacement, sm::EditRule::MoveSharedBoundary);
+  const sm::ModelEdit edit = sm::SetWeights(bent.Model, 5, { index }, 3.5, sm::EditRule::MoveSharedBoundary);
+  CheckEqual("status", "ok", sm::GetName(edit.Status));
+  CheckEqual("faces", 2, static_cast<long long>(edit.Replaced.size()));
+  CheckTrue("rational now", edit.Model->GetFaces()[5]->Surface.Rational);
+  CheckEqual("nothing opened", 0, static_cast<long long>(edit.Opened.size()));
+  Homogeneous point;
+  sm::GetControlPoint(bent.Model, 5, index, point);
+  const sm::ModelEdit back =
+    sm::SetControlPoints(edit.Model, 5, { { index, point } }, sm::EditRule::MoveSharedBoundary);
+  CheckTrue("set back: the same bits", HaveSameBits(bent.Model, back.Model));
+  const sm::ModelEdit alone = sm::SetWeights(bent.Model, 5, { index }, 3.5, sm::EditRule::OneFace);
+  CheckEqual("on one face it opens", 1, static_cast<long long>(alone.Opened.size()));
+}
+
+void CheckReplacement()
+{
+  std::printf("--- a whole face\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  auto face = std::make_shared<sm::Face>(*model->GetFaces()[5]);
+  face->Id = sm::NewId();
+  for (Homogeneous& point : face->Surface.ControlPoints)
+  {
+    point[2] += 1.0;
+  }
+  const sm::ModelEdit lifted = sm::ReplaceFace(model, 5, face, sm::EditRule::MoveSharedBoundary);
+  CheckEqual("status", "ok", sm::GetName(lifted.Status));
+  CheckEqual("the lid and its neighbours", 5, static_cast<long long>(lifted.Replaced.size()));
+  CheckEqual("nothing opened", 0, static_cast<long long>(lifted.Opened.size()));
+  const sm::ModelEdit alone = sm::ReplaceFace(model, 5, face);
+  CheckTrue("alone it is the face that was given", alone.Model->GetFaces()[5] == face);
+  CheckEqual("and opens four edges", 4, static_cast<long long>(alone.Opened.size()));
+  for (const sm::OpenedEdge& opened : alone.Opened)
+  {
+    Check("by one", 1.0, opened.Gap, 1e-14, "rounding");
+  }
+  auto loose = std::make_shared<sm::Face>(*model->GetFaces()[5]);
+  loose->Id = sm::NewId();
+  for (sm::Coedge& coedge : loose->Loops[0].Coedges)
+  {
+    coedge.Use = std::make_shared<sm::Edge>(*coedge.Use);
+  }
+  const sm::ModelEdit unpaired = sm::ReplaceFace(model, 5, loose);
+  CheckEqual(
+    "edges of its own leave the neighbours' open", 4, static_cast<long long>(unpaired.Opened.size()));
+  CheckTrue("as wide as it gets",
+    !unpaired.Opened.empty() && std::isinf(unpaired.Opened[0].Gap) && unpaired.Opened[0].Face == -1);
+}
+
+void CheckMap()
+{
+  std::printf("--- a map of all control points\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  const auto bend = [](const LatticeBody::Point& p) -> LatticeBody::Point {
+    return { p[0] + 0.1 * p[2] * p[2], p[1], p[2] + 0.05 * p[0] * p[1] };
+  };
+  const sm::ModelEdit edit = sm::MapControlPoints(model, {}, bend, sm::EditRule::OneFace);
+  CheckEqual("all faces", 6, static_cast<long long>(edit.Replaced.size()));
+  CheckEqual("rows that coincide stay closed", 0, static_cast<long long>(edit.Opened.size()));
+  CheckTrue("edges are shared", IsPaired(edit.Model));
+  const auto still = [](const LatticeBody::Point& p) { return p; };
+  const sm::ModelEdit none = sm::MapControlPoints(model, {}, still, sm::EditRule::OneFace);
+  CheckTrue("a map that does nothing keeps the faces",
+    none.Replaced.empty() && none.Model->GetFaces() == model->GetFaces());
+  // The same by faces: a lid moved alone opens, its neighbours follow where the rule says so.
+  const sm::ModelEdit lid = sm::MapControlPoints(model, { 5 }, bend, sm::EditRule::OneFace);
+  CheckEqual("the lid alone opens", 4, static_cast<long long>(lid.Opened.size()));
+  const sm::ModelEdit carried = sm::MapControlPoints(model, { 5 }, bend, sm::EditRule::MoveSharedBoundary);
+  CheckEqual("with its neighbours it does not", 0, static_cast<long long>(carried.Opened.size()));
+  CheckEqual("five faces", 5, static_cast<long long>(carried.Replaced.size()));
+}
+
+/// A corner that meets another one leaves it alone when it is set back.
+void CheckSnap()
+{
+  std::printf("--- a corner on another corner, and back\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  const int last = body.GetNumberOfPoints() - 1;
+  const sm::ControlPointIndex corner = At(body, 2, 1, 0, 0, last);
+  Homogeneous from;
+  Homogeneous to;
+  sm::GetControlPoint(model, 5, corner, from);
+  sm::GetControlPoint(model, 5, At(body, 2, 1, 0, last, last), to);
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const sm::ModelEdit edit = sm::SetControlPoints(model, 5, { { corner, to } }, rule);
+  CheckEqual("faces", 3, static_cast<long long>(edit.Replaced.size()));
+  const sm::ModelEdit back = sm::SetControlPoints(edit.Model, 5, { { corner, from } }, rule);
+  CheckEqual("the same faces", 3, static_cast<long long>(back.Replaced.size()));
+  CheckTrue("the same bits", HaveSameBits(model, back.Model));
+}
+
+/// The body with its vertices off its corners, as files have them, and a lid whose rows are not its neighbours'.
+vtkSmartPointer<vtkNURBSDataSet> MakeLoose(double off)
+{
+  LatticeBody body;
+  const auto leaf = body.Make();
+  LatticeBody fine;
+  fine.Knots = { 0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1 };
+  std::map<const sm::Edge*, std::shared_ptr<const sm::Edge>> loose;
+  for (int f = 0; f < 6; ++f)
+  {
+    auto face = std::make_shared<sm::Face>(*leaf->GetModel()->GetFaces()[f]);
+    face->Id = sm::NewId();
+    face->Surface = f == 5 ? fine.Make()->GetModel()->GetFaces()[5]->Surface : face->Surface;
+    for (sm::Coedge& coedge : face->Loops[0].Coedges)
+    {
+      std::shared_ptr<const sm::Edge>& known = loose[coedge.Use.get()];
+      if (!known)
+      {
+        auto edge = std::make_shared<sm::Edge>(*coedge.Use);
+        edge->Id = sm::NewId();
+        edge->StartVertex[0] += off;
+        edge->EndVertex[0] += off;
+        known = edge;
+      }
+      coedge.Use = known;
+    }
+    leaf->GetModel()->SetFace(f, face);
+  }
+  return leaf;
+}
+
+/// Vertices that moved without the row whose edge ends there stay where they are when the row moves elsewhere.
+void CheckVertices()
+{
+  std::printf("--- vertices that others moved\n");
+  const auto leaf = MakeLoose(1e-3);
+  const auto twice = [](const LatticeBody::Point& p) {
+    return LatticeBody::Point{ 2.0 * p[0], 2.0 * p[1], 2.0 * p[2] };
+  };
+  const sm::ModelEdit large = sm::MapControlPoints(leaf->GetModel(), {}, twice, sm::EditRule::OneFace);
+  CheckEqual("all faces", 6, static_cast<long long>(large.Replaced.size()));
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  // On the edge of x = 0 and y = 0, between its ends.
+  Homogeneous point;
+  sm::GetControlPoint(large.Model, 0, { 0, 2 }, point);
+  const sm::ModelEdit edit = sm::MoveControlPoints(large.Model, 0, { { 0, 2 } }, Displacement, rule);
+  CheckEqual("the faces of the edge, not those of its ends", 2, static_cast<long long>(edit.Replaced.size()));
+  const sm::ModelEdit back = sm::SetControlPoints(edit.Model, 0, { { { 0, 2 }, point } }, rule);
+  CheckTrue("set back: the same vertices",
+    back.Model->GetFaces()[0]->Loops[0].Coedges[3].Use->EndVertex ==
+      large.Model->GetFaces()[0]->Loops[0].Coedges[3].Use->EndVertex);
+}
+
+/// A row that left its edge behind, by less than what rows may differ by, does not pull it along later.
+void CheckLeftBehind()
+{
+  std::printf("--- an edge that was left behind\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  const int last = body.GetNumberOfPoints() - 1;
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const sm::ModelEdit bent =
+    sm::MoveControlPoints(leaf->GetModel(), 0, { { 2, last } }, { 0.25, 0.0, 0.0 }, rule);
+  const sm::ModelEdit apart = sm::MoveControlPoints(
+    bent.Model, 0, { { 1, last } }, { std::ldexp(1.0, -40), 0.0, 0.0 }, sm::EditRule::OneFace);
+  CheckEqual("one face", 1, static_cast<long long>(apart.Replaced.size()));
+  Homogeneous point;
+  sm::GetControlPoint(apart.Model, 0, { 3, last }, point);
+  const sm::ModelEdit edit = sm::MoveControlPoints(apart.Model, 0, { { 3, last } }, { 0.5, 0.0, 0.0 }, rule);
+  CheckEqual("two faces", 2, static_cast<long long>(edit.Replaced.size()));
+  const sm::ModelEdit back = sm::SetControlPoints(edit.Model, 0, { { { 3, last }, point } }, rule);
+  CheckTrue("set back: the same bits", HaveSameBits(apart.Model, back.Model));
+}
+
+/// The widest gap lies between samples; there are enough of them.
+void CheckGapSamples()
+{
+  std::printf("--- a narrow gap\n");
+  LatticeBody body;
+  body.Degree = sm::MaximumDegree;
+  body.Cells = 1;
+  body.Knots.assign(body.Degree + 1, 0.0);
+  body.Knots.resize(2 * body.Degree + 2, 1.0);
+  const auto leaf = body.Make();
+  // B_4 of degree 25, largest at 4/25.
+  const sm::ModelEdit edit = sm::MoveControlPoints(
+    leaf->GetModel(), 0, { { 4, body.Degree } }, { 1.0, 0.0, 0.0 }, sm::EditRule::OneFace);
+  const double largest = 12650.0 * std::pow(0.16, 4) * std::pow(0.84, 21);
+  CheckEqual("opened", 1, static_cast<long long>(edit.Opened.size()));
+  // 32 samples are at most 1/64 from it: 1 - B / B_max < (1/64)^2 / 2 * 25 / (0.16 0.84) = 0.023, here 0.004.
+  CheckRange("gap", 0.99 * largest, edit.Opened.empty() ? 0.0 : edit.Opened[0].Gap, largest * (1.0 + 1e-9));
+}
+
+/// Faces that cannot be evaluated lie in a model untouched, and are no obstacle to edits of others.
+void CheckBrokenFaces()
+{
+  std::printf("--- beside broken faces\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  auto broken = std::make_shared<sm::Face>(*model->GetFaces()[3]);
+  broken->Id = sm::NewId();
+  broken->Surface = sm::NURBSSurface();
+  broken->Surface.NumberOfControlPoints[0] = broken->Surface.NumberOfControlPoints[1] = 2;
+  model->SetFace(3, broken);
+  auto bare = std::make_shared<sm::Face>(*model->GetFaces()[5]);
+  bare->Id = sm::NewId();
+  auto edge = std::make_shared<sm::Edge>(*bare->Loops[0].Coedges[0].Use);
+  edge->Curve = {};
+  bare->Loops[0].Coedges[0].Use = edge;
+  bare->Loops[0].Coedges[1].Curve = {};
+  model->SetFace(5, bare);
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const int last = body.GetNumberOfPoints() - 1;
+  for (const int k : { 0, last })
+  {
+    const sm::ModelEdit edit = sm::MoveControlPoints(model, 5, { { k, k }, { 0, last } }, Displacement, rule);
+    CheckEqual("status", "ok", sm::GetName(edit.Status));
+    CheckTrue("it moved", edit.Model && edit.Model->GetFaces()[5] != bare);
+  }
+  Homogeneous point;
+  CheckTrue("no points of a broken face", !sm::GetControlPoint(model, 3, { 1, 1 }, point));
+  const auto still = [](const LatticeBody::Point& p) { return p; };
+  CheckEqual("moving them", "invalid-face",
+    sm::GetName(sm::MoveControlPoints(model, 3, { { 1, 1 } }, Displacement, rule).Status));
+  CheckEqual(
+    "mapping them", "invalid-face", sm::GetName(sm::MapControlPoints(model, {}, still, rule).Status));
+  // A gap that is no number is one that is told, and not hidden by those measured after it.
+  const auto sound = body.Make();
+  vtkNew<vtkTrimmedNURBSModel> odd;
+  odd->ShallowCopy(sound->GetModel());
+  auto face = std::make_shared<sm::Face>(*odd->GetFaces()[5]);
+  face->Id = sm::NewId();
+  auto half = std::make_shared<sm::Edge>(*face->Loops[0].Coedges[0].Use);
+  const LatticeBody::Point ends[2] = { half->Curve.GetStartPoint(), half->Curve.GetEndPoint() };
+  const LatticeBody::Point middle{ 0.5 * (ends[0][0] + ends[1][0]), 0.5 * (ends[0][1] + ends[1][1]),
+    ends[0][2] };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const LatticeBody::Point start[3] = { ends[0], { nan, nan, nan }, middle };
+  const LatticeBody::Point rest[2] = { middle, ends[1] };
+  half->Curve = {};
+  half->Curve.Breaks = { 0.0 };
+  half->Curve.AppendPiece(0.5, start, 2);
+  half->Curve.AppendPiece(1.0, rest, 1);
+  face->Loops[0].Coedges[0].Use = half;
+  odd->SetFace(5, face);
+  const std::vector<sm::OpenedEdge> opened = sm::FindOpenedEdges(sound->GetModel(), odd);
+  CheckTrue("a gap that is no number is told",
+    std::any_of(opened.begin(), opened.end(), [](const sm::OpenedEdge& e) { return std::isnan(e.Gap); }));
+  CheckEqual("such an edge is refused", "invalid-face",
+    sm::GetName(sm::ReplaceFace(sound->GetModel(), 5, face).Status));
+}
+
+void CheckErrors()
+{
+  std::printf("--- errors\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  const std::vector<sm::FacePointer> before = model->GetFaces();
+  const sm::EditRule rule = sm::EditRule::MoveSharedBoundary;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto check = [](const std::string& status, const sm::ModelEdit& edit)
+  {
+    CheckEqual("status", status, sm::GetName(edit.Status));
+    CheckTrue(
+      "a sentence and no model", !edit.Message.empty() && !edit.Model && edit.Replaced.empty(), edit.Message);
+  };
+  check("no-model", sm::MoveControlPoints(nullptr, 0, { { 0, 0 } }, Displacement, rule));
+  check("no-model", sm::ReplaceFaces(nullptr, {}));
+  check("no-model", sm::MapControlPoints(nullptr, {}, {}, rule));
+  check("no-such-face", sm::MoveControlPoints(model, 6, { { 0, 0 } }, Displacement, rule));
+  check("no-such-face", sm::MoveControlPoints(model, -1, { { 0, 0 } }, Displacement, rule));
+  check("no-such-face",
+    sm::MapControlPoints(
+      model, { 7 }, [](const auto& p) { return p; }, rule));
+  check("no-such-control-point", sm::MoveControlPoints(model, 0, { { 0, 5 } }, Displacement, rule));
+  check("no-such-control-point", sm::SetWeights(model, 0, { { -1, 0 } }, 2.0, rule));
+  check("not-finite", sm::MoveControlPoints(model, 0, { { 0, 0 } }, { 0.0, nan, 0.0 }, rule));
+  check("not-finite", sm::MoveControlPoints(model, 0, { { 0, 0 } }, { infinity, 0.0, 0.0 }, rule));
+  check("not-finite", sm::SetWeights(model, 0, { { 1, 1 } }, nan, rule));
+  check("weight-not-positive", sm::SetWeights(model, 0, { { 1, 1 } }, 0.0, rule));
+  check("weight-not-positive", sm::SetWeights(model, 0, { { 1, 1 } }, -1.0, rule));
+  check(
+    "weight-not-positive", sm::SetControlPoints(model, 0, { { { 1, 1 }, { 0.0, 0.0, 0.0, 0.0 } } }, rule));
+  check("not-finite",
+    sm::MapControlPoints(
+      model, {},
+      [nan](const auto&) {
+        return LatticeBody::Point{ nan, 0.0, 0.0 };
+      },
+      rule));
+  const auto pole = [nan](const LatticeBody::Point& p) {
+    return LatticeBody::Point{ p[0] > 0.0 && p[0] < 0.01 ? nan : p[0], p[1], p[2] + 1.0 };
+  };
+  check("not-finite", sm::MapControlPoints(MakeLoose(1e-3)->GetModel(), {}, pole, rule));
+  check("invalid-face", sm::ReplaceFace(model, 0, nullptr));
+  auto face = std::make_shared<sm::Face>(*before[0]);
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Id = 0;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Id = sm::NewId();
+  face->Surface.ControlPoints[3][3] = 0.0;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Surface = before[0]->Surface;
+  face->Loops[0].Coedges[1].Use = nullptr;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Loops = before[0]->Loops;
+  check("invalid-face", sm::ReplaceFaces(model, { { 0, face }, { 1, std::make_shared<sm::Face>(*face) } }));
+  std::vector<std::array<double, 3>> many(sm::MaximumDegree + 2);
+  auto edge = std::make_shared<sm::Edge>(*face->Loops[0].Coedges[0].Use);
+  edge->Curve = {};
+  edge->Curve.Breaks = { 0.0 };
+  edge->Curve.AppendPiece(1.0, many.data(), sm::MaximumDegree + 1);
+  face->Loops[0].Coedges[0].Use = edge;
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  face->Loops = before[0]->Loops;
+  std::vector<std::array<double, 2>> steps(sm::MaximumDegree + 2);
+  face->Loops[0].Coedges[0].Curve = {};
+  face->Loops[0].Coedges[0].Curve.Breaks = { 0.0 };
+  face->Loops[0].Coedges[0].Curve.AppendPiece(1.0, steps.data(), sm::MaximumDegree + 1);
+  check("invalid-face", sm::ReplaceFace(model, 0, face));
+  CheckTrue("the model is as it was", model->GetFaces() == before);
+  Homogeneous point;
+  CheckTrue("no point of no face", !sm::GetControlPoint(model, 6, { 0, 0 }, point));
+}
+}
+
+int TestModelEdit(int, char*[])
+{
+  CheckMove("inside a face", 2, 1, 1);
+  CheckMove("on an edge", 0, 2, 2);
+  CheckMove("on another, across", 2, 4, 2);
+  CheckMove("at a corner", 0, 0, 3);
+  CheckMove("at the opposite corner", 4, 4, 3);
+  CheckWeights();
+  CheckReplacement();
+  CheckMap();
+  CheckSnap();
+  CheckVertices();
+  CheckLeftBehind();
+  CheckGapSamples();
+  CheckBrokenFaces();
+  CheckErrors();
+  return Finish();
+}

@@ -1,0 +1,195 @@
+// The plan of a face's orders: the rules it chooses, run in extended precision, err by no more than the bounds it
+// states, on random patches, trims and ribbons; and the bounds are within the tolerance.
+#include "smReferencePanels.h"
+#include "smTesting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+namespace
+{
+using namespace smtest;
+
+/// A face of one patch with one panel and one ribbon.
+struct Case
+{
+  sm::Face Face;
+  sm::FacePanels Panels;
+};
+
+using Random = std::mt19937_64;
+
+double Uniform(Random& random, double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/// A patch over about [0,1]^2 of a size 1, a trim piece from bottom to top, an edge curve at a distance `gap` from it.
+Case MakeCase(Random& random, double bend, double weights, bool pole, double gap, double slant)
+{
+  Case made;
+  const int p = std::uniform_int_distribution<int>(1, 5)(random);
+  const int q = std::uniform_int_distribution<int>(1, 5)(random);
+  sm::Patch patch{};
+  patch.Degree[0] = p;
+  patch.Degree[1] = q;
+  patch.Width[0] = patch.Width[1] = 1.0;
+  patch.FirstPoint = 0;
+  for (double& c : patch.Center)
+  {
+    c = Uniform(random, -2.0, 2.0);
+  }
+  for (int j = 0; j <= q; ++j)
+  {
+    for (int i = 0; i <= p; ++i)
+    {
+      const double w = std::pow(weights, Uniform(random, 0.0, 1.0));
+      double x = static_cast<double>(i) / p - 0.5 + bend * Uniform(random, -0.5, 0.5) / p;
+      double y = static_cast<double>(j) / q - 0.5 + bend * Uniform(random, -0.5, 0.5) / q;
+      double z = bend * Uniform(random, -0.5, 0.5);
+      if (pole && j == 0)
+      {
+        x = 0.1;
+        y = -0.6;
+        z = 0.2;
+      }
+      made.Panels.Points.push_back({ w * x, w * y, w * z, w });
+      patch.Radius = std::max(patch.Radius, std::sqrt(x * x + y * y + z * z));
+    }
+  }
+  made.Panels.Patches.push_back(patch);
+  const int degree = std::uniform_int_distribution<int>(1, 5)(random);
+  const int edgeDegree = std::uniform_int_distribution<int>(0, 4)(random);
+  const double r0 = Uniform(random, 0.0, 0.5);
+  const double r1 = Uniform(random, 0.5, 1.0);
+  const double s0 = Uniform(random, 0.2, 1.0);
+  for (int i = 0; i <= degree; ++i)
+  {
+    made.Panels.Coefficients.push_back(std::clamp(s0 + slant * Uniform(random, -0.7, 0.7), 0.0, 1.0));
+    made.Panels.Coefficients.push_back(r0 + (r1 - r0) * i / degree);
+  }
+  const auto edge = static_cast<std::uint32_t>(made.Panels.Coefficients.size());
+  made.Panels.Panels.push_back(
+    { 0, 0, static_cast<std::uint8_t>(degree), sm::PanelShape::General, false, false, 0.0, 1.0 });
+  made.Panels.Ribbons.push_back({ 0, 0, edge, static_cast<std::uint8_t>(degree),
+    static_cast<std::uint8_t>(edgeDegree), false, false, 0.0, 1.0, 0.0, 1.0, -1 });
+  for (int i = 0; i <= edgeDegree; ++i)
+  {
+    // Some polynomial near the boundary.
+    Real point[2];
+    Real slope[2];
+    const ReferencePanels reference(made.Panels);
+    reference.EvaluateTrim(
+      patch, 0, degree, edgeDegree == 0 ? 0.5L : static_cast<Real>(i) / edgeDegree, point, slope);
+    Vector x;
+    Vector ds;
+    Vector dr;
+    reference.EvaluatePatch(0, point[0], point[1], x, ds, dr);
+    for (int d = 0; d < 3; ++d)
+    {
+      made.Panels.Coefficients.push_back(static_cast<double>(x[d]) + gap * Uniform(random, -1.0, 1.0));
+    }
+  }
+  return made;
+}
+
+struct Score
+{
+  int Exceeded = 0;
+  int Estimated = 0;
+  int Above = 0;
+  double LargestRatio = 0.0;
+  std::int64_t Points = 0;
+};
+
+void Run(const Case& made, double weights, double tolerance, const std::string& label, Score& score)
+{
+  sm::PlanRequest request;
+  request.Classes = Classes;
+  request.Tolerances.assign(Count, tolerance);
+  const sm::FacePlan plan = sm::PlanFace(made.Face, made.Panels, request);
+  Values sum{};
+  Values exact{};
+  const ReferencePanels reference(made.Panels);
+  for (const sm::PlannedItem& item : plan.Items)
+  {
+    const int factor = item.Compared ? 2 : 1;
+    const Values rule = reference.Integrate(item, factor * item.Along, factor * item.Across);
+    const Values fine = reference.IntegrateFinely(item);
+    for (int k = 0; k < Count; ++k)
+    {
+      sum[k] += rule[k];
+      exact[k] += fine[k];
+    }
+  }
+  score.Estimated += plan.Estimated ? 1 : 0;
+  score.Points += plan.Evaluations;
+  for (int k = 0; k < Count; ++k)
+  {
+    // The area of compared panels has no bound here.
+    if (plan.Estimated && Classes[k].Kind == sm::BoundClass::AreaMoment)
+    {
+      continue;
+    }
+    const double error = static_cast<double>(std::abs(sum[k] - exact[k]));
+    const double bound = plan.QuadratureBound[k];
+    // Some thousand terms of order 1 in extended precision.
+    const double rounding = 1e-17;
+    score.LargestRatio = std::max(score.LargestRatio, error / (bound + rounding));
+    if (!(error <= bound + rounding))
+    {
+      ++score.Exceeded;
+      std::printf("%s, class %d: error %.3e, bound %.3e\n", label.c_str(), k, error, bound);
+    }
+    // The rounding of a wide gap's series is added to the bound, whatever the tolerance.
+    if (!(bound <= tolerance + 1e-15 + 1e-12 * weights))
+    {
+      ++score.Above;
+      std::printf("%s, class %d: bound %.3e, tolerance %.3e\n", label.c_str(), k, bound, tolerance);
+    }
+  }
+}
+
+void RunFamily(double weights, double bend, bool pole, double tolerance, int count)
+{
+  char label[100];
+  std::snprintf(label, sizeof(label), "weights 1:%g, bend %g%s, tolerance %g", weights, bend,
+    pole ? ", pole" : "", tolerance);
+  Score score;
+  for (int seed = 1; seed <= count; ++seed)
+  {
+    Random random(static_cast<unsigned int>(seed));
+    const double gap = std::pow(10.0, -Uniform(random, 0.5, 12.0));
+    const Case made = MakeCase(random, bend, weights, pole, gap, seed % 3 == 0 ? 0.0 : 0.5);
+    Run(made, weights, tolerance, std::string(label) + ", seed " + std::to_string(seed), score);
+  }
+  std::printf("%s: %d estimated, largest error/bound %.2g, %.0f points a case\n", label, score.Estimated,
+    score.LargestRatio, static_cast<double>(score.Points) / count);
+  CheckTrue(std::string(label) + ": no bound exceeded", score.Exceeded == 0);
+  CheckTrue(std::string(label) + ": bounds within the tolerance", score.Above == 0);
+  CheckTrue(std::string(label) + ": bounds say something", score.LargestRatio > 1e-9);
+}
+}
+
+/// TestQuadraturePlan [CASES]
+int TestQuadraturePlan(int argc, char* argv[])
+{
+  const int count = argc > 1 ? std::atoi(argv[1]) : 3;
+  for (const double weights : { 1.0, 2.0, 30.0 })
+  {
+    for (const double bend : { 0.0, 0.4, 1.0 })
+    {
+      for (const double tolerance : { 1e-4, 1e-9, 1e-12 })
+      {
+        RunFamily(weights, bend, false, tolerance, count);
+        RunFamily(weights, bend, true, tolerance, count);
+      }
+    }
+  }
+  return Finish();
+}

@@ -1,0 +1,148 @@
+"""TestPluginApply.py PLUGIN.so FOLDER: the view after the GUI's Apply: translucent bodies, green marker, summary, red when flagged."""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
+from smselection import count_selected_cells, select_rows  # noqa: E402
+
+from paraview import servermanager, simple  # noqa: E402
+from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+
+plugin, folder = sys.argv[1:3]
+simple.LoadPlugin(plugin, ns=globals())
+manifest = Manifest(folder)
+controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
+names = ["Center of Mass", "Solids", "Summary", "Faces", "Edges", "Bodies"]
+view = simple.CreateRenderView()
+view.ViewSize = [500, 400]
+view.OrientationAxesVisibility = 0
+
+
+def apply(filter_proxy, expected):
+    """As pqApplyBehavior::showData(): shows every port in the view that its hints prefer, and hides the input."""
+    source = filter_proxy.SMProxy
+    for port, name in enumerate(expected):
+        shown = controller.ShowInPreferredView(source, port, view.SMProxy)
+        check_equal(f"{names[port]}: shown", name is not None, shown is not None)
+        representation = view.SMProxy.FindRepresentation(source, port)
+        check_equal(f"{names[port]}: representation in the render view", name,
+                    representation.GetXMLName() if representation else None)
+    check_equal("the bodies replace the input", "1",
+                source.GetHints().FindNestedElementByName("Visibility").GetAttribute("replace_input"))
+    simple.Hide(filter_proxy.Input, view)
+    simple.ResetCamera(view)
+
+
+def display(filter_proxy, port):
+    return simple.GetRepresentation(servermanager.OutputPort(filter_proxy, port), view)
+
+
+def count_pixels(matches):
+    """Pixels of the view whose red, green and blue match."""
+    simple.Render(view)
+    image = view.CaptureWindow(1)
+    colors = vtk_to_numpy(image.GetPointData().GetScalars()).astype(int)
+    return int(matches(colors[:, 0], colors[:, 1], colors[:, 2]).sum())
+
+
+def is_green(red, green, blue):
+    return (green > red + 40) & (green > blue + 40)
+
+
+def is_red(red, green, blue):
+    return (red > green + 100) & (red > blue + 100)
+
+
+def is_white(red, green, blue):
+    return (red > 240) & (green > 240) & (blue > 240)
+
+
+def is_magenta(red, green, blue):
+    return (red > green + 60) & (blue > green + 60)
+
+
+part = manifest.solid("slanted_hole", "moved")
+reader = simple.OpenDataFile(part["path"])
+simple.Show(reader, view)
+mass = MassPropertiesGPU(Input=reader)  # noqa: F821
+check_equal("ports", names, [mass.SMProxy.GetOutputPortName(port) for port in range(mass.SMProxy.GetNumberOfOutputPorts())])
+everything = ["MassMarkerRepresentation", None, "MassSummaryRepresentation", None, None, "MassBodiesRepresentation"]
+apply(mass, everything)
+check_equal("views", ["RenderView"], [each.GetXMLName() for each in simple.GetViews()])
+bodies = display(mass, 5)
+check_true("the bodies are translucent", 0.2 < bodies.Opacity < 0.7, str(bodies.Opacity))
+check_equal("the input keeps its own opacity", 1.0, float(simple.GetRepresentation(reader, view).Opacity))
+check_true("green pixels of marker and axes", count_pixels(is_green) > 300, str(count_pixels(is_green)))
+check_equal("red pixels", 0, count_pixels(is_red))
+white = count_pixels(is_white)
+check_true("white pixels of the text", white > 300, str(white))
+summary = servermanager.Fetch(mass, idx=2).GetValueByName(0, "Text").ToString()
+for word in ("Volume: 13789.20", "mm^3", "Centre of mass: ", "Area: ", "(+- "):
+    check_true(f"the summary says '{word}'", word in summary, summary)
+mass.Density = 7850.0
+check_true("and the mass once there is a density", "Mass: 0.10824524" in servermanager.Fetch(mass, idx=2).GetValueByName(
+    0, "Text").ToString())
+mass.ShowPrincipalAxes = 0
+few = count_pixels(is_green)
+mass.ShowPrincipalAxes = 1
+check_true("the axes are shown by default", count_pixels(is_green) > 2 * few, f"{few} without")
+
+# A tolerance that cannot be met: the text becomes red, and white again without it.
+mass.RelativeTolerance = 1e-15
+check_true("flagged: red text", count_pixels(is_red) > 300, str(count_pixels(is_red)))
+flagged = servermanager.Fetch(mass, idx=2).GetValueByName(0, "Text").ToString()
+check_true("flagged: the text says why", "tolerance-not-met" in flagged and "above the tolerance" in flagged, flagged)
+mass.RelativeTolerance = 1e-9
+check_equal("red pixels when the status is ok again", 0, count_pixels(is_red))
+check_true("and white ones", count_pixels(is_white) > 300, str(count_pixels(is_white)))
+
+# Cell data of the bodies, and colouring by them.
+arrays = servermanager.OutputPort(mass, 5).CellData
+check("the solid's volume", part["volume"], arrays["Volume"].GetRange()[0], 1e-6 * part["volume"], "(float)")
+shares = arrays["FaceShare"].GetRange()
+check_true("shares differ from face to face", shares[0] < 0.1 < shares[1] < 1.0, str(shares))
+check_true("gaps are small and known", 0.0 <= arrays["FaceGap"].GetRange()[1] < 1e-6, str(arrays["FaceGap"].GetRange()))
+check_true("bounds are positive", 0.0 < arrays["FaceBound"].GetRange()[0], str(arrays["FaceBound"].GetRange()))
+simple.ColorBy(bodies, ("CELLS", "FaceShare"))
+bodies.RescaleTransferFunctionToDataRange(False, True)
+bodies.Opacity = 1.0
+check_true("coloured by share: red and blue faces", count_pixels(is_red) > 1000, str(count_pixels(is_red)))
+
+# Rows that are selected in the table highlight their solids.
+manager = servermanager.ProxyManager().SMProxyManager
+
+simple.Delete(mass)
+simple.Delete(reader)
+assembly = manifest.special("assembly")
+reader = simple.OpenDataFile(assembly["path"])
+simple.Show(reader, view)
+many = MassPropertiesGPU(Input=reader, Density=2700.0)  # noqa: F821
+apply(many, everything)
+check_equal("nothing is selected", 0, count_pixels(is_magenta))
+total = servermanager.OutputPort(many, 5).GetDataInformation().GetNumberOfCells()
+select_rows(many, 1, [499])
+one = count_selected_cells(many, 5)
+check_equal("cells of a selected solid", total // 500, one)
+check_true("magenta pixels of a selected solid", count_pixels(is_magenta) > 5, str(count_pixels(is_magenta)))
+select_rows(many, 1, range(100, 200))
+check_equal("cells of a hundred selected solids", 100 * one, count_selected_cells(many, 5))
+check_true("more magenta pixels", count_pixels(is_magenta) > 300, str(count_pixels(is_magenta)))
+many.SMProxy.CleanSelectionInputs(1)
+check_equal("cleared with the rows", 0, count_pixels(is_magenta))
+# A selection in the view stays when ParaView clears the rows.
+select_rows(many, 1, [499])
+block = manager.NewProxy("sources", "BlockSelectorsSelectionSource")
+block.GetProperty("BlockSelectors").SetElement(0, "/Root")
+block.UpdateVTKObjects()
+many.SMProxy.SetSelectionInput(5, servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(block), 0)
+check_equal("all are selected in the view", total, count_selected_cells(many, 5))
+many.SMProxy.CleanSelectionInputs(1)
+check_equal("and stay selected", total, count_selected_cells(many, 5))
+
+# Tables open in a spreadsheet on request.
+sheet = simple.CreateView("SpreadSheetView")
+for port in (1, 3):
+    check_true(f"{names[port]}: opens in a spreadsheet", sheet.SMProxy.CanDisplayData(many.SMProxy, port)
+               and controller.Show(many.SMProxy, port, sheet.SMProxy) is not None)
+finish()

@@ -1,0 +1,160 @@
+"""TestPluginFilters.py PLUGIN.so FOLDER [HOST:PORT]: selected solids, values and inputs of every filter, in this process or on a server.
+
+Filters of modules that are not built are left out.
+"""
+import math
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
+
+from paraview import servermanager, simple  # noqa: E402
+
+plugin, folder = sys.argv[1:3]
+if len(sys.argv) > 3:
+    host, port = sys.argv[3].split(":")
+    simple.Connect(host, int(port))
+    simple.LoadPlugin(plugin, remote=True, ns=globals())
+simple.LoadPlugin(plugin, remote=False, ns=globals())
+manifest = Manifest(folder)
+
+
+def total(filter_proxy, name):
+    array = servermanager.Fetch(filter_proxy, idx=0).GetFieldData().GetArray(name)
+    return array.GetValue(0) if array else math.nan
+
+
+def vector(filter_proxy, name):
+    array = servermanager.Fetch(filter_proxy, idx=0).GetFieldData().GetArray(name)
+    return [array.GetComponent(0, i) for i in range(3)] if array else 3 * [math.nan]
+
+
+def has(proxy_name):
+    return bool(servermanager.ProxyManager().SMProxyManager.HasDefinition("filters", proxy_name))
+
+
+def is_accepted(proxy_name, source, port=0):
+    """The check of the Filters menu before it offers a filter."""
+    prototype = servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("filters", proxy_name)
+    inputs = prototype.GetProperty("Input")
+    inputs.RemoveAllUncheckedProxies()
+    inputs.AddUncheckedInputConnection(source.SMProxy, port)
+    accepted = inputs.IsInDomains()
+    inputs.RemoveAllUncheckedProxies()
+    return bool(accepted)
+
+
+# Selected solids, as the tree of the panel sets them, from the product structure and from the blocks.
+pair = manifest.special("two_solids")
+ball = 4.0 / 3.0 * math.pi * 10.0 ** 3
+reader = simple.OpenDataFile(pair["path"])
+reader.UpdatePipeline()
+mass = MassPropertiesGPU(Input=reader)  # noqa: F821
+mass.UpdatePipeline()
+check("all solids by default", pair["volume"], total(mass, "Volume"), 1e-9 * pair["volume"])
+check_equal("the trees to choose from", ["Hierarchy", "Assembly"], list(mass.GetProperty("Assembly").GetAvailable()))
+domain = mass.SMProxy.GetProperty("Selectors").FindDomain("vtkSMDataAssemblyDomain")
+domain.Update(None)
+assembly = domain.GetDataAssembly()
+leaves = [assembly.GetNodePath(node) for node in assembly.SelectNodes(["//*"]) if assembly.GetDataSetIndices(node, False)]
+check_true("the tree has nodes to tick", len(leaves) >= 1, str(leaves))
+mass.Assembly = "Hierarchy"
+domain.Update(None)
+hierarchy = domain.GetDataAssembly()
+solids = [hierarchy.GetNodePath(node) for node in hierarchy.GetChildNodes(0, False)]
+check_equal("blocks to tick", 2, len(solids))
+volumes = []
+for solid in solids:
+    mass.Selectors = [solid]
+    volumes.append(total(mass, "Volume"))
+check("a block at a time: the ball", ball, min(volumes), 1e-9 * ball)
+check("a block at a time: the box", 6000.0 if max(volumes) > 5000 else math.nan, max(volumes), 1e-5)
+check_equal("rows of the table", 1, servermanager.Fetch(mass, idx=1).GetNumberOfRows())
+mass.Selectors = []
+check("all solids again", pair["volume"], total(mass, "Volume"), 1e-9 * pair["volume"])
+mass.Density = 2000.0
+check("one density for all, kg", pair["volume"] * 2e-6, total(mass, "Mass"), 1e-12 * pair["volume"])
+
+# Integrals.
+sphere = manifest.solid("sphere")
+source = simple.OpenDataFile(sphere["path"])
+integral = SurfaceIntegralGPU(Input=source)  # noqa: F821
+radius = (sphere["volume"] * 0.75 / math.pi) ** (1.0 / 3.0)
+integral.Integrands = "willmore = meanCurvature * meanCurvature * dA\nflux = position.x ; 0 ; 0"
+integral.MomentDegree = 2
+integral.BendingEnergy = 1
+integral.ProjectedAreaDirection = [0.0, 0.0, 2.0]
+for name, expected in (("willmore", 4.0 * math.pi), ("flux", sphere["volume"]), ("moment_0_0_0", sphere["volume"]),
+                       ("BendingEnergy", 8.0 * math.pi), ("ProjectedArea", math.pi * radius ** 2)):
+    check(name, expected, total(integral, name), 1e-8 * expected)
+check_true("the summary has them", "BendingEnergy = 25.13" in servermanager.Fetch(integral, idx=2).GetValueByName(
+    0, "Text").ToString())
+integral.Integrands = ""
+integral.MomentDegree = -1
+check_true("integrals that were removed have no array", math.isnan(total(integral, "willmore")) and math.isnan(total(integral, "moment_0_0_0")))
+check_true("a cell array to colour by", servermanager.OutputPort(integral, 5).CellData["BendingEnergy"] is not None)
+
+# Below a waterline through the centre of the sphere: half of it, whose centre is 3/8 of the radius below.
+center = sphere["center_of_mass"]
+if has("Buoyancy"):
+    afloat = Buoyancy(Input=source, Point=center, Normal=[0.0, 0.0, 2.0])  # noqa: F821
+    half = 0.5 * sphere["volume"]
+    check("displaced volume", half, total(afloat, "DisplacedVolume"), 1e-9 * sphere["volume"])
+    check_true("displaced volume: its bound", 0.0 < total(afloat, "DisplacedVolumeBound") <= 1e-9 * sphere["volume"])
+    lowered = [center[0], center[1], center[2] - 0.375 * radius]
+    for axis in range(3):
+        check(f"centre of buoyancy, axis {axis}", lowered[axis], vector(afloat, "CenterOfBuoyancy")[axis], 1e-8 * radius)
+        check(f"displaced first moment, axis {axis}", half * lowered[axis], vector(afloat, "DisplacedFirstMoments")[axis],
+              1e-8 * half * (radius + max(abs(each) for each in center)))
+    check_true("the summary has it", "Displaced volume: " in servermanager.Fetch(afloat, idx=2).GetValueByName(0, "Text").ToString())
+    afloat.Normal = [0.0, 0.0, -1.0]
+    check("the half above", half, total(afloat, "DisplacedVolume"), 1e-9 * sphere["volume"])
+    check("its centre", center[2] + 0.375 * radius, vector(afloat, "CenterOfBuoyancy")[2], 1e-8 * radius)
+
+# The paper's scheme has no bounds and is not exact, but near with many sub-patches.
+if has("SchemeMassProperties"):
+    scheme = MassPropertiesbyPaperSchemes(Input=source, Scheme="3-point Gauss", SubPatchFactor=8, Density=1000.0)  # noqa: F821
+    check("by the paper's scheme: volume", sphere["volume"], total(scheme, "Volume"), 1e-6 * sphere["volume"])
+    check("by the paper's scheme: mass, kg", sphere["volume"] * 1e-6, total(scheme, "Mass"), 1e-12 * sphere["volume"])
+    check_true("by the paper's scheme: no bound", math.isnan(total(scheme, "VolumeBound")))
+    check_true("by the paper's scheme: its estimate", total(scheme, "PaperErrorEstimate") > 0.0)
+    few = total(scheme, "SubPatches")
+    scheme.SubPatchFactor = 16
+    check("by the paper's scheme: sub-patches", 4.0 * few, total(scheme, "SubPatches"), 0.0)
+
+# Edits follow one another, and the result is integrated.
+edited = []
+if has("NURBSTransform"):
+    moved = NURBSTransform(Input=source, Translation=[1.0, 2.0, 3.0], Rotation=[10.0, 20.0, 30.0])  # noqa: F821
+    deformed = NURBSDeform(Input=moved, Displacement=[radius, 0.0, 0.0], Radius=0.0)  # noqa: F821
+    weighed = MassPropertiesGPU(Input=deformed)  # noqa: F821
+    check("moved and displaced: the volume stays", sphere["volume"], total(weighed, "Volume"), 1e-9 * sphere["volume"])
+    check_equal("a centre that a script gives is kept", [0.0, 0.0, 0.0], list(NURBSDeform(  # noqa: F821
+        Input=moved, Center=[0.0, 0.0, 0.0]).Center))
+    deformed.Center = [1.0 + radius, 2.0, 3.0]
+    deformed.Radius = radius
+    check_true("a bulge adds to it", total(weighed, "Volume") > 1.001 * sphere["volume"], str(total(weighed, "Volume")))
+    deformed.Displacement = [0.0, 0.0, 0.0]
+    check("and without it the volume is as before", sphere["volume"], total(weighed, "Volume"), 1e-9 * sphere["volume"])
+    edited = [("NURBS Transform", moved, 0, True), ("NURBS Deform", deformed, 0, True)]
+
+# Inputs: exact faces are accepted, everything else is refused.
+filters = [name for name in ("MassPropertiesGPU", "SurfaceIntegralGPU", "SchemeMassProperties", "Buoyancy", "SolidStability",
+                             "NURBSTransform", "NURBSDeform") if has(name)]
+plain = simple.Transform(Input=source)
+plain.Transform.Translate = [1.0, 0.0, 0.0]
+wavelet = simple.Wavelet()
+extracted = simple.ExtractBlock(Input=reader, Selectors=[solids[0]])
+tessellated = simple.Sphere()
+for each in [source, plain, wavelet, extracted, tessellated, mass] + [edit[1] for edit in edited]:
+    each.UpdatePipeline()
+for name in filters:
+    for what, each, port, expected in edited + [("the reader", source, 0, True), ("an extracted block", extracted, 0, True),
+                                                ("the bodies of Mass Properties", mass, 5, True), ("its marker", mass, 0, False),
+                                                ("its table", mass, 1, False), ("ParaView's Transform", plain, 0, False),
+                                                ("a wavelet", wavelet, 0, False), ("a mesh", tessellated, 0, False)]:
+        check_equal(f"{name} takes {what}", expected, is_accepted(name, each, port))
+check("the extracted block: volume", volumes[0], total(MassPropertiesGPU(Input=extracted), "Volume"),  # noqa: F821
+      1e-12 * pair["volume"])
+finish()

@@ -1,0 +1,74 @@
+"""TestPluginState.py PLUGIN.so STEP FOLDER: a loaded state has the saved properties, and rows of a table highlight solids in it."""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Support"))
+from smcheck import check, check_equal, check_true, finish  # noqa: E402
+from smselection import count_selected_cells, select_rows  # noqa: E402
+
+from paraview import servermanager, simple, smstate  # noqa: E402
+
+plugin, assembly, folder = sys.argv[1:4]
+simple.LoadPlugin(plugin, ns=globals())
+controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
+# Neither ParaView's defaults nor the plugin's.
+VALUES = {0: {"LineWidth": 5.0, "DiffuseColor": [0.2, 0.3, 0.9]}, 2: {"FontSize": 20, "FlaggedColor": [0.9, 0.1, 0.8]}, 5: {"Opacity": 0.65}}
+
+
+def check_pipeline(what, mass, view):
+    """Checks the display properties, the numbers, and the rows that highlight solids."""
+    for port, values in VALUES.items():
+        shown = simple.GetRepresentation(servermanager.OutputPort(mass, port), view)
+        for name, value in values.items():
+            actual = getattr(shown, name)
+            check_equal(f"{what}: {name} of port {port}", value, list(actual) if isinstance(value, list) else type(value)(actual))
+    check_equal(f"{what}: density", 2700.0, float(mass.Density))
+    simple.Render(view)
+    fields = servermanager.Fetch(mass, idx=0).GetFieldData()
+    check_equal(f"{what}: status", "ok", fields.GetAbstractArray("Status").GetValue(0))
+    cells = servermanager.OutputPort(mass, 5).GetDataInformation().GetNumberOfCells()
+    select_rows(mass, 1, [0])
+    one = count_selected_cells(mass, 5)
+    check_true(f"{what}: a selected row highlights its solid", 0 < one < cells, f"{one} of {cells} cells")
+    select_rows(mass, 1, range(5))
+    check_true(f"{what}: five rows highlight more", one < count_selected_cells(mass, 5) < cells, str(count_selected_cells(mass, 5)))
+    mass.SMProxy.CleanSelectionInputs(1)
+    check_true(f"{what}: cleared with the rows", not mass.SMProxy.GetSelectionInput(5))
+    return fields.GetArray("Volume").GetValue(0)
+
+
+reader = simple.OpenDataFile(assembly)
+view = simple.CreateRenderView()
+simple.Show(reader, view)
+mass = MassPropertiesGPU(Input=reader, Density=2700.0)  # noqa: F821
+for port in range(6):
+    controller.ShowInPreferredView(mass.SMProxy, port, view.SMProxy)
+simple.Hide(reader, view)
+for port, values in VALUES.items():
+    shown = simple.GetRepresentation(servermanager.OutputPort(mass, port), view)
+    for name, value in values.items():
+        setattr(shown, name, value)
+volume = check_pipeline("made", mass, view)
+states = [os.path.join(folder, "PluginState." + end) for end in ("pvsm", "py")]
+simple.SaveState(states[0])
+with open(states[1], "w", encoding="utf-8") as file:
+    # As File > Save State does for Python; SaveState() of 5.11 writes XML whatever the name.
+    file.write(smstate.get_state())
+del reader, shown
+for state in states:
+    what = os.path.splitext(state)[1][1:]
+    del mass, view
+    simple.ResetSession()
+    simple.LoadPlugin(plugin, ns=globals())
+    check_equal(f"{what}: an empty session", 0, len(simple.GetSources()))
+    if what == "pvsm":
+        simple.LoadState(state)
+    else:
+        with open(state, encoding="utf-8") as file:
+            exec(compile(file.read(), state, "exec"), {"__name__": "__main__"})
+    masses = [source for source in simple.GetSources().values() if source.GetXMLName() == "MassPropertiesGPU"]
+    views = [each for each in simple.GetViews() if each.GetXMLName() == "RenderView"]
+    if check_equal(f"{what}: filters and views", (1, 1), (len(masses), len(views))):
+        mass, view = masses[0], views[0]
+        check(f"{what}: the same volume", volume, check_pipeline(what, mass, view), 0.0)
+finish()

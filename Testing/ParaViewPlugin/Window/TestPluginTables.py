@@ -1,0 +1,112 @@
+"""TestPluginTables.py PLUGIN.so STEP OUTPUT: the order of the spreadsheet's columns; other tables are shown as ParaView does."""
+import csv
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Support"))
+from smcheck import check_equal, check_true, finish  # noqa: E402
+
+from paraview import servermanager, simple  # noqa: E402
+
+plugin, part, output = sys.argv[1:4]
+manager = servermanager.ProxyManager()
+
+
+def describe_view():
+    """Names and default values of the properties of the spreadsheet view."""
+    proxy = manager.NewProxy("views", "SpreadSheetView")
+    properties = {}
+    iterator = proxy.NewPropertyIterator()
+    iterator.Begin()
+    while not iterator.IsAtEnd():
+        each = iterator.GetProperty()
+        count = each.GetNumberOfElements() if hasattr(each, "GetNumberOfElements") else 0
+        properties[iterator.GetKey()] = (each.GetClassName(), [each.GetElement(i) for i in range(count)], each.GetPanelVisibility())
+        iterator.Next()
+    return proxy.GetXMLLabel(), proxy.GetXMLName(), properties
+
+
+before = describe_view()
+check_true("ParaView's own view has its properties", len(before[2]) > 8, str(len(before[2])))
+simple.LoadPlugin(plugin, ns=globals())
+after = describe_view()
+check_equal("label and name", before[:2], after[:2])
+check_equal("properties", sorted(before[2]), sorted(after[2]))
+for name, value in before[2].items():
+    check_equal(name, value, after[2].get(name))
+
+sheet = simple.CreateView("SpreadSheetView")
+
+
+def show(source, port, association):
+    """The view on the client, and the columns that a user sees."""
+    for shown in list(sheet.Representations):
+        shown.Visibility = 0
+    simple.Show(servermanager.OutputPort(source, port), sheet)
+    sheet.FieldAssociation = association
+    simple.Render(sheet)
+    client = sheet.SMProxy.GetClientSideObject()
+    count = client.GetNumberOfColumns()
+    return client, [client.GetColumnName(i) for i in range(count) if client.GetColumnVisibility(i)]
+
+
+reader = simple.OpenDataFile(part)
+mass = MassPropertiesGPU(Input=reader, Density=7850.0)  # noqa: F821
+client, columns = show(mass, 1, "Row Data")
+check_equal("solids: first columns", [
+    "vtkOriginalIndices", "Name", "Id", "Status", "Volume", "VolumeBound", "Mass", "MassBound", "SurfaceArea", "SurfaceAreaBound",
+    "CenterOfMass_0", "CenterOfMass_1", "CenterOfMass_2", "CenterOfMassBound", "LengthUnit"], columns[:15])
+check_equal("solids: no magnitudes", [], [name for name in columns if name.endswith("_Magnitude")])
+table = servermanager.Fetch(mass, idx=1)
+flat = sorted(name for i in range(table.GetNumberOfColumns()) for name in (
+    [table.GetColumnName(i)] if table.GetColumn(i).GetNumberOfComponents() == 1 else
+    [f"{table.GetColumnName(i)}_{k}" for k in range(table.GetColumn(i).GetNumberOfComponents())]))
+check_equal("solids: every column once", ["vtkOriginalIndices"] + flat, sorted(columns, key=lambda name: (name[0] != "v", name)))
+# Values by index and by name agree.
+for index in range(client.GetNumberOfColumns()):
+    name = client.GetColumnName(index)
+    by_index, by_name = client.GetValue(0, index).ToString(), client.GetValueByName(0, name).ToString()
+    if by_index != by_name or not client.IsDataValid(0, index):
+        check_equal(f"solids: the value of {name}", by_name, by_index)
+for name in ("Volume", "Mass", "Name"):
+    index = [client.GetColumnName(i) for i in range(client.GetNumberOfColumns())].index(name)
+    check_equal(f"solids: {name}", table.GetValueByName(0, name).ToString(), client.GetValue(0, index).ToString())
+
+path = os.path.join(output, "PluginTables.csv")
+simple.ExportView(path, view=sheet)
+with open(path, encoding="utf-8") as file:
+    rows = list(csv.reader(file))
+check_equal("export: first columns", ["Row ID", "Name", "Id", "Status", "Volume", "VolumeBound", "Mass"], rows[0][:7])
+check_equal("export: no magnitudes", 0, sum(name.endswith("_Magnitude") for name in rows[0]))
+check_true("export: values", float(rows[1][4]) > 1000.0 and rows[1][3] == "ok", str(rows[1][:5]))
+
+check_equal("faces", ["vtkOriginalIndices", "Solid", "FaceId", "Volume", "VolumeBound", "SurfaceArea", "SurfaceAreaBound",
+                      "BoundsEstimated"], show(mass, 3, "Row Data")[1])
+client, columns = show(mass, 4, "Row Data")
+check_equal("edges", ["vtkOriginalIndices", "Solid", "EdgeId", "Name", "Uses", "Open", "MaxGap", "GapArea", "GapSquared"], columns)
+# Rows that are sorted by a column stay so.
+sheet.ColumnToSort, sheet.InvertOrder = "EdgeId", 1
+simple.Render(sheet)
+place = [client.GetColumnName(i) for i in range(client.GetNumberOfColumns())].index("EdgeId")
+ids = [client.GetValue(row, place).ToInt() for row in range(client.GetNumberOfRows())]
+check_true("edges: sorted by a column", len(set(ids)) > 5 and ids in (sorted(ids), sorted(ids, reverse=True)), str(ids[:9]))
+sheet.ColumnToSort = ""
+if manager.SMProxyManager.HasDefinition("filters", "SolidStability"):
+    standing = StaticStability(Input=reader)  # noqa: F821
+    check_equal("stability", ["vtkOriginalIndices", "Name", "Id", "Status", "Stability", "Support", "DecidedBy", "StabilityMargin",
+                              "StabilityMarginBound"], show(standing, 1, "Row Data")[1][:9])
+if manager.SMProxyManager.HasDefinition("filters", "Buoyancy"):
+    afloat = Buoyancy(Input=reader, Point=[0.0, 0.0, 5.0])  # noqa: F821
+    check_equal("buoyancy", ["vtkOriginalIndices", "Name", "Id", "Status", "DisplacedVolume", "DisplacedVolumeBound", "CenterOfBuoyancy_0",
+                             "CenterOfBuoyancy_1", "CenterOfBuoyancy_2", "CenterOfBuoyancyBound", "DisplacedFirstMoments_0"],
+                show(afloat, 1, "Row Data")[1][:11])
+integral = SurfaceIntegralGPU(Input=reader, BendingEnergy=1, MomentDegree=0, Integrands="a = dA")  # noqa: F821
+check_equal("integrals", ["vtkOriginalIndices", "Name", "Id", "Status", "BendingEnergy", "BendingEnergyBound", "a", "aBound",
+                          "moment_0_0_0", "moment_0_0_0Bound", "LengthUnit"], show(integral, 1, "Row Data")[1][:11])
+
+# A table of another origin.
+sphere = simple.Sphere()
+named = simple.Calculator(Input=sphere, ResultArrayName="Volume", Function="coordsX")
+check_equal("another table: as ParaView shows it", ["vtkOriginalIndices", "Normals_0", "Normals_1", "Normals_2", "Normals_Magnitude", "Points_0",
+                                                 "Points_1", "Points_2", "Points_Magnitude", "Volume"], show(named, 0, "Point Data")[1])
+finish()

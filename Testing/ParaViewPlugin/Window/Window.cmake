@@ -1,0 +1,34 @@
+# ParaView's tables, states, progress, inputs, and files written by a parallel server.
+set(window_tests "${CMAKE_CURRENT_LIST_DIR}")
+set(window_assembly "${SOLIDMOMENTS_TEST_SOLIDS}/assembly.step")
+solidmoments_add_test(NAME PluginTables LABELS plugin XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginTables.py" "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_SAMPLE_PART}"
+    "${SOLIDMOMENTS_TEST_OUTPUT}")
+solidmoments_add_test(NAME PluginInputs LABELS plugin error NODISPLAY
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginInputs.py" "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_SAMPLE_PART}")
+solidmoments_add_test(NAME PluginState LABELS plugin XVFB
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginState.py" "$<TARGET_FILE:SolidMoments>" "${window_assembly}"
+    "${SOLIDMOMENTS_TEST_OUTPUT}")
+solidmoments_add_test(NAME PluginProgress LABELS plugin robust NODISPLAY
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginProgress.py" "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_SAMPLE_PART}"
+    "${window_assembly}")
+if (SOLIDMOMENTS_PVSERVER AND TARGET SolidMoments::FiltersMomentSchemes)
+  solidmoments_add_test(NAME PluginProgressOnServer LABELS plugin robust NODISPLAY
+    COMMAND "${Python3_EXECUTABLE}" "${SOLIDMOMENTS_TEST_SUPPORT}/with_server.py" "${SOLIDMOMENTS_PVSERVER}"
+      "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginProgress.py" "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_SAMPLE_PART}"
+      "${window_assembly}")
+endif ()
+# The run that Esc stops is one of the paper's schemes.
+if (SOLIDMOMENTS_PARAVIEW AND TARGET SolidMoments::FiltersMomentSchemes)
+  solidmoments_add_test(NAME PluginEscape LABELS plugin robust XVFB
+    COMMAND "${Python3_EXECUTABLE}" "${window_tests}/TestPluginEscape.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
+      "${SOLIDMOMENTS_SAMPLE_PART}" "${SOLIDMOMENTS_TEST_OUTPUT}")
+endif ()
+if (SOLIDMOMENTS_MPIRUN AND SOLIDMOMENTS_PVBATCH)
+  solidmoments_add_test(NAME PluginWritersRanks LABELS plugin value NODISPLAY
+    ENVIRONMENT ${SOLIDMOMENTS_MPI_ENVIRONMENT}
+      "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
+    COMMAND "${Python3_EXECUTABLE}" "${window_tests}/TestPluginWritersRanks.py" "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_SAMPLE_PART}"
+      "${SOLIDMOMENTS_TEST_OUTPUT}" "${SOLIDMOMENTS_PVPYTHON}" "${SOLIDMOMENTS_MPIRUN}" "${SOLIDMOMENTS_PVBATCH}")
+  set_tests_properties(PluginWritersRanks PROPERTIES PROCESSORS 2)
+endif ()

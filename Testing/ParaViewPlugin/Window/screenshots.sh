@@ -1,0 +1,48 @@
+#!/bin/sh
+# screenshots.sh BUILD FOLDER: pictures of ParaView's window with the plugin, made on a virtual display and written to FOLDER:
+# window_main.png (a part and its mass properties), window_table.png (an assembly, rows of its table selected),
+# window_volume.png (its solids coloured by volume). Needs paraview, xvfb-run and ImageMagick's import; BUILD has the plugin and
+# make_paper_parts. Look at the pictures: nothing here judges them.
+set -eu
+if [ "$#" -ne 2 ]; then
+  echo "usage: screenshots.sh BUILD FOLDER" >&2
+  exit 1
+fi
+build=$(cd "$1" && pwd)
+mkdir -p "$2"
+folder=$(cd "$2" && pwd)
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$build/bin/make_paper_parts" "$work" gear_train > /dev/null
+
+grab() { # SCENE FILE.step
+  rm -f "$work/ready"
+  SM_SCENE=$1 SM_FILE=$2 SM_READY=$work/ready HOME=$work PYTHONPATH=$here/../../Support QT_QPA_PLATFORM=xcb xvfb-run -a \
+    -s "-noreset -screen 0 1440x900x24" sh -c '
+      paraview --dr --plugin-search-paths="$1" --plugins=SolidMoments --script="$2" > "$3/log" 2>&1 &
+      window=$!
+      tries=0
+      until [ -e "$3/ready" ] || [ "$tries" -ge 300 ]; do sleep 1; tries=$((tries + 1)); done
+      # The window shows the script's changes with a delay: wait until two pictures are the same.
+      import -window root "$3/before.png"
+      while sleep 3; do
+        import -window root "$3/after.png"
+        if cmp -s "$3/before.png" "$3/after.png"; then break; fi
+        mv "$3/after.png" "$3/before.png"
+      done
+      kill "$window"
+      wait "$window" 2> /dev/null || true
+    ' sh "$build/lib/paraview-5.11/plugins/SolidMoments" "$here/screenshots.py" "$work"
+  if [ ! -e "$work/ready" ]; then
+    cat "$work/log" >&2
+    exit 1
+  fi
+  # 256 colours are enough for a window, and a third of the bytes. Nothing of the screen around the window.
+  convert "$work/after.png" -trim +repage -colors 256 "$folder/window_$1.png"
+  echo "$folder/window_$1.png"
+}
+
+grab main "$here/../../../Examples/Models/sample_part.step"
+grab table "$work/gear_train.step"
+grab volume "$work/gear_train.step"

@@ -1,0 +1,31 @@
+# A project outside the tree, against an install in the build folder; and everything else that is installed.
+set(package_options)
+if (SOLIDMOMENTS_WRAP_PYTHON)
+  # Python's modules of the VTK that ours were built with: there may be others, Debian's ParaView has some on the default path.
+  set(vtk_python_path "${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
+  list(APPEND package_options "-DPYTHON=${Python3_EXECUTABLE}" "-DPYTHON_DESTINATION=${SOLIDMOMENTS_PYTHON_DESTINATION}"
+    "-DVTK_PYTHON_PATH=${vtk_python_path}")
+endif ()
+if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
+  list(APPEND package_options "-DPVPYTHON=${SOLIDMOMENTS_PVPYTHON}")
+endif ()
+solidmoments_add_test(NAME PackageConsumer LABELS package NODISPLAY TIMEOUT 600
+  COMMAND "${CMAKE_COMMAND}" "-DBUILD=${PROJECT_BINARY_DIR}" "-DPREFIX=${PROJECT_BINARY_DIR}/test-install"
+    "-DCONSUMER=${PROJECT_SOURCE_DIR}/Examples/Consumer" "-DGENERATOR=${CMAKE_GENERATOR}"
+    "-DCXX=${CMAKE_CXX_COMPILER}" "-DCC=${CMAKE_C_COMPILER}" "-DCONFIG=$<CONFIG>" "-DFLAGS=${CMAKE_CXX_FLAGS}"
+    "-DSOLIDS=${SOLIDMOMENTS_TEST_SOLIDS}" "-DPART=${SOLIDMOMENTS_TEST_SOLIDS}/box-plain.step" -DVOLUME=6000
+    ${package_options} -P "${CMAKE_CURRENT_SOURCE_DIR}/TestPackageConsumer.cmake")
+
+if (SOLIDMOMENTS_WRAP_PYTHON)
+  set(python_path
+    "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}:${vtk_python_path}")
+  solidmoments_add_test(NAME PythonModules LABELS package NODISPLAY ENVIRONMENT "${python_path}"
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/TestModules.py"
+      "${SOLIDMOMENTS_TEST_SOLIDS}")
+  # pvpython has ParaView's VTK: modules that were built with another do not load there.
+  if (SOLIDMOMENTS_PVPYTHON AND SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
+    solidmoments_add_test(NAME PythonModulesPvpython LABELS package NODISPLAY ENVIRONMENT "${python_path}"
+      COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/TestModules.py"
+        "${SOLIDMOMENTS_TEST_SOLIDS}")
+  endif ()
+endif ()

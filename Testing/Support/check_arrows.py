@@ -1,0 +1,100 @@
+"""Proves by the compiler that a module includes headers of the rooms below it and none of those above or beside it.
+
+    check_arrows.py --compiler C++ --modules FILE --source FOLDER
+
+FILE has a line "name|include directories separated by ;|definitions separated by ;" for every module, as CMake compiles it. For
+each pair of modules a file that includes one header of the second is compiled with the directories of the first.
+"""
+import argparse
+import glob
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+# Room -> folder, rooms it includes; what these include is allowed, too.
+ROOMS = {
+    "FiltersNURBS": ("Filters/NURBS", []),
+    "FiltersQuadrature": ("Filters/Quadrature", ["FiltersNURBS"]),
+    "FiltersSurfaceIntegrals": ("Filters/SurfaceIntegrals", ["FiltersQuadrature", "RenderingCompute", "RenderingNURBS"]),
+    "FiltersMassProperties": ("Filters/MassProperties", ["FiltersSurfaceIntegrals"]),
+    "FiltersStability": ("Filters/Stability", ["FiltersMassProperties"]),
+    "FiltersBuoyancy": ("Filters/Buoyancy", ["FiltersSurfaceIntegrals"]),
+    "FiltersMomentSchemes": ("Filters/MomentSchemes", ["FiltersMassProperties", "RenderingCompute", "RenderingNURBS"]),
+    "FiltersNURBSEdit": ("Filters/NURBSEdit", ["FiltersNURBS"]),
+    "FiltersTessellation": ("Filters/Tessellation", ["FiltersQuadrature"]),
+    "RenderingCompute": ("Rendering/Compute", []),
+    "RenderingNURBS": ("Rendering/NURBS", ["RenderingCompute", "FiltersNURBS"]),
+    "ReadersPart21": ("Readers/Part21", []),
+    "ReadersSTEP": ("Readers/STEP", ["ReadersPart21", "FiltersTessellation", "FiltersNURBS"]),
+    "ReadersBREP": ("Readers/BREP", ["FiltersTessellation", "FiltersNURBS"]),
+}
+
+
+def below(room):
+    """All rooms that a room may include."""
+    found = set()
+    for other in ROOMS[room][1]:
+        found |= {other} | below(other)
+    return found
+
+
+def choose_header(source, room):
+    headers = sorted(glob.glob(os.path.join(source, ROOMS[room][0], "*.h")))
+    headers = [path for path in headers if not path.endswith("Internals.h")]
+    return os.path.basename(headers[0]) if headers else None
+
+
+def compile_include(compiler, includes, definitions, header, folder):
+    path = os.path.join(folder, "arrow.cxx")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f'#include "{header}"\n')
+    command = [compiler, "-std=c++17", "-fsyntax-only"] + ["-D" + word for word in definitions]
+    command += ["-I" + word for word in includes] + [path]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def check_pair(options, modules, first, second, folder):
+    """A problem in words, or None."""
+    header = choose_header(options.source, second)
+    if header is None:
+        return f"{second} has no header"
+    done = compile_include(options.compiler, *modules[first], header, folder)
+    if second == first or second in ROOMS[first][1]:
+        return None if done.returncode == 0 else f"{first} cannot include {header} of {second}:\n{done.stderr}"
+    if second in below(first):
+        return None
+    # The compiler must not find this very header; another error would prove nothing.
+    if not re.search(f"{re.escape(header)}'?:? (No such file|file not found)", done.stderr):
+        return f"{first} can include {header} of {second}"
+    return None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for name in ("--compiler", "--modules", "--source"):
+        parser.add_argument(name, required=True)
+    options = parser.parse_args()
+    modules = {}
+    with open(options.modules, encoding="utf-8") as file:
+        for line in file:
+            name, includes, definitions = line.rstrip("\n").split("|")
+            modules[name] = ([word for word in includes.split(";") if word], [word for word in definitions.split(";") if word])
+    problems = [f"{name} is no room of the table" for name in modules if name not in ROOMS]
+    pairs = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for first in modules:
+            for second in modules:
+                pairs += 1
+                problem = check_pair(options, modules, first, second, folder)
+                if problem:
+                    problems.append(problem)
+    for problem in problems:
+        print("FAIL", problem)
+    print(f"{len(modules)} modules, {pairs} pairs, {len(problems)} failures")
+    return 1 if problems or len(modules) < 6 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
