@@ -16,12 +16,6 @@ set(example_plugin none)
 if (SOLIDMOMENTS_WRAP_PYTHON)
   solidmoments_add_python_example(python3 vtk "${Python3_EXECUTABLE}" gpu package NODISPLAY)
   solidmoments_add_python_example(python3_display vtk "${Python3_EXECUTABLE}" gpu package XVFB MODES --without-errors)
-  set(small_example "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/Python/TestSmallExamples.py"
-    --solids "${SOLIDMOMENTS_TEST_SOLIDS}")
-  solidmoments_add_test(NAME PythonExamples_build_by_hand LABELS value error gpu package NODISPLAY ENVIRONMENT "${python_path}"
-    COMMAND ${small_example} half-ball "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/build_by_hand.py")
-  solidmoments_add_test(NAME PythonExamples_volume LABELS value error gpu package NODISPLAY ENVIRONMENT "${python_path}"
-    COMMAND ${small_example} volume "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/volume.py")
   set(small_example "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestSmallExamples.py"
     --solids "${SOLIDMOMENTS_TEST_SOLIDS}")
   solidmoments_add_test(NAME PythonExamples_build_by_hand LABELS value error gpu package NODISPLAY ENVIRONMENT "${python_path}"
