@@ -86,7 +86,8 @@ set(SOLIDMOMENTS_MPI_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT
 # requires the same definitions everywhere: VTK's registration of OpenGL is therefore an object of its own.
 function(solidmoments_set_up_test_executable name)
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
-  target_link_libraries(${name} PRIVATE smTestSupport smTestOpenGL)
+  target_link_libraries(${name} PRIVATE
+    smTestSupport smTestOpenGL VTK::CommonMath VTK::CommonSystem VTK::CommonTransforms)
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
   target_precompile_headers(${name} REUSE_FROM smTestPrecompiled)
   add_dependencies(${name} smTestSolids)
