@@ -43,6 +43,15 @@ template <class Filter>
 struct RemovesIntegrands<Filter, std::void_t<decltype(&Filter::RemoveAllIntegrands)>> : std::true_type
 {
 };
+template <class Filter, class = void>
+struct TakesFaceIds : std::false_type
+{
+};
+template <class Filter>
+struct TakesFaceIds<Filter, std::void_t<decltype(&Filter::AddFaceId)>> : std::true_type
+{
+};
+static_assert(TakesFaceIds<vtkSurfaceIntegralGPU>::value && !TakesFaceIds<vtkMassPropertiesGPU>::value);
 static_assert(TakesIntegrands<vtkSurfaceIntegralGPU>::value && !TakesIntegrands<vtkMassPropertiesGPU>::value);
 static_assert(
   TakesMomentDegree<vtkSurfaceIntegralGPU>::value && !TakesMomentDegree<vtkMassPropertiesGPU>::value);

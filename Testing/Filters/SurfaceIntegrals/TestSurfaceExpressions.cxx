@@ -192,11 +192,6 @@ void CheckFaces(const char* folder)
   filter->RemoveAllFaceIds();
   filter->Update();
   Check("all faces again", box.Part.Area, filter->GetIntegral("area"), 1e-9 * box.Part.Area);
-
-  Pipeline mass(box.Part.Path);
-  MessageTrap trap(mass.Mass);
-  mass.Mass->AddFaceId(1);
-  CheckEqual("a mass of chosen faces is an error", 1, trap.NumberOfErrors);
 }
 
 void CheckMistakes(const char* folder)
