@@ -305,13 +305,7 @@ void vtkBuoyancy::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, con
   }
   solids.AddTo(outputs.Solids->GetRowData());
   const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
-  const sm::Status status = this->GetEngine().GetReport().Status;
-  std::string summary;
-  if (status != sm::Status::Ok)
-  {
-    summary = std::string("Status: ") + sm::GetText(status) + "\n" + this->FindReason(bodies) + "\n";
-  }
-  summary +=
+  std::string summary = this->FormatStatus(bodies) +
     "Displaced volume: " + sm::FormatWithBound(self.Total.Volume, self.Total.VolumeBound, unit + "^3") + "\n";
   if (std::isfinite(self.Total.CenterBound))
   {
@@ -325,7 +319,6 @@ void vtkBuoyancy::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, con
   sm::columns::SetString(outputs.Totals->GetFieldData(), sm::names::LengthUnit, unit);
   sm::columns::AddBodyColumns(bodies, outputs.Solids);
   sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, summary);
-  sm::columns::SetString(outputs.Text->GetFieldData(), sm::names::Status, sm::GetText(status));
   sm::columns::AddFaceRows(bodies, this->MakeRequest().Integrands, outputs.Faces, { 0 });
 }
 

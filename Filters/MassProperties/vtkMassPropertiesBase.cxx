@@ -149,7 +149,6 @@ void vtkMassPropertiesBase::WriteOutputs(
   sm::columns::AddBodyColumns(bodies, outputs.Solids);
   sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, summary);
   sm::columns::AddFaceRows(bodies, sm::MakeMassIntegrands(), outputs.Faces, { sm::MassVolume, sm::MassArea });
-  sm::columns::SetString(outputs.Text->GetFieldData(), sm::names::Status, sm::GetText(status));
   sm::MakeMassGlyphs(bodies, analysis, status,
     { this->GlyphScale, this->ShowPrincipalAxes, this->GlyphPerSolid }, outputs.Totals);
 }

@@ -300,6 +300,13 @@ std::string vtkSurfaceIntegralBase::FindReason(const std::vector<sm::BodyIntegra
                                 : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Reason;
 }
 
+std::string vtkSurfaceIntegralBase::FormatStatus(const std::vector<sm::BodyIntegrals>& bodies) const
+{
+  return this->Engine->GetReport().Status == sm::Status::Ok
+    ? ""
+    : "Status: " + this->GetStatus() + "\n" + this->FindReason(bodies) + "\n";
+}
+
 sm::IntegralEngine& vtkSurfaceIntegralBase::GetEngine()
 {
   return *this->Engine;
@@ -412,6 +419,7 @@ void vtkSurfaceIntegralBase::Write(
   const Outputs outputs{ vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
     vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3) };
   this->WriteOutputs(bodies, outputs);
+  sm::columns::SetString(outputs.Text->GetFieldData(), sm::names::Status, this->GetStatus());
   AddPlaceholderPoint(bodies, outputs.Totals);
   sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
   sm::MakeBodyMeshes(bodies, arrays, input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));

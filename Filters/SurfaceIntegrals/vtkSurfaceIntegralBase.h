@@ -221,6 +221,9 @@ protected:
   /** Returns a sentence with the reason for the status of these bodies; empty if none is known. */
   std::string FindReason(const std::vector<sm::BodyIntegrals>& bodies) const;
 
+  /** Returns the first lines of a summary: the status and its reason; empty if the status is `ok`. */
+  std::string FormatStatus(const std::vector<sm::BodyIntegrals>& bodies) const;
+
   /** Releases data that a subclass keeps for later runs in addition to the engine's data. */
   virtual void ReleaseKept() {}
 

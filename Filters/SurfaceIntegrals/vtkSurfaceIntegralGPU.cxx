@@ -133,7 +133,7 @@ void vtkSurfaceIntegralGPU::WriteOutputs(
   const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const
 {
   const std::vector<sm::Integrand>& integrands = this->Implementation->Integrated;
-  std::string summary;
+  std::string summary = this->FormatStatus(bodies);
   for (std::size_t k = 0; k < integrands.size(); ++k)
   {
     const std::string& name = integrands[k].Name;

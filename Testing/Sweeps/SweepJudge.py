@@ -41,8 +41,8 @@ class Run:
         return self.document["status"] if self.document else "crash"
 
     def is_closed(self):
-        leak = self.total("closure_residual")
-        return leak is not None and leak <= CLOSURE_LIMIT
+        residual = self.total("closure_residual")
+        return residual is not None and residual <= CLOSURE_LIMIT
 
     def is_tight(self, name):
         bound = self.bounds.get(name)

@@ -6,7 +6,7 @@
 What must hold, at the default tolerance of 1e-9 and at 1e-12, of volume, area, centre and inertia alike (SweepJudge.py):
 - |value - reference| <= bound + uncertainty of the reference, and its squared gap where that is large;
 - bound <= 1e-9 on every file at the default tolerance, <= 1e-12 on 80 of 87 at 1e-12;
-- leak <= 1e-12 on 82 of 87;
+- closure residual <= 1e-12 on 82 of 87;
 - the status fits the bounds, the open edges and the exit status; every solid has its own reference volume; nothing crashes;
   what cannot be read is called unreadable, and surfaces open;
 - on the files whose CAD system wrote a precise volume, the distance from it is at least 50 times less than that of
@@ -86,7 +86,7 @@ def check_counts(swept):
     for index, tolerance in enumerate(SweepJudge.TOLERANCES):
         closed = sum(1 for entry in solids if entry.runs[index].is_closed())
         if closed < CLOSED_FILES:
-            failures.append(f"leak <= {SweepJudge.CLOSURE_LIMIT:g} at {tolerance:g} on {closed} files, {CLOSED_FILES} expected")
+            failures.append(f"closure residual <= {SweepJudge.CLOSURE_LIMIT:g} at {tolerance:g} on {closed} files, {CLOSED_FILES} expected")
         if tolerance == SweepJudge.DEFAULT_TOLERANCE:
             continue  # judged file by file
         for name in SweepJudge.QUANTITIES:

@@ -79,7 +79,7 @@ def markdown(swept, summary):
              "Errors and bounds are relative, as above; error / allowed is at the default tolerance and at 1e-12. "
              "OCCT: BRepGProp, Eps = 1e-9.", "",
              "| file | volume | reference | error | bound | error / allowed | bound at 1e-12 | error / allowed "
-             "| area: error | bound | centre: error | bound | inertia: error | bound | leak | OCCT's error | it claims |",
+             "| area: error | bound | centre: error | bound | inertia: error | bound | closure residual | OCCT's error | it claims |",
              "|---" * 17 + "|"]
     for entry in swept:
         if not entry.has_solids():
@@ -125,10 +125,10 @@ def summary(swept, seconds):
     lines += ["", "Errors are those on the files whose reference vouches for twelve digits "
               f"({len(vouched)} of {count})."]
     for index, tolerance in enumerate(SweepJudge.TOLERANCES):
-        leaks = [entry.runs[index].total("closure_residual") for entry in solids]
+        residuals = [entry.runs[index].total("closure_residual") for entry in solids]
         closed = sum(1 for entry in solids if entry.runs[index].is_closed())
         lines.append(f"Closure residual at {tolerance:.0e}: <= {SweepJudge.CLOSURE_LIMIT:.0e} on {closed} of {count}; median, worst "
-                     f"{middle_and_worst(leaks)}.")
+                     f"{middle_and_worst(residuals)}.")
     lines += occt_lines(solids)
     return "\n".join(line.rstrip() for line in lines)
 
