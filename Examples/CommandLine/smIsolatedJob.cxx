@@ -128,7 +128,7 @@ void Listen(int descriptor, pid_t child, Listener& listener)
   }
 }
 
-/// How the child ended; empty when it ended normally.
+/// Returns a description of the child's exit; empty if it ended normally.
 std::string DescribeEnd(int status)
 {
   if (WIFSIGNALED(status))

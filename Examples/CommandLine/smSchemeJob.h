@@ -20,7 +20,7 @@ namespace sm
 /// A filter for the scheme of the options, which is none but "midpoint", "gauss2" and "gauss3".
 vtkSmartPointer<vtkMassPropertiesBase> MakeSchemeFilter(const JobOptions& options);
 
-/// What such a filter integrates with; null for any other.
+/// Returns the scheme of such a filter; null for any other filter.
 Json GetSchemeOptions(vtkMassPropertiesBase* filter);
 
 /// The paper's estimates of the error and the number of sub-patches in a row of field data or of a table; null where they are not.

@@ -167,7 +167,7 @@ Point3 DisplacedMoments::GetCenter(double& bound) const
     bound = nan;
     return { nan, nan, nan };
   }
-  // NUMERICS 6: |m/V - c| <= (b_i + |c_i| b) / (|V| - b).
+  // Bound of a quotient: |m/V - c| <= (b_i + |c_i| b) / (|V| - b).
   Point3 center;
   bound = 0.0;
   for (int c = 0; c < 3; ++c)

@@ -28,7 +28,7 @@ std::vector<double> ShareTolerance(const MassTolerance& tolerance, vtkTrimmedNUR
   const double inertia = tolerance.Inertia.Get(LeastInertia * v * length * length);
   const double center = tolerance.Center.Get(length);
   // Let b, b_i, b_ij be the bounds of V, of first and of second moments, and |c| <= radius. The bound of the centre is (b_i + |c|
-  // b) / V and that of the inertia at most 2 (b_ij + 2 |c| b_i + |c|^2 b), see NUMERICS 6: no term gets more than half of its
+  // b) / V and that of the inertia at most 2 (b_ij + 2 |c| b_i + |c|^2 b), see smMoments.h: no term gets more than half of its
   // tolerance, so that together they remain below it.
   std::vector<double> tolerances(NumberOfMassIntegrands);
   tolerances[MassVolume] = std::min(

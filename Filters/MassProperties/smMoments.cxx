@@ -268,7 +268,7 @@ void SetPropertiesAtOrigin(const Moments& moments, MassProperties& result)
   result.InertiaAtOriginBound = Largest(originBound.data(), 9);
 }
 
-/// Centre of mass, and second moments and inertia about it (NUMERICS 6). Returns the bounds of the inertia's components.
+/// Centre of mass, and second moments and inertia about it. Returns the bounds of the inertia's components.
 std::array<double, 9> SetCentralProperties(const Moments& moments, MassProperties& result)
 {
   const double v = moments.Volume;

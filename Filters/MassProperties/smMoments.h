@@ -2,7 +2,7 @@
  * @file smMoments.h
  * @brief Moments of order 0 to 2 with bounds: their translation, their sums, and the mass properties that follow from them
  *
- * All inequalities are those of NUMERICS 6. They hold as long as the bound of the volume is below the volume.
+ * The inequalities hold as long as the bound of the volume is below the volume.
  */
 #ifndef smMoments_h
 #define smMoments_h

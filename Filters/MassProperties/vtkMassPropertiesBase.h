@@ -10,7 +10,7 @@
  * | port | type     | contents                                                                                            |
  * |------|----------|-----------------------------------------------------------------------------------------------------|
  * | 0    | polydata | sphere at the centre of mass, and principal axes; field data as below                               |
- * | 1    | table    | a row per solid instance with the same columns                                                      |
+ * | 1    | table    | a row per solid instance with the quantities below and their bounds                                 |
  * | 2    | table    | 1x1, column Text: a summary to show in a view; its field data has Status                            |
  * | 3    | table    | a row per face and instance: its area and its part of the volume (flux about the part's origin)     |
  * | 5    | partitioned dataset collection | meshes of the bodies; cell arrays (float): Volume (of the solid), FaceShare (part |
@@ -32,10 +32,10 @@
  * | PrincipalMoments      | 3     | L^5    | ascending                                                   |
  * | PrincipalAxes         | 9     | 1      | rows; PrincipalAxesDegenerate is 1 when moments coincide    |
  * | RadiiOfGyration       | 3     | L      | about the principal axes                                    |
- * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density                                     |
+ * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density; MassInertia is about the centre    |
  * | ClosureCorrection, GapSquared, MaxGap, GapArea, ClosureResidual, OpenEdges | 1 | | defects of the model; no bounds  |
  * | FlippedShells         | 1     |        | number of shells whose normals pointed inwards; reversed    |
- * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches, Ranks | 1 | |                               |
+ * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated | 1 | |        |
  * A quantity that does not exist is NaN (the volume of a surface, anything that was not computed).
  */
 #ifndef vtkMassPropertiesBase_h

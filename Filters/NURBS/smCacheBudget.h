@@ -22,7 +22,7 @@ namespace sm
 class SMFILTERSNURBS_EXPORT CacheBudget
 {
 public:
-  /// What a cache does for its budget; called with the mutex locked.
+  /// Callback by which a cache serves its budget; it is called with the mutex locked.
   class Member
   {
   public:

@@ -317,7 +317,7 @@ void Builder::AddCap(const Point3& apex, const Point3& from, const Point3& to)
   const double gap = std::max(Norm(Subtract(from, apex)), Norm(Subtract(to, apex)));
   if (gap > NegligibleGap * this->Size && Norm(Subtract(from, to)) > 0.0)
   {
-    // Cones run over the loop with the sign opposite to the face's, see NUMERICS 5.
+    // Cones run over the loop with the sign opposite to the face's, see Filters/NURBS/Mathematics.md.
     this->Result.Caps.push_back({ apex, from, to, !this->Source.Reversed });
   }
 }

@@ -1,6 +1,6 @@
 /**
  * @file smNURBSSurface.h
- * @brief A rational B-spline surface, exact in the sense of DESIGN: no tessellation, no refit
+ * @brief A rational B-spline surface as the file defines it: not tessellated and not fitted again
  */
 #ifndef smNURBSSurface_h
 #define smNURBSSurface_h

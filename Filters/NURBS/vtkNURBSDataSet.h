@@ -12,9 +12,9 @@
  * | FaceIndex     | cell, point | 1 (int)    | index of the face in the model                      |
  * | Parameters    | point       | 2          | (u,v) of the point on that face's surface           |
  *
- * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it; and
- * GetModel() withholds it when somebody replaced or changed the points (a deformed mesh must not answer with
- * the volume of the part before). Such a mesh is an ordinary polydata from then on.
+ * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it. GetModel() returns null if
+ * the points were replaced or modified after SetModel(), because the model no longer describes them: such a mesh is an ordinary
+ * polydata from then on.
  */
 #ifndef vtkNURBSDataSet_h
 #define vtkNURBSDataSet_h
@@ -57,7 +57,7 @@ public:
   void DeepCopy(vtkDataObject* source) override;
   void CopyStructure(vtkDataSet* source) override;
   unsigned long GetActualMemorySize() override;
-  /** Follows the model: an exchanged face runs the pipeline. */
+  /** Includes the time of the model, so that exchanging a face of the model executes the pipeline. */
   vtkMTimeType GetMTime() override;
 
   static vtkNURBSDataSet* GetData(vtkInformation* info);

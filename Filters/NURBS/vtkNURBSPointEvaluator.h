@@ -38,7 +38,7 @@ public:
   vtkTypeMacro(vtkNURBSPointEvaluator, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The processor that evaluates; the numbers are those of vtkSurfaceIntegralGPU. */
+  /** The device that evaluates; the values are those of vtkSurfaceIntegralBase::BackendType. */
   enum BackendType
   {
     AUTOMATIC = 0, ///< OpenGL where there is 4.3 with doubles, else the CPU
@@ -47,7 +47,7 @@ public:
   };
 
   ///@{
-  /** See above. Clamped to these. Default: AUTOMATIC. */
+  /** The device. Values outside the enumeration are clamped. Default: AUTOMATIC. */
   vtkSetClampMacro(Backend, int, AUTOMATIC, CPU);
   vtkGetMacro(Backend, int);
   ///@}
@@ -57,8 +57,9 @@ public:
    * same faces but for those that were edited, index by index; the placement of the mesh holds, mirrored or not. The precision
    * of points and normals stays. A mesh without normals gets none.
    *
-   * False, with GetMessage(), and nothing changed: the mesh has no model, points, FaceIndex or Parameters, or Backend is OPENGL
-   * and there is none.
+   * Returns false, with GetMessage() and without changes, if the mesh has no model, no points, or no FaceIndex and Parameters for
+   * its points; if `edited` is null or has a different number of faces; or if points have to be evaluated, Backend is OPENGL, and
+   * OpenGL cannot evaluate them.
    */
   bool UpdatePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBSModel* edited);
 

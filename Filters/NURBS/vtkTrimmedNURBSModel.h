@@ -64,7 +64,7 @@ public:
   vtkSetMacro(Density, double);
   vtkGetMacro(Density, double);
 
-  /** Volume and area the originating CAD system wrote into the file, in LengthUnit; NaN when it wrote none. */
+  /** Volume (LengthUnit^3) and area (LengthUnit^2) that the originating CAD system wrote into the file; NaN if it wrote none. */
   vtkSetMacro(FileVolume, double);
   vtkGetMacro(FileVolume, double);
   vtkSetMacro(FileArea, double);
@@ -198,7 +198,7 @@ private:
   std::vector<sm::FacePointer> Faces;
   std::vector<std::vector<int>> Shells;
   std::vector<std::string> Messages;
-  /// Of AddEdge(), by index.
+  /// The edges added by AddEdge(), in the order of their indices.
   std::vector<std::shared_ptr<const sm::Edge>> AddedEdges;
 };
 

@@ -22,6 +22,8 @@ namespace sm
 /// The diagonal of the model's LocalBounds, or of its control points where there are none.
 double GetBodySize(vtkTrimmedNURBSModel* model);
 
+/// Collects new control points of faces, and then moves the neighbours' boundary rows, the edges and the vertices that belong to
+/// them.
 class NetChange
 {
 public:
@@ -33,7 +35,8 @@ public:
   void SetMap(const std::vector<bool>& faces, const PointMap& map);
   void SetPoint(int face, std::size_t entry, const std::array<double, 4>& point);
 
-  /// Moves rows, edges and vertices that follow and swaps the faces into a copy of the model; not when the map of an edge is not finite.
+  /// Moves the dependent rows, edges and vertices, and stores the changed faces in a copy of the model. It changes nothing if the
+  /// map gives a value for an edge that is not finite.
   void Finish(ModelEdit& edit);
 
 private:

@@ -2,8 +2,9 @@
  * @class   vtkNURBSDeform
  * @brief   deforms solids by moving the control points of their exact faces
  *
- * Every vtkNURBSDataSet of the input (one, or the leaves of a composite dataset) gets a new model that shares the faces that
- * nothing moved; structure, names and assembly are kept, and the input stays as it is. Two ways:
+ * Every chosen vtkNURBSDataSet of the input (one, or the leaves of a composite dataset) of which a control point moves gets a new
+ * model, which shares the unchanged faces; other leaves keep their model. Structure, names and assembly are kept, and the input is
+ * not changed. There are two modes:
  *
  * DISPLACE: control points of the chosen faces move by Displacement (1 - r^2)^3, r = distance from Center / Radius, up to r = 1:
  * twice continuously differentiable. World coordinates; an instance that is moved gets a model of its own.
@@ -14,12 +15,12 @@
  *
  * A closed solid stays closed where faces meet along whole boundary rows of the same control points, however they are
  * oriented: rows, edge and vertices move together. Elsewhere (trimmed faces, rows of different degree or knots) the
- * coefficients of the edge's curve are mapped like the control points, and as mapping control points is not mapping points,
- * face and edge part by about h^2/8 times the second derivatives of the map for control points h apart. Ribbons and
- * caps close the chain in any case, so that volume and moments are those of a closed surface; GetNumberOfOpenedEdges() and
- * GetLargestGap() say how far it went (a bump of 5 % of the part's size, radius 0.6 sizes: nothing on sphere, torus and
- * blocks of Bezier faces; 0.6 % of the size on Examples/Models/sample_part.step; 5 % on a slanted hole in a block, whose faces
- * have four control points; the chain was closed to 1e-20 of the volume in all of them), and vtkMassPropertiesGPU's MaxGap and ClosureCorrection what it means.
+ * coefficients of the edge's curve are mapped like control points. Mapping control points is not the same as mapping points, so
+ * a gap of about h^2/8 times the second derivatives of the map opens between face and edge, where h is the distance of control
+ * points. Ribbons and caps close this gap, so volume and moments are those of a closed surface. GetNumberOfOpenedEdges() and
+ * GetLargestGap() measure the gaps; MaxGap and ClosureCorrection of vtkMassPropertiesGPU measure their effect. A bump of 5 % of
+ * the part's size with a radius of 0.6 sizes opens no gap on a sphere, a torus and blocks of Bezier faces, one of 0.6 % of the
+ * size on Examples/Models/sample_part.step, and one of 5 % on a slanted hole in a block, whose faces have four control points.
  *
  * Display points that have FaceIndex and Parameters are evaluated again on the new faces, with their normals, by a
  * vtkNURBSPointEvaluator: on the GPU where the module RenderingNURBS is loaded and there is OpenGL 4.3 with doubles, else on the CPU
@@ -57,7 +58,7 @@ public:
   };
 
   ///@{
-  /** See above. Clamped to these. Default: DISPLACE. */
+  /** The mode. Values outside the enumeration are clamped. Default: DISPLACE. */
   vtkSetClampMacro(Mode, int, DISPLACE, LATTICE);
   vtkGetMacro(Mode, int);
   ///@}
@@ -83,7 +84,7 @@ public:
 
   ///@{
   /** With DISPLACE: faces by their index, as in the array FaceIndex, of every solid that is chosen. None: all faces. An index that
-   * no chosen solid has is an error of the next run. Default: none. */
+   * no chosen solid has is reported as an error by the next run; a negative one is reported at once and not added. Default: none. */
   void AddFace(int index);
   void RemoveAllFaces();
   int GetNumberOfFaces() const;
@@ -121,8 +122,8 @@ public:
   ///@}
 
   ///@{
-  /** Evaluates the display points, and says of the last leaf by what. Give it a window's context, or a backend, before the first
-   * run; filters may share one. Null: one of the filter's own, vtkNURBSPointEvaluator::New(). Default: that. */
+  /** The evaluator of the display points. Its getters report on the leaf that was updated last. Set its window, context or
+   * backend before the first run. Several filters may share one evaluator. Null (default): the filter makes its own. */
   void SetPointEvaluator(vtkNURBSPointEvaluator* evaluator);
   vtkNURBSPointEvaluator* GetPointEvaluator();
   ///@}

@@ -8,7 +8,7 @@ namespace sm
 namespace
 {
 // Steps wide enough that two orders do not agree by chance, the first of them a doubling: N against N+1 was wrong by
-// up to 1700 times where N against 2N never was (NUMERICS 3).
+// up to 1700 times where N against 2N never was (Bounds.md).
 constexpr std::array<int, 6> Ladder = { 3, 6, 9, 14, 20, 30 };
 // A higher exact order costs more than climbing to convergence.
 constexpr int LargestExactOrder = 10;

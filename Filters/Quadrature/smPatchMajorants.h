@@ -2,7 +2,7 @@
  * @file smPatchMajorants.h
  * @brief Bounds of the integrands on a box of a rational Bézier patch, also for complex parameters
  *
- * NUMERICS 3. Position, normal and weight of the patch are expanded in Chebyshev series on the box; sums of absolute
+ * See Bounds.md. Position, normal and weight of the patch are expanded in Chebyshev series on the box; sums of absolute
  * coefficients times T_k T_l bound them on a product of ellipses. With P = (w x, w y, w z) homogeneous,
  *
  *     m = w Ps x Pr + ws Pr x P + wr P x Ps,   n = Ss x Sr = m / w^3,   x.n = D / w^3,   D = det(P, Ps, Pr),

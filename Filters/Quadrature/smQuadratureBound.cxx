@@ -21,18 +21,18 @@ double IntegerPower(double base, int exponent)
 }
 }
 
-DirectionBound::DirectionBound(std::size_t classes)
+DirectionBound::DirectionBound(std::size_t integrands)
 {
-  this->Reset(classes);
+  this->Reset(integrands);
 }
 
-void DirectionBound::Reset(std::size_t classes)
+void DirectionBound::Reset(std::size_t integrands)
 {
-  this->Classes = classes;
+  this->Classes = integrands;
   this->Radii.clear();
   this->Factors.clear();
   this->FactorLogarithms.clear();
-  this->ExactOrders.assign(classes, NotExact);
+  this->ExactOrders.assign(integrands, NotExact);
 }
 
 void DirectionBound::AddEllipse(double radius, const std::vector<double>& bounds)

@@ -7,7 +7,7 @@
  *     (32/15) M rho^(-2N) / (1 - rho^-2).
  *
  * The Chebyshev coefficients of f are at most 2 M rho^-k, the rule is exact up to degree 2N - 1, odd terms vanish by
- * symmetry, and each even term costs at most 32/15 on [-1,1] (NUMERICS 3; Trefethen, Approximation Theory and
+ * symmetry, and each even term costs at most 32/15 on [-1,1] (Filters/Quadrature/Bounds.md; Trefethen, Approximation Theory and
  * Approximation Practice, theorem 19.3 is the like). For a product rule the errors of the two directions add up: the
  * weights of a Gauss rule are positive and have the sum 1.
  */
@@ -22,21 +22,22 @@ namespace sm
 class DirectionBound
 {
 public:
-  explicit DirectionBound(std::size_t classes = 0);
+  explicit DirectionBound(std::size_t integrands = 0);
 
-  void Reset(std::size_t classes);
-  /// `bounds`: of |f| per class in the ellipse of this radius, > 1; infinite where f may not be analytic.
+  void Reset(std::size_t integrands);
+  /// Adds an ellipse of this radius (> 1). `bounds` holds the bound of |f| on it for every integrand; infinite where f may not
+  /// be analytic.
   void AddEllipse(double radius, const std::vector<double>& bounds);
-  /// The integrand of this class is a polynomial that `order` points integrate exactly.
+  /// States that this integrand is a polynomial that `order` points integrate exactly.
   void SetExactOrder(std::size_t integrand, int order);
-  /// All are.
+  /// Sets this order for all integrands.
   void SetExactOrder(int order);
 
   /// Bound of the error of `order` points.
   double GetError(std::size_t integrand, int order) const;
   /// Fewest points whose bound is at most `share`; more than `largest` when none of so many is.
   int FindOrder(std::size_t integrand, double share, int largest) const;
-  /// The same for the ellipse added last alone, whatever is exact.
+  /// Returns the same from the ellipse added last alone, and ignores SetExactOrder().
   int FindLastOrder(std::size_t integrand, double share, int largest) const;
 
 private:

@@ -2,7 +2,7 @@
  * @file smQuadraturePlan.h
  * @brief The Gauss orders of a face's panels and ribbons, chosen by theorem before a point is evaluated
  *
- * NUMERICS 3 and 5. Every panel and ribbon gets the fewest points whose bound is within its share of the face's tolerances; where
+ * See Bounds.md. Every panel and ribbon gets the fewest points whose bound is within its share of the face's tolerances; where
  * more than LargestOrder would be needed it is bisected. The bounds of all items add up to the face's, so nothing has to
  * be evaluated twice. Where the bound of the area cannot hold, because normals nearly vanish, a panel that has been
  * bisected often enough is to be evaluated at two orders and compared: the face is then `estimated`.

@@ -34,7 +34,7 @@ public:
   ParameterBox GetBox(double xiStart, double xiEnd) const;
 
   /// An ellipse around the box's interval, scaled to [-1,1], that holds xi s(t) (direction 0) or r(t) (direction 1) for
-  /// all t in the ellipse and real xi in [xiStart, xiEnd]. NUMERICS 3, step 4.
+  /// all t in the ellipse and real xi in [xiStart, xiEnd]. See Bounds.md.
   Ellipse Map(const Ellipse& t, int direction, const ParameterBox& box, double xiStart, double xiEnd) const;
 
   /// Upper bounds of |s| and of |dr/dt|, t mapped to [0,1], in the ellipse.

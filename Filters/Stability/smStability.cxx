@@ -423,7 +423,7 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
   double high = fine.Outer.GetMargin(frame.ProjectedCenter) + beyond + frame.Bound;
   if (!std::isfinite(low))
   {
-    // Only possible contacts: how far the foot is from the farthest of them is the least that is sure.
+    // There are only possible contacts: the distance of the projected centre of mass from the farthest of them is the only certain limit.
     low = -body.Size - std::abs(high);
   }
   SetInterval(low, high, result.StabilityMargin, result.StabilityMarginBound);

@@ -93,7 +93,7 @@ struct StabilityResult
 {
   Verdict Decision = Verdict::Unknown;
   SupportKind Support = SupportKind::None;
-  /// The rolling margin decided, because the stability margin could not.
+  /// True if the rolling margin decided because the stability margin could not.
   bool ByRolling = false;
   Point2D ProjectedCenter;
   double Height;
@@ -113,7 +113,7 @@ struct StabilityResult
   std::vector<Point2D> Polygon;
   std::vector<StabilitySide> Sides;
 
-  /// Numbers NaN.
+  /// Sets all numbers to NaN.
   StabilityResult();
 };
 

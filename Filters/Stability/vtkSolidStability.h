@@ -7,11 +7,12 @@
  * branch and bound over their control nets, on the CPU. The body is rigid and does not slide; the ground is a plane.
  *
  * Verdicts: `stable` and `unstable` are proved, up to the bounds; `too-close` when the margin is smaller than its bound. A point or
- * line of contact has no positive margin: there the curvature decides (DecidedBy is `rolling`): a hemisphere on its dome is stable, for it
- * rolls back, a lying cylinder is too close, for it rolls anywhere, a ball is too close as well, a cone on its tip unstable.
+ * line of contact has no positive margin. In this case the curvature decides, and DecidedBy is `rolling`: a hemisphere on its dome
+ * is stable; a lying cylinder and a ball are too-close, because every position is in balance; a cone on its tip is unstable.
  * A body whose projected centre of mass misses the contact by no more than the contact tolerance counts as balanced there. Radii of curvature are
  * computed at the contacts, and their bound is an estimate. `no-contact`: the given plane is out of reach; `below-ground`:
- * parts of the body are below it by more than the tolerance; `unknown`: there is no centre of mass (an open surface), see Status.
+ * parts of the body are below it by more than the tolerance; `unknown`: there is no centre of mass (an open
+ * surface, see Status), or the run was aborted before this body was evaluated.
  * An open solid has a verdict for the centre that the mass filter states; Status says open.
  *
  * | port | type     | content                                                                           |
@@ -26,7 +27,9 @@
  * sides of the polygon are drawn, and listed, as chords to a thousandth of the size; margin, smallest tip angle and rise are those of the
  * curve. Angles in degrees. CenterOfMassRise is the rise of the centre of mass until the body tips: times the weight it is the energy.
  *
- * Getters return values of the last run. RequestData fails for wrong input, no exact geometry or a vertical ground, and when memory runs out; the outputs are empty then.
+ * Getters return values of the last run. RequestData fails for an input without exact geometry, a vertical ground, or an exception
+ * such as insufficient memory; the outputs are then empty. In a parallel run an exception is reported as an error, but RequestData
+ * returns 1.
  * Not thread safe; with SetRenderWindow of the filter inside the calling thread must be the one that renders there.
  */
 #ifndef vtkSolidStability_h
@@ -93,9 +96,10 @@ public:
   ///@}
 
   ///@{
-  /** Faces, edges and points within this of the ground touch it, relative to the diagonal of the body's box. Clamped to [0, 0.1];
-   * not a number is an error and changes nothing. Default 1e-6: above what files and modelling kernels leave (1e-7 of a part),
-   * below what is meant. A dome still touches in one point, see smGroundContact.h. */
+  /** Faces, edges and points whose distance from the ground is at most this value, times the diagonal of the body's box, are in
+   * contact with it. Range [0, 0.1], clamped; NaN is reported as an error and changes nothing. Default 1e-6, which is above the
+   * inaccuracy of files and modelling kernels (1e-7 of a part) and below the size of intended features. A dome still touches in
+   * one point, see smGroundContact.h. */
   void SetContactTolerance(double tolerance);
   vtkGetMacro(ContactTolerance, double);
   ///@}
@@ -147,7 +151,8 @@ public:
   double GetRollingMargin() const;
   ///@}
   ///@{
-  /** The last run: status and messages of the mass filter, and messages about contacts. */
+  /** Status and messages of the last run: the status of the mass filter, or "failed" after an exception, and its messages,
+   * followed by messages about contacts. */
   std::string GetStatus() const;
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;

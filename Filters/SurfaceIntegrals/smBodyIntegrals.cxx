@@ -23,7 +23,7 @@ namespace sm
 {
 namespace
 {
-// Distance of a trim curve from its surface, relative to the body, above which it is not attributed to rounding (NUMERICS 1).
+// Distance of a trim curve from its surface, relative to the body, above which it is not attributed to rounding.
 constexpr double SuspectOutside = 1e-5;
 
 std::string NameOf(vtkInformation* info, const std::string& otherwise)
@@ -319,7 +319,8 @@ void MeasureEdges(std::vector<BodyIntegrals>& bodies)
       edges = std::make_shared<const std::vector<EdgeGap>>(CollectEdgeGaps(*body.Model, body.Faces.get()));
     }
     body.Edges = edges;
-    const std::string message = DescribeWorstEdge(*edges, 2.0 * GetRadius(*body.Model));
+    const std::string message =
+      DescribeWorstEdge(*edges, 2.0 * GetRadius(*body.Model), body.Model->GetLengthUnit());
     if (!message.empty())
     {
       body.Messages.push_back(message);

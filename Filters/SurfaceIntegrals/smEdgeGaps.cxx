@@ -84,7 +84,7 @@ std::vector<EdgeGap> CollectEdgeGaps(
   return edges;
 }
 
-std::string DescribeWorstEdge(const std::vector<EdgeGap>& edges, double size)
+std::string DescribeWorstEdge(const std::vector<EdgeGap>& edges, double size, const std::string& unit)
 {
   if (edges.empty() || !(edges.front().MaxGap > RoundingGap * size))
   {
@@ -100,7 +100,8 @@ std::string DescribeWorstEdge(const std::vector<EdgeGap>& edges, double size)
   const std::string name =
     (edge.FileId > 0 ? "edge #" + std::to_string(edge.FileId) : std::string("an edge")) +
     (edge.Name.empty() ? std::string() : " \"" + edge.Name + "\"");
-  return "the widest gap between a face and its edge is " + FormatDigits(worst.MaxGap, 2) + ", at " + name +
-    (beyondTolerance ? ", whose tolerance in the file is " + FormatDigits(edge.Tolerance, 2) : std::string());
+  const auto format = [&unit](double length) { return FormatDigits(length, 2) + " " + unit; };
+  return "the widest gap between a face and its edge is " + format(worst.MaxGap) + ", at " + name +
+    (beyondTolerance ? ", whose tolerance in the file is " + format(edge.Tolerance) : std::string());
 }
 }

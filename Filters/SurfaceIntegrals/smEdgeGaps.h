@@ -44,7 +44,7 @@ SMFILTERSSURFACEINTEGRALS_EXPORT std::vector<EdgeGap> CollectEdgeGaps(
 /// Returns a sentence about the widest gap if it exceeds the tolerance of its edge in the file, or 1e-5 of `size`; else an empty
 /// string. Gaps below 1e-12 of the size are attributed to rounding.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::string DescribeWorstEdge(
-  const std::vector<EdgeGap>& edges, double size);
+  const std::vector<EdgeGap>& edges, double size, const std::string& unit);
 }
 
 #endif

@@ -546,7 +546,8 @@ void vtkSurfaceIntegralBase::Fail(const std::string& what, vtkInformationVector*
   vtkPolyData* totals = vtkPolyData::GetData(outputVector, 0);
   AddPlaceholderPoint({}, totals);
   report.FillFieldData(totals->GetFieldData());
-  sm::columns::SetString(vtkTable::GetData(outputVector, 2)->GetRowData(), sm::names::Text,
-    "Status: " + this->GetStatus() + "\n" + report.Reason + "\n");
+  vtkTable* text = vtkTable::GetData(outputVector, 2);
+  sm::columns::SetString(text->GetRowData(), sm::names::Text, this->FormatStatus({}));
+  sm::columns::SetString(text->GetFieldData(), sm::names::Status, this->GetStatus());
   vtkWarningMacro("Status " << this->GetStatus() << ": " << report.Reason);
 }

@@ -14,7 +14,8 @@
  * |------|----------|-----------------------------------------------------------------------------------------------------|
  * | 0    | polydata | field data: totals, each with its Bound, Status, Backend, Renderer, Evaluations, Dispatches, Faces, |
  * |      |          | Ranks, BoundsEstimated                                                                              |
- * | 1    | table    | a row per solid instance: Name, Id, Status, the same values                                         |
+ * | 1    | table    | a row per solid instance: Name, Id, Status, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated,   |
+ * |      |          | Faces, and its values with their Bounds                                                             |
  * | 2    | table    | 1x1, column Text: a readable summary                                                                |
  * | 3    | table    | a row per face and instance: Solid, FaceId, values and bounds                                       |
  * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap,         |
@@ -23,9 +24,10 @@
  * |      |          | the input, with cell arrays for colouring                                                           |
  * The names are in smIntegralNames.h. A value that could not be computed is NaN, never 0, and Status gives the reason.
  *
- * Status is the worst status of all solids: ok; tolerance-not-met (a bound is above the tolerance); suspect (the file or the
- * result contradicts itself); open (some edges are used once, or the body is a surface, not a solid); not-computed (memory was
- * insufficient, or an error was caught); empty; unreadable.
+ * Status is the worst status of all solids. In ascending order: ok; tolerance-not-met (a bound is above the tolerance, or values
+ * and bounds are NaN because nothing could be computed, for example without OpenGL); suspect (the file or the result contradicts
+ * itself); open (some edges are used once, or the body is a surface, not a solid); not-computed (memory was insufficient, or an
+ * exception was caught); empty (no body was found or selected). The status `unreadable` is the command-line program's.
  *
  * Getters return the values of the last run and never run the pipeline: call Update() first. RequestData fails only for an input
  * without exact geometry.

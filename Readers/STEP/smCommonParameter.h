@@ -12,7 +12,7 @@
 
 namespace sm
 {
-/// How far S(c(t)) and C(t) are apart at equal parameter: along the edge, and across it. Largest of three samples of
+/// Distances between S(c(t)) and C(t) at equal parameter, along the edge and across it. Largest of three samples of
 /// every piece of the trim curve.
 struct Step
 {

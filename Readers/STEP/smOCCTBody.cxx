@@ -349,7 +349,7 @@ private:
     }
   }
 
-  /// Loops are judged in space, against the tolerances the file states (NUMERICS 1).
+  /// Loops are judged in space, against the tolerances the file states.
   void CheckClosing(DraftFace& draft, Face& face) const
   {
     double largest = 0.0;

@@ -44,13 +44,13 @@ using DraftLoop = std::vector<DraftCoedge>;
 
 struct DraftFace
 {
-  /// Taken forward.
+  /// The face with forward orientation.
   TopoDS_Face Face;
   /// The face's orientation in its body is reversed.
   bool Reversed = false;
-  /// Without rectangular trims.
+  /// The surface without rectangular trims.
   Handle(Geom_Surface) Surface;
-  /// As the face has it: its bounds are those of a face without loops.
+  /// The surface as the face stores it; its domain is used for a face without loops.
   Handle(Geom_Surface) Stored;
   gp_Trsf Location;
   /// 0: not periodic.

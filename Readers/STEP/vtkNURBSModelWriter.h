@@ -24,7 +24,7 @@
  * |---------------------|-----------------------------------------------------------------------------|
  * | NoFileNameError     | FileName is empty                                                           |
  * | UserError           | no input, an input that could not be computed or has no exact geometry, an unknown unit, a nested update |
- * | CannotOpenFileError | no file can be made there, or a folder, device or pipe is there             |
+ * | CannotOpenFileError | no file can be made there, a folder, device or pipe is there, or writing failed although the disk is not full |
  * | OutOfDiskSpaceError | the disk is full                                                            |
  * | UnknownError        | OpenCASCADE failed, an exception was thrown (out of memory), or the application asked to stop |
  *
@@ -68,8 +68,8 @@ public:
 
   ///@{
   /**
-   * The piece of the input to update, from 0, of how many: rank and number of MPI processes. A piece other than 0 is updated, nothing is
-   * written, and Write() returns 1. Values are clamped, the number to 1 or more, the piece to 0 or more. Default: 0 of 1.
+   * The piece of the input to update, from 0, of how many: rank and number of MPI processes. If Piece is
+   * not 0, the input is updated, nothing is written, and Write() returns 1, unless FileName or the input is missing. Values are clamped, the number to 1 or more, the piece to 0 or more. Default: 0 of 1.
    */
   vtkSetClampMacro(Piece, int, 0, VTK_INT_MAX);
   vtkGetMacro(Piece, int);

@@ -10,7 +10,7 @@
  *
  * Surfaces become rational B-splines without error; a surface that has no such form (an offset surface) is
  * fitted and NURBSSurface::Residual says how well. Trim and edge curves are exact polynomials or fitted to
- * rounding level; TrimCurve::Residual says how well. See DESIGN 2 and NUMERICS 2.
+ * rounding level; TrimCurve::Residual says how well. See Documentation/Numerics.md.
  *
  * Arrays of each leaf, besides those vtkNURBSDataSet documents:
  * | name    | association | components | meaning                                                             |
@@ -125,8 +125,9 @@ public:
   std::string GetLengthUnit() const;
 
   ///@{
-  /** Messages of the last Update() about the file, one sentence each; an error is the last one. An
-   * index out of range gives an empty string. Messages about a body are in its model. */
+  /** Messages of the last Update(), one sentence each: those about the file, then one for each body whose conversion had
+   * problems. The model of the body has all messages about it. If the run failed, the last message is the error. An index out
+   * of range gives an empty string. */
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;
   ///@}

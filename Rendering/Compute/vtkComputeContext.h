@@ -45,8 +45,8 @@ public:
   vtkTypeMacro(vtkComputeContext, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Where the context comes from. AUTOMATIC: the given window; without one an own context on the X display
-   * when that has OpenGL 4.3 with doubles; else surfaceless EGL. */
+  /** The source of the context. AUTOMATIC tries the given window, then an own context on the X display, then surfaceless EGL, and
+   * uses the first that has OpenGL 4.3 with double precision. If none has, the status is that of the attempt that came farthest. */
   enum SourceType
   {
     AUTOMATIC = 0,

@@ -1,6 +1,6 @@
 /**
  * @file vtkComputeContextInternals.h
- * @brief How vtkComputeContext finds an OpenGL context, and how it learns that one has ended; not installed
+ * @brief Search for an OpenGL context, and detection of its end; not installed
  */
 #ifndef vtkComputeContextInternals_h
 #define vtkComputeContextInternals_h

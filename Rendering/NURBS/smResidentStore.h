@@ -23,10 +23,10 @@ namespace sm
 struct PageData;
 
 /**
- * A page is a set of buffers with several faces in it. It knows its users; the last one that leaves drops it. Pages of the last
- * request of a user are pinned: nothing drops them until that user ends its run, asks for other faces, or leaves.
+ * A page is a set of buffers that hold several faces, and it has a list of users. It is deleted when the list becomes empty. Pages
+ * of the last request of a user are pinned: they are not deleted until that user ends its run, requests other faces, or is removed.
  *
- * A shared store has a compute context of its own on the window, so that it survives whichever of its users' contexts ends first.
+ * A shared store has its own compute context on the window, so that it does not depend on the lifetime of its users' contexts.
  */
 class ResidentStore
 {

@@ -7,8 +7,8 @@
  * the chunks that integrate (smPatch.glsl). Where OpenGL 4.3 with doubles is missing, or memory on the GPU, the CPU evaluates,
  * unless Backend is OPENGL.
  *
- * The context is an evaluator's own unless it is given one: that of a window that shows the points, or of a mass filter
- * (vtkSurfaceIntegralGPU::GetComputeContext()), so that a program needs one context only. It is entered and left by
+ * The evaluator makes its own context unless one is set: that of a window that shows the points, or that of a filter
+ * (vtkSurfaceIntegralBase::GetComputeContext()), so that a program needs one context only. It is entered and left by
  * sm::ContextScope, so that UpdatePoints() may run inside a Render().
  */
 #ifndef vtkNURBSPointEvaluatorGPU_h

@@ -36,7 +36,7 @@ def run(*arguments, cwd=None, stdout=subprocess.PIPE):
 
 
 def run_json(*arguments):
-    """Standard output must be JSON and nothing else, with every key of DESIGN 6."""
+    """Standard output must be JSON and nothing else, with every documented key."""
     result = run("--json", "-", *arguments)
     try:
         document = json.loads(result.stdout, parse_constant=lambda text: (_ for _ in ()).throw(ValueError(text)))

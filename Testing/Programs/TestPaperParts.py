@@ -11,8 +11,10 @@ import json
 import math
 import os
 import subprocess
+import sys
 
-from smcheck import check, check_equal, check_true, finish
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smcheck import check, check_equal, check_true, finish  # noqa: E402
 
 PARTS = ["quarter_cylinder", "slanted_block", "trefoil_tube", "free_form", "propeller", "crank", "engine_block", "gear_train"]
 # Cheap ones, of every way to model; the rest are made by the same functions.

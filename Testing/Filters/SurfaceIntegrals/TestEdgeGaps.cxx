@@ -78,21 +78,21 @@ int TestEdgeGaps(int, char*[])
 
   // The widest is named above the file's tolerance, or above 1e-5 of the size, and otherwise not.
   const std::string id = "#" + std::to_string(edges[0].Source->FileId);
-  const std::string said = sm::DescribeWorstEdge(edges, 3.7);
+  const std::string said = sm::DescribeWorstEdge(edges, 3.7, "mm");
   CheckTrue(
-    "it is named", said.find("0.0044, at edge " + id + ", whose tolerance") != std::string::npos, said);
+    "it is named", said.find("0.0044 mm, at edge " + id + ", whose tolerance") != std::string::npos, said);
   sm::Edge tolerant = *edges[0].Source;
   tolerant.Tolerance = 1.0;
   tolerant.Name = "rim";
   edges[0].Source = &tolerant;
-  CheckEqual("within the tolerance of a large body", "", sm::DescribeWorstEdge(edges, 1e4));
+  CheckEqual("within the tolerance of a large body", "", sm::DescribeWorstEdge(edges, 1e4, "mm"));
   CheckEqual("within the tolerance of a small one",
-    "the widest gap between a face and its edge is 0.0044, at edge " + id + " \"rim\"",
-    sm::DescribeWorstEdge(edges, 100.0));
+    "the widest gap between a face and its edge is 0.0044 mm, at edge " + id + " \"rim\"",
+    sm::DescribeWorstEdge(edges, 100.0, "mm"));
   edges[0].MaxGap = 1e-15;
   tolerant.Tolerance = 0.0;
-  CheckEqual("rounding is no gap", "", sm::DescribeWorstEdge(edges, 3.7));
-  CheckEqual("no edges", "", sm::DescribeWorstEdge({}, 3.7));
+  CheckEqual("rounding is no gap", "", sm::DescribeWorstEdge(edges, 3.7, "mm"));
+  CheckEqual("no edges", "", sm::DescribeWorstEdge({}, 3.7, "mm"));
 
   // A face that could not be measured leaves its edges unknown, and last; poles are no edges.
   results[0].Gaps.clear();
@@ -116,7 +116,7 @@ int TestEdgeGaps(int, char*[])
   CheckTrue("nor by a number that comes later", std::isnan(edges.back().MaxGap));
   edges = sm::CollectEdgeGaps(*model, nullptr);
   CheckTrue("without results nothing is known",
-    edges.size() == 12 && std::isnan(edges[0].MaxGap) && sm::DescribeWorstEdge(edges, 3.7).empty());
+    edges.size() == 12 && std::isnan(edges[0].MaxGap) && sm::DescribeWorstEdge(edges, 3.7, "mm").empty());
 
   auto pole = std::make_shared<sm::Face>(*model->GetFaces()[0]);
   auto point = std::make_shared<sm::Edge>(*pole->Loops[0].Coedges[0].Use);

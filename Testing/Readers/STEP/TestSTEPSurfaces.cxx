@@ -266,7 +266,7 @@ void CheckFarSurfaces()
   }
 }
 
-/// Trim curves under two angle maps, one, or none; the residual limit is 1e-13 of an arc and the floor of NUMERICS 2.
+/// Trim curves under two angle maps, one, or none; the residual limit is 1e-13 of an arc and the floor of double precision.
 void CheckTrim(const char* name, const Handle(Geom2d_Curve) & curve, double first, double last,
   const sm::ParameterMap& mapU, const sm::ParameterMap& mapV, bool exact)
 {
