@@ -443,6 +443,7 @@ bool BuoyancyIntegrator::Integrate(SurfaceIntegrator& integrator, const std::vec
   std::vector<BodyBuoyancy>& results)
 {
   const double start = vtkTimerLog::GetUniversalTime();
+  this->CutError.clear();
   std::vector<FaceTask> tasks;
   std::vector<Place> places;
   std::vector<CutBody> cuts(bodies.size());
@@ -453,6 +454,7 @@ bool BuoyancyIntegrator::Integrate(SurfaceIntegrator& integrator, const std::vec
       relativeTolerance * GetVolumeScale(model) / std::max<std::size_t>(model.GetFaces().size(), 1);
     if (!this->CutAtWaterline(bodies[b], waterline, tolerance, cuts[b]))
     {
+      this->CutError = this->Cuts.GetError();
       return false;
     }
     AddTasks(cuts[b], b, tolerance, tasks, places);

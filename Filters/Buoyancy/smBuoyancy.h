@@ -77,6 +77,9 @@ public:
   /// Returns the seconds that the last Integrate() needed to cut all faces.
   double GetCutSeconds() const { return this->CutSeconds; }
 
+  /// Returns why the last Integrate() could not cut the faces; empty if it could.
+  const std::string& GetCutError() const { return this->CutError; }
+
   /// Releases all cut faces that are kept for later runs.
   void ReleaseMemory();
 
@@ -141,6 +144,7 @@ private:
 
   FacePanelsCache Cuts;
   double CutSeconds = 0.0;
+  std::string CutError;
   FaceCache<CutKey, SubmergedFace> Below{ CacheBudget::GetProcessBudget(), 1 };
 };
 }

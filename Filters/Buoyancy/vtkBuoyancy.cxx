@@ -6,6 +6,7 @@
 #include "smColumns.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
+#include "smUnitRoundoff.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -222,13 +223,18 @@ bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vecto
   const vtkTypeUInt64 dispatches = engine.GetContext()->GetNumberOfDispatches();
   const bool done = self.Integrator.Integrate(
     integrator, bodies, waterline, this->RelativeTolerance, limits.Progress, self.Results);
-  engine.AddEffort(dispatches);
+  const std::string& cutError = self.Integrator.GetCutError();
+  if (cutError.empty())
+  {
+    engine.AddEffort(dispatches);
+  }
   report.PrepareSeconds += self.Integrator.GetCutSeconds();
   if (!done)
   {
     self.Results.clear();
-    report.SetReason(
-      integrator.WasAborted() ? "the run was aborted" : "nothing was computed: " + integrator.GetError());
+    report.SetReason(!cutError.empty() ? "nothing was computed: " + cutError
+        : integrator.WasAborted()      ? "the run was aborted"
+                                       : "nothing was computed: " + integrator.GetError());
     return false;
   }
   if (integrator.WasAborted())
@@ -268,6 +274,10 @@ void vtkBuoyancy::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
         body.Flag(sm::Status::ToleranceNotMet, "the bound of the " + quantity + " is above the tolerance");
       }
     }
+    if (body.Faces && body.OpenEdges == 0 && body.Value[0] < -body.Bound[0])
+    {
+      body.Flag(sm::Status::Suspect, "the displaced volume is negative: the solid is inside out in the file");
+    }
     const sm::DisplacedMoments* own = self.Results.empty() ? nullptr : &self.Results[b].Total;
     const Row row = MakeRow(body, own);
     self.Rows.push_back(row);
@@ -278,12 +288,14 @@ void vtkBuoyancy::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
       continue;
     }
     total.Volume += row.Volume;
-    total.VolumeBound += row.VolumeBound;
+    total.VolumeBound += row.VolumeBound + 2.0 * sm::UnitRoundoff * std::abs(total.Volume);
+    double largest = 0.0;
     for (int c = 0; c < 3; ++c)
     {
       total.First[c] += row.First[c];
+      largest = std::max(largest, std::abs(total.First[c]));
     }
-    total.FirstBound += row.FirstBound;
+    total.FirstBound += row.FirstBound + 2.0 * sm::UnitRoundoff * largest;
     if (own)
     {
       moments.Add(*own);

@@ -15,6 +15,9 @@
  * | DisplacedVolume       | 1     | L^3  | volume below the waterline                                          |
  * | DisplacedFirstMoments | 3     | L^4  | first moments of that volume about the world's origin               |
  * | CenterOfBuoyancy      | 3     | L    | centroid of that volume; NaN where the volume may be 0 by its bound |
+ * Shells are taken as the file orients them: a negative displaced volume is `suspect`, but a void that the file orients as an outer
+ * shell counts as material here (vtkMassPropertiesGPU reverses such shells and reports them).
+ *
  * Values that were not computed are NaN, and Status gives the reason. Port 3 and the meshes of port 5 have the contribution of
  * every face to DisplacedVolume: its flux of a field that vanishes on the plane (for a body that is entirely below the waterline:
  * on a parallel plane through the body). The other outputs are those of vtkSurfaceIntegralBase.

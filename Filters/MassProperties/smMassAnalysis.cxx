@@ -26,7 +26,7 @@ Moments GetMoments(const BodyIntegrals& body)
   std::copy_n(body.Bound.begin() + MassFirst, 3, moments.FirstBound.begin());
   std::copy_n(body.Value.begin() + MassSecond, 6, moments.Second.begin());
   std::copy_n(body.Bound.begin() + MassSecond, 6, moments.SecondBound.begin());
-  if (moments.Volume < 0.0)
+  if (body.InsideOut)
   {
     moments.Negate();
   }
@@ -48,11 +48,13 @@ void SetMass(MassRow& row, double density, const std::string& unit)
   const double factor = density > 0.0 && metres > 0.0 ? density * metres * metres * metres : vtkMath::Nan();
   row.Mass = factor * row.Properties.Volume;
   row.MassBound = factor * row.Properties.VolumeBound + 4.0 * UnitRoundoff * std::abs(row.Mass);
+  double largest = 0.0;
   for (int i = 0; i < 9; ++i)
   {
     row.MassInertia[i] = factor * row.Properties.Inertia[i];
+    largest = std::max(largest, std::abs(row.MassInertia[i]));
   }
-  row.MassInertiaBound = factor * row.Properties.InertiaBound;
+  row.MassInertiaBound = factor * row.Properties.InertiaBound + 4.0 * UnitRoundoff * largest;
 }
 
 /// Flags a body as suspect if its properties violate a fact that holds for every solid.
@@ -208,7 +210,7 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
       vectorArea[i] += std::abs(bodies[b].Value[MassVectorArea + i]);
     }
     mass += analysis.Rows[b].Mass;
-    massBound += analysis.Rows[b].MassBound;
+    massBound += analysis.Rows[b].MassBound + 2.0 * UnitRoundoff * std::abs(mass);
   }
   const Moments sum = Moments::Sum(parts);
   total.Properties = ComputeMassProperties(sum);

@@ -48,7 +48,7 @@ bool SchemeRun::Integrate(
     {
       runner = std::make_unique<CPUSchemeRunner>();
     }
-    this->Integrator.SetRunner(std::move(runner));
+    this->Integrator->SetRunner(std::move(runner));
     this->RunnerContext = options.Context;
     this->HasRunner = true;
   }
@@ -67,7 +67,7 @@ bool SchemeRun::Integrate(
     }
   }
   std::vector<SchemeResult> results;
-  if (!this->Integrator.Integrate(tasks, options.Setup, results, progress))
+  if (!this->Integrator->Integrate(tasks, options.Setup, results, progress))
   {
     return false;
   }
@@ -115,9 +115,9 @@ void SchemeRun::KeepTextures(const BodyIntegrals& body, std::vector<SchemeResult
 
 std::string SchemeRun::GetMessage() const
 {
-  return this->Integrator.WasTimedOut() ? "nothing was computed: MaximumSeconds were over"
-    : this->Integrator.WasAborted()     ? "the run was aborted"
-                                        : "nothing was computed: " + this->Integrator.GetError();
+  return this->Integrator->WasTimedOut() ? "nothing was computed: MaximumSeconds were over"
+    : this->Integrator->WasAborted()     ? "the run was aborted"
+                                         : "nothing was computed: " + this->Integrator->GetError();
 }
 
 SchemeTotals SchemeRun::GetTotals(vtkTrimmedNURBSModel* model) const
@@ -171,6 +171,13 @@ void SchemeRun::Forget()
 {
   this->Totals.clear();
   this->Textures.clear();
+}
+
+void SchemeRun::ReleaseMemory()
+{
+  this->Integrator = std::make_unique<SchemeIntegrator>();
+  this->HasRunner = false;
+  this->RunnerContext = nullptr;
 }
 
 std::string GetSchemeName(int points)

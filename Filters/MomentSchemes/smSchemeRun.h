@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,15 +70,17 @@ public:
   void AddColumns(const std::string& scheme, const std::vector<BodyIntegrals>& bodies,
     const SchemeTotals& total, vtkFieldData* totals, vtkTable* solids) const;
   const std::vector<NamedTexture>& GetTextures() const { return this->Textures; }
-  const SchemeIntegrator& GetIntegrator() const { return this->Integrator; }
+  const SchemeIntegrator& GetIntegrator() const { return *this->Integrator; }
 
   /// Clears the results of the last run.
   void Forget();
+  /// Releases the runner, with its buffers, and the prepared faces; the results of the last run stay.
+  void ReleaseMemory();
 
 private:
   void KeepTextures(const BodyIntegrals& body, std::vector<SchemeResult>& results, std::size_t first);
 
-  SchemeIntegrator Integrator;
+  std::unique_ptr<SchemeIntegrator> Integrator = std::make_unique<SchemeIntegrator>();
   /// True if the integrator has a runner, and the context of that runner; null for the CPU.
   bool HasRunner = false;
   vtkSmartPointer<vtkComputeContext> RunnerContext;

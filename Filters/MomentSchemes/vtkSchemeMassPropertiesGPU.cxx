@@ -67,6 +67,11 @@ void vtkSchemeMassPropertiesGPU::ResetResults()
   this->Implementation->Run.Forget();
 }
 
+void vtkSchemeMassPropertiesGPU::ReleaseKept()
+{
+  this->Implementation->Run.ReleaseMemory();
+}
+
 sm::IntegralRequest vtkSchemeMassPropertiesGPU::MakeRequest() const
 {
   sm::IntegralRequest request;

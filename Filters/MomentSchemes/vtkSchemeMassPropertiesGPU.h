@@ -125,6 +125,7 @@ protected:
   void AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies) override;
   void WriteMoreOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs,
     std::string& summary) const override;
+  void ReleaseKept() override;
 #endif
 
   int Scheme = GAUSS2;

@@ -73,9 +73,12 @@ public:
   {
     const Lock lock(this->Budget.GetMutex());
     this->Erase(face, key);
+    // Reserved first, so that no entry lacks its place if memory is short.
+    std::vector<Position>& places = this->Places[face];
+    places.reserve(places.size() + 1);
     this->Entries.push_back({ face, key, std::move(value), bytes + sizeof(Entry), 0, 0 });
     const auto entry = std::prev(this->Entries.end());
-    this->Places[face].push_back(entry);
+    places.push_back(entry);
     this->MarkUsed(entry);
     this->Bytes += entry->Bytes;
     this->Budget.CountAdded(entry->Bytes);

@@ -362,7 +362,9 @@ void ReverseShells(BodyIntegrals& body, const std::vector<Integrand>& integrands
                           : " shells were inside out and were reversed"));
     SumValues(body, integrands);
   }
-  if (body.Value[volume] < 0.0)
+  // The sum of a run that was stopped may be negative although the solid is not inside out.
+  const bool isSignKnown = body.SkippedFaces == 0 || std::abs(body.Value[volume]) > body.Bound[volume];
+  if (body.Value[volume] < 0.0 && isSignKnown)
   {
     body.InsideOut = true;
     body.FlippedShells = found.Shells;

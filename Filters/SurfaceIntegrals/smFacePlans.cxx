@@ -66,8 +66,7 @@ bool FacePlans::SetIntegrands(const std::vector<Integrand>& integrands, int stri
 {
   this->Classes.clear();
   this->ClassOf.clear();
-  this->Kept.Clear();
-  this->Plans.clear();
+  this->Clear();
   this->StripPoints = stripPoints;
   for (const Integrand& integrand : integrands)
   {
@@ -91,6 +90,7 @@ void FacePlans::Clear()
   this->Kept.Clear();
   this->Plans.clear();
   this->Requests.clear();
+  this->Failure = nullptr;
 }
 
 bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vector<CutFacePointer>& faces,

@@ -127,8 +127,13 @@ void SurfaceIntegrator::Internals::Skip(
     {
       const std::size_t to = this->Chosen[k];
       result.Face[to] = result.Closing[to] = result.Rounding[to] = result.Conversion[to] = 0.0;
-      result.QuadratureError[to] = this->Planned ? this->Plans.Get(face).Magnitude[this->Plans.GetClass(k)]
-                                                 : std::numeric_limits<double>::infinity();
+      result.QuadratureError[to] = std::numeric_limits<double>::infinity();
+      if (this->Planned)
+      {
+        const FacePlan& plan = this->Plans.Get(face);
+        result.QuadratureError[to] = plan.Magnitude[this->Plans.GetClass(k)];
+        result.Conversion[to] = plan.ConversionBound[this->Plans.GetClass(k)];
+      }
     }
   }
 }
@@ -269,7 +274,7 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
     return this->Fail("aborted");
   }
   this->Loosened = this->Planned && this->Plans.WasLoosened();
-  if (!this->Guard([this]() { return this->Plans.CheckSuccess(); }))
+  if (this->Planned && !this->Guard([this]() { return this->Plans.CheckSuccess(); }))
   {
     ok = this->FailAlone(this->Error);
   }

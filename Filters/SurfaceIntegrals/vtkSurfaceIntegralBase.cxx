@@ -408,6 +408,7 @@ void vtkSurfaceIntegralBase::Analyze(
   for (const sm::BodyIntegrals& body : bodies)
   {
     report.Status = std::max(report.Status, body.Status);
+    report.Estimated = report.Estimated || body.IsEstimated();
   }
 }
 

@@ -4,6 +4,7 @@
 #include "smColumns.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
+#include "smUnitRoundoff.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
 
 #include "vtkDataSetAttributes.h"
@@ -123,7 +124,7 @@ void vtkSurfaceIntegralGPU::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
         body.Flag(sm::Status::ToleranceNotMet, "the bound of " + name + " is above the tolerance");
       }
       total += body.Value[k];
-      bound += body.Bound[k];
+      bound += body.Bound[k] + (bodies.size() > 1 ? 2.0 * sm::UnitRoundoff * std::abs(total) : 0.0);
     }
     this->Implementation->Totals[name] = { total, bound };
   }

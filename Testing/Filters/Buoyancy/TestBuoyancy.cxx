@@ -6,11 +6,15 @@
 
 #include <vtkDataSetAttributes.h>
 #include <vtkMatrix4x4.h>
+#include <vtkNURBSDataSet.h>
+#include <vtkPartitionedDataSetCollection.h>
 #include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
+#include <vtkTrimmedNURBSModel.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 namespace
 {
@@ -129,6 +133,28 @@ void CheckBalls(const Manifest& manifest)
     CheckPlanes("sphere " + part.Variant, scene, planes, Ball(radius, center), 2 * radius,
       far + 4e-16L * radius + static_cast<Real>(part.VolumeAccuracy) / (radius * radius));
   }
+}
+
+/// A sphere whose face points inwards must not pass as a solid with a negative volume.
+void CheckInsideOut(const Manifest& manifest)
+{
+  Scene scene(manifest.GetSolid("sphere", "plain")[0].Path);
+  scene.Reader->Update();
+  auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(scene.Reader->GetOutputDataObject(0));
+  auto* leaf = vtkNURBSDataSet::SafeDownCast(parts->GetPartition(0, 0));
+  vtkNew<vtkTrimmedNURBSModel> reversed;
+  reversed->ShallowCopy(leaf->GetModel());
+  auto face = std::make_shared<sm::Face>(*reversed->GetFaces()[0]);
+  face->Id = sm::NewId();
+  face->Reversed = !face->Reversed;
+  reversed->SetFace(0, face);
+  vtkNew<vtkNURBSDataSet> copy;
+  copy->ShallowCopy(leaf);
+  copy->SetModel(reversed);
+  scene.Filter->SetInputData(copy);
+  scene.Filter->Update();
+  CheckTrue("inside out: a negative volume", scene.Filter->GetDisplacedVolume() < -1.0);
+  CheckEqual("inside out: status", "suspect", scene.Filter->GetStatus());
 }
 
 void CheckTangentBalls(const Manifest& manifest)
@@ -563,9 +589,9 @@ int TestBuoyancy(int argc, char* argv[])
   SetBackend(argv[3]);
   const Manifest manifest(argv[1]);
   const std::pair<const char*, void (*)(const Manifest&)> modes[] = { { "balls", CheckBalls },
-    { "tangent", CheckTangentBalls }, { "cones", CheckCones }, { "boxes", CheckBoxes }, { "tori", CheckTori },
-    { "placements", CheckPlacements }, { "plates", CheckPlates }, { "touching", CheckTouching },
-    { "tables", CheckTables } };
+    { "inside_out", CheckInsideOut }, { "tangent", CheckTangentBalls }, { "cones", CheckCones },
+    { "boxes", CheckBoxes }, { "tori", CheckTori }, { "placements", CheckPlacements },
+    { "plates", CheckPlates }, { "touching", CheckTouching }, { "tables", CheckTables } };
   for (const auto& [name, check] : modes)
   {
     if (mode == name)

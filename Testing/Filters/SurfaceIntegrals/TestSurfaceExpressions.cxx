@@ -175,6 +175,9 @@ void CheckFaces(const char* folder)
     vtkTable* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(3));
     return vtkDataArray::SafeDownCast(table->GetRowData()->GetAbstractArray(name))->GetComponent(row, 0);
   };
+  CheckEqual("the total says that bounds are estimated", 1,
+    static_cast<int>(
+      filter->GetOutput()->GetFieldData()->GetArray(sm::names::BoundsEstimated)->GetComponent(0, 0)));
   const double areas[2] = { getRow(1, "area"), getRow(4, "area") };
   const double moment = getRow(1, "moment") + getRow(4, "moment");
   const vtkTypeInt64 evaluations = filter->GetEvaluations();
