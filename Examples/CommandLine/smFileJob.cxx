@@ -49,6 +49,9 @@ namespace names = sm::names;
 Json GetQuantities(vtkFieldData* data, vtkIdType row)
 {
   Json quantities = sm::GetQuantities(data, row);
+  // A build without the schemes has the same keys.
+  quantities.update({ { "paper_error_estimate", nullptr }, { "paper_error_estimate_with_boundary", nullptr },
+    { "sub_patches", nullptr } });
 #ifdef SM_HAS_MOMENT_SCHEMES
   quantities.update(sm::GetSchemeQuantities(data, row));
 #endif

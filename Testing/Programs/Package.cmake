@@ -9,23 +9,31 @@ endif ()
 if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
   list(APPEND package_options "-DPVPYTHON=${SOLIDMOMENTS_PVPYTHON}")
 endif ()
+# Optional modules of this build that the Python test uses.
+set(python_modules)
+foreach (module IN ITEMS NURBSEdit Stability)
+  if (TARGET SolidMoments::Filters${module})
+    list(APPEND python_modules ${module})
+  endif ()
+endforeach ()
+string(REPLACE ";" "," package_modules "${python_modules}")
 solidmoments_add_test(NAME PackageConsumer LABELS package NODISPLAY TIMEOUT 600
   COMMAND "${CMAKE_COMMAND}" "-DBUILD=${PROJECT_BINARY_DIR}" "-DPREFIX=${PROJECT_BINARY_DIR}/test-install"
     "-DCONSUMER=${PROJECT_SOURCE_DIR}/Examples/Consumer" "-DGENERATOR=${CMAKE_GENERATOR}"
     "-DCXX=${CMAKE_CXX_COMPILER}" "-DCC=${CMAKE_C_COMPILER}" "-DCONFIG=$<CONFIG>" "-DFLAGS=${CMAKE_CXX_FLAGS}"
     "-DSOLIDS=${SOLIDMOMENTS_TEST_SOLIDS}" "-DPART=${SOLIDMOMENTS_TEST_SOLIDS}/box-plain.step" -DVOLUME=6000
-    ${package_options} -P "${CMAKE_CURRENT_SOURCE_DIR}/TestPackageConsumer.cmake")
+    "-DMODULES=${package_modules}" ${package_options} -P "${CMAKE_CURRENT_SOURCE_DIR}/TestPackageConsumer.cmake")
 
 if (SOLIDMOMENTS_WRAP_PYTHON)
   set(python_path
     "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}:${vtk_python_path}")
   solidmoments_add_test(NAME PythonModules LABELS package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/TestModules.py"
-      "${SOLIDMOMENTS_TEST_SOLIDS}")
+      "${SOLIDMOMENTS_TEST_SOLIDS}" ${python_modules})
   # pvpython has ParaView's VTK: modules that were built with another do not load there.
   if (SOLIDMOMENTS_PVPYTHON AND SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
     solidmoments_add_test(NAME PythonModulesPvpython LABELS package NODISPLAY ENVIRONMENT "${python_path}"
       COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/TestModules.py"
-        "${SOLIDMOMENTS_TEST_SOLIDS}")
+        "${SOLIDMOMENTS_TEST_SOLIDS}" ${python_modules})
   endif ()
 endif ()

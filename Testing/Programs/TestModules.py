@@ -1,4 +1,5 @@
-"""TestModules.py FOLDER: the modules import, wrap their methods and compute, in python3 and in pvpython."""
+"""TestModules.py FOLDER [NURBSEdit] [Stability]: the modules, the named optional ones too, import, wrap their methods and compute, in
+python3 and in pvpython."""
 import os
 import sys
 import tempfile
@@ -8,17 +9,58 @@ from smcheck import Manifest, check, check_equal, check_true, check_values, fini
 
 from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
 from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkTrimmedNURBSModel  # noqa: E402
-from solidmoments.smFiltersNURBSEdit import vtkNURBSDeform, vtkNURBSTransform  # noqa: E402
-from solidmoments.smFiltersStability import vtkSolidStability  # noqa: E402
 from solidmoments.smFiltersSurfaceIntegrals import vtkSurfaceIntegralGPU  # noqa: E402
 from solidmoments.smReadersSTEP import vtkBREPWriter, vtkSTEPReader, vtkSTEPWriter  # noqa: E402
 from solidmoments.smRenderingCompute import vtkComputeContext  # noqa: E402
 from solidmoments.smRenderingNURBS import vtkNURBSPointEvaluatorGPU  # noqa: E402
 from vtkmodules.vtkCommonTransforms import vtkTransform  # noqa: E402
 
-part = Manifest(sys.argv[1]).solid("slanted_hole", "moved")
+PART = Manifest(sys.argv[1]).solid("slanted_hole", "moved")
+
+
+def check_edits(reader, mass, leaf, center):
+    """Deformed and mirrored parts; VTK's own objects go in and come out."""
+    from solidmoments.smFiltersNURBSEdit import vtkNURBSDeform, vtkNURBSTransform
+    deform = vtkNURBSDeform()
+    deform.SetInputConnection(reader.GetOutputPort())
+    deform.SetDisplacement(0.0, 0.0, 1.0)
+    deform.Update()
+    evaluator = deform.GetPointEvaluator()
+    check_true("display points by the GPU's class", isinstance(evaluator, vtkNURBSPointEvaluatorGPU), evaluator.GetClassName())
+    check_equal("which used", "opengl", evaluator.GetBackendName())
+    moved = deform.GetOutputDataObject(0).GetPartition(0, 0)
+    distance = max(abs(moved.GetPoint(i)[2] - leaf.GetPoint(i)[2] - 1.0) for i in range(leaf.GetNumberOfPoints()))
+    check_true("points moved by 1", distance < 1e-5, str(distance))
+
+    mirror = vtkTransform()
+    mirror.Scale(-1.0, 1.0, 1.0)
+    mirrored = vtkNURBSTransform()
+    mirrored.SetInputConnection(reader.GetOutputPort())
+    mirrored.SetTransform(mirror)
+    twin = vtkMassPropertiesGPU()
+    twin.SetInputConnection(mirrored.GetOutputPort())
+    twin.Update()
+    twin_center = [0.0] * 3
+    twin.GetCenterOfMass(twin_center)
+    check("volume of the mirror image", mass.GetVolume(), twin.GetVolume(), mass.GetVolumeBound() + twin.GetVolumeBound())
+    check("centre of the mirror image", -center[0], twin_center[0], mass.GetCenterOfMassBound() + twin.GetCenterOfMassBound())
+
+
+def check_stability():
+    """A box on its bottom."""
+    from solidmoments.smFiltersStability import vtkSolidStability
+    box = Manifest(sys.argv[1]).solid("box")
+    boxes = vtkSTEPReader()
+    boxes.SetFileName(box["path"])
+    standing = vtkSolidStability()
+    standing.SetInputConnection(boxes.GetOutputPort())
+    standing.Update()
+    check_equal("a box", "stable", standing.GetStability())
+    check("its margin", min(box["center_of_mass"][:2]), standing.GetStabilityMargin(), standing.GetStabilityMarginBound())  # a corner is the origin
+
+
 reader = vtkSTEPReader()
-reader.SetFileName(part["path"])
+reader.SetFileName(PART["path"])
 mass = vtkMassPropertiesGPU()
 mass.SetInputConnection(reader.GetOutputPort())
 mass.Update()
@@ -27,7 +69,7 @@ center = [0.0] * 3
 inertia = [0.0] * 9
 mass.GetCenterOfMass(center)
 mass.GetVolumeInertia(inertia)
-check_values(part, mass.GetVolume(), mass.GetSurfaceArea(), center, [inertia[0:3], inertia[3:6], inertia[6:9]])
+check_values(PART, mass.GetVolume(), mass.GetSurfaceArea(), center, [inertia[0:3], inertia[3:6], inertia[6:9]])
 
 leaf = reader.GetOutputDataObject(0).GetPartition(0, 0)
 check_true("a leaf is a vtkNURBSDataSet", isinstance(leaf, vtkNURBSDataSet), leaf.GetClassName())
@@ -35,44 +77,16 @@ check_true("with its model", isinstance(leaf.GetModel(), vtkTrimmedNURBSModel))
 check_equal("faces", 7, leaf.GetModel().GetNumberOfFaces())
 check_true("context", isinstance(mass.GetComputeContext(), vtkComputeContext), mass.GetRenderer())
 
-deform = vtkNURBSDeform()
-deform.SetInputConnection(reader.GetOutputPort())
-deform.SetDisplacement(0.0, 0.0, 1.0)
-deform.Update()
-evaluator = deform.GetPointEvaluator()
-check_true("display points by the GPU's class", isinstance(evaluator, vtkNURBSPointEvaluatorGPU), evaluator.GetClassName())
-check_equal("which used", "opengl", evaluator.GetBackendName())
-moved = deform.GetOutputDataObject(0).GetPartition(0, 0)
-distance = max(abs(moved.GetPoint(i)[2] - leaf.GetPoint(i)[2] - 1.0) for i in range(leaf.GetNumberOfPoints()))
-check_true("points moved by 1", distance < 1e-5, str(distance))
-
 integral = vtkSurfaceIntegralGPU()
 integral.SetInputConnection(reader.GetOutputPort())
 integral.AddIntegrand("area", "length(normal)")
 integral.Update()
-check_true("own integrand", abs(integral.GetIntegral("area") / part["area"] - 1) < 1e-9, str(integral.GetIntegral("area")))
+check_true("own integrand", abs(integral.GetIntegral("area") / PART["area"] - 1) < 1e-9, str(integral.GetIntegral("area")))
 
-# VTK's own objects go in and come out: a matrix, and a mirrored part's numbers.
-mirror = vtkTransform()
-mirror.Scale(-1.0, 1.0, 1.0)
-mirrored = vtkNURBSTransform()
-mirrored.SetInputConnection(reader.GetOutputPort())
-mirrored.SetTransform(mirror)
-twin = vtkMassPropertiesGPU()
-twin.SetInputConnection(mirrored.GetOutputPort())
-twin.Update()
-twin_center = [0.0] * 3
-twin.GetCenterOfMass(twin_center)
-check("volume of the mirror image", mass.GetVolume(), twin.GetVolume(), mass.GetVolumeBound() + twin.GetVolumeBound())
-check("centre of the mirror image", -center[0], twin_center[0], mass.GetCenterOfMassBound() + twin.GetCenterOfMassBound())
-box = Manifest(sys.argv[1]).solid("box")
-boxes = vtkSTEPReader()
-boxes.SetFileName(box["path"])
-standing = vtkSolidStability()
-standing.SetInputConnection(boxes.GetOutputPort())
-standing.Update()
-check_equal("a box", "stable", standing.GetStability())
-check("its margin", min(box["center_of_mass"][:2]), standing.GetStabilityMargin(), standing.GetStabilityMarginBound())  # a corner is the origin
+if "NURBSEdit" in sys.argv[2:]:
+    check_edits(reader, mass, leaf, center)
+if "Stability" in sys.argv[2:]:
+    check_stability()
 with tempfile.TemporaryDirectory() as output:
     for writer, name in ((vtkSTEPWriter(), "part.step"), (vtkBREPWriter(), "part.brep")):
         writer.SetInputConnection(reader.GetOutputPort())

@@ -57,9 +57,10 @@ if (EXISTS "${PREFIX}/bin/solidmoments")
   run_step("installed solidmoments" "${PREFIX}/bin/solidmoments" "${PART}")
 endif ()
 if (PYTHON)
+  string(REPLACE "," ";" MODULES "${MODULES}")
   run_step("installed Python modules" "${CMAKE_COMMAND}" -E env
     "PYTHONPATH=${PREFIX}/${PYTHON_DESTINATION}:${VTK_PYTHON_PATH}"
-    "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/TestModules.py" "${SOLIDS}")
+    "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/TestModules.py" "${SOLIDS}" ${MODULES})
 endif ()
 if (PVPYTHON)
   file(GLOB_RECURSE plugin "${PREFIX}/lib*/SolidMoments.so")
