@@ -79,11 +79,6 @@ bool Save(const std::string& name, const std::string& text)
   return static_cast<bool>(file);
 }
 
-int GetExitStatus(const sm::Json& file)
-{
-  return file["status"] == "ok" ? sm::AllOk : file["status"] == "unreadable" ? sm::Unreadable : sm::Flagged;
-}
-
 /// The exit status of two results.
 int Combine(int a, int b)
 {
@@ -157,7 +152,7 @@ sm::Json RunFile(const sm::JobOptions& job, const std::string& head, ProgressLin
   {
     return outcome.File;
   }
-  exitStatus = Combine(exitStatus, GetExitStatus(outcome.File));
+  exitStatus = Combine(exitStatus, sm::GetExitStatus(outcome.File));
   if (!outcome.TextureError.empty())
   {
     ReportFailure("trim textures are missing: " + outcome.TextureError, outcome.File, exitStatus);

@@ -3,6 +3,7 @@
 #include "smMassPropertyNames.h"
 #include "smMessageCollector.h"
 #include "smMessageList.h"
+#include "smOptions.h"
 #include "smPicture.h"
 #include "smQuantities.h"
 #include "smText.h"
@@ -313,7 +314,7 @@ std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesBase* filter, vtkPolyDa
                         : "there is no OpenGL context to draw in: " + context->GetReason();
 }
 
-void Run(const sm::JobOptions& options, const sm::JobListener& send)
+void Run(const sm::JobOptions& options, const sm::JobListener& send, vtkSTEPReader* reader)
 {
   vtkNew<smMessageCollector> collector;
   vtkOutputWindow::SetInstance(collector);
@@ -321,7 +322,6 @@ void Run(const sm::JobOptions& options, const sm::JobListener& send)
   vtkSMPTools::SetBackend("STDThread");
 
   Json file = EmptyFile(options.FileName);
-  vtkNew<vtkSTEPReader> reader;
   sm::MessageList messages;
   const bool isRead = Read(reader, options, send, file, messages);
   const auto filter = MakeFilter(reader, options);
@@ -411,18 +411,21 @@ bool ParseQuantityTolerance(
   return relative >= 0.0 && relative <= 1.0 && absolute >= 0.0 && std::isfinite(absolute);
 }
 
-void RunFileJob(const JobOptions& options, const JobListener& send)
+void RunFileJob(const JobOptions& options, const JobListener& send, vtkSTEPReader* reader)
 {
   // When the result was already sent, an error concerns the pictures only.
   bool isSent = false;
   try
   {
-    Run(options,
+    const auto own = reader ? vtkSmartPointer<vtkSTEPReader>(reader) : vtkSmartPointer<vtkSTEPReader>::New();
+    Run(
+      options,
       [&](const Json& message)
       {
         send(message);
         isSent = isSent || message.contains("result");
-      });
+      },
+      own);
   }
   catch (const std::exception& error)
   {
@@ -430,6 +433,13 @@ void RunFileJob(const JobOptions& options, const JobListener& send)
     send(isSent ? Json{ { options.PictureName.empty() ? "textures" : "picture", reason } }
                 : Json{ { "result", UnreadableFile(options.FileName, reason) } });
   }
+}
+
+int GetExitStatus(const Json& file)
+{
+  return file["status"] == names::StatusOk      ? AllOk
+    : file["status"] == names::StatusUnreadable ? Unreadable
+                                                : Flagged;
 }
 
 Json UnreadableFile(const std::string& fileName, const std::string& message)

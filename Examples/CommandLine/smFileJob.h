@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+class vtkSTEPReader;
+
 namespace sm
 {
 struct JobOptions
@@ -48,8 +50,12 @@ struct JobOptions
 ///   {"picture": an error message when the picture was not written, otherwise ""}
 using JobListener = std::function<void(const Json&)>;
 
-/// Runs the whole job in this process, which should be a child (smIsolatedJob.h). Never throws.
-void RunFileJob(const JobOptions& options, const JobListener& send);
+/// Runs the whole job in this process, which should be a child (smIsolatedJob.h). Never throws. Jobs that are given the same
+/// `reader` one after the other read their file once.
+void RunFileJob(const JobOptions& options, const JobListener& send, vtkSTEPReader* reader = nullptr);
+
+/// Exit status of the program for one file, from its entry in the JSON document: see ExitStatus in smOptions.h.
+int GetExitStatus(const Json& file);
 
 /// Parses an element of QuantityTolerances; false when it is not well formed.
 bool ParseQuantityTolerance(

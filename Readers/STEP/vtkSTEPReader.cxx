@@ -299,6 +299,7 @@ void vtkSTEPReader::Read(vtkPartitionedDataSetCollection* output)
   this->Last->Instances = static_cast<int>(document.Instances.size());
   this->Last->ConversionSeconds += vtkTimerLog::GetUniversalTime() - assembling;
   this->Status = OK;
+  this->InspectDocument(document);
   this->UpdateProgress(1.0);
 }
 

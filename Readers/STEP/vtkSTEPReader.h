@@ -156,6 +156,10 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
+  /// Called when a file has been read and the output is complete, while OpenCASCADE's shapes are still there: for tests that compare
+  /// both. Does nothing.
+  virtual void InspectDocument(const sm::Document&) {}
+
 private:
   vtkSTEPReader(const vtkSTEPReader&) = delete;
   void operator=(const vtkSTEPReader&) = delete;

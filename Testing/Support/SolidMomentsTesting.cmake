@@ -116,3 +116,12 @@ function(solidmoments_add_test_driver name)
     set_property(GLOBAL PROPERTY solidmoments_driver_of_${test} ${name})
   endforeach ()
 endfunction ()
+
+# solidmoments_add_test_library(<name> LIBRARIES <target>...): <name>.cxx holds checks that executables of several rooms link.
+function(solidmoments_add_test_library name)
+  cmake_parse_arguments(library "" "" "LIBRARIES" ${ARGN})
+  add_library(${name} STATIC ${name}.cxx)
+  target_include_directories(${name} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(${name} PUBLIC smTestSupport ${library_LIBRARIES})
+  solidmoments_warnings(${name})
+endfunction ()

@@ -1,4 +1,4 @@
-"""The conditions of SweepModels.py on one run of solidmoments on one real file.
+"""The conditions of SweepModels.py on one real file.
 
 Errors and bounds are relative: volume and area to themselves, the centre to the cube root of the volume, inertia to its
 trace. The reference's `uncertainty` is that of the integrator which made it, found by moving the origin of the volume. It
@@ -15,6 +15,8 @@ CLOSURE_LIMIT = 1e-12
 QUANTITIES = {"volume": "volume", "area": "area", "center": "center_of_mass", "inertia": "inertia"}
 # References of surfaces state no uncertainty.
 SURFACE_LIMIT = 1e-9
+# The display mesh is off by no more.
+MESH_VOLUME_LIMIT = 0.03
 # Relative squared gaps above this are allowed for.
 LARGE_GAP_SQUARED = 1e-10
 OCCT = "occt_eps_1e-09"
@@ -178,3 +180,25 @@ def judge(reference, run):
         judge_quantity(reference, run, name, QUANTITIES[name], scale)
     judge_solids(reference, run)
     judge_status(reference, run)
+
+
+def judge_kernel(reference, kernel, mesh):
+    """Failures of the reader: what it converted against OpenCASCADE's shapes, and the display mesh."""
+    if not reference["readable"]:
+        return [] if kernel is None else [f"{reference['id']}: an unreadable file has shapes"]
+    if kernel is None:
+        return [f"{reference['id']}: no shapes were read"]
+    solids = reference["solids"] > 0
+    expected = {"solids": reference["solids"], "faces": reference["faces"], "missing_faces": 0,
+                "defects": reference.get("open_loops", 0), "above_limits": 0}
+    if solids:
+        expected["open_edges"] = reference.get("open_edges", 0)
+    failures = [f"{key}: {kernel[key]} instead of {value}" for key, value in expected.items() if kernel[key] != value]
+    # The reference samples the gap between coedge and edge far more densely; what we see is never more.
+    if solids and not kernel["max_gap"] <= 1.05 * reference["max_gap"] + 1e-8:
+        failures.append(f"gap between coedges and edges: {kernel['max_gap']} mm, the reference has {reference['max_gap']}")
+    if mesh["bad_normals"]:
+        failures.append(f"{mesh['bad_normals']} normals of the display mesh are no unit vectors")
+    if solids and not abs(mesh["volume"] / reference["volume"] - 1) <= MESH_VOLUME_LIMIT:
+        failures.append(f"volume of the display mesh: {mesh['volume']}")
+    return [f"{reference['id']}: {failure}; {' | '.join(kernel['messages'][:4])}" for failure in failures]

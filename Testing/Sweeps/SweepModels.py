@@ -1,16 +1,19 @@
-"""Runs solidmoments over every real file of the models folder, at two tolerances, and compares with its reference values.
+"""Reads every real file of the models folder once, judges all stages with it, and compares with its reference values.
 
-    SweepModels.py --program solidmoments --models FOLDER --folder UNPACKED [--exceptions FILE] [--only ID ...]
-                   [--markdown FILE] [--csv FILE] [--document FILE.md]
+    SweepModels.py --program SweepFile --models FOLDER --folder UNPACKED --output FOLDER [--exceptions FILE] [--only ID ...]
+                   [--jobs N] [--markdown FILE] [--csv FILE] [--document FILE.md]
 
-What must hold, at the default tolerance of 1e-9 and at 1e-12, of volume, area, centre and inertia alike (SweepJudge.py):
+The program SweepFile does what `solidmoments --json` does at the default tolerance of 1e-9 and at 1e-12, and what STAGES names. What
+must hold of volume, area, centre and inertia alike (SweepJudge.py):
 - |value - reference| <= bound + uncertainty of the reference, and its squared gap where that is large;
 - bound <= 1e-9 on every file at the default tolerance, <= 1e-12 on 80 of 87 at 1e-12;
 - closure residual <= 1e-12 on 82 of 87;
 - the status fits the bounds, the open edges and the exit status; every solid has its own reference volume; nothing crashes;
   what cannot be read is called unreadable, and surfaces open;
 - on the files whose CAD system wrote a precise volume, the distance from it is at least 50 times less than that of
-  OpenCASCADE's BRepGProp with Eps = 1e-9.
+  OpenCASCADE's BRepGProp with Eps = 1e-9;
+- faces, trim curves and edges are those of OpenCASCADE, point by point; numbers of solids, faces and open edges are the reference's;
+  the display mesh has about the volume.
 
 Prints a row per file while it runs and the summary that Documentation/Numerics.md shows; --markdown and --csv write the table
 (SweepTable.py), --document puts the summary between the marks of that document.
@@ -18,6 +21,7 @@ Exit status 0 when all of this holds. SweepExceptions.json names the files that 
 {"id": {"volume": "why", "status": "why"}}. An exception that is not needed is an error, too.
 """
 import argparse
+import concurrent.futures
 import json
 import os
 import subprocess
@@ -35,26 +39,38 @@ CLOSED_FILES = 82
 # CAD systems wrote these two volumes with twelve digits, and their gaps move them by far more.
 CLOSER_THAN_OCCT = {"nist_ctc_01": 50, "nist_ftc_06": 50}
 SECONDS_A_FILE = 900
+# More than the integration of a file, on some of them: both backends; below and above a waterline; saved and read again.
+STAGES = {
+    "backends": {"build123d_screw", "nist_pmi_05_brl", "gmsh_fusee", "occt_linkrods", "caxif_dm1_id_214", "nist_ctc_01",
+                 "geouned_torus_design1", "pygem_pipe", "gmsh_ujoint"},
+    "buoyancy": {"gmsh_fusee", "nist_ctc_01", "occt_linkrods", "caxif_dm1_id_214", "odri_pulley", "geouned_dobleCodo"},
+    "writers": {"build123d_screw", "caxif_as1_oc_214", "caxif_dm1_id_214", "cq_red_blue", "geouned_torus_design1", "nist_ctc_01",
+                "occt_linkrods"},
+}
 
 
-def run(options, identifier, tolerance):
-    path = os.path.join(options.folder, identifier + ".step")
-    command = [options.program, "--quiet", "--tolerance", f"{tolerance:g}", "--json", "-", path]
-    if tolerance == SweepJudge.DEFAULT_TOLERANCE:
-        # The default itself is under test.
-        del command[2:4]
-    start = time.monotonic()
+def run(options, identifier):
+    """The runs of a file, what else SweepFile found, and the failures of the stages."""
+    path = os.path.join(options.output, identifier + ".json")
+    if os.path.exists(path):
+        os.remove(path)
+    stages = [stage for stage, names in STAGES.items() if identifier in names]
+    command = [options.program, os.path.join(options.folder, identifier + ".step"), path, options.output, *stages]
     try:
-        result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
-                                timeout=SECONDS_A_FILE, check=False)
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
+                              errors="replace", timeout=SECONDS_A_FILE, check=False)
+        code, text = done.returncode, done.stdout
     except subprocess.TimeoutExpired:
-        return SweepJudge.Run(tolerance, None, None, f"not done in {SECONDS_A_FILE} s", time.monotonic() - start)
-    seconds = time.monotonic() - start
-    try:
-        document = json.loads(result.stdout)["files"][0]
-    except (ValueError, KeyError, IndexError):
-        document = None
-    return SweepJudge.Run(tolerance, result.returncode, document, result.stderr.strip(), seconds)
+        code, text = None, f"not done in {SECONDS_A_FILE} s"
+    if code != 0:
+        return [SweepJudge.Run(tolerance, code, None, text, 0.0) for tolerance in SweepJudge.TOLERANCES], {}, []
+    with open(path, encoding="utf-8") as file:
+        result = json.load(file)
+    runs = [SweepJudge.Run(one["tolerance"], one["exit_status"], one["document"], "", one["seconds"]) for one in result["runs"]]
+    failures = [line for line in text.splitlines() if line.startswith("FAIL")]
+    if len(failures) != result["checks"]["failures"] or bool(stages) != bool(result["checks"]["number"]):
+        failures.append(f"stages {stages}: {result['checks']}, {len(failures)} lines FAIL")
+    return runs, result, [f"{identifier}: {line}" for line in failures]
 
 
 def check_exceptions(identifier, allowed, runs):
@@ -113,9 +129,11 @@ def check_cad_volumes(swept):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", required=True, help="path of solidmoments")
+    parser.add_argument("--program", required=True, help="path of SweepFile")
     parser.add_argument("--models", required=True, help="folder with reference.jsonl and unpack.sh")
     parser.add_argument("--folder", required=True, help="where the files are unpacked")
+    parser.add_argument("--output", required=True, help="where results and saved files go")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="files at a time")
     parser.add_argument("--exceptions", help="JSON, what may be missed and why")
     parser.add_argument("--only", action="append", help="this file only; may be given several times")
     parser.add_argument("--markdown", help="write the table and its summary there")
@@ -129,27 +147,36 @@ def main():
     if options.exceptions:
         with open(options.exceptions, encoding="utf-8") as file:
             exceptions = json.load(file)
+    os.makedirs(options.output, exist_ok=True)
     known = {reference["id"] for reference in references}
-    failures = [f"{name}: no such file, but named" for name in set(exceptions) | set(options.only or []) if name not in known]
+    failures = [f"{name}: no such file, but named" for name in set(exceptions).union(options.only or [], *STAGES.values())
+                if name not in known]
     if options.only:
         references = [reference for reference in references if reference["id"] in options.only]
 
     start = time.monotonic()
     swept = []
     print(SweepTable.console_header())
-    for reference in references:
-        runs = [run(options, reference["id"], tolerance) for tolerance in SweepJudge.TOLERANCES]
-        for one in runs:
-            SweepJudge.judge(reference, one)
-        swept.append(SweepJudge.Swept(reference, runs))
-        print(SweepTable.console_row(swept[-1]), flush=True)
-        failures += check_exceptions(reference["id"], exceptions.get(reference["id"], {}), runs)
+    types = {}
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        results = pool.map(lambda reference: run(options, reference["id"]), references)
+        for reference, (runs, result, found) in zip(references, results):
+            for one in runs:
+                SweepJudge.judge(reference, one)
+            swept.append(SweepJudge.Swept(reference, runs))
+            print(SweepTable.console_row(swept[-1]), flush=True)
+            failures += check_exceptions(reference["id"], exceptions.get(reference["id"], {}), runs)
+            failures += found
+            if result:
+                failures += SweepJudge.judge_kernel(reference, result["kernel"], result["mesh"])
+                SweepTable.add_types(types, result["kernel"])
     if not options.only:
         failures += check_counts(swept)
     failures += check_cad_volumes(swept)
 
-    summary = SweepTable.summary(swept, time.monotonic() - start)
-    print("\n" + summary + "\n")
+    summary = SweepTable.summary(swept)
+    print("\n" + SweepTable.types(types))
+    print(f"\n{summary}\n\n{time.monotonic() - start:.0f} s")
     if options.markdown:
         with open(options.markdown, "w", encoding="utf-8") as file:
             file.write(SweepTable.markdown(swept, summary))

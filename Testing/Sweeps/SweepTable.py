@@ -97,12 +97,29 @@ def markdown(swept, summary):
     return "\n".join(lines) + "\n"
 
 
+def add_types(types, kernel):
+    """Adds the surface types of a file to those of all."""
+    for name, tally in (kernel or {"types": {}})["types"].items():
+        total = types.setdefault(name, {"faces": 0, "surface": 0.0, "trim": 0.0})
+        total["faces"] += tally["faces"]
+        for key in ("surface", "trim"):
+            total[key] = max(total[key], tally[key])
+
+
+def types(tallies):
+    """Worst distances from OpenCASCADE's points, relative, by type of surface."""
+    lines = ["{:32} {:>7} {:>9} {:>9}".format("surface type", "faces", "surface", "trim")]
+    for name, tally in sorted(tallies.items()):
+        lines.append(f"{name:32} {tally['faces']:7} {tally['surface']:9.1e} {tally['trim']:9.1e}")
+    return "\n".join(lines)
+
+
 def middle_and_worst(values):
     values = [value for value in values if value is not None]
     return f"{statistics.median(values):.0e}, {max(values):.0e}" if values else "-"
 
 
-def summary(swept, seconds):
+def summary(swept):
     """Markdown: what Documentation/Numerics.md shows."""
     solids = [entry for entry in swept if entry.has_solids()]
     count = len(solids)
@@ -110,7 +127,7 @@ def summary(swept, seconds):
     vouched = [entry for entry in solids if entry.reference["uncertainty"] <= 1e-12]
     unreadable = sum(1 for entry in swept if not entry.reference["readable"])
     lines = [f"{len(swept)} files: {count} with solids, {len(swept) - count - unreadable} of surfaces alone, {unreadable} "
-             f"unreadable; each run twice, {seconds:.0f} s in all.", "",
+             f"unreadable; each read once and integrated at two tolerances.", "",
              "| | tolerance | error: median, worst | bound: median, worst | error <= bound + uncertainty "
              "| bound <= tolerance |", "|---|---|---|---|---|---|"]
     for name, title in NAMES.items():

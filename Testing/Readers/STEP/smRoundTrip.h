@@ -52,7 +52,17 @@ long long CountFaces(vtkDataObject* data);
 
 /// Reads a file in one of the reader's units; null when it cannot be read. The filter's messages are not printed.
 vtkSmartPointer<vtkPartitionedDataSetCollection> ReadFile(
-  const std::string& path, const std::string& unit = "mm");
+  const std::string& path, const std::string& unit = "mm", DisplayMesh mesh = DisplayMesh::Coarse);
+
+/// Writes a STEP file; null, and a failed check, when that fails, otherwise what reading it again gives. `messages` gets those of the
+/// writer. The mesh is to be that of `data`: the sampled gaps depend a little on the box of a body, and that on its mesh.
+vtkSmartPointer<vtkPartitionedDataSetCollection> SaveAndRead(const std::string& path, vtkDataObject* data,
+  std::string* messages = nullptr, DisplayMesh mesh = DisplayMesh::Coarse);
+
+/// Checks that the properties of both are the same: relative differences beyond both bounds are at most `limit`. `distance`: how far
+/// the part's coordinates are from the origin they are saved in.
+void CompareProperties(
+  const std::string& name, vtkDataObject* before, vtkDataObject* after, double limit, double distance = 0.0);
 
 /// OpenCASCADE's own view of a BREP file.
 struct KernelView
@@ -69,6 +79,10 @@ struct KernelView
   std::string Complaints;
 };
 KernelView ViewBREP(const std::string& path, bool integrate = true);
+
+/// Saves a BREP file: OpenCASCADE reads it, finds nothing wrong, and integrates about the same volume and area.
+void CheckKernel(
+  const std::string& path, const std::string& name, vtkDataObject* data, double volume, double area);
 }
 
 #endif
