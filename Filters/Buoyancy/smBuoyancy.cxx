@@ -23,6 +23,9 @@ constexpr auto WideRoundoff = static_cast<double>(0.5L * std::numeric_limits<Wid
 constexpr double CutShare = 0.125;
 constexpr double QuadratureShare = 0.4;
 constexpr std::size_t Quantities = 4;
+// Share of the progress for cutting all faces, and faces cut at the waterline between two reports of progress.
+constexpr double CutProgress = 0.5;
+constexpr std::size_t CutsPerReport = 64;
 
 Wide Dot(const Wide3& a, const Wide3& b)
 {
@@ -258,8 +261,8 @@ void BuoyancyIntegrator::MoveToMiddle(Frame& frame)
   frame.PlaneBound = 0.0;
 }
 
-void BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane,
-  double tolerance, std::vector<SubmergedFace>& below)
+bool BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane,
+  double tolerance, const ProgressCallback& progress, std::vector<SubmergedFace>& below)
 {
   below.assign(faces.size(), {});
   const CutKey key{ plane, tolerance };
@@ -275,24 +278,34 @@ void BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, cons
       missing.push_back(i);
     }
   }
-  ParallelFor(missing.size(), 1,
-    [&](std::size_t from, std::size_t to)
-    {
-      for (std::size_t i = from; i < to; ++i)
-      {
-        below[missing[i]] = CutBelow(faces[missing[i]], plane, tolerance);
-      }
-    });
-  for (const std::size_t i : missing)
+  for (std::size_t begin = 0; begin < missing.size(); begin += CutsPerReport)
   {
-    std::size_t bytes = 0;
-    for (const CutFacePointer& part : below[i].Parts)
+    if (!progress(static_cast<double>(begin) / static_cast<double>(missing.size())))
     {
-      // A face that is entirely below the plane is kept and counted by the other cache.
-      bytes += part && part != faces[i] ? CountBytes(*part) : 0;
+      return false;
     }
-    this->Below.Store(faces[i]->Source->Id, key, below[i], bytes);
+    const std::size_t end = std::min(begin + CutsPerReport, missing.size());
+    ParallelFor(end - begin, 1,
+      [&](std::size_t from, std::size_t to)
+      {
+        for (std::size_t i = begin + from; i < begin + to; ++i)
+        {
+          below[missing[i]] = CutBelow(faces[missing[i]], plane, tolerance);
+        }
+      });
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      const std::size_t i = missing[k];
+      std::size_t bytes = 0;
+      for (const CutFacePointer& part : below[i].Parts)
+      {
+        // A face that is entirely below the plane is kept and counted by the other cache.
+        bytes += part && part != faces[i] ? CountBytes(*part) : 0;
+      }
+      this->Below.Store(faces[i]->Source->Id, key, below[i], bytes);
+    }
   }
+  return true;
 }
 
 void BuoyancyIntegrator::ReleaseMemory()
@@ -301,17 +314,24 @@ void BuoyancyIntegrator::ReleaseMemory()
   this->Cuts.Clear();
 }
 
-bool BuoyancyIntegrator::CutAtWaterline(
-  const BodyIntegrals& body, const Waterline& waterline, double tolerance, CutBody& cut)
+bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterline& waterline,
+  double tolerance, const ProgressCallback& progress, CutBody& cut)
 {
   const std::vector<FacePointer>& sources = body.Model->GetFaces();
-  if (!this->Cuts.Acquire(sources, cut.Faces, nullptr))
+  // The two halves of the progress: faces into panels, panels at the waterline.
+  const auto firstHalf = [&progress](double fraction) { return progress(0.5 * fraction); };
+  const auto secondHalf = [&progress](double fraction) { return progress(0.5 + 0.5 * fraction); };
+  if (!this->Cuts.Acquire(sources, cut.Faces, firstHalf))
   {
+    this->CutError = this->WasCutAborted ? "" : this->Cuts.GetError();
     return false;
   }
   Frame& frame = cut.View;
   frame = MakeFrame(body, waterline);
-  this->CutFaces(cut.Faces, frame.Plane, CutShare * tolerance, cut.Below);
+  if (!this->CutFaces(cut.Faces, frame.Plane, CutShare * tolerance, secondHalf, cut.Below))
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     cut.IsWhole = cut.IsWhole && cut.Below[i].Parts[0] == cut.Faces[i];
@@ -438,34 +458,52 @@ std::vector<Integrand> BuoyancyIntegrator::MakeIntegrands()
     Integrand::HeightMoment("Y", 0, 1, 0), Integrand::HeightMoment("Z", 0, 0, 1) };
 }
 
+bool BuoyancyIntegrator::CutBodies(const std::vector<BodyIntegrals>& bodies, const Waterline& waterline,
+  double relativeTolerance, const ProgressCallback& progress, std::vector<CutBody>& cuts,
+  std::vector<FaceTask>& tasks, std::vector<Place>& places)
+{
+  cuts.assign(bodies.size(), {});
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    const auto report = [&](double fraction)
+    {
+      const double done = (static_cast<double>(b) + fraction) / static_cast<double>(bodies.size());
+      this->WasCutAborted = this->WasCutAborted || (progress && !progress(CutProgress * done));
+      return !this->WasCutAborted;
+    };
+    vtkTrimmedNURBSModel& model = *bodies[b].Model;
+    const double tolerance =
+      relativeTolerance * GetVolumeScale(model) / std::max<std::size_t>(model.GetFaces().size(), 1);
+    if (!this->CutAtWaterline(bodies[b], waterline, tolerance, report, cuts[b]))
+    {
+      return false;
+    }
+    AddTasks(cuts[b], b, tolerance, tasks, places);
+  }
+  return true;
+}
+
 bool BuoyancyIntegrator::Integrate(SurfaceIntegrator& integrator, const std::vector<BodyIntegrals>& bodies,
   const Waterline& waterline, double relativeTolerance, const ProgressCallback& progress,
   std::vector<BodyBuoyancy>& results)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   this->CutError.clear();
+  this->WasCutAborted = false;
   std::vector<FaceTask> tasks;
   std::vector<Place> places;
-  std::vector<CutBody> cuts(bodies.size());
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-  {
-    vtkTrimmedNURBSModel& model = *bodies[b].Model;
-    const double tolerance =
-      relativeTolerance * GetVolumeScale(model) / std::max<std::size_t>(model.GetFaces().size(), 1);
-    if (!this->CutAtWaterline(bodies[b], waterline, tolerance, cuts[b]))
-    {
-      this->CutError = this->Cuts.GetError();
-      return false;
-    }
-    AddTasks(cuts[b], b, tolerance, tasks, places);
-  }
+  std::vector<CutBody> cuts;
+  const bool hasCut = this->CutBodies(bodies, waterline, relativeTolerance, progress, cuts, tasks, places);
   this->CutSeconds = vtkTimerLog::GetUniversalTime() - start;
+  const auto integrating = [&progress](double fraction)
+  { return !progress || progress(CutProgress + (1.0 - CutProgress) * fraction); };
   std::vector<FaceIntegrals> integrals;
-  if (!integrator.Integrate(tasks, integrals, progress))
+  const bool done = hasCut && integrator.Integrate(tasks, integrals, integrating);
+  this->Below.EndRun();
+  if (!done)
   {
     return false;
   }
-  this->Below.EndRun();
   FaceIntegrals zero;
   for (std::size_t k = 0; k < Quantities; ++k)
   {
