@@ -1,5 +1,6 @@
 #include "smBuoyancy.h"
 #include "smParallelFor.h"
+#include "smSubmergedStrips.h"
 #include "smUnitRoundoff.h"
 
 #include "vtkTimerLog.h"
@@ -72,10 +73,10 @@ double GetReach(const FacePanels& panels, const Point3& center)
   return reach;
 }
 
-/// Returns an upper bound of the area of a face's patches.
-double GetLargestArea(const FacePanels& panels)
+/// Returns an upper bound of the area of the closed chain of a face: of its patches, ribbons and caps.
+double GetLargestArea(const FacePanels& panels, double stripArea)
 {
-  double area = 0.0;
+  double area = stripArea;
   for (const Patch& patch : panels.Patches)
   {
     area += patch.Stretch[0] * patch.Stretch[1];
@@ -83,30 +84,72 @@ double GetLargestArea(const FacePanels& panels)
   return area;
 }
 
-/// Returns false if all patches are further from the plane than the distance.
+/// Range of heights above the plane.
+struct HeightSpan
+{
+  double Low = std::numeric_limits<double>::infinity();
+  double High = -std::numeric_limits<double>::infinity();
+
+  void Add(double height)
+  {
+    this->Low = std::min(this->Low, height);
+    this->High = std::max(this->High, height);
+  }
+  /// Returns 1 or -1 if all heights are above or below the plane by more than the distance, else 0.
+  int GetSide(double distance) const { return this->Low > distance ? 1 : this->High < -distance ? -1 : 0; }
+};
+
+/// Returns the side of the plane on which a patch is, see HeightSpan.
+int FindSide(const FacePanels& panels, const Patch& patch, const HeightPlane& plane, double distance)
+{
+  const double middle = plane.GetHeight({ patch.Center[0], patch.Center[1], patch.Center[2] });
+  if (std::abs(middle) > 2.0 * patch.Radius + distance)
+  {
+    return middle > 0.0 ? 1 : -1;
+  }
+  HeightSpan span;
+  for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
+  {
+    const std::array<double, 4>& p = panels.Points[patch.FirstPoint + i];
+    span.Add(middle + (plane.Up[0] * p[0] + plane.Up[1] * p[1] + plane.Up[2] * p[2]) / p[3]);
+  }
+  return span.GetSide(distance);
+}
+
+/// Returns false if all of the chain of a face is further from the plane than the distance.
 bool MayTouch(const FacePanels& panels, const HeightPlane& plane, double distance)
 {
+  std::vector<int> sides;
   for (const Patch& patch : panels.Patches)
   {
-    const double middle = plane.GetHeight({ patch.Center[0], patch.Center[1], patch.Center[2] });
-    if (!(std::abs(middle) > 2.0 * patch.Radius + distance))
+    sides.push_back(FindSide(panels, patch, plane, distance));
+    if (sides.back() == 0)
     {
-      double low = std::numeric_limits<double>::infinity();
-      double high = -low;
-      for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
-      {
-        const std::array<double, 4>& p = panels.Points[patch.FirstPoint + i];
-        const double h = middle + (plane.Up[0] * p[0] + plane.Up[1] * p[1] + plane.Up[2] * p[2]) / p[3];
-        low = std::min(low, h);
-        high = std::max(high, h);
-      }
-      if (!(low > distance || high < -distance))
-      {
-        return true;
-      }
+      return true;
     }
   }
-  return false;
+  for (const Ribbon& ribbon : panels.Ribbons)
+  {
+    HeightSpan span;
+    for (int i = 0; i <= ribbon.EdgeDegree; ++i)
+    {
+      const double* p = panels.Coefficients.data() + ribbon.Edge + 3 * i;
+      span.Add(plane.GetHeight({ p[0], p[1], p[2] }));
+    }
+    if (span.GetSide(distance) != sides[ribbon.Patch])
+    {
+      return true;
+    }
+  }
+  return std::any_of(panels.Caps.begin(), panels.Caps.end(),
+    [&](const Cap& cap)
+    {
+      HeightSpan span;
+      span.Add(plane.GetHeight(cap.Apex));
+      span.Add(plane.GetHeight(cap.From));
+      span.Add(plane.GetHeight(cap.To));
+      return span.GetSide(distance) == 0;
+    });
 }
 
 /// Transforms the values or bounds of one kind of a face's results to moments about the world's origin, along its axes.
@@ -349,7 +392,8 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
     const FacePanels& panels = cut.Faces[i]->Panels;
     const bool mayHaveSheet =
       (isNothing || (cut.IsWhole && isWhole)) && MayTouch(panels, frame.Plane, 2.0 * rounded);
-    cut.VolumeErrors[i] = below.CutError + (mayHaveSheet ? 2.0 * rounded * GetLargestArea(panels) : 0.0);
+    cut.VolumeErrors[i] =
+      below.CutError + (mayHaveSheet ? 2.0 * rounded * GetLargestArea(panels, GetStripArea(panels)) : 0.0);
     cut.Errors[i] = cut.Faces[i]->Error;
   }
   if (cut.IsWhole)
@@ -392,7 +436,7 @@ void BuoyancyIntegrator::AddTasks(
           own *= below.Parts[0] && below.Parts[1] ? 0.5 : 1.0;
         }
         places.push_back({ body, i });
-        cut.VolumeErrors[i] += moved * GetLargestArea(part->Panels);
+        cut.VolumeErrors[i] += moved * GetLargestArea(part->Panels, below.StripArea);
       }
     }
     frame.Reach =

@@ -1,4 +1,5 @@
 // TestBuoyancyRuns FOLDER MODE BACKEND: outputs of a run, bodies inside out, planes along faces, and runs that are stopped
+#include "smBoxBodies.h"
 #include "smBuoyancyNames.h"
 #include "smBuoyancyTesting.h"
 #include "smTestManifest.h"
@@ -86,6 +87,30 @@ void CheckTouching(const Manifest& manifest)
 {
   Scene scene(manifest.GetSolid("box", "plain")[0].Path);
   CheckTop("box", scene, 10.0);
+}
+
+/// The same of a plate whose top has a surface of a thousandth of its size: ribbons to its edges cover the rest.
+void CheckWideRibbons(const Manifest& manifest)
+{
+  constexpr double thickness = 1.0 / 128.0;
+  BoxBody body;
+  body.Add({ { 0.0, 0.0, 0.0 }, { 30.0, 20.0, thickness } });
+  const vtkSmartPointer<vtkNURBSDataSet> leaf = body.Make();
+  constexpr int top = 5;
+  auto face = std::make_shared<sm::Face>(*leaf->GetModel()->GetFaces()[top]);
+  face->Id = sm::NewId();
+  const double middle[3] = { 15.0, 10.0, thickness };
+  for (std::array<double, 4>& point : face->Surface.ControlPoints)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      point[c] = middle[c] + 1e-3 * (point[c] - middle[c]);
+    }
+  }
+  leaf->GetModel()->SetFace(top, face);
+  Scene scene(manifest.GetSolid("box", "plain")[0].Path);
+  scene.Move->SetInputDataObject(leaf);
+  CheckTop("plate with wide ribbons", scene, thickness);
 }
 
 /// Volume, first moments and centre of the box below z = height, from getters, field data and tables.
@@ -268,6 +293,6 @@ int TestBuoyancyRuns(int argc, char* argv[])
   const Manifest manifest(argv[1]);
   RunMode(argv[2], manifest,
     { { "inside_out", CheckInsideOut }, { "touching", CheckTouching }, { "tables", CheckTables },
-      { "aborts", CheckAborts } });
+      { "aborts", CheckAborts }, { "wide_ribbons", CheckWideRibbons } });
   return Finish();
 }
