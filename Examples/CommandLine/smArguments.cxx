@@ -167,7 +167,7 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->type_name("NAME=REL[,ABS]")
     ->check(CheckQuantityTolerance)
     ->take_all()
-    ->expected(1);
+    ->allow_extra_args(false);
   sm::AddNumberOption(app, "--max-evaluations", job.MaximumEvaluations,
     "Largest number of surface evaluations of a file (default 2e9); where that\n"
     "is too few, the tolerance is loosened and the bounds say by how much")
@@ -212,7 +212,7 @@ void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
     ->type_name("NAME=EXPR")
     ->check(CheckIntegral)
     ->take_all()
-    ->expected(1);
+    ->allow_extra_args(false);
 }
 
 void DeclareWaterlines(CLI::App& app, sm::Arguments& arguments)
@@ -228,7 +228,7 @@ void DeclareWaterlines(CLI::App& app, sm::Arguments& arguments)
     ->type_name("HEIGHT")
     ->check(CheckHeight)
     ->take_all()
-    ->expected(1);
+    ->allow_extra_args(false);
   app.add_option("--up", arguments.Up, "Upward normal of the waterlines, of any length (default 0,0,1)")
     ->type_name("X,Y,Z")
     ->check(CheckDirection);

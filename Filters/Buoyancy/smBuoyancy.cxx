@@ -1,5 +1,6 @@
 #include "smBuoyancy.h"
 #include "smParallelFor.h"
+#include "smSubmergedStrips.h"
 #include "smUnitRoundoff.h"
 
 #include "vtkTimerLog.h"
@@ -23,6 +24,9 @@ constexpr auto WideRoundoff = static_cast<double>(0.5L * std::numeric_limits<Wid
 constexpr double CutShare = 0.125;
 constexpr double QuadratureShare = 0.4;
 constexpr std::size_t Quantities = 4;
+// Share of the progress for cutting all faces, and faces cut at the waterline between two reports of progress.
+constexpr double CutProgress = 0.5;
+constexpr std::size_t CutsPerReport = 64;
 
 Wide Dot(const Wide3& a, const Wide3& b)
 {
@@ -69,10 +73,10 @@ double GetReach(const FacePanels& panels, const Point3& center)
   return reach;
 }
 
-/// Returns an upper bound of the area of a face's patches.
-double GetLargestArea(const FacePanels& panels)
+/// Returns an upper bound of the area of the closed chain of a face: of its patches, ribbons and caps.
+double GetLargestArea(const FacePanels& panels, double stripArea)
 {
-  double area = 0.0;
+  double area = stripArea;
   for (const Patch& patch : panels.Patches)
   {
     area += patch.Stretch[0] * patch.Stretch[1];
@@ -80,30 +84,72 @@ double GetLargestArea(const FacePanels& panels)
   return area;
 }
 
-/// Returns false if all patches are further from the plane than the distance.
+/// Range of heights above the plane.
+struct HeightSpan
+{
+  double Low = std::numeric_limits<double>::infinity();
+  double High = -std::numeric_limits<double>::infinity();
+
+  void Add(double height)
+  {
+    this->Low = std::min(this->Low, height);
+    this->High = std::max(this->High, height);
+  }
+  /// Returns 1 or -1 if all heights are above or below the plane by more than the distance, else 0.
+  int GetSide(double distance) const { return this->Low > distance ? 1 : this->High < -distance ? -1 : 0; }
+};
+
+/// Returns the side of the plane on which a patch is, see HeightSpan.
+int FindSide(const FacePanels& panels, const Patch& patch, const HeightPlane& plane, double distance)
+{
+  const double middle = plane.GetHeight({ patch.Center[0], patch.Center[1], patch.Center[2] });
+  if (std::abs(middle) > 2.0 * patch.Radius + distance)
+  {
+    return middle > 0.0 ? 1 : -1;
+  }
+  HeightSpan span;
+  for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
+  {
+    const std::array<double, 4>& p = panels.Points[patch.FirstPoint + i];
+    span.Add(middle + (plane.Up[0] * p[0] + plane.Up[1] * p[1] + plane.Up[2] * p[2]) / p[3]);
+  }
+  return span.GetSide(distance);
+}
+
+/// Returns false if all of the chain of a face is further from the plane than the distance.
 bool MayTouch(const FacePanels& panels, const HeightPlane& plane, double distance)
 {
+  std::vector<int> sides;
   for (const Patch& patch : panels.Patches)
   {
-    const double middle = plane.GetHeight({ patch.Center[0], patch.Center[1], patch.Center[2] });
-    if (!(std::abs(middle) > 2.0 * patch.Radius + distance))
+    sides.push_back(FindSide(panels, patch, plane, distance));
+    if (sides.back() == 0)
     {
-      double low = std::numeric_limits<double>::infinity();
-      double high = -low;
-      for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
-      {
-        const std::array<double, 4>& p = panels.Points[patch.FirstPoint + i];
-        const double h = middle + (plane.Up[0] * p[0] + plane.Up[1] * p[1] + plane.Up[2] * p[2]) / p[3];
-        low = std::min(low, h);
-        high = std::max(high, h);
-      }
-      if (!(low > distance || high < -distance))
-      {
-        return true;
-      }
+      return true;
     }
   }
-  return false;
+  for (const Ribbon& ribbon : panels.Ribbons)
+  {
+    HeightSpan span;
+    for (int i = 0; i <= ribbon.EdgeDegree; ++i)
+    {
+      const double* p = panels.Coefficients.data() + ribbon.Edge + 3 * i;
+      span.Add(plane.GetHeight({ p[0], p[1], p[2] }));
+    }
+    if (span.GetSide(distance) != sides[ribbon.Patch])
+    {
+      return true;
+    }
+  }
+  return std::any_of(panels.Caps.begin(), panels.Caps.end(),
+    [&](const Cap& cap)
+    {
+      HeightSpan span;
+      span.Add(plane.GetHeight(cap.Apex));
+      span.Add(plane.GetHeight(cap.From));
+      span.Add(plane.GetHeight(cap.To));
+      return span.GetSide(distance) == 0;
+    });
 }
 
 /// Transforms the values or bounds of one kind of a face's results to moments about the world's origin, along its axes.
@@ -258,8 +304,8 @@ void BuoyancyIntegrator::MoveToMiddle(Frame& frame)
   frame.PlaneBound = 0.0;
 }
 
-void BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane,
-  double tolerance, std::vector<SubmergedFace>& below)
+bool BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane,
+  double tolerance, const ProgressCallback& progress, std::vector<SubmergedFace>& below)
 {
   below.assign(faces.size(), {});
   const CutKey key{ plane, tolerance };
@@ -275,24 +321,34 @@ void BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, cons
       missing.push_back(i);
     }
   }
-  ParallelFor(missing.size(), 1,
-    [&](std::size_t from, std::size_t to)
-    {
-      for (std::size_t i = from; i < to; ++i)
-      {
-        below[missing[i]] = CutBelow(faces[missing[i]], plane, tolerance);
-      }
-    });
-  for (const std::size_t i : missing)
+  for (std::size_t begin = 0; begin < missing.size(); begin += CutsPerReport)
   {
-    std::size_t bytes = 0;
-    for (const CutFacePointer& part : below[i].Parts)
+    if (!progress(static_cast<double>(begin) / static_cast<double>(missing.size())))
     {
-      // A face that is entirely below the plane is kept and counted by the other cache.
-      bytes += part && part != faces[i] ? CountBytes(*part) : 0;
+      return false;
     }
-    this->Below.Store(faces[i]->Source->Id, key, below[i], bytes);
+    const std::size_t end = std::min(begin + CutsPerReport, missing.size());
+    ParallelFor(end - begin, 1,
+      [&](std::size_t from, std::size_t to)
+      {
+        for (std::size_t i = begin + from; i < begin + to; ++i)
+        {
+          below[missing[i]] = CutBelow(faces[missing[i]], plane, tolerance);
+        }
+      });
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      const std::size_t i = missing[k];
+      std::size_t bytes = 0;
+      for (const CutFacePointer& part : below[i].Parts)
+      {
+        // A face that is entirely below the plane is kept and counted by the other cache.
+        bytes += part && part != faces[i] ? CountBytes(*part) : 0;
+      }
+      this->Below.Store(faces[i]->Source->Id, key, below[i], bytes);
+    }
   }
+  return true;
 }
 
 void BuoyancyIntegrator::ReleaseMemory()
@@ -301,17 +357,24 @@ void BuoyancyIntegrator::ReleaseMemory()
   this->Cuts.Clear();
 }
 
-bool BuoyancyIntegrator::CutAtWaterline(
-  const BodyIntegrals& body, const Waterline& waterline, double tolerance, CutBody& cut)
+bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterline& waterline,
+  double tolerance, const ProgressCallback& progress, CutBody& cut)
 {
   const std::vector<FacePointer>& sources = body.Model->GetFaces();
-  if (!this->Cuts.Acquire(sources, cut.Faces, nullptr))
+  // The two halves of the progress: faces into panels, panels at the waterline.
+  const auto firstHalf = [&progress](double fraction) { return progress(0.5 * fraction); };
+  const auto secondHalf = [&progress](double fraction) { return progress(0.5 + 0.5 * fraction); };
+  if (!this->Cuts.Acquire(sources, cut.Faces, firstHalf))
   {
+    this->CutError = this->WasCutAborted ? "" : this->Cuts.GetError();
     return false;
   }
   Frame& frame = cut.View;
   frame = MakeFrame(body, waterline);
-  this->CutFaces(cut.Faces, frame.Plane, CutShare * tolerance, cut.Below);
+  if (!this->CutFaces(cut.Faces, frame.Plane, CutShare * tolerance, secondHalf, cut.Below))
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     cut.IsWhole = cut.IsWhole && cut.Below[i].Parts[0] == cut.Faces[i];
@@ -329,7 +392,8 @@ bool BuoyancyIntegrator::CutAtWaterline(
     const FacePanels& panels = cut.Faces[i]->Panels;
     const bool mayHaveSheet =
       (isNothing || (cut.IsWhole && isWhole)) && MayTouch(panels, frame.Plane, 2.0 * rounded);
-    cut.VolumeErrors[i] = below.CutError + (mayHaveSheet ? 2.0 * rounded * GetLargestArea(panels) : 0.0);
+    cut.VolumeErrors[i] =
+      below.CutError + (mayHaveSheet ? 2.0 * rounded * GetLargestArea(panels, GetStripArea(panels)) : 0.0);
     cut.Errors[i] = cut.Faces[i]->Error;
   }
   if (cut.IsWhole)
@@ -372,7 +436,7 @@ void BuoyancyIntegrator::AddTasks(
           own *= below.Parts[0] && below.Parts[1] ? 0.5 : 1.0;
         }
         places.push_back({ body, i });
-        cut.VolumeErrors[i] += moved * GetLargestArea(part->Panels);
+        cut.VolumeErrors[i] += moved * GetLargestArea(part->Panels, below.StripArea);
       }
     }
     frame.Reach =
@@ -438,34 +502,52 @@ std::vector<Integrand> BuoyancyIntegrator::MakeIntegrands()
     Integrand::HeightMoment("Y", 0, 1, 0), Integrand::HeightMoment("Z", 0, 0, 1) };
 }
 
+bool BuoyancyIntegrator::CutBodies(const std::vector<BodyIntegrals>& bodies, const Waterline& waterline,
+  double relativeTolerance, const ProgressCallback& progress, std::vector<CutBody>& cuts,
+  std::vector<FaceTask>& tasks, std::vector<Place>& places)
+{
+  cuts.assign(bodies.size(), {});
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    const auto report = [&](double fraction)
+    {
+      const double done = (static_cast<double>(b) + fraction) / static_cast<double>(bodies.size());
+      this->WasCutAborted = this->WasCutAborted || (progress && !progress(CutProgress * done));
+      return !this->WasCutAborted;
+    };
+    vtkTrimmedNURBSModel& model = *bodies[b].Model;
+    const double tolerance =
+      relativeTolerance * GetVolumeScale(model) / std::max<std::size_t>(model.GetFaces().size(), 1);
+    if (!this->CutAtWaterline(bodies[b], waterline, tolerance, report, cuts[b]))
+    {
+      return false;
+    }
+    AddTasks(cuts[b], b, tolerance, tasks, places);
+  }
+  return true;
+}
+
 bool BuoyancyIntegrator::Integrate(SurfaceIntegrator& integrator, const std::vector<BodyIntegrals>& bodies,
   const Waterline& waterline, double relativeTolerance, const ProgressCallback& progress,
   std::vector<BodyBuoyancy>& results)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   this->CutError.clear();
+  this->WasCutAborted = false;
   std::vector<FaceTask> tasks;
   std::vector<Place> places;
-  std::vector<CutBody> cuts(bodies.size());
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-  {
-    vtkTrimmedNURBSModel& model = *bodies[b].Model;
-    const double tolerance =
-      relativeTolerance * GetVolumeScale(model) / std::max<std::size_t>(model.GetFaces().size(), 1);
-    if (!this->CutAtWaterline(bodies[b], waterline, tolerance, cuts[b]))
-    {
-      this->CutError = this->Cuts.GetError();
-      return false;
-    }
-    AddTasks(cuts[b], b, tolerance, tasks, places);
-  }
+  std::vector<CutBody> cuts;
+  const bool hasCut = this->CutBodies(bodies, waterline, relativeTolerance, progress, cuts, tasks, places);
   this->CutSeconds = vtkTimerLog::GetUniversalTime() - start;
+  const auto integrating = [&progress](double fraction)
+  { return !progress || progress(CutProgress + (1.0 - CutProgress) * fraction); };
   std::vector<FaceIntegrals> integrals;
-  if (!integrator.Integrate(tasks, integrals, progress))
+  const bool done = hasCut && integrator.Integrate(tasks, integrals, integrating);
+  this->Below.EndRun();
+  if (!done)
   {
     return false;
   }
-  this->Below.EndRun();
   FaceIntegrals zero;
   for (std::size_t k = 0; k < Quantities; ++k)
   {

@@ -65,7 +65,8 @@ public:
   /**
    * Computes one entry of `results` per body. `integrator` evaluates the panels; it must have a runner and the integrands of
    * MakeIntegrands(). `relativeTolerance` is relative to the body's volume, and for the first moments to volume times radius.
-   * Returns false if nothing was computed; the integrator's GetError() gives the reason.
+   * `progress` (may be empty) is called while faces are cut, in the first half, and while they are integrated; it returns false to
+   * stop. Returns false if nothing was computed; WasAbortedInCut(), GetCutError() or the integrator's GetError() gives the reason.
    */
   bool Integrate(SurfaceIntegrator& integrator, const std::vector<BodyIntegrals>& bodies,
     const Waterline& waterline, double relativeTolerance, const ProgressCallback& progress,
@@ -77,8 +78,11 @@ public:
   /// Returns the seconds that the last Integrate() needed to cut all faces.
   double GetCutSeconds() const { return this->CutSeconds; }
 
-  /// Returns why the last Integrate() could not cut the faces; empty if it could.
+  /// Returns why the last Integrate() could not cut the faces; empty if it could, or was stopped.
   const std::string& GetCutError() const { return this->CutError; }
+
+  /// Returns true if `progress` stopped the last Integrate() while it cut faces: the integrator did not run then.
+  bool WasAbortedInCut() const { return this->WasCutAborted; }
 
   /// Releases all cut faces that are kept for later runs.
   void ReleaseMemory();
@@ -138,13 +142,22 @@ private:
   static void AddTasks(CutBody& cut, std::size_t body, double tolerance, std::vector<FaceTask>& tasks,
     std::vector<Place>& places);
   static void SumBody(const CutBody& cut, BodyBuoyancy& result);
-  bool CutAtWaterline(const BodyIntegrals& body, const Waterline& waterline, double tolerance, CutBody& cut);
-  void CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane, double tolerance,
-    std::vector<SubmergedFace>& below);
+  ///@{
+  /// Cut all bodies, one body, or faces at the waterline. Return false if a face's id is not unique or `progress` stopped them;
+  /// faces cut until then are kept for later runs.
+  bool CutBodies(const std::vector<BodyIntegrals>& bodies, const Waterline& waterline,
+    double relativeTolerance, const ProgressCallback& progress, std::vector<CutBody>& cuts,
+    std::vector<FaceTask>& tasks, std::vector<Place>& places);
+  bool CutAtWaterline(const BodyIntegrals& body, const Waterline& waterline, double tolerance,
+    const ProgressCallback& progress, CutBody& cut);
+  bool CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane, double tolerance,
+    const ProgressCallback& progress, std::vector<SubmergedFace>& below);
+  ///@}
 
   FacePanelsCache Cuts;
   double CutSeconds = 0.0;
   std::string CutError;
+  bool WasCutAborted = false;
   FaceCache<CutKey, SubmergedFace> Below{ CacheBudget::GetProcessBudget(), 1 };
 };
 }

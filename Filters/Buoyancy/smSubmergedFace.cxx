@@ -85,9 +85,14 @@ SubmergedFace CutBelow(const CutFacePointer& face, const HeightPlane& plane, dou
 {
   SubmergedFace result;
   const int side = face->Error.empty() ? FindSide(face->Panels, plane) : -1;
-  if (side != 0)
+  if (side > 0)
   {
-    result.Parts[0] = side < 0 ? face : nullptr;
+    return result;
+  }
+  result.StripArea = GetStripArea(face->Panels);
+  if (side < 0)
+  {
+    result.Parts[0] = face;
     return result;
   }
   SubmergedPanels panels(face->Panels, plane, 0.5 * tolerance);

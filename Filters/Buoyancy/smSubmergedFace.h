@@ -33,6 +33,9 @@ struct SubmergedFace
   CutFacePointer Parts[2];
   /// Upper bound of the integral of |h| |n| over all regions that may have been included or omitted wrongly.
   double CutError = 0.0;
+  /// Upper bound of the area of all ribbons and caps of the face, of which those of the submerged part are parts; 0 without such a
+  /// part.
+  double StripArea = 0.0;
   /// Number of boxes examined.
   std::size_t Boxes = 0;
 };

@@ -4,6 +4,7 @@
 #include "smPatchParts.h"
 #include "smPolynomialCurve.h"
 #include "smSignChanges.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <array>
@@ -24,40 +25,33 @@ constexpr double CrossingShare = 1.0 / 4096.0;
 class Strip
 {
 public:
-  Strip(const FacePanels& panels, const Ribbon& ribbon, const HeightNet& net, const HeightPlane& plane);
+  Strip(const FacePanels& panels, const Ribbon& ribbon);
 
-  double EvaluateFace(double t) const
-  {
-    const std::array<double, 2> at = this->Trim.Evaluate(this->ToTrim(t));
-    return this->Net.Evaluate(at[0], at[1]);
-  }
-  double EvaluateEdge(double t) const
-  {
-    return this->Plane.GetHeight(this->EdgePiece.Evaluate(this->ToEdge(t)));
-  }
-  double ToTrim(double t) const { return this->Own.Start + (this->Own.End - this->Own.Start) * t; }
-  double ToEdge(double t) const
-  {
-    return this->Own.EdgeStart + (this->Own.EdgeEnd - this->Own.EdgeStart) * t;
-  }
+  /// Returns the position of the face's curve in the parameters of the trim pieces, and that of the edge's curve.
+  std::array<double, 2> EvaluateTrim(double t) const { return this->Trim.Evaluate(this->ToTrim(t)); }
+  Point3 EvaluateEdge(double t) const { return this->EdgePiece.Evaluate(this->ToEdge(t)); }
 
   /// Returns an upper bound of the distance between the curves at equal t in [start, end].
   double GetGap(double start, double end) const;
 
   int FaceDegree;
   int EdgeDegree;
-  /// Upper bounds of the gap between the curves and of the sum of their lengths.
+  /// Upper bounds of the gap between the curves and of the sum of their lengths. The strip's area is at most their product.
   double Gap;
   double Length;
   /// Lowest weight of the patch.
   double LowestWeight;
 
 private:
+  double ToTrim(double t) const { return this->Own.Start + (this->Own.End - this->Own.Start) * t; }
+  double ToEdge(double t) const
+  {
+    return this->Own.EdgeStart + (this->Own.EdgeEnd - this->Own.EdgeStart) * t;
+  }
+
   const FacePanels& Panels;
   const Patch& Source;
   const Ribbon& Own;
-  const HeightNet& Net;
-  const HeightPlane& Plane;
   std::vector<std::array<double, 2>> TrimPoints;
   std::vector<Point3> EdgePoints;
   BernsteinPiece<2> Trim;
@@ -76,12 +70,10 @@ std::vector<std::array<double, Dimension>> GetPoints(
   return points;
 }
 
-Strip::Strip(const FacePanels& panels, const Ribbon& ribbon, const HeightNet& net, const HeightPlane& plane)
+Strip::Strip(const FacePanels& panels, const Ribbon& ribbon)
   : Panels(panels)
   , Source(panels.Patches[ribbon.Patch])
   , Own(ribbon)
-  , Net(net)
-  , Plane(plane)
   , TrimPoints(GetPoints<2>(panels, ribbon.Trim, ribbon.TrimDegree))
   , EdgePoints(GetPoints<3>(panels, ribbon.Edge, ribbon.EdgeDegree))
   , Trim{ this->TrimPoints.data(), ribbon.TrimDegree }
@@ -98,7 +90,7 @@ Strip::Strip(const FacePanels& panels, const Ribbon& ribbon, const HeightNet& ne
       largest =
         std::max(largest, std::abs(this->Trim.Coefficients[i + 1][d] - this->Trim.Coefficients[i][d]));
     }
-    this->FaceDegree += largest > 0.0 ? net.GetDegree(d) * ribbon.TrimDegree : 0;
+    this->FaceDegree += largest > 0.0 ? patch.Degree[d] * ribbon.TrimDegree : 0;
     length += ribbon.TrimDegree * largest * (ribbon.End - ribbon.Start) * patch.Stretch[d] / patch.Width[d];
   }
   this->EdgeDegree = ribbon.EdgeDegree;
@@ -125,17 +117,18 @@ double Strip::GetGap(double start, double end) const
   const int degree = this->FaceDegree + this->EdgeDegree;
   const auto sample = [&](double t)
   {
-    const std::array<double, 2> at = this->Trim.Evaluate(this->ToTrim(t));
+    const std::array<double, 2> at = this->EvaluateTrim(t);
+    const double local[2] = { (at[0] - patch.Start[0]) / patch.Width[0],
+      (at[1] - patch.Start[1]) / patch.Width[1] };
     std::array<double, 4> line[MaximumDegree + 1] = {};
     for (int j = 0; j <= patch.Degree[1]; ++j)
     {
       line[j] = BernsteinPiece<4>{ this->Panels.Points.data() + patch.FirstPoint + j * (patch.Degree[0] + 1),
         patch.Degree[0] }
-                  .Evaluate(this->Net.ToLocal(0, at[0]));
+                  .Evaluate(local[0]);
     }
-    const std::array<double, 4> h =
-      BernsteinPiece<4>{ line, patch.Degree[1] }.Evaluate(this->Net.ToLocal(1, at[1]));
-    const Point3 edge = this->EdgePiece.Evaluate(this->ToEdge(t));
+    const std::array<double, 4> h = BernsteinPiece<4>{ line, patch.Degree[1] }.Evaluate(local[1]);
+    const Point3 edge = this->EvaluateEdge(t);
     Point3 gap;
     for (int c = 0; c < 3; ++c)
     {
@@ -150,9 +143,20 @@ double Strip::GetGap(double start, double end) const
   }
   Point3 largest{};
   std::vector<double> series;
+  // The three expansions ask for the same nodes in the same order.
+  std::vector<Point3> samples;
   for (int c = 0; c < 3; ++c)
   {
-    ExpandPolynomial([&](double t) { return sample(t)[c]; }, degree, start, end, series);
+    std::size_t node = 0;
+    const auto getComponent = [&](double t)
+    {
+      if (c == 0)
+      {
+        samples.push_back(sample(t));
+      }
+      return samples[node++][c];
+    };
+    ExpandPolynomial(getComponent, degree, start, end, series);
     largest[c] = GetLargest(series);
   }
   return std::hypot(largest[0], largest[1], largest[2]) / this->LowestWeight;
@@ -201,7 +205,8 @@ public:
   double CutError = 0.0;
 
 private:
-  std::vector<SignedRange> FindRanges(const Strip& strip, bool ofEdge);
+  /// Returns ranges of equal sign of the height of the face's curve, or of the edge's curve.
+  std::vector<SignedRange> FindRanges(const Strip& strip, const HeightNet& net, bool ofEdge);
   void Keep(const Ribbon& ribbon, double start, double end);
 
   const FacePanels& From;
@@ -213,20 +218,25 @@ private:
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> Pieces;
 };
 
-std::vector<SignedRange> StripCutter::FindRanges(const Strip& strip, bool ofEdge)
+std::vector<SignedRange> StripCutter::FindRanges(const Strip& strip, const HeightNet& net, bool ofEdge)
 {
+  const auto evaluateFace = [&strip, &net](double t)
+  {
+    const std::array<double, 2> at = strip.EvaluateTrim(t);
+    return net.Evaluate(at[0], at[1]);
+  };
+  const auto evaluateEdge = [&strip, this](double t) { return this->Plane.GetHeight(strip.EvaluateEdge(t)); };
   std::vector<SignedRange> ranges;
   const int degree = ofEdge ? strip.EdgeDegree : strip.FaceDegree;
   if (degree >= ChebyshevRule::MaximumSize)
   {
     // Such a degree does not occur in files: the whole strip counts as uncertain.
     this->CutError += strip.Gap * strip.Length * (strip.Gap + strip.Length);
-    ranges.push_back({ 0.0, 1.0, strip.EvaluateFace(0.5) < 0.0 });
+    ranges.push_back({ 0.0, 1.0, evaluateFace(0.5) < 0.0 });
     return ranges;
   }
   const double weight = ofEdge ? 1.0 : strip.LowestWeight;
-  FindSignedRanges([&](double t) { return ofEdge ? strip.EvaluateEdge(t) : strip.EvaluateFace(t); }, degree,
-    0.0, 1.0,
+  FindSignedRanges([&](double t) { return ofEdge ? evaluateEdge(t) : evaluateFace(t); }, degree, 0.0, 1.0,
     [&](double start, double end, double largest, bool last)
     {
       const double cost = largest / weight * strip.Gap * strip.Length * (end - start);
@@ -276,9 +286,9 @@ void StripCutter::Cut(const Ribbon& ribbon)
 {
   const auto net =
     this->Nets.try_emplace(ribbon.Patch, this->From, this->From.Patches[ribbon.Patch], this->Plane);
-  const Strip strip(this->From, ribbon, net.first->second, this->Plane);
-  const std::vector<SignedRange> ofFace = this->FindRanges(strip, false);
-  const std::vector<SignedRange> ofEdge = this->FindRanges(strip, true);
+  const Strip strip(this->From, ribbon);
+  const std::vector<SignedRange> ofFace = this->FindRanges(strip, net.first->second, false);
+  const std::vector<SignedRange> ofEdge = this->FindRanges(strip, net.first->second, true);
   double start = 0.0;
   std::size_t a = 0;
   std::size_t b = 0;
@@ -314,5 +324,20 @@ double CutStripsBelow(const FacePanels& from, const HeightPlane& plane, double t
     CutCap(cap, plane, to);
   }
   return cutter.CutError;
+}
+
+double GetStripArea(const FacePanels& panels)
+{
+  double area = 0.0;
+  for (const Ribbon& ribbon : panels.Ribbons)
+  {
+    const Strip strip(panels, ribbon);
+    area += strip.Gap * strip.Length;
+  }
+  for (const Cap& cap : panels.Caps)
+  {
+    area += 0.5 * Norm(Subtract(cap.From, cap.Apex)) * Norm(Subtract(cap.To, cap.Apex));
+  }
+  return area;
 }
 }

@@ -14,6 +14,9 @@ namespace sm
 /// sides of the plane are omitted. Returns an upper bound of the integral of |h| |n| over all regions that were omitted or
 /// included wrongly.
 double CutStripsBelow(const FacePanels& from, const HeightPlane& plane, double tolerance, FacePanels& to);
+
+/// Returns an upper bound of the area of a face's ribbons and caps.
+double GetStripArea(const FacePanels& panels);
 }
 
 #endif

@@ -224,7 +224,8 @@ bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vecto
   const bool done = self.Integrator.Integrate(
     integrator, bodies, waterline, this->RelativeTolerance, limits.Progress, self.Results);
   const std::string& cutError = self.Integrator.GetCutError();
-  if (cutError.empty())
+  const bool isCut = cutError.empty() && !self.Integrator.WasAbortedInCut();
+  if (isCut)
   {
     engine.AddEffort(dispatches);
   }
@@ -232,9 +233,10 @@ bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vecto
   if (!done)
   {
     self.Results.clear();
-    report.SetReason(!cutError.empty() ? "nothing was computed: " + cutError
-        : integrator.WasAborted()      ? "the run was aborted"
-                                       : "nothing was computed: " + integrator.GetError());
+    report.SetReason(!cutError.empty()      ? "nothing was computed: " + cutError
+        : self.Integrator.WasAbortedInCut() ? "the run was aborted while faces were cut at the waterline"
+        : integrator.WasAborted()           ? "the run was aborted"
+                                            : "nothing was computed: " + integrator.GetError());
     return false;
   }
   if (integrator.WasAborted())

@@ -2,6 +2,7 @@
 
 #include "smPanelPlanner.h"
 #include "smRibbonPlanner.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,6 +129,33 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
   }
 }
 
+/// Adds a cap, and the bound of its integrals: |x| is largest at a corner.
+void AddCap(const FacePanels& panels, const PlanRequest& request, std::uint32_t index, FacePlan& plan)
+{
+  PlannedItem item{ ItemKind::Cap, index };
+  item.Along = item.Across = request.StripPoints;
+  plan.Items.push_back(item);
+  const Cap& cap = panels.Caps[index];
+  double reach = 0.0;
+  for (const Vector3& corner : { cap.Apex, cap.From, cap.To })
+  {
+    const Vector3 position{ corner[0] + request.Shift[0], corner[1] + request.Shift[1],
+      corner[2] + request.Shift[2] };
+    reach = std::max(reach, Norm(position));
+  }
+  const double area = 0.5 * Norm(Subtract(cap.From, cap.Apex)) * Norm(Subtract(cap.To, cap.Apex));
+  for (std::size_t i = 0; i < request.Classes.size(); ++i)
+  {
+    const BoundClass& c = request.Classes[i];
+    // Areas are those of the face alone.
+    plan.Magnitude[i] += c.Kind == BoundClass::VolumeMoment
+      ? area * std::pow(reach, c.Degree + 1) / (3 + c.Degree)
+      : c.Kind == BoundClass::HeightMoment ? area * std::pow(reach, c.Degree + 1)
+      : c.Kind == BoundClass::VectorArea   ? area
+                                           : 0.0;
+  }
+}
+
 /// With the area in it, and tolerances of one item: equal shares; ribbons have no area.
 PlanRequest MakeShares(const FacePanels& panels, const PlanRequest& request)
 {
@@ -218,9 +246,7 @@ FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequ
   }
   for (std::uint32_t i = 0; i < panels.Caps.size(); ++i)
   {
-    PlannedItem cap{ ItemKind::Cap, i };
-    cap.Along = cap.Across = request.StripPoints;
-    plan.Items.push_back(cap);
+    AddCap(panels, all, i, plan);
   }
   AddFitError(face, panels, all.Classes, reach, area, plan);
   AddDisplacementError(panels, all, area, plan);

@@ -53,7 +53,7 @@ struct FacePlan
   std::vector<double> QuadratureBound;
   /// Per class: bound of the error from residuals of trim curves, edge curves and surface, and rounding of control points.
   std::vector<double> ConversionBound;
-  /// Per class: bound of the integral's magnitude, panels and ribbons together, for a face that is not evaluated.
+  /// Per class: bound of the integral's magnitude, panels, ribbons and caps together, for a face that is not evaluated.
   std::vector<double> Magnitude;
   /// Points of all items, caps aside.
   std::int64_t Evaluations = 0;

@@ -44,9 +44,6 @@ constexpr const char* SideTo = "To";     // 3, L
 constexpr const char* StabilityColor =
   "StabilityColor"; // 3 (unsigned char): green, red, amber; grey: no verdict
 
-// Status of a run that ended with an exception; others are those of the mass filter.
-constexpr const char* StabilityStatusFailed = "failed";
-
 // Verdicts.
 constexpr const char* VerdictStable = "stable";
 constexpr const char* VerdictUnstable = "unstable";

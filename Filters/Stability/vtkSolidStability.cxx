@@ -324,7 +324,8 @@ int vtkSolidStability::RequestData(
   catch (const std::exception& error)
   {
     self.Worst = sm::SupportedBody();
-    self.Status = names::StabilityStatusFailed;
+    self.Status = names::StatusNotComputed;
+    self.Messages.push_back(std::string("nothing was computed: ") + error.what());
     for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i)
     {
       vtkDataObject::GetData(outputVector, i)->Initialize();
@@ -341,6 +342,7 @@ int vtkSolidStability::Evaluate(vtkDataObject* input, int piece, vtkInformationV
   const std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
   if (bodies.empty() && rejected.Plain + rejected.Withheld > 0)
   {
+    this->Implementation->Status = names::StatusEmpty;
     vtkErrorMacro(
       "No exact geometry in the input. Connect the output of vtkSTEPReader directly: filters that move or "
       "rebuild points drop the NURBS model. vtkNURBSTransform moves a part and keeps it.");

@@ -151,8 +151,8 @@ public:
   double GetRollingMargin() const;
   ///@}
   ///@{
-  /** Status and messages of the last run: the status of the mass filter, or "failed" after an exception, and its messages,
-   * followed by messages about contacts. */
+  /** Status and messages of the last run: the status of the mass filter, "not-computed" after an exception, or "empty" for an
+   * input without exact geometry; and the messages of the mass filter, followed by those about contacts. */
   std::string GetStatus() const;
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;

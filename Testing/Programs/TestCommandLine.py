@@ -168,6 +168,9 @@ def integrals():
     found = files[0]["waterlines"][0]
     check("both sides", part["volume"], found["volume"] + other["volume"],
           found["bounds"]["volume"] + other["bounds"]["volume"])
+    # Files after the options are files.
+    files = run_json("--waterline", "0", part["path"], "--integral", "area=dA", manifest.solid("box")["path"])[1]
+    check_equal("files after options", 2, len(files))
     table = run("--waterline", "0", part["path"]).stdout
     check_true("waterline in the table", "below 0" in table and "-2.54647" in table, table)
     for wrong in (("--waterline", "high"), ("--waterline", "nan"), ("--waterline", "1", "--up", "0,0,0"),
@@ -452,12 +455,21 @@ def errors():
     check_termination(good)
 
     # Usage.
-    for arguments in ([], ["--no-such-option", good], ["--tolerance", "none", good], ["--unit", "cubit", good],
+    for arguments in ([], ["--no-such-option", good], ["--tolerance-of", "volume=1e-6"], ["--tolerance-of", good],
+                      ["--tolerance", "none", good], ["--unit", "cubit", good],
                       ["--density", "-1", good], ["--json", "/nonexistent/folder/x.json", good],
                       ["--backend", "abacus", good], ["--scheme", "guess", good]):
         result = run(*arguments)
         check_equal("exit status of wrong usage", 1, result.returncode)
         check_true("it says why", len(result.stderr + result.stdout) > 20)
+
+    # An option takes one value, and files after it are files.
+    other = manifest.solid("torus")["path"]
+    one = ("--tolerance-of", "volume=1e-6")
+    for arguments in ((*one, good, other), (good, *one, other), (good, "--tolerance-of", "area=1e-8", other, *one)):
+        result, files = run_json(*arguments)
+        check_equal("exit status of files after an option", 0, result.returncode)
+        check_equal("the files", [good, other], [file["file"] for file in files])
 
     # A folder that cannot be written (root may write anywhere, so a folder that is not there stands in for it).
     folder = os.path.join(options.output, "read-only")

@@ -220,7 +220,8 @@ int smReduceAngle(double x, SM_OUT(double) r, SM_OUT(double) low)
   return int(n) & 3;
 }
 
-double smSin(double x)
+// Returns sin(x + quarters pi/2).
+double smSinShifted(double x, int quarters)
 {
   double r;
   double low;
@@ -229,21 +230,19 @@ double smSin(double x)
   {
     return smNotANumber();
   }
+  quarter += quarters;
   double value = (quarter & 1) != 0 ? smCosNear(r, low) : smSinNear(r, low);
   return (quarter & 2) != 0 ? -value : value;
 }
 
+double smSin(double x)
+{
+  return smSinShifted(x, 0);
+}
+
 double smCos(double x)
 {
-  double r;
-  double low;
-  int quarter = smReduceAngle(x, r, low);
-  if (quarter < 0)
-  {
-    return smNotANumber();
-  }
-  double value = (quarter & 1) != 0 ? smSinNear(r, low) : smCosNear(r, low);
-  return quarter == 1 || quarter == 2 ? -value : value;
+  return smSinShifted(x, 1);
 }
 
 double smTan(double x)

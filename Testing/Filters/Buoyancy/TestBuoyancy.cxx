@@ -1,20 +1,10 @@
 // TestBuoyancy FOLDER MODE BACKEND: volume and centre below waterlines against closed forms, each within its bound, and the bound
 // within a tolerance of 1e-6, 1e-9 and 1e-12.
-#include "smBuoyancyNames.h"
 #include "smBuoyancyTesting.h"
 #include "smTestManifest.h"
 
-#include <vtkDataSetAttributes.h>
-#include <vtkMatrix4x4.h>
-#include <vtkNURBSDataSet.h>
-#include <vtkPartitionedDataSetCollection.h>
-#include <vtkSurfaceIntegralGPU.h>
-#include <vtkTable.h>
-#include <vtkTrimmedNURBSModel.h>
-
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 
 namespace
 {
@@ -133,28 +123,6 @@ void CheckBalls(const Manifest& manifest)
     CheckPlanes("sphere " + part.Variant, scene, planes, Ball(radius, center), 2 * radius,
       far + 4e-16L * radius + static_cast<Real>(part.VolumeAccuracy) / (radius * radius));
   }
-}
-
-/// A sphere whose face points inwards must not pass as a solid with a negative volume.
-void CheckInsideOut(const Manifest& manifest)
-{
-  Scene scene(manifest.GetSolid("sphere", "plain")[0].Path);
-  scene.Reader->Update();
-  auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(scene.Reader->GetOutputDataObject(0));
-  auto* leaf = vtkNURBSDataSet::SafeDownCast(parts->GetPartition(0, 0));
-  vtkNew<vtkTrimmedNURBSModel> reversed;
-  reversed->ShallowCopy(leaf->GetModel());
-  auto face = std::make_shared<sm::Face>(*reversed->GetFaces()[0]);
-  face->Id = sm::NewId();
-  face->Reversed = !face->Reversed;
-  reversed->SetFace(0, face);
-  vtkNew<vtkNURBSDataSet> copy;
-  copy->ShallowCopy(leaf);
-  copy->SetModel(reversed);
-  scene.Filter->SetInputData(copy);
-  scene.Filter->Update();
-  CheckTrue("inside out: a negative volume", scene.Filter->GetDisplacedVolume() < -1.0);
-  CheckEqual("inside out: status", "suspect", scene.Filter->GetStatus());
 }
 
 void CheckTangentBalls(const Manifest& manifest)
@@ -353,48 +321,6 @@ void CheckPlacements(const Manifest& manifest)
   }
 }
 
-/// Planes along the top of a rotated box, by less than what rounding leaves of a point far away in them: whether the box is below as a
-/// whole, or with all but a sheet, is beyond what can be told, and the bound has to say so.
-void CheckTouching(const Manifest& manifest)
-{
-  const Real volume = 6000;
-  for (const int degrees : { 10, 25, 40, 55, 70, 85 })
-  {
-    Scene scene(manifest.GetSolid("box", "plain")[0].Path);
-    scene.Filter->SetRelativeTolerance(1e-12);
-    vtkNew<vtkMatrix4x4> matrix;
-    scene.Move->SetRotation(0, degrees, 0);
-    scene.Move->GetMatrix(matrix);
-    const double up[3] = { matrix->GetElement(0, 2), 0.0, matrix->GetElement(2, 2) };
-    const Real length = std::sqrt(static_cast<Real>(up[0]) * up[0] + static_cast<Real>(up[2]) * up[2]);
-    // In the plane, and exactly so.
-    const double far = std::ldexp(1.0, 40);
-    const double x = -far * up[2];
-    const double z = far * up[0];
-    for (const double delta : { -1e-7, -1e-8, 0.0, 1e-8, 1e-7 })
-    {
-      const double move = static_cast<double>((delta - 10 * length) * length / up[2]);
-      scene.Move->SetTranslation(0, 0, move);
-      // Height of the top over the plane.
-      const Real height = 10 * length + move * up[2] / length;
-      for (const double sense : { 1.0, -1.0 })
-      {
-        scene.Filter->SetPoint(x, 0, z);
-        scene.Filter->SetNormal(sense * up[0], 0, sense * up[2]);
-        scene.Filter->Update();
-        const Real above = 600 * std::max<Real>(height, 0);
-        const Real exact = sense > 0.0 ? volume - above : above;
-        char label[80];
-        std::snprintf(
-          label, sizeof(label), "box rotated by %d, %g over a far plane, %g", degrees, delta, sense);
-        const double bound = scene.Filter->GetDisplacedVolumeBound();
-        Check(label, static_cast<double>(exact), scene.Filter->GetDisplacedVolume(), bound, "the bound");
-        CheckRange(std::string(label) + ", bound", 0.0, bound, 0.01);
-      }
-    }
-  }
-}
-
 /// Bicubic heights of the wavy plate's floor over [0, 30] x [0, 24], which is 6 thick.
 Real Floor(Real x, Real y)
 {
@@ -481,101 +407,6 @@ void CheckPlates(const Manifest& manifest)
   Check("plate, level", volume, scene.Filter->GetDisplacedVolume(), 1e-5 * volume, "the sum's");
   Check("plate, level, centre", moment / volume, center[2], 1e-4, "the sum's");
 }
-
-/// Volume, first moments and centre of the box below z = height, from getters, field data and tables.
-void CheckBoxTables(vtkBuoyancy* filter, double height)
-{
-  filter->SetPoint(0, 0, height);
-  filter->Update();
-  CheckEqual("status", "ok", filter->GetStatus());
-  const double volume = 600.0 * height;
-  const double bound = filter->GetDisplacedVolumeBound();
-  Check("volume", volume, filter->GetDisplacedVolume(), bound);
-  double first[3];
-  filter->GetDisplacedFirstMoments(first);
-  vtkFieldData* fields = filter->GetOutput()->GetFieldData();
-  auto* solids = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
-  const double exact[3] = { volume * 15.0, volume * 10.0, volume * 0.5 * height };
-  for (int c = 0; c < 3; ++c)
-  {
-    Check("first moment", exact[c], first[c], filter->GetDisplacedFirstMomentsBound());
-    Check("in the field data", first[c], GetField(fields, sm::names::DisplacedFirstMoments, c), 0.0);
-    Check("centre in the field data", exact[c] / volume, GetField(fields, sm::names::CenterOfBuoyancy, c),
-      GetFieldBound(fields, sm::names::CenterOfBuoyancy));
-    Check("centre of the solid", exact[c] / volume,
-      solids->GetRowData()->GetArray(sm::names::CenterOfBuoyancy)->GetComponent(0, c),
-      GetFieldBound(fields, sm::names::CenterOfBuoyancy));
-  }
-  Check("bound in the field data", bound, GetFieldBound(fields, sm::names::DisplacedVolume), 0.0);
-  auto* faces = vtkTable::SafeDownCast(filter->GetOutputDataObject(3));
-  double sum = 0.0;
-  double largest = 0.0;
-  for (vtkIdType row = 0; row < faces->GetNumberOfRows(); ++row)
-  {
-    const double share = faces->GetValueByName(row, sm::names::DisplacedVolume).ToDouble();
-    sum += share;
-    largest = std::max(largest, std::abs(share));
-  }
-  Check("sum of the faces", volume, sum, bound);
-  // Only the bottom has a normal that is not level.
-  Check("the bottom's share", volume, largest, bound);
-}
-
-/// A ball below planes that miss it, and at half its radius to either side.
-void CheckCaps(const Expected& part)
-{
-  Scene scene(part.Path);
-  scene.Filter->SetPoint(0.0, 0.0, 1e6);
-  scene.Filter->Update();
-  Check("the whole ball", part.Volume, scene.Filter->GetDisplacedVolume(), 1e-8 * part.Volume);
-  const double radius = std::cbrt(part.Volume * 0.75 / static_cast<double>(Pi));
-  scene.Filter->SetPoint(0.0, 0.5 * radius, 0.0);
-  scene.Filter->SetNormal(0.0, 2.0, 0.0);
-  scene.Filter->Update();
-  Check("below a cap of height r / 2", part.Volume * 27.0 / 32.0, scene.Filter->GetDisplacedVolume(),
-    1e-8 * part.Volume);
-  scene.Filter->SetNormal(0.0, -1.0, 0.0);
-  scene.Filter->Update();
-  Check("the cap", part.Volume * 5.0 / 32.0, scene.Filter->GetDisplacedVolume(), 1e-8 * part.Volume);
-}
-
-void CheckTables(const Manifest& manifest)
-{
-  CheckCaps(manifest.GetSolid("sphere", "plain").front());
-  Scene scene(manifest.GetSolid("box", "plain")[0].Path);
-  double center[3];
-  scene.Filter->GetCenterOfBuoyancy(center);
-  CheckTrue("no centre before the first run", std::isnan(center[0]));
-  // Another filter over the same bodies, updated between two waterlines.
-  vtkNew<vtkSurfaceIntegralGPU> other;
-  other->SetInputConnection(scene.Move->GetOutputPort());
-  other->SetBackend(Backend);
-  other->AddVolumeMoment("V", 0, 0, 0);
-  other->AddAreaMoment("A", 0, 0, 0);
-  CheckBoxTables(scene.Filter, 7.5);
-  other->Update();
-  Check("volume", 6000.0, other->GetIntegral("V"), other->GetIntegralBound("V"));
-  Check("area", 2200.0, other->GetIntegral("A"), other->GetIntegralBound("A"));
-  CheckBoxTables(scene.Filter, 2.5);
-  const vtkTypeInt64 first = scene.Filter->GetEvaluations();
-  scene.Filter->Modified();
-  scene.Filter->Update();
-  CheckTrue("cut once, integrated once", first > 0 && scene.Filter->GetEvaluations() == 0);
-
-  MessageTrap messages(scene.Filter);
-  const double nan = std::nan("");
-  scene.Filter->SetNormal(0, 0, 0);
-  CheckEqual("errors of no direction", 1, messages.NumberOfErrors);
-  scene.Filter->SetNormal(0, nan, 1);
-  CheckEqual("errors of a direction that is no number", 2, messages.NumberOfErrors);
-  scene.Filter->SetPoint(0, 1.0 / 0.0, 0);
-  CheckEqual("errors of an infinite point", 3, messages.NumberOfErrors);
-  const double* point = scene.Filter->GetPoint();
-  const double* normal = scene.Filter->GetNormal();
-  CheckTrue("and nothing is changed",
-    point[0] == 0.0 && point[1] == 0.0 && point[2] == 2.5 && normal[0] == 0.0 && normal[1] == 0.0 &&
-      normal[2] == 1.0);
-}
 }
 
 int TestBuoyancy(int argc, char* argv[])
@@ -585,19 +416,11 @@ int TestBuoyancy(int argc, char* argv[])
     std::fprintf(stderr, "usage: TestBuoyancy FOLDER MODE BACKEND\n");
     return 1;
   }
-  const std::string mode = argv[2];
   SetBackend(argv[3]);
   const Manifest manifest(argv[1]);
-  const std::pair<const char*, void (*)(const Manifest&)> modes[] = { { "balls", CheckBalls },
-    { "inside_out", CheckInsideOut }, { "tangent", CheckTangentBalls }, { "cones", CheckCones },
-    { "boxes", CheckBoxes }, { "tori", CheckTori }, { "placements", CheckPlacements },
-    { "plates", CheckPlates }, { "touching", CheckTouching }, { "tables", CheckTables } };
-  for (const auto& [name, check] : modes)
-  {
-    if (mode == name)
-    {
-      check(manifest);
-    }
-  }
+  RunMode(argv[2], manifest,
+    { { "balls", CheckBalls }, { "tangent", CheckTangentBalls }, { "cones", CheckCones },
+      { "boxes", CheckBoxes }, { "tori", CheckTori }, { "placements", CheckPlacements },
+      { "plates", CheckPlates } });
   return Finish();
 }

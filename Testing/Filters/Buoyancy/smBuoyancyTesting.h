@@ -5,6 +5,7 @@
 #ifndef smBuoyancyTesting_h
 #define smBuoyancyTesting_h
 
+#include "smTestManifest.h"
 #include "smTestPipeline.h"
 
 #include <vtkBuoyancy.h>
@@ -12,6 +13,8 @@
 
 #include <array>
 #include <cstring>
+#include <initializer_list>
+#include <utility>
 
 namespace smtest
 {
@@ -99,6 +102,22 @@ inline void SetPlane(vtkBuoyancy* filter, const Plane& plane)
 inline void SetBackend(const char* name)
 {
   Backend = std::strcmp(name, "cpu") == 0 ? vtkBuoyancy::CPU : vtkBuoyancy::OPENGL;
+}
+
+/// Runs the check whose mode is asked for; a mode that there is not is an error.
+inline void RunMode(const std::string& mode, const Manifest& manifest,
+  std::initializer_list<std::pair<const char*, void (*)(const Manifest&)>> modes)
+{
+  bool found = false;
+  for (const auto& [name, check] : modes)
+  {
+    if (mode == name)
+    {
+      found = true;
+      check(manifest);
+    }
+  }
+  CheckTrue("there is a mode " + mode, found);
 }
 }
 

@@ -174,6 +174,50 @@ void RunFamily(double weights, double bend, bool pole, double tolerance, int cou
   CheckTrue(std::string(label) + ": bounds within the tolerance", score.Above == 0);
   CheckTrue(std::string(label) + ": bounds say something", score.LargestRatio > 1e-9);
 }
+
+/// The magnitude that a face may have if it is not evaluated is that of its whole chain: of its caps, too.
+void CheckMagnitudes(int count)
+{
+  double largest = 0.0;
+  int exceeded = 0;
+  for (int seed = 1; seed <= count; ++seed)
+  {
+    Random random(static_cast<unsigned int>(seed));
+    Case made = MakeCase(random, 0.4, 2.0, false, 0.01, 0.5);
+    sm::Cap cap{};
+    for (std::array<double, 3>* corner : { &cap.Apex, &cap.From, &cap.To })
+    {
+      for (double& coordinate : *corner)
+      {
+        coordinate = 100.0 * Uniform(random, -1.0, 1.0);
+      }
+    }
+    made.Panels.Caps.push_back(cap);
+    sm::PlanRequest request;
+    request.Classes = Classes;
+    request.Tolerances.assign(Count, 1e-9);
+    const sm::FacePlan plan = sm::PlanFace(made.Face, made.Panels, request);
+    Values sum = ReferencePanels::IntegrateCap(cap);
+    const ReferencePanels reference(made.Panels);
+    for (const sm::PlannedItem& item : plan.Items)
+    {
+      const Values values = item.Kind == sm::ItemKind::Cap ? Values{} : reference.IntegrateFinely(item);
+      for (int k = 0; k < Count; ++k)
+      {
+        sum[k] += values[k];
+      }
+    }
+    for (int k = 0; k < Count; ++k)
+    {
+      const double ratio = static_cast<double>(std::abs(sum[k])) / plan.Magnitude[k];
+      largest = std::max(largest, ratio);
+      exceeded += ratio <= 1.0 ? 0 : 1;
+    }
+  }
+  std::printf("magnitudes: largest value/bound %.2g\n", largest);
+  CheckEqual("magnitudes exceeded", 0, exceeded);
+  CheckRange("and they are not much too large", 0.1, largest, 1.0);
+}
 }
 
 /// TestQuadraturePlan [CASES]
@@ -191,5 +235,6 @@ int TestQuadraturePlan(int argc, char* argv[])
       }
     }
   }
+  CheckMagnitudes(10 * count);
   return Finish();
 }

@@ -5,6 +5,8 @@
 #ifndef smReferencePanels_h
 #define smReferencePanels_h
 
+#include "smExactMoments.h"
+#include "smGaussRule.h"
 #include "smQuadraturePlan.h"
 
 #include <array>
@@ -13,9 +15,6 @@
 
 namespace smtest
 {
-using Real = long double;
-using Vector = std::array<Real, 3>;
-
 inline const std::vector<sm::BoundClass> Classes = { { sm::BoundClass::VolumeMoment, 0 },
   { sm::BoundClass::VolumeMoment, 1 }, { sm::BoundClass::VolumeMoment, 2 }, { sm::BoundClass::VectorArea, 0 },
   { sm::BoundClass::AreaMoment, 0 } };
@@ -23,43 +22,14 @@ inline const std::vector<sm::BoundClass> Classes = { { sm::BoundClass::VolumeMom
 constexpr int Count = 5;
 using Values = std::array<Real, Count>;
 
-/// Gauss-Legendre rule of n points on [0,1] in extended precision, by Newton's method.
-struct Rule
+/// The Gauss-Legendre rule of n points on [0,1] in extended precision.
+inline const GaussRule& GetRule(int n)
 {
-  std::vector<Real> Nodes, Weights;
-};
-
-inline const Rule& GetRule(int n)
-{
-  static std::vector<Rule> rules(100);
-  Rule& rule = rules[n];
+  static std::vector<GaussRule> rules(100);
+  GaussRule& rule = rules[n];
   if (rule.Nodes.empty())
   {
-    for (int i = 0; i < n; ++i)
-    {
-      Real x = std::cos(3.14159265358979323846L * (i + 0.75L) / (n + 0.5L));
-      Real slope = 1;
-      for (int step = 0; step < 100; ++step)
-      {
-        Real p0 = 1;
-        Real p1 = x;
-        for (int k = 2; k <= n; ++k)
-        {
-          const Real p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;
-          p0 = p1;
-          p1 = p2;
-        }
-        slope = n * (x * p1 - p0) / (x * x - 1);
-        const Real dx = p1 / slope;
-        x -= dx;
-        if (std::abs(dx) < 1e-19L)
-        {
-          break;
-        }
-      }
-      rule.Nodes.push_back((1 + x) / 2);
-      rule.Weights.push_back(1 / ((1 - x * x) * slope * slope));
-    }
+    rule = MakeGaussRule(n);
   }
   return rule;
 }
@@ -132,6 +102,35 @@ public:
   explicit ReferencePanels(const sm::FacePanels& panels)
     : Panels(panels)
   {
+  }
+
+  /// A whole cap. Three points in either direction are exact for these integrands.
+  static Values IntegrateCap(const sm::Cap& cap)
+  {
+    Vector sides[2];
+    for (int d = 0; d < 3; ++d)
+    {
+      sides[0][d] = static_cast<Real>(cap.From[d]) - cap.Apex[d];
+      sides[1][d] = static_cast<Real>(cap.To[d]) - cap.Apex[d];
+    }
+    const Vector normal = Cross(sides[0], sides[1]);
+    const GaussRule& rule = GetRule(5);
+    Values values{};
+    for (int i = 0; i < 5; ++i)
+    {
+      for (int j = 0; j < 5; ++j)
+      {
+        const Real l = rule.Nodes[i];
+        const Real t = rule.Nodes[j];
+        Vector x;
+        for (int d = 0; d < 3; ++d)
+        {
+          x[d] = cap.Apex[d] + l * ((1 - t) * sides[0][d] + t * sides[1][d]);
+        }
+        Add(values, rule.Weights[i] * rule.Weights[j] * l, x, normal, false);
+      }
+    }
+    return values;
   }
 
   /// A part of the item by a rule of `along` times `across` points.
@@ -262,8 +261,8 @@ private:
     const Real xi0 = item.XiStart;
     const Real xi1 = item.XiEnd;
     Values values{};
-    const Rule& ruleT = GetRule(along);
-    const Rule& ruleX = GetRule(across);
+    const GaussRule& ruleT = GetRule(along);
+    const GaussRule& ruleX = GetRule(across);
     for (int i = 0; i < along; ++i)
     {
       Real point[2];
@@ -292,8 +291,8 @@ private:
     const Real trimWidth = ribbon.End - ribbon.Start;
     const Real edgeWidth = ribbon.EdgeEnd - ribbon.EdgeStart;
     Values values{};
-    const Rule& ruleT = GetRule(along);
-    const Rule& ruleL = GetRule(5);
+    const GaussRule& ruleT = GetRule(along);
+    const GaussRule& ruleL = GetRule(5);
     for (int i = 0; i < along; ++i)
     {
       const Real t = fraction0 + (fraction1 - fraction0) * ruleT.Nodes[i];

@@ -274,23 +274,28 @@ struct Sum
   }
 };
 
+/// The rule that the kernels use, in double precision.
+struct Rule
+{
+  explicit Rule(int points) { sm::ComputeGaussLegendre(points, this->Nodes, this->Weights); }
+  std::vector<double> Nodes;
+  std::vector<double> Weights;
+};
+
 Sum SumPanel(const sm::FacePanels& face, int along, int across)
 {
   const sm::Patch& patch = face.Patches[0];
   const sm::Panel& panel = face.Panels[0];
-  std::vector<double> t;
-  std::vector<double> wt;
-  std::vector<double> xi;
-  std::vector<double> wx;
-  sm::ComputeGaussLegendre(along, t, wt);
-  sm::ComputeGaussLegendre(across, xi, wx);
+  const Rule ruleT(along);
+  const Rule ruleX(across);
   Sum sum;
   for (int i = 0; i < along; ++i)
   {
     Real uv[2];
     Real duv[2];
     const Real width = static_cast<Real>(panel.End) - panel.Start;
-    EvaluatePiece(&face.Coefficients[panel.Trim], 2, panel.TrimDegree, panel.Start + width * t[i], uv, duv);
+    EvaluatePiece(
+      &face.Coefficients[panel.Trim], 2, panel.TrimDegree, panel.Start + width * ruleT.Nodes[i], uv, duv);
     const Real edge = (uv[0] - patch.Start[0]) / patch.Width[0];
     const Real r = (uv[1] - patch.Start[1]) / patch.Width[1];
     for (int j = 0; j < across; ++j)
@@ -298,9 +303,9 @@ Sum SumPanel(const sm::FacePanels& face, int along, int across)
       Vector x;
       Vector xs;
       Vector xr;
-      EvaluatePatch(face, xi[j] * edge, r, x, xs, xr);
-      sum.Add(
-        static_cast<Real>(wt[i]) * wx[j] * width * duv[1] / patch.Width[1] * edge, x, Cross(xs, xr), false);
+      EvaluatePatch(face, ruleX.Nodes[j] * edge, r, x, xs, xr);
+      sum.Add(static_cast<Real>(ruleT.Weights[i]) * ruleX.Weights[j] * width * duv[1] / patch.Width[1] * edge,
+        x, Cross(xs, xr), false);
     }
   }
   return sum;
@@ -310,12 +315,8 @@ Sum SumRibbon(const sm::FacePanels& face, int along, int across)
 {
   const sm::Patch& patch = face.Patches[0];
   const sm::Ribbon& ribbon = face.Ribbons[0];
-  std::vector<double> t;
-  std::vector<double> wt;
-  std::vector<double> l;
-  std::vector<double> wl;
-  sm::ComputeGaussLegendre(along, t, wt);
-  sm::ComputeGaussLegendre(across, l, wl);
+  const Rule ruleT(along);
+  const Rule ruleL(across);
   Sum sum;
   for (int i = 0; i < along; ++i)
   {
@@ -323,7 +324,7 @@ Sum SumRibbon(const sm::FacePanels& face, int along, int across)
     Real duv[2];
     const Real width = static_cast<Real>(ribbon.End) - ribbon.Start;
     EvaluatePiece(
-      &face.Coefficients[ribbon.Trim], 2, ribbon.TrimDegree, ribbon.Start + width * t[i], uv, duv);
+      &face.Coefficients[ribbon.Trim], 2, ribbon.TrimDegree, ribbon.Start + width * ruleT.Nodes[i], uv, duv);
     Vector a;
     Vector as;
     Vector ar;
@@ -333,13 +334,13 @@ Sum SumRibbon(const sm::FacePanels& face, int along, int across)
     const Real edgeWidth = static_cast<Real>(ribbon.EdgeEnd) - ribbon.EdgeStart;
     Vector c;
     Vector dc;
-    EvaluatePiece(&face.Coefficients[ribbon.Edge], 3, ribbon.EdgeDegree, ribbon.EdgeStart + edgeWidth * t[i],
-      c.data(), dc.data());
+    EvaluatePiece(&face.Coefficients[ribbon.Edge], 3, ribbon.EdgeDegree,
+      ribbon.EdgeStart + edgeWidth * ruleT.Nodes[i], c.data(), dc.data());
     for (int j = 0; j < across; ++j)
     {
-      const Vector x = (1.0L - l[j]) * a + static_cast<Real>(l[j]) * c;
-      const Vector xt = (1.0L - l[j]) * da + (l[j] * edgeWidth) * dc;
-      sum.Add(static_cast<Real>(wt[i]) * wl[j], x, Cross(c + -1.0L * a, xt), true);
+      const Vector x = (1.0L - ruleL.Nodes[j]) * a + static_cast<Real>(ruleL.Nodes[j]) * c;
+      const Vector xt = (1.0L - ruleL.Nodes[j]) * da + (ruleL.Nodes[j] * edgeWidth) * dc;
+      sum.Add(static_cast<Real>(ruleT.Weights[i]) * ruleL.Weights[j], x, Cross(c + -1.0L * a, xt), true);
     }
   }
   return sum;

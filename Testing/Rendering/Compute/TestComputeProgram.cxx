@@ -170,22 +170,6 @@ void TestLargeBlock(vtkComputeContext* context)
 
 int TestComputeProgram(int, char*[])
 {
-  {
-    const Silence silence;
-    vtkNew<vtkComputeContext> context;
-    if (!CheckEqual("status", vtkComputeContext::READY, context->Start()))
-    {
-      std::printf("%s\n", context->GetReason().c_str());
-      return Finish();
-    }
-    std::printf("%s, %s\n", context->GetRenderer().c_str(), context->GetSourceName().c_str());
-    TestBrokenShader(context);
-    TestUniformsAndDispatch(context);
-    TestManyGroups(context);
-    TestBuffers(context);
-    TestMemory(context);
-    TestLargeBlock(context);
-    CheckNothingLives();
-  }
-  return Finish();
+  return RunInContext(
+    { TestBrokenShader, TestUniformsAndDispatch, TestManyGroups, TestBuffers, TestMemory, TestLargeBlock });
 }

@@ -334,21 +334,5 @@ void TestLarge(vtkComputeContext* context)
 
 int TestComputeReduction(int, char*[])
 {
-  {
-    const Silence silence;
-    vtkNew<vtkComputeContext> context;
-    if (!CheckEqual("status", vtkComputeContext::READY, context->Start()))
-    {
-      std::printf("%s\n", context->GetReason().c_str());
-      return Finish();
-    }
-    std::printf("%s, %s\n", context->GetRenderer().c_str(), context->GetSourceName().c_str());
-    TestAgainstCPU(context);
-    TestSameBits(context);
-    TestNotFinite(context);
-    TestMistakes(context);
-    TestLarge(context);
-    CheckNothingLives();
-  }
-  return Finish();
+  return RunInContext({ TestAgainstCPU, TestSameBits, TestNotFinite, TestMistakes, TestLarge });
 }

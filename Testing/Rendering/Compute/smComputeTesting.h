@@ -19,6 +19,7 @@
 #include "vtkStringOutputWindow.h"
 
 #include <cstdio>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,27 @@ inline void CheckNothingLives()
   CheckEqual("live buffers", 0, sm::ComputeBuffer::GetLiveCount());
   CheckEqual("live bytes", 0, sm::ComputeBuffer::GetLiveBytes());
   CheckEqual("live programs", 0, sm::ComputeProgram::GetLiveCount());
+}
+
+/// Runs tests in one context of their own, and checks that nothing is left of it. Returns the program's exit status.
+inline int RunInContext(std::initializer_list<void (*)(vtkComputeContext*)> tests)
+{
+  {
+    const Silence silence;
+    vtkNew<vtkComputeContext> context;
+    if (!CheckEqual("status", vtkComputeContext::READY, context->Start()))
+    {
+      std::printf("%s\n", context->GetReason().c_str());
+      return Finish();
+    }
+    std::printf("%s, %s\n", context->GetRenderer().c_str(), context->GetSourceName().c_str());
+    for (const auto test : tests)
+    {
+      test(context);
+    }
+    CheckNothingLives();
+  }
+  return Finish();
 }
 }
 

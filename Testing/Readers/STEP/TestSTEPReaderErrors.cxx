@@ -1,0 +1,364 @@
+/**
+ * @file TestSTEPReaderErrors.cxx
+ * @brief vtkSTEPReader at its edge: unreadable and damaged files, settings, nested and stopped runs, exceptions, little memory
+ *
+ * Usage: TestSTEPReaderErrors FOLDER [memory], a folder for the files it writes; with little memory.
+ */
+#include "smReaderTesting.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkSTEPWriter.h"
+#include "vtkTrimmedNURBSModel.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace
+{
+using namespace smtest;
+
+void CheckFails(const std::string& path, const char* status, const char* word)
+{
+  vtkNew<vtkSTEPReader> reader;
+  ErrorLog log;
+  ErrorLog executive;
+  log.Watch(reader);
+  executive.Watch(reader->GetExecutive());
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  CheckEqual("errors for " + path, 1, log.Count);
+  CheckTrue("  names the file", log.Text.find(path) != std::string::npos, log.Text);
+  CheckTrue(std::string("  says ") + word, log.Text.find(word) != std::string::npos);
+  CheckEqual("  status", status, reader->GetStatusAsString());
+  CheckEqual("  output is empty", 0, reader->GetOutput()->GetNumberOfPartitionedDataSets());
+  CheckTrue("  has a message", reader->GetNumberOfMessages() > 0);
+}
+
+void CheckUnreadable(const std::string& text)
+{
+  CheckFails(Folder + "/does_not_exist.step", "unreadable", "opened");
+  CheckFails(Make("reader_nothing.step", ""), "unreadable", "empty");
+  CheckFails(Make("reader_text.step", "solid cube\nfacet normal 0 0 1\n"), "unreadable", "not a STEP file");
+  CheckFails(Make("reader_gzip.step", "\x1f\x8b\x08 and so on"), "unreadable", "gzip");
+  CheckFails(
+    Make("reader_header.step", text.substr(0, text.find("DATA;")) + "DATA;\nENDSEC;\nEND-ISO-10303-21;\n"),
+    "empty", "no solid");
+  CheckFails(
+    Make("reader_cut.step", text.substr(0, text.size() / 3)), "unreadable", "copy or export it again");
+  CheckFails(Folder, "unreadable", "opened");
+}
+
+void CheckSettings(const std::string& good)
+{
+  vtkNew<vtkSTEPReader> nameless;
+  ErrorLog log;
+  log.Watch(nameless);
+  ErrorLog ignored;
+  ignored.Watch(nameless->GetExecutive());
+  nameless->Update();
+  CheckEqual("no file name is one error", 1, log.Count);
+  nameless->SetFileName(good.c_str());
+  nameless->SetOutputUnit("parsec");
+  nameless->Update();
+  CheckTrue(
+    "an unknown unit is named", log.Count == 2 && log.Text.find("parsec") != std::string::npos, log.Text);
+  nameless->SetOutputUnit("mm");
+  nameless->Update();
+  CheckEqual("the reader recovers", 3, nameless->GetOutput()->GetNumberOfPartitionedDataSets());
+}
+
+/// Junk before the header is skipped, and said.
+void CheckJunk(const std::string& text)
+{
+  const std::string junk = Make("reader_junk.step", "xyz " + text);
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(junk.c_str());
+  reader->Update();
+  CheckEqual("junk is skipped", 3, reader->GetNumberOfInstances());
+  CheckTrue("junk is said", reader->GetMessage(0).find("before \"ISO-10303-21;\"") != std::string::npos);
+  CheckEqual("CanReadFile", 1, vtkSTEPReader::CanReadFile(junk.c_str()));
+  CheckEqual("CanReadFile of text", 0, vtkSTEPReader::CanReadFile((Folder + "/reader_text.step").c_str()));
+  CheckEqual("CanReadFile of nothing", 0, vtkSTEPReader::CanReadFile(nullptr));
+}
+
+/// A reference to an entity that is not there crashes OpenCASCADE: the one face that has it is left out.
+void CheckDamage(const std::string& text)
+{
+  vtkNew<vtkSTEPReader> reader;
+  std::string broken = text;
+  const std::size_t surface = broken.find("),#", broken.find("ADVANCED_FACE('',(")) + 2;
+  CheckTrue("a face to break", surface > 2 && surface < broken.size());
+  broken.replace(surface, broken.find(',', surface) - surface, "#99999999");
+  const std::string damaged = Make("reader_damaged.step", broken);
+  reader->SetFileName(damaged.c_str());
+  reader->Update();
+  CheckEqual("status of a damaged file", "ok", reader->GetStatusAsString());
+  CheckEqual("one face is left out", 6, GetLeaf(reader, 0)->GetModel()->GetNumberOfFaces());
+  CheckEqual("and counted", 1, GetLeaf(reader, 0)->GetModel()->GetNumberOfMissingFaces());
+  CheckEqual("in its body only", 0, GetLeaf(reader, 2)->GetModel()->GetNumberOfMissingFaces());
+  CheckTrue("and said", reader->GetMessage(0).find("damaged") != std::string::npos, reader->GetMessage(0));
+}
+
+/// An edge between one vertex and itself, whose curve goes elsewhere.
+void CheckWrongVertex(const std::string& text)
+{
+  vtkNew<vtkSTEPReader> reader;
+  const std::regex ends("EDGE_CURVE\\('',(#[0-9]+),(#[0-9]+),");
+  reader->SetFileName(Make("reader_vertex.step",
+    std::regex_replace(text, ends, "EDGE_CURVE('',$1,$1,", std::regex_constants::format_first_only))
+                        .c_str());
+  reader->Update();
+  vtkTrimmedNURBSModel* torn = GetLeaf(reader, 0)->GetModel();
+  CheckTrue("a wrong vertex is a defect, or its faces are missing",
+    torn->GetNumberOfDefects() + torn->GetNumberOfMissingFaces() > 0);
+  vtkNew<vtkTrimmedNURBSModel> copy;
+  copy->ShallowCopy(torn);
+  CheckEqual("which a copy has too", torn->GetNumberOfDefects(), copy->GetNumberOfDefects());
+}
+
+/// An instance that loses its scale.
+void CheckLostScale(const std::string& text)
+{
+  vtkNew<vtkSTEPReader> reader;
+  const std::regex part(
+    "(#[0-9]+) = (ADVANCED_BREP_SHAPE_REPRESENTATION\\('',\\((#[0-9]+),#[0-9]+\\),(#[0-9]+)\\);)");
+  reader->SetFileName(Make("reader_scaled.step",
+    std::regex_replace(text, part,
+      "$1 = SHAPE_REPRESENTATION('',($3,#900001),$4);\n#900000 = $2\n"
+      "#900001 = MAPPED_ITEM('',#900002,#900003);\n#900002 = REPRESENTATION_MAP($3,#900000);\n"
+      "#900003 = CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',$$,$$,#900004,2.5,$$);\n"
+      "#900004 = CARTESIAN_POINT('',(100.,0.,0.));",
+      std::regex_constants::format_first_only))
+                        .c_str());
+  reader->Update();
+  int misplaced = 0;
+  for (int i = 0; i < reader->GetNumberOfInstances(); ++i)
+  {
+    misplaced += GetLeaf(reader, i)->GetModel()->GetNumberOfDefects() > 0 ? 1 : 0;
+  }
+  CheckTrue("a lost scale is a defect", misplaced > 0);
+}
+
+/// A reader inside an observer of another one's progress fails with a sentence, and the other one goes on.
+void CheckNested(const std::string& path)
+{
+  struct Client
+  {
+    std::string Path;
+    ErrorLog Log;
+    int Runs = 0;
+  } client;
+  client.Path = path;
+  vtkNew<vtkCallbackCommand> callback;
+  callback->SetClientData(&client);
+  callback->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto* c = static_cast<Client*>(data);
+      const double progress = static_cast<vtkSTEPReader*>(caller)->GetProgress();
+      if (c->Runs > 0 || progress < 0.1 || progress >= 1.0)
+      {
+        return;
+      }
+      ++c->Runs;
+      vtkNew<vtkSTEPReader> inner;
+      ErrorLog ignored;
+      c->Log.Watch(inner);
+      ignored.Watch(inner->GetExecutive());
+      inner->SetFileName(c->Path.c_str());
+      inner->Update();
+    });
+  vtkNew<vtkSTEPReader> reader;
+  reader->AddObserver(vtkCommand::ProgressEvent, callback);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  CheckEqual("a nested reader ran", 1, client.Runs);
+  CheckEqual("and failed", 1, client.Log.Count);
+  CheckTrue("with a sentence", client.Log.Text.find("another file is being read") != std::string::npos);
+  CheckEqual("the outer one goes on", 3, reader->GetNumberOfInstances());
+}
+
+/// Stops at the first report of at least `threshold`.
+void CheckAbort(const std::string& path, double threshold)
+{
+  vtkNew<vtkSTEPReader> reader;
+  ErrorLog log;
+  log.Watch(reader);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetClientData(&threshold);
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void* least, void* progress)
+    {
+      if (*static_cast<double*>(progress) >= *static_cast<double*>(least))
+      {
+        static_cast<vtkSTEPReader*>(caller)->SetAbortExecute(1);
+      }
+    });
+  reader->AddObserver(vtkCommand::ProgressEvent, stop);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  CheckEqual("stopped", "aborted", reader->GetStatusAsString());
+  CheckEqual("without an error", 0, log.Count);
+  CheckEqual("and empty", 0, reader->GetOutput()->GetNumberOfPartitionedDataSets());
+}
+
+/// An exception that an observer throws while the file is read is an error, whatever its type.
+void CheckExceptions(const std::string& path)
+{
+  struct Client
+  {
+    double Threshold = 0.0;
+    bool Standard = true;
+  } client;
+  vtkNew<vtkCallbackCommand> callback;
+  callback->SetClientData(&client);
+  callback->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void* progress)
+    {
+      const auto* c = static_cast<Client*>(data);
+      const double fraction = *static_cast<double*>(progress);
+      if (fraction >= c->Threshold && fraction < 1.0)
+      {
+        if (c->Standard)
+        {
+          throw std::runtime_error("thrown by an observer");
+        }
+        throw 5;
+      }
+    });
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(path.c_str());
+  ErrorLog log;
+  ErrorLog executive;
+  log.Watch(reader);
+  executive.Watch(reader->GetExecutive());
+  const unsigned long tag = reader->AddObserver(vtkCommand::ProgressEvent, callback);
+  int errors = 0;
+  // While the file is parsed, before the first body, and with a body in hand.
+  for (const double threshold : { 0.01, 0.5, 0.76 })
+  {
+    client = { threshold, false };
+    reader->Modified();
+    bool crossed = false;
+    try
+    {
+      reader->Update();
+    }
+    catch (...)
+    {
+      crossed = true;
+    }
+    const std::string what = "an exception at " + std::to_string(threshold);
+    CheckTrue(what + " stays inside", !crossed);
+    CheckEqual(what + " is an error", ++errors, log.Count);
+    CheckEqual(what + ": status", "unreadable", reader->GetStatusAsString());
+    CheckEqual(what + ": leaves", 0, reader->GetOutput()->GetNumberOfPartitionedDataSets());
+  }
+  client = { 0.5, true };
+  reader->Modified();
+  reader->Update();
+  CheckTrue(
+    "a standard one is quoted", log.Text.find("thrown by an observer") != std::string::npos, log.Text);
+  reader->RemoveObserver(tag);
+  reader->Modified();
+  reader->Update();
+  CheckEqual("and the reader recovers", 3, reader->GetNumberOfInstances());
+}
+
+/// Reads and writes with no more than `extra` bytes of address space than now. 0: done, 1: an error said why not.
+int RunWithMemory(const std::string& path, const std::string& copy, std::size_t extra)
+{
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  vtkNew<vtkSTEPReader> reader;
+  vtkNew<vtkSTEPWriter> writer;
+  ErrorLog log;
+  ErrorLog ignored;
+  log.Watch(reader);
+  log.Watch(writer);
+  ignored.Watch(reader->GetExecutive());
+  ignored.Watch(writer->GetExecutive());
+  reader->SetFileName(path.c_str());
+  writer->SetInputConnection(reader->GetOutputPort());
+  writer->SetFileName(copy.c_str());
+  const rlim_t bytes = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + extra;
+  const rlimit limit{ bytes, bytes };
+  setrlimit(RLIMIT_AS, &limit);
+  const bool written = writer->Write() != 0;
+  const bool said = log.Count > 0 && writer->GetErrorCode() != vtkErrorCode::NoError;
+  return written && log.Count == 0 ? 0 : !written && said ? 1 : 2;
+}
+
+/// Reads and writes in child processes that have less and less memory.
+void CheckMemory(const std::string& path)
+{
+  const std::string copy = Folder + "/reader_memory.step";
+  int done = 0;
+  int failed = 0;
+  for (const std::size_t kibibytes :
+    { 0, 256, 512, 1024, 2048, 3072, 4096, 4352, 4608, 4864, 5120, 5376, 5632, 5888, 6144, 8192, 524288 })
+  {
+    std::remove(copy.c_str());
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      _exit(RunWithMemory(path, copy, kibibytes << 10));
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    CheckTrue("with " + std::to_string(kibibytes) + " KiB: done, or an error", code < 2,
+      "exit status " + std::to_string(code));
+    CheckTrue("  a file is there when it is done", (code == 0) == static_cast<bool>(std::ifstream(copy)));
+    done += code == 0 ? 1 : 0;
+    failed += code == 1 ? 1 : 0;
+  }
+  CheckTrue("enough memory is enough", done > 0, std::to_string(done));
+  CheckTrue("too little is too little", failed > 2, std::to_string(failed));
+}
+}
+
+int TestSTEPReaderErrors(int argc, char* argv[])
+{
+  if (argc < 2)
+  {
+    std::fprintf(stderr, "usage: %s FOLDER [memory]\n", argv[0]);
+    return EXIT_FAILURE;
+  }
+  Folder = argv[1];
+  const std::string mode = argc > 2 ? argv[2] : "";
+  const std::string good = Folder + "/reader_errors" + mode + ".step";
+  WriteAssembly(good);
+  if (mode == "memory")
+  {
+    CheckMemory(good);
+    return Finish();
+  }
+  const std::string text = ReadAll(good);
+  CheckAbort(good, 0.0);
+  // The last body's triangles, and its faces.
+  CheckAbort(good, 0.76);
+  CheckAbort(good, 0.96);
+  CheckNested(good);
+  CheckExceptions(good);
+  CheckUnreadable(text);
+  CheckSettings(good);
+  CheckJunk(text);
+  CheckDamage(text);
+  CheckWrongVertex(text);
+  CheckLostScale(text);
+  return Finish();
+}
