@@ -1,5 +1,6 @@
 #include "vtkNURBSDeform.h"
 
+#include "smAbortFlag.h"
 #include "smDisplayPoints.h"
 #include "smLeaves.h"
 #include "smModelEdit.h"
@@ -303,6 +304,7 @@ int vtkNURBSDeform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->NumberOfOpenedEdges = this->NumberOfChangedFaces = 0;
+  const sm::AbortFlag abortFlag(this);
   this->LargestGap = 0.0;
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);

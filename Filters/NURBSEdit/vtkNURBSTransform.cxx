@@ -1,5 +1,7 @@
 #include "vtkNURBSTransform.h"
 
+#include "smAbortFlag.h"
+#include "smFormat.h"
 #include "smLeaves.h"
 
 #include "vtkCellArray.h"
@@ -165,6 +167,7 @@ int vtkNURBSTransform::FillInputPortInformation(int, vtkInformation* info)
 int vtkNURBSTransform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const sm::AbortFlag abortFlag(this);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   try
   {

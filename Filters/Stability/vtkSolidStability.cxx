@@ -1,5 +1,6 @@
 #include "vtkSolidStability.h"
 
+#include "smAbortFlag.h"
 #include "smColumns.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
@@ -46,12 +47,7 @@ public:
       [](vtkObject*, unsigned long, void* relay, void*) { static_cast<ProgressRelay*>(relay)->PassOn(); });
     this->Tag = inside->AddObserver(vtkCommand::ProgressEvent, command);
   }
-  ~ProgressRelay()
-  {
-    this->Inside->RemoveObserver(this->Tag);
-    // VTK 9.2 leaves it set.
-    this->Inside->SetAbortExecute(0);
-  }
+  ~ProgressRelay() { this->Inside->RemoveObserver(this->Tag); }
   ProgressRelay(const ProgressRelay&) = delete;
   void operator=(const ProgressRelay&) = delete;
 
@@ -311,6 +307,7 @@ int vtkSolidStability::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Internals& self = *this->Implementation;
+  const sm::AbortFlag abortFlag(this);
   self.Worst = sm::SupportedBody();
   self.Status.clear();
   self.Messages.clear();

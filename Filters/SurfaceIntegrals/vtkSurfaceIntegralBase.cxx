@@ -1,5 +1,6 @@
 #include "vtkSurfaceIntegralBase.h"
 
+#include "smAbortFlag.h"
 #include "smBodyMeshes.h"
 #include "smBodySelection.h"
 #include "smColumns.h"
@@ -336,14 +337,6 @@ int vtkSurfaceIntegralBase::FillOutputPortInformation(int port, vtkInformation* 
   return 1;
 }
 
-void vtkSurfaceIntegralBase::ClearAbort()
-{
-  if (this->GetAbortExecute())
-  {
-    this->SetAbortExecute(0);
-  }
-}
-
 void vtkSurfaceIntegralBase::ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies)
 {
   if (this->Selectors.empty())
@@ -509,6 +502,7 @@ void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& b
 int vtkSurfaceIntegralBase::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const sm::AbortFlag abortFlag(this);
   this->ResetResults();
   int result = 1;
   try
@@ -524,7 +518,6 @@ int vtkSurfaceIntegralBase::RequestData(
     this->Fail(std::string("an error of the program: ") + error.what(), outputVector);
   }
   this->Engine->ReleaseWorkers();
-  this->ClearAbort();
   if (this->GetReleaseDataFlag())
   {
     this->ReleaseMemory();

@@ -387,7 +387,6 @@ void CheckBudgets(const Manifest& manifest)
   CheckTrue(
     "and it says so", GetMessages(mass).find("the run was aborted") != std::string::npos, GetMessages(mass));
   mass->RemoveObserver(tag);
-  mass->SetAbortExecute(0);
   mass->SetMaximumSeconds(1e-6);
   mass->Update();
   CheckTrue("out of time: nothing", isNothing());

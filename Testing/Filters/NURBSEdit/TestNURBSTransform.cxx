@@ -125,6 +125,7 @@ int TestNURBSTransform(int, char*[])
   CheckFails(filter, "not rigid");
   filter->SetTranslation(0.0, 0.0, 0.0);
   CheckMoved(filter, product, true);
+  CheckAbort(filter);
   CheckOutOfMemory(product);
   return Finish();
 }

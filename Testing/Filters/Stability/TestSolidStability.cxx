@@ -455,7 +455,6 @@ void TestBodies(const std::string& folder, const smtest::Manifest& manifest)
   smtest::CheckEqual(
     "the one that did not", names::VerdictUnknown, rows->GetValueByName(1, names::Stability).ToString());
   filter->RemoveObserver(tag);
-  filter->SetAbortExecute(0);
   filter->Modified();
   filter->Update();
   smtest::CheckEqual("not stopped", "stable", filter->GetStability());
