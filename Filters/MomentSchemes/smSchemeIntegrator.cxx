@@ -1,5 +1,7 @@
 #include "smSchemeIntegrator.h"
 
+#include "smCompensatedSum.h"
+#include "smFormat.h"
 #include "smMassIntegrands.h"
 #include "smPlaneMoments.h"
 #include "smSchemeRunner.h"
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <new>
 #include <numeric>
@@ -138,11 +139,10 @@ bool SchemeIntegrator::Internals::CheckCost(const std::vector<SchemeTask>& tasks
   }
   if (evaluations > static_cast<double>(this->Chosen.MaximumEvaluations))
   {
-    char text[160];
-    std::snprintf(text, sizeof(text),
-      "the scheme takes %.3g evaluations and MaximumEvaluations is %.3g: divide into fewer sub-patches",
-      evaluations, static_cast<double>(this->Chosen.MaximumEvaluations));
-    return this->Fail(text);
+    return this->Fail("the scheme takes " + FormatDigits(evaluations, 3) +
+      " evaluations and MaximumEvaluations is " +
+      FormatDigits(static_cast<double>(this->Chosen.MaximumEvaluations), 3) +
+      ": divide into fewer sub-patches");
   }
   return true;
 }

@@ -2,6 +2,7 @@
 
 #include "smAbortFlag.h"
 #include "smDisplayPoints.h"
+#include "smFormat.h"
 #include "smLeaves.h"
 #include "smModelEdit.h"
 
@@ -246,9 +247,9 @@ void vtkNURBSDeform::SetLatticeDisplacement(int i, int j, int k, double x, doubl
 {
   if (std::min({ i, j, k }) < 0 || !std::isfinite(x + y + z))
   {
-    vtkErrorMacro("SetLatticeDisplacement: the indices "
-      << i << ", " << j << ", " << k << " must not be negative, and the displacement " << x << ", " << y
-      << ", " << z << " must be finite.");
+    vtkErrorMacro("SetLatticeDisplacement: the indices " << i << ", " << j << ", " << k
+                                                         << " must not be negative, and the displacement "
+                                                         << sm::FormatTriple(x, y, z) << " must be finite.");
     return;
   }
   this->LatticeDisplacements[{ i, j, k }] = { x, y, z };

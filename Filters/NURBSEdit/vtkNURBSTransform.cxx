@@ -192,7 +192,8 @@ bool vtkNURBSTransform::MoveInput(vtkDataObject* input, vtkDataObject* output)
   if (!(deviation <= 1e-12))
   {
     vtkErrorMacro("The transform is not rigid: it scales, shears or projects (off by "
-      << deviation << "), and a placement of exact geometry may only rotate, reflect and translate. Leave "
+      << sm::FormatDigits(deviation, 3)
+      << "), and a placement of exact geometry may only rotate, reflect and translate. Leave "
       << "the scale out, choose the reader's output unit instead, or deform the part with vtkNURBSDeform.");
     return false;
   }

@@ -2,6 +2,7 @@
 
 #include "smAbortFlag.h"
 #include "smColumns.h"
+#include "smFormat.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
 #include "smStabilityNames.h"
@@ -121,7 +122,7 @@ void vtkSolidStability::SetVector(
   const bool vanishes = x == 0.0 && y == 0.0 && z == 0.0;
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || (vanishes && !mayVanish))
   {
-    vtkErrorMacro(<< name << "(" << x << ", " << y << ", " << z << "): give three finite numbers"
+    vtkErrorMacro(<< name << sm::FormatTriple(x, y, z) << ": give three finite numbers"
                   << (mayVanish ? "." : ", not all 0, for example 0, 0, -1."));
     return;
   }

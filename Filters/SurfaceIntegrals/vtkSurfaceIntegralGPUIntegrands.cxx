@@ -212,7 +212,7 @@ void vtkSurfaceIntegralGPU::AddConstant(const std::string& name, double value)
   if (!sm::UserExpression::IsFree(name) || !std::isfinite(value))
   {
     vtkErrorMacro(
-      "AddConstant: '" << name << "' = " << value
+      "AddConstant: '" << name << "' = " << sm::FormatDigits(value, 6)
                        << ": the name must be an identifier without a meaning yet, the value finite.");
     return;
   }
@@ -324,7 +324,7 @@ void vtkSurfaceIntegralGPU::SetProjectedAreaDirection(double x, double y, double
   const double direction[3] = { x, y, z };
   if (!std::isfinite(x + y + z))
   {
-    vtkErrorMacro("SetProjectedAreaDirection: " << x << " " << y << " " << z
+    vtkErrorMacro("SetProjectedAreaDirection: " << sm::FormatTriple(x, y, z)
                                                 << " is no direction; give a vector, or 0 0 0 for none.");
     return;
   }

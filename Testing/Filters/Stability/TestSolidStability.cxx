@@ -2,6 +2,7 @@
 #include "smStandingSolids.h"
 
 #include "smBoxBodies.h"
+#include "smDecimalCommas.h"
 #include "smStabilityNames.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
@@ -528,10 +529,16 @@ void TestErrors(const std::string& folder, const smtest::Manifest&)
   box.Filter->SetGravityDirection(0, NaN, -1);
   smtest::CheckEqual("not a number", 2, trap.NumberOfErrors);
   smtest::CheckTrue("the remedy", trap.Errors.find("0, 0, -1") != std::string::npos, trap.Errors);
+  trap.Errors.clear();
+  {
+    const smtest::DecimalCommas commas;
+    box.Filter->SetGroundNormal(0.25, NaN, 0);
+  }
+  smtest::CheckTrue("decimal points", trap.Errors.find("(0.25, nan, 0)") != std::string::npos, trap.Errors);
   box.Filter->SetGroundNormal(INFINITY, 0, 0);
   box.Filter->SetGroundOrigin(0, 0, NaN);
   box.Filter->SetContactTolerance(NaN);
-  smtest::CheckEqual("five errors", 5, trap.NumberOfErrors);
+  smtest::CheckEqual("six errors", 6, trap.NumberOfErrors);
   smtest::Check("gravity as it was", -1.0, box.Filter->GetGravityDirection()[2], 0.0);
   box.Filter->SetContactTolerance(7.0);
   smtest::Check("clamped", 0.1, box.Filter->GetContactTolerance(), 0.0);
@@ -540,7 +547,7 @@ void TestErrors(const std::string& folder, const smtest::Manifest&)
   box.Filter->SetGroundNormal(1, 0, 0);
   smtest::MessageTrap pipeline(box.Filter->GetExecutive());
   box.Filter->Update();
-  smtest::CheckEqual("an upright ground", 6, trap.NumberOfErrors);
+  smtest::CheckEqual("an upright ground", 7, trap.NumberOfErrors);
   smtest::CheckTrue("its remedy", trap.Errors.find("SetGroundNormal") != std::string::npos);
   box.Filter->SetGroundNormal(0, 0, 0);
   box.Filter->Update();
@@ -552,7 +559,7 @@ void TestErrors(const std::string& folder, const smtest::Manifest&)
   plain->SetPoints(points);
   box.Filter->SetInputDataObject(plain);
   box.Filter->Update();
-  smtest::CheckEqual("a mesh", 7, trap.NumberOfErrors);
+  smtest::CheckEqual("a mesh", 8, trap.NumberOfErrors);
   smtest::CheckTrue("named", trap.Errors.find("exact geometry") != std::string::npos);
   smtest::CheckEqual("nothing is left of the last run", names::VerdictUnknown, box.Filter->GetStability());
 
