@@ -1,6 +1,7 @@
 #include "smBuoyancy.h"
 #include "smParallelFor.h"
 #include "smUnitRoundoff.h"
+#include "smVector.h"
 
 #include "vtkTimerLog.h"
 
@@ -17,31 +18,11 @@ using Point3 = std::array<double, 3>;
 using Wide = long double;
 using Wide3 = std::array<Wide, 3>;
 
-constexpr auto WideRoundoff = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
 // Shares of a face's tolerance for cutting and for the quadrature. Rotating first moments to the world's axes multiplies their
 // bounds by at most sqrt(3), and a face may be twice as far from the frame's origin as the radius.
 constexpr double CutShare = 0.125;
 constexpr double QuadratureShare = 0.4;
 constexpr std::size_t Quantities = 4;
-
-Wide Dot(const Wide3& a, const Wide3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Wide3 Normalized(const Wide3& a)
-{
-  // The vector is scaled first, as the square of its length may overflow.
-  const Wide largest = std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
-  const Wide3 b{ a[0] / largest, a[1] / largest, a[2] / largest };
-  const Wide length = std::sqrt(Dot(b, b));
-  return { b[0] / length, b[1] / length, b[2] / length };
-}
-
-Wide3 Cross(const Wide3& a, const Wide3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
 
 /// Returns the radius of a ball about `center` that contains a cut face.
 double GetReach(const FacePanels& panels, const Point3& center)
@@ -183,7 +164,7 @@ Point3 DisplacedMoments::GetCenter(double& bound) const
 
 BuoyancyIntegrator::Frame BuoyancyIntegrator::MakeFrame(const BodyIntegrals& body, const Waterline& waterline)
 {
-  const Wide3 up = Normalized({ waterline.Up[0], waterline.Up[1], waterline.Up[2] });
+  const Wide3 up = Normalized(Wide3{ waterline.Up[0], waterline.Up[1], waterline.Up[2] });
   const int least = static_cast<int>(
     std::min_element(up.begin(), up.end(), [](Wide a, Wide b) { return std::abs(a) < std::abs(b); }) -
     up.begin());

@@ -22,26 +22,22 @@ namespace
 // Fraction of the progress for the preparation; the integration takes the rest.
 constexpr double PreparedShare = 0.3;
 
-/// Compensated sums (Neumaier) of the columns.
+/// Compensated sums of the columns. After an overflow the carry is NaN, and the sum alone is the result.
 struct ColumnSums
 {
-  std::array<double, NumberOfSchemeColumns> Sum{};
-  std::array<double, NumberOfSchemeColumns> Carry{};
+  std::array<CompensatedSum, NumberOfSchemeColumns> Columns;
 
   void Add(const double* values)
   {
     for (int i = 0; i < NumberOfSchemeColumns; ++i)
     {
-      const double x = values[i];
-      const double t = this->Sum[i] + x;
-      this->Carry[i] +=
-        std::abs(this->Sum[i]) >= std::abs(x) ? (this->Sum[i] - t) + x : (x - t) + this->Sum[i];
-      this->Sum[i] = t;
+      this->Columns[i].Add(values[i]);
     }
   }
   double Get(int i) const
   {
-    return std::isfinite(this->Sum[i]) ? this->Sum[i] + this->Carry[i] : this->Sum[i];
+    const CompensatedSum& column = this->Columns[i];
+    return std::isfinite(column.Sum) ? column.Get() : column.Sum;
   }
 };
 

@@ -25,8 +25,6 @@ constexpr double RibbonRoundings = 8.0;
 constexpr double TrimRoundings = 3.0;
 // Roundings of a sample of the gap: those of the trim curve, the patch and the edge, up to degree 25 each.
 constexpr double SampleRoundings = 64.0;
-
-constexpr auto WideRoundoff = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
 }
 
 RibbonPlanner::RibbonPlanner(

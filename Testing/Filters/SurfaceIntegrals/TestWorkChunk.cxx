@@ -2,6 +2,7 @@
 // how an item ends: compared, stored, discarded.
 #include "smGaussLegendre.h"
 #include "smTesting.h"
+#include "smUnitRoundoff.h"
 
 #include "smPortableCxx.h"
 
@@ -15,7 +16,7 @@ namespace
 using namespace smtest;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Unit = 1.1102230246251565e-16;
+constexpr double Unit = sm::UnitRoundoff;
 
 #define SM_INTEGRANDS 2
 #define SM_ROUNDINGS 1
