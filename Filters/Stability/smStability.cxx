@@ -15,7 +15,7 @@ constexpr double HalfPi = 1.5707963267948966;
 constexpr double DrawnSagitta = 1e-3;
 // Width of the margin's interval that refinement aims at, relative to the size, and the limit of its cost.
 constexpr double AimedWidth = 1e-10;
-// The same where the sign of the margin is beyond doubt, by this factor.
+// The same where the sign of the margin is certain, by this factor.
 constexpr double RelaxedWidth = 1e-5;
 constexpr double BeyondDoubt = 100.0;
 constexpr std::size_t MaximumPieces = 12000;
@@ -212,6 +212,24 @@ struct Frame
   }
 };
 
+/// The body above the middle of its ground; `heightBound` is the bound of the centre's height.
+Frame MakeFrame(const StabilityCase& body, double heightBound)
+{
+  const double ground = 0.5 * (body.Ground.Low + body.Ground.High);
+  Frame frame{ body, { body.Center[0], body.Center[1] }, {}, body.Center[2] - ground, 0.0 };
+  const double lean[2] = { body.Up[0] / body.Up[2], body.Up[1] / body.Up[2] };
+  for (int i = 0; i < 2; ++i)
+  {
+    frame.ProjectedCenter[i] = body.Center[i] - frame.Height * lean[i];
+  }
+  // On a slope the height adds to the error of the projected centre.
+  const double steep = 1.0 + std::hypot(lean[0], lean[1]);
+  // The directions are rounded, too: the lean by 8 u (1 + its square), more than it is where the ground is steep.
+  frame.Bound =
+    steep * (heightBound + body.Rounding + 8.0 * UnitRoundoff * steep * (std::abs(frame.Height) + body.Size));
+  return frame;
+}
+
 /// Middle and half of an interval.
 void SetInterval(double low, double high, double& value, double& bound)
 {
@@ -237,6 +255,31 @@ void SetLeast(
   }
   SetInterval(std::min(angle[0], angle[1]), angle[1], result.TipAngle, result.TipAngleBound);
   SetInterval(std::min(work[0], work[1]), work[1], result.CenterOfMassRise, result.CenterOfMassRiseBound);
+}
+
+/// The sides of the drawn polygon, less certain by what lies beyond them.
+void SetSides(const Frame& frame, const std::vector<StabilitySide>& sides, const SupportPolygon& outer,
+  double beyond, StabilityResult& result)
+{
+  for (const StabilitySide& side : sides)
+  {
+    // Contacts that are possible only lie beyond the side by this.
+    const double length = std::hypot(side.To[0] - side.From[0], side.To[1] - side.From[1]);
+    const Point2D outward = { (side.To[1] - side.From[1]) / length, (side.From[0] - side.To[0]) / length };
+    const double support =
+      std::max(0.0, outer.GetSupport(outward) - (side.From[0] * outward[0] + side.From[1] * outward[1]));
+    result.Sides.push_back(frame.MakeSide(side.From, side.To, support + beyond));
+  }
+}
+
+/// Of a body on a single point.
+void SetTipOverPoint(const Frame& frame, const Point2D& p, double beyond, StabilityResult& result)
+{
+  const double offset = std::hypot(frame.ProjectedCenter[0] - p[0], frame.ProjectedCenter[1] - p[1]);
+  const double reach = std::hypot(frame.Center[0] - p[0], frame.Center[1] - p[1], frame.Height);
+  result.TipAngle = -std::asin(std::min(1.0, offset * frame.Body.Up[2] / std::max(reach, offset)));
+  result.TipAngleBound = HalfPi * std::min(2.0, (frame.Bound + beyond) / reach);
+  result.CenterOfMassRise = result.CenterOfMassRiseBound = 0.0;
 }
 
 /// Upper concave envelope of the samples along the line of contacts, at the foot, for rolling in a direction: surfaces that end
@@ -380,22 +423,11 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
   {
     return result;
   }
-  const double ground = 0.5 * (body.Ground.Low + body.Ground.High);
-  Frame frame{ body, { body.Center[0], body.Center[1] }, {}, body.Center[2] - ground, 0.0 };
-  const double lean[2] = { body.Up[0] / body.Up[2], body.Up[1] / body.Up[2] };
-  for (int i = 0; i < 2; ++i)
-  {
-    frame.ProjectedCenter[i] = body.Center[i] - frame.Height * lean[i];
-  }
-  // Errors of the centre, of the ground and of rounding in the projected centre; on a slope the height adds to it.
-  const double steep = 1.0 + std::hypot(lean[0], lean[1]);
-  const double heightBound = body.CenterBound + 0.5 * (body.Ground.High - body.Ground.Low) + body.Rounding;
-  // The directions are rounded, too: the lean by 8 u (1 + its square), more than it is where the ground is steep.
-  frame.Bound =
-    steep * (heightBound + body.Rounding + 8.0 * UnitRoundoff * steep * (std::abs(frame.Height) + body.Size));
+  // Errors of the centre, of the ground and of rounding.
+  result.HeightBound = body.CenterBound + 0.5 * (body.Ground.High - body.Ground.Low) + body.Rounding;
+  const Frame frame = MakeFrame(body, result.HeightBound);
   result.ProjectedCenter = frame.ProjectedCenter;
   result.Height = frame.Height;
-  result.HeightBound = heightBound;
   if (contacts.Pieces.empty())
   {
     result.Decision = Verdict::NoContact;
@@ -429,23 +461,10 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
   SetInterval(low, high, result.StabilityMargin, result.StabilityMarginBound);
   result.Decision = low > 0.0 ? Verdict::Stable : high < 0.0 ? Verdict::Unstable : Verdict::TooClose;
 
-  for (StabilitySide& side : frame.MakeSides(drawn.Inner, contacts.Spread))
-  {
-    // Contacts that are possible only lie beyond the side by this.
-    const double length = std::hypot(side.To[0] - side.From[0], side.To[1] - side.From[1]);
-    const Point2D outward = { (side.To[1] - side.From[1]) / length, (side.From[0] - side.To[0]) / length };
-    const double support =
-      std::max(0.0, fine.Outer.GetSupport(outward) - (side.From[0] * outward[0] + side.From[1] * outward[1]));
-    result.Sides.push_back(frame.MakeSide(side.From, side.To, support + beyond));
-  }
+  SetSides(frame, frame.MakeSides(drawn.Inner, contacts.Spread), fine.Outer, beyond, result);
   if (fine.Inner.Corners.size() == 1)
   {
-    const Point2D& p = fine.Inner.Corners[0];
-    const double offset = std::hypot(frame.ProjectedCenter[0] - p[0], frame.ProjectedCenter[1] - p[1]);
-    const double reach = std::hypot(frame.Center[0] - p[0], frame.Center[1] - p[1], frame.Height);
-    result.TipAngle = -std::asin(std::min(1.0, offset * body.Up[2] / std::max(reach, offset)));
-    result.TipAngleBound = HalfPi * std::min(2.0, (frame.Bound + beyond) / reach);
-    result.CenterOfMassRise = result.CenterOfMassRiseBound = 0.0;
+    SetTipOverPoint(frame, fine.Inner.Corners[0], beyond, result);
   }
   else if (fine.Inner.Corners.size() > 1)
   {
