@@ -304,8 +304,8 @@ int vtkNURBSDeform::FillInputPortInformation(int, vtkInformation* info)
 int vtkNURBSDeform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->NumberOfOpenedEdges = this->NumberOfChangedFaces = 0;
   const sm::AbortFlag abortFlag(this);
+  this->NumberOfOpenedEdges = this->NumberOfChangedFaces = 0;
   this->LargestGap = 0.0;
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);

@@ -17,7 +17,7 @@ constexpr double DrawnSagitta = 1e-3;
 constexpr double AimedWidth = 1e-10;
 // The same where the sign of the margin is certain, by this factor.
 constexpr double RelaxedWidth = 1e-5;
-constexpr double BeyondDoubt = 100.0;
+constexpr double CertainSign = 100.0;
 constexpr std::size_t MaximumPieces = 12000;
 // With more critical directions than these, all are.
 constexpr std::size_t ManyDirections = 64;
@@ -112,7 +112,7 @@ Hulls Refine(std::vector<ContactPiece>& pieces, const Point2D& foot, double size
     const double inner = hulls.Inner.GetMargin(foot);
     const double outer = hulls.Outer.GetMargin(foot);
     const double width = outer - inner;
-    const bool sure = std::min(std::abs(inner), std::abs(outer)) > BeyondDoubt * width;
+    const bool sure = std::min(std::abs(inner), std::abs(outer)) > CertainSign * width;
     if (!(width > (sure ? RelaxedWidth * size : aim)))
     {
       break;
@@ -293,15 +293,15 @@ ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& 
   {
     if ((sample.GoesOn >> direction & 1u) == 0)
     {
-      sample.Radius = sample.Doubt = sample.Widest = 0.0;
+      sample.Radius = sample.RadiusError = sample.Widest = 0.0;
     }
   }
-  const auto take = [&best](double radius, double doubt, double widest)
+  const auto take = [&best](double radius, double radiusError, double widest)
   {
     if (radius > best.Radius)
     {
       best.Radius = radius;
-      best.Doubt = doubt;
+      best.RadiusError = radiusError;
       best.Widest = widest;
     }
   };
@@ -312,7 +312,7 @@ ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& 
     const double x = position(a);
     if (std::abs(x) <= reach)
     {
-      take(a.Radius, a.Doubt, a.Widest);
+      take(a.Radius, a.RadiusError, a.Widest);
     }
     for (const ContactSample& b : samples)
     {
@@ -320,8 +320,8 @@ ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& 
       if (x < -reach && y > reach)
       {
         const double share = -x / (y - x);
-        take(
-          a.Radius + share * (b.Radius - a.Radius), std::max(a.Doubt, b.Doubt), std::max(a.Widest, b.Widest));
+        take(a.Radius + share * (b.Radius - a.Radius), std::max(a.RadiusError, b.RadiusError),
+          std::max(a.Widest, b.Widest));
       }
     }
   }
@@ -373,7 +373,7 @@ void Roll(
     up[0] == 0.0 && up[1] == 0.0 ? 1.0 : (1.0 - slopeAlong * slopeAlong) / (up[2] * up[2]);
   result.RollingRadius = sample.Radius;
   result.RollingMargin = sample.Radius - factor * frame.Height;
-  result.RollingMarginBound = sample.Doubt + factor * frame.Bound;
+  result.RollingMarginBound = sample.RadiusError + factor * frame.Bound;
   // The least radius belongs to one direction: of a point on a slope, or of two points that make a line, not surely to the worst.
   if (isLine ? sample.Widest < 1e6 * frame.Body.Size : factor > 1.0)
   {
@@ -401,7 +401,7 @@ void Roll(
   }
   result.Decision = result.RollingMargin > result.RollingMarginBound ? Verdict::Stable
     : result.RollingMargin < -result.RollingMarginBound ||
-      (!isLine && sample.Radius + sample.Doubt + frame.Bound < frame.Height)
+      (!isLine && sample.Radius + sample.RadiusError + frame.Bound < frame.Height)
     ? Verdict::Unstable
     : Verdict::TooClose;
 }

@@ -307,8 +307,8 @@ int vtkSolidStability::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkSolidStability::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  Internals& self = *this->Implementation;
   const sm::AbortFlag abortFlag(this);
+  Internals& self = *this->Implementation;
   self.Worst = sm::SupportedBody();
   self.Status.clear();
   self.Messages.clear();

@@ -104,7 +104,7 @@ private:
   std::array<double, 4> Points[(MaximumDegree + 1) * (MaximumDegree + 1)];
 };
 
-/// The pieces of one curve in step with its edge.
+/// The pieces of one curve with the parameter of its edge.
 class Restorer
 {
 public:
