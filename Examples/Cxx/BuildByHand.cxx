@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace
@@ -165,11 +166,17 @@ bool IsWithin(const char* what, double value, double bound, double exact)
 
 int main(int argc, char** argv)
 {
+  const char* const usage = "usage: BuildByHand [RADIUS], above 0 and below 1e6\n";
+  if (argc == 2 && (argv[1] == std::string("--help") || argv[1] == std::string("-h")))
+  {
+    std::cout << usage;
+    return 0;
+  }
   char* end = nullptr;
   const double r = argc == 2 ? std::strtod(argv[1], &end) : 10.0;
   if (argc > 2 || (end && *end != '\0') || !(r > 0.0 && r < 1e6))
   {
-    std::cerr << "usage: BuildByHand [RADIUS], above 0 and below 1e6\n";
+    std::cerr << usage;
     return 1;
   }
   vtkNew<vtkMassPropertiesGPU> mass;

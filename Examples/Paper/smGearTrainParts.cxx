@@ -93,7 +93,8 @@ TopoDS_Wire Hexagon(double acrossFlats, double z)
 
 /// A body between z = low and high without the parts outside cones of 30 degrees, which shorten its ends by `rise` at radius `rim`. The
 /// cones' seam is at an angle where the body has no edge, because OpenCASCADE straightens short curves that end at a seam.
-TopoDS_Shape Turned(const TopoDS_Shape& body, double rim, double rise, double low, double high, double seam)
+TopoDS_Shape ChamferRims(
+  const TopoDS_Shape& body, double rim, double rise, double low, double high, double seam)
 {
   const double run = rise / std::tan(Pi / 6.0);
   const TopoDS_Shape envelope = Revolution(
@@ -111,7 +112,7 @@ TopoDS_Shape MakeGear(int teeth, double width)
   const double root = pitchRadius - 1.25 * GearModule;
   const double tip = pitchRadius + GearModule;
   TopoDS_Shape body = Prism(ToothedWire(teeth, root, tip), gp_Vec(0, 0, width));
-  body = Turned(body, tip, 1.0, 0.0, width, Pi / teeth);
+  body = ChamferRims(body, tip, 1.0, 0.0, width, Pi / teeth);
   std::vector<TopoDS_Shape> tools = { Cylinder(gp_Pnt(0, 0, -1), Up, ShaftRadius, width + 2.0),
     Box(gp_Pnt(0, -1.5, -1), gp_Pnt(ShaftRadius + 1.6, 1.5, width + 1.0)) };
   if (root > 30.0)
@@ -271,7 +272,7 @@ TopoDS_Shape MakeBolt(double gap)
 TopoDS_Shape MakeNut()
 {
   const double height = 5.2;
-  TopoDS_Shape body = Turned(
+  TopoDS_Shape body = ChamferRims(
     Prism(Hexagon(10.0, 0.0), gp_Vec(0, 0, height)), 10.0 / std::sqrt(3.0), 0.45, 0.0, height, Pi / 6.0);
   body = Cut(body,
     { Cylinder(gp_Pnt(0, 0, -1), Up, BoltRadius - 0.3, height + 2.0),

@@ -4,6 +4,7 @@
 #include "smPaperSolid.h"
 
 #include <smFormat.h>
+#include <smUnitRoundoff.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace smfigure
 namespace
 {
 /// Errors of 0 are drawn as half an ulp of 1, because the axis is logarithmic.
-constexpr double Rounding = 1.1102230246251565e-16;
+constexpr double Rounding = sm::UnitRoundoff;
 constexpr float LineWidth = 2.5f;
 
 const Scheme PaperSchemes[3] = { Scheme::Midpoint, Scheme::Gauss2, Scheme::Gauss3 };

@@ -25,8 +25,8 @@ Point2 EvaluateCircle(double u)
   const double w = b[0] + b[1] + b[2];
   const double c = (b[0] + b[1]) / w;
   const double d = (b[1] + b[2]) / w;
-  const Point2 turned[4] = { { c, d }, { -d, c }, { -c, -d }, { d, -c } };
-  return turned[quarter];
+  const Point2 rotated[4] = { { c, d }, { -d, c }, { -c, -d }, { d, -c } };
+  return rotated[quarter];
 }
 
 /// Homogeneous control points of EvaluateCircle's quarters: (cos, sin, weight).

@@ -96,12 +96,16 @@ def is_within(what, value, bound, exact):
 
 
 def main():
+    usage = "usage: build_by_hand.py [RADIUS], above 0 and below 1e6"
+    if sys.argv[1:] in (["-h"], ["--help"]):
+        print(usage)
+        return 0
     try:
         r = float(sys.argv[1]) if len(sys.argv) > 1 else 10.0
     except ValueError:
         r = 0.0
     if len(sys.argv) > 2 or not 0.0 < r < 1e6:
-        print("usage: build_by_hand.py [RADIUS], above 0 and below 1e6", file=sys.stderr)
+        print(usage, file=sys.stderr)
         return 1
     mass = vtkMassPropertiesGPU()
     mass.SetInputData(make_half_ball(r))

@@ -2,6 +2,7 @@
 #include "smParallelFor.h"
 #include "smSubmergedStrips.h"
 #include "smUnitRoundoff.h"
+#include "smVector.h"
 
 #include "vtkTimerLog.h"
 
@@ -18,7 +19,6 @@ using Point3 = std::array<double, 3>;
 using Wide = long double;
 using Wide3 = std::array<Wide, 3>;
 
-constexpr auto WideRoundoff = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
 // Shares of a face's tolerance for cutting and for the quadrature. Rotating first moments to the world's axes multiplies their
 // bounds by at most sqrt(3), and a face may be twice as far from the frame's origin as the radius.
 constexpr double CutShare = 0.125;
@@ -27,25 +27,6 @@ constexpr std::size_t Quantities = 4;
 // Share of the progress for cutting all faces, and faces cut at the waterline between two reports of progress.
 constexpr double CutProgress = 0.5;
 constexpr std::size_t CutsPerReport = 64;
-
-Wide Dot(const Wide3& a, const Wide3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Wide3 Normalized(const Wide3& a)
-{
-  // The vector is scaled first, as the square of its length may overflow.
-  const Wide largest = std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
-  const Wide3 b{ a[0] / largest, a[1] / largest, a[2] / largest };
-  const Wide length = std::sqrt(Dot(b, b));
-  return { b[0] / length, b[1] / length, b[2] / length };
-}
-
-Wide3 Cross(const Wide3& a, const Wide3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
 
 /// Returns the radius of a ball about `center` that contains a cut face.
 double GetReach(const FacePanels& panels, const Point3& center)
@@ -229,7 +210,7 @@ Point3 DisplacedMoments::GetCenter(double& bound) const
 
 BuoyancyIntegrator::Frame BuoyancyIntegrator::MakeFrame(const BodyIntegrals& body, const Waterline& waterline)
 {
-  const Wide3 up = Normalized({ waterline.Up[0], waterline.Up[1], waterline.Up[2] });
+  const Wide3 up = Normalized(Wide3{ waterline.Up[0], waterline.Up[1], waterline.Up[2] });
   const int least = static_cast<int>(
     std::min_element(up.begin(), up.end(), [](Wide a, Wide b) { return std::abs(a) < std::abs(b); }) -
     up.begin());

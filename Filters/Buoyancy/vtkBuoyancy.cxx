@@ -128,7 +128,7 @@ void vtkBuoyancy::SetPoint(double x, double y, double z)
 {
   if (!AreFinite(x, y, z))
   {
-    vtkErrorMacro("SetPoint: " << x << " " << y << " " << z << " is no point; give finite coordinates.");
+    vtkErrorMacro("SetPoint: " << sm::FormatTriple(x, y, z) << " is no point; give finite coordinates.");
     return;
   }
   const double point[3] = { x, y, z };
@@ -143,7 +143,7 @@ void vtkBuoyancy::SetNormal(double x, double y, double z)
 {
   if (!AreFinite(x, y, z) || (x == 0.0 && y == 0.0 && z == 0.0))
   {
-    vtkErrorMacro("SetNormal: " << x << " " << y << " " << z
+    vtkErrorMacro("SetNormal: " << sm::FormatTriple(x, y, z)
                                 << " is no direction; give a vector out of the water that is not 0.");
     return;
   }

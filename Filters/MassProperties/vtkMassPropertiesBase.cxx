@@ -2,6 +2,7 @@
 
 #include "smBodyMeshes.h"
 #include "smColumns.h"
+#include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smMassAnalysis.h"
 #include "smMassGlyphs.h"
@@ -37,8 +38,8 @@ void vtkMassPropertiesBase::SetDensity(double density)
 {
   if (!std::isfinite(density) || density < 0.0)
   {
-    vtkErrorMacro(
-      "SetDensity: " << density << " is no density; give kg/m^3, for example 7850 for steel, or 0.");
+    vtkErrorMacro("SetDensity: " << sm::FormatDigits(density, 6)
+                                 << " is no density; give kg/m^3, for example 7850 for steel, or 0.");
     return;
   }
   if (this->Density != density)

@@ -1,5 +1,6 @@
 #include "vtkMassPropertiesGPU.h"
 
+#include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smMassAnalysis.h"
 #include "smMassIntegrands.h"
@@ -42,7 +43,7 @@ void vtkMassPropertiesGPU::SetTolerance(
   if (!(relative >= 0.0 && relative <= 1.0) || !(absolute >= 0.0) || !std::isfinite(absolute))
   {
     vtkErrorMacro(
-      << name << "(" << relative << ", " << absolute
+      << name << "(" << sm::FormatDigits(relative, 6) << ", " << sm::FormatDigits(absolute, 6)
       << "): give a relative tolerance in [0, 1], 0 for RelativeTolerance, and an absolute one that is "
          "not negative, 0 for none.");
     return;

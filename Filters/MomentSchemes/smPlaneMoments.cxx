@@ -1,5 +1,6 @@
 #include "smPlaneMoments.h"
 
+#include "smCompensatedSum.h"
 #include "smVector.h"
 
 #include <algorithm>
@@ -48,19 +49,6 @@ struct Plane
       x[c] = this->Center[c] + (p[0] - this->Middle[0]) * this->U[c] + (p[1] - this->Middle[1]) * this->V[c];
     }
     return x;
-  }
-};
-
-/// Compensated sum (Neumaier), needed because triangles of both signs cancel.
-struct CompensatedSum
-{
-  double Sum = 0.0;
-  double Carry = 0.0;
-  void Add(double x)
-  {
-    const double sum = this->Sum + x;
-    this->Carry += std::abs(this->Sum) >= std::abs(x) ? (this->Sum - sum) + x : (x - sum) + this->Sum;
-    this->Sum = sum;
   }
 };
 
@@ -133,6 +121,7 @@ std::array<double, 14> ComputePlaneMoments(const SubPatchFace& face)
   {
     whole = { { start, { end[0], start[1] }, end, { start[0], end[1] } } };
   }
+  // Triangles of both signs cancel.
   CompensatedSum sums[NumberOfIntegrals];
   for (const std::vector<Point2>& polygon : whole.empty() ? face.Polygons.Loops : whole)
   {
@@ -145,7 +134,7 @@ std::array<double, 14> ComputePlaneMoments(const SubPatchFace& face)
   double values[NumberOfIntegrals];
   for (int i = 0; i < NumberOfIntegrals; ++i)
   {
-    values[i] = sums[i].Sum + sums[i].Carry;
+    values[i] = sums[i].Get();
   }
   for (int i = 0; i < 10; ++i)
   {

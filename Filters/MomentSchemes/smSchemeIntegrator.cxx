@@ -1,5 +1,7 @@
 #include "smSchemeIntegrator.h"
 
+#include "smCompensatedSum.h"
+#include "smFormat.h"
 #include "smMassIntegrands.h"
 #include "smPlaneMoments.h"
 #include "smSchemeRunner.h"
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <new>
 #include <numeric>
@@ -21,26 +22,22 @@ namespace
 // Fraction of the progress for the preparation; the integration takes the rest.
 constexpr double PreparedShare = 0.3;
 
-/// Compensated sums (Neumaier) of the columns.
+/// Compensated sums of the columns. After an overflow the carry is NaN, and the sum alone is the result.
 struct ColumnSums
 {
-  std::array<double, NumberOfSchemeColumns> Sum{};
-  std::array<double, NumberOfSchemeColumns> Carry{};
+  std::array<CompensatedSum, NumberOfSchemeColumns> Columns;
 
   void Add(const double* values)
   {
     for (int i = 0; i < NumberOfSchemeColumns; ++i)
     {
-      const double x = values[i];
-      const double t = this->Sum[i] + x;
-      this->Carry[i] +=
-        std::abs(this->Sum[i]) >= std::abs(x) ? (this->Sum[i] - t) + x : (x - t) + this->Sum[i];
-      this->Sum[i] = t;
+      this->Columns[i].Add(values[i]);
     }
   }
   double Get(int i) const
   {
-    return std::isfinite(this->Sum[i]) ? this->Sum[i] + this->Carry[i] : this->Sum[i];
+    const CompensatedSum& column = this->Columns[i];
+    return std::isfinite(column.Sum) ? column.Get() : column.Sum;
   }
 };
 
@@ -138,11 +135,10 @@ bool SchemeIntegrator::Internals::CheckCost(const std::vector<SchemeTask>& tasks
   }
   if (evaluations > static_cast<double>(this->Chosen.MaximumEvaluations))
   {
-    char text[160];
-    std::snprintf(text, sizeof(text),
-      "the scheme takes %.3g evaluations and MaximumEvaluations is %.3g: divide into fewer sub-patches",
-      evaluations, static_cast<double>(this->Chosen.MaximumEvaluations));
-    return this->Fail(text);
+    return this->Fail("the scheme takes " + FormatDigits(evaluations, 3) +
+      " evaluations and MaximumEvaluations is " +
+      FormatDigits(static_cast<double>(this->Chosen.MaximumEvaluations), 3) +
+      ": divide into fewer sub-patches");
   }
   return true;
 }

@@ -50,7 +50,8 @@ void vtkSchemeMassPropertiesGPU::SetChordTolerance(double tolerance)
 {
   if (!(tolerance > 0.0 && tolerance < 1.0))
   {
-    vtkErrorMacro("SetChordTolerance: " << tolerance << " is not in (0, 1); give for example 1e-8.");
+    vtkErrorMacro(
+      "SetChordTolerance: " << sm::FormatDigits(tolerance, 6) << " is not in (0, 1); give for example 1e-8.");
     return;
   }
   if (this->ChordTolerance != tolerance)

@@ -27,6 +27,11 @@ std::string FormatFixed(double value, int digits)
   return Convert(value, std::chars_format::fixed, std::min(digits, 17));
 }
 
+std::string FormatTriple(double x, double y, double z)
+{
+  return "(" + FormatDigits(x, 6) + ", " + FormatDigits(y, 6) + ", " + FormatDigits(z, 6) + ")";
+}
+
 std::string FormatDistance(double distance)
 {
   return std::isfinite(distance) ? FormatDigits(distance, 3) : std::string("an unknown distance");

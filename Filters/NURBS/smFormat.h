@@ -16,6 +16,8 @@ SMFILTERSNURBS_EXPORT std::string FormatDigits(double value, int digits);
 /// Exactly `digits` digits behind the point.
 SMFILTERSNURBS_EXPORT std::string FormatFixed(double value, int digits);
 
+/// Three numbers for a message, with at most six digits each: "(1.5, 0, -2)".
+SMFILTERSNURBS_EXPORT std::string FormatTriple(double x, double y, double z);
 /// A distance for a message, with three digits; "an unknown distance" for what is not finite.
 SMFILTERSNURBS_EXPORT std::string FormatDistance(double distance);
 

@@ -1,5 +1,7 @@
 #include "smNURBSSurface.h"
 
+#include "smUnitRoundoff.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -197,8 +199,6 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
   // a convex sum of neighbours, two products, a sum, and factors of three roundings that shift weight between neighbours: at
   // most 9 u of the largest, of w x and of w alike. There are p + q levels; on a whole Bézier span the factors are 0 and 1,
   // exactly. For these u is that of the wider numbers (where there are none, that of double).
-  constexpr double u = 0.5 * std::numeric_limits<double>::epsilon();
-  constexpr auto wide = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
   const double distance = farthest + (center ? std::hypot(center[0], center[1], center[2]) : 0.0);
   const bool isPlain = heaviest == lightest;
   int levels = 0;
@@ -211,8 +211,8 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
   std::array<double, 3> moved;
   for (int c = 0; c < 3; ++c)
   {
-    moved[c] = (isPlain ? 1.0 : 2.0) * u * largest[c] +
-      wide * (2.0 + (isPlain ? 9.0 : 18.0 * heaviest / lightest) * levels) * distance;
+    moved[c] = (isPlain ? 1.0 : 2.0) * UnitRoundoff * largest[c] +
+      WideRoundoff * (2.0 + (isPlain ? 9.0 : 18.0 * heaviest / lightest) * levels) * distance;
   }
   return moved;
 }

@@ -1,6 +1,6 @@
 /**
  * @file smVector.h
- * @brief Vectors of three doubles; not installed
+ * @brief Vectors of three numbers, of double or extended precision; not installed
  *
  * Sums run from the first component to the last, so that every user gets the same bits.
  */
@@ -15,47 +15,55 @@ namespace sm
 {
 using Vector3 = std::array<double, 3>;
 
-inline double Dot(const double* a, const double* b)
+template <typename Real = double>
+Real Dot(const Real* a, const Real* b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-inline double Dot(const Vector3& a, const Vector3& b)
+template <typename Real = double>
+Real Dot(const std::array<Real, 3>& a, const std::array<Real, 3>& b)
 {
   return Dot(a.data(), b.data());
 }
 
-inline Vector3 Cross(const double* a, const double* b)
+template <typename Real = double>
+std::array<Real, 3> Cross(const Real* a, const Real* b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
-inline Vector3 Cross(const Vector3& a, const Vector3& b)
+template <typename Real = double>
+std::array<Real, 3> Cross(const std::array<Real, 3>& a, const std::array<Real, 3>& b)
 {
   return Cross(a.data(), b.data());
 }
 
-inline Vector3 Subtract(const Vector3& a, const Vector3& b)
+template <typename Real = double>
+std::array<Real, 3> Subtract(const std::array<Real, 3>& a, const std::array<Real, 3>& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
-inline double Norm(const double* a)
+template <typename Real = double>
+Real Norm(const Real* a)
 {
   return std::sqrt(Dot(a, a));
 }
 
-inline double Norm(const Vector3& a)
+template <typename Real = double>
+Real Norm(const std::array<Real, 3>& a)
 {
   return Norm(a.data());
 }
 
 /// A unit vector. The components are divided by the largest first, so that no square overflows.
-inline Vector3 Normalized(const Vector3& v)
+template <typename Real = double>
+std::array<Real, 3> Normalized(const std::array<Real, 3>& v)
 {
-  const double largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
-  const Vector3 scaled{ v[0] / largest, v[1] / largest, v[2] / largest };
-  const double length = Norm(scaled);
+  const Real largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+  const std::array<Real, 3> scaled{ v[0] / largest, v[1] / largest, v[2] / largest };
+  const Real length = Norm(scaled);
   return { scaled[0] / length, scaled[1] / length, scaled[2] / length };
 }
 }

@@ -1,5 +1,6 @@
 #include "smModelEdit.h"
 
+#include "smFormat.h"
 #include "smNetChange.h"
 
 #include <algorithm>
@@ -87,7 +88,7 @@ ModelEdit CheckPoint(const std::array<double, 4>& point)
   if (!(point[3] > 0.0))
   {
     return Fail(EditStatus::WeightNotPositive,
-      "the weight " + std::to_string(point[3]) + " of a control point is not above 0");
+      "the weight " + FormatDigits(point[3], 6) + " of a control point is not above 0");
   }
   return {};
 }

@@ -1,7 +1,9 @@
 #include "vtkNURBSDeform.h"
 
+#include "smAbortFlag.h"
 #include "smDisplayPoints.h"
 #include "smFailureReason.h"
+#include "smFormat.h"
 #include "smLeaves.h"
 #include "smModelEdit.h"
 
@@ -246,9 +248,9 @@ void vtkNURBSDeform::SetLatticeDisplacement(int i, int j, int k, double x, doubl
 {
   if (std::min({ i, j, k }) < 0 || !std::isfinite(x + y + z))
   {
-    vtkErrorMacro("SetLatticeDisplacement: the indices "
-      << i << ", " << j << ", " << k << " must not be negative, and the displacement " << x << ", " << y
-      << ", " << z << " must be finite.");
+    vtkErrorMacro("SetLatticeDisplacement: the indices " << i << ", " << j << ", " << k
+                                                         << " must not be negative, and the displacement "
+                                                         << sm::FormatTriple(x, y, z) << " must be finite.");
     return;
   }
   this->LatticeDisplacements[{ i, j, k }] = { x, y, z };
@@ -303,6 +305,7 @@ int vtkNURBSDeform::FillInputPortInformation(int, vtkInformation* info)
 int vtkNURBSDeform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const sm::AbortFlag abortFlag(this);
   this->NumberOfOpenedEdges = this->NumberOfChangedFaces = 0;
   this->LargestGap = 0.0;
   vtkInformation* info = outputVector->GetInformationObject(0);

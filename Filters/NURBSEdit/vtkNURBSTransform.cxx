@@ -1,6 +1,8 @@
 #include "vtkNURBSTransform.h"
 
+#include "smAbortFlag.h"
 #include "smFailureReason.h"
+#include "smFormat.h"
 #include "smLeaves.h"
 
 #include "vtkCellArray.h"
@@ -166,6 +168,7 @@ int vtkNURBSTransform::FillInputPortInformation(int, vtkInformation* info)
 int vtkNURBSTransform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const sm::AbortFlag abortFlag(this);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   try
   {
@@ -191,7 +194,8 @@ bool vtkNURBSTransform::MoveInput(vtkDataObject* input, vtkDataObject* output)
   if (!(deviation <= 1e-12))
   {
     vtkErrorMacro("The transform is not rigid: it scales, shears or projects (off by "
-      << deviation << "), and a placement of exact geometry may only rotate, reflect and translate. Leave "
+      << sm::FormatDigits(deviation, 3)
+      << "), and a placement of exact geometry may only rotate, reflect and translate. Leave "
       << "the scale out, choose the reader's output unit instead, or deform the part with vtkNURBSDeform.");
     return false;
   }

@@ -25,8 +25,6 @@ constexpr double RibbonRoundings = 8.0;
 constexpr double TrimRoundings = 3.0;
 // Roundings of a sample of the gap: those of the trim curve, the patch and the edge, up to degree 25 each.
 constexpr double SampleRoundings = 64.0;
-
-constexpr auto WideRoundoff = static_cast<double>(0.5L * std::numeric_limits<Wide>::epsilon());
 }
 
 RibbonPlanner::RibbonPlanner(
@@ -344,6 +342,58 @@ void RibbonPlanner::AddResidualError(const Ribbon& ribbon, const Majorants& real
   }
 }
 
+void RibbonPlanner::BoundAlong(bool sound, const Majorants& real)
+{
+  const std::size_t count = this->Request.Classes.size();
+  this->AlongT.Reset(count);
+  this->Supremum.assign(count, std::numeric_limits<double>::infinity());
+  if (!sound)
+  {
+    return;
+  }
+  this->Bound(real, this->Supremum);
+  for (const double radius : Radii)
+  {
+    Majorants majorants;
+    if (!this->Evaluate(Ellipse::FromRadius(radius), majorants))
+    {
+      break;
+    }
+    this->Bound(majorants, this->Bounds);
+    this->AlongT.AddEllipse(radius, this->Bounds);
+  }
+}
+
+int RibbonPlanner::ChooseOrder(double share) const
+{
+  int along = 1;
+  for (std::size_t i = 0; i < this->Supremum.size(); ++i)
+  {
+    const double tolerance = share * this->Request.Tolerances[i];
+    if (this->Request.Classes[i].Kind != BoundClass::AreaMoment && tolerance > 0.0 &&
+      !(2.0 * this->Supremum[i] <= tolerance))
+    {
+      along = std::max(along, this->AlongT.FindOrder(i, tolerance, LargestOrder));
+    }
+  }
+  return along;
+}
+
+void RibbonPlanner::AddItem(const PlannedItem& item)
+{
+  for (std::size_t i = 0; i < this->Supremum.size(); ++i)
+  {
+    if (this->Request.Classes[i].Kind != BoundClass::AreaMoment)
+    {
+      this->Result.QuadratureBound[i] +=
+        std::min(2.0 * this->Supremum[i], this->AlongT.GetError(i, item.Along));
+      this->Result.Magnitude[i] += this->Supremum[i];
+    }
+  }
+  this->Result.Evaluations += item.Along;
+  this->Result.Items.push_back(item);
+}
+
 void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int depth)
 {
   const Ribbon& ribbon = this->Panels.Ribbons[index];
@@ -358,34 +408,9 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
 
   Majorants real;
   const bool sound = this->Evaluate(Ellipse::FromRadius(1.0), real) && std::isfinite(tail);
-  const std::size_t count = this->Request.Classes.size();
-  this->AlongT.Reset(count);
-  this->Supremum.assign(count, std::numeric_limits<double>::infinity());
-  if (sound)
-  {
-    this->Bound(real, this->Supremum);
-    for (const double radius : Radii)
-    {
-      Majorants majorants;
-      if (!this->Evaluate(Ellipse::FromRadius(radius), majorants))
-      {
-        break;
-      }
-      this->Bound(majorants, this->Bounds);
-      this->AlongT.AddEllipse(radius, this->Bounds);
-    }
-  }
+  this->BoundAlong(sound, real);
   const double share = std::exp2(-depth);
-  int along = 1;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double tolerance = share * this->Request.Tolerances[i];
-    if (this->Request.Classes[i].Kind != BoundClass::AreaMoment && tolerance > 0.0 &&
-      !(2.0 * this->Supremum[i] <= tolerance))
-    {
-      along = std::max(along, this->AlongT.FindOrder(i, tolerance, LargestOrder));
-    }
-  }
+  const int along = this->ChooseOrder(share);
   if ((along > LargestOrder || this->Rough) && depth < LargestDepth)
   {
     const double middle = 0.5 * (start + end);
@@ -395,7 +420,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   }
   if (sound && this->IsRounding(ribbon, real))
   {
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < this->Supremum.size(); ++i)
     {
       this->Result.QuadratureBound[i] += this->Supremum[i];
       this->Result.Magnitude[i] += this->Supremum[i];
@@ -409,22 +434,12 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   item.End = end;
   item.Along = std::clamp(along, ribbon.AlongEdge ? LeastGapPoints : 1, LargestOrder);
   item.Share = share;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (this->Request.Classes[i].Kind != BoundClass::AreaMoment)
-    {
-      this->Result.QuadratureBound[i] +=
-        std::min(2.0 * this->Supremum[i], this->AlongT.GetError(i, item.Along));
-      this->Result.Magnitude[i] += this->Supremum[i];
-    }
-  }
+  this->AddItem(item);
   if (sound)
   {
     this->AddNoiseError(real);
     this->AddResidualError(ribbon, real);
   }
-  this->Result.Evaluations += item.Along;
-  this->Result.Items.push_back(item);
 }
 
 void RibbonPlanner::Plan(std::uint32_t index)

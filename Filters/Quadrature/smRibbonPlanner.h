@@ -40,6 +40,11 @@ private:
     double Curve, CurveSlope, Gap, GapSlope, Weight;
   };
   void PlanPart(std::uint32_t index, double start, double end, int depth);
+  /// Fills AlongT and Supremum from real t and from ellipses.
+  void BoundAlong(bool sound, const Majorants& real);
+  /// The least order that all tolerances allow; above LargestOrder when none does.
+  int ChooseOrder(double share) const;
+  void AddItem(const PlannedItem& item);
   void ExpandEdge(const Ribbon& ribbon, double start, double end);
   /// Nodes that determine U and w, and a bound of the remainder.
   int ChooseNodes(const Ribbon& ribbon, double& tail);

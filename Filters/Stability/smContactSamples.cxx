@@ -125,18 +125,18 @@ void ContactSearch::Internals::AddSample(
     if (near.Normal >= 1.0 - 1e-4 && far.Normal <= near.Normal + 1e-9)
     {
       sample.Radius = near.Curvature > 0.0 ? 1.0 / near.Curvature : Infinity;
-      sample.Doubt =
+      sample.RadiusError =
         std::abs(sample.Radius - (far.Curvature > 0.0 ? 1.0 / far.Curvature : Infinity)) + 1e-9 * this->Size;
       sample.Widest = near.LeastCurvature * this->Size > 1e-9 ? 1.0 / near.LeastCurvature : Infinity;
       const std::uint32_t directions = FindPoleDirections(face, patch, { clamp(sr[0]), clamp(sr[1]) });
-      sample.Doubt = directions == 0 ? Infinity : sample.Doubt;
+      sample.RadiusError = directions == 0 ? Infinity : sample.RadiusError;
       sample.GoesOn = directions == 0 ? ~0u : directions;
     }
   }
   else if (shape.Normal >= TangentCosine)
   {
     sample.Radius = shape.Curvature * this->Size > 1e-9 ? 1.0 / shape.Curvature : Infinity;
-    sample.Doubt = 1e-9 * this->Size;
+    sample.RadiusError = 1e-9 * this->Size;
     sample.Widest = shape.LeastCurvature * this->Size > 1e-9 ? 1.0 / shape.LeastCurvature : Infinity;
     sample.GoesOn = FindDirections(face, patch, { clamp(sr[0]), clamp(sr[1]) }, shape);
   }

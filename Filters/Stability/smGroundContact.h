@@ -50,7 +50,7 @@ struct ContactSample
   /// Least radius of curvature of a surface that is tangent to the ground here; infinite where it is flat; 0 for corners and edges.
   double Radius;
   /// Estimated error of the radius; no bound.
-  double Doubt;
+  double RadiusError;
   /// The largest radius there; infinite where it is flat in some direction.
   double Widest;
   /// Bit k: the surface goes on in direction k (see GetContactDirection). Where it ends the body tips over its border.

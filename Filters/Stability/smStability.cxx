@@ -15,9 +15,9 @@ constexpr double HalfPi = 1.5707963267948966;
 constexpr double DrawnSagitta = 1e-3;
 // Width of the margin's interval that refinement aims at, relative to the size, and the limit of its cost.
 constexpr double AimedWidth = 1e-10;
-// The same where the sign of the margin is beyond doubt, by this factor.
+// The same where the sign of the margin is certain, by this factor.
 constexpr double RelaxedWidth = 1e-5;
-constexpr double BeyondDoubt = 100.0;
+constexpr double CertainSign = 100.0;
 constexpr std::size_t MaximumPieces = 12000;
 // With more critical directions than these, all are.
 constexpr std::size_t ManyDirections = 64;
@@ -112,7 +112,7 @@ Hulls Refine(std::vector<ContactPiece>& pieces, const Point2D& foot, double size
     const double inner = hulls.Inner.GetMargin(foot);
     const double outer = hulls.Outer.GetMargin(foot);
     const double width = outer - inner;
-    const bool sure = std::min(std::abs(inner), std::abs(outer)) > BeyondDoubt * width;
+    const bool sure = std::min(std::abs(inner), std::abs(outer)) > CertainSign * width;
     if (!(width > (sure ? RelaxedWidth * size : aim)))
     {
       break;
@@ -212,6 +212,24 @@ struct Frame
   }
 };
 
+/// The body above the middle of its ground; `heightBound` is the bound of the centre's height.
+Frame MakeFrame(const StabilityCase& body, double heightBound)
+{
+  const double ground = 0.5 * (body.Ground.Low + body.Ground.High);
+  Frame frame{ body, { body.Center[0], body.Center[1] }, {}, body.Center[2] - ground, 0.0 };
+  const double lean[2] = { body.Up[0] / body.Up[2], body.Up[1] / body.Up[2] };
+  for (int i = 0; i < 2; ++i)
+  {
+    frame.ProjectedCenter[i] = body.Center[i] - frame.Height * lean[i];
+  }
+  // On a slope the height adds to the error of the projected centre.
+  const double steep = 1.0 + std::hypot(lean[0], lean[1]);
+  // The directions are rounded, too: the lean by 8 u (1 + its square), more than it is where the ground is steep.
+  frame.Bound =
+    steep * (heightBound + body.Rounding + 8.0 * UnitRoundoff * steep * (std::abs(frame.Height) + body.Size));
+  return frame;
+}
+
 /// Middle and half of an interval.
 void SetInterval(double low, double high, double& value, double& bound)
 {
@@ -239,6 +257,31 @@ void SetLeast(
   SetInterval(std::min(work[0], work[1]), work[1], result.CenterOfMassRise, result.CenterOfMassRiseBound);
 }
 
+/// The sides of the drawn polygon, less certain by what lies beyond them.
+void SetSides(const Frame& frame, const std::vector<StabilitySide>& sides, const SupportPolygon& outer,
+  double beyond, StabilityResult& result)
+{
+  for (const StabilitySide& side : sides)
+  {
+    // Contacts that are possible only lie beyond the side by this.
+    const double length = std::hypot(side.To[0] - side.From[0], side.To[1] - side.From[1]);
+    const Point2D outward = { (side.To[1] - side.From[1]) / length, (side.From[0] - side.To[0]) / length };
+    const double support =
+      std::max(0.0, outer.GetSupport(outward) - (side.From[0] * outward[0] + side.From[1] * outward[1]));
+    result.Sides.push_back(frame.MakeSide(side.From, side.To, support + beyond));
+  }
+}
+
+/// Of a body on a single point.
+void SetTipOverPoint(const Frame& frame, const Point2D& p, double beyond, StabilityResult& result)
+{
+  const double offset = std::hypot(frame.ProjectedCenter[0] - p[0], frame.ProjectedCenter[1] - p[1]);
+  const double reach = std::hypot(frame.Center[0] - p[0], frame.Center[1] - p[1], frame.Height);
+  result.TipAngle = -std::asin(std::min(1.0, offset * frame.Body.Up[2] / std::max(reach, offset)));
+  result.TipAngleBound = HalfPi * std::min(2.0, (frame.Bound + beyond) / reach);
+  result.CenterOfMassRise = result.CenterOfMassRiseBound = 0.0;
+}
+
 /// Upper concave envelope of the samples along the line of contacts, at the foot, for rolling in a direction: surfaces that end
 /// there count as edges.
 ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& foot, const Point2D& along,
@@ -250,15 +293,15 @@ ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& 
   {
     if ((sample.GoesOn >> direction & 1u) == 0)
     {
-      sample.Radius = sample.Doubt = sample.Widest = 0.0;
+      sample.Radius = sample.RadiusError = sample.Widest = 0.0;
     }
   }
-  const auto take = [&best](double radius, double doubt, double widest)
+  const auto take = [&best](double radius, double radiusError, double widest)
   {
     if (radius > best.Radius)
     {
       best.Radius = radius;
-      best.Doubt = doubt;
+      best.RadiusError = radiusError;
       best.Widest = widest;
     }
   };
@@ -269,7 +312,7 @@ ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& 
     const double x = position(a);
     if (std::abs(x) <= reach)
     {
-      take(a.Radius, a.Doubt, a.Widest);
+      take(a.Radius, a.RadiusError, a.Widest);
     }
     for (const ContactSample& b : samples)
     {
@@ -277,8 +320,8 @@ ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& 
       if (x < -reach && y > reach)
       {
         const double share = -x / (y - x);
-        take(
-          a.Radius + share * (b.Radius - a.Radius), std::max(a.Doubt, b.Doubt), std::max(a.Widest, b.Widest));
+        take(a.Radius + share * (b.Radius - a.Radius), std::max(a.RadiusError, b.RadiusError),
+          std::max(a.Widest, b.Widest));
       }
     }
   }
@@ -330,7 +373,7 @@ void Roll(
     up[0] == 0.0 && up[1] == 0.0 ? 1.0 : (1.0 - slopeAlong * slopeAlong) / (up[2] * up[2]);
   result.RollingRadius = sample.Radius;
   result.RollingMargin = sample.Radius - factor * frame.Height;
-  result.RollingMarginBound = sample.Doubt + factor * frame.Bound;
+  result.RollingMarginBound = sample.RadiusError + factor * frame.Bound;
   // The least radius belongs to one direction: of a point on a slope, or of two points that make a line, not surely to the worst.
   if (isLine ? sample.Widest < 1e6 * frame.Body.Size : factor > 1.0)
   {
@@ -358,7 +401,7 @@ void Roll(
   }
   result.Decision = result.RollingMargin > result.RollingMarginBound ? Verdict::Stable
     : result.RollingMargin < -result.RollingMarginBound ||
-      (!isLine && sample.Radius + sample.Doubt + frame.Bound < frame.Height)
+      (!isLine && sample.Radius + sample.RadiusError + frame.Bound < frame.Height)
     ? Verdict::Unstable
     : Verdict::TooClose;
 }
@@ -380,22 +423,11 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
   {
     return result;
   }
-  const double ground = 0.5 * (body.Ground.Low + body.Ground.High);
-  Frame frame{ body, { body.Center[0], body.Center[1] }, {}, body.Center[2] - ground, 0.0 };
-  const double lean[2] = { body.Up[0] / body.Up[2], body.Up[1] / body.Up[2] };
-  for (int i = 0; i < 2; ++i)
-  {
-    frame.ProjectedCenter[i] = body.Center[i] - frame.Height * lean[i];
-  }
-  // Errors of the centre, of the ground and of rounding in the projected centre; on a slope the height adds to it.
-  const double steep = 1.0 + std::hypot(lean[0], lean[1]);
-  const double heightBound = body.CenterBound + 0.5 * (body.Ground.High - body.Ground.Low) + body.Rounding;
-  // The directions are rounded, too: the lean by 8 u (1 + its square), more than it is where the ground is steep.
-  frame.Bound =
-    steep * (heightBound + body.Rounding + 8.0 * UnitRoundoff * steep * (std::abs(frame.Height) + body.Size));
+  // Errors of the centre, of the ground and of rounding.
+  result.HeightBound = body.CenterBound + 0.5 * (body.Ground.High - body.Ground.Low) + body.Rounding;
+  const Frame frame = MakeFrame(body, result.HeightBound);
   result.ProjectedCenter = frame.ProjectedCenter;
   result.Height = frame.Height;
-  result.HeightBound = heightBound;
   if (contacts.Pieces.empty())
   {
     result.Decision = Verdict::NoContact;
@@ -429,23 +461,10 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
   SetInterval(low, high, result.StabilityMargin, result.StabilityMarginBound);
   result.Decision = low > 0.0 ? Verdict::Stable : high < 0.0 ? Verdict::Unstable : Verdict::TooClose;
 
-  for (StabilitySide& side : frame.MakeSides(drawn.Inner, contacts.Spread))
-  {
-    // Contacts that are possible only lie beyond the side by this.
-    const double length = std::hypot(side.To[0] - side.From[0], side.To[1] - side.From[1]);
-    const Point2D outward = { (side.To[1] - side.From[1]) / length, (side.From[0] - side.To[0]) / length };
-    const double support =
-      std::max(0.0, fine.Outer.GetSupport(outward) - (side.From[0] * outward[0] + side.From[1] * outward[1]));
-    result.Sides.push_back(frame.MakeSide(side.From, side.To, support + beyond));
-  }
+  SetSides(frame, frame.MakeSides(drawn.Inner, contacts.Spread), fine.Outer, beyond, result);
   if (fine.Inner.Corners.size() == 1)
   {
-    const Point2D& p = fine.Inner.Corners[0];
-    const double offset = std::hypot(frame.ProjectedCenter[0] - p[0], frame.ProjectedCenter[1] - p[1]);
-    const double reach = std::hypot(frame.Center[0] - p[0], frame.Center[1] - p[1], frame.Height);
-    result.TipAngle = -std::asin(std::min(1.0, offset * body.Up[2] / std::max(reach, offset)));
-    result.TipAngleBound = HalfPi * std::min(2.0, (frame.Bound + beyond) / reach);
-    result.CenterOfMassRise = result.CenterOfMassRiseBound = 0.0;
+    SetTipOverPoint(frame, fine.Inner.Corners[0], beyond, result);
   }
   else if (fine.Inner.Corners.size() > 1)
   {

@@ -1,7 +1,9 @@
 #include "vtkSolidStability.h"
 
+#include "smAbortFlag.h"
 #include "smColumns.h"
 #include "smFailureReason.h"
+#include "smFormat.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
 #include "smStabilityNames.h"
@@ -47,12 +49,7 @@ public:
       [](vtkObject*, unsigned long, void* relay, void*) { static_cast<ProgressRelay*>(relay)->PassOn(); });
     this->Tag = inside->AddObserver(vtkCommand::ProgressEvent, command);
   }
-  ~ProgressRelay()
-  {
-    this->Inside->RemoveObserver(this->Tag);
-    // VTK 9.2 leaves it set.
-    this->Inside->SetAbortExecute(0);
-  }
+  ~ProgressRelay() { this->Inside->RemoveObserver(this->Tag); }
   ProgressRelay(const ProgressRelay&) = delete;
   void operator=(const ProgressRelay&) = delete;
 
@@ -126,7 +123,7 @@ void vtkSolidStability::SetVector(
   const bool vanishes = x == 0.0 && y == 0.0 && z == 0.0;
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || (vanishes && !mayVanish))
   {
-    vtkErrorMacro(<< name << "(" << x << ", " << y << ", " << z << "): give three finite numbers"
+    vtkErrorMacro(<< name << sm::FormatTriple(x, y, z) << ": give three finite numbers"
                   << (mayVanish ? "." : ", not all 0, for example 0, 0, -1."));
     return;
   }
@@ -311,6 +308,7 @@ int vtkSolidStability::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkSolidStability::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const sm::AbortFlag abortFlag(this);
   Internals& self = *this->Implementation;
   self.Worst = sm::SupportedBody();
   self.Status.clear();
@@ -326,7 +324,7 @@ int vtkSolidStability::RequestData(
   {
     self.Worst = sm::SupportedBody();
     self.Status = names::StatusNotComputed;
-    self.Messages.push_back(std::string("nothing was computed: ") + error.what());
+    self.Messages.push_back(std::string("nothing was computed: ") + sm::GetReason(std::current_exception()));
     for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i)
     {
       vtkDataObject::GetData(outputVector, i)->Initialize();

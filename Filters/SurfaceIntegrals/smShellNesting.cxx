@@ -1,5 +1,7 @@
 #include "smShellNesting.h"
 
+#include "smVector.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -19,26 +21,6 @@ constexpr int MaximumDepth = 16;
 
 /// Distance from an integer above which a winding number indicates a point on the other mesh, or a mesh with a hole.
 constexpr double WholeNumber = 0.25;
-
-Point Subtract(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point Cross(const Point& a, const Point& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Norm(const Point& a)
-{
-  return std::sqrt(Dot(a, a));
-}
 
 /// Returns c + x a + y b.
 Point Combine(const Point& c, double x, const Point& a, double y, const Point& b)

@@ -1,5 +1,6 @@
 #include "vtkSurfaceIntegralBase.h"
 
+#include "smAbortFlag.h"
 #include "smBodyMeshes.h"
 #include "smBodySelection.h"
 #include "smColumns.h"
@@ -337,14 +338,6 @@ int vtkSurfaceIntegralBase::FillOutputPortInformation(int port, vtkInformation* 
   return 1;
 }
 
-void vtkSurfaceIntegralBase::ClearAbort()
-{
-  if (this->GetAbortExecute())
-  {
-    this->SetAbortExecute(0);
-  }
-}
-
 void vtkSurfaceIntegralBase::ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies)
 {
   if (this->Selectors.empty())
@@ -567,6 +560,7 @@ void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& b
 int vtkSurfaceIntegralBase::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const sm::AbortFlag abortFlag(this);
   int result = 1;
   std::exception_ptr failure;
   try
@@ -582,7 +576,6 @@ int vtkSurfaceIntegralBase::RequestData(
   {
     this->Fail(failure, outputVector);
   }
-  this->ClearAbort();
   if (this->GetReleaseDataFlag())
   {
     this->ReleaseMemory();

@@ -269,8 +269,6 @@ private:
   int RejectInput(bool isWithheld);
   /** Removes the bodies that no selector matches, and adds messages about unmatched selectors. */
   void ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies);
-  /** Clears the abort flag, which VTK 9.2 leaves set, so that the next run would stop at once. */
-  void ClearAbort();
   /** Adds the messages of the bodies to the report, and issues at most one warning. */
   void AddMessages(const std::vector<sm::BodyIntegrals>& bodies);
   /** Handles an exception that ended the run: writes outputs without values, and a status with the reason. */

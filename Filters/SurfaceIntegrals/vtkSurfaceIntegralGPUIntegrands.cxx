@@ -4,6 +4,7 @@
 #include "smFormat.h"
 #include "smGaussLegendre.h"
 #include "smIntegralNames.h"
+#include "smTrimText.h"
 #include "smUserExpression.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkSurfaceIntegralGPUInternals.h"
@@ -66,21 +67,13 @@ bool HasClash(const std::vector<sm::Integrand>& integrands, const std::string& n
     { return other.Name == name || other.Name == name + bound || other.Name + bound == name; });
 }
 
-std::string Trim(const std::string& text)
-{
-  const char* const blanks = " \t\r\n";
-  const std::string::size_type first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? std::string()
-                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 std::vector<std::string> Split(const std::string& text, char separator)
 {
   std::vector<std::string> parts;
   std::istringstream stream(text);
   for (std::string part; std::getline(stream, part, separator);)
   {
-    parts.push_back(Trim(part));
+    parts.push_back(sm::Trim(part));
   }
   return parts;
 }
@@ -212,7 +205,7 @@ void vtkSurfaceIntegralGPU::AddConstant(const std::string& name, double value)
   if (!sm::UserExpression::IsFree(name) || !std::isfinite(value))
   {
     vtkErrorMacro(
-      "AddConstant: '" << name << "' = " << value
+      "AddConstant: '" << name << "' = " << sm::FormatDigits(value, 6)
                        << ": the name must be an identifier without a meaning yet, the value finite.");
     return;
   }
@@ -261,7 +254,7 @@ void vtkSurfaceIntegralGPU::SetIntegrandText(const std::string& text)
   for (const std::string& line : Split(text, '\n'))
   {
     const std::string::size_type equals = line.find('=');
-    const std::string name = Trim(line.substr(0, equals));
+    const std::string name = sm::Trim(line.substr(0, equals));
     const std::vector<std::string> parts =
       equals == std::string::npos ? std::vector<std::string>() : Split(line.substr(equals + 1), ';');
     const bool complete =
@@ -324,7 +317,7 @@ void vtkSurfaceIntegralGPU::SetProjectedAreaDirection(double x, double y, double
   const double direction[3] = { x, y, z };
   if (!std::isfinite(x + y + z))
   {
-    vtkErrorMacro("SetProjectedAreaDirection: " << x << " " << y << " " << z
+    vtkErrorMacro("SetProjectedAreaDirection: " << sm::FormatTriple(x, y, z)
                                                 << " is no direction; give a vector, or 0 0 0 for none.");
     return;
   }

@@ -8,6 +8,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
@@ -57,7 +58,9 @@ void vtkSMDisplayDefaultsHelper::PostInitializeProxy(
     {
       if (vtkSMDoubleVectorProperty::SafeDownCast(property))
       {
-        helper.Set(k, std::atof(values[k].c_str()));
+        double number = 0.0; // std::atof would expect the locale's decimal point
+        std::from_chars(values[k].data(), values[k].data() + values[k].size(), number);
+        helper.Set(k, number);
       }
       else if (vtkSMIntVectorProperty::SafeDownCast(property))
       {

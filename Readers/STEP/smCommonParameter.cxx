@@ -1,6 +1,7 @@
 #include "smCommonParameter.h"
 
 #include "smChebyshevFit.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +17,6 @@ using Point2 = TrimCurve::Point;
 constexpr double SmallestLag = 1e-7;
 constexpr double LagOverGap = 3.0;
 constexpr int FittedDegree = 9;
-
-double Dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// Polynomial `k` of a curve at t, beyond its own range too.
 template <int Dimension>
@@ -108,7 +104,7 @@ private:
   std::array<double, 4> Points[(MaximumDegree + 1) * (MaximumDegree + 1)];
 };
 
-/// The pieces of one curve in step with its edge.
+/// The pieces of one curve with the parameter of its edge.
 class Restorer
 {
 public:

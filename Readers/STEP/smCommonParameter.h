@@ -31,7 +31,7 @@ enum class StepResult
 
 /**
  * A trim curve lags when it is more than 1e-7 of `size` and more than three times its gap behind or ahead of the edge. It is
- * then replaced by c(tau(t)), with (S(c(tau)) - C(t)) . C'(t) = 0: the same points of the face, run through in step with
+ * then replaced by c(tau(t)), with (S(c(tau)) - C(t)) . C'(t) = 0: the same points of the face at the parameters of
  * the edge. Its ends stay where they are, bit for bit; what tau would move them by is taken off linearly along the curve.
  * The result is fitted by polynomial pieces, cut where c, C and the surface have their knots, to `tolerance` in u
  * and v, or to the floor that rounding sets; what is left is added to the residual. A coordinate that is constant stays so.

@@ -323,7 +323,7 @@ private:
       node.Part = static_cast<int>(this->Tree.Parts.size());
       this->Tree.Parts.push_back(part);
       this->Mirrored += mirrored ? 1 : 0;
-      this->TellFits(part);
+      this->AddFitNotes(part);
     }
     else if (instance[0] < 0.0)
     {
@@ -333,7 +333,7 @@ private:
   }
 
   /// The reader's bounds hold what such a face was made from; the file holds only what it became.
-  void TellFits(const ExportPart& part)
+  void AddFitNotes(const ExportPart& part)
   {
     int fits = 0;
     double worst = 0.0;

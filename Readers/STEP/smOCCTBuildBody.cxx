@@ -76,7 +76,7 @@ public:
       this->TryFace(i);
     }
     this->Assemble();
-    this->Tell();
+    this->AddGapWarning();
     return std::move(this->Result);
   }
 
@@ -529,7 +529,7 @@ private:
     this->Result.Shape = whole;
   }
 
-  void Tell()
+  void AddGapWarning()
   {
     int wide = 0;
     const EdgeRecord* widest = nullptr;

@@ -4,6 +4,7 @@
 #include "smOCCTFailure.h"
 #include "smOCCTFile.h"
 #include "smOCCTGridMesh.h"
+#include "smVector.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -31,25 +32,10 @@ constexpr int ManyFaces = 20;
 /// Share of the mesher's time for a body that one face gets after the mesher was stopped.
 constexpr double FaceShare = 0.1;
 
-Vector3 Subtract(const Vector3& a, const Vector3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Vector3 Cross(const Vector3& a, const Vector3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// A unit vector, or zero when `v` is too short to have a direction.
 Vector3 Normalized(const Vector3& v, double least)
 {
-  const double length = std::sqrt(Dot(v, v));
+  const double length = Norm(v);
   return length > least ? Vector3{ v[0] / length, v[1] / length, v[2] / length } : Vector3{ 0.0, 0.0, 0.0 };
 }
 

@@ -1,5 +1,6 @@
 #include "vtkNURBSModelWriter.h"
 
+#include "smAbortFlag.h"
 #include "smExportTree.h"
 #include "smLengthUnits.h"
 #include "smOCCTExport.h"
@@ -104,6 +105,7 @@ vtkTypeBool vtkNURBSModelWriter::ProcessRequest(
 
 void vtkNURBSModelWriter::WriteData()
 {
+  const sm::AbortFlag abortFlag(this);
   *this->Last = Results();
   this->Last->HadInput = true;
   if (this->Piece > 0)

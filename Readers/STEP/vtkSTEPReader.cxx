@@ -1,5 +1,6 @@
 #include "vtkSTEPReader.h"
 
+#include "smAbortFlag.h"
 #include "smLengthUnits.h"
 #include "smOCCTDocument.h"
 #include "smOCCTFailure.h"
@@ -183,6 +184,7 @@ void vtkSTEPReader::Fail(int status, const std::string& problem)
 
 int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  const sm::AbortFlag abortFlag(this);
   vtkInformation* info = outputVector->GetInformationObject(0);
   auto* output = vtkPartitionedDataSetCollection::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT()));
   *this->Last = Results();

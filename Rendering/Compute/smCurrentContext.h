@@ -5,6 +5,8 @@
 #ifndef smCurrentContext_h
 #define smCurrentContext_h
 
+#include "smRenderingComputeModule.h"
+
 class vtkOpenGLRenderWindow;
 
 namespace sm
@@ -62,7 +64,7 @@ vtkOpenGLRenderWindow* NewXWindow(void* display);
 /// The process's own connection to the X display, opened at the first call and never closed: a server that
 /// resets with its last client would take down the next one. Null with a reason when there is no display or it
 /// has no GLX with a usable configuration; a failure is tried anew at the next call. Thread safe.
-void* GetXDisplay(const char*& reason);
+SMRENDERINGCOMPUTE_EXPORT void* GetXDisplay(const char*& reason);
 }
 
 #endif

@@ -55,6 +55,26 @@ double GetNeutral(sm::Reduction::Operation operation)
     : operation == sm::Reduction::Operation::MINIMUM ? infinity
                                                      : -infinity;
 }
+
+/// The sum of value and error of the rows of each segment, which are one or none after the last level. Those without rows are left as they
+/// are.
+void AddPairs(const std::vector<double>& pairs, const Segments& segments, unsigned int columns,
+  std::vector<double>& result)
+{
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    if (segments[i].first == segments[i].second)
+    {
+      continue;
+    }
+    for (unsigned int column = 0; column < columns; ++column)
+    {
+      const double* pair = &pairs[(static_cast<std::size_t>(segments[i].first) * columns + column) * 2];
+      // After an overflow the error is NaN and the value says it all.
+      result[i * columns + column] = std::isfinite(pair[0]) ? pair[0] + pair[1] : pair[0];
+    }
+  }
+}
 }
 
 namespace sm
@@ -88,6 +108,37 @@ bool Reduction::Fail(const std::string& what)
   return false;
 }
 
+bool Reduction::CountBlocks(std::uint64_t available, const Segments& segments, std::uint64_t& total)
+{
+  total = 0;
+  for (const auto& segment : segments)
+  {
+    if (segment.first > segment.second || segment.second > available)
+    {
+      return this->Fail("segment [" + std::to_string(segment.first) + ", " + std::to_string(segment.second) +
+        ") is not inside " + std::to_string(available) + " rows");
+    }
+    total += (static_cast<std::uint64_t>(segment.second) - segment.first + BlockSize - 1) / BlockSize;
+  }
+  return total <= std::numeric_limits<std::uint32_t>::max() || this->Fail("too many rows");
+}
+
+bool Reduction::PrepareProgram(unsigned int columns, Operation operation)
+{
+  if (!this->Program.IsBuilt())
+  {
+    ShaderSource source("smReduceCS", smReduceCS);
+    if (!source.Assemble() ||
+      !this->Program.Build(this->Resources->Context, source.GetName(), source.GetSource()))
+    {
+      return this->Fail(source.GetError() + this->Program.GetError());
+    }
+  }
+  return (this->Program.SetUniform("smOperation", static_cast<unsigned int>(operation)) &&
+           this->Program.SetUniform("smColumns", columns)) ||
+    this->Fail(this->Program.GetError());
+}
+
 bool Reduction::Reduce(ComputeBuffer& rows, unsigned int stride, unsigned int columns,
   const Segments& segments, Operation operation, std::vector<double>& result)
 {
@@ -98,19 +149,9 @@ bool Reduction::Reduce(ComputeBuffer& rows, unsigned int stride, unsigned int co
     return this->Fail(std::to_string(columns) + " columns of rows of " + std::to_string(stride) + " doubles");
   }
   std::uint64_t total = 0;
-  const std::uint64_t available = rows.GetSize() / (sizeof(double) * stride);
-  for (const auto& segment : segments)
+  if (!this->CountBlocks(rows.GetSize() / (sizeof(double) * stride), segments, total))
   {
-    if (segment.first > segment.second || segment.second > available)
-    {
-      return this->Fail("segment [" + std::to_string(segment.first) + ", " + std::to_string(segment.second) +
-        ") is not inside " + std::to_string(available) + " rows");
-    }
-    total += (static_cast<std::uint64_t>(segment.second) - segment.first + BlockSize - 1) / BlockSize;
-  }
-  if (total > std::numeric_limits<std::uint32_t>::max())
-  {
-    return this->Fail("too many rows");
+    return false;
   }
   if (total == 0)
   {
@@ -123,21 +164,10 @@ bool Reduction::Reduce(ComputeBuffer& rows, unsigned int stride, unsigned int co
   {
     return this->Fail("the compute context is not ready");
   }
-  if (!this->Program.IsBuilt())
+  if (!this->PrepareProgram(columns, operation))
   {
-    ShaderSource source("smReduceCS", smReduceCS);
-    if (!source.Assemble() ||
-      !this->Program.Build(this->Resources->Context, source.GetName(), source.GetSource()))
-    {
-      return this->Fail(source.GetError() + this->Program.GetError());
-    }
+    return false;
   }
-  if (!this->Program.SetUniform("smOperation", static_cast<unsigned int>(operation)) ||
-    !this->Program.SetUniform("smColumns", columns))
-  {
-    return this->Fail(this->Program.GetError());
-  }
-
   Level level;
   level.Stride = stride;
   level.Columns = columns;
@@ -166,19 +196,7 @@ bool Reduction::Reduce(ComputeBuffer& rows, unsigned int stride, unsigned int co
     return this->Fail(input->GetError());
   }
   result.assign(segments.size() * columns, GetNeutral(operation));
-  for (std::size_t i = 0; i < left.size(); ++i)
-  {
-    if (left[i].first == left[i].second)
-    {
-      continue;
-    }
-    for (unsigned int column = 0; column < columns; ++column)
-    {
-      const double* pair = &pairs[(static_cast<std::size_t>(left[i].first) * columns + column) * 2];
-      // After an overflow the error is NaN and the value says it all.
-      result[i * columns + column] = std::isfinite(pair[0]) ? pair[0] + pair[1] : pair[0];
-    }
-  }
+  AddPairs(pairs, left, columns, result);
   return true;
 }
 

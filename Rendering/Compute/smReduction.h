@@ -9,6 +9,7 @@
 #include "smComputeProgram.h"
 #include "smRenderingComputeModule.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -64,6 +65,10 @@ public:
 private:
   struct Level;
   bool Fail(const std::string& what);
+  /** The number of blocks of the first level. False when a segment is not inside the rows, or there are too many. */
+  bool CountBlocks(std::uint64_t available,
+    const std::vector<std::pair<unsigned int, unsigned int>>& segments, std::uint64_t& total);
+  bool PrepareProgram(unsigned int columns, Operation operation);
   bool ReduceLevel(ComputeBuffer& input, const Level& level, ComputeBuffer& output);
 
   std::shared_ptr<ContextResources> Resources;

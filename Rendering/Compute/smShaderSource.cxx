@@ -1,7 +1,8 @@
 #include "smShaderSource.h"
 
-#include "smInvocation.h"
 #include "smErrorFree.h"
+#include "smInvocation.h"
+#include "smTrimText.h"
 
 #include <iomanip>
 #include <set>
@@ -15,13 +16,6 @@ const char* const IncludeTag = "//SM::Include ";
 
 /// Deeper nesting is a replacement that contains its own tag.
 constexpr int MaximumDepth = 32;
-
-std::string Trim(const std::string& line)
-{
-  const std::size_t first = line.find_first_not_of(" \t\r");
-  return first == std::string::npos ? std::string()
-                                    : line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
-}
 
 bool StartsWith(const std::string& text, const std::string& start)
 {

@@ -236,7 +236,7 @@ bool ResidentStore::Flush(Request& request, PageData& data)
 }
 
 bool ResidentStore::UploadAll(
-  Request& request, const std::vector<CutFacePointer>& faces, const Progress& progress)
+  Request& request, const std::vector<CutFacePointer>& faces, const ProgressCallback& progress)
 {
   const auto blockLimit = static_cast<std::size_t>(this->Host->GetMaximumStorageBlockSize());
   PageData data;
@@ -302,7 +302,7 @@ bool ResidentStore::FindMissing(
 }
 
 bool ResidentStore::Acquire(User user, const std::vector<CutFacePointer>& faces,
-  std::vector<ResidentFace>& locations, const Progress& progress, std::size_t itemsPerPage,
+  std::vector<ResidentFace>& locations, const ProgressCallback& progress, std::size_t itemsPerPage,
   std::uint64_t& uploads)
 {
   ++this->Clock;

@@ -6,6 +6,7 @@
 #define smResidentStore_h
 
 #include "smComputeBuffer.h"
+#include "smProgressCallback.h"
 #include "smResidentFaces.h"
 
 #include "vtkComputeContext.h"
@@ -33,7 +34,6 @@ class ResidentStore
 public:
   /// Identifies a user.
   using User = const ResidentFaces*;
-  using Progress = std::function<bool(double)>;
 
   /// The store that all users of the window of `context` share, or a new one for one user. Null, with `error`, without OpenGL.
   static std::shared_ptr<ResidentStore> Open(vtkComputeContext* context, bool isShared, std::string& error);
@@ -43,7 +43,7 @@ public:
 
   /// See ResidentFaces::Acquire(). `uploads` is increased by the faces that were uploaded for it.
   bool Acquire(User user, const std::vector<CutFacePointer>& faces, std::vector<ResidentFace>& locations,
-    const Progress& progress, std::size_t itemsPerPage, std::uint64_t& uploads);
+    const ProgressCallback& progress, std::size_t itemsPerPage, std::uint64_t& uploads);
   void Unpin(User user);
   void Leave(User user);
   bool Bind(int page, bool caps);
@@ -86,7 +86,8 @@ private:
   void Evict();
   bool Upload(const PageData& data, Page& page);
   bool Flush(Request& request, PageData& data);
-  bool UploadAll(Request& request, const std::vector<CutFacePointer>& faces, const Progress& progress);
+  bool UploadAll(
+    Request& request, const std::vector<CutFacePointer>& faces, const ProgressCallback& progress);
 
   vtkSmartPointer<vtkComputeContext> Host;
   vtkTypeUInt64 Generation = 0;

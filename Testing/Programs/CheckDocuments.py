@@ -5,7 +5,8 @@ Without a program:
 - every relative link of a Markdown file leads to a file and, behind a '#', to a heading of it, and every path of the tree that is
   named in code (`Testing/run.sh`) exists; CHANGELOG may name what is gone;
 - every code block in C++ or Python follows a line <!-- Snippet: EXAMPLE [MARK] -->, and is the region of that example between two comment
-  lines "// [MARK]" or "# [MARK]", which CTest builds or runs; the indentation of the region is taken off.
+  lines "// [MARK]" or "# [MARK]", which CTest builds or runs; the indentation of the region is taken off;
+- in the table of accuracy every cell whose error exceeds its bound has a mark, and a line below the table names its solid.
 With a program:
 - the block behind <!-- Sample: FILE.step --> is what the program prints for that file, but for what differs from machine to machine:
   OpenGL's driver, times, numbers of evaluations, and the last digits;
@@ -124,6 +125,21 @@ def check_snippets(checker, path, text):
         checker.put(path, text)
 
 
+def check_accuracy(checker, path):
+    table = re.search(r"^<!-- AccuracyTable -->\n(.*?)^\\\* Beyond the bound(.*?)^<!-- /AccuracyTable -->$", checker.read(path),
+                      re.DOTALL | re.MULTILINE)
+    checker.check(table is not None, f"{path} has no table of accuracy with a line on marks")
+    rows, notes = table.groups() if table else ("", "")
+    cells = 0
+    for row in rows.splitlines():
+        solid = row.split("|")[1].strip() if row.startswith("|") else ""
+        for error, bound, rest in re.findall(r"\| (\S+) / ([^\s\\]+)([^|]*)", row):
+            cells += 1
+            checker.check(float(error) <= float(bound) or "*" in rest, f"{path}: {solid}: {error} is beyond {bound}, without a mark")
+            checker.check("*" not in rest or f"{solid} (" in notes, f"{path}: the line on marks does not name {solid}")
+    checker.check(cells >= 4, f"{path}: the table of accuracy has {cells} cells")
+
+
 def check_files(checker):
     lines = checker.read("README.md").count("\n")
     checker.check(lines <= README_LINES, f"README.md has {lines} lines, {README_LINES} are allowed")
@@ -132,6 +148,7 @@ def check_files(checker):
         if path != "CHANGELOG.md":
             check_paths(checker, path, checker.read(path))
         check_snippets(checker, path, checker.read(path))
+    check_accuracy(checker, "Documentation/Numerics.md")
 
 
 # --- the program ---------------------------------------------------------------------------------

@@ -101,7 +101,7 @@ double FitOrder(const std::vector<Point>& curve)
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
-/// The largest value at this k or any larger one: without the luck of single k.
+/// The largest value at this k or any larger one: so that a value that is small by chance at one k does not count.
 std::vector<Point> MakeEnvelope(std::vector<Point> curve)
 {
   for (std::size_t i = curve.size(); i-- > 1;)

@@ -43,6 +43,9 @@ def check_half_ball(r, *arguments):
 def half_ball():
     check_half_ball(10.0)
     check_half_ball(0.25, "0.25")
+    result = run("--help")
+    check_equal("--help: exit status", 0, result.returncode)
+    check_true("--help: on the standard output", result.stdout.startswith("usage: ") and not result.stderr, result.stderr.strip())
     for wrong in (["-1"], ["nan"], ["x"], ["1", "2"]):
         result = run(*wrong)
         check_equal("a wrong argument", 1, result.returncode)

@@ -23,6 +23,7 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <unistd.h>
 
 namespace smtest
 {
@@ -39,7 +40,8 @@ public:
     Control = 2
   };
 
-  /// Events are played from a file in `folder`, as those of a user. Sessions that run at the same time need different folders.
+  /// Events are played from a file in `folder`, as those of a user. Its name has the number of the process: with one name for all, tests
+  /// that ran together played each other's keys.
   EditSession(vtkPartitionedDataSetCollection* bodies, const std::string& name, const std::string& folder)
     : Part(bodies)
     , Folder(folder)
@@ -80,10 +82,12 @@ public:
   /// Plays what was added; false when the player refuses it.
   bool Play()
   {
-    const std::string fileName = this->Folder + "/edit_session.events";
+    const std::string fileName = this->Folder + "/edit_session_" + std::to_string(getpid()) + ".events";
     std::ofstream(fileName) << "# StreamVersion 1.2\n" << this->Events;
     this->Events.clear();
-    return CheckEqual("events played", "", sm::PlayEvents(this->Interactor, fileName));
+    const bool played = CheckEqual("events played", "", sm::PlayEvents(this->Interactor, fileName));
+    std::remove(fileName.c_str());
+    return played;
   }
 
   /// Shows the net of a face, as a click on it would.

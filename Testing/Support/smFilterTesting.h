@@ -97,6 +97,28 @@ inline void CheckStructure(vtkDataObject* data)
       assembly->GetDataSetIndices(assembly->GetChild(0, 1)) == std::vector<unsigned int>{ 1 });
 }
 
+/// Stops a filter from an observer of its progress, also of the executive's report after the run. The output is then empty; that of the
+/// next run is not.
+inline void CheckAbort(vtkAlgorithm* filter)
+{
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  vtkNew<vtkCallbackCommand> silence;
+  silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  const unsigned long silenceTag = filter->AddObserver(vtkCommand::WarningEvent, silence);
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  filter->Modified();
+  filter->Update();
+  auto* product = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(0));
+  CheckTrue("a run that is stopped: empty", product && product->GetNumberOfPartitionedDataSets() == 0);
+  filter->RemoveObserver(tag);
+  filter->RemoveObserver(silenceTag);
+  filter->Modified();
+  filter->Update();
+  CheckStructure(filter->GetOutputDataObject(0));
+}
+
 /// Largest distance of the display points from their faces.
 inline double GetDistanceFromFaces(vtkNURBSDataSet* leaf)
 {

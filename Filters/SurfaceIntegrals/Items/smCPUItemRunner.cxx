@@ -14,7 +14,7 @@ namespace sm
 {
 namespace
 {
-// Largest number of rows at a time, which limits them to a few tens of MiB.
+// Largest number of rows at a time: 512 KiB for each column.
 constexpr std::size_t RowsAtMost = 65536;
 // Estimated cost between two calls of shouldContinue: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;

@@ -164,7 +164,7 @@ void CheckCones(const Manifest& manifest)
       char name[40];
       std::snprintf(name, sizeof(name), "at %g", height);
       planes.push_back({ name, { 3, 4, height }, { 0, 0, 1 }, ConePart(12, top, 20, height) });
-      planes.push_back(Turned(planes.back(), whole));
+      planes.push_back(Opposite(planes.back(), whole));
     }
     // Through the axis, and through the tip: half of it.
     Plane half{ "half", { 0, 0, 20 }, { 0, -1, 0 }, {} };
@@ -178,7 +178,7 @@ void CheckCones(const Manifest& manifest)
     }
     half.Below.First[1] = 2 * cubes / 3;
     planes.push_back(half);
-    planes.push_back(Turned(half, whole));
+    planes.push_back(Opposite(half, whole));
     Scene scene(file.Path);
     CheckPlanes(top > 0 ? "frustum" : "cone", scene, planes, whole, 30);
   };
@@ -233,7 +233,7 @@ void CheckBoxes(const Manifest& manifest)
     char name[40];
     std::snprintf(name, sizeof(name), "tilted %g", static_cast<double>(d));
     planes.push_back({ name, { 0, 0, d }, n, BoxPart(sides, n, d) });
-    planes.push_back(Turned(planes.back(), whole));
+    planes.push_back(Opposite(planes.back(), whole));
   }
   // Along faces, through an edge, and level.
   for (const double h : { 0.0, 1e-13, 5.0, 10.0 - 1e-13, 10.0 })
@@ -243,7 +243,7 @@ void CheckBoxes(const Manifest& manifest)
     planes.push_back({ name, { 7, 7, h }, { 0, 0, 1 },
       { 600 * static_cast<Real>(h),
         { 9000 * static_cast<Real>(h), 6000 * static_cast<Real>(h), 300 * static_cast<Real>(h) * h } } });
-    planes.push_back(Turned(planes.back(), whole));
+    planes.push_back(Opposite(planes.back(), whole));
   }
   planes.push_back({ "diagonal", { 0, 0, 0 }, { -1, 0, 3 }, { 3000, { 60000, 30000, 10000 } } });
   CheckPlanes("box", scene, planes, whole, 38);
@@ -268,12 +268,12 @@ std::vector<Plane> MakeTorusPlanes(Part& whole)
     char name[40];
     std::snprintf(name, sizeof(name), "level %g", d);
     planes.push_back({ name, { 0, 0, d }, { 0, 0, 1 }, TorusPart(20, 6, d) });
-    planes.push_back(Turned(planes.back(), whole));
+    planes.push_back(Opposite(planes.back(), whole));
   }
   Plane half{ "half", {}, { 1, 0, 0 }, { whole.Volume / 2, {} } };
   half.Below.First[0] = -2 * (Pi * 36 * 400 + Pi * 1296 / 4);
   planes.push_back(half);
-  planes.push_back(Turned(half, whole));
+  planes.push_back(Opposite(half, whole));
   // By symmetry about the centre half of it is below any plane through it.
   return planes;
 }
@@ -378,7 +378,7 @@ void CheckPlates(const Manifest& manifest)
     char name[40];
     std::snprintf(name, sizeof(name), "y + %g x = %g", static_cast<double>(k), static_cast<double>(d));
     planes.push_back({ name, { 0, d, 0 }, { k, 1, 0 }, below(k, d) });
-    planes.push_back(Turned(planes.back(), whole));
+    planes.push_back(Opposite(planes.back(), whole));
   }
   Scene scene(manifest.GetSolid("wavy_plate", "plain")[0].Path);
   CheckPlanes("plate", scene, planes, whole, 40);

@@ -2,6 +2,7 @@
 #include "smBoxBodies.h"
 #include "smBuoyancyNames.h"
 #include "smBuoyancyTesting.h"
+#include "smDecimalCommas.h"
 #include "smTestManifest.h"
 
 #include <vtkDataSetAttributes.h>
@@ -197,8 +198,12 @@ void CheckTables(const Manifest& manifest)
   const double nan = std::nan("");
   scene.Filter->SetNormal(0, 0, 0);
   CheckEqual("errors of no direction", 1, messages.NumberOfErrors);
-  scene.Filter->SetNormal(0, nan, 1);
+  {
+    const DecimalCommas commas;
+    scene.Filter->SetNormal(0.25, nan, 1);
+  }
   CheckEqual("errors of a direction that is no number", 2, messages.NumberOfErrors);
+  CheckTrue("decimal points", messages.Errors.find("(0.25, nan, 1)") != std::string::npos, messages.Errors);
   scene.Filter->SetPoint(0, 1.0 / 0.0, 0);
   CheckEqual("errors of an infinite point", 3, messages.NumberOfErrors);
   const double* point = scene.Filter->GetPoint();

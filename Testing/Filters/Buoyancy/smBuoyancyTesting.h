@@ -60,8 +60,8 @@ inline Vector Unit(const Vector& a)
   return Scaled(a, 1 / std::sqrt(Dot(a, a)));
 }
 
-/// The rest of a body.
-inline Plane Turned(const Plane& plane, const Part& whole)
+/// The same plane with the other half of the body below it.
+inline Plane Opposite(const Plane& plane, const Part& whole)
 {
   Plane other = plane;
   other.Name += ", from above";

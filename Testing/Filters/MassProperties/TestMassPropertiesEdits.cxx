@@ -174,7 +174,7 @@ void CheckFilters(int backend)
   mass->Update();
   CheckEqual("a move costs nothing", 0, mass->GetEvaluations());
   Check("and keeps the volume", volume, mass->GetVolume(), 1e-14 * volume, "rounding");
-  // (1, 1.5, 2.5) mirrored to (-1, 1.5, 2.5) and turned to (-1.5, -1, 2.5).
+  // (1, 1.5, 2.5) mirrored to (-1, 1.5, 2.5) and rotated to (-1.5, -1, 2.5).
   const double expected[3] = { 8.5, 19.0, 32.5 };
   double center[3];
   mass->GetCenterOfMass(center);

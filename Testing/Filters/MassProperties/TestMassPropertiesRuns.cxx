@@ -5,6 +5,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNURBSDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
+#include <vtkSTEPWriter.h>
 #include <vtkSphereSource.h>
 #include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
@@ -94,7 +95,7 @@ void CheckStaleValues(const std::string& box)
   CheckTrue("the old volume is gone", std::isnan(mass->GetVolume()) && std::isnan(mass->GetMass()));
 }
 
-void CheckBudgetAndAbort(const std::string& ring)
+void CheckBudgetAndAbort(const std::string& ring, const std::string& output)
 {
   std::printf("--- budget and abort\n");
   Pipeline exact(ring);
@@ -111,16 +112,9 @@ void CheckBudgetAndAbort(const std::string& ring)
   CheckTrue("spends less", pipeline.Mass->GetEvaluations() < exact.Mass->GetEvaluations());
 
   vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
-    {
-      auto* filter = static_cast<vtkMassPropertiesGPU*>(caller);
-      // The executive reports 1 when the run is over.
-      if (filter->GetProgress() < 1.0)
-      {
-        filter->SetAbortExecute(1);
-      }
-    });
+  // Also in the executive's report after the run.
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
   pipeline.Mass->SetMaximumEvaluations(1000000000);
   const unsigned long tag = pipeline.Mass->AddObserver(vtkCommand::ProgressEvent, stop);
   pipeline.Mass->Update();
@@ -129,6 +123,24 @@ void CheckBudgetAndAbort(const std::string& ring)
   pipeline.Mass->Modified();
   pipeline.Mass->Update();
   Check("the next run has the same bits", exact.Mass->GetVolume(), pipeline.Mass->GetVolume(), 0.0);
+
+  const unsigned long readerTag = pipeline.Reader->AddObserver(vtkCommand::ProgressEvent, stop);
+  pipeline.Reader->Modified();
+  pipeline.Reader->Update();
+  CheckEqual("a reader that is stopped", "aborted", pipeline.Reader->GetStatusAsString());
+  pipeline.Reader->RemoveObserver(readerTag);
+  pipeline.Reader->Modified();
+  pipeline.Reader->Update();
+  CheckEqual("reads the next time", "ok", pipeline.Reader->GetStatusAsString());
+
+  vtkNew<vtkSTEPWriter> writer;
+  MessageTrap writerTrap(writer);
+  writer->SetInputConnection(pipeline.Reader->GetOutputPort());
+  writer->SetFileName((output + "/aborted.step").c_str());
+  const unsigned long writerTag = writer->AddObserver(vtkCommand::ProgressEvent, stop);
+  CheckEqual("a writer that is stopped", 0, writer->Write());
+  writer->RemoveObserver(writerTag);
+  CheckEqual("writes the next time", 1, writer->Write());
 }
 
 void CheckEdit(const std::string& box)
@@ -231,14 +243,14 @@ void CheckIntegrands(const std::string& box)
 
 int TestMassPropertiesRuns(int argc, char* argv[])
 {
-  if (argc < 2)
+  if (argc < 3)
   {
-    std::printf("usage: TestMassPropertiesRuns FOLDER\n");
+    std::printf("usage: TestMassPropertiesRuns FOLDER OUTPUT\n");
     return EXIT_FAILURE;
   }
   const std::string folder = argv[1];
   CheckStaleValues(folder + "/box-plain.step");
-  CheckBudgetAndAbort(folder + "/spline_ring-plain.step");
+  CheckBudgetAndAbort(folder + "/spline_ring-plain.step", argv[2]);
   CheckEdit(folder + "/box-plain.step");
   CheckUnits(folder + "/box-plain.step");
   CheckIntegrands(folder + "/box-plain.step");

@@ -1,4 +1,4 @@
-// TestMassPropertiesShells FOLDER: shells that are inside out are turned, counted and said; voids take away at any depth;
+// TestMassPropertiesShells FOLDER: shells that are inside out are reversed, counted and said; voids take away at any depth;
 // what cannot be told keeps the file's orientation and is suspect.
 #include "smBoxBodies.h"
 #include "smTestManifest.h"
@@ -58,7 +58,7 @@ void CheckCase(const Case& c)
     c.Said.empty() ? mass->GetNumberOfMessages() == 0 : Says(mass, c.Said), GetMessages(mass));
   auto* edges = vtkTable::SafeDownCast(mass->GetOutputDataObject(4));
   CheckEqual("a row for every edge", static_cast<long long>(12 * c.Boxes.size()), edges->GetNumberOfRows());
-  // The faces' parts of the volume, of a sound body, are turned with their shells.
+  // The faces' parts of the volume, of a sound body, are reversed with their shells.
   auto* faces = vtkTable::SafeDownCast(mass->GetOutputDataObject(3));
   auto* column = vtkDataArray::SafeDownCast(faces->GetColumnByName(names::Volume));
   double sum = 0.0;
@@ -69,10 +69,10 @@ void CheckCase(const Case& c)
   Check("the faces' volumes add up to it", mass->GetVolume(), sum, 1e-11 * first, "rounding of a sum");
 }
 
-/// A box less a box: the centre by hand, so that all moments are turned and not the volume alone.
+/// A box less a box: the centre by hand, so that all moments are reversed and not the volume alone.
 void CheckMoments()
 {
-  std::printf("--- the moments of a turned void\n");
+  std::printf("--- the moments of a reversed void\n");
   for (const bool wrong : { false, true })
   {
     BoxBody body;
@@ -100,7 +100,7 @@ void CheckMoments()
 /// Exchanges the faces of one of the shells for reversed ones.
 void CheckCurved(const std::string& path, double volume)
 {
-  std::printf("--- a hollow sphere from STEP, its void turned by hand\n");
+  std::printf("--- a hollow sphere from STEP, its void reversed by hand\n");
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
@@ -156,7 +156,7 @@ int TestMassPropertiesShells(int argc, char* argv[])
   const BoxShell middle{ { 1, 1, 1 }, { 9, 10, 12 }, false };
   const BoxShell lump{ { 2, 3, 4 }, { 6, 7, 8 } };
   const BoxShell beside{ { 20, 0, 0 }, { 25, 5, 5 } };
-  const auto turned = [](BoxShell box)
+  const auto reversed = [](BoxShell box)
   {
     box.Outward = !box.Outward;
     return box;
@@ -167,22 +167,22 @@ int TestMassPropertiesShells(int argc, char* argv[])
   const double v3 = beside.GetVolume();
   const std::string whole = "the solid is inside out in the file; it was reversed";
   CheckCase({ "one shell", { outer }, v0, 0 });
-  CheckCase({ "one shell inside out", { turned(outer) }, v0, 1, names::StatusOk, whole });
+  CheckCase({ "one shell inside out", { reversed(outer) }, v0, 1, names::StatusOk, whole });
   CheckCase({ "a void", { outer, middle }, v0 - v1, 0 });
-  CheckCase({ "a void that is inside out", { outer, turned(middle) }, v0 - v1, 1, names::StatusOk,
+  CheckCase({ "a void that is inside out", { outer, reversed(middle) }, v0 - v1, 1, names::StatusOk,
     "1 of 2 shells was inside out and was reversed" });
-  CheckCase({ "an outer shell that is inside out", { turned(outer), middle }, v0 - v1, 1, names::StatusOk,
+  CheckCase({ "an outer shell that is inside out", { reversed(outer), middle }, v0 - v1, 1, names::StatusOk,
     "1 of 2 shells was inside out and was reversed" });
-  CheckCase({ "both inside out", { turned(outer), turned(middle) }, v0 - v1, 2, names::StatusOk, whole });
+  CheckCase({ "both inside out", { reversed(outer), reversed(middle) }, v0 - v1, 2, names::StatusOk, whole });
   CheckCase({ "a lump in a void", { middle, lump, outer }, v0 - v1 + v2, 0 });
-  CheckCase({ "a lump in a void, two of them wrong", { turned(middle), turned(lump), outer }, v0 - v1 + v2, 2,
-    names::StatusOk, "2 of 3 shells were inside out and were reversed" });
-  CheckCase({ "two lumps side by side, one wrong", { outer, turned(beside) }, v0 + v3, 1, names::StatusOk,
+  CheckCase({ "a lump in a void, two of them wrong", { reversed(middle), reversed(lump), outer },
+    v0 - v1 + v2, 2, names::StatusOk, "2 of 3 shells were inside out and were reversed" });
+  CheckCase({ "two lumps side by side, one wrong", { outer, reversed(beside) }, v0 + v3, 1, names::StatusOk,
     "1 of 2 shells was inside out and was reversed" });
-  CheckCase({ "a void in the file's one shell", { outer, turned(middle) }, v0 - v1, 1, names::StatusOk,
+  CheckCase({ "a void in the file's one shell", { outer, reversed(middle) }, v0 - v1, 1, names::StatusOk,
     "1 of 2 shells was inside out and was reversed", true, true, true });
-  CheckCase({ "a closed free shell with a wrong void", { outer, turned(middle) }, v0 - v1, 1, names::StatusOk,
-    "1 of 2 shells was inside out and was reversed", false });
+  CheckCase({ "a closed free shell with a wrong void", { outer, reversed(middle) }, v0 - v1, 1,
+    names::StatusOk, "1 of 2 shells was inside out and was reversed", false });
   // A plus sign of two bars: no corner of either lies in the other.
   const BoxShell bar{ { -10, -1, -1 }, { 10, 1, 1 } };
   const BoxShell across{ { -2, -10, -2 }, { 2, 10, 2 }, false };
@@ -190,9 +190,9 @@ int TestMassPropertiesShells(int argc, char* argv[])
     names::StatusSuspect, "two of its shells cross; its shells are taken as the file orients them" });
   CheckCase({ "a void that touches its shell from inside", { outer, { { 0, 3, 3 }, { 5, 6, 6 }, true } },
     v0 - 45.0, 1, names::StatusOk, "1 of 2 shells was inside out" });
-  CheckCase(
-    { "the same shell twice", { outer, turned(outer) }, 0.0, 0, names::StatusSuspect, "so near each other" });
-  CheckCase({ "no mesh to tell by", { outer, turned(middle) }, v0 + v1, 0, names::StatusSuspect,
+  CheckCase({ "the same shell twice", { outer, reversed(outer) }, 0.0, 0, names::StatusSuspect,
+    "so near each other" });
+  CheckCase({ "no mesh to tell by", { outer, reversed(middle) }, v0 + v1, 0, names::StatusSuspect,
     "no display mesh", true, false });
   CheckMoments();
   const Manifest manifest(argv[1]);

@@ -2,6 +2,7 @@
 // exactness by degree; a trim texture counted by hand.
 #include "smPaperReference.h"
 #include "smSchemeTesting.h"
+#include "smUnitRoundoff.h"
 
 #include <cstdio>
 
@@ -9,7 +10,7 @@ namespace
 {
 using namespace smtest;
 
-constexpr double Unit = 1.1102230246251565e-16;
+constexpr double Unit = sm::UnitRoundoff;
 
 // Chords of a trim piece in the reference, so many that no texel's centre here is between a curve and its chord (1e-7 or so).
 constexpr int ReferenceChords = 1024;

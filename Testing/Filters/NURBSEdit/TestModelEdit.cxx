@@ -1,4 +1,5 @@
 // Edits of control points, weights and faces: what moves along, what opens, what comes back, and what is refused.
+#include "smDecimalCommas.h"
 #include "smLatticeBody.h"
 #include "smModelEdit.h"
 #include "smTesting.h"
@@ -419,7 +420,12 @@ void CheckErrors()
   check("not-finite", sm::MoveControlPoints(model, 0, { { 0, 0 } }, { infinity, 0.0, 0.0 }, rule));
   check("not-finite", sm::SetWeights(model, 0, { { 1, 1 } }, nan, rule));
   check("weight-not-positive", sm::SetWeights(model, 0, { { 1, 1 } }, 0.0, rule));
-  check("weight-not-positive", sm::SetWeights(model, 0, { { 1, 1 } }, -1.0, rule));
+  {
+    const DecimalCommas commas;
+    const sm::ModelEdit edit = sm::SetWeights(model, 0, { { 1, 1 } }, -0.5, rule);
+    check("weight-not-positive", edit);
+    CheckEqual("the weight", "the weight -0.5 of a control point is not above 0", edit.Message);
+  }
   check(
     "weight-not-positive", sm::SetControlPoints(model, 0, { { { 1, 1 }, { 0.0, 0.0, 0.0, 0.0 } } }, rule));
   check("not-finite",

@@ -242,6 +242,7 @@ void CheckOutOfMemory()
   filter->SetPointEvaluator(nullptr);
   filter->Update();
   CheckStructure(filter->GetOutputDataObject(0));
+  CheckAbort(filter);
 }
 }
 

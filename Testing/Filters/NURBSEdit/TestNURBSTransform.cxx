@@ -1,4 +1,5 @@
 // Rigid moves: placement, points and normals together, models shared; what is not rigid is refused.
+#include "smDecimalCommas.h"
 #include "smFilterTesting.h"
 
 #include <vtkNURBSTransform.h>
@@ -126,6 +127,12 @@ int TestNURBSTransform(int, char*[])
   Check("and moves", 1.0, moved ? moved->GetPlacementData()[3] : 0.0, 0.0);
   std::printf("--- not rigid\n");
   transform->Identity();
+  transform->Scale(1.0, 1.0, 1.5);
+  {
+    const DecimalCommas commas;
+    CheckFails(filter, "off by 1.25)");
+  }
+  transform->Identity();
   transform->Scale(1.0, 1.0, 1.0 + 1e-9);
   CheckFails(filter, "not rigid");
   transform->Identity();
@@ -137,6 +144,7 @@ int TestNURBSTransform(int, char*[])
   CheckFails(filter, "not rigid");
   filter->SetTranslation(0.0, 0.0, 0.0);
   CheckMoved(filter, product, true);
+  CheckAbort(filter);
   CheckExceptions(product);
   return Finish();
 }

@@ -32,7 +32,7 @@ void TestShapes(const std::string& folder)
       flat.Filter->SetBackend(backend);
       flat.Filter->Update();
       CheckVerdict("hemisphere on its flat face", flat.Filter, "stable", "area", "margin");
-      // Curves are refined to 1e-5 of the size where the verdict is beyond doubt.
+      // Curves are refined to 1e-5 of the size where the verdict is certain.
       CheckStanding(flat.Filter, r, 0.375 * r, r, 1e-5);
       CheckEqual("one face touches", 1, static_cast<long long>(Get(flat.Filter, names::ContactFaces)));
       CheckTrue("rolling means nothing", std::isnan(Get(flat.Filter, names::RollingMargin)));
@@ -51,7 +51,7 @@ void TestShapes(const std::string& folder)
     // Tilted by a twentieth: it will roll back, but does not stand so.
     const double axis[3] = { 0, 1, 0 };
     const double shift[3] = { 0, 0, 0 };
-    Case tilted(WriteStanding(folder, "tilted", Turned(MakeHemisphere(r, true), axis, 0.05, shift)));
+    Case tilted(WriteStanding(folder, "tilted", Rotated(MakeHemisphere(r, true), axis, 0.05, shift)));
     tilted.Filter->Update();
     CheckVerdict("tilted hemisphere", tilted.Filter, "unstable", "point", "margin");
     CheckBounded(tilted.Filter, names::StabilityMargin, -0.375 * r * std::sin(0.05), 1e-7 * r);
@@ -230,7 +230,7 @@ void CheckPrism(const std::string& folder, const std::string& name, double share
     const double axis[3] = { 1, 2, -2 };
     const double shift[3] = { 1e5, -1e5, 1e5 };
     const double angle = 1.1;
-    Case far(WriteStanding(folder, "far_" + name, Turned(prism, axis, angle, shift)));
+    Case far(WriteStanding(folder, "far_" + name, Rotated(prism, axis, angle, shift)));
     // Rodrigues' formula for -z.
     const double k[3] = { 1.0 / 3.0, 2.0 / 3.0, -2.0 / 3.0 };
     const double c = std::cos(angle);
@@ -335,7 +335,7 @@ void TestGround(const std::string& folder)
     for (const double angle : { 1e-7, 1e-4 })
     {
       Case tilted(
-        WriteStanding(folder, "tilted_box", Turned(MakeLeaningPrism(a, 20.0, h, 0.0), axis, angle, shift)));
+        WriteStanding(folder, "tilted_box", Rotated(MakeLeaningPrism(a, 20.0, h, 0.0), axis, angle, shift)));
       tilted.Filter->Update();
       CheckEqual("support of a box tilted by " + std::to_string(angle), angle < 1e-6 ? "area" : "line",
         tilted.Filter->GetSupport());

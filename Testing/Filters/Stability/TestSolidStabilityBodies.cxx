@@ -1,4 +1,5 @@
 // TestSolidStabilityBodies FOLDER SOLIDS MODE: several bodies together and each alone, stopped runs, open bodies, and errors.
+#include "smDecimalCommas.h"
 #include "smStabilityTesting.h"
 #include "smStandingSolids.h"
 
@@ -73,7 +74,6 @@ void TestBodies(const Manifest& manifest)
   CheckEqual(
     "the one that did not", names::VerdictUnknown, rows->GetValueByName(1, names::Stability).ToString());
   filter->RemoveObserver(tag);
-  filter->SetAbortExecute(0);
   filter->Modified();
   filter->Update();
   CheckEqual("not stopped", "stable", filter->GetStability());
@@ -147,10 +147,16 @@ void TestErrors(const std::string& folder)
   box.Filter->SetGravityDirection(0, NaN, -1);
   CheckEqual("not a number", 2, trap.NumberOfErrors);
   CheckTrue("the remedy", trap.Errors.find("0, 0, -1") != std::string::npos, trap.Errors);
+  trap.Errors.clear();
+  {
+    const DecimalCommas commas;
+    box.Filter->SetGroundNormal(0.25, NaN, 0);
+  }
+  CheckTrue("decimal points", trap.Errors.find("(0.25, nan, 0)") != std::string::npos, trap.Errors);
   box.Filter->SetGroundNormal(INFINITY, 0, 0);
   box.Filter->SetGroundOrigin(0, 0, NaN);
   box.Filter->SetContactTolerance(NaN);
-  CheckEqual("five errors", 5, trap.NumberOfErrors);
+  CheckEqual("six errors", 6, trap.NumberOfErrors);
   Check("gravity as it was", -1.0, box.Filter->GetGravityDirection()[2], 0.0);
   box.Filter->SetContactTolerance(7.0);
   Check("clamped", 0.1, box.Filter->GetContactTolerance(), 0.0);
@@ -159,7 +165,7 @@ void TestErrors(const std::string& folder)
   box.Filter->SetGroundNormal(1, 0, 0);
   MessageTrap pipeline(box.Filter->GetExecutive());
   box.Filter->Update();
-  CheckEqual("an upright ground", 6, trap.NumberOfErrors);
+  CheckEqual("an upright ground", 7, trap.NumberOfErrors);
   CheckTrue("its remedy", trap.Errors.find("SetGroundNormal") != std::string::npos);
   box.Filter->SetGroundNormal(0, 0, 0);
   box.Filter->Update();
@@ -171,7 +177,7 @@ void TestErrors(const std::string& folder)
   plain->SetPoints(points);
   box.Filter->SetInputDataObject(plain);
   box.Filter->Update();
-  CheckEqual("a mesh", 7, trap.NumberOfErrors);
+  CheckEqual("a mesh", 8, trap.NumberOfErrors);
   CheckTrue("named", trap.Errors.find("exact geometry") != std::string::npos);
   CheckEqual("status of a mesh", names::StatusEmpty, box.Filter->GetStatus());
   CheckEqual("nothing is left of the last run", names::VerdictUnknown, box.Filter->GetStability());

@@ -27,7 +27,7 @@ void AddPrism(vtkRenderer* renderer, const std::string& folder, double lean, dou
   const double axis[3] = { 0, 0, 1 };
   const double shift[3] = { x, 0, 0 };
   const TopoDS_Shape prism =
-    smtest::Turned(smtest::MakeLeaningPrism(10, 10, 14, 10 * lean), axis, 0.0, shift);
+    smtest::Rotated(smtest::MakeLeaningPrism(10, 10, 14, 10 * lean), axis, 0.0, shift);
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(smtest::WriteStanding(folder, "image", prism).c_str());
   vtkNew<vtkSolidStability> stability;

@@ -113,7 +113,7 @@ TopoDS_Shape MakeTipCone(double radius, double height)
   return BRepPrimAPI_MakeCone(0.0, radius, height).Shape();
 }
 
-TopoDS_Shape Turned(const TopoDS_Shape& shape, const double axis[3], double angle, const double shift[3])
+TopoDS_Shape Rotated(const TopoDS_Shape& shape, const double axis[3], double angle, const double shift[3])
 {
   gp_Trsf turn;
   turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(axis[0], axis[1], axis[2])), angle);

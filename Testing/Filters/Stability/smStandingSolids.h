@@ -32,7 +32,7 @@ TopoDS_Shape MakeHalfBall();
 TopoDS_Shape MakeTipCone(double radius, double height);
 
 /// Rotated about the axis through the origin by `angle`, then moved.
-TopoDS_Shape Turned(const TopoDS_Shape& shape, const double axis[3], double angle, const double shift[3]);
+TopoDS_Shape Rotated(const TopoDS_Shape& shape, const double axis[3], double angle, const double shift[3]);
 
 /// Writes the shape to FOLDER/standing_NAME.step and returns the path. Throws where OCCT refuses.
 std::string WriteStanding(

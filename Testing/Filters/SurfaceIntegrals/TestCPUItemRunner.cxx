@@ -3,6 +3,7 @@
 #include "Items/smCPUItemRunner.h"
 #include "smIntegrand.h"
 #include "smTesting.h"
+#include "smUnitRoundoff.h"
 
 #include <vtkSMPTools.h>
 
@@ -16,7 +17,7 @@ namespace
 using namespace smtest;
 using sm::ItemRunner;
 
-constexpr double Unit = 1.1102230246251565e-16;
+constexpr double Unit = sm::UnitRoundoff;
 constexpr int Caps = 5000;
 
 /// A face of nothing but caps.

@@ -4,6 +4,7 @@
 #include "Items/smItemKernels.h"
 #include "smGaussLegendre.h"
 #include "smTesting.h"
+#include "smUnitRoundoff.h"
 
 #include <algorithm>
 #include <random>
@@ -14,7 +15,7 @@ using namespace smtest;
 using Real = long double;
 using Vector = std::array<Real, 3>;
 
-constexpr double Unit = 1.1102230246251565e-16;
+constexpr double Unit = sm::UnitRoundoff;
 constexpr double Pi = 3.14159265358979323846;
 
 Vector operator+(const Vector& a, const Vector& b)

@@ -136,15 +136,15 @@ void CheckSolid(const std::string& folder, const std::string& name, bool hasPole
   auto* product = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
   auto* leaf = vtkNURBSDataSet::SafeDownCast(product->GetPartition(0, 0));
   const double size = GetSize(leaf->GetModel());
-  // Turned about z by the angle of (0.6, 0.8), moved; and the same after a reflection in x.
-  const double turned[16] = { 0.6, -0.8, 0, 3, 0.8, 0.6, 0, -4, 0, 0, 1, 5, 0, 0, 0, 1 };
+  // Rotated about z by the angle of (0.6, 0.8), moved; and the same after a reflection in x.
+  const double rotated[16] = { 0.6, -0.8, 0, 3, 0.8, 0.6, 0, -4, 0, 0, 1, 5, 0, 0, 0, 1 };
   const double mirrored[16] = { -0.6, -0.8, 0, 3, -0.8, 0.6, 0, -4, 0, 0, 1, 5, 0, 0, 0, 1 };
   vtkNew<vtkNURBSPointEvaluator> gpu;
   CheckEqual("the factory's", "vtkNURBSPointEvaluatorGPU", gpu->GetClassName());
   gpu->SetBackend(vtkNURBSPointEvaluator::OPENGL);
   vtkNew<vtkNURBSPointEvaluator> cpu;
   cpu->SetBackend(vtkNURBSPointEvaluator::CPU);
-  for (const double* rows : { turned, mirrored })
+  for (const double* rows : { rotated, mirrored })
   {
     vtkNew<vtkMatrix4x4> placement;
     placement->DeepCopy(rows);

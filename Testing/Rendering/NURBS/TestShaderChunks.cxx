@@ -1,6 +1,7 @@
 // The chunks of mathematics that the shaders are made of, compiled as C++: against extended precision.
 #include "smPortableCxx.h"
 #include "smTesting.h"
+#include "smUnitRoundoff.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,7 @@ long double BernsteinSlope(int n, int i, long double x)
   return n == 0 ? 0.0L : n * (Bernstein(n - 1, i - 1, x) - Bernstein(n - 1, i, x));
 }
 
-constexpr double Unit = 1.1102230246251565e-16;
+constexpr double Unit = sm::UnitRoundoff;
 
 /// Exact sums of doubles within 2^10 of each other fit into the 64 bits of a long double, products of integers below 2^53 into
 /// 128 bits.
