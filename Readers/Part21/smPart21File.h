@@ -1,0 +1,197 @@
+/**
+ * @file smPart21File.h
+ * @brief The text of a STEP file (ISO 10303-21) as a graph of entity instances
+ */
+#ifndef smPart21File_h
+#define smPart21File_h
+
+#include "smPart21Values.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace sm
+{
+/// What is wrong with a text. Values, never exceptions: a damaged file is read as far as it goes.
+enum class Part21Defect : unsigned char
+{
+  Unopened,           ///< the file cannot be opened or read
+  Empty,              ///< it has no bytes
+  NoHeader,           ///< "ISO-10303-21;" does not begin within the first 64 KiB
+  TooLarge,           ///< 4 GiB or more
+  Junk,               ///< bytes before the header that are neither blanks nor comments
+  Truncated,          ///< END-ISO-10303-21 is missing
+  NoData,             ///< there is no DATA section
+  UnterminatedText,   ///< a comment without its end; in an instance a string without its end is Syntax
+  Syntax,             ///< an instance is not what the standard allows; the next one is read again
+  NotAnInstance,      ///< text between instances that belongs to none
+  NumberTooLarge,     ///< an instance or a reference has a number beyond 64 bits
+  DuplicateId,        ///< a second instance with the same number; Find() gives the first
+  UndefinedReference, ///< a reference to an instance that the file does not have
+  ControlCharacters,  ///< bytes below 32 that are no tabs or line ends; they are read as blanks
+  Count
+};
+
+struct Part21Problem
+{
+  Part21Defect Defect = Part21Defect::Syntax;
+  /// Instance in which it is; 0: in none.
+  std::uint64_t Id = 0;
+  /// UndefinedReference: the number that is referred to.
+  std::uint64_t Other = 0;
+  /// Byte of the text.
+  std::size_t Offset = 0;
+};
+
+/// Two pointers as a range.
+template <typename T>
+struct Part21Range
+{
+  const T* First = nullptr;
+  const T* Last = nullptr;
+
+  const T* begin() const { return this->First; }
+  const T* end() const { return this->Last; }
+  std::size_t size() const { return static_cast<std::size_t>(this->Last - this->First); }
+  const T& operator[](std::size_t i) const { return this->First[i]; }
+};
+
+/**
+ * A STEP file: its instances in the order of the text, their records, and what each refers to.
+ *
+ * A simple instance `#1=A(…);` has one record, a complex one `#1=(A(…)B(…));` as many as it names. Of a record the type and the text
+ * of its parameters are kept; Part21Values reads them when they are asked for. References are resolved to indices when the file is
+ * read. Instances of all DATA sections are one list; ANCHOR, REFERENCE and SIGNATURE sections (third edition) are passed over. Names of
+ * types are compared in capitals.
+ *
+ * Time and memory are linear in the text, and nothing is called recursively, so that nested brackets do no harm. Memory besides the
+ * text: 24 bytes an instance, 12 a record, 4 a reference (12 while reading), 4 to 12 for each number. Text of 4 GiB or more is refused.
+ *
+ * Damage: an instance that breaks the syntax is kept with what stands before the damage, IsDamaged() tells; reading goes on behind
+ * its semicolon, or with the next line that begins like an instance. Instances with the same number are all kept, and all damaged.
+ * An instance is damaged also by an undefined reference. All defects are counted; the first `ProblemLimit` of each kind are listed.
+ *
+ * No method throws but for want of memory. Const methods may be called by several threads.
+ */
+class SMREADERSPART21_EXPORT Part21File
+{
+public:
+  /// Index of an instance.
+  using Index = std::uint32_t;
+  static constexpr Index None = 0xffffffffu;
+  static constexpr std::size_t ProblemLimit = 100;
+  /// Bytes at the start of a file in which its header is searched; what stands before it is ignored.
+  static constexpr std::size_t HeaderSearch = 1 << 16;
+
+  /// Reads a whole file. False when nothing can be read; the problem says why.
+  bool Read(const std::string& path);
+  /// The same for text in memory.
+  bool Parse(std::string text);
+
+  std::string_view GetText() const { return this->Text; }
+  /// Line of a byte of the text, from 1. Takes time in proportion to the offset.
+  std::size_t GetLine(std::size_t offset) const;
+
+  ///@{
+  /** Instances. */
+  Index GetNumberOfInstances() const { return static_cast<Index>(this->Instances.size() - 1); }
+  std::uint64_t GetId(Index i) const { return this->Instances[i].Id; }
+  /// Index of the instance with this number, None without one.
+  Index Find(std::uint64_t id) const;
+  /// From # to the semicolon.
+  std::string_view GetText(Index i) const
+  {
+    return this->Cut(this->Instances[i].Begin, this->Instances[i].End);
+  }
+  std::size_t GetOffset(Index i) const { return this->Instances[i].Begin; }
+  bool IsDamaged(Index i) const { return this->Damaged[i] != 0; }
+  /// Instances that the parameters of `i` refer to, in the order of the text, with None for undefined ones.
+  Part21Range<Index> GetReferences(Index i) const
+  {
+    const Index* first = this->References.data();
+    return { first + this->Instances[i].FirstReference, first + this->Instances[i + 1].FirstReference };
+  }
+  ///@}
+
+  ///@{
+  /** Records: number `record` of instance `i`, one after the other. */
+  bool IsComplex(Index i) const { return this->GetNumberOfRecords(i) != 1; }
+  std::size_t GetNumberOfRecords(Index i) const
+  {
+    return this->Instances[i + 1].FirstRecord - this->Instances[i].FirstRecord;
+  }
+  /// Index into the names of the types.
+  std::uint32_t GetType(Index i, std::size_t record = 0) const { return this->GetRecord(i, record).Type; }
+  /// What stands between the brackets, for Part21Values.
+  std::string_view GetParameters(Index i, std::size_t record = 0) const
+  {
+    return this->Cut(this->GetRecord(i, record).Begin, this->GetRecord(i, record).End);
+  }
+  ///@}
+
+  /// Names of all types of records in the file, in capitals, in the order in which they appear.
+  const std::vector<std::string>& GetTypeNames() const { return this->TypeNames; }
+  /// What FILE_SCHEMA says: strings as in the file.
+  const std::vector<std::string>& GetSchemas() const { return this->Schemas; }
+
+  const std::vector<Part21Problem>& GetProblems() const { return this->Problems; }
+  /// How many there are, also those that are not listed.
+  std::size_t GetNumberOfProblems(Part21Defect defect) const
+  {
+    return this->Counts[static_cast<std::size_t>(defect)];
+  }
+  /// A few words for each kind: "undefined reference".
+  static const char* GetName(Part21Defect defect);
+
+private:
+  friend class Part21Parser;
+  struct Instance
+  {
+    std::uint64_t Id;
+    std::uint32_t Begin;
+    std::uint32_t End;
+    std::uint32_t FirstRecord;
+    std::uint32_t FirstReference;
+  };
+  struct Record
+  {
+    std::uint32_t Type;
+    std::uint32_t Begin;
+    std::uint32_t End;
+  };
+  struct SparseId
+  {
+    std::uint64_t Id;
+    Index Instance;
+  };
+  const Record& GetRecord(Index i, std::size_t record) const
+  {
+    return this->Records[this->Instances[i].FirstRecord + record];
+  }
+  std::string_view Cut(std::uint32_t begin, std::uint32_t end) const
+  {
+    return std::string_view(this->Text).substr(begin, end - begin);
+  }
+  void Clear();
+  void Add(Part21Defect defect, std::size_t offset, std::uint64_t id = 0, std::uint64_t other = 0);
+  void IndexIds();
+  void Resolve(const std::vector<std::uint64_t>& ids);
+
+  std::string Text;
+  /// One more than there are, so that every instance has a successor.
+  std::vector<Instance> Instances = std::vector<Instance>(1);
+  std::vector<Record> Records;
+  std::vector<Index> References;
+  std::vector<unsigned char> Damaged;
+  /// Instance of each number below its size; larger ones are in SparseIds, sorted.
+  std::vector<Index> DenseIds;
+  std::vector<SparseId> SparseIds;
+  std::vector<std::string> TypeNames;
+  std::vector<std::string> Schemas;
+  std::vector<Part21Problem> Problems;
+  std::array<std::size_t, static_cast<std::size_t>(Part21Defect::Count)> Counts{};
+};
+}
+
+#endif

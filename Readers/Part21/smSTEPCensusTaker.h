@@ -1,0 +1,149 @@
+/**
+ * @file smSTEPCensusTaker.h
+ * @brief The steps of a census
+ */
+#ifndef smSTEPCensusTaker_h
+#define smSTEPCensusTaker_h
+
+#include "smSTEPAttributes.h"
+#include "smSTEPCensus.h"
+
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace sm
+{
+/// Takes a census step by step; each step uses what those before it found.
+class STEPCensusTaker
+{
+public:
+  using Index = Part21File::Index;
+  static constexpr Index None = Part21File::None;
+
+  explicit STEPCensusTaker(const Part21File& file)
+    : File(file)
+    , Entities(file)
+    , Groups(file.GetNumberOfInstances())
+  {
+  }
+  STEPCensus Take();
+
+private:
+  /// From one product or shape to another that it contains.
+  struct Arc
+  {
+    Index From;
+    Index To;
+    /// The occurrence, mapped item or relationship.
+    Index By;
+    bool operator<(const Arc& other) const
+    {
+      return this->From != other.From ? this->From < other.From : this->To < other.To;
+    }
+  };
+  /// A step of the walk over geometry; curves in the plane of a surface's parameters are 2D.
+  struct Step
+  {
+    Index Entity;
+    bool Flat;
+  };
+
+  void Add(CensusDefect defect, Index entity, std::uint64_t other = 0, const char* place = "");
+  /// The entity that an attribute refers to when it has one of the roles; else None and a problem.
+  Index Follow(Index from, const STEPAttribute& attribute, std::uint64_t roles);
+  Index Follow(Index from, const Part21Value& value, std::uint64_t roles, const char* place);
+  void Use(Index i, unsigned char use) { this->Census.Uses[i] |= use; }
+
+  // smSTEPStructure.cxx: products and shapes
+  void SortEntities();
+  void FindPlacements();
+  void CheckPlacement(CensusOccurrence& occurrence, Index placement);
+  bool IsShapeOf(Index representation, Index product) const;
+  void JoinShapes();
+  Index FindGroup(Index representation);
+  void AddArcs();
+  void AddOccurrence(Index i);
+  void AddShapes(Index i);
+  void AddItems(Index representation);
+  void AddPlacedShapes();
+  void CountAll();
+  void FindSolidsBelow();
+  void ReportCycles(const std::vector<std::uint32_t>& open);
+  void SetInstances();
+  void MarkStructure();
+  void ReportDamagedStructure();
+
+  // smSTEPBodies.cxx: bodies, shells, faces
+  void AddBodies();
+  void AddItem(Index representation, Index item, std::vector<Index>& bodies);
+  std::uint32_t AddBody(Index item);
+  void AddShells(CensusBody& body, Index item);
+  void AddShellUse(Index user, const Part21Value& value, bool isVoid, const char* place);
+  std::uint32_t AddShell(Index shell);
+  std::uint32_t AddFace(Index face);
+  /// The shell or face below oriented ones.
+  Index Unwrap(Index i, const STEPAttribute& element, const char* oriented);
+  void FindUnused();
+  void CheckBounds();
+
+  // smSTEPDependence.cxx: what bodies depend on, and its damage
+  void WalkBodies();
+  void Walk(std::vector<Step>& open, unsigned char use);
+  void Visit(Index i, bool flat);
+  void CheckRecord(Index i, std::string_view parameters, const char* signature, bool flat);
+  const char* CheckList(Index i, std::string_view text, const char* signature, bool flat);
+  bool CheckValue(Index i, const Part21Value& value, char kind);
+  void CheckCoordinates(Index i, const Part21Value& value, bool flat);
+  void CheckSplineCurve(Index i);
+  void CheckSplineSurface(Index i);
+  void SpreadDamage();
+
+  // smSTEPUnits.cxx
+  int AddContext(Index representation);
+  void ReadUnits(Index context, CensusContext& result);
+  CensusUnit ReadUnit(Index unit, bool length);
+  bool ReadMeasure(Index measure, double& value, Index& unit);
+  void ReadUncertainty(Index context, CensusContext& result);
+  void ReportUnits();
+
+  const Part21File& File;
+  STEPAttributes Entities;
+  STEPCensus Census;
+
+  std::vector<Index> Representations;
+  std::vector<Index> Products;
+  std::vector<Index> Relationships;
+  std::vector<Index> ShapeDefinitions;
+  std::vector<Index> OccurrenceShapes;
+  std::vector<Index> OccurrenceEntities;
+
+  /// Union-find over representations that are one shape.
+  std::vector<Index> Groups;
+  /// Arcs from products and shapes, sorted.
+  std::vector<Arc> Arcs;
+  /// (product, shape) pairs, sorted.
+  std::vector<std::pair<Index, Index>> ShapesOfProducts;
+  /// Number of instances of each product and, at its group's entity, of each shape.
+  std::vector<CensusCount> Counts;
+  /// Placement (OccurrenceShape) of each occurrence, and relationships that are part of one.
+  std::unordered_map<Index, Index> Placements;
+  std::vector<bool> Placing;
+  /// Bodies by shape: (group, body index), and occurrences' and mapped items' entities.
+  std::vector<std::pair<Index, std::uint32_t>> BodiesOfGroups;
+  std::vector<Index> BodyEntities;
+  std::vector<std::pair<Index, std::uint32_t>> MappedFrom;
+  std::vector<bool> SolidsBelow;
+
+  std::unordered_map<Index, std::uint32_t> BodyIndices;
+  std::unordered_map<Index, std::uint32_t> ShellIndices;
+  std::unordered_map<Index, std::uint32_t> FaceIndices;
+  std::vector<Index> ShellEntities;
+  std::vector<Index> FaceEntities;
+  std::unordered_map<Index, int> ContextIndices;
+  std::vector<bool> GeometricDamage;
+  std::vector<unsigned char> Visited;
+};
+}
+
+#endif

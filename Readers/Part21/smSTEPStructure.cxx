@@ -1,0 +1,531 @@
+// Products, occurrences and shapes of a census: how often each occurs.
+#include "smSTEPCensusTaker.h"
+
+#include <algorithm>
+
+namespace sm
+{
+namespace
+{
+constexpr STEPAttribute RelatingProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 3, 3, "relating product" };
+constexpr STEPAttribute RelatedProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 4, 4, "related product" };
+constexpr STEPAttribute OccurrenceId = { "PRODUCT_DEFINITION_RELATIONSHIP", 0, 0, "id" };
+constexpr STEPAttribute OccurrenceName = { "PRODUCT_DEFINITION_RELATIONSHIP", 1, 1, "name" };
+constexpr STEPAttribute FirstRepresentation = { "REPRESENTATION_RELATIONSHIP", 2, 2, "first representation" };
+constexpr STEPAttribute SecondRepresentation = { "REPRESENTATION_RELATIONSHIP", 3, 3,
+  "second representation" };
+constexpr STEPAttribute Operator = { "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION", 0, 4,
+  "transformation" };
+constexpr STEPAttribute Definition = { "PROPERTY_DEFINITION", 2, 2, "definition" };
+constexpr STEPAttribute DefinedShape = { "PROPERTY_DEFINITION_REPRESENTATION", 0, 0, "definition" };
+constexpr STEPAttribute UsedRepresentation = { "PROPERTY_DEFINITION_REPRESENTATION", 1, 1, "representation" };
+constexpr STEPAttribute PlacingRelation = { "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", 0, 0, "relationship" };
+constexpr STEPAttribute PlacedShape = { "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", 1, 1, "product shape" };
+constexpr STEPAttribute Items = { "REPRESENTATION", 1, 1, "items" };
+constexpr STEPAttribute MappingSource = { "MAPPED_ITEM", 0, 1, "mapping source" };
+constexpr STEPAttribute MappingTarget = { "MAPPED_ITEM", 1, 2, "mapping target" };
+constexpr STEPAttribute MappingOrigin = { "REPRESENTATION_MAP", 0, 0, "mapping origin" };
+constexpr STEPAttribute MappedRepresentation = { "REPRESENTATION_MAP", 1, 1, "mapped representation" };
+
+bool HasTransformation(const STEPAttributes& entities, Part21File::Index relationship)
+{
+  std::string_view parameters;
+  return entities.FindRecord(relationship, Operator.Record, parameters);
+}
+}
+
+void STEPCensusTaker::SortEntities()
+{
+  for (Index i = 0; i < this->File.GetNumberOfInstances(); ++i)
+  {
+    this->Groups[i] = i;
+    const std::uint64_t roles = this->Entities.GetRoles(i);
+    const std::pair<std::uint64_t, std::vector<Index>*> lists[] = {
+      { STEPRole::ProductDefinition, &this->Products }, { STEPRole::Relationship, &this->Relationships },
+      { STEPRole::ShapeDefinition, &this->ShapeDefinitions },
+      { STEPRole::OccurrenceShape, &this->OccurrenceShapes },
+      { STEPRole::Occurrence, &this->OccurrenceEntities }
+    };
+    for (const auto& [role, list] : lists)
+    {
+      if (roles & role)
+      {
+        list->push_back(i);
+      }
+    }
+    if ((roles & STEPRole::Representation) && !(roles & STEPRole::DefinitionalRepresentation))
+    {
+      this->Representations.push_back(i);
+    }
+  }
+}
+
+void STEPCensusTaker::FindPlacements()
+{
+  this->Placing.assign(this->File.GetNumberOfInstances(), false);
+  for (const Index i : this->OccurrenceShapes)
+  {
+    const Index relation = this->Follow(i, PlacingRelation, STEPRole::Relationship);
+    const Index shape = this->Follow(i, PlacedShape, STEPRole::ProductShape);
+    const Index occurrence = shape == None ? None : this->Follow(shape, Definition, STEPRole::Occurrence);
+    if (relation != None)
+    {
+      this->Placing[relation] = true;
+    }
+    if (occurrence != None && !this->Placements.emplace(occurrence, i).second)
+    {
+      this->Add(CensusDefect::PlacementMismatch, occurrence, this->File.GetId(i), "a second placement");
+    }
+  }
+}
+
+STEPCensusTaker::Index STEPCensusTaker::FindGroup(Index representation)
+{
+  Index i = representation;
+  while (this->Groups[i] != i)
+  {
+    // Every second step is shortened, so that no chain stays long.
+    this->Groups[i] = this->Groups[this->Groups[i]];
+    i = this->Groups[i];
+  }
+  return i;
+}
+
+void STEPCensusTaker::JoinShapes()
+{
+  for (const Index i : this->Relationships)
+  {
+    if (!this->Entities.Has(i, STEPRole::ShapeRelationship) || this->Placing[i] ||
+      HasTransformation(this->Entities, i))
+    {
+      continue;
+    }
+    const Index first = this->Follow(i, FirstRepresentation, STEPRole::Representation);
+    const Index second = this->Follow(i, SecondRepresentation, STEPRole::Representation);
+    if (first != None && second != None)
+    {
+      this->Use(i, CensusUse::Structure);
+      // The smaller index stays: chains remain short, since files relate neighbours.
+      const std::pair<Index, Index> groups = std::minmax({ this->FindGroup(first), this->FindGroup(second) });
+      this->Groups[groups.second] = groups.first;
+    }
+  }
+}
+
+void STEPCensusTaker::AddShapes(Index i)
+{
+  const Index shape = this->Follow(i, DefinedShape, STEPRole::ProductShape);
+  const Index product = shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, Definition));
+  if (shape == None || (product != None && !this->Entities.Has(product, STEPRole::ProductDefinition)))
+  {
+    // The shape of a feature or of an occurrence, not of a product.
+    return;
+  }
+  const Index representation = this->Follow(i, UsedRepresentation, STEPRole::Representation);
+  if (product == None)
+  {
+    this->Follow(shape, Definition, STEPRole::ProductDefinition);
+    return;
+  }
+  this->Use(i, CensusUse::Structure);
+  this->Use(shape, CensusUse::Structure);
+  if (representation != None)
+  {
+    this->ShapesOfProducts.emplace_back(product, this->FindGroup(representation));
+  }
+}
+
+void STEPCensusTaker::AddOccurrence(Index i)
+{
+  const Index parent = this->Follow(i, RelatingProduct, STEPRole::ProductDefinition);
+  const Index child = this->Follow(i, RelatedProduct, STEPRole::ProductDefinition);
+  CensusOccurrence occurrence;
+  occurrence.Id = this->File.GetId(i);
+  const Part21Value name = this->Entities.Get(i, OccurrenceName);
+  occurrence.Name = name.Text.empty() ? this->Entities.Get(i, OccurrenceId).Text : name.Text;
+  occurrence.Parent = parent == None ? 0 : this->File.GetId(parent);
+  occurrence.Child = child == None ? 0 : this->File.GetId(child);
+  if (parent != None && child != None)
+  {
+    this->Arcs.push_back({ parent, child, i });
+  }
+  const auto placement = this->Placements.find(i);
+  if (placement != this->Placements.end())
+  {
+    this->CheckPlacement(occurrence, placement->second);
+  }
+  this->Census.Occurrences.push_back(std::move(occurrence));
+}
+
+bool STEPCensusTaker::IsShapeOf(Index representation, Index product) const
+{
+  const auto first = std::lower_bound(
+    this->ShapesOfProducts.begin(), this->ShapesOfProducts.end(), std::make_pair(product, Index{ 0 }));
+  if (first == this->ShapesOfProducts.end() || first->first != product)
+  {
+    // A product without a shape contradicts nothing.
+    return true;
+  }
+  return std::binary_search(
+    first, this->ShapesOfProducts.end(), std::make_pair(product, this->Groups[representation]));
+}
+
+void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placement)
+{
+  const Index i = this->File.Find(occurrence.Id);
+  const Index relation = this->Entities.Follow(this->Entities.Get(placement, PlacingRelation));
+  occurrence.Placement = this->File.GetId(placement);
+  this->Use(placement, CensusUse::Structure);
+  if (!this->Entities.Has(relation, STEPRole::Relationship))
+  {
+    return;
+  }
+  this->Use(relation, CensusUse::Structure);
+  if (HasTransformation(this->Entities, relation))
+  {
+    const Index transformation = this->Follow(relation, Operator, STEPRole::Transformation);
+    occurrence.Transformation = transformation == None ? 0 : this->File.GetId(transformation);
+  }
+  else
+  {
+    this->Add(CensusDefect::MissingPlacement, i, occurrence.Placement, "no transformation");
+  }
+  const Index first = this->Follow(relation, FirstRepresentation, STEPRole::Representation);
+  const Index second = this->Follow(relation, SecondRepresentation, STEPRole::Representation);
+  const Index parent = this->File.Find(occurrence.Parent);
+  const Index child = this->File.Find(occurrence.Child);
+  if (first == None || second == None || occurrence.Parent == 0 || occurrence.Child == 0)
+  {
+    return;
+  }
+  const bool forward = this->IsShapeOf(first, child) && this->IsShapeOf(second, parent);
+  const bool backward = this->IsShapeOf(first, parent) && this->IsShapeOf(second, child);
+  if (!forward && !backward)
+  {
+    this->Add(CensusDefect::PlacementMismatch, i, occurrence.Placement, "representations of other products");
+  }
+}
+
+void STEPCensusTaker::AddItems(Index representation)
+{
+  Part21Values items(this->Entities.Get(representation, Items).Text);
+  for (Part21Value value; items.Next(value);)
+  {
+    const Index item = this->Entities.Follow(value);
+    if (!this->Entities.Has(item, STEPRole::MappedItem))
+    {
+      continue;
+    }
+    const Index map = this->Entities.Follow(this->Entities.Get(item, MappingSource));
+    const Index mapped =
+      map == None ? None : this->Entities.Follow(this->Entities.Get(map, MappedRepresentation));
+    if (this->Entities.Has(map, STEPRole::RepresentationMap) &&
+      this->Entities.Has(mapped, STEPRole::Representation))
+    {
+      this->Arcs.push_back({ this->FindGroup(representation), this->FindGroup(mapped), item });
+      this->MappedFrom.emplace_back(
+        representation, static_cast<std::uint32_t>(this->Census.MappedItems.size()));
+      CensusMappedItem& result = this->Census.MappedItems.emplace_back();
+      result.Id = this->File.GetId(item);
+      result.Parent = this->File.GetId(representation);
+      result.Child = this->File.GetId(mapped);
+    }
+  }
+}
+
+void STEPCensusTaker::AddArcs()
+{
+  for (const Index i : this->ShapeDefinitions)
+  {
+    this->AddShapes(i);
+  }
+  for (Index i = 0; i < this->File.GetNumberOfInstances(); ++i)
+  {
+    this->Groups[i] = this->FindGroup(i);
+  }
+  std::sort(this->ShapesOfProducts.begin(), this->ShapesOfProducts.end());
+  this->ShapesOfProducts.erase(
+    std::unique(this->ShapesOfProducts.begin(), this->ShapesOfProducts.end()), this->ShapesOfProducts.end());
+  for (const auto& [product, group] : this->ShapesOfProducts)
+  {
+    this->Arcs.push_back({ product, group, None });
+  }
+  for (const Index i : this->OccurrenceEntities)
+  {
+    this->AddOccurrence(i);
+  }
+  for (const Index i : this->Representations)
+  {
+    this->AddItems(i);
+  }
+  this->AddPlacedShapes();
+  std::sort(this->Arcs.begin(), this->Arcs.end());
+}
+
+/// Shapes that a relationship puts into others, where no occurrence of their products says so, too.
+void STEPCensusTaker::AddPlacedShapes()
+{
+  const auto findShape = [this](Index product)
+  {
+    const auto found = std::lower_bound(
+      this->ShapesOfProducts.begin(), this->ShapesOfProducts.end(), std::make_pair(product, Index{ 0 }));
+    return found != this->ShapesOfProducts.end() && found->first == product ? found->second : None;
+  };
+  std::vector<std::pair<Index, Index>> known;
+  for (const Arc& arc : this->Arcs)
+  {
+    if (arc.By != None && this->Entities.Has(arc.By, STEPRole::Occurrence))
+    {
+      known.emplace_back(findShape(arc.From), findShape(arc.To));
+    }
+  }
+  std::sort(known.begin(), known.end());
+  for (const Index i : this->Relationships)
+  {
+    if (this->Placing[i] || !HasTransformation(this->Entities, i) ||
+      !this->Entities.Has(i, STEPRole::ShapeRelationship))
+    {
+      continue;
+    }
+    const Index part = this->Follow(i, FirstRepresentation, STEPRole::Representation);
+    const Index whole = this->Follow(i, SecondRepresentation, STEPRole::Representation);
+    if (part != None && whole != None &&
+      !std::binary_search(
+        known.begin(), known.end(), std::make_pair(this->FindGroup(whole), this->FindGroup(part))))
+    {
+      this->Arcs.push_back({ this->FindGroup(whole), this->FindGroup(part), i });
+    }
+  }
+}
+
+void STEPCensusTaker::CountAll()
+{
+  const Index count = this->File.GetNumberOfInstances();
+  std::vector<std::uint32_t> incoming(count, 0);
+  for (const Arc& arc : this->Arcs)
+  {
+    ++incoming[arc.To];
+  }
+  this->Counts.assign(count, 0);
+  this->Census.WithoutProducts = this->ShapesOfProducts.empty();
+  std::vector<Index> open;
+  for (Index i = 0; i < count; ++i)
+  {
+    const bool product = this->Entities.Has(i, STEPRole::ProductDefinition);
+    const bool shape = this->Groups[i] == i && this->Entities.Has(i, STEPRole::Representation) &&
+      !this->Entities.Has(i, STEPRole::DefinitionalRepresentation);
+    if ((product || shape) && incoming[i] == 0)
+    {
+      this->Counts[i] = product || this->Census.WithoutProducts ? 1 : 0;
+      open.push_back(i);
+    }
+  }
+  while (!open.empty())
+  {
+    const Index from = open.back();
+    open.pop_back();
+    for (auto arc = std::lower_bound(this->Arcs.begin(), this->Arcs.end(), Arc{ from, 0, 0 });
+         arc != this->Arcs.end() && arc->From == from; ++arc)
+    {
+      this->Counts[arc->To] = AddCounts(this->Counts[arc->To], this->Counts[from]);
+      if (--incoming[arc->To] == 0)
+      {
+        open.push_back(arc->To);
+      }
+    }
+  }
+  this->ReportCycles(incoming);
+}
+
+/// `open`: arcs that lead to an entity from entities whose count is not known.
+void STEPCensusTaker::ReportCycles(const std::vector<std::uint32_t>& open)
+{
+  // What lies below a cycle is open, too; it has no way back. Taken off from below, the cycles remain.
+  std::vector<Arc> back;
+  std::vector<std::uint32_t> outgoing(open.size(), 0);
+  for (const Arc& arc : this->Arcs)
+  {
+    if (open[arc.From] > 0 && open[arc.To] > 0)
+    {
+      back.push_back({ arc.To, arc.From, arc.By });
+      ++outgoing[arc.From];
+    }
+  }
+  std::sort(back.begin(), back.end());
+  std::vector<Index> ends;
+  for (std::size_t k = 0; k < back.size(); ++k)
+  {
+    if (outgoing[back[k].From] == 0 && (k == 0 || back[k - 1].From != back[k].From))
+    {
+      ends.push_back(back[k].From);
+    }
+  }
+  while (!ends.empty())
+  {
+    const Index end = ends.back();
+    ends.pop_back();
+    for (auto arc = std::lower_bound(back.begin(), back.end(), Arc{ end, 0, 0 });
+         arc != back.end() && arc->From == end; ++arc)
+    {
+      if (--outgoing[arc->To] == 0)
+      {
+        ends.push_back(arc->To);
+      }
+    }
+  }
+  for (const Arc& arc : back)
+  {
+    if (outgoing[arc.From] > 0 && outgoing[arc.To] > 0 && arc.By != None)
+    {
+      this->Add(CensusDefect::AssemblyCycle, arc.By, this->File.GetId(arc.From), "contains itself");
+    }
+  }
+}
+
+void STEPCensusTaker::FindSolidsBelow()
+{
+  std::vector<Arc> back;
+  for (const Arc& arc : this->Arcs)
+  {
+    back.push_back({ arc.To, arc.From, arc.By });
+  }
+  std::sort(back.begin(), back.end());
+  this->SolidsBelow.assign(this->File.GetNumberOfInstances(), false);
+  std::vector<Index> open;
+  for (const auto& [group, body] : this->BodiesOfGroups)
+  {
+    if (this->Census.Bodies[body].Kind == CensusBodyKind::Solid && !this->SolidsBelow[group])
+    {
+      this->SolidsBelow[group] = true;
+      open.push_back(group);
+    }
+  }
+  while (!open.empty())
+  {
+    const Index end = open.back();
+    open.pop_back();
+    for (auto arc = std::lower_bound(back.begin(), back.end(), Arc{ end, 0, 0 });
+         arc != back.end() && arc->From == end; ++arc)
+    {
+      if (!this->SolidsBelow[arc->To])
+      {
+        this->SolidsBelow[arc->To] = true;
+        open.push_back(arc->To);
+      }
+    }
+  }
+}
+
+void STEPCensusTaker::SetInstances()
+{
+  for (const auto& [group, body] : this->BodiesOfGroups)
+  {
+    CensusCount& instances = this->Census.Bodies[body].Instances;
+    instances = AddCounts(instances, this->Counts[group]);
+  }
+  for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
+  {
+    const CensusBody& body = this->Census.Bodies[k];
+    if (body.Instances == 0 && body.Kind == CensusBodyKind::Solid)
+    {
+      this->Add(CensusDefect::UnreachedBody, this->BodyEntities[k]);
+    }
+  }
+  for (std::size_t k = 0; k < this->Census.Occurrences.size(); ++k)
+  {
+    CensusOccurrence& occurrence = this->Census.Occurrences[k];
+    const Index i = this->OccurrenceEntities[k];
+    if (occurrence.Parent != 0 && occurrence.Child != 0)
+    {
+      occurrence.Instances = this->Counts[this->File.Find(occurrence.Parent)];
+      occurrence.HasSolids = this->SolidsBelow[this->File.Find(occurrence.Child)];
+    }
+    if (occurrence.HasSolids && occurrence.Placement == 0)
+    {
+      this->Add(CensusDefect::MissingPlacement, i, 0, "no placement");
+    }
+  }
+  for (const auto& [from, item] : this->MappedFrom)
+  {
+    CensusMappedItem& mapped = this->Census.MappedItems[item];
+    mapped.Instances = this->Counts[this->FindGroup(from)];
+    mapped.HasSolids = this->SolidsBelow[this->FindGroup(this->File.Find(mapped.Child))];
+  }
+}
+
+/// Entities of the structure that products with solids need, and damage in these. Placements join the walk over geometry.
+void STEPCensusTaker::MarkStructure()
+{
+  std::vector<Step> placements;
+  const auto addPlacement = [this, &placements](Index i)
+  {
+    if (i != None)
+    {
+      placements.push_back({ i, false });
+    }
+  };
+  for (const Index i : this->Representations)
+  {
+    if (this->Counts[this->FindGroup(i)] == 0)
+    {
+      continue;
+    }
+    this->Use(i, CensusUse::Structure);
+    const Part21Value list = this->Entities.Get(i, Items);
+    if (!list.IsList())
+    {
+      this->Add(CensusDefect::WrongParameter, i, 0, Items.Name);
+    }
+    Part21Values items(list.Text);
+    for (Part21Value value; items.Next(value);)
+    {
+      const Index item = this->Follow(i, value, ~std::uint64_t{ 0 }, Items.Name);
+      if (this->Entities.Has(item, STEPRole::MappedItem))
+      {
+        this->Use(item, CensusUse::Structure);
+        const Index map = this->Follow(item, MappingSource, STEPRole::RepresentationMap);
+        addPlacement(this->Follow(item, MappingTarget, STEPRole::Placement | STEPRole::Transformation));
+        if (map != None)
+        {
+          this->Use(map, CensusUse::Structure);
+          this->Follow(map, MappedRepresentation, STEPRole::Representation);
+          addPlacement(this->Follow(map, MappingOrigin, STEPRole::Placement));
+        }
+      }
+    }
+  }
+  for (std::size_t k = 0; k < this->Census.Occurrences.size(); ++k)
+  {
+    const CensusOccurrence& occurrence = this->Census.Occurrences[k];
+    this->Use(this->OccurrenceEntities[k], CensusUse::Structure);
+    addPlacement(occurrence.Transformation == 0 ? None : this->File.Find(occurrence.Transformation));
+  }
+  for (const Index i : this->Products)
+  {
+    this->Use(i, CensusUse::Structure);
+  }
+  this->ReportDamagedStructure();
+  this->Walk(placements, CensusUse::Structure);
+}
+
+/// Undefined references have been reported where they were followed; those of a product, by which its name is found, are not.
+void STEPCensusTaker::ReportDamagedStructure()
+{
+  for (Index i = 0; i < this->File.GetNumberOfInstances(); ++i)
+  {
+    if (!(this->Census.Uses[i] & CensusUse::Structure) || !this->File.IsDamaged(i))
+    {
+      continue;
+    }
+    const Part21Range<Index> references = this->File.GetReferences(i);
+    if (std::find(references.begin(), references.end(), None) == references.end())
+    {
+      this->Add(CensusDefect::DamagedEntity, i);
+    }
+    else if (this->Entities.Has(i, STEPRole::ProductDefinition))
+    {
+      this->Add(CensusDefect::UndefinedReference, i);
+    }
+  }
+}
+}

@@ -1,0 +1,257 @@
+// Units and accuracy that the contexts of a census state.
+#include "smSTEPCensusTaker.h"
+
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+constexpr STEPAttribute ContextOfItems = { "REPRESENTATION", 2, 2, "context" };
+constexpr STEPAttribute UnitsOfContext = { "GLOBAL_UNIT_ASSIGNED_CONTEXT", 0, 2, "units" };
+constexpr STEPAttribute UncertaintiesOfContext = { "GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT", 0, 2,
+  "uncertainties" };
+constexpr STEPAttribute Prefix = { "SI_UNIT", 0, 1, "prefix" };
+constexpr STEPAttribute SIName = { "SI_UNIT", 1, 2, "name" };
+constexpr STEPAttribute ConversionName = { "CONVERSION_BASED_UNIT", 0, 1, "name" };
+constexpr STEPAttribute ConversionFactor = { "CONVERSION_BASED_UNIT", 1, 2, "conversion factor" };
+constexpr STEPAttribute MeasureValue = { "MEASURE_WITH_UNIT", 0, 0, "value" };
+constexpr STEPAttribute MeasureUnit = { "MEASURE_WITH_UNIT", 1, 1, "unit" };
+
+/// Units that convert into units that convert …; inch to millimetre is one.
+constexpr int LongestConversion = 8;
+/// In millimetres: a nanometre and a kilometre.
+constexpr double SmallestLength = 1e-6;
+constexpr double LargestLength = 1e6;
+/// Factors are written with at least this relative accuracy (0.01745 for a degree, 1.9e-4); damaged digits are farther off.
+constexpr double FactorAccuracy = 5e-4;
+
+struct NamedFactor
+{
+  std::string_view Name;
+  double Factor;
+};
+const NamedFactor Prefixes[] = { { "EXA", 1e18 }, { "PETA", 1e15 }, { "TERA", 1e12 }, { "GIGA", 1e9 },
+  { "MEGA", 1e6 }, { "KILO", 1e3 }, { "HECTO", 1e2 }, { "DECA", 1e1 }, { "DECI", 1e-1 }, { "CENTI", 1e-2 },
+  { "MILLI", 1e-3 }, { "MICRO", 1e-6 }, { "NANO", 1e-9 }, { "PICO", 1e-12 }, { "FEMTO", 1e-15 },
+  { "ATTO", 1e-18 } };
+/// In millimetres and radians, by the names of ISO 10303-41 and those that are common.
+const NamedFactor Conversions[] = { { "INCH", 25.4 }, { "INCHES", 25.4 }, { "IN", 25.4 }, { "FOOT", 304.8 },
+  { "FEET", 304.8 }, { "FT", 304.8 }, { "YARD", 914.4 }, { "MILE", 1609344.0 }, { "MIL", 0.0254 },
+  { "MICROINCH", 25.4e-6 }, { "MICRON", 1e-3 }, { "MICROMETRE", 1e-3 }, { "MILLIMETRE", 1.0 },
+  { "MILLIMETER", 1.0 }, { "MM", 1.0 }, { "CENTIMETRE", 10.0 }, { "CENTIMETER", 10.0 }, { "CM", 10.0 },
+  { "METRE", 1e3 }, { "METER", 1e3 }, { "M", 1e3 }, { "KILOMETRE", 1e6 }, { "RADIAN", 1.0 },
+  { "DEGREE", 0.017453292519943295 }, { "DEGREES", 0.017453292519943295 }, { "DEG", 0.017453292519943295 },
+  { "GRAD", 0.015707963267948967 }, { "GON", 0.015707963267948967 } };
+
+template <std::size_t N>
+const NamedFactor* FindFactor(const NamedFactor (&table)[N], std::string_view name)
+{
+  std::string capitals(name);
+  for (char& c : capitals)
+  {
+    c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  }
+  for (const NamedFactor& entry : table)
+  {
+    if (entry.Name == capitals)
+    {
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+bool IsSame(double a, double b)
+{
+  return std::fabs(a - b) <= FactorAccuracy * std::fabs(b);
+}
+}
+
+int STEPCensusTaker::AddContext(Index representation)
+{
+  const Index context = this->Entities.Follow(this->Entities.Get(representation, ContextOfItems));
+  if (!this->Entities.Has(context, STEPRole::Context))
+  {
+    return -1;
+  }
+  const auto [found, added] =
+    this->ContextIndices.emplace(context, static_cast<int>(this->Census.Contexts.size()));
+  if (added)
+  {
+    this->Census.Contexts.emplace_back();
+    this->Census.Contexts.back().Id = this->File.GetId(context);
+    this->ReadUnits(context, this->Census.Contexts.back());
+    this->ReadUncertainty(context, this->Census.Contexts.back());
+  }
+  return found->second;
+}
+
+void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
+{
+  Part21Values units(this->Entities.Get(context, UnitsOfContext).Text);
+  for (Part21Value value; units.Next(value);)
+  {
+    const Index unit = this->Entities.Follow(value);
+    std::string_view record;
+    if (unit == None)
+    {
+      continue;
+    }
+    const bool length = this->Entities.FindRecord(unit, "LENGTH_UNIT", record);
+    const bool angle = this->Entities.FindRecord(unit, "PLANE_ANGLE_UNIT", record);
+    // Several units of a kind: the first one holds.
+    if (length && result.Length.Status == CensusUnit::State::Missing)
+    {
+      result.Length = this->ReadUnit(unit, true);
+    }
+    else if (angle && result.Angle.Status == CensusUnit::State::Missing)
+    {
+      result.Angle = this->ReadUnit(unit, false);
+    }
+  }
+}
+
+CensusUnit STEPCensusTaker::ReadUnit(Index unit, bool length)
+{
+  CensusUnit result;
+  result.Status = CensusUnit::State::Wrong;
+  result.Id = this->File.GetId(unit);
+  double factor = 1.0;
+  for (int k = 0; k < LongestConversion; ++k)
+  {
+    std::string_view record;
+    if (this->File.IsDamaged(unit))
+    {
+      return result;
+    }
+    this->Use(unit, CensusUse::Units);
+    if (this->Entities.FindRecord(unit, ConversionFactor.Record, record))
+    {
+      const Part21Value name = this->Entities.Get(unit, ConversionName);
+      result.Name += (k > 0 ? " of " : "") + std::string(name.Text);
+      double value = 0.0;
+      const Index measure = this->Entities.Follow(this->Entities.Get(unit, ConversionFactor));
+      if (measure == None || !this->ReadMeasure(measure, value, unit))
+      {
+        return result;
+      }
+      factor *= value;
+      continue;
+    }
+    const Part21Value prefix = this->Entities.Get(unit, Prefix);
+    const Part21Value name = this->Entities.Get(unit, SIName);
+    const NamedFactor* power =
+      prefix.Kind == Part21Kind::Enumeration ? FindFactor(Prefixes, prefix.Text) : nullptr;
+    if (name.Text != (length ? "METRE" : "RADIAN") || (!power && prefix.Kind != Part21Kind::Omitted))
+    {
+      return result;
+    }
+    result.Name += (k > 0 ? " of " : "") + (power ? std::string(power->Name) + " " : std::string());
+    result.Name += name.Text;
+    result.Factor = factor * (power ? power->Factor : 1.0) * (length ? 1e3 : 1.0);
+    break;
+  }
+  const NamedFactor* known =
+    FindFactor(Conversions, std::string_view(result.Name).substr(0, result.Name.find(" of ")));
+  if (!(result.Factor > 0.0) || !std::isfinite(result.Factor) ||
+    (known && !IsSame(result.Factor, known->Factor)))
+  {
+    return result;
+  }
+  const bool absurd = length
+    ? result.Factor < SmallestLength * (1 - 1e-9) || result.Factor > LargestLength * (1 + 1e-9)
+    : result.Factor < 1e-6 || result.Factor > 6.4;
+  result.Status = absurd ? CensusUnit::State::Absurd : CensusUnit::State::Stated;
+  return result;
+}
+
+/// `unit` becomes the unit of the measure.
+bool STEPCensusTaker::ReadMeasure(Index measure, double& value, Index& unit)
+{
+  if (!this->Entities.Has(measure, STEPRole::Measure) || this->File.IsDamaged(measure))
+  {
+    return false;
+  }
+  this->Use(measure, CensusUse::Units);
+  Part21Value number = this->Entities.Get(measure, MeasureValue);
+  if (number.Kind == Part21Kind::Typed)
+  {
+    number = GetPart21Value(number.Text, 0);
+  }
+  unit = this->Entities.Follow(this->Entities.Get(measure, MeasureUnit));
+  return unit != None && number.GetNumber(value);
+}
+
+void STEPCensusTaker::ReadUncertainty(Index context, CensusContext& result)
+{
+  Part21Values values(this->Entities.Get(context, UncertaintiesOfContext).Text);
+  for (Part21Value value; values.Next(value);)
+  {
+    const Index measure = this->Entities.Follow(value);
+    double number = 0.0;
+    Index unit = None;
+    std::string_view record;
+    if (measure == None || !this->ReadMeasure(measure, number, unit) ||
+      !this->Entities.FindRecord(unit, "LENGTH_UNIT", record))
+    {
+      continue;
+    }
+    number *= this->ReadUnit(unit, true).Factor;
+    if (!(number <= result.Uncertainty))
+    {
+      result.Uncertainty = number;
+      result.UncertaintyId = this->File.GetId(measure);
+    }
+  }
+}
+
+void STEPCensusTaker::ReportUnits()
+{
+  for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
+  {
+    const CensusBody& body = this->Census.Bodies[k];
+    if (body.Instances == 0 ||
+      (body.Kind != CensusBodyKind::Solid && body.Kind != CensusBodyKind::SurfaceModel))
+    {
+      continue;
+    }
+    if (body.Context < 0)
+    {
+      this->Add(CensusDefect::MissingUnit, this->BodyEntities[k], 0, "context");
+    }
+    else
+    {
+      this->Census.Contexts[body.Context].Used = true;
+    }
+  }
+  for (const CensusContext& context : this->Census.Contexts)
+  {
+    const std::pair<const CensusUnit*, const char*> units[] = { { &context.Length, "length unit" },
+      { &context.Angle, "angle unit" } };
+    for (const auto& [unit, place] : units)
+    {
+      const Index entity = this->File.Find(context.Id);
+      if (!context.Used || unit->Status == CensusUnit::State::Stated)
+      {
+        continue;
+      }
+      const CensusDefect defect = unit->Status == CensusUnit::State::Missing ? CensusDefect::MissingUnit
+        : unit->Status == CensusUnit::State::Wrong                           ? CensusDefect::WrongUnit
+                                                                             : CensusDefect::AbsurdUnit;
+      this->Add(defect, entity, unit->Id, place);
+    }
+  }
+  for (const auto& [entity, index] : this->ContextIndices)
+  {
+    if (this->Census.Contexts[index].Used)
+    {
+      this->Use(entity, CensusUse::Units);
+      if (this->File.IsDamaged(entity))
+      {
+        this->Add(CensusDefect::DamagedEntity, entity, 0, "context");
+      }
+    }
+  }
+}
+}

@@ -1,0 +1,466 @@
+#include "smCensusCases.h"
+
+#include <stdexcept>
+
+namespace smtest
+{
+namespace
+{
+const char Ball[] = R"(#1=APPLICATION_CONTEXT('');
+#2=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));
+#3=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));
+#4=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());
+#5=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),#2,'distance_accuracy_value','');
+#6=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#5))GLOBAL_UNIT_ASSIGNED_CONTEXT((#2,#3,#4))REPRESENTATION_CONTEXT('',''));
+#20=CARTESIAN_POINT('',(0.,0.,0.));
+#21=DIRECTION('',(0.,0.,1.));
+#22=DIRECTION('',(1.,0.,0.));
+#23=AXIS2_PLACEMENT_3D('',#20,#21,#22);
+#24=SPHERICAL_SURFACE('',#23,5.);
+#26=CARTESIAN_POINT('',(0.,0.,5.));
+#25=VERTEX_POINT('',#26);
+#27=VERTEX_LOOP('',#25);
+#28=FACE_BOUND('',#27,.T.);
+#29=ADVANCED_FACE('',(#28),#24,.T.);
+#30=CLOSED_SHELL('',(#29));
+#31=MANIFOLD_SOLID_BREP('ball',#30);
+#32=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#23,#31),#6);
+#40=PRODUCT_CONTEXT('',#1,'mechanical');
+#41=PRODUCT('ball','ball','',(#40));
+#42=PRODUCT_DEFINITION_FORMATION('','',#41);
+#43=PRODUCT_DEFINITION_CONTEXT('part definition',#1,'design');
+#44=PRODUCT_DEFINITION('design','',#42,#43);
+#45=PRODUCT_DEFINITION_SHAPE('','',#44);
+#46=SHAPE_DEFINITION_REPRESENTATION(#45,#32);
+)";
+
+/// A product with a shape of its own, in which the ball occurs once.
+const char Assembly[] = R"(#50=PRODUCT('box','box','',(#40));
+#51=PRODUCT_DEFINITION_FORMATION('','',#50);
+#52=PRODUCT_DEFINITION('design','',#51,#43);
+#53=PRODUCT_DEFINITION_SHAPE('','',#52);
+#54=SHAPE_REPRESENTATION('',(#23),#6);
+#55=SHAPE_DEFINITION_REPRESENTATION(#53,#54);
+#60=NEXT_ASSEMBLY_USAGE_OCCURRENCE('1','first','',#52,#44,$);
+#61=PRODUCT_DEFINITION_SHAPE('','',#60);
+#62=ITEM_DEFINED_TRANSFORMATION('','',#23,#23);
+#63=(REPRESENTATION_RELATIONSHIP('','',#32,#54)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#62)SHAPE_REPRESENTATION_RELATIONSHIP());
+#64=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#63,#61);
+)";
+
+const char OneBall[] =
+  "solids 1, instances 1, faces 1, surface models 0 with faces 0, other solids 0, occurrences 0, mapped 0";
+const char OneInBox[] =
+  "solids 1, instances 1, faces 1, surface models 0 with faces 0, other solids 0, occurrences 1, mapped 0";
+
+std::string ChangeBall(const std::string& from, const std::string& to)
+{
+  return MakeStepText(Replace(GetBallText(), from, to));
+}
+
+std::string ExtendBall(const std::string& from, const std::string& to, const std::string& more)
+{
+  return MakeStepText(Replace(GetBallText(), from, to) + more);
+}
+
+std::string ChangeBox(const std::string& from, const std::string& to)
+{
+  return MakeStepText(GetBallText() + Replace(Assembly, from, to));
+}
+}
+
+std::string GetBallText()
+{
+  return Ball;
+}
+
+std::string MakeStepText(const std::string& data)
+{
+  return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
+         "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n" +
+    data + "ENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+std::string Replace(std::string text, const std::string& from, const std::string& to)
+{
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos)
+  {
+    throw std::logic_error("a test's text has no " + from);
+  }
+  return text.replace(at, from.size(), to);
+}
+
+std::vector<CensusCase> GetBodyCases()
+{
+  const std::string curve =
+    "#70=B_SPLINE_CURVE_WITH_KNOTS('',2,(#20,#26,#20),.UNSPECIFIED.,.F.,.F.,(3,3),(0.,1.),.UNSPECIFIED.);\n"
+    "#71=EDGE_CURVE('',#25,#25,#70,.T.);\n#72=ORIENTED_EDGE('',*,*,#71,.T.);\n#27=EDGE_LOOP('',(#72));\n";
+  const std::string loop = "#27=VERTEX_LOOP('',#25);\n";
+  const std::string rational =
+    "#70=(BOUNDED_CURVE()B_SPLINE_CURVE(2,(#20,#26,#20),.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((3,3)"
+    ",(0.,1.),"
+    ".UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.,0.5,1.))REPRESENTATION_"
+    "ITEM(''));\n"
+    "#71=EDGE_CURVE('',#25,#25,#70,.T.);\n#72=ORIENTED_EDGE('',*,*,#71,.T.);\n#27=EDGE_LOOP('',(#72));\n";
+  const std::string surface = "#24=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#20,#26),(#20,#26)),.UNSPECIFIED.,.F."
+                              ",.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.),"
+                              ".UNSPECIFIED.);\n";
+  const std::string sphere = "#24=SPHERICAL_SURFACE('',#23,5.);\n";
+  const std::string second =
+    "#70=VERTEX_LOOP('',#25);\n#71=FACE_BOUND('',#70,.T.);\n#72=ADVANCED_FACE('',(#71),#24,.T.);\n"
+    "#73=CLOSED_SHELL('',(#72));\n";
+  const std::string solid = "#31=MANIFOLD_SOLID_BREP('ball',#30);";
+  return {
+    { "a ball", ChangeBall("ball", "ball"), OneBall, "" },
+    { "a solid of a complex instance",
+      ChangeBall(solid,
+        "#31=(BREP_WITH_VOIDS((#73))FACETED_BREP()GEOMETRIC_REPRESENTATION_ITEM()MANIFOLD_SOLID_BREP(#30)"
+        "REPRESENTATION_ITEM('x')SOLID_MODEL());\n" +
+          second),
+      "solids 1, instances 1, faces 2, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "" },
+    { "a void",
+      ExtendBall(solid, "#31=BREP_WITH_VOIDS('ball',#30,(#80));",
+        second + "#80=ORIENTED_CLOSED_SHELL('',*,#73,.F.);\n"),
+      "solids 1, instances 1, faces 2, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "" },
+    { "an oriented shell of itself",
+      ExtendBall(
+        solid, "#31=BREP_WITH_VOIDS('ball',#30,(#80));", "#80=ORIENTED_CLOSED_SHELL('',*,#80,.F.);\n"),
+      OneBall, "cyclic reference: 2 (#80 ORIENTED_CLOSED_SHELL voids #80, #31 BREP_WITH_VOIDS voids #80)" },
+    { "an oriented face", ExtendBall("(#29))", "(#80))", "#80=ORIENTED_FACE('',*,#29,.F.);\n"), OneBall, "" },
+    { "a faceted solid", ExtendBall(loop, "#27=POLY_LOOP('',(#20,#26,#26));\n", ""), OneBall, "" },
+    { "a surface model", ChangeBall(solid, "#31=SHELL_BASED_SURFACE_MODEL('',(#30));"),
+      "solids 0, instances 0, faces 0, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
+      "0",
+      "" },
+    { "a shell as an item", ChangeBall("(#23,#31)", "(#23,#30)"),
+      "solids 0, instances 0, faces 0, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
+      "0",
+      "used by nothing: 1 (#31 MANIFOLD_SOLID_BREP)" },
+    { "a face as an item", ChangeBall("(#23,#31)", "(#23,#29)"),
+      "solids 0, instances 0, faces 0, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
+      "0",
+      "used by nothing: 1 (#31 MANIFOLD_SOLID_BREP)" },
+    { "a set of curves",
+      ExtendBall(
+        "(#23,#31)", "(#23,#31,#80)", "#80=GEOMETRIC_CURVE_SET('',(#81));\n#81=CIRCLE('',#23,-1.);\n"),
+      OneBall, "" },
+    { "a solid without faces",
+      ExtendBall("(#23,#31)", "(#23,#80)", "#80=CSG_SOLID('',#81);\n#81=BLOCK('',#23,1.,1.,1.);\n"),
+      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 1, occurrences 0, mapped "
+      "0",
+      "used by nothing: 1 (#31 MANIFOLD_SOLID_BREP)" },
+    { "triangles", ExtendBall("(#23,#31)", "(#23,#31,#80)", "#80=TESSELLATED_SOLID('',(#81),$);\n"), OneBall,
+      "" },
+    { "the solid twice", ChangeBall("(#23,#31)", "(#31,#23,#31)"), OneBall,
+      "item twice in a representation: 1 (#32 ADVANCED_BREP_SHAPE_REPRESENTATION items #31)" },
+    { "an undefined item", ChangeBall("(#23,#31)", "(#23,#31,#99)"), OneBall,
+      "undefined reference: 1 (#32 ADVANCED_BREP_SHAPE_REPRESENTATION items #99)" },
+    { "damaged text beside the solid",
+      ExtendBall("(#23,#31)", "(#23,#31,#80)", "#80=TEXT_LITERAL('',#99,#81,3);\n#81=X(;\n"), OneBall, "" },
+    { "no solid in the representation", ChangeBall("(#23,#31)", "(#23)"),
+      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "used by nothing: 1 (#31 MANIFOLD_SOLID_BREP)" },
+    { "an undefined shell", ChangeBall("'ball',#30)", "'ball',#99)"),
+      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "undefined reference: 1 (#31 MANIFOLD_SOLID_BREP); used by nothing: 1 (#30 CLOSED_SHELL)" },
+    { "a shell that is a face", ChangeBall("'ball',#30)", "'ball',#29)"),
+      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "wrong type: 1 (#31 MANIFOLD_SOLID_BREP #29); used by nothing: 1 (#30 CLOSED_SHELL)" },
+    { "no shell", ChangeBall("'ball',#30)", "'ball',$)"),
+      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "wrong parameter: 1 (#31 MANIFOLD_SOLID_BREP a reference is expected); used by nothing: 1 (#30 "
+      "CLOSED_SHELL)" },
+    { "a parameter too few", ChangeBall("'ball',#30)", "'ball')"),
+      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "wrong parameter: 1 (#31 MANIFOLD_SOLID_BREP too few parameters); used by nothing: 1 (#30 "
+      "CLOSED_SHELL)" },
+    { "a parameter too many", ChangeBall("'ball',#30)", "'ball',#30,1)"), OneBall,
+      "wrong parameter: 1 (#31 MANIFOLD_SOLID_BREP too many parameters)" },
+    { "an undefined face", ChangeBall("(#29))", "(#29,#99))"), OneBall,
+      "undefined reference: 1 (#30 CLOSED_SHELL)" },
+    { "a face twice", ChangeBall("(#29))", "(#29,#29))"), OneBall,
+      "face twice in a shell: 1 (#30 CLOSED_SHELL faces #29)" },
+    { "an empty shell", ChangeBall("(#29))", "())"),
+      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "wrong parameter: 1 (#30 CLOSED_SHELL a list with members is expected); used by nothing: 1 (#29 "
+      "ADVANCED_FACE); shell without faces: 1 (#30 CLOSED_SHELL faces)" },
+    { "a face in no shell", ExtendBall("ball", "ball", Replace(second, "#73=CLOSED_SHELL('',(#72));\n", "")),
+      OneBall, "used by nothing: 1 (#72 ADVANCED_FACE)" },
+    { "a bound of two faces",
+      ExtendBall(
+        "(#29))", "(#29,#72))", Replace(second.substr(0, second.find("#73")), "(#71),#24", "(#28),#24")),
+      "solids 1, instances 1, faces 2, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "bound of two faces: 1 (#72 ADVANCED_FACE bounds #28); used by nothing: 1 (#71 FACE_BOUND)" },
+    { "the number of a face twice", ExtendBall("ball", "ball", "#29=ADVANCED_FACE('',(#28),#24,.F.);\n"),
+      OneBall, "damaged entity: 1 (#29 ADVANCED_FACE); used by nothing: 1 (#29 ADVANCED_FACE)" },
+    { "a bound without a bracket", ChangeBall("('',#27,.T.);", "('',#27,.T.;"), OneBall,
+      "damaged entity: 1 (#28 FACE_BOUND)" },
+    { "a sense that is none", ChangeBall("('',#27,.T.)", "('',#27,.U.)"), OneBall,
+      "wrong parameter: 1 (#28 FACE_BOUND .T. or .F. is expected)" },
+    { "an undefined loop", ChangeBall("('',#27,.T.)", "('',#97,.T.)"), OneBall,
+      "undefined reference: 1 (#28 FACE_BOUND); used by nothing: 1 (#27 VERTEX_LOOP)" },
+    { "a surface that is a point", ChangeBall("(#28),#24", "(#28),#26"), OneBall,
+      "wrong type: 1 (#29 ADVANCED_FACE #26)" },
+    { "a negative radius", ChangeBall("#23,5.)", "#23,-5.)"), OneBall,
+      "value out of range: 1 (#24 SPHERICAL_SURFACE not above 0)" },
+    { "a radius of zero", ChangeBall("#23,5.)", "#23,0.)"), OneBall,
+      "value out of range: 1 (#24 SPHERICAL_SURFACE not above 0)" },
+    { "an endless radius", ChangeBall("#23,5.)", "#23,5.E999)"), OneBall,
+      "value out of range: 1 (#24 SPHERICAL_SURFACE not above 0)" },
+    { "a radius that is text", ChangeBall("#23,5.)", "#23,'5.')"), OneBall,
+      "wrong parameter: 1 (#24 SPHERICAL_SURFACE a number is expected)" },
+    { "a direction without length", ChangeBall("(1.,0.,0.)", "(0.,-0.,0.E5)"), OneBall,
+      "value out of range: 1 (#22 DIRECTION a direction without length)" },
+    { "a point of two coordinates", ChangeBall("(0.,0.,5.)", "(0.,5.)"), OneBall,
+      "value out of range: 1 (#26 CARTESIAN_POINT number of coordinates)" },
+    { "a coordinate that is a reference", ChangeBall("(0.,0.,5.)", "(0.,0.,#5)"), OneBall,
+      "wrong parameter: 1 (#26 CARTESIAN_POINT a number is expected #5)" },
+    { "a coordinate that is too large", ChangeBall("(0.,0.,5.)", "(0.,0.,5.E400)"), OneBall,
+      "value out of range: 1 (#26 CARTESIAN_POINT too large a number)" },
+    { "a spline", ChangeBall(loop, curve), OneBall, "" },
+    { "a multiplicity too large", ChangeBall(loop, Replace(curve, "(3,3)", "(3,4)")), OneBall,
+      "inconsistent spline: 1 (#70 B_SPLINE_CURVE_WITH_KNOTS multiplicities)" },
+    { "a multiplicity too small", ChangeBall(loop, Replace(curve, "(3,3)", "(3,2)")), OneBall,
+      "inconsistent spline: 1 (#70 B_SPLINE_CURVE_WITH_KNOTS multiplicities)" },
+    { "a multiplicity too few", ChangeBall(loop, Replace(curve, "(3,3)", "(3)")), OneBall,
+      "inconsistent spline: 1 (#70 B_SPLINE_CURVE_WITH_KNOTS knots)" },
+    { "equal knots", ChangeBall(loop, Replace(curve, "(0.,1.)", "(1.,1.)")), OneBall,
+      "inconsistent spline: 1 (#70 B_SPLINE_CURVE_WITH_KNOTS knots)" },
+    { "another degree", ChangeBall(loop, Replace(curve, "',2,", "',1,")), OneBall,
+      "inconsistent spline: 1 (#70 B_SPLINE_CURVE_WITH_KNOTS multiplicities)" },
+    { "a pole too few", ChangeBall(loop, Replace(curve, "(#20,#26,#20)", "(#20,#26)")), OneBall,
+      "inconsistent spline: 1 (#70 B_SPLINE_CURVE_WITH_KNOTS multiplicities)" },
+    { "a rational spline", ChangeBall(loop, rational), OneBall, "" },
+    { "a weight too few", ChangeBall(loop, Replace(rational, "(1.,0.5,1.)", "(1.,0.5)")), OneBall,
+      "inconsistent spline: 1 (#70 BOUNDED_CURVE weights)" },
+    { "a negative weight", ChangeBall(loop, Replace(rational, "(1.,0.5,1.)", "(1.,-0.5,1.)")), OneBall,
+      "value out of range: 1 (#70 BOUNDED_CURVE not above 0)" },
+    { "a spline surface", ChangeBall(sphere, surface), OneBall, "" },
+    { "rows of different lengths",
+      ChangeBall(sphere, Replace(surface, "((#20,#26),(#20,#26))", "((#20,#26),(#20,#26,#20))")), OneBall,
+      "inconsistent spline: 1 (#24 B_SPLINE_SURFACE_WITH_KNOTS control points)" },
+    { "knots of a surface", ChangeBall(sphere, Replace(surface, "(0.,1.),(0.,1.)", "(0.,1.),(1.,0.)")),
+      OneBall, "inconsistent spline: 1 (#24 B_SPLINE_SURFACE_WITH_KNOTS knots)" },
+  };
+}
+
+std::vector<CensusCase> GetAssemblyCases()
+{
+  return {
+    { "an assembly", ChangeBox("box", "box"), OneInBox, "" },
+    { "three occurrences",
+      ChangeBox("#62=",
+        "#70=NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','','',#52,#44,$);\n#71=PRODUCT_DEFINITION_SHAPE('','',#70);"
+        "\n#72=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#63,#71);\n#73=NEXT_ASSEMBLY_USAGE_OCCURRENCE('3','',''"
+        ",#52,#44,$);\n#74=PRODUCT_DEFINITION_SHAPE('','',#73);\n#75=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#"
+        "63,#74);\n#62="),
+      "solids 1, instances 3, faces 1, surface models 0 with faces 0, other solids 0, occurrences 3, mapped "
+      "0",
+      "" },
+    { "an occurrence without a placement",
+      ChangeBox("#64=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#63,#61);\n", ""), OneInBox,
+      "missing placement: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE no placement)" },
+    { "a placement without a transformation",
+      ChangeBox("#63=(REPRESENTATION_RELATIONSHIP('','',#32,#54)REPRESENTATION_RELATIONSHIP_WITH_"
+                "TRANSFORMATION(#62)SHAPE_REPRESENTATION_RELATIONSHIP());",
+        "#63=SHAPE_REPRESENTATION_RELATIONSHIP('','',#32,#54);"),
+      OneInBox, "missing placement: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE no transformation #64)" },
+    { "representations the other way round", ChangeBox("#32,#54)R", "#54,#32)R"), OneInBox, "" },
+    { "a placement of other products", ChangeBox("#32,#54)R", "#54,#54)R"), OneInBox,
+      "placement of other products: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE representations of other products "
+      "#64)" },
+    { "an undefined parent", ChangeBox("#52,#44,$", "#99,#44,$"), OneInBox,
+      "undefined reference: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE relating product #99)" },
+    { "a child that is a shape", ChangeBox("#52,#44,$", "#52,#32,$"), OneInBox,
+      "wrong type: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE related product #32)" },
+    { "a product in itself", ChangeBox("#52,#44,$", "#52,#52,$"), OneInBox,
+      "assembly contains itself: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE contains itself #52); placement of "
+      "other products: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE representations of other products #64)" },
+    { "two products in each other",
+      ChangeBox("#62=", "#70=NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','','',#44,#52,$);\n#62="),
+      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 2, mapped "
+      "0",
+      "assembly contains itself: 2 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE contains itself #44, #70 "
+      "NEXT_ASSEMBLY_USAGE_OCCURRENCE contains itself #52); missing placement: 1 (#70 "
+      "NEXT_ASSEMBLY_USAGE_OCCURRENCE no placement); in no product: 1 (#31 MANIFOLD_SOLID_BREP)" },
+    { "an undefined transformation", ChangeBox("TRANSFORMATION(#62)", "TRANSFORMATION(#98)"), OneInBox,
+      "undefined reference: 1 (#63 REPRESENTATION_RELATIONSHIP transformation #98)" },
+    { "a transformation by a point", ChangeBox("',#23,#23)", "',#23,#20)"), OneInBox,
+      "wrong type: 1 (#62 ITEM_DEFINED_TRANSFORMATION #20)" },
+    { "a shape definition of nothing", ChangeBall("(#45,#32)", "(#45,#99)"), OneBall,
+      "undefined reference: 1 (#46 SHAPE_DEFINITION_REPRESENTATION representation #99)" },
+    { "no shape definition", ChangeBall("#46=SHAPE_DEFINITION_REPRESENTATION(#45,#32);\n", ""), OneBall, "" },
+    { "a solid in no product",
+      ChangeBox("#54=",
+        "#80=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#81),#6);\n#81=MANIFOLD_SOLID_BREP('',#30);\n#54="),
+      OneInBox, "in no product: 1 (#81 MANIFOLD_SOLID_BREP)" },
+    { "shapes that are one",
+      ExtendBall("(#45,#32)", "(#45,#80)",
+        "#80=SHAPE_REPRESENTATION('',(#23),#6);\n#81=SHAPE_REPRESENTATION_RELATIONSHIP('','',#80,#32);\n"),
+      OneBall, "" },
+    { "shapes that are one, both with the solid",
+      ExtendBall("(#45,#32)", "(#45,#80)",
+        "#80=SHAPE_REPRESENTATION('',(#23,#31),#6);\n#81=SHAPE_REPRESENTATION_RELATIONSHIP('','',#32,#80);"
+        "\n"),
+      OneBall, "" },
+    { "a relationship to nothing",
+      ExtendBall("(#45,#32)", "(#45,#80)",
+        "#80=SHAPE_REPRESENTATION('',(#23),#6);\n#81=SHAPE_REPRESENTATION_RELATIONSHIP('','',#80,#99);\n"),
+      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "undefined reference: 1 (#81 SHAPE_REPRESENTATION_RELATIONSHIP second representation #99); in no "
+      "product: 1 (#31 MANIFOLD_SOLID_BREP)" },
+    { "a shape placed in a shape",
+      ExtendBall("(#45,#32)", "(#45,#80)",
+        "#80=SHAPE_REPRESENTATION('',(#23),#6);\n#81=(REPRESENTATION_RELATIONSHIP('','',#32,#80)"
+        "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#82)SHAPE_REPRESENTATION_RELATIONSHIP());\n#82=ITEM_"
+        "DEFINED_TRANSFORMATION('','',#23,#23);\n"),
+      OneBall, "" },
+    { "two mapped items",
+      ExtendBall("(#45,#32)", "(#45,#80)",
+        "#80=SHAPE_REPRESENTATION('',(#23,#81,#82),#6);\n#81=MAPPED_ITEM('',#83,#23);\n#82=MAPPED_ITEM('',#"
+        "83,#23);\n#83=REPRESENTATION_MAP(#23,#32);\n"),
+      "solids 1, instances 2, faces 1, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "2",
+      "" },
+    { "a mapped item of nothing",
+      ExtendBall("(#45,#32)", "(#45,#80)",
+        "#80=SHAPE_REPRESENTATION('',(#23,#81),#6);\n#81=MAPPED_ITEM('',#83,#23);\n#83=REPRESENTATION_MAP(#"
+        "23,#99);\n"),
+      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "undefined reference: 1 (#83 REPRESENTATION_MAP mapped representation #99); in no product: 1 (#31 "
+      "MANIFOLD_SOLID_BREP)" },
+    { "a mapped item of itself",
+      ExtendBall(
+        "(#23,#31)", "(#23,#31,#81)", "#81=MAPPED_ITEM('',#83,#23);\n#83=REPRESENTATION_MAP(#23,#32);\n"),
+      "solids 1, instances 1, faces 1, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "1",
+      "assembly contains itself: 1 (#81 MAPPED_ITEM contains itself #32)" },
+    { "a mapped item at a point",
+      ExtendBall("(#45,#32)", "(#45,#80)",
+        "#80=SHAPE_REPRESENTATION('',(#23,#81),#6);\n#81=MAPPED_ITEM('',#83,#20);\n#83=REPRESENTATION_MAP(#"
+        "23,#32);\n"),
+      "solids 1, instances 1, faces 1, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "1",
+      "wrong type: 1 (#81 MAPPED_ITEM mapping target #20)" },
+    { "no products", MakeStepText(GetBallText().substr(0, GetBallText().find("#40="))), OneBall, "" },
+    { "no products, mapped",
+      MakeStepText(GetBallText().substr(0, GetBallText().find("#40=")) +
+        "#80=SHAPE_REPRESENTATION('',(#81,#82),#6);\n#81=MAPPED_ITEM('',#83,#23);\n#82=MAPPED_ITEM('',#83,#"
+        "23);\n#83=REPRESENTATION_MAP(#23,#32);\n"),
+      "solids 1, instances 2, faces 1, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "2",
+      "" },
+    { "a damaged occurrence", ChangeBox("'first','',#52", "'first',,#52"), OneInBox,
+      "damaged entity: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE); wrong parameter: 2 (#60 "
+      "NEXT_ASSEMBLY_USAGE_OCCURRENCE relating product, #60 NEXT_ASSEMBLY_USAGE_OCCURRENCE related "
+      "product)" },
+    { "the shape of a feature",
+      ExtendBall("ball", "ball",
+        "#80=SHAPE_ASPECT('','',#45,.T.);\n#81=PROPERTY_DEFINITION('','',#80);\n#82=SHAPE_DEFINITION_"
+        "REPRESENTATION(#81,#83);\n#83=SHAPE_REPRESENTATION('',(#29),#6);\n"),
+      OneBall, "" },
+    { "17 levels of two", MakeBomb(17),
+      "solids 1, instances 131072, faces 1, surface models 0 with faces 0, other solids 0, occurrences 34, "
+      "mapped 0",
+      "" },
+    { "70 levels of two", MakeBomb(70),
+      "solids 1, instances at least 18446744073709551615, faces 1, surface models 0 with faces 0, other "
+      "solids 0, occurrences 140, mapped 0",
+      "" },
+  };
+}
+
+std::vector<CensusCase> GetUnitCases()
+{
+  const std::string unit = "#2=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));";
+  const auto inch = [&unit](const std::string& factor)
+  {
+    return ExtendBall(unit, "#2=(CONVERSION_BASED_UNIT('INCH',#70)LENGTH_UNIT()NAMED_UNIT(#72));",
+      "#70=LENGTH_MEASURE_WITH_UNIT(" + factor +
+        ",#71);\n#71=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n#72=DIMENSIONAL_EXPONENTS(1.,0.,"
+        "0.,0.,0.,0.,0.);\n");
+  };
+  return {
+    { "millimetres", ChangeBall("ball", "ball"), OneBall, "" },
+    { "inches", inch("LENGTH_MEASURE(25.4)"), OneBall, "" },
+    { "inches without a type", inch("25.4"), OneBall, "" },
+    { "negative inches", inch("LENGTH_MEASURE(-25.4)"), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "inches of zero", inch("LENGTH_MEASURE(0.)"), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "inches of 25.43", inch("LENGTH_MEASURE(25.43)"), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "inches without a number", inch("LENGTH_MEASURE('25.4')"), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "an inch of inches", Replace(inch("LENGTH_MEASURE(25.4)"), "#71);", "#2);"), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "no length unit", ChangeBall("((#2,#3,#4))", "((#3,#4))"), OneBall,
+      "missing unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit)" },
+    { "no angle unit", ChangeBall("((#2,#3,#4))", "((#2,#4))"), OneBall,
+      "missing unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT angle unit)" },
+    { "no units", ChangeBall("GLOBAL_UNIT_ASSIGNED_CONTEXT((#2,#3,#4))", ""), OneBall,
+      "missing unit: 2 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit, #6 GEOMETRIC_REPRESENTATION_CONTEXT "
+      "angle unit)" },
+    { "no context", ChangeBall("(#23,#31),#6)", "(#23,#31),$)"), OneBall,
+      "missing unit: 1 (#31 MANIFOLD_SOLID_BREP context)" },
+    { "an undefined unit", ChangeBall("((#2,#3,#4))", "((#99,#3,#4))"), OneBall,
+      "damaged entity: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT context); missing unit: 1 (#6 "
+      "GEOMETRIC_REPRESENTATION_CONTEXT length unit)" },
+    { "a prefix that is none", ChangeBall(".MILLI.", ".MILLY."), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "petametres", ChangeBall(".MILLI.", ".PETA."), OneBall,
+      "absurd unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "grams", ChangeBall(".METRE.", ".GRAM."), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "a damaged unit", ChangeBall("(.MILLI.,.METRE.));", "(.MILLI.,.METRE.);"), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "a damaged context", ChangeBall("GLOBAL_UNIT_ASSIGNED_CONTEXT((#2", "*) ((#2"), OneBall,
+      "damaged entity: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT context); missing unit: 2 (#6 "
+      "GEOMETRIC_REPRESENTATION_CONTEXT length unit, #6 GEOMETRIC_REPRESENTATION_CONTEXT angle unit)" },
+  };
+}
+
+std::string MakeBomb(int levels)
+{
+  std::string text = Ball;
+  int product = 44;
+  int shape = 32;
+  for (int level = 0; level < levels; ++level)
+  {
+    const int base = 100 + 20 * level;
+    const auto id = [base](int k) { return "#" + std::to_string(base + k); };
+    const std::string below = "#" + std::to_string(product);
+    const std::string shapeBelow = "#" + std::to_string(shape);
+    text += id(0) + "=PRODUCT_DEFINITION('','',#42,#43);\n" + id(1) + "=PRODUCT_DEFINITION_SHAPE('',''," +
+      id(0) + ");\n" + id(2) + "=SHAPE_REPRESENTATION('',(#23),#6);\n" + id(3) +
+      "=SHAPE_DEFINITION_REPRESENTATION(" + id(1) + "," + id(2) + ");\n";
+    for (int k = 4; k <= 12; k += 8)
+    {
+      text += id(k) + "=NEXT_ASSEMBLY_USAGE_OCCURRENCE('','',''," + id(0) + "," + below + ",$);\n" +
+        id(k + 1) + "=PRODUCT_DEFINITION_SHAPE('',''," + id(k) + ");\n" + id(k + 2) +
+        "=ITEM_DEFINED_TRANSFORMATION('','',#23,#23);\n" + id(k + 3) +
+        "=(REPRESENTATION_RELATIONSHIP('',''," + shapeBelow + "," + id(2) +
+        ")REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(" + id(k + 2) +
+        ")SHAPE_REPRESENTATION_RELATIONSHIP());\n" + id(k + 4) + "=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(" +
+        id(k + 3) + "," + id(k + 1) + ");\n";
+    }
+    product = base;
+    shape = base + 2;
+  }
+  return MakeStepText(text);
+}
+}
