@@ -90,6 +90,20 @@ double GetLargestClosureResidual(
                      : options.LargestClosureResidual;
 }
 
+/// Flags a body whose volume changes too much when its gaps are closed. A boundary that is off by the uncertainty of the file everywhere
+/// changes the volume by that times the area.
+void CheckClosureCorrection(BodyIntegrals& body, const MassRow& row, double limit)
+{
+  const double volume = std::abs(body.Value[MassVolume]);
+  const double excuse = body.Model->GetFileUncertainty() * body.Value[MassArea];
+  if (body.OpenEdges == 0 && row.ClosureCorrection > GetExcused(limit, volume, excuse))
+  {
+    body.Flag(Status::Suspect,
+      "closing the gaps between its faces changes the volume by " +
+        FormatDigits(100.0 * row.ClosureCorrection / volume, 2) + " %");
+  }
+}
+
 /// Computes the properties of a body that encloses a volume. Returns false if the body turns out to be a surface.
 bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, MassRow& row, Moments& moments)
 {
@@ -127,6 +141,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
               " of itself when the origin moves by its cube root"
                                             : std::string()));
   }
+  CheckClosureCorrection(body, row, options.GapLimit);
   CheckPlausibility(body, row.Properties);
   return true;
 }

@@ -28,6 +28,8 @@ struct MassAnalysisOptions
   /// Largest closure residual at which a surface without open edges counts as closed. If there are bounds, a larger residual of a
   /// solid indicates a broken loop.
   double LargestClosureResidual = 1e-9;
+  /// As vtkSurfaceIntegralBase::SetGapLimit().
+  double GapLimit = 1e-3;
 };
 
 /// The results of all bodies of a run.

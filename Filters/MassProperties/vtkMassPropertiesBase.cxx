@@ -118,6 +118,7 @@ void vtkMassPropertiesBase::ResetResults()
 void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
 {
   sm::MassAnalysisOptions options = this->MakeAnalysisOptions();
+  options.GapLimit = this->GapLimit;
   options.Density = this->Density;
   *this->Analysis = sm::AnalyzeMass(bodies, options);
   sm::RunReport& report = this->GetEngine().GetReport();

@@ -314,6 +314,7 @@ void vtkTrimmedNURBSModel::ShallowCopy(vtkTrimmedNURBSModel* source)
   this->Density = source->Density;
   this->FileVolume = source->FileVolume;
   this->FileArea = source->FileArea;
+  this->FileUncertainty = source->FileUncertainty;
   this->NumberOfMissingFaces = source->NumberOfMissingFaces;
   this->NumberOfDefects = source->NumberOfDefects;
   for (int i = 0; i < 3; ++i)

@@ -70,6 +70,11 @@ public:
   vtkSetMacro(FileArea, double);
   vtkGetMacro(FileArea, double);
 
+  /** Accuracy of coordinates that the file states for the body (UNCERTAINTY_MEASURE_WITH_UNIT), in LengthUnit; 0 when it states
+   * none. It excuses gaps; see vtkSurfaceIntegralBase::SetGapLimit(). */
+  vtkSetMacro(FileUncertainty, double);
+  vtkGetMacro(FileUncertainty, double);
+
   /** Faces of the file that could not be carried over and are missing here; GetMessages() names them. Default 0. */
   vtkSetMacro(NumberOfMissingFaces, int);
   vtkGetMacro(NumberOfMissingFaces, int);
@@ -189,6 +194,7 @@ private:
   double Density = 0.0;
   double FileVolume;
   double FileArea;
+  double FileUncertainty = 0.0;
   int NumberOfMissingFaces = 0;
   int NumberOfDefects = 0;
   double Origin[3] = { 0.0, 0.0, 0.0 };

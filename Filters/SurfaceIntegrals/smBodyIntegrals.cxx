@@ -209,8 +209,7 @@ void SetUnknown(BodyIntegrals& body, std::size_t integrands)
   body.Bound.assign(integrands, nan);
   body.GapSquared = body.GapArea = body.MaxGap = nan;
   CheckTopology(body);
-  // A value without a bound meets no tolerance.
-  body.Flag(Status::ToleranceNotMet, "nothing was computed");
+  body.Flag(Status::NotComputed, "nothing was computed");
 }
 
 void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
@@ -307,7 +306,12 @@ void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands)
   }
 }
 
-void MeasureEdges(std::vector<BodyIntegrals>& bodies)
+double GetExcused(double limit, double size, double excuse)
+{
+  return std::max(limit * size, std::min(excuse, 10.0 * limit * size));
+}
+
+void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)
 {
   using Key = std::pair<vtkTrimmedNURBSModel*, const std::vector<FaceIntegrals>*>;
   std::map<Key, std::shared_ptr<const std::vector<EdgeGap>>> known;
@@ -319,9 +323,16 @@ void MeasureEdges(std::vector<BodyIntegrals>& bodies)
       edges = std::make_shared<const std::vector<EdgeGap>>(CollectEdgeGaps(*body.Model, body.Faces.get()));
     }
     body.Edges = edges;
-    const std::string message =
-      DescribeWorstEdge(*edges, 2.0 * GetRadius(*body.Model), body.Model->GetLengthUnit());
-    if (!message.empty())
+    const double diagonal = 2.0 * GetRadius(*body.Model);
+    const std::string message = DescribeWorstEdge(*edges, diagonal, body.Model->GetLengthUnit());
+    const double widest = edges->empty() ? 0.0 : edges->front().MaxGap;
+    if (widest > GetExcused(limit, diagonal, 2.0 * body.Model->GetFileUncertainty()))
+    {
+      body.Flag(Status::Suspect,
+        (message.empty() ? "the widest gap between a face and its edge" : message) + ": " +
+          FormatDigits(100.0 * widest / diagonal, 2) + " % of its size");
+    }
+    else if (!message.empty())
     {
       body.Messages.push_back(message);
     }

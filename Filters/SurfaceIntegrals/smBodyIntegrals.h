@@ -101,8 +101,13 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void SumFaces(BodyIntegrals& body, const std::v
 SMFILTERSSURFACEINTEGRALS_EXPORT void SumValues(
   BodyIntegrals& body, const std::vector<Integrand>& integrands);
 
-/// Collects the gaps of every body's edges (smEdgeGaps.h), and adds a message about the widest gap if it is significant.
-SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureEdges(std::vector<BodyIntegrals>& bodies);
+/// Collects the gaps of every body's edges (smEdgeGaps.h), and adds a message about the widest gap if it is significant. The body is
+/// suspect if that gap is wider than `limit` times its diagonal and than the file excuses.
+SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit);
+
+/// Returns the largest value that is no contradiction: `limit` times `size`, or up to ten times that what the uncertainty of the file
+/// excuses.
+SMFILTERSSURFACEINTEGRALS_EXPORT double GetExcused(double limit, double size, double excuse);
 
 /// Reverses the shells whose normals point inwards (smShellOrientation.h), where `volume` is the index of the volume's integrand,
 /// and sums again. It then marks the whole body as inside out if its volume is negative. Both add a message. The shells of a body

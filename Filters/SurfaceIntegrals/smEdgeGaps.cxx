@@ -30,6 +30,8 @@ std::vector<EdgeGap> CollectEdgeGaps(
   for (std::size_t f = 0; f < sources.size(); ++f)
   {
     const Face& face = *sources[f];
+    // A ribbon whose width is rounding is not integrated, so its coedge has no row: its gap counts as 0.
+    const bool isMeasured = faces && (*faces)[f].Error.empty() && !(*faces)[f].Skipped;
     // Index of the edge of every coedge; `none` for a pole.
     std::vector<std::vector<std::size_t>> placeOf(face.Loops.size());
     const std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -51,6 +53,7 @@ std::vector<EdgeGap> CollectEdgeGaps(
         }
         placeOf[l].push_back(entry->second);
         ++edges[entry->second].Uses;
+        measured[entry->second] += isMeasured ? 1 : 0;
         edges[entry->second].SignedUses += face.Reversed == coedge.Reversed ? 1 : -1;
       }
     }
@@ -67,7 +70,6 @@ std::vector<EdgeGap> CollectEdgeGaps(
       }
       const std::size_t place = placeOf[gap.Loop][gap.Coedge];
       EdgeGap& edge = edges[place];
-      ++measured[place];
       edge.GapSquared += gap.GapSquared;
       edge.GapArea += gap.GapArea;
       edge.MaxGap = GetLargerGap(edge.MaxGap, gap.MaxGap);

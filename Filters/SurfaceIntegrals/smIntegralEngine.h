@@ -33,6 +33,8 @@ namespace sm
 struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
 {
   sm::Status Status = sm::Status::None;
+  /// Status of the file as a whole, which the status of the run is not better than.
+  sm::Status FileStatus = sm::Status::None;
   std::vector<std::string> Messages;
   /// The message that gives the reason why the run stopped or had nothing to compute; empty otherwise.
   std::string Reason;

@@ -5,6 +5,7 @@
 #include "smBodySelection.h"
 #include "smColumns.h"
 #include "smFailureReason.h"
+#include "smFileState.h"
 #include "smIntegralEngine.h"
 
 #include "vtkAutoInit.h"
@@ -93,6 +94,7 @@ void vtkSurfaceIntegralBase::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Backend: " << this->Backend << "\n"
      << indent << "MaximumEvaluations: " << this->MaximumEvaluations << "\n"
      << indent << "MaximumSeconds: " << this->MaximumSeconds << "\n"
+     << indent << "GapLimit: " << this->GapLimit << "\n"
      << indent << "Selectors: " << this->Selectors.size() << "\n"
      << indent << "AssemblyName: " << this->AssemblyName << "\n"
      << indent << "Status: " << this->GetStatus() << "\n"
@@ -395,9 +397,9 @@ void vtkSurfaceIntegralBase::Analyze(
   }
   if (computed)
   {
-    sm::MeasureEdges(bodies);
+    sm::MeasureEdges(bodies, this->GapLimit);
   }
-  report.Status = bodies.empty() ? sm::Status::Empty : sm::Status::Ok;
+  report.Status = report.FileStatus;
   this->AnalyzeBodies(bodies);
   for (const sm::BodyIntegrals& body : bodies)
   {
@@ -430,11 +432,13 @@ struct vtkSurfaceIntegralBase::Input
   bool HasBodies = false;
   sm::RejectedInput Rejected;
   int GetNumberOfMeshes() const { return this->Rejected.Plain + this->Rejected.Withheld; }
+  sm::FileState File;
 };
 
 void vtkSurfaceIntegralBase::FindBodies(vtkDataObject* input, Input& found)
 {
   this->ResetResults();
+  found.File = sm::GetFileState(input);
   found.Bodies = sm::CollectBodies(input, found.Rejected);
   found.HasBodies = !found.Bodies.empty();
   if (found.HasBodies)
@@ -496,10 +500,7 @@ int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkIn
   {
     report.Faces += static_cast<int>(body.Model->GetNumberOfFaces());
   }
-  if (bodies.empty())
-  {
-    report.SetReason(found.HasBodies ? "no solid is chosen" : "the input holds no solid and no surface");
-  }
+  this->ReportFile(found);
   const sm::IntegralRequest wanted = this->MakeRequest();
   const bool computed = !bodies.empty() && this->IntegrateBodies(wanted, bodies);
   this->Engine->FinishSharing();
@@ -507,6 +508,25 @@ int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkIn
   this->Write(bodies, input, outputVector);
   this->AddMessages(bodies);
   return 1;
+}
+
+void vtkSurfaceIntegralBase::ReportFile(const Input& found)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  report.FileStatus = sm::Status::Ok;
+  for (const std::string& defect : found.File.Defects)
+  {
+    report.FileStatus = sm::Status::Suspect;
+    report.SetReason(defect);
+  }
+  if (found.Bodies.empty())
+  {
+    const bool unreadable = found.File.Status == sm::names::StatusUnreadable;
+    report.FileStatus = unreadable ? sm::Status::Unreadable : sm::Status::Empty;
+    report.SetReason(found.HasBodies  ? "no solid is chosen"
+        : !found.File.Problem.empty() ? found.File.Problem
+                                      : "the input holds no solid and no surface");
+  }
 }
 
 void vtkSurfaceIntegralBase::RunAsWorker()

@@ -100,7 +100,7 @@ public:
   ///@{
   /**
    * The device that computes. OPENGL: compute shaders (OpenGL 4.3 with doubles; if not available, nothing is computed and Status
-   * is tolerance-not-met). CPU: all threads of vtkSMPTools (the application chooses its backend; VTK's default may be a single
+   * is not-computed). CPU: all threads of vtkSMPTools (the application chooses its backend; VTK's default may be a single
    * thread). AUTOMATIC: OPENGL if available, else CPU, with a message that gives the reason. The results of both agree to
    * rounding, but not bitwise. Range [AUTOMATIC, CPU], clamped. Default AUTOMATIC.
    */
@@ -121,6 +121,17 @@ public:
    * planned, nothing is computed. At least 0, clamped. Default 0: no limit. */
   vtkSetClampMacro(MaximumSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSeconds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Gaps that make a result suspect: a distance between a face and its edge above this fraction of the diagonal of the body, and a
+   * volume change by closing gaps above this fraction of the volume. A file that states an uncertainty excuses more: gaps up to twice
+   * the uncertainty, for either side may be off by it, and a change of the volume up to the uncertainty times the area; neither may
+   * exceed ten times the limit. In [0, 1], clamped; 1 accepts every gap. Default 1e-3.
+   */
+  vtkSetClampMacro(GapLimit, double, 0.0, 1.0);
+  vtkGetMacro(GapLimit, double);
   ///@}
 
   ///@{
@@ -246,6 +257,7 @@ protected:
   int Backend = AUTOMATIC;
   vtkTypeInt64 MaximumEvaluations = 2000000000;
   double MaximumSeconds = 0.0;
+  double GapLimit = 1e-3;
   double ShaderPerturbation = 1.0;
 
 private:
@@ -261,6 +273,8 @@ private:
   int RunAsOwner(Input& found, vtkDataObject* input, vtkInformationVector* outputVector);
   /** The run of a rank that integrates a share of the bodies of another one. */
   void RunAsWorker();
+  /// Reports what the reader found about the file as a whole, and why there is nothing to integrate.
+  void ReportFile(const Input& found);
   /** Computes values, statuses and the report of the run from the integrals. */
   void Analyze(const sm::IntegralRequest& request, bool computed, std::vector<sm::BodyIntegrals>& bodies);
   void Write(

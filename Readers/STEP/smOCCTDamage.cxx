@@ -164,13 +164,15 @@ std::string Number(const Handle(StepData_StepModel) & model, const Handle(Standa
 }
 
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
-  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages, LostFaces& lost)
+  const Handle(StepData_StepModel) & model, const EntityFilter& matters, std::vector<std::string>& messages,
+  LostFaces& lost)
 {
   std::vector<Handle(Standard_Transient)> damaged;
   std::string first;
   for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
   {
-    const std::string failure = IsShapeEntity(model->Value(i)) ? FindFailure(model, i) : std::string();
+    const bool isFollowed = IsShapeEntity(model->Value(i)) && matters(model->IdentLabel(model->Value(i)));
+    const std::string failure = isFollowed ? FindFailure(model, i) : std::string();
     if (!failure.empty())
     {
       damaged.push_back(model->Value(i));

@@ -8,6 +8,7 @@
 #include <StepData_StepModel.hxx>
 #include <XSControl_WorkSession.hxx>
 
+#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -17,13 +18,17 @@ namespace sm
 /// Number of faces that each entity of the file (a shell) lost.
 using LostFaces = std::unordered_map<const Standard_Transient*, int>;
 
+/// True if geometry or structure of a body depends on the entity with this number in the file.
+using EntityFilter = std::function<bool(int)>;
+
 /**
  * OpenCASCADE 7.6 follows references that its own parser reported as unresolved, and crashes. This takes every
- * face that leads to such an entity out of its shell, says which and counts them in `lost`. Returns an empty
- * string, or why the file cannot be transferred at all. Call between parsing and transfer.
+ * face that leads to such an entity out of its shell, says which and counts them in `lost`. Entities that do not `matter` are
+ * passed over. Returns an empty string, or why the file cannot be transferred at all. Call between parsing and transfer.
  */
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
-  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages, LostFaces& lost);
+  const Handle(StepData_StepModel) & model, const EntityFilter& matters, std::vector<std::string>& messages,
+  LostFaces& lost);
 
 /// Colours or properties (volumes, materials) whose entities have dangling references: not to be asked for.
 struct Attributes

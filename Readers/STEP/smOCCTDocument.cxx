@@ -6,6 +6,8 @@
 #include "smOCCTFile.h"
 #include "smOCCTModel.h"
 #include "smOCCTTable.h"
+#include "smPart21File.h"
+#include "smSTEPReconciliation.h"
 
 #include <BRep_Builder.hxx>
 #include <STEPCAFControl_Reader.hxx>
@@ -33,6 +35,9 @@ namespace
 {
 /// Share of the progress that parsing takes; the rest is the transfer.
 constexpr double ParsingShare = 0.3;
+
+/// Instances of bodies that are read; each becomes a leaf with points of its own.
+constexpr CensusCount MostInstances = 100000;
 
 class TreeBuilder
 {
@@ -376,9 +381,40 @@ void Conclude(const Handle(StepData_StepModel) & model, Document& document)
   }
 }
 
+/// The text of the file, and what it declares.
+struct DeclaredContent
+{
+  Part21File Text;
+  STEPCensus Census;
+
+  explicit DeclaredContent(const std::string& fileName)
+  {
+    this->Text.Read(fileName);
+    this->Census = TakeSTEPCensus(this->Text);
+  }
+
+  /// True if a body depends on the entity, its place in the product or its unit.
+  bool Matters(int id) const
+  {
+    const Part21File::Index index =
+      id > 0 ? this->Text.Find(static_cast<std::uint64_t>(id)) : Part21File::None;
+    return index == Part21File::None || this->Census.Uses[index] != 0;
+  }
+};
+
 void Read(
   const std::string& fileName, const FileCheck& check, const ProgressCallback& progress, Document& document)
 {
+  const DeclaredContent declared(fileName);
+  const CensusCount instances = CountDeclaredInstances(declared.Census);
+  if (instances > MostInstances)
+  {
+    document.Problem = "it declares " +
+      (instances == CensusMaximum ? "more than 10^19" : std::to_string(instances)) +
+      " instances of its bodies, and at most " + std::to_string(MostInstances) +
+      " are read; export its sub-assemblies one by one";
+    return;
+  }
   const KernelSession kernel;
   STEPCAFControl_Reader reader;
   Configure(reader);
@@ -398,7 +434,9 @@ void Read(
   document.FileUnitInMillimetres = factor > 0.0 ? factor : 1.0;
   const std::vector<Handle(Standard_Transient)> operators = CheckOperators(model, document.Messages);
   LostFaces lost;
-  document.Problem = DropDamagedFaces(reader.Reader().WS(), model, document.Messages, lost);
+  document.Problem = DropDamagedFaces(
+    reader.Reader().WS(), model, [&declared](int id) { return declared.Matters(id); }, document.Messages,
+    lost);
   if (!document.Problem.empty())
   {
     return;
@@ -422,6 +460,7 @@ void Read(
   {
     body.Misplaced = body.Misplaced || !found;
   }
+  Reconcile(declared.Census, document);
   Conclude(model, document);
 }
 }

@@ -32,6 +32,12 @@ struct PartBody
   Vector3 Color{ -1.0, -1.0, -1.0 };
   /// An instance of it lost its scale or mirror.
   bool Misplaced = false;
+  /// Accuracy of coordinates that the file states for it, mm; 0: none.
+  double Uncertainty = 0.0;
+  /// Faces that the file declares and that Shape does not have, and contradictions in the file about the body; Messages names all.
+  int LostFaces = 0;
+  int Defects = 0;
+  std::vector<std::string> Messages;
 };
 
 /// One occurrence of a body. The placement is rigid or mirrored, in mm.
@@ -66,6 +72,8 @@ struct Document
   /// Why Status is not Ok: a sentence without the file's name.
   std::string Problem;
   std::vector<std::string> Messages;
+  /// What the file declares and the document lacks, and contradictions that belong to no single body; a sentence each.
+  std::vector<std::string> Defects;
   /// The file's own length unit as it spells it ("millimetre"), and in mm; empty and 1 when it gives none.
   std::string FileUnit;
   double FileUnitInMillimetres = 1.0;

@@ -16,6 +16,7 @@
 #include "vtkTrimmedNURBSModel.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sm
@@ -72,6 +73,9 @@ LeafMaker::LeafMaker(
     body.Messages.push_back("The body could not be carried over: " + failure + ".");
     ++body.MissingFaces;
   }
+  body.MissingFaces = std::max(body.MissingFaces, part.LostFaces);
+  body.Defects += part.Defects;
+  body.Messages.insert(body.Messages.end(), part.Messages.begin(), part.Messages.end());
   if (part.Misplaced)
   {
     ++body.Defects;
@@ -174,6 +178,7 @@ void LeafMaker::MakeModel(const PartBody& part, const Extent& extent, ConvertedB
   model->SetDensity(part.Density);
   model->SetFileVolume(part.FileVolume * unit * unit * unit);
   model->SetFileArea(part.FileArea * unit * unit);
+  model->SetFileUncertainty(part.Uncertainty * unit);
   const double* origin = model->GetOrigin();
   double local[6];
   for (int d = 0; d < 3; ++d)

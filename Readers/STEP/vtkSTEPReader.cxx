@@ -1,6 +1,7 @@
 #include "vtkSTEPReader.h"
 
 #include "smAbortFlag.h"
+#include "smFileState.h"
 #include "smLengthUnits.h"
 #include "smOCCTDocument.h"
 #include "smOCCTFailure.h"
@@ -10,6 +11,7 @@
 
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -46,11 +48,34 @@ int FindFirstPiece(vtkMultiProcessController* controller, int piece, int pieces)
   int root = -1;
   return controller->AllReduce(&own, &root, 1, vtkCommunicator::MAX_OP) != 0 ? root : -1;
 }
+
+void PackStrings(vtkMultiProcessStream& stream, const std::vector<std::string>& strings)
+{
+  stream << static_cast<int>(strings.size());
+  for (const std::string& text : strings)
+  {
+    stream << text;
+  }
+}
+
+void UnpackStrings(vtkMultiProcessStream& stream, std::vector<std::string>& strings)
+{
+  int count = 0;
+  stream >> count;
+  strings.resize(count);
+  for (std::string& text : strings)
+  {
+    stream >> text;
+  }
+}
 }
 
 struct vtkSTEPReader::Results
 {
   std::vector<std::string> Messages;
+  /// As sm::FileState.
+  std::string Problem;
+  std::vector<std::string> Defects;
   std::string FileUnit;
   std::string LengthUnit = "mm";
   int Bodies = 0;
@@ -179,6 +204,9 @@ void vtkSTEPReader::Fail(int status, const std::string& problem)
     std::string("Cannot read ") + (this->FileName ? this->FileName : "a STEP file") + ": " + problem + ".";
   this->Status = status;
   this->Last->Messages.push_back(sentence);
+  this->Last->Problem = sentence;
+  this->SetErrorCode(
+    status == EMPTY ? vtkErrorCode::FileFormatError : vtkErrorCode::UnrecognizedFileTypeError);
   vtkErrorMacro(<< sentence);
 }
 
@@ -189,6 +217,7 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   auto* output = vtkPartitionedDataSetCollection::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT()));
   *this->Last = Results();
   this->Status = EMPTY;
+  this->SetErrorCode(vtkErrorCode::NoError);
   const int piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   const int pieces = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -205,9 +234,9 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   {
     this->ShareTree(controller, root, output);
   }
-  // One rank of several does not fail: the filters downstream must run on all ranks or on none.
-  const bool failed = this->Status == EMPTY || this->Status == UNREADABLE;
-  return failed && pieces < 2 ? 0 : 1;
+  sm::SetFileState(output, { this->GetStatusAsString(), this->Last->Problem, this->Last->Defects });
+  // An update that fails would leave the numbers of the previous file in the filters downstream.
+  return 1;
 }
 
 void vtkSTEPReader::ShareTree(
@@ -219,11 +248,9 @@ void vtkSTEPReader::ShareTree(
   if (isRoot)
   {
     stream << this->Status << last.Bodies << last.Instances << last.FreeFaces << last.FileUnit
-           << last.LengthUnit << static_cast<int>(last.Messages.size());
-    for (const std::string& message : last.Messages)
-    {
-      stream << message;
-    }
+           << last.LengthUnit << last.Problem;
+    PackStrings(stream, last.Messages);
+    PackStrings(stream, last.Defects);
     sm::PackTree(output, stream);
   }
   if (!controller->Broadcast(stream, root))
@@ -233,14 +260,10 @@ void vtkSTEPReader::ShareTree(
   }
   if (!isRoot)
   {
-    int messages = 0;
     stream >> this->Status >> last.Bodies >> last.Instances >> last.FreeFaces >> last.FileUnit >>
-      last.LengthUnit >> messages;
-    last.Messages.resize(messages);
-    for (std::string& message : last.Messages)
-    {
-      stream >> message;
-    }
+      last.LengthUnit >> last.Problem;
+    UnpackStrings(stream, last.Messages);
+    UnpackStrings(stream, last.Defects);
     sm::UnpackTree(stream, output);
   }
 }
@@ -281,6 +304,8 @@ void vtkSTEPReader::Read(vtkPartitionedDataSetCollection* output)
     return;
   }
   this->Last->FreeFaces = document.FreeFaces;
+  this->Last->Defects = document.Defects;
+  this->Last->Messages.insert(this->Last->Messages.end(), document.Defects.begin(), document.Defects.end());
   const sm::LeafOptions options = this->ChooseOptions(document);
   std::vector<std::unique_ptr<sm::LeafMaker>> makers;
   if (!this->MakeBodies(document, options, makers))

@@ -94,8 +94,15 @@ int TestEdgeGaps(int, char*[])
   CheckEqual("rounding is no gap", "", sm::DescribeWorstEdge(edges, 3.7, "mm"));
   CheckEqual("no edges", "", sm::DescribeWorstEdge({}, 3.7, "mm"));
 
-  // A face that could not be measured leaves its edges unknown, and last; poles are no edges.
+  // A coedge without a row has a gap of rounding; a face that was not integrated leaves its edges unknown, and last; poles are no
+  // edges.
   results[0].Gaps.clear();
+  edges = sm::CollectEdgeGaps(*model, &results);
+  for (const sm::EdgeGap& edge : edges)
+  {
+    CheckTrue("every gap is known", std::isfinite(edge.MaxGap) && std::isfinite(edge.GapArea));
+  }
+  results[0].Error = "a test";
   results[1].Gaps.push_back({ 7, 0, 1.0, 1.0, 1.0 });
   results[1].Gaps.push_back({ 0, -1, 1.0, 1.0, 1.0 });
   edges = sm::CollectEdgeGaps(*model, &results);
@@ -106,6 +113,9 @@ int TestEdgeGaps(int, char*[])
     CheckTrue("unknown edges come last", std::isnan(edges[i].MaxGap) == (i >= 8));
   }
   CheckEqual("edges of the face", 4, unknown);
+  results[0].Error.clear();
+  results[0].Skipped = true;
+  CheckTrue("the same for a skipped face", std::isnan(sm::CollectEdgeGaps(*model, &results).back().MaxGap));
   results = MakeResults(5);
   results[2].Gaps[0].MaxGap = std::numeric_limits<double>::quiet_NaN();
   edges = sm::CollectEdgeGaps(*model, &results);

@@ -1,0 +1,37 @@
+/**
+ * @file smFileState.h
+ * @brief What a reader found about a file as a whole; it travels with the reader's output as field data
+ */
+#ifndef smFileState_h
+#define smFileState_h
+
+#include "smFiltersNURBSModule.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace sm
+{
+struct FileState
+{
+  /// "ok", "empty", "unreadable" or "aborted"; empty for data that no reader made.
+  std::string Status;
+  /// Why the status is not "ok": a sentence with the file's name.
+  std::string Problem;
+  /// What makes every result of the file suspect, one sentence each: solids, faces or instances that the file declares and that are
+  /// not in the output, and contradictions that belong to no single body.
+  std::vector<std::string> Defects;
+};
+
+/// Names of the string arrays in the field data of the output, with one value, one value, and one for each defect.
+constexpr const char* FileStatusArrayName = "FileStatus";
+constexpr const char* FileProblemArrayName = "FileProblem";
+constexpr const char* FileDefectsArrayName = "FileDefects";
+
+SMFILTERSNURBS_EXPORT void SetFileState(vtkDataObject* data, const FileState& state);
+SMFILTERSNURBS_EXPORT FileState GetFileState(vtkDataObject* data);
+}
+
+#endif

@@ -1,0 +1,174 @@
+#include "smSTEPReconciliation.h"
+
+#include <TopExp_Explorer.hxx>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace sm
+{
+namespace
+{
+/// Entity numbers in a message, at most.
+constexpr std::size_t MostIds = 10;
+
+std::string ListIds(const std::vector<std::uint64_t>& ids)
+{
+  std::string list;
+  for (std::size_t i = 0; i < std::min(ids.size(), MostIds); ++i)
+  {
+    list += (i ? ", #" : "#") + std::to_string(ids[i]);
+  }
+  return list + (ids.size() > MostIds ? " and " + std::to_string(ids.size() - MostIds) + " more" : "");
+}
+
+std::string Name(const CensusBody& body)
+{
+  return "#" + std::to_string(body.Id) + (body.Name.empty() ? "" : " \"" + body.Name + "\"");
+}
+
+std::string Count(CensusCount count)
+{
+  return count == CensusMaximum ? "more than " + std::to_string(count - 1) : std::to_string(count);
+}
+
+class Reconciliation
+{
+public:
+  Reconciliation(const STEPCensus& census, Document& document)
+    : Census(census)
+    , Result(document)
+    , Instances(document.Bodies.size(), 0)
+  {
+    for (std::size_t i = 0; i < document.Bodies.size(); ++i)
+    {
+      this->Read[static_cast<std::uint64_t>(document.Bodies[i].FileId)].push_back(i);
+    }
+    for (const BodyInstance& instance : document.Instances)
+    {
+      ++this->Instances[instance.Body];
+    }
+  }
+
+  void Run()
+  {
+    for (const CensusBody& body : this->Census.Bodies)
+    {
+      if (body.Instances == 0)
+      {
+        continue;
+      }
+      if (body.Kind == CensusBodyKind::Solid)
+      {
+        this->CheckSolid(body);
+      }
+      else if (body.Kind == CensusBodyKind::OtherSolid)
+      {
+        this->Result.Defects.push_back("Solid " + Name(body) + " of the file is a " + body.Type +
+          ", which has no faces: it is left out. Export it as a boundary representation.");
+      }
+    }
+  }
+
+private:
+  void CheckSolid(const CensusBody& body)
+  {
+    const auto found = this->Read.find(body.Id);
+    if (found == this->Read.end())
+    {
+      this->Result.Defects.push_back("Solid " + Name(body) +
+        " of the file was lost: " + std::to_string(body.Faces) + " faces, " + Count(body.Instances) +
+        (body.Instances == 1 ? " instance." : " instances.") + " OpenCASCADE makes no shape of it.");
+      return;
+    }
+    this->CheckFaces(body, found->second);
+    this->CheckInstances(body, found->second);
+    for (const std::size_t i : found->second)
+    {
+      PartBody& part = this->Result.Bodies[i];
+      const double uncertainty = body.Context < 0 ? 0.0 : this->Census.Contexts[body.Context].Uncertainty;
+      part.Uncertainty = uncertainty > 0.0 ? uncertainty : 0.0;
+    }
+  }
+
+  void CheckFaces(const CensusBody& body, const std::vector<std::size_t>& parts)
+  {
+    std::set<std::uint64_t> present;
+    for (const std::size_t i : parts)
+    {
+      for (TopExp_Explorer it(this->Result.Bodies[i].Shape, TopAbs_FACE); it.More(); it.Next())
+      {
+        const auto info = this->Result.Table.find(it.Current().TShape().get());
+        present.insert(
+          info == this->Result.Table.end() ? 0 : static_cast<std::uint64_t>(info->second.FileId));
+      }
+    }
+    std::vector<std::uint64_t> missing;
+    for (std::uint32_t s = body.FirstShell; s < body.FirstShell + body.NumberOfShells; ++s)
+    {
+      const CensusShell& shell = this->Census.Shells[this->Census.ShellUses[s].Shell];
+      for (std::uint32_t f = shell.FirstFace; f < shell.FirstFace + shell.NumberOfFaces; ++f)
+      {
+        const std::uint64_t id = this->Census.Faces[this->Census.FaceUses[f]].Id;
+        if (present.count(id) == 0)
+        {
+          missing.push_back(id);
+        }
+      }
+    }
+    if (missing.empty())
+    {
+      return;
+    }
+    for (const std::size_t i : parts)
+    {
+      this->Result.Bodies[i].LostFaces = static_cast<int>(missing.size());
+      this->Result.Bodies[i].Messages.push_back("Solid " + Name(body) + " has " + std::to_string(body.Faces) +
+        " faces in the file, and " + std::to_string(missing.size()) +
+        " of them were lost: " + ListIds(missing) + ".");
+    }
+  }
+
+  void CheckInstances(const CensusBody& body, const std::vector<std::size_t>& parts)
+  {
+    // A solid may be read as several bodies: parts of it, and copies with a scale or a mirror. Each part occurs as often as the solid.
+    std::map<const TopoDS_TShape*, CensusCount> counts;
+    for (const std::size_t i : parts)
+    {
+      counts[this->Result.Bodies[i].Shape.TShape().get()] += this->Instances[i];
+    }
+    CensusCount read = 0;
+    for (const auto& [shape, count] : counts)
+    {
+      read = std::max(read, count);
+    }
+    if (read != body.Instances)
+    {
+      this->Result.Defects.push_back("Solid " + Name(body) + " occurs " + Count(body.Instances) +
+        (body.Instances == 1 ? " time" : " times") + " in the file, and was read " + std::to_string(read) +
+        (read == 1 ? " time." : " times."));
+    }
+  }
+
+  const STEPCensus& Census;
+  Document& Result;
+  /// Bodies of the document by the entity number of their solid, and how often each occurs.
+  std::map<std::uint64_t, std::vector<std::size_t>> Read;
+  std::vector<CensusCount> Instances;
+};
+}
+
+void Reconcile(const STEPCensus& census, Document& document)
+{
+  Reconciliation(census, document).Run();
+}
+
+CensusCount CountDeclaredInstances(const STEPCensus& census)
+{
+  return AddCounts(
+    census.CountInstances(CensusBodyKind::Solid), census.CountInstances(CensusBodyKind::SurfaceModel));
+}
+}

@@ -1,0 +1,24 @@
+/**
+ * @file smSTEPReconciliation.h
+ * @brief Compares what OpenCASCADE made of a STEP file with what the file declares
+ */
+#ifndef smSTEPReconciliation_h
+#define smSTEPReconciliation_h
+
+#include "smOCCTDocument.h"
+#include "smSTEPCensus.h"
+
+namespace sm
+{
+/**
+ * Accounts for every solid of the census and its faces and instances: what the document lacks becomes a lost face of the body
+ * (PartBody::LostFaces) or, where there is no body, a defect of the document. Contradictions that the census found become defects of
+ * the bodies or of the document, and a length unit that is not stated a message. The document has its bodies and instances.
+ */
+void Reconcile(const STEPCensus& census, Document& document);
+
+/// Number of instances of bodies with faces that the file declares.
+CensusCount CountDeclaredInstances(const STEPCensus& census);
+}
+
+#endif
