@@ -289,12 +289,16 @@ bool vtkTrimmedNURBSModel::AddCoedge(int face, int loop, int edge, bool reversed
     return false;
   }
   coedge.Reversed = reversed;
-  // Faces are immutable values: others may share this one.
-  auto changed = std::make_shared<sm::Face>(*this->Faces[face]);
-  changed->Id = sm::NewId();
-  changed->Loops.resize(std::max(changed->Loops.size(), static_cast<std::size_t>(loop) + 1));
-  changed->Loops[loop].Coedges.push_back(std::move(coedge));
-  this->Faces[face] = std::move(changed);
+  // Faces are immutable values, so one that others share is copied. To copy a face for each of its coedges would take quadratic time.
+  if (this->GrowingFace != this->Faces[face] || this->GrowingFace.use_count() > 2)
+  {
+    this->GrowingFace = std::make_shared<sm::Face>(*this->Faces[face]);
+    this->Faces[face] = this->GrowingFace;
+  }
+  sm::Face& changed = *this->GrowingFace;
+  changed.Id = sm::NewId();
+  changed.Loops.resize(std::max(changed.Loops.size(), static_cast<std::size_t>(loop) + 1));
+  changed.Loops[loop].Coedges.push_back(std::move(coedge));
   this->Modified();
   return true;
 }

@@ -206,6 +206,8 @@ private:
   std::vector<std::string> Messages;
   /// The edges added by AddEdge(), in the order of their indices.
   std::vector<std::shared_ptr<const sm::Edge>> AddedEdges;
+  // The face that AddCoedge() changed last, which only this model has made; shared with Faces.
+  std::shared_ptr<sm::Face> GrowingFace;
 };
 
 #endif

@@ -93,6 +93,34 @@ void CheckStored()
 }
 
 /// `attempt` must say why it fails, in words that contain `words`, and change neither the faces nor the time of the model.
+/// A face that others share is not changed; one that they do not share is not copied, which would take quadratic time.
+void CheckSharing()
+{
+  Square square;
+  square.Model->AddFace(1, square.Knots, 1, square.Knots, square.Points);
+  square.Model->AddEdge(square.Breaks, square.Line);
+  const auto add = [&square]()
+  { return square.Model->AddCoedge(0, 0, 0, false, square.Breaks, square.Trim); };
+  const auto count = [](const sm::Face& face)
+  { return static_cast<long long>(face.Loops[0].Coedges.size()); };
+  CheckTrue("the first coedge", add());
+  const sm::Face* const alone = square.Model->GetFaces()[0].get();
+  const std::uint64_t id = alone->Id;
+  CheckTrue("the second coedge", add());
+  CheckTrue("the same face", square.Model->GetFaces()[0].get() == alone);
+  CheckTrue("with a new id", alone->Id != id);
+  CheckEqual("and two coedges", 2, count(*alone));
+  const sm::FacePointer shared = square.Model->GetFaces()[0];
+  CheckTrue("the third coedge", add());
+  CheckEqual("a shared face keeps two", 2, count(*shared));
+  CheckTrue("and its id", square.Model->GetFaces()[0]->Id != shared->Id);
+  CheckEqual("the model's has three", 3, count(*square.Model->GetFaces()[0]));
+  vtkNew<vtkTrimmedNURBSModel> copy;
+  copy->ShallowCopy(square.Model);
+  CheckTrue("the fourth coedge", add());
+  CheckEqual("a copied model keeps three", 3, count(*copy->GetFaces()[0]));
+}
+
 void CheckRefused(
   const std::string& what, const std::string& words, Square& square, const std::function<bool()>& attempt)
 {
@@ -179,6 +207,7 @@ void CheckCurveErrors()
 int TestTrimmedNURBSModelArrays(int, char*[])
 {
   CheckStored();
+  CheckSharing();
   CheckFaceErrors();
   CheckCurveErrors();
   return smtest::Finish();
