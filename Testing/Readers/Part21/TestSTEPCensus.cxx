@@ -310,6 +310,8 @@ void CheckHostile(const std::string& folder)
     { "05d_crash", CensusDefect::InconsistentSpline, 36, 1 },
     { "07_assembly_bomb", None, 0, 131072 },
     { "10_damaged_text_sound_solid", None, 0, 1 },
+    // Its maker left the two shells that it joined in the file.
+    { "one_shell_overlapping_boxes", CensusDefect::UnusedEntity, 156, 1 },
     { "same_solid_listed_twice", CensusDefect::RepeatedItem, 168, 1 },
     { "two_coincident", None, 0, 2 },
     { "unit_INCH_-25.4", CensusDefect::WrongUnit, 10, 1 },

@@ -166,6 +166,16 @@ std::vector<CensusCase> GetBodyCases()
       "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
       "0",
       "used by nothing: 1 (#31 MANIFOLD_SOLID_BREP)" },
+    // What the census cannot know shows by what it leaves unused.
+    { "a misspelled solid", ChangeBall("#31=MANIFOLD_SOLID_BREP", "#31=MANIFOLD_SOLID_BREQ"),
+      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "used by nothing: 1 (#30 CLOSED_SHELL)" },
+    { "a misspelled face", ChangeBall("ADVANCED_FACE", "ADVANCED_FICE"),
+      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
+      "0",
+      "wrong type: 1 (#30 CLOSED_SHELL #29); used by nothing: 1 (#28 FACE_BOUND); shell without faces: 1 "
+      "(#30 CLOSED_SHELL faces)" },
     { "an undefined shell", ChangeBall("'ball',#30)", "'ball',#99)"),
       "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
       "0",
@@ -343,6 +353,8 @@ std::vector<CensusCase> GetAssemblyCases()
       "0",
       "undefined reference: 1 (#83 REPRESENTATION_MAP mapped representation #99); in no product: 1 (#31 "
       "MANIFOLD_SOLID_BREP)" },
+    { "a misspelled occurrence", ChangeBox("NEXT_ASSEMBLY_USAGE_OCCURRENCE", "NEXT_ASSEMBLY_USAGE_OCCURENCE"),
+      OneBall, "wrong type: 1 (#61 PRODUCT_DEFINITION_SHAPE definition #60)" },
     { "a mapped item of itself",
       ExtendBall(
         "(#23,#31)", "(#23,#31,#81)", "#81=MAPPED_ITEM('',#83,#23);\n#83=REPRESENTATION_MAP(#23,#32);\n"),
