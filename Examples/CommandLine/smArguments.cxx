@@ -69,6 +69,12 @@ std::string CheckTolerance(const std::string& text)
   return value > 0.0 && value <= 1.0 ? "" : "the tolerance must be a number above 0, at most 1";
 }
 
+std::string CheckGapLimit(const std::string& text)
+{
+  const double value = sm::ParseNumber(text);
+  return value >= 0.0 && value <= 1.0 ? "" : "the limit of gaps must be a number from 0 to 1";
+}
+
 std::string CheckQuantityTolerance(const std::string& text)
 {
   std::string quantity;
@@ -176,6 +182,10 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     "Largest time to integrate a file (default: no limit); faces not reached\n"
     "count as 0, and the bounds include their largest possible values")
     ->check(CheckSeconds);
+  sm::AddNumberOption(app, "--gap-limit", job.GapLimit,
+    "Gaps between faces above this fraction of the diagonal, or of the volume\n"
+    "that closing them adds, make a result suspect (default 1e-3; 1: none does)")
+    ->check(CheckGapLimit);
   app
     .add_option("--unit", job.Unit,
       "Length unit of all results: mm (default), cm, m, um, inch, ft; or file:\n"

@@ -33,6 +33,7 @@ struct JobOptions
   std::array<double, 3> Up = { 0.0, 0.0, 1.0 };
   double MaximumEvaluations = 2e9;
   double MaximumSeconds = 0.0;
+  double GapLimit = 1e-3; ///< see vtkSurfaceIntegralBase::SetGapLimit
   /// "adaptive", or a scheme of the paper: "midpoint", "gauss2", "gauss3". The next four options are for these.
   std::string Scheme = "adaptive";
   int SubPatches = 2;

@@ -148,6 +148,7 @@ void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
 {
   filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));
   filter->SetMaximumSeconds(options.MaximumSeconds);
+  filter->SetGapLimit(options.GapLimit);
   filter->SetBackend(options.Backend == "auto" ? vtkSurfaceIntegralBase::AUTOMATIC
       : options.Backend == "cpu"               ? vtkSurfaceIntegralBase::CPU
                                                : vtkSurfaceIntegralBase::OPENGL);

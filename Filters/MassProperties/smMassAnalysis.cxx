@@ -15,6 +15,9 @@ namespace sm
 {
 namespace
 {
+/// Two solids coincide if volume and centre of mass differ by no more, relative to the volume and to its cube root.
+constexpr double CoincidenceLimit = 1e-9;
+
 /// Returns the moments of a body in the world, about its placed origin.
 Moments GetMoments(const BodyIntegrals& body)
 {
@@ -186,6 +189,37 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   return row;
 }
 
+/// Adds a message if two solids have one volume and one centre of mass: they overlap, and both count.
+void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& analysis)
+{
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    if (std::isfinite(analysis.Rows[i].Properties.Volume))
+    {
+      order.push_back(i);
+    }
+  }
+  const auto get = [&](std::size_t k) -> const MassProperties& { return analysis.Rows[order[k]].Properties; };
+  std::sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    { return analysis.Rows[a].Properties.Center[0] < analysis.Rows[b].Properties.Center[0]; });
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const double slack = CoincidenceLimit * std::cbrt(get(i).Volume);
+    for (std::size_t j = i + 1; j < order.size() && get(j).Center[0] - get(i).Center[0] <= slack; ++j)
+    {
+      if (std::abs(get(j).Volume - get(i).Volume) <= CoincidenceLimit * get(i).Volume &&
+        vtkMath::Distance2BetweenPoints(get(i).Center.data(), get(j).Center.data()) <= slack * slack)
+      {
+        analysis.Messages.push_back("solids " + bodies[order[i]].Id + " and " + bodies[order[j]].Id +
+          " have the same volume and centre of mass: they overlap, and both are counted");
+        return;
+      }
+    }
+  }
+}
+
 /// Adds the quantities whose total is their sum.
 void AddRow(const MassRow& row, MassRow& total)
 {
@@ -292,6 +326,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
     analysis.FlippedShells += body.FlippedShells;
   }
   AnalyzeTotal(bodies, parts, options, analysis);
+  NoteCoincidences(bodies, analysis);
   // Bounds add up but scales need not, for example for parts on opposite sides of the origin.
   const std::string unmet = FindUnmet(total, options.Tolerance);
   const bool isOk = std::all_of(

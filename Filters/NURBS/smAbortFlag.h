@@ -1,41 +1,34 @@
 /**
  * @file smAbortFlag.h
- * @brief Ends the abort flag of an algorithm with the run that it stopped
+ * @brief Lets the abort flag of an algorithm stop one run only
  */
 #ifndef smAbortFlag_h
 #define smAbortFlag_h
 
 #include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
 
 namespace sm
 {
-/// Clears the abort flag of an algorithm at the begin and at the end of a run, which lasts as long as this object. VTK 9.2 leaves the flag
-/// set, and the next run would stop at once. At the begin, because an observer may set the flag in the executive's report of progress after
-/// the run.
-class AbortFlag
+/// Clears the abort flag of an algorithm when a run begins; call it in the constructor. VTK 9.2 leaves the flag set, and an observer may
+/// set it in the executive's report of progress after a run: the next one would stop at once. A flag that is set in the report before the
+/// run stops the run.
+inline void ClearAbortAtStart(vtkAlgorithm* algorithm)
 {
-public:
-  explicit AbortFlag(vtkAlgorithm* algorithm)
-    : Algorithm(algorithm)
-  {
-    this->Clear();
-  }
-  ~AbortFlag() { this->Clear(); }
-  AbortFlag(const AbortFlag&) = delete;
-  void operator=(const AbortFlag&) = delete;
-
-private:
-  void Clear()
-  {
-    // The setter calls Modified(), which within a run does not make the output outdated.
-    if (this->Algorithm->GetAbortExecute())
+  vtkNew<vtkCallbackCommand> clear;
+  clear->SetCallback(
+    [](vtkObject* started, unsigned long, void*, void*)
     {
-      this->Algorithm->SetAbortExecute(0);
-    }
-  }
-
-  vtkAlgorithm* Algorithm;
-};
+      // The setter calls Modified(), which within a run does not make the output outdated.
+      auto* running = static_cast<vtkAlgorithm*>(started);
+      if (running->GetAbortExecute())
+      {
+        running->SetAbortExecute(0);
+      }
+    });
+  algorithm->AddObserver(vtkCommand::StartEvent, clear);
+}
 }
 
 #endif

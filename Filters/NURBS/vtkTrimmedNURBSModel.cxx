@@ -321,6 +321,7 @@ void vtkTrimmedNURBSModel::ShallowCopy(vtkTrimmedNURBSModel* source)
   this->FileUncertainty = source->FileUncertainty;
   this->NumberOfMissingFaces = source->NumberOfMissingFaces;
   this->NumberOfDefects = source->NumberOfDefects;
+  this->NumberOfOuterShells = source->NumberOfOuterShells;
   for (int i = 0; i < 3; ++i)
   {
     this->Origin[i] = source->Origin[i];

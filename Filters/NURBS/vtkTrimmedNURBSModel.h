@@ -156,6 +156,11 @@ public:
   /** Exchanges one face; the model is modified. */
   void SetFace(vtkIdType index, sm::FacePointer face);
 
+  /** Number of shells of a solid that enclose volume, all others being voids inside them; a STEP file has one for each solid. A result
+   * is suspect if another number lies outside all others. 0, the default: not known. Clamped to >= 0. */
+  vtkSetClampMacro(NumberOfOuterShells, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfOuterShells, int);
+
   /** Shells as lists of face indices; the reader keeps the order of the file. */
   const std::vector<std::vector<int>>& GetShells() const
   {
@@ -197,6 +202,7 @@ private:
   double FileUncertainty = 0.0;
   int NumberOfMissingFaces = 0;
   int NumberOfDefects = 0;
+  int NumberOfOuterShells = 0;
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double LocalBounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   double VolumeScale = 0.0;

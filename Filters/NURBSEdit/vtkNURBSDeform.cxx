@@ -185,6 +185,7 @@ bool vtkNURBSDeform::Run::Change(vtkNURBSDataSet* source, vtkNURBSDataSet* copy)
 vtkNURBSDeform::vtkNURBSDeform()
   : PointEvaluator(vtkSmartPointer<vtkNURBSPointEvaluator>::New())
 {
+  sm::ClearAbortAtStart(this);
 }
 
 vtkNURBSDeform::~vtkNURBSDeform() = default;
@@ -305,7 +306,6 @@ int vtkNURBSDeform::FillInputPortInformation(int, vtkInformation* info)
 int vtkNURBSDeform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const sm::AbortFlag abortFlag(this);
   this->NumberOfOpenedEdges = this->NumberOfChangedFaces = 0;
   this->LargestGap = 0.0;
   vtkInformation* info = outputVector->GetInformationObject(0);

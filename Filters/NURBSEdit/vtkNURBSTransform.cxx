@@ -104,7 +104,10 @@ void ReverseCells(vtkPolyData* data)
 }
 }
 
-vtkNURBSTransform::vtkNURBSTransform() = default;
+vtkNURBSTransform::vtkNURBSTransform()
+{
+  sm::ClearAbortAtStart(this);
+}
 
 vtkNURBSTransform::~vtkNURBSTransform() = default;
 
@@ -168,7 +171,6 @@ int vtkNURBSTransform::FillInputPortInformation(int, vtkInformation* info)
 int vtkNURBSTransform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const sm::AbortFlag abortFlag(this);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   try
   {

@@ -94,6 +94,7 @@ int GetBadness(sm::Verdict verdict)
 vtkSolidStability::vtkSolidStability()
   : Implementation(new Internals)
 {
+  sm::ClearAbortAtStart(this);
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(4);
 }
@@ -308,7 +309,6 @@ int vtkSolidStability::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkSolidStability::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const sm::AbortFlag abortFlag(this);
   Internals& self = *this->Implementation;
   self.Worst = sm::SupportedBody();
   self.Status.clear();

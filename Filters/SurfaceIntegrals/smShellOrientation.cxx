@@ -247,6 +247,12 @@ ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
   {
     return result;
   }
+  const auto outer = std::count_if(depths.begin(), depths.end(), [](int depth) { return depth % 2 == 0; });
+  if (model.GetNumberOfOuterShells() > 0 && outer != model.GetNumberOfOuterShells())
+  {
+    result.Uncertainty = "a void lies outside the outer shell, or inside another void";
+    return result;
+  }
   std::vector<bool> wrong(result.Shells);
   for (int i = 0; i < result.Shells; ++i)
   {

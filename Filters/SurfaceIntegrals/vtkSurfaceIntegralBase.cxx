@@ -82,6 +82,7 @@ void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t
 vtkSurfaceIntegralBase::vtkSurfaceIntegralBase()
   : Engine(new sm::IntegralEngine)
 {
+  sm::ClearAbortAtStart(this);
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(6);
 }
@@ -580,7 +581,6 @@ void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& b
 int vtkSurfaceIntegralBase::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const sm::AbortFlag abortFlag(this);
   int result = 1;
   std::exception_ptr failure;
   try

@@ -179,6 +179,7 @@ void LeafMaker::MakeModel(const PartBody& part, const Extent& extent, ConvertedB
   model->SetFileVolume(part.FileVolume * unit * unit * unit);
   model->SetFileArea(part.FileArea * unit * unit);
   model->SetFileUncertainty(part.Uncertainty * unit);
+  model->SetNumberOfOuterShells(part.Solid ? 1 : 0);
   const double* origin = model->GetOrigin();
   double local[6];
   for (int d = 0; d < 3; ++d)

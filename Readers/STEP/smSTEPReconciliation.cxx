@@ -55,6 +55,7 @@ public:
 
   void Run()
   {
+    this->ReportProblems();
     for (const CensusBody& body : this->Census.Bodies)
     {
       if (body.Instances == 0)
@@ -74,6 +75,56 @@ public:
   }
 
 private:
+  /// Contradictions in the file itself. A unit that is not stated is none.
+  void ReportProblems()
+  {
+    std::size_t counted = this->Census.GetNumberOfProblems(CensusDefect::MissingUnit);
+    std::size_t listed = 0;
+    std::size_t all = 0;
+    for (const std::size_t count : this->Census.Counts)
+    {
+      all += count;
+    }
+    for (const CensusProblem& problem : this->Census.Problems)
+    {
+      if (problem.Defect == CensusDefect::MissingUnit)
+      {
+        this->ReportMissingUnit(problem);
+      }
+      else if (listed < MostIds)
+      {
+        ++listed;
+        ++counted;
+        this->Result.Defects.push_back(Describe(problem));
+      }
+    }
+    if (counted < all)
+    {
+      this->Result.Defects.push_back(
+        std::to_string(all - counted) + " more entities of the file are damaged or contradict others.");
+    }
+  }
+
+  static std::string Describe(const CensusProblem& problem)
+  {
+    const std::string place = problem.Place;
+    const std::string other = problem.Other > 0 ? "#" + std::to_string(problem.Other) : "";
+    return "Entity #" + std::to_string(problem.Id) + " of the file: " + GetName(problem.Defect) +
+      (place.empty() && other.empty()
+          ? ""
+          : " (" + place + (place.empty() || other.empty() ? "" : ", ") + other + ")") +
+      ".";
+  }
+
+  void ReportMissingUnit(const CensusProblem& problem)
+  {
+    const bool isAngle = std::string(problem.Place).find("angle") != std::string::npos;
+    const std::string message = std::string("The file states no unit of ") +
+      (isAngle ? "angles" : "lengths") + " (context #" + std::to_string(problem.Id) +
+      "): " + (isAngle ? "radians are" : "mm is") + " assumed.";
+    this->Result.Messages.push_back(message);
+  }
+
   void CheckSolid(const CensusBody& body)
   {
     const auto found = this->Read.find(body.Id);
@@ -139,6 +190,13 @@ private:
     for (const std::size_t i : parts)
     {
       counts[this->Result.Bodies[i].Shape.TShape().get()] += this->Instances[i];
+    }
+    if (body.NumberOfShells > 1 && counts.size() > 1)
+    {
+      // OpenCASCADE makes a solid of its own of a void that is not inside the outer shell.
+      this->Result.Defects.push_back("Solid " + Name(body) +
+        " has a void that does not lie inside its outer shell: it was read as " +
+        std::to_string(counts.size()) + " solids.");
     }
     CensusCount read = 0;
     for (const auto& [shape, count] : counts)

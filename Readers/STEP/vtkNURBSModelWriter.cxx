@@ -25,6 +25,7 @@ struct vtkNURBSModelWriter::Results
 vtkNURBSModelWriter::vtkNURBSModelWriter()
   : Last(new Results)
 {
+  sm::ClearAbortAtStart(this);
 }
 
 vtkNURBSModelWriter::~vtkNURBSModelWriter()
@@ -105,7 +106,6 @@ vtkTypeBool vtkNURBSModelWriter::ProcessRequest(
 
 void vtkNURBSModelWriter::WriteData()
 {
-  const sm::AbortFlag abortFlag(this);
   *this->Last = Results();
   this->Last->HadInput = true;
   if (this->Piece > 0)

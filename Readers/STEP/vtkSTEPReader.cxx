@@ -89,6 +89,7 @@ struct vtkSTEPReader::Results
 vtkSTEPReader::vtkSTEPReader()
   : Last(new Results)
 {
+  sm::ClearAbortAtStart(this);
   this->SetNumberOfInputPorts(0);
 }
 
@@ -212,7 +213,6 @@ void vtkSTEPReader::Fail(int status, const std::string& problem)
 
 int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const sm::AbortFlag abortFlag(this);
   vtkInformation* info = outputVector->GetInformationObject(0);
   auto* output = vtkPartitionedDataSetCollection::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT()));
   *this->Last = Results();
