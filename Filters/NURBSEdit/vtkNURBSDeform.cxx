@@ -1,6 +1,7 @@
 #include "vtkNURBSDeform.h"
 
 #include "smDisplayPoints.h"
+#include "smFailureReason.h"
 #include "smLeaves.h"
 #include "smModelEdit.h"
 
@@ -312,9 +313,10 @@ int vtkNURBSDeform::RequestData(
     done = this->DeformInput(vtkDataObject::GetData(inputVector[0], 0),
       info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()), output);
   }
-  catch (const std::exception& error)
+  catch (...)
   {
-    vtkErrorMacro("The deformation failed: " << error.what() << ". The output is empty.");
+    vtkErrorMacro(
+      "The deformation failed: " << sm::GetReason(std::current_exception()) << ". The output is empty.");
   }
   if (!done)
   {

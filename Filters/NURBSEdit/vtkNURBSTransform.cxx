@@ -1,5 +1,6 @@
 #include "vtkNURBSTransform.h"
 
+#include "smFailureReason.h"
 #include "smLeaves.h"
 
 #include "vtkCellArray.h"
@@ -170,10 +171,11 @@ int vtkNURBSTransform::RequestData(
   {
     return this->MoveInput(vtkDataObject::GetData(inputVector[0], 0), output) ? 1 : 0;
   }
-  catch (const std::exception& error)
+  catch (...)
   {
     output->Initialize();
-    vtkErrorMacro("The transformation failed: " << error.what() << ". The output is empty.");
+    vtkErrorMacro(
+      "The transformation failed: " << sm::GetReason(std::current_exception()) << ". The output is empty.");
   }
   // Where ranks run together, what is downstream must run on all or on none.
   vtkInformation* info = outputVector->GetInformationObject(0);

@@ -1,6 +1,7 @@
 #include "vtkSolidStability.h"
 
 #include "smColumns.h"
+#include "smFailureReason.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
 #include "smStabilityNames.h"
@@ -321,7 +322,7 @@ int vtkSolidStability::RequestData(
     return this->Evaluate(vtkDataObject::GetData(inputVector[0], 0),
       info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()), outputVector);
   }
-  catch (const std::exception& error)
+  catch (...)
   {
     self.Worst = sm::SupportedBody();
     self.Status = names::StabilityStatusFailed;
@@ -329,7 +330,8 @@ int vtkSolidStability::RequestData(
     {
       vtkDataObject::GetData(outputVector, i)->Initialize();
     }
-    vtkErrorMacro("The stability could not be evaluated: " << error.what() << ". The outputs are empty.");
+    vtkErrorMacro("The stability could not be evaluated: " << sm::GetReason(std::current_exception())
+                                                           << ". The outputs are empty.");
   }
   // Where ranks run together, what is downstream must run on all or on none.
   return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;

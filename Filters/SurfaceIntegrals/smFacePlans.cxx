@@ -90,7 +90,6 @@ void FacePlans::Clear()
   this->Kept.Clear();
   this->Plans.clear();
   this->Requests.clear();
-  this->Failure = nullptr;
 }
 
 bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vector<CutFacePointer>& faces,
@@ -141,15 +140,6 @@ bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vec
   return true;
 }
 
-bool FacePlans::CheckSuccess() const
-{
-  if (this->Failure)
-  {
-    std::rethrow_exception(this->Failure);
-  }
-  return true;
-}
-
 bool FacePlans::Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFacePointer>& faces,
   const std::vector<std::size_t>& chosen, bool usePlacements, std::int64_t maximumEvaluations,
   const ProgressCallback& progress, const std::function<bool(std::int64_t&)>& addUp)
@@ -169,20 +159,9 @@ bool FacePlans::Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFa
     request.StripPoints = this->StripPoints;
   }
   this->Plans.assign(tasks.size(), nullptr);
-  this->Failure = nullptr;
   for (this->Loosenings = 0;; ++this->Loosenings)
   {
-    bool planned = true;
-    try
-    {
-      planned = this->Failure || this->PlanAll(requests, faces, progress);
-    }
-    catch (...)
-    {
-      // Other ranks wait for this one's number of evaluations.
-      this->Failure = std::current_exception();
-      this->Plans.assign(tasks.size(), nullptr);
-    }
+    const bool planned = this->PlanAll(requests, faces, progress);
     std::int64_t evaluations = 0;
     for (const auto& plan : this->Plans)
     {
@@ -204,7 +183,7 @@ bool FacePlans::Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFa
       }
     }
   }
-  for (std::size_t i = 0; i < tasks.size() && !this->Failure; ++i)
+  for (std::size_t i = 0; i < tasks.size(); ++i)
   {
     this->Kept.Store(faces[i]->Source->Id, requests[i], this->Plans[i], CountBytes(*this->Plans[i]));
   }

@@ -12,7 +12,6 @@
 #include "smQuadraturePlan.h"
 
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <unordered_map>
@@ -45,9 +44,6 @@ public:
     const std::vector<std::size_t>& chosen, bool usePlacements, std::int64_t maximumEvaluations,
     const ProgressCallback& progress, const std::function<bool(std::int64_t&)>& addUp);
 
-  /// Throws the exception that ended the last Plan(), which called `addUp` all the same; true when there was none.
-  bool CheckSuccess() const;
-
   const FacePlan& Get(std::size_t task) const { return *this->Plans[task]; }
   /// Returns the request of a task's plan, with loosened tolerances.
   const PlanRequest& GetRequest(std::size_t task) const { return this->Requests[task]; }
@@ -66,7 +62,6 @@ private:
   std::vector<PlanRequest> Requests;
   FaceCache<PlanRequest, std::shared_ptr<const FacePlan>> Kept{ CacheBudget::GetProcessBudget(), 1 };
   int Loosenings = 0;
-  std::exception_ptr Failure;
 };
 }
 

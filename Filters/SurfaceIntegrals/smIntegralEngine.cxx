@@ -47,25 +47,6 @@ void AddTasks(const IntegralRequest& request, const BodyIntegrals& body, std::ve
 }
 }
 
-/// Shares the integrator's work with the other ranks, if there are any, until the scope ends.
-class IntegralEngine::SharingScope
-{
-public:
-  explicit SharingScope(IntegralEngine& engine)
-    : Engine(engine)
-    , Exchange(std::move(engine.Exchange))
-  {
-    engine.Integrator.SetExchange(this->Exchange.get(), engine.GetDevice());
-  }
-  ~SharingScope() { this->Engine.Integrator.SetExchange(nullptr, {}); }
-  SharingScope(const SharingScope&) = delete;
-  SharingScope& operator=(const SharingScope&) = delete;
-
-private:
-  IntegralEngine& Engine;
-  std::unique_ptr<ControllerExchange> Exchange;
-};
-
 void RunReport::SetReason(const std::string& message)
 {
   this->Messages.push_back(message);
@@ -85,8 +66,8 @@ void RunReport::FillFieldData(vtkFieldData* data) const
 }
 
 IntegralEngine::IntegralEngine()
-  : Controller(vtkMultiProcessController::GetGlobalController())
 {
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 IntegralEngine::~IntegralEngine() = default;
@@ -158,7 +139,7 @@ bool IntegralEngine::RunTasks(
   const IntegralLimits& limits, const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results)
 {
   const vtkTypeUInt64 dispatches = this->Context->GetNumberOfDispatches();
-  const SharingScope sharing(*this);
+  this->Integrator.SetDevice(this->GetDevice());
   const bool done = this->Integrator.Integrate(tasks, results, limits.Progress);
   this->AddEffort(dispatches);
   this->ReportRanks();
@@ -303,35 +284,6 @@ bool IntegralEngine::Integrate(
     bodies[i].Faces = faces;
   }
   return true;
-}
-
-void IntegralEngine::ReleaseWorkers()
-{
-  if (this->Exchange)
-  {
-    const SharingScope sharing(*this);
-    this->Integrator.ReleaseWorkers();
-  }
-}
-
-void IntegralEngine::RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits, int root)
-{
-  this->ChooseRunner(limits.Backend);
-  this->Configure(request, limits);
-  bool done = false;
-  {
-    const SharingScope sharing(*this);
-    done = this->Integrator.RunAsWorker(root, limits.Progress);
-  }
-  // The rank that has the faces reports what was computed here.
-  RunReport own;
-  own.Backend = this->Report.Backend;
-  own.Renderer = this->Report.Renderer;
-  this->Report = own;
-  if (!done)
-  {
-    this->Report.Messages.push_back(this->Integrator.GetError());
-  }
 }
 
 void IntegralEngine::ReleaseMemory()

@@ -16,9 +16,9 @@
 #include "vtkComputeContext.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <set>
@@ -110,8 +110,8 @@ public:
 
   ///@{
   /** The ranks that may share a run; null: only this process. */
-  void SetController(vtkMultiProcessController* controller) { this->Controller = controller; }
-  vtkMultiProcessController* GetController() const { return this->Controller; }
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
   ///@}
 
   /// Role of a rank in a run: it has the bodies; it computes a share of another rank's faces; or it has nothing to do, with empty
@@ -124,11 +124,12 @@ public:
   };
   /**
    * Determines this rank's role together with the other ranks, if `pieces` of the update equals the number of ranks; otherwise
-   * the rank runs alone. `root` receives the rank for which a worker computes. Collective.
+   * the rank runs alone. Collective; every rank that took part ends the run by FinishSharing().
    */
-  Role ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies, int& root);
-  /// Releases the ranks that wait for a share of this run, if it ended before they got one.
-  void ReleaseWorkers();
+  Role ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies);
+  /// Ends the part of this rank in a shared run, wherever it is in it, so that no rank waits for it. `failure` is the exception that
+  /// ended the run of this rank, or null.
+  void FinishSharing(const std::exception_ptr& failure = nullptr) noexcept;
 
   /// Gives the integrator a runner that `backend` allows and the machine supports. Returns false, with a reason in the report, if
   /// there is none.
@@ -142,8 +143,8 @@ public:
    */
   bool Integrate(
     const IntegralRequest& request, const IntegralLimits& limits, std::vector<BodyIntegrals>& bodies);
-  /// Integrates this rank's share of the faces of the rank `root`. This rank's own report has only its device.
-  void RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits, int root);
+  /// Integrates this rank's share of another rank's faces. This rank's own report has only its device.
+  void RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits);
 
   /// Adds the effort of the integrator's last run to the report. `dispatches` is the number of dispatches before that run.
   void AddEffort(vtkTypeUInt64 dispatches);
@@ -154,8 +155,6 @@ public:
   void ReleaseMemory();
 
 private:
-  class SharingScope;
-
   RankDevice GetDevice() const;
   void ReportRanks();
   void ReportIntegrands(const IntegralRequest& request);
@@ -175,7 +174,7 @@ private:
   /// Generation of the context of the last run; 0: the CPU's.
   vtkTypeUInt64 Generation = 0;
   std::vector<Integrand> Configured;
-  vtkSmartPointer<vtkMultiProcessController> Controller;
+  /// Exchange with the ranks of the controller; null without one.
   std::unique_ptr<ControllerExchange> Exchange;
   RunReport Report;
 };

@@ -2,6 +2,7 @@
 #include "smIntegralEngine.h"
 
 #include "Sharing/smFaceExchange.h"
+#include "smFailureReason.h"
 
 #include <algorithm>
 
@@ -20,31 +21,34 @@ void Join(std::string& all, const std::string& more, const std::string& separato
 }
 }
 
-IntegralEngine::Role IntegralEngine::ChooseRole(
-  bool canShare, int pieces, bool hasInput, bool hasBodies, int& root)
+void IntegralEngine::SetController(vtkMultiProcessController* controller)
 {
-  this->Exchange = nullptr;
+  // Made here, as a run must not fail before it has told the other ranks.
+  this->Exchange = controller ? std::make_unique<ControllerExchange>(controller) : nullptr;
+}
+
+vtkMultiProcessController* IntegralEngine::GetController() const
+{
+  return this->Exchange ? this->Exchange->GetController() : nullptr;
+}
+
+IntegralEngine::Role IntegralEngine::ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies)
+{
   // If the update has another number of pieces, it concerns this process alone, and other ranks may not take part.
-  if (!this->Controller || this->Controller->GetNumberOfProcesses() < 2 ||
-    this->Controller->GetNumberOfProcesses() != pieces)
+  if (!this->Exchange || pieces < 2 || this->Exchange->GetNumberOfRanks() != pieces)
   {
     return Role::Owner;
   }
-  auto exchange = std::make_unique<ControllerExchange>(this->Controller);
-  std::vector<double> all;
-  if (!exchange->Share({ hasBodies ? 1.0 : 0.0, hasInput ? 1.0 : 0.0, canShare ? 1.0 : 0.0 }, all))
+  const int own = this->Exchange->GetRank();
+  RankNumbers sums = { hasBodies ? 1.0 : 0.0, hasInput ? 1.0 : 0.0, hasBodies && canShare ? 1.0 : 0.0,
+    hasBodies ? static_cast<double>(own) : 0.0 };
+  if (!this->Exchange->Sum(sums))
   {
     this->Report.Messages.push_back("the connection to the other ranks was lost");
     return Role::Owner;
   }
-  int owners = 0;
-  int inputs = 0;
-  for (int rank = exchange->GetNumberOfRanks() - 1; rank >= 0; --rank)
-  {
-    owners += all[3 * rank] != 0.0 ? 1 : 0;
-    inputs += all[3 * rank + 1] != 0.0 ? 1 : 0;
-    root = all[3 * rank] != 0.0 ? rank : root;
-  }
+  const int owners = static_cast<int>(sums[0]);
+  const bool isAnyInput = sums[1] != 0.0;
   if (owners > 1 && hasBodies)
   {
     this->Report.Messages.push_back(std::to_string(owners) +
@@ -52,13 +56,38 @@ IntegralEngine::Role IntegralEngine::ChooseRole(
   }
   if (owners == 1)
   {
-    const bool isOwner = root == exchange->GetRank();
-    const bool shares = all[3 * root + 2] != 0.0;
-    this->Exchange = shares ? std::move(exchange) : nullptr;
-    return isOwner ? Role::Owner : shares ? Role::Worker : Role::Idle;
+    const bool isShared = sums[2] != 0.0;
+    if (isShared)
+    {
+      // A single rank has bodies: the sum is its number.
+      this->Integrator.BeginSharing(*this->Exchange, static_cast<int>(sums[3]));
+    }
+    return hasBodies ? Role::Owner : isShared ? Role::Worker : Role::Idle;
   }
   // Only one rank reports that there are no bodies.
-  return hasInput || (inputs == 0 && exchange->GetRank() == 0) ? Role::Owner : Role::Idle;
+  return hasInput || (!isAnyInput && own == 0) ? Role::Owner : Role::Idle;
+}
+
+void IntegralEngine::FinishSharing(const std::exception_ptr& failure) noexcept
+{
+  this->Integrator.FinishSharing(failure ? GetReason(failure) : "");
+}
+
+void IntegralEngine::RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits)
+{
+  this->ChooseRunner(limits.Backend);
+  this->Configure(request, limits);
+  this->Integrator.SetDevice(this->GetDevice());
+  const bool done = this->Integrator.RunAsWorker(limits.Progress);
+  // The rank that has the faces reports what was computed here.
+  RunReport own;
+  own.Backend = this->Report.Backend;
+  own.Renderer = this->Report.Renderer;
+  this->Report = own;
+  if (!done)
+  {
+    this->Report.Messages.push_back(this->Integrator.GetError());
+  }
 }
 
 RankDevice IntegralEngine::GetDevice() const

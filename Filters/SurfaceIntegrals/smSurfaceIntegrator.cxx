@@ -35,16 +35,6 @@ bool SurfaceIntegrator::Internals::ReportProgress(double fraction)
   return !this->Aborted || this->Fail("aborted");
 }
 
-bool SurfaceIntegrator::Internals::FailAlone(const std::string& what)
-{
-  if (!this->IsShared || this->Aborted)
-  {
-    return this->Fail(what);
-  }
-  this->Failure = what;
-  return true;
-}
-
 bool SurfaceIntegrator::Internals::AddUpPlans(std::int64_t& evaluations)
 {
   const auto own = static_cast<double>(evaluations);
@@ -138,12 +128,12 @@ void SurfaceIntegrator::Internals::Skip(
   }
 }
 
-bool SurfaceIntegrator::Internals::MakeBatches(const std::vector<FaceTask>& tasks,
+void SurfaceIntegrator::Internals::MakeBatches(const std::vector<FaceTask>& tasks,
   std::vector<FaceIntegrals>& results, std::vector<std::vector<std::size_t>>& batches)
 {
   std::map<int, std::vector<std::size_t>> groups;
   this->ItemsTotal = 1;
-  for (std::size_t i = 0; i < tasks.size() && this->Failure.empty(); ++i)
+  for (std::size_t i = 0; i < tasks.size(); ++i)
   {
     const CutFace& cut = *this->Faces[i];
     const std::shared_ptr<const FaceIntegrals>* known = this->CacheFaceResults
@@ -187,18 +177,13 @@ bool SurfaceIntegrator::Internals::MakeBatches(const std::vector<FaceTask>& task
   batches.erase(
     std::remove_if(batches.begin(), batches.end(), [](const auto& batch) { return batch.empty(); }),
     batches.end());
-  return true;
 }
 
 bool SurfaceIntegrator::Internals::RunAll(
   const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results)
 {
   std::vector<std::vector<std::size_t>> batches;
-  if (!this->Guard([&]() { return this->MakeBatches(tasks, results, batches); }) &&
-    !this->FailAlone(this->Error))
-  {
-    return false;
-  }
+  this->MakeBatches(tasks, results, batches);
   return this->RunBatches(tasks, batches, results);
 }
 
@@ -211,15 +196,15 @@ bool SurfaceIntegrator::Internals::RunBatches(const std::vector<FaceTask>& tasks
   {
     if (next < batches.size())
     {
-      const bool ran = this->Guard([&]() { return this->RunBatch(tasks, batches[next], results); });
-      if (!ran && !this->Aborted && !this->FailAlone(this->Error))
+      const bool ran = this->RunBatch(tasks, batches[next], results);
+      if (!ran && !this->Aborted)
       {
         return false;
       }
-      next = !this->Failure.empty() ? batches.size() : ran ? next + 1 : next;
+      next += ran ? 1 : 0;
     }
     auto left = static_cast<double>(batches.size() - next);
-    if (!this->Agree(left))
+    if (!this->Agree(left, true))
     {
       for (; next < batches.size(); ++next)
       {
@@ -247,53 +232,44 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
   }
   const auto cutting = [this](double fraction) { return this->ReportProgress(CutShare * fraction); };
   std::vector<CutFacePointer> cut;
-  const bool hasCut = this->Guard(
-    [&]() {
-      return faces.empty() || this->Cuts.Acquire(faces, cut, cutting) || this->Fail(this->Cuts.GetError());
-    });
-  bool ok = hasCut || this->FailAlone(this->Error);
+  if (!faces.empty() && !this->Cuts.Acquire(faces, cut, cutting) && !this->Aborted)
+  {
+    return this->Fail(this->Cuts.GetError());
+  }
   double nothing = 0.0;
-  if (!this->Agree(nothing) || !ok)
+  if (!this->Agree(nothing))
   {
     return false;
   }
   this->Faces.clear();
   auto next = cut.begin();
-  for (std::size_t i = 0; hasCut && i < tasks.size(); ++i)
+  for (std::size_t i = 0; i < tasks.size(); ++i)
   {
     this->Faces.push_back(tasks[i].Cut ? tasks[i].Cut : *next++);
   }
   const auto planning = [this](double fraction)
   { return this->ReportProgress(CutShare + PlanShare * fraction); };
   const auto addUp = [this](std::int64_t& evaluations) { return this->AddUpPlans(evaluations); };
-  const bool works = this->Failure.empty();
   if (this->Planned &&
-    !this->Plans.Plan(works ? tasks : std::vector<FaceTask>(), this->Faces, this->Chosen, this->UsePlacements,
-      this->RunMaximum, planning, addUp))
+    !this->Plans.Plan(
+      tasks, this->Faces, this->Chosen, this->UsePlacements, this->RunMaximum, planning, addUp))
   {
     return this->Fail("aborted");
   }
   this->Loosened = this->Planned && this->Plans.WasLoosened();
-  if (this->Planned && !this->Guard([this]() { return this->Plans.CheckSuccess(); }))
-  {
-    ok = this->FailAlone(this->Error);
-  }
   const auto acquiring = [this](double fraction)
   { return this->ReportProgress(CutShare + PlanShare + AcquireShare * fraction); };
-  if (works && this->Failure.empty() && !tasks.empty())
+  if (!tasks.empty() && !this->Runner->Acquire(this->Faces, acquiring) && !this->Aborted)
   {
-    ok =
-      this->Guard([&]() { return this->Runner->Acquire(this->Faces, acquiring) || this->FailByRunner(); }) ||
-      this->FailAlone(this->Error);
+    return this->FailByRunner();
   }
-  return this->Agree(nothing) && ok;
+  return this->Agree(nothing);
 }
 
 void SurfaceIntegrator::Internals::Begin(const ProgressCallback& progress)
 {
   this->Error.clear();
-  this->Failure.clear();
-  this->Aborted = this->TimedOut = this->Loosened = this->IsShared = false;
+  this->Aborted = this->TimedOut = this->Loosened = false;
   this->Start = Now();
   this->Seconds = this->MaximumSeconds;
   this->Allowance = this->RunMaximum = this->MaximumEvaluations;
@@ -421,14 +397,20 @@ bool SurfaceIntegrator::Integrate(
   results.assign(tasks.size(), self.MakeZeroResult());
   if (tasks.empty() || self.Chosen.empty())
   {
-    this->ReleaseWorkers();
+    this->FinishSharing("");
     return !self.Integrands.empty() || self.Fail("there is nothing to integrate: add an integrand");
   }
-  const bool ok = self.Exchange ? self.IntegrateShared(tasks, results) : self.Run(tasks, results);
+  const bool ok = self.Sharing.IsOpen() ? self.IntegrateShared(tasks, results) : self.Run(tasks, results);
   if (ok)
   {
     // A run that was stopped earlier has requested no faces.
     self.Results.EndRun();
+  }
+  if (self.Sharing.IsOpen())
+  {
+    this->FinishSharing(self.Error.c_str());
+    // What the others received is unknown.
+    self.Shares.Forget();
   }
   self.Progress = nullptr;
   return ok;

@@ -33,7 +33,7 @@ struct RankReport;
  *
  * If the plan exceeds the budget of evaluations, tolerances are loosened until it does not. If the time limit is exceeded or the
  * caller stops the run, the remaining faces are skipped. The bounds include the effect. Not thread safe. Several processes may
- * share the work, see SetExchange().
+ * share the work, see BeginSharing().
  */
 class SMFILTERSSURFACEINTEGRALS_EXPORT SurfaceIntegrator
 {
@@ -72,20 +72,23 @@ public:
 
   ///@{
   /**
-   * Shares the faces with other ranks. The rank that has the faces calls Integrate() while all others call RunAsWorker() with its
-   * number; if there is nothing to do, it calls ReleaseWorkers() instead. Shares are chosen by estimated cost, and a face is sent
+   * Shares the faces with other ranks. All ranks call BeginSharing() with the number `root` of the one that has the faces. It then
+   * calls Integrate() while all others call RunAsWorker(). Every rank ends the run with FinishSharing(), also after an exception and if
+   * it has nothing to do: it makes the collective calls that are left, without the need for memory, so that no rank waits for this one.
+   * If this rank failed, `failure` is the reason, else empty. The failure of the root stops the run of all ranks. Shares are chosen by estimated cost, and a face is sent
    * once. As the result of a face does not depend on other faces, results are bitwise equal to those of a single process if all
    * ranks have equal devices and no limit ends the run. Every rank may spend its part of the evaluations; the time limit is that
    * of the rank that has the faces; a rank that is stopped stops all ranks. GetRanks() names a rank that fails, or whose
    * integrands differ, and the rank that has the faces integrates that rank's faces.
    *
-   * A null exchange, the default, means a single process. The exchange must live until it is replaced. `device` describes the
+   * Without BeginSharing(), a run is that of a single process. The exchange must live until FinishSharing(). `device` describes the
    * device of this rank.
    */
-  void SetExchange(FaceExchange* exchange, const RankDevice& device);
+  void SetDevice(const RankDevice& device);
+  void BeginSharing(FaceExchange& exchange, int root);
+  void FinishSharing(const char* failure) noexcept;
   /// Integrates the share of this rank. Returns false if the connection to the other ranks was lost.
-  bool RunAsWorker(int root, const ProgressCallback& progress);
-  bool ReleaseWorkers();
+  bool RunAsWorker(const ProgressCallback& progress);
   /// Returns the reports of the ranks in the last shared Integrate(); empty if it was not shared.
   const std::vector<RankReport>& GetRanks() const;
   ///@}

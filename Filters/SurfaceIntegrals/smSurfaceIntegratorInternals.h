@@ -8,14 +8,12 @@
 #include "Items/smItemRunner.h"
 #include "Sharing/smFaceExchange.h"
 #include "Sharing/smFaceShares.h"
+#include "Sharing/smSharedRun.h"
 #include "smFacePanelsCache.h"
 #include "smFacePlans.h"
 #include "smFaceResultCache.h"
 #include "smProgressCallback.h"
 #include "smSurfaceIntegrator.h"
-
-#include <exception>
-#include <new>
 
 namespace sm
 {
@@ -49,8 +47,8 @@ struct SurfaceIntegrator::Internals
   double PrepareSeconds = 0.0;
   double IntegrateSeconds = 0.0;
 
-  /// Exchange with other ranks; null for a single process.
-  FaceExchange* Exchange = nullptr;
+  /// The calls of the current run on several ranks; not open for a single process.
+  SharedRun Sharing;
   RankDevice Device;
   FaceShares Shares;
   ReceivedFaces Received;
@@ -58,10 +56,6 @@ struct SurfaceIntegrator::Internals
 
   /// Callback of the current Integrate() or RunAsWorker().
   ProgressCallback Progress;
-  /// True if the steps of the run are coordinated with other ranks.
-  bool IsShared = false;
-  /// Reason why this rank has failed; it then only takes part in the collective calls. Empty otherwise.
-  std::string Failure;
   /// MaximumEvaluations of the rank that has the faces, with which all ranks compare their plans.
   std::int64_t RunMaximum = 0;
   /// Number of evaluations that this rank may spend, its part of the maximum.
@@ -81,39 +75,11 @@ struct SurfaceIntegrator::Internals
     this->Error = this->Aborted ? "aborted" : what;
     return false;
   }
-  /// Handles a failure of this rank. In a shared run it records the failure and returns true, and the rank continues without work.
-  bool FailAlone(const std::string& what);
-  /// Runs a step of this rank that may throw, for want of memory. In a shared run an exception is a failure of this rank, which goes on
-  /// to agree with the others; alone it is thrown on.
-  template <typename Step>
-  bool Guard(Step&& step)
-  {
-    try
-    {
-      return step();
-    }
-    catch (const std::bad_alloc&)
-    {
-      if (!this->IsShared)
-      {
-        throw;
-      }
-      return this->Fail("there is not enough memory");
-    }
-    catch (const std::exception& error)
-    {
-      if (!this->IsShared)
-      {
-        throw;
-      }
-      return this->Fail(error.what());
-    }
-  }
   bool FailByRunner() { return this->Fail(this->Runner->GetError()); }
   bool ReportProgress(double fraction);
   bool ReportItemProgress();
-  /// Adds up the numbers of all ranks. Returns false if some rank was stopped, which stops all.
-  bool Agree(double& number);
+  /// In a shared run, ends a step of all ranks and adds up their numbers. Returns false if some rank was stopped, which stops all.
+  bool Agree(double& number, bool isBatch = false);
   bool AddUpPlans(std::int64_t& evaluations);
   void Configure();
   bool Prepare(const std::vector<FaceTask>& tasks);
@@ -122,7 +88,7 @@ struct SurfaceIntegrator::Internals
   void Skip(const std::vector<std::size_t>& faces, std::vector<FaceIntegrals>& results) const;
   bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
   /// Takes known results, and parts the other faces into batches that have room for their rows and are not too much to lose.
-  bool MakeBatches(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results,
+  void MakeBatches(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results,
     std::vector<std::vector<std::size_t>>& batches);
   bool RunBatches(const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& batches,
     std::vector<FaceIntegrals>& results);
@@ -150,15 +116,24 @@ struct SurfaceIntegrator::Internals
   Bytes MakeCapabilities() const;
   bool OnConnectionLost();
   bool IntegrateShared(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
-  bool ReleaseWorkers();
+  bool RunShare(const Bytes& message);
   /// Returns for each rank whether it takes part.
   std::vector<bool> ReadCapabilities(const std::vector<Bytes>& capabilities);
-  bool SendShares(const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& shares);
+  std::vector<Bytes> PackShares(
+    const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& shares);
+  bool GatherResults(const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& shares,
+    std::vector<FaceIntegrals>& results, std::vector<std::size_t>& left);
   bool ReadResults(const Bytes& message, const std::vector<std::size_t>& share, RankReport& report,
     std::vector<FaceIntegrals>& results);
   bool RecomputeLocally(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& share,
     std::vector<FaceIntegrals>& results);
-  Bytes MakeResults(const std::vector<FaceIntegrals>& results, std::int64_t dispatches) const;
+  /// Returns the message with results, or with a reason why there are none.
+  Bytes MakeResults(
+    const std::string& failure, const std::vector<FaceIntegrals>& results, std::int64_t dispatches) const;
+  std::int64_t CountDispatches() const
+  {
+    return this->Device.CountDispatches ? this->Device.CountDispatches() : 0;
+  }
 };
 }
 

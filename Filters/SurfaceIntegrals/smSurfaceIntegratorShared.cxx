@@ -1,14 +1,16 @@
-// Sharing of faces among ranks. A shared run is a fixed sequence of collective calls, the same on every rank in all cases: all
-// ranks send their capabilities to the root and receive their shares; they agree once after cutting, once for every plan of the
-// orders, once when the faces are acquired, and once after every batch, until some rank is stopped or none has any batch left;
-// then they send their results to the root. A rank that fails continues without work, so that no rank waits for it.
+// Sharing of faces among ranks. A shared run is a fixed sequence of collective calls (smSharedRun.h): all ranks send their
+// capabilities to the root and receive their shares; they agree once after cutting, once for every plan of the orders, once when the
+// faces are acquired, and once after every batch, until some rank is stopped or none has any batch left; then they send their results
+// to the root. A rank that fails leaves the sequence, and FinishSharing() completes it.
 #include "Sharing/smFaceBytes.h"
+#include "smFailureReason.h"
 #include "smSurfaceIntegratorInternals.h"
 
 #include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <utility>
 
 namespace sm
@@ -26,10 +28,16 @@ std::uint64_t Digest(const Bytes& bytes)
   return hash;
 }
 
+/// Reads the reason for a failure, with which the messages of the ranks begin. A message without bytes is that of a rank without memory
+/// for one.
+std::string GetFailure(const Bytes& message, ByteReader& from)
+{
+  return message.empty() ? InsufficientMemory : from.GetText();
+}
+
 /// Header of the root's message to a rank, before the faces.
 struct ShareHeader
 {
-  bool Go = false;
   bool Planned = false;
   /// Limit of the run time in seconds; 0: no limit.
   double Seconds = 0.0;
@@ -42,30 +50,24 @@ struct ShareHeader
 bool SurfaceIntegrator::Internals::OnConnectionLost()
 {
   this->Aborted = true;
-  this->IsShared = false;
   this->Error = "the connection to the other ranks was lost";
   return false;
 }
 
-bool SurfaceIntegrator::Internals::Agree(double& number)
+bool SurfaceIntegrator::Internals::Agree(double& number, bool isBatch)
 {
-  if (!this->IsShared)
+  if (!this->Sharing.HasSteps())
   {
     return !this->Aborted;
   }
-  const std::vector<double> mine{ this->Aborted ? 1.0 : 0.0, this->TimedOut ? 1.0 : 0.0, number };
-  std::vector<double> all;
-  if (!this->Exchange->Share(mine, all))
+  SharedRun::Step step{ this->Aborted, this->TimedOut, isBatch, number };
+  if (!this->Sharing.Agree(step))
   {
     return this->OnConnectionLost();
   }
-  number = 0.0;
-  for (std::size_t i = 0; i < all.size(); i += mine.size())
-  {
-    this->Aborted = this->Aborted || all[i] != 0.0;
-    this->TimedOut = this->TimedOut || all[i + 1] != 0.0;
-    number += all[i + 2];
-  }
+  this->Aborted = this->Aborted || step.IsStopped;
+  this->TimedOut = this->TimedOut || step.IsTimedOut;
+  number = step.Number;
   return !this->Aborted || this->Fail("aborted");
 }
 
@@ -100,13 +102,13 @@ Bytes SurfaceIntegrator::Internals::MakeCapabilities() const
 
 std::vector<bool> SurfaceIntegrator::Internals::ReadCapabilities(const std::vector<Bytes>& capabilities)
 {
-  const int root = this->Exchange->GetRank();
+  const int root = this->Sharing.GetRoot();
   std::vector<std::pair<std::uint64_t, std::string>> signatures;
   for (const Bytes& message : capabilities)
   {
     ByteReader from(message);
     RankReport report;
-    report.FailureReason = from.GetText();
+    report.FailureReason = GetFailure(message, from);
     report.Backend = from.GetText();
     report.Renderer = from.GetText();
     report.Note = from.GetText();
@@ -131,21 +133,7 @@ std::vector<bool> SurfaceIntegrator::Internals::ReadCapabilities(const std::vect
   return fit;
 }
 
-bool SurfaceIntegrator::Internals::ReleaseWorkers()
-{
-  std::vector<Bytes> messages;
-  Bytes own;
-  if (!this->Exchange->Gather(this->Exchange->GetRank(), Bytes(), messages))
-  {
-    return this->OnConnectionLost();
-  }
-  ByteWriter to;
-  to.Put(ShareHeader());
-  messages.assign(messages.size(), to.GetBytes());
-  return this->Exchange->Scatter(this->Exchange->GetRank(), messages, own) || this->OnConnectionLost();
-}
-
-bool SurfaceIntegrator::Internals::SendShares(
+std::vector<Bytes> SurfaceIntegrator::Internals::PackShares(
   const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& shares)
 {
   std::vector<double> costs;
@@ -159,12 +147,11 @@ bool SurfaceIntegrator::Internals::SendShares(
     }
     total += costs.back();
   }
-  const int root = this->Exchange->GetRank();
+  const int root = this->Sharing.GetRoot();
   std::vector<Bytes> messages(shares.size());
   for (std::size_t rank = 0; rank < shares.size(); ++rank)
   {
     ShareHeader header;
-    header.Go = true;
     header.Planned = this->Planned;
     const double spent = vtkTimerLog::GetUniversalTime() - this->Start;
     header.Seconds = this->Seconds > 0.0 ? std::max(this->Seconds - spent, 1e-9) : 0.0;
@@ -182,15 +169,14 @@ bool SurfaceIntegrator::Internals::SendShares(
     this->Shares.Pack(tasks, shares[rank], to);
     messages[rank] = std::move(to.GetBytes());
   }
-  Bytes own;
-  return this->Exchange->Scatter(root, messages, own) || this->OnConnectionLost();
+  return messages;
 }
 
 bool SurfaceIntegrator::Internals::ReadResults(const Bytes& message, const std::vector<std::size_t>& share,
   RankReport& report, std::vector<FaceIntegrals>& results)
 {
   ByteReader from(message);
-  const std::string failure = from.GetText();
+  const std::string failure = GetFailure(message, from);
   report.Evaluations = from.Get<std::int64_t>();
   report.Dispatches = from.Get<std::int64_t>();
   const std::size_t count = from.GetCount(sizeof(std::uint64_t));
@@ -249,9 +235,8 @@ bool SurfaceIntegrator::Internals::RecomputeLocally(const std::vector<FaceTask>&
 bool SurfaceIntegrator::Internals::IntegrateShared(
   const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results)
 {
-  const int root = this->Exchange->GetRank();
   std::vector<Bytes> messages;
-  if (!this->Exchange->Gather(root, this->MakeCapabilities(), messages))
+  if (!this->Sharing.GatherCapabilities(this->MakeCapabilities(), messages))
   {
     return this->OnConnectionLost();
   }
@@ -262,34 +247,55 @@ bool SurfaceIntegrator::Internals::IntegrateShared(
   {
     shares[ranks[i]].push_back(i);
   }
-  if (!this->SendShares(tasks, shares))
+  messages = this->PackShares(tasks, shares);
+  bool isShared = true;
+  Bytes own;
+  if (!this->Sharing.Decide(isShared) || !this->Sharing.ScatterShares(messages, own))
   {
-    return false;
+    return this->OnConnectionLost();
   }
+  std::vector<std::size_t> left;
+  const bool ran = this->GatherResults(tasks, shares, results, left);
+  this->Shares.EndRun();
+  if (!left.empty())
+  {
+    // A rank that failed may have lost the faces that it was sent.
+    this->Shares.Forget();
+  }
+  return ran && (left.empty() || this->RecomputeLocally(tasks, left, results));
+}
+
+bool SurfaceIntegrator::Internals::GatherResults(const std::vector<FaceTask>& tasks,
+  const std::vector<std::vector<std::size_t>>& shares, std::vector<FaceIntegrals>& results,
+  std::vector<std::size_t>& left)
+{
+  const int root = this->Sharing.GetRoot();
   std::vector<FaceTask> own;
   for (const std::size_t i : shares[root])
   {
     own.push_back(tasks[i]);
   }
-  this->IsShared = true;
   std::vector<FaceIntegrals> ownResults;
-  const std::int64_t dispatches = this->Device.CountDispatches ? this->Device.CountDispatches() : 0;
+  const std::int64_t dispatches = this->CountDispatches();
   const bool ran = this->Run(own, ownResults);
-  const bool isLost = !this->IsShared;
-  this->IsShared = false;
-  if (isLost || !this->Exchange->Gather(root, Bytes(), messages))
+  if (this->Sharing.HasSteps())
+  {
+    // This rank failed before the others had completed their steps.
+    return false;
+  }
+  std::vector<Bytes> messages;
+  if (this->Sharing.IsLost() || !this->Sharing.GatherResults(Bytes(), messages))
   {
     return this->OnConnectionLost();
   }
   RankReport& report = this->Ranks[root];
   report.Faces = own.size();
   report.Evaluations = this->Evaluations;
-  report.Dispatches = (this->Device.CountDispatches ? this->Device.CountDispatches() : 0) - dispatches;
+  report.Dispatches = this->CountDispatches() - dispatches;
   for (std::size_t i = 0; i < own.size(); ++i)
   {
     results[shares[root][i]] = std::move(ownResults[i]);
   }
-  std::vector<std::size_t> left;
   for (std::size_t rank = 0; rank < shares.size(); ++rank)
   {
     if (static_cast<int>(rank) != root &&
@@ -298,44 +304,48 @@ bool SurfaceIntegrator::Internals::IntegrateShared(
       left.insert(left.end(), shares[rank].begin(), shares[rank].end());
     }
   }
-  this->Shares.EndRun();
-  if (!left.empty())
-  {
-    // A rank that failed may have lost the faces that it was sent.
-    this->Shares.Forget();
-  }
-  if (!ran || !this->Failure.empty())
-  {
-    return this->Fail(this->Failure.empty() ? this->Error : this->Failure);
-  }
-  return left.empty() || this->RecomputeLocally(tasks, left, results);
+  return ran;
 }
 
 Bytes SurfaceIntegrator::Internals::MakeResults(
-  const std::vector<FaceIntegrals>& results, std::int64_t dispatches) const
+  const std::string& failure, const std::vector<FaceIntegrals>& results, std::int64_t dispatches) const
 {
   ByteWriter to;
-  to.PutText(this->Failure);
+  to.PutText(failure);
   to.Put(this->Evaluations);
   to.Put(dispatches);
-  const bool hasResults = this->Failure.empty();
-  to.Put(static_cast<std::uint64_t>(hasResults ? results.size() : 0));
-  for (std::size_t i = 0; i < results.size() && hasResults; ++i)
+  to.Put(static_cast<std::uint64_t>(results.size()));
+  for (const FaceIntegrals& result : results)
   {
-    PutIntegrals(to, results[i]);
+    PutIntegrals(to, result);
   }
   return std::move(to.GetBytes());
 }
 
-void SurfaceIntegrator::SetExchange(FaceExchange* exchange, const RankDevice& device)
+void SurfaceIntegrator::SetDevice(const RankDevice& device)
 {
-  this->Implementation->Exchange = exchange && exchange->GetNumberOfRanks() > 1 ? exchange : nullptr;
   this->Implementation->Device = device;
 }
 
-bool SurfaceIntegrator::ReleaseWorkers()
+void SurfaceIntegrator::BeginSharing(FaceExchange& exchange, int root)
 {
-  return !this->Implementation->Exchange || this->Implementation->ReleaseWorkers();
+  this->Implementation->Sharing = exchange.GetNumberOfRanks() > 1 ? SharedRun(exchange, root) : SharedRun();
+}
+
+void SurfaceIntegrator::FinishSharing(const char* failure) noexcept
+{
+  Bytes message;
+  try
+  {
+    ByteWriter to;
+    to.PutText(failure);
+    message = std::move(to.GetBytes());
+  }
+  catch (const std::bad_alloc&)
+  {
+    // A message without bytes says the same.
+  }
+  this->Implementation->Sharing.Finish(message);
 }
 
 const std::vector<RankReport>& SurfaceIntegrator::GetRanks() const
@@ -343,10 +353,10 @@ const std::vector<RankReport>& SurfaceIntegrator::GetRanks() const
   return this->Implementation->Ranks;
 }
 
-bool SurfaceIntegrator::RunAsWorker(int root, const ProgressCallback& progress)
+bool SurfaceIntegrator::RunAsWorker(const ProgressCallback& progress)
 {
   Internals& self = *this->Implementation;
-  if (!self.Exchange)
+  if (!self.Sharing.IsOpen())
   {
     return true;
   }
@@ -357,44 +367,46 @@ bool SurfaceIntegrator::RunAsWorker(int root, const ProgressCallback& progress)
   }
   std::vector<Bytes> nobody;
   Bytes message;
-  if (!self.Exchange->Gather(root, self.MakeCapabilities(), nobody) ||
-    !self.Exchange->Scatter(root, nobody, message))
-  {
-    return self.OnConnectionLost();
-  }
+  bool isShared = false;
+  bool ok = self.Sharing.GatherCapabilities(self.MakeCapabilities(), nobody) && self.Sharing.Decide(isShared);
+  ok = ok && (!isShared || (self.Sharing.ScatterShares(nobody, message) && self.RunShare(message)));
+  self.Progress = nullptr;
+  return ok || self.OnConnectionLost();
+}
+
+bool SurfaceIntegrator::Internals::RunShare(const Bytes& message)
+{
   ByteReader from(message);
   const auto header = from.Get<ShareHeader>();
-  if (!header.Go)
-  {
-    return true;
-  }
-  self.Start = vtkTimerLog::GetUniversalTime();
-  self.Seconds = header.Seconds;
-  self.RunMaximum = header.RunMaximum;
-  self.Allowance = header.Allowance;
+  this->Start = vtkTimerLog::GetUniversalTime();
+  this->Seconds = header.Seconds;
+  this->RunMaximum = header.RunMaximum;
+  this->Allowance = header.Allowance;
   std::vector<FaceTask> tasks;
-  self.IsShared = true;
-  if (!self.Guard(
-        [&]() { return self.Received.Unpack(root, from, tasks) || self.Fail("the faces did not arrive"); }))
+  if (!this->Received.Unpack(this->Sharing.GetRoot(), from, tasks))
   {
-    self.Failure = self.Error;
-    tasks.clear();
+    this->Sharing.Finish(this->MakeResults("the faces did not arrive", {}, 0));
+    return !this->Sharing.IsLost();
   }
-  if (self.Planned != header.Planned)
+  if (this->Planned != header.Planned)
   {
     // A rank that cannot compute the same integrands has an empty share, so that its own configuration does not matter.
-    self.Planned = header.Planned;
-    self.Configured = false;
+    this->Planned = header.Planned;
+    this->Configured = false;
   }
   std::vector<FaceIntegrals> results;
-  const std::int64_t dispatches = self.Device.CountDispatches ? self.Device.CountDispatches() : 0;
-  self.Run(tasks, results);
-  const bool isLost = !self.IsShared;
-  self.IsShared = false;
-  self.Results.EndRun();
-  self.Progress = nullptr;
-  const std::int64_t more = (self.Device.CountDispatches ? self.Device.CountDispatches() : 0) - dispatches;
-  return (!isLost && self.Exchange->Gather(root, self.MakeResults(results, more), nobody)) ||
-    self.OnConnectionLost();
+  const std::int64_t before = this->CountDispatches();
+  this->Run(tasks, results);
+  this->Results.EndRun();
+  const std::int64_t dispatches = this->CountDispatches() - before;
+  if (this->Sharing.HasSteps())
+  {
+    // This rank failed before the others had completed their steps; they compute its share.
+    this->Sharing.Finish(this->MakeResults(this->Error, {}, dispatches));
+    return !this->Sharing.IsLost();
+  }
+  std::vector<Bytes> nobody;
+  return !this->Sharing.IsLost() &&
+    this->Sharing.GatherResults(this->MakeResults("", results, dispatches), nobody);
 }
 }

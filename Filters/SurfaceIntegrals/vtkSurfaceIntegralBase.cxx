@@ -3,6 +3,7 @@
 #include "smBodyMeshes.h"
 #include "smBodySelection.h"
 #include "smColumns.h"
+#include "smFailureReason.h"
 #include "smIntegralEngine.h"
 
 #include "vtkAutoInit.h"
@@ -427,35 +428,71 @@ void vtkSurfaceIntegralBase::Write(
   this->Engine->GetReport().FillFieldData(outputs.Totals->GetFieldData());
 }
 
+/// What a run finds in its input.
+struct vtkSurfaceIntegralBase::Input
+{
+  /// The bodies to integrate.
+  std::vector<sm::BodyIntegrals> Bodies;
+  /// True if the input has bodies, selected or not.
+  bool HasBodies = false;
+  sm::RejectedInput Rejected;
+  int GetNumberOfMeshes() const { return this->Rejected.Plain + this->Rejected.Withheld; }
+};
+
+void vtkSurfaceIntegralBase::FindBodies(vtkDataObject* input, Input& found)
+{
+  this->ResetResults();
+  found.Bodies = sm::CollectBodies(input, found.Rejected);
+  found.HasBodies = !found.Bodies.empty();
+  if (found.HasBodies)
+  {
+    this->ChooseBodies(input, found.Bodies);
+  }
+}
+
 int vtkSurfaceIntegralBase::Run(
   vtkInformation* request, vtkDataObject* input, vtkInformationVector* outputVector)
 {
-  sm::RunReport& report = this->Engine->GetReport();
-  sm::RejectedInput rejected;
-  std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
-  const int meshes = rejected.Plain + rejected.Withheld;
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   const int pieces = outputVector->GetInformationObject(port)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  const bool anyBody = !bodies.empty();
-  if (anyBody)
+  Input found;
+  std::exception_ptr failure;
+  try
   {
-    this->ChooseBodies(input, bodies);
+    this->FindBodies(input, found);
   }
-  int root = 0;
+  catch (...)
+  {
+    // The other ranks wait for this one until the roles are chosen.
+    failure = std::current_exception();
+    found.Bodies.clear();
+  }
+  const bool hasInput = failure || found.HasBodies || found.GetNumberOfMeshes() > 0;
   const sm::IntegralEngine::Role role =
-    this->Engine->ChooseRole(this->CanShareFaces(), pieces, anyBody || meshes > 0, !bodies.empty(), root);
+    this->Engine->ChooseRole(this->CanShareFaces(), pieces, hasInput, !found.Bodies.empty());
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
   if (role == sm::IntegralEngine::Role::Worker)
   {
-    this->Engine->RunAsWorker(this->MakeRequest(), this->MakeLimits(), root);
+    this->RunAsWorker();
   }
-  if (role != sm::IntegralEngine::Role::Owner)
+  const bool done =
+    role != sm::IntegralEngine::Role::Owner || this->RunAsOwner(found, input, outputVector) != 0;
+  // Where ranks run together, what is downstream must run on all or on none.
+  return done || pieces > 1 ? 1 : 0;
+}
+
+int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkInformationVector* outputVector)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  std::vector<sm::BodyIntegrals>& bodies = found.Bodies;
+  const int meshes = found.GetNumberOfMeshes();
+  if (!found.HasBodies && meshes > 0)
   {
-    return 1;
-  }
-  if (!anyBody && meshes > 0)
-  {
-    return this->RejectInput(rejected.Withheld > 0);
+    return this->RejectInput(found.Rejected.Withheld > 0);
   }
   if (meshes > 0)
   {
@@ -468,15 +505,36 @@ int vtkSurfaceIntegralBase::Run(
   }
   if (bodies.empty())
   {
-    report.SetReason(anyBody ? "no solid is chosen" : "the input holds no solid and no surface");
+    report.SetReason(found.HasBodies ? "no solid is chosen" : "the input holds no solid and no surface");
   }
   const sm::IntegralRequest wanted = this->MakeRequest();
   const bool computed = !bodies.empty() && this->IntegrateBodies(wanted, bodies);
-  this->Engine->ReleaseWorkers();
+  this->Engine->FinishSharing();
   this->Analyze(wanted, computed, bodies);
   this->Write(bodies, input, outputVector);
   this->AddMessages(bodies);
   return 1;
+}
+
+void vtkSurfaceIntegralBase::RunAsWorker()
+{
+  std::exception_ptr failure;
+  try
+  {
+    this->Engine->RunAsWorker(this->MakeRequest(), this->MakeLimits());
+    return;
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
+  // The rank that has the bodies computes this share, so that the result is complete, and this rank's outputs are empty.
+  this->Engine->FinishSharing(failure);
+  // Data kept between runs may be incomplete.
+  this->ReleaseMemory();
+  this->ResetResults();
+  this->Engine->GetReport().Messages.push_back(
+    std::string("other ranks computed the share of this one: ") + sm::GetReason(failure));
 }
 
 void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& bodies)
@@ -509,21 +567,21 @@ void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& b
 int vtkSurfaceIntegralBase::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->ResetResults();
   int result = 1;
+  std::exception_ptr failure;
   try
   {
     result = this->Run(request, vtkDataObject::GetData(inputVector[0], 0), outputVector);
   }
-  catch (const std::bad_alloc&)
+  catch (...)
   {
-    this->Fail("there is not enough memory", outputVector);
+    failure = std::current_exception();
   }
-  catch (const std::exception& error)
+  this->Engine->FinishSharing(failure);
+  if (failure)
   {
-    this->Fail(std::string("an error of the program: ") + error.what(), outputVector);
+    this->Fail(failure, outputVector);
   }
-  this->Engine->ReleaseWorkers();
   this->ClearAbort();
   if (this->GetReleaseDataFlag())
   {
@@ -532,23 +590,32 @@ int vtkSurfaceIntegralBase::RequestData(
   return result;
 }
 
-void vtkSurfaceIntegralBase::Fail(const std::string& what, vtkInformationVector* outputVector)
+void vtkSurfaceIntegralBase::Fail(const std::exception_ptr& failure, vtkInformationVector* outputVector)
 {
   // Data kept between runs may be incomplete.
   this->ReleaseMemory();
   this->ResetResults();
   sm::RunReport& report = this->Engine->GetReport();
   report.Status = sm::Status::NotComputed;
-  report.SetReason("nothing was computed: " + what);
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     vtkDataObject::GetData(outputVector, port)->Initialize();
   }
-  vtkPolyData* totals = vtkPolyData::GetData(outputVector, 0);
-  AddPlaceholderPoint({}, totals);
-  report.FillFieldData(totals->GetFieldData());
-  vtkTable* text = vtkTable::GetData(outputVector, 2);
-  sm::columns::SetString(text->GetRowData(), sm::names::Text, this->FormatStatus({}));
-  sm::columns::SetString(text->GetFieldData(), sm::names::Status, this->GetStatus());
-  vtkWarningMacro("Status " << this->GetStatus() << ": " << report.Reason);
+  try
+  {
+    const std::string reason = sm::GetReason(failure);
+    report.SetReason("nothing was computed: " +
+      (reason == sm::InsufficientMemory ? reason : "an error of the program: " + reason));
+    vtkPolyData* totals = vtkPolyData::GetData(outputVector, 0);
+    AddPlaceholderPoint({}, totals);
+    report.FillFieldData(totals->GetFieldData());
+    vtkTable* text = vtkTable::GetData(outputVector, 2);
+    sm::columns::SetString(text->GetRowData(), sm::names::Text, this->FormatStatus({}));
+    sm::columns::SetString(text->GetFieldData(), sm::names::Status, this->GetStatus());
+    vtkWarningMacro("Status " << this->GetStatus() << ": " << report.Reason);
+  }
+  catch (const std::bad_alloc&)
+  {
+    // The getters have the status.
+  }
 }

@@ -30,7 +30,7 @@
  * exception was caught); empty (no body was found or selected). The status `unreadable` is the command-line program's.
  *
  * Getters return the values of the last run and never run the pipeline: call Update() first. RequestData fails only for an input
- * without exact geometry.
+ * without exact geometry; where several ranks update together it does not, so that what is downstream runs on all of them.
  *
  * Not thread safe. After SetRenderWindow() the calling thread must be the one that renders in that window.
  */
@@ -40,9 +40,10 @@
 #include "smFiltersSurfaceIntegralsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
-#include <string> // for std::string
-#include <vector> // for std::vector
+#include <exception> // for std::exception_ptr
+#include <memory>    // for std::unique_ptr
+#include <string>    // for std::string
+#include <vector>    // for std::vector
 
 class vtkComputeContext;
 class vtkMultiProcessController;
@@ -132,8 +133,8 @@ public:
    * send only new faces.
    *
    * Outputs and getters of the other ranks are empty, so that no result exists twice. Properties must be the same on all ranks; a
-   * rank with other integrands takes no part, with a message. A rank without OpenGL computes on the CPU. If a rank fails, the
-   * rank with the bodies computes its share, with a message. An abort on any rank stops all ranks, at the end of a batch of some
+   * rank with other integrands takes no part, with a message. A rank without OpenGL computes on the CPU. If a rank fails, by
+   * an exception or otherwise, the rank with the bodies computes its share, with a message; if that one fails, nothing is computed. An abort on any rank stops all ranks, at the end of a batch of some
    * 2e7 evaluations. Every rank may spend the part of MaximumEvaluations that corresponds to its faces' part of the plan.
    * Evaluations and Dispatches count all ranks. vtkBuoyancy and vtkSchemeMassPropertiesGPU run on the rank that has the bodies.
    * If several ranks have bodies, each integrates its own. A plain Update() involves only the calling process.
@@ -253,6 +254,13 @@ private:
 
 #ifndef __VTK_WRAP__
   int Run(vtkInformation* request, vtkDataObject* input, vtkInformationVector* outputVector);
+  struct Input;
+  /** Finds the bodies of the input that are to be integrated. */
+  void FindBodies(vtkDataObject* input, Input& found);
+  /** The run of the rank that has the bodies. */
+  int RunAsOwner(Input& found, vtkDataObject* input, vtkInformationVector* outputVector);
+  /** The run of a rank that integrates a share of the bodies of another one. */
+  void RunAsWorker();
   /** Computes values, statuses and the report of the run from the integrals. */
   void Analyze(const sm::IntegralRequest& request, bool computed, std::vector<sm::BodyIntegrals>& bodies);
   void Write(
@@ -266,7 +274,7 @@ private:
   /** Adds the messages of the bodies to the report, and issues at most one warning. */
   void AddMessages(const std::vector<sm::BodyIntegrals>& bodies);
   /** Handles an exception that ended the run: writes outputs without values, and a status with the reason. */
-  void Fail(const std::string& what, vtkInformationVector* outputVector);
+  void Fail(const std::exception_ptr& failure, vtkInformationVector* outputVector);
 
   std::unique_ptr<sm::IntegralEngine> Engine;
   std::vector<std::string> Selectors;

@@ -142,11 +142,10 @@ inline bool Says(vtkSurfaceIntegralBase* filter, const std::string& text)
   return GetMessages(filter).find(text) != std::string::npos;
 }
 
-/// All numbers of the output's field data, without evaluations and dispatches.
-inline std::vector<double> GetFieldNumbers(vtkSurfaceIntegralBase* filter)
+/// All numbers of a filter's field data, without evaluations and dispatches.
+inline std::vector<double> GetFieldNumbers(vtkFieldData* fields)
 {
   std::vector<double> numbers;
-  vtkFieldData* fields = filter->GetOutput()->GetFieldData();
   for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = fields->GetArray(i);
@@ -159,6 +158,11 @@ inline std::vector<double> GetFieldNumbers(vtkSurfaceIntegralBase* filter)
     }
   }
   return numbers;
+}
+
+inline std::vector<double> GetFieldNumbers(vtkSurfaceIntegralBase* filter)
+{
+  return GetFieldNumbers(filter->GetOutput()->GetFieldData());
 }
 
 /// False also for fewer than 31 numbers, which would prove little.

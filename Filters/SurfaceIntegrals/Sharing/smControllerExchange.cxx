@@ -1,13 +1,36 @@
 #include "smControllerExchange.h"
 
+#include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
+
+#include <algorithm>
+#include <array>
+#include <new>
 
 namespace sm
 {
 namespace
 {
-constexpr int SizeTag = 551301;
-constexpr int ContentTag = 551302;
+// MPI guarantees tags up to 32767 only.
+constexpr int SizeTag = 22513;
+constexpr int ContentTag = 22514;
+// Size of the pieces of a message. A buffer of this size is on the stack.
+constexpr std::size_t PieceSize = 32768;
+
+/// Returns false if there is no memory for `work`.
+template <typename Work>
+bool HasMemoryFor(const Work& work)
+{
+  try
+  {
+    work();
+    return true;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return false;
+  }
+}
 }
 
 ControllerExchange::ControllerExchange(vtkMultiProcessController* controller)
@@ -27,65 +50,95 @@ int ControllerExchange::GetRank() const
   return this->Controller->GetLocalProcessId();
 }
 
-bool ControllerExchange::Share(const std::vector<double>& mine, std::vector<double>& all)
+bool ControllerExchange::Sum(RankNumbers& numbers)
 {
-  all.assign(mine.size() * static_cast<std::size_t>(this->GetNumberOfRanks()), 0.0);
-  return this->Controller->AllGather(mine.data(), all.data(), static_cast<vtkIdType>(mine.size())) != 0;
+  const RankNumbers mine = numbers;
+  return this->Controller->AllReduce(
+           mine.data(), numbers.data(), static_cast<vtkIdType>(mine.size()), vtkCommunicator::SUM_OP) != 0;
 }
 
 bool ControllerExchange::Send(int to, const Bytes& message)
 {
   const auto size = static_cast<long long>(message.size());
-  return this->Controller->Send(&size, 1, to, SizeTag) != 0 &&
-    (size == 0 || this->Controller->Send(message.data(), static_cast<vtkIdType>(size), to, ContentTag) != 0);
+  bool ok = this->Controller->Send(&size, 1, to, SizeTag) != 0;
+  for (std::size_t at = 0; at < message.size() && ok; at += PieceSize)
+  {
+    const auto count = static_cast<vtkIdType>(std::min(PieceSize, message.size() - at));
+    ok = this->Controller->Send(message.data() + at, count, to, ContentTag) != 0;
+  }
+  return ok;
 }
 
-bool ControllerExchange::Receive(int from, Bytes& message)
+bool ControllerExchange::Receive(int from, Bytes* message, bool& isDropped)
 {
-  long long size = 0;
-  if (!this->Controller->Receive(&size, 1, from, SizeTag) || size < 0)
+  long long length = 0;
+  if (!this->Controller->Receive(&length, 1, from, SizeTag) || length < 0)
   {
     return false;
   }
-  message.resize(static_cast<std::size_t>(size));
-  return size == 0 ||
-    this->Controller->Receive(message.data(), static_cast<vtkIdType>(size), from, ContentTag) != 0;
+  const auto size = static_cast<std::size_t>(length);
+  const bool hasRoom = message && HasMemoryFor([&]() { message->resize(size); });
+  isDropped = isDropped || !hasRoom;
+  std::array<char, PieceSize> dropped;
+  bool ok = true;
+  for (std::size_t at = 0; at < size && ok; at += PieceSize)
+  {
+    const auto count = static_cast<vtkIdType>(std::min(PieceSize, size - at));
+    ok = this->Controller->Receive(
+           hasRoom ? message->data() + at : dropped.data(), count, from, ContentTag) != 0;
+  }
+  return ok;
 }
 
 bool ControllerExchange::Gather(int root, const Bytes& mine, std::vector<Bytes>& all)
 {
-  if (this->GetRank() != root)
+  const int own = this->GetRank();
+  if (own != root)
   {
     return this->Send(root, mine);
   }
-  all.assign(static_cast<std::size_t>(this->GetNumberOfRanks()), Bytes());
+  const int ranks = this->GetNumberOfRanks();
+  const bool hasRoom = HasMemoryFor(
+    [&]()
+    {
+      all.assign(static_cast<std::size_t>(ranks), Bytes());
+      all[own] = mine;
+    });
+  bool isDropped = !hasRoom;
   bool ok = true;
-  for (int rank = 0; rank < this->GetNumberOfRanks() && ok; ++rank)
+  for (int rank = 0; rank < ranks && ok; ++rank)
   {
-    if (rank == root)
-    {
-      all[rank] = mine;
-    }
-    else
-    {
-      ok = this->Receive(rank, all[rank]);
-    }
+    ok = rank == own || this->Receive(rank, hasRoom ? &all[rank] : nullptr, isDropped);
+  }
+  if (ok && isDropped)
+  {
+    throw std::bad_alloc();
   }
   return ok;
 }
 
 bool ControllerExchange::Scatter(int root, const std::vector<Bytes>& all, Bytes& mine)
 {
-  if (this->GetRank() != root)
-  {
-    return this->Receive(root, mine);
-  }
+  const int own = this->GetRank();
   bool ok = true;
+  if (own != root)
+  {
+    bool isDropped = false;
+    ok = this->Receive(root, &mine, isDropped);
+    if (ok && isDropped)
+    {
+      throw std::bad_alloc();
+    }
+    return ok;
+  }
+  const Bytes nothing;
+  const auto getMessage = [&](int rank) -> const Bytes&
+  { return static_cast<std::size_t>(rank) < all.size() ? all[rank] : nothing; };
   for (int rank = 0; rank < this->GetNumberOfRanks() && ok; ++rank)
   {
-    ok = rank == root || this->Send(rank, all[rank]);
+    ok = rank == own || this->Send(rank, getMessage(rank));
   }
-  mine = all[root];
+  mine = getMessage(own);
   return ok;
 }
 }

@@ -7,6 +7,7 @@
 
 #include "smBytes.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -14,9 +15,15 @@
 
 namespace sm
 {
+/// Numbers that are added up over all ranks.
+using RankNumbers = std::array<double, 4>;
+
 /**
  * Every method is collective: all ranks call it, in the same order, and it returns as soon as the calling rank has its data. It
  * returns false if the connection is permanently lost. Ranks are numbered from 0 and run on machines of one kind (smBytes.h).
+ *
+ * Other ranks do not wait for one whose memory is insufficient. Sum() needs no memory; Gather() and Scatter() take part to the end,
+ * without keeping what they receive, and then throw std::bad_alloc.
  */
 class FaceExchange
 {
@@ -26,11 +33,11 @@ public:
   virtual int GetNumberOfRanks() const = 0;
   virtual int GetRank() const = 0;
 
-  /// Sets `all` to the numbers of every rank, in the order of the ranks. All ranks must pass the same count of numbers.
-  virtual bool Share(const std::vector<double>& mine, std::vector<double>& all) = 0;
+  /// Replaces the numbers by their sums over all ranks, which are the same on every rank.
+  virtual bool Sum(RankNumbers& numbers) = 0;
   /// Sets `all` to one message of every rank, on `root` only.
   virtual bool Gather(int root, const Bytes& mine, std::vector<Bytes>& all) = 0;
-  /// Sets `mine` to the rank's message in `all`, which is read on `root` only.
+  /// Sets `mine` to the rank's message in `all`, which is read on `root` only; messages that `all` lacks are empty.
   virtual bool Scatter(int root, const std::vector<Bytes>& all, Bytes& mine) = 0;
 };
 

@@ -40,9 +40,10 @@ double EstimateCost(const Face& face)
 
 std::vector<int> FaceShares::Divide(const std::vector<FaceTask>& tasks, const std::vector<bool>& fit)
 {
-  if (this->Session == 0)
+  if (this->Session == 0 || this->Fit != fit)
   {
     this->Forget();
+    this->Fit = fit;
   }
   const auto hasHome = [&fit](const Home& home) { return home.Rank >= 0 && fit[home.Rank]; };
   std::vector<int> ranks(tasks.size(), -1);

@@ -28,7 +28,8 @@ SMFILTERSSURFACEINTEGRALS_EXPORT double EstimateCost(const Face& face);
 class SMFILTERSSURFACEINTEGRALS_EXPORT FaceShares
 {
 public:
-  /// Returns a rank for every task, among those with `fit` true, of which there must be one at least.
+  /// Returns a rank for every task, among those with `fit` true, of which there must be one at least. If these are not the ranks of the
+  /// last run, all faces are assigned anew and sent again: a rank that was not fit may have lost its faces, or has none.
   std::vector<int> Divide(const std::vector<FaceTask>& tasks, const std::vector<bool>& fit);
   /// Writes the message by which another rank receives the tasks assigned to it. It must be called once after each Divide() for
   /// every such rank.
@@ -48,6 +49,7 @@ private:
     bool IsThere = false;
   };
   std::unordered_map<std::uint64_t, Home> Homes;
+  std::vector<bool> Fit;
   std::uint64_t Session = 0;
   std::uint64_t Run = 0;
 };

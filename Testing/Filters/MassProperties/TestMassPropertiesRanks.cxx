@@ -6,6 +6,8 @@
 #include <vtkMPIController.h>
 #include <vtkNURBSDeform.h>
 #include <vtkPartitionedDataSetCollection.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
@@ -25,6 +27,7 @@
 namespace
 {
 using namespace smtest;
+namespace names = sm::names;
 
 vtkMultiProcessController* controller = nullptr;
 int rank = 0;
@@ -467,6 +470,34 @@ void TestInputs(const std::string& file, const std::string& nothing)
     MessageTrap trap(empty.Mass);
     UpdateTogether(empty.Mass);
     CheckEqual("nothing: said", rank == 0 ? 1 : 0, empty.Mass->GetNumberOfMessages());
+  }
+  {
+    // A mesh without exact geometry on one rank: it is rejected there, and a second update does not wait for the others.
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(0.0, 0.0, 0.0);
+    vtkNew<vtkPolyData> mesh;
+    vtkNew<vtkPartitionedDataSetCollection> none;
+    mesh->SetPoints(points);
+    vtkNew<vtkMassPropertiesGPU> mass;
+    mass->SetController(controller);
+    if (rank == 0)
+    {
+      mass->SetInputDataObject(mesh);
+    }
+    else
+    {
+      mass->SetInputDataObject(none);
+    }
+    MessageTrap trap(mass);
+    MessageTrap executive(mass->GetExecutive());
+    for (int run = 0; run < 2; ++run)
+    {
+      UpdateTogether(mass);
+      CheckEqual("a mesh: status", rank == 0 ? names::StatusEmpty : "", mass->GetStatus());
+    }
+    CheckEqual("a mesh: errors", rank == 0 ? 1 : 0, trap.NumberOfErrors);
+    CheckEqual("a mesh: errors of the pipeline, whose filters run on all ranks or on none", 0,
+      executive.NumberOfErrors);
   }
 #ifdef HAS_MOMENT_SCHEMES
   {

@@ -1,5 +1,6 @@
 // TestSurfaceIntegralMemory FOLDER failures|limits|release opengl|cpu: memory that is short while a filter runs, and memory that it gives
 // back. An allocation that fails ends in a status, not in the end of the process, and the next run has the bits of an undisturbed one.
+#include "smFailingMemory.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
@@ -16,63 +17,13 @@
 #endif
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <malloc.h>
-#include <new>
 #include <sys/resource.h>
 #include <type_traits>
 #include <unistd.h>
-
-namespace
-{
-/// Allocations by operator new since counting began; the one of this number fails. 0: none does.
-std::atomic<bool> isCounting{ false };
-std::atomic<long> allocations{ 0 };
-std::atomic<long> failing{ 0 };
-
-void* Allocate(std::size_t size)
-{
-  if (isCounting && ++allocations == failing)
-  {
-    throw std::bad_alloc();
-  }
-  void* memory = std::malloc(std::max<std::size_t>(size, 1));
-  if (!memory)
-  {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
-}
-
-// In place of the standard library's, in all libraries that this program loads.
-void* operator new(std::size_t size)
-{
-  return Allocate(size);
-}
-void* operator new[](std::size_t size)
-{
-  return Allocate(size);
-}
-void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept
-{
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 namespace
 {
@@ -101,14 +52,11 @@ struct Shortage
       std::ifstream("/proc/self/statm") >> pages;
       SetLimit(static_cast<rlim_t>(pages * sysconf(_SC_PAGESIZE) + this->Headroom));
     }
-    allocations = 0;
-    failing = this->Failing;
-    isCounting = true;
+    failingMemory.Begin(this->Failing);
   }
   void End()
   {
-    isCounting = false;
-    this->Allocations = allocations;
+    this->Allocations = failingMemory.End();
     if (this->Headroom >= 0)
     {
       SetLimit(RLIM_INFINITY);
@@ -159,7 +107,7 @@ protected:
   void WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies,
     const vtkSurfaceIntegralBase::Outputs& outputs) const override
   {
-    isCounting = false;
+    failingMemory.End();
     this->Filter::WriteOutputs(bodies, outputs);
   }
 };

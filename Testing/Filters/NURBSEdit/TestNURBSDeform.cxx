@@ -238,7 +238,7 @@ void CheckOutOfMemory()
   filter->SetInputData(MakeProduct(body));
   filter->SetDisplacement(0.0, 0.0, 0.5);
   filter->SetPointEvaluator(vtkNew<EvaluatorWithoutMemory>());
-  CheckFails(filter, "bad_alloc");
+  CheckFails(filter, "there is not enough memory");
   filter->SetPointEvaluator(nullptr);
   filter->Update();
   CheckStructure(filter->GetOutputDataObject(0));

@@ -55,23 +55,35 @@ void CheckMoved(vtkNURBSTransform* filter, vtkPartitionedDataSetCollection* prod
   Check("a plain mesh moves along", to[0], plain ? plain->GetPoint(0)[0] : 0.0, 1e-5, "a float");
 }
 
-class TransformWithoutMemory : public vtkTransform
+class ThrowingTransform : public vtkTransform
 {
 public:
-  static TransformWithoutMemory* New() { VTK_STANDARD_NEW_BODY(TransformWithoutMemory); }
-  vtkTypeMacro(TransformWithoutMemory, vtkTransform);
+  static ThrowingTransform* New() { VTK_STANDARD_NEW_BODY(ThrowingTransform); }
+  vtkTypeMacro(ThrowingTransform, vtkTransform);
+  bool ThrowsNumber = false;
 
 protected:
-  void InternalUpdate() override { throw std::bad_alloc(); }
+  void InternalUpdate() override
+  {
+    if (this->ThrowsNumber)
+    {
+      throw 1;
+    }
+    throw std::bad_alloc();
+  }
 };
 
 /// An exception is an error of the filter with an empty output; it does not leave Update().
-void CheckOutOfMemory(vtkDataObject* input)
+void CheckExceptions(vtkDataObject* input)
 {
+  vtkNew<ThrowingTransform> transform;
   vtkNew<vtkNURBSTransform> filter;
   filter->SetInputData(input);
-  filter->SetTransform(vtkNew<TransformWithoutMemory>());
-  CheckFails(filter, "bad_alloc");
+  filter->SetTransform(transform);
+  CheckFails(filter, "there is not enough memory");
+  transform->ThrowsNumber = true;
+  transform->Modified();
+  CheckFails(filter, "an exception of an unknown type was thrown");
 }
 }
 
@@ -125,6 +137,6 @@ int TestNURBSTransform(int, char*[])
   CheckFails(filter, "not rigid");
   filter->SetTranslation(0.0, 0.0, 0.0);
   CheckMoved(filter, product, true);
-  CheckOutOfMemory(product);
+  CheckExceptions(product);
   return Finish();
 }

@@ -151,15 +151,18 @@ public:
   }
   int GetNumberOfRanks() const override { return this->Meeting.GetNumberOfRanks(); }
   int GetRank() const override { return this->Rank; }
-  bool Share(const std::vector<double>& mine, std::vector<double>& all) override
+  bool Sum(sm::RankNumbers& numbers) override
   {
     sm::ByteWriter to;
-    to.PutAll(mine);
-    all.clear();
+    to.Put(numbers);
+    numbers.fill(0.0);
     for (const sm::Bytes& given : this->Meeting.Meet(this->Rank, to.GetBytes()))
     {
-      const std::vector<double> numbers = sm::ByteReader(given).GetAll<double>();
-      all.insert(all.end(), numbers.begin(), numbers.end());
+      const auto theirs = sm::ByteReader(given).Get<sm::RankNumbers>();
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+      {
+        numbers[i] += theirs[i];
+      }
     }
     return true;
   }
@@ -249,16 +252,17 @@ struct Team
         {
           ThreadExchange exchange(table, static_cast<int>(rank));
           sm::SurfaceIntegrator& integrator = *this->Members[rank];
-          integrator.SetExchange(&exchange, { "cpu", "thread", "", "", nullptr });
+          integrator.SetDevice({ "cpu", "thread", "", "", nullptr });
+          integrator.BeginSharing(exchange, 0);
           if (rank == 0)
           {
             done = integrator.Integrate(tasks, results, nullptr);
           }
           else
           {
-            integrator.RunAsWorker(0, nullptr);
+            integrator.RunAsWorker(nullptr);
           }
-          integrator.SetExchange(nullptr, {});
+          integrator.FinishSharing("");
         });
     }
     std::for_each(threads.begin(), threads.end(), [](std::thread& thread) { thread.join(); });

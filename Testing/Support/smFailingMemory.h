@@ -1,0 +1,79 @@
+/**
+ * @file smFailingMemory.h
+ * @brief operator new that counts allocations and lets one of them fail, for programs that test a shortage of memory
+ *
+ * Replaces the standard library's in all libraries of the program: include it in one source file of a program.
+ */
+#ifndef smFailingMemory_h
+#define smFailingMemory_h
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace smtest
+{
+/// Allocations by operator new while `IsCounting`; the one with the number `Failing` fails. 0: none does.
+struct FailingMemory
+{
+  std::atomic<bool> IsCounting{ false };
+  std::atomic<long> Allocations{ 0 };
+  std::atomic<long> Failing{ 0 };
+
+  void Begin(long failing)
+  {
+    this->Allocations = 0;
+    this->Failing = failing;
+    this->IsCounting = true;
+  }
+  /// Ends the counting; returns the number of allocations since Begin().
+  long End()
+  {
+    this->IsCounting = false;
+    return this->Allocations;
+  }
+};
+
+inline FailingMemory failingMemory;
+
+inline void* Allocate(std::size_t size)
+{
+  void* memory = failingMemory.IsCounting && ++failingMemory.Allocations == failingMemory.Failing
+    ? nullptr
+    : std::malloc(std::max<std::size_t>(size, 1));
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+}
+
+void* operator new(std::size_t size)
+{
+  return smtest::Allocate(size);
+}
+void* operator new[](std::size_t size)
+{
+  return smtest::Allocate(size);
+}
+void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept
+{
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+#endif
