@@ -10,8 +10,6 @@ namespace sm
 {
 namespace
 {
-// Largest number of bytes of prepared faces that are kept.
-constexpr std::size_t KeptBytes = std::size_t{ 1 } << 28;
 // Fraction of the progress for the shapes of faces; the deviations take the rest.
 constexpr double ShapesShare = 0.2;
 // Intended duration of a portion in seconds, and the number of items of the first one.
@@ -19,7 +17,7 @@ constexpr double PortionSeconds = 0.1;
 constexpr std::size_t FirstFaces = 16;
 constexpr std::size_t FirstSubPatches = 256;
 
-std::size_t GetBytes(const SubPatchFace& face)
+std::size_t CountBytes(const SubPatchFace& face)
 {
   std::size_t bytes = face.Points.size() * sizeof(face.Points[0]) + face.Deviations.size() * sizeof(double) +
     face.Patches.size() * sizeof(Patch);
@@ -32,11 +30,6 @@ std::size_t GetBytes(const SubPatchFace& face)
     bytes += sizeof(rise) + rise.size() * sizeof(rise[0]);
   }
   return bytes;
-}
-
-bool IsSame(const SchemeOptions& a, const SchemeOptions& b)
-{
-  return a.Factor == b.Factor && a.TextureFactor == b.TextureFactor && a.Deviation == b.Deviation;
 }
 
 /// Calls `work` for parts of [0, count), from several threads, and `progress` with the fraction done after every portion. A
@@ -64,22 +57,31 @@ bool RunPortions(std::size_t count, std::size_t first,
 }
 }
 
+bool PreparedFaces::Key::operator==(const Key& other) const
+{
+  const SchemeOptions& a = this->Options;
+  const SchemeOptions& b = other.Options;
+  return a.Factor == b.Factor && a.TextureFactor == b.TextureFactor && a.Deviation == b.Deviation &&
+    a.ChordTolerance == b.ChordTolerance;
+}
+
+PreparedFaces::Key PreparedFaces::GetKey(const SchemeTask& task, const SchemeOptions& options)
+{
+  Key key{ options };
+  key.Options.ChordTolerance = task.ChordTolerance;
+  return key;
+}
+
 std::vector<std::size_t> PreparedFaces::FindMissing(
   const std::vector<SchemeTask>& tasks, const SchemeOptions& options)
 {
-  if (!IsSame(this->CachedOptions, options))
-  {
-    this->Cache.clear();
-    this->CachedOptions = options;
-  }
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < tasks.size(); ++i)
   {
-    const auto found = this->Cache.find(tasks[i].Source->Id);
-    if (found != this->Cache.end() && found->second.Face->Source == tasks[i].Source &&
-      found->second.ChordTolerance == tasks[i].ChordTolerance)
+    const PreparedFace* known = this->Kept.Find(tasks[i].Source->Id, GetKey(tasks[i], options));
+    if (known && (*known)->Source == tasks[i].Source)
     {
-      this->Faces[i] = found->second.Face;
+      this->Faces[i] = *known;
     }
     else
     {
@@ -98,9 +100,8 @@ bool PreparedFaces::PrepareMissing(const std::vector<SchemeTask>& tasks,
     for (std::size_t i = begin; i < end; ++i)
     {
       const SchemeTask& task = tasks[missing[i]];
-      SchemeOptions own = options;
-      own.ChordTolerance = task.ChordTolerance;
-      faces[i] = std::make_shared<SubPatchFace>(PrepareSubPatchShape(task.Source, own));
+      faces[i] =
+        std::make_shared<SubPatchFace>(PrepareSubPatchShape(task.Source, GetKey(task, options).Options));
     }
   };
   if (!RunPortions(missing.size(), FirstFaces, prepare,
@@ -138,24 +139,12 @@ bool PreparedFaces::PrepareMissing(const std::vector<SchemeTask>& tasks,
   }
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    this->Faces[missing[i]] = std::move(faces[i]);
+    const SchemeTask& task = tasks[missing[i]];
+    const PreparedFace face = std::move(faces[i]);
+    this->Faces[missing[i]] = face;
+    this->Kept.Store(task.Source->Id, GetKey(task, options), face, CountBytes(*face));
   }
   return true;
-}
-
-void PreparedFaces::Keep(const std::vector<SchemeTask>& tasks)
-{
-  this->Cache.clear();
-  std::size_t bytes = 0;
-  for (std::size_t i = 0; i < tasks.size(); ++i)
-  {
-    bytes += GetBytes(*this->Faces[i]);
-    if (bytes > KeptBytes)
-    {
-      return;
-    }
-    this->Cache[tasks[i].Source->Id] = { this->Faces[i], tasks[i].ChordTolerance };
-  }
 }
 
 bool PreparedFaces::Prepare(
@@ -163,12 +152,12 @@ bool PreparedFaces::Prepare(
 {
   this->Deviations = this->LargestPortion = 0;
   this->Faces.assign(tasks.size(), nullptr);
-  if (!this->PrepareMissing(tasks, this->FindMissing(tasks, options), options, progress))
+  const bool done = this->PrepareMissing(tasks, this->FindMissing(tasks, options), options, progress);
+  this->Kept.EndRun();
+  if (!done)
   {
     this->Faces.clear();
-    return false;
   }
-  this->Keep(tasks);
-  return true;
+  return done;
 }
 }

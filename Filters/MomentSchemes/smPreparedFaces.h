@@ -5,6 +5,7 @@
 #ifndef smPreparedFaces_h
 #define smPreparedFaces_h
 
+#include "smFaceCache.h"
 #include "smFiltersMomentSchemesModule.h"
 #include "smProgressCallback.h"
 #include "smSubPatches.h"
@@ -13,7 +14,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 namespace sm
@@ -30,12 +30,17 @@ using PreparedFace = std::shared_ptr<const SubPatchFace>;
 
 /**
  * Prepares faces, and the sub-patches within a face, with vtkSMPTools, in portions of about a tenth of a second; between two
- * portions the calling thread calls the progress callback, which may stop it. Prepared faces are cached by their id up to a limit
- * of memory, so that after an edit only the changed faces are prepared. Not thread safe.
+ * portions the calling thread calls the progress callback, which may stop it. Prepared faces of the last run are cached by their id,
+ * within the budget, so that after an edit only the changed faces are prepared. Not thread safe.
  */
 class SMFILTERSMOMENTSCHEMES_EXPORT PreparedFaces
 {
 public:
+  explicit PreparedFaces(CacheBudget& budget = CacheBudget::GetProcessBudget())
+    : Kept(budget, 1)
+  {
+  }
+
   /// Prepares a face per task, with the task's ChordTolerance instead of that of the options. Returns false if `progress` stopped
   /// it; then there are no faces.
   bool Prepare(
@@ -52,15 +57,16 @@ private:
   std::vector<std::size_t> FindMissing(const std::vector<SchemeTask>& tasks, const SchemeOptions& options);
   bool PrepareMissing(const std::vector<SchemeTask>& tasks, const std::vector<std::size_t>& missing,
     const SchemeOptions& options, const ProgressCallback& progress);
-  void Keep(const std::vector<SchemeTask>& tasks);
 
-  struct Kept
+  /// The options on which a prepared face depends, with the task's ChordTolerance.
+  struct Key
   {
-    PreparedFace Face;
-    double ChordTolerance;
+    SchemeOptions Options;
+    bool operator==(const Key& other) const;
   };
-  std::unordered_map<std::uint64_t, Kept> Cache;
-  SchemeOptions CachedOptions;
+  static Key GetKey(const SchemeTask& task, const SchemeOptions& options);
+
+  FaceCache<Key, PreparedFace> Kept;
   std::vector<PreparedFace> Faces;
   std::int64_t Deviations = 0;
   std::int64_t LargestPortion = 0;

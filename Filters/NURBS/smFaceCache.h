@@ -124,6 +124,12 @@ public:
 
   std::size_t GetNumberOfFaces() const { return this->Places.size(); }
   std::size_t GetBytes() const { return this->Bytes; }
+  /// Number of entries that the budget removed since construction.
+  std::uint64_t GetNumberOfEvictions() const
+  {
+    const Lock lock(this->Budget.GetMutex());
+    return this->Evictions;
+  }
 
 private:
   using Lock = std::lock_guard<std::recursive_mutex>;
@@ -147,7 +153,11 @@ private:
     return isFree ? this->Entries.front().LastUse : std::numeric_limits<std::uint64_t>::max();
   }
 
-  std::size_t RemoveOldest() override { return this->Remove(this->Entries.begin()); }
+  std::size_t RemoveOldest() override
+  {
+    ++this->Evictions;
+    return this->Remove(this->Entries.begin());
+  }
 
   std::size_t Remove(Position entry)
   {
@@ -201,6 +211,7 @@ private:
   std::unordered_map<std::uint64_t, std::vector<Position>> Places;
   std::size_t Bytes = 0;
   std::uint64_t Run = 1;
+  std::uint64_t Evictions = 0;
 };
 }
 

@@ -3,6 +3,7 @@
 #include "smParallelFor.h"
 
 #include <algorithm>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <unordered_map>
@@ -53,11 +54,64 @@ std::size_t CountBytes(const CutFace& face)
     GetBytesOf(panels.Caps);
 }
 
+/// Owns a cut face. Every cache has its own, and each keeps the source alive: these owners are counted, as a source without any other
+/// is no part of a model.
+class FacePanelsCache::Kept
+{
+public:
+  explicit Kept(CutFacePointer cut)
+    : Cut(std::move(cut))
+  {
+    Registry& registry = GetRegistry();
+    const std::lock_guard<std::mutex> lock(registry.Mutex);
+    ++registry.Owners[this->Cut->Source.get()];
+  }
+  ~Kept()
+  {
+    Registry& registry = GetRegistry();
+    const std::lock_guard<std::mutex> lock(registry.Mutex);
+    const auto owners = registry.Owners.find(this->Cut->Source.get());
+    if (--owners->second == 0)
+    {
+      registry.Owners.erase(owners);
+    }
+  }
+  Kept(const Kept&) = delete;
+  Kept& operator=(const Kept&) = delete;
+
+  const CutFacePointer& Get() const { return this->Cut; }
+  /// Returns true if only caches have the cut face and its source.
+  bool IsDead() const
+  {
+    Registry& registry = GetRegistry();
+    const std::lock_guard<std::mutex> lock(registry.Mutex);
+    return this->Cut.use_count() == 1 &&
+      this->Cut->Source.use_count() <= registry.Owners[this->Cut->Source.get()];
+  }
+
+private:
+  struct Registry
+  {
+    std::mutex Mutex;
+    std::unordered_map<const Face*, long> Owners;
+  };
+  static Registry& GetRegistry()
+  {
+    // Never destroyed: caches may outlive static objects.
+    static auto* const registry = new Registry;
+    return *registry;
+  }
+
+  CutFacePointer Cut;
+};
+
 FacePanelsCache::FacePanelsCache(CacheBudget& budget)
   // No face goes by its age alone.
   : Faces(budget, std::uint64_t{ 1 } << 62)
 {
 }
+
+FacePanelsCache::~FacePanelsCache() = default;
 
 bool FacePanelsCache::Fail(const std::string& what)
 {
@@ -72,8 +126,8 @@ bool FacePanelsCache::FindMissing(const std::vector<FacePointer>& faces, std::ve
   for (const FacePointer& face : faces)
   {
     const auto [first, isNew] = asked.emplace(face->Id, face);
-    const CutFacePointer* kept = this->Faces.Find(face->Id, {});
-    if (first->second != face || (kept && (*kept)->Source != face))
+    const auto* kept = this->Faces.Find(face->Id, {});
+    if (first->second != face || (kept && (*kept)->Get()->Source != face))
     {
       return this->Fail("two different faces have the id " + std::to_string(face->Id) +
         "; give every new face an id of its own, sm::NewId()");
@@ -99,8 +153,7 @@ bool FacePanelsCache::Acquire(
   if (!missing.empty())
   {
     // No model has such a face any more, and nobody what it was cut into.
-    this->Faces.RemoveIf(
-      [](const CutFacePointer& face) { return face.use_count() == 1 && face->Source.use_count() == 1; });
+    this->Faces.RemoveIf([](const std::shared_ptr<const Kept>& face) { return face->IsDead(); });
   }
   for (std::size_t begin = 0; begin < missing.size(); begin += CutsPerReport)
   {
@@ -121,14 +174,14 @@ bool FacePanelsCache::Acquire(
       });
     for (const CutFacePointer& face : portion)
     {
-      this->Faces.Store(face->Source->Id, {}, face, CountBytes(*face));
+      this->Faces.Store(face->Source->Id, {}, std::make_shared<const Kept>(face), CountBytes(*face));
     }
     this->Cuts += count;
   }
   cut.reserve(faces.size());
   for (const FacePointer& face : faces)
   {
-    cut.push_back(*this->Faces.Find(face->Id, {}));
+    cut.push_back((*this->Faces.Find(face->Id, {}))->Get());
   }
   this->Faces.EndRun();
   return true;

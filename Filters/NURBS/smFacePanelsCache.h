@@ -43,7 +43,7 @@ SMFILTERSNURBS_EXPORT std::size_t CountBytes(const CutFace& face);
 
 /**
  * Cuts faces (BuildFacePanels) in parallel, by vtkSMPTools, and keeps them by their ids, so that a face is cut once. Faces that
- * nobody else has any more, as after an edit, are forgotten before others are cut. When the budget is spent, the faces asked for
+ * nobody has any more but caches of the process, as after an edit, are forgotten before others are cut. When the budget is spent, the faces asked for
  * longest ago are forgotten; whoever holds a pointer keeps its face alive. What a face is cut into depends on the face alone: forgotten
  * and cut again, it is the same.
  *
@@ -53,6 +53,7 @@ class SMFILTERSNURBS_EXPORT FacePanelsCache
 {
 public:
   explicit FacePanelsCache(CacheBudget& budget = CacheBudget::GetProcessBudget());
+  ~FacePanelsCache();
 
   /// `cut` gets one entry per face, never null. `progress` (may be empty) gets the fraction done, between cuts, and
   /// returns false to stop. False, with GetError() and an empty `cut`, when stopped or when two different faces have one id;
@@ -77,7 +78,9 @@ private:
   bool Fail(const std::string& what);
   bool FindMissing(const std::vector<FacePointer>& faces, std::vector<FacePointer>& missing);
 
-  FaceCache<NoKey, CutFacePointer> Faces;
+  /// What a cache keeps of a face; it knows how many caches of the process keep it.
+  class Kept;
+  FaceCache<NoKey, std::shared_ptr<const Kept>> Faces;
   std::uint64_t Cuts = 0;
   std::string Error;
 };

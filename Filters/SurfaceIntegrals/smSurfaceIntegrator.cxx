@@ -375,7 +375,7 @@ void SurfaceIntegrator::ReleaseMemory()
   self.Results.Clear();
   self.Plans.Clear();
   self.Shares.Forget();
-  self.Received = ReceivedFaces();
+  self.Received.Clear();
 }
 
 void SurfaceIntegrator::SetMaximumEvaluations(std::int64_t evaluations)

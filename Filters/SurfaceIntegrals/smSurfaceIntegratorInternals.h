@@ -113,7 +113,7 @@ struct SurfaceIntegrator::Internals
     const std::vector<FaceIntegrals>& results);
 
   // smSurfaceIntegratorShared.cxx
-  Bytes MakeCapabilities() const;
+  Bytes MakeCapabilities();
   bool OnConnectionLost();
   bool IntegrateShared(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
   bool RunShare(const Bytes& message);

@@ -71,7 +71,7 @@ bool SurfaceIntegrator::Internals::Agree(double& number, bool isBatch)
   return !this->Aborted || this->Fail("aborted");
 }
 
-Bytes SurfaceIntegrator::Internals::MakeCapabilities() const
+Bytes SurfaceIntegrator::Internals::MakeCapabilities()
 {
   // Settings on which results depend, in addition to the faces and their tasks.
   ByteWriter settings;
@@ -97,6 +97,7 @@ Bytes SurfaceIntegrator::Internals::MakeCapabilities() const
   message.PutText(this->Device.Note);
   message.Put(Digest(settings.GetBytes()));
   message.PutText(obstacles);
+  message.Put(this->Received.FindSession(this->Sharing.GetRoot()));
   return std::move(message.GetBytes());
 }
 
@@ -114,6 +115,10 @@ std::vector<bool> SurfaceIntegrator::Internals::ReadCapabilities(const std::vect
     report.Note = from.GetText();
     const auto digest = from.Get<std::uint64_t>();
     signatures.emplace_back(digest, from.GetText());
+    if (from.Get<std::uint64_t>() != this->Shares.GetSession())
+    {
+      this->Shares.ForgetSent(static_cast<int>(this->Ranks.size()));
+    }
     this->Ranks.push_back(report);
   }
   std::vector<bool> fit;

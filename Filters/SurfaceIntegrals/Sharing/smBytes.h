@@ -92,6 +92,8 @@ public:
     return this->Good ? static_cast<std::size_t>(count) : 0;
   }
   bool IsGood() const { return this->Good; }
+  /// Returns the number of bytes read.
+  std::size_t GetPosition() const { return this->At; }
 
 private:
   void Take(void* to, std::size_t count, std::size_t size)

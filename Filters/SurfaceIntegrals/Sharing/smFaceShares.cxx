@@ -127,17 +127,50 @@ void FaceShares::Forget()
   this->Session = NewId();
 }
 
+void FaceShares::ForgetSent(int rank)
+{
+  for (auto& [id, home] : this->Homes)
+  {
+    home.IsThere = home.IsThere && home.Rank != rank;
+  }
+}
+
+ReceivedFaces::ReceivedFaces(CacheBudget& budget)
+  : Faces(budget, RunsKeptByReceivers)
+{
+}
+
+void ReceivedFaces::Clear()
+{
+  this->Faces.Clear();
+  this->Sender = -1;
+  this->Session = 0;
+}
+
+std::uint64_t ReceivedFaces::FindSession(int sender)
+{
+  this->ToldEvictions = this->Faces.GetNumberOfEvictions();
+  return sender == this->Sender && this->ToldEvictions == this->KnownEvictions ? this->Session : 0;
+}
+
 bool ReceivedFaces::Unpack(int sender, ByteReader& from, std::vector<FaceTask>& tasks)
 {
   const auto session = from.Get<std::uint64_t>();
   if (sender != this->Sender || session != this->Session)
   {
-    this->Faces.clear();
+    this->Faces.Clear();
     this->Sender = sender;
     this->Session = session;
   }
-  ++this->Run;
+  this->KnownEvictions = this->ToldEvictions;
   tasks.clear();
+  const bool isRead = this->ReadTasks(from, tasks);
+  this->Faces.EndRun();
+  return isRead && from.IsGood();
+}
+
+bool ReceivedFaces::ReadTasks(ByteReader& from, std::vector<FaceTask>& tasks)
+{
   const std::size_t count = from.GetCount(2 + sizeof(std::uint64_t));
   FaceReader faces(from);
   FaceTask task;
@@ -149,28 +182,30 @@ bool ReceivedFaces::Unpack(int sender, ByteReader& from, std::vector<FaceTask>& 
       task.Placement = from.Get<std::array<double, 12>>();
     }
     const auto id = from.Get<std::uint64_t>();
+    const FacePointer* known = this->Faces.Find(id, {});
     if (from.Get<bool>())
     {
+      const std::size_t begin = from.GetPosition();
       const FacePointer face = faces.Get();
       if (!face)
       {
         return false;
       }
-      this->Faces.emplace(id, Entry{ face, this->Run });
+      // A face that is sent again, although it is here, keeps its id and what is kept by it.
+      if (!known)
+      {
+        // In memory it takes about as many bytes as in the message.
+        this->Faces.Store(id, {}, face, from.GetPosition() - begin);
+        known = this->Faces.Find(id, {});
+      }
     }
-    const auto found = this->Faces.find(id);
-    if (!from.IsGood() || found == this->Faces.end())
+    if (!from.IsGood() || !known)
     {
       return false;
     }
-    found->second.LastRun = this->Run;
-    task.Source = found->second.Face;
+    task.Source = *known;
     tasks.push_back(task);
   }
-  for (auto face = this->Faces.begin(); face != this->Faces.end();)
-  {
-    face = face->second.LastRun + RunsKeptByReceivers < this->Run ? this->Faces.erase(face) : std::next(face);
-  }
-  return from.IsGood();
+  return true;
 }
 }

@@ -10,6 +10,7 @@
 #define smFaceShares_h
 
 #include "smBytes.h"
+#include "smFaceCache.h"
 #include "smFiltersSurfaceIntegralsModule.h"
 #include "smSurfaceIntegrator.h"
 
@@ -36,6 +37,10 @@ public:
   void Pack(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& own, ByteWriter& to);
   /// Removes the faces that were not in the last 8 runs.
   void EndRun();
+  /// The number of the session, for all faces that were sent since the last Forget(); 0 before the first.
+  std::uint64_t GetSession() const { return this->Session; }
+  /// Lets the faces of a rank that has lost some of them be sent again.
+  void ForgetSent(int rank);
   /// Starts a new session, in which all faces are sent again and ranks discard the faces that they have, since their state is
   /// unknown.
   void Forget();
@@ -54,25 +59,30 @@ private:
   std::uint64_t Run = 0;
 };
 
-/// The faces received by another rank.
+/// The faces received by another rank, within the budget of all caches.
 class SMFILTERSSURFACEINTEGRALS_EXPORT ReceivedFaces
 {
 public:
+  explicit ReceivedFaces(CacheBudget& budget = CacheBudget::GetProcessBudget());
+
   /// Reads the tasks of a message. Returns false if the message is invalid or refers to a face that was not received.
   bool Unpack(int sender, ByteReader& from, std::vector<FaceTask>& tasks);
-  std::size_t GetNumberOfFaces() const { return this->Faces.size(); }
+  /// Returns the session whose faces are here; 0, after which the next message has them again, if it is not the sender's or the budget
+  /// has removed some of them.
+  std::uint64_t FindSession(int sender);
+  std::size_t GetNumberOfFaces() const { return this->Faces.GetNumberOfFaces(); }
+  void Clear();
 
 private:
-  struct Entry
-  {
-    FacePointer Face;
-    std::uint64_t LastRun = 0;
-  };
+  bool ReadTasks(ByteReader& from, std::vector<FaceTask>& tasks);
+
   /// Faces by the sender's ids; the faces themselves have ids of this process.
-  std::unordered_map<std::uint64_t, Entry> Faces;
+  FaceCache<NoKey, FacePointer> Faces;
   int Sender = -1;
   std::uint64_t Session = 0;
-  std::uint64_t Run = 0;
+  /// Numbers of evictions of which the sender knows, and at the last FindSession().
+  std::uint64_t KnownEvictions = 0;
+  std::uint64_t ToldEvictions = 0;
 };
 }
 

@@ -1,5 +1,6 @@
 // TestSurfaceIntegralMemory FOLDER failures|limits|release opengl|cpu: memory that is short while a filter runs, and memory that it gives
 // back. An allocation that fails ends in a status, not in the end of the process, and the next run has the bits of an undisturbed one.
+#include "smCacheBudget.h"
 #include "smFailingMemory.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
@@ -282,7 +283,11 @@ void CheckRelease(const std::string& name, const std::string& path, bool hasCach
   subject.Run({});
   CheckEqual("evaluations of the next", hasCache ? 0 : evaluations, filter->GetEvaluations());
   const double value = GetValue(filter);
+  // All filters keep their data within one budget of the process, and this one is alone.
+  const sm::CacheBudget& budget = sm::CacheBudget::GetProcessBudget();
+  CheckTrue("what is kept counts in the budget of the process", budget.GetBytes() > 0);
   filter->ReleaseMemory();
+  CheckEqual("bytes kept after the release", 0LL, static_cast<long long>(budget.GetBytes()));
   Check("the value stays", value, GetValue(filter), 0.0);
   CheckTrue("the output stays", AreSame(subject.Undisturbed, GetFieldNumbers(filter)));
   CheckEqual("the status stays", subject.Status, filter->GetStatus());

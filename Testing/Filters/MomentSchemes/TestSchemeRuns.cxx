@@ -208,6 +208,18 @@ void CheckPreparing()
       std::count(whole.Deviations.begin(), whole.Deviations.end(), 0.0) == 0);
   CheckRange("in several portions", 256.0, static_cast<double>(parts.GetLargestPortion()), 2048.0);
   CheckTrue("kept", parts.Prepare({ { face, 1.0 } }, options, nullptr) && parts.GetDeviations() == 0);
+
+  // Kept within the budget that all caches share; what it removed is prepared again, with the same values.
+  sm::CacheBudget budget(std::size_t{ 1 } << 30);
+  sm::PreparedFaces counted(budget);
+  CheckTrue("in a budget", counted.Prepare({ { face, 1.0 } }, options, [](double) { return true; }));
+  CheckTrue("its bytes count", budget.GetBytes() > whole.Deviations.size() * sizeof(double),
+    std::to_string(budget.GetBytes()));
+  budget.SetLimit(1);
+  CheckEqual("and are freed", 0LL, static_cast<long long>(budget.GetBytes()));
+  CheckTrue("prepared again", counted.Prepare({ { face, 1.0 } }, options, [](double) { return true; }));
+  CheckTrue(
+    "all of it", counted.GetDeviations() == 64 * 64 && counted.Get()[0]->Deviations == whole.Deviations);
 }
 }
 

@@ -100,6 +100,30 @@ void CheckEdits()
   CheckTrue("and found", cache.Acquire({ held->Source }, cut, nullptr) && cut[0] == held);
 }
 
+/// Two filters on one model: an edit leaves nothing of the replaced face in either cache.
+void CheckTwoCaches()
+{
+  sm::FacePanelsCache caches[2];
+  std::vector<sm::FacePointer> faces = { MakeSquare(1, 4), MakeSquare(2, 4) };
+  std::vector<sm::CutFacePointer> cut;
+  for (int edit = 0; edit < 5; ++edit)
+  {
+    faces[0] = MakeSquare(10 + edit, 4);
+    for (sm::FacePanelsCache& cache : caches)
+    {
+      CheckTrue("acquire", cache.Acquire(faces, cut, nullptr), cache.GetError());
+      cut.clear();
+    }
+  }
+  CheckEqual("two caches: faces kept by the first", 2, static_cast<long long>(caches[0].GetNumberOfFaces()));
+  CheckEqual("by the second", 2, static_cast<long long>(caches[1].GetNumberOfFaces()));
+  const std::weak_ptr<const sm::Face> replaced = faces[0];
+  faces[0] = MakeSquare(20, 4);
+  caches[0].Acquire(faces, cut, nullptr);
+  caches[1].Acquire(faces, cut, nullptr);
+  CheckTrue("a replaced face is freed", replaced.expired());
+}
+
 void CheckMistakes()
 {
   sm::FacePanelsCache cache;
@@ -148,6 +172,7 @@ int TestFacePanelsCache(int, char*[])
   CheckFound();
   CheckBudget();
   CheckEdits();
+  CheckTwoCaches();
   CheckMistakes();
   return Finish();
 }

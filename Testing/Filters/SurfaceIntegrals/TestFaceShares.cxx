@@ -344,8 +344,14 @@ void TestRanks()
   CheckRun("two, known", team, tasks, expected, "");
   CheckEqual("nothing is evaluated twice", 0, team.Members[0]->GetEvaluations());
   team.Members[1] = MakeIntegrator("");
-  CheckRun("one has lost its faces", team, tasks, expected, "the faces did not arrive");
-  CheckRun("and has them again", team, tasks, expected, "");
+  CheckRun("one has lost its faces, and is sent them again", team, tasks, expected, "");
+  // The budget removes the faces of all ranks, which are in one process here, while they do not run.
+  sm::CacheBudget& budget = sm::CacheBudget::GetProcessBudget();
+  const std::size_t limit = budget.GetLimit();
+  budget.SetLimit(1);
+  CheckEqual("bytes kept in spite of the budget", 0LL, static_cast<long long>(budget.GetBytes()));
+  budget.SetLimit(limit);
+  CheckRun("the budget removed faces, which are sent again", team, tasks, expected, "");
   team.Members[1]->SetPerturbation(2.0);
   CheckRun("one computes something else", team, tasks, expected, "its integrands are not the same");
 }
@@ -457,6 +463,8 @@ void TestDivision()
     shares.EndRun();
   }
   CheckEqual("faces kept", 1, static_cast<long long>(received.GetNumberOfFaces()));
+  CheckTrue("in its session", received.FindSession(0) == shares.GetSession() && shares.GetSession() != 0);
+  CheckEqual("which is that of one sender", 0LL, static_cast<long long>(received.FindSession(2)));
 }
 }
 
