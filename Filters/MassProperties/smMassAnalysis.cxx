@@ -195,7 +195,8 @@ void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& an
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
-    if (std::isfinite(analysis.Rows[i].Properties.Volume))
+    const MassProperties& properties = analysis.Rows[i].Properties;
+    if (std::isfinite(properties.Volume) && std::isfinite(properties.Center[0]))
     {
       order.push_back(i);
     }

@@ -54,4 +54,12 @@ FileState GetFileState(vtkDataObject* data)
   state.Defects = GetStrings(fields, FileDefectsArrayName);
   return state;
 }
+
+void RemoveFileState(vtkDataObject* data)
+{
+  for (const char* name : { FileStatusArrayName, FileProblemArrayName, FileDefectsArrayName })
+  {
+    data->GetFieldData()->RemoveArray(name);
+  }
+}
 }

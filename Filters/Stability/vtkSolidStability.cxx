@@ -3,6 +3,7 @@
 #include "smAbortFlag.h"
 #include "smColumns.h"
 #include "smFailureReason.h"
+#include "smFileState.h"
 #include "smFormat.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
@@ -309,6 +310,10 @@ int vtkSolidStability::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkSolidStability::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i)
+  {
+    sm::RemoveFileState(vtkDataObject::GetData(outputVector, i));
+  }
   Internals& self = *this->Implementation;
   self.Worst = sm::SupportedBody();
   self.Status.clear();
@@ -435,8 +440,7 @@ void vtkSolidStability::FillOutputs(const sm::GroundDirections& ground,
   {
     Internals::AddColumns({ *worst }, ground, this->GravityStrength, drawing->GetFieldData());
   }
-  sm::columns::SetString(drawing->GetFieldData(), names::Status,
-    supported.empty() ? std::string(names::StatusEmpty) : self.Status);
+  sm::columns::SetString(drawing->GetFieldData(), names::Status, self.Status);
   sm::columns::SetString(drawing->GetFieldData(), names::Backend, self.Mass->GetBackendName());
   Internals::AddColumns(
     supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 1)->GetRowData());

@@ -308,7 +308,8 @@ void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands)
 
 double GetExcused(double limit, double size, double excuse)
 {
-  return std::max(limit * size, std::min(excuse, 10.0 * limit * size));
+  return limit >= 1.0 ? std::numeric_limits<double>::infinity()
+                      : std::max(limit * size, std::min(excuse, 10.0 * limit * size));
 }
 
 void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)

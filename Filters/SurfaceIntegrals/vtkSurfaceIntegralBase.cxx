@@ -583,6 +583,10 @@ int vtkSurfaceIntegralBase::RequestData(
 {
   int result = 1;
   std::exception_ptr failure;
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    sm::RemoveFileState(vtkDataObject::GetData(outputVector, port));
+  }
   try
   {
     result = this->Run(request, vtkDataObject::GetData(inputVector[0], 0), outputVector);

@@ -24,10 +24,10 @@
  * |      |          | the input, with cell arrays for colouring                                                           |
  * The names are in smIntegralNames.h. A value that could not be computed is NaN, never 0, and Status gives the reason.
  *
- * Status is the worst status of all solids. In ascending order: ok; tolerance-not-met (a bound is above the tolerance, or values
- * and bounds are NaN because nothing could be computed, for example without OpenGL); suspect (the file or the result contradicts
- * itself); open (some edges are used once, or the body is a surface, not a solid); not-computed (memory was insufficient, or an
- * exception was caught); empty (no body was found or selected). The status `unreadable` is the command-line program's.
+ * Status is the worst status of all solids and of the file. In ascending order: ok; tolerance-not-met (a bound is above the
+ * tolerance); suspect (the file or the result contradicts itself, or the file declares more than was read); open (some edges are used
+ * once, or the body is a surface, not a solid); not-computed (a value could not be computed, for example without OpenGL or memory);
+ * empty (no body was found or selected); unreadable (the reader of the input could not read its file).
  *
  * Getters return the values of the last run and never run the pipeline: call Update() first. RequestData fails only for an input
  * without exact geometry; where several ranks update together it does not, so that what is downstream runs on all of them.

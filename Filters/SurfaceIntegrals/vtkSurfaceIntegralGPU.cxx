@@ -113,7 +113,7 @@ void vtkSurfaceIntegralGPU::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
     {
       if (body.Faces && !this->GetEngine().GetObstacle(k).empty())
       {
-        body.Flag(sm::Status::ToleranceNotMet, name + " was not computed");
+        body.Flag(sm::Status::NotComputed, name + " was not computed");
       }
       else if (body.Faces && !std::isfinite(body.Value[k]))
       {

@@ -40,6 +40,8 @@ public:
   /// Of all records together.
   std::uint64_t GetRoles(Index i) const { return this->Roles[i]; }
   bool Has(Index i, std::uint64_t roles) const { return i != None && (this->Roles[i] & roles) != 0; }
+  /// The type of the entity is one of those that the census knows.
+  bool IsKnown(Index i) const { return i != None && this->Roles[i] != 0; }
 
   /// The parameters of the record with this name, or of a simple instance; false without one.
   bool FindRecord(Index i, std::string_view record, std::string_view& parameters) const;

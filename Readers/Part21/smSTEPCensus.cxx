@@ -52,7 +52,13 @@ STEPCensusTaker::Index STEPCensusTaker::Follow(
   }
   if (roles != ~std::uint64_t{ 0 } && !this->Entities.Has(to, roles))
   {
-    this->Add(CensusDefect::WrongType, from, value.Id, place);
+    // The schemas have more representations and more definitions of shapes than are known here, of features and the like: what one leaves
+    // out shows as lost.
+    const bool mayBeUnknown = (roles & (STEPRole::Representation | STEPRole::ProductShape)) != 0;
+    if (!mayBeUnknown || this->Entities.IsKnown(to))
+    {
+      this->Add(CensusDefect::WrongType, from, value.Id, place);
+    }
     return None;
   }
   return to;

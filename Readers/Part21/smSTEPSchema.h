@@ -54,7 +54,8 @@ enum Bit : std::uint64_t
   Unit = 1ull << 34,
   Measure = 1ull << 35,
   SplineCurve = 1ull << 36,
-  SplineSurface = 1ull << 37
+  SplineSurface = 1ull << 37,
+  OtherUsage = 1ull << 38, ///< a relationship of products that places no part by itself
 };
 }
 

@@ -67,7 +67,10 @@ void STEPCensusTaker::FindPlacements()
   {
     const Index relation = this->Follow(i, PlacingRelation, STEPRole::Relationship);
     const Index shape = this->Follow(i, PlacedShape, STEPRole::ProductShape);
-    const Index occurrence = shape == None ? None : this->Follow(shape, Definition, STEPRole::Occurrence);
+    const Index used = shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, Definition));
+    const bool isOther = this->Entities.Has(used, STEPRole::OtherUsage);
+    const Index occurrence =
+      shape == None || isOther ? None : this->Follow(shape, Definition, STEPRole::Occurrence);
     if (relation != None)
     {
       this->Placing[relation] = true;

@@ -1,6 +1,7 @@
 // Units and accuracy that the contexts of a census state.
 #include "smSTEPCensusTaker.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sm
@@ -23,8 +24,10 @@ constexpr int LongestConversion = 8;
 /// In millimetres: a nanometre and a kilometre.
 constexpr double SmallestLength = 1e-6;
 constexpr double LargestLength = 1e6;
-/// Factors are written with at least this relative accuracy (0.01745 for a degree, 1.9e-4); damaged digits are farther off.
-constexpr double FactorAccuracy = 5e-4;
+/// Relative accuracy with which factors are written: 0.01745 for a degree is off by 1.9e-4; of lengths, which are exact, the foot of
+/// American surveyors by 2e-6.
+constexpr double AngleAccuracy = 2e-4;
+constexpr double LengthAccuracy = 3e-6;
 
 struct NamedFactor
 {
@@ -47,7 +50,8 @@ const NamedFactor Conversions[] = { { "INCH", 25.4 }, { "INCHES", 25.4 }, { "IN"
 template <std::size_t N>
 const NamedFactor* FindFactor(const NamedFactor (&table)[N], std::string_view name)
 {
-  std::string capitals(name);
+  const std::size_t first = name.find_first_not_of(' ');
+  std::string capitals(name.substr(std::min(first, name.size()), name.find_last_not_of(' ') - first + 1));
   for (char& c : capitals)
   {
     c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
@@ -62,9 +66,9 @@ const NamedFactor* FindFactor(const NamedFactor (&table)[N], std::string_view na
   return nullptr;
 }
 
-bool IsSame(double a, double b)
+bool IsSame(double a, double b, double accuracy)
 {
-  return std::fabs(a - b) <= FactorAccuracy * std::fabs(b);
+  return std::fabs(a - b) <= accuracy * std::fabs(b);
 }
 }
 
@@ -155,7 +159,7 @@ CensusUnit STEPCensusTaker::ReadUnit(Index unit, bool length)
   const NamedFactor* known =
     FindFactor(Conversions, std::string_view(result.Name).substr(0, result.Name.find(" of ")));
   if (!(result.Factor > 0.0) || !std::isfinite(result.Factor) ||
-    (known && !IsSame(result.Factor, known->Factor)))
+    (known && !IsSame(result.Factor, known->Factor, length ? LengthAccuracy : AngleAccuracy)))
   {
     return result;
   }

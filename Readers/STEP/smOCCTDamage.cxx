@@ -35,6 +35,7 @@
 #include <StepVisual_SurfaceStyleUsage.hxx>
 #include <TCollection_HAsciiString.hxx>
 
+#include <cstring>
 #include <unordered_set>
 
 namespace sm
@@ -171,7 +172,10 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
   std::string first;
   for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
   {
-    const bool isFollowed = IsShapeEntity(model->Value(i)) && matters(model->IdentLabel(model->Value(i)));
+    // OpenCASCADE follows all geometry, also that which no body needs, but no text or other annotation.
+    const bool isAnnotation = std::strncmp(model->Value(i)->DynamicType()->Name(), "StepVisual_", 11) == 0;
+    const bool isFollowed =
+      IsShapeEntity(model->Value(i)) && !(isAnnotation && !matters(model->IdentLabel(model->Value(i))));
     const std::string failure = isFollowed ? FindFailure(model, i) : std::string();
     if (!failure.empty())
     {

@@ -23,7 +23,7 @@ using EntityFilter = std::function<bool(int)>;
 
 /**
  * OpenCASCADE 7.6 follows references that its own parser reported as unresolved, and crashes. This takes every
- * face that leads to such an entity out of its shell, says which and counts them in `lost`. Entities that do not `matter` are
+ * face that leads to such an entity out of its shell, says which and counts them in `lost`. Annotations that do not `matter` are
  * passed over. Returns an empty string, or why the file cannot be transferred at all. Call between parsing and transfer.
  */
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,

@@ -36,7 +36,7 @@ namespace
 /// Share of the progress that parsing takes; the rest is the transfer.
 constexpr double ParsingShare = 0.3;
 
-/// Instances of bodies that are read; each becomes a leaf with points of its own.
+/// Instances of bodies and sub-assemblies that are read; each becomes a node of the tree, a body's a leaf with points of its own.
 constexpr CensusCount MostInstances = 100000;
 
 class TreeBuilder
@@ -387,9 +387,12 @@ struct DeclaredContent
   Part21File Text;
   STEPCensus Census;
 
-  explicit DeclaredContent(const std::string& fileName)
+  DeclaredContent(const std::string& fileName, Document& document)
   {
-    this->Text.Read(fileName);
+    if (!this->Text.Read(fileName))
+    {
+      document.Defects.push_back("What the file declares could not be checked: its text could not be read.");
+    }
     this->Census = TakeSTEPCensus(this->Text);
   }
 
@@ -405,13 +408,13 @@ struct DeclaredContent
 void Read(
   const std::string& fileName, const FileCheck& check, const ProgressCallback& progress, Document& document)
 {
-  const DeclaredContent declared(fileName);
+  const DeclaredContent declared(fileName, document);
   const CensusCount instances = CountDeclaredInstances(declared.Census);
   if (instances > MostInstances)
   {
     document.Problem = "it declares " +
       (instances == CensusMaximum ? "more than 10^19" : std::to_string(instances)) +
-      " instances of its bodies, and at most " + std::to_string(MostInstances) +
+      " instances of bodies and sub-assemblies, and at most " + std::to_string(MostInstances) +
       " are read; export its sub-assemblies one by one";
     return;
   }

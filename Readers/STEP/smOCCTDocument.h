@@ -34,9 +34,8 @@ struct PartBody
   bool Misplaced = false;
   /// Accuracy of coordinates that the file states for it, mm; 0: none.
   double Uncertainty = 0.0;
-  /// Faces that the file declares and that Shape does not have, and contradictions in the file about the body; Messages names all.
+  /// Faces that the file declares and that Shape does not have; Messages names them.
   int LostFaces = 0;
-  int Defects = 0;
   std::vector<std::string> Messages;
 };
 

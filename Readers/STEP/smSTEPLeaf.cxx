@@ -74,7 +74,6 @@ LeafMaker::LeafMaker(
     ++body.MissingFaces;
   }
   body.MissingFaces = std::max(body.MissingFaces, part.LostFaces);
-  body.Defects += part.Defects;
   body.Messages.insert(body.Messages.end(), part.Messages.begin(), part.Messages.end());
   if (part.Misplaced)
   {

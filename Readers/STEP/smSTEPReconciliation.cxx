@@ -42,6 +42,7 @@ public:
     : Census(census)
     , Result(document)
     , Instances(document.Bodies.size(), 0)
+    , IsPlainAssembly(!census.Occurrences.empty() && census.MappedItems.empty())
   {
     for (std::size_t i = 0; i < document.Bodies.size(); ++i)
     {
@@ -90,6 +91,12 @@ private:
       if (problem.Defect == CensusDefect::MissingUnit)
       {
         this->ReportMissingUnit(problem);
+      }
+      else if (problem.Defect == CensusDefect::MissingPlacement && !this->Census.MappedItems.empty())
+      {
+        // A mapped item may be the placement.
+        ++counted;
+        this->Result.Messages.push_back(Describe(problem));
       }
       else if (listed < MostIds)
       {
@@ -198,16 +205,22 @@ private:
         " has a void that does not lie inside its outer shell: it was read as " +
         std::to_string(counts.size()) + " solids.");
     }
-    CensusCount read = 0;
+    CensusCount least = CensusMaximum;
+    CensusCount most = 0;
     for (const auto& [shape, count] : counts)
     {
-      read = std::max(read, count);
+      least = std::min(least, count);
+      most = std::max(most, count);
     }
+    const CensusCount read = most > body.Instances ? most : least;
     if (read != body.Instances)
     {
-      this->Result.Defects.push_back("Solid " + Name(body) + " occurs " + Count(body.Instances) +
-        (body.Instances == 1 ? " time" : " times") + " in the file, and was read " + std::to_string(read) +
-        (read == 1 ? " time." : " times."));
+      // Several products, or mapped items beside products, may show one solid in one place: only what was read too often is certain.
+      const bool isCertain = most > body.Instances || this->IsPlainAssembly;
+      (isCertain ? this->Result.Defects : this->Result.Messages)
+        .push_back("Solid " + Name(body) + " occurs " + Count(body.Instances) +
+          (body.Instances == 1 ? " time" : " times") + " in the file, and was read " + std::to_string(read) +
+          (read == 1 ? " time." : " times."));
     }
   }
 
@@ -216,6 +229,8 @@ private:
   /// Bodies of the document by the entity number of their solid, and how often each occurs.
   std::map<std::uint64_t, std::vector<std::size_t>> Read;
   std::vector<CensusCount> Instances;
+  /// Instances come from occurrences of products in others alone.
+  bool IsPlainAssembly;
 };
 }
 
@@ -226,7 +241,19 @@ void Reconcile(const STEPCensus& census, Document& document)
 
 CensusCount CountDeclaredInstances(const STEPCensus& census)
 {
-  return AddCounts(
-    census.CountInstances(CensusBodyKind::Solid), census.CountInstances(CensusBodyKind::SurfaceModel));
+  CensusCount count = census.CountInstances(CensusBodyKind::Solid);
+  if (count == 0)
+  {
+    count = census.CountInstances(CensusBodyKind::SurfaceModel);
+  }
+  for (const CensusOccurrence& occurrence : census.Occurrences)
+  {
+    count = AddCounts(count, occurrence.Instances);
+  }
+  for (const CensusMappedItem& item : census.MappedItems)
+  {
+    count = AddCounts(count, item.Instances);
+  }
+  return count;
 }
 }

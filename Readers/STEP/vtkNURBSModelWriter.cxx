@@ -2,6 +2,7 @@
 
 #include "smAbortFlag.h"
 #include "smExportTree.h"
+#include "smFileState.h"
 #include "smLengthUnits.h"
 #include "smOCCTExport.h"
 #include "smOCCTFailure.h"
@@ -131,6 +132,12 @@ void vtkNURBSModelWriter::WriteFile()
     this->Fail(vtkErrorCode::UserError,
       "a file is being read or written on this thread, and OpenCASCADE does one at a time; do not write "
       "inside an observer of another one's progress");
+    return;
+  }
+  const sm::FileState state = sm::GetFileState(this->GetInput());
+  if (!state.Problem.empty())
+  {
+    this->Fail(vtkErrorCode::UserError, "its input could not be computed: " + state.Problem);
     return;
   }
   const sm::ExportTree tree = sm::MakeExportTree(this->GetInput());

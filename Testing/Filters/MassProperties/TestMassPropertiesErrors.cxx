@@ -3,6 +3,7 @@
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
+#include <vtkErrorCode.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkTable.h>
 
@@ -45,6 +46,8 @@ void CheckRefused(const std::string& path, const std::string& status)
   MessageTrap filterExecutive(pipeline.Mass->GetExecutive());
   pipeline.Mass->Update();
   CheckNoNumbers(pipeline.Mass);
+  CheckEqual("status of the filter", status, pipeline.Mass->GetStatus());
+  CheckTrue("which names the file", Says(pipeline.Mass, name), GetMessages(pipeline.Mass));
 }
 
 void CheckOpen(const Expected& file)
@@ -103,9 +106,17 @@ void CheckRecovers(const std::string& good, const std::string& bad)
   pipeline.Mass->Update();
   CheckEqual("status of the reader", names::StatusUnreadable, pipeline.Reader->GetStatusAsString());
   CheckEqual("errors of the reader", 1, readerMessages.NumberOfErrors);
+  CheckTrue("its error code", pipeline.Reader->GetErrorCode() != vtkErrorCode::NoError);
+  // The numbers of the file before would look like those of this one.
+  CheckEqual("status of the filter", names::StatusUnreadable, pipeline.Mass->GetStatus());
+  CheckNoNumbers(pipeline.Mass);
+  CheckTrue("no row of a solid",
+    vtkTable::SafeDownCast(pipeline.Mass->GetOutputDataObject(1))->GetNumberOfRows() == 0);
   pipeline.Reader->SetFileName(good.c_str());
   pipeline.Mass->Update();
   CheckEqual("status of the reader", names::StatusOk, pipeline.Reader->GetStatusAsString());
+  CheckTrue("no error code", pipeline.Reader->GetErrorCode() == vtkErrorCode::NoError);
+  CheckEqual("status of the filter", names::StatusOk, pipeline.Mass->GetStatus());
   Check("volume again", volume, pipeline.Mass->GetVolume(), 0.0, "(the same bits)");
 }
 }

@@ -76,7 +76,7 @@ void CheckSeconds(const Expected& solid)
   MessageTrap trap(mass);
   mass->SetMaximumSeconds(1e-9);
   mass->Update();
-  CheckEqual("no time", names::StatusToleranceNotMet, mass->GetStatus());
+  CheckEqual("no time", names::StatusNotComputed, mass->GetStatus());
   CheckTrue(
     "and it says so", mass->GetMessage(0).find("MaximumSeconds") != std::string::npos, mass->GetMessage(0));
   mass->SetMaximumSeconds(0.0);

@@ -96,6 +96,9 @@ void CheckAssembly(const std::string& path, const char* unit, double millimetres
   CheckEqual("faces of the plate", 7, leaves[0]->GetModel()->GetNumberOfFaces());
   CheckTrue("every face has its number in the file",
     leaves[0]->GetModel()->GetFaces()[3]->FileId > 0 && leaves[0]->GetModel()->GetFileId() > 0);
+  Check("the uncertainty that the file states", 1e-7 / millimetres,
+    leaves[0]->GetModel()->GetFileUncertainty(), 1e-22, "1e-7 mm");
+  CheckEqual("outer shells", 1, leaves[0]->GetModel()->GetNumberOfOuterShells());
   const double* placement = leaves[1]->GetPlacementData();
   Check("placement", 100.0 / millimetres, placement[3], 1e-13 / millimetres, "one product");
   Check("placement turns", -1.0, placement[1], 1e-15, "cosine of a right angle");

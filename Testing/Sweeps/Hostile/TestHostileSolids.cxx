@@ -351,6 +351,8 @@ int main(int argc, char* argv[])
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   vtkObject::GlobalWarningDisplayOff();
   vtkNew<vtkMassPropertiesGPU> mass;
+  // Edges lie off their faces on purpose.
+  mass->SetGapLimit(1.0);
   mass->SetShaderPerturbation(options.Perturbation);
   Summary summary;
   std::vector<HostileSolid> batch;

@@ -1,0 +1,119 @@
+"""TestDamagedFiles.py --program SOLIDMOMENTS --output DIR (--solids FOLDER | --hostile FOLDER): a file that declares more than was read,
+or that contradicts itself, is not ok.
+
+--solids    exact solids, damaged in one place each; the same file without the damage is ok
+--hostile   the files of a folder of damaged and contradictory files, with what each must get
+"""
+import argparse
+import glob
+import json
+import os
+import re
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smcheck import check, check_equal, check_true, finish  # noqa: E402
+
+parser = argparse.ArgumentParser()
+for option in ("program", "output", "solids", "hostile"):
+    parser.add_argument("--" + option)
+options = parser.parse_args()
+FLAGGED = {"suspect", "open"}
+
+
+def run(path, *more):
+    """Exit status and the entry of the file; every file ends within a minute."""
+    done = subprocess.run([options.program, "--quiet", "--backend", "cpu", *more, "--json", "-", path], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, universal_newlines=True, errors="replace", timeout=60, check=False)
+    return done.returncode, json.loads(done.stdout)["files"][0]
+
+
+def expect(name, path, statuses, words, volume=None):
+    code, entry = run(path)
+    check_true(name + ": status", entry["status"] in statuses, f"{entry['status']}, {sorted(statuses)} expected")
+    exits = {"ok": 0, "unreadable": 2}
+    check_equal(name + ": exit status", exits.get(entry["status"], 3), code)
+    text = "\n".join(entry["messages"])
+    for word in words:
+        check_true(f"{name}: says {word!r}", word in text, text)
+    if volume is not None:
+        check(name + ": volume", volume, entry["total"]["volume"], 3e-12 * volume)
+
+
+def replace(text, pattern, new):
+    """Replaces the first match, which must exist."""
+    changed, count = re.subn(pattern, new, text, count=1)
+    check_true(f"{pattern} is there", count == 1)
+    return changed
+
+
+def damage(source, name, changes, statuses, words):
+    with open(os.path.join(options.solids, source), encoding="utf-8") as file:
+        text = file.read()
+    for pattern, new in changes:
+        text = replace(text, pattern, new)
+    path = os.path.join(options.output, f"damaged_{name}.step")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    expect(name, path, statuses, words)
+
+
+def check_solids():
+    for source in ("box-plain.step", "cylinder-plain.step", "two_solids.step", "hollow_sphere-plain.step"):
+        expect(source, os.path.join(options.solids, source), {"ok"}, [])
+    box = "box-plain.step"
+    damage(box, "bound_of_another_face", [(r"(#137 = ADVANCED_FACE\('',\()#\d+", r"\1#18")], FLAGGED, ["#137", "#18"])
+    damage(box, "face_of_nothing", [(r"(#16 = CLOSED_SHELL\('',\()#17,", r"\1")], FLAGGED, ["#17"])
+    damage(box, "face_undefined", [(r"(#16 = CLOSED_SHELL\('',\()#17,", r"\g<1>#99999,")], FLAGGED, ["#16", "undefined reference"])
+    damage(box, "solid_twice", [(r"(#10 = ADVANCED_BREP_SHAPE_REPRESENTATION\('',\(#11,#15)", r"\1,#15")], FLAGGED,
+           ["#15", "item twice in a representation"])
+    damage(box, "tilted_plane", [(r"(#35 = DIRECTION\('',\()1\.0+E\+00,0\.0+E\+00,\s*0\.0+E\+00", r"\g<1>1.,0.,0.4")], FLAGGED,
+           ["closing the gaps between its faces changes the volume by"])
+    code, entry = run(os.path.join(options.output, "damaged_tilted_plane.step"), "--gap-limit", "1")
+    check_equal("gaps that are accepted", (0, "ok"), (code, entry["status"]))
+    check_true("every gap has its edge", entry["solids"][0]["worst_edges"][0]["max_gap"] == entry["total"]["max_gap"])
+    damage(box, "no_unit", [(r"LENGTH_UNIT\(\)", "MASS_UNIT()")], FLAGGED | {"ok"}, ["unit"])
+    damage("cylinder-plain.step", "radius_below_zero", [(r"(CYLINDRICAL_SURFACE\('',#\d+,)", r"\1-")], FLAGGED, ["value out of range"])
+    damage("two_solids.step", "solid_lost", [(r"(CLOSED_SHELL\('',)\(#\d+[^)]*\)", r"\1()")], FLAGGED, ["#"])
+    damage("assembly.step", "instance_of_nothing", [(r"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\('3','[^']*','',)#\d+", r"\1#1")], FLAGGED,
+           ["#2136"])
+
+
+# What each file must get: statuses, words of its messages, volume.
+HOSTILE = {
+    "01c_plain_solid_tet": (FLAGGED, ["#15, #17"], None),
+    "01e_plain_solid_screw": (FLAGGED, ["#1052"], None),
+    "01g_plain_solid_odri_motor": (FLAGGED, ["#453"], None),
+    "02a_solid_lost_silently": (FLAGGED, ["#57"], None),
+    "02d_instance_lost_silently": (FLAGGED, ["#47", "#219"], None),
+    "02e_solid_lost_silently": (FLAGGED, ["#978"], None),
+    "02f_three_solids_lost": (FLAGGED, ["#503"], None),
+    "03_tilted_plane": (FLAGGED, ["at edge #72", "% of its size"], None),
+    "05a_crash_empty_body_then_body": (FLAGGED, ["#47"], None),
+    "05b_crash": (FLAGGED, ["#11"], None),
+    "05d_crash": (FLAGGED, ["#202"], None),
+    "07_assembly_bomb": ({"unreadable"}, ["393214 instances"], None),
+    "void_outside": (FLAGGED, ["does not lie inside its outer shell"], None),
+    "same_solid_listed_twice": (FLAGGED, ["#157"], None),
+    "one_shell_overlapping_boxes": (FLAGGED, [], None),
+    "two_coincident": ({"ok"}, ["they overlap"], None),
+    "unit_NONE": ({"ok"}, ["mm is assumed"], None),
+    "unit_INCH_-25.4": (FLAGGED, ["unit"], None),
+    "10_damaged_text_sound_solid": ({"ok"}, [], 272534.934224255),
+}
+
+
+def check_hostile():
+    paths = sorted(glob.glob(os.path.join(options.hostile, "*.step")))
+    names = [os.path.splitext(os.path.basename(path))[0] for path in paths]
+    check_equal("the files of the folder", sorted(HOSTILE), names)
+    for name, path in zip(names, paths):
+        expect(name, path, *HOSTILE[name])
+
+
+if options.hostile:
+    check_hostile()
+else:
+    check_solids()
+finish()
