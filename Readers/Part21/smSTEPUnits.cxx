@@ -66,6 +66,43 @@ const NamedFactor* FindFactor(const NamedFactor (&table)[N], std::string_view na
   return nullptr;
 }
 
+/// Records of units in complex instances, and simple measures, by the number of their parameters.
+struct UnitRecord
+{
+  std::string_view Type;
+  int Parameters;
+};
+const UnitRecord UnitRecords[] = { { "NAMED_UNIT", 1 }, { "SI_UNIT", 2 }, { "CONVERSION_BASED_UNIT", 2 },
+  { "LENGTH_UNIT", 0 }, { "PLANE_ANGLE_UNIT", 0 }, { "MEASURE_WITH_UNIT", 2 },
+  { "LENGTH_MEASURE_WITH_UNIT", 2 }, { "PLANE_ANGLE_MEASURE_WITH_UNIT", 2 } };
+
+/// OpenCASCADE ignores a unit that has a parameter too many, or too few, and takes another.
+bool HasWrongCount(const Part21File& file, Part21File::Index unit)
+{
+  for (std::size_t r = 0; r < file.GetNumberOfRecords(unit); ++r)
+  {
+    const std::string& type = file.GetTypeNames()[file.GetType(unit, r)];
+    for (const UnitRecord& record : UnitRecords)
+    {
+      if (record.Type != type || (!file.IsComplex(unit) && record.Type == "SI_UNIT"))
+      {
+        continue;
+      }
+      int count = 0;
+      Part21Values values(file.GetParameters(unit, r));
+      for (Part21Value value; values.Next(value);)
+      {
+        ++count;
+      }
+      if (count != record.Parameters)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool IsSame(double a, double b, double accuracy)
 {
   return std::fabs(a - b) <= accuracy * std::fabs(b);
@@ -125,7 +162,7 @@ CensusUnit STEPCensusTaker::ReadUnit(Index unit, bool length)
   for (int k = 0; k < LongestConversion; ++k)
   {
     std::string_view record;
-    if (this->File.IsDamaged(unit))
+    if (this->File.IsDamaged(unit) || HasWrongCount(this->File, unit))
     {
       return result;
     }
@@ -136,7 +173,7 @@ CensusUnit STEPCensusTaker::ReadUnit(Index unit, bool length)
       result.Name += (k > 0 ? " of " : "") + std::string(name.Text);
       double value = 0.0;
       const Index measure = this->Entities.Follow(this->Entities.Get(unit, ConversionFactor));
-      if (measure == None || !this->ReadMeasure(measure, value, unit))
+      if (measure == None || HasWrongCount(this->File, measure) || !this->ReadMeasure(measure, value, unit))
       {
         return result;
       }

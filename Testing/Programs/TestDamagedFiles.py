@@ -74,6 +74,9 @@ def check_solids():
     check_equal("gaps that are accepted", (0, "ok"), (code, entry["status"]))
     check_true("every gap has its edge", entry["solids"][0]["worst_edges"][0]["max_gap"] == entry["total"]["max_gap"])
     damage(box, "no_unit", [(r"LENGTH_UNIT\(\)", "MASS_UNIT()")], FLAGGED | {"ok"}, ["unit"])
+    # OpenCASCADE ignores a unit with a parameter too many: metres for millimetres.
+    damage(box, "unit_with_another_star", [(r"(LENGTH_UNIT\(\) NAMED_UNIT\(\*)\)", r"\1,*)")], FLAGGED, ["wrong unit", "#346"])
+    damage("box-inch.step", "inch_with_another_factor", [(r"(CONVERSION_BASED_UNIT\('INCH',)(#\d+)", r"\1\2,\2")], FLAGGED, ["wrong unit"])
     damage("cylinder-plain.step", "radius_below_zero", [(r"(CYLINDRICAL_SURFACE\('',#\d+,)", r"\1-")], FLAGGED, ["value out of range"])
     damage("two_solids.step", "solid_lost", [(r"(CLOSED_SHELL\('',)\(#\d+[^)]*\)", r"\1()")], FLAGGED, ["#"])
     damage("assembly.step", "instance_of_nothing", [(r"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\('3','[^']*','',)#\d+", r"\1#1")], FLAGGED,
