@@ -3,7 +3,7 @@ nothing of its kind. All of them change text, as damage does: none knows more of
 import re
 
 TOKEN = re.compile(r"'(?:[^'\n]|''|\n(?!\s*#\d+\s*=))*'|#\d+|[+-]?\d+\.?\d*(?:[Ee][+-]?\d+)?|\.[A-Z0-9_]+\.|[A-Za-z_]\w*|[(),;=$*]")
-RECORD = re.compile(r"^\s*#(\d+)\s*=", re.MULTILINE)
+RECORD = re.compile(r"(?:^|(?<=;))\s*#(\d+)\s*=", re.MULTILINE)
 GEOMETRY = re.compile(r"CARTESIAN_POINT|DIRECTION|VECTOR|_SURFACE|PLANE|CIRCLE|ELLIPSE|LINE|SPLINE|PLACEMENT|HYPERBOLA|PARABOLA")
 TOPOLOGY = re.compile(r"VERTEX|EDGE|LOOP|BOUND|FACE|SHELL|BREP(?!_SHAPE)")
 STRUCTURE = re.compile(r"PRODUCT|REPRESENTATION|MAPPED_ITEM|ITEM_DEFINED|ASSEMBLY|NEXT_ASS|BREP|SHELL|CONTEXT")
@@ -63,8 +63,9 @@ class Source:
         starts = list(RECORD.finditer(text))
         self.records = []
         for i, match in enumerate(starts):
-            limit = starts[i + 1].start() if i + 1 < len(starts) else text.find("ENDSEC", match.start())
-            start, end = match.start(1) - 1, text.rfind(";", match.start(), limit) + 1
+            limit = starts[i + 1].start() if i + 1 < len(starts) else text.find("ENDSEC", match.end())
+            limit = limit if limit > 0 else len(text)
+            start, end = match.start(1) - 1, text.rfind(";", match.end(), limit) + 1
             self.records.append(Record(text, int(match.group(1)), start, end if end > start else limit))
         self.types = {}
         for record in self.records:

@@ -1,7 +1,7 @@
 """What a STEP file declares, read by MutantSweep.py from its text alone: nothing here is shared with the program.
 
-The reading is generous: an entity begins at the start of a line with its id and ends where the next one begins, so that a
-damaged one takes no other with it. A file that the reader takes for less than this must be said to be damaged."""
+The reading is generous: an entity begins with its id, after a semicolon or at the start of a line, and ends where the next
+one begins, so that a damaged one takes no other with it. A file that the reader takes for less must be said to be damaged."""
 import collections
 import hashlib
 import math

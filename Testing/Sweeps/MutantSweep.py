@@ -14,6 +14,8 @@ import multiprocessing
 import os
 import random
 import re
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -27,6 +29,8 @@ SOLIDS = ("bicylinder-plain block_4_3_2-plain box-plain box-inch cone-plain cyli
           "torus-plain torus-nurbs two_solids wavy_plate-plain").split()
 BATCH = 20
 FINE = (0, 2, 3)
+# Each file has a process of its own, which may take so many seconds of the processor; the wall clock only ends what sleeps.
+LOAD = 10
 Finding = collections.namedtuple("Finding", "seed file kind status violation name text")
 
 
@@ -43,7 +47,7 @@ class Sweep:
         for path in paths:
             with open(path, encoding="latin-1", newline="") as file:
                 text = file.read()
-            code, entries = self.weigh([path], options.limit)
+            code, entries = self.weigh([path], LOAD * options.limit)
             name = os.path.basename(path)
             if code != 0 or entries[0]["status"] != "ok":
                 self.skipped.append(name)
@@ -66,7 +70,9 @@ class Sweep:
     def weigh(self, paths, limit):
         """(exit status or 'hang' or 'crash N', entries of the files that were finished)."""
         command = [self.options.program, "--backend", "cpu", "--quiet", "--json", "-", *paths]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+        seconds = int(self.options.limit)
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, preexec_fn=lambda:
+                              resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))) as process:
             try:
                 code, output = None, process.communicate(timeout=limit)[0]
                 code = process.returncode
@@ -94,10 +100,10 @@ class Sweep:
         results = []
         while len(results) < len(paths):
             rest = paths[len(results):]
-            code, entries = self.weigh(rest, self.options.limit)
+            code, entries = self.weigh(rest, LOAD * self.options.limit)
             results += [(FINE[0], [entry]) for entry in entries[:len(rest)]]
             if code not in FINE and len(results) < len(paths):
-                results.append(self.weigh(paths[len(results):][:1], self.options.limit))
+                results.append(self.weigh(paths[len(results):][:1], LOAD * self.options.limit))
         return results
 
     def other_volume(self, path):
@@ -124,6 +130,8 @@ class Sweep:
         entry = entries[0]
         found = []
         signals = [m for m in entry["messages"] if re.search(r"ended by signal", m)]
+        if signals and f"signal {int(signal.SIGXCPU)} " in signals[0]:
+            return seed, name, kind, "hang", [Finding(seed, name, kind, "hang", True, "hang", signals[0][-120:])]
         if signals:
             found.append(("child", False, signals[0][-120:] + (self.classify(path) if self.options.classify else "")))
             if "in our code" in found[0][2]:
@@ -223,7 +231,7 @@ def read_options():
     parser.add_argument("--count", type=int, default=1000, help="number of mutants")
     parser.add_argument("--minutes", type=float, help="stop after so long")
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--limit", type=float, default=60, help="seconds a mutant may take")
+    parser.add_argument("--limit", type=float, default=60, help="seconds of the processor a mutant may take (default 60)")
     parser.add_argument("--seed", type=int, help="this mutant alone")
     parser.add_argument("--file", help="mutate this file only")
     parser.add_argument("--kind", choices=sorted(KINDS), help="this kind only")
