@@ -206,9 +206,14 @@ void vtkSTEPReader::Fail(int status, const std::string& problem)
   this->Status = status;
   this->Last->Messages.push_back(sentence);
   this->Last->Problem = sentence;
-  this->SetErrorCode(
-    status == EMPTY ? vtkErrorCode::FileFormatError : vtkErrorCode::UnrecognizedFileTypeError);
+  this->SetErrorCode(vtkErrorCode::FileFormatError);
   vtkErrorMacro(<< sentence);
+}
+
+void vtkSTEPReader::Stop()
+{
+  this->Status = ABORTED;
+  this->Last->Problem = std::string("Reading ") + this->FileName + " was stopped.";
 }
 
 int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
@@ -295,7 +300,7 @@ void vtkSTEPReader::Read(vtkPartitionedDataSetCollection* output)
   this->Last->FileUnit = document.FileUnit;
   if (document.Status == sm::ReadStatus::Aborted)
   {
-    this->Status = ABORTED;
+    this->Stop();
     return;
   }
   if (document.Status != sm::ReadStatus::Ok)
@@ -310,7 +315,7 @@ void vtkSTEPReader::Read(vtkPartitionedDataSetCollection* output)
   std::vector<std::unique_ptr<sm::LeafMaker>> makers;
   if (!this->MakeBodies(document, options, makers))
   {
-    this->Status = ABORTED;
+    this->Stop();
     return;
   }
   const double assembling = vtkTimerLog::GetUniversalTime();

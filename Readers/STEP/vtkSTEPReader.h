@@ -22,15 +22,20 @@
  * messages of its model (vtkTrimmedNURBSModel::GetMessages); nothing else is lost. Faces outside the solids
  * of a file belong to no body: they are counted (GetNumberOfFreeFaces) and left out.
  *
- * A file that cannot be read raises one error that names it and the remedy; the output is empty then and
- * GetStatus says why. No exception leaves Update(): one that OpenCASCADE, an observer or a lack of memory raises is such an error.
+ * Every solid that the entities of the file declare is accounted for, with its faces and instances (smSTEPReconciliation.h). What is
+ * lost, and what in the file contradicts itself, is in the messages and makes the results of all filters suspect: field data of the
+ * output carries it to them, the string arrays FileStatus, FileProblem and FileDefects (smFileState.h).
+ *
+ * A file that cannot be read raises one error that names it and the remedy; the output is empty then, GetStatus says why, and
+ * GetErrorCode() is not 0. The pipeline goes on, so that filters do not keep the numbers of the file before: their status is unreadable
+ * or empty. A file of more than 100,000 instances of bodies and sub-assemblies cannot be read. No exception leaves Update(): one that
+ * OpenCASCADE, an observer or a lack of memory raises is such an error.
  *
  * Under MPI, all ranks have the same tree: as many partitioned datasets, the same names, the same assembly. The leaves are on the rank
  * that asks for the first piece; on the others every partition is null. Status, messages and counts are the same on all ranks. For that
  * the ranks of the global controller talk to each other when the number of pieces is the number of ranks, so all of them must update
  * the reader; each asks for a piece of its own. With any other number of pieces a rank is updated for itself, and pieces beyond the
- * first are empty collections. On several ranks a file that cannot be read is an error on the rank that reads it, but Update() goes on
- * with an empty output on all, so that no rank waits for one that stopped.
+ * first are empty collections. A file that cannot be read is an error on the rank that reads it, and the output is empty on all.
  *
  * One file is read at a time in a process, readers on other threads wait: OpenCASCADE's settings are global. A
  * reader that is updated by an observer of another one's progress raises an error. Conversion uses vtkSMPTools. No
@@ -167,6 +172,8 @@ private:
   /// Reports `fraction`; false when the application asked to stop.
   bool Report(double fraction);
   void Fail(int status, const std::string& problem);
+  /// Ends a run that the application asked to stop.
+  void Stop();
   /// Read() that lets no exception out: one is an error, and the output is empty.
   void ReadGuarded(vtkPartitionedDataSetCollection* output);
   void Read(vtkPartitionedDataSetCollection* output);

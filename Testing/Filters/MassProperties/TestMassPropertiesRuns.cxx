@@ -128,6 +128,9 @@ void CheckBudgetAndAbort(const std::string& ring, const std::string& output)
   pipeline.Reader->Modified();
   pipeline.Reader->Update();
   CheckEqual("a reader that is stopped", "aborted", pipeline.Reader->GetStatusAsString());
+  pipeline.Mass->Update();
+  CheckTrue("the filter says so",
+    std::isnan(pipeline.Mass->GetVolume()) && Says(pipeline.Mass, "was stopped"), GetMessages(pipeline.Mass));
   pipeline.Reader->RemoveObserver(readerTag);
   pipeline.Reader->Modified();
   pipeline.Reader->Update();
