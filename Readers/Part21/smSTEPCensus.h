@@ -120,6 +120,8 @@ struct CensusBody
   std::uint32_t Representations = 0;
   /// Index into STEPCensus::Contexts of one of these, -1 for none.
   int Context = -1;
+  /// kg/m^3, of its product or else of the assemblies that it occurs in; 0: none is stated, or they differ.
+  double Density = 0.0;
   /// It depends on a defect of geometry.
   bool Damaged = false;
 };
@@ -182,6 +184,19 @@ struct CensusContext
   bool Used = false;
 };
 
+/// A density that the file states for a product (smSTEPDensities.h).
+struct STEPDensity
+{
+  /// Number of the PRODUCT_DEFINITION that has it.
+  std::uint64_t Product = 0;
+  /// Number of the item with the value.
+  std::uint64_t Id = 0;
+  /// kg/m^3; 0 when the statement cannot be used.
+  double Density = 0.0;
+  /// Why it cannot; empty otherwise.
+  std::string Problem;
+};
+
 /// What an entity is needed for, as bits.
 namespace CensusUse
 {
@@ -229,6 +244,8 @@ struct STEPCensus
   std::vector<CensusOccurrence> Occurrences;
   std::vector<CensusMappedItem> MappedItems;
   std::vector<CensusContext> Contexts;
+  /// At most one for each product, by the product's number.
+  std::vector<STEPDensity> Densities;
   std::vector<CensusProblem> Problems;
   std::array<std::size_t, static_cast<std::size_t>(CensusDefect::Count)> Counts{};
   /// Bits of CensusUse for every instance of the file.

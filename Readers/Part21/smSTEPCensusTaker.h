@@ -68,6 +68,7 @@ private:
   void AddItems(Index representation);
   void AddPlacedShapes();
   void CountAll();
+  void PassDensity(Index from, Index to);
   void FindSolidsBelow();
   void ReportCycles(const std::vector<std::uint32_t>& open);
   void SetInstances();
@@ -103,7 +104,6 @@ private:
   int AddContext(Index representation);
   void ReadUnits(Index context, CensusContext& result);
   CensusUnit ReadUnit(Index unit, bool length);
-  bool ReadMeasure(Index measure, double& value, Index& unit);
   void ReadUncertainty(Index context, CensusContext& result);
   void ReportUnits();
 
@@ -126,6 +126,8 @@ private:
   std::vector<std::pair<Index, Index>> ShapesOfProducts;
   /// Number of instances of each product and, at its group's entity, of each shape.
   std::vector<CensusCount> Counts;
+  /// Density of each product and shape, its own or that of what it is part of; 0: none, NaN: these differ.
+  std::vector<double> DensitiesOfEntities;
   /// Placement (OccurrenceShape) of each occurrence, and relationships that are part of one.
   std::unordered_map<Index, Index> Placements;
   std::vector<bool> Placing;

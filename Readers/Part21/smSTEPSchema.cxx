@@ -214,6 +214,7 @@ const STEPEntityType Types[] = {
   { "MEASURE_WITH_UNIT", Measure, nullptr, nullptr },
   { "LENGTH_MEASURE_WITH_UNIT", Measure, nullptr, nullptr },
   { "PLANE_ANGLE_MEASURE_WITH_UNIT", Measure, nullptr, nullptr },
+  { "MASS_MEASURE_WITH_UNIT", Measure, nullptr, nullptr },
   { "UNCERTAINTY_MEASURE_WITH_UNIT", Measure, nullptr, nullptr },
 };
 }

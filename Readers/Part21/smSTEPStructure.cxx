@@ -1,5 +1,6 @@
 // Products, occurrences and shapes of a census: how often each occurs.
 #include "smSTEPCensusTaker.h"
+#include "smSTEPDensities.h"
 
 #include <algorithm>
 
@@ -301,6 +302,22 @@ void STEPCensusTaker::AddPlacedShapes()
   }
 }
 
+/// A product's own density goes before those of the assemblies that it is in.
+void STEPCensusTaker::PassDensity(Index from, Index to)
+{
+  const std::vector<STEPDensity>& stated = this->Census.Densities;
+  const std::uint64_t product = this->File.GetId(from);
+  const auto own = std::lower_bound(stated.begin(), stated.end(), product,
+    [](const STEPDensity& density, std::uint64_t id) { return density.Product < id; });
+  const bool hasOwn = own != stated.end() && own->Product == product && own->Density > 0.0;
+  const double passed = hasOwn ? own->Density : this->DensitiesOfEntities[from];
+  double& density = this->DensitiesOfEntities[to];
+  if (passed != 0.0)
+  {
+    density = density == 0.0 || density == passed ? passed : std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
 void STEPCensusTaker::CountAll()
 {
   const Index count = this->File.GetNumberOfInstances();
@@ -310,6 +327,8 @@ void STEPCensusTaker::CountAll()
     ++incoming[arc.To];
   }
   this->Counts.assign(count, 0);
+  this->Census.Densities = ReadSTEPDensities(this->Entities);
+  this->DensitiesOfEntities.assign(count, 0.0);
   this->Census.WithoutProducts = this->ShapesOfProducts.empty();
   std::vector<Index> open;
   for (Index i = 0; i < count; ++i)
@@ -331,6 +350,7 @@ void STEPCensusTaker::CountAll()
          arc != this->Arcs.end() && arc->From == from; ++arc)
     {
       this->Counts[arc->To] = AddCounts(this->Counts[arc->To], this->Counts[from]);
+      this->PassDensity(from, arc->To);
       if (--incoming[arc->To] == 0)
       {
         open.push_back(arc->To);
@@ -425,6 +445,9 @@ void STEPCensusTaker::SetInstances()
   {
     CensusCount& instances = this->Census.Bodies[body].Instances;
     instances = AddCounts(instances, this->Counts[group]);
+    const double density = this->DensitiesOfEntities[group];
+    double& ofBody = this->Census.Bodies[body].Density;
+    ofBody = density > 0.0 ? density : ofBody;
   }
   for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
   {

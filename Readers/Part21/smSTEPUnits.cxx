@@ -1,4 +1,6 @@
 // Units and accuracy that the contexts of a census state.
+#include "smSTEPUnits.h"
+
 #include "smSTEPCensusTaker.h"
 
 #include <algorithm>
@@ -21,13 +23,19 @@ constexpr STEPAttribute MeasureUnit = { "MEASURE_WITH_UNIT", 1, 1, "unit" };
 
 /// Units that convert into units that convert …; inch to millimetre is one.
 constexpr int LongestConversion = 8;
-/// In millimetres: a nanometre and a kilometre.
-constexpr double SmallestLength = 1e-6;
-constexpr double LargestLength = 1e6;
-/// Relative accuracy with which factors are written: 0.01745 for a degree is off by 1.9e-4; of lengths, which are exact, the foot of
-/// American surveyors by 2e-6.
-constexpr double AngleAccuracy = 2e-4;
-constexpr double LengthAccuracy = 3e-6;
+/// The unit of SI, what it is in the unit of the result, the smallest and largest that is no damage, and the relative accuracy with which
+/// factors are written: 0.01745 for a degree is off by 1.9e-4, 0.4536 for a pound by 2e-5; of lengths, which are exact, the foot of American
+/// surveyors by 2e-6.
+struct SIKind
+{
+  std::string_view Name;
+  double Factor;
+  double Smallest;
+  double Largest;
+  double Accuracy;
+};
+const SIKind SIKinds[] = { { "METRE", 1e3, 1e-6, 1e6, 3e-6 }, { "RADIAN", 1.0, 1e-6, 6.4, 2e-4 },
+  { "GRAM", 1e-3, 1e-15, 1e6, 1e-3 } };
 
 struct NamedFactor
 {
@@ -38,14 +46,17 @@ const NamedFactor Prefixes[] = { { "EXA", 1e18 }, { "PETA", 1e15 }, { "TERA", 1e
   { "MEGA", 1e6 }, { "KILO", 1e3 }, { "HECTO", 1e2 }, { "DECA", 1e1 }, { "DECI", 1e-1 }, { "CENTI", 1e-2 },
   { "MILLI", 1e-3 }, { "MICRO", 1e-6 }, { "NANO", 1e-9 }, { "PICO", 1e-12 }, { "FEMTO", 1e-15 },
   { "ATTO", 1e-18 } };
-/// In millimetres and radians, by the names of ISO 10303-41 and those that are common.
+/// In millimetres, radians and kilograms, by the names of ISO 10303-41 and those that are common.
 const NamedFactor Conversions[] = { { "INCH", 25.4 }, { "INCHES", 25.4 }, { "IN", 25.4 }, { "FOOT", 304.8 },
   { "FEET", 304.8 }, { "FT", 304.8 }, { "YARD", 914.4 }, { "MILE", 1609344.0 }, { "MIL", 0.0254 },
   { "MICROINCH", 25.4e-6 }, { "MICRON", 1e-3 }, { "MICROMETRE", 1e-3 }, { "MILLIMETRE", 1.0 },
   { "MILLIMETER", 1.0 }, { "MM", 1.0 }, { "CENTIMETRE", 10.0 }, { "CENTIMETER", 10.0 }, { "CM", 10.0 },
   { "METRE", 1e3 }, { "METER", 1e3 }, { "M", 1e3 }, { "KILOMETRE", 1e6 }, { "RADIAN", 1.0 },
   { "DEGREE", 0.017453292519943295 }, { "DEGREES", 0.017453292519943295 }, { "DEG", 0.017453292519943295 },
-  { "GRAD", 0.015707963267948967 }, { "GON", 0.015707963267948967 } };
+  { "GRAD", 0.015707963267948967 }, { "GON", 0.015707963267948967 }, { "POUND", 0.45359237 },
+  { "POUNDS", 0.45359237 }, { "LB", 0.45359237 }, { "LBM", 0.45359237 }, { "OUNCE", 0.028349523125 },
+  { "OZ", 0.028349523125 }, { "SLUG", 14.593902937 }, { "GRAM", 1e-3 }, { "KILOGRAM", 1.0 }, { "KG", 1.0 },
+  { "TONNE", 1e3 }, { "METRIC TON", 1e3 } };
 
 template <std::size_t N>
 const NamedFactor* FindFactor(const NamedFactor (&table)[N], std::string_view name)
@@ -73,8 +84,9 @@ struct UnitRecord
   int Parameters;
 };
 const UnitRecord UnitRecords[] = { { "NAMED_UNIT", 1 }, { "SI_UNIT", 2 }, { "CONVERSION_BASED_UNIT", 2 },
-  { "LENGTH_UNIT", 0 }, { "PLANE_ANGLE_UNIT", 0 }, { "MEASURE_WITH_UNIT", 2 },
-  { "LENGTH_MEASURE_WITH_UNIT", 2 }, { "PLANE_ANGLE_MEASURE_WITH_UNIT", 2 } };
+  { "LENGTH_UNIT", 0 }, { "PLANE_ANGLE_UNIT", 0 }, { "MASS_UNIT", 0 }, { "MEASURE_WITH_UNIT", 2 },
+  { "LENGTH_MEASURE_WITH_UNIT", 2 }, { "PLANE_ANGLE_MEASURE_WITH_UNIT", 2 },
+  { "MASS_MEASURE_WITH_UNIT", 2 } };
 
 /// OpenCASCADE ignores a unit that has a parameter too many, or too few, and takes another.
 bool HasWrongCount(const Part21File& file, Part21File::Index unit)
@@ -107,6 +119,79 @@ bool IsSame(double a, double b, double accuracy)
 {
   return std::fabs(a - b) <= accuracy * std::fabs(b);
 }
+}
+
+CensusUnit ReadSTEPUnit(const STEPAttributes& entities, Part21File::Index unit, STEPUnitKind kind,
+  std::vector<Part21File::Index>& used)
+{
+  using Index = Part21File::Index;
+  const SIKind& si = SIKinds[static_cast<int>(kind)];
+  CensusUnit result;
+  result.Status = CensusUnit::State::Wrong;
+  result.Id = entities.File.GetId(unit);
+  double factor = 1.0;
+  for (int k = 0; k < LongestConversion; ++k)
+  {
+    std::string_view record;
+    if (entities.File.IsDamaged(unit) || HasWrongCount(entities.File, unit))
+    {
+      return result;
+    }
+    used.push_back(unit);
+    if (entities.FindRecord(unit, ConversionFactor.Record, record))
+    {
+      const Part21Value name = entities.Get(unit, ConversionName);
+      result.Name += (k > 0 ? " of " : "") + std::string(name.Text);
+      double value = 0.0;
+      const Index measure = entities.Follow(entities.Get(unit, ConversionFactor));
+      if (measure == Part21File::None || HasWrongCount(entities.File, measure) ||
+        !ReadSTEPMeasure(entities, measure, value, unit))
+      {
+        return result;
+      }
+      used.push_back(measure);
+      factor *= value;
+      continue;
+    }
+    const Part21Value prefix = entities.Get(unit, Prefix);
+    const Part21Value name = entities.Get(unit, SIName);
+    const NamedFactor* power =
+      prefix.Kind == Part21Kind::Enumeration ? FindFactor(Prefixes, prefix.Text) : nullptr;
+    if (name.Text != si.Name || (!power && prefix.Kind != Part21Kind::Omitted))
+    {
+      return result;
+    }
+    result.Name += (k > 0 ? " of " : "") + (power ? std::string(power->Name) + " " : std::string());
+    result.Name += name.Text;
+    result.Factor = factor * (power ? power->Factor : 1.0) * si.Factor;
+    break;
+  }
+  const NamedFactor* known =
+    FindFactor(Conversions, std::string_view(result.Name).substr(0, result.Name.find(" of ")));
+  if (!(result.Factor > 0.0) || !std::isfinite(result.Factor) ||
+    (known && !IsSame(result.Factor, known->Factor, si.Accuracy)))
+  {
+    return result;
+  }
+  const bool absurd = result.Factor < si.Smallest * (1 - 1e-9) || result.Factor > si.Largest * (1 + 1e-9);
+  result.Status = absurd ? CensusUnit::State::Absurd : CensusUnit::State::Stated;
+  return result;
+}
+
+bool ReadSTEPMeasure(
+  const STEPAttributes& entities, Part21File::Index measure, double& value, Part21File::Index& unit)
+{
+  if (!entities.Has(measure, STEPRole::Measure) || entities.File.IsDamaged(measure))
+  {
+    return false;
+  }
+  Part21Value number = entities.Get(measure, MeasureValue);
+  if (number.Kind == Part21Kind::Typed)
+  {
+    number = GetPart21Value(number.Text, 0);
+  }
+  unit = entities.Follow(entities.Get(measure, MeasureUnit));
+  return unit != Part21File::None && number.GetNumber(value);
 }
 
 int STEPCensusTaker::AddContext(Index representation)
@@ -155,73 +240,14 @@ void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
 
 CensusUnit STEPCensusTaker::ReadUnit(Index unit, bool length)
 {
-  CensusUnit result;
-  result.Status = CensusUnit::State::Wrong;
-  result.Id = this->File.GetId(unit);
-  double factor = 1.0;
-  for (int k = 0; k < LongestConversion; ++k)
+  std::vector<Index> used;
+  const CensusUnit result =
+    ReadSTEPUnit(this->Entities, unit, length ? STEPUnitKind::Length : STEPUnitKind::Angle, used);
+  for (const Index i : used)
   {
-    std::string_view record;
-    if (this->File.IsDamaged(unit) || HasWrongCount(this->File, unit))
-    {
-      return result;
-    }
-    this->Use(unit, CensusUse::Units);
-    if (this->Entities.FindRecord(unit, ConversionFactor.Record, record))
-    {
-      const Part21Value name = this->Entities.Get(unit, ConversionName);
-      result.Name += (k > 0 ? " of " : "") + std::string(name.Text);
-      double value = 0.0;
-      const Index measure = this->Entities.Follow(this->Entities.Get(unit, ConversionFactor));
-      if (measure == None || HasWrongCount(this->File, measure) || !this->ReadMeasure(measure, value, unit))
-      {
-        return result;
-      }
-      factor *= value;
-      continue;
-    }
-    const Part21Value prefix = this->Entities.Get(unit, Prefix);
-    const Part21Value name = this->Entities.Get(unit, SIName);
-    const NamedFactor* power =
-      prefix.Kind == Part21Kind::Enumeration ? FindFactor(Prefixes, prefix.Text) : nullptr;
-    if (name.Text != (length ? "METRE" : "RADIAN") || (!power && prefix.Kind != Part21Kind::Omitted))
-    {
-      return result;
-    }
-    result.Name += (k > 0 ? " of " : "") + (power ? std::string(power->Name) + " " : std::string());
-    result.Name += name.Text;
-    result.Factor = factor * (power ? power->Factor : 1.0) * (length ? 1e3 : 1.0);
-    break;
+    this->Use(i, CensusUse::Units);
   }
-  const NamedFactor* known =
-    FindFactor(Conversions, std::string_view(result.Name).substr(0, result.Name.find(" of ")));
-  if (!(result.Factor > 0.0) || !std::isfinite(result.Factor) ||
-    (known && !IsSame(result.Factor, known->Factor, length ? LengthAccuracy : AngleAccuracy)))
-  {
-    return result;
-  }
-  const bool absurd = length
-    ? result.Factor < SmallestLength * (1 - 1e-9) || result.Factor > LargestLength * (1 + 1e-9)
-    : result.Factor < 1e-6 || result.Factor > 6.4;
-  result.Status = absurd ? CensusUnit::State::Absurd : CensusUnit::State::Stated;
   return result;
-}
-
-/// `unit` becomes the unit of the measure.
-bool STEPCensusTaker::ReadMeasure(Index measure, double& value, Index& unit)
-{
-  if (!this->Entities.Has(measure, STEPRole::Measure) || this->File.IsDamaged(measure))
-  {
-    return false;
-  }
-  this->Use(measure, CensusUse::Units);
-  Part21Value number = this->Entities.Get(measure, MeasureValue);
-  if (number.Kind == Part21Kind::Typed)
-  {
-    number = GetPart21Value(number.Text, 0);
-  }
-  unit = this->Entities.Follow(this->Entities.Get(measure, MeasureUnit));
-  return unit != None && number.GetNumber(value);
 }
 
 void STEPCensusTaker::ReadUncertainty(Index context, CensusContext& result)
@@ -233,11 +259,12 @@ void STEPCensusTaker::ReadUncertainty(Index context, CensusContext& result)
     double number = 0.0;
     Index unit = None;
     std::string_view record;
-    if (measure == None || !this->ReadMeasure(measure, number, unit) ||
+    if (measure == None || !ReadSTEPMeasure(this->Entities, measure, number, unit) ||
       !this->Entities.FindRecord(unit, "LENGTH_UNIT", record))
     {
       continue;
     }
+    this->Use(measure, CensusUse::Units);
     number *= this->ReadUnit(unit, true).Factor;
     if (!(number <= result.Uncertainty))
     {

@@ -73,7 +73,6 @@ private:
     double Volume = Nothing;
     double Area = Nothing;
     std::string Material;
-    double Density = 0.0;
   };
 
   static int CountFaces(const TopoDS_Shape& shape, TopAbs_ShapeEnum avoided)
@@ -144,7 +143,8 @@ private:
       {
         GetLabelProperties(product, inherited.Volume, inherited.Area);
       }
-      GetLabelMaterial(product, inherited.Material, inherited.Density);
+      const std::string material = GetLabelMaterial(product);
+      inherited.Material = material.empty() ? inherited.Material : material;
       TDF_LabelSequence components;
       XCAFDoc_ShapeTool::GetComponents(product, components);
       for (const TDF_Label& component : components)
@@ -225,9 +225,8 @@ private:
     part.Color = GetLabelColor(this->Xde, product);
     part.FileVolume = inherited.Volume;
     part.FileArea = inherited.Area;
-    part.Material = inherited.Material;
-    part.Density = inherited.Density;
-    GetLabelMaterial(product, part.Material, part.Density);
+    part.Material = GetLabelMaterial(product);
+    part.Material = part.Material.empty() ? inherited.Material : part.Material;
     GetLabelProperties(product, part.FileVolume, part.FileArea);
     // A validation property of a part with several bodies is their sum and belongs to none of them.
     if (CountSolids(XCAFDoc_ShapeTool::GetShape(product)) > 1)

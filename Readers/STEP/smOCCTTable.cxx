@@ -268,20 +268,17 @@ Vector3 GetLabelColor(const Handle(TDocStd_Document) & document, const TDF_Label
   return rgb;
 }
 
-void GetLabelMaterial(const TDF_Label& label, std::string& name, double& density)
+std::string GetLabelMaterial(const TDF_Label& label)
 {
   Handle(TDataStd_TreeNode) node;
-  if (!label.FindAttribute(XCAFDoc::MaterialRefGUID(), node) || !node->HasFather())
-  {
-    return;
-  }
   Handle(XCAFDoc_Material) material;
-  if (node->Father()->Label().FindAttribute(XCAFDoc_Material::GetID(), material))
+  if (!label.FindAttribute(XCAFDoc::MaterialRefGUID(), node) || !node->HasFather() ||
+    !node->Father()->Label().FindAttribute(XCAFDoc_Material::GetID(), material) ||
+    material->GetName().IsNull())
   {
-    name = material->GetName().IsNull() ? "" : material->GetName()->ToCString();
-    // OpenCASCADE keeps g/cm^3.
-    density = 1000.0 * material->GetDensity();
+    return {};
   }
+  return material->GetName()->ToCString();
 }
 
 void GetLabelProperties(const TDF_Label& label, double& volume, double& area)

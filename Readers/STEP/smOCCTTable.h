@@ -30,8 +30,8 @@ std::string GetLabelName(const TDF_Label& label);
 std::string GetLabelLayer(const Handle(TDocStd_Document) & document, const TDF_Label& label);
 /// sRGB in [0,1]; negative when there is none.
 Vector3 GetLabelColor(const Handle(TDocStd_Document) & document, const TDF_Label& label);
-/// Density in kg/m^3; left alone when the file has none.
-void GetLabelMaterial(const TDF_Label& label, std::string& name, double& density);
+/// Name of the material, empty for none.
+std::string GetLabelMaterial(const TDF_Label& label);
 /// Volume (mm^3) and area (mm^2) the originating system wrote; left alone when it wrote none.
 void GetLabelProperties(const TDF_Label& label, double& volume, double& area);
 }

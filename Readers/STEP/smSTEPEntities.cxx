@@ -4,6 +4,9 @@
 #include <Precision.hxx>
 #include <STEPConstruct.hxx>
 #include <Standard_Version.hxx>
+#include <StepBasic_DerivedUnitElement.hxx>
+#include <StepBasic_NamedUnit.hxx>
+#include <StepBasic_SiUnitAndMassUnit.hxx>
 #include <StepBasic_UncertaintyMeasureWithUnit.hxx>
 #include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
 #include <StepRepr_RepresentationItem.hxx>
@@ -167,11 +170,25 @@ private:
   Handle(Transfer_FinderProcess) Process;
   std::unordered_map<const Standard_Transient*, Handle(StepRepr_RepresentationContext)> Contexts;
 };
+
+/// OpenCASCADE writes the g/cm^3 of densities with wrong powers.
+void CorrectDensityUnits(const Handle(StepData_StepModel) & model)
+{
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const auto element = Handle(StepBasic_DerivedUnitElement)::DownCast(model->Value(i));
+    if (!element.IsNull())
+    {
+      element->SetExponent(element->Unit()->IsKind(STANDARD_TYPE(StepBasic_SiUnitAndMassUnit)) ? 1.0 : -3.0);
+    }
+  }
+}
 }
 
 void CompleteEntities(const Handle(Transfer_FinderProcess) & process,
   const Handle(StepData_StepModel) & model, const ExportTree& tree, const std::vector<BuiltPart>& parts)
 {
+  CorrectDensityUnits(model);
   EntityLabels(process, model).Apply(tree, parts);
   Accuracies accuracies(process, model);
   for (const BuiltPart& part : parts)

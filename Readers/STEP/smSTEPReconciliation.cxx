@@ -57,8 +57,13 @@ public:
   void Run()
   {
     this->ReportProblems();
+    this->ReportDensities();
     for (const CensusBody& body : this->Census.Bodies)
     {
+      for (const std::size_t i : this->Read[body.Id])
+      {
+        this->Result.Bodies[i].Density = body.Density;
+      }
       if (body.Instances == 0)
       {
         continue;
@@ -121,6 +126,19 @@ private:
           ? ""
           : " (" + place + (place.empty() || other.empty() ? "" : ", ") + other + ")") +
       ".";
+  }
+
+  /// Parts without a density have no mass: nobody shall miss why.
+  void ReportDensities()
+  {
+    for (const STEPDensity& density : this->Census.Densities)
+    {
+      if (!density.Problem.empty())
+      {
+        this->Result.Messages.push_back("The density of product #" + std::to_string(density.Product) + " (#" +
+          std::to_string(density.Id) + ") is not used: " + density.Problem + ".");
+      }
+    }
   }
 
   void ReportMissingUnit(const CensusProblem& problem)

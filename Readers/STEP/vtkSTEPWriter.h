@@ -5,7 +5,7 @@
  * vtkNURBSModelWriter documents the geometry that is saved, and errors. STEP holds, besides the geometry, the product
  * structure (names, instances with their placements, layers), colours of bodies, faces and instances, material and density,
  * and the names and entity numbers (#1234) of bodies, faces and edges, so that a file that is read and saved keeps them.
- * A material's name that comes with a second density gets a number, "Steel (2)". Numbers have 17 digits. An assembly that
+ * Densities are written in g/cm^3. A material's name that comes with a second density gets a number, "Steel (2)". Numbers have 17 digits. An assembly that
  * occurs several times is written once for each: the placements of its parts are exact, their grouping as one assembly is lost. The schema is
  * AP214 (AUTOMOTIVE_DESIGN), which holds all of this and which every system reads.
  */

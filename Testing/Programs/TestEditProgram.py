@@ -112,7 +112,8 @@ def errors():
     refused("outside the window", 1, "outside the window of 400 x 300 pixels", "--size", "400", "300", "--play",
             write_events("outside", "LeftButtonPressEvent 500 100 0 0 0 0"))
     refused("an option for a file", 1, "a file name is missing", "--play", "--json", "x.step")
-    result = run("--play", options.events, "--screenshot", "own_size.png")
+    recorded = write_events("recorded", "# WindowSize 720 560", key("h"))
+    result = run("--play", recorded, "--screenshot", "own_size.png")
     check_equal("the size of the recording: exit status", 0, result.returncode)
     check_equal("the size of the recording", (720, 560), size_of_png("own_size.png"))
     refused("no numbers", 1, "line 3", "--play", write_events("bad", key("h"), "MouseMoveEvent 1 two 0 0 0 0"))

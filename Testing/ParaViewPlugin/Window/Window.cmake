@@ -1,11 +1,6 @@
-# ParaView's tables, states, progress, inputs, and files written by a parallel server.
+# ParaView's states, progress, and files written by a parallel server.
 set(window_tests "${CMAKE_CURRENT_LIST_DIR}")
 set(window_assembly "${SOLIDMOMENTS_TEST_SOLIDS}/assembly.step")
-solidmoments_add_test(NAME PluginTables LABELS plugin XVFB
-  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginTables.py" "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_SAMPLE_PART}"
-    "${SOLIDMOMENTS_TEST_OUTPUT}")
-solidmoments_add_test(NAME PluginInputs LABELS plugin error NODISPLAY
-  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginInputs.py" "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_SAMPLE_PART}")
 solidmoments_add_test(NAME PluginState LABELS plugin XVFB
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginState.py" "$<TARGET_FILE:SolidMoments>" "${window_assembly}"
     "${SOLIDMOMENTS_TEST_OUTPUT}")

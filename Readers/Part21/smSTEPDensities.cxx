@@ -1,0 +1,209 @@
+#include "smSTEPDensities.h"
+
+#include "smSTEPUnits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace sm
+{
+namespace
+{
+using Index = Part21File::Index;
+constexpr Index None = Part21File::None;
+
+constexpr STEPAttribute NameOfProperty = { "PROPERTY_DEFINITION", 0, 0, "name" };
+constexpr STEPAttribute DescriptionOfProperty = { "PROPERTY_DEFINITION", 1, 1, "description" };
+constexpr STEPAttribute DefinitionOfProperty = { "PROPERTY_DEFINITION", 2, 2, "definition" };
+constexpr STEPAttribute RepresentedProperty = { "PROPERTY_DEFINITION_REPRESENTATION", 0, 0, "definition" };
+constexpr STEPAttribute UsedRepresentation = { "PROPERTY_DEFINITION_REPRESENTATION", 1, 1,
+  "used representation" };
+constexpr STEPAttribute NameOfRepresentation = { "REPRESENTATION", 0, 0, "name" };
+constexpr STEPAttribute ItemsOfRepresentation = { "REPRESENTATION", 1, 1, "items" };
+constexpr STEPAttribute NameOfItem = { "REPRESENTATION_ITEM", 0, 0, "name" };
+constexpr STEPAttribute ValueOfItem = { "MEASURE_WITH_UNIT", 0, 1, "value" };
+constexpr STEPAttribute UnitOfItem = { "MEASURE_WITH_UNIT", 1, 2, "unit" };
+constexpr STEPAttribute Elements = { "DERIVED_UNIT", 0, 0, "elements" };
+constexpr STEPAttribute UnitOfElement = { "DERIVED_UNIT_ELEMENT", 0, 0, "unit" };
+constexpr STEPAttribute Exponent = { "DERIVED_UNIT_ELEMENT", 1, 1, "exponent" };
+
+bool SaysDensity(std::string_view text)
+{
+  constexpr std::string_view word = "density";
+  return std::search(text.begin(), text.end(), word.begin(), word.end(),
+           [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; }) != text.end();
+}
+
+class DensityReader
+{
+public:
+  explicit DensityReader(const STEPAttributes& entities)
+    : File(entities.File)
+    , Entities(entities)
+  {
+  }
+
+  std::vector<STEPDensity> Read()
+  {
+    for (Index i = 0; i < this->File.GetNumberOfInstances(); ++i)
+    {
+      const std::string& type = this->File.GetTypeNames()[this->File.GetType(i)];
+      if (!this->File.IsComplex(i) && !this->File.IsDamaged(i) &&
+        (type == "PROPERTY_DEFINITION_REPRESENTATION" || type == "MATERIAL_PROPERTY_REPRESENTATION"))
+      {
+        this->ReadProperty(i);
+      }
+    }
+    std::vector<STEPDensity> result;
+    for (const auto& [product, found] : this->Found)
+    {
+      result.push_back(found.Density);
+    }
+    return result;
+  }
+
+private:
+  struct Candidate
+  {
+    STEPDensity Density;
+    /// Usable statements before others, the recommended practice's before users' own, then the first.
+    int Rank = -1;
+  };
+
+  void ReadProperty(Index link)
+  {
+    const Index property = this->Entities.Follow(this->Entities.Get(link, RepresentedProperty));
+    const Index representation = this->Entities.Follow(this->Entities.Get(link, UsedRepresentation));
+    if (property == None || representation == None)
+    {
+      return;
+    }
+    const Index product = this->FindProduct(property);
+    if (product == None)
+    {
+      return;
+    }
+    const std::string_view name = this->Entities.Get(property, NameOfProperty).Text;
+    const bool recommended = name == "material property";
+    const bool named = SaysDensity(name) ||
+      SaysDensity(this->Entities.Get(property, DescriptionOfProperty).Text) ||
+      SaysDensity(this->Entities.Get(representation, NameOfRepresentation).Text);
+    Part21Values items(this->Entities.Get(representation, ItemsOfRepresentation).Text);
+    for (Part21Value value; items.Next(value);)
+    {
+      const Index item = this->Entities.Follow(value);
+      if (item != None && this->Entities.Get(item, ValueOfItem).Kind == Part21Kind::Typed)
+      {
+        this->ReadItem(
+          item, product, recommended, named || SaysDensity(this->Entities.Get(item, NameOfItem).Text));
+      }
+    }
+  }
+
+  /// The product that the property describes, or whose shape it does.
+  Index FindProduct(Index property) const
+  {
+    Index product = this->Entities.Follow(this->Entities.Get(property, DefinitionOfProperty));
+    if (this->Entities.Has(product, STEPRole::ProductShape))
+    {
+      product = this->Entities.Follow(this->Entities.Get(product, DefinitionOfProperty));
+    }
+    return this->Entities.Has(product, STEPRole::ProductDefinition) ? product : None;
+  }
+
+  void ReadItem(Index item, Index product, bool recommended, bool named)
+  {
+    const double unit = this->ReadUnit(this->Entities.Follow(this->Entities.Get(item, UnitOfItem)));
+    if (!named && !(recommended && unit > 0.0))
+    {
+      return;
+    }
+    STEPDensity density;
+    density.Product = this->File.GetId(product);
+    density.Id = this->File.GetId(item);
+    double number = 0.0;
+    const bool isNumber = GetPart21Value(this->Entities.Get(item, ValueOfItem).Text, 0).GetNumber(number);
+    if (isNumber && number == 0.0)
+    {
+      // So some systems say that a part has no material.
+      return;
+    }
+    if (!isNumber)
+    {
+      density.Problem = "it is no number";
+    }
+    else if (!(unit > 0.0))
+    {
+      density.Problem = "its unit is not a mass by the third power of a length";
+    }
+    else if (!(number > 0.0) || !std::isfinite(number * unit))
+    {
+      density.Problem = "it is not above 0";
+    }
+    else
+    {
+      density.Density = number * unit;
+    }
+    const int rank = 2 * (density.Problem.empty() ? 1 : 0) + (recommended ? 1 : 0);
+    Candidate& found = this->Found[density.Product];
+    if (rank > found.Rank)
+    {
+      found = { density, rank };
+    }
+  }
+
+  /// kg/m^3 of the unit, 0 for one that is no density.
+  double ReadUnit(Index unit) const
+  {
+    if (unit == None)
+    {
+      return 0.0;
+    }
+    double mass = 0.0;
+    double length = 0.0;
+    double massExponent = 0.0;
+    double lengthExponent = 0.0;
+    Part21Values elements(this->Entities.Get(unit, Elements).Text);
+    for (Part21Value value; elements.Next(value);)
+    {
+      const Index element = this->Entities.Follow(value);
+      const Index base =
+        element == None ? None : this->Entities.Follow(this->Entities.Get(element, UnitOfElement));
+      std::string_view record;
+      double exponent = 0.0;
+      if (base == None || !this->Entities.Get(element, Exponent).GetNumber(exponent))
+      {
+        return 0.0;
+      }
+      const bool isMass = this->Entities.FindRecord(base, "MASS_UNIT", record);
+      if (!isMass && !this->Entities.FindRecord(base, "LENGTH_UNIT", record))
+      {
+        return 0.0;
+      }
+      std::vector<Index> used;
+      const CensusUnit read =
+        ReadSTEPUnit(this->Entities, base, isMass ? STEPUnitKind::Mass : STEPUnitKind::Length, used);
+      if (read.Status != CensusUnit::State::Stated || (isMass ? massExponent : lengthExponent) != 0.0)
+      {
+        return 0.0;
+      }
+      (isMass ? mass : length) = read.Factor;
+      (isMass ? massExponent : lengthExponent) = exponent;
+    }
+    const bool kernel = massExponent == 3.0 && lengthExponent == 2.0 && mass == 1e-3 && length == 10.0;
+    const bool density = massExponent == 1.0 && std::fabs(lengthExponent) == 3.0;
+    return kernel || density ? 1e9 * mass / (length * length * length) : 0.0;
+  }
+
+  const Part21File& File;
+  const STEPAttributes& Entities;
+  std::map<std::uint64_t, Candidate> Found;
+};
+}
+
+std::vector<STEPDensity> ReadSTEPDensities(const STEPAttributes& entities)
+{
+  return DensityReader(entities).Read();
+}
+}
