@@ -80,10 +80,16 @@ Json Measure(const std::string& path, double eps)
   GProp_GProps area;
   BRepGProp::SurfaceProperties(solids, area);
   const gp_Pnt center = volume.CentreOfMass();
+  Json inertia = Json::array();
+  for (int row = 1; row <= 3; ++row)
+  {
+    const gp_XYZ entries = volume.MatrixOfInertia().Row(row); // about the centre of mass
+    inertia.push_back({ entries.X(), entries.Y(), entries.Z() });
+  }
   Json result = { { "file", path }, { "solids", count }, { "eps", nullptr }, { "volume", volume.Mass() },
     { "claimed", nullptr }, { "area", area.Mass() },
-    { "center_of_mass", { center.X(), center.Y(), center.Z() } }, { "seconds", seconds },
-    { "read_seconds", readSeconds } };
+    { "center_of_mass", { center.X(), center.Y(), center.Z() } }, { "inertia", inertia },
+    { "seconds", seconds }, { "read_seconds", readSeconds } };
   if (eps > 0.0)
   {
     result["eps"] = eps;
@@ -103,9 +109,9 @@ int main(int argc, char** argv)
 {
   std::string path;
   double eps = 0.0;
-  CLI::App app("Volume, area and centre of mass of all solids in a STEP file by OpenCASCADE's BRepGProp, as "
-               "JSON on the\n"
-               "standard output; lengths in mm.",
+  CLI::App app(
+    "Volume, area, centre of mass and inertia (about it, density 1) of all solids in a STEP file by\n"
+    "OpenCASCADE's BRepGProp, as JSON on the standard output; lengths in mm.",
     "occt_mass_properties");
   app.footer(Footer);
   app.add_option("FILE", path, "STEP file")->required()->type_name("");
