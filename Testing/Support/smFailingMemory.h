@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <set>
 
 namespace smtest
 {
@@ -37,6 +38,22 @@ struct FailingMemory
 };
 
 inline FailingMemory failingMemory;
+
+/// Numbers of allocations: the first, the last, and some evenly spread ones between them.
+inline std::set<long> ChooseAllocations(long count, long ends, long between)
+{
+  std::set<long> chosen;
+  for (long i = 1; i <= std::min(count, ends); ++i)
+  {
+    chosen.insert(i);
+    chosen.insert(count + 1 - i);
+  }
+  for (long i = 1; i <= between; ++i)
+  {
+    chosen.insert(std::max(1L, i * count / (between + 1)));
+  }
+  return chosen;
+}
 
 inline void* Allocate(std::size_t size)
 {
