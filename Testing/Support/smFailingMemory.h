@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <set>
@@ -19,6 +20,9 @@ namespace smtest
 /// Allocations by operator new while `IsCounting`; the one with the number `Failing` fails. 0: none does.
 struct FailingMemory
 {
+  /// The first allocation of so many bytes ends the counting, unless it fails: it shows that there is memory for VTK's containers, which
+  /// do not survive an operator new that fails in them.
+  std::size_t LastSize = SIZE_MAX;
   std::atomic<bool> IsCounting{ false };
   std::atomic<long> Allocations{ 0 };
   std::atomic<long> Failing{ 0 };
@@ -57,9 +61,12 @@ inline std::set<long> ChooseAllocations(long count, long ends, long between)
 
 inline void* Allocate(std::size_t size)
 {
-  void* memory = failingMemory.IsCounting && ++failingMemory.Allocations == failingMemory.Failing
-    ? nullptr
-    : std::malloc(std::max<std::size_t>(size, 1));
+  const bool isFailing = failingMemory.IsCounting && ++failingMemory.Allocations == failingMemory.Failing;
+  if (!isFailing && size >= failingMemory.LastSize)
+  {
+    failingMemory.End();
+  }
+  void* memory = isFailing ? nullptr : std::malloc(std::max<std::size_t>(size, 1));
   if (!memory)
   {
     throw std::bad_alloc();
