@@ -13,7 +13,6 @@
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
 
-#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
