@@ -8,7 +8,6 @@
 #include "vtkImageData.h"
 #include "vtkSchemeMassPropertiesGPU.h"
 
-#include <algorithm>
 #include <set>
 
 namespace

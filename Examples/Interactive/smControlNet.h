@@ -44,7 +44,6 @@ public:
   /// True when it changed.
   bool SetHighlight(int point);
   bool SetSelection(int point);
-  int GetHighlight() const { return this->Highlight; }
   int GetSelection() const { return this->Selection; }
   ///@}
 

@@ -29,7 +29,6 @@
 #include <vtkTrimmedNURBSModel.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace sm
 {

@@ -16,7 +16,6 @@
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
 
-#include <array>
 #include <functional>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include <smTrimPolygons.h>
 #include <vtkTrimmedNURBSModel.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace smfigure

@@ -3,7 +3,6 @@
 #include "smSubmergedPanels.h"
 #include "smSubmergedStrips.h"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>

@@ -5,7 +5,6 @@
 #include "smTrimCutting.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace sm
 {

@@ -3,9 +3,6 @@
 #include "smCompensatedSum.h"
 #include "smVector.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace sm
 {
 namespace

@@ -42,9 +42,9 @@ double StretchOf(
   }
   return length;
 }
+}
 
-/// B_i^degree(x) for i = 0 .. degree, by the triangular recurrence.
-void FillBasis(int degree, double x, double* basis)
+void FillBernsteinBasis(int degree, double x, double* basis)
 {
   basis[0] = 1.0;
   for (int k = 1; k <= degree; ++k)
@@ -58,7 +58,6 @@ void FillBasis(int degree, double x, double* basis)
     }
     basis[k] = carried;
   }
-}
 }
 
 std::array<double, 3> GetReach(const std::array<double, 4>* points, int count)
@@ -139,8 +138,8 @@ void EvaluatePatch(const Patch& patch, const std::array<double, 4>* points, doub
   const int q = patch.Degree[1];
   double across[MaximumDegree + 1];
   double along[MaximumDegree + 1];
-  FillBasis(q - 1, r, across);
-  FillBasis(p - 1, s, along);
+  FillBernsteinBasis(q - 1, r, across);
+  FillBernsteinBasis(p - 1, s, along);
   // The sums of smCollapse and smEvaluateRow in one: all differences are taken before anything else.
   double h[4] = {};
   double hs[4] = {};

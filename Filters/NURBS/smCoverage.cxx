@@ -1,7 +1,5 @@
 #include "smCoverage.h"
 
-#include <algorithm>
-
 namespace sm
 {
 Coverage::Coverage(int columns, int rows)

@@ -1,6 +1,6 @@
 /**
  * @file smFailureReason.h
- * @brief Reasons for exceptions, as users read them
+ * @brief Reasons for exceptions, as users read them, and work that has to go on without memory
  */
 #ifndef smFailureReason_h
 #define smFailureReason_h
@@ -12,6 +12,21 @@ namespace sm
 {
 /// The reason for a std::bad_alloc.
 constexpr const char* InsufficientMemory = "there is not enough memory";
+
+/// Runs `work`, which fails only for lack of memory; returns false if it throws.
+template <typename Work>
+bool HasMemoryFor(const Work& work) noexcept
+{
+  try
+  {
+    work();
+    return true;
+  }
+  catch (...)
+  {
+    return false;
+  }
+}
 
 /// Returns the reason for an exception of any type, valid as long as the exception lives.
 inline const char* GetReason(const std::exception_ptr& failure) noexcept

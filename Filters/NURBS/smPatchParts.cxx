@@ -4,7 +4,6 @@
 #include "smPolynomialCurve.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace sm

@@ -1,8 +1,6 @@
 #include "smTrimCutting.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 
 namespace sm
 {

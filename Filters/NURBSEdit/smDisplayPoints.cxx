@@ -11,8 +11,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
-#include <algorithm>
-
 namespace sm
 {
 namespace

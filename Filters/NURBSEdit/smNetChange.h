@@ -9,7 +9,6 @@
 #include "smModelEdit.h"
 
 #include <array>
-#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>

@@ -1,4 +1,5 @@
 // The series of PatchMajorants: what is known of a patch, and its expansion on a box of it.
+#include "smBezierPatch.h"
 #include "smChebyshev.h"
 #include "smPatchMajorants.h"
 #include "smVector.h"
@@ -28,19 +29,7 @@ void MakeConversion(int degree, double middle, double half, std::vector<double>&
   double basis[MaximumDegree + 1];
   for (int i = 0; i < n; ++i)
   {
-    const double x = middle + half * rule.GetNode(i);
-    basis[0] = 1.0;
-    for (int k = 1; k <= degree; ++k)
-    {
-      double carried = 0.0;
-      for (int j = 0; j < k; ++j)
-      {
-        const double term = basis[j];
-        basis[j] = carried + (1.0 - x) * term;
-        carried = x * term;
-      }
-      basis[k] = carried;
-    }
+    FillBernsteinBasis(degree, middle + half * rule.GetNode(i), basis);
     for (int k = 0; k < n; ++k)
     {
       const double factor = rule.GetTransform(k)[i];

@@ -12,7 +12,6 @@
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace sm

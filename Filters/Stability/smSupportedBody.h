@@ -10,7 +10,6 @@
 #include "smStability.h"
 #include "smVector.h"
 
-#include <array>
 #include <string>
 #include <vector>
 

@@ -4,8 +4,6 @@
 #include "Sharing/smFaceExchange.h"
 #include "smFailureReason.h"
 
-#include <algorithm>
-
 namespace sm
 {
 namespace

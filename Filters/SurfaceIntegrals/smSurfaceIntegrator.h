@@ -11,7 +11,6 @@
 #include "smProgressCallback.h"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>

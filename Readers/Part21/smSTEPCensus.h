@@ -229,7 +229,7 @@ enum Bit : unsigned char
  * Time and memory are linear in the file (a file of 2^17 leaves in 17 levels takes no more than its 34 occurrences), nothing is
  * called recursively on the file's depth. Nothing is thrown but for want of memory.
  */
-struct STEPCensus
+struct SMREADERSPART21_EXPORT STEPCensus
 {
   /// At most so many problems of each kind are listed; all are counted.
   static constexpr std::size_t ProblemLimit = 100;

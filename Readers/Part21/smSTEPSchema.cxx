@@ -1,7 +1,6 @@
 #include "smSTEPSchema.h"
 
 #include <algorithm>
-#include <iterator>
 #include <vector>
 
 namespace sm

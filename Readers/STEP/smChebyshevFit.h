@@ -6,12 +6,12 @@
 #define smChebyshevFit_h
 
 #include "smPolynomialCurve.h"
+#include "smReadersSTEPModule.h"
 #include "smUnitRoundoff.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace sm
@@ -22,13 +22,13 @@ constexpr int FitOrder = 16;
 using FitSamples = std::array<double, FitOrder + 1>;
 
 /// The sample points in [0,1], increasing; the first is 0, the last 1 and the middle one 1/2, exactly.
-const FitSamples& GetFitNodes();
+SMREADERSSTEP_EXPORT const FitSamples& GetFitNodes();
 
 /// Chebyshev coefficients (in the argument 1 - 2x) of the polynomial through the samples.
-void ComputeChebyshevCoefficients(const FitSamples& samples, FitSamples& coefficients);
+SMREADERSSTEP_EXPORT void ComputeChebyshevCoefficients(const FitSamples& samples, FitSamples& coefficients);
 
 /// Bernstein coefficients, `degree` + 1 of them, of the Chebyshev series cut off after `degree`.
-void ConvertToBernstein(const FitSamples& chebyshev, int degree, double* bernstein);
+SMREADERSSTEP_EXPORT void ConvertToBernstein(const FitSamples& chebyshev, int degree, double* bernstein);
 
 /// A smooth function's residual falls by far more than this when its interval is halved, even across a kink;
 /// what does not fall is rounding of the function itself, and no bisection helps.

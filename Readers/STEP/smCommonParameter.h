@@ -7,6 +7,7 @@
 
 #include "smNURBSSurface.h"
 #include "smPolynomialCurve.h"
+#include "smReadersSTEPModule.h"
 
 #include <array>
 
@@ -19,7 +20,8 @@ struct Step
   double Lag = 0.0;
   double Gap = 0.0;
 };
-Step MeasureStep(const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge);
+SMREADERSSTEP_EXPORT Step MeasureStep(
+  const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge);
 
 enum class StepResult
 {
@@ -37,8 +39,8 @@ enum class StepResult
  * and v, or to the floor that rounding sets; what is left is added to the residual. A coordinate that is constant stays so.
  * It fails where tau does not exist or does not increase, or when the lag does not fall to half.
  */
-StepResult RestoreCommonParameter(const NURBSSurface& surface, const EdgeCurve& edge, double size,
-  const std::array<double, 2>& tolerance, TrimCurve& trim);
+SMREADERSSTEP_EXPORT StepResult RestoreCommonParameter(const NURBSSurface& surface, const EdgeCurve& edge,
+  double size, const std::array<double, 2>& tolerance, TrimCurve& trim);
 }
 
 #endif

@@ -8,11 +8,11 @@
 #include "smFace.h"
 #include "smOCCTLoop.h"
 #include "smProgressCallback.h"
+#include "smReadersSTEPModule.h"
 
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
 
-#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -72,8 +72,8 @@ struct ConvertedBody
  * by vtkSMPTools with whatever backend the application chose. `progress`, where there is one, gets a fraction in
  * [0,1] now and then, on the calling thread, and answers false to stop.
  */
-ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-  const ShapeTable& table, const ProgressCallback& progress = {});
+SMREADERSSTEP_EXPORT ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit,
+  const double origin[3], const ShapeTable& table, const ProgressCallback& progress = {});
 }
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "smOCCTParameterMap.h"
 #include "smPolynomialCurve.h"
+#include "smReadersSTEPModule.h"
 
 #include <Geom_Curve.hxx>
 
@@ -16,7 +17,8 @@
 namespace sm
 {
 /// Exact for lines and polynomial splines, else FitEdge.
-EdgeCurve ConvertEdge(const Handle(Geom_Curve) & curve, double first, double last, const AffineMap& map);
+SMREADERSSTEP_EXPORT EdgeCurve ConvertEdge(
+  const Handle(Geom_Curve) & curve, double first, double last, const AffineMap& map);
 
 /// Polynomial pieces to 1e-14 of the curve's size.
 EdgeCurve FitEdge(const Handle(Geom_Curve) & curve, double first, double last, const AffineMap& map);

@@ -8,7 +8,6 @@
 #include "smOCCTBody.h"
 #include "smProgressCallback.h"
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>

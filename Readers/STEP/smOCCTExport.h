@@ -8,7 +8,6 @@
 #include "smExportTree.h"
 #include "smProgressCallback.h"
 
-#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>

@@ -12,7 +12,6 @@
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include <functional>
 #include <string>
 #include <vector>
 

@@ -5,6 +5,8 @@
 #ifndef smOCCTFailure_h
 #define smOCCTFailure_h
 
+#include "smFailureReason.h"
+
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
 
@@ -56,7 +58,7 @@ std::string CatchEverything(const Work& work)
   }
   catch (const std::bad_alloc&)
   {
-    return "there is not enough memory";
+    return InsufficientMemory;
   }
   catch (...)
   {

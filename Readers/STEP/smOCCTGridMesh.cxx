@@ -1,7 +1,6 @@
 #include "smOCCTGridMesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace sm

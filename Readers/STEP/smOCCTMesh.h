@@ -7,6 +7,7 @@
 
 #include "smOCCTBody.h"
 #include "smProgressCallback.h"
+#include "smReadersSTEPModule.h"
 
 #include <string>
 #include <vector>
@@ -30,22 +31,24 @@ struct DisplayMesh
 
 /// xmin xmax ymin … of the shape in kernel coordinates, from its triangles where it has them. Faces that have no
 /// finite box are left out and counted in `unbounded`; false when none has one.
-bool GetShapeBounds(const TopoDS_Shape& shape, double bounds[6], int* unbounded = nullptr);
+SMREADERSSTEP_EXPORT bool GetShapeBounds(
+  const TopoDS_Shape& shape, double bounds[6], int* unbounded = nullptr);
 
 /// The deflection the mesher can take, in mm: at least 1e-5 of the diagonal and ten times its own precision, 1e-3 of
 /// the diagonal when the one that was asked for is no number above 0.
-double LimitDeflection(double deflection, double diagonal);
+SMREADERSSTEP_EXPORT double LimitDeflection(double deflection, double diagonal);
 
 /**
  * Triangulates the shape; deflection in mm, angle in radians. What goes wrong is a sentence, else empty. `progress`,
  * where there is one, gets a fraction in [0,1] and answers false to stop. After `seconds` (0: never) it stops too and
  * gives the faces that were not reached as much again, one by one; some may have no triangles then.
  */
-std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, double angle,
+SMREADERSSTEP_EXPORT std::string TriangulateShape(const TopoDS_Shape& shape, double deflection, double angle,
   const ProgressCallback& progress = {}, double seconds = 0.0);
 
 /// The triangles of the faces that were converted; `trsf`, `unit` and `origin` as in ConvertBody.
-DisplayMesh BuildMesh(ConvertedBody& body, const gp_Trsf& trsf, double unit, const double origin[3]);
+SMREADERSSTEP_EXPORT DisplayMesh BuildMesh(
+  ConvertedBody& body, const gp_Trsf& trsf, double unit, const double origin[3]);
 }
 
 #endif

@@ -5,6 +5,8 @@
 #ifndef smOCCTParameterMap_h
 #define smOCCTParameterMap_h
 
+#include "smReadersSTEPModule.h"
+
 #include <gp_Trsf.hxx>
 
 #include <array>
@@ -15,7 +17,7 @@ namespace sm
 using Vector3 = std::array<double, 3>;
 
 /// Coordinates of the kernel's geometry (mm, before a location) to those of the model.
-struct AffineMap
+struct SMREADERSSTEP_EXPORT AffineMap
 {
   double Linear[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   Vector3 Translation{};
@@ -38,7 +40,7 @@ constexpr double MaximumTurns = 1e4;
  *   s = (1 + tan(phi/2) / tan(a/2)) / 2,  phi measured from the arc's middle.
  * Hyperbolic: one piece, the same with tanh and weights (1, cosh a, 1).
  */
-struct ParameterMap
+struct SMREADERSSTEP_EXPORT ParameterMap
 {
   enum class Kind
   {

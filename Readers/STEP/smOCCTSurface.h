@@ -7,6 +7,7 @@
 
 #include "smNURBSSurface.h"
 #include "smOCCTParameterMap.h"
+#include "smReadersSTEPModule.h"
 
 #include <Geom_Surface.hxx>
 #include <Standard_Handle.hxx>
@@ -27,10 +28,10 @@ struct NativeBox
 };
 
 /// The surface below rectangular trims, whose parameters it shares.
-Handle(Geom_Surface) GetBasisSurface(Handle(Geom_Surface) surface);
+SMREADERSSTEP_EXPORT Handle(Geom_Surface) GetBasisSurface(Handle(Geom_Surface) surface);
 
 /// Throws std::runtime_error with the reason when the surface cannot be carried over.
-ConvertedSurface ConvertSurface(
+SMREADERSSTEP_EXPORT ConvertedSurface ConvertSurface(
   const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map);
 
 /// Tensor Chebyshev fit over the box; the last resort, used for offset surfaces. Residual is stated.

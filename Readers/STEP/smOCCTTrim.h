@@ -7,6 +7,7 @@
 
 #include "smOCCTSurface.h"
 #include "smPolynomialCurve.h"
+#include "smReadersSTEPModule.h"
 
 #include <Geom2d_Curve.hxx>
 
@@ -16,7 +17,7 @@
 namespace sm
 {
 /// A pcurve over [First, Last], moved by whole periods of its surface.
-struct NativeTrim
+struct SMREADERSSTEP_EXPORT NativeTrim
 {
   Handle(Geom2d_Curve) Curve;
   double First = 0.0;
@@ -40,8 +41,8 @@ std::array<double, 2> GetTrimTolerance(const ParameterMap maps[2], const double 
  * pcurves where both maps are the identity, else cut at arc borders and fitted to 1e-13 of an arc or of
  * `width`, or to the floor that rounding of the angles sets.
  */
-TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast, const ParameterMap maps[2],
-  const double width[2]);
+SMREADERSSTEP_EXPORT TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast,
+  const ParameterMap maps[2], const double width[2]);
 }
 
 #endif

@@ -11,7 +11,6 @@
 
 #include "vtkSmartPointer.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 

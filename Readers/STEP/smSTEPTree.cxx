@@ -1,11 +1,18 @@
 #include "smSTEPTree.h"
 
+#include "smFailureReason.h"
+
 #include "vtkCompositeDataSet.h"
 #include "vtkDataAssembly.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
+
+#include <algorithm>
+#include <array>
+#include <new>
 
 namespace sm
 {
@@ -64,6 +71,30 @@ void AddAssembly(
   output->SetDataAssembly(assembly);
 }
 
+void CheckMemory(std::size_t bytes)
+{
+  ::operator delete(::operator new(bytes));
+}
+
+bool BroadcastBytes(
+  vtkMultiProcessController* controller, int root, std::vector<unsigned char>& bytes, bool& hasMemory)
+{
+  // In pieces, which are dropped into a buffer on the stack where there is no memory for all.
+  constexpr long long PieceSize = 32768;
+  const bool isRoot = controller->GetLocalProcessId() == root;
+  auto size = static_cast<long long>(bytes.size());
+  bool ok = controller->Broadcast(&size, 1, root) != 0;
+  const bool hasRoom = isRoot || !ok || HasMemoryFor([&]() { bytes.resize(static_cast<std::size_t>(size)); });
+  hasMemory = hasMemory && hasRoom;
+  std::array<unsigned char, PieceSize> dropped;
+  for (long long at = 0; at < size && ok; at += PieceSize)
+  {
+    const auto count = static_cast<vtkIdType>(std::min(PieceSize, size - at));
+    ok = controller->Broadcast(hasRoom ? bytes.data() + at : dropped.data(), count, root) != 0;
+  }
+  return ok;
+}
+
 void PackTree(vtkPartitionedDataSetCollection* output, vtkMultiProcessStream& stream)
 {
   stream << output->GetNumberOfPartitionedDataSets();
@@ -79,6 +110,8 @@ void UnpackTree(vtkMultiProcessStream& stream, vtkPartitionedDataSetCollection* 
 {
   unsigned int count = 0;
   stream >> count;
+  constexpr std::size_t BytesOfDataSet = 4096;
+  CheckMemory(SpareMemory + BytesOfDataSet * count);
   output->SetNumberOfPartitionedDataSets(count);
   for (unsigned int i = 0; i < count; ++i)
   {
@@ -92,7 +125,11 @@ void UnpackTree(vtkMultiProcessStream& stream, vtkPartitionedDataSetCollection* 
   if (!xml.empty())
   {
     vtkNew<vtkDataAssembly> assembly;
-    assembly->InitializeFromXML(xml.c_str());
+    if (!assembly->InitializeFromXML(xml.c_str()))
+    {
+      // The stream that VTK writes it with keeps a lack of memory to itself.
+      throw std::bad_alloc();
+    }
     output->SetDataAssembly(assembly);
   }
 }

@@ -7,8 +7,11 @@
 
 #include "smOCCTDocument.h"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
+class vtkMultiProcessController;
 class vtkMultiProcessStream;
 class vtkPartitionedDataSetCollection;
 
@@ -18,10 +21,22 @@ namespace sm
 void AddAssembly(
   const ProductNode& root, const std::string& fileName, vtkPartitionedDataSetCollection* output);
 
+/// More than the field data of an output needs.
+constexpr std::size_t SpareMemory = std::size_t{ 1 } << 20;
+
+/// Throws std::bad_alloc unless there is that much memory: VTK's containers do not survive an operator new that fails in them.
+void CheckMemory(std::size_t bytes);
+
+/// Sends `bytes` from the rank `root` to all ranks. A rank without memory for them receives all of them nevertheless, so that no other
+/// rank waits for it, and returns false in `hasMemory`, which is else left alone. Returns false if the connection is lost.
+bool BroadcastBytes(
+  vtkMultiProcessController* controller, int root, std::vector<unsigned char>& bytes, bool& hasMemory);
+
 /// Appends the number of partitioned datasets of `output`, their names and its assembly to `stream`.
 void PackTree(vtkPartitionedDataSetCollection* output, vtkMultiProcessStream& stream);
 
-/// Makes in `output` the tree that PackTree() was given. Every partitioned dataset gets one partition, which is null.
+/// Makes in `output` the tree that PackTree() was given. Every partitioned dataset gets one partition, which is null. Throws
+/// std::bad_alloc if there is not enough memory, or was not for PackTree().
 void UnpackTree(vtkMultiProcessStream& stream, vtkPartitionedDataSetCollection* output);
 }
 

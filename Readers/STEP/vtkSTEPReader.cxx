@@ -1,6 +1,7 @@
 #include "vtkSTEPReader.h"
 
 #include "smAbortFlag.h"
+#include "smFailureReason.h"
 #include "smFileState.h"
 #include "smLengthUnits.h"
 #include "smOCCTDocument.h"
@@ -199,15 +200,19 @@ bool vtkSTEPReader::Report(double fraction)
   return !this->GetAbortExecute();
 }
 
-void vtkSTEPReader::Fail(int status, const std::string& problem)
+void vtkSTEPReader::Fail(int status, std::string_view problem) noexcept
 {
-  const std::string sentence =
-    std::string("Cannot read ") + (this->FileName ? this->FileName : "a STEP file") + ": " + problem + ".";
   this->Status = status;
-  this->Last->Messages.push_back(sentence);
-  this->Last->Problem = sentence;
   this->SetErrorCode(vtkErrorCode::FileFormatError);
-  vtkErrorMacro(<< sentence);
+  sm::HasMemoryFor(
+    [&]()
+    {
+      const std::string sentence = std::string("Cannot read ") +
+        (this->FileName ? this->FileName : "a STEP file") + ": " + std::string(problem) + ".";
+      this->Last->Messages.push_back(sentence);
+      this->Last->Problem = sentence;
+      vtkErrorMacro(<< sentence);
+    });
 }
 
 void vtkSTEPReader::Stop()
@@ -235,51 +240,94 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   {
     this->Status = OK;
   }
+  std::string_view problem;
   if (root >= 0)
   {
-    this->ShareTree(controller, root, output);
+    problem = this->ShareTree(controller, root, output);
   }
-  sm::SetFileState(output, { this->GetStatusAsString(), this->Last->Problem, this->Last->Defects });
+  else if (!sm::HasMemoryFor([&]() { this->WriteState(output); }))
+  {
+    problem = sm::InsufficientMemory;
+  }
+  if (!problem.empty())
+  {
+    output->Initialize();
+    *this->Last = Results();
+    this->Fail(UNREADABLE, problem);
+    sm::HasMemoryFor([&]() { this->WriteState(output); });
+  }
   // An update that fails would leave the numbers of the previous file in the filters downstream.
   return 1;
 }
 
-void vtkSTEPReader::ShareTree(
-  vtkMultiProcessController* controller, int root, vtkPartitionedDataSetCollection* output)
+void vtkSTEPReader::WriteState(vtkPartitionedDataSetCollection* output) const
+{
+  sm::CheckMemory(sm::SpareMemory);
+  sm::SetFileState(output, { this->GetStatusAsString(), this->Last->Problem, this->Last->Defects });
+}
+
+void vtkSTEPReader::Pack(vtkPartitionedDataSetCollection* output, std::vector<unsigned char>& bytes) const
+{
+  const Results& last = *this->Last;
+  vtkMultiProcessStream stream;
+  stream << this->Status << last.Bodies << last.Instances << last.FreeFaces << last.FileUnit
+         << last.LengthUnit << last.Problem;
+  PackStrings(stream, last.Messages);
+  PackStrings(stream, last.Defects);
+  sm::PackTree(output, stream);
+  stream.GetRawData(bytes);
+}
+
+void vtkSTEPReader::Unpack(const std::vector<unsigned char>& bytes, vtkPartitionedDataSetCollection* output)
 {
   Results& last = *this->Last;
   vtkMultiProcessStream stream;
-  const bool isRoot = controller->GetLocalProcessId() == root;
-  if (isRoot)
-  {
-    stream << this->Status << last.Bodies << last.Instances << last.FreeFaces << last.FileUnit
-           << last.LengthUnit << last.Problem;
-    PackStrings(stream, last.Messages);
-    PackStrings(stream, last.Defects);
-    sm::PackTree(output, stream);
-  }
-  if (!controller->Broadcast(stream, root))
-  {
-    this->Fail(UNREADABLE, "the connection to the other ranks was lost");
-    return;
-  }
-  if (!isRoot)
-  {
-    stream >> this->Status >> last.Bodies >> last.Instances >> last.FreeFaces >> last.FileUnit >>
-      last.LengthUnit >> last.Problem;
-    UnpackStrings(stream, last.Messages);
-    UnpackStrings(stream, last.Defects);
-    sm::UnpackTree(stream, output);
-  }
+  stream.SetRawData(bytes);
+  stream >> this->Status >> last.Bodies >> last.Instances >> last.FreeFaces >> last.FileUnit >>
+    last.LengthUnit >> last.Problem;
+  UnpackStrings(stream, last.Messages);
+  UnpackStrings(stream, last.Defects);
+  sm::UnpackTree(stream, output);
 }
 
-void vtkSTEPReader::ReadGuarded(vtkPartitionedDataSetCollection* output)
+std::string_view vtkSTEPReader::ShareTree(
+  vtkMultiProcessController* controller, int root, vtkPartitionedDataSetCollection* output) noexcept
 {
-  const std::string problem = sm::CatchEverything([this, output]() { this->Read(output); });
-  if (!problem.empty())
+  const bool isRoot = controller->GetLocalProcessId() == root;
+  std::vector<unsigned char> bytes;
+  bool hasMemory = true;
+  if (isRoot && !sm::HasMemoryFor([&]() { this->Pack(output, bytes); }))
+  {
+    hasMemory = false;
+    bytes.clear();
+  }
+  bool isConnected = sm::BroadcastBytes(controller, root, bytes, hasMemory);
+  const auto complete = [&]()
+  {
+    if (!isRoot)
+    {
+      this->Unpack(bytes, output);
+    }
+    this->WriteState(output);
+  };
+  // Without bytes the root had no memory for them.
+  const int own = isConnected && hasMemory && !bytes.empty() && sm::HasMemoryFor(complete) ? 1 : 0;
+  int all = 0;
+  isConnected = isConnected && controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP) != 0;
+  return !isConnected ? "the connection to the other processes was lost"
+    : all == 0        ? "there is not enough memory in one of the processes"
+                      : "";
+}
+
+void vtkSTEPReader::ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept
+{
+  std::string problem;
+  const bool hasMemory =
+    sm::HasMemoryFor([&]() { problem = sm::CatchEverything([this, output]() { this->Read(output); }); });
+  if (!hasMemory || !problem.empty())
   {
     output->Initialize();
-    this->Fail(UNREADABLE, problem);
+    this->Fail(UNREADABLE, hasMemory ? std::string_view(problem) : sm::InsufficientMemory);
   }
 }
 

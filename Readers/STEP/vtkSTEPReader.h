@@ -35,7 +35,8 @@
  * that asks for the first piece; on the others every partition is null. Status, messages and counts are the same on all ranks. For that
  * the ranks of the global controller talk to each other when the number of pieces is the number of ranks, so all of them must update
  * the reader; each asks for a piece of its own. With any other number of pieces a rank is updated for itself, and pieces beyond the
- * first are empty collections. A file that cannot be read is an error on the rank that reads it, and the output is empty on all.
+ * first are empty collections. A file that cannot be read is an error on the rank that reads it, and the output is empty on all. If
+ * one rank has not enough memory for the tree, that is an error on all ranks.
  *
  * One file is read at a time in a process, readers on other threads wait: OpenCASCADE's settings are global. A
  * reader that is updated by an observer of another one's progress raises an error. Conversion uses vtkSMPTools. No
@@ -51,9 +52,10 @@
 #include "smReadersSTEPModule.h"
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
 
-#include <memory> // for the messages and results
-#include <string> // for std::string
-#include <vector> // for the bodies
+#include <memory>      // for the messages and results
+#include <string>      // for std::string
+#include <string_view> // for problems
+#include <vector>      // for the bodies
 
 class vtkMultiProcessController;
 
@@ -171,11 +173,12 @@ private:
 
   /// Reports `fraction`; false when the application asked to stop.
   bool Report(double fraction);
-  void Fail(int status, const std::string& problem);
+  /// Sets the status, and its message where there is memory for it.
+  void Fail(int status, std::string_view problem) noexcept;
   /// Ends a run that the application asked to stop.
   void Stop();
   /// Read() that lets no exception out: one is an error, and the output is empty.
-  void ReadGuarded(vtkPartitionedDataSetCollection* output);
+  void ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept;
   void Read(vtkPartitionedDataSetCollection* output);
   /// The mistake in the settings; empty when there is none.
   std::string FindMistake() const;
@@ -183,8 +186,14 @@ private:
   /// Converts all bodies; false when the application asked to stop.
   bool MakeBodies(const sm::Document& document, const sm::LeafOptions& options,
     std::vector<std::unique_ptr<sm::LeafMaker>>& makers);
-  /// Sends status, messages and the tree of the output from `root` to all other ranks.
-  void ShareTree(vtkMultiProcessController* controller, int root, vtkPartitionedDataSetCollection* output);
+  /// Sets the field data of the output.
+  void WriteState(vtkPartitionedDataSetCollection* output) const;
+  void Pack(vtkPartitionedDataSetCollection* output, std::vector<unsigned char>& bytes) const;
+  void Unpack(const std::vector<unsigned char>& bytes, vtkPartitionedDataSetCollection* output);
+  /// Sends status, messages and the tree of the output from `root` to all other ranks, and completes the output. Every rank makes all
+  /// collective calls, even without memory. Returns the reason for a failure, the same on all ranks that are still connected.
+  std::string_view ShareTree(
+    vtkMultiProcessController* controller, int root, vtkPartitionedDataSetCollection* output) noexcept;
 
   char* FileName = nullptr;
   double LinearDeflection = 0.001;

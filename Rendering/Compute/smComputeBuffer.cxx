@@ -177,6 +177,31 @@ bool ComputeBuffer::Allocate(std::size_t bytes)
   return true;
 }
 
+template <typename Copy>
+bool ComputeBuffer::Transfer(const char* what, std::size_t bytes, std::size_t offset, const Copy& copy)
+{
+  const auto describe = [&]() { return std::string(what) + " of " + std::to_string(bytes) + " bytes"; };
+  const std::size_t size = this->GetSize();
+  if (offset > size || bytes > size - offset)
+  {
+    return this->Fail(
+      describe() + " at " + std::to_string(offset) + " is outside a buffer of " + std::to_string(size));
+  }
+  if (bytes == 0)
+  {
+    return true;
+  }
+  std::optional<ContextScope> scope;
+  if (!Enter(*this->Resources, scope))
+  {
+    return this->Fail("the compute context is not ready");
+  }
+  DrainErrors();
+  copy(static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
+  const std::string error = TakeError();
+  return error.empty() || this->Fail(error + " in " + describe());
+}
+
 bool ComputeBuffer::Upload(const void* data, std::size_t bytes, std::size_t offset)
 {
   this->Error.clear();
@@ -184,52 +209,23 @@ bool ComputeBuffer::Upload(const void* data, std::size_t bytes, std::size_t offs
   {
     return false;
   }
-  const std::size_t size = this->GetSize();
-  if (offset > size || bytes > size - offset)
-  {
-    return this->Fail("an upload of " + std::to_string(bytes) + " bytes at " + std::to_string(offset) +
-      " is outside a buffer of " + std::to_string(size));
-  }
-  if (bytes == 0)
-  {
-    return true;
-  }
-  std::optional<ContextScope> scope;
-  if (!Enter(*this->Resources, scope))
-  {
-    return this->Fail("the compute context is not ready");
-  }
-  DrainErrors();
-  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Name);
-  glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
-  const std::string error = TakeError();
-  return error.empty() || this->Fail(error + " in an upload of " + std::to_string(bytes) + " bytes");
+  return this->Transfer("an upload", bytes, offset,
+    [&](GLintptr at, GLsizeiptr size)
+    {
+      glBindBuffer(GL_COPY_WRITE_BUFFER, this->Name);
+      glBufferSubData(GL_COPY_WRITE_BUFFER, at, size, data);
+    });
 }
 
 bool ComputeBuffer::Read(void* data, std::size_t bytes, std::size_t offset)
 {
   this->Error.clear();
-  const std::size_t size = this->GetSize();
-  if (offset > size || bytes > size - offset)
-  {
-    return this->Fail("a read of " + std::to_string(bytes) + " bytes at " + std::to_string(offset) +
-      " is outside a buffer of " + std::to_string(size));
-  }
-  if (bytes == 0)
-  {
-    return true;
-  }
-  std::optional<ContextScope> scope;
-  if (!Enter(*this->Resources, scope))
-  {
-    return this->Fail("the compute context is not ready");
-  }
-  DrainErrors();
-  glBindBuffer(GL_COPY_READ_BUFFER, this->Name);
-  glGetBufferSubData(
-    GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
-  const std::string error = TakeError();
-  return error.empty() || this->Fail(error + " in a read of " + std::to_string(bytes) + " bytes");
+  return this->Transfer("a read", bytes, offset,
+    [&](GLintptr at, GLsizeiptr size)
+    {
+      glBindBuffer(GL_COPY_READ_BUFFER, this->Name);
+      glGetBufferSubData(GL_COPY_READ_BUFFER, at, size, data);
+    });
 }
 
 bool ComputeBuffer::Clear()

@@ -96,6 +96,9 @@ private:
   bool Fail(const std::string& what);
   bool Create(std::size_t bytes);
   std::size_t ChooseCapacity(std::size_t bytes);
+  /// Runs copy(offset, bytes) in the context, if the range is inside and not empty.
+  template <typename Copy>
+  bool Transfer(const char* what, std::size_t bytes, std::size_t offset, const Copy& copy);
 
   std::shared_ptr<ContextResources> Resources;
   std::uint64_t Generation = 0;

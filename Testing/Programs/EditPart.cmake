@@ -2,6 +2,7 @@
 set(edit_part "${PROJECT_SOURCE_DIR}/Examples/Interactive")
 set(free_form_part "${PROJECT_SOURCE_DIR}/Examples/Models/free_form_part.step")
 solidmoments_add_test_program(TestEditPart
+  SOURCES smDragChecks.cxx smPlacedChecks.cxx
   LIBRARIES smEditPart smGaussRule SolidMoments::ReadersSTEP VTK::InteractionStyle VTK::TestingRendering)
 vtk_module_autoinit(TARGETS TestEditPart MODULES VTK::InteractionStyle)
 # Tests may run at the same time, so each has a folder of its own for its events.

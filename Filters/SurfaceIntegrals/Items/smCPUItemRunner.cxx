@@ -5,7 +5,6 @@
 #include "smParallelFor.h"
 #include "smRowSums.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <new>

@@ -1,5 +1,7 @@
 #include "smControllerExchange.h"
 
+#include "smFailureReason.h"
+
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
 
@@ -16,21 +18,6 @@ constexpr int SizeTag = 22513;
 constexpr int ContentTag = 22514;
 // Size of the pieces of a message. A buffer of this size is on the stack.
 constexpr std::size_t PieceSize = 32768;
-
-/// Returns false if there is no memory for `work`.
-template <typename Work>
-bool HasMemoryFor(const Work& work)
-{
-  try
-  {
-    work();
-    return true;
-  }
-  catch (const std::bad_alloc&)
-  {
-    return false;
-  }
-}
 }
 
 ControllerExchange::ControllerExchange(vtkMultiProcessController* controller)

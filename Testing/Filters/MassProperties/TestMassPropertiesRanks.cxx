@@ -1,9 +1,9 @@
 // Under mpirun: faces shared among ranks give the bits of one process, put out once; edits, budgets, aborts and ranks that
 // cannot take part. Every rank runs this program; the first has the bodies.
 #include "smTestPipeline.h"
+#include "smTestRanks.h"
 
 #include <vtkDataSetAttributes.h>
-#include <vtkMPIController.h>
 #include <vtkNURBSDeform.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPoints.h>
@@ -29,9 +29,6 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
-vtkMultiProcessController* controller = nullptr;
-int rank = 0;
-int ranks = 1;
 /// Faces are remembered that a run alone has to evaluate.
 bool countsDiffer = false;
 
@@ -515,19 +512,9 @@ void TestInputs(const std::string& file, const std::string& nothing)
   }
 #endif
 }
-}
 
-int main(int argc, char* argv[])
+void RunMode(const std::string& mode, const std::vector<std::string>& files)
 {
-  vtkNew<vtkMPIController> mpi;
-  mpi->Initialize(&argc, &argv);
-  controller = mpi;
-  vtkMultiProcessController::SetGlobalController(mpi);
-  rank = mpi->GetLocalProcessId();
-  ranks = mpi->GetNumberOfProcesses();
-  const std::string mode = argc > 1 ? argv[1] : "";
-  std::vector<std::string> files(argv + std::min(argc, 2), argv + argc);
-  CheckTrue("there are other ranks", ranks > 1, std::to_string(ranks));
   if (mode == "opengl" || mode == "cpu")
   {
     TestValues(files, mode == "cpu" ? vtkSurfaceIntegralGPU::CPU : vtkSurfaceIntegralGPU::OPENGL);
@@ -563,8 +550,12 @@ int main(int argc, char* argv[])
   {
     TestInputs(files.at(0), files.at(1));
   }
-  vtkMultiProcessController::SetGlobalController(nullptr);
-  const int status = Finish();
-  mpi->Finalize();
-  return status;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const auto checks = [&]()
+  { RunMode(argc > 1 ? argv[1] : "", std::vector<std::string>(argv + std::min(argc, 2), argv + argc)); };
+  return RunOnRanks(argc, argv, checks);
 }

@@ -1,129 +1,17 @@
 // TestRankFailures FILE, under mpirun: all ranks run together, and an allocation fails on one of them, in every run another one. The
 // run ends on all ranks, with a status. If the rank that fails is not the one that has the bodies, the others compute its share. The
 // next run has the bits of an undisturbed one.
-#include "smFailingMemory.h"
-#include "smTestPipeline.h"
+#include "smShortFilter.h"
+#include "smTestRanks.h"
 
-#include <vtkMPIController.h>
 #include <vtkSMPTools.h>
-#include <vtkSurfaceIntegralGPU.h>
 
-#if __has_include(<vtkBuoyancy.h>)
-#include <vtkBuoyancy.h>
-#define HAS_BUOYANCY
-#endif
-
-#include <csignal>
 #include <cstdio>
-#include <set>
-#include <unistd.h>
 
 namespace
 {
 using namespace smtest;
 namespace names = sm::names;
-
-vtkMultiProcessController* controller = nullptr;
-int rank = 0;
-int ranks = 1;
-
-/// Ends the process, and mpirun all others, if a run takes so long that its rank must be waiting for another one.
-class Watchdog
-{
-public:
-  explicit Watchdog(const std::string& what)
-  {
-    std::snprintf(Text, sizeof(Text), "rank %d waits for ever: %s\n", rank, what.c_str());
-    std::signal(SIGALRM, OnAlarm);
-    alarm(60);
-  }
-  ~Watchdog() { alarm(0); }
-  Watchdog(const Watchdog&) = delete;
-  Watchdog& operator=(const Watchdog&) = delete;
-
-private:
-  static void OnAlarm(int)
-  {
-    const ssize_t written = write(STDERR_FILENO, Text, std::strlen(Text));
-    _exit(written > 0 ? 1 : 2);
-  }
-  static char Text[200];
-};
-char Watchdog::Text[200];
-
-/// A filter whose RequestData is short of memory: the pipeline around it is VTK's.
-template <class Filter>
-class ShortFilter : public Filter
-{
-public:
-  static ShortFilter* New()
-  {
-    auto* filter = new ShortFilter;
-    filter->InitializeObjectBase();
-    return filter;
-  }
-  /// Number of the allocation that fails; 0: none.
-  long Failing = 0;
-  long Allocations = 0;
-  bool HasEscaped = false;
-
-protected:
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override
-  {
-    int result = 0;
-    this->HasEscaped = false;
-    failingMemory.Begin(this->Failing);
-    try
-    {
-      result = this->Filter::RequestData(request, input, output);
-    }
-    catch (...)
-    {
-      this->HasEscaped = true;
-    }
-    this->Allocations = failingMemory.End();
-    return result;
-  }
-  /// VTK's containers do not survive an operator new that fails in them.
-  void WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies,
-    const vtkSurfaceIntegralBase::Outputs& outputs) const override
-  {
-    failingMemory.End();
-    this->Filter::WriteOutputs(bodies, outputs);
-  }
-};
-
-void SetUp(vtkMassPropertiesGPU*) {}
-
-void SetUp(vtkSurfaceIntegralGPU* filter)
-{
-  filter->AddVolumeMoment("volume", 0, 0, 0);
-  filter->AddAreaMoment("area", 0, 0, 0);
-}
-
-#ifdef HAS_BUOYANCY
-void SetUp(vtkBuoyancy* filter)
-{
-  filter->SetNormal(0.3, -0.5, 0.8);
-}
-#endif
-
-/// Numbers of allocations: the first, the last, and some evenly spread ones between them.
-std::set<long> ChooseAllocations(long count, long ends, long between)
-{
-  std::set<long> chosen;
-  for (long i = 1; i <= std::min(count, ends); ++i)
-  {
-    chosen.insert(i);
-    chosen.insert(count + 1 - i);
-  }
-  for (long i = 1; i <= between; ++i)
-  {
-    chosen.insert(std::max(1L, i * count / (between + 1)));
-  }
-  return chosen;
-}
 
 template <class Filter>
 struct Subject
@@ -153,10 +41,10 @@ struct Subject
   void Run(const std::string& what, long failing)
   {
     const Watchdog watchdog(what);
-    this->Probe->Failing = failing;
+    this->Probe->Memory.Failing = failing;
     this->Probe->Modified();
     this->Probe->UpdatePiece(rank, ranks, 0);
-    CheckTrue(what + ": no exception leaves it", !this->Probe->HasEscaped);
+    CheckTrue(what + ": no exception leaves it", !this->Probe->Memory.HasEscaped);
     controller->Barrier();
   }
   /// All values, apart from the number of ranks that integrated faces.
@@ -204,7 +92,7 @@ void CheckFailures(const std::string& name, const std::string& path, long ends, 
   {
     subject.Probe->ReleaseMemory();
     subject.Run(name, 0);
-    long count = subject.Probe->Allocations;
+    long count = subject.Probe->Memory.Allocations;
     controller->Broadcast(&count, 1, who);
     int told = 0;
     const std::set<long> chosen = ChooseAllocations(count, ends, between);
@@ -223,23 +111,16 @@ void CheckFailures(const std::string& name, const std::string& path, long ends, 
 
 int main(int argc, char* argv[])
 {
-  vtkNew<vtkMPIController> mpi;
-  mpi->Initialize(&argc, &argv);
-  controller = mpi;
-  vtkMultiProcessController::SetGlobalController(mpi);
-  rank = mpi->GetLocalProcessId();
-  ranks = mpi->GetNumberOfProcesses();
-  const std::string path = argc > 1 ? argv[1] : "";
-  CheckTrue("there are other ranks", ranks > 1, std::to_string(ranks));
-  // Exceptions of other threads end the process.
-  vtkSMPTools::SetBackend("Sequential");
-  CheckFailures<vtkMassPropertiesGPU>("mass properties", path, 20, 20);
-  CheckFailures<vtkSurfaceIntegralGPU>("integrals", path, 5, 15);
+  const auto checks = [&]()
+  {
+    const std::string path = argc > 1 ? argv[1] : "";
+    // Exceptions of other threads end the process.
+    vtkSMPTools::SetBackend("Sequential");
+    CheckFailures<vtkMassPropertiesGPU>("mass properties", path, 20, 20);
+    CheckFailures<vtkSurfaceIntegralGPU>("integrals", path, 5, 15);
 #ifdef HAS_BUOYANCY
-  CheckFailures<vtkBuoyancy>("buoyancy", path, 5, 5);
+    CheckFailures<vtkBuoyancy>("buoyancy", path, 5, 5);
 #endif
-  vtkMultiProcessController::SetGlobalController(nullptr);
-  const int status = Finish();
-  mpi->Finalize();
-  return status;
+  };
+  return RunOnRanks(argc, argv, checks);
 }

@@ -1,30 +1,19 @@
 // TestSurfaceIntegralMemory FOLDER failures|limits|release opengl|cpu: memory that is short while a filter runs, and memory that it gives
 // back. An allocation that fails ends in a status, not in the end of the process, and the next run has the bits of an undisturbed one.
 #include "smCacheBudget.h"
-#include "smFailingMemory.h"
+#include "smShortFilter.h"
 #include "smTestManifest.h"
-#include "smTestPipeline.h"
 
 #include <vtkSMPTools.h>
-#include <vtkSurfaceIntegralGPU.h>
 
-#if __has_include(<vtkBuoyancy.h>)
-#include <vtkBuoyancy.h>
-#define HAS_BUOYANCY
-#endif
 #if __has_include(<vtkSchemeMassPropertiesGPU.h>)
 #include <vtkSchemeMassPropertiesGPU.h>
 #define HAS_MOMENT_SCHEMES
 #endif
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <malloc.h>
-#include <sys/resource.h>
 #include <type_traits>
-#include <unistd.h>
 
 namespace
 {
@@ -32,105 +21,6 @@ using namespace smtest;
 namespace names = sm::names;
 
 int Backend = vtkSurfaceIntegralBase::CPU;
-
-/// Shortage of memory, in RequestData alone: the pipeline around it is VTK's.
-struct Shortage
-{
-  /// Number of the allocation that fails; 0: none.
-  long Failing = 0;
-  /// Bytes of address space above what is in use when the run starts; negative: no limit.
-  long Headroom = -1;
-  /// The run, up to its outputs.
-  long Allocations = 0;
-  bool HasEscaped = false;
-
-  void Begin() const
-  {
-    if (this->Headroom >= 0)
-    {
-      malloc_trim(0);
-      long pages = 0;
-      std::ifstream("/proc/self/statm") >> pages;
-      SetLimit(static_cast<rlim_t>(pages * sysconf(_SC_PAGESIZE) + this->Headroom));
-    }
-    failingMemory.Begin(this->Failing);
-  }
-  void End()
-  {
-    this->Allocations = failingMemory.End();
-    if (this->Headroom >= 0)
-    {
-      SetLimit(RLIM_INFINITY);
-    }
-  }
-
-private:
-  static void SetLimit(rlim_t bytes)
-  {
-    struct rlimit limit = {};
-    getrlimit(RLIMIT_AS, &limit);
-    limit.rlim_cur = std::min(bytes, limit.rlim_max);
-    setrlimit(RLIMIT_AS, &limit);
-  }
-};
-
-template <class Filter>
-class ShortFilter : public Filter
-{
-public:
-  static ShortFilter* New()
-  {
-    auto* filter = new ShortFilter;
-    filter->InitializeObjectBase();
-    return filter;
-  }
-  Shortage Memory;
-
-protected:
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override
-  {
-    int result = 0;
-    this->Memory.HasEscaped = false;
-    this->Memory.Begin();
-    try
-    {
-      result = this->Filter::RequestData(request, input, output);
-    }
-    catch (...)
-    {
-      this->Memory.HasEscaped = true;
-    }
-    this->Memory.End();
-    return result;
-  }
-  /// VTK's containers do not survive an operator new that fails in them.
-  void WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies,
-    const vtkSurfaceIntegralBase::Outputs& outputs) const override
-  {
-    failingMemory.End();
-    this->Filter::WriteOutputs(bodies, outputs);
-  }
-};
-
-void SetUp(vtkMassPropertiesGPU*) {}
-
-void SetUp(vtkSurfaceIntegralGPU* filter)
-{
-  filter->AddVolumeMoment("volume", 0, 0, 0);
-  filter->AddAreaMoment("area", 0, 0, 0);
-}
-
-#ifdef HAS_BUOYANCY
-void SetUp(vtkBuoyancy* filter)
-{
-  filter->SetNormal(0.3, -0.5, 0.8);
-}
-#endif
-
-#ifdef HAS_MOMENT_SCHEMES
-void SetUp(vtkSchemeMassPropertiesGPU*) {}
-#endif
 
 bool AreSame(const std::vector<double>& a, const std::vector<double>& b)
 {

@@ -344,14 +344,6 @@ inline PaperIntegrals IntegratePlane(const sm::Face& face, const PaperPolygons& 
   }
   return integrals;
 }
-
-/// The domain's border as a polygon.
-inline PaperPolygons GetDomainPolygon(const sm::NURBSSurface& surface)
-{
-  const double u0 = surface.GetDomainStart(0), u1 = surface.GetDomainEnd(0);
-  const double v0 = surface.GetDomainStart(1), v1 = surface.GetDomainEnd(1);
-  return { { { u0, v0 }, { u1, v0 }, { u1, v1 }, { u0, v1 } } };
-}
 }
 
 #endif

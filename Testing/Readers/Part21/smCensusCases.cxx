@@ -48,10 +48,18 @@ const char Assembly[] = R"(#50=PRODUCT('box','box','',(#40));
 #64=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#63,#61);
 )";
 
-const char OneBall[] =
-  "solids 1, instances 1, faces 1, surface models 0 with faces 0, other solids 0, occurrences 0, mapped 0";
-const char OneInBox[] =
-  "solids 1, instances 1, faces 1, surface models 0 with faces 0, other solids 0, occurrences 1, mapped 0";
+/// No bodies but solids.
+std::string Count(int solids, int instances, int faces, int occurrences = 0, int mapped = 0)
+{
+  return "solids " + std::to_string(solids) + ", instances " + std::to_string(instances) + ", faces " +
+    std::to_string(faces) + ", surface models 0 with faces 0, other solids 0, occurrences " +
+    std::to_string(occurrences) + ", mapped " + std::to_string(mapped);
+}
+
+const std::string OneBall = Count(1, 1, 1);
+const std::string OneInBox = Count(1, 1, 1, 1);
+const std::string OneSurfaceModel =
+  "solids 0, instances 0, faces 0, surface models 1 with faces 1, other solids 0, occurrences 0, mapped 0";
 
 std::string ChangeBall(const std::string& from, const std::string& to)
 {
@@ -118,32 +126,21 @@ std::vector<CensusCase> GetBodyCases()
         "#31=(BREP_WITH_VOIDS((#73))FACETED_BREP()GEOMETRIC_REPRESENTATION_ITEM()MANIFOLD_SOLID_BREP(#30)"
         "REPRESENTATION_ITEM('x')SOLID_MODEL());\n" +
           second),
-      "solids 1, instances 1, faces 2, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
-      "" },
+      Count(1, 1, 2), "" },
     { "a void",
       ExtendBall(solid, "#31=BREP_WITH_VOIDS('ball',#30,(#80));",
         second + "#80=ORIENTED_CLOSED_SHELL('',*,#73,.F.);\n"),
-      "solids 1, instances 1, faces 2, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
-      "" },
+      Count(1, 1, 2), "" },
     { "an oriented shell of itself",
       ExtendBall(
         solid, "#31=BREP_WITH_VOIDS('ball',#30,(#80));", "#80=ORIENTED_CLOSED_SHELL('',*,#80,.F.);\n"),
       OneBall, "cyclic reference: 2 (#80 ORIENTED_CLOSED_SHELL voids #80, #31 BREP_WITH_VOIDS voids #80)" },
     { "an oriented face", ExtendBall("(#29))", "(#80))", "#80=ORIENTED_FACE('',*,#29,.F.);\n"), OneBall, "" },
     { "a faceted solid", ExtendBall(loop, "#27=POLY_LOOP('',(#20,#26,#26));\n", ""), OneBall, "" },
-    { "a surface model", ChangeBall(solid, "#31=SHELL_BASED_SURFACE_MODEL('',(#30));"),
-      "solids 0, instances 0, faces 0, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
-      "0",
-      "" },
-    { "a shell as an item", ChangeBall("(#23,#31)", "(#23,#30)"),
-      "solids 0, instances 0, faces 0, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
-      "0",
+    { "a surface model", ChangeBall(solid, "#31=SHELL_BASED_SURFACE_MODEL('',(#30));"), OneSurfaceModel, "" },
+    { "a shell as an item", ChangeBall("(#23,#31)", "(#23,#30)"), OneSurfaceModel,
       "used by nothing: 1 (#31 MANIFOLD_SOLID_BREP)" },
-    { "a face as an item", ChangeBall("(#23,#31)", "(#23,#29)"),
-      "solids 0, instances 0, faces 0, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
-      "0",
+    { "a face as an item", ChangeBall("(#23,#31)", "(#23,#29)"), OneSurfaceModel,
       "used by nothing: 1 (#31 MANIFOLD_SOLID_BREP)" },
     { "a set of curves",
       ExtendBall(
@@ -162,36 +159,22 @@ std::vector<CensusCase> GetBodyCases()
       "undefined reference: 1 (#32 ADVANCED_BREP_SHAPE_REPRESENTATION items #99)" },
     { "damaged text beside the solid",
       ExtendBall("(#23,#31)", "(#23,#31,#80)", "#80=TEXT_LITERAL('',#99,#81,3);\n#81=X(;\n"), OneBall, "" },
-    { "no solid in the representation", ChangeBall("(#23,#31)", "(#23)"),
-      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+    { "no solid in the representation", ChangeBall("(#23,#31)", "(#23)"), Count(0, 0, 0),
       "used by nothing: 1 (#31 MANIFOLD_SOLID_BREP)" },
     // What the census cannot know shows by what it leaves unused.
-    { "a misspelled solid", ChangeBall("#31=MANIFOLD_SOLID_BREP", "#31=MANIFOLD_SOLID_BREQ"),
-      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+    { "a misspelled solid", ChangeBall("#31=MANIFOLD_SOLID_BREP", "#31=MANIFOLD_SOLID_BREQ"), Count(0, 0, 0),
       "used by nothing: 1 (#30 CLOSED_SHELL)" },
-    { "a misspelled face", ChangeBall("ADVANCED_FACE", "ADVANCED_FICE"),
-      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+    { "a misspelled face", ChangeBall("ADVANCED_FACE", "ADVANCED_FICE"), Count(1, 1, 0),
       "wrong type: 1 (#30 CLOSED_SHELL #29); used by nothing: 1 (#28 FACE_BOUND); shell without faces: 1 "
       "(#30 CLOSED_SHELL faces)" },
-    { "an undefined shell", ChangeBall("'ball',#30)", "'ball',#99)"),
-      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+    { "an undefined shell", ChangeBall("'ball',#30)", "'ball',#99)"), Count(1, 1, 0),
       "undefined reference: 1 (#31 MANIFOLD_SOLID_BREP); used by nothing: 1 (#30 CLOSED_SHELL)" },
-    { "a shell that is a face", ChangeBall("'ball',#30)", "'ball',#29)"),
-      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+    { "a shell that is a face", ChangeBall("'ball',#30)", "'ball',#29)"), Count(1, 1, 0),
       "wrong type: 1 (#31 MANIFOLD_SOLID_BREP #29); used by nothing: 1 (#30 CLOSED_SHELL)" },
-    { "no shell", ChangeBall("'ball',#30)", "'ball',$)"),
-      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+    { "no shell", ChangeBall("'ball',#30)", "'ball',$)"), Count(1, 1, 0),
       "wrong parameter: 1 (#31 MANIFOLD_SOLID_BREP a reference is expected); used by nothing: 1 (#30 "
       "CLOSED_SHELL)" },
-    { "a parameter too few", ChangeBall("'ball',#30)", "'ball')"),
-      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+    { "a parameter too few", ChangeBall("'ball',#30)", "'ball')"), Count(1, 1, 0),
       "wrong parameter: 1 (#31 MANIFOLD_SOLID_BREP too few parameters); used by nothing: 1 (#30 "
       "CLOSED_SHELL)" },
     { "a parameter too many", ChangeBall("'ball',#30)", "'ball',#30,1)"), OneBall,
@@ -200,9 +183,7 @@ std::vector<CensusCase> GetBodyCases()
       "undefined reference: 1 (#30 CLOSED_SHELL)" },
     { "a face twice", ChangeBall("(#29))", "(#29,#29))"), OneBall,
       "face twice in a shell: 1 (#30 CLOSED_SHELL faces #29)" },
-    { "an empty shell", ChangeBall("(#29))", "())"),
-      "solids 1, instances 1, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+    { "an empty shell", ChangeBall("(#29))", "())"), Count(1, 1, 0),
       "wrong parameter: 1 (#30 CLOSED_SHELL a list with members is expected); used by nothing: 1 (#29 "
       "ADVANCED_FACE); shell without faces: 1 (#30 CLOSED_SHELL faces)" },
     { "a face in no shell", ExtendBall("ball", "ball", Replace(second, "#73=CLOSED_SHELL('',(#72));\n", "")),
@@ -210,8 +191,7 @@ std::vector<CensusCase> GetBodyCases()
     { "a bound of two faces",
       ExtendBall(
         "(#29))", "(#29,#72))", Replace(second.substr(0, second.find("#73")), "(#71),#24", "(#28),#24")),
-      "solids 1, instances 1, faces 2, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+      Count(1, 1, 2),
       "bound of two faces: 1 (#72 ADVANCED_FACE bounds #28); used by nothing: 1 (#71 FACE_BOUND)" },
     { "the number of a face twice", ExtendBall("ball", "ball", "#29=ADVANCED_FACE('',(#28),#24,.F.);\n"),
       OneBall, "damaged entity: 1 (#29 ADVANCED_FACE); used by nothing: 1 (#29 ADVANCED_FACE)" },
@@ -276,9 +256,7 @@ std::vector<CensusCase> GetAssemblyCases()
         "\n#72=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#63,#71);\n#73=NEXT_ASSEMBLY_USAGE_OCCURRENCE('3','',''"
         ",#52,#44,$);\n#74=PRODUCT_DEFINITION_SHAPE('','',#73);\n#75=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#"
         "63,#74);\n#62="),
-      "solids 1, instances 3, faces 1, surface models 0 with faces 0, other solids 0, occurrences 3, mapped "
-      "0",
-      "" },
+      Count(1, 3, 1, 3), "" },
     { "an occurrence without a placement",
       ChangeBox("#64=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#63,#61);\n", ""), OneInBox,
       "missing placement: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE no placement)" },
@@ -299,9 +277,7 @@ std::vector<CensusCase> GetAssemblyCases()
       "assembly contains itself: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE contains itself #52); placement of "
       "other products: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE representations of other products #64)" },
     { "two products in each other",
-      ChangeBox("#62=", "#70=NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','','',#44,#52,$);\n#62="),
-      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 2, mapped "
-      "0",
+      ChangeBox("#62=", "#70=NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','','',#44,#52,$);\n#62="), Count(0, 0, 0, 2),
       "assembly contains itself: 2 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE contains itself #44, #70 "
       "NEXT_ASSEMBLY_USAGE_OCCURRENCE contains itself #52); missing placement: 1 (#70 "
       "NEXT_ASSEMBLY_USAGE_OCCURRENCE no placement); in no product: 1 (#31 MANIFOLD_SOLID_BREP)" },
@@ -328,8 +304,7 @@ std::vector<CensusCase> GetAssemblyCases()
     { "a relationship to nothing",
       ExtendBall("(#45,#32)", "(#45,#80)",
         "#80=SHAPE_REPRESENTATION('',(#23),#6);\n#81=SHAPE_REPRESENTATION_RELATIONSHIP('','',#80,#99);\n"),
-      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+      Count(0, 0, 0),
       "undefined reference: 1 (#81 SHAPE_REPRESENTATION_RELATIONSHIP second representation #99); in no "
       "product: 1 (#31 MANIFOLD_SOLID_BREP)" },
     { "a shape placed in a shape",
@@ -342,15 +317,12 @@ std::vector<CensusCase> GetAssemblyCases()
       ExtendBall("(#45,#32)", "(#45,#80)",
         "#80=SHAPE_REPRESENTATION('',(#23,#81,#82),#6);\n#81=MAPPED_ITEM('',#83,#23);\n#82=MAPPED_ITEM('',#"
         "83,#23);\n#83=REPRESENTATION_MAP(#23,#32);\n"),
-      "solids 1, instances 2, faces 1, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "2",
-      "" },
+      Count(1, 2, 1, 0, 2), "" },
     { "a mapped item of nothing",
       ExtendBall("(#45,#32)", "(#45,#80)",
         "#80=SHAPE_REPRESENTATION('',(#23,#81),#6);\n#81=MAPPED_ITEM('',#83,#23);\n#83=REPRESENTATION_MAP(#"
         "23,#99);\n"),
-      "solids 0, instances 0, faces 0, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "0",
+      Count(0, 0, 0),
       "undefined reference: 1 (#83 REPRESENTATION_MAP mapped representation #99); in no product: 1 (#31 "
       "MANIFOLD_SOLID_BREP)" },
     { "a misspelled occurrence", ChangeBox("NEXT_ASSEMBLY_USAGE_OCCURRENCE", "NEXT_ASSEMBLY_USAGE_OCCURENCE"),
@@ -358,24 +330,18 @@ std::vector<CensusCase> GetAssemblyCases()
     { "a mapped item of itself",
       ExtendBall(
         "(#23,#31)", "(#23,#31,#81)", "#81=MAPPED_ITEM('',#83,#23);\n#83=REPRESENTATION_MAP(#23,#32);\n"),
-      "solids 1, instances 1, faces 1, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "1",
-      "assembly contains itself: 1 (#81 MAPPED_ITEM contains itself #32)" },
+      Count(1, 1, 1, 0, 1), "assembly contains itself: 1 (#81 MAPPED_ITEM contains itself #32)" },
     { "a mapped item at a point",
       ExtendBall("(#45,#32)", "(#45,#80)",
         "#80=SHAPE_REPRESENTATION('',(#23,#81),#6);\n#81=MAPPED_ITEM('',#83,#20);\n#83=REPRESENTATION_MAP(#"
         "23,#32);\n"),
-      "solids 1, instances 1, faces 1, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "1",
-      "wrong type: 1 (#81 MAPPED_ITEM mapping target #20)" },
+      Count(1, 1, 1, 0, 1), "wrong type: 1 (#81 MAPPED_ITEM mapping target #20)" },
     { "no products", MakeStepText(GetBallText().substr(0, GetBallText().find("#40="))), OneBall, "" },
     { "no products, mapped",
       MakeStepText(GetBallText().substr(0, GetBallText().find("#40=")) +
         "#80=SHAPE_REPRESENTATION('',(#81,#82),#6);\n#81=MAPPED_ITEM('',#83,#23);\n#82=MAPPED_ITEM('',#83,#"
         "23);\n#83=REPRESENTATION_MAP(#23,#32);\n"),
-      "solids 1, instances 2, faces 1, surface models 0 with faces 0, other solids 0, occurrences 0, mapped "
-      "2",
-      "" },
+      Count(1, 2, 1, 0, 2), "" },
     { "a damaged occurrence", ChangeBox("'first','',#52", "'first',,#52"), OneInBox,
       "damaged entity: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE); wrong parameter: 2 (#60 "
       "NEXT_ASSEMBLY_USAGE_OCCURRENCE relating product, #60 NEXT_ASSEMBLY_USAGE_OCCURRENCE related "
@@ -385,10 +351,7 @@ std::vector<CensusCase> GetAssemblyCases()
         "#80=SHAPE_ASPECT('','',#45,.T.);\n#81=PROPERTY_DEFINITION('','',#80);\n#82=SHAPE_DEFINITION_"
         "REPRESENTATION(#81,#83);\n#83=SHAPE_REPRESENTATION('',(#29),#6);\n"),
       OneBall, "" },
-    { "17 levels of two", MakeBomb(17),
-      "solids 1, instances 131072, faces 1, surface models 0 with faces 0, other solids 0, occurrences 34, "
-      "mapped 0",
-      "" },
+    { "17 levels of two", MakeBomb(17), Count(1, 131072, 1, 34), "" },
     { "70 levels of two", MakeBomb(70),
       "solids 1, instances at least 18446744073709551615, faces 1, surface models 0 with faces 0, other "
       "solids 0, occurrences 140, mapped 0",

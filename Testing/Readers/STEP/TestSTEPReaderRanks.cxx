@@ -1,6 +1,7 @@
 // TestSTEPReaderRanks FILE LEAVES, under mpirun: all ranks have the tree of the reader's output and its status, whichever rank reads the file,
-// and when it cannot be read; a collective filter downstream works.
-#include "smTesting.h"
+// when it cannot be read, and when one rank has not enough memory for the tree; a collective filter downstream works.
+#include "smFailingMemory.h"
+#include "smTestRanks.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -8,9 +9,7 @@
 #include <vtkDataAssembly.h>
 #include <vtkExecutive.h>
 #include <vtkInformation.h>
-#include <vtkMPIController.h>
 #include <vtkMultiProcessStream.h>
-#include <vtkNew.h>
 #include <vtkPartitionBalancer.h>
 #include <vtkPartitionedDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -22,12 +21,8 @@
 
 namespace
 {
-using smtest::CheckEqual;
-using smtest::CheckTrue;
+using namespace smtest;
 
-vtkMultiProcessController* controller = nullptr;
-int rank = 0;
-int ranks = 1;
 /// Leaves that the file has.
 int expectedLeaves = 0;
 
@@ -166,33 +161,116 @@ void CheckAlone(const std::string& path)
   }
   controller->Barrier();
 }
+
+/// A reader that is short of memory between reading its file and filling its output.
+class ShortReader : public vtkSTEPReader
+{
+public:
+  static ShortReader* New()
+  {
+    auto* reader = new ShortReader;
+    reader->InitializeObjectBase();
+    return reader;
+  }
+  /// Number of the allocation that fails; 0: none; negative: memory is not watched.
+  long Failing = -1;
+  long Allocations = 0;
+  bool HasEscaped = false;
+
+protected:
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override
+  {
+    this->HasEscaped = false;
+    this->Begin(rank != 0);
+    try
+    {
+      this->vtkSTEPReader::RequestData(request, input, output);
+    }
+    catch (...)
+    {
+      this->HasEscaped = true;
+    }
+    this->Allocations = failingMemory.End();
+    return 1;
+  }
+  void InspectDocument(const sm::Document&) override { this->Begin(true); }
+
+private:
+  void Begin(bool isHere) const
+  {
+    if (isHere && this->Failing >= 0)
+    {
+      failingMemory.Begin(this->Failing);
+    }
+  }
+};
+
+/// One allocation fails, each time another one, on the first or the last rank, while the tree is shared.
+void CheckShortage(const std::string& path)
+{
+  failingMemory.LastSize = std::size_t{ 1 } << 20;
+  vtkNew<ShortReader> reader;
+  vtkNew<vtkCallbackCommand> silence;
+  silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  reader->AddObserver(vtkCommand::ErrorEvent, silence);
+  reader->SetFileName(path.c_str());
+  const auto run = [&](const std::string& what, long failing)
+  {
+    const Watchdog watchdog(what);
+    reader->Failing = failing;
+    reader->Modified();
+    reader->UpdatePiece(rank, ranks, 0);
+    CheckTrue(what + ": no exception leaves it", !reader->HasEscaped);
+    CheckSame(what, Describe(reader));
+  };
+  run("undisturbed", 0);
+  const std::string whole = Describe(reader);
+  for (const int who : { 0, ranks - 1 })
+  {
+    long count = reader->Allocations;
+    controller->Broadcast(&count, 1, who);
+    const std::set<long> chosen = ChooseAllocations(count, 6, 8);
+    int failed = 0;
+    for (const long allocation : chosen)
+    {
+      const std::string what = "rank " + std::to_string(who) + ": allocation " + std::to_string(allocation) +
+        " of " + std::to_string(count) + " fails";
+      run(what, rank == who ? allocation : 0);
+      const bool isWhole = Describe(reader) == whole;
+      failed += isWhole ? 0 : 1;
+      CheckTrue(what + ": whole, or unreadable and empty",
+        isWhole ||
+          (reader->GetStatus() == vtkSTEPReader::UNREADABLE && CountLeaves(reader->GetOutput()) == 0 &&
+            reader->GetMessage(0).find("memory") != std::string::npos),
+        Describe(reader).substr(0, 200));
+    }
+    CheckRange("runs that failed", chosen.size() / 2.0, failed, static_cast<double>(chosen.size()));
+    run("and again", 0);
+    CheckEqual("then whole", whole, Describe(reader));
+  }
+}
 }
 
 int main(int argc, char* argv[])
 {
-  vtkNew<vtkMPIController> mpi;
-  mpi->Initialize(&argc, &argv);
-  controller = mpi;
-  vtkMultiProcessController::SetGlobalController(mpi);
-  rank = mpi->GetLocalProcessId();
-  ranks = mpi->GetNumberOfProcesses();
-  const std::string path = argc > 2 ? argv[1] : "";
-  expectedLeaves = argc > 2 ? std::atoi(argv[2]) : 0;
-  CheckTrue("there are other ranks", ranks > 1, std::to_string(ranks));
-  CheckTree("first rank", path, rank);
-  CheckTree("last rank", path, ranks - 1 - rank);
-  CheckAlone(path);
-  Reader missing(path + ".missing");
-  CheckFailure("no file", missing, "unreadable", 1);
-  Reader stopped(path);
-  stopped.Stops = rank == 0;
-  CheckFailure("stopped", stopped, "aborted", 0);
-  Reader thrown(path);
-  thrown.Throws = rank == 0;
-  CheckFailure("an exception", thrown, "unreadable", 1);
-  CheckTree("after failures", path, rank);
-  vtkMultiProcessController::SetGlobalController(nullptr);
-  const int status = smtest::Finish();
-  mpi->Finalize();
-  return status;
+  const auto checks = [&]()
+  {
+    const std::string path = argc > 2 ? argv[1] : "";
+    expectedLeaves = argc > 2 ? std::atoi(argv[2]) : 0;
+    CheckTree("first rank", path, rank);
+    CheckTree("last rank", path, ranks - 1 - rank);
+    CheckAlone(path);
+    Reader missing(path + ".missing");
+    CheckFailure("no file", missing, "unreadable", 1);
+    Reader stopped(path);
+    stopped.Stops = rank == 0;
+    CheckFailure("stopped", stopped, "aborted", 0);
+    Reader thrown(path);
+    thrown.Throws = rank == 0;
+    CheckFailure("an exception", thrown, "unreadable", 1);
+    CheckShortage(path);
+    CheckTree("after failures", path, rank);
+  };
+  return RunOnRanks(argc, argv, checks);
 }

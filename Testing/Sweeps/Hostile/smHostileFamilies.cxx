@@ -14,19 +14,7 @@ constexpr Real Pi = 3.14159265358979323846264338327950288L;
 /// A random matrix: rotation times scales in [smallest, 1].
 std::array<double, 9> MakeFrame(Random& random, double smallest)
 {
-  double q[4];
-  double norm = 0.0;
-  for (double& x : q)
-  {
-    x = random.Uniform(-1.0, 1.0);
-    norm += x * x;
-  }
-  norm = std::sqrt(norm);
-  std::for_each(std::begin(q), std::end(q), [norm](double& x) { x /= norm; });
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  std::array<double, 9> m = { 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-    2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y),
-    2 * (y * z + w * x), 1 - 2 * (x * x + y * y) };
+  std::array<double, 9> m = MakeRotation(random);
   for (int column = 0; column < 3; ++column)
   {
     const double scale = random.LogUniform(smallest, 1.0);

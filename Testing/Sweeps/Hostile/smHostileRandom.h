@@ -5,8 +5,11 @@
 #ifndef smHostileRandom_h
 #define smHostileRandom_h
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <random>
 
 namespace smhostile
@@ -33,6 +36,24 @@ public:
 private:
   std::mt19937_64 Engine;
 };
+
+/// A random rotation, by a quaternion; the rows of its matrix.
+inline std::array<double, 9> MakeRotation(Random& random)
+{
+  double q[4];
+  double norm = 0.0;
+  for (double& x : q)
+  {
+    x = random.Uniform(-1.0, 1.0);
+    norm += x * x;
+  }
+  norm = std::sqrt(norm);
+  std::for_each(std::begin(q), std::end(q), [norm](double& x) { x /= norm; });
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  return { 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
+    1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
+    1 - 2 * (x * x + y * y) };
+}
 }
 
 #endif

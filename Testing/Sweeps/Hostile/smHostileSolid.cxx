@@ -17,19 +17,7 @@ std::array<double, 16> MakePlacement(Random& random, double size)
   {
     return m;
   }
-  double q[4];
-  double norm = 0.0;
-  for (double& x : q)
-  {
-    x = random.Uniform(-1.0, 1.0);
-    norm += x * x;
-  }
-  norm = std::sqrt(norm);
-  std::for_each(std::begin(q), std::end(q), [norm](double& x) { x /= norm; });
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  const double r[9] = { 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-    2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y),
-    2 * (y * z + w * x), 1 - 2 * (x * x + y * y) };
+  const std::array<double, 9> r = MakeRotation(random);
   const double side = random.Chance(0.3) ? -1.0 : 1.0;
   const double far = random.Chance(0.5) ? random.LogUniform(1.0, 1e5) : 1.0;
   for (int i = 0; i < 3; ++i)

@@ -1,0 +1,368 @@
+// The run of a filter: its input, its role among several processes, its outputs, and how it ends.
+#include "vtkSurfaceIntegralBase.h"
+
+#include "smBodyMeshes.h"
+#include "smBodySelection.h"
+#include "smColumns.h"
+#include "smFailureReason.h"
+#include "smFileState.h"
+#include "smIntegralEngine.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <set>
+
+namespace
+{
+/// Adds a point without a cell to an empty polydata: VTK sends polydata without points as text, and cannot read NaN in the field
+/// data from it.
+void AddPlaceholderPoint(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals)
+{
+  if (totals->GetNumberOfPoints() > 0)
+  {
+    return;
+  }
+  vtkBoundingBox box;
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    sm::AddPlacedBox(body, box);
+  }
+  double middle[3] = { 0.0, 0.0, 0.0 };
+  if (box.IsValid())
+  {
+    box.GetCenter(middle);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(middle);
+  totals->SetPoints(points);
+}
+
+/// Throws std::bad_alloc unless there is memory for the outputs: VTK's arrays end the process where they find none.
+void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t arrays)
+{
+  // Columns of doubles with their bounds, twice as large while they grow; and the glyphs.
+  constexpr std::size_t BytesOfValue = 4 * sizeof(double);
+  constexpr std::size_t Columns = 64;
+  std::size_t bytes = std::size_t{ 1 } << 20;
+  // Instances of a model share the arrays of its cells.
+  std::set<const vtkTrimmedNURBSModel*> models;
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    const auto faces = static_cast<std::size_t>(body.Model->GetNumberOfFaces());
+    const std::size_t edges = body.Edges ? body.Edges->size() : 0;
+    const bool isFirst = models.insert(body.Model).second;
+    const std::size_t cells = isFirst ? static_cast<std::size_t>(body.Mesh->GetNumberOfCells()) : 0;
+    bytes += BytesOfValue * (Columns + faces * (arrays + 3) + edges * 8) + cells * arrays * sizeof(float);
+  }
+  ::operator delete(::operator new(bytes));
+}
+}
+
+void vtkSurfaceIntegralBase::ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies)
+{
+  if (this->Selectors.empty())
+  {
+    return;
+  }
+  std::vector<std::string>& messages = this->Engine->GetReport().Messages;
+  std::set<vtkDataObject*> chosen;
+  std::vector<std::string> unmatched;
+  const std::string problem = sm::SelectLeaves(input, this->AssemblyName, this->Selectors, chosen, unmatched);
+  if (!problem.empty())
+  {
+    messages.push_back(problem);
+  }
+  for (const std::string& selector : unmatched)
+  {
+    messages.push_back("the selector \"" + selector + "\" names no solid");
+  }
+  bodies.erase(std::remove_if(bodies.begin(), bodies.end(),
+                 [&chosen](const sm::BodyIntegrals& body) { return chosen.count(body.Mesh) == 0; }),
+    bodies.end());
+}
+
+int vtkSurfaceIntegralBase::RejectInput(bool isWithheld)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  report.Status = sm::Status::Empty;
+  report.Messages.push_back(isWithheld ? "the points of the input were changed after it was read, "
+                                         "so its exact geometry no longer describes it"
+                                       : "the input is a mesh without exact geometry");
+  vtkErrorMacro(
+    "No exact geometry in the input: " << report.Messages.back()
+                                       << ". Connect the output of vtkSTEPReader directly: filters "
+                                          "that move or rebuild points drop the NURBS model. "
+                                          "vtkNURBSTransform moves a part and keeps it.");
+  return 0;
+}
+
+void vtkSurfaceIntegralBase::Analyze(
+  const sm::IntegralRequest& request, bool computed, std::vector<sm::BodyIntegrals>& bodies)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  report.Ranks = computed ? std::max(report.Ranks, 1) : 0;
+  for (sm::BodyIntegrals& body : bodies)
+  {
+    if (computed)
+    {
+      sm::SumFaces(body, request.Integrands);
+    }
+    else
+    {
+      // A value that was not computed has no bound and meets no tolerance.
+      sm::SetUnknown(body, request.Integrands.size());
+    }
+  }
+  if (computed)
+  {
+    sm::MeasureEdges(bodies, this->GapLimit);
+  }
+  report.Status = report.FileStatus;
+  this->AnalyzeBodies(bodies);
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    report.Status = std::max(report.Status, body.Status);
+    report.Estimated = report.Estimated || body.IsEstimated();
+  }
+}
+
+void vtkSurfaceIntegralBase::Write(
+  const std::vector<sm::BodyIntegrals>& bodies, vtkDataObject* input, vtkInformationVector* outputVector)
+{
+  const std::vector<sm::MeshArray> arrays = this->GetMeshArrays(bodies);
+  CheckOutputMemory(bodies, arrays.size());
+  const Outputs outputs{ vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
+    vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3) };
+  this->WriteOutputs(bodies, outputs);
+  sm::columns::SetString(outputs.Text->GetFieldData(), sm::names::Status, this->GetStatus());
+  AddPlaceholderPoint(bodies, outputs.Totals);
+  sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
+  sm::MakeBodyMeshes(bodies, arrays, input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));
+  this->Engine->GetReport().FillFieldData(outputs.Totals->GetFieldData());
+}
+
+/// What a run finds in its input.
+struct vtkSurfaceIntegralBase::Input
+{
+  /// The bodies to integrate.
+  std::vector<sm::BodyIntegrals> Bodies;
+  /// True if the input has bodies, selected or not.
+  bool HasBodies = false;
+  sm::RejectedInput Rejected;
+  int GetNumberOfMeshes() const { return this->Rejected.Plain + this->Rejected.Withheld; }
+  sm::FileState File;
+};
+
+void vtkSurfaceIntegralBase::FindBodies(vtkDataObject* input, Input& found)
+{
+  this->ResetResults();
+  found.File = sm::GetFileState(input);
+  found.Bodies = sm::CollectBodies(input, found.Rejected);
+  found.HasBodies = !found.Bodies.empty();
+  if (found.HasBodies)
+  {
+    this->ChooseBodies(input, found.Bodies);
+  }
+}
+
+int vtkSurfaceIntegralBase::Run(
+  vtkInformation* request, vtkDataObject* input, vtkInformationVector* outputVector)
+{
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  const int pieces = outputVector->GetInformationObject(port)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  Input found;
+  std::exception_ptr failure;
+  try
+  {
+    this->FindBodies(input, found);
+  }
+  catch (...)
+  {
+    // The other ranks wait for this one until the roles are chosen.
+    failure = std::current_exception();
+    found.Bodies.clear();
+  }
+  const bool hasInput = failure || found.HasBodies || found.GetNumberOfMeshes() > 0;
+  const sm::IntegralEngine::Role role =
+    this->Engine->ChooseRole(this->CanShareFaces(), pieces, hasInput, !found.Bodies.empty());
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+  if (role == sm::IntegralEngine::Role::Worker)
+  {
+    this->RunAsWorker();
+  }
+  const bool done =
+    role != sm::IntegralEngine::Role::Owner || this->RunAsOwner(found, input, outputVector) != 0;
+  // Where ranks run together, what is downstream must run on all or on none.
+  return done || pieces > 1 ? 1 : 0;
+}
+
+int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkInformationVector* outputVector)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  std::vector<sm::BodyIntegrals>& bodies = found.Bodies;
+  const int meshes = found.GetNumberOfMeshes();
+  if (!found.HasBodies && meshes > 0)
+  {
+    return this->RejectInput(found.Rejected.Withheld > 0);
+  }
+  if (meshes > 0)
+  {
+    report.Messages.push_back(std::to_string(meshes) + " meshes without exact geometry were left out");
+  }
+  report.Solids = static_cast<int>(bodies.size());
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    report.Faces += static_cast<int>(body.Model->GetNumberOfFaces());
+  }
+  this->ReportFile(found);
+  const sm::IntegralRequest wanted = this->MakeRequest();
+  const bool computed = !bodies.empty() && this->IntegrateBodies(wanted, bodies);
+  this->Engine->FinishSharing();
+  this->Analyze(wanted, computed, bodies);
+  this->Write(bodies, input, outputVector);
+  this->AddMessages(bodies);
+  return 1;
+}
+
+void vtkSurfaceIntegralBase::ReportFile(const Input& found)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  report.FileStatus = sm::Status::Ok;
+  for (const std::string& defect : found.File.Defects)
+  {
+    report.FileStatus = sm::Status::Suspect;
+    report.SetReason(defect);
+  }
+  if (found.Bodies.empty())
+  {
+    const bool unreadable = found.File.Status == sm::names::StatusUnreadable;
+    report.FileStatus = unreadable ? sm::Status::Unreadable : sm::Status::Empty;
+    report.SetReason(found.HasBodies  ? "no solid is chosen"
+        : !found.File.Problem.empty() ? found.File.Problem
+                                      : "the input holds no solid and no surface");
+  }
+}
+
+void vtkSurfaceIntegralBase::RunAsWorker()
+{
+  std::exception_ptr failure;
+  try
+  {
+    this->Engine->RunAsWorker(this->MakeRequest(), this->MakeLimits());
+    return;
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
+  // The rank that has the bodies computes this share, so that the result is complete, and this rank's outputs are empty.
+  this->Engine->FinishSharing(failure);
+  // Data kept between runs may be incomplete.
+  this->ReleaseMemory();
+  this->ResetResults();
+  this->Engine->GetReport().Messages.push_back(
+    std::string("other ranks computed the share of this one: ") + sm::GetReason(failure));
+}
+
+void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& bodies)
+{
+  sm::RunReport& report = this->Engine->GetReport();
+  const std::string reason = this->FindReason(bodies);
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    for (const std::string& message : body.Messages)
+    {
+      report.Messages.push_back((body.Name.empty() ? "" : body.Name + ": ") + message);
+    }
+  }
+  if (!report.Note.empty())
+  {
+    report.Messages.push_back(report.Note);
+  }
+  if (report.Status != sm::Status::Ok && !report.Messages.empty())
+  {
+    vtkWarningMacro("Status " << this->GetStatus() << (reason.empty() ? "" : ": ") << reason
+                              << (report.Messages.size() > 1 ? " (and more, see GetMessage())" : ""));
+  }
+  // This message is the last one, as it does not indicate an error of the result.
+  if (!report.FallbackReason.empty())
+  {
+    report.Messages.push_back("computed on the CPU, without OpenGL: " + report.FallbackReason);
+  }
+}
+
+int vtkSurfaceIntegralBase::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  int result = 1;
+  std::exception_ptr failure;
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    sm::RemoveFileState(vtkDataObject::GetData(outputVector, port));
+  }
+  try
+  {
+    result = this->Run(request, vtkDataObject::GetData(inputVector[0], 0), outputVector);
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
+  this->Engine->FinishSharing(failure);
+  if (failure)
+  {
+    this->Fail(failure, outputVector);
+  }
+  if (this->GetReleaseDataFlag())
+  {
+    this->ReleaseMemory();
+  }
+  return result;
+}
+
+void vtkSurfaceIntegralBase::Fail(const std::exception_ptr& failure, vtkInformationVector* outputVector)
+{
+  // Data kept between runs may be incomplete.
+  this->ReleaseMemory();
+  this->ResetResults();
+  sm::RunReport& report = this->Engine->GetReport();
+  report.Status = sm::Status::NotComputed;
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize();
+  }
+  try
+  {
+    const std::string reason = sm::GetReason(failure);
+    report.SetReason("nothing was computed: " +
+      (reason == sm::InsufficientMemory ? reason : "an error of the program: " + reason));
+    vtkPolyData* totals = vtkPolyData::GetData(outputVector, 0);
+    AddPlaceholderPoint({}, totals);
+    report.FillFieldData(totals->GetFieldData());
+    vtkTable* text = vtkTable::GetData(outputVector, 2);
+    sm::columns::SetString(text->GetRowData(), sm::names::Text, this->FormatStatus({}));
+    sm::columns::SetString(text->GetFieldData(), sm::names::Status, this->GetStatus());
+    vtkWarningMacro("Status " << this->GetStatus() << ": " << report.Reason);
+  }
+  catch (const std::bad_alloc&)
+  {
+    // The getters have the status.
+  }
+}
