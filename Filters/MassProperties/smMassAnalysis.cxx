@@ -72,7 +72,7 @@ void CheckPlausibility(BodyIntegrals& body, const MassProperties& properties)
   double slack = 1e-12 * GetRadius(*body.Model);
   for (const FaceIntegrals& face : *body.Faces)
   {
-    slack = std::max(slack, 2.0 * face.Outside);
+    slack = std::max(slack, 2.0 * face.Outside.Distance);
   }
   for (const std::string& violation :
     FindImplausibilities(properties, center, GetHullBox(*body.Model), slack))
