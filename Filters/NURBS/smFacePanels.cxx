@@ -93,7 +93,8 @@ PanelShape Builder::Classify(const Patch& patch) const
 {
   // Straight in s with weights that do not depend on s: S = A(r) + s B(r), so that n = B x (A' + s B').
   // The normal keeps its direction along s iff n at s = 0 and s = 1 are parallel for every r; both are
-  // rational of degree <= 4q in r, so agreement at 4q+1 values of r would prove it. Rounding leaves 1e-13.
+  // rational of degree <= 4q in r, so agreement at 4q+1 values of r would prove it. Rounding leaves 1e-13, which
+  // no bound is charged with (Bounds.md).
   if (patch.Degree[0] != 1)
   {
     return PanelShape::General;
