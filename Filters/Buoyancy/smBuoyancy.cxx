@@ -165,7 +165,8 @@ void AddPart(const FaceIntegrals& from, FaceIntegrals& to)
   to.Estimated = to.Estimated || from.Estimated;
   to.Skipped = to.Skipped || from.Skipped;
   to.CoverageDefects += from.CoverageDefects;
-  to.Outside = std::max(to.Outside, from.Outside);
+  to.Outside.Add(from.Outside);
+  to.IsContinued = to.IsContinued || from.IsContinued;
   to.Error = from.Error.empty() ? to.Error : from.Error;
 }
 }

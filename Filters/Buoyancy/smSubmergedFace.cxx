@@ -15,7 +15,7 @@ namespace
 int FindSide(const FacePanels& panels, const HeightPlane& plane)
 {
   bool below = false;
-  bool above = panels.Outside > 0.0;
+  bool above = panels.Outside.Distance > 0.0;
   below = above;
   const auto add = [&](double height)
   {

@@ -6,6 +6,7 @@
 #include "smPlausibility.h"
 #include "smUnitRoundoff.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -72,7 +73,7 @@ void CheckPlausibility(BodyIntegrals& body, const MassProperties& properties)
   double slack = 1e-12 * GetRadius(*body.Model);
   for (const FaceIntegrals& face : *body.Faces)
   {
-    slack = std::max(slack, 2.0 * face.Outside);
+    slack = std::max(slack, 2.0 * face.Outside.Distance);
   }
   for (const std::string& violation :
     FindImplausibilities(properties, center, GetHullBox(*body.Model), slack))
@@ -181,7 +182,7 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
     row.ClosureResidual = vtkMath::Nan();
     return row;
   }
-  const std::string unmet = FindUnmet(row, options.Tolerance);
+  const std::string unmet = FindUnmet(row, options.Tolerance, GetRadius(*body.Model));
   if (!unmet.empty())
   {
     body.Flag(Status::ToleranceNotMet, "bounds above the tolerance, relative: " + unmet);
@@ -329,7 +330,12 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   AnalyzeTotal(bodies, parts, options, analysis);
   NoteCoincidences(bodies, analysis);
   // Bounds add up but scales need not, for example for parts on opposite sides of the origin.
-  const std::string unmet = FindUnmet(total, options.Tolerance);
+  vtkBoundingBox box;
+  for (const BodyIntegrals& body : bodies)
+  {
+    AddPlacedBox(body, box);
+  }
+  const std::string unmet = FindUnmet(total, options.Tolerance, 0.5 * box.GetDiagonalLength());
   const bool isOk = std::all_of(
     bodies.begin(), bodies.end(), [](const BodyIntegrals& body) { return body.Status == Status::Ok; });
   if (isOk && !unmet.empty())

@@ -46,12 +46,12 @@ std::vector<double> ShareTolerance(const MassTolerance& tolerance, vtkTrimmedNUR
   return tolerances;
 }
 
-std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance)
+std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance, double radius)
 {
   const MassProperties& p = row.Properties;
   // At a great distance from the origin, the roundoff of the centre's coordinates exceeds the tolerance that follows from the
   // body's size.
-  const double length = std::max(std::cbrt(p.Volume), 1e-6 * vtkMath::Norm(p.Center.data()));
+  const double length = std::max({ std::cbrt(p.Volume), radius, 1e-6 * vtkMath::Norm(p.Center.data()) });
   const struct
   {
     const char* Name;

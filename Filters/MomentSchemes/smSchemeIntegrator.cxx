@@ -273,7 +273,7 @@ void SchemeIntegrator::Internals::Finish(std::vector<SchemeResult>& results) con
     integrals.Rounding.assign(NumberOfMassIntegrands, nan);
     integrals.Conversion.assign(NumberOfMassIntegrands, nan);
     integrals.GapSquared = integrals.GapArea = integrals.MaxGap = nan;
-    integrals.Outside = face.Outside;
+    integrals.Outside.Distance = face.Outside;
     if (!integrals.Error.empty())
     {
       continue;

@@ -93,7 +93,8 @@ PanelShape Builder::Classify(const Patch& patch) const
 {
   // Straight in s with weights that do not depend on s: S = A(r) + s B(r), so that n = B x (A' + s B').
   // The normal keeps its direction along s iff n at s = 0 and s = 1 are parallel for every r; both are
-  // rational of degree <= 4q in r, so agreement at 4q+1 values of r would prove it. Rounding leaves 1e-13.
+  // rational of degree <= 4q in r, so agreement at 4q+1 values of r would prove it. Rounding leaves 1e-13, which
+  // no bound is charged with (Bounds.md).
   if (patch.Degree[0] != 1)
   {
     return PanelShape::General;
@@ -208,17 +209,10 @@ void Builder::AddPanel(
     leavesLeft = leavesLeft || piece.Coefficients[i][0] != left;
   }
   const std::uint32_t patch = this->GetPatch(segment.Column, segment.Row);
-  for (const Point2& point : { segment.StartPoint, segment.EndPoint })
-  {
-    const double cell[2] = { this->Result.Patches[patch].Width[0], this->Result.Patches[patch].Width[1] };
-    const double outside[2] = { std::max(this->Grid.U.front() - point[0], point[0] - this->Grid.U.back()),
-      std::max(this->Grid.V.front() - point[1], point[1] - this->Grid.V.back()) };
-    for (int d = 0; d < 2; ++d)
-    {
-      this->Result.Outside =
-        std::max(this->Result.Outside, 2.0 * this->Result.Patches[patch].Radius * outside[d] / cell[d]);
-    }
-  }
+  const Patch& cell = this->Result.Patches[patch];
+  this->Result.Outside.Add(
+    BoundOverhang(cell, this->Result.Points.data() + cell.FirstPoint, piece, segment.Start, segment.End,
+      { this->Grid.U.front(), this->Grid.V.front() }, { this->Grid.U.back(), this->Grid.V.back() }));
   if (runsInV && leavesLeft)
   {
     this->Result.Panels.push_back({ patch, trim, static_cast<std::uint8_t>(piece.Degree),

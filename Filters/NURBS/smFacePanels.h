@@ -19,6 +19,7 @@
 
 #include "smBezierPatch.h"
 #include "smFace.h"
+#include "smOverhang.h"
 
 #include <array>
 #include <cstdint>
@@ -94,8 +95,8 @@ struct FacePanels
   std::vector<Cap> Caps;
   /// Cells counted more than once or negatively, over more than a sliver: a loop is wrong.
   int CoverageDefects = 0;
-  /// Largest distance (about, a length) of a trim curve outside the surface's domain.
-  double Outside = 0.0;
+  /// Trim curves beyond the surface's domain, to which the surface is continued.
+  Overhang Outside;
 };
 
 /// Cuts a face. Throws std::runtime_error naming the face when its surface or a trim curve is not valid.

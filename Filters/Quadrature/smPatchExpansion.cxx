@@ -97,7 +97,7 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
   double deviation = 0.0;
   if (patch.MeasureLengthDeviation(tolerance * largest, largest, deviation))
   {
-    // 8: a polynomial between so many Chebyshev nodes rises to a few times its values there.
+    // A polynomial between so many Chebyshev nodes rises to a few times its values there; 8 is estimated, see Bounds.md.
     traits.LengthDeviation = 8.0 * deviation;
     traits.PolynomialLength = true;
   }

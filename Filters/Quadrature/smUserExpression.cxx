@@ -44,8 +44,10 @@ constexpr SampleName SampleNames[] = {
   { "gaussianCurvature", "double", "smSampleCurvatures.y", UserExpression::SecondDerivatives },
 };
 
-constexpr const char* Functions[][2] = { { "sin", "smSin" }, { "cos", "smCos" }, { "tan", "smTan" },
-  { "exp", "smExp" }, { "log", "smLog" }, { "pow", "smPow" } };
+constexpr const char* Functions[][2] = { { "sin", "smUserSin" }, { "cos", "smUserCos" },
+  { "tan", "smUserTan" }, { "exp", "smExp" }, { "log", "smUserLog" }, { "pow", "smUserPow" },
+  { "sqrt", "smUserSqrt" }, { "inversesqrt", "smUserInverseSqrt" }, { "mod", "smUserMod" },
+  { "normalize", "smUserNormalize" } };
 
 bool IsNameStart(char c)
 {
@@ -230,7 +232,6 @@ void UserExpression::AddName(const std::string& name, std::size_t at, const Cons
   {
     for (const auto& [function, ours] : Functions)
     {
-      this->HasFunctions = this->HasFunctions || name == function;
       glsl = name == function ? ours : glsl;
     }
     for (const SampleName& sample : SampleNames)
@@ -275,17 +276,52 @@ bool UserExpression::MayHaveKinks() const
 {
   // Whole numbers have steps, too.
   static const std::set<std::string> rough = { "abs", "sign", "floor", "trunc", "round", "roundEven", "ceil",
-    "fract", "mod", "min", "max", "clamp", "step", "smoothstep", "faceforward", "refract", "int", "uint",
-    "bool", "ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4", "bvec2", "bvec3", "bvec4", "lessThan",
-    "lessThanEqual", "greaterThan", "greaterThanEqual", "equal", "notEqual", "isnan", "isinf", "?", "<", ">",
-    "<=", ">=", "==", "!=" };
+    "fract", "smUserMod", "min", "max", "clamp", "step", "smoothstep", "faceforward", "refract", "int",
+    "uint", "bool", "ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4", "bvec2", "bvec3", "bvec4",
+    "lessThan", "lessThanEqual", "greaterThan", "greaterThanEqual", "equal", "notEqual", "isnan", "isinf",
+    "?", "<", ">", "<=", ">=", "==", "!=" };
   return std::any_of(
     this->Tokens.begin(), this->Tokens.end(), [](const Token& token) { return rough.count(token.Glsl) > 0; });
 }
 
+std::size_t UserExpression::FindBracketEnd(std::size_t token) const
+{
+  int depth = 0;
+  for (; token + 1 < this->Tokens.size(); ++token)
+  {
+    const std::string& glsl = this->Tokens[token].Glsl;
+    depth += glsl == "(" || glsl == "[" ? 1 : glsl == ")" || glsl == "]" ? -1 : 0;
+    if (depth == 0)
+    {
+      break;
+    }
+  }
+  return token;
+}
+
+/// The last token of a divisor: signs, a name, number or bracket, and indices, arguments and components of it.
+std::size_t UserExpression::FindOperandEnd(std::size_t token) const
+{
+  const auto isOneOf = [this](std::size_t i, const char* characters)
+  {
+    const std::string glsl = i < this->Tokens.size() ? this->Tokens[i].Glsl : "";
+    return glsl.size() == 1 && std::strchr(characters, glsl[0]);
+  };
+  while (isOneOf(token, "+-!"))
+  {
+    ++token;
+  }
+  token = isOneOf(token, "(") ? this->FindBracketEnd(token) : token;
+  while (isOneOf(token + 1, "([."))
+  {
+    token = isOneOf(token + 1, ".") ? token + 2 : this->FindBracketEnd(token + 1);
+  }
+  return token;
+}
+
 std::string UserExpression::MakeFunction(const std::string& name, bool forMessages) const
 {
-  std::string text = "double " + name + "(const dvec3 position, const dvec3 normal)\n{\n";
+  std::string text = "double " + name + "Value(const dvec3 position, const dvec3 normal)\n{\n";
   for (const SampleName& sample : SampleNames)
   {
     if (std::find(this->Names.begin(), this->Names.end(), sample.Name) != this->Names.end())
@@ -295,11 +331,20 @@ std::string UserExpression::MakeFunction(const std::string& name, bool forMessag
   }
   text += "return (\n";
   text += forMessages ? "#line " + std::to_string(FirstLine) + "\n" : "";
-  for (const Token& token : this->Tokens)
+  std::vector<int> divisorsEnd(this->Tokens.size() + 2);
+  for (std::size_t i = 0; i < this->Tokens.size(); ++i)
   {
-    text += token.Glsl + "\n";
+    text += this->Tokens[i].Glsl;
+    if (this->Tokens[i].Glsl == "/" || this->Tokens[i].Glsl == "%")
+    {
+      text += " smDivisor(";
+      ++divisorsEnd[std::min(this->FindOperandEnd(i + 1), this->Tokens.size())];
+    }
+    text += std::string(divisorsEnd[i], ')') + "\n";
   }
-  return text + ");\n}\n";
+  return text + ");\n}\ndouble " + name +
+    "(const dvec3 position, const dvec3 normal)\n{\nsmIsDefined = true;\nconst double value = " + name +
+    "Value(position, normal);\nreturn smIsDefined ? value : smNotANumber();\n}\n";
 }
 
 std::string UserExpression::Explain(const std::string& log) const

@@ -13,9 +13,10 @@
 namespace sm
 {
 /**
- * GLSL, with three differences: sin, cos, tan, exp, log and pow are of doubles (smElementary.glsl); numbers are
- * doubles, so that 1/3 is a third, unless they have a suffix or stand within [ ]; and names of constants are replaced by
- * their values. Other names are listed in vtkSurfaceIntegralGPU.h.
+ * GLSL, with four differences: sin, cos, tan, exp, log and pow are of doubles (smElementary.glsl); numbers are
+ * doubles, so that 1/3 is a third, unless they have a suffix or stand within [ ]; names of constants are replaced by
+ * their values; and where a division or a function is not defined, the expression is NaN (smUserFunctions.glsl). Other names are
+ * listed in vtkSurfaceIntegralGPU.h.
  */
 class SMFILTERSQUADRATURE_EXPORT UserExpression
 {
@@ -36,12 +37,11 @@ public:
   /// Why it cannot be an expression, with its place; empty when it may.
   const std::string& GetError() const { return this->Error; }
   int GetDetail() const { return this->Detail; }
-  /// It names one of our own functions.
-  bool NeedsFunctions() const { return this->HasFunctions; }
   /// It names functions with kinks or steps: abs, min, ?: and their like.
   bool MayHaveKinks() const;
 
-  /// A GLSL function `double NAME(dvec3 position, dvec3 normal)`, each of the user's tokens on a line of its own.
+  /// A GLSL function `double NAME(dvec3 position, dvec3 normal)`, and one that it calls, with each of the user's tokens on a line of
+  /// its own. They need chunk smUserFunctions.
   /// `forMessages` gives these lines numbers by which Explain() knows them.
   std::string MakeFunction(const std::string& name, bool forMessages) const;
 
@@ -67,6 +67,8 @@ private:
   bool TrackBracket(char c, std::size_t at);
   bool Fail(std::size_t at, const std::string& what);
   std::string GetPlace(std::size_t at) const;
+  std::size_t FindBracketEnd(std::size_t token) const;
+  std::size_t FindOperandEnd(std::size_t token) const;
 
   std::string Text;
   std::vector<Token> Tokens;
@@ -74,7 +76,6 @@ private:
   std::vector<Token> Open;
   std::vector<std::string> Names;
   int Detail = PositionAndNormal;
-  bool HasFunctions = false;
   std::string Error;
 };
 }

@@ -1,4 +1,6 @@
 #include "smStability.h"
+
+#include "smLeastTip.h"
 #include "smUnitRoundoff.h"
 
 #include <algorithm>
@@ -149,37 +151,6 @@ Hulls Refine(std::vector<ContactPiece>& pieces, const Point2D& foot, double size
   return hulls;
 }
 
-struct Tip
-{
-  double Angle;
-  double AngleBound;
-  double Rise;
-  double RiseBound;
-};
-
-/// See the header; m and z may be off by `bound`, together.
-Tip ComputeTip(double m, double z, double uv, double uh, double bound)
-{
-  const double d = std::hypot(m, z);
-  const double u = std::hypot(uv, uh);
-  Tip tip;
-  tip.Angle = std::atan2(m, z) - std::atan2(uv, uh);
-  // The angle under which a ball is seen is asin(bound / d).
-  tip.AngleBound = bound < d ? HalfPi * bound / d + 8.0 * UnitRoundoff : 2.0 * HalfPi;
-  const double half = std::sin(0.5 * tip.Angle);
-  tip.Rise = tip.Angle > 0.0 ? 2.0 * u * d * half * half : 0.0;
-  tip.RiseBound = u *
-      (2.0 * bound * half * half +
-        (d + bound) *
-          (std::abs(std::sin(tip.Angle)) * tip.AngleBound + 0.5 * tip.AngleBound * tip.AngleBound)) +
-    16.0 * UnitRoundoff * std::abs(tip.Rise);
-  if (tip.Angle + tip.AngleBound <= 0.0)
-  {
-    tip.RiseBound = 0.0;
-  }
-  return tip;
-}
-
 struct Frame
 {
   const StabilityCase& Body;
@@ -237,24 +208,20 @@ void SetInterval(double low, double high, double& value, double& bound)
   bound = 0.5 * (high - low) + 2.0 * UnitRoundoff * std::abs(value);
 }
 
-/// The least over all sides, between that of the hull from inside and that of the hull from outside.
-void SetLeast(
-  const std::vector<StabilitySide>& inner, const std::vector<StabilitySide>& outer, StabilityResult& result)
+/// Encloses the least angle and rise over all directions; contacts may be off by `slack`.
+LeastTip GetLeastTip(const Frame& frame, const SupportPolygon& polygon, double slack)
 {
-  double angle[2] = { Infinity, Infinity };
-  double work[2] = { Infinity, Infinity };
-  for (const StabilitySide& side : inner)
+  LeastTip least{ { Infinity, Infinity }, { Infinity, Infinity } };
+  for (const StabilitySide& side : frame.MakeSides(polygon, slack))
   {
-    angle[0] = std::min(angle[0], side.TipAngle - side.TipAngleBound);
-    work[0] = std::min(work[0], std::max(0.0, side.CenterOfMassRise - side.CenterOfMassRiseBound));
+    least.Angle[0] = std::min(least.Angle[0], side.TipAngle - side.TipAngleBound);
+    least.Angle[1] = std::min(least.Angle[1], side.TipAngle + side.TipAngleBound);
+    least.Rise[0] =
+      std::min(least.Rise[0], std::max(0.0, side.CenterOfMassRise - side.CenterOfMassRiseBound));
+    least.Rise[1] = std::min(least.Rise[1], side.CenterOfMassRise + side.CenterOfMassRiseBound);
   }
-  for (const StabilitySide& side : outer)
-  {
-    angle[1] = std::min(angle[1], side.TipAngle + side.TipAngleBound);
-    work[1] = std::min(work[1], side.CenterOfMassRise + side.CenterOfMassRiseBound);
-  }
-  SetInterval(std::min(angle[0], angle[1]), angle[1], result.TipAngle, result.TipAngleBound);
-  SetInterval(std::min(work[0], work[1]), work[1], result.CenterOfMassRise, result.CenterOfMassRiseBound);
+  IncludeCorners(polygon, { frame.Center, frame.Height, frame.Body.Up }, frame.Bound + slack, least);
+  return least;
 }
 
 /// The sides of the drawn polygon, less certain by what lies beyond them.
@@ -272,7 +239,7 @@ void SetSides(const Frame& frame, const std::vector<StabilitySide>& sides, const
   }
 }
 
-/// Of a body on a single point.
+/// On a single point of level ground.
 void SetTipOverPoint(const Frame& frame, const Point2D& p, double beyond, StabilityResult& result)
 {
   const double offset = std::hypot(frame.ProjectedCenter[0] - p[0], frame.ProjectedCenter[1] - p[1]);
@@ -462,13 +429,17 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
   result.Decision = low > 0.0 ? Verdict::Stable : high < 0.0 ? Verdict::Unstable : Verdict::TooClose;
 
   SetSides(frame, frame.MakeSides(drawn.Inner, contacts.Spread), fine.Outer, beyond, result);
-  if (fine.Inner.Corners.size() == 1)
+  const bool isLevel = body.Up[0] == 0.0 && body.Up[1] == 0.0;
+  if (isLevel && fine.Inner.Corners.size() == 1 && fine.Outer.Corners.size() == 1)
   {
     SetTipOverPoint(frame, fine.Inner.Corners[0], beyond, result);
   }
-  else if (fine.Inner.Corners.size() > 1)
+  else if (!fine.Inner.Corners.empty() && frame.Height > frame.Bound + beyond)
   {
-    SetLeast(frame.MakeSides(fine.Inner, contacts.Spread), frame.MakeSides(fine.Outer, beyond), result);
+    const LeastTip certain = GetLeastTip(frame, fine.Inner, contacts.Spread);
+    const LeastTip possible = GetLeastTip(frame, fine.Outer, beyond);
+    SetInterval(certain.Angle[0], possible.Angle[1], result.TipAngle, result.TipAngleBound);
+    SetInterval(certain.Rise[0], possible.Rise[1], result.CenterOfMassRise, result.CenterOfMassRiseBound);
   }
   if (result.Support != SupportKind::Area)
   {

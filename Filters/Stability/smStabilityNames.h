@@ -18,7 +18,7 @@ constexpr const char* DecidedBy = "DecidedBy"; // string: "margin", "rolling", "
 constexpr const char* StabilityMargin =
   "StabilityMargin"; // 1, L, with bound: signed distance from the projected centre of mass to the nearest edge of the support polygon, positive inside
 constexpr const char* TipAngle =
-  "TipAngle"; // 1, degrees, with bound: the smallest of all sides; negative: the centre is beyond the side
+  "TipAngle"; // 1, degrees, with bound: the least of all directions; negative: the centre is beyond the polygon
 constexpr const char* CenterOfMassRise =
   "CenterOfMassRise"; // 1, L, with bound: least rise of the centre of mass on the way to tipping
 constexpr const char* TipEnergy =

@@ -24,7 +24,7 @@ namespace sm
 namespace
 {
 // Distance of a trim curve from its surface, relative to the body, above which it is not attributed to rounding.
-constexpr double SuspectOutside = 1e-5;
+constexpr double LargeOverhang = 1e-5;
 
 std::string NameOf(vtkInformation* info, const std::string& otherwise)
 {
@@ -212,6 +212,30 @@ void SetUnknown(BodyIntegrals& body, std::size_t integrands)
   body.Flag(Status::NotComputed, "nothing was computed");
 }
 
+namespace
+{
+/// The strip between the border of a surface and the trim curves beyond it is a gap of the model, next to that between the trim
+/// curves and the edges.
+void AddOverhang(BodyIntegrals& body, const FaceIntegrals& face, const std::string& label)
+{
+  const Overhang& outside = face.Outside;
+  const std::string message = label + ": a trim curve leaves the surface" +
+    (std::isfinite(outside.Distance)
+        ? (face.IsContinued ? " by at most " : " by about ") + FormatBound(outside.Distance)
+        : std::string(", by how much is not known"));
+  if (!face.IsContinued)
+  {
+    body.Flag(Status::Suspect, message);
+    return;
+  }
+  body.Messages.push_back(message + ", to which the surface is continued");
+  body.MaxOverhang = GetLargerGap(body.MaxOverhang, outside.Distance + face.MaxGap);
+  body.MaxGap = GetLargerGap(body.MaxGap, outside.Distance + face.MaxGap);
+  body.GapArea += outside.Area;
+  body.GapSquared += outside.Squared;
+}
+}
+
 void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
 {
   CheckTopology(body);
@@ -243,10 +267,9 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
       body.Flag(
         Status::Suspect, label + ": a loop covers part of the surface more than once or from outside");
     }
-    if (result.Outside > SuspectOutside * size)
+    if (result.Outside.Distance > LargeOverhang * size)
     {
-      body.Flag(
-        Status::Suspect, label + ": a trim curve leaves the surface by about " + FormatBound(result.Outside));
+      AddOverhang(body, result, label);
     }
   }
   SumValues(body, integrands);
@@ -327,7 +350,16 @@ void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)
     const double diagonal = 2.0 * GetRadius(*body.Model);
     const std::string message = DescribeWorstEdge(*edges, diagonal, body.Model->GetLengthUnit());
     const double widest = edges->empty() ? 0.0 : edges->front().MaxGap;
-    if (widest > GetExcused(limit, diagonal, 2.0 * body.Model->GetFileUncertainty()))
+    const double excused = GetExcused(limit, diagonal, 2.0 * body.Model->GetFileUncertainty());
+    if (!(body.MaxOverhang <= excused))
+    {
+      body.Flag(Status::Suspect,
+        "trim curves and edges lie beyond the surface of their face" +
+          (std::isfinite(body.MaxOverhang)
+              ? ", by up to " + FormatDigits(100.0 * body.MaxOverhang / diagonal, 2) + " % of the body's size"
+              : std::string()));
+    }
+    if (widest > excused)
     {
       body.Flag(Status::Suspect,
         (message.empty() ? "the widest gap between a face and its edge" : message) + ": " +

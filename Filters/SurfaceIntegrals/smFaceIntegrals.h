@@ -78,7 +78,9 @@ struct FaceIntegrals
   /// Gap of every coedge that was measured.
   std::vector<CoedgeGap> Gaps;
   int CoverageDefects = 0;
-  double Outside = 0.0;
+  /// Trim curves beyond the surface's domain. True if the surface is continued to them; the paper's schemes integrate nothing there.
+  Overhang Outside;
+  bool IsContinued = false;
   /// Reason why the face could not be integrated, in which case everything else is zero; empty otherwise.
   std::string Error;
 };

@@ -148,6 +148,7 @@ void SurfaceIntegrator::Internals::MakeBatches(const std::vector<FaceTask>& task
     results[i].Error = cut.Error.empty() ? this->Runner->GetFaceError(i) : cut.Error;
     results[i].CoverageDefects = cut.Panels.CoverageDefects;
     results[i].Outside = cut.Panels.Outside;
+    results[i].IsContinued = true;
     groups[this->Runner->GetGroup(i)].push_back(i);
   }
   const std::size_t rowLimit = groups.empty() ? 0 : this->Runner->GetRowLimit();

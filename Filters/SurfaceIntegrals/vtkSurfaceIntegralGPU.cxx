@@ -117,7 +117,8 @@ void vtkSurfaceIntegralGPU::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
       }
       else if (body.Faces && !std::isfinite(body.Value[k]))
       {
-        body.Flag(sm::Status::Suspect, name + " is not a finite number somewhere on the faces");
+        body.Value[k] = body.Bound[k] = vtkMath::Nan();
+        body.Flag(sm::Status::Suspect, name + " is undefined or infinite somewhere on the faces");
       }
       else if (body.Faces && !(body.Bound[k] <= this->RelativeTolerance * GetScale(integrands[k], body)))
       {

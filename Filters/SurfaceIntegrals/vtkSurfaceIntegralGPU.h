@@ -13,7 +13,11 @@
  *     derivatives of the position with respect to them, in world coordinates; `meanCurvature`, positive where the body is
  *     convex, 1/R on a sphere; `gaussianCurvature`,
  *   - constants of AddConstant(), and the functions of GLSL; sin, cos, tan, exp, log and pow have double precision here (angles up
- *     to 2^20; the result for larger angles is NaN).
+ *     to 2^20).
+ * Where a division by 0 or a function outside of its domain (sqrt of a negative number, log of 0, an angle above 2^20) is evaluated
+ * at a point, or the value is not finite, the integral and its bound are NaN and the status is suspect, whatever the rest of the
+ * expression makes of it; the branch of ?: that is not taken is not evaluated. A pole between the points prevents convergence: the
+ * status is tolerance-not-met, and the bound means nothing.
  * Bounds of expressions are estimates that assume that the expressions are smooth on every face: at kinks and steps (abs, min,
  * max, step, ?: and similar functions) an error may exceed its bound; a message names the expressions that may have some. Peaks
  * that are too narrow for all points of the first two orders (3 and 6 per direction of a patch) are not detected. Numbers are

@@ -15,6 +15,7 @@
 #include "smRibbon.h"
 #include "smRibbonCS.h"
 #include "smSample.h"
+#include "smUserFunctions.h"
 #include "smWork.h"
 #include "smWorkRecord.h"
 #include "smWorkStorage.h"
@@ -80,8 +81,8 @@ void AddChunks(ShaderSource& source)
   }
   const std::pair<const char*, const char*> chunks[] = { { "smAccumulate", smAccumulate }, { "smCap", smCap },
     { "smElementary", smElementary }, { "smPanel", smPanel }, { "smRibbon", smRibbon },
-    { "smSample", smSample }, { "smWork", smWork }, { "smWorkRecord", smWorkRecord },
-    { "smWorkStorage", smWorkStorage } };
+    { "smSample", smSample }, { "smUserFunctions", smUserFunctions }, { "smWork", smWork },
+    { "smWorkRecord", smWorkRecord }, { "smWorkStorage", smWorkStorage } };
   for (const auto& [name, text] : chunks)
   {
     source.AddChunk(name, text);
@@ -115,7 +116,7 @@ std::string IntegrationPrograms::FindError(const Integrand& integrand)
   ShaderSource source("smExpressionCS", smExpressionCS);
   AddChunks(source);
   source.Define("SM_SAMPLE_DETAIL", 0);
-  source.Replace("//SM::UserFunctions", "//SM::Include smSample\n//SM::Include smElementary\n" + function);
+  source.Replace("//SM::UserFunctions", "//SM::Include smSample\n//SM::Include smUserFunctions\n" + function);
   ComputeProgram program;
   if (!source.Assemble())
   {
@@ -147,18 +148,16 @@ int IntegrationPrograms::GetDetail(bool isPanel) const
 std::string IntegrationPrograms::MakeFunctions(bool isPanel) const
 {
   std::string text;
-  bool hasFunctions = false;
   for (std::size_t k = 0; k < this->Setup.Integrands.size(); ++k)
   {
     const Integrand& integrand = this->Setup.Integrands[k];
     if (integrand.Source && (isPanel || integrand.ClosedChain))
     {
       text += integrand.Source->MakeFunction(GetFunctionName(k), false);
-      hasFunctions = hasFunctions || integrand.Source->NeedsFunctions();
     }
   }
   const int detail = this->GetDetail(isPanel);
-  text = (hasFunctions ? "//SM::Include smElementary\n" : "") + text;
+  text = (text.empty() ? "" : "//SM::Include smUserFunctions\n") + text;
   text = (detail > 0 ? "//SM::Include smSample\n" : "") + text;
   return (detail >= UserExpression::SecondDerivatives ? "//SM::Include smPatchSecond\n" : "") + text;
 }

@@ -142,6 +142,7 @@ void PutIntegrals(ByteWriter& to, const FaceIntegrals& integrals)
   to.PutAll(integrals.Gaps);
   to.Put(integrals.CoverageDefects);
   to.Put(integrals.Outside);
+  to.Put(integrals.IsContinued);
   to.PutText(integrals.Error);
 }
 
@@ -160,7 +161,8 @@ FaceIntegrals GetIntegrals(ByteReader& from)
   integrals.MaxGap = from.Get<double>();
   integrals.Gaps = from.GetAll<CoedgeGap>();
   integrals.CoverageDefects = from.Get<int>();
-  integrals.Outside = from.Get<double>();
+  integrals.Outside = from.Get<Overhang>();
+  integrals.IsContinued = from.Get<bool>();
   integrals.Error = from.GetText();
   return integrals;
 }

@@ -72,28 +72,32 @@ bool smFinish(uint index, smWorkRecord work)
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
     double share = scale * smParameter(tolerance + k);
-    if (!isFirst && share > 0.0LF && abs(smResults[k]) <= smLargest)
+    double known = isFirst ? 0.0LF : smGetRow(row + smValueColumn + k);
+    if (!isFirst && share > 0.0LF && abs(smResults[k]) <= smLargest && abs(known) <= smLargest)
     {
-      double difference = abs(smResults[k] - smGetRow(row + smValueColumn + k));
+      double difference = abs(smResults[k] - known);
       largest = max(largest, (difference - 10.0LF * smNoises[smRoundingOf[k]]) / share);
     }
   }
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
-    // No order and no bisection improves a value that is NaN or infinite, so that it counts as converged, with that error.
-    bool isNumber = abs(smResults[k]) <= smLargest;
-    double error = isNumber ? 0.0LF : abs(smResults[k]);
+    // No order and no bisection improves a value that is NaN or infinite, so that it counts as converged, with that error. It remains
+    // whatever follows: a point that a higher order or a part of the item has no more is a point of the integrand.
+    double known = isFirst ? 0.0LF : smGetRow(row + smValueColumn + k);
+    double value = abs(known) <= smLargest ? smResults[k] : known;
+    bool isNumber = abs(value) <= smLargest;
+    double error = isNumber ? 0.0LF : abs(value);
     double difference = -1.0LF;
     if (!isFirst && isNumber)
     {
-      difference = abs(smResults[k] - smGetRow(row + smValueColumn + k));
+      difference = abs(smResults[k] - known);
       double share = scale * smParameter(tolerance + k);
       double before = smGetRow(row + smDifferenceColumn + k);
       error = smEstimate(before < 0.0LF ? max(difference, largest * share) : difference, before);
       // Differences of the size of rounding contain no further information.
       converged = converged && !(error > share + 10.0LF * smNoises[smRoundingOf[k]]);
     }
-    smSetRow(row + smValueColumn + k, smResults[k]);
+    smSetRow(row + smValueColumn + k, value);
     smSetRow(row + smErrorColumn + k, error);
     smSetRow(row + smDifferenceColumn + k, difference);
   }
@@ -106,7 +110,11 @@ bool smFinish(uint index, smWorkRecord work)
   {
     for (uint k = 0u; k < 3u * smIntegrandCount + smRoundingCount; ++k)
     {
-      smSetRow(row + smValueColumn + k, 0.0LF);
+      bool isNumber = abs(smGetRow(row + smValueColumn + k)) <= smLargest;
+      if (isNumber || k >= 2u * smIntegrandCount)
+      {
+        smSetRow(row + smValueColumn + k, 0.0LF);
+      }
     }
   }
   smSetStatus(index, converged);

@@ -125,6 +125,60 @@ void CheckNoNumber()
   CheckEqual("status of the integral", names::StatusSuspect, integral->GetStatus());
   CheckWords(integral);
 }
+
+/// A cube of side 10 about whose top the file's surface ends before its edges, by a share of the side; the plane is continued.
+vtkSmartPointer<vtkNURBSDataSet> MakeShrunken(double share)
+{
+  BoxBody body;
+  body.Add({ { 0, 0, 0 }, { 10, 10, 10 } });
+  auto leaf = body.Make();
+  auto face = std::make_shared<sm::Face>(*leaf->GetModel()->GetFaces()[5]);
+  face->Id = sm::NewId();
+  const std::array<double, 4> corner = face->Surface.ControlPoints[0];
+  for (std::array<double, 4>& p : face->Surface.ControlPoints)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      p[d] = corner[d] + (1.0 - share) * (p[d] - corner[d]);
+    }
+  }
+  for (sm::Coedge& coedge : face->Loops[0].Coedges)
+  {
+    for (std::array<double, 2>& c : coedge.Curve.Coefficients)
+    {
+      c = { c[0] / (1.0 - share), c[1] / (1.0 - share) };
+    }
+  }
+  leaf->GetModel()->SetFace(5, face);
+  return leaf;
+}
+
+void CheckOverhang()
+{
+  std::printf("--- trim curves beyond the domain of their surface\n");
+  const double diagonal = 10.0 * std::sqrt(3.0);
+  for (const double share : { 1e-4, 7e-4, 5e-3 })
+  {
+    const double gap = 10.0 * share;
+    vtkNew<vtkMassPropertiesGPU> mass;
+    MessageTrap trap(mass);
+    mass->SetInputData(MakeShrunken(share));
+    mass->Update();
+    Check("volume of the continued surface", 1000.0, mass->GetVolume(), mass->GetVolumeBound(), "its bound");
+    CheckRange("bound", 0.0, mass->GetVolumeBound(), 1e-9);
+    CheckEqual("status where the surface lacks " + std::to_string(100.0 * gap / diagonal) + " % of the size",
+      share < 8e-4 ? names::StatusOk : names::StatusSuspect, mass->GetStatus());
+    CheckTrue("the face is named", Says(mass, "face #105: a trim curve leaves the surface by at most"));
+    // The corner is gap sqrt(2) away; the bound adds both directions.
+    vtkFieldData* fields = mass->GetOutput()->GetFieldData();
+    CheckRange("it is a gap", std::sqrt(2.0) * gap, GetField(fields, names::MaxGap), 2.1 * gap);
+    CheckRange(
+      "of this squared integral", 20.0 * gap * gap, GetField(fields, names::GapSquared), 90.0 * gap * gap);
+    mass->SetGapLimit(1.0);
+    mass->Update();
+    CheckEqual("status where every gap is accepted", names::StatusOk, mass->GetStatus());
+  }
+}
 }
 
 int TestMassPropertiesPlausibility(int, char*[])
@@ -132,5 +186,6 @@ int TestMassPropertiesPlausibility(int, char*[])
   CheckCenter();
   CheckNoBound();
   CheckNoNumber();
+  CheckOverhang();
   return Finish();
 }

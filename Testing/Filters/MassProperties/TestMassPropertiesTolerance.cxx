@@ -1,5 +1,6 @@
 // TestMassPropertiesTolerance FOLDER: tolerances of single quantities, budgets, and the same bits from run to run and after
 // an edit.
+#include "smBoxBodies.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
@@ -66,6 +67,31 @@ void CheckSingleTolerances(const Expected& solid)
   CheckEqual("nonsense is refused", 3, trap.NumberOfErrors);
   CheckTrue("and changes nothing",
     mass->GetVolumeTolerance()[0] == 0.0 && mass->GetVolumeTolerance()[1] == 1e-6 * scales[0]);
+}
+
+/// The centre of a bar, 1000 by 10 by 10, is judged by half its diagonal, 500, and not by the cube root of its volume, 46.
+void CheckSlender()
+{
+  std::printf("--- a slender part\n");
+  BoxBody bar;
+  bar.Add({ { -500, -5, -5 }, { 500, 5, 5 } });
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetBackend(vtkMassPropertiesGPU::CPU);
+  const auto leaf = bar.Make();
+  leaf->GetModel()->SetVolumeScale(1e5);
+  leaf->GetModel()->SetAreaScale(4e4);
+  mass->SetInputData(leaf);
+  mass->Update();
+  const double bound = mass->GetCenterOfMassBound();
+  CheckRange("bound of the centre", 1e-16, bound, 1e-9);
+  for (const double share : { 100.0, 1000.0 })
+  {
+    mass->SetCenterOfMassTolerance(bound / share, 0.0);
+    mass->Update();
+    Check("the bound is that of rounding", bound, mass->GetCenterOfMassBound(), 1e-3 * bound);
+    CheckEqual("status at the bound over " + std::to_string(share),
+      share < 500.0 ? names::StatusOk : names::StatusToleranceNotMet, mass->GetStatus());
+  }
 }
 
 void CheckSeconds(const Expected& solid)
@@ -172,6 +198,7 @@ int TestMassPropertiesTolerance(int argc, char* argv[])
   const Expected ring = manifest.GetSolid("spline_ring", "plain").front();
   CheckSingleTolerances(ring);
   CheckSeconds(ring);
+  CheckSlender();
   CheckBits(ring, vtkMassPropertiesGPU::OPENGL);
   CheckBits(ring, vtkMassPropertiesGPU::CPU);
   CheckBits(manifest.GetSolid("gear", "plain").front(), vtkMassPropertiesGPU::OPENGL);

@@ -74,7 +74,8 @@ std::vector<Scaled> GetScales(const Expected& expected)
 {
   // Far away the centre's own digits are its scale.
   return { { names::Volume, expected.Volume }, { names::SurfaceArea, expected.Area },
-    { names::CenterOfMass, std::max(std::cbrt(expected.Volume), 1e-6 * expected.GetDistance()) },
+    { names::CenterOfMass,
+      std::max({ std::cbrt(expected.Volume), 0.5 * expected.Size, 1e-6 * expected.GetDistance() }) },
     { names::VolumeInertia, expected.GetInertiaTrace() } };
 }
 

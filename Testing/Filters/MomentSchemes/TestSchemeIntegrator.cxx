@@ -322,9 +322,9 @@ void CheckOutside()
   const std::vector<sm::FacePointer> faces = { MakeFace(surface, { MakeLeaf(0.5, 0.5, 0.3, 0.2, false) }),
     MakeFace(surface, { MakeLeaf(0.9, 0.5, 0.3, 0.2, false) }) };
   const Results results = Integrate(true, faces, {});
-  Check("no trim leaves its surface", 0.0, results[0].Integrals.Outside, 0.0);
+  Check("no trim leaves its surface", 0.0, results[0].Integrals.Outside.Distance, 0.0);
   // The patch's radius is about 0.72.
-  CheckRange("one does by 0.2 of a side", 0.2, results[1].Integrals.Outside, 0.4);
+  CheckRange("one does by 0.2 of a side", 0.2, results[1].Integrals.Outside.Distance, 0.4);
 }
 }
 

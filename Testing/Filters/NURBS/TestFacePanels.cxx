@@ -149,7 +149,56 @@ void CheckRounding(const std::string& name, const sm::NURBSSurface& plane)
     face.Surface = plane;
     face.Loops.push_back(MakePolygon(loop));
     // In space: the surface is the identity, a cell's diameter over its width at most 6.
-    smtest::CheckRange("  and how far is told", by, sm::BuildFacePanels(face).Outside, 8.0 * by);
+    smtest::CheckRange("  and how far is told", by, sm::BuildFacePanels(face).Outside.Distance, 8.0 * by);
+  }
+}
+
+/// A curve on a rational patch that leads beyond the domain between its ends: the bound against dense points.
+void CheckOverhang()
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const double by : { 1e-9, 1e-4, 1e-2 })
+  {
+    for (int k = 0; k < 20; ++k)
+    {
+      const double h = std::sqrt(0.5);
+      sm::NURBSSurface surface{ { 2, 3 }, { { 0, 0, 0, 1, 1, 1 }, { 0, 0, 0, 0, 1, 1, 1, 1 } }, { 3, 4 }, {},
+        true };
+      for (int j = 0; j < 4; ++j)
+      {
+        for (int i = 0; i < 3; ++i)
+        {
+          const double w = (i == 1 ? h : 1.0) * (1.0 + 0.2 * uniform(random));
+          surface.ControlPoints.push_back(
+            { w * (i + 0.3 * uniform(random)), w * (j + 0.3 * uniform(random)), w * uniform(random), w });
+        }
+      }
+      const std::vector<Point2> curve = { { 0.1, 1.0 - by }, { 0.5, 1.0 + 3.0 * by }, { 0.9, 1.0 - by } };
+      std::vector<std::array<double, 4>> points;
+      const sm::Patch patch = sm::MakePatch(surface, 0.0, 1.0, 0.0, 1.0, points);
+      const sm::BernsteinPiece<2> piece{ curve.data(), 2 };
+      const sm::Overhang bound = sm::BoundOverhang(patch, points.data(), piece, 0.0, 1.0, { 0, 0 }, { 1, 1 });
+      double farthest = 0.0;
+      for (int i = 0; i <= 1000; ++i)
+      {
+        const Point2 at = piece.Evaluate(i / 1000.0);
+        double ds[3];
+        double dr[3];
+        double beyond[3];
+        double border[3];
+        sm::EvaluatePatch(patch, points.data(), at[0], at[1], beyond, ds, dr);
+        sm::EvaluatePatch(patch, points.data(), at[0], std::min(at[1], 1.0), border, ds, dr);
+        farthest =
+          std::max(farthest, std::hypot(beyond[0] - border[0], beyond[1] - border[1], beyond[2] - border[2]));
+      }
+      smtest::CheckRange("overhang by " + std::to_string(by), farthest, bound.Distance, 12.0 * farthest);
+      smtest::CheckRange("its squared integral", 0.0, bound.Squared, 10.0 * bound.Distance * bound.Distance);
+      const std::vector<Point2> inside = { { 0, 0 }, { 1, 1 }, { 1, 0 } };
+      smtest::CheckEqual("none inside", true,
+        sm::BoundOverhang(patch, points.data(), { inside.data(), 2 }, 0.0, 1.0, { 0, 0 }, { 1, 1 })
+            .Distance == 0.0);
+    }
   }
 }
 
@@ -219,6 +268,8 @@ int TestFacePanels(int, char*[])
         0);
     }
   }
+
+  CheckOverhang();
 
   // A wrong model is refused by name, not integrated.
   sm::Face broken;

@@ -24,13 +24,20 @@ std::string Translate(const std::string& text)
 
 void CheckTranslation()
 {
-  CheckEqual("numbers are doubles", "1.0LF / 3.0LF + .5LF - 2.LF * 1e-3LF", Translate("1/3+.5-2.*1e-3"));
+  CheckEqual(
+    "numbers are doubles", "1.0LF / smDivisor( 3.0LF) + .5LF - 2.LF * 1e-3LF", Translate("1/3+.5-2.*1e-3"));
   CheckEqual("suffixes stay", "1u + 0x1F + 2.5LF", Translate("1u + 0x1F + 2.5LF"));
   CheckEqual("an index is whole", "normal [ 1 ]", Translate("normal[1]"));
   CheckEqual(
     "a number in a call in an index is none", "normal [ int ( 1.0LF ) ]", Translate("normal[int(1)]"));
+  CheckEqual("functions are ours", "smUserSin ( smUserPow ( dA , 2.0LF ) ) + abs ( dA )",
+    Translate("sin(pow(dA,2))+abs(dA)"));
+  CheckEqual("divisors in a row", "dA / smDivisor( u) / smDivisor( v) * 2.0LF", Translate("dA/u/v*2"));
   CheckEqual(
-    "functions are ours", "smSin ( smPow ( dA , 2.0LF ) ) + abs ( dA )", Translate("sin(pow(dA,2))+abs(dA)"));
+    "divisors in divisors", "dA / smDivisor( ( u / smDivisor( v) )) + 1.0LF", Translate("dA/(u/v)+1"));
+  CheckEqual("signs, calls, indices and components", "u / smDivisor( - ! cross ( du , dv ) [ 1 ] . x) - v",
+    Translate("u/-!cross(du,dv)[1].x-v"));
+  CheckEqual("remainders", "int ( u ) % smDivisor( 2u)", Translate("int(u)%2u"));
   CheckEqual("constants", "(5.00000000000000000e-01LF) * dA", Translate("k * dA"));
   CheckTrue("functions are no constants",
     UserExpression("abs (dA) * abs", { { "abs", 0.5 } })
@@ -77,7 +84,7 @@ void CheckPlaces()
 
   const UserExpression expression("dA * sin(foo)", {});
   CheckTrue("lines are numbered for messages",
-    expression.MakeFunction("f", true).find("#line 100001\ndA\n*\nsmSin\n(\nfoo\n") != std::string::npos);
+    expression.MakeFunction("f", true).find("#line 100001\ndA\n*\nsmUserSin\n(\nfoo\n") != std::string::npos);
   const std::string told = "column 10: undefined variable \"foo\"";
   CheckEqual("Mesa", told, expression.Explain("0:100005(1): error: undefined variable \"foo\"\n"));
   CheckEqual("NVIDIA", told, expression.Explain("0(100005) : error C1503: undefined variable \"foo\"\n"));
@@ -86,7 +93,7 @@ void CheckPlaces()
     expression.Explain(
       "0(100001) : warning C7050: it may be\n0(100005) : error C1503: undefined variable \"foo\"\n"));
   CheckEqual("our names of functions", "column 6: no function sin(dvec3)",
-    expression.Explain("0:100003(1): error: no function smSin(dvec3)\n"));
+    expression.Explain("0:100003(1): error: no function smUserSin(dvec3)\n"));
   CheckEqual("beyond the end", "column 14: unexpected ')'",
     expression.Explain("0:100007(1): error: unexpected ')'\n"));
   CheckEqual("of the whole", "column 1: could not convert",

@@ -17,6 +17,7 @@
 #include <GC_MakeArcOfCircle.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Trsf.hxx>
 
 #include <cmath>
@@ -106,6 +107,25 @@ TopoDS_Shape MakeHalfBall()
   const TopoDS_Shape half = BRepPrimAPI_MakeSphere(r, Pi).Shape();
   const gp_Pnt corner(-0.5 * width, -thickness, -8.0);
   return BRepAlgoAPI_Fuse(half, BRepPrimAPI_MakeBox(corner, width, thickness, height).Shape()).Shape();
+}
+
+TopoDS_Shape MakeObliqueCylinder(double radius, double height, double leanX, double leanY, bool half)
+{
+  BRepBuilderAPI_MakeWire wire;
+  if (half)
+  {
+    const gp_Pnt from(0, -radius, 0);
+    const gp_Pnt to(0, radius, 0);
+    wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(from, gp_Pnt(radius, 0, 0), to).Value()).Edge());
+    wire.Add(BRepBuilderAPI_MakeEdge(to, from).Edge());
+  }
+  else
+  {
+    wire.Add(BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(), radius)).Edge());
+  }
+  return BRepPrimAPI_MakePrism(
+    BRepBuilderAPI_MakeFace(wire.Wire(), true).Face(), gp_Vec(leanX, leanY, height))
+    .Shape();
 }
 
 TopoDS_Shape MakeTipCone(double radius, double height)

@@ -28,6 +28,8 @@ TopoDS_Shape MakeHalfRocker();
 /// Half a ball of radius 10 about the origin, y > 0, and a block for y < 0, above its pole at z = -10: the centre of mass is at
 /// x = y = 0, below the middle of the ball.
 TopoDS_Shape MakeHalfBall();
+/// The disc about the origin at z = 0, or its half in x > 0, extruded along (leanX, leanY, height).
+TopoDS_Shape MakeObliqueCylinder(double radius, double height, double leanX, double leanY, bool half);
 /// Tip at the origin, axis z upwards.
 TopoDS_Shape MakeTipCone(double radius, double height);
 

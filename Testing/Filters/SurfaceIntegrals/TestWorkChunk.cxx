@@ -192,6 +192,14 @@ void CheckNoNumbers()
   chunk.Finish(std::nan(""), 0.0, 1.0, Chunk::smFlagFirst);
   chunk.Finish(std::nan(""), 1.0, 1.0, 0u);
   CheckTrue("but the other integrand counts", !chunk.Converged);
+  chunk.Finish(std::nan(""), 0.0, 1.0, Chunk::smFlagFirst);
+  chunk.Finish(1.0, 0.0, 1.0, 0u);
+  CheckTrue("an order that misses the point does not mend it",
+    chunk.Converged && std::isnan(chunk.Rows[13]) && std::isnan(chunk.GetError(0)));
+  chunk.Finish(Infinity, 0.0, 1.0, Chunk::smFlagFirst);
+  CheckTrue("nor do the parts of an item that is discarded",
+    !chunk.Finish(1.0, 5.0, 1.0, Chunk::smFlagDiscard) && chunk.Rows[13] == Infinity &&
+      chunk.GetError(0) == Infinity && chunk.Rows[14] == 0.0 && chunk.GetError(1) == 0.0);
 }
 
 void CheckPlacement()

@@ -8,6 +8,7 @@
 
 #include "smMassPropertyNames.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkDataArray.h>
 #include <vtkMassPropertiesGPU.h>
 #include <vtkMatrix4x4.h>
@@ -90,6 +91,20 @@ struct Comparison
   {
     auto* array = vtkDataArray::SafeDownCast(this->Table->GetColumnByName(name.c_str()));
     return array ? array->GetComponent(this->Row, component) : std::nan("");
+  }
+
+  /// Half the diagonal of the control points' box.
+  Real GetRadius() const
+  {
+    vtkBoundingBox box;
+    for (const sm::FacePointer& face : this->Solid.Model->GetFaces())
+    {
+      for (const std::array<double, 4>& p : face->Surface.ControlPoints)
+      {
+        box.AddPoint(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
+      }
+    }
+    return 0.5L * box.GetDiagonalLength();
   }
 
   void Report(
@@ -186,8 +201,8 @@ struct Comparison
     }
     const Real volume = truth.Volume.Value[0];
     const auto& c = truth.Center.Value;
-    const Real length =
-      std::max(std::cbrt(volume), 1e-6L * std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]));
+    const Real length = std::max(
+      { std::cbrt(volume), this->GetRadius(), 1e-6L * std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) });
     const auto& i = truth.Inertia.Value;
     this->Totals.RoughAreas += truth.Area.Error <= PreciseArea * truth.Area.Value[0] ? 0 : 1;
     // The library takes its scales from its own values, which are off by up to the tolerance.

@@ -1,0 +1,202 @@
+#include "smLeastTip.h"
+
+#include "smUnitRoundoff.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace sm
+{
+namespace
+{
+constexpr double HalfPi = 1.5707963267948966;
+// Directions tried at one corner; what is left after them counts with the bound that it has then.
+constexpr int MaximumDirections = 20000;
+
+/// A function of the direction, its derivative, and a bound of its rounding and of the centre's error.
+struct DirectionValue
+{
+  double Value;
+  double Slope;
+  double Error;
+};
+
+/// Lowers the enclosure to the least of a function inside a range of directions, of which the ends are included already. `curvature`
+/// bounds the second derivative: where the slope at the middle is larger than it can change by, the least is at an end; elsewhere
+/// Taylor's formula bounds the function.
+template <typename Function>
+void SearchDirections(double from, double to, double curvature, const Function& evaluate, double (&least)[2])
+{
+  std::vector<std::pair<double, double>> ranges{ { 0.5 * (from + to), 0.5 * (to - from) } };
+  for (int count = 0; !ranges.empty(); ++count)
+  {
+    const auto [middle, half] = ranges.back();
+    ranges.pop_back();
+    const DirectionValue at = evaluate(middle);
+    const double variation = curvature * half;
+    if (std::abs(at.Slope) > 1.001 * variation)
+    {
+      continue;
+    }
+    least[1] = std::min(least[1], at.Value + at.Error);
+    const double low = at.Value - at.Error - (std::abs(at.Slope) + 0.5 * variation) * half;
+    if (low >= least[0])
+    {
+      continue;
+    }
+    if (variation * half <= 0.1 * at.Error || count > MaximumDirections)
+    {
+      least[0] = low;
+      continue;
+    }
+    ranges.emplace_back(middle - 0.5 * half, 0.5 * half);
+    ranges.emplace_back(middle + 0.5 * half, 0.5 * half);
+  }
+}
+
+/// Angle from one normal to the next, counter-clockwise; that of a single corner is the whole circle.
+double GetTurn(double from, double to, std::size_t count)
+{
+  const double circle = 4.0 * HalfPi;
+  const double turn = to < from ? to - from + circle : to - from;
+  // Sides of nearly one direction, rounded.
+  const bool isNone = turn == 0.0 || turn > circle - 1e-9;
+  return isNone ? (count > 1 ? 0.0 : circle) : turn;
+}
+
+/// A corner of the polygon as the point over which the body tips.
+struct CornerTip
+{
+  const TipCase& Body;
+  /// From the centre to the corner.
+  Point2D Offset;
+  double Bound;
+
+  struct Direction
+  {
+    double M, MSlope, Lean, LeanSlope;
+  };
+  Direction Resolve(double angle) const
+  {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const std::array<double, 3>& up = this->Body.Up;
+    return { this->Offset[0] * c + this->Offset[1] * s, this->Offset[1] * c - this->Offset[0] * s,
+      -(up[0] * c + up[1] * s), up[0] * s - up[1] * c };
+  }
+  double GetReach() const { return std::hypot(this->Offset[0], this->Offset[1]); }
+  double GetLean() const { return std::hypot(this->Body.Up[0], this->Body.Up[1]); }
+  /// Bound of the angle's error in every direction.
+  double GetAngleError() const { return HalfPi * this->Bound / this->Body.Height + 8.0 * UnitRoundoff; }
+
+  /// atan(x) has derivatives of at most 1 and 0.65; the lengths are relative to the heights.
+  double GetAngleCurvature() const
+  {
+    const double m = this->GetReach() / this->Body.Height;
+    const double lean = this->GetLean() / this->Body.Up[2];
+    return m + 0.65 * m * m + lean + 0.65 * lean * lean;
+  }
+  DirectionValue EvaluateAngle(double angle) const
+  {
+    const auto [m, mSlope, lean, leanSlope] = this->Resolve(angle);
+    const double z = this->Body.Height;
+    const double uh = this->Body.Up[2];
+    return { ComputeTip(m, z, lean, uh, this->Bound).Angle,
+      z * mSlope / (m * m + z * z) - uh * leanSlope / (lean * lean + uh * uh), this->GetAngleError() };
+  }
+
+  /// The rise is u d - lean m - uh z with u = hypot(lean, uh) and d = hypot(m, z), as long as the angle is positive.
+  double GetRiseCurvature() const
+  {
+    const double m = this->GetReach();
+    const double z = this->Body.Height;
+    const double lean = this->GetLean();
+    return m * m / z + m + 6.0 * lean * m + (lean * lean / this->Body.Up[2] + lean) * std::hypot(m, z);
+  }
+  DirectionValue EvaluateRise(double angle) const
+  {
+    const auto [m, mSlope, lean, leanSlope] = this->Resolve(angle);
+    const double z = this->Body.Height;
+    const double uh = this->Body.Up[2];
+    const double d = std::hypot(m, z);
+    const double u = std::hypot(lean, uh);
+    const double slope = u * m * mSlope / d + d * lean * leanSlope / u - leanSlope * m - lean * mSlope;
+    const double most = std::hypot(this->GetReach(), z);
+    const double error = this->GetAngleError();
+    return { ComputeTip(m, z, lean, uh, this->Bound).Rise, slope,
+      2.0 * this->Bound + (most + this->Bound) * (error + 0.5 * error * error) + 16.0 * UnitRoundoff * most };
+  }
+};
+}
+
+Tip ComputeTip(double m, double z, double uv, double uh, double bound)
+{
+  const double d = std::hypot(m, z);
+  const double u = std::hypot(uv, uh);
+  Tip tip;
+  tip.Angle = std::atan2(m, z) - std::atan2(uv, uh);
+  // The angle under which a ball is seen is asin(bound / d).
+  tip.AngleBound = bound < d ? HalfPi * bound / d + 8.0 * UnitRoundoff : 2.0 * HalfPi;
+  const double half = std::sin(0.5 * tip.Angle);
+  tip.Rise = tip.Angle > 0.0 ? 2.0 * u * d * half * half : 0.0;
+  tip.RiseBound = u *
+      (2.0 * bound * half * half +
+        (d + bound) *
+          (std::abs(std::sin(tip.Angle)) * tip.AngleBound + 0.5 * tip.AngleBound * tip.AngleBound)) +
+    16.0 * UnitRoundoff * std::abs(tip.Rise);
+  if (tip.Angle + tip.AngleBound <= 0.0)
+  {
+    tip.RiseBound = 0.0;
+  }
+  return tip;
+}
+
+void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double bound, LeastTip& least)
+{
+  // Corner i belongs to the directions between the outward normals of the sides before and after it. Any point of the polygon gives
+  // a lower bound of m(d), so that the rounding of the normals does no harm as long as the ranges leave no gap.
+  const std::vector<Point2D>& corners = polygon.Corners;
+  const std::size_t count = corners.size();
+  if (count == 1)
+  {
+    // Over a single point there is a way down.
+    least.Rise[1] = 0.0;
+  }
+  std::vector<double> normals(std::max<std::size_t>(count, 1), 0.0);
+  for (std::size_t i = 0; i < count && count > 1; ++i)
+  {
+    const Point2D& from = corners[i];
+    const Point2D& to = corners[(i + 1) % count];
+    normals[i] = std::atan2(from[0] - to[0], to[1] - from[1]);
+  }
+  for (const bool rise : { false, true })
+  {
+    if (rise && !(least.Angle[0] > 0.0))
+    {
+      // The centre may be beyond the polygon, where nothing has to rise.
+      least.Rise[0] = 0.0;
+      return;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const CornerTip corner{ body, { corners[i][0] - body.Center[0], corners[i][1] - body.Center[1] },
+        bound };
+      const double from = normals[(i + count - 1) % count];
+      const double to = from + GetTurn(from, normals[i], count);
+      if (rise)
+      {
+        SearchDirections(
+          from, to, corner.GetRiseCurvature(), [&](double a) { return corner.EvaluateRise(a); }, least.Rise);
+      }
+      else
+      {
+        SearchDirections(
+          from, to, corner.GetAngleCurvature(), [&](double a) { return corner.EvaluateAngle(a); },
+          least.Angle);
+      }
+    }
+  }
+}
+}

@@ -1,0 +1,52 @@
+/**
+ * @file smLeastTip.h
+ * @brief Rotation and rise of the centre of mass until a body tips, in one direction and the least over all directions; not installed
+ *
+ * Formulas and frame: smStability.h. A direction d of the ground's plane has the line that touches the support polygon from outside
+ * across d; the body tips over it. The distance of the centre from that line is m(d) = (largest p.d of the polygon) - c.d, and the angle
+ * and the rise grow with m. So their least values over all directions grow with the polygon: a polygon of certain contacts gives a
+ * lower bound, one that encloses all possible ones an upper bound. That does not hold for the least over the sides alone: a curved
+ * contact has its tangents where an inscribed polygon has corners.
+ */
+#ifndef smLeastTip_h
+#define smLeastTip_h
+
+#include "smSupportPolygon.h"
+
+#include <array>
+
+namespace sm
+{
+struct Tip
+{
+  double Angle;
+  double AngleBound;
+  double Rise;
+  double RiseBound;
+};
+
+/// m: distance of the centre from the side; z: its height; uv, uh: components of the upward direction; m and z may be off by
+/// `bound`, together.
+Tip ComputeTip(double m, double z, double uv, double uh, double bound);
+
+/// The centre of mass over the ground, and the direction against gravity.
+struct TipCase
+{
+  Point2D Center;
+  double Height;
+  std::array<double, 3> Up;
+};
+
+/// Enclosures of the least angle and the least rise.
+struct LeastTip
+{
+  double Angle[2];
+  double Rise[2];
+};
+
+/// Extends the enclosures, which hold for the sides of the polygon, to all directions. Centre and polygon may be off by `bound`,
+/// which is less than the height.
+void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double bound, LeastTip& least);
+}
+
+#endif

@@ -1,0 +1,130 @@
+// TestSolidStabilityTip FOLDER: least angle and rise over round contacts and over corners, where the centre of mass is beyond them.
+#include "smStabilityTesting.h"
+#include "smStandingSolids.h"
+
+#include "smStepFile.h"
+
+#include <vtkMassPropertiesGPU.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace
+{
+using namespace smtest;
+namespace names = sm::names;
+using Real = long double;
+const Real Pi = 3.141592653589793238462643383279503L;
+
+const double Radius = 5.0;
+const double Height = 20.0;
+
+/// An oblique cylinder on z = 0, or the half of it in x > 0, with the centre of mass at c and gravity against `up`.
+struct Standing
+{
+  bool Half;
+  Real Center[3];
+  Real Up[3];
+
+  /// Distance of the centre from the line that touches the base from outside across a direction.
+  Real GetDistance(Real x, Real y) const
+  {
+    const Real support = this->Half && x < 0 ? std::fabs(y) : 1;
+    return Radius * support - x * this->Center[0] - y * this->Center[1];
+  }
+  Real GetAngle(Real direction) const
+  {
+    const Real x = std::cos(direction);
+    const Real y = std::sin(direction);
+    return std::atan2(this->GetDistance(x, y), this->Center[2]) -
+      std::atan2(-x * this->Up[0] - y * this->Up[1], this->Up[2]);
+  }
+  Real GetRise(Real direction) const
+  {
+    const Real x = std::cos(direction);
+    const Real y = std::sin(direction);
+    const Real phi = this->GetAngle(direction);
+    const Real half = std::sin(phi / 2);
+    return phi > 0 ? 2 * std::hypot(x * this->Up[0] + y * this->Up[1], this->Up[2]) *
+        std::hypot(this->GetDistance(x, y), this->Center[2]) * half * half
+                   : 0;
+  }
+};
+
+/// The least over the circle: the best of many directions, then thirds of the range around it.
+Real FindLeast(const std::function<Real(Real)>& f)
+{
+  const int count = 20000;
+  int best = 0;
+  for (int i = 1; i < count; ++i)
+  {
+    best = f(2 * Pi * i / count) < f(2 * Pi * best / count) ? i : best;
+  }
+  Real low = 2 * Pi * (best - 1) / count;
+  Real high = 2 * Pi * (best + 1) / count;
+  for (int i = 0; i < 80; ++i)
+  {
+    const Real a = low + (high - low) / 3;
+    const Real b = high - (high - low) / 3;
+    (f(a) < f(b) ? high : low) = f(a) < f(b) ? b : a;
+  }
+  return f(low);
+}
+
+/// The top is displaced by `lean` in the direction `turn`; the ground is level, or gravity leans by a slope against x.
+void CheckOblique(const std::string& folder, bool half, double lean, double turn, double slope, double most)
+{
+  const double leanX = lean * std::cos(turn);
+  const double leanY = lean * std::sin(turn);
+  const std::string name = (half ? "half " : "oblique ") + std::to_string(lean) + " to " +
+    std::to_string(turn) + " on " + std::to_string(slope);
+  std::printf("-- %s\n", name.c_str());
+  Standing exact{ half, { 0.5 * leanX, 0.5 * leanY, 0.5 * Height }, { std::sin(slope), 0, std::cos(slope) } };
+  exact.Center[0] += half ? 4 * Radius / (3 * Pi) : 0;
+  Case standing(WriteStanding(folder, "oblique", MakeObliqueCylinder(Radius, Height, leanX, leanY, half)));
+  standing.Filter->SetBackend(vtkMassPropertiesGPU::CPU);
+  standing.Filter->SetGravityDirection(-std::sin(slope), 0, -std::cos(slope));
+  standing.Filter->SetGroundNormal(0, 0, 1);
+  standing.Filter->Update();
+  const Real angle = FindLeast([&](Real d) { return exact.GetAngle(d); });
+  CheckEqual(name, angle < 0 ? "unstable" : "stable", standing.Filter->GetStability());
+  CheckBounded(standing.Filter, names::TipAngle, static_cast<double>(angle) * Degrees, most * Degrees);
+  CheckBounded(standing.Filter, names::CenterOfMassRise,
+    static_cast<double>(FindLeast([&](Real d) { return exact.GetRise(d); })), most * Height);
+}
+}
+
+int TestSolidStabilityTip(int argc, char* argv[])
+{
+  if (argc != 2)
+  {
+    std::fprintf(stderr, "usage: TestSolidStabilityTip FOLDER\n");
+    return 1;
+  }
+  QuietOcct();
+  const std::string folder = argv[1];
+  // A curved contact is refined to 1e-5 of the size where the verdict is certain.
+  const double curved = 1e-4;
+  for (const double lean : { 4.0, 12.0, 13.0, 14.5, 16.0, 18.0 })
+  {
+    for (const double turn : { 0.0, 0.3, 0.77, 1.9, 4.4 })
+    {
+      CheckOblique(folder, false, lean, turn, 0.0, curved);
+    }
+    CheckOblique(folder, false, lean, 0.3, 0.1, curved);
+    CheckOblique(folder, false, lean, 2.0, 0.1, curved);
+  }
+  // Beyond the straight side, the corners, and the round side.
+  for (const double lean : { 1.0, 13.0, 17.0 })
+  {
+    for (const double turn : { 0.0, 0.9, 1.4, 1.8, 2.2, 3.0, 3.14159 })
+    {
+      CheckOblique(folder, true, lean, turn, 0.0, curved);
+      CheckOblique(folder, true, lean, turn, 0.15, curved);
+    }
+  }
+  // Nearly over the round side.
+  CheckOblique(folder, false, 10.0 + 1e-6, 0.77, 0.0, 1e-8);
+  return Finish();
+}
