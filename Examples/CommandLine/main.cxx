@@ -4,12 +4,13 @@
 #include "smIsolatedJob.h"
 #include "smOutputFiles.h"
 #include "smReport.h"
+#include "smReportFiles.h"
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <fcntl.h>
-#include <fstream>
 #include <iostream>
 #include <unistd.h>
 #include <utility>
@@ -66,19 +67,6 @@ void OccupyStandardStreams()
   }
 }
 
-bool Save(const std::string& name, const std::string& text)
-{
-  if (name == "-")
-  {
-    std::cout << text << std::flush;
-    return static_cast<bool>(std::cout);
-  }
-  std::ofstream file(name, std::ios::trunc);
-  file << text;
-  file.close();
-  return static_cast<bool>(file);
-}
-
 /// The exit status of two results.
 int Combine(int a, int b)
 {
@@ -115,26 +103,6 @@ void Print(const sm::Json& file, bool showTable, bool isFirst)
   }
 }
 
-std::string Describe(const std::string& output)
-{
-  return output == "-" ? "the standard output" : output;
-}
-
-int WriteOutputs(const sm::Arguments& arguments, const sm::Json& files)
-{
-  int exitStatus = sm::AllOk;
-  if (!arguments.Json.empty() &&
-    !Save(arguments.Json, sm::FormatJson({ { "version", 2 }, { "files", files } })))
-  {
-    exitStatus = sm::Complain(Describe(arguments.Json) + " cannot be written");
-  }
-  if (!arguments.Csv.empty() && !Save(arguments.Csv, sm::FormatCsv(files)))
-  {
-    exitStatus = sm::Complain(Describe(arguments.Csv) + " cannot be written");
-  }
-  return exitStatus;
-}
-
 /// Adds a failed output of a job to the messages of its file and to the exit status.
 void ReportFailure(const std::string& message, sm::Json& file, int& exitStatus)
 {
@@ -164,6 +132,18 @@ sm::Json RunFile(const sm::JobOptions& job, const std::string& head, ProgressLin
   return outcome.File;
 }
 
+/// Errors of writing instead of the end of this process: a file above the limit of the shell (ulimit -f), and, when there are other
+/// outputs than the table, a reader of the table that has gone.
+void IgnoreWriteSignals(const sm::Arguments& arguments)
+{
+  std::signal(SIGXFSZ, SIG_IGN);
+  const auto isFile = [](const std::string& name) { return !name.empty() && name != "-"; };
+  if (isFile(arguments.Json) || isFile(arguments.Csv) || isFile(arguments.Picture))
+  {
+    std::signal(SIGPIPE, SIG_IGN);
+  }
+}
+
 int Run(const sm::Arguments& arguments)
 {
   const bool showTable = !arguments.Quiet && arguments.Json != "-" && arguments.Csv != "-";
@@ -171,8 +151,9 @@ int Run(const sm::Arguments& arguments)
   const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
   const std::string count = std::to_string(arguments.Files.size());
   ProgressLine progress(!arguments.Quiet);
-  sm::Json files = sm::Json::array();
+  sm::ReportFiles reports(arguments);
   int exitStatus = sm::AllOk;
+  IgnoreWriteSignals(arguments);
   sm::CatchInterrupt();
   for (size_t i = 0; i < arguments.Files.size() && !sm::IsInterrupted(); ++i)
   {
@@ -186,17 +167,17 @@ int Run(const sm::Arguments& arguments)
     {
       break;
     }
-    Print(file, showTable, i == 0);
-    files.push_back(std::move(file));
+    Print(reports.Add(std::move(file)), showTable, i == 0);
   }
   if (showTable && !std::cout)
   {
     exitStatus = Combine(exitStatus, sm::Complain("the table cannot be written to the standard output"));
   }
-  exitStatus = Combine(exitStatus, WriteOutputs(arguments, files));
+  exitStatus = Combine(exitStatus, reports.Finish());
   if (sm::IsInterrupted())
   {
-    sm::Complain("interrupted; " + std::to_string(files.size()) + " of " + count + " files were finished");
+    sm::Complain(
+      "interrupted; " + std::to_string(reports.GetNumberOfFiles()) + " of " + count + " files were finished");
     sm::EndByInterrupt();
   }
   return exitStatus;

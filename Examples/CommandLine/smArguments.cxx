@@ -19,6 +19,7 @@ density. The number after +/- is the bound of the numerical error; defects of th
 open edges) are reported separately. A value that does not exist is null in JSON, empty in CSV. In JSON a file
 name is UTF-8; when it has other bytes, they are U+FFFD in "file", and "file_bytes" has the name percent-encoded
 (otherwise null). Each file is read in a process of its own: when one crashes, the others are still computed.
+An output replaces the file of its name when it is whole; JSON and CSV are written anew after every file.
 
 Examples:
   solidmoments bracket.step
@@ -30,9 +31,9 @@ Exit status:
   0  all files computed with status ok
   1  wrong usage, or an output (table, JSON, CSV, PNG) could not be written
   2  some file is unreadable
-  3  some result is flagged: open, tolerance-not-met, suspect, empty
-The first of 1, 2, 3 that applies. 130 after Ctrl-C, 143 when told to end (SIGTERM): then the outputs hold
-the files finished before.)";
+  3  some result is flagged: open, tolerance-not-met, suspect, not-computed, empty
+The first of 1, 2, 3 that applies. 130 after Ctrl-C, 143 when told to end (SIGTERM), 129 when the terminal has
+gone (SIGHUP): then the outputs hold the files finished before.)";
 
 std::string CheckScheme(const std::string& name)
 {
@@ -179,8 +180,10 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     "is too few, the tolerance is loosened and the bounds say by how much")
     ->check(CheckEvaluations);
   sm::AddNumberOption(app, "--max-seconds", job.MaximumSeconds,
-    "Largest time to integrate a file (default: no limit); faces not reached\n"
-    "count as 0, and the bounds include their largest possible values")
+    "Largest time for a file, from reading to drawing (default: no limit);\n"
+    "faces not reached count as 0, and the bounds include their largest\n"
+    "possible values. What does not end by itself (a reader, a shader compiler)\n"
+    "is ended a quarter of the time later, 2 s at least")
     ->check(CheckSeconds);
   sm::AddNumberOption(app, "--gap-limit", job.GapLimit,
     "Gaps between faces above this fraction of the diagonal, or of the volume\n"

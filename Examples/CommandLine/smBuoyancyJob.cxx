@@ -53,17 +53,14 @@ void IntegrateBelowWaterlines(vtkSTEPReader* reader, const JobOptions& options,
   filter->SetRelativeTolerance(options.Tolerance);
   filter->SetNormal(scaled.data());
   filter->SetInputConnection(reader->GetOutputPort());
-  for (const double height : options.Waterlines)
+  for (std::size_t i = 0; i < options.Waterlines.size(); ++i)
   {
-    const double along = height / length;
+    const double along = options.Waterlines[i] / length;
+    SetTimeLimit(filter, options);
     filter->SetPoint(along * scaled[0], along * scaled[1], along * scaled[2]);
     update(filter);
     const auto add = [&](Json& entry, vtkFieldData* data, vtkIdType row)
-    {
-      Json waterline = { { "height", height }, { "up", up } };
-      waterline.update(Describe(data, row));
-      entry["waterlines"].push_back(waterline);
-    };
+    { entry["waterlines"][i].update(Describe(data, row)); };
     add(file, filter->GetOutput()->GetFieldData(), 0);
     vtkIdType row = 0;
     for (Json& solid : file["solids"])

@@ -38,6 +38,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <new>
+#include <system_error>
 
 namespace
 {
@@ -202,7 +204,7 @@ bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobLis
   reader->SetFileName(options.FileName.c_str());
   reader->SetOutputUnit(options.Unit);
   {
-    ProgressScope progress(reader, "read", send);
+    ProgressScope progress(reader, sm::stages::Read, send);
     reader->Update();
   }
   file["seconds"]["read"] = reader->GetReadSeconds();
@@ -278,7 +280,7 @@ void Integrate(
   vtkMassPropertiesBase* filter, const sm::JobListener& send, Json& file, sm::MessageList& messages)
 {
   {
-    ProgressScope progress(filter, "integrate", send);
+    ProgressScope progress(filter, sm::stages::Integrate, send);
     filter->Update();
   }
   vtkFieldData* fields = filter->GetOutput()->GetFieldData();
@@ -299,6 +301,24 @@ void Integrate(
   file["seconds"]["integrate"] = filter->GetIntegrateSeconds();
 }
 
+void SendResult(const sm::JobListener& send, Json& file, const sm::MessageList& messages, bool isComplete)
+{
+  file["messages"] = messages.Get();
+  send({ { "result", file }, { "complete", isComplete } });
+}
+
+std::string DescribeException(const std::exception& error)
+{
+  if (dynamic_cast<const std::bad_alloc*>(&error))
+  {
+    return "out of memory";
+  }
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  return system && system->code() == std::errc::resource_unavailable_try_again
+    ? "no thread can be started: out of memory, or of threads"
+    : std::string("stopped by an error: ") + error.what();
+}
+
 std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* stability,
   const sm::JobOptions& options, const Json& file)
 {
@@ -312,6 +332,43 @@ std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesBase* filter, vtkPolyDa
   picture.Result = &file;
   return picture.Window ? sm::WritePicture(picture, options.PictureName)
                         : "there is no OpenGL context to draw in: " + context->GetReason();
+}
+
+/// What the options ask for beside the mass properties. Sends the results after every stage. Returns the drawing of the stability.
+vtkSmartPointer<vtkPolyData> IntegrateMore(vtkSTEPReader* reader, const sm::JobOptions& options,
+  const sm::JobListener& send, Json& file, sm::MessageList& messages)
+{
+  const auto makeUpdate = [&send](const char* stage)
+  {
+    return [&send, stage](vtkAlgorithm* algorithm)
+    {
+      ProgressScope progress(algorithm, stage, send);
+      algorithm->Update();
+    };
+  };
+  sm::AddPlaceholders(options, file);
+  vtkSmartPointer<vtkPolyData> drawing;
+#ifdef SM_HAS_STABILITY
+  if (!options.Stability.empty())
+  {
+    SendResult(send, file, messages, false);
+    drawing = sm::FindStability(reader, options, makeUpdate(sm::stages::Stability), file, messages);
+  }
+#endif
+#ifdef SM_HAS_BUOYANCY
+  if (!options.Waterlines.empty())
+  {
+    SendResult(send, file, messages, false);
+    sm::IntegrateBelowWaterlines(reader, options, makeUpdate(sm::stages::Buoyancy), file, messages);
+  }
+#endif
+  // Last: an expression can crash a shader compiler.
+  if (!options.Integrals.empty() || options.MomentDegree >= 0)
+  {
+    SendResult(send, file, messages, false);
+    sm::IntegrateUsers(reader, options, makeUpdate(sm::stages::Integrals), file, messages);
+  }
+  return drawing;
 }
 
 void Run(const sm::JobOptions& options, const sm::JobListener& send, vtkSTEPReader* reader)
@@ -332,35 +389,26 @@ void Run(const sm::JobOptions& options, const sm::JobListener& send, vtkSTEPRead
 #ifdef SM_HAS_MOMENT_SCHEMES
     file["scheme_options"] = sm::GetSchemeOptions(filter);
 #endif
+    file["status"] = names::StatusNotComputed;
+    SendResult(send, file, messages, false);
     Integrate(filter, send, file, messages);
-    const auto update = [&send](vtkAlgorithm* algorithm)
-    {
-      ProgressScope progress(algorithm, "integrate", send);
-      algorithm->Update();
-    };
-    sm::IntegrateUsers(reader, options, update, file, messages);
-#ifdef SM_HAS_BUOYANCY
-    sm::IntegrateBelowWaterlines(reader, options, update, file, messages);
-#endif
-#ifdef SM_HAS_STABILITY
-    stability = sm::FindStability(reader, options, update, file, messages);
-#endif
+    stability = IntegrateMore(reader, options, send, file, messages);
   }
   for (const std::string& message : collector->GetMessages())
   {
     messages.AddEcho(message);
   }
-  file["messages"] = messages.Get();
-  send({ { "result", file } });
+  SendResult(send, file, messages, true);
 #ifdef SM_HAS_MOMENT_SCHEMES
   if (!options.TexturePrefix.empty() && isRead)
   {
+    send({ { "progress", { sm::stages::Textures, 0.0 } } });
     send({ { "textures", sm::WriteTrimPictures(filter, options.TexturePrefix) } });
   }
 #endif
   if (!options.PictureName.empty() && isRead)
   {
-    send({ { "progress", { "draw", 0.0 } } });
+    send({ { "progress", { sm::stages::Draw, 0.0 } } });
     send({ { "picture", Draw(reader, filter, stability, options, file) } });
   }
   vtkOutputWindow::SetInstance(nullptr);
@@ -411,27 +459,60 @@ bool ParseQuantityTolerance(
   return relative >= 0.0 && relative <= 1.0 && absolute >= 0.0 && std::isfinite(absolute);
 }
 
-void RunFileJob(const JobOptions& options, const JobListener& send, vtkSTEPReader* reader)
+void RunFileJob(const JobOptions& given, const JobListener& send, vtkSTEPReader* reader)
 {
-  // When the result was already sent, an error concerns the pictures only.
-  bool isSent = false;
+  JobOptions options = given;
+  if (options.MaximumSeconds > 0.0)
+  {
+    using Clock = std::chrono::steady_clock;
+    // A limit of centuries would overflow the clock.
+    options.Deadline = Clock::now() +
+      std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(std::min(options.MaximumSeconds, 1e9)));
+  }
+  Json sent; ///< results that are not complete
+  bool isComplete = false;
+  const auto listener = [&](const Json& message)
+  {
+    send(message);
+    if (message.contains("result"))
+    {
+      isComplete = message["complete"].get<bool>();
+      // An assembly of thousands of solids is large.
+      sent = isComplete ? Json() : message["result"];
+    }
+  };
   try
   {
     const auto own = reader ? vtkSmartPointer<vtkSTEPReader>(reader) : vtkSmartPointer<vtkSTEPReader>::New();
-    Run(
-      options,
-      [&](const Json& message)
-      {
-        send(message);
-        isSent = isSent || message.contains("result");
-      },
-      own);
+    Run(options, listener, own);
   }
   catch (const std::exception& error)
   {
-    const std::string reason = std::string("stopped by an error: ") + error.what();
-    send(isSent ? Json{ { options.PictureName.empty() ? "textures" : "picture", reason } }
-                : Json{ { "result", UnreadableFile(options.FileName, reason) } });
+    const std::string reason = DescribeException(error);
+    if (isComplete)
+    {
+      send({ { options.PictureName.empty() ? "textures" : "picture", reason } });
+      return;
+    }
+    if (sent.is_null())
+    {
+      sent = UnreadableFile(options.FileName, reason);
+    }
+    else
+    {
+      MarkIncomplete(sent, reason);
+    }
+    send({ { "result", sent }, { "complete", true } });
+  }
+}
+
+void MarkIncomplete(Json& file, const std::string& reason)
+{
+  file["messages"].push_back(reason);
+  if (file["status"] == names::StatusOk)
+  {
+    file["status"] = names::StatusNotComputed;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "smJson.h"
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -32,7 +33,9 @@ struct JobOptions
   std::vector<double> Waterlines;
   std::array<double, 3> Up = { 0.0, 0.0, 1.0 };
   double MaximumEvaluations = 2e9;
-  double MaximumSeconds = 0.0;
+  double MaximumSeconds = 0.0; ///< for the whole job; 0: no limit
+  /// When these are over; RunFileJob() sets it.
+  std::chrono::steady_clock::time_point Deadline = std::chrono::steady_clock::time_point::max();
   double GapLimit = 1e-3; ///< see vtkSurfaceIntegralBase::SetGapLimit
   /// "adaptive", or a scheme of the paper: "midpoint", "gauss2", "gauss3". The next four options are for these.
   std::string Scheme = "adaptive";
@@ -44,9 +47,23 @@ struct JobOptions
   double Density = 0.0;      ///< kg/m^3; 0: the density in the file
 };
 
+/// Stages of a job, in their order: reading; mass properties; then what else was asked for.
+namespace stages
+{
+constexpr const char* Start = "start";
+constexpr const char* Read = "read";
+constexpr const char* Integrate = "integrate";
+constexpr const char* Integrals = "integrals";
+constexpr const char* Buoyancy = "buoyancy";
+constexpr const char* Stability = "stability";
+constexpr const char* Textures = "textures";
+constexpr const char* Draw = "draw";
+}
+
 /// Receives the messages of a job, each one of
 ///   {"progress": [stage, fraction]}
-///   {"result": the entry of "files" in the JSON document}
+///   {"result": the entry of "files" in the JSON document, "complete": whether nothing is missing}; it comes several times, each time with
+///     more in it, so that a crash in a later stage does not cost the results of those before
 ///   {"textures": an error message when a trim texture was not written, otherwise ""}
 ///   {"picture": an error message when the picture was not written, otherwise ""}
 using JobListener = std::function<void(const Json&)>;
@@ -54,6 +71,9 @@ using JobListener = std::function<void(const Json&)>;
 /// Runs the whole job in this process, which should be a child (smIsolatedJob.h). Never throws. Jobs that are given the same
 /// `reader` one after the other read their file once.
 void RunFileJob(const JobOptions& options, const JobListener& send, vtkSTEPReader* reader = nullptr);
+
+/// Adds why results are missing that were asked for: a status that was ok is not-computed.
+void MarkIncomplete(Json& file, const std::string& reason);
 
 /// Exit status of the program for one file, from its entry in the JSON document: see ExitStatus in smOptions.h.
 int GetExitStatus(const Json& file);

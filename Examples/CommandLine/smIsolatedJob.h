@@ -3,7 +3,7 @@
  * @brief Runs the job of one file in a child process, so that a crash of the CAD kernel ends that file's job only
  *
  * The child is forked while this process has neither threads nor an OpenGL context; results come back as lines of
- * JSON through a pipe. No signal handler is installed in the child.
+ * JSON through a pipe. Signal handlers are installed in the child only where its memory is limited (ulimit -v), to say that it ran out.
  */
 #ifndef smIsolatedJob_h
 #define smIsolatedJob_h
@@ -21,10 +21,11 @@ struct JobOutcome
 
 using ProgressListener = std::function<void(const std::string& stage, double fraction)>;
 
-/// Runs the job in a child and waits for it. Call from a process with one thread.
+/// Runs the job in a child and waits for it; a child that takes longer than MaximumSeconds and a quarter, at least 2 seconds, more is
+/// killed. Call from a process with one thread.
 JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& progress);
 
-/// Makes Ctrl-C and SIGTERM end the running job and set IsInterrupted(), instead of ending this process at once.
+/// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set IsInterrupted(), instead of ending this process at once.
 void CatchInterrupt();
 bool IsInterrupted();
 /// Ends this process by the signal that was caught, so that the shell sees that signal.

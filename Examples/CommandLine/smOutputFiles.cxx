@@ -1,5 +1,7 @@
 #include "smOutputFiles.h"
 
+#include "smSafeFile.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -52,16 +54,6 @@ std::vector<std::string> MakeDistinct(std::vector<std::string> names)
     } while (!taken.insert(name).second);
   }
   return names;
-}
-
-bool IsWritable(const std::string& name)
-{
-  const size_t slash = name.find_last_of('/');
-  const std::string folder = slash == std::string::npos ? "." : name.substr(0, slash + 1);
-  struct stat info = {};
-  return stat(name.c_str(), &info) == 0
-    ? !S_ISDIR(info.st_mode) && access(name.c_str(), W_OK) == 0
-    : stat(folder.c_str(), &info) == 0 && access(folder.c_str(), W_OK) == 0;
 }
 }
 
@@ -168,9 +160,10 @@ std::string CheckOutputs(const Arguments& arguments)
     {
       return option + " would overwrite " + name + ", which is a STEP file; name another file";
     }
-    if (!IsWritable(name))
+    const std::string problem = FindSaveProblem(name);
+    if (!problem.empty())
     {
-      return name + " cannot be written";
+      return name + " cannot be written: " + problem;
     }
     for (const std::string& identity : identities)
     {

@@ -24,23 +24,23 @@ std::string Caption(const sm::Json& file)
   const sm::Json& total = file["total"];
   const sm::Json& bounds = total["bounds"];
   std::string text;
-  const auto add = [&](const std::string& label, const std::string& value, int power)
+  const auto add = [&](const std::string& label, const sm::Json& value, const sm::Json& bound, int power)
   {
-    if (value != "-")
+    if (!value.is_null())
     {
-      text += (text.empty() ? "" : "\n") + label + "  " + value + " " + sm::FormatUnit(file, power);
+      text += (text.empty() ? "" : "\n") + label + "  " +
+        (value.is_array() ? sm::FormatVector(value, bound) : sm::FormatValue(value, bound)) + " " +
+        sm::FormatUnit(file, power) + (bound.is_null() ? " (no bound)" : "");
     }
   };
-  add("volume", sm::FormatValue(total["volume"], bounds["volume"]), 3);
-  add("area", sm::FormatValue(total["area"], bounds["area"]), 2);
-  add("centre of mass", sm::FormatVector(total["center_of_mass"], bounds["center_of_mass"]), 1);
+  add("volume", total["volume"], bounds["volume"], 3);
+  add("area", total["area"], bounds["area"], 2);
+  add("centre of mass", total["center_of_mass"], bounds["center_of_mass"], 1);
   if (!total["stability"].is_null())
   {
     text += "\nstability  " + total["stability"]["verdict"].get<std::string>();
-    add("stability margin",
-      sm::FormatValue(
-        total["stability"]["stability_margin"], total["stability"]["bounds"]["stability_margin"]),
-      1);
+    add("stability margin", total["stability"]["stability_margin"],
+      total["stability"]["bounds"]["stability_margin"], 1);
   }
   if (file["status"] != "ok")
   {

@@ -92,9 +92,17 @@ std::string Row(
   return line + "\n";
 }
 
-/// Three rows for a matrix whose entries are known to within `limit`; a null bound is not shown.
+/// A row of a value that has a bound, or says that it has none.
+std::string BoundedRow(
+  const std::string& label, const std::string& value, const std::string& unit, const Json& bound)
+{
+  const std::string row = Row(label, value, unit, bound);
+  return value == "-" || bound.is_number() ? row : Pad(row.substr(0, row.size() - 1), 80) + "  no bound\n";
+}
+
+/// Three rows for a matrix whose entries are known to within `limit`, with the bound in the first; `hasBound` says that there should be one.
 std::string Rows(
-  const std::string& label, const Json& matrix, const Json& limit, const std::string& unit, const Json& bound)
+  const std::string& label, const Json& matrix, const Json& limit, const std::string& unit, bool hasBound)
 {
   if (matrix.is_null())
   {
@@ -115,7 +123,8 @@ std::string Rows(
   {
     const std::string line = Pad(cells[i][0], width, true) + "  " + Pad(cells[i][1], width, true) + "  " +
       Pad(cells[i][2], width, true);
-    text += Row(i == 0 ? label : "", line, i == 0 ? unit : "", i == 0 ? bound : Json());
+    text += i == 0 ? (hasBound ? BoundedRow(label, line, unit, limit) : Row(label, line, unit, nullptr))
+                   : Row("", line, "", nullptr);
   }
   return text;
 }
@@ -151,7 +160,7 @@ std::string IntegralRows(const Json& file)
   for (auto item = integrals.begin(); item != integrals.end() && count < most; ++item, ++count)
   {
     const Json& bound = (*item)["bound"];
-    text += Row(item.key(), sm::FormatValue((*item)["value"], bound), "", bound);
+    text += BoundedRow(item.key(), sm::FormatValue((*item)["value"], bound), "", bound);
   }
   return integrals.size() > most
     ? text + "  ... and " + std::to_string(integrals.size() - most) + " more integrals, see --json\n"
@@ -176,19 +185,20 @@ std::string StabilityRows(const Json& total, const Json& file)
                          : ", rests on " + std::string(support == "area" ? "an area" : "a " + support)) +
       (rolls ? ", decided by its curvature" : ""),
     "", nullptr);
-  text += Row("stability margin", sm::FormatValue(found["stability_margin"], bounds["stability_margin"]),
-    length, bounds["stability_margin"]);
+  text +=
+    BoundedRow("stability margin", sm::FormatValue(found["stability_margin"], bounds["stability_margin"]),
+      length, bounds["stability_margin"]);
   if (rolls)
   {
     return text +
-      Row("rolling margin", sm::FormatValue(found["rolling_margin"], bounds["rolling_margin"]), length,
+      BoundedRow("rolling margin", sm::FormatValue(found["rolling_margin"], bounds["rolling_margin"]), length,
         bounds["rolling_margin"]);
   }
-  text += Row("smallest tip angle", sm::FormatValue(found["tip_angle"], bounds["tip_angle"]), "degrees",
-    bounds["tip_angle"]);
-  text +=
-    Row("rise before tipping", sm::FormatValue(found["center_of_mass_rise"], bounds["center_of_mass_rise"]),
-      length, bounds["center_of_mass_rise"]);
+  text += BoundedRow("smallest tip angle", sm::FormatValue(found["tip_angle"], bounds["tip_angle"]),
+    "degrees", bounds["tip_angle"]);
+  text += BoundedRow("rise before tipping",
+    sm::FormatValue(found["center_of_mass_rise"], bounds["center_of_mass_rise"]), length,
+    bounds["center_of_mass_rise"]);
   return found["tip_energy"].is_null()
     ? text
     : text + Row("energy to tip", sm::FormatValue(found["tip_energy"], nullptr, 9), "J", nullptr);
@@ -201,9 +211,9 @@ std::string WaterlineRows(const Json& file)
   for (const Json& waterline : file["waterlines"])
   {
     const Json& bounds = waterline["bounds"];
-    text += Row("below " + Short(waterline["height"]), sm::FormatValue(waterline["volume"], bounds["volume"]),
-      sm::FormatUnit(file, 3), bounds["volume"]);
-    text += Row("  its centre", sm::FormatVector(waterline["center"], bounds["center"]),
+    text += BoundedRow("below " + Short(waterline["height"]),
+      sm::FormatValue(waterline["volume"], bounds["volume"]), sm::FormatUnit(file, 3), bounds["volume"]);
+    text += BoundedRow("  its centre", sm::FormatVector(waterline["center"], bounds["center"]),
       sm::FormatUnit(file, 1), bounds["center"]);
   }
   return text;
@@ -241,22 +251,22 @@ std::string Results(const Json& file)
   std::string text = "  " + std::to_string(solids) + (solids == 1 ? " body, " : " bodies, ") +
     Plain(file["faces"]) + " faces, unit " + length + ", backend " + Plain(file["backend"]) +
     (renderer.empty() ? "" : " on " + renderer) + "\n";
-  text += Row(
+  text += BoundedRow(
     "volume", sm::FormatValue(total["volume"], bounds["volume"]), sm::FormatUnit(file, 3), bounds["volume"]);
-  text += Row(
+  text += BoundedRow(
     "surface area", sm::FormatValue(total["area"], bounds["area"]), sm::FormatUnit(file, 2), bounds["area"]);
-  text += Row("centre of mass", sm::FormatVector(total["center_of_mass"], bounds["center_of_mass"]), length,
-    bounds["center_of_mass"]);
+  text += BoundedRow("centre of mass", sm::FormatVector(total["center_of_mass"], bounds["center_of_mass"]),
+    length, bounds["center_of_mass"]);
   if (!total["mass"].is_null())
   {
-    text += Row("mass", sm::FormatValue(total["mass"], bounds["mass"]), "kg", bounds["mass"]);
+    text += BoundedRow("mass", sm::FormatValue(total["mass"], bounds["mass"]), "kg", bounds["mass"]);
   }
-  text += Rows("inertia about centre", total["inertia"], bounds["inertia"], inertiaUnit, bounds["inertia"]);
-  text += Row("principal moments", sm::FormatVector(total["principal_moments"], bounds["inertia"]),
+  text += Rows("inertia about centre", total["inertia"], bounds["inertia"], inertiaUnit, true);
+  text += BoundedRow("principal moments", sm::FormatVector(total["principal_moments"], bounds["inertia"]),
     inertiaUnit, bounds["inertia"]);
   text += total["principal_axes_degenerate"] == true
     ? Row("principal axes", "not unique, moments coincide", "", nullptr)
-    : Rows("principal axes", total["principal_axes"], 1e-9, "", nullptr);
+    : Rows("principal axes", total["principal_axes"], 1e-9, "", false);
   text += StabilityRows(total, file);
   text += IntegralRows(file);
   text += WaterlineRows(file);
@@ -267,7 +277,7 @@ std::string Results(const Json& file)
       nullptr);
 }
 
-/// At most 9 digits of a number, or of the largest of three numbers.
+/// At most 9 digits of a number, or of the largest of three numbers; with a ~ when they have no bound.
 std::string Brief(const Json& value, const Json& bound)
 {
   if (value.is_null())
@@ -279,7 +289,8 @@ std::string Brief(const Json& value, const Json& bound)
   {
     limit = std::max(limit, 1e-9 * std::abs(number.get<double>()));
   }
-  return value.is_array() ? sm::FormatVector(value, limit) : sm::FormatValue(value, limit);
+  return (bound.is_number() ? "" : "~") +
+    (value.is_array() ? sm::FormatVector(value, limit) : sm::FormatValue(value, limit));
 }
 
 std::string SolidRows(const Json& file)

@@ -106,6 +106,7 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptio
     return drawing;
   }
   filter->SetBodies(vtkSolidStability::EACH);
+  SetTimeLimit(filter->GetMassProperties(), options);
   update(filter);
   vtkIdType row = 0;
   for (Json& solid : file["solids"])

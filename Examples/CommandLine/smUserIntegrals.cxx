@@ -147,7 +147,7 @@ std::string FindClash(const JobOptions& options)
 void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
 {
   filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));
-  filter->SetMaximumSeconds(options.MaximumSeconds);
+  SetTimeLimit(filter, options);
   filter->SetGapLimit(options.GapLimit);
   filter->SetBackend(options.Backend == "auto" ? vtkSurfaceIntegralBase::AUTOMATIC
       : options.Backend == "cpu"               ? vtkSurfaceIntegralBase::CPU
@@ -155,6 +155,49 @@ void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
   filter->GetComputeContext()->SetSource(options.Backend == "egl" ? vtkComputeContext::EGL
       : options.Backend == "x"                                    ? vtkComputeContext::X
                                                                   : vtkComputeContext::AUTOMATIC);
+}
+
+void SetTimeLimit(vtkSurfaceIntegralBase* filter, const JobOptions& options)
+{
+  if (options.MaximumSeconds > 0.0)
+  {
+    const std::chrono::duration<double> left = options.Deadline - std::chrono::steady_clock::now();
+    filter->SetMaximumSeconds(std::max(left.count(), 1e-9));
+  }
+}
+
+void AddPlaceholders(const JobOptions& options, Json& file)
+{
+  Json integrals = Json::object();
+  for (vtkSurfaceIntegralGPU* filter : MakeFilters(options))
+  {
+    for (int i = 0; i < filter->GetNumberOfIntegrands(); ++i)
+    {
+      integrals[filter->GetIntegrandName(i)] = ValueAndBound(std::nan(""), std::nan(""));
+    }
+  }
+  Json waterlines = Json::array();
+  for (const double height : options.Waterlines)
+  {
+    waterlines.push_back({ { "height", height }, { "up", options.Up }, { "volume", nullptr },
+      { "center", nullptr }, { "bounds", { { "volume", nullptr }, { "center", nullptr } } } });
+  }
+  const auto add = [&](Json& entry)
+  {
+    if (!integrals.empty())
+    {
+      entry["integrals"] = integrals;
+    }
+    if (!waterlines.empty())
+    {
+      entry["waterlines"] = waterlines;
+    }
+  };
+  add(file);
+  for (Json& solid : file["solids"])
+  {
+    add(solid);
+  }
 }
 
 void AddEffort(vtkSurfaceIntegralBase* filter, Json& file, MessageList& messages)
@@ -171,18 +214,10 @@ void AddEffort(vtkSurfaceIntegralBase* filter, Json& file, MessageList& messages
 void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
 {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
   const auto run = [&](vtkSurfaceIntegralGPU* filter)
   {
     SetUpFilter(filter, options);
     filter->SetRelativeTolerance(options.Tolerance);
-    if (options.MaximumSeconds > 0.0)
-    {
-      // The limit holds for all filters together.
-      const std::chrono::duration<double> passed = Clock::now() - start;
-      filter->SetMaximumSeconds(std::max(options.MaximumSeconds - passed.count(), 1e-3));
-    }
     filter->SetInputConnection(reader->GetOutputPort());
     update(filter);
   };

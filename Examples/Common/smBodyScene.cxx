@@ -1,5 +1,6 @@
 #include "smBodyScene.h"
 
+#include "smSafeFile.h"
 #include "smText.h"
 
 #include "vtkActor.h"
@@ -241,10 +242,13 @@ std::string WriteImage(vtkImageData* image, const std::string& fileName)
 {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
-  writer->SetFileName(fileName.c_str());
+  writer->WriteToMemoryOn();
   writer->Write();
-  return writer->GetErrorCode() == vtkErrorCode::NoError
-    ? std::string()
-    : fileName + " cannot be written: " + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  const std::string problem = writer->GetErrorCode() != vtkErrorCode::NoError || !bytes
+    ? std::string("the picture cannot be encoded")
+    : SaveFile(fileName,
+        std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues()));
+  return problem.empty() ? problem : fileName + " cannot be written: " + problem;
 }
 }

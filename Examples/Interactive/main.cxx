@@ -8,6 +8,7 @@
 #include "smText.h"
 
 #include <smMassPropertyNames.h>
+#include <smSafeFile.h>
 #include <vtkComputeContext.h>
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkImageAppend.h>
@@ -160,8 +161,8 @@ int WriteJson(const std::string& fileName, const Json& result)
   {
     return std::cout << text << std::flush ? sm::AllOk : Complain("the standard output cannot be written");
   }
-  std::ofstream file(fileName);
-  return file << text << std::flush ? sm::AllOk : Complain(fileName + " cannot be written");
+  const std::string problem = sm::SaveFile(fileName, text);
+  return problem.empty() ? sm::AllOk : Complain(fileName + " cannot be written: " + problem);
 }
 
 int WriteImage(vtkImageData* image, const std::string& fileName)

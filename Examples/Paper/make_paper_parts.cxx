@@ -3,12 +3,12 @@
 #include "smOptions.h"
 #include "smPaperParts.h"
 #include "smPartFile.h"
+#include "smSafeFile.h"
 
 #include <Standard_Failure.hxx>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace
@@ -100,11 +100,11 @@ int MakeParts(const std::filesystem::path& folder, const std::vector<std::string
     Complain("some name is no part's");
     allMade = false;
   }
-  std::ofstream file(folder / "parts.json");
-  file << Json{ { "parts", parts } }.dump(1) << "\n";
-  if (!file.flush())
+  const std::string list = (folder / "parts.json").string();
+  const std::string problem = sm::SaveFile(list, Json{ { "parts", parts } }.dump(1) + "\n");
+  if (!problem.empty())
   {
-    Complain((folder / "parts.json").string() + " cannot be written");
+    Complain(list + " cannot be written: " + problem);
     return 1;
   }
   return allMade ? 0 : 1;

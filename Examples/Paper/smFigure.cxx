@@ -4,6 +4,7 @@
 #include "smFigureText.h"
 
 #include <smFormat.h>
+#include <smSafeFile.h>
 #include <vtkAxis.h>
 #include <vtkChartXY.h>
 #include <vtkContextScene.h>
@@ -23,7 +24,9 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <cmath>
+#include <cstdio>
 #include <fstream>
+#include <sstream>
 
 namespace smfigure
 {
@@ -227,10 +230,15 @@ std::string WriteSvg(const Figure& figure, const std::string& path, vtkRenderWin
   vtkNew<vtkSVGExporter> svg;
   svg->SetTitle(figure.Name.c_str());
   svg->SetRenderWindow(window);
-  svg->SetFileName(path.c_str());
+  // The exporter reports no error and writes to files only.
+  const std::string own = path + ".exported";
+  svg->SetFileName(own.c_str());
   svg->Write();
-  std::ifstream written(path, std::ios::ate);
-  return written && written.tellg() > 0 ? "" : path + " could not be written";
+  std::ostringstream text;
+  text << std::ifstream(own, std::ios::binary).rdbuf();
+  std::remove(own.c_str());
+  const std::string problem = text.str().empty() ? "nothing was exported" : sm::SaveFile(path, text.str());
+  return problem.empty() ? "" : path + " could not be written: " + problem;
 }
 }
 
@@ -251,7 +259,7 @@ std::vector<std::pair<double, std::string>> MakeDecadeTicks(int low, int high, i
 
 std::string WriteTable(const FigureTable& table, const std::string& path)
 {
-  std::ofstream file(path);
+  std::ostringstream file;
   const auto writeRow = [&file](const std::vector<std::string>& row)
   {
     for (std::size_t i = 0; i < row.size(); ++i)
@@ -265,8 +273,8 @@ std::string WriteTable(const FigureTable& table, const std::string& path)
   {
     writeRow(row);
   }
-  file.close();
-  return file ? "" : path + " could not be written";
+  const std::string problem = sm::SaveFile(path, file.str());
+  return problem.empty() ? "" : path + " could not be written: " + problem;
 }
 
 std::string WriteFigure(const Figure& figure, const std::string& folder, vtkRenderWindow* window)

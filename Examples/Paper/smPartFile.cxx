@@ -1,5 +1,7 @@
 #include "smPartFile.h"
 
+#include "smSafeFile.h"
+
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -31,7 +33,7 @@
 #include <gp_Vec2d.hxx>
 
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace smpaper
@@ -192,10 +194,12 @@ void WriteStep(const PaperPart& part, const std::string& path)
   StepData_StepWriter text(model);
   text.FloatWriter().SetFormat("%.16E");
   text.SendModel(Handle(StepData_Protocol)::DownCast(writer.ChangeWriter().WS()->Protocol()));
-  std::ofstream file(path);
-  if (!text.Print(file) || !file.flush())
+  std::ostringstream bytes;
+  const std::string problem =
+    text.Print(bytes) ? sm::SaveFile(path, bytes.str()) : "OpenCASCADE cannot print it";
+  if (!problem.empty())
   {
-    throw std::runtime_error(path + " cannot be written");
+    throw std::runtime_error(path + " cannot be written: " + problem);
   }
   XCAFApp_Application::GetApplication()->Close(document);
 }

@@ -106,10 +106,14 @@ def draw(mass, path):
     grab.ReadFrontBufferOff()
     writer = vtkPNGWriter()
     writer.SetInputConnection(grab.GetOutputPort())
-    writer.SetFileName(path)
+    writer.WriteToMemoryOn()
     writer.Write()
     window.RemoveRenderer(renderer)
-    return "the file cannot be written" if writer.GetErrorCode() else ""
+    try:
+        mass_table.save_file(path, memoryview(writer.GetResult()))
+    except OSError as error:
+        return error.strerror
+    return ""
 
 
 def compute(file, picture, arguments, rows):

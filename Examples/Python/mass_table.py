@@ -2,8 +2,10 @@
 import argparse
 import csv
 import decimal
+import io
 import math
 import os
+import shutil
 import sys
 
 # Exit statuses, as those of `solidmoments`; when several apply, the first of 1, 2, 3.
@@ -152,6 +154,26 @@ def add_picture(status, path, draw):
     return complain(f"no picture {path}: {problem}") if problem else status
 
 
+def save_file(path, data):
+    """Replaces a regular file by one of these bytes, so that it is there whole or as it was. Raises OSError."""
+    target = os.path.realpath(path)
+    if os.path.exists(target) and not os.path.isfile(target):
+        with open(target, "wb") as file:  # a device or a pipe
+            file.write(data)
+        return
+    temporary = f"{target}.saving{os.getpid()}"
+    try:
+        with open(temporary, "xb") as file:
+            file.write(data)
+        if os.path.exists(target):
+            shutil.copymode(target, temporary)
+        os.replace(temporary, target)
+    except OSError:
+        if os.path.exists(temporary):
+            os.remove(temporary)
+        raise
+
+
 def write_csv(path, rows, head=None):
     """Writes the columns HEAD, or those of `head`. Numbers have all digits and read back to the same bits. Raises OSError."""
 
@@ -164,8 +186,9 @@ def write_csv(path, rows, head=None):
         write(sys.stdout)
         sys.stdout.flush()
         return
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        write(file)
+    text = io.StringIO(newline="")
+    write(text)
+    save_file(path, text.getvalue().encode())
 
 
 def run(arguments, compute):
@@ -174,9 +197,14 @@ def run(arguments, compute):
     status = ALL_OK
     for file, picture in zip(arguments.files, arguments.pictures):
         status = worse(status, compute(file, picture, arguments, rows))
-    if arguments.csv:
+        if arguments.csv and arguments.csv != "-":
+            try:
+                write_csv(arguments.csv, rows)  # now: a crash in the next file does not cost these rows
+            except OSError as error:
+                return complain(f"{arguments.csv} cannot be written: {error.strerror}")
+    if arguments.csv == "-":
         try:
-            write_csv(arguments.csv, rows)
+            write_csv("-", rows)
         except OSError as error:
-            status = complain(f"{arguments.csv} cannot be written: {error.strerror}")
+            status = complain(f"the standard output cannot be written: {error.strerror}")
     return status

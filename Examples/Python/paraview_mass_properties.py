@@ -38,8 +38,9 @@ def draw(mass, path):
     """Writes a PNG file. Returns an error message, or an empty string."""
     if not can_draw():
         return "there is no display, or it does not answer"
+    own = path + ".saving.png"
     try:
-        open(path, "wb").close()  # SaveScreenshot() reports no error
+        open(own, "wb").close()  # SaveScreenshot() reports no error
     except OSError as error:
         return error.strerror
     view = simple.CreateRenderView(ViewSize=[900, 700], OrientationAxesVisibility=0)
@@ -52,8 +53,15 @@ def draw(mass, path):
     simple.ResetCamera(view)
     view.GetActiveCamera().Zoom(1.3)
     simple.Render(view)
-    simple.SaveScreenshot(path, view)
+    simple.SaveScreenshot(own, view)
     simple.Delete(view)  # with one open, sys.exit() crashes ParaView 5.11
+    try:
+        if not os.path.getsize(own):
+            os.remove(own)
+            return "the file cannot be written"
+        os.replace(own, path)
+    except OSError as error:
+        return error.strerror
     return ""
 
 

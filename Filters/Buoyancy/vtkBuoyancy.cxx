@@ -14,6 +14,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+#include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <array>
@@ -221,8 +222,18 @@ bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vecto
   const sm::Waterline waterline{ { this->Point[0], this->Point[1], this->Point[2] },
     { this->Normal[0], this->Normal[1], this->Normal[2] } };
   const vtkTypeUInt64 dispatches = engine.GetContext()->GetNumberOfDispatches();
-  const bool done = self.Integrator.Integrate(
-    integrator, bodies, waterline, this->RelativeTolerance, limits.Progress, self.Results);
+  // The limit counts from here: the integrator's own starts when the faces are cut.
+  const double start = vtkTimerLog::GetUniversalTime();
+  bool isTimeOver = false;
+  const auto progress = [&limits, &isTimeOver, start](double fraction)
+  {
+    isTimeOver = isTimeOver ||
+      (limits.MaximumSeconds > 0.0 && vtkTimerLog::GetUniversalTime() - start > limits.MaximumSeconds);
+    return !isTimeOver && (!limits.Progress || limits.Progress(fraction));
+  };
+  const bool done =
+    self.Integrator.Integrate(integrator, bodies, waterline, this->RelativeTolerance, progress, self.Results);
+  isTimeOver = isTimeOver || integrator.WasTimedOut();
   const std::string& cutError = self.Integrator.GetCutError();
   const bool isCut = cutError.empty() && !self.Integrator.WasAbortedInCut();
   if (isCut)
@@ -234,6 +245,7 @@ bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vecto
   {
     self.Results.clear();
     report.SetReason(!cutError.empty()      ? "nothing was computed: " + cutError
+        : isTimeOver                        ? "nothing was computed: MaximumSeconds were over"
         : self.Integrator.WasAbortedInCut() ? "the run was aborted while faces were cut at the waterline"
         : integrator.WasAborted()           ? "the run was aborted"
                                             : "nothing was computed: " + integrator.GetError());
@@ -241,7 +253,9 @@ bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vecto
   }
   if (integrator.WasAborted())
   {
-    report.SetReason("the run was stopped before all faces were integrated below the waterline");
+    report.SetReason(isTimeOver
+        ? "MaximumSeconds were over before all faces were integrated below the waterline"
+        : "the run was stopped before all faces were integrated below the waterline");
   }
   if (integrator.WasLoosened())
   {

@@ -18,6 +18,7 @@ STEPCensus STEPCensusTaker::Take()
   this->FindSolidsBelow();
   this->SetInstances();
   this->WalkBodies();
+  this->FindCycles();
   this->MarkStructure();
   this->CheckBounds();
   this->FindUnused();
@@ -32,6 +33,13 @@ void STEPCensusTaker::Add(CensusDefect defect, Index entity, std::uint64_t other
   {
     this->Census.Problems.push_back({ defect, this->File.GetId(entity), other, place });
   }
+}
+
+void STEPCensusTaker::AddPeril(CensusDefect defect, Index entity, std::uint64_t other, const char* place)
+{
+  this->GeometricDamage[entity] = true;
+  this->Add(defect, entity, other, place);
+  this->Census.Perils.push_back({ defect, this->File.GetId(entity), other, place });
 }
 
 STEPCensusTaker::Index STEPCensusTaker::Follow(

@@ -21,9 +21,9 @@ enum class CensusDefect : unsigned char
   UndefinedReference, ///< a reference to nothing
   WrongType,          ///< a reference to an entity of another type than stands there
   WrongParameter,     ///< too few or too many parameters, or one of the wrong kind
-  ValueOutOfRange, ///< a radius or weight that is not positive, a direction without length, a number that no double holds
+  ValueOutOfRange, ///< a radius or weight that is not positive, a direction without length, a number above 1e100
   InconsistentSpline, ///< multiplicities, knots, poles and degree do not fit together
-  CyclicReference,    ///< an oriented shell or face, a boundary or a curve that is part of itself
+  CyclicReference,    ///< an oriented shell, face or edge, a boundary or a curve that is part of itself
   SharedBound,        ///< a bound of two faces, or twice of one
   RepeatedFace,       ///< a face twice in one shell
   RepeatedItem,       ///< a solid twice in one representation; it is counted once
@@ -247,6 +247,9 @@ struct SMREADERSPART21_EXPORT STEPCensus
   /// At most one for each product, by the product's number.
   std::vector<STEPDensity> Densities;
   std::vector<CensusProblem> Problems;
+  /// Those problems of geometry on which a reader ends that trusts the schema, without limit: an entity that is part of itself, a curve in
+  /// a surface's parameters that is none, a placement with too few parameters, a number above 1e100.
+  std::vector<CensusProblem> Perils;
   std::array<std::size_t, static_cast<std::size_t>(CensusDefect::Count)> Counts{};
   /// Bits of CensusUse for every instance of the file.
   std::vector<unsigned char> Uses;

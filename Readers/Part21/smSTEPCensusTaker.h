@@ -91,6 +91,9 @@ private:
   // smSTEPDependence.cxx: what bodies depend on, and its damage
   void WalkBodies();
   void Walk(std::vector<Step>& open, unsigned char use);
+  void FindCycles();
+  /// Adds a problem of geometry that is one of Perils, too.
+  void AddPeril(CensusDefect defect, Index entity, std::uint64_t other, const char* place);
   void Visit(Index i, bool flat);
   void CheckRecord(Index i, std::string_view parameters, const char* signature, bool flat);
   const char* CheckList(Index i, std::string_view text, const char* signature, bool flat);

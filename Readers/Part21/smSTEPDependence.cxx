@@ -2,6 +2,7 @@
 #include "smSTEPCensusTaker.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sm
 {
@@ -19,6 +20,11 @@ constexpr STEPAttribute SurfaceMultiplicities[] = { { "B_SPLINE_SURFACE_WITH_KNO
   { "B_SPLINE_SURFACE_WITH_KNOTS", 1, 9, "multiplicities in v" } };
 constexpr STEPAttribute SurfaceKnots[] = { { "B_SPLINE_SURFACE_WITH_KNOTS", 2, 10, "knots in u" },
   { "B_SPLINE_SURFACE_WITH_KNOTS", 3, 11, "knots in v" } };
+
+constexpr const char* TooFew = "too few parameters";
+
+/// OpenCASCADE's steps along a curve of this size never end.
+constexpr double LargestNumber = 1e100;
 
 /// Bits of Visited.
 constexpr unsigned char InSpace = 1;
@@ -152,6 +158,53 @@ void STEPCensusTaker::Walk(std::vector<Step>& open, unsigned char use)
   }
 }
 
+/// Entities that lead back to themselves, depth first over what bodies depend on; the stack is that of the walk, not of this process.
+void STEPCensusTaker::FindCycles()
+{
+  enum State : unsigned char
+  {
+    New,
+    Open,
+    Done
+  };
+  std::vector<unsigned char> states(this->File.GetNumberOfInstances(), New);
+  std::vector<std::pair<Index, std::size_t>> path;
+  for (Index start = 0; start < this->File.GetNumberOfInstances(); ++start)
+  {
+    if (this->Visited[start] != 0 && states[start] == New)
+    {
+      states[start] = Open;
+      path.emplace_back(start, 0);
+    }
+    while (!path.empty())
+    {
+      const Index from = path.back().first;
+      const Part21Range<Index> references = this->File.GetReferences(from);
+      if (path.back().second == references.size())
+      {
+        states[from] = Done;
+        path.pop_back();
+        continue;
+      }
+      const Index to = references[path.back().second++];
+      if (to == None || this->Visited[to] == 0)
+      {
+        continue;
+      }
+      if (states[to] == New)
+      {
+        states[to] = Open;
+        path.emplace_back(to, 0);
+      }
+      else if (states[to] == Open && !this->Entities.Has(from, STEPRole::Shell | STEPRole::Face))
+      {
+        // Oriented shells and faces were unwrapped when bodies were counted.
+        this->AddPeril(CensusDefect::CyclicReference, from, this->File.GetId(to), "");
+      }
+    }
+  }
+}
+
 void STEPCensusTaker::Visit(Index i, bool flat)
 {
   if (this->File.IsDamaged(i))
@@ -184,7 +237,11 @@ void STEPCensusTaker::Visit(Index i, bool flat)
 void STEPCensusTaker::CheckRecord(Index i, std::string_view parameters, const char* signature, bool flat)
 {
   const char* rest = this->CheckList(i, parameters, signature, flat);
-  if (rest)
+  if (rest && rest == TooFew && this->Entities.Has(i, STEPRole::Placement))
+  {
+    this->AddPeril(CensusDefect::WrongParameter, i, 0, rest);
+  }
+  else if (rest)
   {
     this->GeometricDamage[i] = true;
     this->Add(CensusDefect::WrongParameter, i, 0, rest);
@@ -202,7 +259,7 @@ const char* STEPCensusTaker::CheckList(Index i, std::string_view text, const cha
     at += optional ? 1 : 0;
     if (!values.Next(value))
     {
-      return "too few parameters";
+      return TooFew;
     }
     if (*at == '(')
     {
@@ -251,6 +308,7 @@ bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
   CensusDefect defect = CensusDefect::WrongParameter;
   const char* place = "a number is expected";
   bool valid = true;
+  bool huge = false;
   double number = 0.0;
   std::int64_t integer = 0;
   switch (kind)
@@ -268,11 +326,13 @@ bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
     case 'p':
     case 'z':
       valid = value.GetNumber(number);
+      huge = value.IsNumber() && (!valid || std::abs(number) > LargestNumber);
+      valid = valid && !huge;
       if (value.IsNumber() && (!valid || number < 0.0 || number == 0.0))
       {
         valid = valid && (kind == 'n' || (kind == 'z' && number == 0.0));
         defect = CensusDefect::ValueOutOfRange;
-        place = kind == 'n' ? "too large a number" : kind == 'p' ? "not above 0" : "below 0";
+        place = huge ? "too large a number" : kind == 'p' ? "not above 0" : "below 0";
       }
       break;
     default:
@@ -288,7 +348,12 @@ bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
       place = value.IsReference() ? "" : "a reference is expected";
     }
   }
-  if (!valid)
+  const bool isCurveInPlane = this->Entities.Has(i, STEPRole::DefinitionalRepresentation);
+  if (!valid && (huge || (defect == CensusDefect::WrongType && isCurveInPlane)))
+  {
+    this->AddPeril(defect, i, value.Id, place);
+  }
+  else if (!valid)
   {
     this->GeometricDamage[i] = true;
     this->Add(defect, i, value.Id, place);

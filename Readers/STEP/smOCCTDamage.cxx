@@ -165,8 +165,8 @@ std::string Number(const Handle(StepData_StepModel) & model, const Handle(Standa
 }
 
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
-  const Handle(StepData_StepModel) & model, const EntityFilter& matters, std::vector<std::string>& messages,
-  LostFaces& lost)
+  const Handle(StepData_StepModel) & model, const EntityFilter& matters, const EntityPeril& peril,
+  std::vector<std::string>& messages, LostFaces& lost)
 {
   std::vector<Handle(Standard_Transient)> damaged;
   std::string first;
@@ -176,7 +176,8 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
     const bool isAnnotation = std::strncmp(model->Value(i)->DynamicType()->Name(), "StepVisual_", 11) == 0;
     const bool isFollowed =
       IsShapeEntity(model->Value(i)) && !(isAnnotation && !matters(model->IdentLabel(model->Value(i))));
-    const std::string failure = isFollowed ? FindFailure(model, i) : std::string();
+    std::string failure = isFollowed ? FindFailure(model, i) : std::string();
+    failure = isFollowed && failure.empty() ? peril(model->IdentLabel(model->Value(i))) : failure;
     if (!failure.empty())
     {
       damaged.push_back(model->Value(i));

@@ -21,14 +21,17 @@ using LostFaces = std::unordered_map<const Standard_Transient*, int>;
 /// True if geometry or structure of a body depends on the entity with this number in the file.
 using EntityFilter = std::function<bool(int)>;
 
+/// Why OpenCASCADE cannot follow the entity with this number, though its parser has read it; empty when it can.
+using EntityPeril = std::function<std::string(int)>;
+
 /**
- * OpenCASCADE 7.6 follows references that its own parser reported as unresolved, and crashes. This takes every
+ * OpenCASCADE 7.6 follows references that its own parser reported as unresolved, and crashes; so it does at a `peril`. This takes every
  * face that leads to such an entity out of its shell, says which and counts them in `lost`. Annotations that do not `matter` are
  * passed over. Returns an empty string, or why the file cannot be transferred at all. Call between parsing and transfer.
  */
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
-  const Handle(StepData_StepModel) & model, const EntityFilter& matters, std::vector<std::string>& messages,
-  LostFaces& lost);
+  const Handle(StepData_StepModel) & model, const EntityFilter& matters, const EntityPeril& peril,
+  std::vector<std::string>& messages, LostFaces& lost);
 
 /// Colours or properties (volumes, materials) whose entities have dangling references: not to be asked for.
 struct Attributes

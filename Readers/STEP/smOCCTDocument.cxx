@@ -28,6 +28,7 @@
 #include <fstream>
 #include <map>
 #include <tuple>
+#include <unordered_map>
 
 namespace sm
 {
@@ -385,6 +386,7 @@ struct DeclaredContent
 {
   Part21File Text;
   STEPCensus Census;
+  std::unordered_map<std::uint64_t, std::string> Perils;
 
   DeclaredContent(const std::string& fileName, Document& document)
   {
@@ -393,6 +395,33 @@ struct DeclaredContent
       document.Defects.push_back("What the file declares could not be checked: its text could not be read.");
     }
     this->Census = TakeSTEPCensus(this->Text);
+    for (const CensusProblem& peril : this->Census.Perils)
+    {
+      this->Perils.emplace(
+        peril.Id, std::string(GetName(peril.Defect)) + (*peril.Place ? ", " : "") + peril.Place);
+    }
+  }
+
+  /// An oriented edge that is part of itself: OpenCASCADE ends on it already when it has parsed the file. Empty when there is none.
+  std::string FindCycle() const
+  {
+    for (const CensusProblem& peril : this->Census.Perils)
+    {
+      const std::uint32_t type = this->Text.GetType(this->Text.Find(peril.Id));
+      if (peril.Defect == CensusDefect::CyclicReference && this->Text.GetTypeNames()[type] == "ORIENTED_EDGE")
+      {
+        return "its entity #" + std::to_string(peril.Id) + " is part of itself (cyclic reference to #" +
+          std::to_string(peril.Other) + "); export it again";
+      }
+    }
+    return {};
+  }
+
+  /// Why OpenCASCADE cannot follow the entity; empty when it can.
+  std::string GetPeril(int id) const
+  {
+    const auto found = id > 0 ? this->Perils.find(static_cast<std::uint64_t>(id)) : this->Perils.end();
+    return found != this->Perils.end() ? found->second : std::string();
   }
 
   /// True if a body depends on the entity, its place in the product or its unit.
@@ -417,6 +446,11 @@ void Read(
       " are read; export its sub-assemblies one by one";
     return;
   }
+  document.Problem = declared.FindCycle();
+  if (!document.Problem.empty())
+  {
+    return;
+  }
   const KernelSession kernel;
   STEPCAFControl_Reader reader;
   Configure(reader);
@@ -437,8 +471,8 @@ void Read(
   const std::vector<Handle(Standard_Transient)> operators = CheckOperators(model, document.Messages);
   LostFaces lost;
   document.Problem = DropDamagedFaces(
-    reader.Reader().WS(), model, [&declared](int id) { return declared.Matters(id); }, document.Messages,
-    lost);
+    reader.Reader().WS(), model, [&declared](int id) { return declared.Matters(id); },
+    [&declared](int id) { return declared.GetPeril(id); }, document.Messages, lost);
   if (!document.Problem.empty())
   {
     return;

@@ -197,7 +197,9 @@ void vtkSTEPReader::SetAngularDeflection(double angle)
 bool vtkSTEPReader::Report(double fraction)
 {
   this->UpdateProgress(fraction);
-  return !this->GetAbortExecute();
+  this->IsTimeOver = this->IsTimeOver ||
+    (this->MaximumSeconds > 0.0 && vtkTimerLog::GetUniversalTime() - this->Start > this->MaximumSeconds);
+  return !this->IsTimeOver && !this->GetAbortExecute();
 }
 
 void vtkSTEPReader::Fail(int status, std::string_view problem) noexcept
@@ -218,7 +220,12 @@ void vtkSTEPReader::Fail(int status, std::string_view problem) noexcept
 void vtkSTEPReader::Stop()
 {
   this->Status = ABORTED;
-  this->Last->Problem = std::string("Reading ") + this->FileName + " was stopped.";
+  this->Last->Problem = std::string("Reading ") + this->FileName + " was stopped" +
+    (this->IsTimeOver ? ": MaximumSeconds were over." : ".");
+  if (this->IsTimeOver)
+  {
+    this->Last->Messages.push_back(this->Last->Problem);
+  }
 }
 
 int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
@@ -227,6 +234,8 @@ int vtkSTEPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   auto* output = vtkPartitionedDataSetCollection::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT()));
   *this->Last = Results();
   this->Status = EMPTY;
+  this->Start = vtkTimerLog::GetUniversalTime();
+  this->IsTimeOver = false;
   this->SetErrorCode(vtkErrorCode::NoError);
   const int piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   const int pieces = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
@@ -457,5 +466,6 @@ void vtkSTEPReader::PrintSelf(ostream& os, vtkIndent indent)
      << (this->RelativeDeflection ? " relative\n" : "\n") << indent
      << "AngularDeflection: " << this->AngularDeflection << "\n"
      << indent << "OutputUnit: " << this->OutputUnit << "\n"
+     << indent << "MaximumSeconds: " << this->MaximumSeconds << "\n"
      << indent << "Status: " << this->GetStatusAsString() << "\n";
 }

@@ -281,6 +281,13 @@ void CheckAborts(const Manifest& manifest)
     Check(name + ", and the same bound", whole.Filter->GetDisplacedVolumeBound(),
       scene.Filter->GetDisplacedVolumeBound(), 0.0);
   }
+  Scene slow(path);
+  MessageTrap trap(slow.Filter);
+  slow.Filter->SetMaximumSeconds(1e-9);
+  slow.Filter->Update();
+  CheckEqual("no time, status", sm::names::StatusNotComputed, slow.Filter->GetStatus());
+  CheckTrue("no time, said", Says(slow.Filter, "MaximumSeconds were over"), GetMessages(slow.Filter));
+  CheckTrue("no time, nothing evaluated", slow.Filter->GetEvaluations() == 0);
   // The executive's own report before the run, those of both kinds of cutting, and then those of the integration.
   CheckEqual("stops while faces are cut", 3, inCut);
   CheckTrue("stops later", stops > inCut);

@@ -117,6 +117,32 @@ void CheckDetails()
   CheckTrue("inch: uncertainty", inches.Uncertainty == 25.4e-7);
 }
 
+/// What a reader cannot follow is listed without limit; damage that does no harm to it is not.
+void CheckPerils()
+{
+  const std::string ball = smtest::GetBallText();
+  const auto take = [&ball](const std::string& from, const std::string& to)
+  { return Take(smtest::MakeStepText(smtest::Replace(ball, from, to))).Census.Perils; };
+  CheckTrue("perils: none", take("ball", "ball").empty() && take("#23,5.)", "#23,-5.)").empty());
+  const std::vector<sm::CensusProblem> placement = take("('',#20,#21,#22)", "('',#20)");
+  CheckTrue("perils: numbers",
+    take("(1.,0.,0.)", "(1.,0.,1.E300)").size() == 1 && take("(1.,0.,0.)", "(1.,0.,1.E999)").size() == 1 &&
+      take("(1.,0.,0.)", "(1.,0.,1.E80)").empty());
+  CheckTrue("perils: a placement", placement.size() == 1 && placement[0].Id == 23);
+  const std::size_t many = 3 * sm::STEPCensus::ProblemLimit;
+  std::string edges;
+  std::string loop = "#27=EDGE_LOOP('',(";
+  for (std::size_t k = 0; k < many; ++k)
+  {
+    const std::string id = "#" + std::to_string(1000 + k);
+    edges += id + "=ORIENTED_EDGE('',*,*," + id + ",.T.);\n";
+    loop += (k > 0 ? "," : "") + id;
+  }
+  const std::vector<sm::CensusProblem> cycles = take("#27=VERTEX_LOOP('',#25);", edges + loop + "));");
+  CheckEqual(
+    "perils: edges of themselves", static_cast<long long>(many), static_cast<long long>(cycles.size()));
+}
+
 /// Files that would take hours, or a stack of gigabytes, if a step were quadratic or recursive; the test's time limit ends it then.
 void CheckScale()
 {
@@ -174,6 +200,7 @@ void CheckTexts()
   CheckOneOfTwo("#23,2.)", "#23,-2.)");
   CheckOneOfTwo("('',(#72),#70", "('',(#72),#99");
   CheckDetails();
+  CheckPerils();
   CheckScale();
   CheckTrue("nothing: no bodies", Take("").Census.Bodies.empty());
 }

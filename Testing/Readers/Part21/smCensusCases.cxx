@@ -208,7 +208,7 @@ std::vector<CensusCase> GetBodyCases()
     { "a radius of zero", ChangeBall("#23,5.)", "#23,0.)"), OneBall,
       "value out of range: 1 (#24 SPHERICAL_SURFACE not above 0)" },
     { "an endless radius", ChangeBall("#23,5.)", "#23,5.E999)"), OneBall,
-      "value out of range: 1 (#24 SPHERICAL_SURFACE not above 0)" },
+      "value out of range: 1 (#24 SPHERICAL_SURFACE too large a number)" },
     { "a radius that is text", ChangeBall("#23,5.)", "#23,'5.')"), OneBall,
       "wrong parameter: 1 (#24 SPHERICAL_SURFACE a number is expected)" },
     { "a direction without length", ChangeBall("(1.,0.,0.)", "(0.,-0.,0.E5)"), OneBall,
@@ -217,9 +217,30 @@ std::vector<CensusCase> GetBodyCases()
       "value out of range: 1 (#26 CARTESIAN_POINT number of coordinates)" },
     { "a coordinate that is a reference", ChangeBall("(0.,0.,5.)", "(0.,0.,#5)"), OneBall,
       "wrong parameter: 1 (#26 CARTESIAN_POINT a number is expected #5)" },
+    { "a coordinate above all sizes", ChangeBall("(0.,0.,5.)", "(0.,0.,-5.E200)"), OneBall,
+      "value out of range: 1 (#26 CARTESIAN_POINT too large a number)" },
     { "a coordinate that is too large", ChangeBall("(0.,0.,5.)", "(0.,0.,5.E400)"), OneBall,
       "value out of range: 1 (#26 CARTESIAN_POINT too large a number)" },
     { "a spline", ChangeBall(loop, curve), OneBall, "" },
+    { "an oriented edge of itself", ChangeBall(loop, Replace(curve, "*,*,#71,", "*,*,#72,")), OneBall,
+      "cyclic reference: 1 (#72 ORIENTED_EDGE #72)" },
+    { "a curve that is part of itself",
+      ChangeBall(loop,
+        Replace(curve, "#70,.T.)", "#80,.T.)") +
+          "#80=TRIMMED_CURVE('',#81,(#20),(#26),.T.,.CARTESIAN.);\n#81=CURVE_REPLICA('',#80,#82);\n"
+          "#82=CARTESIAN_TRANSFORMATION_OPERATOR_3D('',$,$,#20,1.,$);\n"),
+      OneBall, "cyclic reference: 1 (#81 CURVE_REPLICA #80)" },
+    { "a curve in parameters that is a face",
+      ChangeBall(loop,
+        Replace(curve, "#70,.T.)", "#80,.T.)") +
+          "#80=SURFACE_CURVE('',#70,(#81),.PCURVE_S1.);\n#81=PCURVE('',#24,#82);\n"
+          "#82=DEFINITIONAL_REPRESENTATION('',(#20),#83);\n#83=(GEOMETRIC_REPRESENTATION_CONTEXT(2)"
+          "PARAMETRIC_REPRESENTATION_CONTEXT()REPRESENTATION_CONTEXT('',''));\n"),
+      OneBall,
+      "wrong type: 1 (#82 DEFINITIONAL_REPRESENTATION #20); value out of range: 1 (#20 CARTESIAN_POINT "
+      "number of coordinates)" },
+    { "a placement that is too short", ChangeBall("('',#20,#21,#22)", "('',#20)"), OneBall,
+      "wrong parameter: 1 (#23 AXIS2_PLACEMENT_3D too few parameters)" },
     { "a multiplicity too large", ChangeBall(loop, Replace(curve, "(3,3)", "(3,4)")), OneBall,
       "inconsistent spline: 1 (#70 B_SPLINE_CURVE_WITH_KNOTS multiplicities)" },
     { "a multiplicity too small", ChangeBall(loop, Replace(curve, "(3,3)", "(3,2)")), OneBall,

@@ -214,6 +214,26 @@ void CheckAbort(const std::string& path, double threshold)
   CheckEqual("and empty", 0, reader->GetOutput()->GetNumberOfPartitionedDataSets());
 }
 
+/// The limit is over at the first report; without it the same reader goes on.
+void CheckTimeLimit(const std::string& path)
+{
+  vtkNew<vtkSTEPReader> reader;
+  ErrorLog log;
+  log.Watch(reader);
+  reader->SetFileName(path.c_str());
+  reader->SetMaximumSeconds(1e-9);
+  reader->Update();
+  CheckEqual("too slow", "aborted", reader->GetStatusAsString());
+  CheckTrue("and says so",
+    reader->GetNumberOfMessages() > 0 &&
+      reader->GetMessage(reader->GetNumberOfMessages() - 1).find("MaximumSeconds") != std::string::npos);
+  CheckEqual("without an error", 0, log.Count);
+  CheckEqual("and empty", 0, reader->GetOutput()->GetNumberOfPartitionedDataSets());
+  reader->SetMaximumSeconds(0.0);
+  reader->Update();
+  CheckEqual("without a limit", "ok", reader->GetStatusAsString());
+}
+
 /// An exception that an observer throws while the file is read is an error, whatever its type.
 void CheckExceptions(const std::string& path)
 {
@@ -348,6 +368,7 @@ int TestSTEPReaderErrors(int argc, char* argv[])
     return Finish();
   }
   const std::string text = ReadAll(good);
+  CheckTimeLimit(good);
   CheckAbort(good, 0.0);
   // The last body's triangles, and its faces.
   CheckAbort(good, 0.76);

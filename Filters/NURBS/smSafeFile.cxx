@@ -1,10 +1,13 @@
 #include "smSafeFile.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <unistd.h>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -14,19 +17,30 @@ namespace
 {
 /// Links that lead to each other; a ring of them ends there.
 constexpr int LongestChain = 40;
+
+/// The file that a link leads to, by hand: it may not be there yet.
+std::vector<fs::path> FollowLinks(const std::string& path)
+{
+  std::vector<fs::path> chain = { path };
+  std::error_code error;
+  for (int links = 0; links < LongestChain && fs::is_symlink(chain.back(), error); ++links)
+  {
+    chain.push_back(chain.back().parent_path() / fs::read_symlink(chain.back(), error));
+  }
+  return chain;
+}
+
+std::string DescribeError(int number)
+{
+  return number != 0 ? std::string(" (") + std::strerror(number) + ")" : std::string();
+}
 }
 
 SafeFile::SafeFile(const std::string& path)
   : Target(path)
 {
   std::error_code error;
-  // By hand: a link may lead to a file that is not there yet.
-  fs::path target = path;
-  for (int links = 0; links < LongestChain && fs::is_symlink(target, error); ++links)
-  {
-    target = target.parent_path() / fs::read_symlink(target, error);
-  }
-  this->Target = target.string();
+  this->Target = FollowLinks(path).back().string();
   if (fs::is_directory(this->Target, error))
   {
     this->Fail("it is a folder; give the name of a file");
@@ -59,7 +73,7 @@ SafeFile::SafeFile(const std::string& path)
   }
   if (!made || !this->Stream)
   {
-    const std::string reason = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string();
+    const std::string reason = DescribeError(errno);
     if (made)
     {
       fs::remove(this->Temporary, error);
@@ -107,6 +121,10 @@ bool SafeFile::Close()
 
 bool SafeFile::Keep()
 {
+  if (!this->Problem.empty())
+  {
+    return false;
+  }
   // A stream that failed before keeps the reason of then.
   errno = this->Stream ? 0 : errno;
   this->Stream.flush();
@@ -116,8 +134,7 @@ bool SafeFile::Keep()
   {
     reason = reason != 0 ? reason : errno;
     this->DiskFull = reason == ENOSPC || reason == EFBIG || reason == EDQUOT;
-    return this->Fail(std::string("not all of it could be written") +
-      (reason != 0 ? std::string(" (") + std::strerror(reason) + ")" : std::string()) +
+    return this->Fail("not all of it could be written" + DescribeError(reason) +
       "; make room on the disk or choose another folder");
   }
   std::error_code error;
@@ -128,5 +145,45 @@ bool SafeFile::Keep()
   }
   this->Temporary.clear();
   return true;
+}
+
+bool IsStream(const std::string& path)
+{
+  std::error_code error;
+  const std::vector<fs::path> chain = FollowLinks(path);
+  const fs::file_status status = fs::status(chain.back(), error);
+  // The links in /proc/self/fd name what is open already: a file that replaces it would not be the one that is open.
+  return (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) ||
+    std::any_of(chain.begin(), chain.end(),
+      [&error](const fs::path& name)
+      {
+        const fs::path folder = fs::weakly_canonical(name.parent_path(), error);
+        return folder.filename() == "fd" && folder.string().rfind("/proc/", 0) == 0;
+      });
+}
+
+std::string SaveFile(const std::string& path, const std::string& bytes)
+{
+  if (!IsStream(path))
+  {
+    SafeFile file(path);
+    file.GetStream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.Keep();
+    return file.GetProblem();
+  }
+  errno = 0;
+  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  return stream ? std::string() : "not all of it could be written" + DescribeError(errno);
+}
+
+std::string FindSaveProblem(const std::string& path)
+{
+  if (IsStream(path))
+  {
+    return access(path.c_str(), W_OK) == 0 ? std::string() : "it cannot be opened" + DescribeError(errno);
+  }
+  return SafeFile(path).GetProblem();
 }
 }

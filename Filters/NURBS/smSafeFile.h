@@ -5,6 +5,8 @@
 #ifndef smSafeFile_h
 #define smSafeFile_h
 
+#include "smFiltersNURBSModule.h"
+
 #include <fstream>
 #include <string>
 
@@ -15,7 +17,7 @@ namespace sm
  * before stays. Without Keep() the temporary file is removed. A link is followed, also to a file that is not there yet; the permissions
  * of a file that is replaced are kept. A folder, a device or a pipe is a problem.
  */
-class SafeFile
+class SMFILTERSNURBS_EXPORT SafeFile
 {
 public:
   explicit SafeFile(const std::string& path);
@@ -41,6 +43,18 @@ private:
   bool DiskFull = false;
   std::ofstream Stream;
 };
+
+/**
+ * Writes a file of these bytes: a regular file as SafeFile does, a device, a pipe or a name of an open file (/dev/stdout) directly.
+ * Returns why it could not be written, and what to do about it; an empty text when all is there.
+ */
+SMFILTERSNURBS_EXPORT std::string SaveFile(const std::string& path, const std::string& bytes);
+
+/// Why SaveFile() would fail: makes the temporary file and removes it. Empty when it would not.
+SMFILTERSNURBS_EXPORT std::string FindSaveProblem(const std::string& path);
+
+/// True for what SaveFile() writes directly. Such a file takes no second version of a document.
+SMFILTERSNURBS_EXPORT bool IsStream(const std::string& path);
 }
 
 #endif
