@@ -18,6 +18,9 @@ namespace
 {
 /// Two solids coincide if volume and centre of mass differ by no more, relative to the volume and to its cube root.
 constexpr double CoincidenceLimit = 1e-9;
+/// Numbers of coincident pairs that a message names, and that are counted: n solids in one place are n (n - 1) / 2 pairs.
+constexpr std::size_t NamedPairs = 5;
+constexpr std::size_t MostPairs = 100000;
 
 /// Returns the moments of a body in the world, about its placed origin.
 Moments GetMoments(const BodyIntegrals& body)
@@ -190,7 +193,7 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   return row;
 }
 
-/// Adds a message if two solids have one volume and one centre of mass: they overlap, and both count.
+/// Adds a message about pairs of solids that have one volume and one centre of mass: they overlap, and both count.
 void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& analysis)
 {
   std::vector<std::size_t> order;
@@ -206,6 +209,8 @@ void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& an
   std::sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b)
     { return analysis.Rows[a].Properties.Center[0] < analysis.Rows[b].Properties.Center[0]; });
+  std::string named;
+  std::size_t pairs = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     const double slack = CoincidenceLimit * std::cbrt(get(i).Volume);
@@ -214,11 +219,28 @@ void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& an
       if (std::abs(get(j).Volume - get(i).Volume) <= CoincidenceLimit * get(i).Volume &&
         vtkMath::Distance2BetweenPoints(get(i).Center.data(), get(j).Center.data()) <= slack * slack)
       {
-        analysis.Messages.push_back("solids " + bodies[order[i]].Id + " and " + bodies[order[j]].Id +
-          " have the same volume and centre of mass: they overlap, and both are counted");
-        return;
+        if (++pairs <= NamedPairs)
+        {
+          named += (pairs > 1 ? "; " : "") + bodies[order[i]].Id + " and " + bodies[order[j]].Id;
+        }
+        if (pairs == MostPairs)
+        {
+          i = order.size();
+          break;
+        }
       }
     }
+  }
+  if (pairs == 1)
+  {
+    analysis.Messages.push_back(
+      "solids " + named + " have the same volume and centre of mass: they overlap, and both are counted");
+  }
+  else if (pairs > 1)
+  {
+    analysis.Messages.push_back((pairs == MostPairs ? "at least " : "") + std::to_string(pairs) +
+      " pairs of solids (" + named + (pairs > NamedPairs ? "; ..." : "") +
+      ") have the same volume and centre of mass: they overlap, and all are counted");
   }
 }
 

@@ -8,6 +8,7 @@
 #include "smMassGlyphs.h"
 #include "smMassIntegrands.h"
 #include "smMassPropertyNames.h"
+#include "smSelfCrossing.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -20,6 +21,7 @@
 
 vtkMassPropertiesBase::vtkMassPropertiesBase()
   : Analysis(new sm::MassAnalysis)
+  , CrossingCheck(new sm::SelfCrossingCheck)
 {
 }
 
@@ -115,12 +117,21 @@ void vtkMassPropertiesBase::ResetResults()
   *this->Analysis = sm::MassAnalysis();
 }
 
+void vtkMassPropertiesBase::ReleaseKept()
+{
+  this->CrossingCheck->Clear();
+}
+
 void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
 {
   sm::MassAnalysisOptions options = this->MakeAnalysisOptions();
   options.GapLimit = this->GapLimit;
   options.Density = this->Density;
   *this->Analysis = sm::AnalyzeMass(bodies, options);
+  if (options.HasBounds)
+  {
+    this->CrossingCheck->Run(bodies);
+  }
   sm::RunReport& report = this->GetEngine().GetReport();
   report.Status = std::max(report.Status, this->Analysis->TotalStatus);
   report.Messages.insert(

@@ -48,6 +48,7 @@ namespace sm
 {
 struct MassAnalysis;
 struct MassAnalysisOptions;
+class SelfCrossingCheck;
 }
 
 class SMFILTERSMASSPROPERTIES_EXPORT vtkMassPropertiesBase : public vtkSurfaceIntegralBase
@@ -106,6 +107,7 @@ protected:
 
 #ifndef __VTK_WRAP__
   void ResetResults() override;
+  void ReleaseKept() override;
   void AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies) override;
   void WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const override;
   std::vector<sm::MeshArray> GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const override;
@@ -131,6 +133,7 @@ private:
 
 #ifndef __VTK_WRAP__
   std::unique_ptr<sm::MassAnalysis> Analysis;
+  std::unique_ptr<sm::SelfCrossingCheck> CrossingCheck;
 #endif
 };
 

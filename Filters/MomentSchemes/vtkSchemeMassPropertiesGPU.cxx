@@ -70,6 +70,7 @@ void vtkSchemeMassPropertiesGPU::ResetResults()
 
 void vtkSchemeMassPropertiesGPU::ReleaseKept()
 {
+  this->Superclass::ReleaseKept();
   this->Implementation->Run.ReleaseMemory();
 }
 

@@ -1,6 +1,7 @@
 #include "smFacePanels.h"
 
 #include "smCoverage.h"
+#include "smLoopCrossings.h"
 #include "smPatchParts.h"
 #include "smTrimCutting.h"
 #include "smVector.h"
@@ -429,6 +430,7 @@ FacePanels Builder::Build()
     }
   }
   this->AddCoveredEdges();
+  this->Result.CoverageDefects += HasCrossingLoops(this->Source) ? 1 : 0;
   return std::move(this->Result);
 }
 }

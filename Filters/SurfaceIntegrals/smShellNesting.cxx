@@ -1,6 +1,7 @@
 #include "smShellNesting.h"
 
 #include "smVector.h"
+#include "smWindingTree.h"
 
 #include "vtkMath.h"
 
@@ -28,44 +29,6 @@ Point Combine(const Point& c, double x, const Point& a, double y, const Point& b
   return { c[0] + x * a[0] + y * b[0], c[1] + x * a[1] + y * b[1], c[2] + x * a[2] + y * b[2] };
 }
 
-double GetDistanceToSegment(const Point& p, const Point& a, const Point& b)
-{
-  const Point along = Subtract(b, a);
-  const Point toPoint = Subtract(p, a);
-  const double squared = Dot(along, along);
-  const double x = squared > 0.0 ? std::clamp(Dot(toPoint, along) / squared, 0.0, 1.0) : 0.0;
-  return Norm(Combine(toPoint, -x, along, 0.0, along));
-}
-
-double GetDistance(const Point& p, const std::array<Point, 3>& t)
-{
-  const Point normal = Cross(Subtract(t[1], t[0]), Subtract(t[2], t[0]));
-  const double length = Norm(normal);
-  bool above = length > 0.0;
-  double border = 1e300;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Point& a = t[i];
-    const Point& b = t[(i + 1) % 3];
-    above = above && Dot(Cross(Subtract(b, a), Subtract(p, a)), normal) >= 0.0;
-    border = std::min(border, GetDistanceToSegment(p, a, b));
-  }
-  return above ? std::abs(Dot(Subtract(p, t[0]), normal)) / length : border;
-}
-
-/// Returns the solid angle of a triangle seen from p (Van Oosterom and Strackee 1983).
-double GetSolidAngle(const Point& p, const std::array<Point, 3>& t)
-{
-  const Point a = Subtract(t[0], p);
-  const Point b = Subtract(t[1], p);
-  const Point c = Subtract(t[2], p);
-  const double la = Norm(a);
-  const double lb = Norm(b);
-  const double lc = Norm(c);
-  const double below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
-  return 2.0 * std::atan2(Dot(a, Cross(b, c)), below);
-}
-
 double GetLength(const vtkBoundingBox& box)
 {
   return box.IsValid() ? box.GetDiagonalLength() : 0.0;
@@ -74,19 +37,11 @@ double GetLength(const vtkBoundingBox& box)
 
 void ShellMesh::AddTriangle(const std::array<Point, 3>& corners, const std::array<Point, 3>& normals)
 {
-  // A surface that is inclined by the angle a against a chord of length h at the chord's ends deviates from it by about h a / 4
-  // at most; twice this distance is assumed.
-  const Point own = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
-  const double area = Norm(own);
-  double longest = 0.0;
-  double sine = 0.0;
-  for (int i = 0; i < 3; ++i)
+  for (const Point& corner : corners)
   {
-    longest = std::max(longest, Norm(Subtract(corners[(i + 1) % 3], corners[i])));
-    sine = std::max(sine, area > 0.0 ? Norm(Cross(own, normals[i])) / area : 1.0);
-    this->Box.AddPoint(corners[i][0], corners[i][1], corners[i][2]);
+    this->Box.AddPoint(corner[0], corner[1], corner[2]);
   }
-  this->Triangles.push_back({ corners, 0.5 * longest * std::min(sine, 1.0) });
+  this->Triangles.push_back({ corners, EstimateDeviation(corners, normals) });
 }
 
 void ShellMesh::AddSamples(const std::array<Point, 3>& corners, double deviation,

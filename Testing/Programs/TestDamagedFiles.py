@@ -107,7 +107,7 @@ HOSTILE = {
     "07_assembly_bomb": ({"unreadable"}, ["393214 instances"], None),
     "void_outside": (FLAGGED, ["does not lie inside its outer shell"], None),
     "same_solid_listed_twice": (FLAGGED, ["#157"], None),
-    "one_shell_overlapping_boxes": (FLAGGED, [], None),
+    "one_shell_overlapping_boxes": (FLAGGED, ["its winding number is 2"], None),
     "two_coincident": ({"ok"}, ["they overlap"], None),
     "unit_NONE": ({"ok"}, ["mm is assumed"], None),
     "unit_INCH_-25.4": (FLAGGED, ["unit"], None),

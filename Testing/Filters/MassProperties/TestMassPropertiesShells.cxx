@@ -97,6 +97,30 @@ void CheckMoments()
   }
 }
 
+/// Solids in one place: a note counts their pairs, and names five.
+void CheckCoincidences()
+{
+  std::printf("--- coincident solids\n");
+  for (const auto& [count, said] : std::vector<std::pair<unsigned int, std::string>>{ { 1, "" },
+         { 2, "solids 1 and 2 have the same volume and centre of mass: they overlap, and both are counted" },
+         { 3, "3 pairs of solids (1 and 2; 1 and 3; 2 and 3) have the same volume" },
+         { 4, "6 pairs of solids (1 and 2; 1 and 3; 1 and 4; 2 and 3; 2 and 4; ...) have the same volume" } })
+  {
+    vtkNew<vtkPartitionedDataSetCollection> solids;
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      BoxBody body;
+      body.Add({ { 0, 0, 0 }, { 10, 12, 14 } });
+      solids->SetPartition(i, 0, body.Make());
+    }
+    vtkNew<vtkMassPropertiesGPU> mass;
+    mass->SetInputData(solids);
+    mass->Update();
+    CheckEqual("status", names::StatusOk, mass->GetStatus());
+    CheckTrue("note", said.empty() ? mass->GetNumberOfMessages() == 0 : Says(mass, said), GetMessages(mass));
+  }
+}
+
 /// Exchanges the faces of one of the shells for reversed ones.
 void CheckCurved(const std::string& path, double volume)
 {
@@ -195,6 +219,7 @@ int TestMassPropertiesShells(int argc, char* argv[])
   CheckCase({ "no mesh to tell by", { outer, reversed(middle) }, v0 + v1, 0, names::StatusSuspect,
     "no display mesh", true, false });
   CheckMoments();
+  CheckCoincidences();
   const Manifest manifest(argv[1]);
   const Expected sphere = manifest.GetSolid("hollow_sphere", "plain")[0];
   CheckCurved(sphere.Path, sphere.Volume);

@@ -1,0 +1,423 @@
+#include "smSelfCrossing.h"
+
+#include "smFormat.h"
+#include "smMassIntegrands.h"
+#include "smMeshTriangles.h"
+#include "smParallelFor.h"
+#include "smVector.h"
+#include "smWindingTree.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkMatrix4x4.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace sm
+{
+namespace
+{
+/// Least number of points of a body besides those of its faces, and number of triangles for each point of a large mesh.
+constexpr std::size_t LeastSamples = 400;
+constexpr std::size_t TrianglesPerSample = 8;
+
+/// Distance from an integer above which a winding number indicates a hole in the mesh, or a point on another part of it.
+constexpr double WholeNumber = 0.25;
+
+/// Largest difference of area and vector area between mesh and face, relative to the area, and area of a face, relative to the body's,
+/// below which its mesh does not matter.
+constexpr double LargestMismatch = 0.25;
+constexpr double NegligibleArea = 1e-5;
+
+/// Distance from the boundary, relative to the diagonal, up to which a second point is sought, and number of samples for which it is.
+constexpr double LargestStep = 0.1;
+constexpr std::size_t MostConfirmations = 256;
+
+Vector3 Transform(const std::array<double, 16>& m, const Vector3& p)
+{
+  Vector3 q;
+  for (int r = 0; r < 3; ++r)
+  {
+    q[r] = m[4 * r] * p[0] + m[4 * r + 1] * p[1] + m[4 * r + 2] * p[2] + m[4 * r + 3];
+  }
+  return q;
+}
+
+bool IsWrong(double winding)
+{
+  const double whole = std::round(winding);
+  return std::abs(winding - whole) <= WholeNumber && (whole < 0.0 || whole > 1.0);
+}
+
+/// Area, vector area and volume of one face, the latter as a length times an area.
+struct FaceExtent
+{
+  std::size_t Part = 0;
+  std::size_t Index = 0;
+  double Area = 0.0;
+  std::array<double, 4> Oriented{};
+  std::size_t LargestTriangle = WindingTree::None;
+  double LargestArea = 0.0;
+};
+
+/// A point on the mesh.
+struct Sample
+{
+  std::size_t Triangle;
+  Vector3 Position;
+};
+
+class Checker
+{
+public:
+  explicit Checker(const std::vector<const BodyIntegrals*>& parts)
+    : Parts(parts)
+  {
+    vtkBoundingBox box;
+    for (const BodyIntegrals* part : parts)
+    {
+      AddPlacedBox(*part, box);
+      this->Slack = std::max(
+        { this->Slack, std::isfinite(part->MaxGap) ? part->MaxGap : 0.0, part->Model->GetFileUncertainty() });
+    }
+    this->Diagonal = box.GetDiagonalLength();
+    this->Slack += 1e-9 * this->Diagonal;
+  }
+  SelfCrossing Run();
+
+private:
+  void CollectTriangles(std::size_t part);
+  std::string OrientTriangles();
+  void TakeSamples();
+  bool Confirm(const WindingTree& tree, const Sample& sample, bool inside);
+
+  const std::vector<const BodyIntegrals*>& Parts;
+  double Diagonal = 0.0;
+  /// What a distance between mesh and surface may be besides the deviation of a triangle.
+  double Slack = 0.0;
+  std::vector<MeshTriangle> Triangles;
+  /// The faces of all parts one after another, and the face of each triangle.
+  std::vector<FaceExtent> Extents;
+  std::vector<std::size_t> FaceOfTriangle;
+  std::vector<Sample> Samples;
+  SelfCrossing Result;
+};
+
+void Checker::CollectTriangles(std::size_t part)
+{
+  const BodyIntegrals& body = *this->Parts[part];
+  std::array<double, 16> inverse;
+  vtkMatrix4x4::Invert(body.Placement.data(), inverse.data());
+  std::array<double, 16> rotation = inverse;
+  rotation[3] = rotation[7] = rotation[11] = 0.0;
+  const Vector3 origin = { body.Model->GetOrigin()[0], body.Model->GetOrigin()[1],
+    body.Model->GetOrigin()[2] };
+  const std::size_t first = this->Extents.size();
+  for (std::size_t f = 0; f < body.Faces->size(); ++f)
+  {
+    FaceExtent extent;
+    extent.Part = part;
+    extent.Index = f;
+    this->Extents.push_back(extent);
+  }
+  VisitTriangles(body.Mesh, body.Faces->size(),
+    [&](std::size_t face, std::array<Vector3, 3> corners, std::array<Vector3, 3> normals)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        corners[i] = Transform(inverse, corners[i]);
+        normals[i] = Transform(rotation, normals[i]);
+      }
+      const Vector3 twice = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
+      const double area = 0.5 * Norm(twice);
+      FaceExtent& extent = this->Extents[first + face];
+      if (area > extent.LargestArea)
+      {
+        extent.LargestArea = area;
+        extent.LargestTriangle = this->Triangles.size();
+      }
+      extent.Area += area;
+      for (int d = 0; d < 3; ++d)
+      {
+        extent.Oriented[d] += 0.5 * twice[d];
+      }
+      extent.Oriented[3] += Dot(Subtract(corners[0], origin), twice) / (6.0 * this->Diagonal);
+      this->Triangles.push_back({ corners, EstimateDeviation(corners, normals) });
+      this->FaceOfTriangle.push_back(first + face);
+    });
+}
+
+/// Orients the triangles of every face as its exact integrals are. Returns the reason if that is impossible.
+std::string Checker::OrientTriangles()
+{
+  std::vector<bool> reversed(this->Extents.size());
+  for (std::size_t f = 0; f < this->Extents.size(); ++f)
+  {
+    const FaceExtent& mesh = this->Extents[f];
+    const BodyIntegrals& body = *this->Parts[mesh.Part];
+    const std::vector<double>& exact = (*body.Faces)[mesh.Index].Face;
+    const double side = body.GetSide(mesh.Index) * (body.InsideOut ? -1.0 : 1.0);
+    std::array<double, 4> oriented;
+    for (int d = 0; d < 3; ++d)
+    {
+      oriented[d] = side * exact[MassVectorArea + d];
+    }
+    oriented[3] = side * exact[MassVolume] / this->Diagonal;
+    double product = 0.0;
+    for (int d = 0; d < 4; ++d)
+    {
+      product += oriented[d] * mesh.Oriented[d];
+    }
+    reversed[f] = product < 0.0;
+    double difference = std::abs(mesh.Area - exact[MassArea]);
+    for (int d = 0; d < 3; ++d)
+    {
+      difference =
+        std::max(difference, std::abs(oriented[d] - (reversed[f] ? -1.0 : 1.0) * mesh.Oriented[d]));
+    }
+    if (exact[MassArea] > NegligibleArea * body.Value[MassArea] &&
+      difference > LargestMismatch * exact[MassArea])
+    {
+      return "the display mesh of face #" + std::to_string(body.Model->GetFaces()[mesh.Index]->FileId) +
+        (mesh.Area > 0.0 ? " does not cover it once" : " is missing");
+    }
+  }
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    if (reversed[this->FaceOfTriangle[t]])
+    {
+      std::swap(this->Triangles[t].Corners[1], this->Triangles[t].Corners[2]);
+    }
+  }
+  return {};
+}
+
+void Checker::TakeSamples()
+{
+  double area = 0.0;
+  for (const FaceExtent& extent : this->Extents)
+  {
+    area += extent.Area;
+  }
+  const auto place = [this](std::size_t t, double x, double y)
+  {
+    const std::array<Vector3, 3>& c = this->Triangles[t].Corners;
+    Vector3 p;
+    for (int d = 0; d < 3; ++d)
+    {
+      p[d] = c[0][d] + x * (c[1][d] - c[0][d]) + y * (c[2][d] - c[0][d]);
+    }
+    this->Samples.push_back({ t, p });
+  };
+  for (const FaceExtent& extent : this->Extents)
+  {
+    if (extent.LargestTriangle != WindingTree::None)
+    {
+      place(extent.LargestTriangle, 1.0 / 3.0, 1.0 / 3.0);
+    }
+  }
+  const double spacing =
+    area / static_cast<double>(std::max(LeastSamples, this->Triangles.size() / TrianglesPerSample));
+  double covered = 0.5 * spacing;
+  double x = 0.5;
+  double y = 0.5;
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    const std::array<Vector3, 3>& c = this->Triangles[t].Corners;
+    covered += 0.5 * Norm(Cross(Subtract(c[1], c[0]), Subtract(c[2], c[0])));
+    for (; covered > spacing; covered -= spacing)
+    {
+      // Additive recurrence by the inverse powers of the plastic number, which fills the square evenly.
+      x = std::fmod(x + 0.7548776662466927, 1.0);
+      y = std::fmod(y + 0.5698402909980532, 1.0);
+      place(t, x + y < 1.0 ? x : 1.0 - x, x + y < 1.0 ? y : 1.0 - y);
+    }
+  }
+}
+
+/// Seeks a point beside the sample where the winding number of the exact boundary is neither 0 nor 1.
+bool Checker::Confirm(const WindingTree& tree, const Sample& sample, bool inside)
+{
+  const MeshTriangle& triangle = this->Triangles[sample.Triangle];
+  const Vector3 normal = Normalized(Cross(
+    Subtract(triangle.Corners[1], triangle.Corners[0]), Subtract(triangle.Corners[2], triangle.Corners[0])));
+  for (double step = 1.5 * (triangle.Deviation + this->Slack); step < LargestStep * this->Diagonal;
+       step *= 1.5)
+  {
+    Vector3 p = sample.Position;
+    for (int d = 0; d < 3; ++d)
+    {
+      p[d] += (inside ? -step : step) * normal[d];
+    }
+    if (!IsWrong(tree.EvaluateWindingNumber(p)) || !tree.IsFarFrom(p, this->Slack))
+    {
+      continue;
+    }
+    const double winding = tree.EvaluateExactWindingNumber(p);
+    if (IsWrong(winding))
+    {
+      this->Result.Winding = static_cast<int>(std::round(winding));
+      const FaceExtent& face = this->Extents[this->FaceOfTriangle[sample.Triangle]];
+      this->Result.Face = this->Parts[face.Part]->Model->GetFaces()[face.Index]->FileId;
+      this->Result.Point = p;
+      return true;
+    }
+  }
+  return false;
+}
+
+SelfCrossing Checker::Run()
+{
+  for (std::size_t part = 0; part < this->Parts.size(); ++part)
+  {
+    this->CollectTriangles(part);
+  }
+  this->Result.Unchecked = this->Triangles.empty() ? "it has no display mesh" : this->OrientTriangles();
+  if (!this->Result.Unchecked.empty())
+  {
+    return this->Result;
+  }
+  this->TakeSamples();
+  this->Result.Samples = this->Samples.size();
+  const WindingTree tree(this->Triangles);
+  // On a surface the winding number of its other parts is the mean of those on both sides: 1/2 beside a sound boundary.
+  std::vector<double> winding(this->Samples.size());
+  ParallelFor(this->Samples.size(), 64,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        winding[i] = tree.EvaluateWindingNumber(this->Samples[i].Position, this->Samples[i].Triangle);
+      }
+    });
+  std::vector<std::size_t> wrong;
+  for (std::size_t i = 0; i < winding.size(); ++i)
+  {
+    const double outside = std::round(winding[i] - 0.5);
+    const bool isDecided = std::abs(winding[i] - 0.5 - outside) <= WholeNumber;
+    this->Result.Undecided += isDecided ? 0 : 1;
+    if (isDecided && outside != 0.0)
+    {
+      wrong.push_back(i);
+    }
+  }
+  const std::size_t count = std::min(wrong.size(), MostConfirmations);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const std::size_t i = wrong[k * wrong.size() / count];
+    if (this->Confirm(tree, this->Samples[i], winding[i] > 1.0))
+    {
+      break;
+    }
+  }
+  return this->Result;
+}
+
+/// Adds the result of a body to its messages and its status.
+void Report(const SelfCrossing& result, BodyIntegrals& body)
+{
+  if (result.Winding != 0)
+  {
+    const Vector3 p = Transform(body.Placement, result.Point);
+    const std::string times = std::to_string(std::abs(result.Winding)) + " times";
+    body.Flag(Status::Suspect,
+      "its boundary crosses itself: beside face #" + std::to_string(result.Face) + ", about the point (" +
+        FormatDigits(p[0], 6) + ", " + FormatDigits(p[1], 6) + ", " + FormatDigits(p[2], 6) +
+        "), its winding number is " + std::to_string(result.Winding) + ": the volume there " +
+        (result.Winding > 0        ? "counts " + times
+            : result.Winding == -1 ? "is subtracted"
+                                   : "is subtracted " + times));
+  }
+  else if (!result.Unchecked.empty())
+  {
+    body.Messages.push_back("whether its boundary crosses itself was not checked: " + result.Unchecked);
+  }
+}
+
+bool IsCheckable(const BodyIntegrals& body)
+{
+  return body.Faces && body.HasVolume() && body.OpenEdges == 0 && body.SkippedFaces == 0 &&
+    body.Status < Status::Suspect && !body.Faces->empty();
+}
+
+/// Returns true if a body is a part of the same solid of a file as the one before it: OpenCASCADE makes a solid of each connected part
+/// of a shell. Solids of two files may have one number, and are told by those of their faces.
+bool IsSameSolid(const BodyIntegrals& first, const BodyIntegrals& body, const std::set<int>& faceIds)
+{
+  const std::vector<FacePointer>& faces = body.Model->GetFaces();
+  return IsCheckable(body) && body.Model->GetFileId() > 0 &&
+    body.Model->GetFileId() == first.Model->GetFileId() && body.Placement == first.Placement &&
+    std::none_of(faces.begin(), faces.end(),
+      [&faceIds](const FacePointer& face) { return faceIds.count(face->FileId) > 0; });
+}
+}
+
+SelfCrossing FindSelfCrossing(const std::vector<const BodyIntegrals*>& parts)
+{
+  return Checker(parts).Run();
+}
+
+SelfCrossingCheck::EntryPointer SelfCrossingCheck::Find(const std::vector<std::uint64_t>& faces,
+  const std::unordered_map<std::uint64_t, EntryPointer>& current) const
+{
+  const auto instance = current.find(faces.front());
+  if (instance != current.end() && instance->second->Faces == faces)
+  {
+    return instance->second;
+  }
+  for (const std::uint64_t face : faces)
+  {
+    const auto known = this->Known.find(face);
+    if (known != this->Known.end())
+    {
+      return known->second;
+    }
+  }
+  return nullptr;
+}
+
+void SelfCrossingCheck::Run(std::vector<BodyIntegrals>& bodies)
+{
+  std::unordered_map<std::uint64_t, EntryPointer> current;
+  for (std::size_t b = 0; b < bodies.size();)
+  {
+    if (!IsCheckable(bodies[b]))
+    {
+      ++b;
+      continue;
+    }
+    std::vector<const BodyIntegrals*> parts;
+    std::vector<std::uint64_t> faces;
+    std::set<int> ids;
+    std::size_t end = b;
+    for (; end < bodies.size() && (end == b || IsSameSolid(bodies[b], bodies[end], ids)); ++end)
+    {
+      parts.push_back(&bodies[end]);
+      for (const FacePointer& face : bodies[end].Model->GetFaces())
+      {
+        faces.push_back(face->Id);
+        ids.insert(face->FileId);
+      }
+    }
+    EntryPointer entry = this->Find(faces, current);
+    if (!entry)
+    {
+      entry = std::make_shared<const Entry>(Entry{ std::move(faces), FindSelfCrossing(parts) });
+    }
+    // A body that could not be checked may have a mesh in the next run.
+    for (const std::uint64_t face : entry->Faces)
+    {
+      if (entry->Result.Unchecked.empty())
+      {
+        current.emplace(face, entry);
+      }
+    }
+    for (; b < end; ++b)
+    {
+      Report(entry->Result, bodies[b]);
+    }
+  }
+  this->Known = std::move(current);
+}
+}

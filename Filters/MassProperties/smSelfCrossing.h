@@ -1,0 +1,80 @@
+/**
+ * @file smSelfCrossing.h
+ * @brief Bodies whose boundary crosses itself, found by winding numbers
+ */
+#ifndef smSelfCrossing_h
+#define smSelfCrossing_h
+
+#include "smBodyIntegrals.h"
+#include "smFiltersMassPropertiesModule.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace sm
+{
+/// Result of FindSelfCrossing().
+struct SelfCrossing
+{
+  /// A winding number other than 0 and 1; 0: none was found.
+  int Winding = 0;
+  /// Entity number of the face beside the point, and the point in coordinates of the part.
+  int Face = 0;
+  std::array<double, 3> Point{};
+  /// Number of points on the boundary, and of those of them where nothing can be decided.
+  std::size_t Samples = 0;
+  std::size_t Undecided = 0;
+  /// Reason why nothing was checked; empty otherwise.
+  std::string Unchecked;
+};
+
+/**
+ * Computes the winding number of the boundary of a solid, of one or several bodies in one placement, on both sides of points on its
+ * display mesh. It is 0 or 1 about every point unless the boundary crosses itself. There is a point in the middle of the largest
+ * triangle of every face, and others evenly over the area, one for every eight triangles and at least 400. The triangles of each face
+ * are oriented as its exact vector area and volume are, with the reversals of ReverseShells().
+ *
+ * Another winding number counts only if it is found again at a point off the mesh that is farther from every triangle than
+ * the triangle may be from its surface (smWindingTree.h), plus the widest gap of the body: about such a point mesh and surface wind
+ * alike. What is narrower than that, or lies between the points, is not found.
+ *
+ * The bodies are closed, and have the integrals of MakeMassIntegrands(). Unchecked has a reason if the mesh lacks a face, or the area or
+ * vector area of a face on it differs from the exact one by more than a quarter of the area. Runs on the threads of vtkSMPTools, with
+ * the same result for any number of them.
+ */
+SMFILTERSMASSPROPERTIES_EXPORT SelfCrossing FindSelfCrossing(const std::vector<const BodyIntegrals*>& parts);
+
+/// Results of FindSelfCrossing() that are kept from run to run.
+class SMFILTERSMASSPROPERTIES_EXPORT SelfCrossingCheck
+{
+public:
+  /**
+   * Flags bodies that cross themselves as suspect, and adds a note to those that could not be checked. A body that is already
+   * flagged, is open or has no volume is passed over. Bodies that were read from one solid of a file are checked together. A body with
+   * the same faces as one of an earlier run has the same result. One that shares some of them is an edit of it and has its result, too:
+   * it is not checked again until Clear().
+   */
+  void Run(std::vector<BodyIntegrals>& bodies);
+  void Clear() { this->Known.clear(); }
+
+private:
+  struct Entry
+  {
+    std::vector<std::uint64_t> Faces;
+    SelfCrossing Result;
+  };
+  using EntryPointer = std::shared_ptr<const Entry>;
+  EntryPointer Find(const std::vector<std::uint64_t>& faces,
+    const std::unordered_map<std::uint64_t, EntryPointer>& current) const;
+
+  /// Entries of the last run by their faces.
+  std::unordered_map<std::uint64_t, EntryPointer> Known;
+};
+}
+
+#endif

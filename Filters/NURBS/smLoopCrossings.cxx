@@ -1,0 +1,254 @@
+#include "smLoopCrossings.h"
+
+#include "smTrimPolygons.h"
+#include "smVector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace sm
+{
+namespace
+{
+using Point2 = std::array<double, 2>;
+
+/// Largest distance of a chord from its curve, relative to the extent of the loops in u and v.
+constexpr double Flatness = 5e-4;
+/// Overlaps that are excused, relative to the longer side of the face: at least, and at most by the tolerance of its edges.
+constexpr double LeastExcuse = 1e-4;
+constexpr double LargestExcuse = 1e-3;
+/// Largest number of crossings that are examined; a sound face has none but where loops touch.
+constexpr int MostCrossings = 64;
+
+double Cross2(const Point2& a, const Point2& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+Point2 Subtract2(const Point2& a, const Point2& b)
+{
+  return { a[0] - b[0], a[1] - b[1] };
+}
+
+struct Chord
+{
+  Point2 From, To;
+  /// Number of this chord, and of the next one of its loop.
+  std::size_t Index = 0;
+  std::size_t Next = 0;
+  double GetLow(int d) const { return std::min(this->From[d], this->To[d]); }
+  double GetHigh(int d) const { return std::max(this->From[d], this->To[d]); }
+};
+
+/// The loops in coordinates in which they fill the unit square.
+class FlatLoops
+{
+public:
+  explicit FlatLoops(const Face& face);
+  bool HasCrossing();
+
+private:
+  /// Returns true if the loops overlap beside the place where two chords cross, at the fraction x of the first one.
+  bool IsOverlap(const Chord& a, const Chord& b, double x);
+  void WidenSlack();
+  int GetWindingNumber(const Point2& p) const;
+  bool IsFarFrom(const Point2& p) const;
+
+  const Face& Source;
+  Point2 Low{ std::numeric_limits<double>::max(), std::numeric_limits<double>::max() };
+  Point2 Size{};
+  std::vector<Chord> Chords;
+  /// Distance from a chord up to which a point proves nothing.
+  Point2 Slack{};
+  bool HasTolerances = false;
+};
+
+FlatLoops::FlatLoops(const Face& face)
+  : Source(face)
+{
+  Point2 high{ -this->Low[0], -this->Low[1] };
+  Point2 gap{};
+  for (const Loop& loop : face.Loops)
+  {
+    for (std::size_t i = 0; i < loop.Coedges.size(); ++i)
+    {
+      const Coedge& coedge = loop.Coedges[i];
+      const Coedge& next = loop.Coedges[(i + 1) % loop.Coedges.size()];
+      const Point2 end = coedge.Reversed ? coedge.Curve.GetStartPoint() : coedge.Curve.GetEndPoint();
+      const Point2 start = next.Reversed ? next.Curve.GetEndPoint() : next.Curve.GetStartPoint();
+      for (int d = 0; d < 2; ++d)
+      {
+        gap[d] = std::max(gap[d], std::abs(end[d] - start[d]));
+        for (const Point2& c : coedge.Curve.Coefficients)
+        {
+          this->Low[d] = std::min(this->Low[d], c[d]);
+          high[d] = std::max(high[d], c[d]);
+        }
+      }
+    }
+  }
+  this->Size = Subtract2(high, this->Low);
+  if (!(this->Size[0] > 0.0 && this->Size[1] > 0.0))
+  {
+    return;
+  }
+  const TrimPolygons polygons = FlattenLoops(face, { Flatness * this->Size[0], Flatness * this->Size[1] });
+  for (int d = 0; d < 2; ++d)
+  {
+    this->Slack[d] = std::max(2.0 * Flatness, (polygons.Deviation[d] + gap[d]) / this->Size[d]);
+  }
+  for (const std::vector<Point2>& loop : polygons.Loops)
+  {
+    const std::size_t first = this->Chords.size();
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      Chord chord{ loop[i], loop[(i + 1) % loop.size()] };
+      chord.Index = first + i;
+      chord.Next = first + (i + 1) % loop.size();
+      for (Point2* p : { &chord.From, &chord.To })
+      {
+        *p = { ((*p)[0] - this->Low[0]) / this->Size[0], ((*p)[1] - this->Low[1]) / this->Size[1] };
+      }
+      this->Chords.push_back(chord);
+    }
+  }
+}
+
+int FlatLoops::GetWindingNumber(const Point2& p) const
+{
+  int winding = 0;
+  for (const Chord& chord : this->Chords)
+  {
+    const bool isUp = chord.From[1] <= p[1] && chord.To[1] > p[1];
+    const bool isDown = chord.To[1] <= p[1] && chord.From[1] > p[1];
+    if (isUp || isDown)
+    {
+      const double side = Cross2(Subtract2(chord.To, chord.From), Subtract2(p, chord.From));
+      winding += isUp && side > 0.0 ? 1 : isDown && side < 0.0 ? -1 : 0;
+    }
+  }
+  return winding;
+}
+
+bool FlatLoops::IsFarFrom(const Point2& p) const
+{
+  // A chord meets the box of half widths Slack about p if it does so in u, in v, and across its own direction.
+  return std::none_of(this->Chords.begin(), this->Chords.end(),
+    [this, &p](const Chord& chord)
+    {
+      const Point2 along = Subtract2(chord.To, chord.From);
+      const double reach = this->Slack[0] * std::abs(along[1]) + this->Slack[1] * std::abs(along[0]);
+      return chord.GetLow(0) <= p[0] + this->Slack[0] && chord.GetHigh(0) >= p[0] - this->Slack[0] &&
+        chord.GetLow(1) <= p[1] + this->Slack[1] && chord.GetHigh(1) >= p[1] - this->Slack[1] &&
+        std::abs(Cross2(along, Subtract2(p, chord.From))) <= reach;
+    });
+}
+
+void FlatLoops::WidenSlack()
+{
+  double tolerance = 0.0;
+  for (const Loop& loop : this->Source.Loops)
+  {
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      tolerance = std::max(tolerance, coedge.Use->Tolerance);
+    }
+  }
+  Vector3 position;
+  Vector3 derivative[2];
+  this->Source.Surface.Evaluate(this->Low[0] + 0.5 * this->Size[0], this->Low[1] + 0.5 * this->Size[1],
+    position.data(), derivative[0].data(), derivative[1].data());
+  const Point2 width{ Norm(derivative[0]) * this->Size[0], Norm(derivative[1]) * this->Size[1] };
+  const double widest = std::max(width[0], width[1]);
+  // OpenCASCADE widens the tolerance of edges that cross until it excuses the crossing.
+  const double excuse = std::clamp(tolerance, LeastExcuse * widest, LargestExcuse * widest);
+  for (int d = 0; d < 2; ++d)
+  {
+    this->Slack[d] += width[d] > 0.0 ? excuse / width[d] : std::numeric_limits<double>::infinity();
+  }
+}
+
+/// Returns true if two chords cross, at the fraction x of the first one. A chord that begins or ends on the other one crosses it, or
+/// the chord beside it does.
+bool DoCross(const Chord& a, const Chord& b, double& x)
+{
+  const Point2 alongA = Subtract2(a.To, a.From);
+  const Point2 alongB = Subtract2(b.To, b.From);
+  const double from = Cross2(alongB, Subtract2(a.From, b.From));
+  const double to = Cross2(alongB, Subtract2(a.To, b.From));
+  x = from / (from - to);
+  return (from >= 0.0) != (to >= 0.0) &&
+    (Cross2(alongA, Subtract2(b.From, a.From)) >= 0.0) != (Cross2(alongA, Subtract2(b.To, a.From)) >= 0.0);
+}
+
+bool FlatLoops::IsOverlap(const Chord& a, const Chord& b, double x)
+{
+  if (!this->HasTolerances)
+  {
+    this->HasTolerances = true;
+    this->WidenSlack();
+  }
+  const Point2 alongA = Subtract2(a.To, a.From);
+  const Point2 alongB = Subtract2(b.To, b.From);
+  const double lengthA = std::hypot(alongA[0], alongA[1]);
+  const double lengthB = std::hypot(alongB[0], alongB[1]);
+  // The bisector of the sector that lies left of both.
+  Point2 left{ -alongA[1] / lengthA - alongB[1] / lengthB, alongA[0] / lengthA + alongB[0] / lengthB };
+  const double length = std::hypot(left[0], left[1]);
+  for (double step = 2.0 * std::max(this->Slack[0], this->Slack[1]); length > 0.0 && step < 0.5; step *= 1.5)
+  {
+    for (const double side : { step, -step })
+    {
+      const Point2 p{ a.From[0] + x * alongA[0] + side * left[0] / length,
+        a.From[1] + x * alongA[1] + side * left[1] / length };
+      const int winding = this->GetWindingNumber(p);
+      if ((winding < 0 || winding > 1) && this->IsFarFrom(p))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool FlatLoops::HasCrossing()
+{
+  std::vector<Chord> sorted = this->Chords;
+  std::sort(
+    sorted.begin(), sorted.end(), [](const Chord& a, const Chord& b) { return a.GetLow(0) < b.GetLow(0); });
+  int crossings = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+  {
+    const Chord& a = sorted[i];
+    for (std::size_t j = i + 1; j < sorted.size() && sorted[j].GetLow(0) <= a.GetHigh(0); ++j)
+    {
+      const Chord& b = sorted[j];
+      // A loop does not cross itself at a corner between two chords; but it may where it comes back to that corner.
+      const bool areNeighbours = a.Next == b.Index || b.Next == a.Index;
+      double x = 0.0;
+      if (areNeighbours || b.GetLow(1) > a.GetHigh(1) || b.GetHigh(1) < a.GetLow(1) || !DoCross(a, b, x))
+      {
+        continue;
+      }
+      if (this->IsOverlap(a, b, x))
+      {
+        return true;
+      }
+      if (++crossings == MostCrossings)
+      {
+        return false;
+      }
+    }
+  }
+  return false;
+}
+}
+
+bool HasCrossingLoops(const Face& face)
+{
+  return !face.Loops.empty() && FlatLoops(face).HasCrossing();
+}
+}

@@ -1,0 +1,96 @@
+/**
+ * @file smWindingTree.h
+ * @brief Winding number of a closed triangulation about a point, in logarithmic time; not installed
+ */
+#ifndef smWindingTree_h
+#define smWindingTree_h
+
+#include "smFiltersNURBSModule.h"
+
+#include "smVector.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace sm
+{
+/// A triangle of a mesh, counter-clockwise seen from outside.
+struct MeshTriangle
+{
+  std::array<Vector3, 3> Corners;
+  /// Largest distance between the triangle and the surface that it stands for.
+  double Deviation = 0.0;
+};
+
+/// Returns how far a surface with these normals at the corners, unit or zero, may be from the flat triangle.
+SMFILTERSNURBS_EXPORT double EstimateDeviation(
+  const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>& normals);
+
+/// Returns the solid angle of a triangle seen from p (Van Oosterom and Strackee 1983): positive if p is behind it.
+SMFILTERSNURBS_EXPORT double GetSolidAngle(const Vector3& p, const std::array<Vector3, 3>& corners);
+
+/// Returns the distance of p from a triangle.
+SMFILTERSNURBS_EXPORT double GetDistance(const Vector3& p, const std::array<Vector3, 3>& corners);
+
+/**
+ * A hierarchy of triangles. The winding number about a point is the sum of their solid angles over 4 pi; triangles far away enter by
+ * their area vector, a dipole, and its first moment, as in Barill, Dickson, Schmidt, Levin and Jacobson, Fast winding numbers for
+ * soups and clouds, ACM Transactions on Graphics 37(4), 2018. A query is thread safe, and depends on nothing but the triangles and the
+ * point.
+ */
+class SMFILTERSNURBS_EXPORT WindingTree
+{
+public:
+  explicit WindingTree(const std::vector<MeshTriangle>& triangles);
+
+  /// No triangle is left out.
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  /// Returns the winding number, to 0.1 for the meshes of the tests. `without` is the index of a triangle to leave out.
+  double EvaluateWindingNumber(const Vector3& p, std::size_t without = None) const
+  {
+    return this->Evaluate(p, without, FarRatio);
+  }
+  /// The same as a sum over all triangles, to rounding.
+  double EvaluateExactWindingNumber(const Vector3& p, std::size_t without = None) const;
+
+  /**
+   * Returns true if p is farther from every triangle than its deviation plus `slack`. The triangles can then be moved to the surface
+   * without passing p, so that the winding number of the surface about p is that of the mesh.
+   */
+  bool IsFarFrom(const Vector3& p, double slack) const;
+
+private:
+  /// A cluster of triangles. The first child follows its parent.
+  struct Node
+  {
+    Vector3 Low, High;
+    double Deviation = 0.0;
+    /// Point of the expansion, and the largest distance of a corner from it.
+    Vector3 Center{};
+    double Radius = 0.0;
+    /// Sum of area vectors, and of the products of each with its centroid relative to Center: xx yy zz xy yz xz, symmetrised.
+    Vector3 Area{};
+    std::array<double, 6> Moment{};
+    std::size_t Begin = 0;
+    std::size_t End = 0;
+    /// Index of the second child; 0: a leaf.
+    std::size_t Second = 0;
+  };
+
+  /// Distance of a cluster, in its radii, from which on its expansion is used.
+  static constexpr double FarRatio = 2.0;
+
+  std::size_t Build(std::size_t begin, std::size_t end);
+  void Summarize(Node& node) const;
+  double Evaluate(const Vector3& p, std::size_t without, double farRatio) const;
+
+  std::vector<Node> Nodes;
+  std::vector<MeshTriangle> Triangles;
+  /// Index of each of Triangles in the constructor's argument.
+  std::vector<std::size_t> Order;
+};
+}
+
+#endif

@@ -1,0 +1,102 @@
+// Winding numbers about closed meshes: the hierarchy against the sum over all triangles, both against whole numbers, and the
+// distance from the mesh against every triangle's.
+#include "smTesting.h"
+#include "smWindingTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace
+{
+using namespace smtest;
+using Triangles = std::vector<sm::MeshTriangle>;
+
+/// A torus about the z axis. With tube > ring it is a spindle: the surface is its own continuation through the axis, turned inwards, and
+/// does not wind about the points near its centre.
+void AddTorus(double ring, double tube, int n, Triangles& triangles)
+{
+  const auto point = [=](int i, int j)
+  {
+    const double a = 2.0 * M_PI * i / n;
+    const double b = 2.0 * M_PI * j / n;
+    const double rho = ring + tube * std::cos(b);
+    return sm::Vector3{ rho * std::cos(a), rho * std::sin(a), tube * std::sin(b) };
+  };
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      triangles.push_back({ { point(i, j), point(i + 1, j), point(i + 1, j + 1) }, 0.01 * (j % 5) });
+      triangles.push_back({ { point(i, j), point(i + 1, j + 1), point(i, j + 1) }, 0.0 });
+    }
+  }
+}
+
+void CheckTorus(const char* name, double ring, double tube)
+{
+  std::printf("--- %s\n", name);
+  Triangles triangles;
+  AddTorus(ring, tube, 40, triangles);
+  const sm::WindingTree tree(triangles);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-4.0, 4.0);
+  double worst = 0.0;
+  double exact = 0.0;
+  int wrong = 0;
+  int disagreements = 0;
+  int far = 0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const sm::Vector3 p{ uniform(random), uniform(random), 0.5 * uniform(random) };
+    const double quick = tree.EvaluateWindingNumber(p);
+    const double slow = tree.EvaluateExactWindingNumber(p);
+    worst = std::max(worst, std::abs(quick - slow));
+    exact = std::max(exact, std::abs(slow - std::round(slow)));
+    const double rho = std::hypot(p[0], p[1]);
+    // In the half plane of p the torus is two circles.
+    const double d[2] = { std::hypot(rho - ring, p[2]) - tube, std::hypot(rho + ring, p[2]) - tube };
+    const bool isClear = std::min(std::abs(d[0]), std::abs(d[1])) > 0.05;
+    wrong += isClear && std::round(slow) != (d[0] < 0.0 ? 1.0 : 0.0) - (d[1] < 0.0 ? 1.0 : 0.0) ? 1 : 0;
+    const bool isFar = std::all_of(triangles.begin(), triangles.end(),
+      [&p](const sm::MeshTriangle& t) { return sm::GetDistance(p, t.Corners) > t.Deviation + 0.1; });
+    far += isFar ? 1 : 0;
+    disagreements += isFar != tree.IsFarFrom(p, 0.1) ? 1 : 0;
+  }
+  CheckRange("the hierarchy's error: first order, from twice the radius", 1e-6, worst, 0.1);
+  CheckRange("the sum is a whole number", 0.0, exact, 1e-9);
+  CheckEqual("wrong winding numbers", 0, wrong);
+  CheckEqual("points with another distance", 0, disagreements);
+  CheckRange("points far from the mesh", 200.0, far, 990.0);
+}
+
+void CheckSmall()
+{
+  std::printf("--- small meshes\n");
+  const sm::WindingTree none({});
+  Check("no triangle", 0.0, none.EvaluateWindingNumber({ 1, 2, 3 }), 0.0);
+  CheckTrue("no triangle is far", none.IsFarFrom({ 1, 2, 3 }, 1e9));
+  const sm::Vector3 o{ 0, 0, 0 };
+  const sm::Vector3 x{ 1, 0, 0 };
+  const sm::Vector3 y{ 0, 1, 0 };
+  const sm::Vector3 z{ 0, 0, 1 };
+  const Triangles corner = { { { o, y, x } }, { { o, x, z } }, { { o, z, y } }, { { x, y, z } } };
+  const sm::WindingTree tree(corner);
+  Check("inside", 1.0, tree.EvaluateWindingNumber({ 0.1, 0.1, 0.1 }), 1e-14, "rounding");
+  Check("on a face, without its triangle", 0.5, tree.EvaluateWindingNumber({ 0.2, 0.2, 0.0 }, 0), 1e-14,
+    "rounding");
+  const sm::WindingTree single({ corner[0] });
+  Check("an octant's share of a face", 0.125, single.EvaluateWindingNumber({ 0, 0, 1e-9 }), 1e-8,
+    "1e-9 above the corner");
+  const sm::WindingTree points(Triangles(20, { { x, x, x } }));
+  Check("triangles that are points", 0.0, points.EvaluateExactWindingNumber({ 1, 0, 0 }), 0.0);
+}
+}
+
+int TestWindingTree(int, char*[])
+{
+  CheckTorus("a ring", 2.5, 1.0);
+  CheckTorus("a spindle", 1.0, 1.8);
+  CheckSmall();
+  return Finish();
+}
