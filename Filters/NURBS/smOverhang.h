@@ -22,7 +22,7 @@
 
 namespace sm
 {
-struct Overhang
+struct SMFILTERSNURBS_EXPORT Overhang
 {
   /// Bounds of the largest distance from the border, and of its integral and the integral of its square along the trim curve.
   double Distance = 0.0;

@@ -129,6 +129,29 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
   }
 }
 
+/// Adds what rounding of the edges around the face may do to its area; AddDisplacementError has the rest.
+void AddBorderError(const Face& face, const std::vector<BoundClass>& classes, double reach, FacePlan& plan)
+{
+  double length = 0.0;
+  for (const Loop& loop : face.Loops)
+  {
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      const EdgeCurve& curve = coedge.Use->Curve;
+      for (std::size_t i = 1; i < curve.Coefficients.size(); ++i)
+      {
+        length += Norm(Subtract(curve.Coefficients[i], curve.Coefficients[i - 1]));
+      }
+    }
+  }
+  const double moved = std::sqrt(3.0) * face.Surface.Rounding;
+  for (std::size_t i = 0; i < classes.size(); ++i)
+  {
+    plan.ConversionBound[i] +=
+      classes[i].Kind == BoundClass::AreaMoment ? moved * length * std::pow(reach, classes[i].Degree) : 0.0;
+  }
+}
+
 /// Adds a cap, and the bound of its integrals: |x| is largest at a corner.
 void AddCap(const FacePanels& panels, const PlanRequest& request, std::uint32_t index, FacePlan& plan)
 {
@@ -250,6 +273,7 @@ FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequ
   }
   AddFitError(face, panels, all.Classes, reach, area, plan);
   AddDisplacementError(panels, all, area, plan);
+  AddBorderError(face, all.Classes, reach, plan);
   for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
   {
     values->resize(request.Classes.size());
