@@ -6,6 +6,7 @@
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
 #include "smParallelFor.h"
+#include "smUnitRoundoff.h"
 
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
