@@ -87,7 +87,20 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptio
   filter->SetDensity(options.Density);
   SetUpFilter(filter->GetMassProperties(), options);
   filter->GetMassProperties()->SetRelativeTolerance(options.Tolerance);
-  update(filter);
+  // It integrates again, in what is left of the time: its own status may be worse, and its messages say why.
+  const auto run = [&]()
+  {
+    update(filter);
+    if (file["status"] == names::StatusOk)
+    {
+      file["status"] = filter->GetStatus();
+    }
+    for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
+    {
+      messages.AddEcho(filter->GetMessage(i));
+    }
+  };
+  run();
   auto drawing = vtkSmartPointer<vtkPolyData>::New();
   if (filter->GetMassProperties()->GetNumberOfSolids() == 0)
   {
@@ -95,11 +108,6 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptio
   }
   drawing->ShallowCopy(filter->GetOutput());
   file["total"]["stability"] = Describe(filter, 0);
-  // Its first messages are those of its mass filter, which the list has already.
-  for (int i = filter->GetMassProperties()->GetNumberOfMessages(); i < filter->GetNumberOfMessages(); ++i)
-  {
-    messages.AddEcho(filter->GetMessage(i));
-  }
   if (file["solids"].size() == 1)
   {
     file["solids"][0]["stability"] = file["total"]["stability"];
@@ -107,7 +115,7 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptio
   }
   filter->SetBodies(vtkSolidStability::EACH);
   SetTimeLimit(filter->GetMassProperties(), options);
-  update(filter);
+  run();
   vtkIdType row = 0;
   for (Json& solid : file["solids"])
   {

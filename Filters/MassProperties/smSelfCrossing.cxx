@@ -25,6 +25,9 @@ constexpr std::size_t TrianglesPerSample = 8;
 /// Distance from an integer above which a winding number indicates a hole in the mesh, or a point on another part of it.
 constexpr double WholeNumber = 0.25;
 
+/// Share of the points where nothing can be decided, above which the check means nothing.
+constexpr double LargestUndecided = 0.25;
+
 /// Largest difference of area and vector area between mesh and face, relative to the area, and area of a face, relative to the body's,
 /// below which its mesh does not matter.
 constexpr double LargestMismatch = 0.25;
@@ -302,6 +305,11 @@ SelfCrossing Checker::Run()
       wrong.push_back(i);
     }
   }
+  if (wrong.empty() &&
+    LargestUndecided * static_cast<double>(winding.size()) < static_cast<double>(this->Result.Undecided))
+  {
+    this->Result.Unchecked = "its display mesh is not closed";
+  }
   const std::size_t count = std::min(wrong.size(), MostConfirmations);
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -366,15 +374,18 @@ SelfCrossingCheck::EntryPointer SelfCrossingCheck::Find(const std::vector<std::u
   {
     return instance->second;
   }
+  EntryPointer original;
   for (const std::uint64_t face : faces)
   {
     const auto known = this->Known.find(face);
-    if (known != this->Known.end())
+    if (known != this->Known.end() && known->second->Faces == faces)
     {
       return known->second;
     }
+    original = original || known == this->Known.end() ? original : known->second;
   }
-  return nullptr;
+  // An edit may have mended what was found.
+  return original && original->Result.Winding == 0 ? original : nullptr;
 }
 
 void SelfCrossingCheck::Run(std::vector<BodyIntegrals>& bodies)

@@ -56,8 +56,8 @@ public:
   /**
    * Flags bodies that cross themselves as suspect, and adds a note to those that could not be checked. A body that is already
    * flagged, is open or has no volume is passed over. Bodies that were read from one solid of a file are checked together. A body with
-   * the same faces as one of an earlier run has the same result. One that shares some of them is an edit of it and has its result, too:
-   * it is not checked again until Clear().
+   * the same faces as one of an earlier run has the same result. One that shares some of them is an edit of it: where that one was
+   * sound, it is not checked again until Clear().
    */
   void Run(std::vector<BodyIntegrals>& bodies);
   void Clear() { this->Known.clear(); }

@@ -21,7 +21,7 @@ constexpr double Flatness = 5e-4;
 constexpr double LeastExcuse = 1e-4;
 constexpr double LargestExcuse = 1e-3;
 /// Largest number of crossings that are examined; a sound face has none but where loops touch.
-constexpr int MostCrossings = 64;
+constexpr int MostCrossings = 4096;
 
 double Cross2(const Point2& a, const Point2& b)
 {

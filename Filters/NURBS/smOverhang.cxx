@@ -118,7 +118,8 @@ Overhang BoundOverhang(const Patch& patch, const std::array<double, 4>* points,
     { return (by[0] > 0.0 ? by[0] * speed[0] : 0.0) + (by[1] > 0.0 ? by[1] * speed[1] : 0.0); };
     const double distance = measure(beyond);
     const double length = measure(path);
-    sum.Add({ distance, distance * length, distance * distance * length });
+    const bool moves = path[0] > 0.0 || path[1] > 0.0;
+    sum.Add({ distance, moves ? distance * length : 0.0, moves ? distance * distance * length : 0.0 });
   }
   return sum;
 }

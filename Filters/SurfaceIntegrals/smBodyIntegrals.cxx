@@ -232,7 +232,8 @@ void AddOverhang(BodyIntegrals& body, const FaceIntegrals& face, const std::stri
   body.MaxOverhang = GetLargerGap(body.MaxOverhang, outside.Distance + face.MaxGap);
   body.MaxGap = GetLargerGap(body.MaxGap, outside.Distance + face.MaxGap);
   body.GapArea += outside.Area;
-  body.GapSquared += outside.Squared;
+  // The distances add along the edge; the face's own gap has been counted.
+  body.GapSquared += outside.Squared + 2.0 * std::sqrt(outside.Squared * face.GapSquared);
 }
 }
 

@@ -252,8 +252,10 @@ void vtkSurfaceIntegralBase::ReportFile(const Input& found)
   }
   if (found.Bodies.empty())
   {
-    const bool unreadable = found.File.Status == sm::names::StatusUnreadable;
-    report.FileStatus = unreadable ? sm::Status::Unreadable : sm::Status::Empty;
+    const std::string& file = found.File.Status;
+    report.FileStatus = file == sm::names::StatusUnreadable ? sm::Status::Unreadable
+      : file == "aborted"                                   ? sm::Status::NotComputed
+                                                            : sm::Status::Empty;
     report.SetReason(found.HasBodies  ? "no solid is chosen"
         : !found.File.Problem.empty() ? found.File.Problem
                                       : "the input holds no solid and no surface");

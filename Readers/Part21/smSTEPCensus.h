@@ -122,6 +122,7 @@ struct CensusBody
   int Context = -1;
   /// kg/m^3, of its product or else of the assemblies that it occurs in; 0: none is stated, or they differ.
   double Density = 0.0;
+  bool DensitiesDiffer = false;
   /// It depends on a defect of geometry.
   bool Damaged = false;
 };

@@ -129,7 +129,7 @@ private:
   std::vector<std::pair<Index, Index>> ShapesOfProducts;
   /// Number of instances of each product and, at its group's entity, of each shape.
   std::vector<CensusCount> Counts;
-  /// Density of each product and shape, its own or that of what it is part of; 0: none, NaN: these differ.
+  /// Density of each product and shape, its own or that of what it is part of; 0: none, NaN: these differ, -1: not known.
   std::vector<double> DensitiesOfEntities;
   /// Placement (OccurrenceShape) of each occurrence, and relationships that are part of one.
   std::unordered_map<Index, Index> Placements;

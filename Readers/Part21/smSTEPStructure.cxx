@@ -3,11 +3,21 @@
 #include "smSTEPDensities.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sm
 {
 namespace
 {
+/// A density that nothing has been said of.
+constexpr double Unknown = -1.0;
+
+/// The density of something in two places: theirs where they agree, else NaN.
+void JoinDensity(double passed, double& density)
+{
+  density = density == Unknown || density == passed ? passed : std::numeric_limits<double>::quiet_NaN();
+}
+
 constexpr STEPAttribute RelatingProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 3, 3, "relating product" };
 constexpr STEPAttribute RelatedProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 4, 4, "related product" };
 constexpr STEPAttribute OccurrenceId = { "PRODUCT_DEFINITION_RELATIONSHIP", 0, 0, "id" };
@@ -310,12 +320,9 @@ void STEPCensusTaker::PassDensity(Index from, Index to)
   const auto own = std::lower_bound(stated.begin(), stated.end(), product,
     [](const STEPDensity& density, std::uint64_t id) { return density.Product < id; });
   const bool hasOwn = own != stated.end() && own->Product == product && own->Density > 0.0;
-  const double passed = hasOwn ? own->Density : this->DensitiesOfEntities[from];
-  double& density = this->DensitiesOfEntities[to];
-  if (passed != 0.0)
-  {
-    density = density == 0.0 || density == passed ? passed : std::numeric_limits<double>::quiet_NaN();
-  }
+  // NaN stays NaN.
+  const double passed = hasOwn ? own->Density : std::max(this->DensitiesOfEntities[from], 0.0);
+  JoinDensity(passed, this->DensitiesOfEntities[to]);
 }
 
 void STEPCensusTaker::CountAll()
@@ -328,7 +335,7 @@ void STEPCensusTaker::CountAll()
   }
   this->Counts.assign(count, 0);
   this->Census.Densities = ReadSTEPDensities(this->Entities);
-  this->DensitiesOfEntities.assign(count, 0.0);
+  this->DensitiesOfEntities.assign(count, Unknown);
   this->Census.WithoutProducts = this->ShapesOfProducts.empty();
   std::vector<Index> open;
   for (Index i = 0; i < count; ++i)
@@ -441,17 +448,19 @@ void STEPCensusTaker::FindSolidsBelow()
 
 void STEPCensusTaker::SetInstances()
 {
+  std::vector<double> densities(this->Census.Bodies.size(), Unknown);
   for (const auto& [group, body] : this->BodiesOfGroups)
   {
     CensusCount& instances = this->Census.Bodies[body].Instances;
     instances = AddCounts(instances, this->Counts[group]);
-    const double density = this->DensitiesOfEntities[group];
-    double& ofBody = this->Census.Bodies[body].Density;
-    ofBody = density > 0.0 ? density : ofBody;
+    const double density = std::max(this->DensitiesOfEntities[group], 0.0);
+    JoinDensity(density, densities[body]);
   }
   for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
   {
-    const CensusBody& body = this->Census.Bodies[k];
+    CensusBody& body = this->Census.Bodies[k];
+    body.Density = densities[k] > 0.0 ? densities[k] : 0.0;
+    body.DensitiesDiffer = std::isnan(densities[k]);
     if (body.Instances == 0 && body.Kind == CensusBodyKind::Solid)
     {
       this->Add(CensusDefect::UnreachedBody, this->BodyEntities[k]);

@@ -64,6 +64,11 @@ public:
       {
         this->Result.Bodies[i].Density = body.Density;
       }
+      if (body.DensitiesDiffer && body.Instances > 0)
+      {
+        this->Result.Messages.push_back("Solid " + Name(body) +
+          " of the file occurs in assemblies of different densities, or of none: it has no mass.");
+      }
       if (body.Instances == 0)
       {
         continue;

@@ -350,6 +350,8 @@ void vtkSTEPReader::Read(vtkPartitionedDataSetCollection* output)
   }
   const sm::KernelSession kernel;
   const double start = vtkTimerLog::GetUniversalTime();
+  // The time that another reader's file took does not count.
+  this->Start = start;
   const sm::Document document =
     sm::ReadDocument(this->FileName, [this](double x) { return this->Report(ReadingShare * x); });
   this->Last->ReadSeconds = vtkTimerLog::GetUniversalTime() - start;

@@ -101,25 +101,30 @@ void CheckProperties()
   }
 }
 
+sm::CensusBody TakeBoxed(const std::string& statements)
+{
+  const std::string text = smtest::GetAssemblyCases().at(0).Text;
+  return Take(smtest::Replace(text, "#60=NEXT", Units + statements + "#60=NEXT")).Bodies.at(0);
+}
+
 void CheckAssemblies()
 {
-  const auto take = [](const std::string& statements)
-  {
-    const std::string text = smtest::GetAssemblyCases().at(0).Text;
-    return Take(smtest::Replace(text, "#60=NEXT", Units + statements + "#60=NEXT")).Bodies.at(0).Density;
-  };
   const std::string whole = StateDensity(100, "2.7", "#81,1.", "#83,-3.", "#52");
   const std::string part = StateDensity(110, "7850.", "#80,1.", "#82,-3.", "#44");
-  Check("of the assembly", 2700.0, take(whole), 0.0);
-  Check("its own goes first", 7850.0, take(whole + part), 0.0);
-  Check("none", 0.0, take(""), 0.0);
-  // The ball in a second product of another density.
+  Check("of the assembly", 2700.0, TakeBoxed(whole).Density, 0.0);
+  Check("its own goes first", 7850.0, TakeBoxed(whole + part).Density, 0.0);
+  Check("none", 0.0, TakeBoxed("").Density, 0.0);
+  // The ball in a second product, of another density, of none, and of the same.
   const std::string second = "#150=PRODUCT_DEFINITION('design','',#51,#43);\n"
                              "#151=NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','second','',#150,#44,$);\n";
-  Check("in two assemblies", 0.0, take(whole + second + StateDensity(160, "1.", "#81,1.", "#83,-3.", "#150")),
-    0.0, "they differ");
-  Check("of equal density", 2700.0,
-    take(whole + second + StateDensity(160, "2700.", "#80,1.", "#82,-3.", "#150")), 0.0);
+  for (const std::string& other : { StateDensity(160, "1.", "#81,1.", "#83,-3.", "#150"), std::string() })
+  {
+    const sm::CensusBody ball = TakeBoxed(whole + second + other);
+    CheckTrue("in assemblies that differ", ball.Density == 0.0 && ball.DensitiesDiffer);
+  }
+  const sm::CensusBody ball =
+    TakeBoxed(whole + second + StateDensity(160, "2700.", "#80,1.", "#82,-3.", "#150"));
+  CheckTrue("in assemblies that agree", ball.Density == 2700.0 && !ball.DensitiesDiffer);
 }
 }
 
