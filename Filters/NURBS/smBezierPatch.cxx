@@ -126,8 +126,7 @@ Patch MakePatch(const NURBSSurface& surface, double u0, double u1, double v0, do
   // Once more, relative to the centre.
   const Point3 moved = surface.ExtractBezier(u0, u1, v0, v1, cell, patch.Center);
   points.insert(points.end(), cell, cell + count);
-  std::transform(
-    moved.begin(), moved.end(), patch.Displacement, [&surface](double d) { return d + surface.Rounding; });
+  std::copy(moved.begin(), moved.end(), patch.Displacement);
   MeasurePatch(cell, patch);
   return patch;
 }

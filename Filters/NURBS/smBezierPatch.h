@@ -29,7 +29,7 @@ struct Patch
   int Degree[2];
   /// No less than |dS/ds| and |dS/dr| anywhere: the largest step of the control net, see StretchOf() in the source.
   double Stretch[2];
-  /// Bounds, in x, y and z, of the distance by which reading, extraction and centring may have moved a control point, lengths;
+  /// Bounds, in x, y and z, of the distance by which extraction and centring may have moved a control point, lengths;
   /// and no less than the components of |Ss x Sr| anywhere.
   double Displacement[3];
   double Normal[3];
