@@ -33,9 +33,6 @@ struct SMFILTERSNURBS_EXPORT NURBSSurface
   bool Rational = false;
   /// Largest distance from the surface it was made from, in model length units; 0: exact.
   double Residual = 0.0;
-  /// How far rounding of the numbers that it was read from, and of its conversion, may have moved any of its points, and those of the edges
-  /// around it, in each coordinate; model length units. 0: its own numbers define the surface.
-  double Rounding = 0.0;
 
   double GetDomainStart(int direction) const { return this->Knots[direction][this->Degree[direction]]; }
   double GetDomainEnd(int direction) const

@@ -77,6 +77,18 @@ Point2 BoundDerivatives(const Patch& patch, const std::array<double, 4>* points,
     bounds[d] = weight > 0.0 ? growth * (step[d] + growth * position * turn[d] / weight) / weight
                              : std::numeric_limits<double>::infinity();
   }
+  if (weight > 0.0)
+  {
+    const double degree = std::max(patch.Degree[0], patch.Degree[1]);
+    const double fastest = std::max(bounds[0], bounds[1]);
+    const double turns = std::max(turn[0], turn[1]);
+    const double second = 2.0 * growth / weight *
+      (degree * std::max(step[0], step[1]) + turns * fastest + degree * turns * growth * position / weight);
+    for (int d = 0; d < 2; ++d)
+    {
+      bounds[d] = std::min(bounds[d], patch.Stretch[d] + second * (beyond[0] + beyond[1]));
+    }
+  }
   return bounds;
 }
 }

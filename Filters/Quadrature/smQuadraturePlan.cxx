@@ -80,24 +80,14 @@ double GetPolygonLength(const std::array<double, 4>* points, int degree, int str
   return length;
 }
 
-/// What the area of a patch changes by, over the distance d by which its control points are moved. A step
-/// w_(i+1) d_(i+1) - w_i d_i - (w_(i+1) - w_i) D, D the displacement here, is at most 2 d max(w_i, w_(i+1)), and dS/ds is moved by at most
-/// p sum B_i^(p-1) of these over w = sum B_i^(p-1) ((1-s) w_i + s w_(i+1)). With weights of neighbours up to q apart that is
-/// 2 p d q / (1 + (q - 1) min(s, 1-s)), on average over s 4 p d q / (q - 1) ln((q + 1) / 2); without weights 2 p d. A curve in r is no longer than
-/// its control polygon, at most 2 q rc. Sr likewise.
-double GetTurnedLength(const Patch& patch)
-{
-  const double ratio = patch.WeightRatio;
-  const double spread = ratio > 1.0 ? 4.0 * ratio / (ratio - 1.0) * std::log(0.5 * (ratio + 1.0)) : 2.0;
-  const double length[2] = { std::min(patch.Stretch[0], 2.0 * patch.Degree[0] * patch.Radius),
-    std::min(patch.Stretch[1], 2.0 * patch.Degree[1] * patch.Radius) };
-  return spread * (patch.Degree[0] * length[1] + patch.Degree[1] * length[0]);
-}
-
 /**
  * Adds the error of rounding of the patches' control points, by d; a point of the patch is a convex sum of theirs. The ribbons
  * start from the same rounded patch, so the chain's moments change by the flux of d through the area, `area` at most; but
- * along interior knot lines each of two patches has moved by itself, and a slit opens. The area changes with the tangents.
+ * along interior knot lines each of two patches has moved by itself, and a slit opens. The area changes with
+ * the tangents. A step w_(i+1) d_(i+1) - w_i d_i - (w_(i+1) - w_i) D, D the displacement here, is at most 2 d max(w_i, w_(i+1)),
+ * and dS/ds is moved by at most p sum B_i^(p-1) of these over w = sum B_i^(p-1) ((1-s) w_i + s w_(i+1)). With weights of
+ * neighbours up to q apart that is 2 p d q / (1 + (q - 1) min(s, 1-s)), on average over s 4 p d q / (q - 1) ln((q + 1) / 2);
+ * without weights 2 p d. A curve in r is no longer than its control polygon, at most 2 q rc. Sr likewise.
  */
 void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, double area, FacePlan& plan)
 {
@@ -108,7 +98,11 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
     // Either alone is enough, and 0 times an infinite area is no number.
     const double swept = std::fmin(
       d * area, moved[0] * patch.Normal[0] + moved[1] * patch.Normal[1] + moved[2] * patch.Normal[2]);
-    const double rotated = GetTurnedLength(patch);
+    const double ratio = patch.WeightRatio;
+    const double spread = ratio > 1.0 ? 4.0 * ratio / (ratio - 1.0) * std::log(0.5 * (ratio + 1.0)) : 2.0;
+    const double length[2] = { std::min(patch.Stretch[0], 2.0 * patch.Degree[0] * patch.Radius),
+      std::min(patch.Stretch[1], 2.0 * patch.Degree[1] * patch.Radius) };
+    const double rotated = spread * (patch.Degree[0] * length[1] + patch.Degree[1] * length[0]);
     double border = 0.0;
     if (panels.Patches.size() > 1)
     {
@@ -131,52 +125,6 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
         : c.Kind == BoundClass::HeightMoment ? power * (swept + reach * d * border)
         : c.Kind == BoundClass::AreaMoment   ? d * power * rotated
                                              : d * border;
-    }
-  }
-}
-
-/**
- * Adds the error of what the surface was read from: surface and edges may have moved by a distance, together, so that nothing opens. A solid
- * changes by that over the area, an area with its tangents and by that along its border.
- */
-void AddReadingError(const Face& face, const FacePanels& panels, const std::vector<BoundClass>& classes,
-  double reach, double area, FacePlan& plan)
-{
-  const double moved = std::sqrt(3.0) * face.Surface.Rounding;
-  if (!(moved > 0.0))
-  {
-    return;
-  }
-  double length = 0.0;
-  for (const Patch& patch : panels.Patches)
-  {
-    length += GetTurnedLength(patch);
-  }
-  for (const Loop& loop : face.Loops)
-  {
-    for (const Coedge& coedge : loop.Coedges)
-    {
-      const EdgeCurve& curve = coedge.Use->Curve;
-      for (std::size_t i = 1; i < curve.Coefficients.size(); ++i)
-      {
-        length += Norm(Subtract(curve.Coefficients[i], curve.Coefficients[i - 1]));
-      }
-    }
-  }
-  for (std::size_t i = 0; i < classes.size(); ++i)
-  {
-    const double power = std::pow(reach, classes[i].Degree);
-    switch (classes[i].Kind)
-    {
-      case BoundClass::VolumeMoment:
-      case BoundClass::HeightMoment:
-        plan.ConversionBound[i] += moved * area * power;
-        break;
-      case BoundClass::AreaMoment:
-        plan.ConversionBound[i] += moved * length * power;
-        break;
-      default:
-        break;
     }
   }
 }
@@ -302,7 +250,6 @@ FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequ
   }
   AddFitError(face, panels, all.Classes, reach, area, plan);
   AddDisplacementError(panels, all, area, plan);
-  AddReadingError(face, panels, all.Classes, reach, area, plan);
   for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
   {
     values->resize(request.Classes.size());

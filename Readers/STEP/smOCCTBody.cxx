@@ -6,7 +6,6 @@
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
 #include "smParallelFor.h"
-#include "smUnitRoundoff.h"
 
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -273,20 +272,6 @@ private:
     return trims;
   }
 
-  /// The file's decimals become doubles, are converted to another unit, and give control points: each step rounds once.
-  double GetRounding(const NURBSSurface& surface) const
-  {
-    double reach = 0.0;
-    for (const std::array<double, 4>& h : surface.ControlPoints)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        reach = std::max(reach, std::abs(h[c] / h[3] + this->Origin[c]));
-      }
-    }
-    return 3.0 * UnitRoundoff * reach;
-  }
-
   void ConvertFace(std::size_t index)
   {
     DraftFace& draft = this->Drafts[index];
@@ -311,7 +296,6 @@ private:
       this->ConvertLoop(draft, draft.Loops[l], surface, box, trims[l], *face, result);
     }
     face->Surface = std::move(surface.Surface);
-    face->Surface.Rounding = this->GetRounding(face->Surface);
     this->CheckClosing(draft, *face);
     result.Defects = draft.Defects;
     result.Source = draft.Face;
