@@ -35,6 +35,8 @@ class Run:
         self.errors = {}
         self.bounds = {}
         self.allowed = {}
+        # The tolerance of the centre refers to half the diagonal where that is more than the cube root of the volume.
+        self.center_scale = 1.0
 
     def total(self, key):
         return self.document["total"].get(key) if self.document else None
@@ -48,7 +50,7 @@ class Run:
 
     def is_tight(self, name):
         bound = self.bounds.get(name)
-        return bound is not None and bound <= self.tolerance
+        return bound is not None and bound <= self.tolerance * (self.center_scale if name == "center" else 1.0)
 
     def is_right(self, name):
         error, allowed = self.errors.get(name), self.allowed.get(name)
@@ -124,6 +126,8 @@ def judge_quantity(reference, run, name, key, scale):
         return
     run.errors[name] = error / scale
     run.bounds[name] = bound / scale
+    if name == "center":
+        run.center_scale = max(1.0, 0.5 * run.document["diagonal"] / scale)
     run.allowed[name] = run.bounds[name] + reference["uncertainty"] + get_gap_squared(reference)
     if not run.is_right(name):
         run.missed[name] = (f"{run.errors[name]:.2e} off, {run.allowed[name]:.2e} allowed "
