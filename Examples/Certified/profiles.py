@@ -233,4 +233,3 @@ def _write_revolved_side(file, s, lift, side, loops):
     slope = (high[0] - low[0]) / abs(high[1] - low[1])
     up = high[1] > low[1]
     return (file.cone((0, 0, low[1]), (0, 0, 1 if up else -1), x, low[0], round_to_decimal(arctangent(slope))), loops, z1 > z0)
-
