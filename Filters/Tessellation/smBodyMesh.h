@@ -1,0 +1,31 @@
+/**
+ * @file smBodyMesh.h
+ * @brief A display mesh of faces that share edges: closed where the faces are, within a deflection that is proved
+ */
+#ifndef smBodyMesh_h
+#define smBodyMesh_h
+
+#include "smFaceMesher.h"
+#include "smFiltersTessellationModule.h"
+
+#include <functional>
+#include <vector>
+
+namespace sm
+{
+/**
+ * One mesh for each face. Every edge is sampled once: points of different faces on one edge have the same bits, and so have
+ * the ends of edges that meet in a loop. So the triangles of a closed body have no open sides.
+ *
+ * Each face is within its FaceMesh::Deviation of its surface, and that is at most the deflection unless the gap between face and
+ * edges, or the limits on the number of points, forbid it. Edges are within the deflection of their chords. The angle is aimed at, not
+ * proved.
+ *
+ * Runs on the threads of vtkSMPTools, with the same result for any number of them. `isStopped`, where there is one, is asked now and
+ * then on the calling thread; faces that were not reached have no triangles then.
+ */
+SMFILTERSTESSELLATION_EXPORT std::vector<FaceMesh> MeshFaces(
+  const std::vector<FacePointer>& faces, const MeshLimits& limits, const std::function<bool()>& isStopped = {});
+}
+
+#endif

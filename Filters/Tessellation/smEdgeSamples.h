@@ -1,0 +1,44 @@
+/**
+ * @file smEdgeSamples.h
+ * @brief The points of an edge that all of its faces share
+ */
+#ifndef smEdgeSamples_h
+#define smEdgeSamples_h
+
+#include "smFiltersTessellationModule.h"
+
+#include "smFace.h"
+#include "smSurfaceBlocks.h"
+
+#include <vector>
+
+namespace sm
+{
+struct MeshLimits
+{
+  /// Largest distance of a triangle from its surface and of a segment from its edge, in model units.
+  double Deflection = 0.0;
+  /// Wanted angle between neighbouring triangles and segments, in radians.
+  double Angle = 0.35;
+};
+
+/// A face beside an edge.
+struct EdgeUse
+{
+  const SurfaceBlocks* Blocks;
+  const TrimCurve* Trim;
+};
+
+/**
+ * Parameters from the start of the edge to its end, increasing, such that every chord is within the deflection of the edge's curve:
+ * proved by the coefficients of the curve; and such that along every chord the surfaces of its faces leave room for triangles
+ * (SurfaceBlocks::GetError()). At least `least` chords; no more than 20,000, whatever that leaves.
+ */
+SMFILTERSTESSELLATION_EXPORT std::vector<double> SampleEdge(
+  const Edge& edge, const std::vector<EdgeUse>& uses, const MeshLimits& limits, int least);
+
+/// No less than the distance of the curve from the chord between parameters `low` and `high`.
+SMFILTERSTESSELLATION_EXPORT double BoundSagitta(const EdgeCurve& curve, double low, double high);
+}
+
+#endif

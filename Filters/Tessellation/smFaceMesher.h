@@ -1,0 +1,56 @@
+/**
+ * @file smFaceMesher.h
+ * @brief Triangles of one face between boundary points that it shares with its neighbours
+ */
+#ifndef smFaceMesher_h
+#define smFaceMesher_h
+
+#include "smEdgeSamples.h"
+#include "smFace.h"
+#include "smFiltersTessellationModule.h"
+#include "smSurfaceBlocks.h"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sm
+{
+/// A point of a loop, and the chord that leads from it to the next.
+struct BoundaryPoint
+{
+  std::array<double, 2> Parameters{};
+  std::array<double, 3> Position{};
+  /// The point of the body, see BodyMesh; two points of a loop are one where they have the same.
+  int Shared = -1;
+  /// Edge of the chord and its number there; -1: a straight line in (u,v) that closes the loop.
+  int Edge = -1;
+  int Chord = -1;
+};
+using BoundaryLoop = std::vector<BoundaryPoint>;
+
+struct FaceMesh
+{
+  /// In the coordinates of the model; unit normals point out of the body.
+  std::vector<std::array<double, 3>> Points;
+  std::vector<std::array<double, 3>> Normals;
+  std::vector<std::array<double, 2>> Parameters;
+  /// Counter-clockwise seen from outside.
+  std::vector<std::array<int, 3>> Triangles;
+  /// Bound of the distance of the triangles from the surface.
+  double Deviation = 0.0;
+  /// A sentence where the face has no triangles, or not those that its boundary asks for.
+  std::string Reason;
+};
+
+/**
+ * Triangulates what lies to the left of the loops. Segments of the loops stay as they are, and nothing is put on them. With
+ * `halve` it lists chords (edge, number) that have to be halved first, because they cross others or enclose nothing, and
+ * has no triangles then.
+ */
+SMFILTERSTESSELLATION_EXPORT FaceMesh MeshFace(const Face& face, const SurfaceBlocks& blocks,
+  const std::vector<BoundaryLoop>& loops, const MeshLimits& limits, std::vector<std::pair<int, int>>* halve);
+}
+
+#endif

@@ -1,0 +1,720 @@
+#include "smSurfaceBlocks.h"
+
+#include "smPatchParts.h"
+#include "smVector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+using Homogeneous = std::array<double, 4>;
+
+/// Parts of a span, per direction, on which its second derivatives are bounded; of a polynomial of low degree, and of others.
+constexpr int PlainParts = 1;
+constexpr int CurvedParts = 2;
+/// How often a part is halved in both directions where its weights differ too much for a bound.
+constexpr int MostHalvings = 5;
+/// The same where weights are no products: the bound is too coarse before.
+constexpr int LeastHalvings = 2;
+/// Parts of a rational curve on which its second derivative is bounded.
+constexpr int CurveParts = 4;
+
+/// Normals are not looked for where S_u and S_v are nearer to parallel, and turns not where the speed is this part of the block's.
+constexpr double LeastSine = 1e-6;
+constexpr double LeastSpeed = 1e-2;
+/// A block that seems to turn more, in radians, is no guide to steps.
+constexpr double MostTurn = 3.2;
+
+/// A strip between knots, relative to the face, that is a crease: the first derivative changes across it by its second times its width.
+constexpr double ThinShare = 1e-4;
+
+/// Jump of a derivative, relative to it, that is rounding.
+constexpr double SmoothJump = 1e-8;
+
+/// A net of Bernstein coefficients, u index fastest.
+struct Net
+{
+  int P = 0;
+  int Q = 0;
+  std::vector<Homogeneous> B;
+
+  const Homogeneous& At(int i, int j) const { return this->B[i + static_cast<std::size_t>(j) * (this->P + 1)]; }
+  Homogeneous& At(int i, int j) { return this->B[i + static_cast<std::size_t>(j) * (this->P + 1)]; }
+  void Resize(int p, int q)
+  {
+    this->P = p;
+    this->Q = q;
+    this->B.assign(static_cast<std::size_t>(p + 1) * (q + 1), Homogeneous{});
+  }
+};
+
+/// The derivative in one direction; a constant 0 for degree 0.
+Net Derive(const Net& from, int direction)
+{
+  Net to;
+  const int degree = direction == 0 ? from.P : from.Q;
+  to.Resize(direction == 0 ? std::max(from.P - 1, 0) : from.P, direction == 1 ? std::max(from.Q - 1, 0) : from.Q);
+  for (int j = 0; degree > 0 && j <= to.Q; ++j)
+  {
+    for (int i = 0; i <= to.P; ++i)
+    {
+      const Homogeneous& a = from.At(i, j);
+      const Homogeneous& b = direction == 0 ? from.At(i + 1, j) : from.At(i, j + 1);
+      for (int c = 0; c < 4; ++c)
+      {
+        to.At(i, j)[c] = degree * (b[c] - a[c]);
+      }
+    }
+  }
+  return to;
+}
+
+/// The same polynomial with one degree more in u until it has degree p, and so in v.
+void Elevate(Net& net, int p, int q)
+{
+  while (net.P < p || net.Q < q)
+  {
+    const bool alongU = net.P < p;
+    const Net from = net;
+    const int n = (alongU ? from.P : from.Q) + 1;
+    net.Resize(from.P + (alongU ? 1 : 0), from.Q + (alongU ? 0 : 1));
+    for (int j = 0; j <= net.Q; ++j)
+    {
+      for (int i = 0; i <= net.P; ++i)
+      {
+        const int k = alongU ? i : j;
+        const double share = static_cast<double>(k) / n;
+        for (int c = 0; c < 4; ++c)
+        {
+          const double before = k > 0 ? (alongU ? from.At(i - 1, j) : from.At(i, j - 1))[c] : 0.0;
+          const double here = k < n ? (alongU ? from.At(i, j) : from.At(i, j))[c] : 0.0;
+          net.At(i, j)[c] = share * before + (1.0 - share) * here;
+        }
+      }
+    }
+  }
+}
+
+Homogeneous Evaluate(const Net& net, double s, double r)
+{
+  Homogeneous column[MaximumDegree + 1] = {};
+  for (int j = 0; j <= net.Q; ++j)
+  {
+    column[j] = BernsteinPiece<4>{ &net.At(0, j), net.P }.Evaluate(s);
+  }
+  return BernsteinPiece<4>{ column, net.Q }.Evaluate(r);
+}
+
+Vector3 Project(const Homogeneous& h)
+{
+  return { h[0] / h[3], h[1] / h[3], h[2] / h[3] };
+}
+
+/// (H' - S w') / w: the derivative of the quotient.
+Vector3 ProjectDerivative(const Homogeneous& h, const Vector3& s, double w)
+{
+  return { (h[0] - s[0] * h[3]) / w, (h[1] - s[1] * h[3]) / w, (h[2] - s[2] * h[3]) / w };
+}
+
+double GetLargestNorm(const Net& net)
+{
+  double largest = 0.0;
+  for (const Homogeneous& h : net.B)
+  {
+    largest = std::max(largest, Dot(h.data(), h.data()));
+  }
+  return std::sqrt(largest);
+}
+
+double GetLargestWeight(const Net& net)
+{
+  double largest = 0.0;
+  for (const Homogeneous& h : net.B)
+  {
+    largest = std::max(largest, std::abs(h[3]));
+  }
+  return largest;
+}
+
+/**
+ * With c, d_u, d_v: position and derivatives in the middle, H = (P, w):
+ *     w S_uu = (P_uu - w_uu c - 2 w_u d_u)             - w_uu (S - c) - 2 w_u (S_u - d_u)
+ *     w S_uv = (P_uv - w_uv c - w_u d_v - w_v d_u)     - w_uv (S - c) - w_u (S_v - d_v) - w_v (S_u - d_u)
+ * The brackets are polynomials, bounded by their coefficients; |S_u - d_u| <= (M_uu + M_uv) / 2 and so on on [0,1]^2. That is
+ * M <= g + A M with A, g >= 0; any M with M >= g + A M and g > 0 bounds the true one, for then the spectral radius of A is below 1.
+ */
+bool BoundRational(const Net& net, const Net& u, const Net& v, std::array<double, 3>& bound)
+{
+  const Net second[3] = { Derive(u, 0), Derive(u, 1), Derive(v, 1) };
+  const Homogeneous h = Evaluate(net, 0.5, 0.5);
+  const Vector3 c = Project(h);
+  const Vector3 middle[2] = { ProjectDerivative(Evaluate(u, 0.5, 0.5), c, h[3]),
+    ProjectDerivative(Evaluate(v, 0.5, 0.5), c, h[3]) };
+  double lightest = net.B[0][3];
+  for (const Homogeneous& b : net.B)
+  {
+    lightest = std::min(lightest, b[3]);
+  }
+  const double a[2] = { GetLargestWeight(u) / lightest, GetLargestWeight(v) / lightest };
+  double g[3];
+  double twice[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    Net all = second[k];
+    Net first[2] = { u, v };
+    const int p = k == 1 ? net.P : (k == 0 ? std::max(u.P, all.P) : net.P);
+    const int q = k == 1 ? net.Q : (k == 2 ? std::max(v.Q, all.Q) : net.Q);
+    Elevate(all, p, q);
+    for (std::size_t i = 0; i < all.B.size(); ++i)
+    {
+      for (int x = 0; x < 3; ++x)
+      {
+        all.B[i][x] -= all.B[i][3] * c[x];
+      }
+    }
+    // w_u with d_u for S_uu; w_u with d_v and w_v with d_u for S_uv.
+    for (int d = 0; d < 2; ++d)
+    {
+      if ((k == 0 && d == 1) || (k == 2 && d == 0))
+      {
+        continue;
+      }
+      Elevate(first[d], p, q);
+      const Vector3& with = k == 1 ? middle[1 - d] : middle[d];
+      for (std::size_t i = 0; i < all.B.size(); ++i)
+      {
+        for (int x = 0; x < 3; ++x)
+        {
+          all.B[i][x] -= (k == 1 ? 1.0 : 2.0) * first[d].B[i][3] * with[x];
+        }
+      }
+    }
+    g[k] = GetLargestNorm(all) / lightest;
+    twice[k] = GetLargestWeight(second[k]) / lightest;
+  }
+  const double far = 0.5 * (Norm(middle[0]) + Norm(middle[1]));
+  const double least = 1e-14 * (Norm(middle[0]) + Norm(middle[1])) + 1e-300;
+  std::array<double, 3> m{};
+  for (int step = 0; step < 60; ++step)
+  {
+    const double r = far + 0.125 * (m[0] + 2.0 * m[1] + m[2]);
+    const double ends[2] = { 0.5 * (m[0] + m[1]), 0.5 * (m[1] + m[2]) };
+    const std::array<double, 3> next{ g[0] + twice[0] * r + 2.0 * a[0] * ends[0] + least,
+      g[1] + twice[1] * r + a[0] * ends[1] + a[1] * ends[0] + least,
+      g[2] + twice[2] * r + 2.0 * a[1] * ends[1] + least };
+    if (next[0] <= m[0] && next[1] <= m[1] && next[2] <= m[2])
+    {
+      bound = m;
+      return true;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      m[k] = 1.02 * next[k];
+    }
+  }
+  return false;
+}
+
+/// Second derivatives of a rational patch of any weights, coarse: |S_u| <= p (w_max / w_min)^2 max |S_i - S_j|.
+std::array<double, 3> BoundCoarsely(const Net& net, const Net& u, const Net& v)
+{
+  const Vector3 c = Project(net.B[0]);
+  double size = 0.0;
+  double lightest = net.B[0][3];
+  for (const Homogeneous& h : net.B)
+  {
+    size = std::max(size, Norm(Subtract(Project(h), c)));
+    lightest = std::min(lightest, h[3]);
+  }
+  const double ratio = GetLargestWeight(net) / lightest;
+  const double slope[2] = { 2.0 * net.P * ratio * ratio * size, 2.0 * net.Q * ratio * ratio * size };
+  const double a[2] = { GetLargestWeight(u) / lightest, GetLargestWeight(v) / lightest };
+  const Net second[3] = { Derive(u, 0), Derive(u, 1), Derive(v, 1) };
+  std::array<double, 3> bound;
+  for (int k = 0; k < 3; ++k)
+  {
+    Net moved = second[k];
+    for (Homogeneous& h : moved.B)
+    {
+      for (int x = 0; x < 3; ++x)
+      {
+        h[x] -= h[3] * c[x];
+      }
+    }
+    bound[k] = (GetLargestNorm(moved) + GetLargestWeight(moved) * size) / lightest;
+  }
+  bound[0] += 2.0 * a[0] * slope[0];
+  bound[1] += a[0] * slope[1] + a[1] * slope[0];
+  bound[2] += 2.0 * a[1] * slope[1];
+  return bound;
+}
+
+/// True where the weights are products of a weight of the column and one of the row.
+bool IsSeparable(const Net& net)
+{
+  const double corner = net.At(0, 0)[3];
+  for (int j = 1; j <= net.Q; ++j)
+  {
+    for (int i = 1; i <= net.P; ++i)
+    {
+      const double product = net.At(i, 0)[3] * net.At(0, j)[3];
+      if (!(std::abs(net.At(i, j)[3] * corner - product) <= 1e-12 * product))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Bound of the second derivative of a rational curve on [0,1], as in BoundRational() with one direction; infinite where there is none.
+double BoundCurve(const Homogeneous* b, int degree)
+{
+  const BernsteinPiece<4> curve{ b, degree };
+  Homogeneous derivative;
+  const Homogeneous h = curve.Evaluate(0.5, &derivative);
+  const Vector3 c = Project(h);
+  const Vector3 d = ProjectDerivative(derivative, c, h[3]);
+  double lightest = b[degree][3];
+  double slope = 0.0;
+  double bend = 0.0;
+  for (int i = 0; i < degree; ++i)
+  {
+    lightest = std::min(lightest, b[i][3]);
+    slope = std::max(slope, degree * std::abs(b[i + 1][3] - b[i][3]));
+  }
+  // P'' - w'' c - 2 w' d, of degree - 1: the second differences have one degree less.
+  double largest = 0.0;
+  for (int i = 0; i < degree; ++i)
+  {
+    Homogeneous second{};
+    for (int side = 0; side < 2; ++side)
+    {
+      const int k = i - 1 + side;
+      const double share = side == 0 ? i / std::max(degree - 1.0, 1.0) : 1.0 - i / std::max(degree - 1.0, 1.0);
+      for (int x = 0; k >= 0 && k + 2 <= degree && x < 4; ++x)
+      {
+        second[x] += share * degree * (degree - 1.0) * (b[k + 2][x] - 2.0 * b[k + 1][x] + b[k][x]);
+      }
+    }
+    const double w = degree * (b[i + 1][3] - b[i][3]);
+    Vector3 g;
+    for (int x = 0; x < 3; ++x)
+    {
+      g[x] = second[x] - second[3] * c[x] - 2.0 * w * d[x];
+    }
+    largest = std::max(largest, Norm(g));
+  }
+  for (int i = 0; i + 2 <= degree; ++i)
+  {
+    bend = std::max(bend, degree * (degree - 1.0) * std::abs(b[i + 2][3] - 2.0 * b[i + 1][3] + b[i][3]));
+  }
+  const double rest = 1.0 - slope / lightest - 0.125 * bend / lightest;
+  return rest > 0.0 ? (largest + 0.5 * bend * Norm(d)) / lightest / rest : HUGE_VAL;
+}
+
+/**
+ * With w_ij = a_i b_j the surface is sum R_i(u) R_j(v) S_ij with rational bases of one direction each. R_j(v) >= 0 sum to 1, so
+ * |S_uu| is at most that of the curves whose points are S_ij of one j; and |S_uv| <= p q (ratios of weights)^2 max |second
+ * difference of S_ij in both directions|, because |C'| <= p (w_max / w_min)^2 max |S_i+1 - S_i| for a rational curve. False where the
+ * weights differ too much.
+ */
+bool BoundSeparable(const Net& net, std::array<double, 3>& bound)
+{
+  bound = {};
+  double ratio = 1.0;
+  for (int direction = 0; direction < 2; ++direction)
+  {
+    const int degree = direction == 0 ? net.P : net.Q;
+    const int rows = direction == 0 ? net.Q : net.P;
+    Homogeneous line[MaximumDegree + 1];
+    double least = HUGE_VAL;
+    double most = 0.0;
+    for (int row = 0; row <= rows; ++row)
+    {
+      for (int part = 0; part < CurveParts; ++part)
+      {
+        for (int i = 0; i <= degree; ++i)
+        {
+          line[i] = direction == 0 ? net.At(i, row) : net.At(row, i);
+          least = row == 0 ? std::min(least, line[i][3]) : least;
+          most = row == 0 ? std::max(most, line[i][3]) : most;
+        }
+        RestrictBernstein(line, degree, 1, static_cast<double>(part) / CurveParts, (part + 1.0) / CurveParts);
+        const double b = CurveParts * CurveParts * BoundCurve(line, degree);
+        bound[2 * direction] = std::max(bound[2 * direction], b);
+      }
+    }
+    ratio *= most / least;
+  }
+  for (int j = 0; j < net.Q; ++j)
+  {
+    for (int i = 0; i < net.P; ++i)
+    {
+      const Vector3 a = Subtract(Project(net.At(i + 1, j + 1)), Project(net.At(i, j + 1)));
+      const Vector3 b = Subtract(Project(net.At(i + 1, j)), Project(net.At(i, j)));
+      bound[1] = std::max(bound[1], net.P * net.Q * ratio * ratio * Norm(Subtract(a, b)));
+    }
+  }
+  return std::isfinite(bound[0] + bound[1] + bound[2]);
+}
+
+Net Restrict(const Net& net, double s0, double s1, double r0, double r1)
+{
+  Net part = net;
+  for (int j = 0; (s0 != 0.0 || s1 != 1.0) && j <= net.Q; ++j)
+  {
+    RestrictBernstein(&part.At(0, j), net.P, 1, s0, s1);
+  }
+  for (int i = 0; (r0 != 0.0 || r1 != 1.0) && i <= net.P; ++i)
+  {
+    RestrictBernstein(&part.At(i, 0), net.Q, net.P + 1, r0, r1);
+  }
+  return part;
+}
+
+std::array<double, 3> BoundNet(const Net& net, bool rational, int halvings)
+{
+  const Net u = Derive(net, 0);
+  const Net v = Derive(net, 1);
+  std::array<double, 3> bound{};
+  if (!rational)
+  {
+    const double w = net.B[0][3];
+    return { GetLargestNorm(Derive(u, 0)) / w, GetLargestNorm(Derive(u, 1)) / w, GetLargestNorm(Derive(v, 1)) / w };
+  }
+  if (IsSeparable(net))
+  {
+    if (BoundSeparable(net, bound))
+    {
+      return bound;
+    }
+  }
+  else if (halvings <= MostHalvings - LeastHalvings && BoundRational(net, u, v, bound))
+  {
+    return bound;
+  }
+  if (halvings == 0)
+  {
+    return BoundCoarsely(net, u, v);
+  }
+  bound = {};
+  for (int part = 0; part < 4; ++part)
+  {
+    const double s = 0.5 * (part % 2);
+    const double r = 0.5 * (part / 2);
+    const std::array<double, 3> b = BoundNet(Restrict(net, s, s + 0.5, r, r + 0.5), rational, halvings - 1);
+    for (int k = 0; k < 3; ++k)
+    {
+      // Derivatives of the part are by half as long a unit.
+      bound[k] = std::max(bound[k], 4.0 * b[k]);
+    }
+  }
+  return bound;
+}
+
+/// Derivatives at a corner of the net, by its own parameters.
+struct CornerDerivatives
+{
+  Vector3 First[2];
+  double Speed[2];
+  /// S_uu, S_uv, S_vv along the normal; 0 where that vanishes.
+  double Normal[3];
+};
+
+CornerDerivatives EvaluateCorner(const Net& net, int si, int sj)
+{
+  const int i = si > 0 ? 0 : net.P;
+  const int j = sj > 0 ? 0 : net.Q;
+  const Homogeneous& b = net.At(i, j);
+  const Homogeneous& bu = net.At(i + si, j);
+  const Homogeneous& bv = net.At(i, j + sj);
+  const Homogeneous& buv = net.At(i + si, j + sj);
+  const Homogeneous& buu = net.P > 1 ? net.At(i + 2 * si, j) : b;
+  const Homogeneous& bvv = net.Q > 1 ? net.At(i, j + 2 * sj) : b;
+  Homogeneous first[2];
+  Homogeneous second[3];
+  for (int c = 0; c < 4; ++c)
+  {
+    first[0][c] = si * net.P * (bu[c] - b[c]);
+    first[1][c] = sj * net.Q * (bv[c] - b[c]);
+    second[0][c] = net.P * (net.P - 1.0) * (buu[c] - 2.0 * bu[c] + b[c]);
+    second[1][c] = si * sj * net.P * net.Q * (buv[c] - bu[c] - bv[c] + b[c]);
+    second[2][c] = net.Q * (net.Q - 1.0) * (bvv[c] - 2.0 * bv[c] + b[c]);
+  }
+  const Vector3 s = Project(b);
+  CornerDerivatives result{};
+  for (int d = 0; d < 2; ++d)
+  {
+    result.First[d] = ProjectDerivative(first[d], s, b[3]);
+    result.Speed[d] = Norm(result.First[d]);
+  }
+  const Vector3 cross = Cross(result.First[0], result.First[1]);
+  const double area = Norm(cross);
+  for (int k = 0; k < 3 && area > LeastSine * result.Speed[0] * result.Speed[1]; ++k)
+  {
+    // What else S_uu and S_uv consist of lies in the tangent plane.
+    result.Normal[k] = Dot(ProjectDerivative(second[k], s, b[3]), cross) / area;
+  }
+  return result;
+}
+
+/// Turn of the normal and speed at the four corners, per unit of the net's own parameters.
+void MeasureCorners(const Net& net, SurfaceBlocks::Block& block)
+{
+  CornerDerivatives corners[4];
+  double fastest[2] = { 0.0, 0.0 };
+  for (int k = 0; k < 4; ++k)
+  {
+    corners[k] = EvaluateCorner(net, k % 2 == 0 ? 1 : -1, k / 2 == 0 ? 1 : -1);
+    for (int d = 0; d < 2; ++d)
+    {
+      fastest[d] = std::max(fastest[d], corners[k].Speed[d]);
+      block.Speed[d] += 0.25 * corners[k].Speed[d];
+    }
+  }
+  for (const CornerDerivatives& corner : corners)
+  {
+    // A pole has no turn.
+    if (corner.Speed[0] > LeastSpeed * fastest[0] && corner.Speed[1] > LeastSpeed * fastest[1])
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        const double turn = std::hypot(corner.Normal[2 * d] / corner.Speed[d], corner.Normal[1] / corner.Speed[1 - d]);
+        block.Turn[d] = std::max(block.Turn[d], std::min(turn, MostTurn));
+      }
+    }
+  }
+}
+}
+
+void ParameterBox::Add(const std::array<double, 2>& uv)
+{
+  for (int d = 0; d < 2; ++d)
+  {
+    this->Low[d] = std::min(this->Low[d], uv[d]);
+    this->High[d] = std::max(this->High[d], uv[d]);
+  }
+}
+
+SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& covered)
+  : Covered(covered)
+{
+  std::vector<double> spans[2];
+  int parts[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    const std::vector<double> breaks = surface.GetSpanBreaks(d);
+    for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+    {
+      // The first and the last span answer for what lies beyond the domain.
+      if ((k + 2 == breaks.size() || breaks[k + 1] > covered.Low[d]) && (k == 0 || breaks[k] < covered.High[d]))
+      {
+        if (spans[d].empty())
+        {
+          spans[d].push_back(breaks[k]);
+        }
+        spans[d].push_back(breaks[k + 1]);
+      }
+    }
+    const int degree = surface.Degree[d];
+    parts[d] = degree == 1 || (degree <= 3 && !surface.Rational) ? PlainParts : CurvedParts;
+    for (std::size_t k = 0; k + 1 < spans[d].size(); ++k)
+    {
+      for (int i = 0; i < parts[d]; ++i)
+      {
+        const double share = static_cast<double>(i) / parts[d];
+        this->Breaks[d].push_back((1.0 - share) * spans[d][k] + share * spans[d][k + 1]);
+      }
+    }
+    this->Breaks[d].push_back(spans[d].back());
+    this->Breaks[d].front() = std::min(this->Breaks[d].front(), covered.Low[d]);
+    this->Breaks[d].back() = std::max(this->Breaks[d].back(), covered.High[d]);
+  }
+  const std::size_t columns = this->Breaks[0].size() - 1;
+  this->Blocks.resize(columns * (this->Breaks[1].size() - 1));
+  Net net;
+  net.Resize(surface.Degree[0], surface.Degree[1]);
+  for (std::size_t b = 0; b + 1 < spans[1].size(); ++b)
+  {
+    for (std::size_t a = 0; a + 1 < spans[0].size(); ++a)
+    {
+      const double low[2] = { spans[0][a], spans[1][b] };
+      const double width[2] = { spans[0][a + 1] - low[0], spans[1][b + 1] - low[1] };
+      surface.ExtractBezier(low[0], spans[0][a + 1], low[1], spans[1][b + 1], net.B.data());
+      for (int part = 0; part < parts[0] * parts[1]; ++part)
+      {
+        const std::size_t at[2] = { a * parts[0] + part % parts[0], b * parts[1] + part / parts[0] };
+        double from[2];
+        double to[2];
+        double size[2];
+        for (int d = 0; d < 2; ++d)
+        {
+          const std::vector<double>& breaks = this->Breaks[d];
+          from[d] = (breaks[at[d]] - low[d]) / width[d];
+          to[d] = (breaks[at[d] + 1] - low[d]) / width[d];
+          size[d] = breaks[at[d] + 1] - breaks[at[d]];
+        }
+        const Net piece = Restrict(net, from[0], to[0], from[1], to[1]);
+        Block& block = this->Blocks[at[0] + at[1] * columns];
+        const std::array<double, 3> bound = BoundNet(piece, surface.Rational, MostHalvings);
+        block.Uu = bound[0] / (size[0] * size[0]);
+        block.Uv = bound[1] / (size[0] * size[1]);
+        block.Vv = bound[2] / (size[1] * size[1]);
+        MeasureCorners(piece, block);
+        for (int d = 0; d < 2; ++d)
+        {
+          block.Turn[d] /= size[d];
+          block.Speed[d] /= size[d];
+        }
+      }
+    }
+  }
+  for (int d = 0; d < 2; ++d)
+  {
+    this->FindCreases(surface, d);
+    this->CountThinStrips(d);
+  }
+}
+
+void SurfaceBlocks::CountThinStrips(int direction)
+{
+  const std::vector<double>& breaks = this->Breaks[direction];
+  const std::size_t columns = this->Breaks[0].size() - 1;
+  const double least = ThinShare * (this->Covered.High[direction] - this->Covered.Low[direction]);
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+  {
+    const double width = breaks[i + 1] - breaks[i];
+    if (width >= least)
+    {
+      continue;
+    }
+    double largest = 0.0;
+    for (std::size_t k = 0; k + 1 < this->Breaks[1 - direction].size(); ++k)
+    {
+      Block& b = this->Blocks[direction == 0 ? i + k * columns : k + i * columns];
+      double& second = direction == 0 ? b.Uu : b.Vv;
+      largest = std::max(largest, second);
+      second = 0.0;
+      b.Turn[direction] = 0.0;
+    }
+    this->Creases[direction].push_back({ 0.5 * (breaks[i] + breaks[i + 1]), largest * width });
+  }
+}
+
+void SurfaceBlocks::FindCreases(const NURBSSurface& surface, int direction)
+{
+  const std::vector<double>& knots = surface.Knots[direction];
+  const int degree = surface.Degree[direction];
+  const std::vector<double> breaks = surface.GetSpanBreaks(direction);
+  const std::vector<double> across = surface.GetSpanBreaks(1 - direction);
+  const int samples = 4 * surface.Degree[1 - direction] + 1;
+  for (std::size_t k = 1; k + 1 < breaks.size(); ++k)
+  {
+    const double at = breaks[k];
+    if (std::count(knots.begin(), knots.end(), at) < degree || at <= this->Covered.Low[direction] ||
+      at >= this->Covered.High[direction])
+    {
+      continue;
+    }
+    // From both sides, by walkers that stay in their spans: a step of a part in 1e7 is the only error of the comparison.
+    double jump = 0.0;
+    double scale = 0.0;
+    const double step[2] = { 1e-9 * (at - breaks[k - 1]), 1e-9 * (breaks[k + 1] - at) };
+    for (std::size_t i = 0; i + 1 < across.size(); ++i)
+    {
+      for (int s = 0; s < samples; ++s)
+      {
+        const double share = static_cast<double>(s) / (samples - 1);
+        const double other = (1.0 - share) * across[i] + share * across[i + 1];
+        Vector3 derivative[2];
+        for (int side = 0; side < 2; ++side)
+        {
+          const double here = side == 0 ? at - step[0] : at + step[1];
+          Vector3 position;
+          Vector3 d[2];
+          surface.Evaluate(direction == 0 ? here : other, direction == 0 ? other : here, position.data(), d[0].data(),
+            d[1].data());
+          derivative[side] = d[direction];
+        }
+        jump = std::max(jump, Norm(Subtract(derivative[0], derivative[1])));
+        scale = std::max(scale, Norm(derivative[0]));
+      }
+    }
+    if (jump > 10.0 * SmoothJump * scale)
+    {
+      // Sampled; the margin is for what lies between the samples.
+      this->Creases[direction].push_back({ at, 1.25 * jump });
+    }
+  }
+}
+
+void SurfaceBlocks::GetRange(const ParameterBox& box, int d, std::size_t& first, std::size_t& last) const
+{
+  const std::vector<double>& breaks = this->Breaks[d];
+  const std::size_t count = breaks.size() - 1;
+  if (count == 1)
+  {
+    first = last = 0;
+    return;
+  }
+  const auto find = [&](double x)
+  {
+    const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x);
+    return static_cast<std::size_t>(after - breaks.begin()) - 1;
+  };
+  first = find(box.Low[d]);
+  last = first;
+  while (last + 1 < count && breaks[last + 1] < box.High[d])
+  {
+    ++last;
+  }
+}
+
+SurfaceBlocks::Block SurfaceBlocks::GetLargest(const ParameterBox& box) const
+{
+  std::size_t first[2];
+  std::size_t last[2];
+  this->GetRange(box, 0, first[0], last[0]);
+  this->GetRange(box, 1, first[1], last[1]);
+  Block largest = this->GetBlock(first[0], first[1]);
+  for (std::size_t j = first[1]; j <= last[1]; ++j)
+  {
+    for (std::size_t i = first[0]; i <= last[0]; ++i)
+    {
+      const Block& b = this->GetBlock(i, j);
+      largest.Uu = std::max(largest.Uu, b.Uu);
+      largest.Uv = std::max(largest.Uv, b.Uv);
+      largest.Vv = std::max(largest.Vv, b.Vv);
+      for (int d = 0; d < 2; ++d)
+      {
+        largest.Turn[d] = std::max(largest.Turn[d], b.Turn[d]);
+        largest.Speed[d] = std::max(largest.Speed[d], b.Speed[d]);
+      }
+    }
+  }
+  return largest;
+}
+
+double SurfaceBlocks::GetError(const ParameterBox& box) const
+{
+  const Block m = this->GetLargest(box);
+  const double w[2] = { box.High[0] - box.Low[0], box.High[1] - box.Low[1] };
+  double error = 0.125 * (m.Uu * w[0] * w[0] + 2.0 * m.Uv * w[0] * w[1] + m.Vv * w[1] * w[1]);
+  for (int d = 0; d < 2; ++d)
+  {
+    for (const Crease& crease : this->Creases[d])
+    {
+      const double slack = 1e-12 * std::abs(crease.At);
+      if (crease.At > box.Low[d] + slack && crease.At < box.High[d] - slack)
+      {
+        error += 0.25 * crease.Jump * w[d];
+      }
+    }
+  }
+  return error;
+}
+}

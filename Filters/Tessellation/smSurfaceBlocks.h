@@ -1,0 +1,82 @@
+/**
+ * @file smSurfaceBlocks.h
+ * @brief Bounds of a surface's second derivatives, block by block, and what they say about triangles
+ *
+ * A triangle whose corners lie on the surface, with parameters in a box of widths W_u, W_v, is nowhere farther from the
+ * point of the surface with the same barycentric parameters than
+ *
+ *     (M_uu W_u^2 + 2 M_uv W_u W_v + M_vv W_v^2) / 8  +  sum over creases J W / 4,
+ *
+ * M: bounds of the second derivatives on the box, J: jump of the first derivative across a crease that the box straddles, in the
+ * direction of W. For Taylor's formula at the point gives sum lambda_i D^2 S (p_i - x)^2 / 2 with the barycentric coordinates lambda_i;
+ * sum lambda_i (u_i - u)^2 is a variance of numbers in an interval of width W_u, at most W_u^2 / 4, and so on; the part of a
+ * mean absolute deviation on one side is at most W_u / 4.
+ */
+#ifndef smSurfaceBlocks_h
+#define smSurfaceBlocks_h
+
+#include "smFiltersTessellationModule.h"
+
+#include "smNURBSSurface.h"
+
+#include <array>
+#include <vector>
+
+namespace sm
+{
+struct ParameterBox
+{
+  std::array<double, 2> Low{};
+  std::array<double, 2> High{};
+  void Add(const std::array<double, 2>& uv);
+};
+
+class SMFILTERSTESSELLATION_EXPORT SurfaceBlocks
+{
+public:
+  struct Block
+  {
+    /// Bounds of |S_uu|, |S_uv| and |S_vv|.
+    double Uu = 0.0;
+    double Uv = 0.0;
+    double Vv = 0.0;
+    /// About the turn of the normal per unit of u and v, in radians, and |S_u| and |S_v|.
+    std::array<double, 2> Turn{};
+    std::array<double, 2> Speed{};
+  };
+
+  /// For parameters in `covered`, which may reach a little beyond the surface's domain. Several blocks to a span where it is curved.
+  SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& covered);
+
+  /// The bound above.
+  double GetError(const ParameterBox& box) const;
+  /// The largest of all blocks that the box touches.
+  Block GetLargest(const ParameterBox& box) const;
+
+  const ParameterBox& GetCovered() const { return this->Covered; }
+  /// Borders of the blocks in direction d.
+  const std::vector<double>& GetBreaks(int d) const { return this->Breaks[d]; }
+  const Block& GetBlock(std::size_t i, std::size_t j) const
+  {
+    return this->Blocks[i + j * (this->Breaks[0].size() - 1)];
+  }
+
+private:
+  /// A line of constant parameter across which the first derivative jumps by at most Jump.
+  struct Crease
+  {
+    double At;
+    double Jump;
+  };
+  void FindCreases(const NURBSSurface& surface, int direction);
+  void CountThinStrips(int direction);
+  void GetRange(const ParameterBox& box, int d, std::size_t& first, std::size_t& last) const;
+
+  ParameterBox Covered;
+  std::vector<double> Breaks[2];
+  std::vector<Block> Blocks;
+  std::vector<Crease> Creases[2];
+};
+}
+
+#endif

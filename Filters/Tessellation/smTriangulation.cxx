@@ -1,0 +1,556 @@
+#include "smTriangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace sm
+{
+namespace
+{
+/// Crossings of one line with segments that are resolved one after another.
+constexpr int MostCrossings = 64;
+
+/// Share of the sum of absolute values that a determinant in double precision is certain to reach where its sign is right.
+constexpr double CertainShare = 1e-13;
+
+int Next(int k)
+{
+  return k == 2 ? 0 : k + 1;
+}
+
+int Previous(int k)
+{
+  return k == 0 ? 2 : k - 1;
+}
+}
+
+Triangulation::Triangulation(const std::array<double, 2>& step)
+  : Step(step)
+{
+  this->Points = { { 0, 0 }, { Extent, 0 }, { Extent, Extent }, { 0, Extent } };
+  this->VertexTriangle = { 0, 0, 0, 1 };
+  this->Triangles.resize(2);
+  this->Triangles[0].Vertex = { 0, 1, 2 };
+  this->Triangles[1].Vertex = { 0, 2, 3 };
+  this->Triangles[0].Sides[1].Neighbor = 1;
+  this->Triangles[1].Sides[2].Neighbor = 0;
+}
+
+bool Triangulation::IsFlipBetter(int triangle, int side) const
+{
+  const Triangle& t = this->Triangles[triangle];
+  const int other = t.Sides[side].Neighbor;
+  if (other < 0 || t.Sides[side].Segment >= 0)
+  {
+    return false;
+  }
+  const Triangle& o = this->Triangles[other];
+  int apex = 0;
+  while (o.Sides[apex].Neighbor != triangle)
+  {
+    ++apex;
+  }
+  const GridPoint& d = this->Points[o.Vertex[apex]];
+  double x[3];
+  double y[3];
+  double square[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const GridPoint& p = this->Points[t.Vertex[i]];
+    x[i] = static_cast<double>(p.X - d.X) * this->Step[0];
+    y[i] = static_cast<double>(p.Y - d.Y) * this->Step[1];
+    square[i] = x[i] * x[i] + y[i] * y[i];
+  }
+  double determinant = 0.0;
+  double sum = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double left = x[Next(i)] * y[Previous(i)];
+    const double right = x[Previous(i)] * y[Next(i)];
+    determinant += square[i] * (left - right);
+    sum += square[i] * (std::abs(left) + std::abs(right));
+  }
+  if (!(determinant > CertainShare * sum))
+  {
+    return false;
+  }
+  const GridPoint& a = this->Points[t.Vertex[side]];
+  return Orient(a, this->Points[t.Vertex[Next(side)]], d) > 0 &&
+    Orient(a, d, this->Points[t.Vertex[Previous(side)]]) > 0;
+}
+
+void Triangulation::SetNeighbor(int triangle, int from, int neighbor)
+{
+  if (triangle >= 0)
+  {
+    Triangle& t = this->Triangles[triangle];
+    t.Sides[Previous(this->FindVertexIn(triangle, from))].Neighbor = neighbor;
+  }
+}
+
+void Triangulation::Flip(int triangle, int side)
+{
+  Triangle& t = this->Triangles[triangle];
+  const int other = t.Sides[side].Neighbor;
+  Triangle& o = this->Triangles[other];
+  int m = 0;
+  while (o.Sides[m].Neighbor != triangle)
+  {
+    ++m;
+  }
+  const int a = t.Vertex[side];
+  const int b = t.Vertex[Next(side)];
+  const int c = t.Vertex[Previous(side)];
+  const int d = o.Vertex[m];
+  const Side ca = t.Sides[Next(side)];
+  const Side ab = t.Sides[Previous(side)];
+  const Side bd = o.Sides[Next(m)];
+  const Side dc = o.Sides[Previous(m)];
+  t.Vertex = { a, b, d };
+  t.Sides = { bd, Side{ other, -1, 0 }, ab };
+  o.Vertex = { a, d, c };
+  o.Sides = { dc, ca, Side{ triangle, -1, 0 } };
+  // In the neighbours the sides run the other way.
+  this->SetNeighbor(bd.Neighbor, d, triangle);
+  this->SetNeighbor(ca.Neighbor, a, other);
+  this->VertexTriangle[a] = this->VertexTriangle[b] = this->VertexTriangle[d] = triangle;
+  this->VertexTriangle[c] = other;
+}
+
+void Triangulation::SplitTriangle(int triangle, int vertex)
+{
+  const Triangle t = this->Triangles[triangle];
+  const int first = static_cast<int>(this->Triangles.size());
+  this->Triangles.resize(first + 2);
+  const int ids[3] = { triangle, first, first + 1 };
+  for (int i = 0; i < 3; ++i)
+  {
+    // Between the new vertex and side i.
+    Triangle& n = this->Triangles[ids[i]];
+    n.Vertex = { vertex, t.Vertex[Next(i)], t.Vertex[Previous(i)] };
+    n.Sides = { t.Sides[i], Side{ ids[Next(i)], -1, 0 }, Side{ ids[Previous(i)], -1, 0 } };
+    n.Inside = t.Inside;
+    if (i > 0)
+    {
+      this->SetNeighbor(t.Sides[i].Neighbor, t.Vertex[Previous(i)], ids[i]);
+    }
+    this->VertexTriangle[t.Vertex[Next(i)]] = ids[i];
+    this->Stack.push_back({ ids[i], 0 });
+  }
+  this->VertexTriangle[vertex] = triangle;
+}
+
+void Triangulation::SplitSide(int triangle, int side, int vertex)
+{
+  const Triangle t = this->Triangles[triangle];
+  const int other = t.Sides[side].Neighbor;
+  const Triangle o = this->Triangles[other];
+  int m = 0;
+  while (o.Sides[m].Neighbor != triangle)
+  {
+    ++m;
+  }
+  const int a = t.Vertex[side];
+  const int b = t.Vertex[Next(side)];
+  const int c = t.Vertex[Previous(side)];
+  const int d = o.Vertex[m];
+  const Side bc = t.Sides[side];
+  const int first = static_cast<int>(this->Triangles.size());
+  this->Triangles.resize(first + 2);
+  // Around the new vertex: (a b), (b d), (d c), (c a).
+  const int ids[4] = { triangle, other, first, first + 1 };
+  const int from[4] = { a, b, d, c };
+  const int to[4] = { b, d, c, a };
+  const Side outer[4] = { t.Sides[Previous(side)], o.Sides[Next(m)], o.Sides[Previous(m)], t.Sides[Next(side)] };
+  const int owner[4] = { triangle, other, other, triangle };
+  for (int i = 0; i < 4; ++i)
+  {
+    Triangle& n = this->Triangles[ids[i]];
+    n.Vertex = { vertex, from[i], to[i] };
+    n.Sides = { outer[i], Side{ ids[(i + 1) % 4], -1, 0 }, Side{ ids[(i + 3) % 4], -1, 0 } };
+    n.Inside = owner[i] == triangle ? t.Inside : o.Inside;
+    if (ids[i] != owner[i])
+    {
+      this->SetNeighbor(outer[i].Neighbor, to[i], ids[i]);
+    }
+    this->VertexTriangle[from[i]] = ids[i];
+    this->Stack.push_back({ ids[i], 0 });
+  }
+  this->VertexTriangle[vertex] = triangle;
+  // The two halves of a segment: from b to the vertex in (a b), from the vertex to c in (c a).
+  const Side along{ -1, bc.Segment, bc.Winding };
+  const Side against{ -1, bc.Segment, -bc.Winding };
+  const auto set = [this](int id, int k, const Side& data)
+  {
+    this->Triangles[id].Sides[k].Segment = data.Segment;
+    this->Triangles[id].Sides[k].Winding = data.Winding;
+  };
+  set(ids[0], 1, along);
+  set(ids[1], 2, against);
+  set(ids[2], 1, against);
+  set(ids[3], 2, along);
+}
+
+void Triangulation::Legalize(std::vector<Place>& places)
+{
+  while (!places.empty())
+  {
+    const Place place = places.back();
+    places.pop_back();
+    this->Changed.push_back(place.Triangle);
+    const int other = this->Triangles[place.Triangle].Sides[place.Side].Neighbor;
+    if (this->IsFlipBetter(place.Triangle, place.Side))
+    {
+      this->Flip(place.Triangle, place.Side);
+      places.push_back({ place.Triangle, 0 });
+      places.push_back({ other, 0 });
+    }
+  }
+}
+
+int Triangulation::Locate(const GridPoint& point)
+{
+  int at = this->Last;
+  const std::size_t most = 4 * this->Triangles.size() + 100;
+  for (std::size_t step = 0; step < most; ++step)
+  {
+    const Triangle& t = this->Triangles[at];
+    int next = -1;
+    for (int i = 0; i < 3 && next < 0; ++i)
+    {
+      // Another first side at each step: a walk that always prefers the same one may go round.
+      const int k = static_cast<int>((step + i) % 3);
+      if (Orient(this->Points[t.Vertex[Next(k)]], this->Points[t.Vertex[Previous(k)]], point) < 0)
+      {
+        next = t.Sides[k].Neighbor;
+      }
+    }
+    if (next < 0)
+    {
+      this->Last = at;
+      return at;
+    }
+    at = next;
+  }
+  for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+  {
+    const auto& v = this->Triangles[i].Vertex;
+    bool inside = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      inside = inside && Orient(this->Points[v[k]], this->Points[v[Next(k)]], point) >= 0;
+    }
+    if (inside)
+    {
+      this->Last = static_cast<int>(i);
+      break;
+    }
+  }
+  return this->Last;
+}
+
+int Triangulation::Insert(const GridPoint& point, bool keepSegments)
+{
+  this->Changed.clear();
+  const int at = this->Locate(point);
+  const Triangle& t = this->Triangles[at];
+  int onSide = -1;
+  for (int k = 0; k < 3; ++k)
+  {
+    const GridPoint& p = this->Points[t.Vertex[k]];
+    if (p.X == point.X && p.Y == point.Y)
+    {
+      return t.Vertex[k];
+    }
+    if (Orient(this->Points[t.Vertex[Next(k)]], this->Points[t.Vertex[Previous(k)]], point) == 0)
+    {
+      onSide = k;
+    }
+  }
+  if (onSide >= 0 && keepSegments && t.Sides[onSide].Segment >= 0)
+  {
+    return -1;
+  }
+  const int vertex = static_cast<int>(this->Points.size());
+  this->Points.push_back(point);
+  this->VertexTriangle.push_back(at);
+  if (onSide >= 0)
+  {
+    this->SplitSide(at, onSide, vertex);
+  }
+  else
+  {
+    this->SplitTriangle(at, vertex);
+  }
+  this->Legalize(this->Stack);
+  return vertex;
+}
+
+int Triangulation::FindVertexIn(int triangle, int vertex) const
+{
+  const auto& v = this->Triangles[triangle].Vertex;
+  return v[0] == vertex ? 0 : (v[1] == vertex ? 1 : 2);
+}
+
+Triangulation::Place Triangulation::FindSide(int from, int to) const
+{
+  // Counter-clockwise about `from`, and about a corner of the square clockwise, too.
+  const int start = this->VertexTriangle[from];
+  for (const bool clockwise : { false, true })
+  {
+    int at = start;
+    do
+    {
+      const int k = this->FindVertexIn(at, from);
+      if (this->Triangles[at].Vertex[Next(k)] == to)
+      {
+        return { at, Previous(k) };
+      }
+      at = this->Triangles[at].Sides[clockwise ? Previous(k) : Next(k)].Neighbor;
+    } while (at != start && at >= 0);
+  }
+  return { -1, -1 };
+}
+
+Triangulation::Crossing Triangulation::Walk(int a, int b) const
+{
+  Crossing found;
+  const GridPoint& p = this->Points[a];
+  const GridPoint& q = this->Points[b];
+  const int start = this->VertexTriangle[a];
+  int at = start;
+  int right = -1;
+  int left = -1;
+  do
+  {
+    const Triangle& t = this->Triangles[at];
+    const int k = this->FindVertexIn(at, a);
+    const int v = t.Vertex[Next(k)];
+    const int w = t.Vertex[Previous(k)];
+    const GridPoint& r = this->Points[v];
+    const std::int64_t side = Orient(p, q, r);
+    if (v == b || (side == 0 && (q.X - p.X) * (r.X - p.X) + (q.Y - p.Y) * (r.Y - p.Y) > 0))
+    {
+      found.End = v;
+      return found;
+    }
+    if (side < 0 && Orient(p, q, this->Points[w]) > 0)
+    {
+      right = v;
+      left = w;
+      at = t.Sides[k].Neighbor;
+      found.Segment = t.Sides[k].Segment;
+      break;
+    }
+    at = t.Sides[Next(k)].Neighbor;
+  } while (at != start && at >= 0);
+  while (right >= 0 && at >= 0)
+  {
+    found.Sides.push_back({ right, left });
+    if (found.Segment >= 0)
+    {
+      return found;
+    }
+    const Triangle& t = this->Triangles[at];
+    // The side from left to right belongs to this triangle as (left, right) reversed.
+    int k = 0;
+    while (t.Vertex[k] == right || t.Vertex[k] == left)
+    {
+      ++k;
+    }
+    const int apex = t.Vertex[k];
+    const std::int64_t side = Orient(p, q, this->Points[apex]);
+    if (apex == b || side == 0)
+    {
+      found.End = apex;
+      return found;
+    }
+    // The line leaves opposite the vertex that stays behind.
+    const int behind = side > 0 ? left : right;
+    (side > 0 ? left : right) = apex;
+    const Side& out = t.Sides[this->FindVertexIn(at, behind)];
+    found.Segment = out.Segment;
+    at = out.Neighbor;
+  }
+  return found;
+}
+
+bool Triangulation::FlipAway(int a, int b, std::vector<std::pair<int, int>>& sides)
+{
+  const GridPoint& p = this->Points[a];
+  const GridPoint& q = this->Points[b];
+  std::deque<std::pair<int, int>> queue(sides.begin(), sides.end());
+  sides.clear();
+  std::size_t left = 64 + 16 * queue.size() * queue.size();
+  while (!queue.empty() && left-- > 0)
+  {
+    const auto [x, y] = queue.front();
+    queue.pop_front();
+    const Place place = this->FindSide(x, y);
+    if (place.Triangle < 0)
+    {
+      return false;
+    }
+    const Triangle& t = this->Triangles[place.Triangle];
+    const int other = t.Sides[place.Side].Neighbor;
+    const int c = t.Vertex[place.Side];
+    int m = 0;
+    while (this->Triangles[other].Sides[m].Neighbor != place.Triangle)
+    {
+      ++m;
+    }
+    const int d = this->Triangles[other].Vertex[m];
+    if (Orient(this->Points[c], this->Points[x], this->Points[d]) <= 0 ||
+      Orient(this->Points[c], this->Points[d], this->Points[y]) <= 0)
+    {
+      queue.push_back({ x, y });
+      continue;
+    }
+    this->Flip(place.Triangle, place.Side);
+    const std::int64_t first = Orient(p, q, this->Points[c]);
+    const std::int64_t second = Orient(p, q, this->Points[d]);
+    if ((first > 0 && second < 0) || (first < 0 && second > 0))
+    {
+      queue.push_back({ c, d });
+    }
+    else
+    {
+      sides.push_back({ c, d });
+    }
+  }
+  return queue.empty();
+}
+
+void Triangulation::AddSegment(int a, int b, int segment, int winding)
+{
+  const Place place = this->FindSide(a, b);
+  const Place back = this->FindSide(b, a);
+  Side& side = this->Triangles[place.Triangle].Sides[place.Side];
+  Side& other = this->Triangles[back.Triangle].Sides[back.Side];
+  side.Segment = other.Segment = segment;
+  side.Winding += winding;
+  other.Winding -= winding;
+}
+
+int Triangulation::InsertSegment(int a, int b, int segment, bool split)
+{
+  return this->InsertPart(a, b, segment, 1, split, 0);
+}
+
+int Triangulation::InsertPart(int a, int b, int segment, int winding, bool split, int depth)
+{
+  if (depth > MostCrossings)
+  {
+    return -2;
+  }
+  while (a != b)
+  {
+    Crossing found = this->Walk(a, b);
+    if (found.Segment >= 0)
+    {
+      if (!split)
+      {
+        return found.Segment;
+      }
+      // Both lines get a vertex where they cross, to the nearest point of the grid.
+      const auto [x, y] = found.Sides.back();
+      const GridPoint& p = this->Points[a];
+      const GridPoint& q = this->Points[b];
+      const GridPoint& r = this->Points[x];
+      const GridPoint& s = this->Points[y];
+      const double share = static_cast<double>(Orient(p, q, r)) /
+        (static_cast<double>(Orient(p, q, r)) - static_cast<double>(Orient(p, q, s)));
+      const GridPoint cross{ r.X + std::llround(share * static_cast<double>(s.X - r.X)),
+        r.Y + std::llround(share * static_cast<double>(s.Y - r.Y)) };
+      const Place place = this->FindSide(x, y);
+      Side& side = this->Triangles[place.Triangle].Sides[place.Side];
+      const Place back = this->FindSide(y, x);
+      Side& other = this->Triangles[back.Triangle].Sides[back.Side];
+      const Side old = side;
+      side.Segment = other.Segment = -1;
+      side.Winding = other.Winding = 0;
+      const int middle = this->Insert(cross, false);
+      if (middle < 0 || this->InsertPart(x, middle, old.Segment, old.Winding, true, depth + 1) != -1 ||
+        this->InsertPart(middle, y, old.Segment, old.Winding, true, depth + 1) != -1 ||
+        this->InsertPart(a, middle, segment, winding, true, depth + 1) != -1)
+      {
+        return -2;
+      }
+      a = middle;
+      ++depth;
+      if (depth > MostCrossings)
+      {
+        return -2;
+      }
+      continue;
+    }
+    if (found.End < 0)
+    {
+      return -2;
+    }
+    if (!found.Sides.empty())
+    {
+      if (!this->FlipAway(a, found.End, found.Sides))
+      {
+        return -2;
+      }
+    }
+    this->AddSegment(a, found.End, segment, winding);
+    a = found.End;
+  }
+  return -1;
+}
+
+void Triangulation::MarkInside()
+{
+  std::vector<int> winding(this->Triangles.size(), 0);
+  std::vector<char> known(this->Triangles.size(), 0);
+  std::vector<int> open{ this->VertexTriangle[0] };
+  known[open[0]] = 1;
+  bool anyPositive = false;
+  while (!open.empty())
+  {
+    const int at = open.back();
+    open.pop_back();
+    anyPositive = anyPositive || winding[at] > 0;
+    for (const Side& side : this->Triangles[at].Sides)
+    {
+      if (side.Neighbor >= 0 && !known[side.Neighbor])
+      {
+        known[side.Neighbor] = 1;
+        winding[side.Neighbor] = winding[at] - side.Winding;
+        open.push_back(side.Neighbor);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+  {
+    this->Triangles[i].Inside = anyPositive ? winding[i] > 0 : winding[i] < 0;
+  }
+  this->Improve();
+}
+
+void Triangulation::Improve()
+{
+  for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+  {
+    for (int k = 0; this->Triangles[i].Inside && k < 3; ++k)
+    {
+      this->Stack.push_back({ static_cast<int>(i), k });
+    }
+  }
+  while (!this->Stack.empty())
+  {
+    const Place place = this->Stack.back();
+    this->Stack.pop_back();
+    const int other = this->Triangles[place.Triangle].Sides[place.Side].Neighbor;
+    if (this->IsFlipBetter(place.Triangle, place.Side))
+    {
+      this->Flip(place.Triangle, place.Side);
+      this->Stack.insert(
+        this->Stack.end(), { { place.Triangle, 0 }, { place.Triangle, 2 }, { other, 0 }, { other, 1 } });
+    }
+  }
+}
+}

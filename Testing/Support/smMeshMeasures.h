@@ -1,0 +1,138 @@
+/**
+ * @file smMeshMeasures.h
+ * @brief What tests measure of the triangles of faces
+ */
+#ifndef smMeshMeasures_h
+#define smMeshMeasures_h
+
+#include "smBodyMesh.h"
+#include "smVector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace smtest
+{
+struct MeshMeasures
+{
+  long long Points = 0;
+  long long Triangles = 0;
+  /// Faces without triangles.
+  int EmptyFaces = 0;
+  /// Sides of triangles, by the bits of their ends, that are not used as often one way as the other.
+  int OpenSides = 0;
+  /// Triangles whose normal is against the surface's in the middle; of those that are no lines.
+  int Inverted = 0;
+  /// Largest distance of a sample from the surface, also as a part of the face's promise.
+  double Deviation = 0.0;
+  double WorstShare = 0.0;
+  double Volume = 0.0;
+  double Area = 0.0;
+};
+
+/// Distance of a point from a surface, near the parameters (u,v); an upper bound, for the foot point is sought.
+inline double FindDistance(sm::NURBSSurface::Walker& walker, const sm::NURBSSurface& surface, const sm::Vector3& point,
+  double u, double v, sm::Vector3* normal = nullptr)
+{
+  double best = 1e300;
+  for (int step = 0; step < 4; ++step)
+  {
+    sm::Vector3 s, du, dv;
+    walker.Evaluate(u, v, s.data(), du.data(), dv.data());
+    const sm::Vector3 d = sm::Subtract(point, s);
+    best = std::min(best, sm::Norm(d));
+    if (normal && step == 0)
+    {
+      *normal = sm::Cross(du, dv);
+    }
+    const double a = sm::Dot(du, du), b = sm::Dot(du, dv), c = sm::Dot(dv, dv);
+    const double determinant = a * c - b * b;
+    if (!(determinant > 1e-12 * a * c))
+    {
+      break;
+    }
+    const double x = sm::Dot(d, du), y = sm::Dot(d, dv);
+    u += (c * x - b * y) / determinant;
+    v += (a * y - b * x) / determinant;
+    u = std::clamp(u, surface.GetDomainStart(0), surface.GetDomainEnd(0));
+    v = std::clamp(v, surface.GetDomainStart(1), surface.GetDomainEnd(1));
+  }
+  return best;
+}
+
+/// `skip`: one of so many triangles is sampled for its deviation.
+inline MeshMeasures MeasureMesh(
+  const std::vector<sm::FacePointer>& faces, const std::vector<sm::FaceMesh>& meshes, int skip = 1)
+{
+  MeshMeasures result;
+  std::map<sm::Vector3, int> points;
+  std::map<std::pair<int, int>, int> sides;
+  long long count = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    const sm::FaceMesh& mesh = meshes[f];
+    result.EmptyFaces += mesh.Triangles.empty() ? 1 : 0;
+    result.Points += static_cast<long long>(mesh.Points.size());
+    result.Triangles += static_cast<long long>(mesh.Triangles.size());
+    std::vector<int> ids;
+    for (const sm::Vector3& p : mesh.Points)
+    {
+      ids.push_back(points.emplace(p, static_cast<int>(points.size())).first->second);
+    }
+    const sm::NURBSSurface& surface = faces[f]->Surface;
+    sm::NURBSSurface::Walker walker(surface);
+    for (const auto& t : mesh.Triangles)
+    {
+      const sm::Vector3 corner[3] = { mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]] };
+      const sm::Vector3 normal =
+        sm::Cross(sm::Subtract(corner[1], corner[0]), sm::Subtract(corner[2], corner[0]));
+      result.Area += 0.5 * sm::Norm(normal);
+      result.Volume += sm::Dot(corner[0], normal) / 6.0;
+      double longest = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        const int a = ids[t[k]];
+        const int b = ids[t[(k + 1) % 3]];
+        sides[{ std::min(a, b), std::max(a, b) }] += a < b ? 1 : -1;
+        longest = std::max(longest, sm::Norm(sm::Subtract(corner[k], corner[(k + 1) % 3])));
+      }
+      if (count++ % skip != 0)
+      {
+        continue;
+      }
+      constexpr double Samples[7][3] = { { 1. / 3, 1. / 3, 1. / 3 }, { .5, .5, 0 }, { 0, .5, .5 }, { .5, 0, .5 },
+        { .6, .2, .2 }, { .2, .6, .2 }, { .2, .2, .6 } };
+      for (const auto& w : Samples)
+      {
+        sm::Vector3 p{ 0, 0, 0 };
+        double uv[2] = { 0, 0 };
+        for (int k = 0; k < 3; ++k)
+        {
+          for (int c = 0; c < 3; ++c)
+          {
+            p[c] += w[k] * corner[k][c];
+          }
+          uv[0] += w[k] * mesh.Parameters[t[k]][0];
+          uv[1] += w[k] * mesh.Parameters[t[k]][1];
+        }
+        sm::Vector3 exact;
+        const double distance = FindDistance(walker, surface, p, uv[0], uv[1], &exact);
+        result.Deviation = std::max(result.Deviation, distance);
+        result.WorstShare = std::max(result.WorstShare, distance / mesh.Deviation);
+        if (&w == &Samples[0] && sm::Norm(normal) > 1e-6 * longest * longest)
+        {
+          result.Inverted += (sm::Dot(normal, exact) < 0.0) != faces[f]->Reversed ? 1 : 0;
+        }
+      }
+    }
+  }
+  for (const auto& side : sides)
+  {
+    result.OpenSides += side.first.first != side.first.second && side.second != 0 ? 1 : 0;
+  }
+  return result;
+}
+}
+
+#endif
