@@ -27,6 +27,9 @@ constexpr double LeastGap = 0.4;
 constexpr double MostRowPoints = 2e6;
 constexpr double MostRows = 1e4;
 constexpr std::size_t MostRefinement = 20000;
+/// Points that refinement may add to a quarter of n to turn triangles over, and the part of the deflection that they must err by.
+constexpr std::size_t MostTurns = 50;
+constexpr double TurnShare = 1e-2;
 /// A triangle is a line where twice its area is below this part of the square of its longest side.
 constexpr double LineShare = 1e-7;
 
@@ -510,13 +513,24 @@ private:
       open.push_back(static_cast<int>(i));
     }
     const std::size_t most = 2 * this->Vertices.size() + MostRefinement;
+    std::size_t turns = MostTurns + this->Vertices.size() / 4;
     while (!open.empty() && this->Vertices.size() < most)
     {
       const Triangulation::Triangle& t = this->Mesh.GetTriangles()[open.back()];
       open.pop_back();
-      if (!t.Inside || this->IsCollapsed(t) || (this->GetError(t) <= allowed && !this->IsInverted(t)))
+      if (!t.Inside || this->IsCollapsed(t))
       {
         continue;
+      }
+      const double error = this->GetError(t);
+      if (error <= allowed)
+      {
+        // A triangle may be turned over where the surface bends, but also where edges lie off it: that no point mends.
+        if (turns == 0 || error < TurnShare * allowed || !this->IsInverted(t))
+        {
+          continue;
+        }
+        --turns;
       }
       const Parameters at = this->ChooseSplit(t);
       const int id = this->Mesh.Insert(this->ToGrid(at), true);

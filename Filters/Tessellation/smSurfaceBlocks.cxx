@@ -28,6 +28,9 @@ constexpr double LeastSpeed = 1e-2;
 /// A block that seems to turn more, in radians, is no guide to steps.
 constexpr double MostTurn = 3.2;
 
+/// Normals of a block within this sine of its own make it a graph.
+constexpr double MostSine = 0.5;
+
 /// A strip between knots, relative to the face, that is a crease: the first derivative changes across it by its second times its width.
 constexpr double ThinShare = 1e-4;
 
@@ -491,6 +494,103 @@ void MeasureCorners(const Net& net, SurfaceBlocks::Block& block)
 }
 }
 
+namespace
+{
+/// Sets the bounds of a block, for parameters of the net's own.
+void BoundBlock(const Net& net, bool rational, SurfaceBlocks::Block& block)
+{
+  block.Full = BoundNet(net, rational, MostHalvings);
+  block.Along = block.Full;
+  const double curved = block.Full[0] + block.Full[1] + block.Full[2];
+  // Circular arcs are even enough.
+  if (curved == 0.0 || (rational && net.P <= 2 && net.Q <= 2))
+  {
+    return;
+  }
+  const Homogeneous h = Evaluate(net, 0.5, 0.5);
+  const Vector3 c = Project(h);
+  const Vector3 du = ProjectDerivative(Evaluate(Derive(net, 0), 0.5, 0.5), c, h[3]);
+  const Vector3 dv = ProjectDerivative(Evaluate(Derive(net, 1), 0.5, 0.5), c, h[3]);
+  const Vector3 cross = Cross(du, dv);
+  const double area = Norm(cross);
+  // |S_u - du| and |S_v - dv| on the net; their cross product turns by no more than this.
+  const double u = 0.5 * (block.Full[0] + block.Full[1]);
+  const double v = 0.5 * (block.Full[1] + block.Full[2]);
+  const double sine = (u * Norm(dv) + v * Norm(du) + u * v) / area;
+  if (!(sine < MostSine))
+  {
+    return;
+  }
+  block.Normal = Normalized(cross);
+  block.Tilt = std::asin(sine);
+  Net along = net;
+  for (Homogeneous& b : along.B)
+  {
+    const Vector3 p{ b[0] - b[3] * c[0], b[1] - b[3] * c[1], b[2] - b[3] * c[2] };
+    b = { Dot(p, block.Normal), 0.0, 0.0, b[3] };
+  }
+  block.Along = BoundNet(along, rational, MostHalvings);
+}
+}
+
+void SurfaceBlocks::Block::Choose(double tilt)
+{
+  const double slope = std::sin(std::min(tilt, 1.5)) < MostSine ? std::tan(tilt) : HUGE_VAL;
+  double* const chosen[3] = { &this->Uu, &this->Uv, &this->Vv };
+  double sum[2] = { 0.0, 0.0 };
+  for (int k = 0; k < 3; ++k)
+  {
+    sum[0] += this->Full[k];
+    sum[1] += this->Full[k] > 0.0 ? this->Along[k] + slope * this->Full[k] : 0.0;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    *chosen[k] = sum[0] <= sum[1] ? this->Full[k] : this->Along[k] + slope * this->Full[k];
+  }
+}
+
+namespace
+{
+/// Jump of the derivative across the common side of two nets, the second one after the first in a direction; widths are those of the
+/// spans. Sampled, with a margin, where there are weights; 0 where it is rounding.
+double MeasureJump(const Net& before, const Net& after, int direction, const double (&width)[2], bool rational)
+{
+  const int degree = direction == 0 ? before.P : before.Q;
+  const int rows = direction == 0 ? before.Q : before.P;
+  const auto get = [&](const Net& net, int i, int row) -> const Homogeneous&
+  { return direction == 0 ? net.At(i, row) : net.At(row, i); };
+  // Position and derivative along the side, as polynomials.
+  Homogeneous side[MaximumDegree + 1];
+  Homogeneous slope[2][MaximumDegree + 1];
+  for (int row = 0; row <= rows; ++row)
+  {
+    side[row] = get(after, 0, row);
+    for (int c = 0; c < 4; ++c)
+    {
+      slope[0][row][c] = degree * (get(before, degree, row)[c] - get(before, degree - 1, row)[c]) / width[0];
+      slope[1][row][c] = degree * (get(after, 1, row)[c] - get(after, 0, row)[c]) / width[1];
+    }
+  }
+  double jump = 0.0;
+  double scale = 0.0;
+  const int samples = rational ? 4 * rows : rows;
+  for (int k = 0; k <= samples; ++k)
+  {
+    Vector3 d[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      const double r = static_cast<double>(k) / samples;
+      const Homogeneous h = rational ? BernsteinPiece<4>{ side, rows }.Evaluate(r) : side[k];
+      d[i] = ProjectDerivative(
+        rational ? BernsteinPiece<4>{ slope[i], rows }.Evaluate(r) : slope[i][k], Project(h), h[3]);
+    }
+    jump = std::max(jump, Norm(Subtract(d[0], d[1])));
+    scale = std::max(scale, Norm(d[0]));
+  }
+  return jump > SmoothJump * scale ? (rational ? 1.25 : 1.0) * jump : 0.0;
+}
+}
+
 void ParameterBox::Add(const std::array<double, 2>& uv)
 {
   for (int d = 0; d < 2; ++d)
@@ -536,8 +636,11 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
   }
   const std::size_t columns = this->Breaks[0].size() - 1;
   this->Blocks.resize(columns * (this->Breaks[1].size() - 1));
+  // The net before the current one in u, and those of the row before.
   Net net;
   net.Resize(surface.Degree[0], surface.Degree[1]);
+  Net left;
+  std::vector<Net> below(spans[0].size() - 1);
   for (std::size_t b = 0; b + 1 < spans[1].size(); ++b)
   {
     for (std::size_t a = 0; a + 1 < spans[0].size(); ++a)
@@ -545,6 +648,21 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
       const double low[2] = { spans[0][a], spans[1][b] };
       const double width[2] = { spans[0][a + 1] - low[0], spans[1][b + 1] - low[1] };
       surface.ExtractBezier(low[0], spans[0][a + 1], low[1], spans[1][b + 1], net.B.data());
+      const Net* const neighbors[2] = { a > 0 ? &left : nullptr, b > 0 ? &below[a] : nullptr };
+      for (int d = 0; d < 2; ++d)
+      {
+        const std::vector<double>& knots = surface.Knots[d];
+        if (neighbors[d] && std::count(knots.begin(), knots.end(), low[d]) >= surface.Degree[d])
+        {
+          const double widths[2] = { low[d] - spans[d][(d == 0 ? a : b) - 1], width[d] };
+          const double jump = MeasureJump(*neighbors[d], net, d, widths, surface.Rational);
+          if (jump > 0.0)
+          {
+            this->AddCrease(d, low[d], jump);
+          }
+        }
+      }
+      left = below[a] = net;
       for (int part = 0; part < parts[0] * parts[1]; ++part)
       {
         const std::size_t at[2] = { a * parts[0] + part % parts[0], b * parts[1] + part / parts[0] };
@@ -560,10 +678,13 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
         }
         const Net piece = Restrict(net, from[0], to[0], from[1], to[1]);
         Block& block = this->Blocks[at[0] + at[1] * columns];
-        const std::array<double, 3> bound = BoundNet(piece, surface.Rational, MostHalvings);
-        block.Uu = bound[0] / (size[0] * size[0]);
-        block.Uv = bound[1] / (size[0] * size[1]);
-        block.Vv = bound[2] / (size[1] * size[1]);
+        BoundBlock(piece, surface.Rational, block);
+        const double unit[3] = { size[0] * size[0], size[0] * size[1], size[1] * size[1] };
+        for (int k = 0; k < 3; ++k)
+        {
+          block.Full[k] /= unit[k];
+          block.Along[k] /= unit[k];
+        }
         MeasureCorners(piece, block);
         for (int d = 0; d < 2; ++d)
         {
@@ -575,8 +696,11 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
   }
   for (int d = 0; d < 2; ++d)
   {
-    this->FindCreases(surface, d);
     this->CountThinStrips(d);
+  }
+  for (Block& block : this->Blocks)
+  {
+    block.Choose(block.Tilt);
   }
 }
 
@@ -596,60 +720,26 @@ void SurfaceBlocks::CountThinStrips(int direction)
     for (std::size_t k = 0; k + 1 < this->Breaks[1 - direction].size(); ++k)
     {
       Block& b = this->Blocks[direction == 0 ? i + k * columns : k + i * columns];
-      double& second = direction == 0 ? b.Uu : b.Vv;
+      double& second = b.Full[2 * direction];
       largest = std::max(largest, second);
-      second = 0.0;
+      second = b.Along[2 * direction] = 0.0;
       b.Turn[direction] = 0.0;
     }
     this->Creases[direction].push_back({ 0.5 * (breaks[i] + breaks[i + 1]), largest * width });
   }
 }
 
-void SurfaceBlocks::FindCreases(const NURBSSurface& surface, int direction)
+void SurfaceBlocks::AddCrease(int direction, double at, double jump)
 {
-  const std::vector<double>& knots = surface.Knots[direction];
-  const int degree = surface.Degree[direction];
-  const std::vector<double> breaks = surface.GetSpanBreaks(direction);
-  const std::vector<double> across = surface.GetSpanBreaks(1 - direction);
-  const int samples = 4 * surface.Degree[1 - direction] + 1;
-  for (std::size_t k = 1; k + 1 < breaks.size(); ++k)
+  for (Crease& crease : this->Creases[direction])
   {
-    const double at = breaks[k];
-    if (std::count(knots.begin(), knots.end(), at) < degree || at <= this->Covered.Low[direction] ||
-      at >= this->Covered.High[direction])
+    if (crease.At == at)
     {
-      continue;
-    }
-    // From both sides, by walkers that stay in their spans: a step of a part in 1e7 is the only error of the comparison.
-    double jump = 0.0;
-    double scale = 0.0;
-    const double step[2] = { 1e-9 * (at - breaks[k - 1]), 1e-9 * (breaks[k + 1] - at) };
-    for (std::size_t i = 0; i + 1 < across.size(); ++i)
-    {
-      for (int s = 0; s < samples; ++s)
-      {
-        const double share = static_cast<double>(s) / (samples - 1);
-        const double other = (1.0 - share) * across[i] + share * across[i + 1];
-        Vector3 derivative[2];
-        for (int side = 0; side < 2; ++side)
-        {
-          const double here = side == 0 ? at - step[0] : at + step[1];
-          Vector3 position;
-          Vector3 d[2];
-          surface.Evaluate(direction == 0 ? here : other, direction == 0 ? other : here, position.data(), d[0].data(),
-            d[1].data());
-          derivative[side] = d[direction];
-        }
-        jump = std::max(jump, Norm(Subtract(derivative[0], derivative[1])));
-        scale = std::max(scale, Norm(derivative[0]));
-      }
-    }
-    if (jump > 10.0 * SmoothJump * scale)
-    {
-      // Sampled; the margin is for what lies between the samples.
-      this->Creases[direction].push_back({ at, 1.25 * jump });
+      crease.Jump = std::max(crease.Jump, jump);
+      return;
     }
   }
+  this->Creases[direction].push_back({ at, jump });
 }
 
 void SurfaceBlocks::GetRange(const ParameterBox& box, int d, std::size_t& first, std::size_t& last) const
@@ -680,12 +770,21 @@ SurfaceBlocks::Block SurfaceBlocks::GetLargest(const ParameterBox& box) const
   std::size_t last[2];
   this->GetRange(box, 0, first[0], last[0]);
   this->GetRange(box, 1, first[1], last[1]);
+  // Along the normal of the block in the middle, where there are several.
+  const Vector3 normal = this->GetBlock((first[0] + last[0]) / 2, (first[1] + last[1]) / 2).Normal;
+  const bool single = first[0] == last[0] && first[1] == last[1];
   Block largest = this->GetBlock(first[0], first[1]);
+  if (single)
+  {
+    return largest;
+  }
+  largest.Uu = largest.Uv = largest.Vv = 0.0;
   for (std::size_t j = first[1]; j <= last[1]; ++j)
   {
     for (std::size_t i = first[0]; i <= last[0]; ++i)
     {
-      const Block& b = this->GetBlock(i, j);
+      Block b = this->GetBlock(i, j);
+      b.Choose(b.Tilt + std::acos(std::clamp(Dot(normal, b.Normal), -1.0, 1.0)));
       largest.Uu = std::max(largest.Uu, b.Uu);
       largest.Uv = std::max(largest.Uv, b.Uv);
       largest.Vv = std::max(largest.Vv, b.Vv);

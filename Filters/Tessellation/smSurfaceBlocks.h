@@ -11,6 +11,11 @@
  * direction of W. For Taylor's formula at the point gives sum lambda_i D^2 S (p_i - x)^2 / 2 with the barycentric coordinates lambda_i;
  * sum lambda_i (u_i - u)^2 is a variance of numbers in an interval of width W_u, at most W_u^2 / 4, and so on; the part of a
  * mean absolute deviation on one side is at most W_u / 4.
+ *
+ * Most of that error may lie in the surface, where parameters run unevenly. Let n be a unit vector from which no normal on
+ * the box is farther than the angle theta, below 90 degrees: then the surface is a graph over the plane across n with slopes of at most
+ * tan(theta), and the distance from it (continued beyond its borders with that slope) is at most the error along n plus tan(theta) times
+ * the whole error. So M may be the second derivatives along n plus tan(theta) M, where that is less.
  */
 #ifndef smSurfaceBlocks_h
 #define smSurfaceBlocks_h
@@ -36,13 +41,21 @@ class SMFILTERSTESSELLATION_EXPORT SurfaceBlocks
 public:
   struct Block
   {
-    /// Bounds of |S_uu|, |S_uv| and |S_vv|.
+    /// Bounds of |S_uu|, |S_uv| and |S_vv|, less what lies in the surface.
     double Uu = 0.0;
     double Uv = 0.0;
     double Vv = 0.0;
     /// About the turn of the normal per unit of u and v, in radians, and |S_u| and |S_v|.
     std::array<double, 2> Turn{};
     std::array<double, 2> Speed{};
+    /// Bounds of |S_uu|, |S_uv| and |S_vv|, and of their components along Normal; no normal of the block is farther from that than Tilt, in
+    /// radians.
+    std::array<double, 3> Full{};
+    std::array<double, 3> Along{};
+    std::array<double, 3> Normal{};
+    double Tilt = 4.0;
+    /// Sets Uu, Uv, Vv for normals within `tilt` of Normal.
+    void Choose(double tilt);
   };
 
   /// For parameters in `covered`, which may reach a little beyond the surface's domain. Several blocks to a span where it is curved.
@@ -68,7 +81,7 @@ private:
     double At;
     double Jump;
   };
-  void FindCreases(const NURBSSurface& surface, int direction);
+  void AddCrease(int direction, double at, double jump);
   void CountThinStrips(int direction);
   void GetRange(const ParameterBox& box, int d, std::size_t& first, std::size_t& last) const;
 
