@@ -18,7 +18,7 @@ constexpr int MostRounds = 7;
 /// Faces between two questions whether to stop.
 constexpr std::size_t Chunk = 512;
 /// Ends of coedges that are one vertex and nearer than this part of the face in u and v are one point.
-constexpr double MeetingShare = 1e-6;
+constexpr double MeetingShare = 1e-2;
 /// Wider angles would leave too few chords to a circle.
 constexpr double WidestAngle = 1.2;
 

@@ -630,6 +630,12 @@ private:
       result.Triangles.push_back(corners);
       result.Deviation = std::max(result.Deviation, this->GetError(t) + gap);
     }
+    // Positions are rounded, and so are parameters.
+    const SurfaceBlocks::Block all = this->Blocks.GetLargest(this->Blocks.GetCovered());
+    for (int d = 0; d < 2; ++d)
+    {
+      farthest += all.Speed[d] * std::max(std::abs(this->Box.Low[d]), std::abs(this->Box.High[d]));
+    }
     result.Deviation += 64.0 * UnitRoundoff * farthest;
     this->FillNormals(result);
   }
