@@ -11,6 +11,7 @@
  * |---------------|-------------|------------|-----------------------------------------------------|
  * | FaceIndex     | cell, point | 1 (int)    | index of the face in the model                      |
  * | Parameters    | point       | 2          | (u,v) of the point on that face's surface           |
+ * | MeshDeviation | field       | 1          | no triangle of face i is farther from its surface   |
  *
  * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it. GetModel() returns null if
  * the points were replaced or modified after SetModel(), because the model no longer describes them: such a mesh is an ordinary
@@ -37,6 +38,7 @@ public:
   /** Names of the arrays in the table above. */
   static const char* FaceIndexArrayName() { return "FaceIndex"; }
   static const char* ParametersArrayName() { return "Parameters"; }
+  static const char* MeshDeviationArrayName() { return "MeshDeviation"; }
 
   /** Sets the exact geometry of the points that are there now. Set the points first. */
   void SetModel(vtkTrimmedNURBSModel* model);

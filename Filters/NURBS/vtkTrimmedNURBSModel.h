@@ -100,8 +100,8 @@ public:
   vtkSetVector6Macro(LocalBounds, double);
   vtkGetVector6Macro(LocalBounds, double);
 
-  /** Fixed scales that tolerances are relative to: about the volume and the area of the body, from the
-   * display mesh. They set the accuracy asked of each face, not the result. 0: not known, use LocalBounds. */
+  /** Fixed scales that tolerances are relative to: about the volume and the area of the body, from a coarse
+   * mesh that does not depend on the one that is shown. They set the accuracy asked of each face, not the result. 0: not known, use LocalBounds. */
   vtkSetMacro(VolumeScale, double);
   vtkGetMacro(VolumeScale, double);
   vtkSetMacro(AreaScale, double);

@@ -1,10 +1,13 @@
 #include "smSTEPLeaf.h"
 
+#include "smBodyMesh.h"
+#include "smOCCTBounds.h"
 #include "smOCCTFailure.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkMatrix4x4.h"
@@ -26,12 +29,8 @@ namespace
 /// Grey value of a face without a colour in a body where others have one.
 constexpr double DefaultColor = 0.8;
 
-/// Share of a body's progress that its triangles take.
-constexpr double MeshShare = 0.6;
-
-/// Seconds the kernel's mesher gets for one body: an ordinary one takes one or two at most, and there are planes
-/// from which it does not come back.
-constexpr double MeshLimit = 5.0;
+/// Share of a body's progress that its conversion takes; its triangles take the rest.
+constexpr double ConversionShare = 0.8;
 
 vtkSmartPointer<vtkIntArray> MakeIndexArray(const std::vector<int>& values)
 {
@@ -64,10 +63,9 @@ LeafMaker::LeafMaker(
   , Model(vtkSmartPointer<vtkTrimmedNURBSModel>::New())
 {
   const double start = vtkTimerLog::GetUniversalTime();
-  this->MeshEnd = start;
-  Extent extent;
+  BodySize size;
   ConvertedBody body;
-  const std::string failure = CatchFailure([&]() { this->Convert(part, table, progress, extent, body); });
+  const std::string failure = CatchFailure([&]() { this->Convert(part, table, progress, size, body); });
   if (!failure.empty())
   {
     body.Messages.push_back("The body could not be carried over: " + failure + ".");
@@ -80,75 +78,68 @@ LeafMaker::LeafMaker(
     ++body.Defects;
     body.Messages.push_back("An instance of it lost its scale or its mirror.");
   }
-  this->MakeModel(part, extent, body);
+  this->MakeModel(part, size, body);
   this->MakeSharedArrays();
   this->Summarise(part, body.Messages);
-  this->MeshSeconds = this->MeshEnd - start;
-  this->ConversionSeconds = vtkTimerLog::GetUniversalTime() - this->MeshEnd;
+  this->ConversionSeconds = vtkTimerLog::GetUniversalTime() - start - this->MeshSeconds;
 }
 
 void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
-  Extent& extent, ConvertedBody& body)
+  BodySize& size, ConvertedBody& body)
 {
-  this->Triangulate(part, progress, extent, body.Messages);
-  this->MeshEnd = vtkTimerLog::GetUniversalTime();
+  double bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  int unbounded = 0;
+  GetShapeBounds(part.Shape, bounds, &unbounded);
   const double toOutput = std::abs(part.Scale.ScaleFactor()) * this->Options.Unit;
   // A centre in single precision: its subtraction from coordinates near it is exact.
   double origin[3];
+  double box[6];
   for (int d = 0; d < 3; ++d)
   {
-    origin[d] = static_cast<float>(0.5 * (extent.Bounds[2 * d] + extent.Bounds[2 * d + 1]) *
-      std::abs(part.Scale.ScaleFactor()) * this->Options.Unit);
+    origin[d] = static_cast<float>(0.5 * (bounds[2 * d] + bounds[2 * d + 1]) * toOutput);
+    box[2 * d] = bounds[2 * d] * toOutput - origin[d];
+    box[2 * d + 1] = bounds[2 * d + 1] * toOutput - origin[d];
   }
   this->Model->SetOrigin(origin);
-  const auto report = [&progress](double x) { return progress(MeshShare + (1.0 - MeshShare) * x); };
-  ConvertedBody converted = this->Aborted
-    ? ConvertedBody()
-    : ConvertBody(part.Shape, part.Scale, this->Options.Unit, origin, table, report);
-  this->Aborted = this->Aborted || converted.Aborted;
-  converted.Messages.insert(converted.Messages.begin(), body.Messages.begin(), body.Messages.end());
-  body = std::move(converted);
-  this->Mesh = BuildMesh(body, part.Scale, this->Options.Unit, origin);
-  for (double& b : extent.Bounds)
+  const auto report = [&progress](double x) { return progress(ConversionShare * x); };
+  body = ConvertBody(part.Shape, part.Scale, this->Options.Unit, origin, table, report);
+  this->Aborted = body.Aborted;
+  if (unbounded > 0)
   {
-    b *= toOutput;
+    body.Messages.insert(body.Messages.begin(),
+      std::to_string(unbounded) +
+        " faces have no finite bounding box; the size of the body is taken from the others.");
   }
-  extent.Deflection *= toOutput;
+  const double start = vtkTimerLog::GetUniversalTime();
+  this->Triangulate(box, progress, size, body);
+  this->MeshSeconds = vtkTimerLog::GetUniversalTime() - start;
 }
 
 void LeafMaker::Triangulate(
-  const PartBody& part, const ProgressCallback& progress, Extent& extent, std::vector<std::string>& messages)
+  const double box[6], const ProgressCallback& progress, BodySize& size, ConvertedBody& body)
 {
-  double* bounds = extent.Bounds;
-  int unbounded = 0;
-  if (!GetShapeBounds(part.Shape, bounds, &unbounded))
+  std::vector<FacePointer> faces;
+  for (const ConvertedFace& face : body.Faces)
   {
+    faces.push_back(face.Result);
+  }
+  const auto isStopped = [this, &progress]()
+  {
+    this->Aborted = this->Aborted || !progress(ConversionShare);
+    return this->Aborted;
+  };
+  const auto getDiagonal = [](const double* b) { return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]); };
+  size = MeasureBody(faces, getDiagonal(box), isStopped);
+  if (!size.IsKnown)
+  {
+    std::copy(box, box + 6, size.Bounds.begin());
     return;
   }
-  if (unbounded > 0)
-  {
-    messages.push_back(std::to_string(unbounded) +
-      " faces have no finite bounding box; the size of the body is taken from the others.");
-  }
-  const double scale = std::abs(part.Scale.ScaleFactor());
-  const double diagonal = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-  const double wanted = this->Options.RelativeDeflection
-    ? this->Options.LinearDeflection * diagonal
-    : this->Options.LinearDeflection / (this->Options.Unit * scale);
-  extent.Deflection = LimitDeflection(wanted, diagonal);
-  const auto report = [this, &progress](double x)
-  {
-    this->Aborted = this->Aborted || !progress(MeshShare * x);
-    return !this->Aborted;
-  };
-  const std::string problem =
-    TriangulateShape(part.Shape, extent.Deflection, this->Options.AngularDeflection, report, MeshLimit);
-  if (!problem.empty())
-  {
-    messages.push_back(problem);
-  }
-  // With triangles the box is tighter than that of the control points.
-  GetShapeBounds(part.Shape, bounds);
+  const double diagonal = getDiagonal(size.Bounds.data());
+  const double wanted = this->Options.LinearDeflection * (this->Options.RelativeDeflection ? diagonal : 1.0);
+  std::vector<FaceMesh> meshes =
+    MeshFaces(faces, { LimitDeflection(wanted, diagonal), this->Options.AngularDeflection }, isStopped);
+  this->Mesh = JoinMeshes(faces, std::move(meshes), this->Model->GetOrigin(), body.Messages);
 }
 
 void LeafMaker::Summarise(const PartBody& part, const std::vector<std::string>& messages)
@@ -164,7 +155,7 @@ void LeafMaker::Summarise(const PartBody& part, const std::vector<std::string>& 
   this->Messages.push_back("Body \"" + part.Name + "\"" + id + ": " + messages.front() + more);
 }
 
-void LeafMaker::MakeModel(const PartBody& part, const Extent& extent, ConvertedBody& body)
+void LeafMaker::MakeModel(const PartBody& part, const BodySize& size, ConvertedBody& body)
 {
   const double unit = this->Options.Unit;
   vtkTrimmedNURBSModel* model = this->Model;
@@ -179,17 +170,9 @@ void LeafMaker::MakeModel(const PartBody& part, const Extent& extent, ConvertedB
   model->SetFileArea(part.FileArea * unit * unit);
   model->SetFileUncertainty(part.Uncertainty * unit);
   model->SetNumberOfOuterShells(part.Solid ? 1 : 0);
-  const double* origin = model->GetOrigin();
-  double local[6];
-  for (int d = 0; d < 3; ++d)
-  {
-    // The triangles lie inside a convex body by up to the deflection.
-    local[2 * d] = extent.Bounds[2 * d] - extent.Deflection - origin[d];
-    local[2 * d + 1] = extent.Bounds[2 * d + 1] + extent.Deflection - origin[d];
-  }
-  model->SetLocalBounds(local);
-  model->SetVolumeScale(this->Mesh.Volume);
-  model->SetAreaScale(this->Mesh.Area);
+  model->SetLocalBounds(size.Bounds.data());
+  model->SetVolumeScale(size.Volume);
+  model->SetAreaScale(size.Area);
   std::vector<FacePointer> faces;
   for (const ConvertedFace& face : body.Faces)
   {
@@ -215,6 +198,10 @@ void LeafMaker::MakeSharedArrays()
     parameters->SetTypedTuple(static_cast<vtkIdType>(i), this->Mesh.Parameters[i].data());
   }
   this->Parameters = parameters;
+  this->Deviations = vtkSmartPointer<vtkDoubleArray>::New();
+  this->Deviations->SetName(vtkNURBSDataSet::MeshDeviationArrayName());
+  this->Deviations->SetNumberOfTuples(static_cast<vtkIdType>(this->Mesh.Deviations.size()));
+  std::copy(this->Mesh.Deviations.begin(), this->Mesh.Deviations.end(), this->Deviations->Begin());
 }
 
 vtkSmartPointer<vtkCellArray> LeafMaker::GetTriangles(bool mirrored)
@@ -299,6 +286,7 @@ vtkSmartPointer<vtkNURBSDataSet> LeafMaker::MakeLeaf(const BodyInstance& instanc
   leaf->GetPointData()->AddArray(this->PointFace);
   leaf->GetPointData()->AddArray(this->Parameters);
   leaf->GetCellData()->AddArray(this->CellFace);
+  leaf->GetFieldData()->AddArray(this->Deviations);
   if (const auto colors = this->MakeColors(instance))
   {
     leaf->GetCellData()->AddArray(colors);

@@ -5,8 +5,10 @@
 #ifndef smSTEPLeaf_h
 #define smSTEPLeaf_h
 
+#include "smBodySize.h"
+#include "smDisplayMesh.h"
+#include "smOCCTBody.h"
 #include "smOCCTDocument.h"
-#include "smOCCTMesh.h"
 #include "smProgressCallback.h"
 
 #include "vtkSmartPointer.h"
@@ -16,6 +18,7 @@
 
 class vtkCellArray;
 class vtkDataArray;
+class vtkDoubleArray;
 class vtkNURBSDataSet;
 class vtkTrimmedNURBSModel;
 
@@ -36,7 +39,7 @@ struct LeafOptions
 class LeafMaker
 {
 public:
-  /// Triangulates and converts the body. A failure is a message; only std::bad_alloc is thrown. `progress` gets a fraction in
+  /// Converts and triangulates the body. A failure is a message; only std::bad_alloc is thrown. `progress` gets a fraction in
   /// [0,1] and answers false to stop.
   LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options,
     const ProgressCallback& progress);
@@ -52,18 +55,11 @@ public:
   double GetConversionSeconds() const { return this->ConversionSeconds; }
 
 private:
-  /// Bounding box of the shape and largest distance of the display mesh from it: in mm before the scale, later in output units.
-  struct Extent
-  {
-    double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-    double Deflection = 0.0;
-  };
-
-  void Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
-    Extent& extent, ConvertedBody& body);
-  void Triangulate(const PartBody& part, const ProgressCallback& progress, Extent& extent,
-    std::vector<std::string>& messages);
-  void MakeModel(const PartBody& part, const Extent& extent, ConvertedBody& body);
+  void Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress, BodySize& size,
+    ConvertedBody& body);
+  /// Measures the body, whose box is about `box` (relative to the model's origin), and makes the display mesh.
+  void Triangulate(const double box[6], const ProgressCallback& progress, BodySize& size, ConvertedBody& body);
+  void MakeModel(const PartBody& part, const BodySize& size, ConvertedBody& body);
   /// The first message with the body's name, and how many there are.
   void Summarise(const PartBody& part, const std::vector<std::string>& messages);
   void MakeSharedArrays();
@@ -78,10 +74,9 @@ private:
   vtkSmartPointer<vtkDataArray> PointFace;
   vtkSmartPointer<vtkDataArray> CellFace;
   vtkSmartPointer<vtkDataArray> Parameters;
+  vtkSmartPointer<vtkDoubleArray> Deviations;
   std::vector<std::string> Messages;
   bool Aborted = false;
-  /// Time at which the display mesh was done.
-  double MeshEnd = 0.0;
   double MeshSeconds = 0.0;
   double ConversionSeconds = 0.0;
 };

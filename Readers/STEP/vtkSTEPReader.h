@@ -48,9 +48,10 @@
  * that are none, placements with too few parameters. Who reads files of unknown origin should do it in a process of its own, as the
  * command line does. That hands on results, not the model, and so this reader does not offer it.
  *
- * The display mesh of one body gets 5 seconds of CPU time, and the faces that were not meshed then 5 more, one by one; faces without
- * a mesh are shown on a plain grid. A body whose faces are not complete has GetNumberOfMissingFaces() or GetNumberOfDefects()
- * above 0 in its model.
+ * The display mesh is made of the exact model: every edge is sampled once and its points are shared by its faces with the same bits, so
+ * that a closed solid has a closed mesh; the field array MeshDeviation holds a proved bound for each face of the distance of its
+ * triangles from the surface. A body whose faces are not complete has GetNumberOfMissingFaces() or GetNumberOfDefects() above 0 in
+ * its model.
  */
 #ifndef vtkSTEPReader_h
 #define vtkSTEPReader_h
@@ -94,8 +95,8 @@ public:
   /**
    * Largest distance of the display mesh from the surface: a fraction of the part's bounding-box diagonal when
    * RelativeDeflection is on (default), else a length in OutputUnit. Clamped to [1e-7, 1e30]; 0, less and NaN give
-   * the default, 0.001. The mesher gets no less than 1e-5 of the diagonal and no less than 1e-6 mm. It does not touch
-   * the exact geometry.
+   * the default, 0.001. The mesher gets no less than 1e-5 of the diagonal. Faces with gaps to their edges may be farther away: the field
+   * array MeshDeviation says by how much. It does not touch the exact geometry.
    */
   void SetLinearDeflection(double deflection);
   vtkGetMacro(LinearDeflection, double);
@@ -105,7 +106,8 @@ public:
   ///@}
 
   ///@{
-  /** Largest angle between neighbouring triangles in radians, clamped to [0.01, 3]; NaN gives the default, 0.35. */
+  /** Angle between neighbouring triangles, in radians, that the mesh is made for where the deflection would allow more; aimed at, not
+   * proved. Clamped to [0.01, 3], of which at most 1.2 is used; NaN gives the default, 0.35. */
   void SetAngularDeflection(double angle);
   vtkGetMacro(AngularDeflection, double);
   ///@}

@@ -1,16 +1,15 @@
 // SweepMeshes [--deflection X] FILE.step...: the display mesh of every body beside that of OpenCASCADE's mesher, in one run on one
 // core: seconds, triangles, faces without triangles, open sides of closed solids, inverted triangles, and the largest distance from the
 // surface, all at the same deflection (a part X of the diagonal, 0.001 by default). Exit status 1 where ours breaks its promise.
+#include "smKernelMesh.h"
 #include "smMeshMeasures.h"
 #include "smOCCTBody.h"
+#include "smOCCTBounds.h"
 #include "smOCCTDocument.h"
-#include "smOCCTMesh.h"
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkSTEPReader.h>
-
-#include <BRepTools.hxx>
 
 #include <ctime>
 #include <cstring>
@@ -78,26 +77,10 @@ protected:
       double start = GetSeconds();
       const std::vector<sm::FaceMesh> ours = sm::MeshFaces(faces, limits);
       All.Seconds[0] += GetSeconds() - start;
-      BRepTools::Clean(part.Shape);
       start = GetSeconds();
-      sm::TriangulateShape(part.Shape, limits.Deflection, limits.Angle, {}, 60.0);
+      smtest::MeshByKernel(part.Shape, limits.Deflection, limits.Angle);
       All.Seconds[1] += GetSeconds() - start;
-      const sm::DisplayMesh mesh = sm::BuildMesh(body, gp_Trsf(), 1.0, origin);
-      std::vector<sm::FaceMesh> theirs(faces.size());
-      std::vector<int> place(mesh.Points.size());
-      for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-      {
-        sm::FaceMesh& to = theirs[mesh.PointFace[i]];
-        place[i] = static_cast<int>(to.Points.size());
-        to.Points.push_back(sm::Subtract(mesh.Points[i], { origin[0], origin[1], origin[2] }));
-        to.Parameters.push_back(mesh.Parameters[i]);
-        to.Deviation = limits.Deflection;
-      }
-      for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
-      {
-        const auto& t = mesh.Triangles[i];
-        theirs[mesh.TriangleFace[i]].Triangles.push_back({ place[t[0]], place[t[1]], place[t[2]] });
-      }
+      const std::vector<sm::FaceMesh> theirs = smtest::GetKernelMeshes(body, origin, limits.Deflection);
       const smtest::MeshMeasures a = smtest::MeasureMesh(faces, ours);
       const smtest::MeshMeasures b = smtest::MeasureMesh(faces, theirs);
       Add(a, limits.Deflection, All.Mesh[0]);

@@ -1,6 +1,6 @@
 #include "smKernelComparison.h"
 
-#include "smOCCTMesh.h"
+#include "smOCCTBounds.h"
 
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>

@@ -1,0 +1,60 @@
+#include "smBodySize.h"
+
+#include "smVector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+/// Deflection of the coarse mesh, a part of the diagonal, and its angle in radians.
+constexpr double CoarseDeflection = 0.01;
+constexpr double CoarseAngle = 0.5;
+
+/// So few digits that details of the mesh do not reach them often.
+double Round(double x)
+{
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  return std::ldexp(std::round(128.0 * mantissa) / 128.0, exponent);
+}
+}
+
+BodySize MeasureBody(
+  const std::vector<FacePointer>& faces, double diagonal, const std::function<bool()>& isStopped)
+{
+  BodySize size;
+  if (!(diagonal > 0.0) || !std::isfinite(diagonal))
+  {
+    return size;
+  }
+  const std::vector<FaceMesh> meshes = MeshFaces(faces, { CoarseDeflection * diagonal, CoarseAngle }, isStopped);
+  for (const FaceMesh& mesh : meshes)
+  {
+    for (const Vector3& p : mesh.Points)
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        // The face bulges over its triangles by up to their deviation.
+        const double low = p[d] - mesh.Deviation;
+        const double high = p[d] + mesh.Deviation;
+        size.Bounds[2 * d] = size.IsKnown ? std::min(size.Bounds[2 * d], low) : low;
+        size.Bounds[2 * d + 1] = size.IsKnown ? std::max(size.Bounds[2 * d + 1], high) : high;
+      }
+      size.IsKnown = true;
+    }
+    for (const std::array<int, 3>& t : mesh.Triangles)
+    {
+      const Vector3& a = mesh.Points[t[0]];
+      const Vector3 n = Cross(Subtract(mesh.Points[t[1]], a), Subtract(mesh.Points[t[2]], a));
+      size.Area += 0.5 * Norm(n);
+      size.Volume += Dot(a, n) / 6.0;
+    }
+  }
+  size.Volume = Round(std::abs(size.Volume));
+  size.Area = Round(size.Area);
+  return size;
+}
+}
