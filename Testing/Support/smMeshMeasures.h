@@ -122,7 +122,6 @@ inline MeshMeasures MeasureMesh(
         sm::Vector3 exact;
         const double distance = FindDistance(walker, surface, p, uv[0], uv[1], &exact);
         result.Deviation = std::max(result.Deviation, distance);
-        if (distance > mesh.Deviation * 1.001 && getenv("SMD")) { std::printf("face #%d degree %d %d uv %g %g distance %g stated %g reversed %d corners", faces[f]->FileId, surface.Degree[0], surface.Degree[1], uv[0], uv[1], distance, mesh.Deviation, faces[f]->Reversed); for (int k = 0; k < 3; ++k) std::printf(" (%g %g)", mesh.Parameters[t[k]][0], mesh.Parameters[t[k]][1]); std::printf("domain %g %g %g %g\n", surface.GetDomainStart(0), surface.GetDomainEnd(0), surface.GetDomainStart(1), surface.GetDomainEnd(1)); }
         result.WorstShare = std::max(result.WorstShare, distance / mesh.Deviation);
         if (&w == &Samples[0] && sm::Norm(normal) > 1e-6 * longest * longest)
         {

@@ -1,0 +1,123 @@
+// TestBodyMesh FOLDER: meshes of the exact solids are closed, keep their promise on dense samples, have no triangle turned over,
+// converge to the exact volume, and have the same bits for any number of threads.
+#include "smMeshMeasures.h"
+#include "smTestFaces.h"
+#include "smTestManifest.h"
+#include "smTesting.h"
+
+#include <vtkNURBSDataSet.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkSMPTools.h>
+#include <vtkSTEPReader.h>
+#include <vtkTrimmedNURBSModel.h>
+
+namespace
+{
+using namespace smtest;
+
+std::vector<sm::FacePointer> ReadFaces(const std::string& path)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  auto* leaf = vtkNURBSDataSet::SafeDownCast(reader->GetOutput()->GetPartitionAsDataObject(0, 0));
+  return leaf && leaf->GetModel() ? leaf->GetModel()->GetFaces() : std::vector<sm::FacePointer>();
+}
+
+void CheckSolid(const Expected& solid)
+{
+  const std::vector<sm::FacePointer> faces = ReadFaces(solid.Path);
+  CheckTrue(solid.Solid + " is read", !faces.empty());
+  double errors[2] = { 0, 0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    sm::MeshLimits limits;
+    limits.Deflection = (i == 0 ? 4e-3 : 1e-3) * solid.Size;
+    limits.Angle = 1.0;
+    const std::vector<sm::FaceMesh> meshes = sm::MeshFaces(faces, limits);
+    const MeshMeasures m = MeasureMesh(faces, meshes);
+    CheckEqual(solid.Solid + ": faces without triangles", 0, m.EmptyFaces);
+    CheckEqual(solid.Solid + ": open sides", 0, m.OpenSides);
+    CheckEqual(solid.Solid + ": triangles turned over", 0, m.Inverted);
+    CheckRange(solid.Solid + ": distance / stated", 0.0, m.WorstShare, 1.0);
+    double stated = 0.0;
+    for (const sm::FaceMesh& mesh : meshes)
+    {
+      stated = std::max(stated, mesh.Deviation);
+    }
+    CheckRange(solid.Solid + ": stated / deflection", 0.0, stated / limits.Deflection, 1.0);
+    errors[i] = std::abs(m.Volume - solid.Volume) / solid.Volume;
+  }
+  // Rounding of 1e5 triangles, where the solid is a polyhedron.
+  CheckRange(solid.Solid + ": error of the volume at a quarter of the deflection", 0.0, errors[1],
+    std::max(0.35 * errors[0], 1e-12), "at least linear, with a margin for whole numbers of chords");
+}
+
+void CheckThreads(const Expected& solid)
+{
+  const std::vector<sm::FacePointer> faces = ReadFaces(solid.Path);
+  std::vector<sm::FaceMesh> meshes[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkSMPTools::SetBackend(i == 0 ? "Sequential" : "STDThread");
+    meshes[i] = sm::MeshFaces(faces, { 1e-3 * solid.Size, 0.35 });
+  }
+  int different = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    different +=
+      meshes[0][f].Points == meshes[1][f].Points && meshes[0][f].Triangles == meshes[1][f].Triangles ? 0 : 1;
+  }
+  CheckEqual("faces that differ on several threads", 0, different);
+}
+
+/// A square whose loop crosses itself, and one without loops.
+void CheckLoops()
+{
+  const sm::FacePointer square = MakeSquare(3.0, 2);
+  const MeshMeasures plain = MeasureMesh({ square }, sm::MeshFaces({ square }, { 0.1, 0.35 }));
+  Check("area of a square without loops", 9.0, plain.Area, 1e-13, "rounding");
+  auto crossed = std::make_shared<sm::Face>(*square);
+  const std::array<double, 2> corners[5] = { { 0.2, 0.2 }, { 1.8, 1.8 }, { 1.8, 0.2 }, { 0.2, 1.8 }, { 0.2, 0.2 } };
+  crossed->Loops.emplace_back();
+  for (int i = 0; i < 4; ++i)
+  {
+    auto edge = std::make_shared<sm::Edge>();
+    sm::Coedge coedge;
+    std::array<double, 3> ends[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      square->Surface.Evaluate(corners[i + k][0], corners[i + k][1], ends[k].data());
+    }
+    edge->Curve.Breaks.push_back(0.0);
+    edge->Curve.AppendPiece(1.0, ends, 1);
+    edge->StartVertex = ends[0];
+    edge->EndVertex = ends[1];
+    coedge.Use = edge;
+    coedge.Curve.Breaks.push_back(0.0);
+    coedge.Curve.AppendPiece(1.0, corners + i, 1);
+    crossed->Loops[0].Coedges.push_back(coedge);
+  }
+  const std::vector<sm::FaceMesh> meshes = sm::MeshFaces({ crossed }, { 0.1, 0.35 });
+  CheckTrue("a loop that crosses itself is named", meshes[0].Reason.find("cross") != std::string::npos, meshes[0].Reason);
+  // A quarter of a square of side 1.6 cells of length 1.5.
+  Check("the part that winds once", 0.25 * 2.4 * 2.4, MeasureMesh({ crossed }, meshes).Area, 1e-6, "steps of the grid");
+}
+}
+
+int TestBodyMesh(int argc, char* argv[])
+{
+  if (argc < 2)
+  {
+    return 1;
+  }
+  const Manifest manifest(argv[1]);
+  for (const Expected& solid : manifest.GetVariant("plain"))
+  {
+    CheckSolid(solid);
+  }
+  CheckThreads(manifest.GetVariant("plain").front());
+  CheckLoops();
+  return Finish();
+}

@@ -1,0 +1,129 @@
+// The bound of a triangle's distance from its surface: never below what is sampled, and not far above it.
+#include "smMeshMeasures.h"
+#include "smSurfaceBlocks.h"
+#include "smTesting.h"
+
+#include <random>
+
+namespace
+{
+using namespace smtest;
+
+/// A quarter of a torus of radii 5 and 2 by circular arcs.
+sm::NURBSSurface MakeTorus()
+{
+  const double h = std::sqrt(0.5);
+  sm::NURBSSurface s;
+  for (int d = 0; d < 2; ++d)
+  {
+    s.Degree[d] = 2;
+    s.Knots[d] = { 0, 0, 0, 1, 1, 1 };
+    s.NumberOfControlPoints[d] = 3;
+  }
+  s.Rational = true;
+  const double ring[3][3] = { { 1, 0, 1 }, { 1, 1, h }, { 0, 1, 1 } };
+  const double tube[3][3] = { { 7, 0, 1 }, { 7, 2, h }, { 5, 2, 1 } };
+  for (const auto& t : tube)
+  {
+    for (const auto& r : ring)
+    {
+      const double w = r[2] * t[2];
+      s.ControlPoints.push_back({ w * t[0] * r[0], w * t[0] * r[1], w * t[1], w });
+    }
+  }
+  return s;
+}
+
+/// A net of the given degrees and spans with points near a paraboloid; weights up to 1 + `spread`. `crease`: a knot of full
+/// multiplicity.
+sm::NURBSSurface MakeRandom(std::mt19937& random, int degree, double spread, bool crease)
+{
+  std::uniform_real_distribution<double> jitter(-0.3, 0.3);
+  std::uniform_real_distribution<double> weight(1.0, 1.0 + spread);
+  sm::NURBSSurface s;
+  s.Rational = spread > 0.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    s.Degree[d] = degree;
+    s.Knots[d].assign(degree + 1, 0.0);
+    s.Knots[d].insert(s.Knots[d].end(), crease ? degree : 1, 1.0);
+    s.Knots[d].insert(s.Knots[d].end(), degree + 1, 2.5);
+    s.NumberOfControlPoints[d] = static_cast<int>(s.Knots[d].size()) - degree - 1;
+  }
+  for (int j = 0; j < s.NumberOfControlPoints[1]; ++j)
+  {
+    for (int i = 0; i < s.NumberOfControlPoints[0]; ++i)
+    {
+      const double x = i + jitter(random);
+      const double y = j + jitter(random);
+      const double w = weight(random);
+      s.ControlPoints.push_back({ w * x, w * y, w * (0.1 * x * y + 0.05 * x * x + 0.2 * jitter(random)), w });
+    }
+  }
+  return s;
+}
+
+/// The least and the largest ratio of the distance and its bound over random triangles of about `width`.
+void CheckTriangles(const std::string& what, const sm::NURBSSurface& surface, double width, double least)
+{
+  sm::ParameterBox domain{ { surface.GetDomainStart(0), surface.GetDomainStart(1) },
+    { surface.GetDomainEnd(0), surface.GetDomainEnd(1) } };
+  const sm::SurfaceBlocks blocks(surface, domain);
+  sm::NURBSSurface::Walker walker(surface);
+  std::mt19937 random(3);
+  double largest = 0.0;
+  for (int n = 0; n < 2000; ++n)
+  {
+    std::array<double, 2> uv[3];
+    sm::Vector3 corner[3];
+    std::array<double, 2> start;
+    for (int d = 0; d < 2; ++d)
+    {
+      start[d] = std::uniform_real_distribution<double>(domain.Low[d], domain.High[d] - width)(random);
+    }
+    sm::ParameterBox box;
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        uv[k][d] = start[d] + std::uniform_real_distribution<double>(0.0, width)(random);
+      }
+      box = k == 0 ? sm::ParameterBox{ uv[0], uv[0] } : box;
+      box.Add(uv[k]);
+      walker.Evaluate(uv[k][0], uv[k][1], corner[k].data());
+    }
+    const double bound = blocks.GetError(box);
+    for (const auto& w : { std::array<double, 3>{ 1. / 3, 1. / 3, 1. / 3 }, { .5, .5, 0 }, { 0, .5, .5 }, { .5, 0, .5 } })
+    {
+      sm::Vector3 p{ 0, 0, 0 };
+      double at[2] = { 0, 0 };
+      for (int k = 0; k < 3; ++k)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          p[c] += w[k] * corner[k][c];
+        }
+        at[0] += w[k] * uv[k][0];
+        at[1] += w[k] * uv[k][1];
+      }
+      largest = std::max(largest, FindDistance(walker, surface, p, at[0], at[1]) / bound);
+    }
+  }
+  CheckRange(what, least, largest, 1.0, "a bound, and no idle one");
+}
+}
+
+int TestSurfaceBlocks(int, char*[])
+{
+  std::mt19937 random(5);
+  CheckTriangles("a torus", MakeTorus(), 0.1, 0.4);
+  CheckTriangles("a torus, large triangles", MakeTorus(), 0.6, 0.2);
+  for (const int degree : { 2, 3, 5 })
+  {
+    const std::string name = " of degree " + std::to_string(degree);
+    CheckTriangles("polynomials" + name, MakeRandom(random, degree, 0.0, false), 0.2, 0.1);
+    CheckTriangles("rational surfaces" + name, MakeRandom(random, degree, 0.5, false), 0.2, 0.05);
+    CheckTriangles("surfaces with a crease" + name, MakeRandom(random, degree, 0.0, true), 0.2, 0.1);
+  }
+  return Finish();
+}
