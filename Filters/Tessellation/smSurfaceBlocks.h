@@ -33,7 +33,7 @@ struct ParameterBox
 {
   std::array<double, 2> Low{};
   std::array<double, 2> High{};
-  void Add(const std::array<double, 2>& uv);
+  SMFILTERSTESSELLATION_EXPORT void Add(const std::array<double, 2>& uv);
 };
 
 class SMFILTERSTESSELLATION_EXPORT SurfaceBlocks

@@ -5,6 +5,7 @@
  * Usage: TestSTEPReader FOLDER [commas], a folder for the files it writes; in a locale with a decimal comma.
  */
 #include "smDisplayMesh.h"
+#include "smOCCTBody.h"
 #include "smReaderTesting.h"
 
 #include "vtkCallbackCommand.h"
