@@ -30,7 +30,8 @@ bool IsUsable(const Coedge& coedge)
 class BodyMesher
 {
 public:
-  BodyMesher(const std::vector<FacePointer>& faces, const MeshLimits& limits, const std::function<bool()>& isStopped)
+  BodyMesher(
+    const std::vector<FacePointer>& faces, const MeshLimits& limits, const std::function<bool()>& isStopped)
     : Faces(faces)
     , Limits(limits)
     , IsStopped(isStopped)
@@ -208,7 +209,8 @@ private:
         {
           if (IsUsable(coedge))
           {
-            this->Edges[this->Index[coedge.Use.get()]].Uses.push_back({ this->Blocks[f].get(), &coedge.Curve });
+            this->Edges[this->Index[coedge.Use.get()]].Uses.push_back(
+              { this->Blocks[f].get(), &coedge.Curve });
           }
         }
       }
@@ -232,7 +234,8 @@ private:
     edge.Points.clear();
     for (const double t : edge.T)
     {
-      edge.Points.push_back(edge.Source->Degenerate ? this->Vertices[edge.Vertices[0]] : edge.Source->Curve.Evaluate(t));
+      edge.Points.push_back(
+        edge.Source->Degenerate ? this->Vertices[edge.Vertices[0]] : edge.Source->Curve.Evaluate(t));
     }
     edge.Points.front() = this->Vertices[edge.Vertices[0]];
     edge.Points.back() = this->Vertices[edge.Vertices[1]];

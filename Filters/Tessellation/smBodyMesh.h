@@ -24,8 +24,8 @@ namespace sm
  * Runs on the threads of vtkSMPTools, with the same result for any number of them. `isStopped`, where there is one, is asked now and
  * then on the calling thread; faces that were not reached have no triangles then.
  */
-SMFILTERSTESSELLATION_EXPORT std::vector<FaceMesh> MeshFaces(
-  const std::vector<FacePointer>& faces, const MeshLimits& limits, const std::function<bool()>& isStopped = {});
+SMFILTERSTESSELLATION_EXPORT std::vector<FaceMesh> MeshFaces(const std::vector<FacePointer>& faces,
+  const MeshLimits& limits, const std::function<bool()>& isStopped = {});
 }
 
 #endif

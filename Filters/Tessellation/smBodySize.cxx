@@ -30,7 +30,8 @@ BodySize MeasureBody(
   {
     return size;
   }
-  const std::vector<FaceMesh> meshes = MeshFaces(faces, { CoarseDeflection * diagonal, CoarseAngle }, isStopped);
+  const std::vector<FaceMesh> meshes =
+    MeshFaces(faces, { CoarseDeflection * diagonal, CoarseAngle }, isStopped);
   for (const FaceMesh& mesh : meshes)
   {
     for (const Vector3& p : mesh.Points)

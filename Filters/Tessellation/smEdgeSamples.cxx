@@ -89,7 +89,8 @@ private:
       bool corner = k == 0;
       if (k > 0 && !this->IsPoint)
       {
-        corner = GetAngle(GetEndTangent(this->Curve, k - 1, true), GetEndTangent(this->Curve, k, false)) > CornerAngle;
+        corner = GetAngle(GetEndTangent(this->Curve, k - 1, true), GetEndTangent(this->Curve, k, false)) >
+          CornerAngle;
       }
       for (int i = 0; i < parts; ++i)
       {
@@ -167,7 +168,8 @@ private:
     const double end = this->Ends[last];
     const double start = this->Ends[first];
     const double wanted = std::min(total, 0.25 * MostSamples);
-    const int chords = std::max(static_cast<int>(std::ceil(wanted - 1e-3)), this->Counts.size() == last - first ? least : 1);
+    const int chords =
+      std::max(static_cast<int>(std::ceil(wanted - 1e-3)), this->Counts.size() == last - first ? least : 1);
     std::size_t at = first;
     double before = 0.0;
     for (int i = 1; i < chords; ++i)
@@ -273,8 +275,8 @@ double BoundSagitta(const EdgeCurve& curve, double low, double high)
     }
     for (int i = 0; first == last && i + 2 <= piece.Degree; ++i)
     {
-      const Vector3 second{ b[i + 2][0] - 2.0 * b[i + 1][0] + b[i][0], b[i + 2][1] - 2.0 * b[i + 1][1] + b[i][1],
-        b[i + 2][2] - 2.0 * b[i + 1][2] + b[i][2] };
+      const Vector3 second{ b[i + 2][0] - 2.0 * b[i + 1][0] + b[i][0],
+        b[i + 2][1] - 2.0 * b[i + 1][1] + b[i][1], b[i + 2][2] - 2.0 * b[i + 1][2] + b[i][2] };
       largest = std::max(largest, 0.125 * piece.Degree * (piece.Degree - 1.0) * Norm(Reject(second, along)));
     }
   }

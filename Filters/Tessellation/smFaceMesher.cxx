@@ -90,7 +90,10 @@ public:
     }
   }
   double GetTotal() const { return this->Sum.back(); }
-  int GetSteps() const { return std::max(static_cast<int>(std::ceil(std::min(this->GetTotal(), MostRows) - 1e-3)), 1); }
+  int GetSteps() const
+  {
+    return std::max(static_cast<int>(std::ceil(std::min(this->GetTotal(), MostRows) - 1e-3)), 1);
+  }
   /// Point k of n equal steps.
   double GetPoint(int k, int n)
   {
@@ -131,7 +134,8 @@ struct Vertex
 class Mesher
 {
 public:
-  Mesher(const Face& face, const SurfaceBlocks& blocks, const std::vector<BoundaryLoop>& loops, const MeshLimits& limits)
+  Mesher(const Face& face, const SurfaceBlocks& blocks, const std::vector<BoundaryLoop>& loops,
+    const MeshLimits& limits)
     : Source(face)
     , Blocks(blocks)
     , Loops(loops)
@@ -506,7 +510,8 @@ private:
   /// Inserts points until all triangles are good, or no more can be done.
   void Refine()
   {
-    const double allowed = std::max(this->Limits.Deflection - this->WidestGap, 0.25 * this->Limits.Deflection);
+    const double allowed =
+      std::max(this->Limits.Deflection - this->WidestGap, 0.25 * this->Limits.Deflection);
     std::vector<int> open;
     for (std::size_t i = this->Mesh.GetTriangles().size(); i-- > 0;)
     {
@@ -618,7 +623,8 @@ private:
             normal = { -normal[0], -normal[1], -normal[2] };
           }
           result.Normals.push_back(normal);
-          farthest = std::max({ farthest, std::abs(v.Position[0]), std::abs(v.Position[1]), std::abs(v.Position[2]) });
+          farthest =
+            std::max({ farthest, std::abs(v.Position[0]), std::abs(v.Position[1]), std::abs(v.Position[2]) });
         }
         corners[k] = index;
         gap = std::max(gap, v.Gap);
@@ -645,8 +651,8 @@ private:
   {
     for (const std::array<int, 3>& t : mesh.Triangles)
     {
-      const Vector3 n = Cross(
-        Subtract(mesh.Points[t[1]], mesh.Points[t[0]]), Subtract(mesh.Points[t[2]], mesh.Points[t[0]]));
+      const Vector3 n =
+        Cross(Subtract(mesh.Points[t[1]], mesh.Points[t[0]]), Subtract(mesh.Points[t[2]], mesh.Points[t[0]]));
       for (const int k : t)
       {
         if (Dot(mesh.Normals[k], mesh.Normals[k]) == 0.0 && Dot(n, n) > 0.0)

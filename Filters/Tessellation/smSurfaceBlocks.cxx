@@ -44,7 +44,10 @@ struct Net
   int Q = 0;
   std::vector<Homogeneous> B;
 
-  const Homogeneous& At(int i, int j) const { return this->B[i + static_cast<std::size_t>(j) * (this->P + 1)]; }
+  const Homogeneous& At(int i, int j) const
+  {
+    return this->B[i + static_cast<std::size_t>(j) * (this->P + 1)];
+  }
   Homogeneous& At(int i, int j) { return this->B[i + static_cast<std::size_t>(j) * (this->P + 1)]; }
   void Resize(int p, int q)
   {
@@ -59,7 +62,8 @@ Net Derive(const Net& from, int direction)
 {
   Net to;
   const int degree = direction == 0 ? from.P : from.Q;
-  to.Resize(direction == 0 ? std::max(from.P - 1, 0) : from.P, direction == 1 ? std::max(from.Q - 1, 0) : from.Q);
+  to.Resize(
+    direction == 0 ? std::max(from.P - 1, 0) : from.P, direction == 1 ? std::max(from.Q - 1, 0) : from.Q);
   for (int j = 0; degree > 0 && j <= to.Q; ++j)
   {
     for (int i = 0; i <= to.P; ++i)
@@ -297,7 +301,8 @@ double BoundCurve(const Homogeneous* b, int degree)
     for (int side = 0; side < 2; ++side)
     {
       const int k = i - 1 + side;
-      const double share = side == 0 ? i / std::max(degree - 1.0, 1.0) : 1.0 - i / std::max(degree - 1.0, 1.0);
+      const double share =
+        side == 0 ? i / std::max(degree - 1.0, 1.0) : 1.0 - i / std::max(degree - 1.0, 1.0);
       for (int x = 0; k >= 0 && k + 2 <= degree && x < 4; ++x)
       {
         second[x] += share * degree * (degree - 1.0) * (b[k + 2][x] - 2.0 * b[k + 1][x] + b[k][x]);
@@ -387,7 +392,8 @@ std::array<double, 3> BoundNet(const Net& net, bool rational, int halvings)
   if (!rational)
   {
     const double w = net.B[0][3];
-    return { GetLargestNorm(Derive(u, 0)) / w, GetLargestNorm(Derive(u, 1)) / w, GetLargestNorm(Derive(v, 1)) / w };
+    return { GetLargestNorm(Derive(u, 0)) / w, GetLargestNorm(Derive(u, 1)) / w,
+      GetLargestNorm(Derive(v, 1)) / w };
   }
   if (IsSeparable(net))
   {
@@ -486,7 +492,8 @@ void MeasureCorners(const Net& net, SurfaceBlocks::Block& block)
     {
       for (int d = 0; d < 2; ++d)
       {
-        const double turn = std::hypot(corner.Normal[2 * d] / corner.Speed[d], corner.Normal[1] / corner.Speed[1 - d]);
+        const double turn =
+          std::hypot(corner.Normal[2 * d] / corner.Speed[d], corner.Normal[1] / corner.Speed[1 - d]);
         block.Turn[d] = std::max(block.Turn[d], std::min(turn, MostTurn));
       }
     }
@@ -553,7 +560,8 @@ namespace
 {
 /// Jump of the derivative across the common side of two nets, the second one after the first in a direction; widths are those of the
 /// spans. Sampled, with a margin, where there are weights; 0 where it is rounding.
-double MeasureJump(const Net& before, const Net& after, int direction, const double (&width)[2], bool rational)
+double MeasureJump(
+  const Net& before, const Net& after, int direction, const double (&width)[2], bool rational)
 {
   const int degree = direction == 0 ? before.P : before.Q;
   const int rows = direction == 0 ? before.Q : before.P;
@@ -611,7 +619,8 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
     {
       // The first and the last span answer for what lies beyond the domain.
-      if ((k + 2 == breaks.size() || breaks[k + 1] > covered.Low[d]) && (k == 0 || breaks[k] < covered.High[d]))
+      if ((k + 2 == breaks.size() || breaks[k + 1] > covered.Low[d]) &&
+        (k == 0 || breaks[k] < covered.High[d]))
       {
         if (spans[d].empty())
         {

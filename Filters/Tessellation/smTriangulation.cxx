@@ -162,7 +162,8 @@ void Triangulation::SplitSide(int triangle, int side, int vertex)
   const int ids[4] = { triangle, other, first, first + 1 };
   const int from[4] = { a, b, d, c };
   const int to[4] = { b, d, c, a };
-  const Side outer[4] = { t.Sides[Previous(side)], o.Sides[Next(m)], o.Sides[Previous(m)], t.Sides[Next(side)] };
+  const Side outer[4] = { t.Sides[Previous(side)], o.Sides[Next(m)], o.Sides[Previous(m)],
+    t.Sides[Next(side)] };
   const int owner[4] = { triangle, other, other, triangle };
   for (int i = 0; i < 4; ++i)
   {

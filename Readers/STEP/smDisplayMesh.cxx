@@ -9,9 +9,11 @@ namespace
 /// "2 faces, the first of them #17"
 std::string CountFaces(const std::vector<const Face*>& faces)
 {
-  const std::string id = faces.front()->FileId > 0 ? " #" + std::to_string(faces.front()->FileId) : std::string();
-  return faces.size() == 1 ? "face" + id
-                           : std::to_string(faces.size()) + " faces" + (id.empty() ? "" : ", the first of them" + id);
+  const std::string id =
+    faces.front()->FileId > 0 ? " #" + std::to_string(faces.front()->FileId) : std::string();
+  return faces.size() == 1
+    ? "face" + id
+    : std::to_string(faces.size()) + " faces" + (id.empty() ? "" : ", the first of them" + id);
 }
 }
 
@@ -21,8 +23,8 @@ double LimitDeflection(double deflection, double diagonal)
   return std::max(wanted, 1e-5 * diagonal);
 }
 
-DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMesh> meshes, const double origin[3],
-  std::vector<std::string>& messages)
+DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMesh> meshes,
+  const double origin[3], std::vector<std::string>& messages)
 {
   DisplayMesh result;
   std::vector<const Face*> missing;
@@ -58,8 +60,7 @@ DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMe
   }
   if (!missing.empty())
   {
-    messages.push_back(
-      "The display mesh lacks " + CountFaces(missing) + "; the exact geometry is there.");
+    messages.push_back("The display mesh lacks " + CountFaces(missing) + "; the exact geometry is there.");
   }
   if (!crossing.empty())
   {

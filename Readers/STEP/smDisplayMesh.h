@@ -31,8 +31,8 @@ struct DisplayMesh
 SMREADERSSTEP_EXPORT double LimitDeflection(double deflection, double diagonal);
 
 /// Joins the meshes of all faces, moved by `origin`. Says in a sentence each what faces have no triangles, and what meshes may be open.
-DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMesh> meshes, const double origin[3],
-  std::vector<std::string>& messages);
+DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMesh> meshes,
+  const double origin[3], std::vector<std::string>& messages);
 }
 
 #endif

@@ -55,10 +55,11 @@ public:
   double GetConversionSeconds() const { return this->ConversionSeconds; }
 
 private:
-  void Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress, BodySize& size,
-    ConvertedBody& body);
+  void Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
+    BodySize& size, ConvertedBody& body);
   /// Measures the body, whose box is about `box` (relative to the model's origin), and makes the display mesh.
-  void Triangulate(const double box[6], const ProgressCallback& progress, BodySize& size, ConvertedBody& body);
+  void Triangulate(
+    const double box[6], const ProgressCallback& progress, BodySize& size, ConvertedBody& body);
   void MakeModel(const PartBody& part, const BodySize& size, ConvertedBody& body);
   /// The first message with the body's name, and how many there are.
   void Summarise(const PartBody& part, const std::vector<std::string>& messages);

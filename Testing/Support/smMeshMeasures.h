@@ -32,8 +32,8 @@ struct MeshMeasures
 };
 
 /// Distance of a point from a surface, near the parameters (u,v); an upper bound, for the foot point is sought.
-inline double FindDistance(sm::NURBSSurface::Walker& walker, const sm::NURBSSurface& surface, const sm::Vector3& point,
-  double u, double v, sm::Vector3* normal = nullptr)
+inline double FindDistance(sm::NURBSSurface::Walker& walker, const sm::NURBSSurface& surface,
+  const sm::Vector3& point, double u, double v, sm::Vector3* normal = nullptr)
 {
   double best = 1e300;
   for (int step = 0; step < 4; ++step)
@@ -104,8 +104,8 @@ inline MeshMeasures MeasureMesh(
       {
         continue;
       }
-      constexpr double Samples[7][3] = { { 1. / 3, 1. / 3, 1. / 3 }, { .5, .5, 0 }, { 0, .5, .5 }, { .5, 0, .5 },
-        { .6, .2, .2 }, { .2, .6, .2 }, { .2, .2, .6 } };
+      constexpr double Samples[7][3] = { { 1. / 3, 1. / 3, 1. / 3 }, { .5, .5, 0 }, { 0, .5, .5 },
+        { .5, 0, .5 }, { .6, .2, .2 }, { .2, .6, .2 }, { .2, .2, .6 } };
       for (const auto& w : Samples)
       {
         sm::Vector3 p{ 0, 0, 0 };

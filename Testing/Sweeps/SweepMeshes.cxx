@@ -11,8 +11,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkSTEPReader.h>
 
-#include <ctime>
 #include <cstring>
+#include <ctime>
 
 namespace
 {
@@ -87,16 +87,19 @@ protected:
       Add(b, limits.Deflection, All.Mesh[1]);
       for (std::size_t f = 0; Verbose && f < faces.size(); ++f)
       {
-        std::printf("    face #%d: %zu triangles (OpenCASCADE %zu) deviation %.3g degrees %d %d%s spans %zu %zu loops %zu\n", faces[f]->FileId,
-          ours[f].Triangles.size(), theirs[f].Triangles.size(), ours[f].Deviation / limits.Deflection, faces[f]->Surface.Degree[0], faces[f]->Surface.Degree[1], faces[f]->Surface.Rational ? " rational" : "",
-          faces[f]->Surface.GetSpanBreaks(0).size() - 1, faces[f]->Surface.GetSpanBreaks(1).size() - 1, faces[f]->Loops.size());
+        std::printf("    face #%d: %zu triangles (OpenCASCADE %zu) deviation %.3g degrees %d %d%s spans %zu "
+                    "%zu loops %zu\n",
+          faces[f]->FileId, ours[f].Triangles.size(), theirs[f].Triangles.size(),
+          ours[f].Deviation / limits.Deflection, faces[f]->Surface.Degree[0], faces[f]->Surface.Degree[1],
+          faces[f]->Surface.Rational ? " rational" : "", faces[f]->Surface.GetSpanBreaks(0).size() - 1,
+          faces[f]->Surface.GetSpanBreaks(1).size() - 1, faces[f]->Loops.size());
       }
       this->Report(ours, faces, part, a, b, limits.Deflection);
     }
   }
 
-  void Report(const std::vector<sm::FaceMesh>& ours, const std::vector<sm::FacePointer>& faces, const sm::PartBody& part,
-    const smtest::MeshMeasures& a, const smtest::MeshMeasures& b, double deflection)
+  void Report(const std::vector<sm::FaceMesh>& ours, const std::vector<sm::FacePointer>& faces,
+    const sm::PartBody& part, const smtest::MeshMeasures& a, const smtest::MeshMeasures& b, double deflection)
   {
     double promised = 0.0;
     for (std::size_t f = 0; f < ours.size(); ++f)
@@ -112,13 +115,15 @@ protected:
           ours[f].Deviation / deflection, ours[f].Triangles.size());
       }
     }
-    if (Verbose || a.EmptyFaces + a.OpenSides + a.Inverted > 0 || promised > 1.0001 * deflection || a.WorstShare > 1.0)
+    if (Verbose || a.EmptyFaces + a.OpenSides + a.Inverted > 0 || promised > 1.0001 * deflection ||
+      a.WorstShare > 1.0)
     {
-      std::printf("  %s #%d: %zu faces, %lld triangles (OpenCASCADE %lld), empty %d (%d), open sides %d (%d), inverted %d (%d), "
+      std::printf("  %s #%d: %zu faces, %lld triangles (OpenCASCADE %lld), empty %d (%d), open sides %d "
+                  "(%d), inverted %d (%d), "
                   "deviation %.3g (%.3g), promise %.3g of the deflection, reached %.3g of it\n",
-        part.Name.c_str(), part.FileId, faces.size(), a.Triangles, b.Triangles, a.EmptyFaces, b.EmptyFaces, a.OpenSides,
-        b.OpenSides, a.Inverted, b.Inverted, a.Deviation / deflection, b.Deviation / deflection, promised / deflection,
-        a.WorstShare);
+        part.Name.c_str(), part.FileId, faces.size(), a.Triangles, b.Triangles, a.EmptyFaces, b.EmptyFaces,
+        a.OpenSides, b.OpenSides, a.Inverted, b.Inverted, a.Deviation / deflection, b.Deviation / deflection,
+        promised / deflection, a.WorstShare);
     }
   }
 };
@@ -154,10 +159,12 @@ int main(int argc, char* argv[])
   for (int k = 0; k < 2; ++k)
   {
     const smtest::MeshMeasures& m = All.Mesh[k];
-    std::printf("%-12s %.3f s, %lld points, %lld triangles, %.3g million a second; faces without triangles %d, open sides %d, inverted "
+    std::printf("%-12s %.3f s, %lld points, %lld triangles, %.3g million a second; faces without triangles "
+                "%d, open sides %d, inverted "
                 "%d; deviation %.3g of the deflection, %.3g of what is stated\n",
-      names[k], All.Seconds[k], m.Points, m.Triangles, 1e-6 * static_cast<double>(m.Triangles) / All.Seconds[k], m.EmptyFaces,
-      m.OpenSides, m.Inverted, m.Deviation, m.WorstShare);
+      names[k], All.Seconds[k], m.Points, m.Triangles,
+      1e-6 * static_cast<double>(m.Triangles) / All.Seconds[k], m.EmptyFaces, m.OpenSides, m.Inverted,
+      m.Deviation, m.WorstShare);
   }
   return All.Mesh[0].WorstShare <= 1.0 && All.Mesh[0].EmptyFaces + All.Mesh[0].Inverted == 0 ? 0 : 1;
 }

@@ -72,7 +72,8 @@ bool MeshByKernel(const TopoDS_Shape& shape, double deflection, double angle)
   }
 }
 
-std::vector<sm::FaceMesh> GetKernelMeshes(const sm::ConvertedBody& body, const double origin[3], double deflection)
+std::vector<sm::FaceMesh> GetKernelMeshes(
+  const sm::ConvertedBody& body, const double origin[3], double deflection)
 {
   std::vector<sm::FaceMesh> meshes(body.Faces.size());
   for (std::size_t f = 0; f < body.Faces.size(); ++f)

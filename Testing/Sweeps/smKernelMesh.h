@@ -16,7 +16,8 @@ namespace smtest
 bool MeshByKernel(const TopoDS_Shape& shape, double deflection, double angle);
 
 /// The triangles of the faces, without normals, relative to `origin`; Deviation is `deflection`. Faces it gave up on are empty.
-std::vector<sm::FaceMesh> GetKernelMeshes(const sm::ConvertedBody& body, const double origin[3], double deflection);
+std::vector<sm::FaceMesh> GetKernelMeshes(
+  const sm::ConvertedBody& body, const double origin[3], double deflection);
 }
 
 #endif

@@ -93,7 +93,8 @@ void CheckTriangles(const std::string& what, const sm::NURBSSurface& surface, do
       walker.Evaluate(uv[k][0], uv[k][1], corner[k].data());
     }
     const double bound = blocks.GetError(box);
-    for (const auto& w : { std::array<double, 3>{ 1. / 3, 1. / 3, 1. / 3 }, { .5, .5, 0 }, { 0, .5, .5 }, { .5, 0, .5 } })
+    for (const auto& w :
+      { std::array<double, 3>{ 1. / 3, 1. / 3, 1. / 3 }, { .5, .5, 0 }, { 0, .5, .5 }, { .5, 0, .5 } })
     {
       sm::Vector3 p{ 0, 0, 0 };
       double at[2] = { 0, 0 };

@@ -69,7 +69,8 @@ std::vector<sm::GridPoint> MakeStar(int count, double least, double most, std::m
   {
     const double angle = 2.0 * std::acos(-1.0) * i / count;
     const double radius = std::uniform_real_distribution<double>(least, most)(random);
-    star.push_back({ Middle + std::llround(radius * std::cos(angle)), Middle + std::llround(radius * std::sin(angle)) });
+    star.push_back(
+      { Middle + std::llround(radius * std::cos(angle)), Middle + std::llround(radius * std::sin(angle)) });
   }
   return star;
 }
@@ -101,8 +102,8 @@ void CheckCrossing()
 {
   const std::int64_t a = 100000000;
   // A bow tie: its halves wind in opposite directions.
-  const std::vector<sm::GridPoint> tie{ { Middle - a, Middle - a }, { Middle + a, Middle + a }, { Middle + a, Middle - a },
-    { Middle - a, Middle + a } };
+  const std::vector<sm::GridPoint> tie{ { Middle - a, Middle - a }, { Middle + a, Middle + a },
+    { Middle + a, Middle - a }, { Middle - a, Middle + a } };
   sm::Triangulation whole({ 1.0, 1.0 });
   CheckEqual("a side that crosses another is refused", std::int64_t(0), AddPolygon(whole, tie, false));
   sm::Triangulation mesh({ 1.0, 1.0 });
@@ -112,7 +113,8 @@ void CheckCrossing()
   // A line through a vertex becomes two.
   sm::Triangulation through({ 1.0, 1.0 });
   through.Insert({ Middle, Middle }, false);
-  const std::vector<sm::GridPoint> triangle{ { Middle - a, Middle }, { Middle + a, Middle }, { Middle, Middle + a } };
+  const std::vector<sm::GridPoint> triangle{ { Middle - a, Middle }, { Middle + a, Middle },
+    { Middle, Middle + a } };
   const std::int64_t area = AddPolygon(through, triangle, false);
   through.MarkInside();
   CheckEqual("a side through a vertex", area, GetInnerArea(through));
