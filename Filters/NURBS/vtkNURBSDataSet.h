@@ -13,8 +13,8 @@
  * | Parameters    | point       | 2          | (u,v) of the point on that face's surface           |
  *
  * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it. GetModel() returns null if
- * the points were replaced or modified after SetModel(), because the model no longer describes them: such a mesh is an ordinary
- * polydata from then on.
+ * the points were replaced or their coordinates changed after SetModel(), because the model no longer describes them: such a mesh is an
+ * ordinary polydata from then on. Points with a new MTime and the same coordinates are still those of the model.
  */
 #ifndef vtkNURBSDataSet_h
 #define vtkNURBSDataSet_h
@@ -22,6 +22,8 @@
 #include "smFiltersNURBSModule.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h" // for the model
+
+#include <cstdint>
 
 class vtkMatrix4x4;
 class vtkTrimmedNURBSModel;
@@ -77,9 +79,10 @@ private:
 
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;
   double Placement[16];
-  /// The points that the model describes, and their age when it was set.
+  /// The points that the model describes, their time when they were known to be the original ones, and the hash of their coordinates.
   vtkSmartPointer<vtkPoints> ModelPoints;
   vtkMTimeType ModelPointsTime = 0;
+  std::uint64_t ModelPointsHash = 0;
 };
 
 #endif
