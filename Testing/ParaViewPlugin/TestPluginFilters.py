@@ -90,6 +90,10 @@ for name, expected in (("willmore", 4.0 * math.pi), ("flux", sphere["volume"]), 
     check(name, expected, total(integral, name), 1e-8 * expected)
 check_true("the summary has them", "BendingEnergy = 25.13" in servermanager.Fetch(integral, idx=2).GetValueByName(
     0, "Text").ToString())
+integral.Integrands = "willmore = meanCurvature * meanCurvature * dA\nwrong = dA * sine\nworse = 2 * (dA"
+summary = servermanager.Fetch(integral, idx=2).GetValueByName(0, "Text").ToString()
+for words in ("wrong was not computed", "column 6", "sine", "worse was not computed", "column 5"):
+    check_true(f"the summary says {words}", words in summary, summary)
 integral.Integrands = ""
 integral.MomentDegree = -1
 check_true("integrals that were removed have no array", math.isnan(total(integral, "willmore")) and math.isnan(total(integral, "moment_0_0_0")))
