@@ -1,6 +1,7 @@
 // solidmoments: mass properties of STEP files, integrated on the GPU.
 
 #include "smArguments.h"
+#include "smInputFile.h"
 #include "smIsolatedJob.h"
 #include "smOutputFiles.h"
 #include "smReport.h"
@@ -142,15 +143,40 @@ void ReportFailure(const std::string& message, sm::Json& file, int& exitStatus)
   exitStatus = Combine(exitStatus, sm::Complain(message));
 }
 
-/// Computes one file; its entry is null when the run was interrupted before there was one.
-sm::Json RunFile(const sm::JobOptions& job, const std::string& head, ProgressLine& progress, int& exitStatus)
+/// The messages with the name that the user gave in place of that of a copy.
+void RestoreName(const sm::JobOptions& job, sm::Json& file)
 {
+  for (sm::Json& message : file["messages"])
+  {
+    std::string text = message.get<std::string>();
+    for (size_t at = text.find(job.SourceName); at != std::string::npos;
+         at = text.find(job.SourceName, at + job.FileName.size()))
+    {
+      text.replace(at, job.SourceName.size(), job.FileName);
+    }
+    message = text;
+  }
+}
+
+/// Computes one file; its entry is null when the run was interrupted before there was one.
+sm::Json RunFile(sm::JobOptions job, const std::string& head, ProgressLine& progress, int& exitStatus)
+{
+  const sm::InputFile input(job.FileName);
+  if (!input.GetError().empty())
+  {
+    return sm::UnreadableFile(job.FileName, job.FileName + " cannot be read: " + input.GetError());
+  }
+  job.SourceName = input.GetPath();
   sm::JobOutcome outcome = sm::RunIsolatedJob(
     job, [&](const std::string& stage, double fraction) { progress.Show(head, stage, fraction); });
   progress.Clear();
   if (outcome.File.is_null())
   {
     return outcome.File;
+  }
+  if (job.SourceName != job.FileName)
+  {
+    RestoreName(job, outcome.File);
   }
   if (!outcome.TextureError.empty())
   {

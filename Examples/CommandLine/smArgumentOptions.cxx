@@ -20,7 +20,11 @@ CLI::Option* AddListOption(CLI::App& app, const std::string& option, std::vector
 void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
 {
   app.option_defaults()->group("Files and outputs");
-  app.add_option("FILE", arguments.Files, "STEP files")->type_name("");
+  app
+    .add_option("FILE", arguments.Files,
+      "STEP files, also compressed (.step.gz, .stpz, a ZIP archive with one); - for\n"
+      "standard input")
+    ->type_name("");
   sm::AddFileOption(
     app, "--json", arguments.Json, "Write all results as JSON; - for standard output, and then no table");
   sm::AddFileOption(app, "--csv", arguments.Csv, "Write a row per file and per solid; - as for --json");
@@ -62,8 +66,9 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->take_all()
     ->allow_extra_args(false);
   sm::AddNumberOption(app, "--max-evaluations", job.MaximumEvaluations,
-    "Largest number of surface evaluations of a file (default 2e9); where that\n"
-    "is too few, the tolerance is loosened and the bounds say by how much")
+    "Budget of surface evaluations of a file (default 2e9); where that is too\n"
+    "few, the tolerance is loosened and the bounds say by how much; every face\n"
+    "gets its coarsest rule at least")
     ->check(sm::CheckEvaluations);
   sm::AddNumberOption(app, "--max-seconds", job.MaximumSeconds,
     "Largest time for a file, from reading to drawing (default: no limit);\n"

@@ -90,11 +90,16 @@ private:
 
 // --- the job -----------------------------------------------------------------------------------
 
+const std::string& GetSource(const sm::JobOptions& options)
+{
+  return options.SourceName.empty() ? options.FileName : options.SourceName;
+}
+
 /// Reads the file; false when there is nothing to integrate, for the reason that status and messages of the entry give.
 bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
   sm::MessageList& messages)
 {
-  reader->SetFileName(options.FileName.c_str());
+  reader->SetFileName(GetSource(options).c_str());
   reader->SetOutputUnit(options.Unit);
   {
     ProgressScope progress(reader, sm::stages::Read, send);
@@ -290,11 +295,11 @@ void AddProducts(vtkSTEPReader* reader, const sm::JobOptions& options, Json& fil
   }
   if (options.Validate)
   {
-    file["validation"] = sm::CompareValidation(options.FileName, tree, file, options.ValidationLimit);
+    file["validation"] = sm::CompareValidation(GetSource(options), tree, file, options.ValidationLimit);
   }
   if (!options.ValidationTarget.empty())
   {
-    const std::string problem = sm::WriteValidation(options.FileName, tree, file, options.ValidationTarget);
+    const std::string problem = sm::WriteValidation(GetSource(options), tree, file, options.ValidationTarget);
     if (!problem.empty())
     {
       messages.AddEcho(problem);

@@ -21,6 +21,7 @@ namespace sm
 struct JobOptions
 {
   std::string FileName;
+  std::string SourceName;  ///< plain file with the content of FileName (InputFile); empty: that is one
   std::string PictureName; ///< PNG file to draw; empty: none
   std::string Unit = "mm"; ///< length unit of all results, or "file"
   std::string Backend = "auto";
