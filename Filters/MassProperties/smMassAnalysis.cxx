@@ -4,6 +4,7 @@
 #include "smMassIntegrands.h"
 #include "smMoments.h"
 #include "smPlausibility.h"
+#include "smTotalMass.h"
 #include "smUnitRoundoff.h"
 
 #include "vtkBoundingBox.h"
@@ -47,21 +48,6 @@ void ZeroBounds(Moments& moments)
   moments.VolumeBound = 0.0;
   moments.FirstBound.fill(0.0);
   moments.SecondBound.fill(0.0);
-}
-
-void SetMass(MassRow& row, double density, const std::string& unit)
-{
-  const double metres = GetMetres(unit);
-  const double factor = density > 0.0 && metres > 0.0 ? density * metres * metres * metres : vtkMath::Nan();
-  row.Mass = factor * row.Properties.Volume;
-  row.MassBound = factor * row.Properties.VolumeBound + 4.0 * UnitRoundoff * std::abs(row.Mass);
-  double largest = 0.0;
-  for (int i = 0; i < 9; ++i)
-  {
-    row.MassInertia[i] = factor * row.Properties.Inertia[i];
-    largest = std::max(largest, std::abs(row.MassInertia[i]));
-  }
-  row.MassInertiaBound = factor * row.Properties.InertiaBound + 4.0 * UnitRoundoff * largest;
 }
 
 /// Flags a body as suspect if its properties violate a fact that holds for every solid.
@@ -270,8 +256,6 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     return;
   }
   double vectorArea[3] = { 0.0, 0.0, 0.0 };
-  double mass = 0.0;
-  double massBound = 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
     if (!std::isfinite(analysis.Rows[b].Properties.Volume))
@@ -282,8 +266,6 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     {
       vectorArea[i] += std::abs(bodies[b].Value[MassVectorArea + i]);
     }
-    mass += analysis.Rows[b].Mass;
-    massBound += analysis.Rows[b].MassBound + 2.0 * UnitRoundoff * std::abs(mass);
   }
   const Moments sum = Moments::Sum(parts);
   total.Properties = ComputeMassProperties(sum);
@@ -291,19 +273,11 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   {
     total.ClosureResidual = vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
   }
-  else
+  SetTotalMass(bodies, parts, sum, options, analysis);
+  if (!options.HasBounds)
   {
     total.RemoveBounds();
   }
-  if (options.Density > 0.0 || bodies.size() == 1)
-  {
-    SetMass(
-      total, options.Density > 0.0 ? options.Density : bodies.front().Model->GetDensity(), analysis.Unit);
-    return;
-  }
-  // Densities differ from part to part: the total has a mass, but its inertia is not density times VolumeInertia.
-  total.Mass = mass;
-  total.MassBound = massBound;
 }
 }
 
@@ -318,9 +292,8 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   analysis.Unit = bodies.front().Model->GetLengthUnit();
   analysis.HasOneUnit = std::all_of(bodies.begin(), bodies.end(),
     [&analysis](const BodyIntegrals& body) { return body.Model->GetLengthUnit() == analysis.Unit; });
-  analysis.HasMass = options.Density > 0.0 ||
-    std::any_of(
-      bodies.begin(), bodies.end(), [](const BodyIntegrals& body) { return body.Model->GetDensity() > 0.0; });
+  analysis.HasMass = std::any_of(bodies.begin(), bodies.end(),
+    [&options](const BodyIntegrals& body) { return ChooseMaterial(body, options).Density > 0.0; });
   MassRow& total = analysis.Total;
   if (analysis.HasOneUnit)
   {
@@ -338,8 +311,15 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   {
     Moments moments;
     MassRow row = AnalyzeBody(body, options, moments);
-    SetMass(
-      row, options.Density > 0.0 ? options.Density : body.Model->GetDensity(), body.Model->GetLengthUnit());
+    if (options.Frame.IsGiven && std::isfinite(row.Properties.Volume))
+    {
+      row.InFrame = ComputeInFrame(moments, options.Frame);
+    }
+    SetMass(row, ChooseMaterial(body, options), body.Model->GetLengthUnit());
+    if (!options.HasBounds && std::isfinite(row.Properties.Volume))
+    {
+      row.RemoveBounds();
+    }
     AddRow(row, total);
     if (std::isfinite(row.Properties.Volume))
     {
@@ -350,6 +330,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
     analysis.FlippedShells += body.FlippedShells;
   }
   AnalyzeTotal(bodies, parts, options, analysis);
+  NoteUnusedRules(bodies, options, analysis);
   NoteCoincidences(bodies, analysis);
   // Bounds add up but scales need not, for example for parts on opposite sides of the origin.
   vtkBoundingBox box;

@@ -75,6 +75,13 @@ mass.Selectors = []
 check("all solids again", pair["volume"], total(mass, "Volume"), 1e-9 * pair["volume"])
 mass.Density = 2000.0
 check("one density for all, kg", pair["volume"] * 2e-6, total(mass, "Mass"), 1e-12 * pair["volume"])
+mass.Materials = ["no such solid", "lead", "", "*", "made up", "3000.5"]
+check("a material by a pattern, kg", pair["volume"] * 3000.5e-9, total(mass, "Mass"), 1e-12 * pair["volume"])
+check_equal("its name", "made up", servermanager.Fetch(mass, idx=1).GetValueByName(0, "Material").ToString())
+mass.Materials = ["*", "Water", ""]
+check("a common one", pair["volume"] * 1e-6, total(mass, "Mass"), 1e-12 * pair["volume"])
+mass.Materials = []
+check("none again", pair["volume"] * 2e-6, total(mass, "Mass"), 1e-12 * pair["volume"])
 
 # Integrals.
 sphere = manifest.solid("sphere")

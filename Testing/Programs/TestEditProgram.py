@@ -54,7 +54,7 @@ def play():
     with open(os.path.join(folder, "values.json"), encoding="utf-8") as file:
         values = json.load(file)
     check_equal("version", 2, values["version"])
-    check_equal("bounds", ["area", "center_of_mass", "inertia", "mass", "volume"], sorted(values["last"]["bounds"]))
+    check_true("bounds", {"area", "center_of_mass", "inertia", "mass", "volume"} <= set(values["last"]["bounds"]))
     check_equal("status", "ok", values["status"])
     check_equal("backend", "opengl", values["backend"])
     check_equal("faces", 40, values["faces"])
