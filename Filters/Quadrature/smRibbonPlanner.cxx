@@ -26,7 +26,7 @@ constexpr double TrimRoundings = 3.0;
 // Roundings of a sample of the gap: those of the trim curve, the patch and the edge, up to degree 25 each.
 constexpr double SampleRoundings = 64.0;
 // A projected trim curve that is that near its edge, relative to the patch, is exact but for rounding.
-constexpr double LargestProjectionRounding = 1e-13;
+constexpr double LargestProjectionRounding = 1e-11;
 }
 
 RibbonPlanner::RibbonPlanner(
@@ -148,7 +148,7 @@ void RibbonPlanner::SampleGap(const Ribbon& ribbon, double start, double end, in
   this->Nodes = nodes;
   std::vector<std::array<Wide, 4>> series(nodes);
   this->Stretch = this->TrimSlope = { 0.0, 0.0 };
-  this->NormalLength = this->GapInSurface = 0.0;
+  this->NormalLength = this->GapInSurface = this->GapAcross = 0.0;
   double size = 0.0;
   for (int i = 0; i < nodes; ++i)
   {
@@ -219,6 +219,7 @@ void RibbonPlanner::SampleTangents(double x, const std::array<Wide, 4>& gap, con
       along[c] = tangent[0][c] * slope[0] + tangent[1][c] * slope[1];
     }
     this->GapInSurface = std::max(this->GapInSurface, std::abs(Dot(Cross(toEdge, along), normal)) / length);
+    this->GapAcross = std::max(this->GapAcross, std::abs(Dot(toEdge, normal)) / length * Norm(along));
   }
 }
 
@@ -362,7 +363,14 @@ void RibbonPlanner::AddProjectionError(const Ribbon& ribbon, const Majorants& re
   {
     return;
   }
-  // The face ends where its edge is, and the trim curve is only near it. 2: known at nodes only, and to first order in the gap.
+  // The face ends where its edge is, and the trim curve is only near it. An edge that is farther off the surface contradicts the
+  // surface, and then the gap is one of the model. 2: known at nodes only, and to first order in the gap.
+  const double rounding =
+    LargestProjectionRounding * this->Panels.Patches[ribbon.Patch].Radius * real.CurveSlope;
+  if (this->GapInSurface<this->GapAcross&& this->GapInSurface> rounding)
+  {
+    return;
+  }
   const double area = 2.0 * this->GapInSurface;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
@@ -370,8 +378,6 @@ void RibbonPlanner::AddProjectionError(const Ribbon& ribbon, const Majorants& re
     this->Result.ConversionBound[i] +=
       c.Kind == BoundClass::AreaMoment ? area * std::pow(real.Curve + real.Gap, c.Degree) : 0.0;
   }
-  const double rounding =
-    LargestProjectionRounding * this->Panels.Patches[ribbon.Patch].Radius * real.CurveSlope;
   this->Result.Estimated = this->Result.Estimated || area > rounding;
 }
 

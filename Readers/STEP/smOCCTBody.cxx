@@ -301,7 +301,7 @@ private:
     }
     face->Surface = std::move(surface.Surface);
     face->Surface.Rounding =
-      GetReadingRounding(draft.Surface, map, this->Origin, this->Roundings, face->Surface);
+      GetReadingRounding(draft.Surface, box, map, this->Origin, this->Roundings, face->Surface);
     this->CheckClosing(draft, *face);
     result.Defects = draft.Defects;
     result.Source = draft.Face;
@@ -311,6 +311,14 @@ private:
       result.Period[d] = draft.Period[d];
     }
     result.Result = face;
+  }
+
+  /// What a seam misses of its edge, its other side has too much.
+  bool IsProjected(const DraftFace& draft, const DraftCoedge& coedge) const
+  {
+    const bool approximated = coedge.Approximated || Find(this->Table, coedge.Edge).WithoutTrims;
+    return approximated && !draft.Surface->IsKind(STANDARD_TYPE(Geom_Plane)) &&
+      !BRep_Tool::IsClosed(coedge.Edge, draft.Face);
   }
 
   /// Appends a loop to `face`, and its edges to the source edges of `result`.
@@ -334,8 +342,7 @@ private:
         continue;
       }
       coedge.Reversed = from.Reversed;
-      coedge.Projected = from.Approximated ||
-        (Find(this->Table, from.Edge).WithoutTrims && !draft.Surface->IsKind(STANDARD_TYPE(Geom_Plane)));
+      coedge.Projected = this->IsProjected(draft, from);
       coedge.Curve = from.Projected ? std::move(projected[i])
                                     : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
                                         coedge.Use->Curve.GetEnd(), surface.Map, width);

@@ -1,6 +1,5 @@
 #include "smOCCTRounding.h"
 
-#include "smOCCTSurface.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 
@@ -34,20 +33,36 @@ Vector3 GetPoint(const std::array<double, 4>& h)
   return { h[0] / h[3], h[1] / h[3], h[2] / h[3] };
 }
 
-/// The point from which the surface is built, where there is one.
-bool GetFrame(const Handle(Geom_Surface) & surface, const AffineMap& map, Vector3& location)
+/// The frame from which the surface is built, where there is one.
+struct Frame
+{
+  bool Exists = false;
+  Vector3 Location{};
+  /// Its directions are those of the axes, exactly.
+  bool Aligned = false;
+};
+
+bool IsAxis(const gp_Dir& direction)
+{
+  const double largest =
+    std::max({ std::abs(direction.X()), std::abs(direction.Y()), std::abs(direction.Z()) });
+  return std::abs(direction.X()) + std::abs(direction.Y()) + std::abs(direction.Z()) == largest &&
+    largest == 1.0;
+}
+
+Frame GetFrame(const Handle(Geom_Surface) & surface, const AffineMap& map)
 {
   if (const auto elementary = Handle(Geom_ElementarySurface)::DownCast(surface))
   {
-    location = map.MapPoint(elementary->Location().XYZ());
-    return true;
+    const gp_Ax3& frame = elementary->Position();
+    return { true, map.MapPoint(frame.Location().XYZ()),
+      IsAxis(frame.Direction()) && IsAxis(frame.XDirection()) };
   }
   if (const auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(surface))
   {
-    location = map.MapPoint(revolution->Location().XYZ());
-    return true;
+    return { true, map.MapPoint(revolution->Location().XYZ()), false };
   }
-  return false;
+  return {};
 }
 
 bool IsRotated(const AffineMap& map)
@@ -65,11 +80,12 @@ bool IsRotated(const AffineMap& map)
 }
 
 /**
- * A bound of sum_j |dS/dt_j| over the knots t_j of one direction. The derivative by a knot is a B-spline whose coefficients are
- * differences (P_(i+1) - P_i) / (t_(i+p+1) - t_(i+1)) of neighbours, at most p of them for a knot, and p knots before and after a
- * point matter to it; with weights, of homogeneous points seen from the surface, over the least weight.
+ * A bound of what rounding of the knots t_j of one direction moves the surface by. The derivative by a knot is a B-spline whose coefficients
+ * are differences (P_(i+1) - P_i) / (t_(i+p+1) - t_(i+1)) of neighbours, and p knots before and after a point matter to it; with weights, of
+ * homogeneous points seen from the surface, over the least weight. No knot moves a point beyond its neighbour, and differences without a
+ * part in the box, which the face covers, do not count.
  */
-double GetKnotSlope(const NURBSSurface& surface, int direction, double diameter)
+double GetKnotRounding(const NURBSSurface& surface, int direction, const NativeBox& box, double diameter)
 {
   const int p = surface.Degree[direction];
   const int count = surface.NumberOfControlPoints[direction];
@@ -80,49 +96,43 @@ double GetKnotSlope(const NURBSSurface& surface, int direction, double diameter)
   {
     least = std::min(least, h[3]);
   }
-  double slope = 0.0;
+  double largest = 0.0;
   for (std::size_t k = 0; k + stride < surface.ControlPoints.size(); ++k)
   {
     const int i = static_cast<int>(k / stride) % count;
-    const double width = i + 1 < count ? knots[i + p + 1] - knots[i + 1] : 0.0;
-    if (width > 0.0)
+    if (i + 1 < count && knots[i + 1] < box.High[direction] && knots[i + p + 1] > box.Low[direction])
     {
       const std::array<double, 4>& a = surface.ControlPoints[k];
       const std::array<double, 4>& b = surface.ControlPoints[k + stride];
       const double step = b[3] * Norm(Subtract(GetPoint(b), GetPoint(a))) + std::abs(b[3] - a[3]) * diameter;
-      slope = std::max(slope, step / (least * width));
+      const double moved = UnitRoundoff * std::max(std::abs(knots[i + 1]), std::abs(knots[i + p + 1]));
+      const double width = knots[i + p + 1] - knots[i + 1];
+      largest = std::max(largest, (moved < width ? moved / width : 1.0) * step / least);
     }
   }
-  return 2.0 * p * slope;
+  return 2.0 * p * largest;
 }
 
-/// What rounding of weights and knots moves a spline by, in u.
-double GetSplineRounding(const NURBSSurface& surface, double diameter)
+/// What rounding of weights and knots moves a spline by.
+double GetSplineRounding(const NURBSSurface& surface, const NativeBox& box, double diameter)
 {
-  double rounding = surface.Rational ? Weighted * diameter : 0.0;
-  for (int d = 0; d < 2; ++d)
-  {
-    const double knot = std::max(std::abs(surface.Knots[d].front()), std::abs(surface.Knots[d].back()));
-    rounding += knot * GetKnotSlope(surface, d, diameter);
-  }
-  return rounding;
+  return (surface.Rational ? Weighted * UnitRoundoff * diameter : 0.0) +
+    GetKnotRounding(surface, 0, box, diameter) + GetKnotRounding(surface, 1, box, diameter);
 }
 }
 
-std::array<double, 3> GetReadingRounding(const Handle(Geom_Surface) & source, const AffineMap& map,
-  const double origin[3], int roundings, const NURBSSurface& converted)
+std::array<double, 3> GetReadingRounding(const Handle(Geom_Surface) & source, const NativeBox& box,
+  const AffineMap& map, const double origin[3], int roundings, const NURBSSurface& converted)
 {
   const Handle(Geom_Surface) surface = GetBasisSurface(source);
-  Vector3 location{};
-  const bool framed = GetFrame(surface, map, location);
+  const Frame frame = GetFrame(surface, map);
   Vector3 reach{};
+  Vector3 fromFrame{};
   Vector3 low = GetPoint(converted.ControlPoints[0]);
   Vector3 high = low;
-  double fromFrame = 0.0;
   for (const std::array<double, 4>& h : converted.ControlPoints)
   {
     const Vector3 point = GetPoint(h);
-    fromFrame = framed ? std::max(fromFrame, Norm(Subtract(point, location))) : 0.0;
     for (int c = 0; c < 3; ++c)
     {
       low[c] = std::min(low[c], point[c]);
@@ -137,17 +147,21 @@ std::array<double, 3> GetReadingRounding(const Handle(Geom_Surface) & source, co
   for (int c = 0; c < 3; ++c)
   {
     reach[c] = std::max(std::abs(low[c] + origin[c]), std::abs(high[c] + origin[c]));
-    reach[c] = std::max(reach[c], framed ? std::abs(location[c] + origin[c]) : 0.0);
+    if (frame.Exists)
+    {
+      reach[c] = std::max(reach[c], std::abs(frame.Location[c] + origin[c]));
+      fromFrame[c] = std::max(frame.Location[c] - low[c], high[c] - frame.Location[c]);
+    }
     // A point may come from the other side of its placement's translation.
     reach[c] += 2.0 * std::abs(map.Translation[c] + origin[c]);
   }
-  const double far = Norm(reach);
-  const double near =
-    Framed * fromFrame + (spline ? GetSplineRounding(converted, Norm(Subtract(high, low))) : 0.0);
+  const double spread = spline ? GetSplineRounding(converted, box, Norm(Subtract(high, low))) : 0.0;
   Vector3 rounding;
   for (int c = 0; c < 3; ++c)
   {
-    rounding[c] = UnitRoundoff * (steps * (rotated ? far : reach[c]) + near);
+    // A frame along the axes adds to each coordinate what belongs to it.
+    const double near = frame.Aligned && !rotated ? fromFrame[c] : Norm(fromFrame);
+    rounding[c] = UnitRoundoff * (steps * (rotated ? Norm(reach) : reach[c]) + Framed * near) + spread;
   }
   return rounding;
 }

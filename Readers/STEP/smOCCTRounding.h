@@ -7,19 +7,20 @@
 
 #include "smNURBSSurface.h"
 #include "smOCCTParameterMap.h"
+#include "smOCCTSurface.h"
 
 #include <Geom_Surface.hxx>
 
 namespace sm
 {
 /**
- * NURBSSurface::Rounding of `converted`, which was made of `source` by `map`. Counted are decimals that become doubles, the conversion
+ * NURBSSurface::Rounding of `converted`, which was made of `source` on `box` by `map`. Counted are decimals that become doubles, the conversion
  * of the length unit (`roundings` of every coordinate), placements, the frames of elementary surfaces and profiles, weights and knots,
  * and the subtraction of the model's origin (Filters/Quadrature/Bounds.md, section 4). Digits that the file itself leaves out
  * are not.
  */
-std::array<double, 3> GetReadingRounding(const Handle(Geom_Surface) & source, const AffineMap& map,
-  const double origin[3], int roundings, const NURBSSurface& converted);
+std::array<double, 3> GetReadingRounding(const Handle(Geom_Surface) & source, const NativeBox& box,
+  const AffineMap& map, const double origin[3], int roundings, const NURBSSurface& converted);
 }
 
 #endif

@@ -83,8 +83,9 @@ public:
     return true;
   }
 
-  /// The largest distance of the curve from the points of the surface that are nearest to the edge, to first order.
-  double MeasureMove(const TrimCurve& trim)
+  /// The largest distance of the curve from the points of the surface that are nearest to the edge, to first order, and of these
+  /// points from the edge.
+  double MeasureMove(const TrimCurve& trim, double* across = nullptr)
   {
     double largest = 0.0;
     for (int k = 0; k < trim.GetNumberOfPieces(); ++k)
@@ -93,7 +94,12 @@ public:
       {
         const double t = trim.Breaks[k] + x * (trim.Breaks[k + 1] - trim.Breaks[k]);
         Point2 uv = trim.GetPiece(k).Evaluate(x);
-        const double step = this->Step(this->Edge.Evaluate(t), uv);
+        Vector3 gap;
+        const double step = this->Step(this->Edge.Evaluate(t), uv, gap);
+        if (across)
+        {
+          *across = std::max(*across, std::sqrt(std::max(0.0, Dot(gap, gap) - step * step)));
+        }
         // Not std::max, which loses a NaN.
         largest = step <= largest ? largest : step;
       }
@@ -106,13 +112,13 @@ public:
 
 private:
   /// One step of Gauss-Newton's method for the nearest point. Returns its length in space; NaN at a pole.
-  double Step(const Vector3& target, Point2& uv)
+  double Step(const Vector3& target, Point2& uv, Vector3& gap)
   {
     Vector3 position;
     Vector3 du;
     Vector3 dv;
     this->Surface.Evaluate(uv[0], uv[1], position.data(), du.data(), dv.data());
-    const Vector3 gap = Subtract(target, position);
+    gap = Subtract(target, position);
     const double a = Dot(du, du);
     const double b = Dot(du, dv);
     const double c = Dot(dv, dv);
@@ -136,7 +142,8 @@ private:
     double last = std::numeric_limits<double>::infinity();
     for (int i = 0; i < MostSteps; ++i)
     {
-      const double step = this->Step(target, uv);
+      Vector3 gap;
+      const double step = this->Step(target, uv, gap);
       moved += step;
       if (!(moved <= LargestMove * this->Length))
       {
@@ -218,8 +225,9 @@ bool ProjectEdge(
     return false;
   }
   Projector projector(surface, edge, tolerance, trim);
-  const double before = projector.MeasureMove(trim);
-  if (!(before > projector.GetFloor()))
+  double across = 0.0;
+  const double before = projector.MeasureMove(trim, &across);
+  if (!(before > std::max(projector.GetFloor(), across)))
   {
     return false;
   }
