@@ -81,6 +81,13 @@ double GetPolygonLength(const std::array<double, 4>* points, int degree, int str
   return length;
 }
 
+double GetReach(const Patch& patch, const PlanRequest& request)
+{
+  return patch.Radius +
+    std::hypot(patch.Center[0] + request.Shift[0], patch.Center[1] + request.Shift[1],
+      patch.Center[2] + request.Shift[2]);
+}
+
 /**
  * Adds the error of rounding of the patches' control points, by d; a point of the patch is a convex sum of theirs. The ribbons
  * start from the same rounded patch, so the chain's moments change by the flux of d through the area, `area` at most; but
@@ -107,9 +114,7 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
         GetPolygonLength(points, patch.Degree[1], row) +
         GetPolygonLength(points + patch.Degree[0], patch.Degree[1], row);
     }
-    const double reach = patch.Radius +
-      std::hypot(patch.Center[0] + request.Shift[0], patch.Center[1] + request.Shift[1],
-        patch.Center[2] + request.Shift[2]);
+    const double reach = GetReach(patch, request);
     for (std::size_t i = 0; i < request.Classes.size(); ++i)
     {
       const BoundClass& c = request.Classes[i];
@@ -121,6 +126,17 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
                                              : d * border;
     }
   }
+}
+
+/// The face lies within its control points, or no farther beyond them than it leaves its patches.
+double GetReach(const FacePanels& panels, const PlanRequest& request)
+{
+  double reach = 0.0;
+  for (const Patch& patch : panels.Patches)
+  {
+    reach = std::max(reach, GetReach(patch, request));
+  }
+  return reach + panels.Outside.Distance;
 }
 
 /// Adds a cap, and the bound of its integrals: |x| is largest at a corner.
@@ -245,7 +261,7 @@ FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequ
   AddFitError(face, panels, all.Classes, reach, area, plan);
   AddDisplacementError(panels, all, area, plan);
   plan.Area = area;
-  plan.Reading = ReadingError::Make(face, panels, reach);
+  plan.Reading = ReadingError::Make(face, panels, std::min(reach, GetReach(panels, request)));
   for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
   {
     values->resize(request.Classes.size());

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sm
 {
@@ -34,8 +33,8 @@ ReadingError ReadingError::Make(const Face& face, const FacePanels& panels, doub
     return error;
   }
   error.Reach = reach + error.Moved;
-  // Where the surface is continued beyond its patches they do not hold the face.
-  error.Swept = panels.Outside.Distance > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+  // Where the surface is continued beyond its patches.
+  error.Swept = error.Moved * panels.Outside.Area;
   double turned = 0.0;
   for (const Patch& patch : panels.Patches)
   {

@@ -80,10 +80,11 @@ bool IsRotated(const AffineMap& map)
 }
 
 /**
- * A bound of what rounding of the knots t_j of one direction moves the surface by. The derivative by a knot is a B-spline whose coefficients
- * are differences (P_(i+1) - P_i) / (t_(i+p+1) - t_(i+1)) of neighbours, and p knots before and after a point matter to it; with weights, of
- * homogeneous points seen from the surface, over the least weight. No knot moves a point beyond its neighbour, and differences without a
- * part in the box, which the face covers, do not count.
+ * A bound of what rounding of the knots t_j of one direction moves the surface by. The derivative by a knot is a B-spline with t_j once more
+ * among its knots, whose coefficients are differences (P_(i+1) - P_i) / (t_(i+p+1) - t_(i+1)) of neighbours, and p knots before and after
+ * a point matter to it. With weights they are those of homogeneous points seen from the surface, over the weights between w_i and w_(i+1)
+ * that the surface has with t_j once more. No knot moves a point beyond its neighbour, and differences without a part in the box, which
+ * the face covers, do not count.
  */
 double GetKnotRounding(const NURBSSurface& surface, int direction, const NativeBox& box, double diameter)
 {
@@ -91,11 +92,6 @@ double GetKnotRounding(const NURBSSurface& surface, int direction, const NativeB
   const int count = surface.NumberOfControlPoints[direction];
   const std::size_t stride = direction == 0 ? 1 : static_cast<std::size_t>(surface.NumberOfControlPoints[0]);
   const std::vector<double>& knots = surface.Knots[direction];
-  double least = surface.ControlPoints[0][3];
-  for (const std::array<double, 4>& h : surface.ControlPoints)
-  {
-    least = std::min(least, h[3]);
-  }
   double largest = 0.0;
   for (std::size_t k = 0; k + stride < surface.ControlPoints.size(); ++k)
   {
@@ -107,7 +103,7 @@ double GetKnotRounding(const NURBSSurface& surface, int direction, const NativeB
       const double step = b[3] * Norm(Subtract(GetPoint(b), GetPoint(a))) + std::abs(b[3] - a[3]) * diameter;
       const double moved = UnitRoundoff * std::max(std::abs(knots[i + 1]), std::abs(knots[i + p + 1]));
       const double width = knots[i + p + 1] - knots[i + 1];
-      largest = std::max(largest, (moved < width ? moved / width : 1.0) * step / least);
+      largest = std::max(largest, (moved < width ? moved / width : 1.0) * step / std::min(a[3], b[3]));
     }
   }
   return 2.0 * p * largest;
