@@ -291,7 +291,9 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
   {
     body.Messages.push_back("the bound of the area is estimated on " +
       std::to_string(body.EstimatedFaces.size()) + " faces (" + ListIds(body.EstimatedFaces) +
-      "), whose normals nearly vanish somewhere or are those of a fitted surface");
+      "), whose normals nearly vanish somewhere or are those of a fitted surface, or whose trim curves are "
+      "not in the "
+      "file but projected from its edges");
   }
 }
 
@@ -491,8 +493,9 @@ double GetVolumeScale(vtkTrimmedNURBSModel& model)
   const double radius = GetRadius(model);
   const double box = radius * radius * radius;
   const double known = model.GetVolumeScale();
-  // A known scale that is not possible for the box comes from a faulty mesh.
-  return RoundDown(known > 1e-9 * box && known < 8.0 * box ? known : box);
+  // A known scale that is not possible for the box, nor for the surface of a wire or a sheet in it, comes from a faulty mesh.
+  const double least = std::min(1e-9 * box, 1e-12 * radius * GetAreaScale(model));
+  return RoundDown(known > least && known < 8.0 * box ? known : box);
 }
 
 double GetAreaScale(vtkTrimmedNURBSModel& model)

@@ -5,9 +5,12 @@
 #include "smOCCTCurve.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
+#include "smOCCTRounding.h"
 #include "smParallelFor.h"
+#include "smTrimProjection.h"
 
 #include <BRep_Tool.hxx>
+#include <Geom_Plane.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -48,13 +51,14 @@ class BodyConverter
 {
 public:
   BodyConverter(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-    const ShapeTable& table, const ProgressCallback& progress)
+    const ShapeTable& table, const ProgressCallback& progress, int roundings)
     : Shape(shape)
     , Trsf(trsf)
     , Unit(unit)
     , Origin{ origin[0], origin[1], origin[2] }
     , Table(table)
     , Report(progress)
+    , Roundings(roundings)
   {
   }
 
@@ -296,6 +300,8 @@ private:
       this->ConvertLoop(draft, draft.Loops[l], surface, box, trims[l], *face, result);
     }
     face->Surface = std::move(surface.Surface);
+    face->Surface.Rounding =
+      GetReadingRounding(draft.Surface, box, map, this->Origin, this->Roundings, face->Surface);
     this->CheckClosing(draft, *face);
     result.Defects = draft.Defects;
     result.Source = draft.Face;
@@ -305,6 +311,14 @@ private:
       result.Period[d] = draft.Period[d];
     }
     result.Result = face;
+  }
+
+  /// What a seam misses of its edge, its other side has too much.
+  bool IsProjected(const DraftFace& draft, const DraftCoedge& coedge) const
+  {
+    const bool approximated = coedge.Approximated || Find(this->Table, coedge.Edge).WithoutTrims;
+    return approximated && !draft.Surface->IsKind(STANDARD_TYPE(Geom_Plane)) &&
+      !BRep_Tool::IsClosed(coedge.Edge, draft.Face);
   }
 
   /// Appends a loop to `face`, and its edges to the source edges of `result`.
@@ -328,6 +342,7 @@ private:
         continue;
       }
       coedge.Reversed = from.Reversed;
+      coedge.Projected = this->IsProjected(draft, from);
       coedge.Curve = from.Projected ? std::move(projected[i])
                                     : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
                                         coedge.Use->Curve.GetEnd(), surface.Map, width);
@@ -338,6 +353,10 @@ private:
           surface.Surface, coedge.Use->Curve, this->Size, GetTrimTolerance(surface.Map, width), coedge.Curve);
         result.RestoredCoedges += step == StepResult::Restored ? 1 : 0;
         result.LaggingCoedges += step == StepResult::Failed ? 1 : 0;
+      }
+      if (!coedge.Use->Degenerate && coedge.Projected)
+      {
+        ProjectEdge(surface.Surface, coedge.Use->Curve, GetTrimTolerance(surface.Map, width), coedge.Curve);
       }
       loop.Coedges.push_back(std::move(coedge));
       sources.push_back(from.Edge);
@@ -477,6 +496,7 @@ private:
   double Origin[3];
   const ShapeTable& Table;
   const ProgressCallback& Report;
+  int Roundings;
   /// Diagonal of the box around all edges, in model units.
   double Size = 0.0;
   TopTools_IndexedMapOfShape EdgeShapes;
@@ -490,8 +510,8 @@ private:
 }
 
 ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-  const ShapeTable& table, const ProgressCallback& progress)
+  const ShapeTable& table, const ProgressCallback& progress, int roundings)
 {
-  return BodyConverter(shape, trsf, unit, origin, table, progress).Convert();
+  return BodyConverter(shape, trsf, unit, origin, table, progress, roundings).Convert();
 }
 }

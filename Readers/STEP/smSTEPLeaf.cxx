@@ -29,6 +29,9 @@ constexpr double DefaultColor = 0.8;
 /// Share of a body's progress that its triangles take.
 constexpr double MeshShare = 0.6;
 
+/// A unit in mm is a product of up to three numbers that are no doubles (0.0254, 0.001, ...), times the coordinate.
+constexpr int UnitRoundings = 6;
+
 /// Seconds the kernel's mesher gets for one body: an ordinary one takes one or two at most, and there are planes
 /// from which it does not come back.
 constexpr double MeshLimit = 5.0;
@@ -104,7 +107,8 @@ void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const Pro
   const auto report = [&progress](double x) { return progress(MeshShare + (1.0 - MeshShare) * x); };
   ConvertedBody converted = this->Aborted
     ? ConvertedBody()
-    : ConvertBody(part.Shape, part.Scale, this->Options.Unit, origin, table, report);
+    : ConvertBody(part.Shape, part.Scale, this->Options.Unit, origin, table, report,
+        this->Options.FileUnitName.empty() || this->Options.FileUnitName == "mm" ? 0 : UnitRoundings);
   this->Aborted = this->Aborted || converted.Aborted;
   converted.Messages.insert(converted.Messages.begin(), body.Messages.begin(), body.Messages.end());
   body = std::move(converted);
