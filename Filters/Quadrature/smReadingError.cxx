@@ -57,7 +57,7 @@ ReadingError ReadingError::Make(const Face& face, const FacePanels& panels, doub
   return error;
 }
 
-double ReadingError::GetBound(const BoundClass& integrand, double area) const
+double ReadingError::GetBound(const BoundClass& integrand, double area, double gaps) const
 {
   if (!(this->Moved > 0.0))
   {
@@ -71,7 +71,7 @@ double ReadingError::GetBound(const BoundClass& integrand, double area) const
       // Either alone is enough. The ribbons move, too, each end by itself, and so widen by as much.
       return power *
         (std::fmin(this->Moved * (area + this->Area), this->Swept) +
-          2.0 * this->Moved * this->Moved * this->Border);
+          this->Moved * (gaps + 2.0 * this->Moved * this->Border));
     case BoundClass::AreaMoment:
       return power * this->Area +
         (integrand.Degree > 0

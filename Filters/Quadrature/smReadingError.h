@@ -29,8 +29,8 @@ struct SMFILTERSQUADRATURE_EXPORT ReadingError
 
   /// `reach` as Reach.
   static ReadingError Make(const Face& face, const FacePanels& panels, double reach);
-  /// The bound for an integral of this class over a face whose area is at most `area`.
-  double GetBound(const BoundClass& integrand, double area) const;
+  /// The bound for an integral of this class over a face whose area is at most `area`, and that of its ribbons `gaps`.
+  double GetBound(const BoundClass& integrand, double area, double gaps) const;
 };
 
 /// Bound of the change of a patch's area, over the distance by which its control points move.

@@ -367,11 +367,12 @@ void RibbonPlanner::AddProjectionError(const Ribbon& ribbon, const Majorants& re
   // surface, and then the gap is one of the model. 2: known at nodes only, and to first order in the gap.
   const double rounding =
     LargestProjectionRounding * this->Panels.Patches[ribbon.Patch].Radius * real.CurveSlope;
-  if (this->GapInSurface<this->GapAcross&& this->GapInSurface> rounding)
+  const double area = 2.0 * this->GapInSurface;
+  const bool contradicts = this->GapAcross > this->GapInSurface;
+  if (contradicts && area > rounding)
   {
     return;
   }
-  const double area = 2.0 * this->GapInSurface;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     const BoundClass& c = this->Request.Classes[i];

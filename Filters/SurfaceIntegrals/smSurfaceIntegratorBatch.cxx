@@ -59,7 +59,8 @@ void SurfaceIntegrator::Internals::AddBounds(
     }
     for (std::size_t k = 0; k < this->Chosen.size(); ++k)
     {
-      result.Conversion[this->Chosen[k]] += plan.Reading.GetBound(this->Plans.GetBoundClass(k), area);
+      result.Conversion[this->Chosen[k]] +=
+        plan.Reading.GetBound(this->Plans.GetBoundClass(k), area, result.GapArea);
     }
   }
 }

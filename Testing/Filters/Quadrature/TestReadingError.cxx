@@ -109,7 +109,7 @@ Result Integrate(Block& block)
       // The reference does not know which side is outside.
       const bool negative = face.Reversed && Classes[k].Kind != sm::BoundClass::AreaMoment;
       result.Sum[k] += negative ? -values[k] : values[k];
-      result.Bound[k] += plan.Reading.GetBound(Classes[k], static_cast<double>(values[Count - 1]));
+      result.Bound[k] += plan.Reading.GetBound(Classes[k], static_cast<double>(values[Count - 1]), 0.0);
     }
   }
   return result;
@@ -160,7 +160,7 @@ int TestReadingError(int, char*[])
   const sm::ReadingError none;
   for (const sm::BoundClass& c : Classes)
   {
-    CheckEqual("no error", 0.0, none.GetBound(c, 1.0));
+    CheckEqual("no error", 0.0, none.GetBound(c, 1.0, 1.0));
   }
   return Finish();
 }
