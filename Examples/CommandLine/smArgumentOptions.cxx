@@ -23,7 +23,7 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
   app
     .add_option("FILE", arguments.Files,
       "STEP files, also compressed (.step.gz, .stpz, a ZIP archive with one); - for\n"
-      "standard input")
+      "standard input; a folder for the STEP files in it")
     ->type_name("");
   sm::AddFileOption(
     app, "--json", arguments.Json, "Write all results as JSON; - for standard output, and then no table");

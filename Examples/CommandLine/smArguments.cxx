@@ -2,6 +2,7 @@
 
 #include "smArgumentOptions.h"
 #include "smFormat.h"
+#include "smInputFile.h"
 #include "smMaterialFile.h"
 #include "smOutputFiles.h"
 #include "smReport.h"
@@ -297,6 +298,7 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
     PrintMaterials();
     return AllOk;
   }
+  arguments.Files = ExpandFolders(arguments.Files);
   ParseDirection(arguments.Up, arguments.Job.Up);
   arguments.Job.Scheme = LowerCase(arguments.Job.Scheme);
   const std::string wrongMaterials = TakeMass(arguments);

@@ -270,4 +270,31 @@ void InputFile::Extract(const std::string& name)
   copy.close();
   this->Error = this->Error.empty() && !copy ? NoSpace : this->Error;
 }
+
+std::vector<std::string> ExpandFolders(const std::vector<std::string>& names)
+{
+  std::vector<std::string> result;
+  for (const std::string& name : names)
+  {
+    std::vector<std::string> inside;
+    std::error_code error;
+    for (fs::directory_iterator it(name, error), end; !error && it != end; it.increment(error))
+    {
+      const std::string file = it->path().string();
+      const std::string extension = LowerCase(it->path().extension().string());
+      if (it->is_regular_file(error) &&
+        (IsStepName(file) || extension == ".stpz" || (extension == ".gz" && IsStepName(GetStem(file)))))
+      {
+        inside.push_back(file);
+      }
+    }
+    std::sort(inside.begin(), inside.end());
+    if (inside.empty())
+    {
+      inside.push_back(name);
+    }
+    result.insert(result.end(), inside.begin(), inside.end());
+  }
+  return result;
+}
 }

@@ -6,6 +6,7 @@
 #define smInputFile_h
 
 #include <string>
+#include <vector>
 
 namespace sm
 {
@@ -37,6 +38,9 @@ private:
   std::string Error;
   std::string Folder;
 };
+
+/// The names, with the STEP files in it, by their extension and in the order of their names, in place of every folder that has some.
+std::vector<std::string> ExpandFolders(const std::vector<std::string>& names);
 }
 
 #endif

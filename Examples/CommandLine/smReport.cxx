@@ -377,7 +377,7 @@ std::string SolidRows(const Json& file)
   std::string text = "\n  " + sm::Pad("solid", 24) + sm::Pad("volume " + sm::FormatUnit(file, 3), 18, true) +
     sm::Pad("area " + sm::FormatUnit(file, 2), 18, true) +
     massCells("density kg/m^3", "mass kg", "material") + "  " + sm::Pad("centre of mass " + unit, 40) +
-    "status\n";
+    (solids[0]["stability"].is_object() ? sm::Pad("status", 19) + "stability\n" : "status\n");
   for (size_t i = 0; i < std::min(solids.size(), MaximumSolids); ++i)
   {
     const Json& solid = solids[i];
@@ -390,8 +390,10 @@ std::string SolidRows(const Json& file)
       massCells(sm::FormatValue(solid["density"], nullptr, 9), sm::FormatBrief(solid["mass"], bounds["mass"]),
         Plain(solid["material"])) +
       "  " + sm::Pad(sm::FormatBrief(solid["center_of_mass"], bounds["center_of_mass"]), 40) +
-      Plain(solid["status"]) +
-      (solid["stability"].is_object() ? "  " + Plain(solid["stability"]["verdict"]) : "") + "\n";
+      (solid["stability"].is_object()
+          ? sm::Pad(Plain(solid["status"]), 19) + Plain(solid["stability"]["verdict"])
+          : Plain(solid["status"])) +
+      "\n";
   }
   if (solids.size() > MaximumSolids)
   {

@@ -37,14 +37,20 @@ struct Solid
 
 using SolidsById = std::map<std::string, const Json*>;
 
+bool IsKnown(const Json& solid)
+{
+  const Json& bounds = solid["bounds"];
+  return solid["volume"].is_number() && solid["area"].is_number() && solid["center_of_mass"].is_array() &&
+    bounds["volume"].is_number() && bounds["area"].is_number() && bounds["center_of_mass"].is_number();
+}
+
 /// Solids below a node; false if one of them was not computed.
 bool Collect(const Json& node, const SolidsById& byId, std::vector<Solid>& solids)
 {
   for (const Json& body : node["bodies"])
   {
     const auto found = byId.find(body["id"].get<std::string>());
-    if (found == byId.end() || (*found->second)["volume"].is_null() ||
-      (*found->second)["bounds"]["volume"].is_null())
+    if (found == byId.end() || !IsKnown(*found->second))
     {
       return false;
     }

@@ -206,7 +206,7 @@ def check_inputs_that_are_no_files():
     """Reading a pipe or a device may never end: each is refused at once."""
     pipe = os.path.join(make_folder("special"), "pipe.step")
     os.mkfifo(pipe)
-    for path in (pipe, "/dev/zero", options.solids):
+    for path in (pipe, "/dev/zero", make_folder("no-steps")):
         result, files = run_json(path)
         check_equal(f"exit status of {path}", 2, result.returncode)
         check_unreadable(files[0])
@@ -434,6 +434,10 @@ def stability():
     result, files = run_json("--stability", "0,0,-1", manifest.special("two_solids")["path"])
     check_true("together and each", files[0]["total"]["stability"] is not None and
                all(solid["stability"]["verdict"] for solid in files[0]["solids"]) and len(files[0]["solids"]) == 2)
+    table = run("--stability", "-z", manifest.special("two_solids")["path"]).stdout
+    # Their long names differ at the end, which is kept.
+    check_true("verdicts of each in the table", re.search(r" status +stability\n  Open .*\.\..*1  .* ok +stable\n  Open .*\.\..*2  .* ok +too-close\n", table),
+               table)
     result, files = run_json("--stability", "x", manifest.solid("sphere")["path"])
     check_equal("a ball rolls", ["too-close", "rolling"],
                 [files[0]["total"]["stability"][key] for key in ("verdict", "decided_by")])
@@ -451,7 +455,7 @@ def errors():
         check_equal(f"exit status of {name}", 2, result.returncode)
         check_unreadable(files[0])
     missing = os.path.join(options.solids, "there_is_no_such_file.step")
-    for path in (missing, options.solids):
+    for path in (missing, make_folder("empty-folder")):
         result, files = run_json(path)
         check_equal("exit status", 2, result.returncode)
         check_unreadable(files[0])

@@ -5,6 +5,7 @@ import gzip
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -16,7 +17,7 @@ from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smproduct import Assembly, Part, expand, get_properties, write_product  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["masses", "materials", "frames", "lists", "scripts", "robots", "validation", "systems", "inputs"])
+parser.add_argument("mode", choices=["masses", "materials", "frames", "lists", "scripts", "robots", "validation", "systems", "inputs", "help"])
 for name in ("--program", "--output"):
     parser.add_argument(name, required=True)
 parser.add_argument("--models", help="folder with real files, for systems")
@@ -250,6 +251,11 @@ def lists():
     table = run("--bom", path).stdout
     check_true("the table", re.search(r"parts list .*\n  machine +1 +1 .*\n    rail +1 +1 .*\n    station +2 +2 .*\n      bolt +3 +6 ", table), table)
 
+    # Nine instances of three parts cost three integrations.
+    alone = [run_json(write_product(os.path.join(folder, f"part-{part.name}.step"), part))["evaluations"]
+             for part in (machine.uses[0][0].uses[0][0], machine.uses[0][0].uses[1][0], machine.uses[2][0])]
+    check_equal("evaluations", sum(alone), file["evaluations"])
+
     # Two levels; the sums still have all.
     (root,) = run_json("--bom", "--depth", "2", path)["parts"]
     check_equal("two levels", [[], []], [entry["children"] for entry in root["children"]])
@@ -473,6 +479,37 @@ def inputs():
         check_true("it says why", file["status"] == "unreadable" and any(said in text for text in file["messages"]), str(file["messages"]))
         check_true("by the name that was given", not any(temporary in text for text in file["messages"]), str(file["messages"]))
     check_equal("no copy is left", [], os.listdir(temporary))
+    # A folder stands for the STEP files in it, but not for those of its folders.
+    shelf = os.path.join(folder, "shelf")
+    os.makedirs(os.path.join(shelf, "below"), exist_ok=True)
+    for name in ("b.STP", "a.step", "notes.txt", "below/c.step"):
+        shutil.copy(path, os.path.join(shelf, name))
+    with open(os.path.join(shelf, "c.step.gz"), "wb") as file:
+        file.write(packed)
+    result = run("--print", "file,volume", shelf)
+    check_equal("files of a folder", [f"{os.path.join(shelf, name)} {volume!r}" for name in ("a.step", "b.STP", "c.step.gz")], result.stdout.splitlines())
+
+
+def help_pages():
+    """-V, the manual page and the completion."""
+    version = run("-V")
+    check_true("-V", version.returncode == 0 and version.stdout == run("--version").stdout and version.stdout.startswith("solidmoments "))
+    names = sorted(set(re.findall(r"(?<![\w-])--[a-z-]+", run("--help").stdout)))
+    check_true("options", len(names) > 40, str(names))
+    with open(os.path.join(os.path.dirname(options.program), "..", "Examples", "CommandLine", "solidmoments.1"), encoding="utf-8") as file:
+        manual = file.read()
+    check_equal("options that the manual page lacks", [], [name for name in names if name.replace("-", "\\-") not in manual])
+    check_true("no line is taken for a request", all(line.startswith((".TH ", ".SH ", ".nf", ".fi")) for line in manual.splitlines() if line[:1] in (".", "'")))
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "CommandLine", "solidmoments.bash")
+
+    def complete(*words):
+        code = (f'. "{script}"; COMP_WORDS=({options.program} {" ".join(words)}); COMP_CWORD={len(words)}; _solidmoments; '
+                'printf "%s\\n" "${COMPREPLY[@]}"')
+        return subprocess.run(["bash", "-c", code], stdout=subprocess.PIPE, encoding="utf-8", timeout=60, check=True).stdout.split()
+    check_equal("all options", names, sorted(set(complete("--"))))
+    check_equal("one of them", ["--validate", "--validation-limit"], sorted(set(complete("--val"))))
+    check_equal("values", ["mm", "m"], [word for word in complete("--unit", "m")])
+    check_equal("files", [script], complete(script[:-3]))
 
 
 def systems():
@@ -504,5 +541,5 @@ def systems():
 
 
 {"masses": masses, "materials": materials, "frames": frames, "lists": lists, "scripts": scripts, "robots": robots,
- "validation": validation, "systems": systems, "inputs": inputs}[options.mode]()
+ "validation": validation, "systems": systems, "inputs": inputs, "help": help_pages}[options.mode]()
 finish()
