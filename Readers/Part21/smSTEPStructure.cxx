@@ -357,7 +357,11 @@ void STEPCensusTaker::CountAll()
          arc != this->Arcs.end() && arc->From == from; ++arc)
     {
       this->Counts[arc->To] = AddCounts(this->Counts[arc->To], this->Counts[from]);
-      this->PassDensity(from, arc->To);
+      // A representation that no product uses is not an assembly without a density.
+      if (this->Counts[from] > 0)
+      {
+        this->PassDensity(from, arc->To);
+      }
       if (--incoming[arc->To] == 0)
       {
         open.push_back(arc->To);
