@@ -26,6 +26,7 @@ struct Computed
   double CenterBound = std::nan("");
   /// Why the centre is not comparable; empty if it is.
   std::string NoCenter;
+  /// Of a part, not of an assembly.
   Json Material, Density;
 };
 
@@ -138,6 +139,10 @@ Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double m
     error += cube * values["volume"].get<double>() * d + e * (away + d);
   }
   sum.CenterBound = error / (sum.Volume - sum.VolumeBound) + rounding;
+  if (!isPart)
+  {
+    return sum;
+  }
   // A material for all of it, or none.
   sum.Material = (*solids.front().Values)["material"];
   sum.Density = (*solids.front().Values)["density"];
