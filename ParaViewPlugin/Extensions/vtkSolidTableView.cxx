@@ -43,7 +43,7 @@ constexpr const char* Leading[] = { RowNumber, names::Solid, names::FaceId, name
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
   names::DisplacedVolume, names::CenterOfBuoyancy, names::DisplacedFirstMoments,
 #endif
-  names::Volume, names::Mass, names::SurfaceArea, names::CenterOfMass };
+  names::Volume, names::Mass, names::Density, names::Material, names::SurfaceArea, names::CenterOfMass };
 
 /// Columns after them: units, tensors, details of the support, and defects of the model.
 constexpr const char* Trailing[] = { names::LengthUnit, names::PrincipalMoments, names::RadiiOfGyration,

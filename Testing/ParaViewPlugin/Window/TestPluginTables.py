@@ -54,8 +54,8 @@ reader = simple.OpenDataFile(part)
 mass = MassPropertiesGPU(Input=reader, Density=7850.0)  # noqa: F821
 client, columns = show(mass, 1, "Row Data")
 check_equal("solids: first columns", [
-    "vtkOriginalIndices", "Name", "Id", "Status", "Volume", "VolumeBound", "Mass", "MassBound", "SurfaceArea", "SurfaceAreaBound",
-    "CenterOfMass_0", "CenterOfMass_1", "CenterOfMass_2", "CenterOfMassBound", "LengthUnit"], columns[:15])
+    "vtkOriginalIndices", "Name", "Id", "Status", "Volume", "VolumeBound", "Mass", "MassBound", "Density", "Material", "SurfaceArea",
+    "SurfaceAreaBound", "CenterOfMass_0", "CenterOfMass_1", "CenterOfMass_2", "CenterOfMassBound"], columns[:16])
 check_equal("solids: no magnitudes", [], [name for name in columns if name.endswith("_Magnitude")])
 table = servermanager.Fetch(mass, idx=1)
 flat = sorted(name for i in range(table.GetNumberOfColumns()) for name in (
