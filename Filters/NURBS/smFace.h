@@ -52,8 +52,6 @@ struct Coedge
   bool Reversed = false;
   /// c(t) in the face's own (u,v), over the edge's own parameter range (Curve.GetStart() .. GetEnd()).
   TrimCurve Curve;
-  /// True when the file has no such curve and it was computed from the edge: what it misses of the edge is no gap of the file.
-  bool Projected = false;
 };
 
 /// A closed chain of coedges in loop direction: the face lies to its left in the (u,v) plane of the

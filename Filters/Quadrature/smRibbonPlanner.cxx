@@ -25,8 +25,6 @@ constexpr double RibbonRoundings = 8.0;
 constexpr double TrimRoundings = 3.0;
 // Roundings of a sample of the gap: those of the trim curve, the patch and the edge, up to degree 25 each.
 constexpr double SampleRoundings = 64.0;
-// A projected trim curve that is that near its edge, relative to the patch, is exact but for rounding.
-constexpr double LargestProjectionRounding = 1e-11;
 }
 
 RibbonPlanner::RibbonPlanner(
@@ -43,9 +41,8 @@ RibbonPlanner::RibbonPlanner(
     {
       const std::array<double, 2>& trim = coedge.Curve.Residual;
       const std::array<double, 3>& edge = coedge.Use->Curve.Residual;
-      this->Residuals.push_back({ transposed ? std::array<double, 2>{ trim[1], trim[0] } : trim,
-        Norm(edge.data()), coedge.Projected });
-      this->Projected = this->Projected || coedge.Projected;
+      this->Residuals.push_back(
+        { transposed ? std::array<double, 2>{ trim[1], trim[0] } : trim, Norm(edge.data()) });
     }
   }
 }
@@ -148,7 +145,7 @@ void RibbonPlanner::SampleGap(const Ribbon& ribbon, double start, double end, in
   this->Nodes = nodes;
   std::vector<std::array<Wide, 4>> series(nodes);
   this->Stretch = this->TrimSlope = { 0.0, 0.0 };
-  this->NormalLength = this->GapInSurface = this->GapAcross = 0.0;
+  this->NormalLength = 0.0;
   double size = 0.0;
   for (int i = 0; i < nodes; ++i)
   {
@@ -178,7 +175,7 @@ void RibbonPlanner::SampleGap(const Ribbon& ribbon, double start, double end, in
         series[k][c] += rule.GetTransform(k)[i] * gap[c];
       }
     }
-    this->SampleTangents(x, gap, h);
+    this->SampleTangents(x, h);
   }
   this->Gap.resize(nodes);
   for (int k = 0; k < nodes; ++k)
@@ -193,7 +190,7 @@ void RibbonPlanner::SampleGap(const Ribbon& ribbon, double start, double end, in
   this->Noise = tail + SampleRoundings * WideRoundoff * size * (1.0 + std::log(static_cast<double>(nodes)));
 }
 
-void RibbonPlanner::SampleTangents(double x, const std::array<Wide, 4>& gap, const Wide h[3][4])
+void RibbonPlanner::SampleTangents(double x, const Wide h[3][4])
 {
   double tangent[2][3];
   const std::array<double, 2> slope = this->Trim.EvaluateDerivative(x);
@@ -206,21 +203,10 @@ void RibbonPlanner::SampleTangents(double x, const std::array<Wide, 4>& gap, con
     this->Stretch[d] = std::max(this->Stretch[d], Norm(tangent[d]));
     this->TrimSlope[d] = std::max(this->TrimSlope[d], std::abs(slope[d]));
   }
-  const Vector3 normal = Cross(tangent[0], tangent[1]);
-  const double length = Norm(normal);
-  this->NormalLength = std::max(this->NormalLength, length);
-  if (this->Projected && length > 0.0)
-  {
-    Vector3 toEdge;
-    Vector3 along;
-    for (int c = 0; c < 3; ++c)
-    {
-      toEdge[c] = static_cast<double>(gap[c] / gap[3]);
-      along[c] = tangent[0][c] * slope[0] + tangent[1][c] * slope[1];
-    }
-    this->GapInSurface = std::max(this->GapInSurface, std::abs(Dot(Cross(toEdge, along), normal)) / length);
-    this->GapAcross = std::max(this->GapAcross, std::abs(Dot(toEdge, normal)) / length * Norm(along));
-  }
+  const double normal[3] = { tangent[0][1] * tangent[1][2] - tangent[0][2] * tangent[1][1],
+    tangent[0][2] * tangent[1][0] - tangent[0][0] * tangent[1][2],
+    tangent[0][0] * tangent[1][1] - tangent[0][1] * tangent[1][0] };
+  this->NormalLength = std::max(this->NormalLength, Norm(normal));
 }
 
 bool RibbonPlanner::Evaluate(const Ellipse& t, Majorants& majorants) const
@@ -356,32 +342,6 @@ void RibbonPlanner::AddResidualError(const Ribbon& ribbon, const Majorants& real
   }
 }
 
-void RibbonPlanner::AddProjectionError(const Ribbon& ribbon, const Majorants& real)
-{
-  // The closing strips at corners belong to their neighbours.
-  if (ribbon.Coedge < 0 ? !this->Projected : !this->Residuals[ribbon.Coedge].Projected)
-  {
-    return;
-  }
-  // The face ends where its edge is, and the trim curve is only near it. An edge that is farther off the surface contradicts the
-  // surface, and then the gap is one of the model. 2: known at nodes only, and to first order in the gap.
-  const double rounding =
-    LargestProjectionRounding * this->Panels.Patches[ribbon.Patch].Radius * real.CurveSlope;
-  const double area = 2.0 * this->GapInSurface;
-  const bool contradicts = this->GapAcross > this->GapInSurface;
-  if (contradicts && area > rounding)
-  {
-    return;
-  }
-  for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
-  {
-    const BoundClass& c = this->Request.Classes[i];
-    this->Result.ConversionBound[i] +=
-      c.Kind == BoundClass::AreaMoment ? area * std::pow(real.Curve + real.Gap, c.Degree) : 0.0;
-  }
-  this->Result.Estimated = this->Result.Estimated || area > rounding;
-}
-
 void RibbonPlanner::BoundAlong(bool sound, const Majorants& real)
 {
   const std::size_t count = this->Request.Classes.size();
@@ -467,7 +427,6 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
     }
     this->AddNoiseError(real);
     this->AddResidualError(ribbon, real);
-    this->AddProjectionError(ribbon, real);
     return;
   }
   PlannedItem item{ ItemKind::Ribbon, index };
@@ -480,7 +439,6 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   {
     this->AddNoiseError(real);
     this->AddResidualError(ribbon, real);
-    this->AddProjectionError(ribbon, real);
   }
 }
 

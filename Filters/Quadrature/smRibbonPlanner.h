@@ -49,8 +49,8 @@ private:
   /// Nodes that determine U and w, and a bound of the remainder.
   int ChooseNodes(const Ribbon& ribbon, double& tail);
   void SampleGap(const Ribbon& ribbon, double start, double end, int nodes, double tail);
-  /// Stretch, TrimSlope, NormalLength and the gaps in and across the surface from the gap and a patch's values at node x.
-  void SampleTangents(double x, const std::array<Wide, 4>& gap, const Wide values[3][4]);
+  /// Stretch, TrimSlope and NormalLength from a patch's values at node x.
+  void SampleTangents(double x, const Wide values[3][4]);
   /// The part is narrower than the rounding bound of its evaluation: its largest size is the better bound, and it
   /// is left out. Its gap counts as none.
   bool IsRounding(const Ribbon& ribbon, const Majorants& real) const;
@@ -58,8 +58,6 @@ private:
   void Bound(const Majorants& majorants, std::vector<double>& bounds) const;
   void AddNoiseError(const Majorants& real);
   void AddResidualError(const Ribbon& ribbon, const Majorants& real);
-  /// Adds the area between a projected trim curve and its edge.
-  void AddProjectionError(const Ribbon& ribbon, const Majorants& real);
 
   const FacePanels& Panels;
   const PlanRequest& Request;
@@ -69,11 +67,8 @@ private:
   {
     std::array<double, 2> Trim;
     double Edge;
-    bool Projected;
   };
   std::vector<Residual> Residuals;
-  /// Some coedge is projected.
-  bool Projected = false;
 
   // Values of the current part: series in t on [-1,1].
   TrimSeries Trim;
@@ -90,9 +85,6 @@ private:
   /// Largest values at the nodes: |Ss|, |Sr|, |Ss x Sr|, |ds/dt|, |dr/dt|.
   std::array<double, 2> Stretch{};
   double NormalLength = 0.0;
-  /// The same of the area between the trim curve and the edge, per unit of t, within the surface and across it.
-  double GapInSurface = 0.0;
-  double GapAcross = 0.0;
   std::array<double, 2> TrimSlope{};
   std::vector<double> Samples;
   std::vector<double> Bounds;

@@ -291,9 +291,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
   {
     body.Messages.push_back("the bound of the area is estimated on " +
       std::to_string(body.EstimatedFaces.size()) + " faces (" + ListIds(body.EstimatedFaces) +
-      "), whose normals nearly vanish somewhere or are those of a fitted surface, or whose trim curves are "
-      "not in the "
-      "file but projected from its edges");
+      "), whose normals nearly vanish somewhere or are those of a fitted surface");
   }
 }
 

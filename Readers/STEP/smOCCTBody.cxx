@@ -7,10 +7,8 @@
 #include "smOCCTFailure.h"
 #include "smOCCTRounding.h"
 #include "smParallelFor.h"
-#include "smTrimProjection.h"
 
 #include <BRep_Tool.hxx>
-#include <Geom_Plane.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -313,14 +311,6 @@ private:
     result.Result = face;
   }
 
-  /// What a seam misses of its edge, its other side has too much.
-  bool IsProjected(const DraftFace& draft, const DraftCoedge& coedge) const
-  {
-    const bool approximated = coedge.Approximated || Find(this->Table, coedge.Edge).WithoutTrims;
-    return approximated && !draft.Surface->IsKind(STANDARD_TYPE(Geom_Plane)) &&
-      !BRep_Tool::IsClosed(coedge.Edge, draft.Face);
-  }
-
   /// Appends a loop to `face`, and its edges to the source edges of `result`.
   void ConvertLoop(DraftFace& draft, const DraftLoop& draftLoop, const ConvertedSurface& surface,
     const NativeBox& box, std::vector<TrimCurve>& projected, Face& face, ConvertedFace& result) const
@@ -342,7 +332,6 @@ private:
         continue;
       }
       coedge.Reversed = from.Reversed;
-      coedge.Projected = this->IsProjected(draft, from);
       coedge.Curve = from.Projected ? std::move(projected[i])
                                     : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
                                         coedge.Use->Curve.GetEnd(), surface.Map, width);
@@ -353,10 +342,6 @@ private:
           surface.Surface, coedge.Use->Curve, this->Size, GetTrimTolerance(surface.Map, width), coedge.Curve);
         result.RestoredCoedges += step == StepResult::Restored ? 1 : 0;
         result.LaggingCoedges += step == StepResult::Failed ? 1 : 0;
-      }
-      if (!coedge.Use->Degenerate && coedge.Projected)
-      {
-        ProjectEdge(surface.Surface, coedge.Use->Curve, GetTrimTolerance(surface.Map, width), coedge.Curve);
       }
       loop.Coedges.push_back(std::move(coedge));
       sources.push_back(from.Edge);

@@ -29,8 +29,6 @@ struct ShapeInfo
   bool OpenSolid = false;
   /// The shape is a face that the file bounds by edges.
   bool Bounded = false;
-  /// The shape is an edge for which the file has no curve in the parameters of its faces.
-  bool WithoutTrims = false;
   /// Faces that a shell has in the file but not in OpenCASCADE's shape.
   int LostFaces = 0;
   /// The shape is a solid or shell of which an instance lost its scale or its mirror.

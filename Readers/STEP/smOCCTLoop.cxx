@@ -256,7 +256,6 @@ std::string SetTrim(const DraftFace& face, const TopLoc_Location& location, Draf
     {
       return "An edge has no curve in the face's parameters and none could be made; it is left out.";
     }
-    coedge.Approximated = !coedge.Projected;
   }
   return coedge.Projected || coedge.Trim.Last > coedge.Trim.First
     ? std::string()

@@ -26,8 +26,6 @@ struct DraftCoedge
   bool Degenerate = false;
   /// On a plane and without a pcurve of its own: the edge's curve projected.
   bool Projected = false;
-  /// On another surface: the trim is the edge's curve projected by OpenCASCADE.
-  bool Approximated = false;
   NativeTrim Trim;
   /// In loop direction; null when the file gives none.
   TopoDS_Vertex Start;

@@ -2,9 +2,6 @@
 
 #include <Quantity_Color.hxx>
 #include <StepData_StepModel.hxx>
-#include <StepGeom_Pcurve.hxx>
-#include <StepGeom_PcurveOrSurface.hxx>
-#include <StepGeom_SurfaceCurve.hxx>
 #include <StepRepr_MappedItem.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_ConnectedFaceSet.hxx>
@@ -70,21 +67,6 @@ TopAbs_ShapeEnum GetKind(const Handle(Standard_Transient) & entity)
   return TopAbs_SHAPE;
 }
 
-/// True when the edge has no curve in the parameters of a face.
-bool IsWithoutTrims(const Handle(StepShape_EdgeCurve) & edge)
-{
-  const auto curve = edge.IsNull() ? nullptr : Handle(StepGeom_SurfaceCurve)::DownCast(edge->EdgeGeometry());
-  for (int i = 1;
-       !curve.IsNull() && !curve->AssociatedGeometry().IsNull() && i <= curve->NbAssociatedGeometry(); ++i)
-  {
-    if (!curve->AssociatedGeometryValue(i).Pcurve().IsNull())
-    {
-      return false;
-    }
-  }
-  return !edge.IsNull();
-}
-
 void AddEntity(const Handle(Standard_Transient) & entity, const Handle(StepData_StepModel) & model,
   const TopoDS_Shape& shape, ShapeTable& table)
 {
@@ -108,7 +90,6 @@ void AddEntity(const Handle(Standard_Transient) & entity, const Handle(StepData_
   {
     table[it.Current().TShape().get()].OpenSolid |= open;
     ShapeInfo& info = table[it.Current().TShape().get()];
-    info.WithoutTrims |= kind == TopAbs_EDGE && IsWithoutTrims(Handle(StepShape_EdgeCurve)::DownCast(entity));
     if (info.FileId == 0)
     {
       info.FileId = id;

@@ -88,7 +88,6 @@ void FaceWriter::Put(const Face& face)
     {
       this->Put(*coedge.Use);
       this->To.Put(coedge.Reversed);
-      this->To.Put(coedge.Projected);
       PutCurve(this->To, coedge.Curve);
     }
   }
@@ -124,7 +123,6 @@ FacePointer FaceReader::Get()
         return nullptr;
       }
       coedge.Reversed = this->From.Get<bool>();
-      coedge.Projected = this->From.Get<bool>();
       GetCurve(this->From, coedge.Curve);
     }
   }

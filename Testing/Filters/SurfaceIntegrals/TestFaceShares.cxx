@@ -89,7 +89,6 @@ std::vector<sm::FacePointer> MakeStrip(int count, int cells)
       sm::Coedge coedge;
       coedge.Use = edges[e];
       coedge.Reversed = e >= 2;
-      coedge.Projected = e == 1;
       coedge.Curve.Breaks = { 0.0 };
       coedge.Curve.AppendPiece(1.0, lines[e], 1);
       coedge.Curve.Residual = { 1e-10, 2e-10 };
