@@ -3,7 +3,7 @@ set(_vtk_components
   ChartsCore CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   FiltersCore FiltersGeneral FiltersSources IOCore IOExport IOImage IOXML ImagingCore InteractionStyle ParallelCore
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI TestingRendering
-  ViewsContext2D glew opengl vtksys)
+  ViewsContext2D glew opengl vtksys zlib)
 if (SOLIDMOMENTS_WRAP_PYTHON)
   if (NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
     # VTK's wrappers are built for the system's Python, whatever comes first on PATH.

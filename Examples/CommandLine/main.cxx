@@ -1,15 +1,18 @@
 // solidmoments: mass properties of STEP files, integrated on the GPU.
 
 #include "smArguments.h"
+#include "smInputFile.h"
 #include "smIsolatedJob.h"
 #include "smOutputFiles.h"
 #include "smReport.h"
 #include "smReportFiles.h"
+#include "smUrdf.h"
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <fcntl.h>
 #include <iostream>
 #include <unistd.h>
@@ -88,12 +91,42 @@ std::string FindReason(const sm::Json& file)
   return reason;
 }
 
+/// The exit status of a finished file by what the user takes for a failure.
+int Judge(const sm::Json& file, const sm::Arguments& arguments)
+{
+  const std::string status = file["status"].get<std::string>();
+  const sm::Json& total = file["total"];
+  const auto has = [](const std::vector<std::string>& list, const std::string& word)
+  { return std::find(list.begin(), list.end(), word) != list.end(); };
+  const int byStatus = sm::GetExitStatus(file);
+  const bool isStable = total["stability"].is_object() && total["stability"]["verdict"] == "stable";
+  const bool fails = (byStatus == sm::Flagged && has(arguments.FailOn, status)) ||
+    (has(arguments.Require, "stable") && !isStable) ||
+    (has(arguments.Require, "mass") && total["mass"].is_null()) ||
+    (has(arguments.Require, "validation") && sm::CountValidation(file, "fail") > 0);
+  return byStatus == sm::Unreadable ? byStatus : fails ? sm::Flagged : sm::AllOk;
+}
+
+/// The table with the status in green, or in red where it is not ok, for a terminal unless NO_COLOR is set.
+std::string ColorStatus(std::string table, const sm::Json& file)
+{
+  const char* const off = std::getenv("NO_COLOR");
+  const std::string status = file["status"].get<std::string>();
+  const size_t at = table.find('\n');
+  if (!isatty(STDOUT_FILENO) || (off && *off) || at == std::string::npos || at < status.size())
+  {
+    return table;
+  }
+  const char* const color = sm::GetExitStatus(file) == sm::AllOk ? "\033[32m" : "\033[31m";
+  return table.replace(at - status.size(), status.size(), color + status + "\033[0m");
+}
+
 /// Prints the table of a finished file, or, without tables, why the file has no results.
 void Print(const sm::Json& file, bool showTable, bool isFirst)
 {
   if (showTable)
   {
-    std::cout << (isFirst ? "" : "\n") << sm::FormatTable(file) << std::flush;
+    std::cout << (isFirst ? "" : "\n") << ColorStatus(sm::FormatTable(file), file) << std::flush;
   }
   else if (file["total"]["area"].is_null())
   {
@@ -110,9 +143,30 @@ void ReportFailure(const std::string& message, sm::Json& file, int& exitStatus)
   exitStatus = Combine(exitStatus, sm::Complain(message));
 }
 
-/// Computes one file; its entry is null when the run was interrupted before there was one.
-sm::Json RunFile(const sm::JobOptions& job, const std::string& head, ProgressLine& progress, int& exitStatus)
+/// The messages with the name that the user gave in place of that of a copy.
+void RestoreName(const sm::JobOptions& job, sm::Json& file)
 {
+  for (sm::Json& message : file["messages"])
+  {
+    std::string text = message.get<std::string>();
+    for (size_t at = text.find(job.SourceName); at != std::string::npos;
+         at = text.find(job.SourceName, at + job.FileName.size()))
+    {
+      text.replace(at, job.SourceName.size(), job.FileName);
+    }
+    message = text;
+  }
+}
+
+/// Computes one file; its entry is null when the run was interrupted before there was one.
+sm::Json RunFile(sm::JobOptions job, const std::string& head, ProgressLine& progress, int& exitStatus)
+{
+  const sm::InputFile input(job.FileName);
+  if (!input.GetError().empty())
+  {
+    return sm::UnreadableFile(job.FileName, job.FileName + " cannot be read: " + input.GetError());
+  }
+  job.SourceName = input.GetPath();
   sm::JobOutcome outcome = sm::RunIsolatedJob(
     job, [&](const std::string& stage, double fraction) { progress.Show(head, stage, fraction); });
   progress.Clear();
@@ -120,7 +174,10 @@ sm::Json RunFile(const sm::JobOptions& job, const std::string& head, ProgressLin
   {
     return outcome.File;
   }
-  exitStatus = Combine(exitStatus, sm::GetExitStatus(outcome.File));
+  if (job.SourceName != job.FileName)
+  {
+    RestoreName(job, outcome.File);
+  }
   if (!outcome.TextureError.empty())
   {
     ReportFailure("trim textures are missing: " + outcome.TextureError, outcome.File, exitStatus);
@@ -138,7 +195,8 @@ void IgnoreWriteSignals(const sm::Arguments& arguments)
 {
   std::signal(SIGXFSZ, SIG_IGN);
   const auto isFile = [](const std::string& name) { return !name.empty() && name != "-"; };
-  if (isFile(arguments.Json) || isFile(arguments.Csv) || isFile(arguments.Picture))
+  if (isFile(arguments.Json) || isFile(arguments.Csv) || isFile(arguments.PartsCsv) ||
+    isFile(arguments.Urdf) || isFile(arguments.Picture))
   {
     std::signal(SIGPIPE, SIG_IGN);
   }
@@ -146,7 +204,8 @@ void IgnoreWriteSignals(const sm::Arguments& arguments)
 
 int Run(const sm::Arguments& arguments)
 {
-  const bool showTable = !arguments.Quiet && arguments.Json != "-" && arguments.Csv != "-";
+  const bool showTable =
+    !arguments.Quiet && arguments.Print.empty() && arguments.Json != "-" && arguments.Csv != "-";
   const std::vector<std::string> pictures = sm::PictureNames(arguments);
   const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
   const std::string count = std::to_string(arguments.Files.size());
@@ -167,11 +226,22 @@ int Run(const sm::Arguments& arguments)
     {
       break;
     }
+    exitStatus = Combine(exitStatus, Judge(file, arguments));
+    const std::string urdfProblem = arguments.Urdf.empty() ? std::string() : sm::FindUrdfProblem(file);
+    if (!urdfProblem.empty())
+    {
+      file["messages"].push_back("no inertial block: " + urdfProblem);
+      exitStatus = Combine(exitStatus, sm::Flagged);
+    }
+    if (!arguments.Print.empty())
+    {
+      std::cout << sm::FormatFields(file, arguments.Print) << std::flush;
+    }
     Print(reports.Add(std::move(file)), showTable, i == 0);
   }
-  if (showTable && !std::cout)
+  if ((showTable || !arguments.Print.empty()) && !std::cout)
   {
-    exitStatus = Combine(exitStatus, sm::Complain("the table cannot be written to the standard output"));
+    exitStatus = Combine(exitStatus, sm::Complain("the results cannot be written to the standard output"));
   }
   exitStatus = Combine(exitStatus, reports.Finish());
   if (sm::IsInterrupted())

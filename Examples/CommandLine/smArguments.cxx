@@ -1,12 +1,19 @@
 #include "smArguments.h"
 
+#include "smArgumentOptions.h"
+#include "smFormat.h"
+#include "smInputFile.h"
+#include "smMaterialFile.h"
 #include "smOutputFiles.h"
+#include "smReport.h"
+#include "smUserExpression.h"
 #include "smUserIntegrals.h"
 #include "smVersion.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <iostream>
 #include <iterator>
 #include <set>
@@ -35,268 +42,6 @@ Exit status:
 The first of 1, 2, 3 that applies. 130 after Ctrl-C, 143 when told to end (SIGTERM), 129 when the terminal has
 gone (SIGHUP): then the outputs hold the files finished before.)";
 
-std::string CheckScheme(const std::string& name)
-{
-  const std::set<std::string> known = { "adaptive", "midpoint", "gauss2", "gauss3" };
-  return known.count(sm::LowerCase(name))
-    ? ""
-    : "there is no scheme " + name + "; use adaptive, midpoint, gauss2 or gauss3";
-}
-
-std::string CheckDeviation(const std::string& name)
-{
-  return name == "bounded" || name == "sampled"
-    ? ""
-    : "there is no deviation " + name + "; use bounded or sampled";
-}
-
-std::string CheckBackend(const std::string& name)
-{
-  const bool known = name == "auto" || name == "opengl" || name == "cpu" || name == "egl" || name == "x";
-  return known ? "" : "there is no backend " + name + "; use auto, opengl, cpu, x or egl";
-}
-
-std::string CheckUnit(const std::string& name)
-{
-  const std::set<std::string> known = { "mm", "cm", "m", "um", "inch", "in", "ft", "file" };
-  return known.count(sm::LowerCase(name))
-    ? ""
-    : "there is no unit " + name + "; use mm, cm, m, um, inch, ft or file";
-}
-
-std::string CheckTolerance(const std::string& text)
-{
-  const double value = sm::ParseNumber(text);
-  return value > 0.0 && value <= 1.0 ? "" : "the tolerance must be a number above 0, at most 1";
-}
-
-std::string CheckGapLimit(const std::string& text)
-{
-  const double value = sm::ParseNumber(text);
-  return value >= 0.0 && value <= 1.0 ? "" : "the limit of gaps must be a number from 0 to 1";
-}
-
-std::string CheckQuantityTolerance(const std::string& text)
-{
-  std::string quantity;
-  double relative = 0.0;
-  double absolute = 0.0;
-  return sm::ParseQuantityTolerance(text, quantity, relative, absolute)
-    ? ""
-    : text + " is not the tolerance of a quantity; write for example volume=1e-6 or center=0,1e-3";
-}
-
-/// The text must be a whole number from 1 to `most`.
-std::string CheckFactor(const std::string& what, int most, const std::string& text)
-{
-  const double value = sm::ParseNumber(text);
-  return value >= 1.0 && value <= most && value == std::floor(value)
-    ? ""
-    : "the number of " + what + " must be a whole number from 1 to " + std::to_string(most);
-}
-
-std::string CheckChord(const std::string& text)
-{
-  const double value = sm::ParseNumber(text);
-  return value > 0.0 && value < 1.0 ? "" : "the chord tolerance must be a number above 0 and below 1";
-}
-
-std::string CheckEvaluations(const std::string& text)
-{
-  const double value = sm::ParseNumber(text);
-  return value >= 1.0 && value <= 1e18 ? "" : "the number of evaluations must be at least 1, at most 1e18";
-}
-
-std::string CheckSeconds(const std::string& text)
-{
-  const double value = sm::ParseNumber(text);
-  return value >= 0.0 && value < 1e300 ? "" : "the seconds must be a number that is not negative";
-}
-
-std::string CheckDegree(const std::string& text)
-{
-  const double value = sm::ParseNumber(text);
-  return value >= 0.0 && value <= sm::LargestMomentDegree && value == std::floor(value)
-    ? ""
-    : "the degree of moments must be a whole number from 0 to " + std::to_string(sm::LargestMomentDegree);
-}
-
-std::string CheckIntegral(const std::string& text)
-{
-  std::string name;
-  std::string expression;
-  return sm::ParseIntegral(text, name, expression)
-    ? ""
-    : text + " is not an integral; write NAME=EXPRESSION, for example 'area=dA'";
-}
-
-std::string CheckHeight(const std::string& text)
-{
-  return std::isfinite(sm::ParseNumber(text)) ? "" : "the height of a waterline must be a finite number";
-}
-
-std::string CheckDirection(const std::string& text)
-{
-  std::array<double, 3> direction;
-  return sm::ParseDirection(text, direction)
-    ? ""
-    : text + " is not a direction; write x, y, z, -x, -y, -z, or three numbers such as 0,0.1,-1";
-}
-
-std::string CheckDensity(const std::string& text)
-{
-  const double value = sm::ParseNumber(text);
-  return value > 0.0 && value < 1e300 ? "" : "the density must be a positive number, in kg/m^3";
-}
-
-void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
-{
-  app.add_option("FILE", arguments.Files, "STEP files")->required()->type_name("");
-  sm::AddFileOption(
-    app, "--json", arguments.Json, "Write all results as JSON; - for standard output, and then no table");
-  sm::AddFileOption(app, "--csv", arguments.Csv, "Write a row per file and per solid; - as for --json");
-  sm::AddFileOption(app, "--png", arguments.Picture,
-    "Draw the part, translucent, with its centre of mass marked. With several\n"
-    "files, each picture has the STEP file's name added: out-bracket.png");
-  app.add_flag("--quiet,-q", arguments.Quiet, "Print no table and no progress, only errors");
-}
-
-void DeclareComputation(CLI::App& app, sm::JobOptions& job)
-{
-  sm::AddNumberOption(app, "--tolerance", job.Tolerance,
-    "Tolerance of every result, relative to the size of the solid (default 1e-9)")
-    ->check(CheckTolerance);
-  app
-    .add_option("--tolerance-of", job.QuantityTolerances,
-      "Tolerance of one quantity, volume, area, center or inertia: relative (0:\n"
-      "that of --tolerance), or relative and absolute, of which the larger\n"
-      "counts; may be given several times: --tolerance-of center=0,1e-6")
-    ->type_name("NAME=REL[,ABS]")
-    ->check(CheckQuantityTolerance)
-    ->take_all()
-    ->allow_extra_args(false);
-  sm::AddNumberOption(app, "--max-evaluations", job.MaximumEvaluations,
-    "Largest number of surface evaluations of a file (default 2e9); where that\n"
-    "is too few, the tolerance is loosened and the bounds say by how much")
-    ->check(CheckEvaluations);
-  sm::AddNumberOption(app, "--max-seconds", job.MaximumSeconds,
-    "Largest time for a file, from reading to drawing (default: no limit);\n"
-    "faces not reached count as 0, and the bounds include their largest\n"
-    "possible values. What does not end by itself (a reader, a shader compiler)\n"
-    "is ended a quarter of the time later, 2 s at least")
-    ->check(CheckSeconds);
-  sm::AddNumberOption(app, "--gap-limit", job.GapLimit,
-    "Gaps between faces above this fraction of the diagonal, or of the volume\n"
-    "that closing them adds, make a result suspect (default 1e-3; 1: none does)")
-    ->check(CheckGapLimit);
-  app
-    .add_option("--unit", job.Unit,
-      "Length unit of all results: mm (default), cm, m, um, inch, ft; or file:\n"
-      "the one that the file is written in")
-    ->type_name("UNIT")
-    ->check(CheckUnit);
-  sm::AddNumberOption(
-    app, "--density", job.Density, "Density in kg/m^3, for the mass in kg (default: that of the file)")
-    ->check(CheckDensity);
-  app
-    .add_option("--backend", job.Backend,
-      "opengl: compute shaders, on the X display or through EGL where there is\n"
-      "none; x or egl: only that one; cpu: no OpenGL; auto (default): opengl\n"
-      "where there is OpenGL 4.3 with doubles, else cpu")
-    ->type_name("NAME")
-    ->check(CheckBackend);
-}
-
-/// Integrals beside the mass properties.
-void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
-{
-  app
-    .add_option("--moments", arguments.Job.MomentDegree,
-      "Integrals of x^i y^j z^k over the volume, i + j + k up to DEGREE:\n"
-      "moment_i_j_k")
-    ->type_name("DEGREE")
-    ->check(CheckDegree);
-  app
-    .add_option("--integral", arguments.Job.Integrals,
-      "Integral over the faces of an expression (GLSL) of position, normal (of\n"
-      "the length of the area element dA), unitNormal, u, v, du, dv, duu, duv,\n"
-      "dvv, meanCurvature, gaussianCurvature; with OpenGL only; may be given\n"
-      "several times: --integral 'willmore=pow(meanCurvature, 2) * dA'")
-    ->type_name("NAME=EXPR")
-    ->check(CheckIntegral)
-    ->take_all()
-    ->allow_extra_args(false);
-}
-
-void DeclareWaterlines(CLI::App& app, sm::Arguments& arguments)
-{
-  app
-    .add_option_function<std::vector<std::string>>(
-      "--waterline",
-      [&heights = arguments.Job.Waterlines](const std::vector<std::string>& texts)
-      { std::transform(texts.begin(), texts.end(), std::back_inserter(heights), sm::ParseNumber); },
-      "Volume below a waterline, and its centre, the centre of buoyancy: the\n"
-      "plane at HEIGHT along --up from the origin, in the unit of the results;\n"
-      "may be given several times")
-    ->type_name("HEIGHT")
-    ->check(CheckHeight)
-    ->take_all()
-    ->allow_extra_args(false);
-  app.add_option("--up", arguments.Up, "Upward normal of the waterlines, of any length (default 0,0,1)")
-    ->type_name("X,Y,Z")
-    ->check(CheckDirection);
-}
-
-void DeclareStability(CLI::App& app, sm::Arguments& arguments)
-{
-  app
-    .add_option("--stability", arguments.Job.Stability,
-      "Static stability of the part, resting on its lowest points, under gravity\n"
-      "along DIR, x, y, z, +x .. -z or three numbers: the stability margin\n"
-      "(signed distance from the projected centre of mass to the nearest edge\n"
-      "of the support polygon), tip angle and rise of the centre of mass before\n"
-      "tipping, with bounds; for all solids as one body, and for each alone:\n"
-      "--stability -z")
-    ->type_name("DIR")
-    ->check(CheckDirection)
-    ->expected(1);
-}
-
-/// The schemes of the paper and their own options.
-void DeclareSchemes(CLI::App& app, sm::Arguments& arguments)
-{
-  sm::JobOptions& job = arguments.Job;
-  app
-    .add_option("--scheme", job.Scheme,
-      "adaptive (default): to the tolerance, with bounds; midpoint, gauss2 or\n"
-      "gauss3: those of \"Accurate Moment Computation Using the GPU\", for\n"
-      "comparison, with the paper's estimate of the error and without a bound")
-    ->type_name("NAME")
-    ->check(CheckScheme);
-  app
-    .add_option(
-      "--subpatches", job.SubPatches, "Paper's schemes: K x K sub-patches per knot interval (default 2)")
-    ->type_name("K")
-    ->check([](const std::string& text) { return CheckFactor("sub-patches", 1024, text); });
-  app
-    .add_option("--trim-texture", job.TrimTexture, "Paper's schemes: M x M texels per sub-patch (default 4)")
-    ->type_name("M")
-    ->check([](const std::string& text) { return CheckFactor("texels", 16, text); });
-  sm::AddNumberOption(app, "--chord", job.ChordTolerance,
-    "Paper's schemes: largest distance of the chords of planar faces' trim\n"
-    "curves from these, relative to the size of the solid (default 1e-8)")
-    ->check(CheckChord);
-  app
-    .add_option("--deviation", job.Deviation,
-      "Paper's schemes: how the error estimate finds the deviation of a\n"
-      "sub-patch: bounded (default), or sampled")
-    ->type_name("NAME")
-    ->check(CheckDeviation);
-  sm::AddFileOption(app, "--trim-textures", arguments.TextureFolder,
-    "Write the trim textures of the paper's schemes to FOLDER, a PNG per face")
-    ->type_name("FOLDER");
-}
-
 /// An error message when a file name is empty; empty otherwise.
 std::string FindEmptyName(const CLI::App& app, const sm::Arguments& arguments)
 {
@@ -304,7 +49,12 @@ std::string FindEmptyName(const CLI::App& app, const sm::Arguments& arguments)
   {
     return "a file name is empty; name a STEP file";
   }
-  for (const char* option : { "--json", "--csv", "--png", "--trim-textures" })
+  if (arguments.Files.empty())
+  {
+    return "FILE is required: name a STEP file";
+  }
+  for (const char* option : { "--json", "--csv", "--png", "--trim-textures", "--materials", "--bom-csv",
+         "--urdf", "--write-validation" })
   {
     if (app.count(option) > 0 && app[option]->as<std::string>().empty())
     {
@@ -326,6 +76,10 @@ std::string FindMissingModule(const CLI::App& app, const sm::Arguments& argument
   }
 #endif
 #ifndef SM_HAS_STABILITY
+  if (app.count("--box") > 0)
+  {
+    return say("--box", "SOLIDMOMENTS_ENABLE_STABILITY");
+  }
   if (app.count("--stability") > 0)
   {
     return say("--stability", "SOLIDMOMENTS_ENABLE_STABILITY");
@@ -363,6 +117,77 @@ std::string FindForeignOption(const CLI::App& app, const sm::Arguments& argument
   return {};
 }
 
+/// An error message for a column or an expression that cannot be, or for something required that is not computed; empty otherwise.
+std::string FindWrongRequest(const CLI::App& app, const sm::Arguments& arguments)
+{
+  sm::Json file = sm::UnreadableFile("", "");
+  sm::AddPlaceholders(arguments.Job, file);
+  const std::vector<std::string> known = sm::ListColumns(file);
+  for (const std::vector<std::string>& columns : { arguments.Print, arguments.Fields })
+  {
+    for (const std::string& column : columns)
+    {
+      if (std::find(known.begin(), known.end(), column) == known.end())
+      {
+        return "there is no column \"" + column +
+          "\"; the user guide has them, for example volume or center_x";
+      }
+    }
+  }
+  for (const std::string& text : arguments.Job.Integrals)
+  {
+    std::string name;
+    std::string expression;
+    sm::ParseIntegral(text, name, expression);
+    const std::string error = sm::UserExpression(expression, {}).GetError();
+    if (!error.empty())
+    {
+      return "the integral " + name + " cannot be computed: " + error;
+    }
+  }
+  const auto wants = [&arguments](const char* word)
+  { return std::find(arguments.Require.begin(), arguments.Require.end(), word) != arguments.Require.end(); };
+  if (wants("stable") && arguments.Job.Stability.empty())
+  {
+    return "--require stable is for --stability: add the direction of gravity, for example -z";
+  }
+  if (app.count("--depth") > 0 && !arguments.Job.PartsList)
+  {
+    return "--depth is for the parts list: add --bom";
+  }
+  if (app.count("--validation-limit") > 0 && !arguments.Job.Validate)
+  {
+    return "--validation-limit is for --validate";
+  }
+  if (wants("validation") && !arguments.Job.Validate)
+  {
+    return "--require validation is for --validate: add it";
+  }
+  if (!arguments.Job.ValidationTarget.empty() && arguments.Files.size() > 1)
+  {
+    return "--write-validation writes one file: name one file to read";
+  }
+  if (arguments.Job.ValidationTarget == "-")
+  {
+    return "--write-validation cannot go to standard output";
+  }
+  if (arguments.Urdf == "-")
+  {
+    return "inertial blocks need a file: --urdf cannot go to standard output";
+  }
+  if (arguments.PartsCsv == "-")
+  {
+    return "the parts list needs a file: --bom-csv cannot go to standard output";
+  }
+  if (app.count("--fields") > 0 && arguments.Csv.empty())
+  {
+    return "--fields is for --csv: add a file name";
+  }
+  return !arguments.Print.empty() && (arguments.Json == "-" || arguments.Csv == "-")
+    ? "only one of --print, --json and --csv can go to standard output"
+    : "";
+}
+
 /// An error message when outputs exclude each other or have a wrong name; empty otherwise.
 std::string FindWrongOutput(const sm::Arguments& arguments)
 {
@@ -380,6 +205,44 @@ std::string FindWrongOutput(const sm::Arguments& arguments)
     return "--png writes PNG files only: the name must end in .png, and " + arguments.Picture + " does not";
   }
   return sm::CheckOutputs(arguments);
+}
+
+void PrintMaterials()
+{
+  for (const sm::Material& material : sm::GetCommonMaterials())
+  {
+    std::cout << std::left << std::setw(18) << material.Name << sm::FormatDigits(material.Density, 6)
+              << " kg/m^3\n";
+  }
+}
+
+/// Takes over densities and frame. Returns an error message when the materials cannot be read, otherwise an empty text.
+std::string TakeMass(sm::Arguments& arguments)
+{
+  sm::JobOptions& job = arguments.Job;
+  if (!arguments.About.empty())
+  {
+    sm::ParseFrame(arguments.About, job.About);
+  }
+  if (!arguments.Materials.empty())
+  {
+    const std::string problem = sm::ReadMaterialFile(arguments.Materials, job.Materials);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  job.PartsList = job.PartsList || !arguments.PartsCsv.empty();
+  const sm::Material material = sm::ParseDensity(arguments.Density);
+  if (material.Name.empty())
+  {
+    job.Density = material.Density;
+  }
+  else
+  {
+    job.Materials.push_back({ "*", material });
+  }
+  return {};
 }
 
 /// An error message when arguments that are well-formed one by one do not fit together; empty otherwise.
@@ -402,6 +265,11 @@ std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
   {
     return "--up is for --waterline: add a height";
   }
+  const std::string wrongRequest = FindWrongRequest(app, arguments);
+  if (!wrongRequest.empty())
+  {
+    return wrongRequest;
+  }
   const std::string problem = FindWrongOutput(arguments);
   return problem.empty() ? sm::MakeTextureFolder(arguments) : problem;
 }
@@ -414,14 +282,9 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   CLI::App app("Volume, area, centre of mass and inertia of the parts in STEP files, from their exact NURBS\n"
                "geometry, integrated on the GPU, with error bounds.",
     "solidmoments");
-  app.set_version_flag("--version", std::string("solidmoments ") + Version);
+  app.set_version_flag("--version,-V", std::string("solidmoments ") + Version);
   app.footer(Footer);
-  DeclareFiles(app, arguments);
-  DeclareComputation(app, arguments.Job);
-  DeclareIntegrals(app, arguments);
-  DeclareWaterlines(app, arguments);
-  DeclareStability(app, arguments);
-  DeclareSchemes(app, arguments);
+  DeclareOptions(app, arguments);
   try
   {
     app.parse(argc, argv);
@@ -430,9 +293,16 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   {
     return app.exit(error) == 0 ? AllOk : UsageOrOutput;
   }
+  if (arguments.ListMaterials)
+  {
+    PrintMaterials();
+    return AllOk;
+  }
+  arguments.Files = ExpandFolders(arguments.Files);
   ParseDirection(arguments.Up, arguments.Job.Up);
   arguments.Job.Scheme = LowerCase(arguments.Job.Scheme);
-  const std::string problem = FindProblem(app, arguments);
+  const std::string wrongMaterials = TakeMass(arguments);
+  const std::string problem = wrongMaterials.empty() ? FindProblem(app, arguments) : wrongMaterials;
   if (!problem.empty())
   {
     return Complain(problem);

@@ -17,12 +17,24 @@ namespace sm
 struct Arguments
 {
   std::vector<std::string> Files;
-  std::string Json; ///< empty: none; "-": standard output
-  std::string Csv;  ///< empty: none; "-": standard output
+  std::string Json;     ///< empty: none; "-": standard output
+  std::string Csv;      ///< empty: none; "-": standard output
+  std::string PartsCsv; ///< parts lists of all files; empty: none
+  std::string Urdf;     ///< inertial blocks of robots; empty: none
   std::string Picture;
   std::string TextureFolder; ///< for trim textures; empty: none
   std::string Up = "0,0,1";  ///< upward normal of the waterlines
-  JobOptions Job;            ///< the options that all files share
+  std::string Density;       ///< a number or the name of a common material; empty: what the files state
+  std::string Materials;     ///< file with materials by the names of solids; empty: none
+  std::string About;         ///< see ParseFrame(); empty: none
+  bool ListMaterials = false;
+  std::vector<std::string>
+    Print; ///< columns of each file's total to print instead of the table; empty: the table
+  std::vector<std::string> Fields; ///< columns of the CSV; empty: all
+  /// Statuses of a file that make the exit status 3; unreadable files have their own.
+  std::vector<std::string> FailOn = { "open", "tolerance-not-met", "suspect", "not-computed", "empty" };
+  std::vector<std::string> Require; ///< "stable", "mass": without it the exit status is 3
+  JobOptions Job;                   ///< the options that all files share
   bool Quiet = false;
 };
 

@@ -1,13 +1,17 @@
 #include "smFileJob.h"
 
+#include "smFileEntry.h"
 #include "smMassPropertyNames.h"
 #include "smMessageCollector.h"
 #include "smMessageList.h"
 #include "smOptions.h"
+#include "smPartsList.h"
 #include "smPicture.h"
+#include "smProductTree.h"
 #include "smQuantities.h"
 #include "smText.h"
 #include "smUserIntegrals.h"
+#include "smValidation.h"
 #ifdef SM_HAS_BUOYANCY
 #include "smBuoyancyJob.h"
 #endif
@@ -19,14 +23,12 @@
 #endif
 
 #include "vtkAlgorithm.h"
-#include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkComputeContext.h"
-#include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkLogger.h"
 #include "vtkMassPropertiesGPU.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
@@ -45,115 +47,6 @@ namespace
 {
 using sm::Json;
 namespace names = sm::names;
-
-// --- from tables to JSON -----------------------------------------------------------------------
-
-/// The quantities of a row of field data or of a table.
-Json GetQuantities(vtkFieldData* data, vtkIdType row)
-{
-  Json quantities = sm::GetQuantities(data, row);
-  // A build without the schemes has the same keys.
-  quantities.update({ { "paper_error_estimate", nullptr }, { "paper_error_estimate_with_boundary", nullptr },
-    { "sub_patches", nullptr } });
-#ifdef SM_HAS_MOMENT_SCHEMES
-  quantities.update(sm::GetSchemeQuantities(data, row));
-#endif
-  return quantities;
-}
-
-/// For each solid the edges with the widest gaps, at most five, without those that have no gap. The table has the widest first.
-std::vector<Json> WorstEdges(vtkTable* table, vtkIdType solids)
-{
-  const size_t most = 5;
-  std::vector<Json> worst(static_cast<size_t>(solids), Json::array());
-  vtkDataSetAttributes* columns = table->GetRowData();
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-  {
-    const Json widest = sm::GetNumber(columns, row, names::MaxGap);
-    if (widest.is_null() || widest == 0.0)
-    {
-      break;
-    }
-    Json& edges = worst.at(sm::GetCount(columns, row, names::Solid).get<size_t>());
-    if (edges.size() == most)
-    {
-      continue;
-    }
-    Json edge;
-    edge["id"] = sm::GetCount(columns, row, names::EdgeId);
-    edge["name"] = sm::GetText(columns, row, names::Name);
-    edge["uses"] = sm::GetCount(columns, row, names::Uses);
-    edge["open"] = sm::GetCount(columns, row, names::Open) != 0;
-    edge["max_gap"] = widest;
-    edge["gap_area"] = sm::GetNumber(columns, row, names::GapArea);
-    edge["gap_squared"] = sm::GetNumber(columns, row, names::GapSquared);
-    edges.push_back(std::move(edge));
-  }
-  return worst;
-}
-
-Json Solids(vtkTable* table, vtkTable* edges)
-{
-  Json solids = Json::array();
-  const std::vector<Json> worst = WorstEdges(edges, table->GetNumberOfRows());
-  vtkDataSetAttributes* columns = table->GetRowData();
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-  {
-    Json solid;
-    solid["name"] = sm::GetText(columns, row, names::Name);
-    solid["id"] = sm::GetText(columns, row, names::Id);
-    solid["status"] = sm::GetText(columns, row, names::Status);
-    solid.update(GetQuantities(columns, row));
-    solid["worst_edges"] = worst[static_cast<size_t>(row)];
-    solids.push_back(std::move(solid));
-  }
-  return solids;
-}
-
-Json EmptyFile(const std::string& fileName)
-{
-  vtkNew<vtkFieldData> nothing;
-  Json file;
-  sm::SetFileName(file, fileName);
-  file["length_unit"] = nullptr;
-  file["status"] = names::StatusUnreadable;
-  file["messages"] = Json::array();
-  file["scheme"] = nullptr;
-  file["scheme_options"] = nullptr;
-  file["backend"] = nullptr;
-  file["renderer"] = nullptr;
-  file["total"] = GetQuantities(nothing, 0);
-  file["solids"] = Json::array();
-  file["integrals"] = Json::object();
-  file["waterlines"] = Json::array();
-  file["faces"] = nullptr;
-  file["free_faces"] = nullptr;
-  file["diagonal"] = nullptr;
-  file["evaluations"] = nullptr;
-  file["dispatches"] = nullptr;
-  file["seconds"] = { { "start", nullptr }, { "read", nullptr }, { "prepare", nullptr },
-    { "integrate", nullptr } };
-  return file;
-}
-
-/// The diagonal of the bounding box of all display meshes; null where there are none.
-Json Diagonal(vtkDataObject* input)
-{
-  vtkBoundingBox box;
-  auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(input);
-  for (unsigned int i = 0; parts && i < parts->GetNumberOfPartitionedDataSets(); ++i)
-  {
-    for (unsigned int j = 0; j < parts->GetNumberOfPartitions(i); ++j)
-    {
-      auto* mesh = vtkDataSet::SafeDownCast(parts->GetPartitionAsDataObject(i, j));
-      if (mesh && mesh->GetNumberOfPoints() > 0)
-      {
-        box.AddBounds(mesh->GetBounds());
-      }
-    }
-  }
-  return box.IsValid() ? Json(box.GetDiagonalLength()) : Json();
-}
 
 // --- progress ----------------------------------------------------------------------------------
 
@@ -197,11 +90,16 @@ private:
 
 // --- the job -----------------------------------------------------------------------------------
 
+const std::string& GetSource(const sm::JobOptions& options)
+{
+  return options.SourceName.empty() ? options.FileName : options.SourceName;
+}
+
 /// Reads the file; false when there is nothing to integrate, for the reason that status and messages of the entry give.
 bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
   sm::MessageList& messages)
 {
-  reader->SetFileName(options.FileName.c_str());
+  reader->SetFileName(GetSource(options).c_str());
   reader->SetOutputUnit(options.Unit);
   {
     ProgressScope progress(reader, sm::stages::Read, send);
@@ -272,12 +170,17 @@ vtkSmartPointer<vtkMassPropertiesBase> MakeFilter(vtkSTEPReader* reader, const s
 #endif
   filter->SetInputConnection(reader->GetOutputPort());
   sm::SetUpFilter(filter, options);
-  filter->SetDensity(options.Density);
+  sm::SetUpMass(filter, options);
+  if (!options.About.empty())
+  {
+    const std::vector<double>& about = options.About;
+    filter->SetReferenceFrame(about.data(), about.data() + 3, about.data() + 6);
+  }
   return filter;
 }
 
-void Integrate(
-  vtkMassPropertiesBase* filter, const sm::JobListener& send, Json& file, sm::MessageList& messages)
+void Integrate(vtkMassPropertiesBase* filter, const sm::JobOptions& options, const sm::JobListener& send,
+  Json& file, sm::MessageList& messages)
 {
   {
     ProgressScope progress(filter, sm::stages::Integrate, send);
@@ -289,11 +192,18 @@ void Integrate(
   messages.AddFilter(filter);
   file["backend"] = filter->GetBackendName();
   file["renderer"] = filter->GetRenderer();
-  file["total"] = GetQuantities(fields, 0);
-  file["solids"] = Solids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)),
+  file["total"] = sm::GetTotal(fields);
+  if (!options.About.empty())
+  {
+    const auto get = [&options](size_t i) {
+      return Json({ options.About[i], options.About[i + 1], options.About[i + 2] });
+    };
+    file["frame"] = { { "origin", get(0) }, { "z_axis", get(3) }, { "x_axis", get(6) } };
+  }
+  file["solids"] = sm::GetSolids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)),
     vtkTable::SafeDownCast(filter->GetOutputDataObject(4)));
   file["faces"] = filter->GetNumberOfFaces();
-  file["diagonal"] = Diagonal(filter->GetInputDataObject(0, 0));
+  file["diagonal"] = sm::GetDiagonal(filter->GetInputDataObject(0, 0));
   file["evaluations"] = filter->GetEvaluations();
   file["dispatches"] = filter->GetDispatches();
   file["seconds"]["start"] = filter->GetStartSeconds();
@@ -371,16 +281,49 @@ vtkSmartPointer<vtkPolyData> IntegrateMore(vtkSTEPReader* reader, const sm::JobO
   return drawing;
 }
 
-void Run(const sm::JobOptions& options, const sm::JobListener& send, vtkSTEPReader* reader)
+/// What follows from the product structure and the solids that were computed: parts list and validation properties.
+void AddProducts(vtkSTEPReader* reader, const sm::JobOptions& options, Json& file, sm::MessageList& messages)
+{
+  if (!options.PartsList && !options.Validate && options.ValidationTarget.empty())
+  {
+    return;
+  }
+  const Json tree = sm::GetProductTree(reader);
+  if (options.PartsList)
+  {
+    file["parts"] = sm::MakePartsList(tree, file["solids"], options.Depth);
+  }
+  if (options.Validate)
+  {
+    file["validation"] = sm::CompareValidation(GetSource(options), tree, file, options.ValidationLimit);
+  }
+  if (!options.ValidationTarget.empty())
+  {
+    const std::string problem = sm::WriteValidation(GetSource(options), tree, file, options.ValidationTarget);
+    if (!problem.empty())
+    {
+      messages.AddEcho(problem);
+      file["status"] = names::StatusNotComputed;
+    }
+  }
+}
+
+void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkSTEPReader* reader)
 {
   vtkNew<smMessageCollector> collector;
   vtkOutputWindow::SetInstance(collector);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkSMPTools::SetBackend("STDThread");
 
-  Json file = EmptyFile(options.FileName);
+  Json file = sm::MakeEmptyFile(given.FileName);
   sm::MessageList messages;
-  const bool isRead = Read(reader, options, send, file, messages);
+  const bool isRead = Read(reader, given, send, file, messages);
+  sm::JobOptions options = given;
+  for (const std::string& pattern : isRead ? given.Only : std::vector<std::string>())
+  {
+    const std::vector<std::string> selectors = sm::FindProducts(reader, pattern);
+    options.Selectors.insert(options.Selectors.end(), selectors.begin(), selectors.end());
+  }
   const auto filter = MakeFilter(reader, options);
   vtkSmartPointer<vtkPolyData> stability;
   if (isRead)
@@ -391,7 +334,15 @@ void Run(const sm::JobOptions& options, const sm::JobListener& send, vtkSTEPRead
 #endif
     file["status"] = names::StatusNotComputed;
     SendResult(send, file, messages, false);
-    Integrate(filter, send, file, messages);
+    Integrate(filter, options, send, file, messages);
+    AddProducts(reader, options, file, messages);
+#ifdef SM_HAS_STABILITY
+    if (options.Box)
+    {
+      SendResult(send, file, messages, false);
+      sm::AddBoxes(reader, file);
+    }
+#endif
     stability = IntegrateMore(reader, options, send, file, messages);
   }
   for (const std::string& message : collector->GetMessages())
@@ -436,6 +387,22 @@ bool ParseDirection(const std::string& text, std::array<double, 3>& direction)
   return direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0;
 }
 
+bool ParseFrame(const std::string& text, std::vector<double>& frame)
+{
+  const std::vector<double> given = LowerCase(text) == "origin" ? std::vector<double>(3) : ParseNumbers(text);
+  frame = { 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0 };
+  if ((given.size() != 3 && given.size() != 9) ||
+    !std::all_of(given.begin(), given.end(), [](double number) { return std::isfinite(number); }))
+  {
+    return false;
+  }
+  std::copy(given.begin(), given.end(), frame.begin());
+  // The least sine that vtkMassPropertiesBase takes, with a margin.
+  double across[3];
+  vtkMath::Cross(frame.data() + 3, frame.data() + 6, across);
+  return vtkMath::Norm(across) > 2e-6 * vtkMath::Norm(frame.data() + 3) * vtkMath::Norm(frame.data() + 6);
+}
+
 bool ParseQuantityTolerance(
   const std::string& text, std::string& quantity, double& relative, double& absolute)
 {
@@ -445,6 +412,7 @@ bool ParseQuantityTolerance(
     return false;
   }
   quantity = text.substr(0, equals);
+  quantity = quantity == "centre" ? "center" : quantity;
   if (quantity != "volume" && quantity != "area" && quantity != "center" && quantity != "inertia")
   {
     return false;
@@ -525,7 +493,7 @@ int GetExitStatus(const Json& file)
 
 Json UnreadableFile(const std::string& fileName, const std::string& message)
 {
-  Json file = EmptyFile(fileName);
+  Json file = sm::MakeEmptyFile(fileName);
   file["messages"].push_back(message);
   return file;
 }

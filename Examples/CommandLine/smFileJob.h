@@ -6,6 +6,7 @@
 #define smFileJob_h
 
 #include "smJson.h"
+#include "smMaterials.h"
 
 #include <array>
 #include <chrono>
@@ -20,6 +21,7 @@ namespace sm
 struct JobOptions
 {
   std::string FileName;
+  std::string SourceName;  ///< plain file with the content of FileName (InputFile); empty: that is one
   std::string PictureName; ///< PNG file to draw; empty: none
   std::string Unit = "mm"; ///< length unit of all results, or "file"
   std::string Backend = "auto";
@@ -45,6 +47,18 @@ struct JobOptions
   std::string Deviation = "bounded";
   std::string TexturePrefix; ///< "folder/stem": trim textures go to folder/stem-NAME.png; empty: none
   double Density = 0.0;      ///< kg/m^3; 0: the density in the file
+  /// Materials by the names of solids, before Density; see vtkMassPropertiesBase::AddMaterial.
+  std::vector<MaterialRule> Materials;
+  /// Name patterns of products (MatchesPattern): only these are computed; none: all.
+  std::vector<std::string> Only;
+  std::vector<std::string> Selectors; ///< of these products, once the file is read
+  bool PartsList = false;             ///< adds "parts" to the entry, see MakePartsList()
+  int Depth = 0;                      ///< levels of the parts list; 0: all
+  bool Box = false;                   ///< adds "bounding_box" to the quantities
+  bool Validate = false;              ///< adds "validation" to the entry, see CompareValidation()
+  double ValidationLimit = 1e-3;
+  std::string ValidationTarget; ///< STEP file to write with validation properties; empty: none
+  std::vector<double> About;    ///< a frame of reference, see ParseFrame(); empty: none
 };
 
 /// Stages of a job, in their order: reading; mass properties; then what else was asked for.
@@ -84,6 +98,10 @@ bool ParseQuantityTolerance(
 
 /// Parses "x", "+y", "-z", or three numbers, "0,0.1,-1"; false when the text is neither, or all three are 0.
 bool ParseDirection(const std::string& text, std::array<double, 3>& direction);
+
+/// Parses "origin", a point "X,Y,Z", or a frame of nine numbers: origin, direction of its z axis, direction of its x axis. False when the
+/// text is none of them, or the directions make no frame.
+bool ParseFrame(const std::string& text, std::vector<double>& frame);
 
 /// The entry of a file that could not be read: it has every key, and the values are null.
 Json UnreadableFile(const std::string& fileName, const std::string& message);

@@ -216,6 +216,11 @@ bool Listen(int descriptor, pid_t child, Clock::time_point deadline, Listener& l
   }
 }
 
+bool IsOverProcessorLimit(int status)
+{
+  return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
+}
+
 /// How a child ended, with its process as the subject; empty if it ended normally.
 std::string DescribeEnd(int status, bool isTimeOver, bool isOutOfMemory, const sm::JobOptions& options)
 {
@@ -225,7 +230,11 @@ std::string DescribeEnd(int status, bool isTimeOver, bool isOutOfMemory, const s
       " s of --max-seconds and was ended";
   }
   std::string end;
-  if (WIFSIGNALED(status))
+  if (IsOverProcessorLimit(status))
+  {
+    end = "used all the processor time that the system allows it (ulimit -t) and was ended";
+  }
+  else if (WIFSIGNALED(status))
   {
     const int number = WTERMSIG(status);
     end = "ended by signal " + std::to_string(number) + " (" + strsignal(number) +
@@ -367,7 +376,8 @@ JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& pro
   const std::string end = DescribeEnd(status, isTimeOver, isOutOfMemory, options);
   if (!listener.IsComplete)
   {
-    AddFailure(options, listener, end, isTimeOver || isOutOfMemory, outcome.File);
+    AddFailure(
+      options, listener, end, isTimeOver || isOutOfMemory || IsOverProcessorLimit(status), outcome.File);
   }
   else if (!end.empty() && !isTimeOver)
   {

@@ -128,7 +128,12 @@ std::string MakeTextureFolder(const Arguments& arguments)
 std::string CheckOutputs(const Arguments& arguments)
 {
   std::map<std::string, std::string> taken;
-  for (const std::string& file : arguments.Files)
+  std::vector<std::string> inputs = arguments.Files;
+  if (!arguments.Materials.empty())
+  {
+    inputs.push_back(arguments.Materials);
+  }
+  for (const std::string& file : inputs)
   {
     for (const std::string& identity : Identities(file))
     {
@@ -136,11 +141,12 @@ std::string CheckOutputs(const Arguments& arguments)
     }
   }
   std::vector<std::pair<std::string, std::string>> outputs = { { "--json", arguments.Json },
-    { "--csv", arguments.Csv } };
+    { "--csv", arguments.Csv }, { "--bom-csv", arguments.PartsCsv }, { "--urdf", arguments.Urdf } };
   for (const std::string& picture : PictureNames(arguments))
   {
     outputs.emplace_back("--png", picture);
   }
+  outputs.emplace_back("--write-validation", arguments.Job.ValidationTarget);
   for (const auto& [option, name] : outputs)
   {
     if (name.empty() || name == "-")
@@ -156,7 +162,8 @@ std::string CheckOutputs(const Arguments& arguments)
         return option + " would overwrite " + name + ", which is " + found->second;
       }
     }
-    if (IsStepFile(name))
+    // Only this one is meant to be a STEP file.
+    if (IsStepFile(name) && option != "--write-validation")
     {
       return option + " would overwrite " + name + ", which is a STEP file; name another file";
     }

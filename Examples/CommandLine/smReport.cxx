@@ -1,6 +1,8 @@
 #include "smReport.h"
 
 #include "smFormat.h"
+#include "smPartsList.h"
+#include "smTableText.h"
 #include "smText.h"
 
 #include <algorithm>
@@ -14,36 +16,10 @@ using sm::Json;
 const size_t MaximumSolids = 20;
 const size_t MaximumMessages = 12;
 
-/// True for every byte but those that continue a character of UTF-8.
-bool StartsCharacter(char byte)
+/// "1 face", "2 faces".
+std::string Count(const Json& number, const std::string& one, const std::string& more)
 {
-  return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
-}
-
-size_t Length(const std::string& text)
-{
-  return static_cast<size_t>(std::count_if(text.begin(), text.end(), StartsCharacter));
-}
-
-std::string Shorten(const std::string& text, size_t width)
-{
-  size_t end = 0;
-  for (size_t count = 0; end < text.size(); ++end)
-  {
-    count += StartsCharacter(text[end]) ? 1 : 0;
-    if (count > width)
-    {
-      break;
-    }
-  }
-  return text.substr(0, end);
-}
-
-std::string Pad(const std::string& text, size_t width, bool right = false)
-{
-  const size_t length = Length(text);
-  const std::string blanks(length < width ? width - length : 0, ' ');
-  return right ? blanks + text : text + blanks;
+  return number.is_null() ? "- " + more : Dump(number) + " " + (number == 1 ? one : more);
 }
 
 std::string Plain(const Json& value)
@@ -80,14 +56,14 @@ std::string ShortBound(const Json& value)
 std::string Row(
   const std::string& label, const std::string& value, const std::string& unit, const Json& bound)
 {
-  std::string line = "  " + Pad(label, 22) + value;
+  std::string line = "  " + sm::Pad(label, 22) + value;
   if (value != "-" && !unit.empty())
   {
     line += " " + unit;
   }
   if (bound.is_number())
   {
-    line = Pad(line, 80) + "  +/- " + ShortBound(bound);
+    line = sm::Pad(line, 80) + "  +/- " + ShortBound(bound);
   }
   return line + "\n";
 }
@@ -97,7 +73,8 @@ std::string BoundedRow(
   const std::string& label, const std::string& value, const std::string& unit, const Json& bound)
 {
   const std::string row = Row(label, value, unit, bound);
-  return value == "-" || bound.is_number() ? row : Pad(row.substr(0, row.size() - 1), 80) + "  no bound\n";
+  return value == "-" || bound.is_number() ? row
+                                           : sm::Pad(row.substr(0, row.size() - 1), 80) + "  no bound\n";
 }
 
 /// Three rows for a matrix whose entries are known to within `limit`, with the bound in the first; `hasBound` says that there should be one.
@@ -121,8 +98,8 @@ std::string Rows(
   std::string text;
   for (size_t i = 0; i < 3; ++i)
   {
-    const std::string line = Pad(cells[i][0], width, true) + "  " + Pad(cells[i][1], width, true) + "  " +
-      Pad(cells[i][2], width, true);
+    const std::string line = sm::Pad(cells[i][0], width, true) + "  " + sm::Pad(cells[i][1], width, true) +
+      "  " + sm::Pad(cells[i][2], width, true);
     text += i == 0 ? (hasBound ? BoundedRow(label, line, unit, limit) : Row(label, line, unit, nullptr))
                    : Row("", line, "", nullptr);
   }
@@ -162,9 +139,9 @@ std::string IntegralRows(const Json& file)
     const Json& bound = (*item)["bound"];
     text += BoundedRow(item.key(), sm::FormatValue((*item)["value"], bound), "", bound);
   }
-  return integrals.size() > most
-    ? text + "  ... and " + std::to_string(integrals.size() - most) + " more integrals, see --json\n"
-    : text;
+  return integrals.size() > most ? text + "  ... and " +
+      Count(integrals.size() - most, "more integral", "more integrals") + ", see --json\n"
+                                 : text;
 }
 
 /// Static stability, where the user asked for it.
@@ -211,7 +188,7 @@ std::string WaterlineRows(const Json& file)
   for (const Json& waterline : file["waterlines"])
   {
     const Json& bounds = waterline["bounds"];
-    text += BoundedRow("below " + Short(waterline["height"]),
+    text += BoundedRow("below " + Short(waterline["height"]) + " " + sm::FormatUnit(file, 1),
       sm::FormatValue(waterline["volume"], bounds["volume"]), sm::FormatUnit(file, 3), bounds["volume"]);
     text += BoundedRow("  its centre", sm::FormatVector(waterline["center"], bounds["center"]),
       sm::FormatUnit(file, 1), bounds["center"]);
@@ -239,6 +216,97 @@ std::string DefectRows(const Json& total, const Json& file)
   return text;
 }
 
+/// True if all densities are known and not all the same.
+bool HasMixedDensities(const Json& total)
+{
+  return total["mass"].is_number() && total["density"].is_null();
+}
+
+/// Mass, and what the densities are the weight of; of the solids that have a density where not all have one.
+std::string MassRows(const Json& total, const Json& file)
+{
+  const Json& bounds = total["bounds"];
+  const std::string length = sm::FormatUnit(file, 1);
+  if (total["mass"].is_null())
+  {
+    return total["known_mass"].is_null()
+      ? std::string()
+      : BoundedRow(
+          "mass of " + Plain(total["solids_with_mass"]) + " of " + Plain(total["solids_with_volume"]),
+          sm::FormatValue(total["known_mass"], bounds["known_mass"]), "kg", bounds["known_mass"]);
+  }
+  std::string text = BoundedRow("mass", sm::FormatValue(total["mass"], bounds["mass"]), "kg", bounds["mass"]);
+  if (HasMixedDensities(total))
+  {
+    text += BoundedRow("centre of mass", sm::FormatVector(total["mass_center"], bounds["mass_center"]),
+      length, bounds["mass_center"]);
+  }
+  return text +
+    Rows(
+      "mass inertia", total["mass_inertia"], bounds["mass_inertia"], "kg " + sm::FormatUnit(file, 2), true);
+}
+
+/// Centre and inertia in the frame that the user asked for.
+std::string FrameRows(const Json& total, const Json& file)
+{
+  const Json& about = total["about"];
+  if (about.is_null())
+  {
+    return {};
+  }
+  const Json& bounds = about["bounds"];
+  const std::string length = sm::FormatUnit(file, 1);
+  const bool isMixed = HasMixedDensities(total);
+  std::string text =
+    Row("in the frame", "at " + sm::FormatVector(file["frame"]["origin"], nullptr), length, nullptr);
+  text += BoundedRow(isMixed ? "  centre of volume" : "  centre of mass",
+    sm::FormatVector(about["center_of_mass"], bounds["center_of_mass"]), length, bounds["center_of_mass"]);
+  if (isMixed)
+  {
+    text += BoundedRow("  centre of mass", sm::FormatVector(about["mass_center"], bounds["mass_center"]),
+      length, bounds["mass_center"]);
+  }
+  text += Rows("  inertia", about["inertia"], bounds["inertia"], sm::FormatUnit(file, 5), true);
+  return about["mass_inertia"].is_null() ? text
+                                         : text +
+      Rows("  mass inertia", about["mass_inertia"], bounds["mass_inertia"], "kg " + sm::FormatUnit(file, 2),
+        true);
+}
+
+/// How many of the file's validation properties are right, and those that are not.
+std::string ValidationRows(const Json& file)
+{
+  if (!file.contains("validation"))
+  {
+    return {};
+  }
+  std::string text = Row("validation",
+    std::to_string(sm::CountValidation(file, "pass")) + " pass, " +
+      std::to_string(sm::CountValidation(file, "fail")) + " fail, " +
+      std::to_string(sm::CountValidation(file, "not-comparable")) + " not comparable",
+    "", nullptr);
+  size_t listed = 0;
+  for (const Json& entry : file["validation"])
+  {
+    if (entry["result"] != "fail" || ++listed > MaximumMessages)
+    {
+      continue;
+    }
+    const int power = entry["quantity"] == "volume" ? 3 : entry["quantity"] == "area" ? 2 : 1;
+    const auto format = [&entry](const char* key)
+    {
+      return entry[key].is_array() ? sm::FormatVector(entry[key], nullptr)
+                                   : sm::FormatValue(entry[key], nullptr);
+    };
+    text += Row("",
+      Plain(entry["product"]) + ": " + Plain(entry["quantity"]) + " stated " + format("stated") +
+        ", computed " + format("computed") + " " + sm::FormatUnit(file, power) + "; differs by " +
+        Short(entry["difference"]) + ", limit " + Short(entry["limit"]),
+      "", nullptr);
+  }
+  return text;
+}
+
 /// All rows of a file that the filter ran on.
 std::string Results(const Json& file)
 {
@@ -248,49 +316,45 @@ std::string Results(const Json& file)
   const std::string inertiaUnit = sm::FormatUnit(file, 5);
   const size_t solids = file["solids"].size();
   const std::string renderer = Plain(file["renderer"]);
-  std::string text = "  " + std::to_string(solids) + (solids == 1 ? " body, " : " bodies, ") +
-    Plain(file["faces"]) + " faces, unit " + length + ", backend " + Plain(file["backend"]) +
-    (renderer.empty() ? "" : " on " + renderer) + "\n";
+  std::string text = "  " + Count(solids, "body", "bodies") + ", " + Count(file["faces"], "face", "faces") +
+    ", unit " + length + ", backend " + Plain(file["backend"]) + (renderer.empty() ? "" : " on " + renderer) +
+    "\n";
   text += BoundedRow(
     "volume", sm::FormatValue(total["volume"], bounds["volume"]), sm::FormatUnit(file, 3), bounds["volume"]);
   text += BoundedRow(
     "surface area", sm::FormatValue(total["area"], bounds["area"]), sm::FormatUnit(file, 2), bounds["area"]);
-  text += BoundedRow("centre of mass", sm::FormatVector(total["center_of_mass"], bounds["center_of_mass"]),
-    length, bounds["center_of_mass"]);
-  if (!total["mass"].is_null())
-  {
-    text += BoundedRow("mass", sm::FormatValue(total["mass"], bounds["mass"]), "kg", bounds["mass"]);
-  }
+  // Where densities differ, the centre of the volume is not that of the mass.
+  const bool isMixed = HasMixedDensities(total);
+  text += BoundedRow(isMixed ? "centre of volume" : "centre of mass",
+    sm::FormatVector(total["center_of_mass"], bounds["center_of_mass"]), length, bounds["center_of_mass"]);
+  text += MassRows(total, file);
   text += Rows("inertia about centre", total["inertia"], bounds["inertia"], inertiaUnit, true);
   text += BoundedRow("principal moments", sm::FormatVector(total["principal_moments"], bounds["inertia"]),
     inertiaUnit, bounds["inertia"]);
   text += total["principal_axes_degenerate"] == true
     ? Row("principal axes", "not unique, moments coincide", "", nullptr)
     : Rows("principal axes", total["principal_axes"], 1e-9, "", false);
+  text +=
+    BoundedRow("radii of gyration", sm::FormatVector(total["radii_of_gyration"], bounds["radii_of_gyration"]),
+      length, bounds["radii_of_gyration"]);
+  const Json& box = total["bounding_box"];
+  if (!box.is_null())
+  {
+    text += BoundedRow("bounding box",
+      sm::FormatVector(box[0], bounds["bounding_box"]) + "  to  " +
+        sm::FormatVector(box[1], bounds["bounding_box"]),
+      length, bounds["bounding_box"]);
+  }
+  text += FrameRows(total, file);
   text += StabilityRows(total, file);
   text += IntegralRows(file);
   text += WaterlineRows(file);
   text += SchemeRows(total, file);
+  text += ValidationRows(file);
   text += DefectRows(total, file);
   return text +
-    Row("evaluations", Plain(file["evaluations"]) + " in " + Plain(file["dispatches"]) + " dispatches", "",
-      nullptr);
-}
-
-/// At most 9 digits of a number, or of the largest of three numbers; with a ~ when they have no bound.
-std::string Brief(const Json& value, const Json& bound)
-{
-  if (value.is_null())
-  {
-    return "-";
-  }
-  double limit = bound.is_number() ? bound.get<double>() : 0.0;
-  for (const Json& number : value.is_array() ? value : Json::array({ value }))
-  {
-    limit = std::max(limit, 1e-9 * std::abs(number.get<double>()));
-  }
-  return (bound.is_number() ? "" : "~") +
-    (value.is_array() ? sm::FormatVector(value, limit) : sm::FormatValue(value, limit));
+    Row("evaluations",
+      Plain(file["evaluations"]) + " in " + Count(file["dispatches"], "dispatch", "dispatches"), "", nullptr);
 }
 
 std::string SolidRows(const Json& file)
@@ -301,22 +365,40 @@ std::string SolidRows(const Json& file)
     return {};
   }
   const std::string unit = sm::FormatUnit(file, 1);
-  std::string text = "\n  " + Pad("solid", 24) + Pad("volume " + sm::FormatUnit(file, 3), 18, true) +
-    Pad("area " + sm::FormatUnit(file, 2), 18, true) + "  " + Pad("centre of mass " + unit, 40) + "status\n";
+  const bool hasMass = std::any_of(solids.begin(), solids.end(),
+    [](const Json& solid) { return solid["density"].is_number() || solid["material"].is_string(); });
+  const auto massCells = [hasMass](
+                           const std::string& density, const std::string& mass, const std::string& material)
+  {
+    return hasMass
+      ? sm::Pad(mass, 16, true) + sm::Pad(density, 15, true) + "  " + sm::Pad(sm::Shorten(material, 18), 20)
+      : "";
+  };
+  std::string text = "\n  " + sm::Pad("solid", 24) + sm::Pad("volume " + sm::FormatUnit(file, 3), 18, true) +
+    sm::Pad("area " + sm::FormatUnit(file, 2), 18, true) +
+    massCells("density kg/m^3", "mass kg", "material") + "  " + sm::Pad("centre of mass " + unit, 40) +
+    (solids[0]["stability"].is_object() ? sm::Pad("status", 19) + "stability\n" : "status\n");
   for (size_t i = 0; i < std::min(solids.size(), MaximumSolids); ++i)
   {
     const Json& solid = solids[i];
     const Json& bounds = solid["bounds"];
     std::string name = Plain(solid["name"]);
     name = name.empty() ? Plain(solid["id"]) : name;
-    text += "  " + Pad(Shorten(name, 23), 24) + Pad(Brief(solid["volume"], bounds["volume"]), 18, true) +
-      Pad(Brief(solid["area"], bounds["area"]), 18, true) + "  " +
-      Pad(Brief(solid["center_of_mass"], bounds["center_of_mass"]), 40) + Plain(solid["status"]) + "\n";
+    text += "  " + sm::Pad(sm::Shorten(name, 23), 24) +
+      sm::Pad(sm::FormatBrief(solid["volume"], bounds["volume"]), 18, true) +
+      sm::Pad(sm::FormatBrief(solid["area"], bounds["area"]), 18, true) +
+      massCells(sm::FormatValue(solid["density"], nullptr, 9), sm::FormatBrief(solid["mass"], bounds["mass"]),
+        Plain(solid["material"])) +
+      "  " + sm::Pad(sm::FormatBrief(solid["center_of_mass"], bounds["center_of_mass"]), 40) +
+      (solid["stability"].is_object()
+          ? sm::Pad(Plain(solid["status"]), 19) + Plain(solid["stability"]["verdict"])
+          : Plain(solid["status"])) +
+      "\n";
   }
   if (solids.size() > MaximumSolids)
   {
-    text +=
-      "  ... and " + std::to_string(solids.size() - MaximumSolids) + " more solids, see --csv or --json\n";
+    text += "  ... and " + Count(solids.size() - MaximumSolids, "more solid", "more solids") +
+      ", see --csv or --json\n";
   }
   return text;
 }
@@ -331,7 +413,8 @@ std::string Messages(const Json& file)
   }
   if (messages.size() > MaximumMessages)
   {
-    text += "  ... and " + std::to_string(messages.size() - MaximumMessages) + " more notes, see --json\n";
+    text +=
+      "  ... and " + Count(messages.size() - MaximumMessages, "more note", "more notes") + ", see --json\n";
   }
   return text;
 }
@@ -362,41 +445,19 @@ std::string Write(const Json& value, const std::string& indent)
 
 namespace sm
 {
-std::string FormatValue(const Json& value, const Json& bound, int digits)
-{
-  if (!value.is_number())
-  {
-    return "-";
-  }
-  double number = value.get<double>();
-  const double limit = bound.is_number() ? bound.get<double>() : 0.0;
-  if (limit > 0.0 && std::isfinite(limit))
-  {
-    // Entries of a tensor that are 0 within its bound are shown as 0 and not as rounding errors.
-    const double unit = std::pow(10.0, std::floor(std::log10(limit)));
-    number = std::round(number / unit) * unit;
-  }
-  const std::string text = FormatDigits(number, digits);
-  return text == "-0" ? "0" : text;
-}
-
-std::string FormatVector(const Json& values, const Json& bound)
-{
-  if (values.is_null())
-  {
-    return "-";
-  }
-  const int digits = 10;
-  return FormatValue(values[0], bound, digits) + "  " + FormatValue(values[1], bound, digits) + "  " +
-    FormatValue(values[2], bound, digits);
-}
-
 std::string FormatUnit(const Json& file, int power)
 {
   const Json& unit = file["length_unit"];
   return unit.is_null() || unit.empty() ? std::string()
     : power == 1                        ? unit.get<std::string>()
                                         : unit.get<std::string>() + "^" + std::to_string(power);
+}
+
+int CountValidation(const Json& file, const std::string& result)
+{
+  const Json list = file.contains("validation") ? file["validation"] : Json::array();
+  return static_cast<int>(std::count_if(
+    list.begin(), list.end(), [&result](const Json& entry) { return entry["result"] == result; }));
 }
 
 std::string FormatTable(const Json& file)
@@ -411,7 +472,7 @@ std::string FormatTable(const Json& file)
         Short(seconds["prepare"]) + ", integrate " + Short(seconds["integrate"]),
       "", nullptr);
   }
-  return text + SolidRows(file) + Messages(file);
+  return text + SolidRows(file) + sm::FormatPartsList(file) + Messages(file);
 }
 
 std::string FormatJson(const Json& document)

@@ -9,24 +9,30 @@
 #define smReport_h
 
 #include "smJson.h"
+#include "smTableText.h"
 
 #include <string>
+#include <vector>
 
 namespace sm
 {
-/// A number rounded to the first digit that the bound reaches, with at most `digits` digits; "-" for null.
-std::string FormatValue(const Json& value, const Json& bound, int digits = 12);
-/// Three numbers of at most 10 digits, separated by two blanks; "-" for null.
-std::string FormatVector(const Json& values, const Json& bound);
 /// "mm^3" from "mm" and 3.
 std::string FormatUnit(const Json& file, int power);
+
+/// Number of entries of "validation" with that result.
+int CountValidation(const Json& file, const std::string& result);
 
 /// The table of one file.
 std::string FormatTable(const Json& file);
 /// The whole document; objects over several lines, arrays of numbers on one.
 std::string FormatJson(const Json& document);
 /// A header and, for every file, a row of its total and a row for each solid; missing values are empty.
-std::string FormatCsv(const Json& files);
+/// `fields` are the columns to write, in their order; none: all.
+std::string FormatCsv(const Json& files, const std::vector<std::string>& fields = {});
+/// The columns of the CSV of a file.
+std::vector<std::string> ListColumns(const Json& file);
+/// A line with the columns `fields` of a file's total, separated by blanks; "nan" for a value that does not exist.
+std::string FormatFields(const Json& file, const std::vector<std::string>& fields);
 }
 
 #endif

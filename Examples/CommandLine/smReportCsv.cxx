@@ -1,47 +1,42 @@
 #include "smReport.h"
 
+#include "smTableText.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace
 {
 using sm::Dump;
 using sm::Json;
 
-std::string Cell(const Json& value)
-{
-  if (!value.is_string())
-  {
-    return value.is_null() ? "" : Dump(value);
-  }
-  std::string text = value.get<std::string>();
-  if (text.find_first_of(",\"\n\r") == std::string::npos)
-  {
-    return text;
-  }
-  for (size_t i = text.find('"'); i != std::string::npos; i = text.find('"', i + 2))
-  {
-    text.insert(i, 1, '"');
-  }
-  return "\"" + text + "\"";
-}
-
-/// Adds heads and values of a row together, so that they match.
+/// Heads and values of a row.
 struct Columns
 {
-  std::string Head;
-  std::string Line;
+  std::vector<std::pair<std::string, Json>> Cells;
 
-  void Add(const std::string& head, const Json& value)
+  bool Has(const std::string& head) const
   {
-    this->Head += (this->Head.empty() ? "" : ",") + head;
-    this->Line += (this->Line.empty() ? "" : ",") + Cell(value);
+    return std::any_of(this->Cells.begin(), this->Cells.end(),
+      [&head](const std::pair<std::string, Json>& cell) { return cell.first == head; });
   }
+  void Add(const std::string& head, const Json& value) { this->Cells.emplace_back(head, value); }
   void Add(const std::string& stem, const Json& values, const std::vector<std::string>& suffixes)
   {
     for (size_t i = 0; i < suffixes.size(); ++i)
     {
       this->Add(stem + "_" + suffixes[i], values.is_null() ? Json() : values[i]);
     }
+  }
+  /// The six different entries of a symmetric matrix.
+  void AddMatrix(const std::string& stem, const Json& matrix)
+  {
+    Json six;
+    if (!matrix.is_null())
+    {
+      six = { matrix[0][0], matrix[1][1], matrix[2][2], matrix[0][1], matrix[1][2], matrix[0][2] };
+    }
+    this->Add(stem, six, { "xx", "yy", "zz", "xy", "yz", "xz" });
   }
 };
 
@@ -77,8 +72,11 @@ void AddExtras(const Json& row, const Extras& extras, Columns& columns)
   {
     const bool known = row.contains("integrals") && row["integrals"].contains(name);
     const Json& integral = known ? row["integrals"][name] : nothing;
-    columns.Add(Cell(name), known ? integral["value"] : nothing);
-    columns.Add(Cell(name + "_bound"), known ? integral["bound"] : nothing);
+    // An integral of the user's may be called as a column is.
+    const bool isTaken = columns.Has(name) || columns.Has(name + "_bound");
+    const std::string stem = (isTaken ? "integral_" : "") + name;
+    columns.Add(stem, known ? integral["value"] : nothing);
+    columns.Add(stem + "_bound", known ? integral["bound"] : nothing);
   }
   for (size_t i = 0; i < extras.Waterlines; ++i)
   {
@@ -91,6 +89,55 @@ void AddExtras(const Json& row, const Extras& extras, Columns& columns)
     columns.Add(stem + "_center", known ? waterline["center"] : nothing, { "x", "y", "z" });
     columns.Add(stem + "_center_bound", known ? waterline["bounds"]["center"] : nothing);
   }
+}
+
+void AddMassColumns(const Json& row, Columns& columns)
+{
+  const std::vector<std::string> xyz = { "x", "y", "z" };
+  const Json& bounds = row["bounds"];
+  const Json nothing;
+  columns.Add("density", row["density"]);
+  columns.Add("material", row["material"]);
+  columns.Add("mass_center", row["mass_center"], xyz);
+  columns.Add("mass_center_bound", bounds["mass_center"]);
+  columns.AddMatrix("mass_inertia", row["mass_inertia"]);
+  columns.Add("mass_inertia_bound", bounds["mass_inertia"]);
+  // Only a total has them.
+  const bool isTotal = row.contains("known_mass");
+  columns.Add("known_mass", isTotal ? row["known_mass"] : nothing);
+  columns.Add("known_mass_bound", isTotal ? bounds["known_mass"] : nothing);
+  columns.Add("solids_with_mass", isTotal ? row["solids_with_mass"] : nothing);
+  columns.Add("solids_with_volume", isTotal ? row["solids_with_volume"] : nothing);
+  columns.Add("radius_of_gyration", row["radii_of_gyration"], { "1", "2", "3" });
+  columns.Add("radius_of_gyration_bound", bounds["radii_of_gyration"]);
+  columns.AddMatrix("inertia_at_origin", row["inertia_at_origin"]);
+  columns.Add("inertia_at_origin_bound", bounds["inertia_at_origin"]);
+}
+
+void AddBoxColumns(const Json& row, Columns& columns)
+{
+  const Json nothing;
+  const Json& box = row["bounding_box"];
+  columns.Add("box", box.is_null() ? nothing : box[0], { "xmin", "ymin", "zmin" });
+  columns.Add("box", box.is_null() ? nothing : box[1], { "xmax", "ymax", "zmax" });
+  columns.Add("box_bound", row["bounds"]["bounding_box"]);
+}
+
+/// Columns of the frame of reference, empty without one.
+void AddFrameColumns(const Json& about, Columns& columns)
+{
+  const Json nothing;
+  const auto get = [&](const char* key) -> const Json& { return about.is_null() ? nothing : about[key]; };
+  const auto getBound = [&](const char* key) -> const Json&
+  { return about.is_null() ? nothing : about["bounds"][key]; };
+  columns.Add("about_center", get("center_of_mass"), { "x", "y", "z" });
+  columns.Add("about_center_bound", getBound("center_of_mass"));
+  columns.AddMatrix("about_inertia", get("inertia"));
+  columns.Add("about_inertia_bound", getBound("inertia"));
+  columns.Add("about_mass_center", get("mass_center"), { "x", "y", "z" });
+  columns.Add("about_mass_center_bound", getBound("mass_center"));
+  columns.AddMatrix("about_mass_inertia", get("mass_inertia"));
+  columns.Add("about_mass_inertia_bound", getBound("mass_inertia"));
 }
 
 Columns CsvRow(const Json& file, const Json& row, bool isTotal, const Extras& extras)
@@ -109,13 +156,7 @@ Columns CsvRow(const Json& file, const Json& row, bool isTotal, const Extras& ex
   columns.Add("area_bound", row["bounds"]["area"]);
   columns.Add("center", row["center_of_mass"], { "x", "y", "z" });
   columns.Add("center_bound", row["bounds"]["center_of_mass"]);
-  const Json& inertia = row["inertia"];
-  Json six;
-  if (!inertia.is_null())
-  {
-    six = { inertia[0][0], inertia[1][1], inertia[2][2], inertia[0][1], inertia[1][2], inertia[0][2] };
-  }
-  columns.Add("inertia", six, { "xx", "yy", "zz", "xy", "yz", "xz" });
+  columns.AddMatrix("inertia", row["inertia"]);
   columns.Add("inertia_bound", row["bounds"]["inertia"]);
   columns.Add("principal", row["principal_moments"], { "1", "2", "3" });
   for (size_t i = 0; i < 3; ++i)
@@ -131,24 +172,80 @@ Columns CsvRow(const Json& file, const Json& row, bool isTotal, const Extras& ex
   {
     columns.Add(key, row[key]);
   }
+  AddMassColumns(row, columns);
+  AddFrameColumns(row["about"], columns);
+  AddBoxColumns(row, columns);
   AddExtras(isTotal ? file : row, extras, columns);
   return columns;
+}
+
+/// The cells of these names, in their order; all cells without names.
+std::vector<std::pair<std::string, Json>> Select(
+  const Columns& columns, const std::vector<std::string>& fields)
+{
+  if (fields.empty())
+  {
+    return columns.Cells;
+  }
+  std::vector<std::pair<std::string, Json>> chosen;
+  for (const std::string& field : fields)
+  {
+    const auto found = std::find_if(columns.Cells.begin(), columns.Cells.end(),
+      [&field](const std::pair<std::string, Json>& cell) { return cell.first == field; });
+    // Integrals of other files may be missing here.
+    chosen.push_back(found == columns.Cells.end() ? std::pair(field, Json()) : *found);
+  }
+  return chosen;
+}
+
+std::string FormatRow(const std::vector<std::pair<std::string, Json>>& cells, bool isHead)
+{
+  std::string line;
+  for (size_t i = 0; i < cells.size(); ++i)
+  {
+    line += (i > 0 ? "," : "") + sm::FormatCell(isHead ? Json(cells[i].first) : cells[i].second);
+  }
+  return line + "\n";
 }
 }
 
 namespace sm
 {
-std::string FormatCsv(const Json& files)
+std::vector<std::string> ListColumns(const Json& file)
+{
+  std::vector<std::string> names;
+  for (const auto& [name, value] : CsvRow(file, file["total"], true, FindExtras(Json::array({ file }))).Cells)
+  {
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::string FormatFields(const Json& file, const std::vector<std::string>& fields)
+{
+  std::string line;
+  for (const auto& [name, value] :
+    Select(CsvRow(file, file["total"], true, FindExtras(Json::array({ file }))), fields))
+  {
+    line += (line.empty() ? "" : " ") +
+      (value.is_string()    ? value.get<std::string>()
+          : value.is_null() ? "nan"
+                            : Dump(value));
+  }
+  return line + "\n";
+}
+
+std::string FormatCsv(const Json& files, const std::vector<std::string>& fields)
 {
   const Extras extras = FindExtras(files);
   std::string text;
   for (const Json& file : files)
   {
-    const Columns total = CsvRow(file, file["total"], true, extras);
-    text += (text.empty() ? total.Head + "\n" : "") + total.Line + "\n";
+    const auto total = Select(CsvRow(file, file["total"], true, extras), fields);
+    text += (text.empty() ? FormatRow(total, true) : "") + FormatRow(total, false);
     for (const Json& solid : file["solids"])
     {
-      text += CsvRow(file, solid, false, extras).Line + "\n";
+      text += FormatRow(Select(CsvRow(file, solid, false, extras), fields), false);
     }
   }
   return text;

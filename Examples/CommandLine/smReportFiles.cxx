@@ -1,7 +1,9 @@
 #include "smReportFiles.h"
 
+#include "smPartsList.h"
 #include "smReport.h"
 #include "smSafeFile.h"
+#include "smUrdf.h"
 
 #include <iostream>
 #include <utility>
@@ -39,7 +41,18 @@ int ReportFiles::SaveAll(bool isLast)
     const std::string text = FormatJson({ { "version", 2 }, { "files", this->Files } });
     exitStatus = this->Save(this->JsonName, text, this->InJson, isLast);
   }
-  if (isDue(this->CsvName) && this->Save(this->CsvName, FormatCsv(this->Files), this->InCsv, isLast) != AllOk)
+  if (isDue(this->CsvName) &&
+    this->Save(this->CsvName, FormatCsv(this->Files, this->Fields), this->InCsv, isLast) != AllOk)
+  {
+    exitStatus = UsageOrOutput;
+  }
+  if (isDue(this->PartsName) &&
+    this->Save(this->PartsName, FormatPartsCsv(this->Files), this->InParts, isLast) != AllOk)
+  {
+    exitStatus = UsageOrOutput;
+  }
+  if (isDue(this->UrdfName) &&
+    this->Save(this->UrdfName, FormatUrdf(this->Files), this->InUrdf, isLast) != AllOk)
   {
     exitStatus = UsageOrOutput;
   }

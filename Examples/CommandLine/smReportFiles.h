@@ -8,6 +8,7 @@
 #include "smArguments.h"
 
 #include <string>
+#include <vector>
 
 namespace sm
 {
@@ -22,6 +23,9 @@ public:
   explicit ReportFiles(const Arguments& arguments)
     : JsonName(arguments.Json)
     , CsvName(arguments.Csv)
+    , PartsName(arguments.PartsCsv)
+    , UrdfName(arguments.Urdf)
+    , Fields(arguments.Fields)
   {
   }
 
@@ -38,9 +42,14 @@ private:
 
   std::string JsonName;
   std::string CsvName;
+  std::string PartsName;
+  std::string UrdfName;
+  std::vector<std::string> Fields; ///< columns of the CSV; none: all
   Json Files = Json::array();
   size_t InJson = 0;
   size_t InCsv = 0;
+  size_t InParts = 0;
+  size_t InUrdf = 0;
   /// Bytes of all versions, and number of files when the last was due.
   size_t Written = 0;
   size_t Due = 0;

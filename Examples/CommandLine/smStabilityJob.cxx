@@ -1,5 +1,6 @@
 #include "smStabilityJob.h"
 
+#include "smBodyBox.h"
 #include "smMassPropertyNames.h"
 #include "smMessageList.h"
 #include "smQuantities.h"
@@ -15,6 +16,10 @@
 #include "vtkSTEPReader.h"
 #include "vtkSolidStability.h"
 #include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace
 {
@@ -84,8 +89,8 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptio
   vtkNew<vtkSolidStability> filter;
   filter->SetInputConnection(reader->GetOutputPort());
   filter->SetGravityDirection(direction.data());
-  filter->SetDensity(options.Density);
   SetUpFilter(filter->GetMassProperties(), options);
+  SetUpMass(filter->GetMassProperties(), options);
   filter->GetMassProperties()->SetRelativeTolerance(options.Tolerance);
   // It integrates again, in what is left of the time: its own status may be worse, and its messages say why.
   const auto run = [&]()
@@ -123,5 +128,38 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptio
     ++row;
   }
   return drawing;
+}
+
+void AddBoxes(vtkSTEPReader* reader, Json& file)
+{
+  const std::vector<BodyBox> boxes = ComputeBodyBoxes(reader->GetOutputDataObject(0));
+  const auto set = [](Json& quantities, const BodyBox& box)
+  {
+    const std::array<double, 6>& b = box.Bounds;
+    if (std::isfinite(box.Bound) && b[0] <= b[1])
+    {
+      quantities["bounding_box"] = { { b[0], b[2], b[4] }, { b[1], b[3], b[5] } };
+      quantities["bounds"]["bounding_box"] = box.Bound;
+    }
+  };
+  const double most = std::numeric_limits<double>::infinity();
+  BodyBox total{ { most, -most, most, -most, most, -most }, 0.0 };
+  for (Json& solid : file["solids"])
+  {
+    const BodyBox& box = boxes.at(std::stoul(solid["id"].get<std::string>()) - 1);
+    set(solid, box);
+    for (size_t i = 0; i < 6; i += 2)
+    {
+      total.Bounds[i] = std::min(total.Bounds[i], box.Bounds[i]);
+      total.Bounds[i + 1] = std::max(total.Bounds[i + 1], box.Bounds[i + 1]);
+    }
+    // A NaN stays: a box without a body is not that of all.
+    total.Bound = box.Bound <= total.Bound ? total.Bound : box.Bound;
+    if (std::isnan(box.Bound))
+    {
+      return;
+    }
+  }
+  set(file["total"], total);
 }
 }

@@ -23,6 +23,9 @@ class MessageList;
 /// filter. Returns the drawing for the picture; null when the options have no direction.
 vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages);
+
+/// Sets "bounding_box" and its bound of every solid and of all together.
+void AddBoxes(vtkSTEPReader* reader, Json& file);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
+#include "vtkMassPropertiesBase.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSTEPReader.h"
@@ -148,6 +149,10 @@ void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
 {
   filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));
   SetTimeLimit(filter, options);
+  for (const std::string& selector : options.Selectors)
+  {
+    filter->AddSelector(selector);
+  }
   filter->SetGapLimit(options.GapLimit);
   filter->SetBackend(options.Backend == "auto" ? vtkSurfaceIntegralBase::AUTOMATIC
       : options.Backend == "cpu"               ? vtkSurfaceIntegralBase::CPU
@@ -155,6 +160,15 @@ void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
   filter->GetComputeContext()->SetSource(options.Backend == "egl" ? vtkComputeContext::EGL
       : options.Backend == "x"                                    ? vtkComputeContext::X
                                                                   : vtkComputeContext::AUTOMATIC);
+}
+
+void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options)
+{
+  filter->SetDensity(options.Density);
+  for (const MaterialRule& rule : options.Materials)
+  {
+    filter->AddMaterial(rule.Pattern.c_str(), rule.Material.Name.c_str(), rule.Material.Density);
+  }
 }
 
 void SetTimeLimit(vtkSurfaceIntegralBase* filter, const JobOptions& options)

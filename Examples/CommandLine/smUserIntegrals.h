@@ -11,6 +11,7 @@
 
 class vtkAlgorithm;
 class vtkSTEPReader;
+class vtkMassPropertiesBase;
 class vtkSurfaceIntegralBase;
 
 namespace sm
@@ -28,6 +29,9 @@ std::string FindClash(const JobOptions& options);
 
 /// Gives a filter what all filters of a job share: limits and backend.
 void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options);
+
+/// Gives a filter the densities and materials.
+void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options);
 
 /// Limits the next run of a filter to the seconds that the job has left.
 void SetTimeLimit(vtkSurfaceIntegralBase* filter, const JobOptions& options);

@@ -74,6 +74,55 @@ std::string GetText(vtkFieldData* data, vtkIdType row, const char* name)
   return array && row < array->GetNumberOfTuples() ? array->GetVariantValue(row).ToString() : std::string();
 }
 
+namespace
+{
+/// The centre of mass and the inertia in the frame of reference; null without one.
+Json GetInFrame(vtkFieldData* data, vtkIdType row)
+{
+  if (!data->HasArray(names::VolumeInertiaInFrame))
+  {
+    return nullptr;
+  }
+  const std::string bound = names::BoundSuffix;
+  Json about;
+  about["center_of_mass"] = GetVector(data, row, names::CenterOfMassInFrame, 3);
+  about["inertia"] = GetMatrix(data, row, names::VolumeInertiaInFrame);
+  about["mass_center"] = GetVector(data, row, names::MassCenterInFrame, 3);
+  about["mass_inertia"] = GetMatrix(data, row, names::MassInertiaInFrame);
+  about["central_inertia"] = GetMatrix(data, row, names::CentralInertiaInFrame);
+  about["mass_central_inertia"] = GetMatrix(data, row, names::MassCentralInertiaInFrame);
+  about["bounds"]["central_inertia"] = GetNumber(data, row, names::CentralInertiaInFrame + bound);
+  about["bounds"]["mass_central_inertia"] = GetNumber(data, row, names::MassCentralInertiaInFrame + bound);
+  about["bounds"]["center_of_mass"] = GetNumber(data, row, names::CenterOfMassInFrame + bound);
+  about["bounds"]["inertia"] = GetNumber(data, row, names::VolumeInertiaInFrame + bound);
+  about["bounds"]["mass_center"] = GetNumber(data, row, names::MassCenterInFrame + bound);
+  about["bounds"]["mass_inertia"] = GetNumber(data, row, names::MassInertiaInFrame + bound);
+  return about;
+}
+
+/// Adds what depends on the density, radii of gyration, and the inertia about the origin and in the frame of reference.
+void AddMassQuantities(vtkFieldData* data, vtkIdType row, Json& q)
+{
+  const std::string bound = names::BoundSuffix;
+  const std::string material = GetText(data, row, names::Material);
+  q["density"] = GetNumber(data, row, names::Density);
+  q["material"] = material.empty() ? Json() : Json(material);
+  q["mass_center"] = GetVector(data, row, names::MassCenter, 3);
+  q["mass_inertia"] = GetMatrix(data, row, names::MassInertia);
+  q["mass_principal_moments"] = GetVector(data, row, names::MassPrincipalMoments, 3);
+  q["mass_principal_axes"] = GetMatrix(data, row, names::MassPrincipalAxes);
+  q["mass_radii_of_gyration"] = GetVector(data, row, names::MassRadiiOfGyration, 3);
+  q["radii_of_gyration"] = GetVector(data, row, names::RadiiOfGyration, 3);
+  q["inertia_at_origin"] = GetMatrix(data, row, names::VolumeInertiaAtOrigin);
+  q["bounds"]["mass_center"] = GetNumber(data, row, names::MassCenter + bound);
+  q["bounds"]["mass_inertia"] = GetNumber(data, row, names::MassInertia + bound);
+  q["bounds"]["mass_radii_of_gyration"] = GetNumber(data, row, names::MassRadiiOfGyration + bound);
+  q["bounds"]["radii_of_gyration"] = GetNumber(data, row, names::RadiiOfGyration + bound);
+  q["bounds"]["inertia_at_origin"] = GetNumber(data, row, names::VolumeInertiaAtOrigin + bound);
+  q["about"] = GetInFrame(data, row);
+}
+}
+
 Json GetQuantities(vtkFieldData* data, vtkIdType row)
 {
   const std::string bound = names::BoundSuffix;
@@ -102,6 +151,7 @@ Json GetQuantities(vtkFieldData* data, vtkIdType row)
   q["stability"] = nullptr;
   const Json estimated = GetCount(data, row, names::BoundsEstimated);
   q["bounds_estimated"] = estimated.is_null() ? estimated : Json(estimated != 0);
+  AddMassQuantities(data, row, q);
   return q;
 }
 

@@ -172,14 +172,14 @@ int WriteImage(vtkImageData* image, const std::string& fileName)
 }
 
 /// Writes the requested files after the events. Returns the exit status.
-int WriteOutputs(const Arguments& arguments, const Json& first, vtkImageData* before, sm::EditScene& scene)
+int WriteOutputs(const Arguments& arguments, const Json& first, vtkImageData* before, vtkImageData* after,
+  sm::EditScene& scene)
 {
   int exitStatus = scene.GetMass()->GetStatus() == sm::names::StatusOk ? sm::AllOk : sm::Flagged;
   if (!arguments.Json.empty() && WriteJson(arguments.Json, Describe(arguments, first, scene)) != sm::AllOk)
   {
     exitStatus = sm::UsageOrOutput;
   }
-  const vtkSmartPointer<vtkImageData> after = sm::GrabImage(scene.GetWindow());
   if (!arguments.Screenshot.empty() && WriteImage(after, arguments.Screenshot) != sm::AllOk)
   {
     exitStatus = sm::UsageOrOutput;
@@ -195,6 +195,39 @@ int WriteOutputs(const Arguments& arguments, const Json& first, vtkImageData* be
   }
   return exitStatus;
 }
+
+/// The window's picture when the user ends the event loop: afterwards the interactor renders no more, and the frame buffer is undefined.
+class LastPicture
+{
+public:
+  LastPicture(vtkRenderWindow* window, vtkRenderWindowInteractor* interactor)
+    : Window(window)
+    , Interactor(interactor)
+  {
+    this->Tag = interactor->AddObserver(vtkCommand::ExitEvent, this, &LastPicture::OnExit);
+  }
+  ~LastPicture() { this->Interactor->RemoveObserver(this->Tag); }
+  LastPicture(const LastPicture&) = delete;
+  LastPicture& operator=(const LastPicture&) = delete;
+
+  vtkSmartPointer<vtkImageData> Get() const
+  {
+    return this->Picture ? this->Picture : sm::GrabImage(this->Window);
+  }
+
+private:
+  void OnExit()
+  {
+    // Keys that were pressed meanwhile come here, too.
+    this->Picture = this->Get();
+    this->Interactor->TerminateApp();
+  }
+
+  vtkRenderWindow* Window;
+  vtkRenderWindowInteractor* Interactor;
+  unsigned long Tag;
+  vtkSmartPointer<vtkImageData> Picture;
+};
 
 int Run(const Arguments& arguments, vtkSTEPReader* reader, vtkRenderWindow* window,
   vtkRenderWindowInteractor* interactor)
@@ -214,6 +247,7 @@ int Run(const Arguments& arguments, vtkSTEPReader* reader, vtkRenderWindow* wind
   scene.Draw();
   const Json first = sm::GetQuantities(scene.GetMass()->GetOutput()->GetFieldData(), 0);
   const vtkSmartPointer<vtkImageData> before = sm::GrabImage(window);
+  LastPicture last(window, interactor);
   if (!arguments.Play.empty())
   {
     const std::string wrong = sm::PlayEvents(interactor, arguments.Play);
@@ -231,7 +265,7 @@ int Run(const Arguments& arguments, vtkSTEPReader* reader, vtkRenderWindow* wind
   {
     interactor->Start();
   }
-  const int exitStatus = WriteOutputs(arguments, first, before, scene);
+  const int exitStatus = WriteOutputs(arguments, first, before, last.Get(), scene);
   interactor->SetInteractorStyle(nullptr);
   return exitStatus;
 }

@@ -11,16 +11,27 @@ import sys
 # Exit statuses, as those of `solidmoments`; when several apply, the first of 1, 2, 3.
 ALL_OK, USAGE_OR_OUTPUT, UNREADABLE, FLAGGED = range(4)
 
+# Entries of a symmetric matrix, and their components.
+SIX, SIX_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz"), (0, 4, 8, 1, 5, 2)
+
 # A column of the CSV with its name in `solidmoments --csv`, the filter's array, and the component.
 COLUMNS = (
     [("volume", "Volume", 0), ("volume_bound", "VolumeBound", 0), ("area", "SurfaceArea", 0), ("area_bound", "SurfaceAreaBound", 0)]
     + [("center_" + axis, "CenterOfMass", i) for i, axis in enumerate("xyz")] + [("center_bound", "CenterOfMassBound", 0)]
-    + [("inertia_" + axes, "VolumeInertia", i) for axes, i in zip(("xx", "yy", "zz", "xy", "yz", "xz"), (0, 4, 8, 1, 5, 2))]
+    + [("inertia_" + axes, "VolumeInertia", i) for axes, i in zip(SIX, SIX_COMPONENTS)]
     + [("inertia_bound", "VolumeInertiaBound", 0)] + [(f"principal_{i + 1}", "PrincipalMoments", i) for i in range(3)]
+    + [(f"axis{i + 1}_{axis}", "PrincipalAxes", 3 * i + k) for i in range(3) for k, axis in enumerate("xyz")]
     + [("mass", "Mass", 0), ("mass_bound", "MassBound", 0), ("closure_correction", "ClosureCorrection", 0),
        ("gap_squared", "GapSquared", 0), ("max_gap", "MaxGap", 0), ("gap_area", "GapArea", 0), ("open_edges", "OpenEdges", 0),
-       ("closure_residual", "ClosureResidual", 0)])
-HEAD = ["file", "row", "name", "id", "status", "length_unit"] + [column for column, _, _ in COLUMNS]
+       ("closure_residual", "ClosureResidual", 0), ("flipped_shells", "FlippedShells", 0), ("density", "Density", 0)]
+    + [("mass_center_" + axis, "MassCenter", i) for i, axis in enumerate("xyz")] + [("mass_center_bound", "MassCenterBound", 0)]
+    + [("mass_inertia_" + axes, "MassInertia", i) for axes, i in zip(SIX, SIX_COMPONENTS)] + [("mass_inertia_bound", "MassInertiaBound", 0)]
+    + [("known_mass", "KnownMass", 0), ("known_mass_bound", "KnownMassBound", 0), ("solids_with_mass", "SolidsWithMass", 0),
+       ("solids_with_volume", "SolidsWithVolume", 0)]
+    + [(f"radius_of_gyration_{i + 1}", "RadiiOfGyration", i) for i in range(3)] + [("radius_of_gyration_bound", "RadiiOfGyrationBound", 0)]
+    + [("inertia_at_origin_" + axes, "VolumeInertiaAtOrigin", i) for axes, i in zip(SIX, SIX_COMPONENTS)]
+    + [("inertia_at_origin_bound", "VolumeInertiaAtOriginBound", 0)])
+HEAD = ["file", "row", "name", "id", "status", "length_unit"] + [column for column, _, _ in COLUMNS] + ["material"]
 
 
 def exit_without_package(error):
@@ -93,7 +104,8 @@ def read_rows(file, totals, solids):
     for kind, data, count in (("total", totals.GetFieldData(), 1), ("solid", solids.GetRowData(), solids.GetNumberOfRows())):
         for i in range(count):
             row = {"file": file, "row": kind, "name": get_text(data, i, "Name"), "id": get_text(data, i, "Id"),
-                   "status": get_text(data, i, "Status"), "length_unit": get_text(data, i, "LengthUnit")}
+                   "status": get_text(data, i, "Status"), "length_unit": get_text(data, i, "LengthUnit"),
+                   "material": get_text(data, i, "Material")}
             row.update((column, get_number(data, i, name, component)) for column, name, component in COLUMNS)
             rows.append(row)
     return rows

@@ -4,6 +4,7 @@
 #include "smMassIntegrands.h"
 #include "smMoments.h"
 #include "smPlausibility.h"
+#include "smTotalMass.h"
 #include "smUnitRoundoff.h"
 
 #include "vtkBoundingBox.h"
@@ -22,6 +23,43 @@ constexpr double CoincidenceLimit = 1e-9;
 constexpr std::size_t NamedPairs = 5;
 constexpr std::size_t MostPairs = 100000;
 
+/// Roundings of an entry of a placement, and of a translation in it: decimals, directions made orthogonal and of length 1, units, and
+/// products of the placements of nested assemblies.
+constexpr double PlacementRoundings = 32.0;
+constexpr std::array<double, 16> IdentityPlacement{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+
+/// Adds what rounding of a placement that was read may do: its translation is off by some u of itself, and its rotation stretches and
+/// turns the body, and the arm to its origin, by as much.
+void AddPlacementError(const BodyIntegrals& body, Moments& moments)
+{
+  const auto isRead = [](const FacePointer& face)
+  { return vtkMath::Norm(face->Surface.Rounding.data()) > 0.0; };
+  const std::vector<FacePointer>& faces = body.Model->GetFaces();
+  if (body.Placement == IdentityPlacement || std::none_of(faces.begin(), faces.end(), isRead))
+  {
+    return;
+  }
+  const std::array<double, 16>& m = body.Placement;
+  const double arm = vtkMath::Norm(body.Model->GetOrigin()) + std::hypot(m[3], m[7], m[11]);
+  moments.ReferenceBound += PlacementRoundings * UnitRoundoff * arm;
+  // A product of k lengths changes by k times that, and a moment of order n by n + 3 times.
+  const auto grow = [](double order, const double* values, double* bounds, int count)
+  {
+    double largest = 0.0;
+    for (int i = 0; i < count; ++i)
+    {
+      largest = std::max(largest, std::abs(values[i]));
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      bounds[i] += (order + 3.0) * 3.0 * PlacementRoundings * UnitRoundoff * largest;
+    }
+  };
+  grow(0.0, &moments.Volume, &moments.VolumeBound, 1);
+  grow(1.0, moments.First.data(), moments.FirstBound.data(), 3);
+  grow(2.0, moments.Second.data(), moments.SecondBound.data(), 6);
+}
+
 /// Returns the moments of a body in the world, about its placed origin.
 Moments GetMoments(const BodyIntegrals& body)
 {
@@ -38,6 +76,7 @@ Moments GetMoments(const BodyIntegrals& body)
     moments.Negate();
   }
   moments.Place(body.Placement.data());
+  AddPlacementError(body, moments);
   return moments;
 }
 
@@ -47,21 +86,6 @@ void ZeroBounds(Moments& moments)
   moments.VolumeBound = 0.0;
   moments.FirstBound.fill(0.0);
   moments.SecondBound.fill(0.0);
-}
-
-void SetMass(MassRow& row, double density, const std::string& unit)
-{
-  const double metres = GetMetres(unit);
-  const double factor = density > 0.0 && metres > 0.0 ? density * metres * metres * metres : vtkMath::Nan();
-  row.Mass = factor * row.Properties.Volume;
-  row.MassBound = factor * row.Properties.VolumeBound + 4.0 * UnitRoundoff * std::abs(row.Mass);
-  double largest = 0.0;
-  for (int i = 0; i < 9; ++i)
-  {
-    row.MassInertia[i] = factor * row.Properties.Inertia[i];
-    largest = std::max(largest, std::abs(row.MassInertia[i]));
-  }
-  row.MassInertiaBound = factor * row.Properties.InertiaBound + 4.0 * UnitRoundoff * largest;
 }
 
 /// Flags a body as suspect if its properties violate a fact that holds for every solid.
@@ -270,8 +294,6 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     return;
   }
   double vectorArea[3] = { 0.0, 0.0, 0.0 };
-  double mass = 0.0;
-  double massBound = 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
     if (!std::isfinite(analysis.Rows[b].Properties.Volume))
@@ -282,8 +304,6 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     {
       vectorArea[i] += std::abs(bodies[b].Value[MassVectorArea + i]);
     }
-    mass += analysis.Rows[b].Mass;
-    massBound += analysis.Rows[b].MassBound + 2.0 * UnitRoundoff * std::abs(mass);
   }
   const Moments sum = Moments::Sum(parts);
   total.Properties = ComputeMassProperties(sum);
@@ -291,19 +311,11 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   {
     total.ClosureResidual = vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
   }
-  else
+  SetTotalMass(bodies, parts, sum, options, analysis);
+  if (!options.HasBounds)
   {
     total.RemoveBounds();
   }
-  if (options.Density > 0.0 || bodies.size() == 1)
-  {
-    SetMass(
-      total, options.Density > 0.0 ? options.Density : bodies.front().Model->GetDensity(), analysis.Unit);
-    return;
-  }
-  // Densities differ from part to part: the total has a mass, but its inertia is not density times VolumeInertia.
-  total.Mass = mass;
-  total.MassBound = massBound;
 }
 }
 
@@ -318,9 +330,8 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   analysis.Unit = bodies.front().Model->GetLengthUnit();
   analysis.HasOneUnit = std::all_of(bodies.begin(), bodies.end(),
     [&analysis](const BodyIntegrals& body) { return body.Model->GetLengthUnit() == analysis.Unit; });
-  analysis.HasMass = options.Density > 0.0 ||
-    std::any_of(
-      bodies.begin(), bodies.end(), [](const BodyIntegrals& body) { return body.Model->GetDensity() > 0.0; });
+  analysis.HasMass = std::any_of(bodies.begin(), bodies.end(),
+    [&options](const BodyIntegrals& body) { return ChooseMaterial(body, options).Density > 0.0; });
   MassRow& total = analysis.Total;
   if (analysis.HasOneUnit)
   {
@@ -338,8 +349,15 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   {
     Moments moments;
     MassRow row = AnalyzeBody(body, options, moments);
-    SetMass(
-      row, options.Density > 0.0 ? options.Density : body.Model->GetDensity(), body.Model->GetLengthUnit());
+    if (options.Frame.IsGiven && std::isfinite(row.Properties.Volume))
+    {
+      row.InFrame = ComputeInFrame(moments, options.Frame);
+    }
+    SetMass(row, ChooseMaterial(body, options), body.Model->GetLengthUnit());
+    if (!options.HasBounds && std::isfinite(row.Properties.Volume))
+    {
+      row.RemoveBounds();
+    }
     AddRow(row, total);
     if (std::isfinite(row.Properties.Volume))
     {
@@ -350,6 +368,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
     analysis.FlippedShells += body.FlippedShells;
   }
   AnalyzeTotal(bodies, parts, options, analysis);
+  NoteUnusedRules(bodies, options, analysis);
   NoteCoincidences(bodies, analysis);
   // Bounds add up but scales need not, for example for parts on opposite sides of the origin.
   vtkBoundingBox box;

@@ -9,6 +9,8 @@
 #include "smFiltersMassPropertiesModule.h"
 #include "smMassTable.h"
 #include "smMassTolerance.h"
+#include "smMaterials.h"
+#include "smReferenceFrame.h"
 #include "smStatus.h"
 
 #include <string>
@@ -22,6 +24,10 @@ struct MassAnalysisOptions
   MassTolerance Tolerance;
   /// Density of all bodies in kg/m^3; 0: the density that the file of each part states, if any.
   double Density = 0.0;
+  /// Materials by the names of the bodies. The first rule that a name matches comes before Density.
+  std::vector<MaterialRule> Materials;
+  /// A frame to give centre of mass and inertia in as well. Valid if it is given.
+  ReferenceFrame Frame;
   /// False if the integrals have no bounds and belong to no closed chain (the paper's schemes). Then every bound, the closure
   /// correction and the closure residual are NaN, and the status of every body is at least tolerance-not-met.
   bool HasBounds = true;
@@ -43,6 +49,9 @@ struct MassAnalysis
   bool HasOneUnit = true;
   /// True if at least one body has a density.
   bool HasMass = false;
+  /// Numbers of bodies that have a volume, and of those among them that have a density.
+  int Weighable = 0;
+  int Weighed = 0;
   int OpenEdges = 0;
   int FlippedShells = 0;
   /// Status of the total alone, whose bound is the sum of the bodies' bounds: Ok or ToleranceNotMet.

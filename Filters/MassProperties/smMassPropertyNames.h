@@ -28,6 +28,25 @@ constexpr const char* PrincipalAxesDegenerate = "PrincipalAxesDegenerate"; // 1,
 constexpr const char* RadiiOfGyration = "RadiiOfGyration";                 // 3, L, about the principal axes
 constexpr const char* Mass = "Mass";                                       // 1, kg; only with a density
 constexpr const char* MassInertia = "MassInertia"; // 9, kg L^2, about the centre; with a density
+constexpr const char* MassCenter = "MassCenter";   // 3, L, centre of mass weighted with the densities
+constexpr const char* MassPrincipalMoments = "MassPrincipalMoments"; // 3 ascending, kg L^2
+constexpr const char* MassPrincipalAxes = "MassPrincipalAxes";       // 9, rows are unit vectors
+constexpr const char* MassRadiiOfGyration = "MassRadiiOfGyration";   // 3, L
+constexpr const char* Density = "Density";                           // 1, kg/m^3
+constexpr const char* Material = "Material";                         // string
+// The total of solids of which only some have a density.
+constexpr const char* KnownMass = "KnownMass";               // 1, kg, of those
+constexpr const char* SolidsWithVolume = "SolidsWithVolume"; // 1 (int)
+constexpr const char* SolidsWithMass = "SolidsWithMass";     // 1 (int)
+
+// In the coordinates of the frame of reference, about its origin.
+constexpr const char* CenterOfMassInFrame = "CenterOfMassInFrame";   // 3, L
+constexpr const char* VolumeInertiaInFrame = "VolumeInertiaInFrame"; // 9, L^5
+constexpr const char* MassCenterInFrame = "MassCenterInFrame";       // 3, L
+constexpr const char* MassInertiaInFrame = "MassInertiaInFrame";     // 9, kg L^2
+// With the axes of the frame, about the centres of volume and mass.
+constexpr const char* CentralInertiaInFrame = "CentralInertiaInFrame";         // 9, L^5
+constexpr const char* MassCentralInertiaInFrame = "MassCentralInertiaInFrame"; // 9, kg L^2
 
 // Defects of the model; they are not part of any bound.
 constexpr const char* ClosureCorrection =

@@ -72,63 +72,106 @@ const Quantity MassQuantities[] = {
   { names::Mass, 1, true, [](Row r) { return &r.Mass; }, [](Row r) { return &r.MassBound; } },
   { names::MassInertia, 9, true, [](Row r) { return r.MassInertia.data(); },
     [](Row r) { return &r.MassInertiaBound; } },
+  { names::MassCenter, 3, true, [](Row r) { return r.Weighted.Center.data(); },
+    [](Row r) { return &r.Weighted.CenterBound; } },
+  { names::MassPrincipalMoments, 3, true, [](Row r) { return r.Weighted.Principal.data(); },
+    [](Row r) { return &r.Weighted.PrincipalBound; } },
+  { names::MassPrincipalAxes, 9, true, [](Row r) { return r.Weighted.Axes.data(); },
+    [](Row r) { return &r.Weighted.AxesBound; } },
+  { names::MassRadiiOfGyration, 3, true, [](Row r) { return r.Weighted.Gyration.data(); },
+    [](Row r) { return &r.Weighted.GyrationBound; } },
+  { names::Density, 1, false, [](Row r) { return &r.Density; }, nullptr },
 };
+
+const Quantity FrameQuantities[] = {
+  { names::CenterOfMassInFrame, 3, true, [](Row r) { return r.InFrame.Center.data(); },
+    [](Row r) { return &r.InFrame.CenterBound; } },
+  { names::VolumeInertiaInFrame, 9, true, [](Row r) { return r.InFrame.Inertia.data(); },
+    [](Row r) { return &r.InFrame.InertiaBound; } },
+  { names::CentralInertiaInFrame, 9, true, [](Row r) { return r.InFrame.CentralInertia.data(); },
+    [](Row r) { return &r.InFrame.CentralInertiaBound; } },
+};
+
+const Quantity MassFrameQuantities[] = {
+  { names::MassCenterInFrame, 3, true, [](Row r) { return r.WeightedInFrame.Center.data(); },
+    [](Row r) { return &r.WeightedInFrame.CenterBound; } },
+  { names::MassInertiaInFrame, 9, true, [](Row r) { return r.WeightedInFrame.Inertia.data(); },
+    [](Row r) { return &r.WeightedInFrame.InertiaBound; } },
+  { names::MassCentralInertiaInFrame, 9, true, [](Row r) { return r.WeightedInFrame.CentralInertia.data(); },
+    [](Row r) { return &r.WeightedInFrame.CentralInertiaBound; } },
+};
+
+/// Calls `use` with each quantity, in the order of the columns.
+template <typename Use>
+void ForEachQuantity(bool withMass, bool withFrame, const Use& use)
+{
+  std::for_each(std::begin(Quantities), std::end(Quantities), use);
+  if (withMass)
+  {
+    std::for_each(std::begin(MassQuantities), std::end(MassQuantities), use);
+  }
+  if (withFrame)
+  {
+    std::for_each(std::begin(FrameQuantities), std::end(FrameQuantities), use);
+  }
+  if (withMass && withFrame)
+  {
+    std::for_each(std::begin(MassFrameQuantities), std::end(MassFrameQuantities), use);
+  }
+}
 }
 
 MassRow::MassRow()
 {
-  this->Area = this->AreaBound = this->Mass = this->MassBound = this->MassInertiaBound =
-    this->ClosureCorrection = this->GapSquared = this->MaxGap = this->GapArea = this->ClosureResidual =
-      std::numeric_limits<double>::quiet_NaN();
+  this->Area = this->AreaBound = this->Mass = this->MassBound = this->MassInertiaBound = this->Density =
+    this->KnownMass = this->KnownMassBound = this->ClosureCorrection = this->GapSquared = this->MaxGap =
+      this->GapArea = this->ClosureResidual = std::numeric_limits<double>::quiet_NaN();
   this->MassInertia.fill(this->Mass);
 }
 
 void MassRow::RemoveBounds()
 {
   MassProperties& p = this->Properties;
+  MassProperties& w = this->Weighted;
   for (double* bound : { &p.VolumeBound, &p.CenterBound, &p.FirstBound, &p.SecondBound, &p.InertiaBound,
          &p.InertiaAtOriginBound, &p.PrincipalBound, &p.AxesBound, &p.GyrationBound, &this->AreaBound,
-         &this->MassBound, &this->MassInertiaBound })
+         &this->MassBound, &this->MassInertiaBound, &this->KnownMassBound, &w.VolumeBound, &w.CenterBound,
+         &w.InertiaBound, &w.PrincipalBound, &w.AxesBound, &w.GyrationBound, &this->InFrame.CenterBound,
+         &this->InFrame.InertiaBound, &this->WeightedInFrame.CenterBound, &this->WeightedInFrame.InertiaBound,
+         &this->InFrame.CentralInertiaBound, &this->WeightedInFrame.CentralInertiaBound })
   {
     *bound = std::numeric_limits<double>::quiet_NaN();
   }
 }
 
-MassColumns::MassColumns(bool withMass)
+MassColumns::MassColumns(bool withMass, bool withFrame)
   : WithMass(withMass)
+  , WithFrame(withFrame)
 {
-  const auto add = [this](const Quantity& quantity)
-  {
-    this->Columns.emplace_back(quantity.Name, quantity.Components);
-    if (quantity.HasBound)
+  ForEachQuantity(withMass, withFrame,
+    [this](const Quantity& quantity)
     {
-      this->Columns.emplace_back(std::string(quantity.Name) + names::BoundSuffix, 1);
-    }
-  };
-  std::for_each(std::begin(Quantities), std::end(Quantities), add);
-  if (withMass)
-  {
-    std::for_each(std::begin(MassQuantities), std::end(MassQuantities), add);
-  }
+      this->Columns.emplace_back(quantity.Name, quantity.Components);
+      if (quantity.HasBound)
+      {
+        this->Columns.emplace_back(std::string(quantity.Name) + names::BoundSuffix, 1);
+      }
+    });
   this->Columns.emplace_back(names::PrincipalAxesDegenerate, 1);
 }
 
 void MassColumns::Append(const MassRow& row)
 {
   std::size_t next = 0;
-  const auto append = [&](const Quantity& quantity)
-  {
-    this->Columns[next++].Append(quantity.Values(row));
-    if (quantity.HasBound)
+  ForEachQuantity(this->WithMass, this->WithFrame,
+    [&](const Quantity& quantity)
     {
-      this->Columns[next++].Append(quantity.Bound(row));
-    }
-  };
-  std::for_each(std::begin(Quantities), std::end(Quantities), append);
-  if (this->WithMass)
-  {
-    std::for_each(std::begin(MassQuantities), std::end(MassQuantities), append);
-  }
+      this->Columns[next++].Append(quantity.Values(row));
+      if (quantity.HasBound)
+      {
+        this->Columns[next++].Append(quantity.Bound(row));
+      }
+    });
   const double degenerate = std::isnan(row.Properties.Principal[0]) ? row.Properties.Principal[0]
     : row.Properties.AxesDegenerate                                 ? 1.0
                                                                     : 0.0;
@@ -144,7 +187,7 @@ void MassColumns::AddTo(vtkFieldData* data) const
 }
 
 std::string FormatSummary(const MassRow& total, const std::string& status, const std::string& reason,
-  const std::string& unit, int solids)
+  const std::string& unit, int solids, int weighed, int weighable)
 {
   const MassProperties& p = total.Properties;
   const auto triple = [&unit](const std::array<double, 3>& values, double bound, const std::string& power)
@@ -174,6 +217,11 @@ std::string FormatSummary(const MassRow& total, const std::string& status, const
   if (std::isfinite(total.Mass))
   {
     text += "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg") + "\n";
+  }
+  else if (std::isfinite(total.KnownMass))
+  {
+    text += "Mass of " + std::to_string(weighed) + " of " + std::to_string(weighable) +
+      " solids: " + FormatWithBound(total.KnownMass, total.KnownMassBound, "kg") + "\n";
   }
   return text;
 }

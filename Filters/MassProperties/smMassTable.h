@@ -9,6 +9,7 @@
 #include "smFiltersMassPropertiesModule.h"
 #include "smLengthUnits.h"
 #include "smMoments.h"
+#include "smReferenceFrame.h"
 
 #include <string>
 #include <vector>
@@ -28,6 +29,17 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   double MassBound;
   std::array<double, 9> MassInertia;
   double MassInertiaBound;
+  /// Properties with the density as weight: kg, kg L, kg L^2. Of all bodies together only if each has a density.
+  MassProperties Weighted;
+  /// Material, and density in kg/m^3; empty and NaN without one, or if bodies differ.
+  std::string Material;
+  double Density;
+  /// Mass of those bodies that have a density. Only of the total.
+  double KnownMass;
+  double KnownMassBound;
+  /// In the frame that was asked for, at density 1 and with the densities as weight.
+  FrameProperties InFrame;
+  FrameProperties WeightedInFrame;
   double ClosureCorrection;
   double GapSquared;
   double MaxGap;
@@ -44,19 +56,20 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
 class SMFILTERSMASSPROPERTIES_EXPORT MassColumns
 {
 public:
-  explicit MassColumns(bool withMass);
+  MassColumns(bool withMass, bool withFrame);
   void Append(const MassRow& row);
   void AddTo(vtkFieldData* data) const;
 
 private:
   std::vector<columns::Column> Columns;
   bool WithMass;
+  bool WithFrame;
 };
 
 /// Returns a summary in a few lines: the status with its reason, unless the status is ok, in lines of at most 64 characters; the
-/// number of solids, volume, area, centre, principal moments and mass.
+/// number of solids, volume, area, centre, principal moments and mass, which may be that of some solids only: `weighed` of `weighable`.
 SMFILTERSMASSPROPERTIES_EXPORT std::string FormatSummary(const MassRow& total, const std::string& status,
-  const std::string& reason, const std::string& unit, int solids);
+  const std::string& reason, const std::string& unit, int solids, int weighed, int weighable);
 }
 
 #endif

@@ -8,20 +8,27 @@
 #include "smMassGlyphs.h"
 #include "smMassIntegrands.h"
 #include "smMassPropertyNames.h"
+#include "smMaterials.h"
+#include "smReferenceFrame.h"
 #include "smSelfCrossing.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 vtkMassPropertiesBase::vtkMassPropertiesBase()
   : Analysis(new sm::MassAnalysis)
   , CrossingCheck(new sm::SelfCrossingCheck)
+  , Frame(new sm::ReferenceFrame)
 {
 }
 
@@ -31,6 +38,8 @@ void vtkMassPropertiesBase::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Density: " << this->Density << "\n"
+     << indent << "Materials: " << this->Materials.size() << "\n"
+     << indent << "HasReferenceFrame: " << this->Frame->IsGiven << "\n"
      << indent << "GlyphScale: " << this->GlyphScale << "\n"
      << indent << "ShowPrincipalAxes: " << this->ShowPrincipalAxes << "\n"
      << indent << "GlyphPerSolid: " << this->GlyphPerSolid << "\n";
@@ -49,6 +58,91 @@ void vtkMassPropertiesBase::SetDensity(double density)
     this->Density = density;
     this->Modified();
   }
+}
+
+void vtkMassPropertiesBase::AppendMaterial(const sm::MaterialRule& rule)
+{
+  if (!(rule.Material.Density > 0.0) || !std::isfinite(rule.Material.Density))
+  {
+    vtkErrorMacro("AddMaterial: there is no density above 0 for the solids "
+      << rule.Pattern << ", material \"" << rule.Material.Name
+      << "\"; give kg/m^3, for example 7850, or one of the common materials.");
+    return;
+  }
+  this->Materials.push_back(rule);
+  this->Modified();
+}
+
+void vtkMassPropertiesBase::AddMaterial(const char* pattern, const char* material, double density)
+{
+  this->AppendMaterial({ pattern ? pattern : "", { material ? material : "", density } });
+}
+
+void vtkMassPropertiesBase::AddMaterial(const char* pattern, const char* material, const char* density)
+{
+  const std::string text = density ? density : "";
+  const std::string name = material ? material : "";
+  double value = 0.0;
+  if (text.empty())
+  {
+    const sm::Material* common = sm::FindCommonMaterial(name);
+    value = common ? common->Density : 0.0;
+  }
+  else
+  {
+    // Has a decimal point in every locale.
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    value = error == std::errc() && end == text.data() + text.size() ? value : 0.0;
+  }
+  this->AddMaterial(pattern, name.c_str(), value);
+}
+
+void vtkMassPropertiesBase::ClearMaterials()
+{
+  if (!this->Materials.empty())
+  {
+    this->Materials.clear();
+    this->Modified();
+  }
+}
+
+int vtkMassPropertiesBase::GetNumberOfMaterials() const
+{
+  return static_cast<int>(this->Materials.size());
+}
+
+void vtkMassPropertiesBase::SetReferenceFrame(
+  const double origin[3], const double zAxis[3], const double xAxis[3])
+{
+  sm::ReferenceFrame frame;
+  frame.IsGiven = true;
+  std::copy_n(origin, 3, frame.Origin.begin());
+  std::copy_n(zAxis, 3, frame.ZAxis.begin());
+  std::copy_n(xAxis, 3, frame.XAxis.begin());
+  if (!frame.IsValid())
+  {
+    vtkErrorMacro("SetReferenceFrame: the z axis "
+      << sm::FormatTriple(zAxis[0], zAxis[1], zAxis[2]) << " and the x axis "
+      << sm::FormatTriple(xAxis[0], xAxis[1], xAxis[2])
+      << " make no frame; give finite directions that are not parallel.");
+    return;
+  }
+  *this->Frame = frame;
+  this->Modified();
+}
+
+void vtkMassPropertiesBase::ClearReferenceFrame()
+{
+  if (this->Frame->IsGiven)
+  {
+    *this->Frame = sm::ReferenceFrame();
+    this->Modified();
+  }
+}
+
+bool vtkMassPropertiesBase::HasReferenceFrame() const
+{
+  return this->Frame->IsGiven;
 }
 
 double vtkMassPropertiesBase::GetVolume() const
@@ -106,6 +200,11 @@ double vtkMassPropertiesBase::GetMass() const
   return this->Analysis->Total.Mass;
 }
 
+double vtkMassPropertiesBase::GetMassBound() const
+{
+  return this->Analysis->Total.MassBound;
+}
+
 const sm::MassAnalysis& vtkMassPropertiesBase::GetAnalysis() const
 {
   return *this->Analysis;
@@ -127,6 +226,8 @@ void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   sm::MassAnalysisOptions options = this->MakeAnalysisOptions();
   options.GapLimit = this->GapLimit;
   options.Density = this->Density;
+  options.Materials = this->Materials;
+  options.Frame = *this->Frame;
   *this->Analysis = sm::AnalyzeMass(bodies, options);
   if (options.HasBounds)
   {
@@ -143,21 +244,39 @@ void vtkMassPropertiesBase::WriteOutputs(
 {
   const sm::MassAnalysis& analysis = *this->Analysis;
   vtkFieldData* totals = outputs.Totals->GetFieldData();
-  sm::MassColumns totalColumns(analysis.HasMass || this->Density > 0.0);
+  const bool hasMass = analysis.HasMass || this->Density > 0.0;
+  sm::MassColumns totalColumns(hasMass, this->Frame->IsGiven);
   totalColumns.Append(analysis.Total);
   totalColumns.AddTo(totals);
+  if (hasMass)
+  {
+    const std::string bound = std::string(sm::names::KnownMass) + sm::names::BoundSuffix;
+    sm::columns::SetDoubles(totals, sm::names::KnownMass, &analysis.Total.KnownMass, 1);
+    sm::columns::SetDoubles(totals, bound, &analysis.Total.KnownMassBound, 1);
+    sm::columns::SetInteger(totals, sm::names::SolidsWithVolume, analysis.Weighable);
+    sm::columns::SetInteger(totals, sm::names::SolidsWithMass, analysis.Weighed);
+  }
   sm::columns::SetString(totals, sm::names::LengthUnit, analysis.Unit);
   sm::columns::SetInteger(totals, sm::names::OpenEdges, analysis.OpenEdges);
   sm::columns::SetInteger(totals, sm::names::FlippedShells, analysis.FlippedShells);
-  sm::MassColumns columns(analysis.HasMass || this->Density > 0.0);
+  sm::MassColumns columns(hasMass, this->Frame->IsGiven);
+  vtkNew<vtkStringArray> materials;
+  materials->SetName(sm::names::Material);
+  bool hasMaterial = hasMass;
   for (const sm::MassRow& row : analysis.Rows)
   {
     columns.Append(row);
+    materials->InsertNextValue(row.Material);
+    hasMaterial = hasMaterial || !row.Material.empty();
   }
   columns.AddTo(outputs.Solids->GetRowData());
+  if (hasMaterial)
+  {
+    outputs.Solids->GetRowData()->AddArray(materials);
+  }
   const sm::Status status = this->GetEngine().GetReport().Status;
   std::string summary = sm::FormatSummary(analysis.Total, sm::GetText(status), this->FindReason(bodies),
-    analysis.Unit, static_cast<int>(bodies.size()));
+    analysis.Unit, static_cast<int>(bodies.size()), analysis.Weighed, analysis.Weighable);
   this->WriteMoreOutputs(bodies, outputs, summary);
   sm::columns::AddBodyColumns(bodies, outputs.Solids);
   sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, summary);

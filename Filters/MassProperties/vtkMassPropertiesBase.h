@@ -32,11 +32,20 @@
  * | PrincipalMoments      | 3     | L^5    | ascending                                                   |
  * | PrincipalAxes         | 9     | 1      | rows; PrincipalAxesDegenerate is 1 when moments coincide    |
  * | RadiiOfGyration       | 3     | L      | about the principal axes                                    |
- * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density; MassInertia is about the centre    |
+ * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density; MassInertia is about the MassCenter |
+ * | MassCenter, MassRadiiOfGyration | 3 | L | with the densities as weight, as the next two              |
+ * | MassPrincipalMoments, MassPrincipalAxes | 3, 9 | kg L^2, 1 | as PrincipalMoments and PrincipalAxes          |
+ * | Density, Material     | 1     | kg/m^3 | Material (string) in the table of port 1 only               |
+ * | KnownMass, SolidsWithMass, SolidsWithVolume | 1 | kg | mass of the solids with a density, and their numbers; no columns |
+ * | CenterOfMassInFrame, VolumeInertiaInFrame | 3, 9 | L, L^5 | in the frame of reference, if there is one          |
+ * | MassCenterInFrame, MassInertiaInFrame | 3, 9 | L, kg L^2 | the same with the densities as weight                |
+ * | CentralInertiaInFrame, MassCentralInertiaInFrame | 9, 9 | L^5, kg L^2 | about the centres, with the axes of the frame |
  * | ClosureCorrection, GapSquared, MaxGap, GapArea, ClosureResidual, OpenEdges | 1 | | defects of the model; no bounds  |
  * | FlippedShells         | 1     |        | number of shells whose normals pointed inwards; reversed    |
  * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated | 1 | |        |
- * A quantity that does not exist is NaN (the volume of a surface, anything that was not computed).
+ * A quantity that does not exist is NaN (the volume of a surface, anything that was not computed). The total of solids of which only some
+ * have a density has no Mass but a KnownMass. CenterOfMass and VolumeInertia are those of a homogeneous body; where densities differ,
+ * MassCenter is where the body balances.
  */
 #ifndef vtkMassPropertiesBase_h
 #define vtkMassPropertiesBase_h
@@ -44,10 +53,15 @@
 #include "smFiltersMassPropertiesModule.h"
 #include "vtkSurfaceIntegralBase.h"
 
+#include <memory> // for the results
+#include <vector> // for the materials
+
 namespace sm
 {
 struct MassAnalysis;
 struct MassAnalysisOptions;
+struct MaterialRule;
+struct ReferenceFrame;
 class SelfCrossingCheck;
 }
 
@@ -62,6 +76,31 @@ public:
    * density. A negative, infinite or NaN value is reported as an error and changes nothing. */
   void SetDensity(double density);
   vtkGetMacro(Density, double);
+  ///@}
+
+  ///@{
+  /**
+   * Materials of solids by their names, before Density and what the file states. In a pattern * stands for any characters and ? for one;
+   * letters of ASCII match in either case. The first pattern in the order of the calls that the name of a solid matches gives it material
+   * and density in kg/m^3. The density as text may be empty: then the material is one of the common ones (smMaterials.h). A density that
+   * is not above 0 and finite, and a material that is not known, is reported as an error and changes nothing; a pattern that gives no solid
+   * its material gets a message. Default: none.
+   */
+  void AddMaterial(const char* pattern, const char* material, double density);
+  void AddMaterial(const char* pattern, const char* material, const char* density);
+  void ClearMaterials();
+  int GetNumberOfMaterials() const;
+  ///@}
+
+  ///@{
+  /**
+   * Frame of reference for CenterOfMassInFrame, VolumeInertiaInFrame and those with MassCenter and MassInertia: a point in world coordinates
+   * and length unit, the direction of its z axis, and a direction whose part perpendicular to that is its x axis (of any length). Parallel
+   * directions, and what is not finite, are reported as an error and change nothing. Default: no frame.
+   */
+  void SetReferenceFrame(const double origin[3], const double zAxis[3], const double xAxis[3]);
+  void ClearReferenceFrame();
+  bool HasReferenceFrame() const;
   ///@}
 
   ///@{
@@ -99,6 +138,7 @@ public:
   void GetPrincipalMoments(double moments[3]) const;
   void GetPrincipalAxes(double axes[9]) const;
   double GetMass() const;
+  double GetMassBound() const;
   ///@}
 
 protected:
@@ -118,6 +158,9 @@ protected:
   virtual void WriteMoreOutputs(
     const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs, std::string& summary) const;
 
+  /** Adds a material and says that the filter is modified. */
+  void AppendMaterial(const sm::MaterialRule& rule);
+
   /** Returns the mass properties of the last run. */
   const sm::MassAnalysis& GetAnalysis() const;
 #endif
@@ -134,6 +177,8 @@ private:
 #ifndef __VTK_WRAP__
   std::unique_ptr<sm::MassAnalysis> Analysis;
   std::unique_ptr<sm::SelfCrossingCheck> CrossingCheck;
+  std::vector<sm::MaterialRule> Materials;
+  std::unique_ptr<sm::ReferenceFrame> Frame;
 #endif
 };
 

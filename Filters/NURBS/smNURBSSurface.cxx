@@ -282,6 +282,7 @@ NURBSSurface NURBSSurface::Transposed() const
   other.NumberOfControlPoints[1] = this->NumberOfControlPoints[0];
   other.Rational = this->Rational;
   other.Residual = this->Residual;
+  other.Rounding = this->Rounding;
   other.ControlPoints.resize(this->ControlPoints.size());
   for (int j = 0; j < this->NumberOfControlPoints[1]; ++j)
   {

@@ -33,6 +33,9 @@ struct SMFILTERSNURBS_EXPORT NURBSSurface
   bool Rational = false;
   /// Largest distance from the surface it was made from, in model length units; 0: exact.
   double Residual = 0.0;
+  /// Bound of the distance, in x, y and z and in model length units, by which rounding of the numbers that it was read from, and of their
+  /// conversion, may have moved any point of it and of the edges around it. 0: its own numbers define the surface.
+  std::array<double, 3> Rounding{};
 
   double GetDomainStart(int direction) const { return this->Knots[direction][this->Degree[direction]]; }
   double GetDomainEnd(int direction) const

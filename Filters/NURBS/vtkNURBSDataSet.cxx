@@ -1,5 +1,6 @@
 #include "vtkNURBSDataSet.h"
 
+#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
@@ -8,6 +9,34 @@
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
+#include <cstring>
+
+namespace
+{
+/// A hash of the coordinates, bit by bit. Four lanes, because a multiplication has to wait for the one before it.
+std::uint64_t HashCoordinates(vtkPoints* points)
+{
+  vtkDataArray* data = points->GetData();
+  const auto* bytes = static_cast<const unsigned char*>(data->GetVoidPointer(0));
+  const std::size_t size = static_cast<std::size_t>(data->GetNumberOfValues()) * data->GetDataTypeSize();
+  std::uint64_t lanes[4] = { 1, 2, 3, size };
+  std::size_t lane = 0;
+  for (std::size_t i = 0; i < size; i += sizeof(std::uint64_t), lane = (lane + 1) % 4)
+  {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes + i, std::min(sizeof(word), size - i));
+    lanes[lane] = (lanes[lane] ^ word) * 0x9E3779B97F4A7C15u;
+    lanes[lane] ^= lanes[lane] >> 32;
+  }
+  std::uint64_t hash = 0;
+  for (const std::uint64_t value : lanes)
+  {
+    hash = (hash ^ value) * 0x9E3779B97F4A7C15u;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+}
 
 vtkStandardNewMacro(vtkNURBSDataSet);
 vtkStandardExtendedNewMacro(vtkNURBSDataSet);
@@ -31,13 +60,22 @@ void vtkNURBSDataSet::SetModel(vtkTrimmedNURBSModel* model)
   this->Model = model;
   this->ModelPoints = model ? this->GetPoints() : nullptr;
   this->ModelPointsTime = this->ModelPoints ? this->ModelPoints->GetMTime() : 0;
+  this->ModelPointsHash = this->ModelPoints ? HashCoordinates(this->ModelPoints) : 0;
   this->Modified();
 }
 
 bool vtkNURBSDataSet::ArePointsOriginal()
 {
   vtkPoints* points = this->GetPoints();
-  return points == this->ModelPoints && (!points || points->GetMTime() <= this->ModelPointsTime);
+  if (!points || points != this->ModelPoints || points->GetMTime() <= this->ModelPointsTime)
+  {
+    return points == this->ModelPoints;
+  }
+  // Filters such as vtkTableBasedClipDataSet call Modified() on points of their input that they only read.
+  const vtkMTimeType time = points->GetMTime();
+  const bool areEqual = HashCoordinates(points) == this->ModelPointsHash;
+  this->ModelPointsTime = areEqual ? time : this->ModelPointsTime;
+  return areEqual;
 }
 
 vtkTrimmedNURBSModel* vtkNURBSDataSet::GetModel()
@@ -66,6 +104,7 @@ void vtkNURBSDataSet::DropModel()
   this->Model = nullptr;
   this->ModelPoints = nullptr;
   this->ModelPointsTime = 0;
+  this->ModelPointsHash = 0;
   vtkMatrix4x4::Identity(this->Placement);
 }
 

@@ -14,8 +14,8 @@
  * | MeshDeviation | field       | 1          | no triangle of face i is farther from its surface   |
  *
  * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it. GetModel() returns null if
- * the points were replaced or modified after SetModel(), because the model no longer describes them: such a mesh is an ordinary
- * polydata from then on.
+ * the points were replaced or their coordinates changed after SetModel(), because the model no longer describes them: such a mesh is an
+ * ordinary polydata from then on. Points with a new MTime and the same coordinates are still those of the model.
  */
 #ifndef vtkNURBSDataSet_h
 #define vtkNURBSDataSet_h
@@ -23,6 +23,8 @@
 #include "smFiltersNURBSModule.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h" // for the model
+
+#include <cstdint>
 
 class vtkMatrix4x4;
 class vtkTrimmedNURBSModel;
@@ -79,9 +81,10 @@ private:
 
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;
   double Placement[16];
-  /// The points that the model describes, and their age when it was set.
+  /// The points that the model describes, their time when they were known to be the original ones, and the hash of their coordinates.
   vtkSmartPointer<vtkPoints> ModelPoints;
   vtkMTimeType ModelPointsTime = 0;
+  std::uint64_t ModelPointsHash = 0;
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "smLeaves.h"
 #include "smModelEdit.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -24,6 +25,13 @@
 
 vtkStandardNewMacro(vtkNURBSDeform);
 
+namespace
+{
+/// Gap that an edit opens, relative to the diagonal of its solid's box, above which the mass properties are suspect (the default of
+/// vtkSurfaceIntegralBase::SetGapLimit()).
+constexpr double TornShare = 1e-3;
+}
+
 struct vtkNURBSDeform::Run
 {
   vtkNURBSDeform* Self;
@@ -33,13 +41,15 @@ struct vtkNURBSDeform::Run
   int Deformed = 0;
   /// Faces of the largest solid that was chosen.
   int MostFaces = 0;
+  /// Uses of edges with a gap above TornShare.
+  int TornEdges = 0;
   std::string Error;
 
   sm::PointMap MakeDisplacement(vtkNURBSDataSet* leaf) const;
   sm::PointMap MakeLattice(vtkTrimmedNURBSModel* model) const;
   sm::ModelEdit Edit(vtkTrimmedNURBSModel* model, const sm::PointMap& map) const;
   bool Change(vtkNURBSDataSet* source, vtkNURBSDataSet* copy);
-  void Count(const sm::ModelEdit& edit) const;
+  void Count(const sm::ModelEdit& edit);
 };
 
 sm::PointMap vtkNURBSDeform::Run::MakeDisplacement(vtkNURBSDataSet* leaf) const
@@ -138,13 +148,16 @@ sm::ModelEdit vtkNURBSDeform::Run::Edit(vtkTrimmedNURBSModel* model, const sm::P
     model, faces, map, this->Self->KeepClosed ? sm::EditRule::MoveSharedBoundary : sm::EditRule::OneFace);
 }
 
-void vtkNURBSDeform::Run::Count(const sm::ModelEdit& edit) const
+void vtkNURBSDeform::Run::Count(const sm::ModelEdit& edit)
 {
+  const double limit =
+    edit.Model ? TornShare * vtkBoundingBox(edit.Model->GetLocalBounds()).GetDiagonalLength() : 0.0;
   this->Self->NumberOfChangedFaces += static_cast<int>(edit.Replaced.size());
   this->Self->NumberOfOpenedEdges += static_cast<int>(edit.Opened.size());
   for (const sm::OpenedEdge& opened : edit.Opened)
   {
     this->Self->LargestGap = std::max(this->Self->LargestGap, opened.Gap);
+    this->TornEdges += opened.Gap > limit ? 1 : 0;
   }
 }
 
@@ -331,7 +344,7 @@ int vtkNURBSDeform::RequestData(
 
 bool vtkNURBSDeform::DeformInput(vtkDataObject* input, int piece, vtkDataObject* output)
 {
-  Run run{ this, {}, 0, 0, 0, {} };
+  Run run{ this, {}, 0, 0, 0, 0, {} };
   const auto change = [&run](vtkPointSet* source, vtkPointSet* copy)
   {
     auto* from = vtkNURBSDataSet::SafeDownCast(source);
@@ -370,6 +383,14 @@ bool vtkNURBSDeform::DeformInput(vtkDataObject* input, int piece, vtkDataObject*
     done = false;
     vtkErrorMacro(
       "There is no face " << *worst << ": the solid has " << run.MostFaces << ", counted from 0.");
+  }
+  else if (run.TornEdges > 0)
+  {
+    vtkWarningMacro("The deformation tears faces from their edges at "
+      << run.TornEdges << " places, by up to " << sm::FormatDistance(this->LargestGap)
+      << ": their control points lie too far from each other. Mass properties close such gaps "
+      << "and are suspect. Remedy: a smaller displacement, a larger radius, or a part whose faces have more "
+         "control points.");
   }
   return done;
 }

@@ -45,6 +45,8 @@ struct BoundClass
   }
 };
 
+constexpr BoundClass PlainArea = { BoundClass::AreaMoment, 0 };
+
 /// Properties of a whole patch, found before any box of it is examined.
 struct PatchTraits
 {

@@ -12,11 +12,12 @@ namespace sm
 {
 namespace
 {
-constexpr BoundClass PlainArea = { BoundClass::AreaMoment, 0 };
-
 // Panels, or ribbons, of a portion: as few as keep threads busy, but not more portions than this of either.
 constexpr std::size_t LeastOfPortion = 4;
 constexpr std::size_t MostPortions = 32;
+
+// More than a bound loses by rounding of its own terms.
+constexpr double BoundGrowth = 1.0 + 1e-12;
 
 /// Consecutive ones of `count`.
 struct Portions
@@ -80,14 +81,18 @@ double GetPolygonLength(const std::array<double, 4>* points, int degree, int str
   return length;
 }
 
+double GetReach(const Patch& patch, const PlanRequest& request)
+{
+  return patch.Radius +
+    std::hypot(patch.Center[0] + request.Shift[0], patch.Center[1] + request.Shift[1],
+      patch.Center[2] + request.Shift[2]);
+}
+
 /**
  * Adds the error of rounding of the patches' control points, by d; a point of the patch is a convex sum of theirs. The ribbons
  * start from the same rounded patch, so the chain's moments change by the flux of d through the area, `area` at most; but
  * along interior knot lines each of two patches has moved by itself, and a slit opens. The area changes with
- * the tangents. A step w_(i+1) d_(i+1) - w_i d_i - (w_(i+1) - w_i) D, D the displacement here, is at most 2 d max(w_i, w_(i+1)),
- * and dS/ds is moved by at most p sum B_i^(p-1) of these over w = sum B_i^(p-1) ((1-s) w_i + s w_(i+1)). With weights of
- * neighbours up to q apart that is 2 p d q / (1 + (q - 1) min(s, 1-s)), on average over s 4 p d q / (q - 1) ln((q + 1) / 2);
- * without weights 2 p d. A curve in r is no longer than its control polygon, at most 2 q rc. Sr likewise.
+ * the tangents.
  */
 void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, double area, FacePlan& plan)
 {
@@ -98,11 +103,7 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
     // Either alone is enough, and 0 times an infinite area is no number.
     const double swept = std::fmin(
       d * area, moved[0] * patch.Normal[0] + moved[1] * patch.Normal[1] + moved[2] * patch.Normal[2]);
-    const double ratio = patch.WeightRatio;
-    const double spread = ratio > 1.0 ? 4.0 * ratio / (ratio - 1.0) * std::log(0.5 * (ratio + 1.0)) : 2.0;
-    const double length[2] = { std::min(patch.Stretch[0], 2.0 * patch.Degree[0] * patch.Radius),
-      std::min(patch.Stretch[1], 2.0 * patch.Degree[1] * patch.Radius) };
-    const double rotated = spread * (patch.Degree[0] * length[1] + patch.Degree[1] * length[0]);
+    const double rotated = GetTurnedLength(patch);
     double border = 0.0;
     if (panels.Patches.size() > 1)
     {
@@ -113,9 +114,7 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
         GetPolygonLength(points, patch.Degree[1], row) +
         GetPolygonLength(points + patch.Degree[0], patch.Degree[1], row);
     }
-    const double reach = patch.Radius +
-      std::hypot(patch.Center[0] + request.Shift[0], patch.Center[1] + request.Shift[1],
-        patch.Center[2] + request.Shift[2]);
+    const double reach = GetReach(patch, request);
     for (std::size_t i = 0; i < request.Classes.size(); ++i)
     {
       const BoundClass& c = request.Classes[i];
@@ -127,6 +126,17 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
                                              : d * border;
     }
   }
+}
+
+/// The face lies within its control points, or no farther beyond them than it leaves its patches.
+double GetReach(const FacePanels& panels, const PlanRequest& request)
+{
+  double reach = 0.0;
+  for (const Patch& patch : panels.Patches)
+  {
+    reach = std::max(reach, GetReach(patch, request));
+  }
+  return reach + panels.Outside.Distance;
 }
 
 /// Adds a cap, and the bound of its integrals: |x| is largest at a corner.
@@ -250,9 +260,14 @@ FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequ
   }
   AddFitError(face, panels, all.Classes, reach, area, plan);
   AddDisplacementError(panels, all, area, plan);
+  plan.Area = area;
+  plan.Reading = ReadingError::Make(face, panels, std::min(reach, GetReach(panels, request)));
   for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
   {
     values->resize(request.Classes.size());
+    // Bounds are computed with rounding to nearest.
+    std::transform(
+      values->begin(), values->end(), values->begin(), [](double bound) { return BoundGrowth * bound; });
   }
   return plan;
 }

@@ -13,6 +13,7 @@
 #include "smFacePanels.h"
 #include "smFiltersQuadratureModule.h"
 #include "smPatchMajorants.h"
+#include "smReadingError.h"
 
 #include <array>
 #include <cstdint>
@@ -54,6 +55,10 @@ struct FacePlan
   std::vector<double> ConversionBound;
   /// Per class: bound of the integral's magnitude, panels, ribbons and caps together, for a face that is not evaluated.
   std::vector<double> Magnitude;
+  /// Bound of the face's area that is known before anything is evaluated.
+  double Area = 0.0;
+  /// What is added to ConversionBound once the face's area is known.
+  ReadingError Reading;
   /// Points of all items, caps aside.
   std::int64_t Evaluations = 0;
   /// Some area is compared, or the surface is a fit whose normals are not bounded.

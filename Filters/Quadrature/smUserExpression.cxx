@@ -133,6 +133,17 @@ void UserExpression::Read(const Constants& constants)
   {
     this->Error = "the expression is empty";
   }
+  else if (!this->HasAreaElement())
+  {
+    this->Error = "the expression has no area element: multiply it by dA, or a vector by normal";
+  }
+}
+
+bool UserExpression::HasAreaElement() const
+{
+  const auto has = [this](const char* name)
+  { return std::find(this->Names.begin(), this->Names.end(), name) != this->Names.end(); };
+  return has("dA") || has("normal") || (has("du") && has("dv"));
 }
 
 bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)

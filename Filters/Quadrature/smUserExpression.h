@@ -67,6 +67,8 @@ private:
   bool TrackBracket(char c, std::size_t at);
   bool Fail(std::size_t at, const std::string& what);
   std::string GetPlace(std::size_t at) const;
+  /// False for an expression that would be integrated over the parameter domain, which has no meaning for the solid.
+  bool HasAreaElement() const;
   std::size_t FindBracketEnd(std::size_t token) const;
   std::size_t FindOperandEnd(std::size_t token) const;
 

@@ -35,8 +35,9 @@ Vector3 ToFrame(
   }
   return result;
 }
+}
 
-GroundFrame MakeFrame(const GroundDirections& ground, const Vector3& origin, const BodyIntegrals& part)
+GroundFrame MakeGroundFrame(const GroundDirections& ground, const Vector3& origin, const BodyIntegrals& part)
 {
   GroundFrame frame;
   const std::array<double, 16>& m = part.Placement;
@@ -62,7 +63,6 @@ GroundFrame MakeFrame(const GroundDirections& ground, const Vector3& origin, con
   }
   frame.Shift = ToFrame(ground, origin, world);
   return frame;
-}
 }
 
 bool GroundDirections::Make(const double gravity[3], const double normal[3], GroundDirections& directions)
@@ -133,7 +133,7 @@ void EvaluateStability(SupportedBody& body, const GroundDirections& ground, cons
   {
     std::vector<CutFacePointer> cut;
     cache.Acquire(part->Model->GetFaces(), cut, {});
-    const GroundFrame frame = MakeFrame(ground, body.Origin, *part);
+    const GroundFrame frame = MakeGroundFrame(ground, body.Origin, *part);
     for (const CutFacePointer& face : cut)
     {
       search.AddFace(face, frame);

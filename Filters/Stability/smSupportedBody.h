@@ -7,6 +7,7 @@
 
 #include "smBodyIntegrals.h"
 #include "smFacePanelsCache.h"
+#include "smGroundNet.h"
 #include "smStability.h"
 #include "smVector.h"
 
@@ -59,6 +60,9 @@ struct SupportedBody
   /// From the ground's frame to the world.
   Vector3 ToWorld(const GroundDirections& ground, const Point2D& ab, double h) const;
 };
+
+/// Returns the frame of the ground for the stored coordinates of a part; `origin` is a point of the world that the frame begins at.
+GroundFrame MakeGroundFrame(const GroundDirections& ground, const Vector3& origin, const BodyIntegrals& part);
 
 /// `groundOrigin` null: resting. `tolerance` relative to the size. Fills everything after Metres.
 void EvaluateStability(SupportedBody& body, const GroundDirections& ground, const double* groundOrigin,

@@ -491,8 +491,9 @@ double GetVolumeScale(vtkTrimmedNURBSModel& model)
   const double radius = GetRadius(model);
   const double box = radius * radius * radius;
   const double known = model.GetVolumeScale();
-  // A known scale that is not possible for the box comes from a faulty mesh.
-  return RoundDown(known > 1e-9 * box && known < 8.0 * box ? known : box);
+  // A known scale that is not possible for the box, nor for the surface of a wire or a sheet in it, comes from a faulty mesh.
+  const double least = std::min(1e-9 * box, 1e-12 * radius * GetAreaScale(model));
+  return RoundDown(known > least && known < 8.0 * box ? known : box);
 }
 
 double GetAreaScale(vtkTrimmedNURBSModel& model)

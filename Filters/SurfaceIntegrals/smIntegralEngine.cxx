@@ -166,14 +166,17 @@ bool IntegralEngine::RunTasks(
 
 void IntegralEngine::ReportIntegrands(const IntegralRequest& request)
 {
+  std::string reason;
   for (std::size_t k = 0; k < request.Integrands.size(); ++k)
   {
     const Integrand& integrand = request.Integrands[k];
     const std::string obstacle = this->GetObstacle(k);
     if (!obstacle.empty())
     {
-      this->Report.Messages.push_back(integrand.Name + " was not computed: " + obstacle +
-        (integrand.Source ? ", in \"" + integrand.Expression + "\"" : std::string()));
+      const std::string message = integrand.Name + " was not computed: " + obstacle +
+        (integrand.Source ? ", in \"" + integrand.Expression + "\"" : std::string());
+      this->Report.Messages.push_back(message);
+      reason += (reason.empty() ? "" : "\n") + message;
     }
     else if (integrand.Source && integrand.Source->MayHaveKinks())
     {
@@ -181,6 +184,7 @@ void IntegralEngine::ReportIntegrands(const IntegralRequest& request)
         " may have kinks or steps: its bound is estimated as if it were smooth on every face");
     }
   }
+  this->Report.Reason = this->Report.Reason.empty() ? reason : this->Report.Reason;
 }
 
 std::vector<std::size_t> IntegralEngine::ChooseTasks(

@@ -122,7 +122,8 @@ void SurfaceIntegrator::Internals::Skip(
       {
         const FacePlan& plan = this->Plans.Get(face);
         result.QuadratureError[to] = plan.Magnitude[this->Plans.GetClass(k)];
-        result.Conversion[to] = plan.ConversionBound[this->Plans.GetClass(k)];
+        result.Conversion[to] = plan.ConversionBound[this->Plans.GetClass(k)] +
+          plan.Reading.GetBound(this->Plans.GetBoundClass(k), plan.Area, plan.Area);
       }
     }
   }

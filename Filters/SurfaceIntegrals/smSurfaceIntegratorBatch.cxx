@@ -43,6 +43,7 @@ void SurfaceIntegrator::Internals::AddBounds(
     }
     const FacePlan& plan = this->Plans.Get(face);
     result.Estimated = plan.Estimated;
+    double area = plan.Area;
     for (std::size_t k = 0; k < this->Chosen.size(); ++k)
     {
       // The rows have the errors of compared items, for the area, and values that are not finite.
@@ -51,6 +52,15 @@ void SurfaceIntegrator::Internals::AddBounds(
       error = compared || !std::isfinite(error) ? error : 0.0;
       error += plan.QuadratureBound[this->Plans.GetClass(k)];
       result.Conversion[this->Chosen[k]] += plan.ConversionBound[this->Plans.GetClass(k)];
+      if (this->Plans.GetBoundClass(k) == PlainArea)
+      {
+        area = std::fmin(area, result.Face[this->Chosen[k]] + result.GetBound(this->Chosen[k]));
+      }
+    }
+    for (std::size_t k = 0; k < this->Chosen.size(); ++k)
+    {
+      result.Conversion[this->Chosen[k]] +=
+        plan.Reading.GetBound(this->Plans.GetBoundClass(k), area, result.GapArea);
     }
   }
 }

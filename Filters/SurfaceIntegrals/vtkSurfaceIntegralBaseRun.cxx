@@ -26,6 +26,26 @@
 
 namespace
 {
+/// Number of messages that a warning has at most; GetMessage() has them all.
+constexpr std::size_t MostMessagesOfWarning = 8;
+
+/// The reason of a status, and the messages that do not repeat it, a line each.
+std::string ListMessages(const std::string& reason, const std::vector<std::string>& messages)
+{
+  std::string list = reason.empty() ? "" : ": " + reason;
+  std::size_t shown = 0;
+  std::size_t left = 0;
+  for (const std::string& message : messages)
+  {
+    if (reason.find(message) == std::string::npos)
+    {
+      ++(shown < MostMessagesOfWarning ? shown : left);
+      list += shown + left > MostMessagesOfWarning ? "" : "\n  " + message;
+    }
+  }
+  return list + (left > 0 ? "\n  and " + std::to_string(left) + " more messages" : "");
+}
+
 /// Adds a point without a cell to an empty polydata: VTK sends polydata without points as text, and cannot read NaN in the field
 /// data from it.
 void AddPlaceholderPoint(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals)
@@ -300,8 +320,7 @@ void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& b
   }
   if (report.Status != sm::Status::Ok && !report.Messages.empty())
   {
-    vtkWarningMacro("Status " << this->GetStatus() << (reason.empty() ? "" : ": ") << reason
-                              << (report.Messages.size() > 1 ? " (and more, see GetMessage())" : ""));
+    vtkWarningMacro("Status " << this->GetStatus() << ListMessages(reason, report.Messages));
   }
   // This message is the last one, as it does not indicate an error of the result.
   if (!report.FallbackReason.empty())

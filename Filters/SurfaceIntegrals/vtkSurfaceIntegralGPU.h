@@ -21,8 +21,8 @@
  * Bounds of expressions are estimates that assume that the expressions are smooth on every face: at kinks and steps (abs, min,
  * max, step, ?: and similar functions) an error may exceed its bound; a message names the expressions that may have some. Peaks
  * that are too narrow for all points of the first two orders (3 and 6 per direction of a patch) are not detected. Numbers are
- * doubles, so that 1/3 is a third. Statements, assignments, comments, commas outside of arguments and single precision are
- * errors.
+ * doubles, so that 1/3 is a third. Statements, assignments, comments, commas outside of arguments, single precision and
+ * expressions with neither `dA` nor `normal` (nor both `du` and `dv`) are errors.
  * An integrand on FACES (such as an area) is integrated over the faces alone. An integrand on the CLOSED_CHAIN is also integrated
  * over the ribbons (strips that close the gaps between faces and their common edges) and caps (triangles that close the gaps at
  * the ends of edges), so that fluxes are those of a closed surface.

@@ -30,6 +30,8 @@ constexpr std::size_t MostRefinement = 20000;
 /// Points that refinement may add to a quarter of n to turn triangles over, and the part of the deflection that they must err by.
 constexpr std::size_t MostTurns = 50;
 constexpr double TurnShare = 1e-2;
+/// Part of the deflection that the gap of a corner may take before its triangles are no longer made smaller for it.
+constexpr double LargestGapShare = 0.5;
 /// A triangle is a line where twice its area is below this part of the square of its longest side.
 constexpr double LineShare = 1e-7;
 
@@ -268,7 +270,6 @@ private:
         v.Shared = p.Shared;
         v.Gap = Norm(Subtract(v.Position, p.Position));
         v.Position = p.Position;
-        this->WidestGap = std::max(this->WidestGap, v.Gap);
         ids.push_back(this->Mesh.Insert(this->ToGrid(p.Parameters), false));
         points.push_back(&p);
         this->Store(ids.back(), v);
@@ -507,11 +508,22 @@ private:
     return Dot(normal, mean) < 0.0 && Norm(normal) > LineShare * longest;
   }
 
+  /// What a triangle may err by between its corners: the deflection less the gap of a corner. Where a corner's gap takes most of the
+  /// deflection, no number of points keeps the promise.
+  double GetAllowed(const Triangulation::Triangle& t) const
+  {
+    double gap = 0.0;
+    for (const int corner : t.Vertex)
+    {
+      gap = std::max(gap, this->Vertices[corner].Gap);
+    }
+    return gap > LargestGapShare * this->Limits.Deflection ? this->Limits.Deflection
+                                                           : this->Limits.Deflection - gap;
+  }
+
   /// Inserts points until all triangles are good, or no more can be done.
   void Refine()
   {
-    const double allowed =
-      std::max(this->Limits.Deflection - this->WidestGap, 0.25 * this->Limits.Deflection);
     std::vector<int> open;
     for (std::size_t i = this->Mesh.GetTriangles().size(); i-- > 0;)
     {
@@ -528,6 +540,7 @@ private:
         continue;
       }
       const double error = this->GetError(t);
+      const double allowed = this->GetAllowed(t);
       if (error <= allowed)
       {
         // A triangle may be turned over where the surface bends, but also where edges lie off it: that no point mends.
@@ -674,7 +687,6 @@ private:
   std::vector<Parameters> Steps;
   Triangulation Mesh;
   std::vector<Vertex> Vertices;
-  double WidestGap = 0.0;
 };
 }
 

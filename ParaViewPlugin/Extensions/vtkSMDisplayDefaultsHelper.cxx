@@ -50,9 +50,14 @@ void vtkSMDisplayDefaultsHelper::PostInitializeProxy(
       values.push_back(value);
     }
     vtkSMPropertyHelper helper(property);
-    if (values.empty())
+    const bool isArray = std::strcmp(name, "ColorArrayName") == 0;
+    if (isArray)
     {
-      helper.SetInputArrayToProcess(0, "");
+      // Association and name.
+      const bool isNone = values.size() < 2;
+      helper.SetInputArrayToProcess(
+        isNone ? 0 : std::atoi(values[0].c_str()), isNone ? "" : values[1].c_str());
+      values.clear();
     }
     for (unsigned int k = 0; k < values.size(); ++k)
     {

@@ -8,8 +8,8 @@
  *   <Default property="Opacity" values="0.4"/>
  * </InitializationHelper>
  * @endcode
- * Values are numbers or words separated by blanks; an empty list sets an array property such as ColorArrayName to no array. Properties
- * that were set explicitly keep their value. XML alone cannot change the default of a property that is exposed from a subproxy.
+ * Values are numbers or words separated by blanks; those of ColorArrayName are an association (0: points, 1: cells) and the name of an
+ * array, or nothing for no array. Properties that were set explicitly keep their value. XML alone cannot change the default of a property that is exposed from a subproxy.
  */
 #ifndef vtkSMDisplayDefaultsHelper_h
 #define vtkSMDisplayDefaultsHelper_h

@@ -9,12 +9,15 @@
 #endif
 
 #include "vtkAbstractArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -40,7 +43,7 @@ constexpr const char* Leading[] = { RowNumber, names::Solid, names::FaceId, name
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
   names::DisplacedVolume, names::CenterOfBuoyancy, names::DisplacedFirstMoments,
 #endif
-  names::Volume, names::Mass, names::SurfaceArea, names::CenterOfMass };
+  names::Volume, names::Mass, names::Density, names::Material, names::SurfaceArea, names::CenterOfMass };
 
 /// Columns after them: units, tensors, details of the support, and defects of the model.
 constexpr const char* Trailing[] = { names::LengthUnit, names::PrincipalMoments, names::RadiiOfGyration,
@@ -96,6 +99,25 @@ int Match(const std::string& column, const std::string& quantity)
 {
   const bool value = column == quantity || StartsWith(column, quantity + "_");
   return value ? 0 : column == quantity + names::BoundSuffix ? 1 : -1;
+}
+
+/// Numbers as texts that read back to the bit; other columns as they are. ParaView shows and exports six digits of a number.
+vtkSmartPointer<vtkAbstractArray> FormatColumn(vtkAbstractArray* column)
+{
+  auto* numbers = vtkDoubleArray::SafeDownCast(column);
+  if (!numbers || numbers->GetNumberOfComponents() != 1)
+  {
+    return column;
+  }
+  vtkNew<vtkStringArray> texts;
+  texts->SetName(numbers->GetName());
+  for (vtkIdType row = 0; row < numbers->GetNumberOfTuples(); ++row)
+  {
+    char text[32];
+    texts->InsertNextValue(
+      std::string(text, std::to_chars(text, text + sizeof(text), numbers->GetValue(row)).ptr));
+  }
+  return texts;
 }
 
 /// The key that columns are sorted by.
@@ -174,7 +196,7 @@ vtkTable* vtkSolidTableView::FetchBlock(vtkIdType blockindex)
   shown->GetFieldData()->ShallowCopy(sorted->GetFieldData());
   for (const std::string& name : this->ShownColumns)
   {
-    shown->AddColumn(sorted->GetColumnByName(name.c_str()));
+    shown->AddColumn(FormatColumn(sorted->GetColumnByName(name.c_str())));
   }
   this->Blocks[blockindex] = { sorted, shown };
   return this->Blocks[blockindex].Shown;

@@ -357,7 +357,11 @@ void STEPCensusTaker::CountAll()
          arc != this->Arcs.end() && arc->From == from; ++arc)
     {
       this->Counts[arc->To] = AddCounts(this->Counts[arc->To], this->Counts[from]);
-      this->PassDensity(from, arc->To);
+      // A representation that no product uses is not an assembly without a density.
+      if (this->Counts[from] > 0)
+      {
+        this->PassDensity(from, arc->To);
+      }
       if (--incoming[arc->To] == 0)
       {
         open.push_back(arc->To);
@@ -453,8 +457,11 @@ void STEPCensusTaker::SetInstances()
   {
     CensusCount& instances = this->Census.Bodies[body].Instances;
     instances = AddCounts(instances, this->Counts[group]);
-    const double density = std::max(this->DensitiesOfEntities[group], 0.0);
-    JoinDensity(density, densities[body]);
+    // Also an item of a representation that no product uses, which describes an aspect of the shape, for example.
+    if (this->Counts[group] > 0)
+    {
+      JoinDensity(std::max(this->DensitiesOfEntities[group], 0.0), densities[body]);
+    }
   }
   for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
   {

@@ -5,6 +5,7 @@
 #include "smOCCTCurve.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
+#include "smOCCTRounding.h"
 #include "smParallelFor.h"
 
 #include <BRep_Tool.hxx>
@@ -48,13 +49,14 @@ class BodyConverter
 {
 public:
   BodyConverter(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-    const ShapeTable& table, const ProgressCallback& progress)
+    const ShapeTable& table, const ProgressCallback& progress, int roundings)
     : Shape(shape)
     , Trsf(trsf)
     , Unit(unit)
     , Origin{ origin[0], origin[1], origin[2] }
     , Table(table)
     , Report(progress)
+    , Roundings(roundings)
   {
   }
 
@@ -296,6 +298,8 @@ private:
       this->ConvertLoop(draft, draft.Loops[l], surface, box, trims[l], *face, result);
     }
     face->Surface = std::move(surface.Surface);
+    face->Surface.Rounding =
+      GetReadingRounding(draft.Surface, box, map, this->Origin, this->Roundings, face->Surface);
     this->CheckClosing(draft, *face);
     result.Defects = draft.Defects;
     result.Source = draft.Face;
@@ -477,6 +481,7 @@ private:
   double Origin[3];
   const ShapeTable& Table;
   const ProgressCallback& Report;
+  int Roundings;
   /// Diagonal of the box around all edges, in model units.
   double Size = 0.0;
   TopTools_IndexedMapOfShape EdgeShapes;
@@ -490,8 +495,8 @@ private:
 }
 
 ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
-  const ShapeTable& table, const ProgressCallback& progress)
+  const ShapeTable& table, const ProgressCallback& progress, int roundings)
 {
-  return BodyConverter(shape, trsf, unit, origin, table, progress).Convert();
+  return BodyConverter(shape, trsf, unit, origin, table, progress, roundings).Convert();
 }
 }

@@ -70,10 +70,11 @@ struct ConvertedBody
  * Converts all faces of `shape` (its own location included). `trsf` and then `unit` apply before `origin` is
  * subtracted. A face that fails is reported and left out; nothing else is lost. Edges and faces are converted
  * by vtkSMPTools with whatever backend the application chose. `progress`, where there is one, gets a fraction in
- * [0,1] now and then, on the calling thread, and answers false to stop.
+ * [0,1] now and then, on the calling thread, and answers false to stop. `roundings`: how often the kernel rounded a coordinate when it
+ * converted the file's length unit to mm.
  */
 SMREADERSSTEP_EXPORT ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit,
-  const double origin[3], const ShapeTable& table, const ProgressCallback& progress = {});
+  const double origin[3], const ShapeTable& table, const ProgressCallback& progress = {}, int roundings = 0);
 }
 
 #endif

@@ -8,9 +8,11 @@
 #include "smOCCTTable.h"
 #include "smPart21File.h"
 #include "smSTEPReconciliation.h"
+#include "smSTEPTessellations.h"
 
 #include <BRep_Builder.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <Standard_Version.hxx>
 #include <StepData_StepModel.hxx>
 #include <TDF_Label.hxx>
 #include <TDF_LabelSequence.hxx>
@@ -27,6 +29,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <tuple>
 #include <unordered_map>
 
@@ -316,12 +319,24 @@ void Configure(STEPCAFControl_Reader& reader)
   reader.SetSHUOMode(false);
 }
 
-/// Reads the entities of the file. False, with document.Problem, when OpenCASCADE cannot.
-bool Parse(
-  const std::string& fileName, const FileCheck& check, STEPCAFControl_Reader& reader, Document& document)
+/// Reads the entities of the file, whose text is also in `text`. False, with document.Problem, when OpenCASCADE cannot.
+bool Parse(const std::string& fileName, const FileCheck& check, const Part21File& text,
+  STEPCAFControl_Reader& reader, Document& document)
 {
+#if OCC_VERSION_HEX < 0x070700
+  // Later versions know these entities.
+  const std::string reduced = RemoveTessellations(text);
+#else
+  (void)text;
+  const std::string reduced;
+#endif
   IFSelect_ReturnStatus status;
-  if (check.JunkBytes > 0)
+  if (!reduced.empty())
+  {
+    std::istringstream stream(reduced);
+    status = reader.ChangeReader().ReadStream(fileName.c_str(), stream);
+  }
+  else if (check.JunkBytes > 0)
   {
     std::ifstream stream(fileName, std::ios::binary);
     stream.seekg(static_cast<std::streamoff>(check.JunkBytes));
@@ -454,7 +469,7 @@ void Read(
   const KernelSession kernel;
   STEPCAFControl_Reader reader;
   Configure(reader);
-  if (!Parse(fileName, check, reader, document))
+  if (!Parse(fileName, check, declared.Text, reader, document))
   {
     return;
   }

@@ -32,6 +32,9 @@ constexpr double DefaultColor = 0.8;
 /// Share of a body's progress that its conversion takes; its triangles take the rest.
 constexpr double ConversionShare = 0.8;
 
+/// A unit in mm is a product of up to three numbers that are no doubles (0.0254, 0.001, ...), times the coordinate.
+constexpr int UnitRoundings = 6;
+
 vtkSmartPointer<vtkIntArray> MakeIndexArray(const std::vector<int>& values)
 {
   auto array = vtkSmartPointer<vtkIntArray>::New();
@@ -102,7 +105,8 @@ void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const Pro
   }
   this->Model->SetOrigin(origin);
   const auto report = [&progress](double x) { return progress(ConversionShare * x); };
-  body = ConvertBody(part.Shape, part.Scale, this->Options.Unit, origin, table, report);
+  body = ConvertBody(part.Shape, part.Scale, this->Options.Unit, origin, table, report,
+    this->Options.FileUnitName.empty() || this->Options.FileUnitName == "mm" ? 0 : UnitRoundings);
   this->Aborted = body.Aborted;
   if (unbounded > 0)
   {

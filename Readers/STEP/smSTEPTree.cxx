@@ -34,6 +34,11 @@ int AddChild(vtkDataAssembly* assembly, int parent, const std::string& name, con
 void AddProduct(vtkDataAssembly* assembly, int parent, const ProductNode& product)
 {
   const int node = AddChild(assembly, parent, product.Name, "Part");
+  if (product.Name.empty())
+  {
+    // The label is one of ours.
+    assembly->SetAttribute(node, "unnamed", 1);
+  }
   if (!product.Layer.empty())
   {
     assembly->SetAttribute(node, "layer", product.Layer.c_str());

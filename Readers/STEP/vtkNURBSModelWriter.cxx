@@ -213,9 +213,8 @@ void vtkNURBSModelWriter::Warn(const std::vector<std::string>& warnings)
     return;
   }
   this->Last->Messages.insert(this->Last->Messages.end(), warnings.begin(), warnings.end());
-  const std::string more = warnings.size() > 1
-    ? " (and " + std::to_string(warnings.size() - 1) + " more, see GetMessage)"
-    : std::string();
+  const std::string more =
+    warnings.size() > 1 ? " (and " + std::to_string(warnings.size() - 1) + " more messages)" : std::string();
   vtkWarningMacro("Saved " << this->FileName << ". " << warnings.front() << more);
 }
 

@@ -23,6 +23,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimerLog.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +102,14 @@ vtkSTEPReader::~vtkSTEPReader()
 
 int vtkSTEPReader::CanReadFile(const char* fileName)
 {
-  return fileName && sm::LooksLikeSTEP(fileName) ? 1 : 0;
+  if (!fileName || sm::LooksLikeSTEP(fileName))
+  {
+    return fileName ? 1 : 0;
+  }
+  const std::string extension =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
+  const bool isNamed = extension == ".step" || extension == ".stp" || extension == ".p21";
+  return isNamed && vtksys::SystemTools::FileExists(fileName, true) ? 1 : 0;
 }
 
 const char* vtkSTEPReader::GetStatusAsString() const

@@ -86,7 +86,8 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /** 1 when the file's first 64 kB hold the header of a STEP file, else 0. */
+  /** 1 if the file's first 64 kB hold the header of a STEP file, or if its name ends as one of GetFileExtensions(): then reading reports
+   * what is wrong with it. Otherwise 0. */
   static int CanReadFile(const char* fileName);
   static const char* GetFileExtensions() { return ".step .stp .p21"; }
   static const char* GetDescriptiveName() { return "STEP"; }

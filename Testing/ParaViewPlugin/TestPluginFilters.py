@@ -75,6 +75,13 @@ mass.Selectors = []
 check("all solids again", pair["volume"], total(mass, "Volume"), 1e-9 * pair["volume"])
 mass.Density = 2000.0
 check("one density for all, kg", pair["volume"] * 2e-6, total(mass, "Mass"), 1e-12 * pair["volume"])
+mass.Materials = ["no such solid", "lead", "", "*", "made up", "3000.5"]
+check("a material by a pattern, kg", pair["volume"] * 3000.5e-9, total(mass, "Mass"), 1e-12 * pair["volume"])
+check_equal("its name", "made up", servermanager.Fetch(mass, idx=1).GetValueByName(0, "Material").ToString())
+mass.Materials = ["*", "Water", ""]
+check("a common one", pair["volume"] * 1e-6, total(mass, "Mass"), 1e-12 * pair["volume"])
+mass.Materials = []
+check("none again", pair["volume"] * 2e-6, total(mass, "Mass"), 1e-12 * pair["volume"])
 
 # Integrals.
 sphere = manifest.solid("sphere")
@@ -90,10 +97,16 @@ for name, expected in (("willmore", 4.0 * math.pi), ("flux", sphere["volume"]), 
     check(name, expected, total(integral, name), 1e-8 * expected)
 check_true("the summary has them", "BendingEnergy = 25.13" in servermanager.Fetch(integral, idx=2).GetValueByName(
     0, "Text").ToString())
+integral.Integrands = "willmore = meanCurvature * meanCurvature * dA\nwrong = dA * sine\nworse = 2 * (dA"
+summary = servermanager.Fetch(integral, idx=2).GetValueByName(0, "Text").ToString()
+for words in ("wrong was not computed", "column 6", "sine", "worse was not computed", "column 5"):
+    check_true(f"the summary says {words}", words in summary, summary)
 integral.Integrands = ""
 integral.MomentDegree = -1
 check_true("integrals that were removed have no array", math.isnan(total(integral, "willmore")) and math.isnan(total(integral, "moment_0_0_0")))
 check_true("a cell array to colour by", servermanager.OutputPort(integral, 5).CellData["BendingEnergy"] is not None)
+
+plain_volume = total(MassPropertiesGPU(Input=source), "Volume")  # noqa: F821
 
 # Below a waterline through the centre of the sphere: half of it, whose centre is 3/8 of the radius below.
 center = sphere["center_of_mass"]
@@ -111,6 +124,15 @@ if has("Buoyancy"):
     afloat.Normal = [0.0, 0.0, -1.0]
     check("the half above", half, total(afloat, "DisplacedVolume"), 1e-9 * sphere["volume"])
     check("its centre", center[2] + 0.375 * radius, vector(afloat, "CenterOfBuoyancy")[2], 1e-8 * radius)
+
+# ParaView's filters call Modified() on the points that they read (Clip does): their input stays what it is.
+for name in ("Clip", "Cut", "Threshold", "PolyDataNormals", "CleanPolyData", "ExtractEdges", "FeatureEdges", "ElevationFilter",
+             "CellSize", "DecimatePro", "QuadricClustering", "MeshQuality", "GenerateIdScalars", "OutlineFilter", "ConvertToPointCloud"):
+    beside = servermanager._getPyProxy(servermanager.ProxyManager().SMProxyManager.NewProxy("filters", name))
+    beside.Input = source
+    beside.UpdatePipeline()
+    check_true(f"after {name} the reader has exact solids", is_accepted("MassPropertiesGPU", source))
+    check_equal(f"and the same volume after {name}", total(MassPropertiesGPU(Input=source), "Volume"), plain_volume)  # noqa: F821
 
 # The paper's scheme has no bounds and is not exact, but near with many sub-patches.
 if has("SchemeMassProperties"):

@@ -6,6 +6,8 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
 
+from smpicture import to_colors  # noqa: E402
+
 from paraview import servermanager, simple  # noqa: E402
 
 plugin, folder = sys.argv[1:3]
@@ -26,10 +28,25 @@ center = box["center_of_mass"]
 reader = simple.OpenDataFile(box["path"])
 standing = StaticStability(Input=reader)  # noqa: F821
 view = simple.CreateRenderView()
+view.OrientationAxesVisibility = 0
 simple.Show(reader, view)
-simple.Show(servermanager.OutputPort(standing, 0), view)
-simple.Show(servermanager.OutputPort(standing, 2), view)
+controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
+for port in (0, 2):  # as the GUI's Apply does
+    controller.ShowInPreferredView(standing.SMProxy, port, view.SMProxy)
+simple.ResetCamera(view)
 simple.Render(view)
+shown = simple.GetRepresentation(servermanager.OutputPort(standing, 0), view)
+check_equal("the drawing has a representation of its own", "StabilityRepresentation", shown.GetXMLName())
+check_equal("coloured by", ["CELLS", "StabilityColor"], list(shown.ColorArrayName))
+check_equal("by the colours themselves", 0, int(shown.MapScalars))
+check_equal("legends", [], [each for each in view.Representations if "ScalarBar" in each.GetXMLName() and each.Visibility])
+shown.LineWidth = 4.0
+simple.Hide(reader, view)
+pixels = to_colors(view.CaptureWindow(1))
+red, green, blue = (pixels[:, :, i] for i in range(3))
+check_true("the verdict is drawn in green", ((green > red + 60) & (green > blue + 60)).sum() > 300)
+check_equal("and nothing in red", 0, int(((red > green + 60) & (red > blue + 60)).sum()))
+simple.Show(reader, view)
 check_true("the input stays visible", simple.GetRepresentation(reader, view).Visibility == 1)
 drawing = servermanager.Fetch(standing, idx=0)
 check_equal("verdict", "stable", text(drawing, "Stability"))

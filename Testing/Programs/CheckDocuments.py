@@ -38,7 +38,7 @@ LAST_DIGITS = 2.0
 # The options of the schemes are in --help alone.
 PAPER_OPTIONS = ("--subpatches", "--trim-texture", "--trim-textures", "--chord", "--deviation")
 # What makes the JSON complete; a program that was built without a module lacks its option.
-COMPLETE = (("--stability", "-z"), ("--waterline", "10"), ("--density", "1000"), ("--moments", "0"))
+COMPLETE = (("--stability", "-z"), ("--waterline", "10"), ("--density", "1000"), ("--moments", "0"), ("--about", "origin"), ("--bom",), ("--box",), ("--validate",))
 
 
 class Checker:
@@ -223,7 +223,7 @@ def check_guide(checker, sample):
         checker.check(key in words, f"Documentation/UserGuide.md does not name the key {key} of the JSON")
     columns = next(csv.reader(io.StringIO(run(checker, sample, "--quiet", "--csv", "-"))))
     for column in columns:
-        named = column in words or re.fullmatch(r"principal_[123]|axis[123]_[xyz]", column)
+        named = column in words or re.fullmatch(r"principal_[123]|axis[123]_[xyz]|about_mass_(center|inertia)_\w+", column)
         checker.check(named, f"Documentation/UserGuide.md does not name the column {column} of the CSV")
 
 

@@ -108,6 +108,13 @@ def values():
         check_equal("file, name, status, unit", [entry["name"], entry["status"], "mm"],
                     [row["name"], row["status"], row["length_unit"]])
         check_row(row, entry)
+    # One schema: the columns are some of the program's, with its values.
+    listed = subprocess.run([options.program, "--density", "7850", "--csv", "-", *paths], capture_output=True, text=True, timeout=200,
+                            check=True)
+    for row, other in zip(rows, csv.DictReader(io.StringIO(listed.stdout))):
+        check_equal("columns that the program does not have", [], sorted(set(row) - set(other)))
+        check_equal("columns with another value", [], [column for column in row if row[column] != other[column] and
+                                                       float(row[column] or "nan") != float(other[column] or "nan")])
     first = {column: float(rows[0][column]) for column in rows[0] if column.startswith(("volume", "area", "center", "inertia"))}
     xx, yy, zz, xy, yz, xz = (first["inertia_" + axes] for axes in ("xx", "yy", "zz", "xy", "yz", "xz"))
     check_values(part, first["volume"], first["area"], [first["center_" + axis] for axis in "xyz"],

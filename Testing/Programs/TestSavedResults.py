@@ -219,6 +219,11 @@ def stages():
     check_true("integrals: where", 'in stage "integrals"' in message and "signal 11" in message, message)
     check_true("integrals: not the file's fault", "none of the file" in message and "malformed" not in message, message)
 
+    code, entry = check_stage("integrals", signal.SIGXCPU, "--moments", "16", "--max-seconds", "40")
+    message = entry["messages"][-1]
+    check_equal("processor time: status", "not-computed", entry["status"])
+    check_true("processor time: why", "ulimit -t" in message and "defect" not in message, message)
+
     target = os.path.join(make_folder("drawing"), "out.json")
     picture = os.path.join(os.path.dirname(target), "out.png")
     code = run_and_kill("draw", signal.SIGKILL, "--json", target, "--png", picture, GOOD)

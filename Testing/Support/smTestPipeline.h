@@ -6,10 +6,9 @@
 #define smTestPipeline_h
 
 #include "smMassPropertyNames.h"
+#include "smMessageTrap.h"
 #include "smTesting.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
@@ -18,7 +17,6 @@
 #include <vtkPolyData.h>
 #include <vtkSTEPReader.h>
 #include <vtkStringArray.h>
-#include <vtkWeakPointer.h>
 
 #include <cstring>
 #include <limits>
@@ -27,44 +25,6 @@
 
 namespace smtest
 {
-/// Collects what an object reports instead of letting it print.
-class MessageTrap
-{
-public:
-  explicit MessageTrap(vtkObject* object)
-    : Object(object)
-  {
-    this->Callback->SetClientData(this);
-    this->Callback->SetCallback(
-      [](vtkObject*, unsigned long event, void* self, void* text)
-      {
-        auto* trap = static_cast<MessageTrap*>(self);
-        (event == vtkCommand::ErrorEvent ? trap->Errors : trap->Warnings) +=
-          text ? static_cast<const char*>(text) : "?";
-        ++(event == vtkCommand::ErrorEvent ? trap->NumberOfErrors : trap->NumberOfWarnings);
-      });
-    object->AddObserver(vtkCommand::ErrorEvent, this->Callback);
-    object->AddObserver(vtkCommand::WarningEvent, this->Callback);
-  }
-  ~MessageTrap()
-  {
-    if (this->Object)
-    {
-      this->Object->RemoveObserver(this->Callback);
-    }
-  }
-  MessageTrap(const MessageTrap&) = delete;
-  MessageTrap& operator=(const MessageTrap&) = delete;
-  std::string Errors;
-  std::string Warnings;
-  int NumberOfErrors = 0;
-  int NumberOfWarnings = 0;
-
-private:
-  vtkNew<vtkCallbackCommand> Callback;
-  vtkWeakPointer<vtkObject> Object;
-};
-
 /// The display mesh, which no integral depends on, takes most of the time of reading a small file.
 inline void UseCoarseMesh(vtkSTEPReader* reader)
 {

@@ -79,6 +79,7 @@ void FaceWriter::Put(const Face& face)
   this->To.PutAll(surface.ControlPoints);
   this->To.Put(surface.Rational);
   this->To.Put(surface.Residual);
+  this->To.Put(surface.Rounding);
   this->To.Put(static_cast<std::uint64_t>(face.Loops.size()));
   for (const Loop& loop : face.Loops)
   {
@@ -109,6 +110,7 @@ FacePointer FaceReader::Get()
   surface.ControlPoints = this->From.GetAll<std::array<double, 4>>();
   surface.Rational = this->From.Get<bool>();
   surface.Residual = this->From.Get<double>();
+  surface.Rounding = this->From.Get<std::array<double, 3>>();
   face->Loops.resize(this->From.GetCount(sizeof(std::uint64_t)));
   for (Loop& loop : face->Loops)
   {

@@ -11,6 +11,9 @@ namespace
 using namespace smtest;
 
 constexpr double Tolerances[] = { 1e-6, 1e-9, 1e-12 };
+/// Bounds may have that many times what the file is off by: reading rounds every coordinate more than once, and the area of a ball is more
+/// than the square of its size.
+constexpr double ReadingRoundings = 40.0;
 
 /// `size`: of the body. `given`: what the plane or the file is off by, a length.
 void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>& planes, const Part& whole,
@@ -30,18 +33,18 @@ void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>
       char label[16];
       std::snprintf(label, sizeof(label), ", %g", tolerance);
       const std::string name = what + ": " + plane.Name + label;
-      if (tolerance > 1e-10)
+      const auto area = static_cast<double>(size * size * given);
+      if (tolerance > 1e-10 && ReadingRoundings * area < tolerance * static_cast<double>(whole.Volume))
       {
         CheckEqual(name + ", status", "ok", scene.Filter->GetStatus());
         std::printf("%s", scene.Filter->GetStatus() == "ok" ? "" : GetMessages(scene.Filter).c_str());
       }
       const double bound = scene.Filter->GetDisplacedVolumeBound();
-      const auto area = static_cast<double>(size * size * given);
       Check(name, static_cast<double>(plane.Below.Volume), scene.Filter->GetDisplacedVolume(),
         bound + area + 2.3e-16 * static_cast<double>(plane.Below.Volume), "the bound");
       // 20: the volume's scale is rounded down to a power of two; rounding is 1e-12 of the box at most.
       CheckRange(name + ", bound", 0.0, bound,
-        2.0 * tolerance * static_cast<double>(whole.Volume) + area +
+        2.0 * tolerance * static_cast<double>(whole.Volume) + ReadingRoundings * area +
           3e-13 * static_cast<double>(size * size * size));
       double center[3];
       scene.Filter->GetCenterOfBuoyancy(center);
@@ -62,7 +65,8 @@ void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>
       else
       {
         CheckRange(name + ", bound of the centre", 0.0, centerBound,
-          (200.0 * tolerance + 1e-10) * static_cast<double>(size) + 10.0 * static_cast<double>(given));
+          (200.0 * tolerance + 1e-10) * static_cast<double>(size) +
+            ReadingRoundings * static_cast<double>(given));
       }
       for (int c = 0; c < 3; ++c)
       {

@@ -47,6 +47,9 @@ int TestNURBSDataSet(int, char*[])
   structure->CopyStructure(data);
   smtest::CheckTrue("CopyStructure drops the model", !structure->GetModel());
 
+  copy->GetPoints()->Modified();
+  smtest::CheckTrue("points with a new time alone keep the model",
+    copy->GetModel() && data->GetModel() && !copy->IsModelWithheld());
   copy->GetPoints()->SetPoint(1, 2.0, 0.0, 0.0);
   copy->GetPoints()->Modified();
   smtest::CheckTrue("moved points withhold the model", !copy->GetModel() && copy->IsModelWithheld());

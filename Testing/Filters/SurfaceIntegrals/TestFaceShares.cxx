@@ -64,6 +64,7 @@ std::vector<sm::FacePointer> MakeStrip(int count, int cells)
     }
     surface.Rational = true;
     surface.Residual = 1e-9 * k;
+    surface.Rounding = { 1e-10, 2e-10 * k, 0.0 };
     const auto greville = [&surface](int i)
     { return 0.5 * (surface.Knots[0][i + 1] + surface.Knots[0][i + 2]); };
     for (int j = 0; j < spans + 2; ++j)

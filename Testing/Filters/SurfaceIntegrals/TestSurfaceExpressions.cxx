@@ -212,6 +212,7 @@ void CheckMistakes(const char* folder)
     { "dA) * (2", "column 3", "not opened" }, { "dA; smValues[0] = 1", "column 3", ";" },
     { "dA = 1", "column 4", "=" }, { "dA // comment", "column 4", "/" },
     { "dA +\n  1 *\n  nothing", "line 3, column 3", "nothing" }, { "smValues[0]", "column 1", "reserved" },
+    { "position.x", "no area element", "dA" }, { "unitNormal.x * duu.x", "no area element", "normal" },
     { "3x * dA", "column 1", "number" }, { "position.q * dA", "column 1", "q" },
     { "dA *", "column 5", "unexpected" } };
   Body box(folder, "box");
@@ -264,7 +265,7 @@ void CheckMistakes(const char* folder)
 /// What is undefined or infinite at some point, whatever the rest of the expression makes of it, is no number and not ok.
 void CheckUndefined(const char* folder)
 {
-  const char* undefined[] = { "dA / (u - u)", "dA / 0", "dA / (0 * u)", "1 / (1 / (u - u))",
+  const char* undefined[] = { "dA / (u - u)", "dA / 0", "dA / (0 * u)", "dA / (1 / (u - u))",
     "dot(normal / dvec3(1, 1, v - v), normal)", "dA * mod(u, u - u)", "dA * double(int(u) / int(0.5))",
     "dA * double(int(u) % int(0.5))", "max(sqrt(-1 - u * u), 0) * dA", "dA * log(u - u)",
     "clamp(log(-1 - u * u), 0, 1) * dA", "dA * pow(-1 - u * u, 0.5)", "min(dA * pow(u - u, -1), 1)",

@@ -72,8 +72,8 @@ void CheckMistakes(const Expected& part)
   CheckEqual("errors of an empty name", 1, messages.NumberOfErrors);
   integral->AddIntegrand("a", "");
   CheckEqual("errors of an empty expression", 2, messages.NumberOfErrors);
-  integral->AddIntegrand("a", "1.0LF");
-  integral->AddIntegrand("a", "2.0LF");
+  integral->AddIntegrand("a", "dA");
+  integral->AddIntegrand("a", "2 * dA");
   CheckEqual("errors of a name used twice", 3, messages.NumberOfErrors);
   for (const char* name : { "Faces", "Name", "aBound" })
   {

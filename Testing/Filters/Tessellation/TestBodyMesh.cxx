@@ -102,7 +102,6 @@ void CheckLoops()
     crossed->Loops[0].Coedges.push_back(coedge);
   }
   const std::vector<sm::FaceMesh> meshes = sm::MeshFaces({ crossed }, { 0.1, 0.35 });
-    meshes[0].Reason);
   // Halving makes a point of the crossing. A quarter of a square of side 1.6 cells of length 1.5.
   Check("the part that winds once", 0.25 * 2.4 * 2.4, MeasureMesh({ crossed }, meshes).Area, 1e-6,
     "steps of the grid");

@@ -45,7 +45,6 @@ if child:
     sys.exit(0)
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Support"))
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from smcheck import check_equal, check_true, finish  # noqa: E402
 from smx11 import Display  # noqa: E402
 

@@ -3,6 +3,7 @@
  * @brief The text of STEP files: every kind of token, every kind of damage, and that time does not grow with nesting
  */
 #include "smPart21File.h"
+#include "smSTEPTessellations.h"
 
 #include "smTesting.h"
 
@@ -355,6 +356,21 @@ void CheckSparse()
   CheckEqual("sparse: wrong", 0, static_cast<long long>(wrong));
 }
 
+/// Only the parameters go, also where they hold brackets and semicolons in strings; what is damaged or of another type stays.
+void CheckTessellations()
+{
+  const std::string kept = "#2=TESSELLATED_GEOMETRIC_SET('a;)',(#3));\n#4=DIRECTION('',(1.,0.));\n"
+                           "#5=TRIANGULATED_FACE('',#99,$);\n#6=(A()COORDINATES_LIST('',1,((1.))));\n";
+  sm::Part21File file;
+  file.Parse("  " + Wrap("#1=COORDINATES_LIST('b;)(',2,((0.,1.,2.),(3.,4.,5.)));\n" + kept +
+    "#3 = complex_triangulated_surface_set ('',#1,2,(),(),((1,2)),());\n"));
+  CheckEqual("tessellations",
+    Wrap("#1=COORDINATES_LIST();\n" + kept + "#3 = complex_triangulated_surface_set ();\n"),
+    sm::RemoveTessellations(file));
+  file.Parse(Wrap(kept));
+  CheckEqual("nothing to remove", "", sm::RemoveTessellations(file));
+}
+
 void CheckFromDisk(const std::string& folder)
 {
   const std::string path = folder + "/part21_file.step";
@@ -388,6 +404,7 @@ int TestPart21File(int argc, char* argv[])
   CheckEveryByte();
   CheckDepth();
   CheckSparse();
+  CheckTessellations();
   CheckFromDisk(argv[1]);
   return smtest::Finish();
 }

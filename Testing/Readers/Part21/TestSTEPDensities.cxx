@@ -86,6 +86,13 @@ void CheckProperties()
     StateDensity(100, "7.", "#80,1.", "#82,-2.", "#44", "'material property','x'"));
   CheckBall("of another entity", 0.0, StateDensity(100, "7850.", kilograms, metres, "#31"));
   CheckBall("none", 0.0, "");
+  CheckBall("also in a representation that no product uses", 1000.0,
+    StateDensity(100, "1000.", kilograms, metres, "#44") +
+      "#200=SHAPE_REPRESENTATION('',(#23),#6);\n#201=ITEM_DEFINED_TRANSFORMATION('','',#23,#23);\n"
+      "#202=(REPRESENTATION_RELATIONSHIP('','',#32,#200)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#201)"
+      "SHAPE_REPRESENTATION_RELATIONSHIP());\n");
+  CheckBall("also an item of a representation that no product uses", 1000.0,
+    StateDensity(100, "1000.", kilograms, metres, "#44") + "#200=SHAPE_REPRESENTATION('',(#31),#6);\n");
   CheckBall("a zero for none", 0.0, StateDensity(100, "0.", kilograms, metres, "#44"));
 
   for (const auto& [value, unit] :

@@ -89,7 +89,11 @@ void CheckJunk(const std::string& text)
   CheckEqual("junk is skipped", 3, reader->GetNumberOfInstances());
   CheckTrue("junk is said", reader->GetMessage(0).find("before \"ISO-10303-21;\"") != std::string::npos);
   CheckEqual("CanReadFile", 1, vtkSTEPReader::CanReadFile(junk.c_str()));
-  CheckEqual("CanReadFile of text", 0, vtkSTEPReader::CanReadFile((Folder + "/reader_text.step").c_str()));
+  CheckEqual(
+    "CanReadFile of text", 0, vtkSTEPReader::CanReadFile(Make("reader_text.txt", "no step").c_str()));
+  CheckEqual("CanReadFile of text with a STEP file's name, of which reading tells why", 1,
+    vtkSTEPReader::CanReadFile(Make("reader_text.STEP", "no step").c_str()));
+  CheckEqual("CanReadFile of a file that is not there", 0, vtkSTEPReader::CanReadFile("/nowhere/part.step"));
   CheckEqual("CanReadFile of nothing", 0, vtkSTEPReader::CanReadFile(nullptr));
 }
 

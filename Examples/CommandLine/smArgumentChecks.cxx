@@ -1,0 +1,182 @@
+#include "smArgumentChecks.h"
+
+#include "smFileJob.h"
+#include "smMaterialFile.h"
+#include "smText.h"
+#include "smUserIntegrals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace sm
+{
+std::string CheckScheme(const std::string& name)
+{
+  const std::set<std::string> known = { "adaptive", "midpoint", "gauss2", "gauss3" };
+  return known.count(LowerCase(name))
+    ? ""
+    : "there is no scheme " + name + "; use adaptive, midpoint, gauss2 or gauss3";
+}
+
+std::string CheckDeviation(const std::string& name)
+{
+  return name == "bounded" || name == "sampled"
+    ? ""
+    : "there is no deviation " + name + "; use bounded or sampled";
+}
+
+std::string CheckBackend(const std::string& name)
+{
+  const bool known = name == "auto" || name == "opengl" || name == "cpu" || name == "egl" || name == "x";
+  return known ? "" : "there is no backend " + name + "; use auto, opengl, cpu, x or egl";
+}
+
+std::string CheckUnit(const std::string& name)
+{
+  const std::set<std::string> known = { "mm", "cm", "m", "um", "inch", "in", "ft", "file" };
+  return known.count(LowerCase(name)) ? ""
+                                      : "there is no unit " + name + "; use mm, cm, m, um, inch, ft or file";
+}
+
+std::string CheckTolerance(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value > 0.0 && value <= 1.0 ? "" : "the tolerance must be a number above 0, at most 1";
+}
+
+std::string CheckGapLimit(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value >= 0.0 && value <= 1.0 ? "" : "the limit of gaps must be a number from 0 to 1";
+}
+
+std::string CheckValidationLimit(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value >= 0.0 && value <= 1.0 ? "" : "the limit of differences must be a number from 0 to 1";
+}
+
+std::string CheckQuantityTolerance(const std::string& text)
+{
+  std::string quantity;
+  double relative = 0.0;
+  double absolute = 0.0;
+  return ParseQuantityTolerance(text, quantity, relative, absolute)
+    ? ""
+    : text + " is not the tolerance of a quantity; write for example volume=1e-6 or center=0,1e-3";
+}
+
+/// The text must be a whole number from 1 to `most`.
+std::string CheckFactor(const std::string& what, int most, const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value >= 1.0 && value <= most && value == std::floor(value)
+    ? ""
+    : "the number of " + what + " must be a whole number from 1 to " + std::to_string(most);
+}
+
+std::string CheckChord(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value > 0.0 && value < 1.0 ? "" : "the chord tolerance must be a number above 0 and below 1";
+}
+
+std::string CheckEvaluations(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value >= 1.0 && value <= 1e18 ? "" : "the number of evaluations must be at least 1, at most 1e18";
+}
+
+std::string CheckSeconds(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value >= 0.0 && value < 1e300 ? "" : "the seconds must be a number that is not negative";
+}
+
+std::string CheckDegree(const std::string& text)
+{
+  const double value = ParseNumber(text);
+  return value >= 0.0 && value <= LargestMomentDegree && value == std::floor(value)
+    ? ""
+    : "the degree of moments must be a whole number from 0 to " + std::to_string(LargestMomentDegree);
+}
+
+std::string CheckIntegral(const std::string& text)
+{
+  std::string name;
+  std::string expression;
+  return ParseIntegral(text, name, expression)
+    ? ""
+    : text + " is not an integral; write NAME=EXPRESSION, for example 'area=dA'";
+}
+
+std::string CheckHeight(const std::string& text)
+{
+  return std::isfinite(ParseNumber(text)) ? "" : "the height of a waterline must be a finite number";
+}
+
+std::string CheckDirection(const std::string& text)
+{
+  std::array<double, 3> direction;
+  return ParseDirection(text, direction)
+    ? ""
+    : text + " is not a direction; write x, y, z, -x, -y, -z, or three numbers such as 0,0.1,-1";
+}
+
+std::string CheckDensity(const std::string& text)
+{
+  return ParseDensity(text).Density > 0.0
+    ? ""
+    : "the density must be a positive number, in kg/m^3, or a material of --list-materials";
+}
+
+std::string CheckFrame(const std::string& text)
+{
+  std::vector<double> frame;
+  return ParseFrame(text, frame)
+    ? ""
+    : text + " is no frame; write origin, a point X,Y,Z, or nine numbers: origin, z axis and x axis";
+}
+
+std::vector<std::string> Split(const std::string& text)
+{
+  std::vector<std::string> words;
+  for (size_t begin = 0; begin <= text.size();)
+  {
+    const size_t end = std::min(text.find(',', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+/// An error message when the text is not a list of the words.
+static std::string CheckWords(const std::string& text, const std::set<std::string>& known)
+{
+  std::string all;
+  for (const std::string& word : known)
+  {
+    all += (all.empty() ? "" : ", ") + word;
+  }
+  for (const std::string& word : Split(text))
+  {
+    if (!known.count(word))
+    {
+      return "\"" + word + "\" is none of " + all;
+    }
+  }
+  return {};
+}
+
+std::string CheckFailOn(const std::string& text)
+{
+  return CheckWords(text, { "open", "tolerance-not-met", "suspect", "not-computed", "empty", "none" });
+}
+
+std::string CheckRequire(const std::string& text)
+{
+  return CheckWords(text, { "stable", "mass", "validation" });
+}
+}

@@ -1,0 +1,38 @@
+/**
+ * @file smArgumentChecks.h
+ * @brief Checks of single values on the command line: each returns an error message, empty for a value that can be taken
+ */
+#ifndef smArgumentChecks_h
+#define smArgumentChecks_h
+
+#include <string>
+#include <vector>
+
+namespace sm
+{
+std::string CheckScheme(const std::string& name);
+std::string CheckDeviation(const std::string& name);
+std::string CheckBackend(const std::string& name);
+std::string CheckUnit(const std::string& name);
+std::string CheckTolerance(const std::string& text);
+std::string CheckGapLimit(const std::string& text);
+std::string CheckValidationLimit(const std::string& text);
+std::string CheckQuantityTolerance(const std::string& text);
+std::string CheckFactor(const std::string& what, int most, const std::string& text);
+std::string CheckChord(const std::string& text);
+std::string CheckEvaluations(const std::string& text);
+std::string CheckSeconds(const std::string& text);
+std::string CheckDegree(const std::string& text);
+std::string CheckIntegral(const std::string& text);
+std::string CheckHeight(const std::string& text);
+std::string CheckDirection(const std::string& text);
+std::string CheckDensity(const std::string& text);
+std::string CheckFrame(const std::string& text);
+std::string CheckFailOn(const std::string& text);
+std::string CheckRequire(const std::string& text);
+
+/// The words between commas.
+std::vector<std::string> Split(const std::string& text);
+}
+
+#endif

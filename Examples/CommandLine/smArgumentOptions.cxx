@@ -1,0 +1,271 @@
+#include "smArgumentOptions.h"
+
+#include "smArgumentChecks.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace
+{
+/// An option that takes words, separated by commas.
+CLI::Option* AddListOption(CLI::App& app, const std::string& option, std::vector<std::string>& words,
+  const std::string& type, const std::string& help)
+{
+  return app
+    .add_option_function<std::string>(
+      option, [&words](const std::string& text) { words = sm::Split(text); }, help)
+    ->type_name(type);
+}
+
+void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Files and outputs");
+  app
+    .add_option("FILE", arguments.Files,
+      "STEP files, also compressed (.step.gz, .stpz, a ZIP archive with one); - for\n"
+      "standard input; a folder for the STEP files in it")
+    ->type_name("");
+  sm::AddFileOption(
+    app, "--json", arguments.Json, "Write all results as JSON; - for standard output, and then no table");
+  sm::AddFileOption(app, "--csv", arguments.Csv, "Write a row per file and per solid; - as for --json");
+  sm::AddFileOption(app, "--urdf", arguments.Urdf,
+    "Write an inertial block per file for robots, in kg, m and kg m^2, in the\n"
+    "frame of the file or of --about; SDF takes the same numbers");
+  sm::AddFileOption(app, "--png", arguments.Picture,
+    "Draw the part, translucent, with its centre of mass marked. With several\n"
+    "files, each picture has the STEP file's name added: out-bracket.png");
+  AddListOption(app, "--print", arguments.Print, "COLUMN,...",
+    "Print only these columns of the CSV, one line per file with the values of\n"
+    "all its solids together, for scripts: --print volume; nan where there is none");
+  AddListOption(
+    app, "--fields", arguments.Fields, "COLUMN,...", "Write these columns of the CSV only, in this order");
+  AddListOption(app, "--fail-on", arguments.FailOn, "STATUS,...",
+    "Statuses of a file that make the exit status 3: open, tolerance-not-met,\n"
+    "suspect, not-computed, empty (default: all of these), or none")
+    ->check(sm::CheckFailOn);
+  AddListOption(app, "--require", arguments.Require, "WHAT,...",
+    "Make the exit status 3 unless every file is this: stable (with --stability),\n"
+    "mass (every solid has a density), validation (with --validate: nothing fails)")
+    ->check(sm::CheckRequire);
+  app.add_flag("--quiet,-q", arguments.Quiet, "Print no table and no progress, only errors");
+}
+
+void DeclareComputation(CLI::App& app, sm::JobOptions& job)
+{
+  app.option_defaults()->group("Computation");
+  sm::AddNumberOption(app, "--tolerance", job.Tolerance,
+    "Tolerance of every result, relative to the size of the solid (default 1e-9)")
+    ->check(sm::CheckTolerance);
+  app
+    .add_option("--tolerance-of", job.QuantityTolerances,
+      "Tolerance of one quantity, volume, area, center or inertia: relative (0:\n"
+      "that of --tolerance), or relative and absolute, of which the larger\n"
+      "counts; may be given several times: --tolerance-of center=0,1e-6")
+    ->type_name("NAME=REL[,ABS]")
+    ->check(sm::CheckQuantityTolerance)
+    ->take_all()
+    ->allow_extra_args(false);
+  sm::AddNumberOption(app, "--max-evaluations", job.MaximumEvaluations,
+    "Budget of surface evaluations of a file (default 2e9); where that is too\n"
+    "few, the tolerance is loosened and the bounds say by how much; every face\n"
+    "gets its coarsest rule at least")
+    ->check(sm::CheckEvaluations);
+  sm::AddNumberOption(app, "--max-seconds", job.MaximumSeconds,
+    "Largest time for a file, from reading to drawing (default: no limit);\n"
+    "faces not reached count as 0, and the bounds include their largest\n"
+    "possible values. What does not end by itself (a reader, a shader compiler)\n"
+    "is ended a quarter of the time later, 2 s at least")
+    ->check(sm::CheckSeconds);
+  sm::AddNumberOption(app, "--gap-limit", job.GapLimit,
+    "Gaps between faces above this fraction of the diagonal, or of the volume\n"
+    "that closing them adds, make a result suspect (default 1e-3; 1: none does)")
+    ->check(sm::CheckGapLimit);
+  app
+    .add_option("--unit", job.Unit,
+      "Length unit of all results: mm (default), cm, m, um, inch, ft; or file:\n"
+      "the one that the file is written in")
+    ->type_name("UNIT")
+    ->check(sm::CheckUnit);
+  app
+    .add_option("--backend", job.Backend,
+      "opengl: compute shaders, on the X display or through EGL where there is\n"
+      "none; x or egl: only that one; cpu: no OpenGL; auto (default): opengl\n"
+      "where there is OpenGL 4.3 with doubles, else cpu")
+    ->type_name("NAME")
+    ->check(sm::CheckBackend);
+}
+
+/// Densities, and where the results refer to.
+void DeclareMass(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Materials and frame");
+  app
+    .add_option("--density", arguments.Density,
+      "Density of all solids in kg/m^3, or a material of --list-materials, for the\n"
+      "mass in kg (default: what the file states)")
+    ->type_name("NUMBER|NAME")
+    ->check(sm::CheckDensity);
+  sm::AddFileOption(app, "--materials", arguments.Materials,
+    "Materials by the names of solids, before --density and the file: CSV with\n"
+    "lines NAME,MATERIAL,DENSITY, or JSON; in NAME, * and ? stand for any letters;\n"
+    "the first line that fits counts. Without a density: that of --list-materials");
+  app.add_flag(
+    "--list-materials", arguments.ListMaterials, "Print the common materials with their densities, and end");
+  app.add_flag("--box", arguments.Job.Box,
+    "Bounding boxes of the trimmed surfaces, with a bound; takes time for large parts");
+  app
+    .add_option("--about", arguments.About,
+      "Inertia and centre of mass in another frame, too: origin, a point X,Y,Z,\n"
+      "or nine numbers: a point, the direction of the z axis, that of the x axis")
+    ->type_name("FRAME")
+    ->check(sm::CheckFrame);
+}
+
+/// The product structure.
+void DeclareProducts(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Products");
+  sm::JobOptions& job = arguments.Job;
+  app.add_flag("--bom", job.PartsList,
+    "Print the parts list: products with their counts, materials and masses, each\n"
+    "and in all; in JSON the key parts");
+  sm::AddFileOption(app, "--bom-csv", arguments.PartsCsv, "Write the parts lists of all files as CSV");
+  app.add_option("--depth", job.Depth, "Levels of the parts list (default: all); sums include what is below")
+    ->type_name("LEVELS")
+    ->check([](const std::string& text) { return sm::CheckFactor("levels", 1000, text); });
+  app
+    .add_option("--only", job.Only,
+      "Compute only the products of this name and what is below them; * and ?\n"
+      "stand for any letters; may be given several times")
+    ->type_name("NAME")
+    ->take_all()
+    ->allow_extra_args(false);
+}
+
+/// The validation properties that a file states.
+void DeclareValidation(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Validation properties");
+  sm::JobOptions& job = arguments.Job;
+  app.add_flag("--validate", job.Validate,
+    "Compare volume, area and centroid that the file states for its products with\n"
+    "the results: pass, fail or not comparable; in JSON the key validation");
+  sm::AddNumberOption(app, "--validation-limit", job.ValidationLimit,
+    "Largest difference that passes, relative to the stated value, for the centroid\n"
+    "to the cube root of the volume, beside the error bounds (default 1e-3)")
+    ->check(sm::CheckValidationLimit);
+  sm::AddFileOption(app, "--write-validation", job.ValidationTarget,
+    "Write the STEP file again with volume, area, centroid and density of its\n"
+    "products, where it does not state them; all other bytes stay as they are");
+}
+
+/// Integrals beside the mass properties.
+void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Other integrals");
+  app
+    .add_option("--moments", arguments.Job.MomentDegree,
+      "Integrals of x^i y^j z^k over the volume, i + j + k up to DEGREE:\n"
+      "moment_i_j_k")
+    ->type_name("DEGREE")
+    ->check(sm::CheckDegree);
+  app
+    .add_option("--integral", arguments.Job.Integrals,
+      "Integral over the faces of an expression (GLSL) of position, normal (of\n"
+      "the length of the area element dA), unitNormal, u, v, du, dv, duu, duv,\n"
+      "dvv, meanCurvature, gaussianCurvature; with OpenGL only; may be given\n"
+      "several times: --integral 'willmore=pow(meanCurvature, 2) * dA'")
+    ->type_name("NAME=EXPR")
+    ->check(sm::CheckIntegral)
+    ->take_all()
+    ->allow_extra_args(false);
+}
+
+void DeclareWaterlines(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Buoyancy");
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--waterline",
+      [&heights = arguments.Job.Waterlines](const std::vector<std::string>& texts)
+      { std::transform(texts.begin(), texts.end(), std::back_inserter(heights), sm::ParseNumber); },
+      "Volume below a waterline, and its centre, the centre of buoyancy: the\n"
+      "plane at HEIGHT along --up from the origin, in the unit of the results;\n"
+      "may be given several times")
+    ->type_name("HEIGHT")
+    ->check(sm::CheckHeight)
+    ->take_all()
+    ->allow_extra_args(false);
+  app.add_option("--up", arguments.Up, "Upward normal of the waterlines, of any length (default 0,0,1)")
+    ->type_name("X,Y,Z")
+    ->check(sm::CheckDirection);
+}
+
+void DeclareStability(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Static stability");
+  app
+    .add_option("--stability", arguments.Job.Stability,
+      "Static stability of the part, resting on its lowest points, under gravity\n"
+      "along DIR, x, y, z, +x .. -z or three numbers: the stability margin\n"
+      "(signed distance from the projected centre of mass to the nearest edge\n"
+      "of the support polygon), tip angle and rise of the centre of mass before\n"
+      "tipping, with bounds; for all solids as one body, and for each alone:\n"
+      "--stability -z")
+    ->type_name("DIR")
+    ->check(sm::CheckDirection)
+    ->expected(1);
+}
+
+/// The schemes of the paper and their own options.
+void DeclareSchemes(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Schemes of the paper");
+  sm::JobOptions& job = arguments.Job;
+  app
+    .add_option("--scheme", job.Scheme,
+      "adaptive (default): to the tolerance, with bounds; midpoint, gauss2 or\n"
+      "gauss3: those of \"Accurate Moment Computation Using the GPU\", for\n"
+      "comparison, with the paper's estimate of the error and without a bound")
+    ->type_name("NAME")
+    ->check(sm::CheckScheme);
+  app
+    .add_option(
+      "--subpatches", job.SubPatches, "Paper's schemes: K x K sub-patches per knot interval (default 2)")
+    ->type_name("K")
+    ->check([](const std::string& text) { return sm::CheckFactor("sub-patches", 1024, text); });
+  app
+    .add_option("--trim-texture", job.TrimTexture, "Paper's schemes: M x M texels per sub-patch (default 4)")
+    ->type_name("M")
+    ->check([](const std::string& text) { return sm::CheckFactor("texels", 16, text); });
+  sm::AddNumberOption(app, "--chord", job.ChordTolerance,
+    "Paper's schemes: largest distance of the chords of planar faces' trim\n"
+    "curves from these, relative to the size of the solid (default 1e-8)")
+    ->check(sm::CheckChord);
+  app
+    .add_option("--deviation", job.Deviation,
+      "Paper's schemes: how the error estimate finds the deviation of a\n"
+      "sub-patch: bounded (default), or sampled")
+    ->type_name("NAME")
+    ->check(sm::CheckDeviation);
+  sm::AddFileOption(app, "--trim-textures", arguments.TextureFolder,
+    "Write the trim textures of the paper's schemes to FOLDER, a PNG per face")
+    ->type_name("FOLDER");
+}
+}
+
+namespace sm
+{
+void DeclareOptions(CLI::App& app, Arguments& arguments)
+{
+  DeclareFiles(app, arguments);
+  DeclareComputation(app, arguments.Job);
+  DeclareMass(app, arguments);
+  DeclareProducts(app, arguments);
+  DeclareValidation(app, arguments);
+  DeclareIntegrals(app, arguments);
+  DeclareWaterlines(app, arguments);
+  DeclareStability(app, arguments);
+  DeclareSchemes(app, arguments);
+}
+}

@@ -1,0 +1,300 @@
+#include "smInputFile.h"
+
+#include "smText.h"
+
+#include "vtk_zlib.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <system_error>
+#include <vector>
+
+namespace sm
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t MostBytes = std::uint64_t(4) << 30;
+constexpr size_t BufferSize = 1 << 16;
+const char* const TooLarge = "it has more than 4 GB";
+const char* const NoSpace = "there is no room for its content in the folder for temporary files";
+
+bool IsStepName(const std::string& name)
+{
+  const std::string extension = LowerCase(fs::path(name).extension().string());
+  return extension == ".step" || extension == ".stp" || extension == ".p21";
+}
+
+std::uint32_t GetNumber(const std::string& bytes, size_t at, size_t count)
+{
+  std::uint32_t value = 0;
+  for (size_t i = 0; i < count && at + i < bytes.size(); ++i)
+  {
+    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
+  }
+  return value;
+}
+
+/// Writes the inflated stream; `windowBits` as zlib has it: 31 for gzip, -15 for a bare stream. Returns an error message; empty if the
+/// stream came to its end. Several streams of gzip, one behind the other, are one file.
+std::string InflateTo(std::istream& input, std::ostream& output, int windowBits)
+{
+  z_stream stream = {};
+  if (inflateInit2(&stream, windowBits) != Z_OK)
+  {
+    return "zlib cannot be started";
+  }
+  std::vector<char> in(BufferSize);
+  std::vector<char> out(BufferSize);
+  std::uint64_t written = 0;
+  std::string error;
+  int status = Z_OK;
+  bool isWhole = false;
+  while (error.empty())
+  {
+    if (stream.avail_in == 0)
+    {
+      input.read(in.data(), static_cast<std::streamsize>(in.size()));
+      stream.next_in = reinterpret_cast<Bytef*>(in.data());
+      stream.avail_in = static_cast<uInt>(input.gcount());
+    }
+    if (stream.avail_in == 0)
+    {
+      error = isWhole ? std::string() : "it ends in the middle";
+      break;
+    }
+    if (isWhole && inflateReset(&stream) != Z_OK)
+    {
+      break;
+    }
+    isWhole = false;
+    stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    stream.avail_out = static_cast<uInt>(out.size());
+    status = inflate(&stream, Z_NO_FLUSH);
+    const size_t count = out.size() - stream.avail_out;
+    written += count;
+    output.write(out.data(), static_cast<std::streamsize>(count));
+    error = status != Z_OK && status != Z_STREAM_END ? "its compressed data are damaged"
+      : written > MostBytes                          ? TooLarge
+      : !output                                      ? NoSpace
+                                                     : "";
+    isWhole = status == Z_STREAM_END;
+    if (isWhole && windowBits < 0)
+    {
+      break;
+    }
+  }
+  inflateEnd(&stream);
+  return error;
+}
+}
+
+InputFile::InputFile(const std::string& name)
+  : Path(name)
+{
+  if (name == "-")
+  {
+    this->CopyStandardInput();
+    return;
+  }
+  std::error_code error;
+  if (!fs::is_regular_file(name, error))
+  {
+    return;
+  }
+  std::ifstream file(name, std::ios::binary);
+  std::string head(4, '\0');
+  file.read(head.data(), 4);
+  if (head.compare(0, 2, "\x1f\x8b") == 0)
+  {
+    this->Inflate(name);
+  }
+  else if (head == "PK\x03\x04")
+  {
+    this->Extract(name);
+  }
+}
+
+InputFile::~InputFile()
+{
+  if (!this->Folder.empty())
+  {
+    std::error_code error;
+    fs::remove_all(this->Folder, error);
+  }
+}
+
+bool InputFile::MakeFolder(const std::string& name)
+{
+  const char* const given = std::getenv("TMPDIR");
+  std::string folder = std::string(given && *given ? given : "/tmp") + "/solidmoments-XXXXXX";
+  if (!mkdtemp(folder.data()))
+  {
+    this->Error = NoSpace;
+    return false;
+  }
+  this->Folder = folder;
+  // "bracket.step.gz" becomes bracket.step.
+  const std::string stem = GetStem(name);
+  this->Path = folder + "/" + (IsStepName(stem) ? stem : stem + ".step");
+  return true;
+}
+
+void InputFile::CopyStandardInput()
+{
+  if (!this->MakeFolder("standard-input"))
+  {
+    return;
+  }
+  std::ofstream copy(this->Path, std::ios::binary);
+  std::vector<char> buffer(BufferSize);
+  std::uint64_t written = 0;
+  while (copy && written <= MostBytes &&
+    (std::cin.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), std::cin.gcount() > 0))
+  {
+    copy.write(buffer.data(), std::cin.gcount());
+    written += static_cast<std::uint64_t>(std::cin.gcount());
+  }
+  copy.close();
+  this->Error = written > MostBytes ? TooLarge : !copy ? NoSpace : "";
+  if (!this->Error.empty())
+  {
+    return;
+  }
+  // It may be compressed.
+  InputFile inner(this->Path);
+  if (!inner.GetError().empty() || inner.GetPath() == this->Path)
+  {
+    this->Error = inner.GetError();
+    return;
+  }
+  std::error_code error;
+  fs::copy_file(inner.GetPath(), this->Path, fs::copy_options::overwrite_existing, error);
+  this->Error = error ? NoSpace : "";
+}
+
+void InputFile::Inflate(const std::string& name)
+{
+  if (!this->MakeFolder(name))
+  {
+    return;
+  }
+  std::ifstream file(name, std::ios::binary);
+  std::ofstream copy(this->Path, std::ios::binary);
+  this->Error = InflateTo(file, copy, 31);
+  copy.close();
+  this->Error = this->Error.empty() && !copy ? NoSpace : this->Error;
+}
+
+void InputFile::Extract(const std::string& name)
+{
+  std::ifstream file(name, std::ios::binary);
+  const std::string bytes = [&file]()
+  {
+    // The directory is at the end: its last record is at most 64 kB from it.
+    file.seekg(0, std::ios::end);
+    const std::streamoff size = file.tellg();
+    const std::streamoff count = std::min<std::streamoff>(size, 65557);
+    std::string tail(static_cast<size_t>(count), '\0');
+    file.seekg(size - count);
+    file.read(tail.data(), count);
+    return tail;
+  }();
+  const size_t end = bytes.rfind("PK\x05\x06");
+  this->Error = "the ZIP archive is damaged";
+  if (end == std::string::npos || end + 22 > bytes.size())
+  {
+    return;
+  }
+  const std::uint32_t size = GetNumber(bytes, end + 12, 4);
+  std::string directory(std::min<size_t>(size, 1 << 26), '\0');
+  file.clear();
+  file.seekg(GetNumber(bytes, end + 16, 4));
+  file.read(directory.data(), static_cast<std::streamsize>(directory.size()));
+  std::vector<size_t> found;
+  for (size_t at = 0; at + 46 <= directory.size() && directory.compare(at, 4, "PK\x01\x02") == 0;)
+  {
+    const size_t length = GetNumber(directory, at + 28, 2);
+    if (IsStepName(directory.substr(at + 46, length)))
+    {
+      found.push_back(at);
+    }
+    at += 46 + length + GetNumber(directory, at + 30, 2) + GetNumber(directory, at + 32, 2);
+  }
+  if (found.size() != 1)
+  {
+    this->Error = "the ZIP archive has " + std::to_string(found.size()) + " STEP files; it must have one";
+    return;
+  }
+  const size_t at = found.front();
+  const std::uint32_t method = GetNumber(directory, at + 10, 2);
+  const bool isEncrypted = (GetNumber(directory, at + 8, 2) & 1) != 0;
+  const std::uint32_t stored = GetNumber(directory, at + 20, 4);
+  std::string header(30, '\0');
+  file.clear();
+  file.seekg(GetNumber(directory, at + 42, 4));
+  file.read(header.data(), 30);
+  if (!file || header.compare(0, 4, "PK\x03\x04") != 0 ||
+    !this->MakeFolder(GetFileName(directory.substr(at + 46, GetNumber(directory, at + 28, 2)))))
+  {
+    return;
+  }
+  file.seekg(GetNumber(header, 26, 2) + GetNumber(header, 28, 2), std::ios::cur);
+  std::ofstream copy(this->Path, std::ios::binary);
+  if (isEncrypted || (method != 0 && method != 8))
+  {
+    this->Error = isEncrypted ? "the ZIP archive is encrypted"
+                              : "the ZIP archive is compressed in a way that is not known";
+  }
+  else if (method == 8)
+  {
+    this->Error = InflateTo(file, copy, -15);
+  }
+  else
+  {
+    std::vector<char> buffer(BufferSize);
+    std::uint32_t left = stored;
+    while (left > 0 && file.read(buffer.data(), std::min<std::streamsize>(left, BufferSize)).gcount() > 0)
+    {
+      copy.write(buffer.data(), file.gcount());
+      left -= static_cast<std::uint32_t>(file.gcount());
+    }
+    this->Error = left == 0 ? "" : "it ends in the middle";
+  }
+  copy.close();
+  this->Error = this->Error.empty() && !copy ? NoSpace : this->Error;
+}
+
+std::vector<std::string> ExpandFolders(const std::vector<std::string>& names)
+{
+  std::vector<std::string> result;
+  for (const std::string& name : names)
+  {
+    std::vector<std::string> inside;
+    std::error_code error;
+    for (fs::directory_iterator it(name, error), end; !error && it != end; it.increment(error))
+    {
+      const std::string file = it->path().string();
+      const std::string extension = LowerCase(it->path().extension().string());
+      if (it->is_regular_file(error) &&
+        (IsStepName(file) || extension == ".stpz" || (extension == ".gz" && IsStepName(GetStem(file)))))
+      {
+        inside.push_back(file);
+      }
+    }
+    std::sort(inside.begin(), inside.end());
+    if (inside.empty())
+    {
+      inside.push_back(name);
+    }
+    result.insert(result.end(), inside.begin(), inside.end());
+  }
+  return result;
+}
+}

@@ -1,0 +1,26 @@
+/**
+ * @file smProductTree.h
+ * @brief The product structure of a file as the reader's assembly has it
+ */
+#ifndef smProductTree_h
+#define smProductTree_h
+
+#include "smJson.h"
+
+#include <string>
+#include <vector>
+
+class vtkSTEPReader;
+
+namespace sm
+{
+/// The root of the products: {"name", "bodies": [{"id", "model", "placement"}], "children": [...]}. "id" is that of the table of solids, and
+/// bodies with the same "model" are instances of one; "placement" has the first three rows of the matrix from the part to the world. Nodes more than 100 levels deep are missing, and their bodies are in the node above.
+Json GetProductTree(vtkSTEPReader* reader);
+
+/// A selector (vtkSurfaceIntegralBase::AddSelector) for every product whose name matches the pattern (MatchesPattern); one that
+/// selects nothing and names the pattern when there is none.
+std::vector<std::string> FindProducts(vtkSTEPReader* reader, const std::string& pattern);
+}
+
+#endif

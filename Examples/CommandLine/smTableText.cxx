@@ -1,0 +1,119 @@
+#include "smTableText.h"
+
+#include "smFormat.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+/// True for every byte but those that continue a character of UTF-8.
+bool StartsCharacter(char byte)
+{
+  return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+}
+
+/// Where the character of that number begins; the size of the text behind the last one.
+size_t FindCharacter(const std::string& text, size_t number)
+{
+  size_t at = 0;
+  for (size_t count = 0; at < text.size(); ++at)
+  {
+    count += StartsCharacter(text[at]) ? 1 : 0;
+    if (count > number)
+    {
+      break;
+    }
+  }
+  return at;
+}
+}
+
+size_t GetWidth(const std::string& text)
+{
+  return static_cast<size_t>(std::count_if(text.begin(), text.end(), StartsCharacter));
+}
+
+std::string Shorten(const std::string& text, size_t width)
+{
+  const size_t length = GetWidth(text);
+  if (length <= width)
+  {
+    return text;
+  }
+  const size_t tail = (width - 2) / 2;
+  return text.substr(0, FindCharacter(text, width - 2 - tail)) + ".." +
+    text.substr(FindCharacter(text, length - tail));
+}
+
+std::string Pad(const std::string& text, size_t width, bool right)
+{
+  const size_t length = GetWidth(text);
+  const std::string blanks(length < width ? width - length : 0, ' ');
+  return right ? blanks + text : text + blanks;
+}
+
+std::string FormatValue(const Json& value, const Json& bound, int digits)
+{
+  if (!value.is_number())
+  {
+    return "-";
+  }
+  double number = value.get<double>();
+  const double limit = bound.is_number() ? bound.get<double>() : 0.0;
+  if (limit > 0.0 && std::isfinite(limit))
+  {
+    // Entries of a tensor that are 0 within its bound are shown as 0 and not as rounding errors.
+    const double unit = std::pow(10.0, std::floor(std::log10(limit)));
+    number = std::round(number / unit) * unit;
+  }
+  const std::string text = FormatDigits(number, digits);
+  return text == "-0" ? "0" : text;
+}
+
+std::string FormatVector(const Json& values, const Json& bound)
+{
+  if (values.is_null())
+  {
+    return "-";
+  }
+  const int digits = 10;
+  return FormatValue(values[0], bound, digits) + "  " + FormatValue(values[1], bound, digits) + "  " +
+    FormatValue(values[2], bound, digits);
+}
+
+std::string FormatBrief(const Json& value, const Json& bound)
+{
+  if (value.is_null())
+  {
+    return "-";
+  }
+  double limit = bound.is_number() ? bound.get<double>() : 0.0;
+  for (const Json& number : value.is_array() ? value : Json::array({ value }))
+  {
+    limit = std::max(limit, 1e-9 * std::abs(number.get<double>()));
+  }
+  return (bound.is_number() ? "" : "~") +
+    (value.is_array() ? FormatVector(value, limit) : FormatValue(value, limit));
+}
+
+std::string FormatCell(const Json& value)
+{
+  if (!value.is_string())
+  {
+    return value.is_null() ? "" : Dump(value);
+  }
+  std::string text = value.get<std::string>();
+  if (text.find_first_of(",\"\n\r") == std::string::npos)
+  {
+    return text;
+  }
+  for (size_t i = text.find('"'); i != std::string::npos; i = text.find('"', i + 2))
+  {
+    text.insert(i, 1, '"');
+  }
+  return "\"" + text + "\"";
+}
+}

@@ -1,0 +1,330 @@
+#include "smValidation.h"
+
+#include "smLengthUnits.h"
+#include "smSTEPProducts.h"
+#include "smSafeFile.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace sm
+{
+namespace
+{
+using Vector = std::array<double, 3>;
+
+/// A product of the tree as it was computed, in millimetres; NaN for what is not known.
+struct Computed
+{
+  /// Why nothing is known.
+  std::string Reason;
+  double Volume = 0.0, VolumeBound = 0.0;
+  double Area = 0.0, AreaBound = 0.0;
+  Vector Center{ std::nan(""), std::nan(""), std::nan("") };
+  double CenterBound = std::nan("");
+  /// Why the centre is not comparable; empty if it is.
+  std::string NoCenter;
+  /// Of a part, not of an assembly.
+  Json Material, Density;
+};
+
+struct Solid
+{
+  const Json* Values;
+  const Json* Placement;
+};
+
+using SolidsById = std::map<std::string, const Json*>;
+
+bool IsKnown(const Json& solid)
+{
+  const Json& bounds = solid["bounds"];
+  return solid["volume"].is_number() && solid["area"].is_number() && solid["center_of_mass"].is_array() &&
+    bounds["volume"].is_number() && bounds["area"].is_number() && bounds["center_of_mass"].is_number();
+}
+
+/// Solids below a node; false if one of them was not computed.
+bool Collect(const Json& node, const SolidsById& byId, std::vector<Solid>& solids)
+{
+  for (const Json& body : node["bodies"])
+  {
+    const auto found = byId.find(body["id"].get<std::string>());
+    if (found == byId.end() || !IsKnown(*found->second))
+    {
+      return false;
+    }
+    solids.push_back({ found->second, &body["placement"] });
+  }
+  for (const Json& child : node["children"])
+  {
+    if (!Collect(child, byId, solids))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Vector GetVector(const Json& values)
+{
+  return { values[0].get<double>(), values[1].get<double>(), values[2].get<double>() };
+}
+
+/// The centre in the coordinates of the part: R^T (c - t) of a rigid placement.
+Vector PlaceBack(const Vector& c, const Json& placement)
+{
+  Vector result{};
+  for (size_t i = 0; i < 3; ++i)
+  {
+    for (size_t k = 0; k < 3; ++k)
+    {
+      result[i] += placement[4 * k + i].get<double>() * (c[k] - placement[4 * k + 3].get<double>());
+    }
+  }
+  return result;
+}
+
+/// Sums of the solids below a node, in the coordinates of its first solid's part if it is one, otherwise of the world.
+Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double millimetres)
+{
+  Computed sum;
+  std::vector<Solid> solids;
+  if (!Collect(node, byId, solids) || solids.empty())
+  {
+    sum.Reason = "not all of its solids were computed";
+    return sum;
+  }
+  const double cube = millimetres * millimetres * millimetres;
+  const bool isPart = node["children"].empty();
+  std::vector<Vector> centers;
+  Vector first{};
+  double rounding = 0.0;
+  for (const Solid& solid : solids)
+  {
+    const Json& values = *solid.Values;
+    const Json& bounds = values["bounds"];
+    const double volume = cube * values["volume"].get<double>();
+    sum.Volume += volume;
+    sum.VolumeBound += cube * bounds["volume"].get<double>();
+    sum.Area += millimetres * millimetres * values["area"].get<double>();
+    sum.AreaBound += millimetres * millimetres * bounds["area"].get<double>();
+    const Vector world = GetVector(values["center_of_mass"]);
+    centers.push_back(isPart ? PlaceBack(world, *solid.Placement) : world);
+    for (size_t i = 0; i < 3; ++i)
+    {
+      centers.back()[i] *= millimetres;
+      first[i] += volume * centers.back()[i];
+      rounding += 1e-15 * millimetres * (std::abs(world[i]) + std::abs(centers.back()[i]) / millimetres);
+      rounding += isPart ? 1e-15 * millimetres * std::abs((*solid.Placement)[4 * i + 3].get<double>()) : 0.0;
+    }
+  }
+  sum.VolumeBound += 1e-15 * sum.Volume;
+  sum.AreaBound += 1e-15 * sum.Area;
+  sum.NoCenter = isPart || isRoot ? "" : "the place of a sub-assembly is not known";
+  // c = sum V_i c_i / sum V_i, with bounds e_i of V_i and d_i of c_i, is off by at most (sum V_i d_i + e_i (|c_i - c| + d_i)) / (sum V_i - e_i).
+  double error = 0.0;
+  for (size_t i = 0; i < 3; ++i)
+  {
+    sum.Center[i] = first[i] / sum.Volume;
+  }
+  for (size_t k = 0; k < solids.size(); ++k)
+  {
+    const Json& values = *solids[k].Values;
+    const double e = cube * values["bounds"]["volume"].get<double>();
+    const double d = millimetres * values["bounds"]["center_of_mass"].get<double>();
+    const double away =
+      std::hypot(centers[k][0] - sum.Center[0], centers[k][1] - sum.Center[1], centers[k][2] - sum.Center[2]);
+    error += cube * values["volume"].get<double>() * d + e * (away + d);
+  }
+  sum.CenterBound = error / (sum.Volume - sum.VolumeBound) + rounding;
+  if (!isPart)
+  {
+    return sum;
+  }
+  // A material for all of it, or none.
+  sum.Material = (*solids.front().Values)["material"];
+  sum.Density = (*solids.front().Values)["density"];
+  for (const Solid& solid : solids)
+  {
+    sum.Material = (*solid.Values)["material"] == sum.Material ? sum.Material : Json();
+    sum.Density = (*solid.Values)["density"] == sum.Density ? sum.Density : Json();
+  }
+  return sum;
+}
+
+using Nodes = std::map<std::string, std::pair<const Json*, bool>>;
+
+/// The first node of each name, and whether it is at the top.
+void ListNodes(const Json& node, bool isTop, Nodes& nodes)
+{
+  for (const Json& child : node["children"])
+  {
+    nodes.emplace(child["name"].get<std::string>(), std::pair(&child, isTop));
+    ListNodes(child, false, nodes);
+  }
+}
+
+class Comparison
+{
+public:
+  Comparison(const std::string& fileName, const Json& tree, const Json& file)
+    : Millimetres(
+        GetUnitInMillimetres(file["length_unit"].is_string() ? file["length_unit"].get<std::string>() : ""))
+  {
+    this->IsRead = this->File.Read(fileName);
+    this->Products = this->IsRead ? ReadSTEPProducts(this->File) : std::vector<STEPProduct>();
+    for (const STEPProduct& product : this->Products)
+    {
+      ++this->Uses[product.Name];
+    }
+    for (const Json& solid : file["solids"])
+    {
+      this->ById[solid["id"].get<std::string>()] = &solid;
+    }
+    ListNodes(tree, true, this->NodesByName);
+  }
+
+  Computed Find(const STEPProduct& product) const
+  {
+    const auto found = this->NodesByName.find(product.Name);
+    Computed result;
+    if (this->Uses.at(product.Name) > 1)
+    {
+      result.Reason = "several products have this name";
+    }
+    else if (found == this->NodesByName.end())
+    {
+      result.Reason = "no product of this name was read";
+    }
+    else
+    {
+      result = Compute(*found->second.first, found->second.second, this->ById, this->Millimetres);
+    }
+    return result;
+  }
+
+  Part21File File;
+  bool IsRead = false;
+  std::vector<STEPProduct> Products;
+  double Millimetres;
+
+private:
+  std::map<std::string, int> Uses;
+  Nodes NodesByName;
+  SolidsById ById;
+};
+
+/// Adds an entry. Values are in millimetres to a power, those of a centroid in three components; `allowed` is without the bound.
+void AddEntry(const STEPProduct& product, const char* quantity, const std::vector<double>& stated,
+  const std::vector<double>& computed, double bound, double allowed, const std::string& reason, double unit,
+  Json& list)
+{
+  const auto convert = [unit](const std::vector<double>& values)
+  {
+    Json result = Json::array();
+    for (const double value : values)
+    {
+      result.push_back(value / unit);
+    }
+    return values.size() == 1 ? result[0] : result;
+  };
+  double squared = 0.0;
+  for (size_t i = 0; i < stated.size(); ++i)
+  {
+    squared += (computed[i] - stated[i]) * (computed[i] - stated[i]);
+  }
+  const double difference = std::sqrt(squared);
+  const double limit = allowed + (stated.size() == 1 ? bound : std::sqrt(3.0) * bound);
+  const std::string problem = !product.Problem.empty() ? product.Problem : reason;
+  const bool isComparable = problem.empty() && std::isfinite(limit) && std::isfinite(difference);
+  Json entry;
+  entry["product"] = product.Name;
+  entry["definition"] = product.Definition;
+  entry["quantity"] = quantity;
+  entry["stated"] = convert(stated);
+  entry["computed"] = isComparable ? convert(computed) : Json();
+  entry["bound"] = isComparable ? Json(bound / unit) : Json();
+  entry["difference"] = isComparable ? Json(difference / unit) : Json();
+  entry["limit"] = isComparable ? Json(limit / unit) : Json();
+  entry["result"] = !isComparable ? "not-comparable" : difference <= limit ? "pass" : "fail";
+  entry["reason"] = isComparable ? Json() : problem.empty() ? Json("it was not computed") : Json(problem);
+  list.push_back(std::move(entry));
+}
+}
+
+Json CompareValidation(const std::string& fileName, const Json& tree, const Json& file, double limit)
+{
+  const Comparison comparison(fileName, tree, file);
+  const double unit = comparison.Millimetres > 0.0 ? comparison.Millimetres : 1.0;
+  Json list = Json::array();
+  for (const STEPProduct& product : comparison.Products)
+  {
+    const STEPValidation& stated = product.Stated;
+    const Vector& point = stated.Centroid;
+    const bool hasPoint = std::isfinite(point[0] + point[1] + point[2]);
+    if (!hasPoint && !std::isfinite(stated.Volume) && !std::isfinite(stated.Area))
+    {
+      continue;
+    }
+    const Computed computed = comparison.Find(product);
+    if (std::isfinite(stated.Volume))
+    {
+      AddEntry(product, "volume", { stated.Volume }, { computed.Volume }, computed.VolumeBound,
+        limit * std::abs(stated.Volume), computed.Reason, unit * unit * unit, list);
+    }
+    if (std::isfinite(stated.Area))
+    {
+      AddEntry(product, "area", { stated.Area }, { computed.Area }, computed.AreaBound,
+        limit * std::abs(stated.Area), computed.Reason, unit * unit, list);
+    }
+    if (hasPoint)
+    {
+      AddEntry(product, "centroid", { point.begin(), point.end() },
+        { computed.Center.begin(), computed.Center.end() }, computed.CenterBound,
+        limit * std::cbrt(computed.Volume), computed.Reason.empty() ? computed.NoCenter : computed.Reason,
+        unit, list);
+    }
+  }
+  return list;
+}
+
+std::string WriteValidation(
+  const std::string& fileName, const Json& tree, const Json& file, const std::string& target)
+{
+  const Comparison comparison(fileName, tree, file);
+  if (!comparison.IsRead)
+  {
+    return "the text of " + fileName + " cannot be read";
+  }
+  std::vector<STEPStatement> statements;
+  for (const STEPProduct& product : comparison.Products)
+  {
+    const Computed computed = comparison.Find(product);
+    const STEPValidation& stated = product.Stated;
+    if (!computed.Reason.empty() || !product.Problem.empty() || product.Context == 0)
+    {
+      continue;
+    }
+    STEPStatement statement;
+    statement.Product = product;
+    // One property twice would contradict itself.
+    statement.Values.Volume = std::isfinite(stated.Volume) ? std::nan("") : computed.Volume;
+    statement.Values.Area = std::isfinite(stated.Area) ? std::nan("") : computed.Area;
+    if (computed.NoCenter.empty() && !std::isfinite(stated.Centroid[0]))
+    {
+      statement.Values.Centroid = computed.Center;
+    }
+    if (computed.Density.is_number() && !product.HasDensity)
+    {
+      statement.Density = computed.Density.get<double>();
+      statement.Material = computed.Material.is_string() ? computed.Material.get<std::string>() : "";
+    }
+    statements.push_back(statement);
+  }
+  const std::string text = AppendSTEPValidation(comparison.File, statements);
+  const std::string problem = text.empty() ? "it has no entities" : SaveFile(target, text);
+  return problem.empty() ? problem : target + " cannot be written: " + problem;
+}
+}

@@ -1,0 +1,29 @@
+/**
+ * @file smTotalMass.h
+ * @brief Materials and masses of bodies, and of all bodies together
+ */
+#ifndef smTotalMass_h
+#define smTotalMass_h
+
+#include "smMassAnalysis.h"
+
+namespace sm
+{
+/// Returns the material of a body: that of the first rule that its name matches; else the density of the options; else what its file
+/// states.
+Material ChooseMaterial(const BodyIntegrals& body, const MassAnalysisOptions& options);
+
+/// Sets the properties of a row that is of one material: those of the volume times the density. `unit` is the length unit of the row.
+void SetMass(MassRow& row, const Material& material, const std::string& unit);
+
+/// Sets the mass properties of the total, of bodies that all have the same unit, and adds a message about those without a density. `parts`
+/// are the moments of the bodies with a volume, in their order, and `sum` those of all of them.
+void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Moments>& parts,
+  const Moments& sum, const MassAnalysisOptions& options, MassAnalysis& analysis);
+
+/// Adds a message about each rule that no body matches.
+void NoteUnusedRules(
+  const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis);
+}
+
+#endif

@@ -1,0 +1,40 @@
+/**
+ * @file smReadingError.h
+ * @brief What rounding of the numbers that a face was read from may change its integrals by
+ *
+ * Surface and edges move together by a displacement d with |d| <= Moved, a B-spline surface as they are (NURBSSurface::Rounding), so
+ * the chain of a body stays closed. Its volume integrals change by the flux of d, an area by the change of the tangents and by what
+ * d sweeps along the border. See Bounds.md, section 4.
+ */
+#ifndef smReadingError_h
+#define smReadingError_h
+
+#include "smFacePanels.h"
+#include "smFiltersQuadratureModule.h"
+#include "smPatchMajorants.h"
+
+namespace sm
+{
+struct SMFILTERSQUADRATURE_EXPORT ReadingError
+{
+  /// 0: nothing was rounded.
+  double Moved = 0.0;
+  /// Bound of the integral of |d.n| over the whole patches.
+  double Swept = 0.0;
+  /// Bound of the change of the area, and of the length of the edges.
+  double Area = 0.0;
+  double Border = 0.0;
+  /// Largest distance from the point that moments are about.
+  double Reach = 0.0;
+
+  /// `reach` as Reach.
+  static ReadingError Make(const Face& face, const FacePanels& panels, double reach);
+  /// The bound for an integral of this class over a face whose area is at most `area`, and that of its ribbons `gaps`.
+  double GetBound(const BoundClass& integrand, double area, double gaps) const;
+};
+
+/// Bound of the change of a patch's area, over the distance by which its control points move.
+double GetTurnedLength(const Patch& patch);
+}
+
+#endif

@@ -1,0 +1,164 @@
+#include "smOCCTRounding.h"
+
+#include "smUnitRoundoff.h"
+#include "smVector.h"
+
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_ElementarySurface.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+// Roundings of a coordinate as it stands in the file: its decimals, and the subtraction of the origin.
+constexpr int Plain = 2;
+// By another output unit, and its factor.
+constexpr int Scaled = 2;
+// By a rotation: entries of the matrix, which come from normalized directions and products of placements, and three products each.
+constexpr int Rotated = 16;
+// By a profile's distance from its axis, or an offset.
+constexpr int Profiled = 6;
+// Of lengths seen from a frame: directions are normalized, made orthogonal, mapped, and multiplied by sines and cosines.
+constexpr int Framed = 16;
+// Of distances between control points, when weights are rounded.
+constexpr int Weighted = 4;
+
+Vector3 GetPoint(const std::array<double, 4>& h)
+{
+  return { h[0] / h[3], h[1] / h[3], h[2] / h[3] };
+}
+
+/// The frame from which the surface is built, where there is one.
+struct Frame
+{
+  bool Exists = false;
+  Vector3 Location{};
+  /// Its directions are those of the axes, exactly.
+  bool Aligned = false;
+};
+
+bool IsAxis(const gp_Dir& direction)
+{
+  const double largest =
+    std::max({ std::abs(direction.X()), std::abs(direction.Y()), std::abs(direction.Z()) });
+  return std::abs(direction.X()) + std::abs(direction.Y()) + std::abs(direction.Z()) == largest &&
+    largest == 1.0;
+}
+
+Frame GetFrame(const Handle(Geom_Surface) & surface, const AffineMap& map)
+{
+  if (const auto elementary = Handle(Geom_ElementarySurface)::DownCast(surface))
+  {
+    const gp_Ax3& frame = elementary->Position();
+    return { true, map.MapPoint(frame.Location().XYZ()),
+      IsAxis(frame.Direction()) && IsAxis(frame.XDirection()) };
+  }
+  if (const auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(surface))
+  {
+    return { true, map.MapPoint(revolution->Location().XYZ()), false };
+  }
+  return {};
+}
+
+bool IsRotated(const AffineMap& map)
+{
+  const double scale = std::abs(map.Linear[0][0]);
+  bool rotated = false;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      rotated = rotated || map.Linear[i][j] != (i == j ? scale : 0.0);
+    }
+  }
+  return rotated;
+}
+
+/**
+ * A bound of what rounding of the knots t_j of one direction moves the surface by. The derivative by a knot is a B-spline with t_j once more
+ * among its knots, whose coefficients are differences (P_(i+1) - P_i) / (t_(i+p+1) - t_(i+1)) of neighbours, and p knots before and after
+ * a point matter to it. With weights they are those of homogeneous points seen from the surface, over the weights between w_i and w_(i+1)
+ * that the surface has with t_j once more. No knot moves a point beyond its neighbour, and differences without a part in the box, which
+ * the face covers, do not count.
+ */
+double GetKnotRounding(const NURBSSurface& surface, int direction, const NativeBox& box, double diameter)
+{
+  const int p = surface.Degree[direction];
+  const int count = surface.NumberOfControlPoints[direction];
+  const std::size_t stride = direction == 0 ? 1 : static_cast<std::size_t>(surface.NumberOfControlPoints[0]);
+  const std::vector<double>& knots = surface.Knots[direction];
+  double largest = 0.0;
+  for (std::size_t k = 0; k + stride < surface.ControlPoints.size(); ++k)
+  {
+    const int i = static_cast<int>(k / stride) % count;
+    if (i + 1 < count && knots[i + 1] < box.High[direction] && knots[i + p + 1] > box.Low[direction])
+    {
+      const std::array<double, 4>& a = surface.ControlPoints[k];
+      const std::array<double, 4>& b = surface.ControlPoints[k + stride];
+      const double step = b[3] * Norm(Subtract(GetPoint(b), GetPoint(a))) + std::abs(b[3] - a[3]) * diameter;
+      const double moved = UnitRoundoff * std::max(std::abs(knots[i + 1]), std::abs(knots[i + p + 1]));
+      const double width = knots[i + p + 1] - knots[i + 1];
+      largest = std::max(largest, (moved < width ? moved / width : 1.0) * step / std::min(a[3], b[3]));
+    }
+  }
+  return 2.0 * p * largest;
+}
+
+/// What rounding of weights and knots moves a spline by.
+double GetSplineRounding(const NURBSSurface& surface, const NativeBox& box, double diameter)
+{
+  return (surface.Rational ? Weighted * UnitRoundoff * diameter : 0.0) +
+    GetKnotRounding(surface, 0, box, diameter) + GetKnotRounding(surface, 1, box, diameter);
+}
+}
+
+std::array<double, 3> GetReadingRounding(const Handle(Geom_Surface) & source, const NativeBox& box,
+  const AffineMap& map, const double origin[3], int roundings, const NURBSSurface& converted)
+{
+  const Handle(Geom_Surface) surface = GetBasisSurface(source);
+  const Frame frame = GetFrame(surface, map);
+  Vector3 reach{};
+  Vector3 fromFrame{};
+  Vector3 low = GetPoint(converted.ControlPoints[0]);
+  Vector3 high = low;
+  for (const std::array<double, 4>& h : converted.ControlPoints)
+  {
+    const Vector3 point = GetPoint(h);
+    for (int c = 0; c < 3; ++c)
+    {
+      low[c] = std::min(low[c], point[c]);
+      high[c] = std::max(high[c], point[c]);
+    }
+  }
+  const bool spline =
+    surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface)) || surface->IsKind(STANDARD_TYPE(Geom_BezierSurface));
+  const bool rotated = IsRotated(map);
+  const int steps = Plain + roundings + (map.GetScale() != 1.0 ? Scaled : 0) + (rotated ? Rotated : 0) +
+    (spline || surface->IsKind(STANDARD_TYPE(Geom_ElementarySurface)) ? 0 : Profiled);
+  for (int c = 0; c < 3; ++c)
+  {
+    reach[c] = std::max(std::abs(low[c] + origin[c]), std::abs(high[c] + origin[c]));
+    if (frame.Exists)
+    {
+      reach[c] = std::max(reach[c], std::abs(frame.Location[c] + origin[c]));
+      fromFrame[c] = std::max(frame.Location[c] - low[c], high[c] - frame.Location[c]);
+    }
+    // A point may come from the other side of its placement's translation.
+    reach[c] += 2.0 * std::abs(map.Translation[c] + origin[c]);
+  }
+  const double spread = spline ? GetSplineRounding(converted, box, Norm(Subtract(high, low))) : 0.0;
+  Vector3 rounding;
+  for (int c = 0; c < 3; ++c)
+  {
+    // A frame along the axes adds to each coordinate what belongs to it.
+    const double near = frame.Aligned && !rotated ? fromFrame[c] : Norm(fromFrame);
+    rounding[c] = UnitRoundoff * (steps * (rotated ? Norm(reach) : reach[c]) + Framed * near) + spread;
+  }
+  return rounding;
+}
+}

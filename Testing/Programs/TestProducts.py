@@ -1,0 +1,551 @@
+"""TestProducts.py MODE --program P --output DIR: products of boxes whose properties are sums of formulas, by the command line."""
+import argparse
+import csv
+import gzip
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+import zipfile
+from fractions import Fraction
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smcheck import check, check_equal, check_true, finish  # noqa: E402
+from smproduct import Assembly, Part, expand, get_properties, write_product  # noqa: E402
+
+parser = argparse.ArgumentParser()
+parser.add_argument("mode", choices=["masses", "materials", "frames", "lists", "scripts", "robots", "validation", "systems", "inputs", "help"])
+for name in ("--program", "--output"):
+    parser.add_argument(name, required=True)
+parser.add_argument("--models", help="folder with real files, for systems")
+options = parser.parse_args()
+folder = os.path.join(options.output, "products")
+os.makedirs(folder, exist_ok=True)
+
+QUARTER = ((0, -1, 0), (1, 0, 0), (0, 0, 1))
+KG = Fraction(1, 10 ** 9)  # kg of mm^3 at kg/m^3
+
+
+def run(*arguments):
+    result = subprocess.run([options.program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
+                            timeout=200, check=False)
+    print("$ solidmoments", " ".join(arguments), "->", result.returncode)
+    return result
+
+
+def run_json(*arguments, status=0):
+    result = run("--json", "-", *arguments)
+    check_equal("exit status", status, result.returncode)
+    check_true("JSON", result.stdout.startswith("{"), result.stderr)
+    return json.loads(result.stdout)["files"][0]
+
+
+def check_bounded(what, expected, actual, bound):
+    """Within the bound, which is not vacuous."""
+    check(what, float(expected), actual, bound + 1e-15 * abs(float(expected)), "its bound")
+    check_true(what + ": bound", 0 <= bound <= 1e-8 * max(abs(float(expected)), 1.0), str(bound))
+
+
+def check_matrix(what, expected, actual, bound):
+    size = max(abs(float(x)) for row in expected for x in row)
+    for i in range(3):
+        for j in range(3):
+            check(f"{what} {i}{j}", float(expected[i][j]), actual[i][j], bound + 1e-15 * size, "its bound")
+    check_true(what + ": bound", 0 < bound <= 1e-8 * size, str(bound))
+
+
+def check_mass(total, boxes, weights, length=Fraction(1)):
+    """Mass, centre and inertia of boxes in mm with densities; `length` is mm of the unit of the results."""
+    mass, center, get_inertia = get_properties(boxes, [w * KG for w in weights])
+    check_bounded("mass", mass, total["mass"], total["bounds"]["mass"])
+    for i in range(3):
+        check(f"centre of mass {i}", float(center[i] / length), total["mass_center"][i],
+              total["bounds"]["mass_center"] + 1e-15 * float(abs(center[i] / length)), "its bound")
+    check_true("bound of the centre", 0 < total["bounds"]["mass_center"] < 1e-7, str(total["bounds"]["mass_center"]))
+    inertia = [[x / length ** 2 for x in row] for row in get_inertia(center)]
+    check_matrix("mass inertia", inertia, total["mass_inertia"], total["bounds"]["mass_inertia"])
+    eigen = total["mass_principal_moments"]
+    check("trace of the principal moments", float(sum(inertia[i][i] for i in range(3))), sum(eigen), 1e-12 * sum(eigen))
+    for moment, radius in zip(eigen, total["mass_radii_of_gyration"]):
+        check("radius of gyration", (moment / total["mass"]) ** 0.5, radius, 1e-14 * radius, "rounding")
+
+
+def make_machine(bolt_density="7.85", plate_density="2700."):
+    """A frame with two stations, each with a plate and three bolts, one of them lying; the plate is in inches."""
+    bolt = Part("bolt", [((0, 0, 0), (2, 2, 10))], bolt_density, "g/cm^3")
+    plate = Part("plate", [((0, 0, 0), (2, 1, "0.25"))], plate_density, "kg/m^3", "inch")
+    station = Assembly("station", [(plate, (0, 0, 0), None), (bolt, (5, 5, "6.35"), None), (bolt, (20, 5, "6.35"), None),
+                                   (bolt, (40, 5, "6.35"), QUARTER)])
+    rail = Part("rail", [((0, 0, 0), (200, 10, 10))], "1.4", "g/cm^3")
+    return Assembly("machine", [(station, (0, 0, 10), None), (station, (100, 0, 10), QUARTER), (rail, (0, 0, 0), None)])
+
+
+def masses():
+    # Two materials, stated in two units of density.
+    steel = Part("steel block", [((0, 0, 0), (10, 20, 30))], "7.85", "g/cm^3")
+    light = Part("light block", [((0, 0, 0), (40, 10, 10))], "2700.")
+    pair = Assembly("pair", [(steel, (0, 0, 0), None), (light, (10, 0, 5), None)])
+    path = write_product(os.path.join(folder, "pair.step"), pair)
+    file = run_json(path)
+    boxes = expand(pair)
+    check_mass(file["total"], boxes, [b[1] for b in boxes])
+    check_equal("densities differ: none of the total", None, file["total"]["density"])
+    check_equal("densities", [7850.0, 2700.0], [solid["density"] for solid in file["solids"]])
+    volume, center, _ = get_properties(boxes)
+    check_bounded("volume", volume, file["total"]["volume"], file["total"]["bounds"]["volume"])
+    check("centre of the volume is another one", float(center[0]), file["total"]["center_of_mass"][0], 1e-9)
+    table = run(path).stdout
+    check_true("both centres in the table", re.search(r"centre of volume +\d.* mm +\+/- .*\n  mass .*\n  centre of mass", table), table)
+    check_true("densities in the table", re.search(r"steel block .* 0\.0471 +7850 ", table), table)
+
+    # Nested, with a sub-assembly that is used twice, and parts in inches and in mm; the results in three units.
+    machine = make_machine()
+    path = write_product(os.path.join(folder, "machine.step"), machine)
+    boxes = expand(machine)
+    check_equal("solids", 9, len(boxes))
+    for unit, length in (("mm", 1), ("inch", Fraction("25.4")), ("m", 1000)):
+        total = run_json("--unit", unit, path)["total"]
+        check_mass(total, boxes, [b[1] for b in boxes], Fraction(length))
+        check_equal("solids with a mass", (9, 9), (total["solids_with_mass"], total["solids_with_volume"]))
+
+    # One density for all: the same numbers from the file and from the option.
+    file = run_json("--density", "1000", path)
+    check_mass(file["total"], boxes, [1000] * 9)
+    check_equal("one density", 1000.0, file["total"]["density"])
+    check_true("one centre", re.search(r"\n  centre of mass +\d.*\n  mass .*\n  mass inertia", run("--density", "1000", path).stdout))
+
+    # Some parts have no density: the mass of the others, and the names.
+    machine = make_machine(plate_density=None)
+    path = write_product(os.path.join(folder, "partial.step"), machine)
+    file = run_json(path)
+    total = file["total"]
+    boxes = [b for b in expand(machine) if b[1] is not None]
+    check_equal("no mass", (None, None, None), (total["mass"], total["mass_center"], total["mass_inertia"]))
+    check_equal("solids with a mass", (7, 9), (total["solids_with_mass"], total["solids_with_volume"]))
+    mass = get_properties(boxes, [b[1] * KG for b in boxes])[0]
+    check_bounded("known mass", mass, total["known_mass"], total["bounds"]["known_mass"])
+    check_true("their names", any("no density for 2 of 9 solids: plate (2 times);" in text for text in file["messages"]),
+               str(file["messages"]))
+    result = run("--csv", os.path.join(folder, "partial.csv"), path)
+    check_true("in the table", re.search(r"\n  mass of 7 of 9 +\S+ kg +\+/- \d", result.stdout), result.stdout)
+    with open(os.path.join(folder, "partial.csv"), encoding="utf-8", newline="") as text:
+        rows = list(csv.DictReader(text))
+    check("known mass in the CSV", total["known_mass"], float(rows[0]["known_mass"]), 0.0)
+    check_equal("mass and density of solids in the CSV", [("", "", "plate")] * 2,
+                [(row["mass"], row["density"], row["name"]) for row in rows[1:] if row["name"] == "plate"])
+    check("mass of a solid in the CSV", 40 * 7.85e-6, next(float(r["mass"]) for r in rows if r["name"] == "bolt"), 1e-18)
+    check_equal("no column twice", [], [c for c in rows[0] if list(rows[0]).count(c) > 1])
+
+
+def materials():
+    machine = make_machine(plate_density=None)
+    path = write_product(os.path.join(folder, "materials.step"), machine)
+    boxes = expand(machine)
+    table = os.path.join(folder, "materials.csv")
+    with open(table, "w", encoding="utf-8") as file:
+        file.write('name,material,density\n# plates are of wood\n"PLA?E",oak,700.5\nbo*,Titanium\nnothing,brass\n')
+    file = run_json("--materials", table, path)
+    weights = [{"plate": Fraction("700.5"), "bolt": 4510, "rail": 1400}[b[0]] for b in boxes]
+    check_mass(file["total"], boxes, weights)
+    check_equal("materials", {"plate": "oak", "bolt": "Titanium", "rail": None}, {s["name"]: s["material"] for s in file["solids"]})
+    check_true("a name that fits nothing", any("pattern nothing" in text for text in file["messages"]), str(file["messages"]))
+
+    # The order: a rule, then --density, then the file.
+    file = run_json("--materials", table, "--density", "water", path)
+    check_mass(file["total"], boxes, [{"plate": Fraction("700.5"), "bolt": 4510, "rail": 1000}[b[0]] for b in boxes])
+    check_equal("its name", "water", next(s["material"] for s in file["solids"] if s["name"] == "rail"))
+    file = run_json("--materials", table, "--density", "3", path)
+    check_mass(file["total"], boxes, [{"plate": Fraction("700.5"), "bolt": 4510, "rail": 3}[b[0]] for b in boxes])
+
+    # JSON; the first of two rules that fit counts.
+    table = os.path.join(folder, "materials.json")
+    with open(table, "w", encoding="utf-8") as file:
+        json.dump({"materials": [{"name": "bolt", "density": 2}, {"name": "*", "material": "steel"}]}, file)
+    file = run_json("--materials", table, path)
+    check_mass(file["total"], boxes, [2 if b[0] == "bolt" else 7850 for b in boxes])
+
+    # What cannot be used is wrong usage, before any file is read.
+    for text, said in (("a\n", "line 1: write NAME"), ("a,unobtainium\n", "line 1: unobtainium is none"), ("a,b,-1", "-1 is no density"),
+                       (",steel", "the name is empty"), ("[{]", "no JSON"), ('[{"name":"a"}]', "entry 1"), ('{"a":1}', "no list")):
+        with open(table, "w", encoding="utf-8") as file:
+            file.write(text)
+        result = run("--materials", table, path)
+        check_true(f"{text!r} is wrong usage", result.returncode == 1 and said in result.stderr and not result.stdout, result.stderr)
+    for arguments in (("--materials", "missing.csv"), ("--density", "unobtainium"), ("--density", "-1"), ("--density", "nan")):
+        result = run(*arguments, path)
+        check_true("wrong usage", result.returncode == 1 and not result.stdout, result.stderr)
+    listed = run("--list-materials")
+    check_true("list", listed.returncode == 0 and re.search(r"^steel +7850 kg/m\^3$", listed.stdout, re.MULTILINE), listed.stdout)
+
+
+def frames():
+    machine = make_machine()
+    path = write_product(os.path.join(folder, "frames.step"), machine)
+    boxes = expand(machine)
+    volume, center, get_volume_inertia = get_properties(boxes)
+    mass, mass_center, get_mass_inertia = get_properties(boxes, [b[1] * KG for b in boxes])
+    # Rows are the axes: by right angles, and one with cosines 3/5 and 4/5 given by long directions.
+    tilted = [[Fraction(3, 5), Fraction(4, 5), 0], [Fraction(-4, 5), Fraction(3, 5), 0], [0, 0, 1]]
+    for text, origin, axes in (("origin", (0, 0, 0), ((1, 0, 0), (0, 1, 0), (0, 0, 1))),
+                               ("12.5,-7,1000", (Fraction("12.5"), -7, 1000), ((1, 0, 0), (0, 1, 0), (0, 0, 1))),
+                               ("1,2,3,0,0,7,30,40,11", (1, 2, 3), tilted),
+                               ("1,2,3,-2,0,0,0,1,0", (1, 2, 3), ((0, 1, 0), (0, 0, -1), (-1, 0, 0)))):
+        file = run_json("--about", text, path)
+        about = file["total"]["about"]
+        rotate = lambda m: [[sum(axes[i][k] * m[k][l] * axes[j][l] for k in range(3) for l in range(3))  # noqa: E731
+                             for j in range(3)] for i in range(3)]
+        check_matrix(f"inertia about {text}", rotate(get_volume_inertia(origin)), about["inertia"], about["bounds"]["inertia"])
+        check_matrix("mass inertia", rotate(get_mass_inertia(origin)), about["mass_inertia"], about["bounds"]["mass_inertia"])
+        for key, point in (("center_of_mass", center), ("mass_center", mass_center)):
+            for i in range(3):
+                expected = float(sum(axes[i][k] * (point[k] - origin[k]) for k in range(3)))
+                check(f"{key} {i}", expected, about[key][i], about["bounds"][key] + 1e-15 * abs(expected), "its bound")
+        check_equal("frame", [float(x) for x in origin], file["frame"]["origin"])
+        check_matrix("inertia at the origin", get_volume_inertia((0, 0, 0)), file["total"]["inertia_at_origin"],
+                     file["total"]["bounds"]["inertia_at_origin"])
+        check_equal("of each solid", 9, sum(1 for s in file["solids"] if s["about"]["mass_inertia"]))
+    table = run("--about", "1,2,3,0,0,7,30,40,11", path).stdout
+    check_true("in the table", re.search(r"in the frame +at 1  2  3 mm\n", table) and "  mass inertia" in table, table)
+    check_equal("no frame", None, run_json(path)["total"]["about"])
+    for text in ("somewhere", "1,2", "0,0,0,0,0,1,0,0,2", "0,0,nan", "0,0,0,0,0,0,1,0,0"):
+        result = run("--about", text, path)
+        check_true(f"{text} is wrong usage", result.returncode == 1 and "is no frame" in result.stderr, result.stderr)
+
+
+def find(entries, name):
+    found = [entry for entry in entries if entry["name"] == name]
+    check_equal(f"entries of {name}", 1, len(found))
+    return found[0]
+
+
+def lists():
+    machine = make_machine()
+    path = write_product(os.path.join(folder, "list.step"), machine)
+    csv_name = os.path.join(folder, "list.csv")
+    file = run_json("--bom-csv", csv_name, path)
+    (root,) = file["parts"]
+    check_equal("root", ("machine", "assembly", 1, 1, 9), tuple(root[k] for k in ("name", "kind", "count", "count_in_all", "solids")))
+    check_equal("sorted by name", ["rail", "station"], [entry["name"] for entry in root["children"]])
+    station = find(root["children"], "station")
+    check_equal("station", (2, 2, 4), (station["count"], station["count_in_all"], station["solids"]))
+    bolt, plate = find(station["children"], "bolt"), find(station["children"], "plate")
+    check_equal("bolts", (3, 6, "part"), (bolt["count"], bolt["count_in_all"], bolt["kind"]))
+    check_equal("plates", (1, 2), (plate["count"], plate["count_in_all"]))
+    check_equal("densities", (7850.0, 2700.0, None), (bolt["density"], plate["density"], station["density"]))
+    volumes = {"bolt": Fraction(40), "plate": Fraction("25.4") ** 3 / 2, "rail": Fraction(20000)}
+    weights = {name: volume * d * KG for (name, volume), d in zip(volumes.items(), (7850, 2700, 1400))}
+    each = 3 * weights["bolt"] + weights["plate"]
+    for what, entry, one, count in (("bolt", bolt, weights["bolt"], 6), ("plate", plate, weights["plate"], 2), ("station", station, each, 2),
+                                    ("machine", root, 2 * each + weights["rail"], 1)):
+        check_bounded(f"mass of a {what}", one, entry["each"]["mass"], entry["each"]["bounds"]["mass"])
+        check_bounded(f"mass of all {what}s", count * one, entry["in_all"]["mass"], entry["in_all"]["bounds"]["mass"])
+    check_bounded("volume of all bolts", 6 * volumes["bolt"], bolt["in_all"]["volume"], bolt["in_all"]["bounds"]["volume"])
+    with open(csv_name, encoding="utf-8", newline="") as text:
+        rows = list(csv.DictReader(text))
+    check_equal("rows of the CSV", [("1", "machine"), ("2", "rail"), ("2", "station"), ("3", "bolt"), ("3", "plate")],
+                [(row["level"], row["name"]) for row in rows])
+    check("mass of all bolts in the CSV", bolt["in_all"]["mass"], float(rows[3]["mass_in_all"]), 0.0)
+    table = run("--bom", path).stdout
+    check_true("the table", re.search(r"parts list .*\n  machine +1 +1 .*\n    rail +1 +1 .*\n    station +2 +2 .*\n      bolt +3 +6 ", table), table)
+
+    # Nine instances of three parts cost three integrations.
+    alone = [run_json(write_product(os.path.join(folder, f"part-{part.name}.step"), part))["evaluations"]
+             for part in (machine.uses[0][0].uses[0][0], machine.uses[0][0].uses[1][0], machine.uses[2][0])]
+    check_equal("evaluations", sum(alone), file["evaluations"])
+
+    # Two levels; the sums still have all.
+    (root,) = run_json("--bom", "--depth", "2", path)["parts"]
+    check_equal("two levels", [[], []], [entry["children"] for entry in root["children"]])
+    check_bounded("with all below", 2 * each + weights["rail"], root["each"]["mass"], root["each"]["bounds"]["mass"])
+
+    # Only some products: sums, solids and parts list are those of these.
+    file = run_json("--bom", "--only", "STATION", path)
+    check_equal("solids of the stations", 8, len(file["solids"]))
+    check_mass(file["total"], [b for b in expand(machine) if b[0] != "rail"],
+               [b[1] for b in expand(machine) if b[0] != "rail"])
+    check_equal("their parts list", ["station"], [entry["name"] for entry in file["parts"][0]["children"]])
+    file = run_json("--only", "b?lt", "--only", "rail", path)
+    check_equal("bolts and the rail", 7, len(file["solids"]))
+    file = run_json("--only", "nothing", path, status=3)
+    check_true("no such product", file["status"] == "empty" and any("nothing" in text for text in file["messages"]), str(file["messages"]))
+
+    # Where a density is missing, the list says of how many it knows the mass.
+    path = write_product(os.path.join(folder, "list-partial.step"), make_machine(plate_density=None))
+    station = find(run_json("--bom", path)["parts"][0]["children"], "station")
+    check_equal("no mass", (None, 3, 4), (station["each"]["mass"], station["each"]["solids_with_mass"], station["each"]["solids_with_volume"]))
+    check_bounded("known mass", 3 * weights["bolt"], station["each"]["known_mass"], station["each"]["bounds"]["known_mass"])
+    check_true("in the table", re.search(r"station .* 0\.000942 \(3 of 4\) +0\.001884 \(6 of 8\)", run("--bom", path).stdout),
+               run("--bom", path).stdout)
+
+    # Products of one name that are different stay apart; equal ones of different names too.
+    part = Part("part", [((0, 0, 0), (1, 1, 1))])
+    other = Part("part", [((0, 0, 0), (1, 1, 2))])
+    twin = Part("twin", [((0, 0, 0), (1, 1, 1))])
+    mixed = Assembly("mixed", [(part, (0, 0, 0), None), (other, (5, 0, 0), None), (twin, (10, 0, 0), None), (part, (15, 0, 0), QUARTER)])
+    (root,) = run_json("--bom", write_product(os.path.join(folder, "list-names.step"), mixed))["parts"]
+    check_equal("entries", [("part", 1), ("part", 2), ("twin", 1)], sorted((entry["name"], entry["count"]) for entry in root["children"]))
+
+
+def scripts():
+    path = write_product(os.path.join(folder, "scripts.step"), make_machine())
+    partial = write_product(os.path.join(folder, "scripts-partial.step"), make_machine(plate_density=None))
+    file = run_json(path)
+    result = run("--print", "volume", path, partial)
+    check_equal("a bare number per file", [file["total"]["volume"]] * 2, [float(line) for line in result.stdout.splitlines()])
+    check_true("in full", all(repr(float(line)) == line for line in result.stdout.splitlines()), result.stdout)
+    result = run("--print", "mass,center_x,status", partial)
+    check_equal("nan where there is none", ["nan", repr(file["total"]["center_of_mass"][0]), "ok"], result.stdout.split())
+    name = os.path.join(folder, "fields.csv")
+    run("--fields", "name,mass", "--csv", name, "-q", path)
+    with open(name, encoding="utf-8") as text:
+        lines = text.read().splitlines()
+    check_equal("columns", ("name,mass", 10), (lines[0], len(lines) - 1))
+    check_equal("of the total", f",{file['total']['mass']!r}", lines[1])
+
+    # Bounding boxes, in any place.
+    file = run_json("--box", path)
+    boxes = expand(make_machine())
+    for solid, (_, _, low, high) in zip(sorted(file["solids"], key=lambda s: [[round(x, 6) for x in end] for end in s["bounding_box"]]),
+                                        sorted(boxes, key=lambda b: [[round(float(x), 6) for x in end] for end in b[2:]])):
+        for end, corner in enumerate((low, high)):
+            for i in range(3):
+                check(f"box {i}", float(corner[i]), solid["bounding_box"][end][i], solid["bounds"]["bounding_box"])
+        check_true("bound", 0 < solid["bounds"]["bounding_box"] < 1e-11, str(solid["bounds"]["bounding_box"]))
+    for end, best in ((0, min), (1, max)):
+        for i in range(3):
+            check("box of all", float(best(b[2 + end][i] for b in boxes)), file["total"]["bounding_box"][end][i], file["total"]["bounds"]["bounding_box"])
+
+    # Exit statuses. Rounding alone is more than this tolerance.
+    few = ("--tolerance", "1e-15", "-q")
+    for arguments, status in (((), 3), (("--fail-on", "tolerance-not-met"), 3), (("--fail-on", "suspect,open"), 0), (("--fail-on", "none"), 0)):
+        check_equal(f"exit status with {arguments}", status, run(*few, *arguments, path).returncode)
+    check_equal("mass required", (0, 3), tuple(run("--require", "mass", "-q", p).returncode for p in (path, partial)))
+    check_equal("unreadable stays 2", 2, run("--fail-on", "none", "missing.step").returncode)
+    # The machine stands on the rail alone, and tips over with the plates that stick out.
+    tower = Assembly("tower", [(Part("foot", [((0, 0, 0), (10, 10, 2))]), (0, 0, 0), None)])
+    tower = write_product(os.path.join(folder, "tower.step"), tower)
+    lean = Assembly("lean", [(Part("foot", [((0, 0, 0), (10, 10, 2))]), (0, 0, 0), None), (Part("arm", [((0, 0, 2), (99, 10, 2))]), (0, 0, 0), None)])
+    lean = write_product(os.path.join(folder, "lean.step"), lean)
+    for file_name, status in ((tower, 0), (lean, 3)):
+        check_equal("stable required", status, run("--stability", "-z", "--require", "stable", "-q", file_name).returncode)
+
+    # Wrong usage, found before a file is read: the file does not exist.
+    for arguments, said in ((("--print", "volum"), "no column"), (("--fields", "x", "--csv", "/dev/null"), "no column"),
+                            (("--fields", "volume"), "--csv"), (("--fail-on", "unreadable"), "none of"), (("--require", "stable"), "--stability"),
+                            (("--require", "beauty"), "none of"), (("--integral", "a=(dA"), "integral a"), (("--depth", "2"), "--bom"),
+                            (("--print", "volume", "--json", "-"), "standard output"), (("--bom-csv", "-"), "--bom-csv")):
+        result = run(*arguments, "missing.step")
+        check_true(f"{arguments} is wrong usage", result.returncode == 1 and said in result.stderr and not result.stdout, result.stderr)
+
+
+def robots():
+    machine = make_machine()
+    path = write_product(os.path.join(folder, "robot <1>.step"), machine)
+    boxes = expand(machine)
+    mass, center, get_inertia = get_properties(boxes, [b[1] * KG for b in boxes])
+    metre = Fraction(1, 1000)
+    tilted = [[Fraction(3, 5), Fraction(4, 5), 0], [Fraction(-4, 5), Fraction(3, 5), 0], [0, 0, 1]]
+    target = os.path.join(folder, "robot.urdf")
+    for arguments, origin, axes in (((), (0, 0, 0), ((1, 0, 0), (0, 1, 0), (0, 0, 1))), (("--unit", "inch"), (0, 0, 0), ((1, 0, 0), (0, 1, 0), (0, 0, 1))),
+                                    (("--about", "1,2,3,0,0,1,3,4,0"), (1, 2, 3), tilted)):
+        check_equal("exit status", 0, run(*arguments, "--urdf", target, "-q", path).returncode)
+        (link,) = ElementTree.parse(target).getroot().findall("link")
+        check_equal("name of the link", "robot <1>", link.get("name"))
+        inertial = link.find("inertial")
+        check("mass in kg", float(mass), float(inertial.find("mass").get("value")), 1e-14 * float(mass))
+        check_equal("rotation", "0 0 0", inertial.find("origin").get("rpy"))
+        xyz = [float(x) for x in inertial.find("origin").get("xyz").split()]
+        for i in range(3):
+            expected = float(metre * sum(axes[i][k] * (center[k] - origin[k]) for k in range(3)))
+            check(f"centre in m {i}", expected, xyz[i], 1e-14)
+        central = get_inertia(center)
+        for name, i, j in (("ixx", 0, 0), ("iyy", 1, 1), ("izz", 2, 2), ("ixy", 0, 1), ("ixz", 0, 2), ("iyz", 1, 2)):
+            expected = float(metre ** 2 * sum(axes[i][k] * central[k][l] * axes[j][l] for k in range(3) for l in range(3)))
+            check(f"{name} in kg m^2", expected, float(inertial.find("inertia").get(name)), 1e-13 * float(metre ** 2 * central[2][2]))
+    check_true("the products are not 0, so that their sign counts", abs(float(central[0][1])) > 0.005 * float(central[2][2]), str(float(central[0][1])))
+    # Without a mass there is no block, and the exit status says so.
+    partial = write_product(os.path.join(folder, "robot-partial.step"), make_machine(plate_density=None))
+    result = run("--urdf", target, path, partial)
+    check_equal("exit status without a mass", 3, result.returncode)
+    check_true("the reason", "no inertial block: it has no mass" in result.stdout, result.stdout)
+    check_equal("the other one is there", ["robot <1>"], [link.get("name") for link in ElementTree.parse(target).getroot().findall("link")])
+    result = run("--urdf", target, "--only", "bolt", "-q", partial)
+    check_equal("a part of it", (0, 1), (result.returncode, len(ElementTree.parse(target).getroot().findall("link"))))
+
+
+def validation():
+    # Stated in the part's unit and coordinates: right; volume wrong by 1 %; a centroid that is moved; of a name that two products have.
+    bolt = Part("bolt", [((1, 2, 3), (2, 2, 10))], "7.85", "g/cm^3", validation=("40.", "88.", ("2.", "3.", "8.")))
+    plate = Part("plate", [((0, 0, 0), (2, 1, "0.25"))], None, unit="inch", validation=("0.505", "5.5", ("1.", "0.5", "0.125")))
+    rail = Part("rail", [((0, 0, 0), (200, 10, 10))], None, validation=(None, "8200.", ("100.", "5.", "5.1")))
+    twins = [Part("twin", [((0, 0, 0), (1, 1, size))], None, validation=(str(size) + ".", None, None)) for size in (1, 2)]
+    station = Assembly("station", [(plate, (0, 0, 0), None), (bolt, (40, 5, "6.35"), QUARTER), (bolt, (5, 5, 0), None)])
+    machine = Assembly("machine", [(station, (100, 0, 10), QUARTER), (rail, (0, 0, 0), None), (twins[0], (0, 50, 0), None), (twins[1], (0, 60, 0), None)])
+    path = write_product(os.path.join(folder, "validation.step"), machine)
+    for unit, length in (("mm", 1), ("inch", 25.4)):
+        file = run_json("--validate", "--unit", unit, path)
+        found = {(e["product"], e["quantity"]): e for e in file["validation"]}
+        check_equal("results", {("bolt", "volume"): "pass", ("bolt", "area"): "pass", ("bolt", "centroid"): "pass", ("plate", "volume"): "fail",
+                                ("plate", "area"): "pass", ("plate", "centroid"): "pass", ("rail", "area"): "pass", ("rail", "centroid"): "fail",
+                                ("twin", "volume"): "not-comparable"}, {key: e["result"] for key, e in found.items()})
+        check_true("the reason", "several products" in found["twin", "volume"]["reason"], str(found["twin", "volume"]))
+        entry = found["plate", "volume"]
+        for key, inches in (("stated", 0.505), ("computed", 0.5), ("difference", 0.005)):
+            check(f"plate: {key}", inches * 25.4 ** 3 / length ** 3, entry[key], 1e-11 * 25.4 ** 3 / length ** 3)
+        check("rail: difference", 0.1 / length, found["rail", "centroid"]["difference"], 1e-12)
+        for i, expected in enumerate((2, 3, 8)):
+            check(f"centre of the bolt {i}", expected / length, found["bolt", "centroid"]["computed"][i], found["bolt", "centroid"]["bound"])
+    result = run("--validate", path)
+    check_true("in the table", re.search(r"validation +6 pass, 2 fail, 2 not comparable", result.stdout), result.stdout)
+    check_true("what fails is named", "plate: volume" in result.stdout and "rail: centroid" in result.stdout, result.stdout)
+    check_equal("exit statuses", [0, 3, 0], [run("--validate", "-q", *more, path).returncode
+                                             for more in ((), ("--require", "validation"), ("--require", "validation", "--validation-limit", "0.02"))])
+    check_equal("all together", 4, len({e["result"] + e["quantity"] for e in run_json("--validate", "--validation-limit", "0.02", path)["validation"]}))
+
+    # Written: the text stays as it is but for what is added, the file can be read, and states what was computed.
+    plain = Assembly("plain", [(Part("bolt", [((1, 2, 3), (2, 2, 10))], None), (40, 5, 0), QUARTER),
+                               (Part("plate", [((0, 0, 0), (2, 1, "0.25"))], "2700.", unit="inch"), (0, 0, 0), None)], unit="inch")
+    path = write_product(os.path.join(folder, "unstated.step"), plain)
+    table = os.path.join(folder, "steel.csv")
+    with open(table, "w", encoding="utf-8") as text:
+        text.write("bolt,it's steel,7850\n")
+    target = os.path.join(folder, "stated.step")
+    before = run_json("--materials", table, "--write-validation", target, path)
+    with open(path, encoding="ascii") as text:
+        old = text.read()
+    with open(target, encoding="ascii") as text:
+        new = text.read()
+    at = old.rindex("ENDSEC;")
+    check_true("every byte is kept", new.startswith(old[:at]) and new.endswith(old[at:]) and len(new) > len(old) + 500)
+    after = run_json("--validate", target)
+    check_equal("the same volume", before["total"]["volume"], after["total"]["volume"])
+    check_equal("no message", [], after["messages"])
+    check_equal("what is stated", sorted([("bolt", q) for q in ("area", "centroid", "volume")] + [("plate", q) for q in ("area", "centroid", "volume")] +
+                                         [("plain", q) for q in ("area", "centroid", "volume")]),
+                sorted((e["product"], e["quantity"]) for e in after["validation"]))
+    check_equal("all pass", {"pass"}, {e["result"] for e in after["validation"]})
+    check_true("to rounding", all(e["difference"] <= e["bound"] + 1e-12 * abs(e["limit"]) * 1e3 for e in after["validation"]), str(after["validation"]))
+    check_equal("densities", [7850.0, 2700.0], [round(solid["density"], 9) for solid in after["solids"]])
+    # One density of nested assemblies: it is stated for the parts.
+    nested = write_product(os.path.join(folder, "nested.step"), make_machine(bolt_density=None, plate_density=None))
+    run("-q", "--materials", table, "--density", "steel", "--write-validation", os.path.join(folder, "nested-stated.step"), nested)
+    after = run_json(os.path.join(folder, "nested-stated.step"))
+    check_equal("densities of all parts", {"bolt": 7850.0, "plate": 7850.0, "rail": 1400.0},
+                {solid["name"]: round(solid["density"] or 0.0, 9) for solid in after["solids"]})
+    # A second time nothing is added, as everything is stated.
+    again = os.path.join(folder, "again.step")
+    run("-q", "--write-validation", again, target)
+    with open(again, encoding="ascii") as text:
+        check_true("nothing is stated twice", text.read() == new)
+    for arguments, said in ((("--write-validation", path, path), "input"), (("--write-validation", again, path, target), "one file"),
+                            (("--require", "validation", path), "--validate"), (("--validation-limit", "2", "--validate", path), "from 0 to 1")):
+        result = run(*arguments)
+        check_true("wrong usage", result.returncode == 1 and said in result.stderr, result.stderr)
+
+
+def inputs():
+    """Compressed files and the standard input: the numbers of the plain file, and no copy is left."""
+    path = write_product(os.path.join(folder, "input.step"), make_machine())
+    with open(path, "rb") as file:
+        content = file.read()
+    volume = run_json(path)["total"]["volume"]
+    temporary = os.path.join(folder, "temporary")
+    os.makedirs(temporary, exist_ok=True)
+    os.environ["TMPDIR"] = temporary
+    packed = gzip.compress(content)
+
+    def write(name, data):
+        target = os.path.join(folder, name)
+        with open(target, "wb") as file:
+            file.write(data)
+        return target
+
+    def zip_up(name, members, method):
+        target = os.path.join(folder, name)
+        with zipfile.ZipFile(target, "w", method) as archive:
+            for member, data in members:
+                archive.writestr(member, data)
+        return target
+    members = [("docs/readme.txt", b"x" * 1000), ("parts/a.STEP", content)]
+    for name in (write("a.step.gz", packed), write("b.stpz", packed), write("gzip without a name", packed), write("two.stpz", gzip.compress(content[:999]) +
+                 gzip.compress(content[999:])), zip_up("c.stpz", members, zipfile.ZIP_DEFLATED), zip_up("d.zip", members, zipfile.ZIP_STORED)):
+        file = run_json("--validate", "--bom", name)
+        check_equal("file, volume, messages", (name, volume, []), (file["file"], file["total"]["volume"], file["messages"]))
+    for data in (content, packed):
+        result = subprocess.run([options.program, "--print", "volume", "-"], input=data, stdout=subprocess.PIPE, timeout=200, check=False)
+        check_equal("from the standard input", (0, volume), (result.returncode, float(result.stdout or "nan")))
+    for name, said in ((write("cut.step.gz", packed[:-200]), "ends in the middle"), (write("bad.step.gz", packed[:500] + b"!" * 99 + packed[600:]), "damaged"),
+                       (zip_up("none.zip", members[:1], zipfile.ZIP_STORED), "0 STEP files"), (write("cut.zip", b"PK\x03\x04" + bytes(40)), "damaged"),
+                       (zip_up("both.zip", members + [("b.stp", content)], zipfile.ZIP_DEFLATED), "2 STEP files"),
+                       (write("text.step.gz", gzip.compress(b"no STEP file")), "text.step.gz")):
+        file = run_json(name, status=2)
+        check_true("it says why", file["status"] == "unreadable" and any(said in text for text in file["messages"]), str(file["messages"]))
+        check_true("by the name that was given", not any(temporary in text for text in file["messages"]), str(file["messages"]))
+    check_equal("no copy is left", [], os.listdir(temporary))
+    # A folder stands for the STEP files in it, but not for those of its folders.
+    shelf = os.path.join(folder, "shelf")
+    os.makedirs(os.path.join(shelf, "below"), exist_ok=True)
+    for name in ("b.STP", "a.step", "notes.txt", "below/c.step"):
+        shutil.copy(path, os.path.join(shelf, name))
+    with open(os.path.join(shelf, "c.step.gz"), "wb") as file:
+        file.write(packed)
+    result = run("--print", "file,volume", shelf)
+    check_equal("files of a folder", [f"{os.path.join(shelf, name)} {volume!r}" for name in ("a.step", "b.STP", "c.step.gz")], result.stdout.splitlines())
+
+
+def help_pages():
+    """-V, the manual page and the completion."""
+    version = run("-V")
+    check_true("-V", version.returncode == 0 and version.stdout == run("--version").stdout and version.stdout.startswith("solidmoments "))
+    names = sorted(set(re.findall(r"(?<![\w-])--[a-z-]+", run("--help").stdout)))
+    check_true("options", len(names) > 40, str(names))
+    with open(os.path.join(os.path.dirname(options.program), "..", "Examples", "CommandLine", "solidmoments.1"), encoding="utf-8") as file:
+        manual = file.read()
+    check_equal("options that the manual page lacks", [], [name for name in names if name.replace("-", "\\-") not in manual])
+    check_true("no line is taken for a request", all(line.startswith((".TH ", ".SH ", ".nf", ".fi")) for line in manual.splitlines() if line[:1] in (".", "'")))
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "CommandLine", "solidmoments.bash")
+
+    def complete(*words):
+        code = (f'. "{script}"; COMP_WORDS=({options.program} {" ".join(words)}); COMP_CWORD={len(words)}; _solidmoments; '
+                'printf "%s\\n" "${COMPREPLY[@]}"')
+        return subprocess.run(["bash", "-c", code], stdout=subprocess.PIPE, encoding="utf-8", timeout=60, check=True).stdout.split()
+    check_equal("all options", names, sorted(set(complete("--"))))
+    check_equal("one of them", ["--validate", "--validation-limit"], sorted(set(complete("--val"))))
+    check_equal("values", ["mm", "m"], [word for word in complete("--unit", "m")])
+    check_equal("files", [script], complete(script[:-3]))
+
+
+def systems():
+    """One assembly, written by three CAD systems: the same parts as often, and the same volumes, but for the bolt, which one of them modelled
+    otherwise; that one has its numbers in inches."""
+    lists = []
+    for name in ("caxif_as1_oc_214", "caxif_as1_tu_203", "caxif_as1_pe_203"):
+        path = os.path.join(folder, name + ".step")
+        with gzip.open(os.path.join(options.models, name + ".step.gz")) as packed, open(path, "wb") as file:
+            file.write(packed.read())
+        file = run_json("--bom", "--unit", "file", path)
+        parts = {}
+
+        def collect(entries):
+            for entry in entries:
+                if entry["kind"] == "part":
+                    count, _, bound = parts.get(entry["name"].lower(), (0, 0.0, 0.0))
+                    parts[entry["name"].lower()] = (count + entry["count_in_all"], entry["each"]["volume"], bound + entry["each"]["bounds"]["volume"])
+                collect(entry["children"])
+        collect(file["parts"])
+        check_equal("parts", {"bolt": 6, "l-bracket": 2, "nut": 8, "plate": 1, "rod": 1}, {key: value[0] for key, value in parts.items()})
+        check_equal("of solids", 18, file["parts"][0]["solids"])
+        check_equal("integrated once each", True, file["evaluations"] < 30000)
+        lists.append(parts)
+    for key, (_, volume, bound) in lists[0].items():
+        # The files round their coordinates to about 1e-6 mm of 10 mm.
+        for other in lists[1:2] if key == "bolt" else lists[1:]:
+            check(f"volume of the {key}", volume, other[key][1], bound + 1e-5 * volume, "rounding of the files")
+
+
+{"masses": masses, "materials": materials, "frames": frames, "lists": lists, "scripts": scripts, "robots": robots,
+ "validation": validation, "systems": systems, "inputs": inputs, "help": help_pages}[options.mode]()
+finish()
