@@ -9,10 +9,6 @@ namespace sm
 {
 namespace
 {
-/// Deflection of the coarse mesh, a part of the diagonal, and its angle in radians.
-constexpr double CoarseDeflection = 0.01;
-constexpr double CoarseAngle = 0.5;
-
 /// So few digits that details of the mesh do not reach them often.
 double Round(double x)
 {
@@ -22,16 +18,9 @@ double Round(double x)
 }
 }
 
-BodySize MeasureBody(
-  const std::vector<FacePointer>& faces, double diagonal, const std::function<bool()>& isStopped)
+BodySize MeasureBody(const std::vector<FaceMesh>& meshes)
 {
   BodySize size;
-  if (!(diagonal > 0.0) || !std::isfinite(diagonal))
-  {
-    return size;
-  }
-  const std::vector<FaceMesh> meshes =
-    MeshFaces(faces, { CoarseDeflection * diagonal, CoarseAngle }, isStopped);
   for (const FaceMesh& mesh : meshes)
   {
     for (const Vector3& p : mesh.Points)

@@ -1,6 +1,6 @@
 /**
  * @file smBodySize.h
- * @brief Box, volume and area of a body, from a coarse mesh of its own
+ * @brief Box, volume and area of a body, from its mesh
  */
 #ifndef smBodySize_h
 #define smBodySize_h
@@ -9,7 +9,6 @@
 #include "smFiltersTessellationModule.h"
 
 #include <array>
-#include <functional>
 #include <vector>
 
 namespace sm
@@ -25,12 +24,8 @@ struct BodySize
   bool IsKnown = false;
 };
 
-/**
- * Of the triangles within a fixed part of `diagonal`, which is about that of the body's box: the result does not depend on
- * what is shown. `isStopped` as for MeshFaces().
- */
-SMFILTERSTESSELLATION_EXPORT BodySize MeasureBody(
-  const std::vector<FacePointer>& faces, double diagonal, const std::function<bool()>& isStopped = {});
+/// The meshes should not depend on what is shown: scales fix the accuracy that is asked of each face.
+SMFILTERSTESSELLATION_EXPORT BodySize MeasureBody(const std::vector<FaceMesh>& meshes);
 }
 
 #endif

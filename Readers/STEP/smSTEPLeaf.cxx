@@ -32,6 +32,13 @@ constexpr double DefaultColor = 0.8;
 /// Share of a body's progress that its conversion takes; its triangles take the rest.
 constexpr double ConversionShare = 0.8;
 
+/// Limits of the mesh that a body's scales are taken from, whatever is shown: a part of its box's diagonal, and radians. At the reader's
+/// default settings it is shown, too, because OpenCASCADE's box is seldom a tenth larger than the body.
+constexpr double UsualDeflection = 0.9e-3;
+constexpr double UsualAngle = 0.35;
+/// It is fine enough, and not too fine, where up to so many times its deflection is asked for.
+constexpr double MostDeflectionRatio = 1.5;
+
 /// A unit in mm is a product of up to three numbers that are no doubles (0.0254, 0.001, ...), times the coordinate.
 constexpr int UnitRoundings = 6;
 
@@ -133,7 +140,13 @@ void LeafMaker::Triangulate(
     return this->Aborted;
   };
   const auto getDiagonal = [](const double* b) { return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]); };
-  size = MeasureBody(faces, getDiagonal(box), isStopped);
+  const MeshLimits usual{ UsualDeflection * getDiagonal(box), UsualAngle };
+  std::vector<FaceMesh> meshes;
+  if (usual.Deflection > 0.0 && std::isfinite(usual.Deflection))
+  {
+    meshes = MeshFaces(faces, usual, isStopped);
+  }
+  size = MeasureBody(meshes);
   if (!size.IsKnown)
   {
     std::copy(box, box + 6, size.Bounds.begin());
@@ -141,8 +154,12 @@ void LeafMaker::Triangulate(
   }
   const double diagonal = getDiagonal(size.Bounds.data());
   const double wanted = this->Options.LinearDeflection * (this->Options.RelativeDeflection ? diagonal : 1.0);
-  std::vector<FaceMesh> meshes =
-    MeshFaces(faces, { LimitDeflection(wanted, diagonal), this->Options.AngularDeflection }, isStopped);
+  const MeshLimits shown{ LimitDeflection(wanted, diagonal), this->Options.AngularDeflection };
+  if (shown.Angle != usual.Angle || shown.Deflection < usual.Deflection ||
+    shown.Deflection > MostDeflectionRatio * usual.Deflection)
+  {
+    meshes = MeshFaces(faces, shown, isStopped);
+  }
   this->Mesh = JoinMeshes(faces, std::move(meshes), this->Model->GetOrigin(), body.Messages);
 }
 
