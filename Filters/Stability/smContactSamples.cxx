@@ -1,6 +1,8 @@
 // The curvature samples of ContactSearch, and the directions in which the body goes on around a contact.
 #include "smContactSearchInternals.h"
 
+#include "smUnitRoundoff.h"
+
 namespace sm
 {
 Point2D GetContactDirection(int k)
@@ -111,6 +113,14 @@ void ContactSearch::Internals::AddSample(
   const GroundPatch& root = face.Patches[patch];
   const auto clamp = [](double x) { return std::clamp(x, 0.0, 1.0); };
   GroundPatch::Shape shape = root.GetShape(clamp(sr[0]), clamp(sr[1]));
+  // Near a pole the curvature is a quotient of numbers as small as the square of the shorter tangent.
+  const auto getError = [this](const GroundPatch::Shape& at)
+  {
+    const double lengths[2] = { std::hypot(at.Tangents[0][0], at.Tangents[0][1]),
+      std::hypot(at.Tangents[1][0], at.Tangents[1][1]) };
+    const double ratio = std::max(lengths[0], lengths[1]) / std::min(lengths[0], lengths[1]);
+    return (1e-9 + 1024.0 * UnitRoundoff * ratio * ratio) * this->Size;
+  };
   ContactSample sample{ position, 0.0, 0.0, 0.0 };
   if (std::isnan(shape.Curvature))
   {
@@ -126,7 +136,7 @@ void ContactSearch::Internals::AddSample(
     {
       sample.Radius = near.Curvature > 0.0 ? 1.0 / near.Curvature : Infinity;
       sample.RadiusError =
-        std::abs(sample.Radius - (far.Curvature > 0.0 ? 1.0 / far.Curvature : Infinity)) + 1e-9 * this->Size;
+        std::abs(sample.Radius - (far.Curvature > 0.0 ? 1.0 / far.Curvature : Infinity)) + getError(near);
       sample.Widest = near.LeastCurvature * this->Size > 1e-9 ? 1.0 / near.LeastCurvature : Infinity;
       const std::uint32_t directions = FindPoleDirections(face, patch, { clamp(sr[0]), clamp(sr[1]) });
       sample.RadiusError = directions == 0 ? Infinity : sample.RadiusError;
@@ -136,7 +146,7 @@ void ContactSearch::Internals::AddSample(
   else if (shape.Normal >= TangentCosine)
   {
     sample.Radius = shape.Curvature * this->Size > 1e-9 ? 1.0 / shape.Curvature : Infinity;
-    sample.RadiusError = 1e-9 * this->Size;
+    sample.RadiusError = getError(shape);
     sample.Widest = shape.LeastCurvature * this->Size > 1e-9 ? 1.0 / shape.LeastCurvature : Infinity;
     sample.GoesOn = FindDirections(face, patch, { clamp(sr[0]), clamp(sr[1]) }, shape);
   }

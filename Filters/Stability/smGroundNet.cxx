@@ -395,10 +395,15 @@ GroundPatch::Shape GroundPatch::GetShape(double s, double r) const
   const double l = Dot(d[3], normal);
   const double m = Dot(d[4], normal);
   const double n = Dot(d[5], normal);
-  const double area = e * g - f * f;
-  const double mean = 0.5 * (e * n - 2.0 * f * m + g * l) / area;
-  const double gauss = (l * n - m * m) / area;
-  const double half = std::sqrt(std::max(0.0, mean * mean - gauss));
+  // The second form in an orthonormal basis whose first vector is along s: where both curvatures are equal, the root of mean^2 - gauss
+  // would be that of a rounding error.
+  const double skew = f / e;
+  const double across = std::sqrt(g - f * skew);
+  const double ss = l / e;
+  const double sr = (m - skew * l) / (std::sqrt(e) * across);
+  const double rr = (n - 2.0 * skew * m + skew * skew * l) / (across * across);
+  const double mean = 0.5 * (ss + rr);
+  const double half = std::hypot(0.5 * (ss - rr), sr);
   shape.Curvature = mean + half;
   shape.LeastCurvature = mean - half;
   return shape;

@@ -31,10 +31,10 @@ class BodyMesher
 {
 public:
   BodyMesher(
-    const std::vector<FacePointer>& faces, const MeshLimits& limits, const std::function<bool()>& isStopped)
+    const std::vector<FacePointer>& faces, const MeshLimits& limits, const ProgressCallback& progress)
     : Faces(faces)
     , Limits(limits)
-    , IsStopped(isStopped)
+    , Progress(progress)
   {
     this->Limits.Angle = std::min(limits.Angle, WidestAngle);
   }
@@ -60,6 +60,7 @@ public:
     {
       open = this->MeshAll(open, round < MostRounds);
     }
+    this->Report(1.0);
     return std::move(this->Meshes);
   }
 
@@ -76,6 +77,8 @@ private:
     /// Indices of its vertices, after JoinVertices() of their representatives.
     int Vertices[2];
   };
+
+  bool Report(double share) const { return !this->Progress || this->Progress(share); }
 
   void GatherEdges()
   {
@@ -351,7 +354,9 @@ private:
     std::vector<std::vector<std::pair<int, int>>> halve(open.size());
     for (std::size_t start = 0; start < open.size(); start += Chunk)
     {
-      if (this->IsStopped && this->IsStopped())
+      if (!this->Report(open.size() < this->Faces.size()
+              ? 1.0
+              : static_cast<double>(start) / static_cast<double>(open.size())))
       {
         return {};
       }
@@ -398,7 +403,7 @@ private:
 
   const std::vector<FacePointer>& Faces;
   MeshLimits Limits;
-  const std::function<bool()>& IsStopped;
+  const ProgressCallback& Progress;
   std::unordered_map<const Edge*, std::size_t> Index;
   std::vector<SharedEdge> Edges;
   /// Ends of edges, two for each, and the union of those that are one.
@@ -410,8 +415,8 @@ private:
 }
 
 std::vector<FaceMesh> MeshFaces(
-  const std::vector<FacePointer>& faces, const MeshLimits& limits, const std::function<bool()>& isStopped)
+  const std::vector<FacePointer>& faces, const MeshLimits& limits, const ProgressCallback& progress)
 {
-  return BodyMesher(faces, limits, isStopped).Run();
+  return BodyMesher(faces, limits, progress).Run();
 }
 }

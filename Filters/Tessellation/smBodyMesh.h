@@ -7,8 +7,8 @@
 
 #include "smFaceMesher.h"
 #include "smFiltersTessellationModule.h"
+#include "smProgressCallback.h"
 
-#include <functional>
 #include <vector>
 
 namespace sm
@@ -21,11 +21,11 @@ namespace sm
  * edges, or the limits on the number of points, forbid it. Edges are within the deflection of their chords. The angle is aimed at, not
  * proved.
  *
- * Runs on the threads of vtkSMPTools, with the same result for any number of them. `isStopped`, where there is one, is asked now and
- * then on the calling thread; faces that were not reached have no triangles then.
+ * Runs on the threads of vtkSMPTools, with the same result for any number of them. `progress`, where there is one, is called on the
+ * calling thread; when it answers false, faces that were not reached have no triangles.
  */
-SMFILTERSTESSELLATION_EXPORT std::vector<FaceMesh> MeshFaces(const std::vector<FacePointer>& faces,
-  const MeshLimits& limits, const std::function<bool()>& isStopped = {});
+SMFILTERSTESSELLATION_EXPORT std::vector<FaceMesh> MeshFaces(
+  const std::vector<FacePointer>& faces, const MeshLimits& limits, const ProgressCallback& progress = {});
 }
 
 #endif

@@ -148,6 +148,14 @@ private:
       const std::array<double, 2> b = use.Trim->Evaluate(to);
       ParameterBox box{ a, a };
       box.Add(b);
+      if (this->IsPoint)
+      {
+        // A pole gets as many points as the rows around it, so that a triangle with it leads straight to a row.
+        const ParameterBox& all = use.Blocks->GetCovered();
+        const int across = std::abs(a[0] - b[0]) >= std::abs(a[1] - b[1]) ? 1 : 0;
+        box.Low[across] = all.Low[across];
+        box.High[across] = all.High[across];
+      }
       const SurfaceBlocks::Block m = use.Blocks->GetLargest(box);
       const double w[2] = { std::abs(a[0] - b[0]), std::abs(a[1] - b[1]) };
       const double error = 0.125 * (m.Uu * w[0] * w[0] + 2.0 * m.Uv * w[0] * w[1] + m.Vv * w[1] * w[1]);

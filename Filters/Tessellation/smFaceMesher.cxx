@@ -32,6 +32,8 @@ constexpr std::size_t MostTurns = 50;
 constexpr double TurnShare = 1e-2;
 /// Part of the deflection that the gap of a corner may take before its triangles are no longer made smaller for it.
 constexpr double LargestGapShare = 0.5;
+/// |S_u x S_v| has no direction below this part of the largest |S_u| |S_v|.
+constexpr double LeastNormal = 1e-10;
 /// A triangle is a line where twice its area is below this part of the square of its longest side.
 constexpr double LineShare = 1e-7;
 
@@ -206,6 +208,7 @@ private:
         {
           density[d] += 1.0 / this->Steps.back()[d];
           speed[d] += b.Speed[d];
+          this->Speed[d] = std::max(this->Speed[d], b.Speed[d]);
         }
       }
     }
@@ -239,8 +242,9 @@ private:
     Vector3 du;
     Vector3 dv;
     this->Walker.Evaluate(at[0], at[1], v.Position.data(), du.data(), dv.data());
+    // At a pole a derivative is rounding, and so would be the normal.
     const Vector3 normal = Cross(du, dv);
-    if (Dot(normal, normal) > 1e-20 * Dot(du, du) * Dot(dv, dv))
+    if (Norm(normal) > LeastNormal * this->Speed[0] * this->Speed[1])
     {
       v.Normal = Normalized(normal);
     }
@@ -683,6 +687,8 @@ private:
   NURBSSurface::Walker Walker;
   ParameterBox Box;
   Parameters Size{};
+  /// Largest |S_u| and |S_v|.
+  Parameters Speed{ 0.0, 0.0 };
   /// Steps of each block.
   std::vector<Parameters> Steps;
   Triangulation Mesh;

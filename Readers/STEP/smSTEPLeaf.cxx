@@ -134,17 +134,17 @@ void LeafMaker::Triangulate(
   {
     faces.push_back(face.Result);
   }
-  const auto isStopped = [this, &progress]()
+  const auto report = [this, &progress](double x)
   {
-    this->Aborted = this->Aborted || !progress(ConversionShare);
-    return this->Aborted;
+    this->Aborted = this->Aborted || !progress(ConversionShare + (1.0 - ConversionShare) * x);
+    return !this->Aborted;
   };
   const auto getDiagonal = [](const double* b) { return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]); };
   const MeshLimits usual{ UsualDeflection * getDiagonal(box), UsualAngle };
   std::vector<FaceMesh> meshes;
   if (usual.Deflection > 0.0 && std::isfinite(usual.Deflection))
   {
-    meshes = MeshFaces(faces, usual, isStopped);
+    meshes = MeshFaces(faces, usual, report);
   }
   size = MeasureBody(meshes);
   if (!size.IsKnown)
@@ -155,10 +155,14 @@ void LeafMaker::Triangulate(
   const double diagonal = getDiagonal(size.Bounds.data());
   const double wanted = this->Options.LinearDeflection * (this->Options.RelativeDeflection ? diagonal : 1.0);
   const MeshLimits shown{ LimitDeflection(wanted, diagonal), this->Options.AngularDeflection };
+  if (this->Aborted)
+  {
+    return;
+  }
   if (shown.Angle != usual.Angle || shown.Deflection < usual.Deflection ||
     shown.Deflection > MostDeflectionRatio * usual.Deflection)
   {
-    meshes = MeshFaces(faces, shown, isStopped);
+    meshes = MeshFaces(faces, shown, report);
   }
   this->Mesh = JoinMeshes(faces, std::move(meshes), this->Model->GetOrigin(), body.Messages);
 }

@@ -23,7 +23,7 @@ ROOMS = {
     "FiltersBuoyancy": ("Filters/Buoyancy", ["FiltersSurfaceIntegrals"]),
     "FiltersMomentSchemes": ("Filters/MomentSchemes", ["FiltersMassProperties", "RenderingCompute", "RenderingNURBS"]),
     "FiltersNURBSEdit": ("Filters/NURBSEdit", ["FiltersNURBS"]),
-    "FiltersTessellation": ("Filters/Tessellation", ["FiltersQuadrature"]),
+    "FiltersTessellation": ("Filters/Tessellation", ["FiltersNURBS"]),
     "RenderingCompute": ("Rendering/Compute", []),
     "RenderingNURBS": ("Rendering/NURBS", ["RenderingCompute", "FiltersNURBS"]),
     "ReadersPart21": ("Readers/Part21", []),
