@@ -56,6 +56,12 @@ std::string CheckBackend(const std::string& name)
   return known ? "" : "there is no backend " + name + "; use auto, opengl, cpu, x or egl";
 }
 
+std::string CheckRepair(const std::string& word)
+{
+  return word == "always" || word == "needed" ? std::string()
+                                              : "--repair " + word + " is not known; use always or needed";
+}
+
 std::string CheckUnit(const std::string& name)
 {
   const std::set<std::string> known = { "mm", "cm", "m", "um", "inch", "in", "ft", "file" };
@@ -195,6 +201,13 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
       "the one that the file is written in")
     ->type_name("UNIT")
     ->check(CheckUnit);
+  app
+    .add_option("--repair", job.Repair,
+      "Which solids and shells OpenCASCADE repairs: always (default), or needed:\n"
+      "only those that are not sound as the file has them, which a message tells;\n"
+      "the others are read faster, with exact trim curves")
+    ->type_name("WHEN")
+    ->check(CheckRepair);
   sm::AddNumberOption(
     app, "--density", job.Density, "Density in kg/m^3, for the mass in kg (default: that of the file)")
     ->check(CheckDensity);
