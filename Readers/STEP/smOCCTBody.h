@@ -31,6 +31,8 @@ struct ShapeInfo
   bool Bounded = false;
   /// The shape is an edge for which the file has no curve in the parameters of its faces.
   bool WithoutTrims = false;
+  /// The shape is a face that OpenCASCADE has not repaired: its loops are those of the file (smOCCTCompleteLoops.h).
+  bool AsInFile = false;
   /// Faces that a shell has in the file but not in OpenCASCADE's shape.
   int LostFaces = 0;
   /// The shape is a solid or shell of which an instance lost its scale or its mirror.
@@ -43,7 +45,7 @@ struct ConvertedFace
   FacePointer Result;
   /// The face it was made from, forward, and how its native parameters become ours.
   TopoDS_Face Source;
-  /// The edge behind each coedge, as the loop uses it.
+  /// The edge behind each coedge, as the loop uses it; null where the file has none.
   std::vector<std::vector<TopoDS_Edge>> SourceEdges;
   ParameterMap Map[2];
   double Period[2] = { 0.0, 0.0 };

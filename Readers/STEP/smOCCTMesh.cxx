@@ -8,6 +8,7 @@
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <IMeshTools_Parameters.hxx>
@@ -15,6 +16,7 @@
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -254,6 +256,18 @@ bool GetShapeBounds(const TopoDS_Shape& shape, double bounds[6], int* unbounded)
     *unbounded = skipped;
   }
   return any;
+}
+
+bool GetEdgeBounds(const TopoDS_Shape& shape, double bounds[6])
+{
+  TopoDS_Compound edges;
+  BRep_Builder builder;
+  builder.MakeCompound(edges);
+  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next())
+  {
+    builder.Add(edges, it.Current());
+  }
+  return GetFiniteBox(edges, bounds);
 }
 
 double LimitDeflection(double deflection, double diagonal)

@@ -34,6 +34,9 @@ struct DisplayMesh
 SMREADERSSTEP_EXPORT bool GetShapeBounds(
   const TopoDS_Shape& shape, double bounds[6], int* unbounded = nullptr);
 
+/// The same for the shape's edges alone.
+SMREADERSSTEP_EXPORT bool GetEdgeBounds(const TopoDS_Shape& shape, double bounds[6]);
+
 /// The deflection the mesher can take, in mm: at least 1e-5 of the diagonal and ten times its own precision, 1e-3 of
 /// the diagonal when the one that was asked for is no number above 0.
 SMREADERSSTEP_EXPORT double LimitDeflection(double deflection, double diagonal);

@@ -16,6 +16,8 @@
 #include "vtkTrimmedNURBSModel.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <TopExp_Explorer.hxx>
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,6 +37,14 @@ constexpr int UnitRoundings = 6;
 /// Seconds the kernel's mesher gets for one body: an ordinary one takes one or two at most, and there are planes
 /// from which it does not come back.
 constexpr double MeshLimit = 5.0;
+
+/// The kernel has not repaired the shape's faces.
+bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table)
+{
+  const TopExp_Explorer faces(shape, TopAbs_FACE);
+  const auto info = faces.More() ? table.find(faces.Current().TShape().get()) : table.end();
+  return info != table.end() && info->second.AsInFile;
+}
 
 vtkSmartPointer<vtkIntArray> MakeIndexArray(const std::vector<int>& values)
 {
@@ -93,7 +103,7 @@ LeafMaker::LeafMaker(
 void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
   Extent& extent, ConvertedBody& body)
 {
-  this->Triangulate(part, progress, extent, body.Messages);
+  this->Triangulate(part, table, progress, extent, body.Messages);
   this->MeshEnd = vtkTimerLog::GetUniversalTime();
   const double toOutput = std::abs(part.Scale.ScaleFactor()) * this->Options.Unit;
   // A centre in single precision: its subtraction from coordinates near it is exact.
@@ -112,19 +122,44 @@ void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const Pro
   this->Aborted = this->Aborted || converted.Aborted;
   converted.Messages.insert(converted.Messages.begin(), body.Messages.begin(), body.Messages.end());
   body = std::move(converted);
-  this->Mesh = BuildMesh(body, part.Scale, this->Options.Unit, origin);
+  const bool isMeshed = !IsAsInFile(part.Shape, table);
+  if (isMeshed)
+  {
+    this->Mesh = BuildMesh(body, part.Scale, this->Options.Unit, origin);
+  }
+  else
+  {
+    body.Messages.push_back("It has no display mesh, which OpenCASCADE makes of repaired shapes only.");
+  }
   for (double& b : extent.Bounds)
   {
     b *= toOutput;
   }
   extent.Deflection *= toOutput;
+  for (std::size_t i = 0; !isMeshed && i < body.Faces.size(); ++i)
+  {
+    for (const std::array<double, 4>& h : body.Faces[i].Result->Surface.ControlPoints)
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        extent.Bounds[2 * d] = std::min(extent.Bounds[2 * d], h[d] / h[3] + origin[d]);
+        extent.Bounds[2 * d + 1] = std::max(extent.Bounds[2 * d + 1], h[d] / h[3] + origin[d]);
+      }
+    }
+  }
 }
 
-void LeafMaker::Triangulate(
-  const PartBody& part, const ProgressCallback& progress, Extent& extent, std::vector<std::string>& messages)
+void LeafMaker::Triangulate(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
+  Extent& extent, std::vector<std::string>& messages)
 {
   double* bounds = extent.Bounds;
   int unbounded = 0;
+  if (IsAsInFile(part.Shape, table))
+  {
+    // The kernel neither meshes nor bounds faces whose edges have no curves in their parameters.
+    GetEdgeBounds(part.Shape, bounds);
+    return;
+  }
   if (!GetShapeBounds(part.Shape, bounds, &unbounded))
   {
     return;

@@ -61,8 +61,8 @@ private:
 
   void Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
     Extent& extent, ConvertedBody& body);
-  void Triangulate(const PartBody& part, const ProgressCallback& progress, Extent& extent,
-    std::vector<std::string>& messages);
+  void Triangulate(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
+    Extent& extent, std::vector<std::string>& messages);
   void MakeModel(const PartBody& part, const Extent& extent, ConvertedBody& body);
   /// The first message with the body's name, and how many there are.
   void Summarise(const PartBody& part, const std::vector<std::string>& messages);
