@@ -33,6 +33,12 @@ std::string CheckBackend(const std::string& name)
   return known ? "" : "there is no backend " + name + "; use auto, opengl, cpu, x or egl";
 }
 
+std::string CheckRepair(const std::string& word)
+{
+  return word == "always" || word == "needed" ? ""
+                                              : "--repair " + word + " is not known; use always or needed";
+}
+
 std::string CheckUnit(const std::string& name)
 {
   const std::set<std::string> known = { "mm", "cm", "m", "um", "inch", "in", "ft", "file" };

@@ -13,6 +13,7 @@ namespace sm
 std::string CheckScheme(const std::string& name);
 std::string CheckDeviation(const std::string& name);
 std::string CheckBackend(const std::string& name);
+std::string CheckRepair(const std::string& word);
 std::string CheckUnit(const std::string& name);
 std::string CheckTolerance(const std::string& text);
 std::string CheckGapLimit(const std::string& text);

@@ -87,6 +87,13 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->type_name("UNIT")
     ->check(sm::CheckUnit);
   app
+    .add_option("--repair", job.Repair,
+      "Which solids and shells OpenCASCADE repairs: always (default), or needed:\n"
+      "only those that are not sound as the file has them, which a message tells;\n"
+      "the others are read faster, with exact trim curves")
+    ->type_name("WHEN")
+    ->check(sm::CheckRepair);
+  app
     .add_option("--backend", job.Backend,
       "opengl: compute shaders, on the X display or through EGL where there is\n"
       "none; x or egl: only that one; cpu: no OpenGL; auto (default): opengl\n"

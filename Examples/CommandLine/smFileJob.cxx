@@ -101,6 +101,7 @@ bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobLis
 {
   reader->SetFileName(GetSource(options).c_str());
   reader->SetOutputUnit(options.Unit);
+  reader->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
   {
     ProgressScope progress(reader, sm::stages::Read, send);
     reader->Update();

@@ -24,6 +24,7 @@ struct JobOptions
   std::string SourceName;  ///< plain file with the content of FileName (InputFile); empty: that is one
   std::string PictureName; ///< PNG file to draw; empty: none
   std::string Unit = "mm"; ///< length unit of all results, or "file"
+  std::string Repair = "always"; ///< or "needed": which shapes OpenCASCADE repairs, see vtkSTEPReader::SetRepair
   std::string Backend = "auto";
   double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
   /// Tolerances of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see vtkMassPropertiesGPU.

@@ -2,6 +2,7 @@
 
 #include "smCommonParameter.h"
 #include "smFormat.h"
+#include "smOCCTCompleteLoops.h"
 #include "smOCCTCurve.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
@@ -33,6 +34,11 @@ std::string Label(const char* kind, int fileId, std::size_t index)
 {
   return fileId > 0 ? std::string(kind) + " #" + std::to_string(fileId)
                     : std::string(kind) + " number " + std::to_string(index + 1) + " of its body";
+}
+
+double GetLargest(const double v[3])
+{
+  return std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
 }
 
 /// A gap below that part of the body's size leaves the loop closed, whatever the file's tolerances say.
@@ -98,8 +104,10 @@ private:
       const std::string failure = CatchFailure(
         [&]
         {
-          draft = CollectFace(TopoDS::Face(face), this->EdgeShapes);
-          if (draft.Loops.empty() && Find(this->Table, face).Bounded)
+          const ShapeInfo& info = Find(this->Table, face);
+          draft = CollectFace(TopoDS::Face(face), this->EdgeShapes,
+            info.AsInFile ? MissingTrim::Feet : MissingTrim::Approximated);
+          if (draft.Loops.empty() && info.Bounded)
           {
             throw std::runtime_error("OpenCASCADE made nothing of the edges that bound it");
           }
@@ -240,8 +248,7 @@ private:
           const auto uv = trim.Evaluate(t);
           return map.MapPoint(use.first->Surface->Value(uv[0], uv[1]).XYZ());
         },
-        trim.GetBreaks(),
-        std::max({ std::abs(this->Origin[0]), std::abs(this->Origin[1]), std::abs(this->Origin[2]) }));
+        trim.GetBreaks(), GetLargest(this->Origin));
     }
     for (int i = 0; i < 2; ++i)
     {
@@ -262,7 +269,7 @@ private:
     {
       for (const DraftCoedge& coedge : draft.Loops[l])
       {
-        const auto& edge = this->Edges[coedge.EdgeIndex];
+        const auto edge = coedge.EdgeIndex >= 0 ? this->Edges[coedge.EdgeIndex] : nullptr;
         any = any || edge != nullptr;
         trims[l].push_back(coedge.Projected && edge ? ProjectOnPlane(draft, map, edge->Curve) : TrimCurve());
       }
@@ -277,8 +284,19 @@ private:
   void ConvertFace(std::size_t index)
   {
     DraftFace& draft = this->Drafts[index];
-    OrderLoops(draft);
-    ShiftLoops(draft);
+    if (draft.AsInFile)
+    {
+      const std::string problem = CompleteLoops(draft);
+      if (!problem.empty())
+      {
+        throw std::runtime_error(problem);
+      }
+    }
+    else
+    {
+      OrderLoops(draft);
+      ShiftLoops(draft);
+    }
     const AffineMap map = this->MakeMap(draft.Location);
     std::vector<std::vector<TrimCurve>> trims = this->ProjectTrims(draft, map);
     const NativeBox box = GetCoveredBox(draft, trims);
@@ -293,9 +311,11 @@ private:
     face->Reversed = draft.Reversed != map.IsMirrored();
     face->Messages = draft.Messages;
     ConvertedFace& result = this->Faces[index];
+    const std::vector<std::shared_ptr<const Edge>> added =
+      MakeAddedEdges(draft, map, this->MakeMap(gp_Trsf()), GetLargest(this->Origin));
     for (std::size_t l = 0; l < draft.Loops.size(); ++l)
     {
-      this->ConvertLoop(draft, draft.Loops[l], surface, box, trims[l], *face, result);
+      this->ConvertLoop(draft, draft.Loops[l], added, surface, box, trims[l], *face, result);
     }
     face->Surface = std::move(surface.Surface);
     face->Surface.Rounding =
@@ -312,7 +332,8 @@ private:
   }
 
   /// Appends a loop to `face`, and its edges to the source edges of `result`.
-  void ConvertLoop(DraftFace& draft, const DraftLoop& draftLoop, const ConvertedSurface& surface,
+  void ConvertLoop(DraftFace& draft, const DraftLoop& draftLoop,
+    const std::vector<std::shared_ptr<const Edge>>& added, const ConvertedSurface& surface,
     const NativeBox& box, std::vector<TrimCurve>& projected, Face& face, ConvertedFace& result) const
   {
     const std::vector<double> knots[2] = { surface.Surface.GetSpanBreaks(0),
@@ -324,7 +345,7 @@ private:
     {
       const DraftCoedge& from = draftLoop[i];
       Coedge coedge;
-      coedge.Use = this->Edges[from.EdgeIndex];
+      coedge.Use = from.EdgeIndex >= 0 ? this->Edges[from.EdgeIndex] : added[-1 - from.EdgeIndex];
       if (!coedge.Use)
       {
         face.Messages.push_back("An edge could not be carried over; its loop is closed by a straight line.");

@@ -29,6 +29,8 @@ struct ShapeInfo
   bool OpenSolid = false;
   /// The shape is a face that the file bounds by edges.
   bool Bounded = false;
+  /// The shape is a face that OpenCASCADE has not repaired: its loops are those of the file (smOCCTCompleteLoops.h).
+  bool AsInFile = false;
   /// Faces that a shell has in the file but not in OpenCASCADE's shape.
   int LostFaces = 0;
   /// The shape is a solid or shell of which an instance lost its scale or its mirror.
@@ -41,7 +43,7 @@ struct ConvertedFace
   FacePointer Result;
   /// The face it was made from, forward, and how its native parameters become ours.
   TopoDS_Face Source;
-  /// The edge behind each coedge, as the loop uses it.
+  /// The edge behind each coedge, as the loop uses it; null where the file has none.
   std::vector<std::vector<TopoDS_Edge>> SourceEdges;
   ParameterMap Map[2];
   double Period[2] = { 0.0, 0.0 };

@@ -3,9 +3,11 @@
 #include "smOCCTFailure.h"
 
 #include <BRepBndLib.hxx>
+#include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +36,18 @@ bool GetFiniteBox(const TopoDS_Shape& shape, double bounds[6])
     });
   return failure.empty() && finite;
 }
+}
 
+bool GetEdgeBounds(const TopoDS_Shape& shape, double bounds[6])
+{
+  TopoDS_Compound edges;
+  BRep_Builder builder;
+  builder.MakeCompound(edges);
+  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next())
+  {
+    builder.Add(edges, it.Current());
+  }
+  return GetFiniteBox(edges, bounds);
 }
 
 bool GetShapeBounds(const TopoDS_Shape& shape, double bounds[6], int* unbounded)

@@ -5,6 +5,7 @@
 #include "smOCCTFailure.h"
 #include "smOCCTFile.h"
 #include "smOCCTModel.h"
+#include "smOCCTRepair.h"
 #include "smOCCTTable.h"
 #include "smPart21File.h"
 #include "smSTEPReconciliation.h"
@@ -29,6 +30,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <tuple>
 #include <unordered_map>
@@ -448,8 +450,34 @@ struct DeclaredContent
   }
 };
 
-void Read(
-  const std::string& fileName, const FileCheck& check, const ProgressCallback& progress, Document& document)
+/// Transfers all shapes of the file; false when `progress` said to stop.
+bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, RepairMode repair,
+  const ProgressCallback& progress, Document& document)
+{
+  const Handle(KernelProgress) indicator =
+    new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
+  RepairLog log;
+  {
+    const auto label = [&reader](const TopoDS_Shape& shape)
+    { return GetShapeLabel(reader.Reader().WS(), shape); };
+    const std::unique_ptr<RepairOnNeed> selective =
+      repair == RepairMode::OnNeed ? std::make_unique<RepairOnNeed>(log, label) : nullptr;
+    reader.Transfer(xde, indicator->Start());
+  }
+  indicator->Rethrow();
+  for (const TopoDS_TShape* face : log.SoundFaces)
+  {
+    document.Table[face].AsInFile = true;
+  }
+  if (log.RepairedBodies > 0)
+  {
+    document.Messages.push_back(Describe(log));
+  }
+  return progress(1.0);
+}
+
+void Read(const std::string& fileName, const FileCheck& check, RepairMode repair,
+  const ProgressCallback& progress, Document& document)
 {
   const DeclaredContent declared(fileName, document);
   const CensusCount instances = CountDeclaredInstances(declared.Census);
@@ -494,11 +522,7 @@ void Read(
   }
   SkipDamagedAttributes(model, reader, document);
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
-  const Handle(KernelProgress) indicator =
-    new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
-  reader.Transfer(xde, indicator->Start());
-  indicator->Rethrow();
-  if (!progress(1.0))
+  if (!Transfer(reader, xde, repair, progress, document))
   {
     document.Status = ReadStatus::Aborted;
     return;
@@ -516,7 +540,7 @@ void Read(
 }
 }
 
-Document ReadDocument(const std::string& fileName, const ProgressCallback& progress)
+Document ReadDocument(const std::string& fileName, RepairMode repair, const ProgressCallback& progress)
 {
   Document document;
   const FileCheck check = CheckFile(fileName);
@@ -534,7 +558,7 @@ Document ReadDocument(const std::string& fileName, const ProgressCallback& progr
   {
     document.Messages.push_back("The file does not end with END-ISO-10303-21: part of it may be missing.");
   }
-  const std::string failure = CatchFailure([&]() { Read(fileName, check, progress, document); });
+  const std::string failure = CatchFailure([&]() { Read(fileName, check, repair, progress, document); });
   if (!failure.empty())
   {
     document.Status = ReadStatus::Unreadable;

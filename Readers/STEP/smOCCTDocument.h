@@ -82,11 +82,19 @@ struct Document
   ShapeTable Table;
 };
 
+/// Which shapes OpenCASCADE repairs before they are converted.
+enum class RepairMode
+{
+  Always,
+  /// Those that are not sound as the file has them (smOCCTRepair.h).
+  OnNeed
+};
+
 /**
  * Reads the file. `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession, so that one
  * thread of the process reads at a time. Throws std::bad_alloc, and nothing else.
  */
-Document ReadDocument(const std::string& fileName, const ProgressCallback& progress);
+Document ReadDocument(const std::string& fileName, RepairMode repair, const ProgressCallback& progress);
 }
 
 #endif

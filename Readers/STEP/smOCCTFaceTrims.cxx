@@ -1,5 +1,8 @@
 #include "smOCCTFaceTrims.h"
 
+#include "smOCCTCurve.h"
+
+#include <BRep_Tool.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 
@@ -55,6 +58,45 @@ TrimCurve ProjectOnPlane(const DraftFace& face, const AffineMap& map, const Edge
     std::hypot(curve.Residual[0], curve.Residual[1], curve.Residual[2]) / map.GetScale();
   result.Residual = { residual, residual };
   return result;
+}
+
+std::vector<std::shared_ptr<const Edge>> MakeAddedEdges(
+  const DraftFace& face, const AffineMap& map, const AffineMap& toModel, double magnitude)
+{
+  std::vector<std::shared_ptr<const Edge>> edges(face.AddedEdges);
+  for (const DraftLoop& loop : face.Loops)
+  {
+    for (const DraftCoedge& coedge : loop)
+    {
+      if (coedge.EdgeIndex >= 0 || edges[-1 - coedge.EdgeIndex])
+      {
+        continue;
+      }
+      const auto position = [&](double t)
+      {
+        const auto uv = coedge.Trim.Evaluate(t);
+        return map.MapPoint(face.Surface->Value(uv[0], uv[1]).XYZ());
+      };
+      const auto locate = [&](const TopoDS_Vertex& vertex, double t)
+      { return vertex.IsNull() ? position(t) : toModel.MapPoint(BRep_Tool::Pnt(vertex).XYZ()); };
+      auto edge = std::make_shared<Edge>();
+      edge->Id = NewId();
+      edge->Degenerate = coedge.Degenerate;
+      edge->StartVertex = locate(coedge.Start, coedge.Trim.First);
+      edge->EndVertex = locate(coedge.End, coedge.Trim.Last);
+      if (edge->Degenerate)
+      {
+        edge->Curve.Breaks.push_back(coedge.Trim.First);
+        edge->Curve.AppendPiece(coedge.Trim.Last, &edge->StartVertex, 0);
+      }
+      else
+      {
+        edge->Curve = FitEdge(position, coedge.Trim.GetBreaks(), magnitude);
+      }
+      edges[-1 - coedge.EdgeIndex] = edge;
+    }
+  }
+  return edges;
 }
 
 NativeBox GetCoveredBox(const DraftFace& face, const std::vector<std::vector<TrimCurve>>& projected)

@@ -5,15 +5,22 @@
 #ifndef smOCCTFaceTrims_h
 #define smOCCTFaceTrims_h
 
+#include "smFace.h"
 #include "smOCCTLoop.h"
 #include "smOCCTSurface.h"
 
+#include <memory>
 #include <vector>
 
 namespace sm
 {
 /// Trim curve of an edge on a plane that keeps no pcurve: u and v are linear in the position. `face.Surface` is a Geom_Plane.
 TrimCurve ProjectOnPlane(const DraftFace& face, const AffineMap& map, const EdgeCurve& curve);
+
+/// Poles and seams that CompleteLoops added: their curves are what their trims draw. `map` is that of the face, `toModel` that of vertices;
+/// coordinates are rounded as if they were as large as `magnitude`.
+std::vector<std::shared_ptr<const Edge>> MakeAddedEdges(
+  const DraftFace& face, const AffineMap& map, const AffineMap& toModel, double magnitude);
 
 /// Native parameters that the trims cover; never empty. `projected` has a curve for every coedge, which counts where the coedge
 /// is projected. Throws std::runtime_error when there are no loops and the surface is infinite.

@@ -240,7 +240,8 @@ NativeBox GetBox(const DraftLoop& loop)
 }
 
 /// Sets the trim of a coedge. Returns why there is none, a sentence, or an empty string.
-std::string SetTrim(const DraftFace& face, const TopLoc_Location& location, DraftCoedge& coedge)
+std::string SetTrim(
+  const DraftFace& face, const TopLoc_Location& location, MissingTrim missing, DraftCoedge& coedge)
 {
   if (!FindStoredTrim(coedge.Edge, face.Stored, location, coedge.Trim))
   {
@@ -251,6 +252,12 @@ std::string SetTrim(const DraftFace& face, const TopLoc_Location& location, Draf
     if (hasCurve && !Handle(Geom_Plane)::DownCast(face.Surface).IsNull())
     {
       coedge.Projected = true;
+    }
+    else if (hasCurve && missing == MissingTrim::Feet)
+    {
+      coedge.NeedsFeet = true;
+      coedge.Trim.First = first;
+      coedge.Trim.Last = last;
     }
     else if (!AddMissingTrim(coedge.Edge, face.Face, coedge.Trim))
     {
@@ -263,10 +270,11 @@ std::string SetTrim(const DraftFace& face, const TopLoc_Location& location, Draf
 }
 
 /// Appends the loop of a wire to `face`.
-void AddLoop(const TopoDS_Shape& wire, const TopLoc_Location& location, DraftFace& face,
+void AddLoop(const TopoDS_Shape& wire, const TopLoc_Location& location, MissingTrim missing, DraftFace& face,
   TopTools_IndexedMapOfShape& edges)
 {
   DraftLoop loop;
+  bool isPole = false;
   int dropped = 0;
   for (TopoDS_Iterator it(wire); it.More(); it.Next())
   {
@@ -279,9 +287,16 @@ void AddLoop(const TopoDS_Shape& wire, const TopLoc_Location& location, DraftFac
     coedge.Edge = edge;
     coedge.Reversed = edge.Orientation() == TopAbs_REVERSED;
     coedge.Degenerate = BRep_Tool::Degenerated(edge);
+    if (coedge.Degenerate && missing == MissingTrim::Feet &&
+      !FindStoredTrim(edge, face.Stored, location, coedge.Trim))
+    {
+      // CompleteLoops makes its own poles.
+      isPole = true;
+      continue;
+    }
     coedge.Start = TopExp::FirstVertex(edge, true);
     coedge.End = TopExp::LastVertex(edge, true);
-    const std::string problem = SetTrim(face, location, coedge);
+    const std::string problem = SetTrim(face, location, missing, coedge);
     if (!problem.empty())
     {
       face.Messages.push_back(problem);
@@ -295,7 +310,7 @@ void AddLoop(const TopoDS_Shape& wire, const TopLoc_Location& location, DraftFac
   {
     std::reverse(loop.begin(), loop.end());
   }
-  if (loop.empty() && dropped == 0)
+  if (loop.empty() && dropped == 0 && !isPole)
   {
     face.Messages.push_back("A loop has no edges; it is left out.");
     ++dropped;
@@ -308,10 +323,11 @@ void AddLoop(const TopoDS_Shape& wire, const TopLoc_Location& location, DraftFac
 }
 }
 
-DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edges)
+DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edges, MissingTrim missing)
 {
   DraftFace face;
   face.Reversed = source.Orientation() == TopAbs_REVERSED;
+  face.AsInFile = missing == MissingTrim::Feet;
   face.Face = TopoDS::Face(source.Oriented(TopAbs_FORWARD));
   TopLoc_Location location;
   face.Stored = BRep_Tool::Surface(face.Face, location);
@@ -331,7 +347,7 @@ DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edg
       orientation != TopAbs_EXTERNAL)
     {
       bounded = true;
-      AddLoop(wires.Value(), location, face, edges);
+      AddLoop(wires.Value(), location, missing, face, edges);
     }
   }
   if (bounded && face.Loops.empty())
@@ -375,8 +391,6 @@ void ShiftLoops(DraftFace& face)
   {
     return;
   }
-  std::size_t widest = 0;
-  std::vector<NativeBox> boxes;
   for (DraftLoop& loop : face.Loops)
   {
     for (std::size_t i = 1; i <= loop.size(); ++i)
@@ -402,7 +416,17 @@ void ShiftLoops(DraftFace& face)
         }
       }
     }
-    boxes.push_back(GetBox(loop));
+  }
+  AlignLoops(face);
+}
+
+void AlignLoops(DraftFace& face)
+{
+  std::size_t widest = 0;
+  std::vector<NativeBox> boxes;
+  for (const DraftLoop& loop : face.Loops)
+  {
+    boxes.push_back(face.Period[0] > 0.0 || face.Period[1] > 0.0 ? GetBox(loop) : NativeBox());
   }
   for (int d = 0; d < 2; ++d)
   {

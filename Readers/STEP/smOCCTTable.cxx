@@ -190,6 +190,22 @@ void FillTable(const Handle(XSControl_WorkSession) & session, const Handle(TDocS
   }
 }
 
+std::string GetShapeLabel(const Handle(XSControl_WorkSession) & session, const TopoDS_Shape& shape)
+{
+  const Handle(StepData_StepModel) model = Handle(StepData_StepModel)::DownCast(session->Model());
+  const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
+  for (int i = 1; !process.IsNull() && i <= process->NbMapped(); ++i)
+  {
+    const Handle(Transfer_Binder) binder = process->MapItem(i);
+    if (!binder.IsNull() && TransferBRep::ShapeResult(binder).IsSame(shape))
+    {
+      return (shape.ShapeType() == TopAbs_FACE ? "face #" : "shell #") +
+        std::to_string(model->IdentLabel(process->Mapped(i)));
+    }
+  }
+  return "a shape";
+}
+
 bool MarkMisplaced(const Handle(XSControl_WorkSession) & session,
   const std::vector<Handle(Standard_Transient)>& operators, ShapeTable& table)
 {

@@ -21,6 +21,9 @@ namespace sm
 void FillTable(const Handle(XSControl_WorkSession) & session, const Handle(TDocStd_Document) & document,
   const LostFaces& lost, ShapeTable& table);
 
+/// "face #12" for a shape that the transfer has just made of an entity of this number, else "a shape".
+std::string GetShapeLabel(const Handle(XSControl_WorkSession) & session, const TopoDS_Shape& shape);
+
 /// Marks the solids and shells that the operators place (ShapeInfo::Misplaced); false when one of them places
 /// something else, and any shape may be meant.
 bool MarkMisplaced(const Handle(XSControl_WorkSession) & session,

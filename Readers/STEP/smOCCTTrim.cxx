@@ -4,7 +4,6 @@
 
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_BezierCurve.hxx>
-#include <Geom2d_Line.hxx>
 #include <Geom2d_OffsetCurve.hxx>
 
 #include <limits>
@@ -73,9 +72,22 @@ public:
     , Maps(maps)
   {
     this->Tolerance = GetTrimTolerance(maps, width);
+    if (trim.Feet)
+    {
+      this->Most = 40 + 4 * static_cast<int>(trim.GetBreaks().size());
+    }
   }
 
-  TrimCurve Fit()
+  /// The feet of a curve do not move smoothly beside a point where the surface is nearly singular: the fit has a residual far above
+  /// rounding, or was given up after many more pieces than the curve has.
+  bool IsPoor(const double width[2]) const
+  {
+    constexpr double large = 1e-10;
+    return this->GivenUp || this->Result.Residual[0] > large * width[0] ||
+      this->Result.Residual[1] > large * width[1];
+  }
+
+  const TrimCurve& Fit()
   {
     this->FindConstants();
     this->Result.Breaks.push_back(this->Range(this->Trim.First));
@@ -90,14 +102,14 @@ public:
         }
       }
       this->Result.AppendPiece(this->Range(this->Trim.Last), ends, 1);
-      return std::move(this->Result);
+      return this->Result;
     }
     const std::vector<double> breaks = this->Trim.GetBreaks();
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
     {
       this->FitInterval(breaks[i], breaks[i + 1], Attempt());
     }
-    return std::move(this->Result);
+    return this->Result;
   }
 
 private:
@@ -143,7 +155,7 @@ private:
   /// A line along which no angle moves.
   bool IsStraight() const
   {
-    if (!Handle(Geom2d_Line)::DownCast(GetBasis(this->Trim.Curve)))
+    if (this->Trim.GetLine().IsNull())
     {
       return false;
     }
@@ -169,6 +181,11 @@ private:
   /// Cuts at the borders of arcs, then fits what lies between.
   void FitInterval(double a, double b, const Attempt& attempt)
   {
+    this->GivenUp = this->Trim.Feet && this->Result.GetNumberOfPieces() >= this->Most;
+    if (this->GivenUp)
+    {
+      return;
+    }
     Samples native;
     this->SampleNative(a, b, native);
     std::vector<double> cuts;
@@ -298,18 +315,30 @@ private:
   std::array<double, 2> Tolerance{};
   bool Constant[2] = { false, false };
   double Value[2] = { 0.0, 0.0 };
+  /// Pieces at which it is given up.
+  int Most = MaximumPieces;
+  bool GivenUp = false;
   TrimCurve Result;
 };
 }
 
 std::array<double, 2> NativeTrim::Evaluate(double parameter) const
 {
+  if (this->Feet)
+  {
+    const std::array<double, 2> p = this->Feet->Evaluate(parameter);
+    return { p[0] + this->Shift[0], p[1] + this->Shift[1] };
+  }
   const gp_Pnt2d p = this->Curve->Value(parameter);
   return { p.X() + this->Shift[0], p.Y() + this->Shift[1] };
 }
 
 std::vector<double> NativeTrim::GetBreaks() const
 {
+  if (this->Feet)
+  {
+    return this->Feet->GetBreaks();
+  }
   Handle(Geom2d_Curve) curve = GetBasis(this->Curve);
   while (const auto offset = Handle(Geom2d_OffsetCurve)::DownCast(curve))
   {
@@ -322,6 +351,11 @@ std::vector<double> NativeTrim::GetBreaks() const
   return { this->First, this->Last };
 }
 
+Handle(Geom2d_Line) NativeTrim::GetLine() const
+{
+  return this->Feet ? Handle(Geom2d_Line)() : Handle(Geom2d_Line)::DownCast(GetBasis(this->Curve));
+}
+
 void NativeTrim::AddTo(NativeBox& box) const
 {
   const auto add = [&box](double u, double v)
@@ -331,7 +365,7 @@ void NativeTrim::AddTo(NativeBox& box) const
     box.Low[1] = std::min(box.Low[1], v);
     box.High[1] = std::max(box.High[1], v);
   };
-  if (const auto line = Handle(Geom2d_Line)::DownCast(GetBasis(this->Curve)))
+  if (const auto line = this->GetLine())
   {
     const gp_Pnt2d a = line->Value(this->First);
     const gp_Pnt2d b = line->Value(this->Last);
@@ -345,7 +379,9 @@ void NativeTrim::AddTo(NativeBox& box) const
     gp_Pnt2d p[FitOrder + 1];
     for (int i = 0; i <= FitOrder; ++i)
     {
-      p[i] = this->Curve->Value(breaks[k] + GetFitNodes()[i] * (breaks[k + 1] - breaks[k]));
+      const double t = breaks[k] + GetFitNodes()[i] * (breaks[k + 1] - breaks[k]);
+      const std::array<double, 2> feet = this->Feet ? this->Feet->Evaluate(t) : std::array<double, 2>{};
+      p[i] = this->Feet ? gp_Pnt2d(feet[0], feet[1]) : this->Curve->Value(t);
       add(p[i].X(), p[i].Y());
     }
     // Between samples a smooth curve rises above them by at most about an eighth of the second difference.
@@ -376,9 +412,9 @@ TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast,
   const double width[2])
 {
   const RangeMap range{ { trim.First, trim.Last }, { edgeFirst, edgeLast } };
-  const Handle(Geom2d_Curve) curve = GetBasis(trim.Curve);
-  const bool plain =
-    maps[0].Type == ParameterMap::Kind::Identity && maps[1].Type == ParameterMap::Kind::Identity;
+  const Handle(Geom2d_Curve) curve = trim.Feet ? trim.Curve : GetBasis(trim.Curve);
+  const bool plain = !trim.Feet && maps[0].Type == ParameterMap::Kind::Identity &&
+    maps[1].Type == ParameterMap::Kind::Identity;
   const auto mapPole = [&trim](const gp_Pnt2d& p) {
     return TrimCurve::Point{ p.X() + trim.Shift[0], p.Y() + trim.Shift[1] };
   };
@@ -400,6 +436,19 @@ TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast,
     KeepConstant(poles, result);
     return result;
   }
-  return TrimFitter(trim, range, maps, width).Fit();
+  TrimFitter fitter(trim, range, maps, width);
+  const TrimCurve& fitted = fitter.Fit();
+  if (!trim.Feet || !fitter.IsPoor(width))
+  {
+    return fitted;
+  }
+  NativeTrim other = trim;
+  other.Curve = trim.Feet->Approximate();
+  other.Feet = nullptr;
+  if (other.Curve.IsNull())
+  {
+    throw std::runtime_error("the feet of an edge on it do not move smoothly");
+  }
+  return ConvertTrim(other, edgeFirst, edgeLast, maps, width);
 }
 }

@@ -5,13 +5,16 @@
 #ifndef smOCCTTrim_h
 #define smOCCTTrim_h
 
+#include "smOCCTFootCurve.h"
 #include "smOCCTSurface.h"
 #include "smPolynomialCurve.h"
 #include "smReadersSTEPModule.h"
 
 #include <Geom2d_Curve.hxx>
+#include <Geom2d_Line.hxx>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace sm
@@ -20,6 +23,8 @@ namespace sm
 struct SMREADERSSTEP_EXPORT NativeTrim
 {
   Handle(Geom2d_Curve) Curve;
+  /// Instead of Curve: the feet of the edge's own curve.
+  std::shared_ptr<const FootCurve> Feet;
   double First = 0.0;
   double Last = 0.0;
   double Shift[2] = { 0.0, 0.0 };
@@ -29,6 +34,8 @@ struct SMREADERSSTEP_EXPORT NativeTrim
   std::array<double, 2> GetEnd() const { return this->Evaluate(this->Last); }
   /// First, Last and the knots between.
   std::vector<double> GetBreaks() const;
+  /// The pcurve where it is a line, else null.
+  Handle(Geom2d_Line) GetLine() const;
   /// Widens the box by what the curve covers, before the shift.
   void AddTo(NativeBox& box) const;
 };

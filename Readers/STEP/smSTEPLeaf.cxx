@@ -19,6 +19,8 @@
 #include "vtkTrimmedNURBSModel.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <TopExp_Explorer.hxx>
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,6 +43,14 @@ constexpr double MostDeflectionRatio = 1.5;
 
 /// A unit in mm is a product of up to three numbers that are no doubles (0.0254, 0.001, ...), times the coordinate.
 constexpr int UnitRoundings = 6;
+
+/// The kernel has not repaired the shape's faces.
+bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table)
+{
+  const TopExp_Explorer faces(shape, TopAbs_FACE);
+  const auto info = faces.More() ? table.find(faces.Current().TShape().get()) : table.end();
+  return info != table.end() && info->second.AsInFile;
+}
 
 vtkSmartPointer<vtkIntArray> MakeIndexArray(const std::vector<int>& values)
 {
@@ -99,7 +109,10 @@ void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const Pro
 {
   double bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   int unbounded = 0;
-  GetShapeBounds(part.Shape, bounds, &unbounded);
+  if (!IsAsInFile(part.Shape, table) || !GetEdgeBounds(part.Shape, bounds))
+  {
+    GetShapeBounds(part.Shape, bounds, &unbounded);
+  }
   const double toOutput = std::abs(part.Scale.ScaleFactor()) * this->Options.Unit;
   // A centre in single precision: its subtraction from coordinates near it is exact.
   double origin[3];

@@ -360,8 +360,9 @@ void vtkSTEPReader::Read(vtkPartitionedDataSetCollection* output)
   const double start = vtkTimerLog::GetUniversalTime();
   // The time that another reader's file took does not count.
   this->Start = start;
-  const sm::Document document =
-    sm::ReadDocument(this->FileName, [this](double x) { return this->Report(ReadingShare * x); });
+  const sm::Document document = sm::ReadDocument(this->FileName,
+    this->Repair == ON_NEED ? sm::RepairMode::OnNeed : sm::RepairMode::Always,
+    [this](double x) { return this->Report(ReadingShare * x); });
   this->Last->ReadSeconds = vtkTimerLog::GetUniversalTime() - start;
   this->Last->Messages = document.Messages;
   this->Last->FileUnit = document.FileUnit;
@@ -476,6 +477,7 @@ void vtkSTEPReader::PrintSelf(ostream& os, vtkIndent indent)
      << (this->RelativeDeflection ? " relative\n" : "\n") << indent
      << "AngularDeflection: " << this->AngularDeflection << "\n"
      << indent << "OutputUnit: " << this->OutputUnit << "\n"
-     << indent << "MaximumSeconds: " << this->MaximumSeconds << "\n"
+     << indent << "Repair: " << (this->Repair == ON_NEED ? "on need\n" : "always\n") << indent
+     << "MaximumSeconds: " << this->MaximumSeconds << "\n"
      << indent << "Status: " << this->GetStatusAsString() << "\n";
 }

@@ -123,6 +123,22 @@ public:
   ///@}
 
   ///@{
+  /**
+   * ALWAYS (default): OpenCASCADE repairs all shapes of the file and computes trim curves that the file does not have. ON_NEED: it repairs
+   * the solids and shells that are not sound as the file has them, whose numbers GetMessage() tells; the others are taken from the
+   * file as they are, with trim curves in closed form, which is faster and more exact. Not available with OpenCASCADE 7.9 and later,
+   * where ON_NEED is ALWAYS.
+   */
+  enum RepairType
+  {
+    ALWAYS = 0,
+    ON_NEED = 1
+  };
+  vtkSetClampMacro(Repair, int, ALWAYS, ON_NEED);
+  vtkGetMacro(Repair, int);
+  ///@}
+
+  ///@{
   /** Limit of the duration of an Update() in seconds, after which the status is ABORTED. OpenCASCADE says only now and then how far it is,
    * and for damaged geometry perhaps never: no limit in this process can end it then. At least 0, clamped. Default 0: no limit. */
   vtkSetClampMacro(MaximumSeconds, double, 0.0, VTK_DOUBLE_MAX);
@@ -216,6 +232,7 @@ private:
   bool RelativeDeflection = true;
   double AngularDeflection = 0.35;
   std::string OutputUnit = "mm";
+  int Repair = ALWAYS;
   double MaximumSeconds = 0.0;
   /// When the last Update() began, and whether it took too long.
   double Start = 0.0;

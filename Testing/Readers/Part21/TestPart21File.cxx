@@ -362,8 +362,9 @@ void CheckTessellations()
   const std::string kept = "#2=TESSELLATED_GEOMETRIC_SET('a;)',(#3));\n#4=DIRECTION('',(1.,0.));\n"
                            "#5=TRIANGULATED_FACE('',#99,$);\n#6=(A()COORDINATES_LIST('',1,((1.))));\n";
   sm::Part21File file;
-  file.Parse("  " + Wrap("#1=COORDINATES_LIST('b;)(',2,((0.,1.,2.),(3.,4.,5.)));\n" + kept +
-    "#3 = complex_triangulated_surface_set ('',#1,2,(),(),((1,2)),());\n"));
+  file.Parse("  " +
+    Wrap("#1=COORDINATES_LIST('b;)(',2,((0.,1.,2.),(3.,4.,5.)));\n" + kept +
+      "#3 = complex_triangulated_surface_set ('',#1,2,(),(),((1,2)),());\n"));
   CheckEqual("tessellations",
     Wrap("#1=COORDINATES_LIST();\n" + kept + "#3 = complex_triangulated_surface_set ();\n"),
     sm::RemoveTessellations(file));

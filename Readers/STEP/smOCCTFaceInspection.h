@@ -1,0 +1,28 @@
+/**
+ * @file smOCCTFaceInspection.h
+ * @brief Whether a face can be taken as the file has it
+ */
+#ifndef smOCCTFaceInspection_h
+#define smOCCTFaceInspection_h
+
+#include "smOCCTLoop.h"
+
+#include <gp_Pnt.hxx>
+
+#include <string>
+
+namespace sm
+{
+struct FaceInspection
+{
+  /// Why the face should be repaired; empty when it should not.
+  std::string Problem;
+  /// Volume of the cone over the face from the origin, to a few percent, by the normal of the forward face.
+  double ConeVolume = 0.0;
+};
+
+/// CompleteLoops, and then a look at the loops together. Gaps up to `tolerance` in space leave a loop closed.
+FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance);
+}
+
+#endif

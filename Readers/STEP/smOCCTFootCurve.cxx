@@ -1,0 +1,284 @@
+#include "smOCCTFootCurve.h"
+
+#include "smOCCTCurve.h"
+#include "smUnitRoundoff.h"
+
+#include <Geom2d_Line.hxx>
+#include <Precision.hxx>
+#include <ShapeConstruct_ProjectCurveOnSurface.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+/// Part of a period that a foot may move from one sample to the next; a full circle has 64.
+constexpr double LargestStep = 0.15;
+
+/// A distance that does not count: 1e-9 of the size, or 1e-7 mm, which is nothing to OpenCASCADE and to the systems that write files,
+/// but no more than 1e-6 of the size.
+double GetSlack(double size, double magnitude)
+{
+  return std::max(1e-9 * size, std::min(1e-7, 1e-6 * size)) + 32.0 * UnitRoundoff * magnitude;
+}
+}
+
+std::shared_ptr<const FootCurve> FootCurve::Make(const std::shared_ptr<const FootPointFinder>& finder,
+  const Handle(Geom_Curve) & curve, const gp_Trsf& placement, double first, double last)
+{
+  if (!finder || curve.IsNull() || !(last > first))
+  {
+    return nullptr;
+  }
+  auto result = std::make_shared<FootCurve>();
+  result->Finder = finder;
+  result->Curve =
+    placement.Form() == gp_Identity ? curve : Handle(Geom_Curve)::DownCast(curve->Transformed(placement));
+  result->Breaks = GetCurveBreaks(result->Curve, first, last);
+  if (!result->Follow() || !result->IsEven())
+  {
+    return nullptr;
+  }
+  result->Straighten();
+  result->AddKnotCrossings();
+  return result;
+}
+
+bool FootCurve::Follow()
+{
+  const std::size_t pieces = this->Breaks.size() - 1;
+  const int steps = static_cast<int>(std::clamp<std::size_t>(64 / pieces, 4, 32));
+  for (std::size_t k = 0; k < pieces; ++k)
+  {
+    for (int i = 0; i < steps; ++i)
+    {
+      const double x = static_cast<double>(i) / steps;
+      this->Samples.push_back({ (1.0 - x) * this->Breaks[k] + x * this->Breaks[k + 1], {}, {} });
+    }
+  }
+  this->Samples.push_back({ this->Breaks.back(), {}, {} });
+  const std::size_t middle = this->Samples.size() / 2;
+  std::vector<gp_Pnt> points;
+  gp_XYZ low(1e300, 1e300, 1e300);
+  gp_XYZ high(-1e300, -1e300, -1e300);
+  double magnitude = 0.0;
+  for (const Sample& sample : this->Samples)
+  {
+    points.push_back(this->Curve->Value(sample.T));
+    for (int c = 1; c <= 3; ++c)
+    {
+      low.SetCoord(c, std::min(low.Coord(c), points.back().Coord(c)));
+      high.SetCoord(c, std::max(high.Coord(c), points.back().Coord(c)));
+      magnitude = std::max(magnitude, std::abs(points.back().Coord(c)));
+    }
+  }
+  this->Size = (high - low).Modulus();
+  this->Slack = GetSlack(this->Size, magnitude);
+  const auto find = [&](std::size_t i, const Sample* neighbour)
+  {
+    Sample& sample = this->Samples[i];
+    if (!this->Finder->Find(points[i], neighbour ? neighbour->UV.data() : nullptr, sample.UV.data()))
+    {
+      return false;
+    }
+    gp_Pnt foot;
+    gp_Vec du;
+    gp_Vec dv;
+    this->Finder->GetSurface()->D1(sample.UV[0], sample.UV[1], foot, du, dv);
+    sample.Speed[0] = du.Magnitude();
+    sample.Speed[1] = dv.Magnitude();
+    this->Distance = std::max(this->Distance, foot.Distance(points[i]));
+    if (neighbour)
+    {
+      this->ContinueAtPole(neighbour->UV, sample.Speed, sample.UV);
+    }
+    return true;
+  };
+  bool found = find(middle, nullptr);
+  for (std::size_t i = middle; found && i > 0; --i)
+  {
+    found = find(i - 1, &this->Samples[i]);
+  }
+  for (std::size_t i = middle + 1; found && i < this->Samples.size(); ++i)
+  {
+    found = find(i, &this->Samples[i - 1]);
+  }
+  return found;
+}
+
+/// No step from sample to sample is a large part of a period: that is so beside a pole, where no polynomial follows.
+bool FootCurve::IsEven() const
+{
+  for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      const double period = this->Finder->GetPeriod(d);
+      if (period > 0.0 &&
+        std::abs(this->Samples[i + 1].UV[d] - this->Samples[i].UV[d]) > LargestStep * period)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void FootCurve::ContinueAtPole(
+  const std::array<double, 2>& neighbour, const double speed[2], std::array<double, 2>& uv) const
+{
+  for (const FootPointFinder::Pole& pole : this->Finder->GetPoles())
+  {
+    if (std::abs(uv[pole.Direction] - pole.Value) * speed[pole.Direction] <= this->Slack)
+    {
+      uv[pole.Direction] = pole.Value;
+      uv[1 - pole.Direction] = neighbour[1 - pole.Direction];
+    }
+  }
+}
+
+void FootCurve::Straighten()
+{
+  for (int d = 0; d < 2; ++d)
+  {
+    const auto fastest = std::max_element(this->Samples.begin(), this->Samples.end(),
+      [d](const Sample& a, const Sample& b) { return a.Speed[d] < b.Speed[d]; });
+    this->Slope[d] = std::numeric_limits<double>::quiet_NaN();
+    for (const double slope : { 0.0, 1.0, -1.0 })
+    {
+      double offset = fastest->UV[d] - slope * fastest->T;
+      if (slope == 0.0)
+      {
+        offset = this->Finder->SnapToBorder(d, offset, this->Slack / fastest->Speed[d]);
+      }
+      const bool fits = std::all_of(this->Samples.begin(), this->Samples.end(),
+        [&](const Sample& s)
+        { return std::abs(s.UV[d] - slope * s.T - offset) * s.Speed[d] <= 2.0 * this->Slack; });
+      if (fits)
+      {
+        this->Slope[d] = slope;
+        this->Offset[d] = offset;
+        for (Sample& s : this->Samples)
+        {
+          s.UV[d] = offset + slope * s.T;
+        }
+        break;
+      }
+    }
+  }
+}
+
+/// A foot point moves less smoothly where the surface has a knot.
+void FootCurve::AddKnotCrossings()
+{
+  std::vector<double> crossings;
+  for (int d = 0; d < 2; ++d)
+  {
+    if (this->Slope[d] == 0.0)
+    {
+      continue;
+    }
+    for (const double knot : this->Finder->GetKnots(d))
+    {
+      for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
+      {
+        double a = this->Samples[i].T;
+        double b = this->Samples[i + 1].T;
+        const bool rising = this->Samples[i + 1].UV[d] > knot;
+        if ((this->Samples[i].UV[d] > knot) == rising)
+        {
+          continue;
+        }
+        for (int n = 0; n < 60; ++n)
+        {
+          const double middle = 0.5 * (a + b);
+          if (!(middle > a && middle < b))
+          {
+            break;
+          }
+          ((this->Evaluate(middle)[d] > knot) == rising ? b : a) = middle;
+        }
+        crossings.push_back(0.5 * (a + b));
+      }
+    }
+  }
+  const double least = 1e-10 * (this->Breaks.back() - this->Breaks.front());
+  std::sort(crossings.begin(), crossings.end());
+  for (const double t : crossings)
+  {
+    const auto after = std::lower_bound(this->Breaks.begin(), this->Breaks.end(), t);
+    if (after != this->Breaks.begin() && after != this->Breaks.end() && *after - t > least &&
+      t - *(after - 1) > least)
+    {
+      this->Breaks.insert(after, t);
+    }
+  }
+}
+
+Handle(Geom2d_Curve) FootCurve::GetLine() const
+{
+  // Only one slope is 1: the line's parameter is its length.
+  if (std::abs(this->Slope[0]) + std::abs(this->Slope[1]) != 1.0)
+  {
+    return {};
+  }
+  return new Geom2d_Line(
+    gp_Pnt2d(this->Offset[0], this->Offset[1]), gp_Dir2d(this->Slope[0], this->Slope[1]));
+}
+
+bool FootCurve::LeavesDomain() const
+{
+  return std::any_of(this->Samples.begin(), this->Samples.end(),
+    [this](const Sample& s)
+    {
+      return std::max(this->Finder->GetExcess(0, s.UV[0]) * s.Speed[0],
+               this->Finder->GetExcess(1, s.UV[1]) * s.Speed[1]) > 1e-5 * this->Size;
+    });
+}
+
+Handle(Geom2d_Curve) FootCurve::Approximate() const
+{
+  Handle(Geom2d_Curve) result;
+  Handle(Geom_Curve) curve = this->Curve;
+  ShapeConstruct_ProjectCurveOnSurface projection;
+  projection.Init(this->Finder->GetSurface(), Precision::Confusion());
+  if (!projection.Perform(curve, this->Breaks.front(), this->Breaks.back(), result) || result.IsNull())
+  {
+    return {};
+  }
+  const Sample& middle = this->Samples[this->Samples.size() / 2];
+  const gp_Pnt2d p = result->Value(middle.T);
+  gp_Vec2d shift;
+  for (int d = 0; d < 2; ++d)
+  {
+    const double period = this->Finder->GetPeriod(d);
+    shift.SetCoord(d + 1, period > 0.0 ? period * std::round((middle.UV[d] - p.Coord(d + 1)) / period) : 0.0);
+  }
+  return Handle(Geom2d_Curve)::DownCast(result->Translated(shift));
+}
+
+std::array<double, 2> FootCurve::Evaluate(double t) const
+{
+  const auto after = std::upper_bound(this->Samples.begin() + 1, this->Samples.end() - 1, t,
+    [](double value, const Sample& s) { return value < s.T; });
+  const Sample& b = *after;
+  const Sample& a = *(after - 1);
+  const double x = (t - a.T) / (b.T - a.T);
+  const std::array<double, 2> guess = { (1.0 - x) * a.UV[0] + x * b.UV[0],
+    (1.0 - x) * a.UV[1] + x * b.UV[1] };
+  std::array<double, 2> uv = guess;
+  const bool isFound = this->Slope[0] == this->Slope[0] && this->Slope[1] == this->Slope[1];
+  if (!isFound && this->Finder->Find(this->Curve->Value(t), guess.data(), uv.data()))
+  {
+    this->ContinueAtPole(guess, a.Speed, uv);
+  }
+  for (int d = 0; d < 2; ++d)
+  {
+    uv[d] = this->Slope[d] == this->Slope[d] ? this->Offset[d] + this->Slope[d] * t : uv[d];
+  }
+  return uv;
+}
+}

@@ -1,0 +1,460 @@
+#include "smOCCTFootPoint.h"
+
+#include "smUnitRoundoff.h"
+
+#include <ElSLib.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <Precision.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+/// Part of the domain's width by which feet may lie beyond its border.
+constexpr double Margin = 0.01;
+
+/// Cylinder, cone, sphere and torus.
+class ElementaryFinder : public FootPointFinder
+{
+public:
+  explicit ElementaryFinder(const Handle(Geom_ElementarySurface) & surface)
+    : FootPointFinder(surface)
+    , Cylinder(Handle(Geom_CylindricalSurface)::DownCast(surface))
+    , Cone(Handle(Geom_ConicalSurface)::DownCast(surface))
+    , Sphere(Handle(Geom_SphericalSurface)::DownCast(surface))
+    , Torus(Handle(Geom_ToroidalSurface)::DownCast(surface))
+  {
+    if (!this->Cone.IsNull())
+    {
+      this->Poles.push_back({ 1, -this->Cone->RefRadius() / std::sin(this->Cone->SemiAngle()) });
+    }
+    else if (!this->Sphere.IsNull())
+    {
+      this->Poles = { { 1, -0.5 * Pi }, { 1, 0.5 * Pi } };
+    }
+  }
+
+  bool Find(const gp_Pnt& point, const double* guess, double uv[2]) const override
+  {
+    if (!this->Cylinder.IsNull())
+    {
+      ElSLib::CylinderParameters(this->Cylinder->Position(), this->Cylinder->Radius(), point, uv[0], uv[1]);
+    }
+    else if (!this->Cone.IsNull())
+    {
+      ElSLib::ConeParameters(
+        this->Cone->Position(), this->Cone->RefRadius(), this->Cone->SemiAngle(), point, uv[0], uv[1]);
+    }
+    else if (!this->Sphere.IsNull())
+    {
+      ElSLib::SphereParameters(this->Sphere->Position(), this->Sphere->Radius(), point, uv[0], uv[1]);
+    }
+    else
+    {
+      ElSLib::TorusParameters(
+        this->Torus->Position(), this->Torus->MajorRadius(), this->Torus->MinorRadius(), point, uv[0], uv[1]);
+    }
+    this->Unroll(guess, uv);
+    return std::isfinite(uv[0]) && std::isfinite(uv[1]);
+  }
+
+private:
+  Handle(Geom_CylindricalSurface) Cylinder;
+  Handle(Geom_ConicalSurface) Cone;
+  Handle(Geom_SphericalSurface) Sphere;
+  Handle(Geom_ToroidalSurface) Torus;
+};
+
+/// Any other surface, by Newton's method from a guess or from the nearest of some points.
+class NewtonFinder : public FootPointFinder
+{
+public:
+  explicit NewtonFinder(const Handle(Geom_Surface) & surface)
+    : FootPointFinder(surface)
+  {
+  }
+
+  bool Find(const gp_Pnt& point, const double* guess, double uv[2]) const override
+  {
+    double distance = std::numeric_limits<double>::infinity();
+    if (guess)
+    {
+      uv[0] = guess[0];
+      uv[1] = guess[1];
+      gp_Pnt from = this->Surface->Value(uv[0], uv[1]);
+      if (this->Solve(point, uv, distance) && distance <= point.Distance(from) + this->Rounding)
+      {
+        return true;
+      }
+    }
+    double seed[2];
+    if (!this->FindSeed(point, seed))
+    {
+      return false;
+    }
+    const bool found = this->Solve(point, seed, distance);
+    uv[0] = seed[0];
+    uv[1] = seed[1];
+    this->Unroll(guess, uv);
+    return found;
+  }
+
+protected:
+  /// Parameters near the foot.
+  virtual bool FindSeed(const gp_Pnt& point, double uv[2]) const = 0;
+
+  double Rounding = 0.0;
+
+private:
+  /// Polynomials go on beyond the border of the domain: an edge beside it has feet that move smoothly.
+  double GetLow(int d) const { return this->Low[d] - Margin * (this->High[d] - this->Low[d]); }
+  double GetHigh(int d) const { return this->High[d] + Margin * (this->High[d] - this->Low[d]); }
+
+  /// Gauss and Newton, close to the domain: at the end of what is allowed only along it.
+  bool Solve(const gp_Pnt& point, double uv[2], double& distance) const
+  {
+    double last = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 60; ++i)
+    {
+      gp_Pnt foot;
+      gp_Vec d[2];
+      this->Surface->D1(uv[0], uv[1], foot, d[0], d[1]);
+      const gp_Vec gap(foot, point);
+      distance = gap.Magnitude();
+      double step[2];
+      this->GetStep(gap, d, uv, step);
+      const double length = (step[0] * d[0] + step[1] * d[1]).Magnitude();
+      const double rounding = 4.0 * UnitRoundoff * (foot.XYZ().Modulus() + point.XYZ().Modulus());
+      if (!std::isfinite(length))
+      {
+        return false;
+      }
+      // Quadratic until rounding stops it; a foot on a border takes its last step there.
+      if (length <= rounding || (i > 2 && length <= 1e-6 * (distance + rounding) && length >= 0.5 * last) ||
+        (i > 6 && length <= 1e-9 * this->Extent && length >= 0.5 * last))
+      {
+        return true;
+      }
+      last = length;
+      for (int k = 0; k < 2; ++k)
+      {
+        uv[k] = std::clamp(uv[k] + step[k], this->GetLow(k), this->GetHigh(k));
+      }
+    }
+    return last <= 1e-9 * this->Extent;
+  }
+
+  void GetStep(const gp_Vec& gap, const gp_Vec d[2], const double uv[2], double step[2]) const
+  {
+    const double a = d[0].SquareMagnitude();
+    const double b = d[0].Dot(d[1]);
+    const double c = d[1].SquareMagnitude();
+    const double f[2] = { gap.Dot(d[0]), gap.Dot(d[1]) };
+    const double determinant = a * c - b * b;
+    if (determinant > 1e-14 * a * c)
+    {
+      step[0] = (c * f[0] - b * f[1]) / determinant;
+      step[1] = (a * f[1] - b * f[0]) / determinant;
+    }
+    else
+    {
+      step[0] = a >= c && a > 0.0 ? f[0] / a : 0.0;
+      step[1] = c > a ? f[1] / c : 0.0;
+    }
+    for (int k = 0; k < 2; ++k)
+    {
+      const double squares[2] = { a, c };
+      if ((uv[k] <= this->GetLow(k) && step[k] < 0.0) || (uv[k] >= this->GetHigh(k) && step[k] > 0.0))
+      {
+        step[k] = 0.0;
+        step[1 - k] = squares[1 - k] > 0.0 ? f[1 - k] / squares[1 - k] : 0.0;
+        const double next = uv[1 - k] + step[1 - k];
+        if ((uv[1 - k] <= this->GetLow(1 - k) && next < uv[1 - k]) ||
+          (uv[1 - k] >= this->GetHigh(1 - k) && next > uv[1 - k]))
+        {
+          step[1 - k] = 0.0;
+        }
+        return;
+      }
+    }
+  }
+
+protected:
+  double Extent = 1.0;
+};
+
+/// A surface with a finite domain: seeds from a grid of points.
+class GridFinder : public NewtonFinder
+{
+public:
+  explicit GridFinder(const Handle(Geom_Surface) & surface)
+    : NewtonFinder(surface)
+  {
+    double bounds[4];
+    surface->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+    for (int d = 0; d < 2; ++d)
+    {
+      const int spans = static_cast<int>(this->Knots[d].size()) + 1;
+      this->Count[d] = std::clamp(3 * spans, 12, 60);
+      this->First[d] = bounds[2 * d];
+      this->Step[d] = (bounds[2 * d + 1] - bounds[2 * d]) / this->Count[d];
+    }
+    gp_XYZ low(1e300, 1e300, 1e300);
+    gp_XYZ high(-1e300, -1e300, -1e300);
+    for (int i = 0; i <= this->Count[0]; ++i)
+    {
+      for (int j = 0; j <= this->Count[1]; ++j)
+      {
+        const gp_Pnt p = surface->Value(this->GetParameter(0, i), this->GetParameter(1, j));
+        this->Points.push_back(p);
+        for (int c = 1; c <= 3; ++c)
+        {
+          low.SetCoord(c, std::min(low.Coord(c), p.Coord(c)));
+          high.SetCoord(c, std::max(high.Coord(c), p.Coord(c)));
+        }
+      }
+    }
+    this->Extent = (high - low).Modulus();
+    this->Rounding = 1e-12 * std::max({ this->Extent, low.Modulus(), high.Modulus() });
+    this->FindPoles();
+  }
+
+protected:
+  bool FindSeed(const gp_Pnt& point, double uv[2]) const override
+  {
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < this->Points.size(); ++k)
+    {
+      const double square = this->Points[k].SquareDistance(point);
+      if (square < best)
+      {
+        best = square;
+        uv[0] = this->GetParameter(0, static_cast<int>(k) / (this->Count[1] + 1));
+        uv[1] = this->GetParameter(1, static_cast<int>(k) % (this->Count[1] + 1));
+      }
+    }
+    return std::isfinite(best);
+  }
+
+private:
+  double GetParameter(int direction, int i) const
+  {
+    return this->First[direction] + i * this->Step[direction];
+  }
+
+  const gp_Pnt& GetPoint(int i, int j) const { return this->Points[i * (this->Count[1] + 1) + j]; }
+
+  /// Borders that are one point.
+  void FindPoles()
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      for (const int end : { 0, this->Count[d] })
+      {
+        double widest = 0.0;
+        for (int k = 0; k <= this->Count[1 - d]; ++k)
+        {
+          const gp_Pnt& p = d == 0 ? this->GetPoint(end, k) : this->GetPoint(k, end);
+          const gp_Pnt& q = d == 0 ? this->GetPoint(end, 0) : this->GetPoint(0, end);
+          widest = std::max(widest, p.Distance(q));
+        }
+        if (this->Period[d] == 0.0 && widest <= 1e-9 * this->Extent)
+        {
+          this->Poles.push_back({ d, this->GetParameter(d, end) });
+        }
+      }
+    }
+  }
+
+  int Count[2];
+  double First[2];
+  double Step[2];
+  std::vector<gp_Pnt> Points;
+};
+
+/// A curve that is moved along: revolution and extrusion. Its points give the seeds, with the other coordinate in closed form.
+class SweptFinder : public NewtonFinder
+{
+public:
+  SweptFinder(const Handle(Geom_SweptSurface) & surface, double first, double last)
+    : NewtonFinder(surface)
+    , Revolution(Handle(Geom_SurfaceOfRevolution)::DownCast(surface))
+    , Direction(surface->Direction().XYZ())
+  {
+    constexpr int count = 128;
+    double largest = 0.0;
+    for (int i = 0; i <= count; ++i)
+    {
+      const double t = first + i * (last - first) / count;
+      this->Profile.push_back({ t, surface->BasisCurve()->Value(t).XYZ() });
+      largest = std::max(largest, this->Profile.back().second.Modulus());
+      this->Extent =
+        std::max(i ? this->Extent : 0.0, (this->Profile.back().second - this->Profile[0].second).Modulus());
+    }
+    this->Rounding = 1e-12 * std::max(this->Extent, largest);
+    if (!this->Revolution.IsNull())
+    {
+      this->Origin = this->Revolution->Axis().Location().XYZ();
+      for (const auto& end : { this->Profile.front(), this->Profile.back() })
+      {
+        if (this->GetRadius(end.second).Modulus() <= 1e-9 * this->Extent)
+        {
+          this->Poles.push_back({ 1, end.first });
+        }
+      }
+    }
+  }
+
+protected:
+  bool FindSeed(const gp_Pnt& point, double uv[2]) const override
+  {
+    const gp_XYZ radius = this->GetRadius(point.XYZ());
+    double best = std::numeric_limits<double>::infinity();
+    for (const auto& [t, profile] : this->Profile)
+    {
+      const gp_XYZ difference = point.XYZ() - profile;
+      const double along = difference.Dot(this->Direction);
+      double square = (difference - along * this->Direction).SquareModulus();
+      if (!this->Revolution.IsNull())
+      {
+        square = along * along + std::pow(radius.Modulus() - this->GetRadius(profile).Modulus(), 2);
+      }
+      if (square < best)
+      {
+        best = square;
+        uv[0] = t;
+        uv[1] = along;
+        if (!this->Revolution.IsNull())
+        {
+          const gp_XYZ from = this->GetRadius(profile);
+          uv[0] = std::atan2(from.Crossed(radius).Dot(this->Direction), from.Dot(radius));
+          uv[1] = t;
+        }
+      }
+    }
+    return std::isfinite(best);
+  }
+
+private:
+  /// From the axis to the point.
+  gp_XYZ GetRadius(const gp_XYZ& point) const
+  {
+    const gp_XYZ difference = point - this->Origin;
+    return difference - difference.Dot(this->Direction) * this->Direction;
+  }
+
+  Handle(Geom_SurfaceOfRevolution) Revolution;
+  gp_XYZ Direction;
+  gp_XYZ Origin;
+  std::vector<std::pair<double, gp_XYZ>> Profile;
+};
+
+/// Interior knots; those of a periodic direction over one more period on both sides.
+template <class GetKnot>
+std::vector<double> CopyKnots(int count, double period, const GetKnot& knot)
+{
+  std::vector<double> knots;
+  for (const double shift : { -period, 0.0, period })
+  {
+    for (int i = period > 0.0 ? 1 : 2; i < count; ++i)
+    {
+      knots.push_back(knot(i) + shift);
+    }
+    if (period == 0.0)
+    {
+      break;
+    }
+  }
+  return knots;
+}
+}
+
+FootPointFinder::FootPointFinder(const Handle(Geom_Surface) & surface)
+  : Surface(surface)
+{
+  double bounds[4];
+  surface->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+  this->Period[0] = surface->IsUPeriodic() ? surface->UPeriod() : 0.0;
+  this->Period[1] = surface->IsVPeriodic() ? surface->VPeriod() : 0.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    const bool isOpen = this->Period[d] > 0.0;
+    this->Low[d] = isOpen ? -std::numeric_limits<double>::infinity() : bounds[2 * d];
+    this->High[d] = isOpen ? std::numeric_limits<double>::infinity() : bounds[2 * d + 1];
+  }
+  if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface))
+  {
+    this->Knots[0] =
+      CopyKnots(spline->NbUKnots(), this->Period[0], [&spline](int i) { return spline->UKnot(i); });
+    this->Knots[1] =
+      CopyKnots(spline->NbVKnots(), this->Period[1], [&spline](int i) { return spline->VKnot(i); });
+  }
+}
+
+std::shared_ptr<const FootPointFinder> FootPointFinder::Make(const Handle(Geom_Surface) & surface)
+{
+  if (surface->IsKind(STANDARD_TYPE(Geom_CylindricalSurface)) ||
+    surface->IsKind(STANDARD_TYPE(Geom_ConicalSurface)) ||
+    surface->IsKind(STANDARD_TYPE(Geom_SphericalSurface)) ||
+    surface->IsKind(STANDARD_TYPE(Geom_ToroidalSurface)))
+  {
+    return std::make_shared<ElementaryFinder>(Handle(Geom_ElementarySurface)::DownCast(surface));
+  }
+  // The two sides of a closed surface that is not periodic cannot be told apart by position.
+  if ((surface->IsUClosed() && !surface->IsUPeriodic()) || (surface->IsVClosed() && !surface->IsVPeriodic()))
+  {
+    return nullptr;
+  }
+  if (const auto swept = Handle(Geom_SweptSurface)::DownCast(surface))
+  {
+    const double first = swept->BasisCurve()->FirstParameter();
+    const double last = swept->BasisCurve()->LastParameter();
+    return Precision::IsInfinite(first) || Precision::IsInfinite(last)
+      ? nullptr
+      : std::make_shared<SweptFinder>(swept, first, last);
+  }
+  double bounds[4];
+  surface->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+  const bool isFinite =
+    std::none_of(std::begin(bounds), std::end(bounds), [](double b) { return Precision::IsInfinite(b); });
+  return isFinite ? std::make_shared<GridFinder>(surface) : nullptr;
+}
+
+void FootPointFinder::Unroll(const double* guess, double uv[2]) const
+{
+  for (int d = 0; guess && d < 2; ++d)
+  {
+    if (this->Period[d] > 0.0)
+    {
+      uv[d] += std::round((guess[d] - uv[d]) / this->Period[d]) * this->Period[d];
+    }
+  }
+}
+
+double FootPointFinder::SnapToBorder(int direction, double value, double slack) const
+{
+  for (const double border : { this->Low[direction], this->High[direction] })
+  {
+    value = std::abs(value - border) <= slack ? border : value;
+  }
+  for (const Pole& pole : this->Poles)
+  {
+    value = pole.Direction == direction && std::abs(value - pole.Value) <= slack ? pole.Value : value;
+  }
+  return value;
+}
+}

@@ -1,0 +1,58 @@
+/**
+ * @file smOCCTRepair.h
+ * @brief Transfer of a STEP file's shapes without OpenCASCADE's repairs where they are sound as they are
+ */
+#ifndef smOCCTRepair_h
+#define smOCCTRepair_h
+
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_TShape.hxx>
+#include <XSAlgo_AlgoContainer.hxx>
+
+#include <functional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+namespace sm
+{
+/// Which shapes of a transfer were repaired, and why.
+struct RepairLog
+{
+  /// Faces that are as the file has them.
+  std::unordered_set<const TopoDS_TShape*> SoundFaces;
+  int SoundBodies = 0;
+  int RepairedBodies = 0;
+  /// "solid #12: face #34: a loop does not close", for the first of them.
+  std::vector<std::string> Reasons;
+};
+
+/// A sentence that says how many were repaired, and why.
+std::string Describe(const RepairLog& log);
+
+/// "face #12", or "a face" when it has no number.
+using ShapeLabel = std::function<std::string(const TopoDS_Shape&)>;
+
+/**
+ * While this exists, OpenCASCADE's transfer leaves solids and shells alone that are sound: edges of a solid are used once in either
+ * direction, each shell is connected, the outer one is turned outwards and voids inwards, and all faces pass InspectFace
+ * (smOCCTFaceInspection.h). Others it repairs as ever. The switch is global: hold a KernelSession. With OpenCASCADE 7.9 and later, which
+ * has no such switch, nothing changes.
+ */
+class RepairOnNeed
+{
+public:
+  RepairOnNeed(RepairLog& log, ShapeLabel label);
+  ~RepairOnNeed();
+  RepairOnNeed(const RepairOnNeed&) = delete;
+  void operator=(const RepairOnNeed&) = delete;
+
+private:
+  Handle(XSAlgo_AlgoContainer) Previous;
+};
+
+/// Why a solid or shell should be repaired; empty when it is sound.
+std::string FindShapeDamage(const TopoDS_Shape& shape, const ShapeLabel& label);
+}
+
+#endif
