@@ -1,7 +1,7 @@
 # Finds the VTK to build against: ParaView's own by default, a plain VTK when the plugin is off.
 set(_vtk_components
   ChartsCore CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  FiltersCore FiltersGeneral FiltersSources IOCore IOExport IOImage IOXML ImagingCore InteractionStyle ParallelCore
+  FiltersCore FiltersGeneral FiltersSources IOCore IOExport IOGeometry IOImage IOPLY IOXML ImagingCore InteractionStyle ParallelCore
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI TestingRendering
   ViewsContext2D glew opengl vtksys zlib)
 if (SOLIDMOMENTS_WRAP_PYTHON)

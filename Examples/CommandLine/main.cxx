@@ -182,6 +182,10 @@ sm::Json RunFile(sm::JobOptions job, const std::string& head, ProgressLine& prog
   {
     ReportFailure("trim textures are missing: " + outcome.TextureError, outcome.File, exitStatus);
   }
+  if (!outcome.MeshError.empty())
+  {
+    ReportFailure("no mesh " + job.MeshName + ": " + outcome.MeshError, outcome.File, exitStatus);
+  }
   if (!outcome.PictureError.empty())
   {
     ReportFailure("no picture " + job.PictureName + ": " + outcome.PictureError, outcome.File, exitStatus);
@@ -196,7 +200,7 @@ void IgnoreWriteSignals(const sm::Arguments& arguments)
   std::signal(SIGXFSZ, SIG_IGN);
   const auto isFile = [](const std::string& name) { return !name.empty() && name != "-"; };
   if (isFile(arguments.Json) || isFile(arguments.Csv) || isFile(arguments.PartsCsv) ||
-    isFile(arguments.Urdf) || isFile(arguments.Picture))
+    isFile(arguments.Urdf) || isFile(arguments.Mesh) || isFile(arguments.Picture))
   {
     std::signal(SIGPIPE, SIG_IGN);
   }
@@ -206,7 +210,8 @@ int Run(const sm::Arguments& arguments)
 {
   const bool showTable =
     !arguments.Quiet && arguments.Print.empty() && arguments.Json != "-" && arguments.Csv != "-";
-  const std::vector<std::string> pictures = sm::PictureNames(arguments);
+  const std::vector<std::string> meshes = sm::OutputNames(arguments.Files, arguments.Mesh);
+  const std::vector<std::string> pictures = sm::OutputNames(arguments.Files, arguments.Picture);
   const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
   const std::string count = std::to_string(arguments.Files.size());
   ProgressLine progress(!arguments.Quiet);
@@ -218,6 +223,7 @@ int Run(const sm::Arguments& arguments)
   {
     sm::JobOptions job = arguments.Job;
     job.FileName = arguments.Files[i];
+    job.MeshName = meshes[i];
     job.PictureName = pictures[i];
     job.TexturePrefix = prefixes[i];
     const std::string head = "[" + std::to_string(i + 1) + "/" + count + "] " + sm::GetStem(job.FileName);

@@ -31,6 +31,13 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
   sm::AddFileOption(app, "--urdf", arguments.Urdf,
     "Write an inertial block per file for robots, in kg, m and kg m^2, in the\n"
     "frame of the file or of --about; SDF takes the same numbers");
+  sm::AddFileOption(app, "--mesh", arguments.Mesh,
+    "Write the triangles of the solids, closed where these are: .stl (binary),\n"
+    ".obj, .ply or .vtp, in --unit. With several files as for --png");
+  sm::AddNumberOption(app, "--deflection", arguments.Job.Deflection,
+    "Largest distance of the triangles of --mesh and --png from the surface, in\n"
+    "--unit (default: 0.001 of the diagonal of each solid)")
+    ->check(CLI::PositiveNumber);
   sm::AddFileOption(app, "--png", arguments.Picture,
     "Draw the part, translucent, with its centre of mass marked. With several\n"
     "files, each picture has the STEP file's name added: out-bracket.png");

@@ -4,6 +4,7 @@
 #include "smFormat.h"
 #include "smInputFile.h"
 #include "smMaterialFile.h"
+#include "smMeshFile.h"
 #include "smOutputFiles.h"
 #include "smReport.h"
 #include "smUserExpression.h"
@@ -53,8 +54,8 @@ std::string FindEmptyName(const CLI::App& app, const sm::Arguments& arguments)
   {
     return "FILE is required: name a STEP file";
   }
-  for (const char* option : { "--json", "--csv", "--png", "--trim-textures", "--materials", "--bom-csv",
-         "--urdf", "--write-validation" })
+  for (const char* option : { "--json", "--csv", "--mesh", "--png", "--trim-textures", "--materials",
+         "--bom-csv", "--urdf", "--write-validation" })
   {
     if (app.count(option) > 0 && app[option]->as<std::string>().empty())
     {
@@ -194,6 +195,11 @@ std::string FindWrongOutput(const sm::Arguments& arguments)
   if (arguments.Json == "-" && arguments.Csv == "-")
   {
     return "only one of --json and --csv can go to standard output";
+  }
+  if (!arguments.Mesh.empty() && !sm::IsMeshName(arguments.Mesh))
+  {
+    return "--mesh writes STL, OBJ, PLY and VTP files: the name must end in .stl, .obj, .ply or .vtp, and " +
+      arguments.Mesh + " does not";
   }
   if (arguments.Picture == "-")
   {

@@ -21,6 +21,7 @@ struct Arguments
   std::string Csv;      ///< empty: none; "-": standard output
   std::string PartsCsv; ///< parts lists of all files; empty: none
   std::string Urdf;     ///< inertial blocks of robots; empty: none
+  std::string Mesh;
   std::string Picture;
   std::string TextureFolder; ///< for trim textures; empty: none
   std::string Up = "0,0,1";  ///< upward normal of the waterlines

@@ -2,6 +2,7 @@
 
 #include "smFileEntry.h"
 #include "smMassPropertyNames.h"
+#include "smMeshFile.h"
 #include "smMessageCollector.h"
 #include "smMessageList.h"
 #include "smOptions.h"
@@ -102,6 +103,11 @@ bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobLis
   reader->SetFileName(GetSource(options).c_str());
   reader->SetOutputUnit(options.Unit);
   reader->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
+  if (options.Deflection > 0.0)
+  {
+    reader->RelativeDeflectionOff();
+    reader->SetLinearDeflection(options.Deflection);
+  }
   {
     ProgressScope progress(reader, sm::stages::Read, send);
     reader->Update();
@@ -358,6 +364,13 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkSTEPReader
     send({ { "textures", sm::WriteTrimPictures(filter, options.TexturePrefix) } });
   }
 #endif
+  if (!options.MeshName.empty() && isRead)
+  {
+    send({ { "progress", { sm::stages::Mesh, 0.0 } } });
+    send({ { "mesh",
+      sm::WriteMesh(vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0)),
+        reader->GetLengthUnit(), options.MeshName) } });
+  }
   if (!options.PictureName.empty() && isRead)
   {
     send({ { "progress", { sm::stages::Draw, 0.0 } } });
@@ -439,11 +452,17 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkSTEPReader*
       std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(std::min(options.MaximumSeconds, 1e9)));
   }
-  Json sent; ///< results that are not complete
+  Json sent;           ///< results that are not complete
+  std::string waiting; ///< the output beside the results that is being made
   bool isComplete = false;
   const auto listener = [&](const Json& message)
   {
     send(message);
+    if (message.contains("progress"))
+    {
+      const std::string stage = message["progress"][0].get<std::string>();
+      waiting = stage == stages::Mesh || stage == stages::Textures ? stage : "picture";
+    }
     if (message.contains("result"))
     {
       isComplete = message["complete"].get<bool>();
@@ -461,7 +480,7 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkSTEPReader*
     const std::string reason = DescribeException(error);
     if (isComplete)
     {
-      send({ { options.PictureName.empty() ? "textures" : "picture", reason } });
+      send({ { waiting.empty() ? "picture" : waiting, reason } });
       return;
     }
     if (sent.is_null())

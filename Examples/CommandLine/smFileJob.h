@@ -23,6 +23,8 @@ struct JobOptions
   std::string FileName;
   std::string SourceName;  ///< plain file with the content of FileName (InputFile); empty: that is one
   std::string PictureName; ///< PNG file to draw; empty: none
+  std::string MeshName;    ///< file of triangles to write, see WriteMesh(); empty: none
+  double Deflection = 0.0; ///< of the triangles, in Unit; 0: the reader's default
   std::string Unit = "mm"; ///< length unit of all results, or "file"
   std::string Repair = "always"; ///< or "needed": which shapes OpenCASCADE repairs, see vtkSTEPReader::SetRepair
   std::string Backend = "auto";
@@ -72,6 +74,7 @@ constexpr const char* Integrals = "integrals";
 constexpr const char* Buoyancy = "buoyancy";
 constexpr const char* Stability = "stability";
 constexpr const char* Textures = "textures";
+constexpr const char* Mesh = "mesh";
 constexpr const char* Draw = "draw";
 }
 
@@ -80,6 +83,7 @@ constexpr const char* Draw = "draw";
 ///   {"result": the entry of "files" in the JSON document, "complete": whether nothing is missing}; it comes several times, each time with
 ///     more in it, so that a crash in a later stage does not cost the results of those before
 ///   {"textures": an error message when a trim texture was not written, otherwise ""}
+///   {"mesh": an error message when the triangles were not written, otherwise ""}
 ///   {"picture": an error message when the picture was not written, otherwise ""}
 using JobListener = std::function<void(const Json&)>;
 

@@ -126,6 +126,7 @@ struct Listener
   sm::Json Result;
   bool IsComplete = false; ///< of the result
   sm::Json Textures;
+  sm::Json Mesh;
   sm::Json Picture;
   std::string Stage = sm::stages::Start;
   std::string Pending;
@@ -145,6 +146,10 @@ struct Listener
     else if (message.contains("textures"))
     {
       this->Textures = message["textures"];
+    }
+    else if (message.contains("mesh"))
+    {
+      this->Mesh = message["mesh"];
     }
     else if (message.contains("picture"))
     {
@@ -321,8 +326,8 @@ void ResetNotes()
   }
 }
 
-/// Adds the reasons why pictures are missing that were asked for. `end` is that of DescribeEnd().
-void FindPictureErrors(
+/// Adds the reasons why pictures and meshes are missing that were asked for. `end` is that of DescribeEnd().
+void FindOutputErrors(
   const sm::JobOptions& options, const Listener& listener, const std::string& end, sm::JobOutcome& outcome)
 {
   // The status already tells why an unreadable or empty file has no pictures.
@@ -332,11 +337,20 @@ void FindPictureErrors(
     outcome.TextureError = listener.Textures.is_string() ? listener.Textures.get<std::string>()
                                                          : "the process ended before they were written";
   }
-  if (!options.PictureName.empty() && status != "unreadable" && status != "empty")
+  const bool isRead = status != "unreadable" && status != "empty";
+  const auto explain = [&end](const sm::Json& said, const std::string& process)
   {
-    outcome.PictureError = listener.Picture.is_string() ? listener.Picture.get<std::string>()
-      : end.empty()                                     ? "the process that drew it ended without one"
-                                                        : "the process that drew it " + end;
+    return said.is_string() ? said.get<std::string>()
+      : end.empty()         ? process + " ended without one"
+                            : process + " " + end;
+  };
+  if (!options.MeshName.empty() && isRead)
+  {
+    outcome.MeshError = explain(listener.Mesh, "the process that made it");
+  }
+  if (!options.PictureName.empty() && isRead)
+  {
+    outcome.PictureError = explain(listener.Picture, "the process that drew it");
   }
 }
 }
@@ -350,9 +364,9 @@ JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& pro
   const Child child = StartChild(options);
   if (!child.Error.empty())
   {
-    return { UnreadableFile(options.FileName, child.Error), {}, {} };
+    return { UnreadableFile(options.FileName, child.Error), {}, {}, {} };
   }
-  Listener listener{ progress, nullptr, false, nullptr, nullptr, stages::Start, {} };
+  Listener listener{ progress, nullptr, false, nullptr, nullptr, nullptr, stages::Start, {} };
   const bool isTimeOver = Listen(child.Pipe, child.Process, deadline, listener);
   close(child.Pipe);
   int status = 0;
@@ -384,7 +398,7 @@ JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& pro
     outcome.File["messages"].push_back("the process that worked on this file " + end + " in stage \"" +
       listener.Stage + "\", after it had sent the result");
   }
-  FindPictureErrors(options, listener, end, outcome);
+  FindOutputErrors(options, listener, end, outcome);
   return outcome;
 }
 

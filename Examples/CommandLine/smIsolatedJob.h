@@ -16,6 +16,8 @@ struct JobOutcome
 {
   Json File;                ///< entry of "files"; null when interrupted before there was one
   std::string TextureError; ///< why a requested trim texture is missing; empty: none is
+  std::string
+    MeshError; ///< why the requested triangles are missing; empty: they are not, or none were requested
   std::string PictureError; ///< why the requested picture is missing; empty: it is not, or none was requested
 };
 

@@ -59,25 +59,23 @@ std::vector<std::string> MakeDistinct(std::vector<std::string> names)
 
 namespace sm
 {
-std::vector<std::string> PictureNames(const Arguments& arguments)
+std::vector<std::string> OutputNames(const std::vector<std::string>& files, const std::string& name)
 {
-  std::vector<std::string> pictures(arguments.Files.size(), arguments.Picture);
-  if (arguments.Picture.empty() || pictures.size() == 1)
+  std::vector<std::string> names(files.size(), name);
+  if (name.empty() || names.size() == 1)
   {
-    return pictures;
+    return names;
   }
-  const size_t dot = arguments.Picture.find_last_of('.');
-  const std::string base = arguments.Picture.substr(0, dot);
-  const std::string extension = arguments.Picture.substr(dot);
+  const size_t dot = name.find_last_of('.');
   std::vector<std::string> plain;
-  for (const std::string& file : arguments.Files)
+  for (const std::string& file : files)
   {
-    plain.push_back(base + "-" + GetStem(file));
+    plain.push_back(name.substr(0, dot) + "-" + GetStem(file));
   }
   plain = MakeDistinct(plain);
-  std::transform(
-    plain.begin(), plain.end(), pictures.begin(), [&](const std::string& name) { return name + extension; });
-  return pictures;
+  std::transform(plain.begin(), plain.end(), names.begin(),
+    [&](const std::string& stem) { return stem + name.substr(dot); });
+  return names;
 }
 
 std::vector<std::string> TexturePrefixes(const Arguments& arguments)
@@ -142,9 +140,13 @@ std::string CheckOutputs(const Arguments& arguments)
   }
   std::vector<std::pair<std::string, std::string>> outputs = { { "--json", arguments.Json },
     { "--csv", arguments.Csv }, { "--bom-csv", arguments.PartsCsv }, { "--urdf", arguments.Urdf } };
-  for (const std::string& picture : PictureNames(arguments))
+  for (const auto& [option, given] :
+    { std::make_pair("--mesh", arguments.Mesh), std::make_pair("--png", arguments.Picture) })
   {
-    outputs.emplace_back("--png", picture);
+    for (const std::string& name : OutputNames(arguments.Files, given))
+    {
+      outputs.emplace_back(option, name);
+    }
   }
   outputs.emplace_back("--write-validation", arguments.Job.ValidationTarget);
   for (const auto& [option, name] : outputs)

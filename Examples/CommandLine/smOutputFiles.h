@@ -9,9 +9,9 @@
 
 namespace sm
 {
-/// The name of the picture of every file: "out.png" for a single file; for several files "out-bracket.png", and "out-bracket-2.png" for
-/// a second bracket. No two are the same.
-std::vector<std::string> PictureNames(const Arguments& arguments);
+/// The name of an output of every input file: "out.png" for a single file; for several files "out-bracket.png", and "out-bracket-2.png"
+/// for a second bracket. No two are the same. Empty names where `name` is.
+std::vector<std::string> OutputNames(const std::vector<std::string>& files, const std::string& name);
 
 /// The prefix of the names of every file's trim textures: "folder/bracket", and "folder/bracket-2" for a second bracket; empty without
 /// a folder.

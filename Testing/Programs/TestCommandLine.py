@@ -1,5 +1,6 @@
 """TestCommandLine.py MODE --program P --solids DIR --output DIR --sample FILE: the command line as a script uses it."""
 import argparse
+import collections
 import json
 import math
 import os
@@ -307,6 +308,7 @@ def outputs():
     check_refused("an input as a derived picture", folder, "a.step", "out-a.png", "--png", "out.png")
     check_refused("one file for two outputs", folder, "a.step", "--json", "x.txt", "--csv", "./x.txt")
     check_refused("a picture in another format", folder, "a.step", "--png", "x.jpg")
+    check_refused("triangles in another format", folder, "a.step", "--mesh", "x.png")
     check_refused("an empty name", folder, "")
 
     # An option in the place of a file name.
@@ -328,6 +330,36 @@ def outputs():
     result = run("-q", "--png", os.path.join(folder, "view.png"), *paths)
     check_equal("exit status of three pictures", 0, result.returncode)
     check_equal("pictures", 3, sum(name.startswith("view") for name in os.listdir(folder)))
+
+    # Triangles: closed, and within the deflection that was asked for.
+    ball = manifest.solid("sphere")
+    volumes = {}
+    for deflection in ("1", "0.1"):
+        target = os.path.join(folder, f"ball-{deflection}.stl")
+        result = run("-q", "--mesh", target, "--deflection", deflection, ball["path"])
+        check_equal("exit status with triangles", 0, result.returncode)
+        with open(target, "rb") as file:
+            header, count = file.read(80), struct.unpack("<I", file.read(4))[0]
+            corners = [struct.unpack("<12fH", file.read(50))[3:12] for _ in range(count)]
+        check_true("the unit", b"lengths in mm" in header, header)
+        sides = collections.Counter()
+        volume = 0.0
+        for corner in corners:
+            a, b, c = corner[0:3], corner[3:6], corner[6:9]
+            volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+                       + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6.0
+            for start, end in ((a, b), (b, c), (c, a)):
+                sides[start, end] += 1
+                sides[end, start] -= 1
+        check_true("closed", not any(sides.values()), str(sum(map(abs, sides.values()))))
+        volumes[deflection] = volume
+        error = abs(volume / ball["volume"] - 1.0)
+        check_true(f"volume with a deflection of {deflection}", error < 3.5 * float(deflection) / 10.0, str(error))
+    check_true("finer triangles are nearer", volumes["1"] < volumes["0.1"] < ball["volume"], str(volumes))
+    for name in ("ball.obj", "ball.ply", "ball.vtp"):
+        target = os.path.join(folder, name)
+        check_equal(f"exit status with {name}", 0, run("-q", "--mesh", target, ball["path"]).returncode)
+        check_true(name, os.path.getsize(target) > 1000)
 
     # A table that goes nowhere.
     with open("/dev/full", "w", encoding="utf-8") as full:

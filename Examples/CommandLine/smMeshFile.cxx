@@ -1,0 +1,133 @@
+#include "smMeshFile.h"
+
+#include "smSafeFile.h"
+#include "smText.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCleanPolyData.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkOBJWriter.h"
+#include "vtkPLYWriter.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+#include "vtkSTLWriter.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace sm
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+std::string GetExtension(const std::string& fileName)
+{
+  return LowerCase(fs::path(fileName).extension().string());
+}
+
+vtkSmartPointer<vtkPolyData> Join(vtkPartitionedDataSetCollection* bodies, const std::string& unit)
+{
+  vtkNew<vtkAppendPolyData> append;
+  append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  for (unsigned int i = 0; i < bodies->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    for (unsigned int k = 0; k < bodies->GetNumberOfPartitions(i); ++k)
+    {
+      if (auto* body = vtkPolyData::SafeDownCast(bodies->GetPartitionAsDataObject(i, k)))
+      {
+        // A plain copy: the exact model is not for this file, and points of two faces have two normals.
+        vtkNew<vtkPolyData> triangles;
+        triangles->SetPoints(body->GetPoints());
+        triangles->SetPolys(body->GetPolys());
+        append->AddInputData(triangles);
+      }
+    }
+  }
+  vtkNew<vtkCleanPolyData> merge;
+  merge->SetInputConnection(append->GetOutputPort());
+  merge->SetTolerance(0.0);
+  merge->ConvertPolysToLinesOff();
+  merge->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  merge->Update();
+  vtkNew<vtkStringArray> name;
+  name->SetName("LengthUnit");
+  name->InsertNextValue(unit);
+  merge->GetOutput()->GetFieldData()->AddArray(name);
+  return merge->GetOutput();
+}
+
+template <class Writer>
+bool Write(Writer* writer, vtkPolyData* mesh, const std::string& fileName)
+{
+  writer->SetInputData(mesh);
+  writer->SetFileName(fileName.c_str());
+  return writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
+}
+
+bool WriteAs(
+  const std::string& extension, vtkPolyData* mesh, const std::string& unit, const std::string& fileName)
+{
+  if (extension == ".stl")
+  {
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetFileTypeToBinary();
+    // Readers take a file that begins with "solid" for text.
+    writer->SetHeader(("Triangles by SolidMoments, lengths in " + unit).c_str());
+    return Write(writer.Get(), mesh, fileName);
+  }
+  if (extension == ".obj")
+  {
+    return Write(vtkNew<vtkOBJWriter>().Get(), mesh, fileName);
+  }
+  if (extension == ".ply")
+  {
+    return Write(vtkNew<vtkPLYWriter>().Get(), mesh, fileName);
+  }
+  return Write(vtkNew<vtkXMLPolyDataWriter>().Get(), mesh, fileName);
+}
+}
+
+bool IsMeshName(const std::string& fileName)
+{
+  const std::string extension = GetExtension(fileName);
+  return extension == ".stl" || extension == ".obj" || extension == ".ply" || extension == ".vtp";
+}
+
+std::string WriteMesh(
+  vtkPartitionedDataSetCollection* bodies, const std::string& unit, const std::string& fileName)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = Join(bodies, unit);
+  if (mesh->GetNumberOfPolys() == 0)
+  {
+    return "no solid has triangles";
+  }
+  // VTK's writers open a file of their own; SaveFile() replaces the user's when all is there.
+  std::error_code error;
+  const fs::path temporary =
+    fs::temp_directory_path(error) / ("solidmoments-" + std::to_string(getpid()) + GetExtension(fileName));
+  const bool isWritten = !error && WriteAs(GetExtension(fileName), mesh, unit, temporary.string());
+  std::string bytes;
+  if (isWritten)
+  {
+    std::ifstream file(temporary, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  fs::remove(temporary, error);
+  if (!isWritten)
+  {
+    return "there is no room for it in the folder for temporary files";
+  }
+  const std::string problem = SaveFile(fileName, bytes);
+  return problem.empty() ? problem : fileName + " cannot be written: " + problem;
+}
+}
