@@ -1,4 +1,4 @@
-# What SolidMoments is built and tested with on Debian 12, and how it gets there. Sourced, POSIX sh:
+# What SolidMoments is built and tested with on Debian 12, and how it gets there; Debian 13 has the same names. Sourced, POSIX sh:
 #   solidmoments_packages                      prints the names
 #   solidmoments_install LOG                   installs those that are missing; says what it does
 #   solidmoments_step LOG TITLE COMMAND...     runs a command quietly; on failure shows the end of the log and exits
@@ -42,7 +42,7 @@ solidmoments_step() {
 
 solidmoments_install() {
   if ! command -v apt-get >/dev/null 2>&1 || ! command -v dpkg-query >/dev/null 2>&1; then
-    echo "This machine has no apt-get. Needed are the equivalents of these Debian 12 packages:" >&2
+    echo "This machine has no apt-get. Needed are the equivalents of these Debian packages:" >&2
     solidmoments_packages | fold -s -w 100 >&2
     if solidmoments_has_tools; then
       echo "cmake, ninja and g++ are here; going on with what is installed." >&2

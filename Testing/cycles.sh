@@ -11,7 +11,7 @@ build=$(cd "$1" && pwd) || exit 1
 cycles=${2:-1000}
 here=$(cd "$(dirname "$0")" && pwd)
 solids=$build/Testing/solids
-plugin=$build/lib/paraview-5.11/plugins/SolidMoments/SolidMoments.so
+plugin=$(echo "$build"/lib/paraview-*/plugins/SolidMoments/SolidMoments.so)
 status=0
 
 count() { # COMMAND...

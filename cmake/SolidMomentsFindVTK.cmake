@@ -12,19 +12,23 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
   list(APPEND _vtk_components Python WrappingPythonCore)
 endif ()
 
+include(SolidMomentsPythonModules)
 if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
+  solidmoments_accept_python_modules(ParaView)
   # Without COMPONENTS ParaView asks for everything it was built with (Qt, GDAL, FFmpeg).
   find_package(ParaView 5.11 QUIET
     COMPONENTS RemotingCore RemotingServerManager RemotingViews VTKExtensionsFiltersRendering)
   if (NOT ParaView_FOUND)
-    message(FATAL_ERROR "ParaView 5.11 was not found (${ParaView_NOT_FOUND_MESSAGE}). Install paraview-dev and "
+    message(FATAL_ERROR "ParaView 5.11 or later was not found (${ParaView_NOT_FOUND_MESSAGE}). Install paraview-dev and "
       "python3-paraview, set ParaView_DIR, or configure with -DSOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN=OFF and VTK_DIR "
       "to build the modules against a plain VTK.")
   endif ()
   set(VTK_DIR "${ParaView_DIR}/vtk" CACHE PATH "ParaView's own VTK" FORCE)
 endif ()
-# Only tests need MPI itself, and a filter that talks to other ranks.
-find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components} OPTIONAL_COMPONENTS ParallelMPI FiltersParallel)
+solidmoments_accept_python_modules(VTK)
+# Only tests need MPI itself, and a filter that talks to other ranks. JSON is VTK's own where it has some: the example programs
+# cannot use another beside it.
+find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components} OPTIONAL_COMPONENTS ParallelMPI FiltersParallel nlohmannjson)
 if (NOT VTK_FOUND)
   message(FATAL_ERROR "VTK 9.1 or later was not found (${VTK_NOT_FOUND_MESSAGE}). Set VTK_DIR.")
 endif ()

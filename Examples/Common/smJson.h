@@ -5,7 +5,13 @@
 #ifndef smJson_h
 #define smJson_h
 
+// VTK's headers may bring VTK's own copy, under another namespace, and two copies exclude each other in one file.
+#if __has_include(<vtk_nlohmannjson.h>)
+#include <vtk_nlohmannjson.h>
+#include VTK_NLOHMANN_JSON(json.hpp)
+#else
 #include <nlohmann/json.hpp>
+#endif
 
 #include <string>
 

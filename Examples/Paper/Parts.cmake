@@ -1,6 +1,6 @@
 # The parts of Table 1 and what OpenCASCADE itself says of a file.
-find_package(OpenCASCADE QUIET)
-if (NOT OpenCASCADE_FOUND OR NOT TARGET TKFillet OR NOT TARGET TKOffset)
+include(SolidMomentsFindOCCT)
+if (NOT TARGET TKFillet OR NOT TARGET TKOffset)
   message(FATAL_ERROR "OpenCASCADE with fillets was not found. Install libocct-data-exchange-dev and "
     "libocct-modeling-algorithms-dev, set OpenCASCADE_DIR, or configure with -DSOLIDMOMENTS_BUILD_EXAMPLES=OFF "
     "-DSOLIDMOMENTS_BUILD_TESTING=OFF.")
@@ -22,7 +22,7 @@ add_executable(occt_mass_properties occt_mass_properties.cxx)
 foreach (program IN ITEMS make_paper_parts occt_mass_properties)
   target_include_directories(${program} SYSTEM PRIVATE "${OpenCASCADE_INCLUDE_DIR}")
   target_link_libraries(${program} PRIVATE
-    smExampleText CLI11::CLI11 TKXDESTEP TKSTEP TKXSBase TKXCAF TKLCAF TKCDF TKFillet TKOffset TKShHealing TKBool TKBO
+    smExampleText CLI11::CLI11 ${SOLIDMOMENTS_OCCT_STEP} TKXCAF TKLCAF TKCDF TKFillet TKOffset TKShHealing TKBool TKBO
     TKPrim TKTopAlgo TKGeomAlgo TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
   solidmoments_warnings(${program})
 endforeach ()

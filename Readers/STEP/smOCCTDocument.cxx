@@ -13,7 +13,6 @@
 
 #include <BRep_Builder.hxx>
 #include <STEPCAFControl_Reader.hxx>
-#include <Standard_Version.hxx>
 #include <StepData_StepModel.hxx>
 #include <TDF_Label.hxx>
 #include <TDF_LabelSequence.hxx>
@@ -325,29 +324,19 @@ void Configure(STEPCAFControl_Reader& reader)
 bool Parse(const std::string& fileName, const FileCheck& check, const Part21File& text,
   STEPCAFControl_Reader& reader, Document& document)
 {
-#if OCC_VERSION_HEX < 0x070700
-  // Later versions know these entities.
-  const std::string reduced = RemoveTessellations(text);
-#else
+#if __has_include(<StepVisual_TessellatedSolid.hxx>)
+  // This version knows these entities, and the session tells it to skip them.
   (void)text;
   const std::string reduced;
+#else
+  const std::string reduced = RemoveTessellations(text);
 #endif
-  IFSelect_ReturnStatus status;
-  if (!reduced.empty())
-  {
-    std::istringstream stream(reduced);
-    status = reader.ChangeReader().ReadStream(fileName.c_str(), stream);
-  }
-  else if (check.JunkBytes > 0)
-  {
-    std::ifstream stream(fileName, std::ios::binary);
-    stream.seekg(static_cast<std::streamoff>(check.JunkBytes));
-    status = reader.ChangeReader().ReadStream(fileName.c_str(), stream);
-  }
-  else
-  {
-    status = reader.ReadFile(fileName.c_str());
-  }
+  // The file is opened here: OpenCASCADE takes its name for UTF-8, and a name may be any bytes.
+  std::istringstream reducedStream(reduced);
+  std::ifstream fileStream(fileName, std::ios::binary);
+  fileStream.seekg(static_cast<std::streamoff>(check.JunkBytes));
+  std::istream& stream = reduced.empty() ? static_cast<std::istream&>(fileStream) : reducedStream;
+  const IFSelect_ReturnStatus status = reader.ChangeReader().ReadStream(fileName.c_str(), stream);
   if (status != IFSelect_RetDone)
   {
     document.Problem = std::string("OpenCASCADE cannot parse it") +
@@ -522,6 +511,7 @@ void Read(const std::string& fileName, const FileCheck& check, RepairMode repair
   }
   SkipDamagedAttributes(model, reader, document);
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
+  SetMillimetres(xde);
   if (!Transfer(reader, xde, repair, progress, document))
   {
     document.Status = ReadStatus::Aborted;

@@ -8,7 +8,6 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <Interface_FloatWriter.hxx>
-#include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <StepData_Protocol.hxx>
@@ -41,45 +40,20 @@ namespace
 constexpr double BuildingShare = 0.4;
 constexpr double TransferShare = 0.8;
 
-/// The kernel's parameters for writing, put back when it goes.
-class WriteSettings
+/// The kernel's parameters for writing; what scales lengths is said to the document and the model.
+void SetForWriting(KernelSettings& settings, const std::string& unit)
 {
-public:
-  explicit WriteSettings(const std::string& unit)
+  std::string name;
+  for (const char c : unit)
   {
-    std::string name;
-    for (const char c : unit)
-    {
-      name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    }
-    // The shapes are in the file's unit already: nothing is scaled on the way.
-    this->Set("xstep.cascade.unit", name.c_str());
-    this->Set("write.step.unit", name.c_str());
-    this->Set("write.step.schema", "AP214IS");
-    this->Set("write.surfacecurve.mode", "On");
-    this->Set("write.step.assembly", "Auto");
-    this->Set("write.step.product.name", "Part");
+    name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
-  ~WriteSettings()
-  {
-    for (const auto& [name, value] : this->Before)
-    {
-      Interface_Static::SetCVal(name.c_str(), value.c_str());
-    }
-  }
-  WriteSettings(const WriteSettings&) = delete;
-  void operator=(const WriteSettings&) = delete;
-
-private:
-  void Set(const char* name, const char* value)
-  {
-    const char* before = Interface_Static::CVal(name);
-    this->Before.emplace(name, before ? before : "");
-    Interface_Static::SetCVal(name, value);
-  }
-
-  std::map<std::string, std::string> Before;
-};
+  settings.Set("write.step.unit", name.c_str());
+  settings.Set("write.step.schema", "AP214IS");
+  settings.Set("write.surfacecurve.mode", "On");
+  settings.Set("write.step.assembly", "Auto");
+  settings.Set("write.step.product.name", "Part");
+}
 
 TCollection_ExtendedString ToExtended(const std::string& text)
 {
@@ -272,7 +246,8 @@ void Write(const ExportTree& tree, const ExportOptions& options, std::ostream& s
   const ProgressCallback& progress, ExportResult& result)
 {
   const KernelSession kernel;
-  const WriteSettings settings(options.UnitName);
+  KernelSettings settings;
+  SetForWriting(settings, options.UnitName);
   const auto ask = [&](double x)
   {
     result.Aborted = result.Aborted || !progress(x);
@@ -301,6 +276,10 @@ void Write(const ExportTree& tree, const ExportOptions& options, std::ostream& s
   }
   const Handle(TDocStd_Document) document = DocumentMaker(tree, parts, options.Unit).Make(result.Warnings);
   STEPCAFControl_Writer writer;
+  // The shapes are in the file's unit already: document and file have the same, and nothing is scaled on the way. By itself
+  // OpenCASCADE takes one from the process's settings and, since 7.8, mm for the other whatever the file's unit is.
+  SetMillimetres(document);
+  writer.ChangeWriter().Model()->SetWriteLengthUnit(1.0);
   writer.SetColorMode(true);
   writer.SetNameMode(true);
   writer.SetLayerMode(true);

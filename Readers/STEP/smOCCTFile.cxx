@@ -4,6 +4,7 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <STEPControl_Controller.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
 
 #include <algorithm>
 #include <cctype>
@@ -105,6 +106,23 @@ bool LooksLikeSTEP(const std::string& name)
   return file && ReadBytes(file, 0, SniffBytes).find(Magic) != std::string::npos;
 }
 
+void KernelSettings::Set(const char* name, const char* value)
+{
+  if (Interface_Static::IsPresent(name))
+  {
+    this->Before.emplace(name, Interface_Static::CVal(name));
+    Interface_Static::SetCVal(name, value);
+  }
+}
+
+KernelSettings::~KernelSettings()
+{
+  for (const auto& [name, value] : this->Before)
+  {
+    Interface_Static::SetCVal(name.c_str(), value.c_str());
+  }
+}
+
 KernelSession::KernelSession()
 {
   if (SessionDepth > 0)
@@ -117,8 +135,9 @@ KernelSession::KernelSession()
   STEPControl_Controller::Init();
   this->Printers = Message::DefaultMessenger()->Printers();
   Message::DefaultMessenger()->ChangePrinters().Clear();
-  this->Unit = Interface_Static::CVal("xstep.cascade.unit");
-  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  this->Settings.Set("xstep.cascade.unit", "MM");
+  // Shapes without surfaces, beside the exact ones.
+  this->Settings.Set("read.step.tessellated", "Off");
   SessionDepth = 1;
 }
 
@@ -128,13 +147,17 @@ KernelSession::~KernelSession()
   {
     return;
   }
-  Interface_Static::SetCVal("xstep.cascade.unit", this->Unit.ToCString());
   Message::DefaultMessenger()->ChangePrinters() = this->Printers;
 }
 
 bool KernelSession::IsHeldHere()
 {
   return SessionDepth > 0;
+}
+
+void SetMillimetres(const Handle(TDocStd_Document) & document)
+{
+  XCAFDoc_DocumentTool::SetLengthUnit(document, 1.0, UnitsMethods_LengthUnit_Millimeter);
 }
 
 double GetThreadSeconds()

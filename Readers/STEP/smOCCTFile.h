@@ -9,10 +9,11 @@
 
 #include <Message_ProgressIndicator.hxx>
 #include <Message_SequenceOfPrinters.hxx>
-#include <TCollection_AsciiString.hxx>
+#include <TDocStd_Document.hxx>
 
 #include <atomic>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <string>
 
@@ -34,9 +35,26 @@ FileCheck CheckFile(const std::string& name);
 /// True when the file begins like a STEP file; cheap.
 bool LooksLikeSTEP(const std::string& name);
 
+/// Sets parameters of OpenCASCADE, which belong to the process, and puts them back when it goes. One that this version does not know
+/// is left out.
+class KernelSettings
+{
+public:
+  KernelSettings() = default;
+  ~KernelSettings();
+  KernelSettings(const KernelSettings&) = delete;
+  void operator=(const KernelSettings&) = delete;
+
+  void Set(const char* name, const char* value);
+
+private:
+  std::map<std::string, std::string> Before;
+};
+
 /**
  * A lock on OpenCASCADE, whose parameters and messenger are global. While a session exists, its messenger prints nothing and
- * lengths arrive in mm. The session of another thread waits; a session inside one of the same thread changes nothing.
+ * lengths arrive in mm, and tessellations are not read. The session of another thread waits; a session inside one of the same thread
+ * changes nothing.
  */
 class KernelSession
 {
@@ -52,8 +70,11 @@ public:
 private:
   std::unique_lock<std::mutex> Lock;
   Message_SequenceOfPrinters Printers;
-  TCollection_AsciiString Unit;
+  KernelSettings Settings;
 };
+
+/// Lengths of the document are in mm; OpenCASCADE looks at the process's settings only where a document has no unit.
+void SetMillimetres(const Handle(TDocStd_Document) & document);
 
 /// CPU time of this thread in seconds. A limit in CPU time does not depend on the load of the machine, so that a file gives the same
 /// bits on a busy one.

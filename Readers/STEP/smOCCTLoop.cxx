@@ -4,7 +4,7 @@
 
 #include <BRep_CurveRepresentation.hxx>
 #include <BRep_GCurve.hxx>
-#include <BRep_ListIteratorOfListOfCurveRepresentation.hxx>
+#include <BRep_ListOfCurveRepresentation.hxx>
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_Plane.hxx>
@@ -28,9 +28,8 @@ bool FindStoredTrim(const TopoDS_Edge& edge, const Handle(Geom_Surface) & surfac
 {
   const TopLoc_Location location = faceLocation.Predivided(edge.Location());
   const Handle(BRep_TEdge) shape = Handle(BRep_TEdge)::DownCast(edge.TShape());
-  for (BRep_ListIteratorOfListOfCurveRepresentation it(shape->ChangeCurves()); it.More(); it.Next())
+  for (const Handle(BRep_CurveRepresentation) & curve : shape->ChangeCurves())
   {
-    const Handle(BRep_CurveRepresentation)& curve = it.Value();
     if (curve->IsCurveOnSurface(surface, location))
     {
       const Handle(BRep_GCurve) ranged = Handle(BRep_GCurve)::DownCast(curve);

@@ -167,7 +167,7 @@ filters = [name for name in ("MassPropertiesGPU", "SurfaceIntegralGPU", "SchemeM
 plain = simple.Transform(Input=source)
 plain.Transform.Translate = [1.0, 0.0, 0.0]
 wavelet = simple.Wavelet()
-extracted = simple.ExtractBlock(Input=reader, Selectors=[solids[0]])
+extracted = simple.ExtractBlock(Input=reader, Assembly="Hierarchy", Selectors=[solids[0]])
 tessellated = simple.Sphere()
 for each in [source, plain, wavelet, extracted, tessellated, mass] + [edit[1] for edit in edited]:
     each.UpdatePipeline()

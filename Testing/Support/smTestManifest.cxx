@@ -1,6 +1,6 @@
 #include "smTestManifest.h"
 
-#include <nlohmann/json.hpp>
+#include "smJson.h"
 
 #include <fstream>
 #include <limits>

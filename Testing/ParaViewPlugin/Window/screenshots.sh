@@ -33,7 +33,7 @@ grab() { # SCENE FILE.step
       done
       kill "$window"
       wait "$window" 2> /dev/null || true
-    ' sh "$build/lib/paraview-5.11/plugins/SolidMoments" "$here/screenshots.py" "$work"
+    ' sh "$(echo "$build"/lib/paraview-*/plugins/SolidMoments)" "$here/screenshots.py" "$work"
   if [ ! -e "$work/ready" ]; then
     cat "$work/log" >&2
     exit 1

@@ -8,10 +8,9 @@
  */
 #include "smCensusCases.h"
 #include "smCensusText.h"
+#include "smJson.h"
 #include "smTestManifest.h"
 #include "smTesting.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>

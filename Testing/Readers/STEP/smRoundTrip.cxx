@@ -5,7 +5,6 @@
 #include <vtkNURBSDataSet.h>
 
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepCheck_ListIteratorOfListOfStatus.hxx>
 #include <BRepCheck_Result.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>

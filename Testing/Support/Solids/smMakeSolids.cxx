@@ -4,10 +4,9 @@
 #include "smExactBlocks.h"
 #include "smExactSolids.h"
 #include "smFileAccuracy.h"
+#include "smJson.h"
 #include "smSpecialFiles.h"
 #include "smStepFile.h"
-
-#include <nlohmann/json.hpp>
 
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepGProp.hxx>

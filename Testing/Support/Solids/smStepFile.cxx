@@ -8,6 +8,7 @@
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <UnitsMethods.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include <fstream>
@@ -23,10 +24,13 @@ void QuietOcct()
 
 void WriteStep(const TopoDS_Shape& shape, const std::string& path, const StepOptions& options)
 {
-  // The writer's constructor looks at them.
+  // Some versions of OpenCASCADE look at them when the writer is made, others when it translates.
   Interface_Static::SetIVal("write.surfacecurve.mode", options.WithPcurves ? 1 : 0);
   Interface_Static::SetCVal("write.step.unit", options.Unit);
   STEPControl_Writer writer;
+  // Since 7.8 the unit is only a name: lengths would stay in mm.
+  writer.Model()->SetWriteLengthUnit(
+    UnitsMethods::GetLengthFactorValue(Interface_Static::IVal("write.step.unit")));
   if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone)
   {
     throw std::runtime_error("OCCT cannot translate the shape of " + path);
