@@ -1,5 +1,6 @@
 #include "smBuoyancy.h"
 #include "smParallelFor.h"
+#include "smPlacementError.h"
 #include "smSubmergedStrips.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
@@ -245,7 +246,8 @@ BuoyancyIntegrator::Frame BuoyancyIntegrator::MakeFrame(const BodyIntegrals& bod
   }
   frame.Plane.Offset = Dot(up, toModel);
   const double radius = GetRadius(*body.Model);
-  frame.PlaneBound = 16.0 * WideRoundoff * distance;
+  frame.PlacementBound = PlacementError::Make(body).Moved;
+  frame.PlaneBound = 16.0 * WideRoundoff * distance + frame.PlacementBound;
   const std::array<Wide, 3> middle = { Dot(axes[0], toMiddle), Dot(axes[1], toMiddle),
     Dot(axes[2], toMiddle) };
   for (int k = 0; k < 3; ++k)
@@ -283,7 +285,7 @@ void BuoyancyIntegrator::MoveToMiddle(Frame& frame)
     frame.Placement[11] -= frame.Plane.Up[c] * frame.LocalMiddle[c];
   }
   frame.Origin = frame.Middle;
-  frame.PlaneBound = 0.0;
+  frame.PlaneBound = frame.PlacementBound;
 }
 
 bool BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane,
@@ -361,14 +363,15 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
   {
     cut.IsWhole = cut.IsWhole && cut.Below[i].Parts[0] == cut.Faces[i];
   }
-  // Faces below or above the plane by no more than the plane's rounding error: a body found to be entirely on one side may have a
-  // thin sheet on the other side.
-  const double rounded = frame.PlaneBound + 2.0 * UnitRoundoff * frame.Reach;
+  // Faces below or above the plane by no more than the rounding error of the plane and of their own numbers: a body found to be
+  // entirely on one side may have a thin sheet on the other side.
+  const double planeBound = frame.PlaneBound + 2.0 * UnitRoundoff * frame.Reach;
   cut.VolumeErrors.assign(sources.size(), 0.0);
   cut.Errors.resize(sources.size());
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     const SubmergedFace& below = cut.Below[i];
+    const double rounded = planeBound + Norm(sources[i]->Surface.Rounding);
     const bool isWhole = below.Parts[0] == cut.Faces[i];
     const bool isNothing = !below.Parts[0] && !below.Parts[1];
     const FacePanels& panels = cut.Faces[i]->Panels;

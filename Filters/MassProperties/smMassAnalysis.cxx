@@ -3,6 +3,7 @@
 #include "smFormat.h"
 #include "smMassIntegrands.h"
 #include "smMoments.h"
+#include "smPlacementError.h"
 #include "smPlausibility.h"
 #include "smTotalMass.h"
 #include "smUnitRoundoff.h"
@@ -23,25 +24,17 @@ constexpr double CoincidenceLimit = 1e-9;
 constexpr std::size_t NamedPairs = 5;
 constexpr std::size_t MostPairs = 100000;
 
-/// Roundings of an entry of a placement, and of a translation in it: decimals, directions made orthogonal and of length 1, units, and
-/// products of the placements of nested assemblies.
-constexpr double PlacementRoundings = 32.0;
-constexpr std::array<double, 16> IdentityPlacement{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-
 /// Adds what rounding of a placement that was read may do: its translation is off by some u of itself, and its rotation stretches and
 /// turns the body, and the arm to its origin, by as much.
 void AddPlacementError(const BodyIntegrals& body, Moments& moments)
 {
-  const auto isRead = [](const FacePointer& face)
-  { return vtkMath::Norm(face->Surface.Rounding.data()) > 0.0; };
-  const std::vector<FacePointer>& faces = body.Model->GetFaces();
-  if (body.Placement == IdentityPlacement || std::none_of(faces.begin(), faces.end(), isRead))
+  if (!PlacementError::IsRounded(body))
   {
     return;
   }
   const std::array<double, 16>& m = body.Placement;
-  const double arm = vtkMath::Norm(body.Model->GetOrigin()) + std::hypot(m[3], m[7], m[11]);
-  moments.ReferenceBound += PlacementRoundings * UnitRoundoff * arm;
+  moments.ReferenceBound += PlacementError::Turned * vtkMath::Norm(body.Model->GetOrigin()) +
+    PlacementError::Rounding * std::hypot(m[3], m[7], m[11]);
   // A product of k lengths changes by k times that, and a moment of order n by n + 3 times.
   const auto grow = [](double order, const double* values, double* bounds, int count)
   {
@@ -52,7 +45,7 @@ void AddPlacementError(const BodyIntegrals& body, Moments& moments)
     }
     for (int i = 0; i < count; ++i)
     {
-      bounds[i] += (order + 3.0) * 3.0 * PlacementRoundings * UnitRoundoff * largest;
+      bounds[i] += (order + 3.0) * PlacementError::Turned * largest;
     }
   };
   grow(0.0, &moments.Volume, &moments.VolumeBound, 1);

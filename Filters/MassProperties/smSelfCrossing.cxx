@@ -36,6 +36,9 @@ constexpr double NegligibleArea = 1e-5;
 /// Distance from the boundary, relative to the diagonal, up to which a second point is sought, and number of samples for which it is.
 constexpr double LargestStep = 0.1;
 constexpr std::size_t MostConfirmations = 256;
+/// Number of samples between two calls of `shouldContinue`.
+constexpr std::size_t SamplesPerReport = 4096;
+constexpr const char* Stopped = "the run was stopped, or its time was over";
 
 Vector3 Transform(const std::array<double, 16>& m, const Vector3& p)
 {
@@ -87,7 +90,7 @@ public:
     this->Diagonal = box.GetDiagonalLength();
     this->Slack += 1e-9 * this->Diagonal;
   }
-  SelfCrossing Run();
+  SelfCrossing Run(const std::function<bool()>& shouldContinue);
 
 private:
   void CollectTriangles(std::size_t part);
@@ -270,7 +273,7 @@ bool Checker::Confirm(const WindingTree& tree, const Sample& sample, bool inside
   return false;
 }
 
-SelfCrossing Checker::Run()
+SelfCrossing Checker::Run(const std::function<bool()>& shouldContinue)
 {
   for (std::size_t part = 0; part < this->Parts.size(); ++part)
   {
@@ -286,14 +289,22 @@ SelfCrossing Checker::Run()
   const WindingTree tree(this->Triangles);
   // On a surface the winding number of its other parts is the mean of those on both sides: 1/2 beside a sound boundary.
   std::vector<double> winding(this->Samples.size());
-  ParallelFor(this->Samples.size(), 64,
-    [&](std::size_t begin, std::size_t end)
+  for (std::size_t first = 0; first < winding.size(); first += SamplesPerReport)
+  {
+    if (first > 0 && shouldContinue && !shouldContinue())
     {
-      for (std::size_t i = begin; i < end; ++i)
+      this->Result.Unchecked = Stopped;
+      return this->Result;
+    }
+    ParallelFor(std::min(SamplesPerReport, winding.size() - first), 64,
+      [&](std::size_t begin, std::size_t end)
       {
-        winding[i] = tree.EvaluateWindingNumber(this->Samples[i].Position, this->Samples[i].Triangle);
-      }
-    });
+        for (std::size_t i = first + begin; i < first + end; ++i)
+        {
+          winding[i] = tree.EvaluateWindingNumber(this->Samples[i].Position, this->Samples[i].Triangle);
+        }
+      });
+  }
   std::vector<std::size_t> wrong;
   for (std::size_t i = 0; i < winding.size(); ++i)
   {
@@ -361,9 +372,10 @@ bool IsSameSolid(const BodyIntegrals& first, const BodyIntegrals& body, const st
 }
 }
 
-SelfCrossing FindSelfCrossing(const std::vector<const BodyIntegrals*>& parts)
+SelfCrossing FindSelfCrossing(
+  const std::vector<const BodyIntegrals*>& parts, const std::function<bool()>& shouldContinue)
 {
-  return Checker(parts).Run();
+  return Checker(parts).Run(shouldContinue);
 }
 
 SelfCrossingCheck::EntryPointer SelfCrossingCheck::Find(const std::vector<std::uint64_t>& faces,
@@ -388,8 +400,9 @@ SelfCrossingCheck::EntryPointer SelfCrossingCheck::Find(const std::vector<std::u
   return original && original->Result.Winding == 0 ? original : nullptr;
 }
 
-void SelfCrossingCheck::Run(std::vector<BodyIntegrals>& bodies)
+void SelfCrossingCheck::Run(std::vector<BodyIntegrals>& bodies, const std::function<bool()>& shouldContinue)
 {
+  bool isStopped = false;
   std::unordered_map<std::uint64_t, EntryPointer> current;
   for (std::size_t b = 0; b < bodies.size();)
   {
@@ -414,7 +427,12 @@ void SelfCrossingCheck::Run(std::vector<BodyIntegrals>& bodies)
     EntryPointer entry = this->Find(faces, current);
     if (!entry)
     {
-      entry = std::make_shared<const Entry>(Entry{ std::move(faces), FindSelfCrossing(parts) });
+      isStopped = isStopped || (b > 0 && shouldContinue && !shouldContinue());
+      SelfCrossing result;
+      result.Unchecked = Stopped;
+      result = isStopped ? result : FindSelfCrossing(parts, shouldContinue);
+      isStopped = isStopped || result.Unchecked == Stopped;
+      entry = std::make_shared<const Entry>(Entry{ std::move(faces), result });
     }
     // A body that could not be checked may have a mesh in the next run.
     for (const std::uint64_t face : entry->Faces)

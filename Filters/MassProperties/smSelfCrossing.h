@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -45,9 +46,11 @@ struct SelfCrossing
  *
  * The bodies are closed, and have the integrals of MakeMassIntegrands(). Unchecked has a reason if the mesh lacks a face, or the area or
  * vector area of a face on it differs from the exact one by more than a quarter of the area. Runs on the threads of vtkSMPTools, with
- * the same result for any number of them.
+ * the same result for any number of them. `shouldContinue` is called now and then by the calling thread; once it returns false, Unchecked
+ * says so.
  */
-SMFILTERSMASSPROPERTIES_EXPORT SelfCrossing FindSelfCrossing(const std::vector<const BodyIntegrals*>& parts);
+SMFILTERSMASSPROPERTIES_EXPORT SelfCrossing FindSelfCrossing(
+  const std::vector<const BodyIntegrals*>& parts, const std::function<bool()>& shouldContinue = {});
 
 /// Results of FindSelfCrossing() that are kept from run to run.
 class SMFILTERSMASSPROPERTIES_EXPORT SelfCrossingCheck
@@ -57,9 +60,9 @@ public:
    * Flags bodies that cross themselves as suspect, and adds a note to those that could not be checked. A body that is already
    * flagged, is open or has no volume is passed over. Bodies that were read from one solid of a file are checked together. A body with
    * the same faces as one of an earlier run has the same result. One that shares some of them is an edit of it: where that one was
-   * sound, it is not checked again until Clear().
+   * sound, it is not checked again until Clear(). Once `shouldContinue` returns false, the bodies that follow are not checked.
    */
-  void Run(std::vector<BodyIntegrals>& bodies);
+  void Run(std::vector<BodyIntegrals>& bodies, const std::function<bool()>& shouldContinue = {});
   void Clear() { this->Known.clear(); }
 
 private:

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <system_error>
 
@@ -231,7 +232,15 @@ void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   *this->Analysis = sm::AnalyzeMass(bodies, options);
   if (options.HasBounds)
   {
-    this->CrossingCheck->Run(bodies);
+    const sm::IntegralLimits limits = this->MakeLimits();
+    const sm::RunReport& run = this->GetEngine().GetReport();
+    using Clock = std::chrono::steady_clock;
+    const auto left =
+      std::chrono::duration<double>(limits.MaximumSeconds - run.PrepareSeconds - run.IntegrateSeconds);
+    const Clock::time_point start = Clock::now();
+    this->CrossingCheck->Run(bodies,
+      [&limits, left, start]()
+      { return limits.Progress(1.0) && !(limits.MaximumSeconds > 0.0 && Clock::now() - start > left); });
   }
   sm::RunReport& report = this->GetEngine().GetReport();
   report.Status = std::max(report.Status, this->Analysis->TotalStatus);

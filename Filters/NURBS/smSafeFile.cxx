@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
+#include <ctime>
+#include <fcntl.h>
 #include <filesystem>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <vector>
@@ -17,6 +20,8 @@ namespace
 {
 /// Links that lead to each other; a ring of them ends there.
 constexpr int LongestChain = 40;
+/// Seconds.
+constexpr std::time_t LeastAgeOfLeft = 60;
 
 /// The file that a link leads to, by hand: it may not be there yet.
 std::vector<fs::path> FollowLinks(const std::string& path)
@@ -28,6 +33,22 @@ std::vector<fs::path> FollowLinks(const std::string& path)
     chain.push_back(chain.back().parent_path() / fs::read_symlink(chain.back(), error));
   }
   return chain;
+}
+
+/// Removes a temporary file that nobody writes any more: whoever does has it locked, as soon as it is made.
+void RemoveLeft(const std::string& path)
+{
+  const int file = open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  struct stat status = {};
+  if (file >= 0)
+  {
+    if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) &&
+      std::time(nullptr) - status.st_mtime > LeastAgeOfLeft && flock(file, LOCK_EX | LOCK_NB) == 0)
+    {
+      unlink(path.c_str());
+    }
+    close(file);
+  }
 }
 
 std::string DescribeError(int number)
@@ -58,17 +79,9 @@ SafeFile::SafeFile(const std::string& path)
     this->Fail("the file that is there is write-protected; choose another name");
     return;
   }
-  // A name that nobody has, also not another process that writes the same file.
-  std::FILE* made = nullptr;
-  for (int attempt = 0; !made && (attempt == 0 || errno == EEXIST); ++attempt)
-  {
-    this->Temporary = this->Target + ".saving" + std::to_string(attempt);
-    errno = 0;
-    made = std::fopen(this->Temporary.c_str(), "wbx");
-  }
+  const bool made = this->Make();
   if (made)
   {
-    std::fclose(made);
     this->Stream.open(this->Temporary, std::ios::binary | std::ios::trunc);
   }
   if (!made || !this->Stream)
@@ -89,8 +102,30 @@ SafeFile::SafeFile(const std::string& path)
   }
 }
 
+bool SafeFile::Make()
+{
+  // A name that nobody has, also not another process that writes the same file.
+  for (int attempt = 0; this->Lock < 0 && (attempt == 0 || errno == EEXIST); ++attempt)
+  {
+    this->Temporary = this->Target + ".saving" + std::to_string(attempt);
+    RemoveLeft(this->Temporary);
+    this->Lock = open(this->Temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  }
+  const int reason = errno;
+  if (this->Lock >= 0)
+  {
+    flock(this->Lock, LOCK_EX | LOCK_NB);
+  }
+  errno = reason;
+  return this->Lock >= 0;
+}
+
 SafeFile::~SafeFile()
 {
+  if (this->Lock >= 0)
+  {
+    close(this->Lock);
+  }
   if (!this->Temporary.empty())
   {
     this->Close();
@@ -135,6 +170,14 @@ bool SafeFile::Keep()
     reason = reason != 0 ? reason : errno;
     this->DiskFull = reason == ENOSPC || reason == EFBIG || reason == EDQUOT;
     return this->Fail("not all of it could be written" + DescribeError(reason) +
+      "; make room on the disk or choose another folder");
+  }
+  // A name that leads to bytes which are not on the disk yet could be an empty file after a power cut. Some file systems know no such call.
+  errno = 0;
+  if (fsync(this->Lock) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT))
+  {
+    this->DiskFull = errno != EIO;
+    return this->Fail("not all of it could be written" + DescribeError(errno) +
       "; make room on the disk or choose another folder");
   }
   std::error_code error;

@@ -15,7 +15,8 @@ namespace sm
 /**
  * Writes to a temporary file in the same folder, which replaces the file when Keep() is called: until then a file that was there
  * before stays. Without Keep() the temporary file is removed. A link is followed, also to a file that is not there yet; the permissions
- * of a file that is replaced are kept. A folder, a device or a pipe is a problem.
+ * of a file that is replaced are kept. The bytes are on the disk before the file is replaced. A temporary file that a process left which was
+ * killed is removed by the next that saves the same file, a minute later. A folder, a device or a pipe is a problem.
  */
 class SMFILTERSNURBS_EXPORT SafeFile
 {
@@ -35,12 +36,15 @@ public:
 
 private:
   bool Fail(const std::string& problem);
+  bool Make();
   bool Close();
 
   std::string Target;
   std::string Temporary;
   std::string Problem;
   bool DiskFull = false;
+  /// Descriptor of the temporary file, which is locked as long as it is open; -1: none.
+  int Lock = -1;
   std::ofstream Stream;
 };
 

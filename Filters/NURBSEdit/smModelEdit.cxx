@@ -320,6 +320,7 @@ ModelEdit MapControlPoints(
   }
   NetChange change(model, rule);
   change.SetMap(chosen, map);
+  const double step = change.GetStep();
   for (std::size_t f = 0; f < chosen.size(); ++f)
   {
     edit = chosen[f] ? CheckSurface(model, static_cast<int>(f)) : edit;
@@ -327,7 +328,10 @@ ModelEdit MapControlPoints(
     {
       return edit;
     }
-    const std::vector<std::array<double, 4>>& points = model->GetFaces()[f]->Surface.ControlPoints;
+    const NURBSSurface& surface = model->GetFaces()[f]->Surface;
+    const bool hasErrors = surface.Residual > 0.0 || surface.Rounding != std::array<double, 3>{};
+    const std::vector<std::array<double, 4>>& points = surface.ControlPoints;
+    MapSlopes slopes;
     for (std::size_t i = 0; i < points.size() && chosen[f]; ++i)
     {
       const std::array<double, 4>& point = points[i];
@@ -345,8 +349,13 @@ ModelEdit MapControlPoints(
       if (mapped != point)
       {
         change.SetPoint(static_cast<int>(f), i, mapped);
+        if (hasErrors)
+        {
+          slopes.Add(map, from, step);
+        }
       }
     }
+    change.RaiseErrors(static_cast<int>(f), slopes);
   }
   change.Finish(edit);
   return edit;

@@ -1,7 +1,10 @@
 #include "smNetChange.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 
@@ -11,6 +14,9 @@ namespace
 {
 // Relative to the size of the body: rows nearer than this are one.
 constexpr double RowTolerance = 1e-9;
+// The same for the steps of difference quotients, and the deviation from 1 or 0 that is their rounding.
+constexpr double SlopeStep = 1e-4;
+constexpr double SlopeNoise = 1e-9;
 
 /// The point moved as a control point was.
 std::array<double, 3> Move(
@@ -56,6 +62,7 @@ NetChange::NetChange(vtkTrimmedNURBSModel* model, EditRule rule)
   , Faces(model->GetFaces())
   , Chosen(model->GetFaces().size(), false)
   , Tolerance(RowTolerance * GetBodySize(model))
+  , Step(SlopeStep * GetBodySize(model))
 {
 }
 
@@ -65,6 +72,87 @@ void NetChange::SetTemplate(int face, const FacePointer& face_)
   auto copy = std::make_shared<Face>(*face_);
   copy->Surface.ControlPoints = this->Faces[face]->Surface.ControlPoints;
   this->Faces[face] = copy;
+}
+
+void MapSlopes::Add(const PointMap& map, const std::array<double, 3>& point, double step)
+{
+  const std::array<double, 3> to = map(point);
+  double slopes[3][3];
+  for (int k = 0; k < 3; ++k)
+  {
+    std::array<double, 3> beside = point;
+    beside[k] += step;
+    const std::array<double, 3> there = map(beside);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double same = c == k ? 1.0 : 0.0;
+      const double slope = (there[c] - to[c]) / (beside[k] - point[k]);
+      slopes[c][k] = std::abs(slope - same) <= SlopeNoise ? same : slope;
+      this->Entries[c][k] = std::max(this->Entries[c][k], std::abs(slopes[c][k]));
+    }
+  }
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  if (!std::all_of(&slopes[0][0], &slopes[0][0] + 9, [](double slope) { return std::isfinite(slope); }))
+  {
+    std::fill(&this->Entries[0][0], &this->Entries[0][0] + 9, unknown);
+    this->Lengthening = unknown;
+    return;
+  }
+  double u[3][3];
+  double w[3];
+  double vt[3][3];
+  vtkMath::SingularValueDecomposition3x3(slopes, u, w, vt);
+  this->Lengthening = std::max({ this->Lengthening, std::abs(w[0]), std::abs(w[1]), std::abs(w[2]) });
+}
+
+std::array<double, 3> MapSlopes::Apply(const std::array<double, 3>& bounds) const
+{
+  std::array<double, 3> result{};
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      // An exact component stays exact, whatever the derivative.
+      result[c] += bounds[k] > 0.0 ? this->Entries[c][k] * bounds[k] : 0.0;
+    }
+  }
+  return result;
+}
+
+void NetChange::RaiseErrors(int face, const MapSlopes& slopes)
+{
+  const NURBSSurface& old = this->GetFace(face).Surface;
+  std::array<double, 3> rounding = slopes.Apply(old.Rounding);
+  for (int c = 0; c < 3; ++c)
+  {
+    rounding[c] = std::max(rounding[c], old.Rounding[c]);
+  }
+  const double residual = old.Residual * std::max(1.0, slopes.Lengthening);
+  if (rounding != old.Rounding || residual != old.Residual)
+  {
+    auto copy = std::make_shared<Face>(this->GetFace(face));
+    copy->Surface.Rounding = rounding;
+    copy->Surface.Residual = residual;
+    this->Faces[face] = copy;
+  }
+}
+
+void NetChange::FollowErrors(int from, int to)
+{
+  const auto before = [this](int face) -> const std::array<double, 3>&
+  { return this->Model->GetFaces()[face]->Surface.Rounding; };
+  const std::array<double, 3>& raised = this->GetFace(from).Surface.Rounding;
+  if (raised == before(from))
+  {
+    return;
+  }
+  auto copy = std::make_shared<Face>(*this->Faces[to]);
+  for (int c = 0; c < 3; ++c)
+  {
+    copy->Surface.Rounding[c] =
+      std::max(copy->Surface.Rounding[c], before(to)[c] + before(from)[c] + raised[c]);
+  }
+  this->Faces[to] = copy;
 }
 
 void NetChange::SetMap(const std::vector<bool>& faces, const PointMap& map)
@@ -225,6 +313,7 @@ void NetChange::Follow(const EdgeUses& edge, const Use& use, std::size_t entry)
         point[3] = weight;
       }
       this->SetPoint(other.Face, there, point);
+      this->FollowErrors(use.Face, other.Face);
     }
   }
 }
@@ -335,6 +424,12 @@ void NetChange::MapEdge(std::size_t index)
   if (moves)
   {
     const std::shared_ptr<Edge> result = this->GetNewEdge(edge.Source);
+    MapSlopes slopes;
+    for (const EdgeCurve::Point& point : edge.Source->Curve.Coefficients)
+    {
+      slopes.Add(this->Map, point, this->Step);
+    }
+    curve.Residual = slopes.Apply(curve.Residual);
     result->Curve = curve;
     result->Origin = nullptr;
   }

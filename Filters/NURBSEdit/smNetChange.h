@@ -21,6 +21,18 @@ namespace sm
 /// The diagonal of the model's LocalBounds, or of its control points where there are none.
 double GetBodySize(vtkTrimmedNURBSModel* model);
 
+/// Derivatives of a map, by differences over a length `step`: the largest of their sizes at the points, entry by entry, and the largest
+/// factor by which it lengthens a vector. A map that only translates has exactly 1 and 0.
+struct MapSlopes
+{
+  std::array<std::array<double, 3>, 3> Entries{};
+  double Lengthening = 0.0;
+
+  void Add(const PointMap& map, const std::array<double, 3>& point, double step);
+  /// Bound of what becomes of a vector whose components have these bounds.
+  std::array<double, 3> Apply(const std::array<double, 3>& bounds) const;
+};
+
 /// Collects new control points of faces, and then moves the neighbours' boundary rows, the edges and the vertices that belong to
 /// them.
 class NetChange
@@ -30,6 +42,10 @@ public:
 
   /// Sets all of a face but its control points, before these are set.
   void SetTemplate(int face, const FacePointer& face_);
+  /// Length of difference quotients, see MapSlopes.
+  double GetStep() const { return this->Step; }
+  /// Lets Residual and Rounding of a face grow with its control points. Where the map shrinks they stay: edges follow their rows.
+  void RaiseErrors(int face, const MapSlopes& slopes);
   /// Faces whose common edges follow regardless of the rule; the map moves edges without rows.
   void SetMap(const std::vector<bool>& faces, const PointMap& map);
   void SetPoint(int face, std::size_t entry, const std::array<double, 4>& point);
@@ -75,6 +91,8 @@ private:
   bool IsTouched(const EdgeUses& edge) const;
   void Propagate();
   void Follow(const EdgeUses& edge, const Use& use, std::size_t entry);
+  /// A row that follows another is off by what both are.
+  void FollowErrors(int from, int to);
   static std::shared_ptr<const EdgeOrigin> GetOrigin(const EdgeUses& edge, const RowCurve& row);
   void JoinEnds();
   std::size_t FindVertex(std::size_t end) const;
@@ -94,6 +112,7 @@ private:
   std::vector<bool> Chosen;
   PointMap Map;
   double Tolerance = 0.0;
+  double Step = 0.0;
   std::vector<EdgeUses> Edges;
   /// For each face: index of the edge and of the use in it.
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> EdgesOfFace;

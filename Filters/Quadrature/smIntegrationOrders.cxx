@@ -30,13 +30,13 @@ OrderLadder::OrderLadder(const std::vector<Integrand>& integrands)
 
 int OrderLadder::GetAcross(PanelShape shape) const
 {
-  // Along a straight ruling of constant normal direction x.n is constant (Flat, Prismatic) or linear
-  // (Straight), |n| too, and g has its degree D: rules exact to D or D + 1.
+  // Along a straight ruling of constant normal direction x.n is constant (Flat) or linear, |n| too, and g has its degree D: rules
+  // exact to D or D + 1.
   if (this->Degree < 0 || shape == PanelShape::General)
   {
     return 0;
   }
-  return shape == PanelShape::Straight ? (this->Degree + 3) / 2 : (this->Degree + 2) / 2;
+  return shape == PanelShape::Flat ? (this->Degree + 2) / 2 : (this->Degree + 3) / 2;
 }
 
 Orders OrderLadder::GetPanelOrders(const Panel& panel, int level) const

@@ -1,5 +1,6 @@
 #include "smPanelPlanner.h"
 #include "smUnitRoundoff.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,13 @@ constexpr double EndRounding = 54.0;
 constexpr double RowBorder = 1e-15;
 constexpr int LeastCompared = 4;
 constexpr int MostCompared = 15;
+
+/// What the normal of a prismatic panel may change by along its straight lines, relative to the largest normal: 1e-14 at the samples of
+/// smFacePanels.cxx, times Lebesgue's constant, which is at most 2^n / n for n <= 20 equal steps.
+double GetPrismaticDeviation(int q)
+{
+  return 1e-14 * (q <= 5 ? std::exp2(4 * q) / (4 * q) : 5.0);
+}
 }
 
 PanelPlanner::PanelPlanner(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
@@ -52,6 +60,36 @@ const PatchTraits& PanelPlanner::GetTraits(std::uint32_t patch)
     this->HasTraits[patch] = true;
   }
   return this->Traits[patch];
+}
+
+void PanelPlanner::AddFlatError(const Patch& patch, double reach)
+{
+  // With d = P00 - P10 - P01 + P11, a position is within |d| / 4 of the parallelogram's, and Ss and Sr are within |d| / 2 of their
+  // means. A rule is off by at most twice the largest difference from what it is exact for.
+  const std::array<double, 4>* p = this->Panels.Points.data() + patch.FirstPoint;
+  double d[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    d[c] = (p[0][c] - p[1][c] - p[2][c] + p[3][c]) / p[0][3];
+  }
+  const double moved = Norm(d);
+  if (!(moved > 0.0))
+  {
+    return;
+  }
+  const double rotated = 0.5 * moved * (patch.Stretch[0] + patch.Stretch[1] + moved);
+  const double area = patch.Stretch[0] * patch.Stretch[1];
+  for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
+  {
+    const BoundClass& c = this->Request.Classes[i];
+    const int k = c.Degree;
+    const double shifted = 0.25 * moved * area * (c.Kind == BoundClass::AreaMoment ? k : k + 1);
+    const double error = c.Kind == BoundClass::VectorArea ? rotated
+      : c.Kind == BoundClass::AreaMoment
+      ? rotated * std::pow(reach, k) + (k > 0 ? shifted * std::pow(reach, k - 1) : 0.0)
+      : (rotated * reach + shifted) * std::pow(reach, k) / (c.Kind == BoundClass::VolumeMoment ? 3 + k : 1);
+    this->Result.QuadratureBound[i] += 2.0 * error;
+  }
 }
 
 bool PanelPlanner::PlanExactly(std::uint32_t index)
@@ -86,6 +124,7 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   PlannedItem item{ ItemKind::Panel, index };
   item.Along = along;
   item.Across = (this->Degree + 2) / 2;
+  this->AddFlatError(patch, reach);
   this->Result.Items.push_back(item);
   this->Result.Evaluations += item.Along * item.Across;
   return true;
@@ -145,8 +184,8 @@ void PanelPlanner::BoundDirections(const Panel& panel, const Part& part, double 
   }
   else
   {
-    // Along a straight ruling x.n is constant or linear, |n| too unless it vanishes somewhere, and g has its degree, times xi.
-    const int order = (this->Degree + (panel.Shape == PanelShape::Straight ? 3 : 2)) / 2;
+    // Along a straight ruling x.n is linear, |n| too unless it vanishes somewhere, and g has its degree.
+    const int order = (this->Degree + 3) / 2;
     for (std::size_t i = 0; i < count; ++i)
     {
       if (this->Request.Classes[i].Kind != BoundClass::AreaMoment || panel.Shape == PanelShape::Prismatic ||
@@ -406,10 +445,15 @@ void PanelPlanner::PlanPart(std::uint32_t index, const Part& part)
   double kink = 0.0;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
-    if (this->Request.Classes[i] == BoundClass{ BoundClass::AreaMoment, 0 } && kinks[0] + kinks[1] > 0.0)
+    if (this->Request.Classes[i] == PlainArea && kinks[0] + kinks[1] > 0.0)
     {
       kink = (kinks[0] + kinks[1]) * this->Supremum[i];
       noise += kink;
+    }
+    if (this->Request.Classes[i] == PlainArea && panel.Shape == PanelShape::Prismatic &&
+      !this->Majorants.HasLength())
+    {
+      noise += GetPrismaticDeviation(patch.Degree[1]) * this->Supremum[i];
     }
   }
   int along = 1;

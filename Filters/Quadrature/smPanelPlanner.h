@@ -36,6 +36,8 @@ private:
   };
   const PatchTraits& GetTraits(std::uint32_t patch);
   bool PlanExactly(std::uint32_t index);
+  /// Adds the error of exact orders for what a flat patch deviates from a parallelogram.
+  void AddFlatError(const Patch& patch, double reach);
   void PlanPart(std::uint32_t index, const Part& part);
   void BoundDirections(const Panel& panel, const Part& part, double jacobian);
   void SetPolynomialOrders(const Patch& patch);

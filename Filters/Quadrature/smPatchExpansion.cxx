@@ -20,6 +20,12 @@ constexpr int MostKept = 12;
 constexpr double NoiseSize = 2e-16;       // times the number of coefficients in both directions
 constexpr double LengthTolerance = 3e-15; // times the degrees, whose rounding adds up
 
+/// Lebesgue's constant of n Chebyshev nodes: a polynomial of degree n - 1 is at most that many times its largest value at them.
+double GetLebesgueConstant(int n)
+{
+  return 1.0 + 2.0 / M_PI * std::log(static_cast<double>(n));
+}
+
 /// Chebyshev coefficients k of the Bernstein polynomials j of a degree on [middle - half, middle + half]: row k.
 void MakeConversion(int degree, double middle, double half, std::vector<double>& conversion)
 {
@@ -86,21 +92,19 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
   const double tolerance = LengthTolerance * (p + q);
   const double* longest = nullptr;
   const double largest = patch.FindLongestSample(longest);
-  const double across = patch.MeasureAcross(longest);
+  double acrossBound = 0.0;
+  const double across = patch.MeasureAcross(longest, acrossBound);
   if (across <= tolerance * largest)
   {
     traits.ConstantDirection = true;
-    traits.LengthDeviation = 8.0 * across;
+    // Across the mean direction of a box on which |m~| varies by less than 2 it is at most three times as much as across the
+    // longest sample's.
+    traits.SquareDeviation = 9.0 * acrossBound * acrossBound;
     return traits;
   }
   patch.Transform(3 * p - 1, 3 * q - 1);
-  double deviation = 0.0;
-  if (patch.MeasureLengthDeviation(tolerance * largest, largest, deviation))
-  {
-    // A polynomial between so many Chebyshev nodes rises to a few times its values there; 8 is estimated, see Bounds.md.
-    traits.LengthDeviation = 8.0 * deviation;
-    traits.PolynomialLength = true;
-  }
+  traits.PolynomialLength =
+    patch.MeasureLengthDeviation(tolerance * largest, largest, traits.SquareDeviation);
   return traits;
 }
 
@@ -143,25 +147,31 @@ double PatchMajorants::FindLongestSample(const double*& longest) const
   return largest;
 }
 
-double PatchMajorants::MeasureAcross(const double* longest) const
+double PatchMajorants::MeasureAcross(const double* longest, double& bound) const
 {
   double across = 0.0;
+  bound = 0.0;
   this->VisitSamples(
     [&](const double* sample, double cube)
     {
       const Vector3 product = Cross(sample + 1, longest + 1);
-      across = std::max(across, Norm(product.data()) / (longest[4] * cube));
+      const double length = Norm(product.data()) / longest[4];
+      across = std::max(across, length / cube);
+      bound = std::max(bound, length);
     });
+  // Of each of the three components.
+  bound *= std::sqrt(3.0) * GetLebesgueConstant(3 * this->P - 1) * GetLebesgueConstant(3 * this->Q - 1);
   return across;
 }
 
-bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, double& deviation) const
+bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, double& square) const
 {
   const int countS = 3 * this->P - 1;
   const int countR = 3 * this->Q - 1;
-  // h^2 - m~.m~ has the degrees 2 (countS - 1) and 2 (countR - 1): zero at as many nodes and one more, it is zero.
+  // h^2 - m~.m~ has the degrees 2 (countS - 1) and 2 (countR - 1): values at as many nodes and one more bound it.
   const ChebyshevRule& checkS = ChebyshevRule::Get(2 * countS - 1);
   const ChebyshevRule& checkR = ChebyshevRule::Get(2 * countR - 1);
+  double largestSquare = 0.0;
   std::vector<double> line(static_cast<std::size_t>(Components) * countR);
   for (int a = 0; a < checkS.GetSize(); ++a)
   {
@@ -195,9 +205,10 @@ bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, doub
       {
         return false;
       }
-      deviation = std::max(deviation, difference);
+      largestSquare = std::max(largestSquare, difference * cube * (length + std::abs(value[4])));
     }
   }
+  square = largestSquare * GetLebesgueConstant(checkS.GetSize()) * GetLebesgueConstant(checkR.GetSize());
   return true;
 }
 
@@ -447,6 +458,7 @@ void PatchMajorants::MakeTables(int countS, int countR)
   }
   rest += this->Dropped[this->Traits.PolynomialLength ? 2 : 1];
   this->Positive = rest < 0.999999 * this->FirstLength;
+  this->LeastLength = this->FirstLength - rest;
   this->Nonzero = rest + beside < 0.999999 * this->FirstLength;
 }
 

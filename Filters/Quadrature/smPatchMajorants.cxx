@@ -219,9 +219,15 @@ double PatchMajorants::GetReach() const
 
 double PatchMajorants::GetLengthDeviation() const
 {
+  if (!this->IsPolynomialLength())
+  {
+    return 0.0;
+  }
+  // ||m~| - h| (|m~| + h) is the deviation of the squares. With a constant direction h is m~.e, e taken on the box.
   const Ellipse real = Ellipse::FromRadius(1.0);
-  return this->IsPolynomialLength() ? this->Traits.LengthDeviation * this->GetFactorMajorant(real, real)
-                                    : 0.0;
+  const double weight = this->GetLowestWeight();
+  return this->Traits.SquareDeviation / this->LeastLength * this->GetFactorMajorant(real, real) /
+    (weight * weight * weight);
 }
 
 double PatchMajorants::EvaluateWeight(double x, double y) const

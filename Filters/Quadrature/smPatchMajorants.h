@@ -58,8 +58,8 @@ struct PatchTraits
   bool PolynomialLength = false;
   /// m keeps its direction, as in a plane: |m| is one as long as m does not vanish.
   bool ConstantDirection = false;
-  /// Deviation, due to rounding, of |n| over those factors from that form.
-  double LengthDeviation = 0.0;
+  /// Bound of the deviation, due to rounding, of m~.m~ from the square of that form on the patch.
+  double SquareDeviation = 0.0;
 };
 
 /// Points are those of the patch: (p+1) x (q+1), s fastest, homogeneous relative to its centre.
@@ -129,10 +129,11 @@ private:
   void VisitSamples(const Visit& visit) const;
   /// The largest |m~| / w^3 of all samples; `longest` becomes that sample.
   double FindLongestSample(const double*& longest) const;
-  /// The largest part of a sample across the longest one. m~ - (m~.e) e has the degrees of m~: 0 at all nodes, it is 0.
-  double MeasureAcross(const double* longest) const;
-  /// True when |m~| is the polynomial h within `allowed`, and nowhere much smaller than `largest`; `deviation` is the largest found.
-  bool MeasureLengthDeviation(double allowed, double largest, double& deviation) const;
+  /// The largest part of a sample across the longest one, relative to the cube of the weight; `bound` bounds |m~ - (m~.e) e|, which has
+  /// the degrees of m~.
+  double MeasureAcross(const double* longest, double& bound) const;
+  /// True when |m~| is the polynomial h within `allowed`, and nowhere much smaller than `largest`; `square` bounds |m~.m~ - h^2|.
+  bool MeasureLengthDeviation(double allowed, double largest, double& square) const;
   /// |m~| is a polynomial on the box.
   bool IsPolynomialLength() const;
   void ExpandNet(const double* net, int countS, int countR, std::vector<double>& series);
@@ -152,6 +153,8 @@ private:
   /// |w_00|, and |m~_00| or |h_00|.
   double FirstWeight = 1.0;
   double FirstLength = 0.0;
+  /// A lower bound of it on the box, where it is positive.
+  double LeastLength = 0.0;
   /// h, or m~ . e with its direction e at the middle, is positive on the box; and |m~| is.
   bool Positive = false;
   bool Nonzero = false;

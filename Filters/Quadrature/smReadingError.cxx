@@ -7,6 +7,16 @@
 
 namespace sm
 {
+namespace
+{
+/// Average over s of the bound below of |dS/ds| moved, over p d.
+double GetSpread(const Patch& patch)
+{
+  const double ratio = patch.WeightRatio;
+  return ratio > 1.0 ? 4.0 * ratio / (ratio - 1.0) * std::log(0.5 * (ratio + 1.0)) : 2.0;
+}
+}
+
 /**
  * With control points moved by d_i, |d_i| <= d, and D the displacement here, a step w_(i+1) d_(i+1) - w_i d_i - (w_(i+1) - w_i) D is at
  * most 2 d max(w_i, w_(i+1)), and dS/ds is moved by at most p sum B_i^(p-1) of these over w = sum B_i^(p-1) ((1-s) w_i + s w_(i+1)). With
@@ -16,11 +26,9 @@ namespace sm
  */
 double GetTurnedLength(const Patch& patch)
 {
-  const double ratio = patch.WeightRatio;
-  const double spread = ratio > 1.0 ? 4.0 * ratio / (ratio - 1.0) * std::log(0.5 * (ratio + 1.0)) : 2.0;
   const double length[2] = { std::min(patch.Stretch[0], 2.0 * patch.Degree[0] * patch.Radius),
     std::min(patch.Stretch[1], 2.0 * patch.Degree[1] * patch.Radius) };
-  return spread * (patch.Degree[0] * length[1] + patch.Degree[1] * length[0]);
+  return GetSpread(patch) * (patch.Degree[0] * length[1] + patch.Degree[1] * length[0]);
 }
 
 ReadingError ReadingError::Make(const Face& face, const FacePanels& panels, double reach)
@@ -28,28 +36,32 @@ ReadingError ReadingError::Make(const Face& face, const FacePanels& panels, doub
   ReadingError error;
   const std::array<double, 3>& d = face.Surface.Rounding;
   error.Moved = Norm(d);
+  error.Reach = reach + error.Moved;
   if (!(error.Moved > 0.0))
   {
     return error;
   }
-  error.Reach = reach + error.Moved;
   // Where the surface is continued beyond its patches.
   error.Swept = error.Moved * panels.Outside.Area;
   double turned = 0.0;
   for (const Patch& patch : panels.Patches)
   {
     error.Swept += d[0] * patch.Normal[0] + d[1] * patch.Normal[1] + d[2] * patch.Normal[2];
-    turned += GetTurnedLength(patch);
+    // |d_s| |d_r|: the bound of the one depends on s alone, that of the other on r.
+    const double spread = GetSpread(patch);
+    turned += GetTurnedLength(patch) + error.Moved * spread * spread * patch.Degree[0] * patch.Degree[1];
   }
+  // By the normals as they are on the way.
+  error.Swept += error.Moved * error.Moved * turned;
   for (const Loop& loop : face.Loops)
   {
     for (const Coedge& coedge : loop.Coedges)
     {
-      // The curve is no longer than its control polygon.
+      // The curve is no longer than its control polygon, of which either end moves.
       const std::vector<EdgeCurve::Point>& points = coedge.Use->Curve.Coefficients;
       for (std::size_t i = 1; i < points.size(); ++i)
       {
-        error.Border += Norm(Subtract(points[i], points[i - 1]));
+        error.Border += Norm(Subtract(points[i], points[i - 1])) + 2.0 * error.Moved;
       }
     }
   }

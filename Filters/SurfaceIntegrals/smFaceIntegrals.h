@@ -6,6 +6,7 @@
 #define smFaceIntegrals_h
 
 #include "smFacePanelsCache.h"
+#include "smPlacementError.h"
 
 #include <array>
 #include <cmath>
@@ -24,6 +25,8 @@ struct FaceTask
   std::vector<double> Tolerances;
   /// Rows of a 3x4 placement applied to positions and normals; used after SetUsePlacements(true).
   std::array<double, 12> Placement{};
+  /// Rounding of that placement.
+  PlacementError PlacementBound;
 };
 
 /// The gap along one coedge, the distance of the face's curve from the edge's curve at foot points: integral of its square,

@@ -23,13 +23,14 @@ struct FaceResultKey
   std::vector<double> Tolerances;
   /// Placement; zero if results do not depend on it.
   std::array<double, 12> Placement{};
+  PlacementError PlacementBound;
   /// Request of the plan; empty if nothing is planned.
   PlanRequest Request;
 
   bool operator==(const FaceResultKey& other) const
   {
     return this->Tolerances == other.Tolerances && this->Placement == other.Placement &&
-      this->Request == other.Request;
+      this->PlacementBound == other.PlacementBound && this->Request == other.Request;
   }
 };
 

@@ -33,6 +33,7 @@ void AddTasks(const IntegralRequest& request, const BodyIntegrals& body, std::ve
       }
       task.Placement[4 * i + 3] = translation;
     }
+    task.PlacementBound = PlacementError::Make(body);
   }
   task.Tolerances = request.GetTolerances(body);
   for (double& t : task.Tolerances)

@@ -100,11 +100,12 @@ FaceResultKey SurfaceIntegrator::Internals::GetResultKey(const FaceTask& task, s
   FaceResultKey question;
   question.Tolerances = task.Tolerances;
   question.Placement = this->UsePlacements ? task.Placement : question.Placement;
+  question.PlacementBound = task.PlacementBound;
   question.Request = this->Planned ? this->Plans.GetRequest(index) : question.Request;
   return question;
 }
 
-void SurfaceIntegrator::Internals::Skip(
+void SurfaceIntegrator::Internals::Skip(const std::vector<FaceTask>& tasks,
   const std::vector<std::size_t>& faces, std::vector<FaceIntegrals>& results) const
 {
   for (const std::size_t face : faces)
@@ -122,8 +123,10 @@ void SurfaceIntegrator::Internals::Skip(
       {
         const FacePlan& plan = this->Plans.Get(face);
         result.QuadratureError[to] = plan.Magnitude[this->Plans.GetClass(k)];
+        const BoundClass& integrand = this->Plans.GetBoundClass(k);
         result.Conversion[to] = plan.ConversionBound[this->Plans.GetClass(k)] +
-          plan.Reading.GetBound(this->Plans.GetBoundClass(k), plan.Area, plan.Area);
+          plan.Reading.GetBound(integrand, plan.Area, plan.Area) +
+          tasks[face].PlacementBound.GetBound(integrand, plan.Area, plan.Area, plan.Reading.Reach);
       }
     }
   }
@@ -210,7 +213,7 @@ bool SurfaceIntegrator::Internals::RunBatches(const std::vector<FaceTask>& tasks
     {
       for (; next < batches.size(); ++next)
       {
-        this->Skip(batches[next], results);
+        this->Skip(tasks, batches[next], results);
       }
       return true;
     }

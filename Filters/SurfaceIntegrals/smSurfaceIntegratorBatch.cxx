@@ -30,7 +30,7 @@ void SurfaceIntegrator::Internals::Store(const std::vector<FaceTask>& tasks,
   }
 }
 
-void SurfaceIntegrator::Internals::AddBounds(
+void SurfaceIntegrator::Internals::AddBounds(const std::vector<FaceTask>& tasks,
   const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results) const
 {
   for (const std::size_t face : batch)
@@ -59,8 +59,9 @@ void SurfaceIntegrator::Internals::AddBounds(
     }
     for (std::size_t k = 0; k < this->Chosen.size(); ++k)
     {
-      result.Conversion[this->Chosen[k]] +=
-        plan.Reading.GetBound(this->Plans.GetBoundClass(k), area, result.GapArea);
+      const BoundClass& integrand = this->Plans.GetBoundClass(k);
+      result.Conversion[this->Chosen[k]] += plan.Reading.GetBound(integrand, area, result.GapArea) +
+        tasks[face].PlacementBound.GetBound(integrand, area, result.GapArea, plan.Reading.Reach);
     }
   }
 }
@@ -308,7 +309,7 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
   {
     return false;
   }
-  this->AddBounds(batch, results);
+  this->AddBounds(tasks, batch, results);
   this->Store(tasks, batch, results);
   return true;
 }

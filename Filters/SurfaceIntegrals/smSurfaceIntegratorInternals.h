@@ -85,7 +85,8 @@ struct SurfaceIntegrator::Internals
   bool Prepare(const std::vector<FaceTask>& tasks);
   std::size_t GetNumberOfItems(std::size_t face) const;
   FaceResultKey GetResultKey(const FaceTask& task, std::size_t index) const;
-  void Skip(const std::vector<std::size_t>& faces, std::vector<FaceIntegrals>& results) const;
+  void Skip(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& faces,
+    std::vector<FaceIntegrals>& results) const;
   bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
   /// Takes known results, and parts the other faces into batches that have room for their rows and are not too much to lose.
   void MakeBatches(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results,
@@ -108,7 +109,8 @@ struct SurfaceIntegrator::Internals
   bool RunLevels(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
   bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results);
-  void AddBounds(const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results) const;
+  void AddBounds(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
+    std::vector<FaceIntegrals>& results) const;
   void Store(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
     const std::vector<FaceIntegrals>& results);
 

@@ -93,12 +93,14 @@ void FaceShares::Pack(const std::vector<FaceTask>& tasks, const std::vector<std:
   {
     const FaceTask& task = tasks[i];
     // Faces of one body have the same tolerances and placement.
-    const bool isSame = last && last->Tolerances == task.Tolerances && last->Placement == task.Placement;
+    const bool isSame = last && last->Tolerances == task.Tolerances && last->Placement == task.Placement &&
+      last->PlacementBound == task.PlacementBound;
     to.Put(isSame);
     if (!isSame)
     {
       to.PutAll(task.Tolerances);
       to.Put(task.Placement);
+      to.Put(task.PlacementBound);
     }
     last = &task;
     Home& home = this->Homes.at(task.Source->Id);
@@ -180,6 +182,7 @@ bool ReceivedFaces::ReadTasks(ByteReader& from, std::vector<FaceTask>& tasks)
     {
       task.Tolerances = from.GetAll<double>();
       task.Placement = from.Get<std::array<double, 12>>();
+      task.PlacementBound = from.Get<PlacementError>();
     }
     const auto id = from.Get<std::uint64_t>();
     const FacePointer* known = this->Faces.Find(id, {});

@@ -14,10 +14,13 @@ constexpr double Tolerances[] = { 1e-6, 1e-9, 1e-12 };
 /// Bounds may have that many times what the file is off by: reading rounds every coordinate more than once, and the area of a ball is more
 /// than the square of its size.
 constexpr double ReadingRoundings = 40.0;
+/// The same for a placement, whose translation may be off by 32 u (PlacementError); the area of the patches of the torus, as the bound takes
+/// it, is less than four times the square of its size.
+constexpr double PlacementRoundings = 4.0 * 32.0;
 
 /// `size`: of the body. `given`: what the plane or the file is off by, a length.
 void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>& planes, const Part& whole,
-  Real size, Real given = 0)
+  Real size, Real given = 0, double roundings = ReadingRoundings)
 {
   for (const double tolerance : Tolerances)
   {
@@ -34,7 +37,7 @@ void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>
       std::snprintf(label, sizeof(label), ", %g", tolerance);
       const std::string name = what + ": " + plane.Name + label;
       const auto area = static_cast<double>(size * size * given);
-      if (tolerance > 1e-10 && ReadingRoundings * area < tolerance * static_cast<double>(whole.Volume))
+      if (tolerance > 1e-10 && roundings * area < tolerance * static_cast<double>(whole.Volume))
       {
         CheckEqual(name + ", status", "ok", scene.Filter->GetStatus());
         std::printf("%s", scene.Filter->GetStatus() == "ok" ? "" : GetMessages(scene.Filter).c_str());
@@ -44,7 +47,7 @@ void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>
         bound + area + 2.3e-16 * static_cast<double>(plane.Below.Volume), "the bound");
       // 20: the volume's scale is rounded down to a power of two; rounding is 1e-12 of the box at most.
       CheckRange(name + ", bound", 0.0, bound,
-        2.0 * tolerance * static_cast<double>(whole.Volume) + ReadingRoundings * area +
+        2.0 * tolerance * static_cast<double>(whole.Volume) + roundings * area +
           3e-13 * static_cast<double>(size * size * size));
       double center[3];
       scene.Filter->GetCenterOfBuoyancy(center);
@@ -66,7 +69,7 @@ void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>
       {
         CheckRange(name + ", bound of the centre", 0.0, centerBound,
           (200.0 * tolerance + 1e-10) * static_cast<double>(size) +
-            ReadingRoundings * static_cast<double>(given));
+            2.0 * roundings * area * static_cast<double>(size / plane.Below.Volume));
       }
       for (int c = 0; c < 3; ++c)
       {
@@ -321,7 +324,8 @@ void CheckPlacements(const Manifest& manifest)
     scene.Move->SetTranslation(1e5, -2e4, 300);
     scene.Move->SetMirror(mirror ? vtkNURBSTransform::X : vtkNURBSTransform::NONE);
     // The plane's point and direction and the matrix are rounded, at a distance of 1e5.
-    CheckPlanes(mirror ? "mirrored torus" : "moved torus", scene, placed, place(whole), 60, 1.2e-10L);
+    CheckPlanes(mirror ? "mirrored torus" : "moved torus", scene, placed, place(whole), 60, 1.2e-10L,
+      PlacementRoundings);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "smBuoyancyNames.h"
 #include "smBuoyancyTesting.h"
 #include "smDecimalCommas.h"
+#include "smPlacedBox.h"
 #include "smTestManifest.h"
 
 #include <vtkDataSetAttributes.h>
@@ -292,6 +293,48 @@ void CheckAborts(const Manifest& manifest)
   CheckEqual("stops while faces are cut", 3, inCut);
   CheckTrue("stops later", stops > inCut);
 }
+
+/// A box in a placement that was read, partly and wholly below: the volumes of all placements that rounding may have made the same are
+/// within the bound.
+void CheckPlaced(const Manifest&)
+{
+  for (const double distance : { 0.0, 1e6 })
+  {
+    vtkNew<vtkMatrix4x4> placement;
+    PlacedBox::SetPlacement(distance, placement);
+    vtkNew<vtkBuoyancy> filter;
+    filter->SetBackend(Backend);
+    filter->SetRelativeTolerance(1e-12);
+    filter->SetInputDataObject(PlacedBox::MakeLeaf(placement));
+    for (const double depth : { 2.0, 7.0 })
+    {
+      // Along the third column of the placement, the box's longest edge.
+      const double up[3] = { 8.0, 1.0, 4.0 };
+      double point[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        point[c] = placement->GetElement(c, 3) + depth * up[c] / 9.0;
+      }
+      filter->SetPoint(point);
+      filter->SetNormal(up[0], up[1], up[2]);
+      filter->Update();
+      const double bound = filter->GetDisplacedVolumeBound();
+      std::mt19937_64 random(7);
+      PlacedBox::Real largest = 0;
+      for (int i = 0; i < 100; ++i)
+      {
+        const PlacedBox box(placement, random);
+        const PlacedBox::Real exact =
+          depth > PlacedBox::Size[2] ? box.GetVolume() : box.GetVolumeBelow(point, up);
+        largest = std::max(largest, std::abs(filter->GetDisplacedVolume() - exact) / bound);
+      }
+      // Wholly below, the volume does not depend on the translation.
+      CheckRange("depth " + std::to_string(depth) + " at " + std::to_string(distance) +
+          ", largest difference over bound",
+        depth > PlacedBox::Size[2] ? 0.0 : 0.005, static_cast<double>(largest), 1.0);
+    }
+  }
+}
 }
 
 int TestBuoyancyRuns(int argc, char* argv[])
@@ -305,6 +348,6 @@ int TestBuoyancyRuns(int argc, char* argv[])
   const Manifest manifest(argv[1]);
   RunMode(argv[2], manifest,
     { { "inside_out", CheckInsideOut }, { "touching", CheckTouching }, { "tables", CheckTables },
-      { "aborts", CheckAborts }, { "wide_ribbons", CheckWideRibbons } });
+      { "aborts", CheckAborts }, { "wide_ribbons", CheckWideRibbons }, { "placed", CheckPlaced } });
   return Finish();
 }

@@ -202,7 +202,10 @@ void CheckTori()
   }
   // The overlap is 0.2 high, less than the deviation of the coarse mesh.
   CheckWinding("two rings that overlap slightly, on a coarse mesh", MakeTori(10.0, 3.0, 6, { 0.0, 5.8 }), 0);
-  CheckWinding("on a fine mesh", MakeTori(10.0, 3.0, 200, { 0.0, 5.8 }), 2);
+  const sm::BodyIntegrals fine = MakeTori(10.0, 3.0, 200, { 0.0, 5.8 });
+  CheckWinding("on a fine mesh", fine, 2);
+  const sm::SelfCrossing stopped = sm::FindSelfCrossing({ &fine }, []() { return false; });
+  CheckTrue("stopped", stopped.Winding == 0 && !stopped.Unchecked.empty(), stopped.Unchecked);
 }
 
 void CheckThreads()
@@ -249,6 +252,15 @@ void CheckCache()
   bodies[0].Mesh = nullptr;
   check.Run(bodies);
   CheckEqual("the body before the edit is still known", 0, static_cast<long long>(bodies[0].Messages.size()));
+  // The first is checked, the second is not.
+  bodies = before;
+  sm::SelfCrossingCheck stopped;
+  stopped.Run(bodies, []() { return false; });
+  CheckEqual("before the run is stopped", sm::GetText(sm::Status::Suspect), sm::GetText(bodies[0].Status));
+  CheckEqual("after it: a note", 1, static_cast<long long>(bodies[1].Messages.size()));
+  bodies = before;
+  stopped.Run(bodies);
+  CheckEqual("checked in the next", 0, static_cast<long long>(bodies[1].Messages.size()));
   check.Clear();
   bodies = { before[1] };
   bodies[0].Mesh = nullptr;

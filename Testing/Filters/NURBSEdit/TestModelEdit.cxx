@@ -268,6 +268,74 @@ vtkSmartPointer<vtkNURBSDataSet> MakeLoose(double off)
   return leaf;
 }
 
+/// What the surfaces and edges of a face are off by grows with a map that lengthens.
+void CheckErrorsGrow()
+{
+  std::printf("--- residuals and roundings\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkTrimmedNURBSModel* model = leaf->GetModel();
+  const std::array<double, 3> rounding{ 1e-12, 2e-12, 4e-12 };
+  for (int f = 0; f < 6; ++f)
+  {
+    auto face = std::make_shared<sm::Face>(*model->GetFaces()[f]);
+    face->Surface.Rounding = rounding;
+    face->Surface.Residual = 1e-7;
+    model->SetFace(f, face);
+  }
+  const auto check = [](const std::string& what, const sm::ModelEdit& edit, int face,
+                       const std::array<double, 3>& wanted, double residual)
+  {
+    const sm::NURBSSurface& surface = edit.Model->GetFaces()[face]->Surface;
+    for (int c = 0; c < 3; ++c)
+    {
+      // Derivatives are differences over 1e-4 of the size.
+      Check(what + ", rounding", wanted[c], surface.Rounding[c], 1e-3 * wanted[c]);
+    }
+    Check(what + ", residual", residual, surface.Residual, 1e-3 * residual);
+  };
+  const sm::EditRule alone = sm::EditRule::OneFace;
+  const auto stretch = [](const LatticeBody::Point& p) {
+    return LatticeBody::Point{ 1000.0 * p[0], p[1], 0.5 * p[2] };
+  };
+  check("stretched", sm::MapControlPoints(model, {}, stretch, alone), 0, { 1e-9, 2e-12, 4e-12 }, 1e-4);
+  const auto shear = [](const LatticeBody::Point& p) {
+    return LatticeBody::Point{ p[0], p[1] + 3.0 * p[2], p[2] };
+  };
+  // The largest singular value of a shear by 3 is (3 + sqrt(13)) / 2.
+  check("sheared", sm::MapControlPoints(model, {}, shear, alone), 3, { 1e-12, 14e-12, 4e-12 },
+    0.5 * (3.0 + std::sqrt(13.0)) * 1e-7);
+  const auto move = [](const LatticeBody::Point& p) {
+    return LatticeBody::Point{ p[0] + 0.1, p[1] - 7.7, p[2] + 31.0 };
+  };
+  const sm::ModelEdit moved = sm::MapControlPoints(model, {}, move, alone);
+  CheckTrue("moved: not by a bit",
+    moved.Model->GetFaces()[2]->Surface.Rounding == rounding &&
+      moved.Model->GetFaces()[2]->Surface.Residual == 1e-7);
+  const sm::ModelEdit lid = sm::MapControlPoints(model, { 5 }, stretch, sm::EditRule::MoveSharedBoundary);
+  check("a neighbour that follows", lid, 0, { 1e-9 + 2e-12, 6e-12, 12e-12 }, 1e-7);
+  CheckTrue("the opposite face", lid.Model->GetFaces()[4] == model->GetFaces()[4]);
+  // An edge without rows is mapped with its residual.
+  const auto loose = MakeLoose(0.0);
+  const std::shared_ptr<const sm::Edge> exact = loose->GetModel()->GetFaces()[5]->Loops[0].Coedges[0].Use;
+  auto edge = std::make_shared<sm::Edge>(*exact);
+  edge->Curve.Residual = { 1e-9, 0.0, 1e-9 };
+  for (int f = 0; f < 6; ++f)
+  {
+    auto face = std::make_shared<sm::Face>(*loose->GetModel()->GetFaces()[f]);
+    for (sm::Coedge& coedge : face->Loops[0].Coedges)
+    {
+      coedge.Use = coedge.Use == exact ? edge : coedge.Use;
+    }
+    loose->GetModel()->SetFace(f, face);
+  }
+  const sm::ModelEdit mapped = sm::MapControlPoints(loose->GetModel(), {}, stretch, alone);
+  const std::array<double, 3>& residual =
+    mapped.Model->GetFaces()[5]->Loops[0].Coedges[0].Use->Curve.Residual;
+  Check("residual of an edge, x", 1e-6, residual[0], 1e-9);
+  Check("y", 0.0, residual[1], 0.0);
+}
+
 /// Vertices that moved without the row whose edge ends there stay where they are when the row moves elsewhere.
 void CheckVertices()
 {
@@ -483,6 +551,7 @@ int TestModelEdit(int, char*[])
   CheckMap();
   CheckSnap();
   CheckVertices();
+  CheckErrorsGrow();
   CheckLeftBehind();
   CheckGapSamples();
   CheckBrokenFaces();

@@ -15,7 +15,7 @@ using namespace smtest;
 
 constexpr int Degree = 2;
 constexpr int Points = Degree + 1;
-constexpr std::array<double, 3> Rounding{ 1e-6, 2e-6, 5e-7 };
+std::array<double, 3> Rounding{ 1e-6, 2e-6, 5e-7 };
 using Random = std::mt19937_64;
 
 /// Homogeneous control points of a block of degree 2 in all three directions; its faces are those of the lattice.
@@ -156,6 +156,9 @@ int TestReadingError(int, char*[])
   CheckBlocks(0.4, 4.0, true, 0.01);
   CheckBlocks(0.4, 1.0, false, 1e-3);
   CheckBlocks(0.4, 4.0, false, 1e-3);
+  // The squares count, too.
+  Rounding = { 10.0, 10.0, 10.0 };
+  CheckBlocks(0.0, 1.0, true, 1e-4);
   std::printf("--- nothing was rounded\n");
   const sm::ReadingError none;
   for (const sm::BoundClass& c : Classes)
