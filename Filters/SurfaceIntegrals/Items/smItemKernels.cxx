@@ -180,11 +180,11 @@ struct InputSizes
     }
   }
   // Where the arrays begin: ranges, patches, placements, coefficients, points.
-  static constexpr std::size_t Patch = 4;
-  static constexpr std::size_t Placement = Patch + 10;
-  static constexpr std::size_t Coefficients = Placement + 12;
-  std::size_t GetPoints() const { return Coefficients + this->Trim + this->Edge + this->Cap; }
-  std::size_t GetTotal() const { return this->GetPoints() + this->Points; }
+  static constexpr std::size_t PatchBegin = 4;
+  static constexpr std::size_t PlacementBegin = PatchBegin + 10;
+  static constexpr std::size_t CoefficientsBegin = PlacementBegin + 12;
+  std::size_t GetPointsBegin() const { return CoefficientsBegin + this->Trim + this->Edge + this->Cap; }
+  std::size_t GetTotal() const { return this->GetPointsBegin() + this->Points; }
 };
 
 const Patch* GetPatch(const KernelItem& item)
@@ -207,12 +207,12 @@ void WriteLane(const KernelData& data, const KernelItem& item, const InputSizes&
     writer.Write(patch->Width, 2, at);
     writer.Write(patch->Stretch, 2, at);
   }
-  at = InputSizes::Placement;
+  at = InputSizes::PlacementBegin;
   if (data.Setup->UsePlacements)
   {
     writer.Write(data.Parameters + data.PlacementOffset + 12 * work.Item[3], 12, at);
   }
-  at = InputSizes::Coefficients;
+  at = InputSizes::CoefficientsBegin;
   if (patch)
   {
     writer.Write(item.Face->Coefficients.data() + work.Item[1], sizes.Trim, at);
@@ -315,10 +315,10 @@ void EvaluateItems(const KernelData& data, const KernelItem* items, int count, i
   std::copy_n(first.Work.Detail, 4, batch.Detail);
   batch.Detail[1] = static_cast<std::uint32_t>(sizes.Trim);
   batch.Range = inputs;
-  batch.Patch = inputs + InputSizes::Patch * lanes;
-  batch.Placement = inputs + InputSizes::Placement * lanes;
-  batch.Coefficients = inputs + InputSizes::Coefficients * lanes;
-  batch.Points = inputs + sizes.GetPoints() * lanes;
+  batch.Patch = inputs + InputSizes::PatchBegin * lanes;
+  batch.Placement = inputs + InputSizes::PlacementBegin * lanes;
+  batch.Coefficients = inputs + InputSizes::CoefficientsBegin * lanes;
+  batch.Points = inputs + sizes.GetPointsBegin() * lanes;
   batch.Rules = data.Parameters;
   batch.UsePlacements = data.Setup->UsePlacements;
   batch.Perturbation = data.Setup->Perturbation;
