@@ -118,7 +118,8 @@ Json MakeEmptyFile(const std::string& fileName)
   file["diagonal"] = nullptr;
   file["evaluations"] = nullptr;
   file["dispatches"] = nullptr;
-  file["seconds"] = { { "start", nullptr }, { "read", nullptr }, { "prepare", nullptr },
+  file["seconds"] = { { "start", nullptr }, { "read", nullptr }, { "prepare", nullptr }, { "mesh", nullptr },
+    { "convert", nullptr }, { "cut", nullptr }, { "plan", nullptr }, { "upload", nullptr },
     { "integrate", nullptr } };
   return file;
 }

@@ -115,6 +115,8 @@ bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobLis
   file["seconds"]["read"] = reader->GetReadSeconds();
   // "prepare" begins when OpenCASCADE has the shape in memory, so it includes the display mesh.
   file["seconds"]["prepare"] = reader->GetMeshSeconds() + reader->GetConversionSeconds();
+  file["seconds"]["mesh"] = reader->GetMeshSeconds();
+  file["seconds"]["convert"] = reader->GetConversionSeconds();
   file["status"] = reader->GetStatusAsString();
   messages.AddReader(reader);
   if (reader->GetStatus() != vtkSTEPReader::OK && reader->GetStatus() != vtkSTEPReader::EMPTY)
@@ -215,6 +217,10 @@ void Integrate(vtkMassPropertiesBase* filter, const sm::JobOptions& options, con
   file["dispatches"] = filter->GetDispatches();
   file["seconds"]["start"] = filter->GetStartSeconds();
   file["seconds"]["prepare"] = file["seconds"]["prepare"].get<double>() + filter->GetPrepareSeconds();
+  file["seconds"]["cut"] = filter->GetCutSeconds();
+  file["seconds"]["plan"] = filter->GetPlanSeconds();
+  file["seconds"]["upload"] =
+    filter->GetPrepareSeconds() - filter->GetCutSeconds() - filter->GetPlanSeconds();
   file["seconds"]["integrate"] = filter->GetIntegrateSeconds();
 }
 

@@ -107,11 +107,21 @@ ParameterBox TrimSeries::GetBox(double xiStart, double xiEnd) const
   return box;
 }
 
+void TrimSeries::UpdateMajorants(const Ellipse& t, std::size_t count) const
+{
+  // An ellipse is asked for several times in a row.
+  if (this->Majorants.size() != count || this->MajorantsAxis != t.GetHalfAxis())
+  {
+    t.GetMajorants(static_cast<int>(count), this->Majorants);
+    this->MajorantsAxis = t.GetHalfAxis();
+  }
+}
+
 Ellipse TrimSeries::Map(
   const Ellipse& t, int direction, const ParameterBox& box, double xiStart, double xiEnd) const
 {
   const std::vector<double>& series = this->Series[direction];
-  t.GetMajorants(static_cast<int>(series.size()), this->Majorants);
+  this->UpdateMajorants(t, series.size());
   // z = c0 + c1 t + ..: c0 + c1 t is in an ellipse around [c0 - |c1|, c0 + |c1|] whose sum of distances to the ends is
   // 2 |c1| T_1; to -1 and 1 it is at most 2 (1 - |c1|) more, and what sticks out of [-1,1] counts twice.
   const double half = box.Half[direction];
@@ -136,7 +146,7 @@ Ellipse TrimSeries::Map(
 
 double TrimSeries::GetLargestS(const Ellipse& t) const
 {
-  t.GetMajorants(static_cast<int>(this->Series[0].size()), this->Majorants);
+  this->UpdateMajorants(t, this->Series[0].size());
   double sum = 0.0;
   for (std::size_t k = 0; k < this->Series[0].size(); ++k)
   {
@@ -147,7 +157,7 @@ double TrimSeries::GetLargestS(const Ellipse& t) const
 
 double TrimSeries::GetLargestSlope(const Ellipse& t) const
 {
-  t.GetMajorants(static_cast<int>(this->Derivative[1].size()), this->Majorants);
+  this->UpdateMajorants(t, this->Derivative[1].size());
   double sum = 0.0;
   for (std::size_t k = 0; k < this->Derivative[1].size(); ++k)
   {

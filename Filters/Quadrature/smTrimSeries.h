@@ -46,7 +46,9 @@ private:
   std::vector<double> Derivative[2];
   double Low[2] = { 0.0, 0.0 };
   double High[2] = { 0.0, 0.0 };
+  void UpdateMajorants(const Ellipse& t, std::size_t count) const;
   mutable std::vector<double> Majorants;
+  mutable double MajorantsAxis = 0.0;
 };
 }
 

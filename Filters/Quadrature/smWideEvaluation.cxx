@@ -38,26 +38,29 @@ void EvaluatePatch(const std::array<double, 4>* points, int p, int q, Wide s, Wi
   Wide lowerR[MaximumDegree + 1];
   EvaluateBasis(p, s, basisS, lowerS);
   EvaluateBasis(q, r, basisR, lowerR);
+  Wide slopeS[MaximumDegree + 1];
+  for (int i = 0; i <= p; ++i)
+  {
+    slopeS[i] = p * ((i > 0 ? lowerS[i - 1] : 0) - (i < p ? lowerS[i] : 0));
+  }
   std::fill(&h[0][0], &h[0][0] + 12, Wide(0));
   for (int j = 0; j <= q; ++j)
   {
-    Wide line[2][4] = {};
-    for (int i = 0; i <= p; ++i)
-    {
-      const Wide slope = p * ((i > 0 ? lowerS[i - 1] : 0) - (i < p ? lowerS[i] : 0));
-      const std::array<double, 4>& point = points[i + (p + 1) * j];
-      for (int c = 0; c < 4; ++c)
-      {
-        line[0][c] += basisS[i] * point[c];
-        line[1][c] += slope * point[c];
-      }
-    }
     const Wide slope = q * ((j > 0 ? lowerR[j - 1] : 0) - (j < q ? lowerR[j] : 0));
     for (int c = 0; c < 4; ++c)
     {
-      h[0][c] += basisR[j] * line[0][c];
-      h[1][c] += basisR[j] * line[1][c];
-      h[2][c] += slope * line[0][c];
+      // Sums in registers: storing a wide number costs more than adding one.
+      Wide value = 0;
+      Wide change = 0;
+      for (int i = 0; i <= p; ++i)
+      {
+        const double coordinate = points[i + (p + 1) * j][c];
+        value += basisS[i] * coordinate;
+        change += slopeS[i] * coordinate;
+      }
+      h[0][c] += basisR[j] * value;
+      h[1][c] += basisR[j] * change;
+      h[2][c] += slope * value;
     }
   }
 }

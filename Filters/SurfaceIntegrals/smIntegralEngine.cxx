@@ -133,6 +133,8 @@ void IntegralEngine::AddEffort(vtkTypeUInt64 dispatches)
   this->Report.Evaluations += this->Integrator.GetEvaluations();
   this->Report.StartSeconds += this->Integrator.GetStartSeconds();
   this->Report.PrepareSeconds += this->Integrator.GetPrepareSeconds();
+  this->Report.CutSeconds += this->Integrator.GetCutSeconds();
+  this->Report.PlanSeconds += this->Integrator.GetPlanSeconds();
   this->Report.IntegrateSeconds += this->Integrator.GetIntegrateSeconds();
 }
 

@@ -53,6 +53,8 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   int Ranks = 0;
   double StartSeconds = 0.0;
   double PrepareSeconds = 0.0;
+  double CutSeconds = 0.0;
+  double PlanSeconds = 0.0;
   double IntegrateSeconds = 0.0;
 
   /// Adds a message; the first one of a run becomes its Reason.

@@ -226,6 +226,7 @@ bool SurfaceIntegrator::Internals::RunBatches(const std::vector<FaceTask>& tasks
 
 bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
 {
+  const double start = Now();
   std::vector<FacePointer> faces;
   faces.reserve(tasks.size());
   for (const FaceTask& task : tasks)
@@ -252,6 +253,8 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
   {
     this->Faces.push_back(tasks[i].Cut ? tasks[i].Cut : *next++);
   }
+  const double planStart = Now();
+  this->CutSeconds += planStart - start;
   const auto planning = [this](double fraction)
   { return this->ReportProgress(CutShare + PlanShare * fraction); };
   const auto addUp = [this](std::int64_t& evaluations) { return this->AddUpPlans(evaluations); };
@@ -261,6 +264,7 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
   {
     return this->Fail("aborted");
   }
+  this->PlanSeconds += Now() - planStart;
   this->Loosened = this->Planned && this->Plans.WasLoosened();
   const auto acquiring = [this](double fraction)
   { return this->ReportProgress(CutShare + PlanShare + AcquireShare * fraction); };
@@ -281,6 +285,7 @@ void SurfaceIntegrator::Internals::Begin(const ProgressCallback& progress)
   this->ForcedLoosenings = -1;
   this->Evaluations = 0;
   this->StartSeconds = this->PrepareSeconds = this->IntegrateSeconds = 0.0;
+  this->CutSeconds = this->PlanSeconds = 0.0;
   this->ItemsDone = 0;
   this->Progress = progress;
   this->Ranks.clear();
@@ -459,6 +464,16 @@ double SurfaceIntegrator::GetStartSeconds() const
 double SurfaceIntegrator::GetPrepareSeconds() const
 {
   return this->Implementation->PrepareSeconds;
+}
+
+double SurfaceIntegrator::GetCutSeconds() const
+{
+  return this->Implementation->CutSeconds;
+}
+
+double SurfaceIntegrator::GetPlanSeconds() const
+{
+  return this->Implementation->PlanSeconds;
 }
 
 double SurfaceIntegrator::GetIntegrateSeconds() const

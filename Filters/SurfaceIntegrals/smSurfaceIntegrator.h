@@ -104,6 +104,9 @@ public:
   /// Seconds of the last Integrate() for the shaders including a first dispatch, for cutting and upload, and for the integration.
   double GetStartSeconds() const;
   double GetPrepareSeconds() const;
+  /// Parts of GetPrepareSeconds(): cutting, and choosing orders.
+  double GetCutSeconds() const;
+  double GetPlanSeconds() const;
   double GetIntegrateSeconds() const;
 
 private:

@@ -45,6 +45,8 @@ struct SurfaceIntegrator::Internals
   std::int64_t Evaluations = 0;
   double StartSeconds = 0.0;
   double PrepareSeconds = 0.0;
+  double CutSeconds = 0.0;
+  double PlanSeconds = 0.0;
   double IntegrateSeconds = 0.0;
 
   /// The calls of the current run on several ranks; not open for a single process.

@@ -212,6 +212,16 @@ double vtkSurfaceIntegralBase::GetPrepareSeconds() const
   return this->Engine->GetReport().PrepareSeconds;
 }
 
+double vtkSurfaceIntegralBase::GetCutSeconds() const
+{
+  return this->Engine->GetReport().CutSeconds;
+}
+
+double vtkSurfaceIntegralBase::GetPlanSeconds() const
+{
+  return this->Engine->GetReport().PlanSeconds;
+}
+
 double vtkSurfaceIntegralBase::GetIntegrateSeconds() const
 {
   return this->Engine->GetReport().IntegrateSeconds;

@@ -175,10 +175,13 @@ public:
   int GetNumberOfFaces() const;
   /** Number of processes that integrated faces; 0 if nothing was computed. */
   int GetNumberOfRanks() const;
-  /** Seconds of the last run: context and shaders; cutting into panels and upload; integration. */
+  /** Seconds of the last run: context and shaders; cutting into panels, planning and upload; integration. */
   double GetStartSeconds() const;
   double GetPrepareSeconds() const;
   double GetIntegrateSeconds() const;
+  /** Parts of GetPrepareSeconds(): cutting into panels; choosing the orders of the Gauss rules. The rest is mostly upload. */
+  double GetCutSeconds() const;
+  double GetPlanSeconds() const;
   ///@}
 
   /** For tests: a factor by which every shader (also on the CPU) multiplies its samples, which proves that results come from

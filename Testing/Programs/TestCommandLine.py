@@ -53,7 +53,11 @@ def run_json(*arguments):
         check_equal("keys of a file", [], sorted(FILE_KEYS - set(file)))
         check_equal("keys of the total", [], sorted(BODY_KEYS - set(file["total"])))
         check_equal("keys of the bounds", [], sorted(BOUND_KEYS - set(file["total"]["bounds"])))
-        check_equal("keys of the seconds", ["integrate", "prepare", "read", "start"], sorted(file["seconds"]))
+        seconds = file["seconds"]
+        parts = ["convert", "cut", "mesh", "plan", "upload"]
+        check_equal("keys of the seconds", sorted(parts + ["integrate", "prepare", "read", "start"]), sorted(seconds))
+        if None not in seconds.values():
+            check("parts of prepare", seconds["prepare"], sum(seconds[part] for part in parts), 1e-9, "the same numbers added up")
         for solid in file["solids"]:
             check_equal("keys of a solid", [], sorted((BODY_KEYS | {"name", "id", "worst_edges"}) - set(solid)))
     return result, document["files"]

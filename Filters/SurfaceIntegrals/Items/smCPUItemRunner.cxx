@@ -5,9 +5,11 @@
 #include "smParallelFor.h"
 #include "smRowSums.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <new>
+#include <utility>
 
 namespace sm
 {
@@ -40,10 +42,69 @@ struct CPUItemRunner::Internals
   std::vector<const FacePanels*> Slots;
   BatchParameters Batch;
   std::vector<double> Rows;
+
+  /// Evaluates items[active[i]] for i in [begin, end) and returns the number of evaluations.
+  std::int64_t RunPart(const KernelData& data, const std::vector<WorkItem>& items,
+    const std::vector<std::size_t>& active, std::size_t begin, std::size_t end, int lanes,
+    std::vector<std::uint8_t>& unconverged) const;
 };
+
+std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const std::vector<WorkItem>& items,
+  const std::vector<std::size_t>& active, std::size_t begin, std::size_t end, int lanes,
+  std::vector<std::uint8_t>& unconverged) const
+{
+  // Items of one shape, side by side.
+  std::vector<std::pair<std::uint64_t, std::size_t>> sorted;
+  sorted.reserve(end - begin);
+  const auto getItem = [&](std::size_t i) {
+    return KernelItem{ this->Slots[items[active[i]].GetSlot()], &items[active[i]] };
+  };
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    sorted.emplace_back(GetItemShape(getItem(i)), i);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::size_t> firsts;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+  {
+    if (firsts.empty() || sorted[i].first != sorted[firsts.back()].first ||
+      i - firsts.back() == static_cast<std::size_t>(lanes))
+    {
+      firsts.push_back(i);
+    }
+  }
+  firsts.push_back(sorted.size());
+  // An integer, so that the sum does not depend on the order.
+  std::atomic<std::int64_t> spent{ 0 };
+  ParallelFor(firsts.size() - 1, std::max<std::size_t>(ItemsPerTask / lanes, 1),
+    [&](std::size_t from, std::size_t to)
+    {
+      KernelScratch scratch(*data.Layout);
+      std::int64_t sum = 0;
+      for (std::size_t group = from; group < to; ++group)
+      {
+        KernelItem together[MostLanes];
+        KernelResult results[MostLanes];
+        const int count = static_cast<int>(firsts[group + 1] - firsts[group]);
+        for (int lane = 0; lane < count; ++lane)
+        {
+          together[lane] = getItem(sorted[firsts[group] + lane].second);
+        }
+        EvaluateItems(data, together, count, count == 1 ? 1 : lanes, scratch, results);
+        for (int lane = 0; lane < count; ++lane)
+        {
+          unconverged[sorted[firsts[group] + lane].second] = results[lane].Converged ? 0 : 1;
+          sum += results[lane].Evaluations;
+        }
+      }
+      spent += sum;
+    });
+  return spent;
+}
 
 CPUItemRunner::CPUItemRunner()
   : Implementation(new Internals)
+  , LaneCount(GetLaneCounts().back())
 {
 }
 
@@ -61,6 +122,13 @@ std::string CPUItemRunner::GetObstacle(const Integrand& integrand) const
                                                  : "the expression of " + integrand.Name +
       " is GLSL, which the CPU backend cannot run: it needs OpenGL 4.3 with doubles (Mesa's llvmpipe has "
       "them)";
+}
+
+void CPUItemRunner::SetLaneCount(int lanes)
+{
+  const std::vector<int>& possible = GetLaneCounts();
+  this->LaneCount =
+    std::find(possible.begin(), possible.end(), lanes) != possible.end() ? lanes : possible.back();
 }
 
 void CPUItemRunner::OnConfigure()
@@ -129,23 +197,7 @@ bool CPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<st
     {
       cost += items[active[end]].GetCost();
     }
-    // An integer, so that the sum does not depend on the order.
-    std::atomic<std::int64_t> spent{ 0 };
-    ParallelFor(end - begin, ItemsPerTask,
-      [&](std::size_t from, std::size_t to)
-      {
-        KernelScratch scratch(this->Layout);
-        std::int64_t count = 0;
-        for (std::size_t i = begin + from; i < begin + to; ++i)
-        {
-          const WorkItem& item = items[active[i]];
-          const KernelResult result = EvaluateItem(data, *self.Slots[item.GetSlot()], item, scratch);
-          unconverged[i] = result.Converged ? 0 : 1;
-          count += result.Evaluations;
-        }
-        spent += count;
-      });
-    evaluations += spent;
+    evaluations += self.RunPart(data, items, active, begin, end, this->LaneCount, unconverged);
     begin = end;
     if (shouldContinue && !shouldContinue())
     {

@@ -14,8 +14,8 @@
 namespace sm
 {
 /**
- * Evaluates items in parallel by vtkSMPTools, with the backend and the number of threads that the application chose; results are
- * bitwise the same for any of these. All faces are one group. User integrands are GLSL text, which needs OpenGL; for these
+ * Evaluates items in parallel by vtkSMPTools, with the backend and the number of threads that the application chose, and items of
+ * one shape side by side in the lanes of vector registers; results are bitwise the same for any of these. All faces are one group. User integrands are GLSL text, which needs OpenGL; for these
  * GetObstacle() returns a reason.
  */
 class SMFILTERSSURFACEINTEGRALS_EXPORT CPUItemRunner : public ItemRunner
@@ -26,6 +26,10 @@ public:
 
   /// Returns "CPU, N threads".
   static std::string GetDescription();
+
+  /// Sets how many items are evaluated side by side, one of GetLaneCounts(); default: as many as the processor can. Results are
+  /// bitwise the same for any number.
+  void SetLaneCount(int lanes);
 
   std::string GetObstacle(const Integrand& integrand) const override;
   bool Acquire(const std::vector<CutFacePointer>& faces, const ProgressCallback& progress) override;
@@ -47,6 +51,7 @@ protected:
 private:
   struct Internals;
   std::unique_ptr<Internals> Implementation;
+  int LaneCount;
 };
 }
 

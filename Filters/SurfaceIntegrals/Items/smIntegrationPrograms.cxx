@@ -10,6 +10,7 @@
 #include "smCapCS.h"
 #include "smElementary.h"
 #include "smExpressionCS.h"
+#include "smFinish.h"
 #include "smPanel.h"
 #include "smPanelCS.h"
 #include "smRibbon.h"
@@ -80,9 +81,9 @@ void AddChunks(ShaderSource& source)
     source.AddChunk(chunk, GetNURBSShaderChunk(chunk));
   }
   const std::pair<const char*, const char*> chunks[] = { { "smAccumulate", smAccumulate }, { "smCap", smCap },
-    { "smElementary", smElementary }, { "smPanel", smPanel }, { "smRibbon", smRibbon },
-    { "smSample", smSample }, { "smUserFunctions", smUserFunctions }, { "smWork", smWork },
-    { "smWorkRecord", smWorkRecord }, { "smWorkStorage", smWorkStorage } };
+    { "smElementary", smElementary }, { "smFinish", smFinish }, { "smPanel", smPanel },
+    { "smRibbon", smRibbon }, { "smSample", smSample }, { "smUserFunctions", smUserFunctions },
+    { "smWork", smWork }, { "smWorkRecord", smWorkRecord }, { "smWorkStorage", smWorkStorage } };
   for (const auto& [name, text] : chunks)
   {
     source.AddChunk(name, text);

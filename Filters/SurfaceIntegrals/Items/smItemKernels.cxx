@@ -1,11 +1,13 @@
 #include "smItemKernels.h"
 
+#include "smItemLanes.h"
 #include "smNURBSSurface.h"
 
 #include "smPortableCxx.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 
 namespace sm
 {
@@ -44,40 +46,24 @@ SampleFormulas::SampleFormulas(const std::vector<Integrand>& integrands, const R
 
 namespace
 {
-#define SM_INTEGRANDS this->smIntegrandsHere
-#define SM_ROUNDINGS this->smRoundingsHere
-#define SM_PLACEMENT this->smIsPlaced
+#define SM_INTEGRANDS static_cast<int>(this->smIntegrandCount)
+#define SM_ROUNDINGS static_cast<int>(this->smRoundingCount)
 #define SM_MIN_ERROR_SHARE 1e-3
-#define SM_PERTURBATION this->smPerturbation
-#define SM_SAMPLE_DETAIL 0
-#define SM_STRIP_POINTS this->smStripPoints
-#define SM_DEGREE_S (DegreeS > 0 ? DegreeS : static_cast<int>(patchRecord.shape.y))
-#define SM_DEGREE_R (DegreeR > 0 ? DegreeR : static_cast<int>(patchRecord.shape.z))
-#define SM_BASIS_SIZE BasisSize
-#define SM_ROW_SIZE RowSize
 
-/// The shader chunks and the functions they need, for patches of the given degrees (0: any).
-template <int DegreeS, int DegreeR>
-class Kernel
+/// The end of an item: its sums are compared with those of a lower order, and stored.
+class ItemEnd
 {
 public:
-  Kernel(const KernelData& data, const FacePanels& face, KernelScratch& scratch)
+  ItemEnd(const KernelData& data, KernelScratch& scratch)
     : Data(data)
-    , Face(face)
-    , smValues(scratch.GetValues())
-    , smResults(scratch.GetResults())
-    , smRoundings(scratch.GetRoundings())
-    , smNoises(scratch.GetNoises())
+    , smValues(scratch.Values.data())
+    , smResults(scratch.Results.data())
+    , smRoundings(scratch.Roundings.data())
+    , smNoises(scratch.Noises.data())
     , smRoundingOf(data.Layout->GetRoundingOf().data())
-    , smIntegrandsHere(data.Layout->GetNumberOfIntegrands())
-    , smRoundingsHere(data.Layout->GetNumberOfRoundings())
-    , smIsPlaced(data.Setup->UsePlacements)
-    , smPerturbation(data.Setup->Perturbation)
-    , smStripPoints(data.Setup->StripPoints)
-    , smIntegrandCount(smIntegrandsHere)
-    , smRoundingCount(smRoundingsHere)
+    , smIntegrandCount(data.Layout->GetNumberOfIntegrands())
+    , smRoundingCount(data.Layout->GetNumberOfRoundings())
     , smToleranceOffset(data.ToleranceOffset)
-    , smPlacementOffset(data.PlacementOffset)
     , smErrorColumn(data.Layout->GetError(0))
     , smRoundingColumn(data.Layout->GetFirstRounding())
     , smDifferenceColumn(data.Layout->GetDifference(0))
@@ -85,86 +71,35 @@ public:
   {
   }
 
-  KernelResult EvaluatePanel(const WorkRecord& record)
+  /// Stores the sums that are lane `lane` of `lanes`. Returns false if the differences are above the tolerances.
+  bool Store(const WorkItem& item, const ItemLanes& sums, int lane, int lanes)
   {
-    const smWorkRecord work = Convert(record);
-    smClear();
-    this->Result.Evaluations = smIntegratePanel(work);
-    smFinish(0u, work);
-    return this->Result;
-  }
-
-  KernelResult EvaluateRibbon(const WorkRecord& record)
-  {
-    const smWorkRecord work = Convert(record);
-    smClear();
-    dvec3 gaps;
-    this->Result.Evaluations = smIntegrateRibbon(work, gaps);
+    for (uint k = 0; k < smIntegrandCount; ++k)
+    {
+      smValues[k] = sums.Values[k * lanes + lane];
+    }
+    for (uint k = 0; k < smRoundingCount; ++k)
+    {
+      smRoundings[k] = sums.Roundings[k * lanes + lane];
+    }
+    const std::uint32_t* i = item.Work.Item;
+    const std::uint32_t* d = item.Work.Detail;
+    const double* r = item.Work.Range;
+    const smWorkRecord work = { uvec4(i[0], i[1], i[2], i[3]), uvec4(d[0], d[1], d[2], d[3]),
+      dvec4(r[0], r[1], r[2], r[3]) };
     const bool kept = smFinish(0u, work);
-    smStoreGaps(work, kept, gaps);
-    return this->Result;
-  }
-
-  KernelResult EvaluateCap(const WorkRecord& record)
-  {
-    const smWorkRecord work = Convert(record);
-    smClear();
-    smIntegrateCap(work);
-    smFinish(0u, work);
-    return this->Result;
+    if (item.Kind == ItemKind::Ribbon)
+    {
+      smStoreGaps(work, kept, dvec3(sums.Gaps[lane], sums.Gaps[lanes + lane], sums.Gaps[2 * lanes + lane]));
+    }
+    return this->Converged;
   }
 
 private:
-  static constexpr int RowSize = DegreeS > 0 ? DegreeS + 1 : MaximumDegree + 1;
-  static constexpr int BasisSize = DegreeS > 0 ? (DegreeS > DegreeR ? DegreeS : DegreeR) : MaximumDegree;
-
 // The types are included first.
-#include "glsl/smPatchRecord.glsl"
 #include "glsl/smWorkRecord.glsl"
 
-#include "glsl/smErrorFree.glsl"
-
-#include "glsl/smBernstein.glsl"
-#include "glsl/smCap.glsl"
-#include "glsl/smPanel.glsl"
-#include "glsl/smPatch.glsl"
-#include "glsl/smRibbon.glsl"
-#include "glsl/smWork.glsl"
-
-  static smWorkRecord Convert(const WorkRecord& record)
-  {
-    const std::uint32_t* i = record.Item;
-    const std::uint32_t* d = record.Detail;
-    const double* r = record.Range;
-    return { uvec4(i[0], i[1], i[2], i[3]), uvec4(d[0], d[1], d[2], d[3]), dvec4(r[0], r[1], r[2], r[3]) };
-  }
-
-  double smCoefficient(uint index) const
-  {
-    return this->Face.Coefficients[index];
-  }
-
-  dvec4 smControlPoint(uint index) const
-  {
-    const std::array<double, 4>& p = this->Face.Points[index];
-    return dvec4(p[0], p[1], p[2], p[3]);
-  }
-
-  smPatchRecord smGetPatch(uint index) const
-  {
-    const Patch& patch = this->Face.Patches[index];
-    return { dvec4(patch.Center[0], patch.Center[1], patch.Center[2], patch.Radius),
-      dvec4(patch.Start[0], patch.Start[1], patch.Width[0], patch.Width[1]),
-      uvec4(patch.FirstPoint, patch.Degree[0], patch.Degree[1], patch.Exchanged ? 1u : 0u),
-      dvec2(patch.Stretch[0], patch.Stretch[1]) };
-  }
-
-  double smCap(uint index) const
-  {
-    const Cap& cap = this->Face.Caps[index / 9u];
-    const std::array<double, 3>* points[3] = { &cap.Apex, &cap.From, &cap.To };
-    return (*points[index % 9u / 3u])[index % 3u];
-  }
+#include "glsl/smFinish.glsl"
 
   double smParameter(uint at) const
   {
@@ -180,115 +115,227 @@ private:
   }
   void smSetStatus(uint, bool converged)
   {
-    this->Result.Converged = converged;
-  }
-
-  void smAccumulateFace(double weight, double noise, const dvec3& position, const dvec3& normal)
-  {
-    this->Accumulate(weight, noise, position, normal, false);
-  }
-  void smAccumulateChain(double weight, double noise, const dvec3& position, const dvec3& normal)
-  {
-    this->Accumulate(weight, noise, position, normal, true);
-  }
-
-  /// Multiplies the factors from left to right, as in the shaders' generated text; a multiplication by 1 is exact.
-  void Accumulate(double weight, double noise, const dvec3& position, const dvec3& normal, bool chainOnly)
-  {
-    const SampleFormulas& formulas = *this->Data.Formulas;
-    const double bases[5] = { dot(position, normal), length(normal), normal.x, normal.y, normal.z };
-    const double coordinates[4] = { position.x, position.y, position.z, 1.0 };
-    double* value = this->smValues;
-    for (const SampleFormulas::Term& term : formulas.Terms)
-    {
-      if (!chainOnly || term.ClosedChain)
-      {
-        double product = term.Factor * bases[term.Base] * coordinates[term.First] * coordinates[term.Second];
-        for (int i = term.MoreBegin; i < term.MoreEnd; ++i)
-        {
-          product *= coordinates[formulas.More[i]];
-        }
-        *value += weight * product;
-      }
-      ++value;
-    }
-    const double size = length(position);
-    double* rounding = this->smRoundings;
-    for (const SampleFormulas::Magnitude& magnitude : formulas.Magnitudes)
-    {
-      double product = magnitude.Factor;
-      for (int i = 0; i < magnitude.Power; ++i)
-      {
-        product *= size;
-      }
-      *rounding++ += noise * product;
-    }
+    this->Converged = converged;
   }
 
   const KernelData& Data;
-  const FacePanels& Face;
-  KernelResult Result;
-
+  bool Converged = true;
   double* const smValues;
   double* const smResults;
   double* const smRoundings;
   double* const smNoises;
   const int* const smRoundingOf;
-  const int smIntegrandsHere;
-  const int smRoundingsHere;
-  const bool smIsPlaced;
-  const double smPerturbation;
-  const int smStripPoints;
   const uint smIntegrandCount;
   const uint smRoundingCount;
   const uint smToleranceOffset;
-  const uint smPlacementOffset;
   static constexpr uint smValueColumn = RowLayout::FirstValue;
   const uint smErrorColumn;
   const uint smRoundingColumn;
   const uint smDifferenceColumn;
   const uint smStride;
-  static constexpr int smGapSteps = FootPointSteps;
 };
 
-template <int DegreeS, int DegreeR>
-KernelResult EvaluatePanelOf(
-  const KernelData& data, const FacePanels& face, const WorkItem& item, KernelScratch& scratch)
+/// Writes arrays of one lane between those of the others.
+class LaneWriter
 {
-  return Kernel<DegreeS, DegreeR>(data, face, scratch).EvaluatePanel(item.Work);
+public:
+  LaneWriter(double* buffer, int lanes, int lane)
+    : Lane(buffer + lane)
+    , Lanes(lanes)
+  {
+  }
+  /// Writes entries from the entry `at` on, and moves `at` beyond them.
+  void Write(const double* from, std::size_t size, std::size_t& at)
+  {
+    double* to = this->Lane + at * this->Lanes;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      to[i * this->Lanes] = from[i];
+    }
+    at += size;
+  }
+
+private:
+  double* const Lane;
+  const std::size_t Lanes;
+};
+
+/// Sizes of the arrays that items read.
+struct InputSizes
+{
+  std::size_t Trim = 0, Edge = 0, Cap = 0, Points = 0;
+
+  InputSizes(const WorkItem& item, const Patch* patch)
+  {
+    const std::uint32_t* detail = item.Work.Detail;
+    if (patch)
+    {
+      this->Trim = 2 * ((detail[0] & 255u) + 1);
+      this->Edge = item.Kind == ItemKind::Ribbon ? 3 * (detail[2] + 1) : 0;
+      this->Points = 4 * static_cast<std::size_t>(patch->Degree[0] + 1) * (patch->Degree[1] + 1);
+    }
+    else
+    {
+      this->Cap = 9;
+    }
+  }
+  // Where the arrays begin: ranges, patches, placements, coefficients, points.
+  static constexpr std::size_t PatchBegin = 4;
+  static constexpr std::size_t PlacementBegin = PatchBegin + 10;
+  static constexpr std::size_t CoefficientsBegin = PlacementBegin + 12;
+  std::size_t GetPointsBegin() const { return CoefficientsBegin + this->Trim + this->Edge + this->Cap; }
+  std::size_t GetTotal() const { return this->GetPointsBegin() + this->Points; }
+};
+
+const Patch* GetPatch(const KernelItem& item)
+{
+  return item.Item->Kind == ItemKind::Cap ? nullptr : &item.Face->Patches[item.Item->Work.Item[0]];
 }
 
-KernelResult EvaluatePanel(
-  const KernelData& data, const FacePanels& face, const WorkItem& item, KernelScratch& scratch)
+/// Writes what an item reads, in the order of InputSizes.
+void WriteLane(const KernelData& data, const KernelItem& item, const InputSizes& sizes, LaneWriter writer)
 {
-  // The common degrees are compiled with constants.
-  switch (100 * item.Degree[0] + item.Degree[1])
+  const WorkRecord& work = item.Item->Work;
+  const Patch* patch = GetPatch(item);
+  std::size_t at = 0;
+  writer.Write(work.Range, 4, at);
+  if (patch)
   {
-    case 101:
-      return EvaluatePanelOf<1, 1>(data, face, item, scratch);
-    case 102:
-      return EvaluatePanelOf<1, 2>(data, face, item, scratch);
-    case 202:
-      return EvaluatePanelOf<2, 2>(data, face, item, scratch);
-    case 303:
-      return EvaluatePanelOf<3, 3>(data, face, item, scratch);
+    writer.Write(patch->Center, 3, at);
+    writer.Write(&patch->Radius, 1, at);
+    writer.Write(patch->Start, 2, at);
+    writer.Write(patch->Width, 2, at);
+    writer.Write(patch->Stretch, 2, at);
+  }
+  at = InputSizes::PlacementBegin;
+  if (data.Setup->UsePlacements)
+  {
+    writer.Write(data.Parameters + data.PlacementOffset + 12 * work.Item[3], 12, at);
+  }
+  at = InputSizes::CoefficientsBegin;
+  if (patch)
+  {
+    writer.Write(item.Face->Coefficients.data() + work.Item[1], sizes.Trim, at);
+    writer.Write(item.Face->Coefficients.data() + work.Detail[1], sizes.Edge, at);
+    writer.Write(item.Face->Points[patch->FirstPoint].data(), sizes.Points, at);
+    return;
+  }
+  const Cap& cap = item.Face->Caps[work.Item[1] / 9u];
+  for (const std::array<double, 3>* point : { &cap.Apex, &cap.From, &cap.To })
+  {
+    writer.Write(point->data(), 3, at);
+  }
+}
+
+/// Aligned as the widest registers, for lanes are written there.
+double* Align(double* address)
+{
+  constexpr std::uintptr_t alignment = sizeof(double) * MostLanes;
+  const std::uintptr_t misfit = reinterpret_cast<std::uintptr_t>(address) % alignment;
+  return misfit == 0 ? address : address + (alignment - misfit) / sizeof(double);
+}
+
+std::uint32_t Integrate(const ItemLanes& items, int lanes)
+{
+  switch (lanes)
+  {
+#ifdef SM_WIDE_LANES
+    case 8:
+      return IntegrateLanes8(items);
+    case 4:
+      return IntegrateLanes4(items);
+#endif
+    case 2:
+      return IntegrateLanes2(items);
     default:
-      return EvaluatePanelOf<0, 0>(data, face, item, scratch);
+      return IntegrateLanes1(items);
   }
 }
 }
 
-KernelResult EvaluateItem(
-  const KernelData& data, const FacePanels& face, const WorkItem& item, KernelScratch& scratch)
+const std::vector<int>& GetLaneCounts()
 {
-  switch (item.Kind)
+  static const std::vector<int> counts = []
   {
-    case ItemKind::Panel:
-      return EvaluatePanel(data, face, item, scratch);
-    case ItemKind::Ribbon:
-      return Kernel<0, 0>(data, face, scratch).EvaluateRibbon(item.Work);
-    default:
-      return Kernel<0, 0>(data, face, scratch).EvaluateCap(item.Work);
+    std::vector<int> found = { 1, 2 };
+#ifdef SM_WIDE_LANES
+    if (__builtin_cpu_supports("avx2"))
+    {
+      found.push_back(4);
+    }
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
+    {
+      found.push_back(8);
+    }
+#endif
+    return found;
+  }();
+  return counts;
+}
+
+std::uint64_t GetItemShape(const KernelItem& item)
+{
+  const std::uint32_t* detail = item.Item->Work.Detail;
+  const Patch* patch = GetPatch(item);
+  std::uint64_t shape = static_cast<std::uint64_t>(item.Item->Kind);
+  shape = shape << 5 | static_cast<std::uint64_t>(patch ? patch->Degree[0] : 0);
+  shape = shape << 5 | static_cast<std::uint64_t>(patch ? patch->Degree[1] : 0);
+  // Flags of the end of an item do not matter.
+  shape = shape << 32 | (detail[0] & ~((FlagFirst | FlagDiscard) << 24));
+  return shape << 8 | detail[2];
+}
+
+void EvaluateItems(const KernelData& data, const KernelItem* items, int count, int lanes,
+  KernelScratch& scratch, KernelResult* results)
+{
+  const WorkItem& first = *items[0].Item;
+  const Patch* patch = GetPatch(items[0]);
+  const InputSizes sizes(first, patch);
+  if (scratch.Inputs.size() < sizes.GetTotal() * lanes)
+  {
+    scratch.Inputs.resize(sizes.GetTotal() * lanes);
+  }
+  double* inputs = scratch.Inputs.data();
+  for (int lane = 0; lane < lanes; ++lane)
+  {
+    // The lanes beyond the last item repeat it.
+    WriteLane(data, items[std::min(lane, count - 1)], sizes, LaneWriter(inputs, lanes, lane));
+  }
+  const SampleFormulas& formulas = *data.Formulas;
+  const std::size_t terms = formulas.Terms.size();
+  const std::size_t magnitudes = formulas.Magnitudes.size();
+  scratch.Sums.resize((terms + magnitudes + 3) * lanes + MostLanes);
+  ItemLanes batch;
+  batch.Kind = first.Kind;
+  for (int d = 0; d < 2; ++d)
+  {
+    batch.Degree[d] = first.Degree[d];
+    batch.Shape[d] = patch ? patch->Degree[d] : 0;
+  }
+  std::copy_n(first.Work.Detail, 4, batch.Detail);
+  batch.Detail[1] = static_cast<std::uint32_t>(sizes.Trim);
+  batch.Range = inputs;
+  batch.Patch = inputs + InputSizes::PatchBegin * lanes;
+  batch.Placement = inputs + InputSizes::PlacementBegin * lanes;
+  batch.Coefficients = inputs + InputSizes::CoefficientsBegin * lanes;
+  batch.Points = inputs + sizes.GetPointsBegin() * lanes;
+  batch.Rules = data.Parameters;
+  batch.UsePlacements = data.Setup->UsePlacements;
+  batch.Perturbation = data.Setup->Perturbation;
+  batch.StripPoints = data.Setup->StripPoints;
+  batch.Terms = formulas.Terms.data();
+  batch.NumberOfTerms = static_cast<int>(terms);
+  batch.More = formulas.More.data();
+  batch.Magnitudes = formulas.Magnitudes.data();
+  batch.NumberOfMagnitudes = static_cast<int>(magnitudes);
+  batch.Values = Align(scratch.Sums.data());
+  batch.Roundings = batch.Values + terms * lanes;
+  batch.Gaps = batch.Roundings + magnitudes * lanes;
+  const std::uint32_t evaluations = Integrate(batch, lanes);
+  for (int lane = 0; lane < count; ++lane)
+  {
+    const bool converged = ItemEnd(data, scratch).Store(*items[lane].Item, batch, lane, lanes);
+    results[lane] = { converged, evaluations };
   }
 }
 }

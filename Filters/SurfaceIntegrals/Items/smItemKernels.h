@@ -1,6 +1,6 @@
 /**
  * @file smItemKernels.h
- * @brief The shader chunks of glsl/ compiled as C++: evaluates one item of integration
+ * @brief The shader chunks of glsl/ compiled as C++: evaluates items of integration
  */
 #ifndef smItemKernels_h
 #define smItemKernels_h
@@ -64,30 +64,41 @@ struct KernelResult
   std::uint32_t Evaluations = 0;
 };
 
-/// Buffer for the sums of one item; every thread has its own.
-class KernelScratch
+/// Buffers for the items that are evaluated together; every thread has its own.
+struct KernelScratch
 {
-public:
+  /// What items side by side read, and their sums.
+  std::vector<double> Inputs, Sums;
+  /// Sums of a single item.
+  std::vector<double> Values, Results, Roundings, Noises;
+
   explicit KernelScratch(const RowLayout& layout)
-    : Integrands(layout.GetNumberOfIntegrands())
+    : Values(layout.GetNumberOfIntegrands())
+    , Results(layout.GetNumberOfIntegrands())
     , Roundings(layout.GetNumberOfRoundings())
-    , Values(2 * (this->Integrands + this->Roundings))
+    , Noises(layout.GetNumberOfRoundings())
   {
   }
-  double* GetValues() { return this->Values.data(); }
-  double* GetResults() { return this->Values.data() + this->Integrands; }
-  double* GetRoundings() { return this->Values.data() + 2 * this->Integrands; }
-  double* GetNoises() { return this->Values.data() + 2 * this->Integrands + this->Roundings; }
-
-private:
-  int Integrands;
-  int Roundings;
-  std::vector<double> Values;
 };
 
-/// Evaluates an item by the mathematics of glsl/sm{Panel,Ribbon,Cap}CS.glsl and writes its row.
-SMFILTERSSURFACEINTEGRALS_EXPORT KernelResult EvaluateItem(
-  const KernelData& data, const FacePanels& face, const WorkItem& item, KernelScratch& scratch);
+/// An item and its face.
+struct KernelItem
+{
+  const FacePanels* Face;
+  const WorkItem* Item;
+};
+
+/// Largest number of items that are evaluated side by side.
+constexpr int MostLanes = 8;
+/// Returns the numbers of items, ascending from 1, that this processor can evaluate side by side.
+SMFILTERSSURFACEINTEGRALS_EXPORT const std::vector<int>& GetLaneCounts();
+/// Returns a number that is equal for items which may be evaluated side by side: those of equal kind, degrees, orders and signs.
+SMFILTERSSURFACEINTEGRALS_EXPORT std::uint64_t GetItemShape(const KernelItem& item);
+
+/// Evaluates `count` items of one shape, at most `lanes` of them, by the mathematics of glsl/sm{Panel,Ribbon,Cap}CS.glsl, and writes
+/// their rows. A row has the same bits for any number of lanes and in any company.
+SMFILTERSSURFACEINTEGRALS_EXPORT void EvaluateItems(const KernelData& data, const KernelItem* items,
+  int count, int lanes, KernelScratch& scratch, KernelResult* results);
 }
 
 #endif

@@ -15,8 +15,6 @@ constexpr std::uint32_t Doubling = 0x00800000u;
 // Flags of a work record, as in glsl/smWorkRecord.glsl.
 constexpr std::uint32_t Negative = 1;
 constexpr std::uint32_t Flip = 2;
-constexpr std::uint32_t First = 4;
-constexpr std::uint32_t Discard = 8;
 constexpr std::uint32_t AlongEdge = 16;
 }
 
@@ -119,9 +117,9 @@ Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item)
 
 void SetItemOrders(WorkItem& item, const Orders& orders, bool mayBisect)
 {
-  std::uint32_t flags = (item.Work.Detail[0] >> 24) & ~(First | Discard);
-  flags |= item.Level == 0 ? First : 0u;
-  flags |= orders.Last && !orders.Exact && mayBisect ? Discard : 0u;
+  std::uint32_t flags = (item.Work.Detail[0] >> 24) & ~(FlagFirst | FlagDiscard);
+  flags |= item.Level == 0 ? FlagFirst : 0u;
+  flags |= orders.Last && !orders.Exact && mayBisect ? FlagDiscard : 0u;
   item.Work.Detail[0] = (item.Work.Detail[0] & 255u) | static_cast<std::uint32_t>(orders.Along) << 8 |
     static_cast<std::uint32_t>(orders.Across) << 16 | flags << 24;
 }

@@ -25,6 +25,12 @@ struct WorkRecord
 };
 static_assert(sizeof(WorkRecord) == 64, "layout of smWorkRecord");
 
+///@{
+/// Flags of a record that concern the comparison with its row, as in glsl/smWorkRecord.glsl.
+constexpr std::uint32_t FlagFirst = 4;
+constexpr std::uint32_t FlagDiscard = 8;
+///@}
+
 /// A panel, ribbon or cap to evaluate.
 struct WorkItem
 {

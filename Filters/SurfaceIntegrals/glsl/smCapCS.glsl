@@ -17,6 +17,7 @@ double smCap(uint index)
 
 //SM::Include smWorkStorage
 //SM::Include smWork
+//SM::Include smFinish
 //SM::Include smAccumulate
 //SM::Include smCap
 

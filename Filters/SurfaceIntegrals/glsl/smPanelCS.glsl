@@ -8,6 +8,7 @@ layout(local_size_x = 32) in;
 //SM::Include smPatch
 //SM::Include smWorkStorage
 //SM::Include smWork
+//SM::Include smFinish
 //SM::Include smAccumulate
 //SM::Include smPanel
 

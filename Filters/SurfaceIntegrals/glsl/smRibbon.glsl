@@ -18,7 +18,7 @@ double smGap(uint edge, int degree, double x, dvec3 origin, dvec3 point)
     dvec3 gap = foot - point;
     best = i == 0 ? length(gap) : min(best, length(gap));
     double squared = dot(tangent, tangent);
-    x -= squared > 0.0LF ? dot(gap, tangent) / squared : 0.0LF;
+    x -= SM_SELECT(squared > 0.0LF, dot(gap, tangent) / squared, 0.0LF);
     // Slightly beyond the piece, its polynomial still approximates the curve.
     x = clamp(x, -0.25LF, 1.25LF);
   }
@@ -109,13 +109,4 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
   }
   gaps = dvec3(largestGap, squaredGap, gapArea);
   return uint(countT);
-}
-
-// Stores the gaps of an item in its row, or zeros if the item was discarded.
-void smStoreGaps(smWorkRecord work, bool kept, dvec3 gaps)
-{
-  uint row = work.item.z * smStride;
-  smSetRow(row, kept ? gaps.x : 0.0LF);
-  smSetRow(row + 1u, kept ? gaps.y : 0.0LF);
-  smSetRow(row + 2u, kept ? gaps.z : 0.0LF);
 }

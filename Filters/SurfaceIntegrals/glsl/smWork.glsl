@@ -1,17 +1,7 @@
-// Functions common to all items of integration: Gauss rules, placements, and the end of an item, where its sums are compared with
-// those of a lower order and stored in its row.
+// Functions common to all items of integration: Gauss rules and placements.
 //
-// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_ROUNDINGS, SM_PLACEMENT (true if faces are placed),
-// SM_MIN_ERROR_SHARE (smallest error as a share of the difference before the last one); arrays smValues, smResults of
-// SM_INTEGRANDS and smRoundings, smNoises of SM_ROUNDINGS doubles, smRoundingOf of SM_INTEGRANDS ints; columns of a row
-// smValueColumn, smErrorColumn, smRoundingColumn, smDifferenceColumn, smStride; smIntegrandCount, smRoundingCount (the same
-// numbers as variables); smToleranceOffset, smPlacementOffset; double smParameter(uint at), double smGetRow(uint at), void
-// smSetRow(uint at, double value), void smSetStatus(uint index, bool converged).
-
-// Unit roundoff u: half the spacing of doubles at 1.
-SM_CONSTANT double smUnitRoundoff = 1.1102230246251565e-16LF;
-
-SM_CONSTANT double smLargest = 1.7976931348623157e308LF;
+// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_ROUNDINGS, SM_PLACEMENT (true if faces are placed); arrays smValues of
+// SM_INTEGRANDS and smRoundings of SM_ROUNDINGS doubles; smPlacementOffset; double smParameter(uint at).
 
 // Returns node and weight of the rule of `count` points on [0,1].
 dvec2 smRule(int count, int index)
@@ -30,95 +20,6 @@ void smClear()
   {
     smRoundings[k] = 0.0LF;
   }
-}
-
-// Estimates the error of a value from the last two differences between orders, `difference` and, before it, `before` (negative:
-// none). If differences decrease fast, the last one is far above the error. If they hardly decrease (area near a vanishing
-// normal), the error is their geometric tail. A single small difference after a large one may be a coincidence, most likely at
-// kinks, which a user expression may have.
-double smEstimate(double difference, double before)
-{
-  if (before < 0.0LF)
-  {
-    return 10.0LF * difference;
-  }
-  double ratio = difference < before ? difference / before : 1.0LF;
-  return max(difference * max(1.0LF, 10.0LF * ratio), SM_MIN_ERROR_SHARE * before);
-}
-
-// Compares the sums with the values of a lower order in the row, and stores values, errors, roundings and differences. Returns
-// false if the item was discarded, to be bisected. The loops run to variables so that drivers do not unroll the memory accesses,
-// which would take llvmpipe a second longer to compile.
-bool smFinish(uint index, smWorkRecord work)
-{
-  for (int k = 0; k < SM_INTEGRANDS; ++k)
-  {
-    smResults[k] = smValues[k];
-  }
-  for (int k = 0; k < SM_ROUNDINGS; ++k)
-  {
-    smNoises[k] = smUnitRoundoff * smRoundings[k];
-  }
-  uint row = work.item.z * smStride;
-  uint tolerance = smToleranceOffset + work.item.w * uint(SM_INTEGRANDS);
-  uint flags = work.detail.x >> 24;
-  bool isFirst = (flags & smFlagFirst) != 0u;
-  bool converged = true;
-  double scale = double(uintBitsToFloat(work.detail.w));
-  // With two orders only, a single difference may be small by coincidence; the largest difference relative to its tolerance was
-  // never below the error of any integrand (Filters/Quadrature/Bounds.md). The part of differences that rounding causes is not an error of the
-  // order.
-  double largest = 0.0LF;
-  for (uint k = 0u; k < smIntegrandCount; ++k)
-  {
-    double share = scale * smParameter(tolerance + k);
-    double known = isFirst ? 0.0LF : smGetRow(row + smValueColumn + k);
-    if (!isFirst && share > 0.0LF && abs(smResults[k]) <= smLargest && abs(known) <= smLargest)
-    {
-      double difference = abs(smResults[k] - known);
-      largest = max(largest, (difference - 10.0LF * smNoises[smRoundingOf[k]]) / share);
-    }
-  }
-  for (uint k = 0u; k < smIntegrandCount; ++k)
-  {
-    // No order and no bisection improves a value that is NaN or infinite, so that it counts as converged, with that error. It remains
-    // whatever follows: a point that a higher order or a part of the item has no more is a point of the integrand.
-    double known = isFirst ? 0.0LF : smGetRow(row + smValueColumn + k);
-    double value = abs(known) <= smLargest ? smResults[k] : known;
-    bool isNumber = abs(value) <= smLargest;
-    double error = isNumber ? 0.0LF : abs(value);
-    double difference = -1.0LF;
-    if (!isFirst && isNumber)
-    {
-      difference = abs(smResults[k] - known);
-      double share = scale * smParameter(tolerance + k);
-      double before = smGetRow(row + smDifferenceColumn + k);
-      error = smEstimate(before < 0.0LF ? max(difference, largest * share) : difference, before);
-      // Differences of the size of rounding contain no further information.
-      converged = converged && !(error > share + 10.0LF * smNoises[smRoundingOf[k]]);
-    }
-    smSetRow(row + smValueColumn + k, value);
-    smSetRow(row + smErrorColumn + k, error);
-    smSetRow(row + smDifferenceColumn + k, difference);
-  }
-  for (uint k = 0u; k < smRoundingCount; ++k)
-  {
-    smSetRow(row + smRoundingColumn + k, smNoises[k]);
-  }
-  bool kept = converged || (flags & smFlagDiscard) == 0u;
-  if (!kept)
-  {
-    for (uint k = 0u; k < 3u * smIntegrandCount + smRoundingCount; ++k)
-    {
-      bool isNumber = abs(smGetRow(row + smValueColumn + k)) <= smLargest;
-      if (isNumber || k >= 2u * smIntegrandCount)
-      {
-        smSetRow(row + smValueColumn + k, 0.0LF);
-      }
-    }
-  }
-  smSetStatus(index, converged);
-  return kept;
 }
 
 // Applies the placement of the face, if faces are placed.

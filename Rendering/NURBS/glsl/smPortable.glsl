@@ -5,3 +5,5 @@
 #define SM_OUT_ARRAY(type, name, size) out type name[size]
 #define SM_ARRAY(type, name, size) type name[size]
 #define SM_CONSTANT const
+// Both are evaluated where several items are evaluated side by side.
+#define SM_SELECT(condition, yes, no) ((condition) ? (yes) : (no))

@@ -1,6 +1,7 @@
 // The CPU runner by itself: rows depend on nothing but their items, sums of any segments are right to rounding, and
 // neither order, portions nor threads change a bit.
 #include "Items/smCPUItemRunner.h"
+#include "Items/smItemKernels.h"
 #include "smIntegrand.h"
 #include "smTesting.h"
 #include "smUnitRoundoff.h"
@@ -124,6 +125,13 @@ void CheckRowsAndThreads(const std::vector<sm::CutFacePointer>& faces)
     const std::vector<double> rows = job.GetRows();
     first = first.empty() ? rows : first;
     CheckTrue("same bits for any number of threads", rows == first);
+
+    for (const int lanes : sm::GetLaneCounts())
+    {
+      Job narrow(faces);
+      narrow.Runner.SetLaneCount(lanes);
+      CheckTrue("same bits for any number of lanes", narrow.Run(narrow.All) && narrow.GetRows() == first);
+    }
 
     // Backwards, in two portions.
     Job portions(faces);

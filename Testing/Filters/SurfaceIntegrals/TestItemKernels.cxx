@@ -137,34 +137,60 @@ Real EvaluateIntegrand(const sm::Integrand& f, const Vector& x, const Vector& n)
   }
 }
 
-/// One item evaluated by the kernels, with whatever orders.
-struct Evaluation
+using Placement = std::array<double, 12>;
+
+/// Items of one shape evaluated side by side, each of a face of its own, with whatever orders.
+struct Batch
 {
   sm::ItemRunner::Setup Setup;
+  sm::RowLayout Layout;
+  std::vector<double> Rows;
+  std::vector<sm::KernelResult> Results;
+
+  Batch(const std::vector<sm::FacePanels>& faces, std::vector<sm::WorkItem> items, int along, int across,
+    int lanes, const std::vector<Placement>& placements = {})
+    : Results(items.size())
+  {
+    this->Setup.Integrands = MakeIntegrands();
+    this->Setup.StripPoints = 5;
+    this->Setup.UsePlacements = !placements.empty();
+    this->Layout = sm::RowLayout(this->Setup.Integrands);
+    this->Rows.assign(items.size() * this->Layout.GetStride(), 0.0);
+    std::vector<sm::ItemRunner::BatchFace> slots;
+    std::vector<sm::KernelItem> kernelItems;
+    for (std::size_t i = 0; i < items.size(); ++i)
+    {
+      slots.push_back({ i, std::vector<double>(this->Setup.Integrands.size(), 0.0),
+        placements.empty() ? Placement{} : placements[i] });
+      sm::SetItemOrders(items[i], { along, across, true, true }, false);
+      items[i].Work.Item[2] = items[i].Work.Item[3] = static_cast<std::uint32_t>(i);
+      kernelItems.push_back({ &faces[i], &items[i] });
+    }
+    const sm::BatchParameters parameters(slots, this->Setup.UsePlacements);
+    const sm::SampleFormulas formulas(this->Setup.Integrands, this->Layout);
+    const sm::KernelData data = { &this->Setup, &this->Layout, &formulas, parameters.Values.data(),
+      parameters.ToleranceOffset, parameters.PlacementOffset, this->Rows.data() };
+    sm::KernelScratch scratch(this->Layout);
+    sm::EvaluateItems(
+      data, kernelItems.data(), static_cast<int>(items.size()), lanes, scratch, this->Results.data());
+  }
+};
+
+/// One item by itself.
+struct Evaluation
+{
   sm::RowLayout Layout;
   std::vector<double> Row;
   sm::KernelResult Result;
 
-  Evaluation(const sm::FacePanels& face, sm::WorkItem item, int along, int across,
-    const std::array<double, 12>* placement = nullptr)
+  Evaluation(const sm::FacePanels& face, const sm::WorkItem& item, int along, int across,
+    const Placement* placement = nullptr)
   {
-    this->Setup.Integrands = MakeIntegrands();
-    this->Setup.StripPoints = 5;
-    this->Setup.UsePlacements = placement != nullptr;
-    this->Layout = sm::RowLayout(this->Setup.Integrands);
-    this->Row.assign(this->Layout.GetStride(), 0.0);
-    sm::ItemRunner::BatchFace batch{ 0, std::vector<double>(this->Setup.Integrands.size(), 0.0), {} };
-    if (placement)
-    {
-      batch.Placement = *placement;
-    }
-    const sm::BatchParameters parameters({ batch }, this->Setup.UsePlacements);
-    const sm::SampleFormulas formulas(this->Setup.Integrands, this->Layout);
-    const sm::KernelData data = { &this->Setup, &this->Layout, &formulas, parameters.Values.data(),
-      parameters.ToleranceOffset, parameters.PlacementOffset, this->Row.data() };
-    sm::KernelScratch scratch(this->Layout);
-    sm::SetItemOrders(item, { along, across, true, true }, false);
-    this->Result = sm::EvaluateItem(data, face, item, scratch);
+    const Batch batch({ face }, { item }, along, across, 1,
+      placement ? std::vector<Placement>{ *placement } : std::vector<Placement>{});
+    this->Layout = batch.Layout;
+    this->Row = batch.Rows;
+    this->Result = batch.Results[0];
   }
   double GetValue(int k) const { return this->Row[this->Layout.GetValue(k)]; }
   double GetRounding(int k) const { return this->Row[this->Layout.GetRounding(k)]; }
@@ -394,6 +420,58 @@ void CheckRandomItems()
   }
 }
 
+/// Lanes of every width that this processor has, full and with one item less, against each item by itself: same bits.
+void CheckLanes()
+{
+  std::mt19937 random(29);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const int degrees[][2] = { { 1, 1 }, { 1, 2 }, { 2, 2 }, { 3, 3 }, { 2, 5 }, { 12, 25 } };
+  CheckRange("items side by side", 2, sm::GetLaneCounts().back(), sm::MostLanes);
+  for (const int lanes : sm::GetLaneCounts())
+  {
+    for (const auto& degree : degrees)
+    {
+      for (int count = std::max(lanes - 1, 1); count <= lanes; ++count)
+      {
+        std::vector<sm::FacePanels> faces;
+        std::vector<sm::WorkItem> items[3];
+        std::vector<Placement> placements(count);
+        for (int i = 0; i < count; ++i)
+        {
+          faces.push_back(MakeRandomFace(degree[0], degree[1], random, i % 4, 10.0));
+          sm::Cap cap{ {}, {}, {}, true };
+          for (std::array<double, 3>* point : { &cap.Apex, &cap.From, &cap.To })
+          {
+            std::generate(point->begin(), point->end(), [&]() { return uniform(random); });
+          }
+          faces.back().Caps.push_back(cap);
+          const std::vector<sm::WorkItem> all = MakeItems(faces.back());
+          for (int kind = 0; kind < 3; ++kind)
+          {
+            items[kind].push_back(all[kind]);
+          }
+          std::generate(placements[i].begin(), placements[i].end(), [&]() { return uniform(random); });
+        }
+        for (int kind = 0; kind < 3; ++kind)
+        {
+          const Batch together(
+            faces, items[kind], 7, 4, lanes, kind == 1 ? placements : std::vector<Placement>{});
+          std::vector<double> rows;
+          for (int i = 0; i < count; ++i)
+          {
+            const Evaluation single(faces[i], items[kind][i], 7, 4, kind == 1 ? &placements[i] : nullptr);
+            rows.insert(rows.end(), single.Row.begin(), single.Row.end());
+          }
+          CheckTrue("same bits in " + std::to_string(lanes) + " lanes, kind " + std::to_string(kind) +
+              ", degrees " + std::to_string(degree[0]) + "," + std::to_string(degree[1]) + ", " +
+              std::to_string(count) + " items",
+            together.Rows == rows);
+        }
+      }
+    }
+  }
+}
+
 /// Rounding with heavy weights: at an end, in one column, falling off. Single items, for sums over many hide what one lacks.
 void CheckHeavyWeights()
 {
@@ -578,6 +656,7 @@ void CheckCapFormulas()
 int TestItemKernels(int, char*[])
 {
   CheckRandomItems();
+  CheckLanes();
   CheckHeavyWeights();
   CheckCylinder();
   CheckRibbonFormulas();

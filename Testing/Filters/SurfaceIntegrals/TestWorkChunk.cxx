@@ -1,4 +1,4 @@
-// The chunk that all items of integration share (smWork), compiled as C++: rules, the error made of differences of orders, and
+// The chunks that all items of integration share (smWork, smFinish), compiled as C++: rules, the error made of differences of orders, and
 // how an item ends: compared, stored, discarded.
 #include "smGaussLegendre.h"
 #include "smTesting.h"
@@ -29,6 +29,7 @@ class Chunk
 public:
 #include "glsl/smWorkRecord.glsl"
 
+#include "glsl/smFinish.glsl"
 #include "glsl/smWork.glsl"
 
   bool IsPlaced = true;

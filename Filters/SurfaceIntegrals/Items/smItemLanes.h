@@ -1,0 +1,58 @@
+/**
+ * @file smItemLanes.h
+ * @brief The samples of several items of one shape, evaluated side by side in the lanes of vector registers
+ */
+#ifndef smItemLanes_h
+#define smItemLanes_h
+
+#include "smItemKernels.h"
+
+namespace sm
+{
+/// Items of one shape: kind, degrees, orders and flags are equal. Lane l of the array entry i is at i * (number of lanes) + l.
+struct ItemLanes
+{
+  ItemKind Kind;
+  /// Degrees for which the code is compiled; those of the patch follow from Shape.
+  int Degree[2];
+  /// Degrees of the patch.
+  unsigned int Shape[2];
+  /// smWorkRecord::detail, with the first edge coefficient relative to Coefficients.
+  unsigned int Detail[4];
+  /// smWorkRecord::range.
+  const double* Range;
+  /// Centre, radius, start, width and stretch of the patch.
+  const double* Patch;
+  /// Four doubles per control point.
+  const double* Points;
+  /// Coefficients of trim curve and edge curve, or coordinates of the cap.
+  const double* Coefficients;
+  /// Twelve per item, used if UsePlacements is set.
+  const double* Placement;
+  /// The Gauss rules, the same for all lanes.
+  const double* Rules;
+  bool UsePlacements;
+  double Perturbation;
+  int StripPoints;
+  const SampleFormulas::Term* Terms;
+  int NumberOfTerms;
+  const int* More;
+  const SampleFormulas::Magnitude* Magnitudes;
+  int NumberOfMagnitudes;
+
+  // Results: a value per term, a rounding per magnitude (in units of u), three numbers about the gaps.
+  double* Values;
+  double* Roundings;
+  double* Gaps;
+};
+
+///@{
+/// Evaluates that many items. For 4 and 8 the processor must have AVX2 and AVX-512.
+unsigned int IntegrateLanes1(const ItemLanes& items);
+unsigned int IntegrateLanes2(const ItemLanes& items);
+unsigned int IntegrateLanes4(const ItemLanes& items);
+unsigned int IntegrateLanes8(const ItemLanes& items);
+///@}
+}
+
+#endif
