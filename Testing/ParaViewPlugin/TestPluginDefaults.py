@@ -14,8 +14,8 @@ from paraview import servermanager, simple  # noqa: E402
 # Group, proxy, label, Python module and class.
 PROXIES = (("sources", "STEPReader", "STEP Reader", "smReadersSTEP", "vtkSTEPReader"),
            ("writers", "STEPWriter", "STEP (exact NURBS solids)", "smReadersSTEP", "vtkSTEPWriter"),
-           ("filters", "MassPropertiesGPU", "Mass Properties (GPU)", "smFiltersMassProperties", "vtkMassPropertiesGPU"),
-           ("filters", "SurfaceIntegralGPU", "Surface Integral (GPU)", "smFiltersSurfaceIntegrals", "vtkSurfaceIntegralGPU"),
+           ("filters", "MassPropertiesGPU", "Mass Properties", "smFiltersMassProperties", "vtkMassPropertiesGPU"),
+           ("filters", "SurfaceIntegralGPU", "Surface Integral", "smFiltersSurfaceIntegrals", "vtkSurfaceIntegralGPU"),
            ("filters", "SchemeMassProperties", "Mass Properties by Paper Schemes", "smFiltersMomentSchemes", "vtkSchemeMassPropertiesGPU"),
            ("filters", "Buoyancy", "Buoyancy", "smFiltersBuoyancy", "vtkBuoyancy"),
            ("filters", "NURBSTransform", "NURBS Transform", "smFiltersNURBSEdit", "vtkNURBSTransform"),
