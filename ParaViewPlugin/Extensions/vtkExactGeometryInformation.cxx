@@ -56,16 +56,19 @@ void vtkExactGeometryInformation::CopyFromObject(vtkObject* object)
 {
   vtkDataObject* data = GetOutput(object, this->PortNumber);
   vtkTrimmedNURBSModel* model = GetModel(data);
+  bool isCommon = true;
   if (auto* tree = vtkCompositeDataSet::SafeDownCast(data))
   {
     const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal() && !model; iterator->GoToNextItem())
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
     {
-      model = GetModel(iterator->GetCurrentDataObject());
+      vtkTrimmedNURBSModel* next = GetModel(iterator->GetCurrentDataObject());
+      isCommon = isCommon && (!model || !next || next->GetLengthUnit() == model->GetLengthUnit());
+      model = model ? model : next;
     }
   }
   this->HasExactGeometry = model != nullptr;
-  this->LengthUnit = model ? model->GetLengthUnit() : std::string();
+  this->LengthUnit = model && isCommon ? model->GetLengthUnit() : std::string();
 }
 
 void vtkExactGeometryInformation::AddInformation(vtkPVInformation* other)

@@ -29,7 +29,7 @@ public:
   /** True after CopyFromObject() found exact geometry. */
   vtkGetMacro(HasExactGeometry, bool);
 
-  /** Unit of lengths of the first exact leaf; empty without exact geometry. */
+  /** Unit of lengths of all exact leaves; empty where they differ, and without exact geometry. */
   vtkGetMacro(LengthUnit, std::string);
 
   void CopyFromObject(vtkObject* object) override;

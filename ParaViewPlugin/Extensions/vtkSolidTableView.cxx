@@ -228,9 +228,13 @@ std::string vtkSolidTableView::GetColumnLabel(const char* columnName)
   const auto* units = this->Blocks.empty()
     ? nullptr
     : vtkStringArray::SafeDownCast(this->Blocks.begin()->second.Shown->GetColumnByName(names::LengthUnit));
-  const std::string unit = units && units->GetNumberOfValues() > 0
-    ? sm::GetColumnUnit(columnName, units->GetValue(0))
-    : std::string();
+  // Rows in several units have a header without one.
+  bool isCommon = units && units->GetNumberOfValues() > 0;
+  for (vtkIdType row = 1; isCommon && row < units->GetNumberOfValues(); ++row)
+  {
+    isCommon = units->GetValue(row) == units->GetValue(0);
+  }
+  const std::string unit = isCommon ? sm::GetColumnUnit(columnName, units->GetValue(0)) : std::string();
   return unit.empty() ? label : label + " (" + unit + ")";
 }
 

@@ -102,6 +102,10 @@ check("area of the largest face", max(column), areas[1], 1e-6 * areas[1], "(floa
 check_equal("indices of the faces, as in the meshes", list(range(6)), [faces.GetValueByName(i, "FaceIndex").ToInt() for i in range(6)])
 
 # --- several summaries
+if servermanager.ProxyManager().SMProxyManager.HasDefinition("filters", "SolidStability"):
+    standing = show_all(StaticStability(Input=red))  # noqa: F821
+    check_equal("the summary of Static Stability", "MassSummaryRepresentation", display(standing, 2).SMProxy.GetXMLName())
+    simple.Delete(standing)
 tilted = show_all(Buoyancy(Input=red, Point=[0.0, 0.0, 5.0]))  # noqa: F821
 for source in (mass, tilted):
     for port in (0, 5):
