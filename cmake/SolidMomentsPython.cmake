@@ -18,3 +18,13 @@ vtk_module_wrap_python(
   WRAPPED_MODULES     solidmoments_python_modules
   TARGET              SolidMoments::Python)
 set(CMAKE_INSTALL_RPATH "${solidmoments_install_rpath}")
+# mass_properties() and what goes with it, on those modules.
+set(solidmoments_python_folder "${CMAKE_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}/solidmoments")
+configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Python/solidmoments/_version.py.in" "${solidmoments_python_folder}/_version.py" @ONLY)
+foreach (file IN ITEMS __init__ _results _run)
+  configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Python/solidmoments/${file}.py" "${solidmoments_python_folder}/${file}.py" COPYONLY)
+  install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/Python/solidmoments/${file}.py"
+    DESTINATION "${SOLIDMOMENTS_PYTHON_DESTINATION}/solidmoments" COMPONENT python)
+endforeach ()
+install(FILES "${solidmoments_python_folder}/_version.py"
+  DESTINATION "${SOLIDMOMENTS_PYTHON_DESTINATION}/solidmoments" COMPONENT python)

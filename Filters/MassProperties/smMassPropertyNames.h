@@ -54,9 +54,10 @@ constexpr const char* ClosureCorrection =
 constexpr const char* ClosureResidual =
   "ClosureResidual"; // 1, relative change of V when the origin moves by cbrt(V)
 
-// Cell data (float) of the meshes on port 5 of vtkMassPropertiesGPU, in addition to Volume, the volume of the whole solid.
+// Cell data (float) of the meshes on port 5 of vtkMassPropertiesGPU, in addition to Volume and Mass, those of the whole solid.
 constexpr const char* FaceShare =
   "FaceShare"; // 1, part of the solid's volume: flux about the part's origin / Volume
+constexpr const char* FaceArea = "FaceArea";   // 1, L^2
 constexpr const char* FaceGap = "FaceGap";     // 1, L, widest gap between the face and its edges
 constexpr const char* FaceBound = "FaceBound"; // 1, L^3, bound of the face's part of the volume
 // Cell data of the glyph on port 0: its colour.

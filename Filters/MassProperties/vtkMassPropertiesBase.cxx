@@ -317,6 +317,11 @@ std::vector<sm::MeshArray> vtkMassPropertiesBase::GetMeshArrays(
       ? side * (result->Face[sm::MassVolume] + result->Closing[sm::MassVolume]) / rows[body].Properties.Volume
       : vtkMath::Nan();
   };
+  const auto getArea = [getFace](std::size_t body, std::size_t face)
+  {
+    const sm::FaceIntegrals* result = getFace(body, face);
+    return result ? result->Face[sm::MassArea] + result->Closing[sm::MassArea] : vtkMath::Nan();
+  };
   const auto getGap = [hasBounds, getFace](std::size_t body, std::size_t face)
   {
     const sm::FaceIntegrals* result = hasBounds ? getFace(body, face) : nullptr;
@@ -329,5 +334,7 @@ std::vector<sm::MeshArray> vtkMassPropertiesBase::GetMeshArrays(
   };
   return { { sm::names::Volume,
              [&rows](std::size_t body, std::size_t) { return rows[body].Properties.Volume; } },
-    { sm::names::FaceShare, getShare }, { sm::names::FaceGap, getGap }, { sm::names::FaceBound, getBound } };
+    { sm::names::Mass, [&rows](std::size_t body, std::size_t) { return rows[body].Mass; } },
+    { sm::names::FaceShare, getShare }, { sm::names::FaceArea, getArea }, { sm::names::FaceGap, getGap },
+    { sm::names::FaceBound, getBound } };
 }

@@ -13,8 +13,8 @@
  * | 1    | table    | a row per solid instance with the quantities below and their bounds                                 |
  * | 2    | table    | 1x1, column Text: a summary to show in a view; its field data has Status                            |
  * | 3    | table    | a row per face and instance: its area and its part of the volume (flux about the part's origin)     |
- * | 5    | partitioned dataset collection | meshes of the bodies; cell arrays (float): Volume (of the solid), FaceShare (part |
- * |      |          | of it due to the face), FaceGap and FaceBound                                                       |
+ * | 5    | partitioned dataset collection | meshes of the bodies; cell arrays (float): Volume, Mass (of the solid), FaceShare |
+ * |      |          | (part of the volume due to the face), FaceArea, FaceGap and FaceBound                               |
  *
  * The active cell scalars of the glyph are its colour, green, or red for a flagged result; vtkPolyDataMapper shows them directly.
  * If there is no glyph, port 0 has one point without a cell, in the middle of the solids' box.

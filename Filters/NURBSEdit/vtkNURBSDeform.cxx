@@ -6,6 +6,7 @@
 #include "smFormat.h"
 #include "smLeaves.h"
 #include "smModelEdit.h"
+#include "smTimeSteps.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkInformation.h"
@@ -35,6 +36,8 @@ constexpr double TornShare = 1e-3;
 struct vtkNURBSDeform::Run
 {
   vtkNURBSDeform* Self;
+  /// The share of the displacements at the time of this run.
+  double Share;
   /// Results of LATTICE by model: one that several leaves share is deformed once.
   std::map<vtkTrimmedNURBSModel*, sm::ModelEdit> Known;
   int Solids = 0;
@@ -64,7 +67,7 @@ sm::PointMap vtkNURBSDeform::Run::MakeDisplacement(vtkNURBSDataSet* leaf) const
     for (int r = 0; r < 3; ++r)
     {
       center[c] += placement[4 * r + c] * (this->Self->Center[r] - placement[4 * r + 3]);
-      displacement[c] += placement[4 * r + c] * this->Self->Displacement[r];
+      displacement[c] += placement[4 * r + c] * this->Share * this->Self->Displacement[r];
     }
     center[c] -= origin[c];
   }
@@ -90,7 +93,14 @@ sm::PointMap vtkNURBSDeform::Run::MakeLattice(vtkTrimmedNURBSModel* model) const
   std::copy_n(model->GetLocalBounds(), 6, box.begin());
   std::array<int, 3> size;
   std::copy_n(this->Self->LatticeSize, 3, size.begin());
-  const auto displacements = this->Self->LatticeDisplacements;
+  auto displacements = this->Self->LatticeDisplacements;
+  for (auto& [point, displacement] : displacements)
+  {
+    for (double& coordinate : displacement)
+    {
+      coordinate *= this->Share;
+    }
+  }
   return [box, size, displacements](const std::array<double, 3>& p)
   {
     std::vector<double> basis[3];
@@ -214,6 +224,7 @@ void vtkNURBSDeform::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Faces: " << this->Faces.size() << "\n"
      << indent << "Solid: " << this->Solid << "\n"
      << indent << "KeepClosed: " << this->KeepClosed << "\n"
+     << indent << "TimeSteps: " << this->TimeSteps << "\n"
      << indent << "LatticeSize: " << this->LatticeSize[0] << " " << this->LatticeSize[1] << " "
      << this->LatticeSize[2] << "\n"
      << indent << "LatticeDisplacements: " << this->LatticeDisplacements.size() << "\n"
@@ -316,6 +327,13 @@ int vtkNURBSDeform::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+int vtkNURBSDeform::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  sm::DeclareTimeSteps(this->TimeSteps, outputVector->GetInformationObject(0));
+  return 1;
+}
+
 int vtkNURBSDeform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -327,7 +345,8 @@ int vtkNURBSDeform::RequestData(
   try
   {
     done = this->DeformInput(vtkDataObject::GetData(inputVector[0], 0),
-      info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()), output);
+      info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()),
+      sm::TakeTimeShare(this->TimeSteps, info), output);
   }
   catch (...)
   {
@@ -342,18 +361,18 @@ int vtkNURBSDeform::RequestData(
   return done || info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;
 }
 
-bool vtkNURBSDeform::DeformInput(vtkDataObject* input, int piece, vtkDataObject* output)
+bool vtkNURBSDeform::DeformInput(vtkDataObject* input, int piece, double share, vtkDataObject* output)
 {
-  Run run{ this, {}, 0, 0, 0, 0, {} };
+  Run run{ this, share, {}, 0, 0, 0, 0, {} };
   const auto change = [&run](vtkPointSet* source, vtkPointSet* copy)
   {
     auto* from = vtkNURBSDataSet::SafeDownCast(source);
     auto* to = vtkNURBSDataSet::SafeDownCast(copy);
     return !from || !to || !from->GetModel() || run.Change(from, to);
   };
-  const auto report = [this](double share)
+  const auto report = [this](double part)
   {
-    this->UpdateProgress(share);
+    this->UpdateProgress(part);
     return !this->GetAbortExecute();
   };
   bool done = sm::CopyLeaves(input, output, change, report);

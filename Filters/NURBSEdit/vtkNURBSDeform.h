@@ -142,11 +142,22 @@ public:
   vtkGetMacro(NumberOfChangedFaces, int);
   ///@}
 
+  ///@{
+  /**
+   * Number of time steps of the output, at the times 0 to 1 at equal distances; at time t the displacement, or
+   * those of the lattice, are multiplied by t.
+   * Clamped to 0 .. 100000. Below 2 (default: 0): no times, and the whole edit.
+   */
+  vtkSetClampMacro(TimeSteps, int, 0, 100000);
+  vtkGetMacro(TimeSteps, int);
+  ///@}
+
 protected:
   vtkNURBSDeform();
   ~vtkNURBSDeform() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -155,7 +166,7 @@ private:
 
   struct Run;
   // RequestData() without the handling of exceptions; false when the output must be empty.
-  bool DeformInput(vtkDataObject* input, int piece, vtkDataObject* output);
+  bool DeformInput(vtkDataObject* input, int piece, double share, vtkDataObject* output);
 
   int Mode = DISPLACE;
   double Displacement[3] = { 0.0, 0.0, 0.0 };
@@ -164,6 +175,7 @@ private:
   std::vector<int> Faces;
   int Solid = -1;
   bool KeepClosed = true;
+  int TimeSteps = 0;
   int LatticeSize[3] = { 2, 2, 2 };
   std::map<std::array<int, 3>, std::array<double, 3>> LatticeDisplacements;
   vtkSmartPointer<vtkNURBSPointEvaluator> PointEvaluator;

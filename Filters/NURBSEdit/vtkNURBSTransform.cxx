@@ -4,6 +4,7 @@
 #include "smFailureReason.h"
 #include "smFormat.h"
 #include "smLeaves.h"
+#include "smTimeSteps.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -119,6 +120,7 @@ void vtkNURBSTransform::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Rotation: " << this->Rotation[0] << " " << this->Rotation[1] << " " << this->Rotation[2]
      << "\n"
      << indent << "Mirror: " << this->Mirror << "\n"
+     << indent << "TimeSteps: " << this->TimeSteps << "\n"
      << indent << "Transform: " << this->Transform.Get() << "\n";
 }
 
@@ -144,6 +146,11 @@ vtkMTimeType vtkNURBSTransform::GetMTime()
 
 void vtkNURBSTransform::GetMatrix(vtkMatrix4x4* matrix)
 {
+  this->MakeMatrix(1.0, matrix);
+}
+
+void vtkNURBSTransform::MakeMatrix(double share, vtkMatrix4x4* matrix)
+{
   if (this->Transform)
   {
     this->Transform->Update();
@@ -151,10 +158,11 @@ void vtkNURBSTransform::GetMatrix(vtkMatrix4x4* matrix)
     return;
   }
   vtkNew<vtkTransform> transform;
-  transform->Translate(this->Translation);
-  transform->RotateZ(this->Rotation[2]);
-  transform->RotateX(this->Rotation[0]);
-  transform->RotateY(this->Rotation[1]);
+  transform->Translate(
+    share * this->Translation[0], share * this->Translation[1], share * this->Translation[2]);
+  transform->RotateZ(share * this->Rotation[2]);
+  transform->RotateX(share * this->Rotation[0]);
+  transform->RotateY(share * this->Rotation[1]);
   transform->Scale(
     this->Mirror == X ? -1.0 : 1.0, this->Mirror == Y ? -1.0 : 1.0, this->Mirror == Z ? -1.0 : 1.0);
   matrix->DeepCopy(transform->GetMatrix());
@@ -168,13 +176,23 @@ int vtkNURBSTransform::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+int vtkNURBSTransform::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  sm::DeclareTimeSteps(this->TimeSteps, outputVector->GetInformationObject(0));
+  return 1;
+}
+
 int vtkNURBSTransform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   try
   {
-    return this->MoveInput(vtkDataObject::GetData(inputVector[0], 0), output) ? 1 : 0;
+    return this->MoveInput(vtkDataObject::GetData(inputVector[0], 0),
+             sm::TakeTimeShare(this->TimeSteps, outputVector->GetInformationObject(0)), output)
+      ? 1
+      : 0;
   }
   catch (...)
   {
@@ -187,10 +205,10 @@ int vtkNURBSTransform::RequestData(
   return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1 ? 1 : 0;
 }
 
-bool vtkNURBSTransform::MoveInput(vtkDataObject* input, vtkDataObject* output)
+bool vtkNURBSTransform::MoveInput(vtkDataObject* input, double share, vtkDataObject* output)
 {
   vtkNew<vtkMatrix4x4> matrix;
-  this->GetMatrix(matrix);
+  this->MakeMatrix(share, matrix);
   const double* m = matrix->GetData();
   const double deviation = GetDeviation(m);
   if (!(deviation <= 1e-12))
@@ -224,9 +242,9 @@ bool vtkNURBSTransform::MoveInput(vtkDataObject* input, vtkDataObject* output)
     }
     return true;
   };
-  const auto report = [this](double share)
+  const auto report = [this](double part)
   {
-    this->UpdateProgress(share);
+    this->UpdateProgress(part);
     return !this->GetAbortExecute();
   };
   const bool done = sm::CopyLeaves(input, output, move, report);

@@ -64,7 +64,17 @@ public:
   vtkLinearTransform* GetTransform();
   ///@}
 
-  /** The matrix that the next run applies. */
+  ///@{
+  /**
+   * Number of time steps of the output, at the times 0 to 1 at equal distances; at time t Translation and Rotation are multiplied by t.
+   * Mirror is always whole, and so is the transform of SetTransform().
+   * Clamped to 0 .. 100000. Below 2 (default: 0): no times, and the whole edit.
+   */
+  vtkSetClampMacro(TimeSteps, int, 0, 100000);
+  vtkGetMacro(TimeSteps, int);
+  ///@}
+
+  /** The matrix that the next run applies, at time 1. */
   void GetMatrix(vtkMatrix4x4* matrix);
 
   vtkMTimeType GetMTime() override;
@@ -74,6 +84,7 @@ protected:
   ~vtkNURBSTransform() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -81,11 +92,13 @@ private:
   void operator=(const vtkNURBSTransform&) = delete;
 
   // RequestData() without the handling of exceptions.
-  bool MoveInput(vtkDataObject* input, vtkDataObject* output);
+  bool MoveInput(vtkDataObject* input, double share, vtkDataObject* output);
+  void MakeMatrix(double share, vtkMatrix4x4* matrix);
 
   double Translation[3] = { 0.0, 0.0, 0.0 };
   double Rotation[3] = { 0.0, 0.0, 0.0 };
   int Mirror = NONE;
+  int TimeSteps = 0;
   vtkSmartPointer<vtkLinearTransform> Transform;
 };
 

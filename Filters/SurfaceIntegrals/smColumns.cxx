@@ -7,6 +7,7 @@
 #include "vtkIntArray.h"
 #include "vtkLongLongArray.h"
 #include "vtkMath.h"
+#include "vtkNURBSDataSet.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -102,9 +103,11 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
   vtkTable* faces, const std::vector<int>& wanted)
 {
   vtkNew<vtkIntArray> solid;
+  vtkNew<vtkIntArray> index;
   vtkNew<vtkIntArray> id;
   vtkNew<vtkIntArray> estimated;
   solid->SetName(names::Solid);
+  index->SetName(vtkNURBSDataSet::FaceIndexArrayName());
   id->SetName(names::FaceId);
   estimated->SetName(names::BoundsEstimated);
   std::vector<Column> values;
@@ -119,6 +122,7 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
     for (std::size_t i = 0; i < sources.size(); ++i)
     {
       solid->InsertNextValue(static_cast<int>(row));
+      index->InsertNextValue(static_cast<int>(i));
       id->InsertNextValue(sources[i]->FileId);
       const FaceIntegrals* result = bodies[row].Faces ? &(*bodies[row].Faces)[i] : nullptr;
       const bool known = result && result->Error.empty();
@@ -136,6 +140,7 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
     }
   }
   faces->AddColumn(solid);
+  faces->AddColumn(index);
   faces->AddColumn(id);
   for (const Column& column : values)
   {

@@ -17,10 +17,10 @@ vtkStandardNewMacro(vtkExactGeometryInformation);
 
 namespace
 {
-bool IsExact(vtkDataObject* data)
+vtkTrimmedNURBSModel* GetModel(vtkDataObject* data)
 {
   auto* leaf = vtkNURBSDataSet::SafeDownCast(data);
-  return leaf && leaf->GetModel();
+  return leaf ? leaf->GetModel() : nullptr;
 }
 
 vtkDataObject* GetOutput(vtkObject* object, int port)
@@ -48,43 +48,50 @@ void vtkExactGeometryInformation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PortNumber: " << this->PortNumber << "\n"
-     << indent << "HasExactGeometry: " << this->HasExactGeometry << "\n";
+     << indent << "HasExactGeometry: " << this->HasExactGeometry << "\n"
+     << indent << "LengthUnit: " << this->LengthUnit << "\n";
 }
 
 void vtkExactGeometryInformation::CopyFromObject(vtkObject* object)
 {
   vtkDataObject* data = GetOutput(object, this->PortNumber);
-  this->HasExactGeometry = IsExact(data);
-  auto* tree = vtkCompositeDataSet::SafeDownCast(data);
-  if (!tree)
+  vtkTrimmedNURBSModel* model = GetModel(data);
+  bool isCommon = true;
+  if (auto* tree = vtkCompositeDataSet::SafeDownCast(data))
   {
-    return;
+    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      vtkTrimmedNURBSModel* next = GetModel(iterator->GetCurrentDataObject());
+      isCommon = isCommon && (!model || !next || next->GetLengthUnit() == model->GetLengthUnit());
+      model = model ? model : next;
+    }
   }
-  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal() && !this->HasExactGeometry;
-       iterator->GoToNextItem())
-  {
-    this->HasExactGeometry = IsExact(iterator->GetCurrentDataObject());
-  }
+  this->HasExactGeometry = model != nullptr;
+  this->LengthUnit = model && isCommon ? model->GetLengthUnit() : std::string();
 }
 
 void vtkExactGeometryInformation::AddInformation(vtkPVInformation* other)
 {
   auto* same = vtkExactGeometryInformation::SafeDownCast(other);
   this->HasExactGeometry = this->HasExactGeometry || (same && same->HasExactGeometry);
+  if (same && this->LengthUnit.empty())
+  {
+    this->LengthUnit = same->LengthUnit;
+  }
 }
 
 void vtkExactGeometryInformation::CopyToStream(vtkClientServerStream* stream)
 {
   stream->Reset();
   *stream << vtkClientServerStream::Reply << static_cast<int>(this->HasExactGeometry)
-          << vtkClientServerStream::End;
+          << this->LengthUnit.c_str() << vtkClientServerStream::End;
 }
 
 void vtkExactGeometryInformation::CopyFromStream(const vtkClientServerStream* stream)
 {
   int found = 0;
-  if (!stream->GetArgument(0, 0, &found))
+  if (!stream->GetArgument(0, 0, &found) || !stream->GetArgument(0, 1, &this->LengthUnit))
   {
     vtkErrorMacro("The server sent no information about exact geometry.");
   }

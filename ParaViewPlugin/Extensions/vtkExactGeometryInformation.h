@@ -1,6 +1,6 @@
 /**
  * @class   vtkExactGeometryInformation
- * @brief   tells a client whether an algorithm's output on the server holds exact NURBS geometry
+ * @brief   tells a client whether an algorithm's output on the server holds exact NURBS geometry, and its length unit
  *
  * ParaView's own data information knows classes of VTK only. This class examines the data object: true when it, or a leaf of it, is a
  * vtkNURBSDataSet with a model, on any rank of a parallel server. Runs no pipeline.
@@ -10,6 +10,8 @@
 
 #include "smParaViewExtensionsModule.h" // for the export macro
 #include "vtkPVInformation.h"
+
+#include <string> // for the unit
 
 class SMPARAVIEWEXTENSIONS_EXPORT vtkExactGeometryInformation : public vtkPVInformation
 {
@@ -26,6 +28,9 @@ public:
 
   /** True after CopyFromObject() found exact geometry. */
   vtkGetMacro(HasExactGeometry, bool);
+
+  /** Unit of lengths of all exact leaves; empty where they differ, and without exact geometry. */
+  vtkGetMacro(LengthUnit, std::string);
 
   void CopyFromObject(vtkObject* object) override;
   void AddInformation(vtkPVInformation* other) override;
@@ -44,6 +49,7 @@ private:
 
   int PortNumber = 0;
   bool HasExactGeometry = false;
+  std::string LengthUnit;
 };
 
 #endif

@@ -17,6 +17,9 @@
 #include "vtkTextRepresentation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
 
 vtkStandardNewMacro(vtkMassSummaryRepresentation);
 
@@ -54,6 +57,25 @@ int vtkMassSummaryRepresentation::RequestData(
   return done;
 }
 
+int vtkMassSummaryRepresentation::CountLinesAbove(double lineHeight) const
+{
+  double height = 0.0;
+  vtkView* view = this->GetView();
+  for (int i = 0; view && i < view->GetNumberOfRepresentations(); ++i)
+  {
+    auto* other = vtkMassSummaryRepresentation::SafeDownCast(view->GetRepresentation(i));
+    if (other == this)
+    {
+      return static_cast<int>(std::ceil(height / lineHeight));
+    }
+    if (other && other->GetVisibility() && other->Lines > 0)
+    {
+      height += (other->Lines + 1) * other->LineHeight; // and an empty line
+    }
+  }
+  return 0;
+}
+
 int vtkMassSummaryRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
@@ -78,6 +100,20 @@ int vtkMassSummaryRepresentation::ProcessViewRequest(
     }
     const bool flagged = data && IsFlagged(data->GetFieldData());
     text->SetColor(flagged ? this->FlaggedColor : this->OrdinaryColor);
+    // Several summaries in the corner stand below each other.
+    const std::string written = widget->GetText() ? widget->GetText() : "";
+    this->LineHeight = text->GetFontSize();
+    this->Lines = 0;
+    if (widget->GetWindowLocation() == vtkTextRepresentation::UpperLeftCorner && this->LineHeight > 0.0)
+    {
+      this->Lines = static_cast<int>(std::count(written.begin(), written.end(), '\n')) +
+        (written.empty() || written.back() == '\n' ? 0 : 1);
+      const int above = this->CountLinesAbove(this->LineHeight);
+      if (above > 0 && !written.empty())
+      {
+        widget->SetText((std::string(static_cast<std::size_t>(above), '\n') + written).c_str());
+      }
+    }
     // ParaView has no property for the line spacing, and VTK's default makes lines touch.
     text->SetLineSpacing(1.3);
     for (int i = 0; i < 3; ++i)

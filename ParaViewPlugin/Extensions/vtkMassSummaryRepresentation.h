@@ -35,6 +35,9 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
+  /** Number of lines, of this text's height, that summaries before this one take in the same corner of the view. */
+  int CountLinesAbove(double lineHeight) const;
+
   vtkMassSummaryRepresentation(const vtkMassSummaryRepresentation&) = delete;
   void operator=(const vtkMassSummaryRepresentation&) = delete;
 
@@ -43,6 +46,9 @@ private:
   double OrdinaryColor[3] = { 1.0, 1.0, 1.0 };
   /// The flagged colour that the text has now; negative when it has the ordinary one.
   double DrawnColor[3] = { -1.0, -1.0, -1.0 };
+  /// Lines of the text, without those that CountLinesAbove() adds; 0 where it is not in the upper left corner.
+  int Lines = 0;
+  double LineHeight = 0.0;
 };
 
 #endif

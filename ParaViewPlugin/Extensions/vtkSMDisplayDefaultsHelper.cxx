@@ -1,12 +1,14 @@
 #include "vtkSMDisplayDefaultsHelper.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMIntVectorProperty.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
 
 #include <charconv>
 #include <cstdlib>
@@ -23,6 +25,16 @@ vtkSMDisplayDefaultsHelper::~vtkSMDisplayDefaultsHelper() = default;
 void vtkSMDisplayDefaultsHelper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+}
+
+namespace
+{
+bool HasArray(vtkSMProxy* representation, const char* array, int association)
+{
+  vtkSMPropertyHelper input(representation, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  return source && source->GetDataInformation(input.GetOutputPort())->GetArrayInformation(array, association);
+}
 }
 
 void vtkSMDisplayDefaultsHelper::PostInitializeProxy(
@@ -54,7 +66,8 @@ void vtkSMDisplayDefaultsHelper::PostInitializeProxy(
     if (isArray)
     {
       // Association and name.
-      const bool isNone = values.size() < 2;
+      const bool isNone =
+        values.size() < 2 || !HasArray(proxy, values[1].c_str(), std::atoi(values[0].c_str()));
       helper.SetInputArrayToProcess(
         isNone ? 0 : std::atoi(values[0].c_str()), isNone ? "" : values[1].c_str());
       values.clear();

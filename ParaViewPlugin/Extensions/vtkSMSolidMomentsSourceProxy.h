@@ -9,7 +9,7 @@
  * <HighlightRows table="1" meshes="5"/>
  * @endcode
  * - the key Esc in ParaView's window, which stops a run in this process (smEscapeKey.h); ParaView 5.11 never enables its own button
- *   beside the progress bar. During such a run the status bar shows "Mass Properties (GPU), Esc stops it". A run on a server cannot
+ *   beside the progress bar. During such a run the status bar shows "Mass Properties, Esc stops it". A run on a server cannot
  *   be stopped by the client: limit it by the property MaximumSeconds.
  */
 #ifndef vtkSMSolidMomentsSourceProxy_h

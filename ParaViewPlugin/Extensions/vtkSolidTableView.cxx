@@ -1,5 +1,6 @@
 #include "vtkSolidTableView.h"
 
+#include "smColumnUnits.h"
 #include "smMassPropertyNames.h"
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
 #include "smBuoyancyNames.h"
@@ -11,6 +12,7 @@
 #include "vtkAbstractArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkNURBSDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
@@ -34,8 +36,8 @@ namespace names = sm::names;
 constexpr const char* RowNumber = "vtkOriginalIndices";
 
 /// Columns before the integrals that the user named: identity and status of the row, then the main results.
-constexpr const char* Leading[] = { RowNumber, names::Solid, names::FaceId, names::EdgeId, names::Name,
-  names::Id, names::Status,
+const char* const Leading[] = { RowNumber, names::Solid, vtkNURBSDataSet::FaceIndexArrayName(), names::FaceId,
+  names::EdgeId, names::Name, names::Id, names::Status,
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
   names::Stability, names::Support, names::DecidedBy, names::SideFrom, names::SideTo, names::StabilityMargin,
   names::TipAngle, names::CenterOfMassRise, names::TipEnergy,
@@ -211,6 +213,29 @@ const char* vtkSolidTableView::GetColumnName(vtkIdType index)
     this->SortedColumns.size() == static_cast<std::size_t>(this->GetNumberOfColumns()) &&
     this->SortedColumns[place] == sorted;
   return arranged ? this->ShownColumns[place].c_str() : sorted;
+}
+
+std::string vtkSolidTableView::GetColumnLabel(const char* columnName)
+{
+  const std::string label = this->Superclass::GetColumnLabel(columnName);
+  const bool isShown = columnName &&
+    this->ShownColumns.size() == static_cast<std::size_t>(this->GetNumberOfColumns()) &&
+    std::find(this->ShownColumns.begin(), this->ShownColumns.end(), columnName) != this->ShownColumns.end();
+  if (!isShown)
+  {
+    return label;
+  }
+  const auto* units = this->Blocks.empty()
+    ? nullptr
+    : vtkStringArray::SafeDownCast(this->Blocks.begin()->second.Shown->GetColumnByName(names::LengthUnit));
+  // Rows in several units have a header without one.
+  bool isCommon = units && units->GetNumberOfValues() > 0;
+  for (vtkIdType row = 1; isCommon && row < units->GetNumberOfValues(); ++row)
+  {
+    isCommon = units->GetValue(row) == units->GetValue(0);
+  }
+  const std::string unit = isCommon ? sm::GetColumnUnit(columnName, units->GetValue(0)) : std::string();
+  return unit.empty() ? label : label + " (" + unit + ")";
 }
 
 bool vtkSolidTableView::IsColumnInternal(vtkIdType index)

@@ -30,6 +30,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetColumnName(vtkIdType index) override;
+  using Superclass::GetColumnLabel;
+  /** The name with its unit, "Volume (mm^3)", in a table of this project with a column LengthUnit. */
+  std::string GetColumnLabel(const char* columnName) override;
   using Superclass::IsColumnInternal;
   bool IsColumnInternal(vtkIdType index) override;
   bool IsColumnInternal(const char* columnName) override;

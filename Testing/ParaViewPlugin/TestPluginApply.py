@@ -65,7 +65,7 @@ def is_magenta(red, green, blue):
 part = manifest.solid("slanted_hole", "moved")
 reader = simple.OpenDataFile(part["path"])
 simple.Show(reader, view)
-mass = MassPropertiesGPU(Input=reader)  # noqa: F821
+mass = MassProperties(Input=reader)  # noqa: F821
 check_equal("ports", names, [mass.SMProxy.GetOutputPortName(port) for port in range(mass.SMProxy.GetNumberOfOutputPorts())])
 everything = ["MassMarkerRepresentation", None, "MassSummaryRepresentation", None, None, "MassBodiesRepresentation"]
 apply(mass, everything)
@@ -117,7 +117,7 @@ simple.Delete(reader)
 assembly = manifest.special("assembly")
 reader = simple.OpenDataFile(assembly["path"])
 simple.Show(reader, view)
-many = MassPropertiesGPU(Input=reader, Density=2700.0)  # noqa: F821
+many = MassProperties(Input=reader, Density=2700.0)  # noqa: F821
 apply(many, everything)
 check_equal("nothing is selected", 0, count_pixels(is_magenta))
 total = servermanager.OutputPort(many, 5).GetDataInformation().GetNumberOfCells()

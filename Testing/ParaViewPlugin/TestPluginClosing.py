@@ -46,7 +46,7 @@ class Scene:
             self.mass = simple.Shrink(Input=self.reader)
         else:
             self.reader = simple.OpenDataFile(path)
-            self.mass = MassPropertiesGPU(Input=self.reader)  # noqa: F821
+            self.mass = MassProperties(Input=self.reader)  # noqa: F821
         controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
         for view in self.views:
             simple.Show(self.reader, view)

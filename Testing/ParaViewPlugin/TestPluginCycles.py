@@ -37,7 +37,7 @@ def open_and_apply():
         mass = simple.Shrink(Input=reader)
     else:
         reader = simple.OpenDataFile(path)
-        mass = MassPropertiesGPU(Input=reader)  # noqa: F821
+        mass = MassProperties(Input=reader)  # noqa: F821
     simple.Show(reader, view)
     for port in range(mass.SMProxy.GetNumberOfOutputPorts()):
         controller.ShowInPreferredView(mass.SMProxy, port, view.SMProxy)

@@ -50,7 +50,7 @@ pair = manifest.special("two_solids")
 ball = 4.0 / 3.0 * math.pi * 10.0 ** 3
 reader = simple.OpenDataFile(pair["path"])
 reader.UpdatePipeline()
-mass = MassPropertiesGPU(Input=reader)  # noqa: F821
+mass = MassProperties(Input=reader)  # noqa: F821
 mass.UpdatePipeline()
 check("all solids by default", pair["volume"], total(mass, "Volume"), 1e-9 * pair["volume"])
 check_equal("the trees to choose from", ["Hierarchy", "Assembly"], list(mass.GetProperty("Assembly").GetAvailable()))
@@ -86,7 +86,7 @@ check("none again", pair["volume"] * 2e-6, total(mass, "Mass"), 1e-12 * pair["vo
 # Integrals.
 sphere = manifest.solid("sphere")
 source = simple.OpenDataFile(sphere["path"])
-integral = SurfaceIntegralGPU(Input=source)  # noqa: F821
+integral = SurfaceIntegral(Input=source)  # noqa: F821
 radius = (sphere["volume"] * 0.75 / math.pi) ** (1.0 / 3.0)
 integral.Integrands = "willmore = meanCurvature * meanCurvature * dA\nflux = position.x ; 0 ; 0"
 integral.MomentDegree = 2
@@ -106,7 +106,7 @@ integral.MomentDegree = -1
 check_true("integrals that were removed have no array", math.isnan(total(integral, "willmore")) and math.isnan(total(integral, "moment_0_0_0")))
 check_true("a cell array to colour by", servermanager.OutputPort(integral, 5).CellData["BendingEnergy"] is not None)
 
-plain_volume = total(MassPropertiesGPU(Input=source), "Volume")  # noqa: F821
+plain_volume = total(MassProperties(Input=source), "Volume")  # noqa: F821
 
 # Below a waterline through the centre of the sphere: half of it, whose centre is 3/8 of the radius below.
 center = sphere["center_of_mass"]
@@ -132,7 +132,7 @@ for name in ("Clip", "Cut", "Threshold", "PolyDataNormals", "CleanPolyData", "Ex
     beside.Input = source
     beside.UpdatePipeline()
     check_true(f"after {name} the reader has exact solids", is_accepted("MassPropertiesGPU", source))
-    check_equal(f"and the same volume after {name}", total(MassPropertiesGPU(Input=source), "Volume"), plain_volume)  # noqa: F821
+    check_equal(f"and the same volume after {name}", total(MassProperties(Input=source), "Volume"), plain_volume)  # noqa: F821
 
 # The paper's scheme has no bounds and is not exact, but near with many sub-patches.
 if has("SchemeMassProperties"):
@@ -150,7 +150,7 @@ edited = []
 if has("NURBSTransform"):
     moved = NURBSTransform(Input=source, Translation=[1.0, 2.0, 3.0], Rotation=[10.0, 20.0, 30.0])  # noqa: F821
     deformed = NURBSDeform(Input=moved, Displacement=[radius, 0.0, 0.0], Radius=0.0)  # noqa: F821
-    weighed = MassPropertiesGPU(Input=deformed)  # noqa: F821
+    weighed = MassProperties(Input=deformed)  # noqa: F821
     check("moved and displaced: the volume stays", sphere["volume"], total(weighed, "Volume"), 1e-9 * sphere["volume"])
     check_equal("a centre that a script gives is kept", [0.0, 0.0, 0.0], list(NURBSDeform(  # noqa: F821
         Input=moved, Center=[0.0, 0.0, 0.0]).Center))
@@ -177,6 +177,6 @@ for name in filters:
                                                 ("its table", mass, 1, False), ("ParaView's Transform", plain, 0, False),
                                                 ("a wavelet", wavelet, 0, False), ("a mesh", tessellated, 0, False)]:
         check_equal(f"{name} takes {what}", expected, is_accepted(name, each, port))
-check("the extracted block: volume", volumes[0], total(MassPropertiesGPU(Input=extracted), "Volume"),  # noqa: F821
+check("the extracted block: volume", volumes[0], total(MassProperties(Input=extracted), "Volume"),  # noqa: F821
       1e-12 * pair["volume"])
 finish()

@@ -9,7 +9,7 @@ from paraview import servermanager, simple  # noqa: E402
 
 plugin, path, volume = sys.argv[1:4]
 simple.LoadPlugin(plugin, ns=globals())
-mass = MassPropertiesGPU(Input=simple.OpenDataFile(path))  # noqa: F821
+mass = MassProperties(Input=simple.OpenDataFile(path))  # noqa: F821
 fields = servermanager.Fetch(mass, idx=0).GetFieldData()
 check("volume", float(volume), fields.GetArray("Volume").GetValue(0), 1e-9 * float(volume))
 finish()

@@ -25,7 +25,7 @@ def text(data, name):
 part = manifest.solid("slanted_hole", "moved")
 reader = simple.OpenDataFile(part["path"])
 check_equal("OpenDataFile chooses our reader", "STEPReader", reader.GetXMLName())
-mass = MassPropertiesGPU(Input=reader)  # noqa: F821
+mass = MassProperties(Input=reader)  # noqa: F821
 view = simple.CreateRenderView()
 simple.Show(reader, view)
 display = simple.Show(servermanager.OutputPort(mass, 0), view)
@@ -78,7 +78,7 @@ check("volume of the sphere", sphere["volume"], numbers(glyph, "Volume")[0], 1e-
 
 # An assembly of 500 instances passes ParaView's composite copies, bounds and geometry filter.
 assembly = manifest.special("assembly")
-many = MassPropertiesGPU(Input=simple.OpenDataFile(assembly["path"]))  # noqa: F821
+many = MassProperties(Input=simple.OpenDataFile(assembly["path"]))  # noqa: F821
 glyph = servermanager.Fetch(many, idx=0)
 check("volume of the assembly", assembly["volume"], numbers(glyph, "Volume")[0], 1e-9 * assembly["volume"])
 check_equal("rows of the assembly", 500, servermanager.Fetch(many, idx=1).GetNumberOfRows())

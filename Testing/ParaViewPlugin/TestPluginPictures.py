@@ -36,7 +36,7 @@ def draw(name):
 def apply(path, **properties):
     """Opens a file and shows the outputs as the GUI's Apply does."""
     reader = simple.OpenDataFile(path)
-    mass = MassPropertiesGPU(Input=reader, **properties)  # noqa: F821
+    mass = MassProperties(Input=reader, **properties)  # noqa: F821
     controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
     for port in range(mass.SMProxy.GetNumberOfOutputPorts()):
         controller.ShowInPreferredView(mass.SMProxy, port, view.SMProxy)

@@ -28,7 +28,7 @@ manifest = Manifest(solids)
 
 
 def weigh(source):
-    mass = MassPropertiesGPU(Input=source)  # noqa: F821
+    mass = MassProperties(Input=source)  # noqa: F821
     fields = servermanager.Fetch(mass, idx=0).GetFieldData()
     return fields.GetArray("Volume").GetValue(0), fields.GetArray("SurfaceArea").GetValue(0), \
         fields.GetAbstractArray("Status").GetValue(0)

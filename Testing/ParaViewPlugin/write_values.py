@@ -31,7 +31,7 @@ def write_fields(fields):
 
 values = {}
 for file in sys.argv[4:]:
-    mass = MassPropertiesGPU(Input=simple.OpenDataFile(file))  # noqa: F821
+    mass = MassProperties(Input=simple.OpenDataFile(file))  # noqa: F821
     glyph = servermanager.Fetch(mass, idx=0)
     found = {"totals": write_fields(glyph.GetFieldData()), "points": glyph.GetNumberOfPoints()}
     for index, name in ((1, "solids"), (2, "text"), (3, "faces"), (4, "edges")):

@@ -30,6 +30,9 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
   solidmoments_add_test(NAME PythonModules LABELS package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/TestModules.py"
       "${SOLIDMOMENTS_TEST_SOLIDS}" ${python_modules})
+  solidmoments_add_test(NAME PythonPackage LABELS value error package NODISPLAY ENVIRONMENT "${python_path}"
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestPythonPackage.py" "$<TARGET_FILE:solidmoments>"
+      "${SOLIDMOMENTS_TEST_SOLIDS}" "${SOLIDMOMENTS_SAMPLE_PART}" "${PROJECT_VERSION}")
   # pvpython has ParaView's VTK: modules that were built with another do not load there.
   if (SOLIDMOMENTS_PVPYTHON AND SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
     solidmoments_add_test(NAME PythonModulesPvpython LABELS package NODISPLAY ENVIRONMENT "${python_path}"

@@ -22,6 +22,8 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
     COMMAND ${small_example} half-ball "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/build_by_hand.py")
   solidmoments_add_test(NAME PythonExamples_volume LABELS value error gpu package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND ${small_example} volume "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/volume.py")
+  solidmoments_add_test(NAME PythonExamples_one_call LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
+    COMMAND ${small_example} one-call "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/one_call.py")
   solidmoments_add_test(NAME CertifiedSet_vtk LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND ${certified_test} --other "${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/Examples/Certified/vtk_mass_properties.py" other)
   # pvpython has ParaView's VTK.

@@ -61,6 +61,9 @@ if (PYTHON)
   run_step("installed Python modules" "${CMAKE_COMMAND}" -E env
     "PYTHONPATH=${PREFIX}/${PYTHON_DESTINATION}:${VTK_PYTHON_PATH}"
     "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/TestModules.py" "${SOLIDS}" ${MODULES})
+  run_step("installed mass_properties()" "${CMAKE_COMMAND}" -E env
+    "PYTHONPATH=${PREFIX}/${PYTHON_DESTINATION}:${VTK_PYTHON_PATH}"
+    "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/../../Examples/Python/one_call.py" "${PART}")
 endif ()
 if (PVPYTHON)
   file(GLOB_RECURSE plugin "${PREFIX}/lib*/SolidMoments.so")

@@ -1,8 +1,9 @@
-"""TestSmallExamples.py [--solids FOLDER] half-ball|volume COMMAND...: the short examples as a user runs them.
+"""TestSmallExamples.py [--solids FOLDER] half-ball|volume|one-call COMMAND...: the short examples as a user runs them.
 
 half-ball: BuildByHand or build_by_hand.py. What it prints is compared here with the closed forms of half a ball; bounds must hold and must
 be small; a wrong argument ends with a sentence and exit status 1.
 volume: volume.py on a box of the generated solids, and on a file that does not exist.
+one-call: one_call.py on that box, with its mass.
 """
 import argparse
 import math
@@ -64,10 +65,21 @@ def volume():
     check_equal("no file: exit status", 3, run(box["path"] + ".missing").returncode)
 
 
+def one_call():
+    box = Manifest(options.solids).solid("box")
+    result = run(box["path"])
+    check_equal("exit status", 0, result.returncode)
+    found = re.match(rf"volume {NUMBER} \+/- {NUMBER} mm\^3 ok\nmass {NUMBER} \+/- {NUMBER} kg\n.* mm\n$", result.stdout)
+    if check_true("volume, mass and a solid", found, result.stdout + result.stderr):
+        volume, bound, mass, mass_bound = map(float, found.groups())
+        check("volume", box["volume"], volume, bound, "(its bound)")
+        check("mass in kg", 7850e-9 * box["volume"], mass, mass_bound, "(its bound)")
+
+
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=("half-ball", "volume"))
+parser.add_argument("mode", choices=("half-ball", "volume", "one-call"))
 parser.add_argument("--solids")
 parser.add_argument("command", nargs=argparse.REMAINDER)
 options = parser.parse_args()
-{"half-ball": half_ball, "volume": volume}[options.mode]()
+{"half-ball": half_ball, "volume": volume, "one-call": one_call}[options.mode]()
 finish()

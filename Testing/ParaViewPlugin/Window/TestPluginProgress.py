@@ -117,13 +117,13 @@ if not server:
 
     def make_mass(**options):
         # Without the cache, so that every run evaluates all faces.
-        return lambda: MassPropertiesGPU(Input=reader, RelativeTolerance=1e-11, CacheFaceResults=0, **options)  # noqa: F821
+        return lambda: MassProperties(Input=reader, RelativeTolerance=1e-11, CacheFaceResults=0, **options)  # noqa: F821
 
     def larger_marker(proxy):
         proxy.GlyphScale = 0.03
 
-    check_filter("mass properties", "Mass Properties (GPU)", make_mass(), larger_marker, mass_result, 3)
-    check_filter("mass properties on the CPU", "Mass Properties (GPU)", make_mass(Backend="CPU"), larger_marker, mass_result, 3)
+    check_filter("mass properties", "Mass Properties", make_mass(), larger_marker, mass_result, 3)
+    check_filter("mass properties on the CPU", "Mass Properties", make_mass(Backend="CPU"), larger_marker, mass_result, 3)
     if has("SchemeMassProperties"):
         check_filter("the paper's scheme", "Mass Properties by Paper Schemes", lambda: MassPropertiesbyPaperSchemes(  # noqa: F821
             Input=reader, Scheme="3-point Gauss", SubPatchFactor=12), larger_marker,
@@ -166,8 +166,8 @@ if not server:
         run(proxy)
         check_equal(f"{what}: all of it in the next run", cells, proxy.GetDataInformation().GetNumberOfCells())
 
-    integral = SurfaceIntegralGPU(Input=reader, MomentDegree=3, RelativeTolerance=1e-11)  # noqa: F821
-    check_progress("integrals", "Surface Integral (GPU)", run(integral), 5)
+    integral = SurfaceIntegral(Input=reader, MomentDegree=3, RelativeTolerance=1e-11)  # noqa: F821
+    check_progress("integrals", "Surface Integral", run(integral), 5)
     if has("SolidStability"):
         standing = StaticStability(Input=reader, Bodies="Each")  # noqa: F821
         check_progress("stability", "Static Stability", run(standing), 5)

@@ -40,7 +40,7 @@ def check_pipeline(what, mass, view):
 reader = simple.OpenDataFile(assembly)
 view = simple.CreateRenderView()
 simple.Show(reader, view)
-mass = MassPropertiesGPU(Input=reader, Density=2700.0)  # noqa: F821
+mass = MassProperties(Input=reader, Density=2700.0)  # noqa: F821
 for port in range(6):
     controller.ShowInPreferredView(mass.SMProxy, port, view.SMProxy)
 simple.Hide(reader, view)

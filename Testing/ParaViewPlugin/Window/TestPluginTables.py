@@ -51,7 +51,7 @@ def show(source, port, association):
 
 
 reader = simple.OpenDataFile(part)
-mass = MassPropertiesGPU(Input=reader, Density=7850.0)  # noqa: F821
+mass = MassProperties(Input=reader, Density=7850.0)  # noqa: F821
 client, columns = show(mass, 1, "Row Data")
 check_equal("solids: first columns", [
     "vtkOriginalIndices", "Name", "Id", "Status", "Volume", "VolumeBound", "Mass", "MassBound", "Density", "Material", "SurfaceArea",
@@ -62,6 +62,12 @@ flat = sorted(name for i in range(table.GetNumberOfColumns()) for name in (
     [table.GetColumnName(i)] if table.GetColumn(i).GetNumberOfComponents() == 1 else
     [f"{table.GetColumnName(i)}_{k}" for k in range(table.GetColumn(i).GetNumberOfComponents())]))
 check_equal("solids: every column once", ["vtkOriginalIndices"] + flat, sorted(columns, key=lambda name: (name[0] != "v", name)))
+labels = {client.GetColumnName(i): client.GetColumnLabel(i) for i in range(client.GetNumberOfColumns())}
+for name, label in (("Volume", "Volume (mm^3)"), ("VolumeBound", "VolumeBound (mm^3)"), ("Mass", "Mass (kg)"), ("Name", "Name"),
+                    ("Density", "Density (kg/m^3)")):
+    check_equal(f"solids: header of {name}", label, labels[name])
+check_true("solids: header of a component", labels["CenterOfMass_0"].endswith(" (mm)") and labels["MassInertia_4"].endswith(" (kg mm^2)"),
+           labels["CenterOfMass_0"] + labels["MassInertia_4"])
 # Values by index and by name agree.
 for index in range(client.GetNumberOfColumns()):
     name = client.GetColumnName(index)
@@ -82,7 +88,7 @@ check_equal("export: no magnitudes", 0, sum(name.endswith("_Magnitude") for name
 check_equal("export: values", ["ok"] + [table.GetValueByName(0, name).ToDouble() for name in ("Volume", "VolumeBound", "Mass")],
             rows[1][3:4] + [float(value) for value in rows[1][4:7]])
 
-check_equal("faces", ["vtkOriginalIndices", "Solid", "FaceId", "Volume", "VolumeBound", "SurfaceArea", "SurfaceAreaBound",
+check_equal("faces", ["vtkOriginalIndices", "Solid", "FaceIndex", "FaceId", "Volume", "VolumeBound", "SurfaceArea", "SurfaceAreaBound",
                       "BoundsEstimated"], show(mass, 3, "Row Data")[1])
 client, columns = show(mass, 4, "Row Data")
 check_equal("edges", ["vtkOriginalIndices", "Solid", "EdgeId", "Name", "Uses", "Open", "MaxGap", "GapArea", "GapSquared"], columns)
@@ -102,7 +108,7 @@ if manager.SMProxyManager.HasDefinition("filters", "Buoyancy"):
     check_equal("buoyancy", ["vtkOriginalIndices", "Name", "Id", "Status", "DisplacedVolume", "DisplacedVolumeBound", "CenterOfBuoyancy_0",
                              "CenterOfBuoyancy_1", "CenterOfBuoyancy_2", "CenterOfBuoyancyBound", "DisplacedFirstMoments_0"],
                 show(afloat, 1, "Row Data")[1][:11])
-integral = SurfaceIntegralGPU(Input=reader, BendingEnergy=1, MomentDegree=0, Integrands="a = dA")  # noqa: F821
+integral = SurfaceIntegral(Input=reader, BendingEnergy=1, MomentDegree=0, Integrands="a = dA")  # noqa: F821
 check_equal("integrals", ["vtkOriginalIndices", "Name", "Id", "Status", "BendingEnergy", "BendingEnergyBound", "a", "aBound",
                           "moment_0_0_0", "moment_0_0_0Bound", "LengthUnit"], show(integral, 1, "Row Data")[1][:11])
 

@@ -8,7 +8,7 @@ scene, path, ready = (os.environ[name] for name in ("SM_SCENE", "SM_FILE", "SM_R
 reader = simple.OpenDataFile(path)
 view = simple.GetActiveViewOrCreate("RenderView")
 simple.Show(reader, view)
-mass = simple.MassPropertiesGPU(Input=reader, Density=7850.0)
+mass = simple.MassProperties(Input=reader, Density=7850.0)
 # As Apply does.
 controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
 for port in range(mass.SMProxy.GetNumberOfOutputPorts()):

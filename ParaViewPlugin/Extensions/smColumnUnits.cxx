@@ -1,0 +1,96 @@
+#include "smColumnUnits.h"
+
+#include "smMassPropertyNames.h"
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
+#include "smBuoyancyNames.h"
+#endif
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
+#include "smStabilityNames.h"
+#endif
+
+#include <cstddef>
+
+namespace sm
+{
+namespace
+{
+/// A quantity in `Factor` times the length unit to the power `Power`.
+struct Unit
+{
+  const char* Quantity;
+  const char* Factor;
+  int Power;
+};
+
+constexpr Unit Units[] = {
+  { names::Volume, "", 3 },
+  { names::SurfaceArea, "", 2 },
+  { names::CenterOfMass, "", 1 },
+  { names::FirstMoments, "", 4 },
+  { names::SecondMoments, "", 5 },
+  { names::VolumeInertia, "", 5 },
+  { names::VolumeInertiaAtOrigin, "", 5 },
+  { names::PrincipalMoments, "", 5 },
+  { names::RadiiOfGyration, "", 1 },
+  { names::Mass, "kg", 0 },
+  { names::MassInertia, "kg", 2 },
+  { names::MassCenter, "", 1 },
+  { names::MassPrincipalMoments, "kg", 2 },
+  { names::MassRadiiOfGyration, "", 1 },
+  { names::Density, "kg/m^3", 0 },
+  { names::KnownMass, "kg", 0 },
+  { names::ClosureCorrection, "", 3 },
+  { names::GapSquared, "", 3 },
+  { names::MaxGap, "", 1 },
+  { names::GapArea, "", 2 },
+  { names::FaceArea, "", 2 },
+  { names::FaceGap, "", 1 },
+  { names::FaceBound, "", 3 },
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
+  { names::DisplacedVolume, "", 3 },
+  { names::DisplacedFirstMoments, "", 4 },
+  { names::CenterOfBuoyancy, "", 1 },
+#endif
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
+  { names::StabilityMargin, "", 1 },
+  { names::TipAngle, "degrees", 0 },
+  { names::CenterOfMassRise, "", 1 },
+  { names::TipEnergy, "J", 0 },
+  { names::CenterHeight, "", 1 },
+  { names::Clearance, "", 1 },
+  { names::RollingRadius, "", 1 },
+  { names::RollingMargin, "", 1 },
+  { names::ProjectedCenterOfMass, "", 1 },
+#endif
+};
+
+std::string RemoveEnding(const std::string& text)
+{
+  const std::string bound = names::BoundSuffix;
+  if (text.size() > bound.size() && text.compare(text.size() - bound.size(), bound.size(), bound) == 0)
+  {
+    return text.substr(0, text.size() - bound.size());
+  }
+  // The spreadsheet's names of components.
+  const std::size_t line = text.rfind('_');
+  const bool isComponent =
+    line != std::string::npos && line + 2 == text.size() && text[line + 1] >= '0' && text[line + 1] <= '9';
+  return isComponent ? text.substr(0, line) : text;
+}
+}
+
+std::string GetColumnUnit(const std::string& column, const std::string& lengthUnit)
+{
+  for (const Unit& unit : Units)
+  {
+    if (column == unit.Quantity || RemoveEnding(column) == unit.Quantity)
+    {
+      const std::string length = unit.Power == 0 ? ""
+        : unit.Power == 1                        ? lengthUnit
+                                                 : lengthUnit + "^" + std::to_string(unit.Power);
+      return *unit.Factor && !length.empty() ? unit.Factor + (" " + length) : unit.Factor + length;
+    }
+  }
+  return {};
+}
+}

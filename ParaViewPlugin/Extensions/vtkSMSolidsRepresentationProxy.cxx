@@ -1,0 +1,94 @@
+#include "vtkSMSolidsRepresentationProxy.h"
+
+#include "smColumnUnits.h"
+#include "smMassPropertyNames.h"
+#include "vtkExactGeometryInformation.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkSMSolidsRepresentationProxy);
+
+vtkSMSolidsRepresentationProxy::vtkSMSolidsRepresentationProxy() = default;
+vtkSMSolidsRepresentationProxy::~vtkSMSolidsRepresentationProxy() = default;
+
+void vtkSMSolidsRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+namespace
+{
+std::string GetArrayName(vtkSMProxy* proxy)
+{
+  vtkSMPropertyHelper helper(proxy->GetProperty("ColorArrayName"));
+  const char* name = helper.GetInputArrayNameToProcess();
+  return name ? name : "";
+}
+}
+
+void vtkSMSolidsRepresentationProxy::CreateVTKObjects()
+{
+  const bool first = !this->ObjectsCreated;
+  this->Superclass::CreateVTKObjects();
+  vtkSMProperty* array = this->GetProperty("ColorArrayName");
+  if (first && this->ObjectsCreated && array)
+  {
+    array->AddObserver(vtkCommand::ModifiedEvent, this, &vtkSMSolidsRepresentationProxy::FollowArray);
+  }
+}
+
+void vtkSMSolidsRepresentationProxy::FollowArray()
+{
+  if (vtkSMProperty* map = this->GetProperty("MapScalars"))
+  {
+    vtkSMPropertyHelper(map).Set(GetArrayName(this) == sm::names::Color ? 0 : 1);
+  }
+}
+
+bool vtkSMSolidsRepresentationProxy::SetScalarBarVisibility(vtkSMProxy* view, bool visible)
+{
+  const std::string array = GetArrayName(this);
+  // The superclass would make a bar to hide it.
+  if (array == sm::names::Color && (visible || !this->IsScalarBarVisible(view)))
+  {
+    return false;
+  }
+  const bool done = this->Superclass::SetScalarBarVisibility(view, visible);
+  if (done && visible)
+  {
+    this->AddUnit(view, array.c_str());
+  }
+  return done;
+}
+
+void vtkSMSolidsRepresentationProxy::AddUnit(vtkSMProxy* view, const char* array)
+{
+  vtkSMPropertyHelper input(this, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  vtkSMProxy* map = vtkSMPropertyHelper(this, "LookupTable").GetAsProxy();
+  vtkNew<vtkSMTransferFunctionManager> manager;
+  vtkSMProxy* bar = map ? manager->GetScalarBarRepresentation(map, view) : nullptr;
+  if (!source || !bar || !bar->GetProperty("Title"))
+  {
+    return;
+  }
+  vtkNew<vtkExactGeometryInformation> information;
+  information->SetPortNumber(static_cast<int>(input.GetOutputPort()));
+  source->GatherInformation(information);
+  const std::string unit = sm::GetColumnUnit(array, information->GetLengthUnit());
+  vtkSMPropertyHelper title(bar, "Title");
+  // A title of the user's own stays.
+  if (!unit.empty() && std::string(title.GetAsString()) == array)
+  {
+    title.Set((std::string(array) + " (" + unit + ")").c_str());
+    bar->UpdateVTKObjects();
+  }
+}

@@ -1,0 +1,38 @@
+/**
+ * @class   vtkSMSolidsRepresentationProxy
+ * @brief   draws solids in the colours of their file, and gives colour bars a unit
+ *
+ * The array Color of the reader's meshes is drawn as it is, without a colour map; other arrays are mapped as ever. ParaView's property
+ * MapScalars follows the array that colours. A colour bar of Color is never shown; the title of another has the unit of its array.
+ */
+#ifndef vtkSMSolidsRepresentationProxy_h
+#define vtkSMSolidsRepresentationProxy_h
+
+#include "smParaViewExtensionsModule.h" // for the export macro
+#include "vtkSMPVRepresentationProxy.h"
+
+class SMPARAVIEWEXTENSIONS_EXPORT vtkSMSolidsRepresentationProxy : public vtkSMPVRepresentationProxy
+{
+public:
+  static vtkSMSolidsRepresentationProxy* New();
+  vtkTypeMacro(vtkSMSolidsRepresentationProxy, vtkSMPVRepresentationProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  using Superclass::SetScalarBarVisibility;
+  bool SetScalarBarVisibility(vtkSMProxy* view, bool visible) override;
+
+protected:
+  vtkSMSolidsRepresentationProxy();
+  ~vtkSMSolidsRepresentationProxy() override;
+
+  void CreateVTKObjects() override;
+
+private:
+  vtkSMSolidsRepresentationProxy(const vtkSMSolidsRepresentationProxy&) = delete;
+  void operator=(const vtkSMSolidsRepresentationProxy&) = delete;
+
+  void FollowArray();
+  void AddUnit(vtkSMProxy* view, const char* array);
+};
+
+#endif

@@ -1,0 +1,151 @@
+"""What `mass_properties` returns and raises."""
+import dataclasses
+import decimal
+import html
+import math
+from typing import Optional, Tuple
+
+Vector = Tuple[float, float, float]
+Matrix = Tuple[Vector, Vector, Vector]
+
+# Unit of each quantity: power of the length unit L, and what it is multiplied by. A bound has the unit of its quantity.
+_UNITS = {"volume": (3, ""), "area": (2, ""), "center_of_mass": (1, ""), "inertia": (5, ""), "inertia_at_origin": (5, ""),
+          "principal_moments": (5, ""), "principal_axes": (0, ""), "radii_of_gyration": (1, ""), "mass": (0, "kg"), "mass_center": (1, ""),
+          "mass_inertia": (2, "kg"), "density": (0, "kg/m^3"), "closure_correction": (3, ""), "gap_squared": (3, ""), "max_gap": (1, ""),
+          "gap_area": (2, ""), "closure_residual": (0, "")}
+
+
+class SolidMomentsError(RuntimeError):
+    """There is no result, or a flagged one with strict=True. `status` is that of the program `solidmoments`, `messages` a tuple of texts,
+    `properties` the flagged MassProperties or None."""
+
+    def __init__(self, text, status, messages=(), properties=None):
+        super().__init__(text)
+        self.status, self.messages, self.properties = status, tuple(messages), properties
+
+
+class FlaggedResultWarning(UserWarning):
+    """The result has another status than ok; its text gives the reason."""
+
+
+@dataclasses.dataclass(frozen=True)
+class MassProperties:
+    """Mass properties of a file, or of one of its solids (`solids`), in world coordinates.
+
+    Every quantity has its error bound beside it, one number for all its components, in the same unit; `units` has the units. What could
+    not be computed is None. `center_of_mass` and `inertia` are those of unit density: a homogeneous body; tensors have the negative
+    products of inertia off the diagonal and are about the centre unless their name says otherwise. `mass_center` and `mass_inertia` take
+    the densities of the solids as weight. `status` is ok, open, suspect or tolerance-not-met; `closure_correction` and what follows it
+    describe defects of the model, which are part of no bound.
+    """
+
+    file: str
+    name: str
+    id: str
+    status: str
+    length_unit: str
+    volume: Optional[float]
+    volume_bound: Optional[float]
+    area: Optional[float]
+    area_bound: Optional[float]
+    center_of_mass: Optional[Vector]
+    center_of_mass_bound: Optional[float]
+    inertia: Optional[Matrix]
+    inertia_bound: Optional[float]
+    inertia_at_origin: Optional[Matrix]
+    inertia_at_origin_bound: Optional[float]
+    principal_moments: Optional[Vector]
+    principal_moments_bound: Optional[float]
+    principal_axes: Optional[Matrix]
+    principal_axes_bound: Optional[float]
+    radii_of_gyration: Optional[Vector]
+    radii_of_gyration_bound: Optional[float]
+    mass: Optional[float]
+    mass_bound: Optional[float]
+    mass_center: Optional[Vector]
+    mass_center_bound: Optional[float]
+    mass_inertia: Optional[Matrix]
+    mass_inertia_bound: Optional[float]
+    density: Optional[float]
+    material: str
+    closure_correction: Optional[float]
+    gap_squared: Optional[float]
+    max_gap: Optional[float]
+    gap_area: Optional[float]
+    closure_residual: Optional[float]
+    open_edges: Optional[int]
+    messages: Tuple[str, ...] = ()
+    solids: Tuple["MassProperties", ...] = dataclasses.field(default=(), repr=False)
+
+    @property
+    def units(self):
+        """The unit of each quantity by its name; "1" for a number without unit."""
+        units = {}
+        for name, (power, factor) in _UNITS.items():
+            length = self.length_unit + (f"^{power}" if power > 1 else "") if power else ""
+            units[name] = " ".join(part for part in (factor, length) if part) or "1"
+        return units
+
+    def to_dict(self):
+        """All numbers and texts of this row without messages and solids, components as center_of_mass_x, inertia_xy, principal_axes_1_x."""
+        row = {}
+        for field in dataclasses.fields(self):
+            if field.name not in ("messages", "solids"):
+                row.update(_components(field.name, getattr(self, field.name)))
+        return row
+
+    def _repr_html_(self):
+        """The table that a notebook shows: quantities with bounds and units, a row per solid, and the messages."""
+        head = ["quantity", "value", "bound", "unit"]
+        rows = []
+        for name in ("volume", "area", "center_of_mass", "principal_moments", "mass"):
+            value, bound = getattr(self, name), getattr(self, name + "_bound")
+            if value is not None:
+                values = value if isinstance(value, tuple) else (value,)
+                rows.append([name.replace("_", " ").replace("center", "centre"), ", ".join(_format(x, bound) for x in values),
+                             _format_bound(bound), self.units[name]])
+        text = f"<p><b>{html.escape(self.name or self.file)}</b>: {html.escape(self.status)}</p>" + _table(head, rows)
+        if len(self.solids) > 1:
+            text += _table(["solid", f"volume {self.units['volume']}", "bound", "mass kg", "status"],
+                           [[solid.name or solid.id, _format(solid.volume, solid.volume_bound), _format_bound(solid.volume_bound),
+                             _format(solid.mass, solid.mass_bound), solid.status] for solid in self.solids])
+        return text + "".join(f"<p>{html.escape(message)}</p>" for message in self.messages)
+
+
+# Names of the columns are in the code that reads the filter; None as a value keeps all columns of a table.
+_SHAPES = {"center_of_mass": "xyz", "mass_center": "xyz", "principal_moments": "123", "radii_of_gyration": "123"}
+_MATRICES = ("inertia", "inertia_at_origin", "mass_inertia", "principal_axes")
+
+
+def _components(name, value):
+    if name in _SHAPES:
+        return {f"{name}_{axis}": value[i] if value else None for i, axis in enumerate(_SHAPES[name])}
+    if name == "principal_axes":
+        return {f"{name}_{i + 1}_{axis}": value[i][k] if value else None for i in range(3) for k, axis in enumerate("xyz")}
+    if name in _MATRICES:
+        pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
+        return {f"{name}_{'xyz'[i]}{'xyz'[k]}": value[i][k] if value else None for i, k in pairs}
+    return {name: value}
+
+
+def _format(value, bound):
+    """The number with the digits that its bound leaves."""
+    if value is None:
+        return "-"
+    if bound and value:
+        digits = math.ceil(math.log10(abs(value) / bound)) if abs(value) > bound else 1
+        return f"{value:.{min(max(digits, 1), 15)}g}"
+    return f"{value:.15g}"
+
+
+def _format_bound(bound):
+    """Two digits, rounded up, so that the bound still holds."""
+    if bound is None:
+        return "-"
+    return f"{decimal.Context(prec=2, rounding=decimal.ROUND_CEILING).create_decimal_from_float(bound):.1e}"
+
+
+def _table(head, rows):
+    def line(cells, tag):
+        return "<tr>" + "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells) + "</tr>"
+    return "<table>" + line(head, "th") + "".join(line(row, "td") for row in rows) + "</table>"

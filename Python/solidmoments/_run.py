@@ -1,0 +1,146 @@
+"""Runs the reader and the filter, and copies their tables."""
+import math
+import os
+import warnings
+
+from ._results import FlaggedResultWarning, MassProperties, SolidMomentsError
+
+# Statuses with numbers: with any other there is no result.
+_RESULTS = ("ok", "open", "suspect", "tolerance-not-met")
+
+# Field, the filter's array, and components: 1, 3, or 9 for a matrix by rows.
+_NUMBERS = (("volume", "Volume", 1), ("area", "SurfaceArea", 1), ("center_of_mass", "CenterOfMass", 3), ("inertia", "VolumeInertia", 9),
+            ("inertia_at_origin", "VolumeInertiaAtOrigin", 9), ("principal_moments", "PrincipalMoments", 3),
+            ("principal_axes", "PrincipalAxes", 9), ("radii_of_gyration", "RadiiOfGyration", 3), ("mass", "Mass", 1),
+            ("mass_center", "MassCenter", 3), ("mass_inertia", "MassInertia", 9))
+_DEFECTS = (("density", "Density"), ("closure_correction", "ClosureCorrection"), ("gap_squared", "GapSquared"), ("max_gap", "MaxGap"),
+            ("gap_area", "GapArea"), ("closure_residual", "ClosureResidual"))
+
+
+def _get(data, row, name, count=1):
+    """A number, a tuple of 3, a tuple of 3 tuples; None where it is missing or not finite."""
+    array = data.GetAbstractArray(name)
+    values = tuple(array.GetComponent(row, i) for i in range(count)) if array else (math.nan,)
+    if not all(math.isfinite(value) for value in values):
+        return None
+    if count == 9:
+        return values[0:3], values[3:6], values[6:9]
+    return values if count == 3 else values[0]
+
+
+def _get_text(data, row, name):
+    array = data.GetAbstractArray(name)
+    return array.GetValue(row) if array else ""
+
+
+def _make(file, data, row, **more):
+    values = {}
+    for field, name, count in _NUMBERS:
+        values[field] = _get(data, row, name, count)
+        values[field + "_bound"] = _get(data, row, name + "Bound")
+    for field, name in _DEFECTS:
+        values[field] = _get(data, row, name)
+    edges = _get(data, row, "OpenEdges")
+    return MassProperties(file=file, name=_get_text(data, row, "Name"), id=_get_text(data, row, "Id"),
+                          status=_get_text(data, row, "Status"), length_unit=_get_text(data, row, "LengthUnit"),
+                          material=_get_text(data, row, "Material"), open_edges=None if edges is None else int(edges), **values, **more)
+
+
+def _check(density, tolerance, backend, max_seconds, unit):
+    """Raises ValueError for what the filter would clamp or report on the console."""
+    if density is not None and not 0.0 < density < math.inf:
+        raise ValueError(f"density is {density}; it has to be above 0 and finite, in kg/m^3, or None for those of the file")
+    if not 1e-15 <= tolerance <= 1.0:
+        raise ValueError(f"tolerance is {tolerance}; it has to be from 1e-15 to 1")
+    if backend not in ("auto", "opengl", "cpu"):
+        raise ValueError(f"backend is {backend!r}; it has to be 'auto', 'opengl' or 'cpu'")
+    if max_seconds is not None and not 0.0 < max_seconds < math.inf:
+        raise ValueError(f"max_seconds is {max_seconds}; it has to be above 0 and finite, or None")
+    if unit not in ("mm", "cm", "m", "um", "inch", "ft", "file"):
+        raise ValueError(f"unit is {unit!r}; it has to be mm, cm, m, um, inch, ft or file")
+
+
+def _messages(*algorithms):
+    return tuple(algorithm.GetMessage(i) for algorithm in algorithms for i in range(algorithm.GetNumberOfMessages()))
+
+
+def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, materials=(), backend="auto", max_seconds=None, strict=False):
+    """The MassProperties of all solids of a STEP file together; those of each solid are in `solids`.
+
+    file: path. density: of all solids in kg/m^3; None: those that the file gives. unit: length unit of the result, mm, cm, m, um, inch, ft,
+    or file for that of the file. tolerance: relative, from 1e-15 to 1. materials: rows (pattern of names, material, density or None), before
+    `density`. backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
+
+    Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result. A result with another status
+    than ok gives a FlaggedResultWarning; with strict=True it raises SolidMomentsError, too.
+    """
+    from .smFiltersMassProperties import vtkMassPropertiesGPU
+    from .smReadersSTEP import vtkSTEPReader
+
+    file = os.fspath(file)
+    _check(density, tolerance, backend, max_seconds, unit)
+    if not os.path.exists(file):
+        raise FileNotFoundError(file)
+    reader, mass = vtkSTEPReader(), vtkMassPropertiesGPU()
+    for algorithm in (reader, mass):  # their texts are in the messages: nothing is written to the console
+        for event in ("ErrorEvent", "WarningEvent"):
+            algorithm.AddObserver(event, lambda *_: None)
+    reader.SetFileName(file)
+    reader.SetOutputUnit(unit)
+    reader.SetMaximumSeconds(max_seconds or 0.0)
+    mass.SetInputConnection(reader.GetOutputPort())
+    mass.SetDensity(density or 0.0)
+    mass.SetRelativeTolerance(tolerance)
+    mass.SetMaximumSeconds(max_seconds or 0.0)
+    mass.SetBackend({"auto": mass.AUTOMATIC, "opengl": mass.OPENGL, "cpu": mass.CPU}[backend])
+    for pattern, material, value in materials:
+        before = mass.GetNumberOfMaterials()
+        mass.AddMaterial(pattern, material, "" if value is None else float(value))
+        if mass.GetNumberOfMaterials() == before:
+            raise ValueError(f"the material {material!r} is not known and needs a density above 0, or its density {value} is not one")
+    reader.Update()
+    if reader.GetStatus() not in (reader.OK, reader.EMPTY):
+        raise _no_result(file, "unreadable", _messages(reader))
+    mass.Update()
+    messages = _messages(reader, mass)
+    if mass.GetStatus() not in _RESULTS:
+        raise _no_result(file, mass.GetStatus(), messages)
+    table = mass.GetOutputDataObject(1)
+    solids = tuple(_make(file, table.GetRowData(), i) for i in range(table.GetNumberOfRows()))
+    result = _make(file, mass.GetOutputDataObject(0).GetFieldData(), 0, messages=messages, solids=solids)
+    if result.status != "ok":
+        text = f"{file}: {result.status}" + "".join("\n" + message for message in messages)
+        if strict:
+            raise SolidMomentsError(text, result.status, messages, result)
+        warnings.warn(text, FlaggedResultWarning, stacklevel=2)
+    return result
+
+
+def _no_result(file, status, messages):
+    return SolidMomentsError(f"{file}: {status}" + "".join("\n" + message for message in messages), status, messages)
+
+
+def to_dataframe(files, density=None, **options):
+    """A pandas.DataFrame with a row per file (`row` is total) and one per solid (solid), from a path or several.
+
+    Options are those of `mass_properties`, except strict. A file without result has a row with its status and the reason in `message`, and
+    so do flagged results; nothing is raised or warned. Lengths are in `length_unit`, other units follow from it (`MassProperties.units`).
+    """
+    import pandas
+
+    if isinstance(files, (str, os.PathLike)):
+        files = [files]
+    rows = []
+    for file in files:
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", FlaggedResultWarning)
+                total = mass_properties(file, density, **options)
+        except FileNotFoundError:
+            rows.append({"file": os.fspath(file), "row": "total", "status": "unreadable", "message": "The file does not exist."})
+        except SolidMomentsError as error:
+            rows.append({"file": os.fspath(file), "row": "total", "status": error.status, "message": "\n".join(error.messages)})
+        else:
+            rows.append({"row": "total", **total.to_dict(), "message": "\n".join(total.messages)})
+            rows += [{"row": "solid", **solid.to_dict()} for solid in total.solids]
+    return pandas.DataFrame(rows)

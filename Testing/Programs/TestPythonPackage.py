@@ -1,0 +1,138 @@
+"""TestPythonPackage.py PROGRAM SOLIDS SAMPLE VERSION: solidmoments.mass_properties() and to_dataframe() give what the program prints as
+JSON, bit for bit, and raise where it has no result."""
+import dataclasses
+import json
+import math
+import os
+import subprocess
+import sys
+import types
+import warnings
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smcheck import Manifest, check_equal, check_true, finish  # noqa: E402
+
+import solidmoments  # noqa: E402
+
+program, folder, sample, version = sys.argv[1:5]
+manifest = Manifest(folder)
+NUMBERS = ("volume", "area", "center_of_mass", "inertia", "inertia_at_origin", "principal_moments", "principal_axes", "radii_of_gyration",
+           "mass", "mass_center", "mass_inertia")
+
+
+def run(*arguments):
+    result = subprocess.run([program, *arguments, "--json", "-"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=200, check=False)
+    return json.loads(result.stdout)["files"]
+
+
+def lists(value):
+    return [lists(item) for item in value] if isinstance(value, tuple) else value
+
+
+def check_row(what, expected, row):
+    """A row against an entry of the JSON; == of numbers, no tolerance."""
+    wrong = []
+    for name in NUMBERS:
+        value = expected[name]
+        pairs = [(value, lists(getattr(row, name)))]
+        if name in expected["bounds"]:
+            pairs.append((expected["bounds"][name], getattr(row, name + "_bound")))
+        wrong += [f"{name}: {a!r}, {b!r}" for a, b in pairs if a != b]
+    for name in ("closure_correction", "gap_squared", "max_gap", "gap_area", "closure_residual", "open_edges"):
+        if expected[name] != getattr(row, name):
+            wrong.append(f"{name}: {expected[name]!r}, {getattr(row, name)!r}")
+    check_equal(what + ": numbers that differ from the program's", [], wrong)
+
+
+def quietly(*arguments, **options):
+    """The result and the texts of its warnings."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        result = solidmoments.mass_properties(*arguments, **options)
+    return result, [str(warning.message) for warning in caught if warning.category is solidmoments.FlaggedResultWarning]
+
+
+def check_same():
+    two = manifest.special("two_solids")["path"]
+    for path, options, more in ((sample, (), {}), (sample, ("--density", "7850", "--unit", "inch"), {"density": 7850.0, "unit": "inch"}),
+                                (sample, ("--backend", "cpu", "--tolerance", "1e-6"), {"backend": "cpu", "tolerance": 1e-6}),
+                                (two, ("--density", "1000"), {"density": 1000.0})):
+        expected = run(path, *options)[0]
+        result, flags = quietly(path, **more)
+        name = f"{os.path.basename(path)} {' '.join(options)}"
+        check_equal(name + ": status", expected["status"], result.status)
+        check_equal(name + ": warned when it is flagged", expected["status"] != "ok", bool(flags))
+        check_row(name + ", total", expected["total"], result)
+        check_equal(name + ": solids", len(expected["solids"]), len(result.solids))
+        for i, (solid, row) in enumerate(zip(expected["solids"], result.solids)):
+            check_row(f"{name}, solid {i}", solid, row)
+            check_equal(f"{name}, solid {i}: name and id", (solid["name"], solid["id"], solid["status"]), (row.name, row.id, row.status))
+
+
+def check_failures():
+    def raised(error, *arguments, **options):
+        try:
+            solidmoments.mass_properties(*arguments, **options)
+        except error as found:
+            return found
+        return None
+
+    check_true("a missing file", raised(FileNotFoundError, os.path.join(folder, "no such file.step")))
+    here = os.path.abspath(__file__)
+    found = raised(solidmoments.SolidMomentsError, here)
+    check_true("a file that is no STEP file", found and found.status == "unreadable" and found.messages and str(found).startswith(here), str(found))
+    found = raised(solidmoments.SolidMomentsError, os.path.join(folder, "no_geometry.step"))
+    check_equal("a file without solids", "empty", found and found.status)
+    for wrong in ({"density": -1.0}, {"density": 0.0}, {"density": math.nan}, {"tolerance": 2.0}, {"unit": "mile"}, {"backend": "gpu"},
+                  {"max_seconds": 0.0}, {"materials": [("*", "unobtainium", None)]}, {"materials": [("*", "oak", -5.0)]}):
+        found = raised(ValueError, sample, **wrong)
+        check_true(f"{wrong} is refused", found is not None, str(found))
+    # A tolerance that no run meets flags the result.
+    result, flags = quietly(sample, tolerance=1e-15)
+    check_equal("a tolerance that is not met", "tolerance-not-met", result.status)
+    check_true("gives one warning with the status", len(flags) == 1 and "tolerance-not-met" in flags[0], str(flags))
+    found = raised(solidmoments.SolidMomentsError, sample, tolerance=1e-15, strict=True)
+    check_true("and an error with strict=True", found and found.properties and found.properties.volume == result.volume, str(found))
+
+
+def check_texts():
+    result, _ = quietly(sample, density=7850.0)
+    check_equal("version", version, solidmoments.__version__)
+    check_true("docstrings", all(getattr(solidmoments, name).__doc__ for name in solidmoments.__all__ if name != "__version__"))
+    check_equal("units", ("mm^3", "mm^2", "mm", "mm^5", "kg", "kg mm^2", "1"),
+                tuple(result.units[name] for name in ("volume", "area", "center_of_mass", "inertia", "mass", "mass_inertia", "principal_axes")))
+    fields = {field.name for field in dataclasses.fields(result)}
+    check_equal("every quantity with a bound has a unit", set(), {name[:-6] for name in fields if name.endswith("_bound")} - set(result.units))
+    page = result._repr_html_()
+    check_true("HTML: value, bound and unit", all(text in page for text in ("<td>volume</td>", "mm^3", "<td>mass</td>", "kg", "e-")), page[:120])
+    check_true("HTML: names are escaped", "<b>&lt;a&gt;" in dataclasses.replace(result, name="<a>")._repr_html_())
+    steel, _ = quietly(sample, materials=[("*", "oak", 700.0)])
+    check_equal("a material of one's own", ("oak", 700.0), (steel.solids[0].material, steel.solids[0].density))
+
+
+def check_table():
+    try:
+        import pandas
+    except ImportError:  # the rows, without pandas to hold them
+        print("pandas is not installed: a stand-in takes the rows")
+        pandas = types.ModuleType("pandas")
+        pandas.DataFrame = lambda rows: rows
+        sys.modules["pandas"] = pandas
+    missing = os.path.join(folder, "no such file.step")
+    two = manifest.special("two_solids")["path"]
+    table = solidmoments.to_dataframe([sample, missing, two], density=7850.0)
+    rows = table if isinstance(table, list) else table.to_dict("records")
+    check_equal("rows", [(sample, "total"), (sample, "solid"), (missing, "total"), (two, "total"), (two, "solid"), (two, "solid")],
+                [(row["file"], row["row"]) for row in rows])
+    check_equal("a missing file: status", "unreadable", rows[2]["status"])
+    expected = run(sample, "--density", "7850")[0]["total"]
+    check_equal("columns of components", (expected["center_of_mass"][1], expected["inertia"][0][2], expected["principal_axes"][2][0], expected["mass"]),
+                (rows[0]["center_of_mass_y"], rows[0]["inertia_xz"], rows[0]["principal_axes_3_x"], rows[0]["mass"]))
+    check_equal("one path", 2, len(solidmoments.to_dataframe(sample)))
+
+
+check_same()
+check_failures()
+check_texts()
+check_table()
+finish()
