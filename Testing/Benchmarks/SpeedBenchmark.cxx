@@ -1,0 +1,343 @@
+// SpeedBenchmark [--json FILE] FILE.step...: seconds of the processor from file to numbers, beside OpenCASCADE's, in one run.
+//
+// Per file: OpenCASCADE's default reader (parse, transfer); its BRepGProp, volume and area, by its default rule and with
+// Eps = 1e-6; our reader and our mass properties on the CPU backend at a tolerance of 1e-9, by stages. One thread computes, and
+// seconds are those of the process's processor time, so that other work on the machine hardly matters. The reference of
+// evaluations a second is the widest kernel by itself, on bicubic panels of 20 x 20 points that stay in the cache. Peak memory is the
+// process's up to the end of a file. Exit status 1: wrong usage, or a file whose volume is not OpenCASCADE's to a thousandth.
+#include "Items/smBatchParameters.h"
+#include "Items/smItemKernels.h"
+#include "smJson.h"
+
+#include <vtkMassPropertiesGPU.h>
+#include <vtkNew.h>
+#include <vtkSMPTools.h>
+#include <vtkSTEPReader.h>
+#include <vtkTimerLog.h>
+
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPControl_Reader.hxx>
+#include <Standard_Failure.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include <sys/resource.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using sm::Json;
+
+class Stopwatch
+{
+public:
+  double GetSeconds() const { return static_cast<double>(std::clock() - this->Start) / CLOCKS_PER_SEC; }
+
+private:
+  std::clock_t Start = std::clock();
+};
+
+/// The columns of the table.
+const std::vector<std::string> Columns = { "occt_parse", "occt_transfer", "occt_gprop", "occt_gprop_1e-6",
+  "read", "mesh", "convert", "cut", "plan", "upload", "integrate", "analyse" };
+
+void MeasureKernel(const TopoDS_Shape& shape, bool adaptive, Json& seconds, Json& result)
+{
+  const char* name = adaptive ? "occt_gprop_1e-6" : "occt_gprop";
+  const Stopwatch watch;
+  GProp_GProps volume;
+  GProp_GProps area;
+  if (adaptive)
+  {
+    BRepGProp::VolumeProperties(shape, volume, 1e-6);
+    BRepGProp::SurfaceProperties(shape, area, 1e-6);
+  }
+  else
+  {
+    BRepGProp::VolumeProperties(shape, volume);
+    BRepGProp::SurfaceProperties(shape, area);
+  }
+  seconds[name] = watch.GetSeconds();
+  result[std::string(name) + "_volume"] = volume.Mass();
+}
+
+void MeasureOpenCASCADE(const std::string& path, Json& seconds, Json& result)
+{
+  STEPControl_Reader reader;
+  const Stopwatch parse;
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+  {
+    return;
+  }
+  seconds["occt_parse"] = parse.GetSeconds();
+  const Stopwatch transfer;
+  reader.TransferRoots();
+  const TopoDS_Shape shape = reader.OneShape();
+  seconds["occt_transfer"] = transfer.GetSeconds();
+  MeasureKernel(shape, false, seconds, result);
+  MeasureKernel(shape, true, seconds, result);
+}
+
+/// What an update takes. Its stages are known in seconds of a clock: they get their share of the processor's, and so does the rest.
+class UpdateCost
+{
+public:
+  void Stop()
+  {
+    this->Processor = this->Watch.GetSeconds();
+    this->Clock = vtkTimerLog::GetUniversalTime() - this->Start;
+  }
+  double GetShare(double clock) const { return this->Processor * clock / this->Clock; }
+  double GetRest(double clock) const { return this->GetShare(this->Clock - clock); }
+
+private:
+  Stopwatch Watch;
+  double Start = vtkTimerLog::GetUniversalTime();
+  double Processor = 0.0;
+  double Clock = 1.0;
+};
+
+void MeasureOurs(const std::string& path, Json& seconds, Json& result)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(path.c_str());
+  UpdateCost read;
+  reader->Update();
+  read.Stop();
+  // What the reader does beside its stages belongs to reading.
+  const double mesh = reader->GetMeshSeconds();
+  const double convert = reader->GetConversionSeconds();
+  seconds["read"] = read.GetRest(mesh + convert);
+  seconds["mesh"] = read.GetShare(mesh);
+  seconds["convert"] = read.GetShare(convert);
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputConnection(reader->GetOutputPort());
+  mass->SetBackend(vtkMassPropertiesGPU::CPU);
+  UpdateCost compute;
+  mass->Update();
+  compute.Stop();
+  const double cut = mass->GetCutSeconds();
+  const double plan = mass->GetPlanSeconds();
+  seconds["cut"] = compute.GetShare(cut);
+  seconds["plan"] = compute.GetShare(plan);
+  seconds["upload"] = compute.GetShare(mass->GetPrepareSeconds() - cut - plan);
+  seconds["integrate"] = compute.GetShare(mass->GetIntegrateSeconds());
+  // Orientation of shells, plausibility, tables.
+  seconds["analyse"] = compute.GetRest(mass->GetPrepareSeconds() + mass->GetIntegrateSeconds());
+  result["volume"] = mass->GetVolume();
+  result["volume_bound"] = mass->GetVolumeBound();
+  result["evaluations"] = mass->GetEvaluations();
+  result["faces"] = mass->GetNumberOfFaces();
+}
+
+double GetPeakMegabytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// A gently curved bicubic patch with a straight trim piece across it.
+sm::FacePanels MakeBicubicFace()
+{
+  sm::FacePanels face;
+  face.Patches.push_back(
+    { { 0.0, 0.0, 0.0 }, 2.0, { 0.0, 0.0 }, { 1.0, 1.0 }, 0, { 3, 3 }, { 3.0, 3.0 }, {}, {}, 1.0 });
+  for (int j = 0; j < 4; ++j)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const double w = 1.0 + 0.05 * i * j;
+      face.Points.push_back({ w * (i - 1.5), w * (j - 1.5), w * 0.1 * i * (3 - j), w });
+    }
+  }
+  face.Coefficients = { 0.9, 0.1, 0.8, 0.9 };
+  face.Panels.push_back({ 0, 0, 1, sm::PanelShape::General, false, false, 0.0, 1.0 });
+  return face;
+}
+
+/// Evaluations a second, with the ten moments and the area, that nothing but the kernel does.
+double MeasureArithmetic()
+{
+  sm::ItemRunner::Setup setup;
+  for (const auto& [i, j, k] : std::vector<std::array<int, 3>>{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+         { 0, 0, 1 }, { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 1, 1, 0 }, { 0, 1, 1 }, { 1, 0, 1 } })
+  {
+    setup.Integrands.push_back(sm::Integrand::VolumeMoment("m", i, j, k));
+  }
+  setup.Integrands.push_back(sm::Integrand::AreaMoment("A", 0, 0, 0));
+  const sm::RowLayout layout(setup.Integrands);
+  const sm::BatchParameters parameters(
+    { { 0, std::vector<double>(setup.Integrands.size(), 0.0), {} } }, false);
+  const sm::SampleFormulas formulas(setup.Integrands, layout);
+  std::vector<double> row(layout.GetStride());
+  const sm::KernelData data = { &setup, &layout, &formulas, parameters.Values.data(),
+    parameters.ToleranceOffset, parameters.PlacementOffset, row.data() };
+  sm::CutFace cut;
+  cut.Panels = MakeBicubicFace();
+  cut.Degree[0] = cut.Degree[1] = 3;
+  std::vector<sm::WorkItem> items;
+  sm::AddItems(cut, 0, items);
+  sm::SetItemOrders(items[0], { 20, 20, true, true }, false);
+  const int lanes = sm::GetLaneCounts().back();
+  const std::vector<sm::KernelItem> together(lanes, { &cut.Panels, &items[0] });
+  std::vector<sm::KernelResult> results(lanes);
+  sm::KernelScratch scratch(layout);
+  const Stopwatch watch;
+  double evaluations = 0.0;
+  while (watch.GetSeconds() < 0.5)
+  {
+    sm::EvaluateItems(data, together.data(), lanes, lanes, scratch, results.data());
+    evaluations += 400.0 * lanes;
+  }
+  return evaluations / watch.GetSeconds();
+}
+
+/// Whether both measured the same: only then times can be compared.
+bool IsSame(const Json& file)
+{
+  const double expected = file.value("occt_gprop_1e-6_volume", std::nan(""));
+  return std::abs(file["volume"].get<double>() - expected) <= 1e-3 * std::abs(expected);
+}
+
+double Get(const Json& seconds, const std::string& name)
+{
+  return seconds.contains(name) ? seconds[name].get<double>() : std::nan("");
+}
+
+void PrintRow(const std::string& name, const Json& seconds, double evaluations, double reference)
+{
+  std::printf("| %s |", name.c_str());
+  for (const std::string& column : Columns)
+  {
+    std::printf(" %.3f |", Get(seconds, column));
+  }
+  const double rate = evaluations / Get(seconds, "integrate");
+  std::printf(" %.1f | %.2f |\n", 1e-6 * rate, rate / reference);
+}
+
+Json MeasureFile(const std::string& path)
+{
+  Json result = { { "file", path.substr(path.rfind('/') + 1) } };
+  Json seconds = Json::object();
+  try
+  {
+    MeasureOpenCASCADE(path, seconds, result);
+  }
+  catch (const Standard_Failure& failure)
+  {
+    result["occt_error"] = failure.GetMessageString();
+  }
+  MeasureOurs(path, seconds, result);
+  result["seconds"] = seconds;
+  result["peak_megabytes"] = GetPeakMegabytes();
+  return result;
+}
+
+/// The sums over all files, and the ratios that matter.
+Json AddUp(const Json& files)
+{
+  Json sum = { { "seconds", Json::object() }, { "evaluations", 0 } };
+  for (const std::string& column : Columns)
+  {
+    double total = 0.0;
+    for (const Json& file : files)
+    {
+      const double seconds = Get(file["seconds"], column);
+      total += std::isfinite(seconds) ? seconds : 0.0;
+    }
+    sum["seconds"][column] = total;
+  }
+  for (const Json& file : files)
+  {
+    sum["evaluations"] = sum["evaluations"].get<std::int64_t>() + file["evaluations"].get<std::int64_t>();
+  }
+  const Json s = sum["seconds"];
+  const double properties = Get(s, "occt_gprop");
+  const double prepare = Get(s, "cut") + Get(s, "plan") + Get(s, "upload");
+  sum["prepare_and_integrate_over_gprop"] = (prepare + Get(s, "integrate")) / properties;
+  sum["integrate_over_gprop"] = Get(s, "integrate") / properties;
+  sum["read_over_occt"] =
+    (Get(s, "read") + Get(s, "convert")) / (Get(s, "occt_parse") + Get(s, "occt_transfer"));
+  return sum;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  std::string json;
+  std::vector<std::string> paths;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    if (argument == "--json" && i + 1 < argc)
+    {
+      json = argv[++i];
+    }
+    else
+    {
+      paths.push_back(argument);
+    }
+  }
+  if (paths.empty() || paths[0][0] == '-')
+  {
+    std::fprintf(stderr, "usage: SpeedBenchmark [--json FILE] FILE.step...\n");
+    return 1;
+  }
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  vtkSMPTools::SetBackend("Sequential");
+  const double reference = MeasureArithmetic();
+  std::printf("%d lanes, %.1f million evaluations a second by the kernel alone\n\n| file |",
+    sm::GetLaneCounts().back(), 1e-6 * reference);
+  for (const std::string& column : Columns)
+  {
+    std::printf(" %s |", column.c_str());
+  }
+  std::printf(" Mevaluations/s | of the kernel's |\n|---|");
+  for (std::size_t i = 0; i < Columns.size() + 2; ++i)
+  {
+    std::printf("---|");
+  }
+  std::printf("\n");
+  Json document = { { "lanes", sm::GetLaneCounts().back() }, { "kernel_evaluations_per_second", reference },
+    { "files", Json::array() } };
+  bool same = true;
+  for (const std::string& path : paths)
+  {
+    document["files"].push_back(MeasureFile(path));
+    const Json& file = document["files"].back();
+    PrintRow(file["file"], file["seconds"], file["evaluations"], reference);
+    std::fflush(stdout);
+    if (!IsSame(file))
+    {
+      std::fprintf(stderr, "%s: another volume than OpenCASCADE's\n", path.c_str());
+      same = false;
+    }
+  }
+  document["sum"] = AddUp(document["files"]);
+  const Json& sum = document["sum"];
+  PrintRow("sum", sum["seconds"], sum["evaluations"], reference);
+  std::printf(
+    "\ncut, plan, upload and integrate over BRepGProp: %.2f; integrate alone: %.2f; read and convert over "
+    "OpenCASCADE's reader: %.2f; peak %.0f MB\n",
+    sum["prepare_and_integrate_over_gprop"].get<double>(), sum["integrate_over_gprop"].get<double>(),
+    sum["read_over_occt"].get<double>(), GetPeakMegabytes());
+  if (!json.empty())
+  {
+    std::ofstream file(json);
+    file << document.dump(1) << "\n";
+    file.close();
+    same = same && file;
+  }
+  return same ? 0 : 1;
+}
