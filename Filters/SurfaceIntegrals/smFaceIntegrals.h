@@ -26,7 +26,7 @@ struct FaceTask
   /// Rows of a 3x4 placement applied to positions and normals; used after SetUsePlacements(true).
   std::array<double, 12> Placement{};
   /// Rounding of that placement.
-  PlacementError PlacementBound;
+  PlacementError PlacementBound{};
 };
 
 /// The gap along one coedge, the distance of the face's curve from the edge's curve at foot points: integral of its square,
