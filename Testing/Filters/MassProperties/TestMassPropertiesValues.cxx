@@ -33,7 +33,7 @@ double GetFloor(const std::string& solid, const std::string& quantity)
 int GetMostUnmet(const std::string& solid)
 {
   bool floored = GetFloor(solid, names::SurfaceArea) > 5e-12;
-  for (const char* name : { "ellipsoid", "spline_ring", "moebius_1000", "moebius_left" })
+  for (const char* name : { "ellipsoid", "gear", "spline_ring", "moebius_1000", "moebius_left" })
   {
     floored = floored || solid == name;
   }
@@ -45,7 +45,7 @@ int GetMostUnmet(const std::string& solid)
 double GetAreaAmplification(const std::string& solid)
 {
   const bool weighted = solid == "rational_graph" || solid == "rational_block" || solid == "spline_ring";
-  return weighted ? 1e4 : 3e3;
+  return weighted ? 1e4 : 5e3;
 }
 
 /// What rounding at reading may cost the bounds, relative to the scale: every coordinate a few roundings, which move every face. The
@@ -56,7 +56,7 @@ double GetReadingLimit(const Expected& expected, const std::string& quantity)
   const double volume = 4 * distance * expected.Area / expected.Volume;
   return quantity == names::SurfaceArea ? GetAreaAmplification(expected.Solid) * distance / expected.Size
     : quantity == names::CenterOfMass   ? 4 * volume
-    : quantity == names::VolumeInertia  ? 20 * volume
+    : quantity == names::VolumeInertia  ? 40 * volume
                                         : volume;
 }
 
