@@ -17,8 +17,7 @@
 #include "vtkStringArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
-#include <unistd.h>
-
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -56,9 +55,11 @@ vtkSmartPointer<vtkPolyData> Join(vtkPartitionedDataSetCollection* bodies, const
   vtkNew<vtkCleanPolyData> merge;
   merge->SetInputConnection(append->GetOutputPort());
   merge->SetTolerance(0.0);
-  merge->ConvertPolysToLinesOff();
   merge->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   merge->Update();
+  // A triangle of which two corners are one is a line there.
+  merge->GetOutput()->SetLines(nullptr);
+  merge->GetOutput()->SetVerts(nullptr);
   vtkNew<vtkStringArray> name;
   name->SetName("LengthUnit");
   name->InsertNextValue(unit);
@@ -113,16 +114,21 @@ std::string WriteMesh(
   }
   // VTK's writers open a file of their own; SaveFile() replaces the user's when all is there.
   std::error_code error;
-  const fs::path temporary =
-    fs::temp_directory_path(error) / ("solidmoments-" + std::to_string(getpid()) + GetExtension(fileName));
-  const bool isWritten = !error && WriteAs(GetExtension(fileName), mesh, unit, temporary.string());
+  std::string folder = (fs::temp_directory_path(error) / "solidmoments-XXXXXX").string();
+  if (error || !mkdtemp(folder.data()))
+  {
+    return "there is no folder for temporary files that can be written";
+  }
+  const fs::path temporary = fs::path(folder) / ("mesh" + GetExtension(fileName));
+  bool isWritten = WriteAs(GetExtension(fileName), mesh, unit, temporary.string());
   std::string bytes;
   if (isWritten)
   {
     std::ifstream file(temporary, std::ios::binary);
     bytes.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    isWritten = !file.bad() && bytes.size() == fs::file_size(temporary, error);
   }
-  fs::remove(temporary, error);
+  fs::remove_all(folder, error);
   if (!isWritten)
   {
     return "there is no room for it in the folder for temporary files";

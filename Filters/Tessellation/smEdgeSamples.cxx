@@ -265,6 +265,8 @@ double BoundSagitta(const EdgeCurve& curve, double low, double high)
   // Distances from the line of the chord, by the convex hull: second differences where one piece holds the chord, else
   // the coefficients themselves.
   double largest = 0.0;
+  // Beyond the ends of the chord.
+  double excess = 0.0;
   for (int k = first; k <= last; ++k)
   {
     std::array<double, 3> b[MaximumDegree + 1];
@@ -277,6 +279,11 @@ double BoundSagitta(const EdgeCurve& curve, double low, double high)
     {
       RestrictBernstein(b, piece.Degree, 1, from, to);
     }
+    for (int i = 0; i <= piece.Degree; ++i)
+    {
+      const double x = Dot(Subtract(b[i], start), along);
+      excess = std::max({ excess, -x, x - length });
+    }
     for (int i = 0; first != last && i <= piece.Degree; ++i)
     {
       largest = std::max(largest, Norm(Reject(Subtract(b[i], start), along)));
@@ -288,7 +295,7 @@ double BoundSagitta(const EdgeCurve& curve, double low, double high)
       largest = std::max(largest, 0.125 * piece.Degree * (piece.Degree - 1.0) * Norm(Reject(second, along)));
     }
   }
-  return largest;
+  return std::hypot(largest, excess);
 }
 
 std::vector<double> SampleEdge(

@@ -651,7 +651,11 @@ private:
         std::swap(corners[1], corners[2]);
       }
       result.Triangles.push_back(corners);
-      result.Deviation = std::max(result.Deviation, this->GetError(t) + gap);
+      const double deviation = this->GetError(t) + gap;
+      // Not std::max, which loses a NaN.
+      result.Deviation = deviation <= result.Deviation ? result.Deviation
+        : std::isnan(deviation)                        ? HUGE_VAL
+                                                       : deviation;
     }
     // Positions are rounded, and so are parameters.
     const SurfaceBlocks::Block all = this->Blocks.GetLargest(this->Blocks.GetCovered());

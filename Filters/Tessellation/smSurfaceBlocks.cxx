@@ -10,6 +10,9 @@ namespace sm
 {
 namespace
 {
+/// Beyond the borders of a rational surface's domain a weight may vanish: bounds are immense then, not negative.
+constexpr double LeastWeight = 1e-100;
+
 using Homogeneous = std::array<double, 4>;
 
 /// Parts of a span, per direction, on which its second derivatives are bounded; of a polynomial of low degree, and of others.
@@ -160,10 +163,10 @@ bool BoundRational(const Net& net, const Net& u, const Net& v, std::array<double
   const Vector3 c = Project(h);
   const Vector3 middle[2] = { ProjectDerivative(Evaluate(u, 0.5, 0.5), c, h[3]),
     ProjectDerivative(Evaluate(v, 0.5, 0.5), c, h[3]) };
-  double lightest = net.B[0][3];
+  double lightest = std::max(net.B[0][3], LeastWeight);
   for (const Homogeneous& b : net.B)
   {
-    lightest = std::min(lightest, b[3]);
+    lightest = std::min(lightest, std::max(b[3], LeastWeight));
   }
   const double a[2] = { GetLargestWeight(u) / lightest, GetLargestWeight(v) / lightest };
   double g[3];
@@ -230,11 +233,11 @@ std::array<double, 3> BoundCoarsely(const Net& net, const Net& u, const Net& v)
 {
   const Vector3 c = Project(net.B[0]);
   double size = 0.0;
-  double lightest = net.B[0][3];
+  double lightest = std::max(net.B[0][3], LeastWeight);
   for (const Homogeneous& h : net.B)
   {
     size = std::max(size, Norm(Subtract(Project(h), c)));
-    lightest = std::min(lightest, h[3]);
+    lightest = std::min(lightest, std::max(h[3], LeastWeight));
   }
   const double ratio = GetLargestWeight(net) / lightest;
   const double slope[2] = { 2.0 * net.P * ratio * ratio * size, 2.0 * net.Q * ratio * ratio * size };
@@ -285,12 +288,12 @@ double BoundCurve(const Homogeneous* b, int degree)
   const Homogeneous h = curve.Evaluate(0.5, &derivative);
   const Vector3 c = Project(h);
   const Vector3 d = ProjectDerivative(derivative, c, h[3]);
-  double lightest = b[degree][3];
+  double lightest = std::max(b[degree][3], LeastWeight);
   double slope = 0.0;
   double bend = 0.0;
   for (int i = 0; i < degree; ++i)
   {
-    lightest = std::min(lightest, b[i][3]);
+    lightest = std::min(lightest, std::max(b[i][3], LeastWeight));
     slope = std::max(slope, degree * std::abs(b[i + 1][3] - b[i][3]));
   }
   // P'' - w'' c - 2 w' d, of degree - 1: the second differences have one degree less.
@@ -734,7 +737,7 @@ void SurfaceBlocks::CountThinStrips(int direction)
       second = b.Along[2 * direction] = 0.0;
       b.Turn[direction] = 0.0;
     }
-    this->Creases[direction].push_back({ 0.5 * (breaks[i] + breaks[i + 1]), largest * width });
+    this->Creases[direction].push_back({ 0.5 * (breaks[i] + breaks[i + 1]), largest * width, 0.5 * width });
   }
 }
 
@@ -748,7 +751,7 @@ void SurfaceBlocks::AddCrease(int direction, double at, double jump)
       return;
     }
   }
-  this->Creases[direction].push_back({ at, jump });
+  this->Creases[direction].push_back({ at, jump, 0.0 });
 }
 
 void SurfaceBlocks::GetRange(const ParameterBox& box, int d, std::size_t& first, std::size_t& last) const
@@ -817,7 +820,7 @@ double SurfaceBlocks::GetError(const ParameterBox& box) const
     for (const Crease& crease : this->Creases[d])
     {
       const double slack = 1e-12 * std::abs(crease.At);
-      if (crease.At > box.Low[d] + slack && crease.At < box.High[d] - slack)
+      if (crease.At + crease.Half > box.Low[d] + slack && crease.At - crease.Half < box.High[d] - slack)
       {
         error += 0.25 * crease.Jump * w[d];
       }

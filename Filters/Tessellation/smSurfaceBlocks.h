@@ -80,6 +80,8 @@ private:
   {
     double At;
     double Jump;
+    /// Half the width of a thin strip that it stands for, in which the derivative changes by Jump; 0: none.
+    double Half;
   };
   void AddCrease(int direction, double at, double jump);
   void CountThinStrips(int direction);

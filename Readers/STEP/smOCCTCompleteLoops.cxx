@@ -86,6 +86,7 @@ private:
         {
           return "an edge leads beyond its surface";
         }
+        coedge.EdgeDistance = feet->GetDistance();
         coedge.Trim.Curve = feet->GetLine();
         coedge.Trim.Feet = coedge.Trim.Curve.IsNull() ? feet : nullptr;
         coedge.NeedsFeet = false;

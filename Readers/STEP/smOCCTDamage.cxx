@@ -24,6 +24,8 @@
 #include <StepShape_ContextDependentShapeRepresentation.hxx>
 #include <StepShape_Face.hxx>
 #include <StepShape_HArray1OfFace.hxx>
+#include <StepShape_OrientedClosedShell.hxx>
+#include <StepShape_OrientedOpenShell.hxx>
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <StepShape_TopologicalRepresentationItem.hxx>
@@ -164,6 +166,30 @@ std::string Number(const Handle(StepData_StepModel) & model, const Handle(Standa
 }
 }
 
+bool HasFaceList(Handle(StepShape_ConnectedFaceSet) shell)
+{
+  constexpr int most = 100;
+  for (int turns = 0; turns < most && !shell.IsNull(); ++turns)
+  {
+    const auto closed = Handle(StepShape_OrientedClosedShell)::DownCast(shell);
+    const auto open = Handle(StepShape_OrientedOpenShell)::DownCast(shell);
+    if (closed.IsNull() && open.IsNull())
+    {
+      return !shell->CfsFaces().IsNull();
+    }
+    shell = nullptr;
+    if (!closed.IsNull())
+    {
+      shell = closed->ClosedShellElement();
+    }
+    else
+    {
+      shell = open->OpenShellElement();
+    }
+  }
+  return false;
+}
+
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
   const Handle(StepData_StepModel) & model, const EntityFilter& matters, const EntityPeril& peril,
   std::vector<std::string>& messages, LostFaces& lost)
@@ -201,8 +227,15 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
   for (int i = 1; i <= model->NbEntities(); ++i)
   {
     const auto shell = Handle(StepShape_ConnectedFaceSet)::DownCast(model->Value(i));
-    if (shell.IsNull() || shell->CfsFaces().IsNull())
+    if (!HasFaceList(shell))
     {
+      const bool isOriented = !shell.IsNull() &&
+        (shell->IsKind(STANDARD_TYPE(StepShape_OrientedClosedShell)) ||
+          shell->IsKind(STANDARD_TYPE(StepShape_OrientedOpenShell)));
+      if (isOriented && matters(model->IdentLabel(shell)))
+      {
+        return count + "; the oriented shell " + Number(model, shell) + " has no shell: export it again";
+      }
       continue;
     }
     std::vector<Handle(StepShape_Face)> kept;

@@ -6,6 +6,7 @@
 #define smOCCTDamage_h
 
 #include <StepData_StepModel.hxx>
+#include <StepShape_ConnectedFaceSet.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include <functional>
@@ -32,6 +33,10 @@ using EntityPeril = std::function<std::string(int)>;
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
   const Handle(StepData_StepModel) & model, const EntityFilter& matters, const EntityPeril& peril,
   std::vector<std::string>& messages, LostFaces& lost);
+
+/// True if the shell has faces to ask for. An oriented shell asks the one that it turns, which a damaged file need not have: OpenCASCADE
+/// crashes then.
+bool HasFaceList(Handle(StepShape_ConnectedFaceSet) shell);
 
 /// Colours or properties (volumes, materials) whose entities have dangling references: not to be asked for.
 struct Attributes

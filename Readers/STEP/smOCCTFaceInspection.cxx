@@ -21,12 +21,12 @@ using Point2 = std::array<double, 2>;
 /// Segments that stand for a coedge's trim.
 constexpr int Samples = 8;
 
-/// A loop as points in (u,v), in its direction.
-std::vector<Point2> SampleLoop(const DraftFace& face, const DraftLoop& loop)
+/// A loop as points in (u,v), in its direction. Edges that are projected get their EdgeDistance.
+std::vector<Point2> SampleLoop(const DraftFace& face, DraftLoop& loop)
 {
   std::vector<Point2> points;
   const auto plane = Handle(Geom_Plane)::DownCast(face.Surface);
-  for (const DraftCoedge& coedge : loop)
+  for (DraftCoedge& coedge : loop)
   {
     TopLoc_Location location;
     double first = coedge.Trim.First;
@@ -45,7 +45,9 @@ std::vector<Point2> SampleLoop(const DraftFace& face, const DraftLoop& loop)
       Point2 uv{};
       if (coedge.Projected)
       {
-        ElSLib::Parameters(plane->Pln(), curve->Value(t).Transformed(placement), uv[0], uv[1]);
+        const gp_Pnt point = curve->Value(t).Transformed(placement);
+        coedge.EdgeDistance = std::max(coedge.EdgeDistance, plane->Pln().Distance(point));
+        ElSLib::Parameters(plane->Pln(), point, uv[0], uv[1]);
       }
       else
       {
@@ -149,16 +151,16 @@ FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double toleran
   std::vector<double> areas;
   std::vector<NativeBox> boxes;
   std::size_t largest = 0;
-  for (const DraftLoop& loop : face.Loops)
+  for (DraftLoop& loop : face.Loops)
   {
-    const bool isOnSurface = std::all_of(loop.begin(), loop.end(),
-      [tolerance](const DraftCoedge& c) { return !c.Trim.Feet || c.Trim.Feet->GetDistance() <= tolerance; });
+    const std::vector<Point2> points = SampleLoop(face, loop);
+    const bool isOnSurface = std::all_of(
+      loop.begin(), loop.end(), [tolerance](const DraftCoedge& c) { return c.EdgeDistance <= tolerance; });
     if (!isOnSurface)
     {
       result.Problem = "an edge lies beside it";
       return result;
     }
-    const std::vector<Point2> points = SampleLoop(face, loop);
     if (!(GetLargestGap(face, points) <= tolerance))
     {
       result.Problem = "a loop does not close";

@@ -29,6 +29,8 @@ struct DraftCoedge
   bool Projected = false;
   /// Without a pcurve of its own: to get the feet of the edge's curve.
   bool NeedsFeet = false;
+  /// Largest distance of samples of the edge from the surface, where its trim was made of them.
+  double EdgeDistance = 0.0;
   NativeTrim Trim;
   /// In loop direction; null when the file gives none.
   TopoDS_Vertex Start;

@@ -1,5 +1,7 @@
 #include "smOCCTTable.h"
 
+#include "smOCCTDamage.h"
+
 #include <Quantity_Color.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepRepr_MappedItem.hxx>
@@ -124,7 +126,7 @@ void AddLosses(const Handle(Standard_Transient) & entity, const TopoDS_Shape& sh
     table[shape.TShape().get()].Bounded = true;
   }
   const auto set = Handle(StepShape_ConnectedFaceSet)::DownCast(entity);
-  if (set.IsNull() || set->CfsFaces().IsNull() || shape.ShapeType() != TopAbs_SHELL)
+  if (!HasFaceList(set) || shape.ShapeType() != TopAbs_SHELL)
   {
     return;
   }

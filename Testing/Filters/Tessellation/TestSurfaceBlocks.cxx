@@ -112,6 +112,46 @@ void CheckTriangles(const std::string& what, const sm::NURBSSurface& surface, do
   }
   CheckRange(what, least, largest, 1.0, "a bound, and no idle one");
 }
+/// A sharp bend in a span that is a 100,000th of the face: boxes that end in it are charged for it.
+void CheckThinSpan()
+{
+  sm::NURBSSurface s;
+  s.Degree[0] = 2;
+  s.Degree[1] = 1;
+  s.Knots[0] = { 0, 0, 0, 0.5, 0.5, 0.50001, 0.50001, 1, 1, 1 };
+  s.Knots[1] = { 0, 0, 1, 1 };
+  s.NumberOfControlPoints[0] = 7;
+  s.NumberOfControlPoints[1] = 2;
+  const double profile[7][2] = { { -40, 0 }, { -20, 0 }, { 0, 0 }, { 10, 0 }, { 10, 10 }, { 10, 20 },
+    { 10, 40 } };
+  for (int j = 0; j < 2; ++j)
+  {
+    for (const auto& p : profile)
+    {
+      s.ControlPoints.push_back({ p[0], p[1], 10.0 * j, 1.0 });
+    }
+  }
+  const sm::SurfaceBlocks blocks(s, { { 0.0, 0.0 }, { 1.0, 1.0 } });
+  for (const auto& [low, high] : { std::make_pair(0.5, 0.500005), std::make_pair(0.4, 0.500004),
+         std::make_pair(0.500002, 0.500008), std::make_pair(0.500006, 0.9), std::make_pair(0.3, 0.8) })
+  {
+    double ends[2][3];
+    s.Evaluate(low, 0.0, ends[0]);
+    s.Evaluate(high, 0.0, ends[1]);
+    double farthest = 0.0;
+    for (int i = 0; i <= 1000; ++i)
+    {
+      const double u = low + (high - low) * i / 1000;
+      double p[3];
+      s.Evaluate(u, 0.0, p);
+      const double x[2] = { ends[1][0] - ends[0][0], ends[1][1] - ends[0][1] };
+      farthest = std::max(
+        farthest, std::abs(x[0] * (p[1] - ends[0][1]) - x[1] * (p[0] - ends[0][0])) / std::hypot(x[0], x[1]));
+    }
+    CheckRange(
+      "a thin span: distance / bound", 0.0, farthest / blocks.GetError({ { low, 0.0 }, { high, 0.1 } }), 1.0);
+  }
+}
 }
 
 int TestSurfaceBlocks(int, char*[])
@@ -126,5 +166,6 @@ int TestSurfaceBlocks(int, char*[])
     CheckTriangles("rational surfaces" + name, MakeRandom(random, degree, 0.5, false), 0.2, 0.05);
     CheckTriangles("surfaces with a crease" + name, MakeRandom(random, degree, 0.0, true), 0.2, 0.1);
   }
+  CheckThinSpan();
   return Finish();
 }
