@@ -2,7 +2,7 @@
 // capabilities to the root and receive their shares; they agree once after cutting, once for every plan of the orders, once when the
 // faces are acquired, and once after every batch, until some rank is stopped or none has any batch left; then they send their results
 // to the root. A rank that fails leaves the sequence, and FinishSharing() completes it.
-#include "Sharing/smFaceBytes.h"
+#include "Sharing/smIntegralBytes.h"
 #include "smFailureReason.h"
 #include "smSurfaceIntegratorInternals.h"
 

@@ -45,8 +45,7 @@
  * OpenCASCADE 7.6 crashes on some damaged files, and the process with it: on 15 of about 1,500 mutants of sound files
  * (DeveloperGuide.md, Mutants), and on no sound file of our sweeps; eight more took longer than 12 seconds, one minutes. What the entities
  * show is refused before OpenCASCADE follows it: dangling references, geometry that is part of itself, curves in a surface's parameters
- * that are none, placements with too few parameters. Who reads files of unknown origin should do it in a process of its own, as the
- * command line does. That hands on results, not the model, and so this reader does not offer it.
+ * that are none, placements with too few parameters. With IsolatedOn() a crash ends a process that only reads the file, and is an error.
  *
  * The display mesh is made of the exact model: every edge is sampled once and its points are shared by its faces with the same bits, so
  * that a closed solid has a closed mesh; the field array MeshDeviation holds a proved bound for each face of the distance of its
@@ -139,8 +138,21 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Reads the file in a process of its own, the program solidmoments-read, which sends the output: what OpenCASCADE crashes on, or does
+   * not end on, costs this file and not the session. The output has the same bits. It costs the start of a program, some tenths of a
+   * second, and for the time of the reading the memory of the models and meshes three times. If the program is not in the folder bin
+   * beside the library or above it, the file is read in this process, and a message says so. Default: off; on in ParaView.
+   */
+  vtkSetMacro(Isolated, bool);
+  vtkGetMacro(Isolated, bool);
+  vtkBooleanMacro(Isolated, bool);
+  ///@}
+
+  ///@{
   /** Limit of the duration of an Update() in seconds, after which the status is ABORTED. OpenCASCADE says only now and then how far it is,
-   * and for damaged geometry perhaps never: no limit in this process can end it then. At least 0, clamped. Default 0: no limit. */
+   * and for damaged geometry perhaps never: only where the reading is isolated is it ended then. At least 0, clamped. Default 0: no
+   * limit. */
   vtkSetClampMacro(MaximumSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSeconds, double);
   ///@}
@@ -185,6 +197,11 @@ public:
   double GetConversionSeconds() const;
   ///@}
 
+#ifndef __VTK_WRAP__
+  /** The output, status and messages of the last Update() as bytes, for an isolated reader: what solidmoments-read sends. */
+  std::vector<char> PackOutput();
+#endif
+
 protected:
   vtkSTEPReader();
   ~vtkSTEPReader() override;
@@ -212,6 +229,10 @@ private:
   /// Read() that lets no exception out: one is an error, and the output is empty.
   void ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept;
   void Read(vtkPartitionedDataSetCollection* output);
+  /// Reads in a process of its own, whose program is given.
+  void ReadIsolated(const std::string& program, vtkPartitionedDataSetCollection* output);
+  /// Reads in this process.
+  void ReadHere(vtkPartitionedDataSetCollection* output);
   /// The mistake in the settings; empty when there is none.
   std::string FindMistake() const;
   sm::LeafOptions ChooseOptions(const sm::Document& document);
@@ -233,6 +254,7 @@ private:
   double AngularDeflection = 0.35;
   std::string OutputUnit = "mm";
   int Repair = ALWAYS;
+  bool Isolated = false;
   double MaximumSeconds = 0.0;
   /// When the last Update() began, and whether it took too long.
   double Start = 0.0;

@@ -1,9 +1,10 @@
 // Faces shared among ranks, here threads of one process: the bits of a run alone, whoever fails; what travels, bit for bit;
 // and who gets what.
 #include "Items/smCPUItemRunner.h"
-#include "Sharing/smFaceBytes.h"
 #include "Sharing/smFaceExchange.h"
 #include "Sharing/smFaceShares.h"
+#include "Sharing/smIntegralBytes.h"
+#include "smFaceBytes.h"
 #include "smSurfaceIntegrator.h"
 #include "smTesting.h"
 

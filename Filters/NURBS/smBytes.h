@@ -1,6 +1,6 @@
 /**
  * @file smBytes.h
- * @brief Conversion of values to bytes and back, for messages between ranks on machines of one kind
+ * @brief Conversion of values to bytes and back, for messages between processes on machines of one kind
  *
  * Numbers are copied in their memory representation, so that doubles are bitwise preserved. A ByteReader never reads beyond the
  * end: after missing or invalid data IsGood() is false, and the requested values are zero.
@@ -8,7 +8,6 @@
 #ifndef smBytes_h
 #define smBytes_h
 
-#include "smFiltersSurfaceIntegralsModule.h"
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -36,10 +35,20 @@ public:
     this->Put(static_cast<std::uint64_t>(values.size()));
     this->Append(values.data(), values.size() * sizeof(Type));
   }
-  void PutText(const std::string& text)
+  void PutText(const std::string& text) { this->PutBlock(text.data(), text.size()); }
+  void PutTexts(const std::vector<std::string>& texts)
   {
-    this->Put(static_cast<std::uint64_t>(text.size()));
-    this->Append(text.data(), text.size());
+    this->Put(static_cast<std::uint64_t>(texts.size()));
+    for (const std::string& text : texts)
+    {
+      this->PutText(text);
+    }
+  }
+  /// Writes `size` bytes and their number.
+  void PutBlock(const void* from, std::size_t size)
+  {
+    this->Put(static_cast<std::uint64_t>(size));
+    this->Append(from, size);
   }
   Bytes& GetBytes() { return this->Content; }
 
@@ -53,7 +62,7 @@ private:
   Bytes Content;
 };
 
-class SMFILTERSSURFACEINTEGRALS_EXPORT ByteReader
+class ByteReader
 {
 public:
   /// The bytes must outlive the reader.
@@ -83,6 +92,21 @@ public:
     this->Take(text.data(), text.size(), 1);
     return text;
   }
+  std::vector<std::string> GetTexts()
+  {
+    std::vector<std::string> texts(this->GetCount(sizeof(std::uint64_t)));
+    for (std::string& text : texts)
+    {
+      text = this->GetText();
+    }
+    return texts;
+  }
+  /// Reads a block of `size` bytes; IsGood() is false if the next one has another size.
+  void GetBlock(void* to, std::size_t size)
+  {
+    this->Good = this->GetCount(1) == size && this->Good;
+    this->Take(to, size, 1);
+  }
   /// Returns the number of following elements of at least `size` bytes each. If the message is too short for them, returns 0, and
   /// IsGood() is false.
   std::size_t GetCount(std::size_t size)
@@ -92,6 +116,7 @@ public:
     return this->Good ? static_cast<std::size_t>(count) : 0;
   }
   bool IsGood() const { return this->Good; }
+  std::size_t GetNumberOfBytesLeft() const { return this->Content.size() - this->At; }
   /// Returns the number of bytes read.
   std::size_t GetPosition() const { return this->At; }
 

@@ -70,6 +70,8 @@ void FaceWriter::Put(const Face& face)
   this->To.Put(face.FileId);
   this->To.PutText(face.Name);
   this->To.Put(face.Reversed);
+  this->To.Put(face.Color);
+  this->To.PutTexts(face.Messages);
   for (int d = 0; d < 2; ++d)
   {
     this->To.Put(surface.Degree[d]);
@@ -100,6 +102,8 @@ FacePointer FaceReader::Get()
   face->FileId = this->From.Get<int>();
   face->Name = this->From.GetText();
   face->Reversed = this->From.Get<bool>();
+  face->Color = this->From.Get<std::array<double, 3>>();
+  face->Messages = this->From.GetTexts();
   NURBSSurface& surface = face->Surface;
   for (int d = 0; d < 2; ++d)
   {
@@ -127,45 +131,5 @@ FacePointer FaceReader::Get()
     }
   }
   return this->From.IsGood() ? face : nullptr;
-}
-
-void PutIntegrals(ByteWriter& to, const FaceIntegrals& integrals)
-{
-  for (const std::vector<double>* values : { &integrals.Face, &integrals.Closing, &integrals.QuadratureError,
-         &integrals.Rounding, &integrals.Conversion })
-  {
-    to.PutAll(*values);
-  }
-  to.Put(integrals.Estimated);
-  to.Put(integrals.Skipped);
-  to.Put(integrals.GapSquared);
-  to.Put(integrals.GapArea);
-  to.Put(integrals.MaxGap);
-  to.PutAll(integrals.Gaps);
-  to.Put(integrals.CoverageDefects);
-  to.Put(integrals.Outside);
-  to.Put(integrals.IsContinued);
-  to.PutText(integrals.Error);
-}
-
-FaceIntegrals GetIntegrals(ByteReader& from)
-{
-  FaceIntegrals integrals;
-  for (std::vector<double>* values : { &integrals.Face, &integrals.Closing, &integrals.QuadratureError,
-         &integrals.Rounding, &integrals.Conversion })
-  {
-    *values = from.GetAll<double>();
-  }
-  integrals.Estimated = from.Get<bool>();
-  integrals.Skipped = from.Get<bool>();
-  integrals.GapSquared = from.Get<double>();
-  integrals.GapArea = from.Get<double>();
-  integrals.MaxGap = from.Get<double>();
-  integrals.Gaps = from.GetAll<CoedgeGap>();
-  integrals.CoverageDefects = from.Get<int>();
-  integrals.Outside = from.Get<Overhang>();
-  integrals.IsContinued = from.Get<bool>();
-  integrals.Error = from.GetText();
-  return integrals;
 }
 }

@@ -1,14 +1,13 @@
 /**
  * @file smFaceBytes.h
- * @brief Bitwise conversion of faces and their integrals to bytes and back
+ * @brief Bitwise conversion of faces to bytes and back
  */
 #ifndef smFaceBytes_h
 #define smFaceBytes_h
 
 #include "smBytes.h"
 #include "smFace.h"
-#include "smFiltersSurfaceIntegralsModule.h"
-#include "smSurfaceIntegrator.h"
+#include "smFiltersNURBSModule.h"
 
 #include <cstdint>
 #include <map>
@@ -18,15 +17,14 @@
 namespace sm
 {
 /// Writes faces into one message; an edge shared by several of them is written once.
-class SMFILTERSSURFACEINTEGRALS_EXPORT FaceWriter
+class SMFILTERSNURBS_EXPORT FaceWriter
 {
 public:
   explicit FaceWriter(ByteWriter& to)
     : To(to)
   {
   }
-  /// Writes everything on which integrals depend, and the names and numbers in messages. Colours, the reader's messages and the
-  /// previous positions of edited edges are omitted.
+  /// Writes all of the face but its id and the previous positions of edited edges.
   void Put(const Face& face);
 
 private:
@@ -37,7 +35,7 @@ private:
 };
 
 /// Reads the faces of a FaceWriter, in the same order.
-class SMFILTERSSURFACEINTEGRALS_EXPORT FaceReader
+class SMFILTERSNURBS_EXPORT FaceReader
 {
 public:
   explicit FaceReader(ByteReader& from)
@@ -53,9 +51,6 @@ private:
   ByteReader& From;
   std::vector<std::shared_ptr<const Edge>> Edges;
 };
-
-SMFILTERSSURFACEINTEGRALS_EXPORT void PutIntegrals(ByteWriter& to, const FaceIntegrals& integrals);
-SMFILTERSSURFACEINTEGRALS_EXPORT FaceIntegrals GetIntegrals(ByteReader& from);
 }
 
 #endif

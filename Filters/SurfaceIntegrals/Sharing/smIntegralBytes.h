@@ -1,0 +1,18 @@
+/**
+ * @file smIntegralBytes.h
+ * @brief Bitwise conversion of the integrals of a face to bytes and back
+ */
+#ifndef smIntegralBytes_h
+#define smIntegralBytes_h
+
+#include "smBytes.h"
+#include "smFaceIntegrals.h"
+#include "smFiltersSurfaceIntegralsModule.h"
+
+namespace sm
+{
+SMFILTERSSURFACEINTEGRALS_EXPORT void PutIntegrals(ByteWriter& to, const FaceIntegrals& integrals);
+SMFILTERSSURFACEINTEGRALS_EXPORT FaceIntegrals GetIntegrals(ByteReader& from);
+}
+
+#endif

@@ -1,0 +1,255 @@
+#include "smReadProgram.h"
+
+#include "vtksys/SystemTools.hxx"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+namespace sm
+{
+namespace
+{
+constexpr char ProgressKind = 'p';
+constexpr char ResultKind = 'r';
+/// Time between two calls of the progress callback without news, in milliseconds.
+constexpr int Patience = 100;
+/// Folders above the library's own that are searched: it may be in lib/TRIPLET/ParaView.
+constexpr int Levels = 4;
+
+bool Send(int descriptor, const void* from, std::size_t size)
+{
+  const char* bytes = static_cast<const char*>(from);
+  while (size > 0)
+  {
+    const ssize_t count = write(descriptor, bytes, size);
+    if (count < 0 && errno != EINTR)
+    {
+      return false;
+    }
+    bytes += std::max<ssize_t>(count, 0);
+    size -= static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+  }
+  return true;
+}
+
+bool SendMessage(int descriptor, char kind, const void* from, std::uint64_t size)
+{
+  return Send(descriptor, &kind, 1) && Send(descriptor, &size, sizeof(size)) && Send(descriptor, from, size);
+}
+
+std::string DescribeEnd(int status)
+{
+  if (WIFSIGNALED(status))
+  {
+    const int number = WTERMSIG(status);
+    return "ended by signal " + std::to_string(number) + " (" + strsignal(number) + ")" +
+      (number == SIGKILL ? ", as the system does when memory runs out"
+                         : "; the file is malformed or OpenCASCADE cannot read it");
+  }
+  return "ended with exit status " + std::to_string(WEXITSTATUS(status)) + " and without a result";
+}
+
+/// The running program; killed by the destructor unless it has ended.
+class Process
+{
+public:
+  Process(const std::string& program, const std::vector<std::string>& arguments);
+  ~Process();
+  Process(const Process&) = delete;
+  void operator=(const Process&) = delete;
+
+  /// Why there is none; 0: there is one.
+  int GetError() const { return this->Error; }
+  /// Appends what it has sent, and waits for `milliseconds` where it has sent nothing. False at the end.
+  bool Receive(int milliseconds, Bytes& received);
+  /// Status of waitpid(), after its end.
+  int Wait();
+
+private:
+  pid_t Id = -1;
+  int Pipe = -1;
+  int Error = 0;
+};
+
+Process::Process(const std::string& program, const std::vector<std::string>& arguments)
+{
+  std::vector<char*> words{ const_cast<char*>(program.c_str()) };
+  for (const std::string& argument : arguments)
+  {
+    words.push_back(const_cast<char*>(argument.c_str()));
+  }
+  words.push_back(nullptr);
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0)
+  {
+    this->Error = errno;
+    return;
+  }
+  this->Pipe = ends[0];
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  this->Error = posix_spawn(&this->Id, program.c_str(), &actions, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[1]);
+  this->Id = this->Error == 0 ? this->Id : -1;
+}
+
+Process::~Process()
+{
+  if (this->Id > 0)
+  {
+    kill(this->Id, SIGKILL);
+    this->Wait();
+  }
+  if (this->Pipe >= 0)
+  {
+    close(this->Pipe);
+  }
+}
+
+bool Process::Receive(int milliseconds, Bytes& received)
+{
+  struct pollfd waiting = { this->Pipe, POLLIN, 0 };
+  if (poll(&waiting, 1, milliseconds) <= 0)
+  {
+    return true;
+  }
+  std::array<char, 65536> buffer;
+  const ssize_t count = read(this->Pipe, buffer.data(), buffer.size());
+  if (count > 0)
+  {
+    received.insert(received.end(), buffer.begin(), buffer.begin() + count);
+  }
+  return count > 0 || (count < 0 && errno == EINTR);
+}
+
+int Process::Wait()
+{
+  int status = 0;
+  while (waitpid(this->Id, &status, 0) < 0 && errno == EINTR)
+  {
+  }
+  this->Id = -1;
+  return status;
+}
+
+/// Takes the messages that are whole out of `received`.
+void TakeMessages(Bytes& received, double& fraction, ReadProgramOutcome& outcome, bool& isComplete)
+{
+  constexpr std::size_t HeadSize = 1 + sizeof(std::uint64_t);
+  std::size_t at = 0;
+  std::uint64_t size = 0;
+  for (; received.size() - at >= HeadSize; at += HeadSize + size)
+  {
+    std::memcpy(&size, received.data() + at + 1, sizeof(size));
+    if (received.size() - at - HeadSize < size)
+    {
+      break;
+    }
+    const char* content = received.data() + at + HeadSize;
+    if (received[at] == ProgressKind && size == sizeof(fraction))
+    {
+      std::memcpy(&fraction, content, sizeof(fraction));
+    }
+    else if (received[at] == ResultKind)
+    {
+      outcome.Result.assign(content, content + size);
+      isComplete = true;
+    }
+  }
+  received.erase(received.begin(), received.begin() + static_cast<std::ptrdiff_t>(at));
+}
+}
+
+std::string FindReadProgram()
+{
+  Dl_info info;
+  if (dladdr(reinterpret_cast<void*>(&FindReadProgram), &info) == 0 || !info.dli_fname)
+  {
+    return {};
+  }
+  std::string folder = vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::GetRealPath(info.dli_fname));
+  for (int i = 0; i < Levels && !folder.empty(); ++i)
+  {
+    const std::string program = folder + "/bin/solidmoments-read";
+    if (access(program.c_str(), X_OK) == 0)
+    {
+      return program;
+    }
+    folder = vtksys::SystemTools::GetFilenamePath(folder);
+  }
+  return {};
+}
+
+ReadProgramOutcome RunReadProgram(
+  const std::string& program, const std::vector<std::string>& arguments, const ProgressCallback& progress)
+{
+  ReadProgramOutcome outcome;
+  Process process(program, arguments);
+  if (process.GetError() != 0)
+  {
+    outcome.Problem = std::string("could not be started: ") + std::strerror(process.GetError());
+    return outcome;
+  }
+  Bytes received;
+  double fraction = 0.0;
+  bool isComplete = false;
+  for (std::size_t before = 0; process.Receive(Patience, received); before = received.size())
+  {
+    // Not for each part of a long result.
+    const bool isAmidst = received.size() > before && before > 0;
+    TakeMessages(received, fraction, outcome, isComplete);
+    if (!isAmidst && !progress(fraction))
+    {
+      outcome.IsStopped = true;
+      return outcome;
+    }
+  }
+  const int status = process.Wait();
+  if (!isComplete)
+  {
+    outcome.Problem = DescribeEnd(status);
+  }
+  return outcome;
+}
+
+int OpenMessages()
+{
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  const int messages = dup(STDOUT_FILENO);
+  const int null = open("/dev/null", O_WRONLY);
+  if (messages >= 0 && null >= 0)
+  {
+    dup2(null, STDOUT_FILENO);
+    close(null);
+  }
+  return messages;
+}
+
+bool SendProgress(int descriptor, double fraction)
+{
+  return SendMessage(descriptor, ProgressKind, &fraction, sizeof(fraction));
+}
+
+bool SendResult(int descriptor, const Bytes& result)
+{
+  return SendMessage(descriptor, ResultKind, result.data(), result.size());
+}
+}
