@@ -298,6 +298,12 @@ void EditScene::SetHurried(bool hurried)
 {
   this->Body->SetMaximumNumberOfPeels(hurried ? FewPeels : Peels);
   this->Body->SetUseFXAA(!hurried);
+  this->Mass->SetCheckEditedSolids(!hurried);
+  if (!hurried)
+  {
+    this->Mass->Update();
+    this->ShowNumbers();
+  }
 }
 
 void EditScene::SetNotice(const std::string& notice)

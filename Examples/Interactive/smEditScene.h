@@ -67,7 +67,8 @@ public:
   bool IsHelpShown() const { return this->Help; }
   /// Shows the times of the last update, which differ from run to run. Default: shown.
   void SetShowTimes(bool shown);
-  /// Draws fewer translucent layers and does not smooth edges, for pictures during a drag; the results are the same. Default: off.
+  /// Draws fewer translucent layers, does not smooth edges and leaves out the check for a boundary that crosses itself, for pictures during
+  /// a drag; the numbers are the same. Default: off.
   void SetHurried(bool hurried);
   /// Shows a line about the last event; empty: none.
   void SetNotice(const std::string& notice);

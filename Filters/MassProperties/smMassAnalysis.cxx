@@ -369,7 +369,8 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   {
     AddPlacedBox(body, box);
   }
-  const std::string unmet = FindUnmet(total, options.Tolerance, 0.5 * box.GetDiagonalLength());
+  const std::string unmet =
+    FindUnmet(total, options.Tolerance, box.IsValid() ? 0.5 * box.GetDiagonalLength() : 0.0);
   const bool isOk = std::all_of(
     bodies.begin(), bodies.end(), [](const BodyIntegrals& body) { return body.Status == Status::Ok; });
   if (isOk && !unmet.empty())

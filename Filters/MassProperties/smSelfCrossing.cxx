@@ -87,7 +87,7 @@ public:
       this->Slack = std::max(
         { this->Slack, std::isfinite(part->MaxGap) ? part->MaxGap : 0.0, part->Model->GetFileUncertainty() });
     }
-    this->Diagonal = box.GetDiagonalLength();
+    this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
     this->Slack += 1e-9 * this->Diagonal;
   }
   SelfCrossing Run(const std::function<bool()>& shouldContinue);
@@ -379,7 +379,7 @@ SelfCrossing FindSelfCrossing(
 }
 
 SelfCrossingCheck::EntryPointer SelfCrossingCheck::Find(const std::vector<std::uint64_t>& faces,
-  const std::unordered_map<std::uint64_t, EntryPointer>& current) const
+  bool checkEdits, const std::unordered_map<std::uint64_t, EntryPointer>& current) const
 {
   const auto instance = current.find(faces.front());
   if (instance != current.end() && instance->second->Faces == faces)
@@ -397,10 +397,11 @@ SelfCrossingCheck::EntryPointer SelfCrossingCheck::Find(const std::vector<std::u
     original = original || known == this->Known.end() ? original : known->second;
   }
   // An edit may have mended what was found.
-  return original && original->Result.Winding == 0 ? original : nullptr;
+  return !checkEdits && original && original->Result.Winding == 0 ? original : nullptr;
 }
 
-void SelfCrossingCheck::Run(std::vector<BodyIntegrals>& bodies, const std::function<bool()>& shouldContinue)
+void SelfCrossingCheck::Run(
+  std::vector<BodyIntegrals>& bodies, bool checkEdits, const std::function<bool()>& shouldContinue)
 {
   bool isStopped = false;
   std::unordered_map<std::uint64_t, EntryPointer> current;
@@ -424,7 +425,7 @@ void SelfCrossingCheck::Run(std::vector<BodyIntegrals>& bodies, const std::funct
         ids.insert(face->FileId);
       }
     }
-    EntryPointer entry = this->Find(faces, current);
+    EntryPointer entry = this->Find(faces, checkEdits, current);
     if (!entry)
     {
       isStopped = isStopped || (b > 0 && shouldContinue && !shouldContinue());

@@ -60,9 +60,10 @@ public:
    * Flags bodies that cross themselves as suspect, and adds a note to those that could not be checked. A body that is already
    * flagged, is open or has no volume is passed over. Bodies that were read from one solid of a file are checked together. A body with
    * the same faces as one of an earlier run has the same result. One that shares some of them is an edit of it: where that one was
-   * sound, it is not checked again until Clear(). Once `shouldContinue` returns false, the bodies that follow are not checked.
+   * sound, it is only checked with `checkEdits`. Once `shouldContinue` returns false, the bodies that follow are not checked.
    */
-  void Run(std::vector<BodyIntegrals>& bodies, const std::function<bool()>& shouldContinue = {});
+  void Run(
+    std::vector<BodyIntegrals>& bodies, bool checkEdits, const std::function<bool()>& shouldContinue = {});
   void Clear() { this->Known.clear(); }
 
 private:
@@ -72,7 +73,8 @@ private:
     SelfCrossing Result;
   };
   using EntryPointer = std::shared_ptr<const Entry>;
-  EntryPointer Find(const std::vector<std::uint64_t>& faces,
+  /// The result of a body with these faces, or with some of them where edits are not checked; null: it is to be checked.
+  EntryPointer Find(const std::vector<std::uint64_t>& faces, bool checkEdits,
     const std::unordered_map<std::uint64_t, EntryPointer>& current) const;
 
   /// Entries of the last run by their faces.

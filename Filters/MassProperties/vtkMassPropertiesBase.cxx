@@ -43,7 +43,8 @@ void vtkMassPropertiesBase::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "HasReferenceFrame: " << this->Frame->IsGiven << "\n"
      << indent << "GlyphScale: " << this->GlyphScale << "\n"
      << indent << "ShowPrincipalAxes: " << this->ShowPrincipalAxes << "\n"
-     << indent << "GlyphPerSolid: " << this->GlyphPerSolid << "\n";
+     << indent << "GlyphPerSolid: " << this->GlyphPerSolid << "\n"
+     << indent << "CheckEditedSolids: " << this->CheckEditedSolids << "\n";
 }
 
 void vtkMassPropertiesBase::SetDensity(double density)
@@ -238,7 +239,7 @@ void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
     const auto left =
       std::chrono::duration<double>(limits.MaximumSeconds - run.PrepareSeconds - run.IntegrateSeconds);
     const Clock::time_point start = Clock::now();
-    this->CrossingCheck->Run(bodies,
+    this->CrossingCheck->Run(bodies, this->CheckEditedSolids,
       [&limits, left, start]()
       { return limits.Progress(1.0) && !(limits.MaximumSeconds > 0.0 && Clock::now() - start > left); });
   }

@@ -104,6 +104,14 @@ public:
   ///@}
 
   ///@{
+  /** If off, a solid some of whose faces were exchanged since this filter found that its boundary does not cross itself is not checked again:
+   * for the updates during a drag, which have to be fast. If on (default), every edit is checked. */
+  vtkSetMacro(CheckEditedSolids, bool);
+  vtkGetMacro(CheckEditedSolids, bool);
+  vtkBooleanMacro(CheckEditedSolids, bool);
+  ///@}
+
+  ///@{
   /** Radius of the sphere on port 0 as a fraction of the diagonal of the bounding box. Range [0, 1], clamped. Default 0.02; 0:
    * no sphere. */
   vtkSetClampMacro(GlyphScale, double, 0.0, 1.0);
@@ -169,6 +177,7 @@ protected:
   double GlyphScale = 0.02;
   bool ShowPrincipalAxes = true;
   bool GlyphPerSolid = false;
+  bool CheckEditedSolids = true;
 
 private:
   vtkMassPropertiesBase(const vtkMassPropertiesBase&) = delete;

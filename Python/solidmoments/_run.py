@@ -86,6 +86,7 @@ def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, materials=
         for event in ("ErrorEvent", "WarningEvent"):
             algorithm.AddObserver(event, lambda *_: None)
     reader.SetFileName(file)
+    reader.IsolatedOn()  # a file that crashes OpenCASCADE does not end the interpreter
     reader.SetOutputUnit(unit)
     reader.SetMaximumSeconds(max_seconds or 0.0)
     mass.SetInputConnection(reader.GetOutputPort())

@@ -226,14 +226,20 @@ void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
     }
     const bool length = this->Entities.FindRecord(unit, "LENGTH_UNIT", record);
     const bool angle = this->Entities.FindRecord(unit, "PLANE_ANGLE_UNIT", record);
-    // Several units of a kind: the first one holds.
-    if (length && result.Length.Status == CensusUnit::State::Missing)
+    if (length || angle)
     {
-      result.Length = this->ReadUnit(unit, true);
-    }
-    else if (angle && result.Angle.Status == CensusUnit::State::Missing)
-    {
-      result.Angle = this->ReadUnit(unit, false);
+      CensusUnit& known = length ? result.Length : result.Angle;
+      const CensusUnit next = this->ReadUnit(unit, length);
+      // Several units of a kind have to be the same: it is not certain which of them OpenCASCADE takes.
+      const bool isFirst = known.Status == CensusUnit::State::Missing;
+      if (isFirst || (known.Status == CensusUnit::State::Stated && next.Status != known.Status))
+      {
+        known = next;
+      }
+      else if (next.Factor != known.Factor)
+      {
+        known.Status = CensusUnit::State::Wrong;
+      }
     }
   }
 }

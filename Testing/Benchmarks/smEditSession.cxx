@@ -41,6 +41,7 @@ EditSession::EditSession(vtkNURBSDataSet* leaf, int backend, double tolerance)
   this->Leaf->ShallowCopy(leaf);
   this->Mass->SetBackend(backend);
   this->Mass->SetRelativeTolerance(tolerance);
+  this->Mass->CheckEditedSolidsOff();
   this->Points->SetBackend(backend);
   this->Lattice->SetInputData(leaf);
   this->Lattice->SetMode(vtkNURBSDeform::LATTICE);

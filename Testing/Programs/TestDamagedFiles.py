@@ -88,6 +88,11 @@ def check_solids():
     # OpenCASCADE ignores a unit with a parameter too many: metres for millimetres.
     damage(box, "unit_with_another_star", [(r"(LENGTH_UNIT\(\) NAMED_UNIT\(\*)\)", r"\1,*)")], FLAGGED, ["wrong unit", "#346"])
     damage("box-inch.step", "inch_with_another_factor", [(r"(CONVERSION_BASED_UNIT\('INCH',)(#\d+)", r"\1\2,\2")], FLAGGED, ["wrong unit"])
+    # A length in steradians beside one in millimetres: OpenCASCADE takes metres.
+    damage(box, "two_units_of_length", [(r"SOLID_ANGLE_UNIT\(\)", "LENGTH_UNIT()")], FLAGGED, ["wrong unit"])
+    # No finite box is left; the process aborted in its analysis.
+    damage("ellipsoid-plain.step", "huge_weight", [(r"(\(1\.0+E\+00,7\.0710678118654757E-01\s*,)1\.0+E\+00", r"\g<1>99999999999999999999")],
+           FLAGGED | {"unreadable", "not-computed", "tolerance-not-met"}, [])
     damage("cylinder-plain.step", "radius_below_zero", [(r"(CYLINDRICAL_SURFACE\('',#\d+,)", r"\1-")], FLAGGED, ["value out of range"])
     damage("two_solids.step", "solid_lost", [(r"(CLOSED_SHELL\('',)\(#\d+[^)]*\)", r"\1()")], FLAGGED, ["#"])
     damage("assembly.step", "instance_of_nothing", [(r"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\('3','[^']*','',)#\d+", r"\1#1")], FLAGGED,

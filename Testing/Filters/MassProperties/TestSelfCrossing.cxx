@@ -227,7 +227,7 @@ void CheckCache()
     MakeBoxes({ box }) };
   sm::SelfCrossingCheck check;
   const std::vector<sm::BodyIntegrals> before = bodies;
-  check.Run(bodies);
+  check.Run(bodies, true);
   CheckEqual("suspect", sm::GetText(sm::Status::Suspect), sm::GetText(bodies[0].Status));
   CheckEqual("ok", sm::GetText(sm::Status::Ok), sm::GetText(bodies[1].Status));
   CheckTrue("says where, and what it means",
@@ -245,33 +245,49 @@ void CheckCache()
   bodies = { before[1] };
   bodies[0].Model = model;
   bodies[0].Mesh = before[0].Mesh;
-  check.Run(bodies);
+  check.Run(bodies, false);
   CheckEqual("an edit is not checked", sm::GetText(sm::Status::Ok), sm::GetText(bodies[0].Status));
   CheckEqual("and gets no note", 0, static_cast<long long>(bodies[0].Messages.size()));
   bodies = { before[1] };
   bodies[0].Mesh = nullptr;
-  check.Run(bodies);
+  check.Run(bodies, true);
   CheckEqual("the body before the edit is still known", 0, static_cast<long long>(bodies[0].Messages.size()));
+  // The crossing body as an edit of the sound one: one of its faces is a face of that.
+  for (const bool checkEdits : { false, true })
+  {
+    sm::SelfCrossingCheck edits;
+    bodies = { before[1] };
+    edits.Run(bodies, checkEdits);
+    bodies = { before[0] };
+    model->ShallowCopy(before[0].Model);
+    auto shared = std::make_shared<sm::Face>(*model->GetFaces()[0]);
+    shared->Id = before[1].Model->GetFaces()[0]->Id;
+    model->SetFace(0, shared);
+    bodies[0].Model = model;
+    edits.Run(bodies, checkEdits);
+    CheckEqual("an edit is checked only where it is asked for",
+      sm::GetText(checkEdits ? sm::Status::Suspect : sm::Status::Ok), sm::GetText(bodies[0].Status));
+  }
   // The first is checked, the second is not.
   bodies = before;
   sm::SelfCrossingCheck stopped;
-  stopped.Run(bodies, []() { return false; });
+  stopped.Run(bodies, true, []() { return false; });
   CheckEqual("before the run is stopped", sm::GetText(sm::Status::Suspect), sm::GetText(bodies[0].Status));
   CheckEqual("after it: a note", 1, static_cast<long long>(bodies[1].Messages.size()));
   bodies = before;
-  stopped.Run(bodies);
+  stopped.Run(bodies, true);
   CheckEqual("checked in the next", 0, static_cast<long long>(bodies[1].Messages.size()));
   check.Clear();
   bodies = { before[1] };
   bodies[0].Mesh = nullptr;
-  check.Run(bodies);
+  check.Run(bodies, true);
   CheckEqual("not known any more", 1, static_cast<long long>(bodies[0].Messages.size()));
   bodies = { before[0] };
-  check.Run(bodies);
+  check.Run(bodies, true);
   CheckEqual("checked again", sm::GetText(sm::Status::Suspect), sm::GetText(bodies[0].Status));
   bodies = { before[0] };
   bodies[0].OpenEdges = 1;
-  check.Run(bodies);
+  check.Run(bodies, true);
   CheckEqual("an open body is not", 0, static_cast<long long>(bodies[0].Messages.size()));
 }
 }
