@@ -544,7 +544,7 @@ private:
     {
       farthest += all.Speed[d] * std::max(std::abs(this->Box.Low[d]), std::abs(this->Box.High[d]));
     }
-    result.Deviation += 64.0 * UnitRoundoff * farthest;
+    result.Deviation += 64.0 * UnitRoundoff * farthest + this->Blocks.GetSmallJumps();
     this->FillNormals(result);
   }
 

@@ -113,9 +113,8 @@ void BoundBlock(const PatchNet& net, bool rational, SurfaceBlocks::Block& block)
 {
   block.Full = BoundSecondDerivatives(net, rational);
   block.Along = block.Full;
-  const double curved = block.Full[0] + block.Full[1] + block.Full[2];
   // Circular arcs are even enough.
-  if (curved == 0.0 || (rational && net.P <= 2 && net.Q <= 2))
+  if (rational && net.P <= 2 && net.Q <= 2)
   {
     return;
   }
@@ -135,6 +134,10 @@ void BoundBlock(const PatchNet& net, bool rational, SurfaceBlocks::Block& block)
   }
   block.Normal = Normalized(cross);
   block.Tilt = std::asin(sine);
+  if (sine == 0.0)
+  {
+    return;
+  }
   PatchNet along = net;
   for (Homogeneous& b : along.B)
   {
@@ -163,44 +166,70 @@ void SurfaceBlocks::Block::Choose(double tilt)
 
 namespace
 {
-/// Jump of the derivative across the common side of two nets, the second one after the first in a direction; widths are those of the
-/// spans. Sampled, with a margin, where there are weights; 0 where it is rounding.
-double MeasureJump(
-  const PatchNet& before, const PatchNet& after, int direction, const double (&width)[2], bool rational)
+/// No less than |A' / w - (A / w) (w' / w)| on [0,1], where A, w are `side` and A', w' are `slope`: the numerator A' w - A w' has twice the
+/// degree, and its Bernstein coefficients are sums of products.
+double BoundQuotientDerivative(const Homogeneous* side, const Homogeneous* slope, int degree)
+{
+  // Row `degree` of Pascal's triangle, and row 2 degree.
+  double once[MaximumDegree + 1] = { 1.0 };
+  double twice[2 * MaximumDegree + 1] = { 1.0 };
+  for (int i = 1; i <= 2 * degree; ++i)
+  {
+    twice[i] = twice[i - 1] * (2 * degree - i + 1) / i;
+    if (i <= degree)
+    {
+      once[i] = once[i - 1] * (degree - i + 1) / i;
+    }
+  }
+  Vector3 sums[2 * MaximumDegree + 1] = {};
+  const Vector3 center = Project(side[degree / 2]);
+  double lightest = HUGE_VAL;
+  for (int i = 0; i <= degree; ++i)
+  {
+    lightest = std::min(lightest, std::max(side[i][3], 1e-100));
+    for (int j = 0; j <= degree; ++j)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        // About the center, so that less is rounded.
+        const double value = (slope[i][c] - slope[i][3] * center[c]) * side[j][3] -
+          (side[j][c] - side[j][3] * center[c]) * slope[i][3];
+        sums[i + j][c] += once[i] * once[j] / twice[i + j] * value;
+      }
+    }
+  }
+  double largest = 0.0;
+  for (int k = 0; k <= 2 * degree; ++k)
+  {
+    largest = std::max(largest, Norm(sums[k]));
+  }
+  return largest / (lightest * lightest);
+}
+
+/// Bound of the jump of the derivative across the common side of two nets, the second one after the first in a direction; widths are
+/// those of the spans. `scale`: about the derivative.
+double BoundJump(
+  const PatchNet& before, const PatchNet& after, int direction, const double (&width)[2], double& scale)
 {
   const int degree = direction == 0 ? before.P : before.Q;
   const int rows = direction == 0 ? before.Q : before.P;
   const auto get = [&](const PatchNet& net, int i, int row) -> const Homogeneous&
   { return direction == 0 ? net.At(i, row) : net.At(row, i); };
-  // Position and derivative along the side, as polynomials.
+  // Position along the side, and the derivatives across it, as polynomials.
   Homogeneous side[MaximumDegree + 1];
-  Homogeneous slope[2][MaximumDegree + 1];
+  Homogeneous slope[MaximumDegree + 1];
+  Homogeneous jump[MaximumDegree + 1];
   for (int row = 0; row <= rows; ++row)
   {
     side[row] = get(after, 0, row);
     for (int c = 0; c < 4; ++c)
     {
-      slope[0][row][c] = degree * (get(before, degree, row)[c] - get(before, degree - 1, row)[c]) / width[0];
-      slope[1][row][c] = degree * (get(after, 1, row)[c] - get(after, 0, row)[c]) / width[1];
+      slope[row][c] = degree * (get(before, degree, row)[c] - get(before, degree - 1, row)[c]) / width[0];
+      jump[row][c] = degree * (get(after, 1, row)[c] - get(after, 0, row)[c]) / width[1] - slope[row][c];
     }
   }
-  double jump = 0.0;
-  double scale = 0.0;
-  const int samples = rational ? 4 * rows : rows;
-  for (int k = 0; k <= samples; ++k)
-  {
-    Vector3 d[2];
-    for (int i = 0; i < 2; ++i)
-    {
-      const double r = static_cast<double>(k) / samples;
-      const Homogeneous h = rational ? BernsteinPiece<4>{ side, rows }.Evaluate(r) : side[k];
-      d[i] = ProjectDerivative(
-        rational ? BernsteinPiece<4>{ slope[i], rows }.Evaluate(r) : slope[i][k], Project(h), h[3]);
-    }
-    jump = std::max(jump, Norm(Subtract(d[0], d[1])));
-    scale = std::max(scale, Norm(d[0]));
-  }
-  return jump > SmoothJump * scale ? (rational ? 1.25 : 1.0) * jump : 0.0;
+  scale = BoundQuotientDerivative(side, slope, rows);
+  return BoundQuotientDerivative(side, jump, rows);
 }
 }
 
@@ -269,10 +298,11 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
         if (neighbors[d] && std::count(knots.begin(), knots.end(), low[d]) >= surface.Degree[d])
         {
           const double widths[2] = { low[d] - spans[d][(d == 0 ? a : b) - 1], width[d] };
-          const double jump = MeasureJump(*neighbors[d], net, d, widths, surface.Rational);
+          double scale = 0.0;
+          const double jump = BoundJump(*neighbors[d], net, d, widths, scale);
           if (jump > 0.0)
           {
-            this->AddCrease(d, low[d], jump);
+            AddCrease(low[d], jump, jump > SmoothJump * scale ? this->Creases[d] : this->SmallJumps[d]);
           }
         }
       }
@@ -343,9 +373,9 @@ void SurfaceBlocks::CountThinStrips(int direction)
   }
 }
 
-void SurfaceBlocks::AddCrease(int direction, double at, double jump)
+void SurfaceBlocks::AddCrease(double at, double jump, std::vector<Crease>& creases)
 {
-  for (Crease& crease : this->Creases[direction])
+  for (Crease& crease : creases)
   {
     if (crease.At == at)
     {
@@ -353,7 +383,7 @@ void SurfaceBlocks::AddCrease(int direction, double at, double jump)
       return;
     }
   }
-  this->Creases[direction].push_back({ at, jump, 0.0 });
+  creases.push_back({ at, jump, 0.0 });
 }
 
 void SurfaceBlocks::GetRange(const ParameterBox& box, int d, std::size_t& first, std::size_t& last) const
@@ -384,24 +414,27 @@ SurfaceBlocks::Block SurfaceBlocks::GetLargest(const ParameterBox& box) const
   std::size_t last[2];
   this->GetRange(box, 0, first[0], last[0]);
   this->GetRange(box, 1, first[1], last[1]);
-  // Along the normal of the block in the middle, where there are several.
-  const Vector3 normal = this->GetBlock((first[0] + last[0]) / 2, (first[1] + last[1]) / 2).Normal;
-  const bool single = first[0] == last[0] && first[1] == last[1];
-  Block largest = this->GetBlock(first[0], first[1]);
-  if (single)
+  if (first[0] == last[0] && first[1] == last[1])
   {
-    return largest;
+    return this->GetBlock(first[0], first[1]);
   }
-  largest.Uu = largest.Uv = largest.Vv = 0.0;
+  // One normal for all, that of the block in the middle: what a derivative has along it is at most what it has along its block's, plus
+  // its length times the distance of the two unit vectors.
+  Block largest;
+  largest.Normal = this->GetBlock((first[0] + last[0]) / 2, (first[1] + last[1]) / 2).Normal;
+  largest.Tilt = 0.0;
   for (std::size_t j = first[1]; j <= last[1]; ++j)
   {
     for (std::size_t i = first[0]; i <= last[0]; ++i)
     {
-      Block b = this->GetBlock(i, j);
-      b.Choose(b.Tilt + std::acos(std::clamp(Dot(normal, b.Normal), -1.0, 1.0)));
-      largest.Uu = std::max(largest.Uu, b.Uu);
-      largest.Uv = std::max(largest.Uv, b.Uv);
-      largest.Vv = std::max(largest.Vv, b.Vv);
+      const Block& b = this->GetBlock(i, j);
+      const double distance = Norm(Subtract(b.Normal, largest.Normal));
+      largest.Tilt = std::max(largest.Tilt, b.Tilt + 2.0 * std::asin(std::min(0.5 * distance, 1.0)));
+      for (int k = 0; k < 3; ++k)
+      {
+        largest.Full[k] = std::max(largest.Full[k], b.Full[k]);
+        largest.Along[k] = std::max(largest.Along[k], std::min(b.Full[k], b.Along[k] + distance * b.Full[k]));
+      }
       for (int d = 0; d < 2; ++d)
       {
         largest.Turn[d] = std::max(largest.Turn[d], b.Turn[d]);
@@ -409,7 +442,21 @@ SurfaceBlocks::Block SurfaceBlocks::GetLargest(const ParameterBox& box) const
       }
     }
   }
+  largest.Choose(largest.Tilt);
   return largest;
+}
+
+double SurfaceBlocks::GetSmallJumps() const
+{
+  double error = 0.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    for (const Crease& crease : this->SmallJumps[d])
+    {
+      error += 0.25 * crease.Jump * (this->Covered.High[d] - this->Covered.Low[d]);
+    }
+  }
+  return error;
 }
 
 double SurfaceBlocks::GetError(const ParameterBox& box) const

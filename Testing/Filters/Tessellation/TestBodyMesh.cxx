@@ -171,6 +171,19 @@ void CheckNarrowFaces()
   meshes = sm::MeshFaces({ lens }, { 0.1, 1.0 });
   CheckTrue("a lens that is thinner than the deflection has triangles", !meshes[0].Triangles.empty());
 }
+
+/// A roof so flat that its ridge is no crease: the stated deviation holds all the same.
+void CheckFlatRidge()
+{
+  auto face = std::make_shared<sm::Face>(*MakeSquare(1000.0, 2));
+  for (int j = 0; j < 3; ++j)
+  {
+    face->Surface.ControlPoints[1 + 3 * j][2] = 1e-6;
+  }
+  const MeshMeasures m = MeasureMesh({ face }, sm::MeshFaces({ face }, { 10.0, 1.0 }));
+  CheckRange("a flat ridge: distance", 1e-7, m.Deviation, 2e-6);
+  CheckRange("a flat ridge: distance / stated", 0.01, m.WorstShare, 1.0);
+}
 }
 
 int TestBodyMesh(int argc, char* argv[])
@@ -187,5 +200,6 @@ int TestBodyMesh(int argc, char* argv[])
   CheckThreads(manifest.GetVariant("plain").front());
   CheckLoops();
   CheckNarrowFaces();
+  CheckFlatRidge();
   return Finish();
 }
