@@ -33,7 +33,8 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
     "frame of the file or of --about; SDF takes the same numbers");
   sm::AddFileOption(app, "--mesh", arguments.Mesh,
     "Write the triangles of the solids, closed where these are: .stl (binary),\n"
-    ".obj, .ply or .vtp, in --unit. With several files as for --png");
+    ".obj, .ply or .vtp, in --unit, or .glb, with colours and in metres. With\n"
+    "several files as for --png");
   sm::AddNumberOption(app, "--deflection", arguments.Job.Deflection,
     "Largest distance of the triangles of --mesh and --png from the surface, in\n"
     "--unit (default: 0.001 of the diagonal of each solid)")

@@ -198,7 +198,8 @@ std::string FindWrongOutput(const sm::Arguments& arguments)
   }
   if (!arguments.Mesh.empty() && !sm::IsMeshName(arguments.Mesh))
   {
-    return "--mesh writes STL, OBJ, PLY and VTP files: the name must end in .stl, .obj, .ply or .vtp, and " +
+    return "--mesh writes STL, OBJ, PLY, VTP and GLB files: the name must end in .stl, .obj, .ply, .vtp or "
+           ".glb, and " +
       arguments.Mesh + " does not";
   }
   if (arguments.Picture == "-")

@@ -1,5 +1,6 @@
 #include "smMeshFile.h"
 
+#include "smGLBFile.h"
 #include "smSafeFile.h"
 #include "smText.h"
 
@@ -96,21 +97,41 @@ bool WriteAs(
   }
   return Write(vtkNew<vtkXMLPolyDataWriter>().Get(), mesh, fileName);
 }
+
+/// Returns an error message, also for no bytes at all.
+std::string Save(const std::string& fileName, const std::string& bytes)
+{
+  if (bytes.empty())
+  {
+    return "no solid has triangles";
+  }
+  if (GetExtension(fileName) == ".glb" && bytes.size() > UINT32_MAX)
+  {
+    return "a glb file has at most 4 GB, and this one would have more";
+  }
+  const std::string problem = SaveFile(fileName, bytes);
+  return problem.empty() ? problem : fileName + " cannot be written: " + problem;
+}
 }
 
 bool IsMeshName(const std::string& fileName)
 {
   const std::string extension = GetExtension(fileName);
-  return extension == ".stl" || extension == ".obj" || extension == ".ply" || extension == ".vtp";
+  return extension == ".stl" || extension == ".obj" || extension == ".ply" || extension == ".vtp" ||
+    extension == ".glb";
 }
 
 std::string WriteMesh(
   vtkPartitionedDataSetCollection* bodies, const std::string& unit, const std::string& fileName)
 {
+  if (GetExtension(fileName) == ".glb")
+  {
+    return Save(fileName, MakeGLB(bodies, unit));
+  }
   const vtkSmartPointer<vtkPolyData> mesh = Join(bodies, unit);
   if (mesh->GetNumberOfPolys() == 0)
   {
-    return "no solid has triangles";
+    return Save(fileName, {});
   }
   // VTK's writers open a file of their own; SaveFile() replaces the user's when all is there.
   std::error_code error;
@@ -133,7 +154,6 @@ std::string WriteMesh(
   {
     return "there is no room for it in the folder for temporary files";
   }
-  const std::string problem = SaveFile(fileName, bytes);
-  return problem.empty() ? problem : fileName + " cannot be written: " + problem;
+  return Save(fileName, bytes);
 }
 }

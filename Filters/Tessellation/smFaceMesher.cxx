@@ -1,31 +1,30 @@
 #include "smFaceMesher.h"
 
+#include "smMeshRepair.h"
+#include "smMeshSteps.h"
 #include "smTriangulation.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace sm
 {
 namespace
 {
 using Parameters = std::array<double, 2>;
+using Corners = MeshRepair::Corners;
 
 /// Grid steps across the face, and where it begins on the grid.
 constexpr double GridWidth = 536870912.0;
 constexpr std::int64_t GridStart = std::int64_t(1) << 28;
 
-/// Part of the deflection that a regular triangle may take; others are larger.
-constexpr double RegularShare = 0.8;
-/// Largest ratio of the sides of triangles that are to be well shaped, where the surface is straight one way.
-constexpr double LongestShape = 10.0;
 /// Inner points that would be nearer to a corner or to the boundary, in steps, are left out.
 constexpr double LeastGap = 0.4;
-/// Points that rows may have in all, and points that refinement may add to n.
-constexpr double MostRowPoints = 2e6;
-constexpr double MostRows = 1e4;
+/// Points that refinement may add to n.
 constexpr std::size_t MostRefinement = 20000;
 /// Points that refinement may add to a quarter of n to turn triangles over, and the part of the deflection that they must err by.
 constexpr std::size_t MostTurns = 50;
@@ -36,104 +35,8 @@ constexpr double LargestGapShare = 0.5;
 constexpr double LeastNormal = 1e-10;
 /// A triangle is a line where twice its area is below this part of the square of its longest side.
 constexpr double LineShare = 1e-7;
-
-/// Distances between points in u and v that the deflection, the angle and the size of the face allow.
-Parameters GetSteps(const SurfaceBlocks::Block& b, const Parameters& size, const MeshLimits& limits)
-{
-  double h[2];
-  for (int d = 0; d < 2; ++d)
-  {
-    h[d] = b.Turn[d] * size[d] > limits.Angle ? limits.Angle / b.Turn[d] : size[d];
-  }
-  const double budget = 8.0 * RegularShare * limits.Deflection;
-  const auto sum = [&]() { return b.Uu * h[0] * h[0] + 2.0 * b.Uv * h[0] * h[1] + b.Vv * h[1] * h[1]; };
-  if (sum() > budget)
-  {
-    const double m[2] = { b.Uu, b.Vv };
-    double other[2];
-    for (int d = 0; d < 2; ++d)
-    {
-      other[d] = m[1 - d] * h[1 - d] * h[1 - d];
-    }
-    for (int d = 0; d < 2; ++d)
-    {
-      // Half of it, or what the other direction leaves.
-      const double share = std::max(0.5 * budget, budget - other[d]);
-      if (m[d] * h[d] * h[d] > share)
-      {
-        h[d] = std::sqrt(share / m[d]);
-      }
-    }
-    const double rest = sum();
-    if (rest > budget)
-    {
-      const double scale = std::sqrt(budget / rest);
-      h[0] *= scale;
-      h[1] *= scale;
-    }
-  }
-  return { h[0], h[1] };
-}
-
-/// A density of points along a line, constant on strips.
-class Density
-{
-public:
-  Density(const std::vector<double>& breaks, const std::vector<double>& values, double low, double high)
-  {
-    this->At.push_back(low);
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      const double from = std::max(breaks[i], low);
-      const double to = i + 1 == values.size() ? high : std::min(breaks[i + 1], high);
-      if (to > from)
-      {
-        this->At.push_back(to);
-        this->Sum.push_back(this->Sum.back() + (to - from) * values[i]);
-      }
-    }
-  }
-  double GetTotal() const { return this->Sum.back(); }
-  int GetSteps() const
-  {
-    return std::max(static_cast<int>(std::ceil(std::min(this->GetTotal(), MostRows) - 1e-3)), 1);
-  }
-  /// Point k of n equal steps.
-  double GetPoint(int k, int n)
-  {
-    const double target = this->GetTotal() * k / n;
-    this->Place = k <= 1 ? 1 : this->Place;
-    while (this->Place + 1 < this->At.size() && this->Sum[this->Place] < target)
-    {
-      ++this->Place;
-    }
-    const std::size_t i = this->Place;
-    const double share = (target - this->Sum[i - 1]) / (this->Sum[i] - this->Sum[i - 1]);
-    return this->At[i - 1] + share * (this->At[i] - this->At[i - 1]);
-  }
-  /// Points per unit at the last point.
-  double GetValue() const
-  {
-    const std::size_t i = this->Place;
-    return (this->Sum[i] - this->Sum[i - 1]) / (this->At[i] - this->At[i - 1]);
-  }
-
-private:
-  std::vector<double> At;
-  std::vector<double> Sum{ 0.0 };
-  std::size_t Place = 1;
-};
-
-struct Vertex
-{
-  Parameters At{};
-  Vector3 Position{};
-  /// Along Su x Sv; 0 where that vanishes.
-  Vector3 Normal{};
-  int Shared = -1;
-  /// Distance from the surface.
-  double Gap = 0.0;
-};
+/// A triangle is not turned over where the cosines to the normals of its corners are above this.
+constexpr double PlainCosine = 0.5;
 
 class Mesher
 {
@@ -145,7 +48,10 @@ public:
     , Loops(loops)
     , Limits(limits)
     , Walker(face.Surface)
-    , Mesh(this->MakeMetric())
+    , Box(FindBox(loops))
+    , Size{ Box.High[0] - Box.Low[0], Box.High[1] - Box.Low[1] }
+    , Steps(blocks, Box, limits)
+    , Mesh(this->GetGridMetric())
   {
   }
 
@@ -154,7 +60,9 @@ public:
     FaceMesh result;
     if (!(this->Size[0] > 0.0) || !(this->Size[1] > 0.0) || !std::isfinite(this->Size[0] + this->Size[1]))
     {
+      // Chords of curves that bend away from each other may lie on one line.
       result.Reason = "Its boundary encloses no area.";
+      this->HalveAll(halve);
       return result;
     }
     this->AddBoundary(halve, result);
@@ -170,62 +78,43 @@ public:
       this->HalveAll(halve);
       return result;
     }
-    this->AddRows();
+    this->Steps.LayRows([this](const Parameters& at, const Parameters& scale) { this->AddInner(at, scale); });
     this->Refine();
-    this->Write(result);
+    this->Write(this->Repair(halve, result), result);
+    if (halve && !halve->empty())
+    {
+      return result;
+    }
+    if (result.Triangles.empty())
+    {
+      result.Reason = "Its boundary runs back along itself.";
+      this->HalveAll(halve);
+    }
     return result;
   }
 
 private:
-  /// Lengths of a grid step in which triangles are to be well shaped.
-  std::array<double, 2> MakeMetric()
+  static ParameterBox FindBox(const std::vector<BoundaryLoop>& loops)
   {
+    ParameterBox box;
     bool first = true;
-    for (const BoundaryLoop& loop : this->Loops)
+    for (const BoundaryLoop& loop : loops)
     {
       for (const BoundaryPoint& p : loop)
       {
-        this->Box = first ? ParameterBox{ p.Parameters, p.Parameters } : this->Box;
-        this->Box.Add(p.Parameters);
+        box = first ? ParameterBox{ p.Parameters, p.Parameters } : box;
+        box.Add(p.Parameters);
         first = false;
       }
     }
-    Parameters density{ 0.0, 0.0 };
-    Parameters speed{ 0.0, 0.0 };
-    double count = 0.0;
-    for (int d = 0; d < 2; ++d)
-    {
-      this->Size[d] = this->Box.High[d] - this->Box.Low[d];
-    }
-    for (std::size_t j = 0; j + 1 < this->Blocks.GetBreaks(1).size(); ++j)
-    {
-      for (std::size_t i = 0; i + 1 < this->Blocks.GetBreaks(0).size(); ++i)
-      {
-        const SurfaceBlocks::Block& b = this->Blocks.GetBlock(i, j);
-        this->Steps.push_back(GetSteps(b, this->Size, this->Limits));
-        count += 1.0;
-        for (int d = 0; d < 2; ++d)
-        {
-          density[d] += 1.0 / this->Steps.back()[d];
-          speed[d] += b.Speed[d];
-          this->Speed[d] = std::max(this->Speed[d], b.Speed[d]);
-        }
-      }
-    }
-    bool curved = false;
-    for (int d = 0; d < 2; ++d)
-    {
-      density[d] /= count;
-      speed[d] = std::max(speed[d] / count, 1e-300);
-      curved = curved || density[d] * this->Size[d] > 1.0 + 1e-9;
-    }
-    const double longest = curved ? LongestShape : 1.0;
-    const Parameters plain = density;
-    for (int d = 0; d < 2; ++d)
-    {
-      density[d] = std::max(plain[d], plain[1 - d] * speed[d] / speed[1 - d] / longest);
-    }
-    return { density[0] * this->Size[0] / GridWidth, density[1] * this->Size[1] / GridWidth };
+    return box;
+  }
+
+  /// Lengths of a grid step in which triangles are to be well shaped.
+  Parameters GetGridMetric() const
+  {
+    const Parameters metric = this->Steps.GetMetric();
+    return { metric[0] * this->Size[0] / GridWidth, metric[1] * this->Size[1] / GridWidth };
   }
 
   GridPoint ToGrid(const Parameters& at) const
@@ -235,16 +124,16 @@ private:
     return { map(0), map(1) };
   }
 
-  Vertex Evaluate(const Parameters& at)
+  MeshVertex Evaluate(const Parameters& at)
   {
-    Vertex v;
+    MeshVertex v;
     v.At = at;
     Vector3 du;
     Vector3 dv;
     this->Walker.Evaluate(at[0], at[1], v.Position.data(), du.data(), dv.data());
     // At a pole a derivative is rounding, and so would be the normal.
     const Vector3 normal = Cross(du, dv);
-    if (Norm(normal) > LeastNormal * this->Speed[0] * this->Speed[1])
+    if (Norm(normal) > LeastNormal * this->Steps.GetSpeed()[0] * this->Steps.GetSpeed()[1])
     {
       v.Normal = Normalized(normal);
     }
@@ -252,7 +141,7 @@ private:
   }
 
   /// Stores a vertex of the triangulation; the first one at a place stays.
-  void Store(int id, const Vertex& vertex)
+  void Store(int id, const MeshVertex& vertex)
   {
     if (id >= static_cast<int>(this->Vertices.size()))
     {
@@ -265,27 +154,20 @@ private:
   {
     this->Vertices.resize(4);
     std::vector<int> ids;
-    std::vector<const BoundaryPoint*> points;
     for (const BoundaryLoop& loop : this->Loops)
     {
       for (const BoundaryPoint& p : loop)
       {
-        Vertex v = this->Evaluate(p.Parameters);
+        MeshVertex v = this->Evaluate(p.Parameters);
         v.Shared = p.Shared;
         v.Gap = Norm(Subtract(v.Position, p.Position));
         v.Position = p.Position;
         ids.push_back(this->Mesh.Insert(this->ToGrid(p.Parameters), false));
-        points.push_back(&p);
+        this->Starts.push_back(&p);
         this->Store(ids.back(), v);
       }
     }
-    const auto ask = [&](int segment)
-    {
-      if (points[segment]->Edge >= 0)
-      {
-        halve->push_back({ points[segment]->Edge, points[segment]->Chord });
-      }
-    };
+    const auto ask = [&](int segment) { this->AskToHalve(segment, halve); };
     std::size_t first = 0;
     for (const BoundaryLoop& loop : this->Loops)
     {
@@ -317,6 +199,15 @@ private:
     }
   }
 
+  void AskToHalve(int segment, std::vector<std::pair<int, int>>* halve) const
+  {
+    const BoundaryPoint& start = *this->Starts[segment];
+    if (halve && start.Edge >= 0)
+    {
+      halve->push_back({ start.Edge, start.Chord });
+    }
+  }
+
   void HalveAll(std::vector<std::pair<int, int>>* halve) const
   {
     for (const BoundaryLoop& loop : this->Loops)
@@ -327,108 +218,6 @@ private:
         {
           halve->push_back({ p.Edge, p.Chord });
         }
-      }
-    }
-  }
-
-  const Parameters& GetStep(std::size_t i, std::size_t j) const
-  {
-    return this->Steps[i + j * (this->Blocks.GetBreaks(0).size() - 1)];
-  }
-
-  /// Largest density in direction d in strip `i` of that direction, over strips [first, last] of the other.
-  double GetDensity(int d, std::size_t i, std::size_t first, std::size_t last) const
-  {
-    double largest = 0.0;
-    for (std::size_t j = first; j <= last; ++j)
-    {
-      largest = std::max(largest, 1.0 / (d == 0 ? this->GetStep(i, j) : this->GetStep(j, i))[d]);
-    }
-    return largest;
-  }
-
-  /// The direction that is constant on a row: rows have different numbers of points.
-  int ChooseRows() const
-  {
-    double spread[2];
-    for (int d = 0; d < 2; ++d)
-    {
-      const std::size_t here = this->Blocks.GetBreaks(d).size() - 1;
-      const std::size_t other = this->Blocks.GetBreaks(1 - d).size() - 1;
-      double most = 0.0;
-      double least = 1e300;
-      for (std::size_t i = 0; i < here; ++i)
-      {
-        const double x = this->GetDensity(1 - d, 0, i, i);
-        double along = x;
-        for (std::size_t k = 1; k < other; ++k)
-        {
-          along = std::max(along, this->GetDensity(1 - d, k, i, i));
-        }
-        most = std::max(most, along);
-        least = std::min(least, along);
-      }
-      spread[d] = most / least;
-    }
-    return spread[0] > spread[1] ? 0 : 1;
-  }
-
-  void AddRows()
-  {
-    const int d = this->ChooseRows();
-    const std::vector<double>& breaks = this->Blocks.GetBreaks(d);
-    const std::vector<double>& across = this->Blocks.GetBreaks(1 - d);
-    std::vector<double> values;
-    for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-    {
-      values.push_back(this->GetDensity(d, i, 0, across.size() - 2));
-    }
-    Density rows(breaks, values, this->Box.Low[d], this->Box.High[d]);
-    const int count = rows.GetSteps();
-    double total = 0.0;
-    for (int k = 1; k < count && total < MostRowPoints; ++k)
-    {
-      const double here = rows.GetPoint(k, count);
-      const double step = 1.0 / rows.GetValue();
-      std::size_t first = 0;
-      std::size_t last = 0;
-      while (first + 2 < breaks.size() && breaks[first + 1] <= here - step)
-      {
-        ++first;
-      }
-      last = first;
-      while (last + 2 < breaks.size() && breaks[last + 1] < here + step)
-      {
-        ++last;
-      }
-      std::vector<double> along;
-      for (std::size_t i = 0; i + 1 < across.size(); ++i)
-      {
-        along.push_back(this->GetDensity(1 - d, i, first, last));
-      }
-      Density points(across, along, this->Box.Low[1 - d], this->Box.High[1 - d]);
-      const int steps = points.GetSteps();
-      total += steps;
-      std::vector<std::array<double, 2>> row;
-      for (int i = 1; i < steps; ++i)
-      {
-        const double x = points.GetPoint(i, steps);
-        row.push_back({ x, points.GetValue() });
-      }
-      // Back and forth, so that each point is found near the one before.
-      if (k % 2 == 0)
-      {
-        std::reverse(row.begin(), row.end());
-      }
-      for (const auto& [x, density] : row)
-      {
-        Parameters at;
-        Parameters scale;
-        at[d] = here;
-        at[1 - d] = x;
-        scale[d] = 1.0 / step;
-        scale[1 - d] = density;
-        this->AddInner(at, scale);
       }
     }
   }
@@ -471,12 +260,12 @@ private:
     }
   }
 
-  bool IsCollapsed(const Triangulation::Triangle& t) const
+  bool IsCollapsed(const Corners& t) const
   {
     for (int k = 0; k < 3; ++k)
     {
-      const int a = this->Vertices[t.Vertex[k]].Shared;
-      if (a >= 0 && a == this->Vertices[t.Vertex[(k + 1) % 3]].Shared)
+      const int a = this->Vertices[t[k]].Shared;
+      if (a >= 0 && a == this->Vertices[t[(k + 1) % 3]].Shared)
       {
         return true;
       }
@@ -484,17 +273,34 @@ private:
     return false;
   }
 
-  double GetError(const Triangulation::Triangle& t) const
+  double GetError(const Corners& t) const
   {
-    ParameterBox box{ this->Vertices[t.Vertex[0]].At, this->Vertices[t.Vertex[0]].At };
-    box.Add(this->Vertices[t.Vertex[1]].At);
-    box.Add(this->Vertices[t.Vertex[2]].At);
+    ParameterBox box{ this->Vertices[t[0]].At, this->Vertices[t[0]].At };
+    box.Add(this->Vertices[t[1]].At);
+    box.Add(this->Vertices[t[2]].At);
     return this->Blocks.GetError(box);
+  }
+
+  double GetGap(const Corners& t) const
+  {
+    return std::max({ this->Vertices[t[0]].Gap, this->Vertices[t[1]].Gap, this->Vertices[t[2]].Gap });
+  }
+
+  double GetDeviation(const Corners& t) const { return this->GetError(t) + this->GetGap(t); }
+
+  /// Of the triangle in space above its longest side.
+  double GetHeight(const Corners& t) const
+  {
+    const Vector3& a = this->Vertices[t[0]].Position;
+    const Vector3 sides[2] = { Subtract(this->Vertices[t[1]].Position, a),
+      Subtract(this->Vertices[t[2]].Position, a) };
+    return Norm(Cross(sides[0], sides[1])) /
+      std::max({ Norm(sides[0]), Norm(sides[1]), Norm(Subtract(sides[0], sides[1])), 1e-300 });
   }
 
   bool IsInverted(const Triangulation::Triangle& t) const
   {
-    const Vertex* v[3];
+    const MeshVertex* v[3];
     Vector3 mean{ 0.0, 0.0, 0.0 };
     double longest = 0.0;
     for (int k = 0; k < 3; ++k)
@@ -516,11 +322,7 @@ private:
   /// deflection, no number of points keeps the promise.
   double GetAllowed(const Triangulation::Triangle& t) const
   {
-    double gap = 0.0;
-    for (const int corner : t.Vertex)
-    {
-      gap = std::max(gap, this->Vertices[corner].Gap);
-    }
+    const double gap = this->GetGap(t.Vertex);
     return gap > LargestGapShare * this->Limits.Deflection ? this->Limits.Deflection
                                                            : this->Limits.Deflection - gap;
   }
@@ -539,11 +341,11 @@ private:
     {
       const Triangulation::Triangle& t = this->Mesh.GetTriangles()[open.back()];
       open.pop_back();
-      if (!t.Inside || this->IsCollapsed(t))
+      if (!t.Inside || this->IsCollapsed(t.Vertex))
       {
         continue;
       }
-      const double error = this->GetError(t);
+      const double error = this->GetError(t.Vertex);
       const double allowed = this->GetAllowed(t);
       if (error <= allowed)
       {
@@ -594,6 +396,91 @@ private:
     return at;
   }
 
+  /// True for a triangle, no line, whose normal is against the surface's at its middle.
+  bool IsTurned(const Corners& t)
+  {
+    const MeshVertex* const v[3] = { &this->Vertices[t[0]], &this->Vertices[t[1]], &this->Vertices[t[2]] };
+    const Vector3 sides[3] = { Subtract(v[1]->Position, v[0]->Position),
+      Subtract(v[2]->Position, v[0]->Position), Subtract(v[2]->Position, v[1]->Position) };
+    const Vector3 normal = Cross(sides[0], sides[1]);
+    const double size = Norm(normal);
+    double longest = 0.0;
+    bool isPlain = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      longest = std::max(longest, Dot(sides[k], sides[k]));
+      isPlain = isPlain && Dot(normal, v[k]->Normal) > PlainCosine * size;
+    }
+    if (isPlain || !(size > LineShare * longest))
+    {
+      return false;
+    }
+    Vector3 position;
+    Vector3 du;
+    Vector3 dv;
+    this->Walker.Evaluate((v[0]->At[0] + v[1]->At[0] + v[2]->At[0]) / 3.0,
+      (v[0]->At[1] + v[1]->At[1] + v[2]->At[1]) / 3.0, position.data(), du.data(), dv.data());
+    return Dot(normal, Cross(du, dv)) < 0.0;
+  }
+
+  /// The triangles, as few turned over as can be had. Asks to halve chords beside those that are left.
+  std::vector<Corners> Repair(std::vector<std::pair<int, int>>* halve, FaceMesh& result)
+  {
+    std::vector<Corners> triangles;
+    bool any = false;
+    for (const Triangulation::Triangle& t : this->Mesh.GetTriangles())
+    {
+      if (t.Inside && !this->IsCollapsed(t.Vertex))
+      {
+        triangles.push_back(t.Vertex);
+        any = any || this->IsTurned(t.Vertex);
+      }
+    }
+    if (!any)
+    {
+      return triangles;
+    }
+    std::map<std::pair<int, int>, int> segments;
+    for (const Triangulation::Triangle& t : this->Mesh.GetTriangles())
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int a = t.Vertex[(k + 1) % 3];
+        const int b = t.Vertex[(k + 2) % 3];
+        if (t.Sides[k].Segment >= 0)
+        {
+          segments[{ std::min(a, b), std::max(a, b) }] = t.Sides[k].Segment;
+        }
+      }
+    }
+    const MeshRepair::Judge judge{ [this](const Corners& t) { return this->IsTurned(t); },
+      [this](const Corners& t) { return this->IsCollapsed(t) ? HUGE_VAL : this->GetDeviation(t); } };
+    const std::vector<Corners> left =
+      MeshRepair(triangles, this->Mesh.GetPoints(), segments, judge, this->Limits.Deflection).Run();
+    std::set<int> corners;
+    for (const Corners& t : left)
+    {
+      // Points on the edges do not mend what edges off the surface turn over.
+      if (this->GetHeight(t) > this->GetGap(t))
+      {
+        corners.insert(t.begin(), t.end());
+      }
+    }
+    for (const auto& [side, segment] : segments)
+    {
+      if (corners.count(side.first) > 0 || corners.count(side.second) > 0)
+      {
+        this->AskToHalve(segment, halve);
+      }
+    }
+    result.TurnedOver = static_cast<int>(left.size());
+    if (!left.empty() && result.Reason.empty())
+    {
+      result.Reason = "Triangles are turned over, because edges lie off the surface.";
+    }
+    return triangles;
+  }
+
   /// The normal of a point where Su x Sv vanishes: of one beside it, else 0.
   Vector3 FindNormal(const Parameters& at)
   {
@@ -604,7 +491,7 @@ private:
       {
         beside[d] = (1.0 - step) * at[d] + step * 0.5 * (this->Box.Low[d] + this->Box.High[d]);
       }
-      const Vertex v = this->Evaluate(beside);
+      const MeshVertex v = this->Evaluate(beside);
       if (Dot(v.Normal, v.Normal) > 0.0)
       {
         return v.Normal;
@@ -613,22 +500,17 @@ private:
     return { 0.0, 0.0, 0.0 };
   }
 
-  void Write(FaceMesh& result)
+  void Write(const std::vector<Corners>& triangles, FaceMesh& result)
   {
     std::vector<int> place(this->Vertices.size(), -1);
     double farthest = 0.0;
-    for (const Triangulation::Triangle& t : this->Mesh.GetTriangles())
+    for (const Corners& t : triangles)
     {
-      if (!t.Inside || this->IsCollapsed(t))
-      {
-        continue;
-      }
       std::array<int, 3> corners;
-      double gap = 0.0;
       for (int k = 0; k < 3; ++k)
       {
-        Vertex& v = this->Vertices[t.Vertex[k]];
-        int& index = place[t.Vertex[k]];
+        MeshVertex& v = this->Vertices[t[k]];
+        int& index = place[t[k]];
         if (index < 0)
         {
           index = static_cast<int>(result.Points.size());
@@ -644,14 +526,13 @@ private:
             std::max({ farthest, std::abs(v.Position[0]), std::abs(v.Position[1]), std::abs(v.Position[2]) });
         }
         corners[k] = index;
-        gap = std::max(gap, v.Gap);
       }
       if (this->Source.Reversed)
       {
         std::swap(corners[1], corners[2]);
       }
       result.Triangles.push_back(corners);
-      const double deviation = this->GetError(t) + gap;
+      const double deviation = this->GetDeviation(t);
       // Not std::max, which loses a NaN.
       result.Deviation = deviation <= result.Deviation ? result.Deviation
         : std::isnan(deviation)                        ? HUGE_VAL
@@ -663,7 +544,7 @@ private:
     {
       farthest += all.Speed[d] * std::max(std::abs(this->Box.Low[d]), std::abs(this->Box.High[d]));
     }
-    result.Deviation += 64.0 * UnitRoundoff * farthest;
+    result.Deviation += 64.0 * UnitRoundoff * farthest + this->Blocks.GetSmallJumps();
     this->FillNormals(result);
   }
 
@@ -691,12 +572,11 @@ private:
   NURBSSurface::Walker Walker;
   ParameterBox Box;
   Parameters Size{};
-  /// Largest |S_u| and |S_v|.
-  Parameters Speed{ 0.0, 0.0 };
-  /// Steps of each block.
-  std::vector<Parameters> Steps;
+  MeshSteps Steps;
   Triangulation Mesh;
-  std::vector<Vertex> Vertices;
+  std::vector<MeshVertex> Vertices;
+  /// The point at which each segment starts.
+  std::vector<const BoundaryPoint*> Starts;
 };
 }
 

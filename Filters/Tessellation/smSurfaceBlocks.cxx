@@ -1,6 +1,7 @@
 #include "smSurfaceBlocks.h"
 
-#include "smPatchParts.h"
+#include "smPatchCurvature.h"
+#include "smPatchNet.h"
 #include "smVector.h"
 
 #include <algorithm>
@@ -10,20 +11,9 @@ namespace sm
 {
 namespace
 {
-/// Beyond the borders of a rational surface's domain a weight may vanish: bounds are immense then, not negative.
-constexpr double LeastWeight = 1e-100;
-
-using Homogeneous = std::array<double, 4>;
-
 /// Parts of a span, per direction, on which its second derivatives are bounded; of a polynomial of low degree, and of others.
 constexpr int PlainParts = 1;
 constexpr int CurvedParts = 2;
-/// How often a part is halved in both directions where its weights differ too much for a bound.
-constexpr int MostHalvings = 5;
-/// The same where weights are no products: the bound is too coarse before.
-constexpr int LeastHalvings = 2;
-/// Parts of a rational curve on which its second derivative is bounded.
-constexpr int CurveParts = 4;
 
 /// Normals are not looked for where S_u and S_v are nearer to parallel, and turns not where the speed is this part of the block's.
 constexpr double LeastSine = 1e-6;
@@ -40,394 +30,6 @@ constexpr double ThinShare = 1e-4;
 /// Jump of a derivative, relative to it, that is rounding.
 constexpr double SmoothJump = 1e-8;
 
-/// A net of Bernstein coefficients, u index fastest.
-struct Net
-{
-  int P = 0;
-  int Q = 0;
-  std::vector<Homogeneous> B;
-
-  const Homogeneous& At(int i, int j) const
-  {
-    return this->B[i + static_cast<std::size_t>(j) * (this->P + 1)];
-  }
-  Homogeneous& At(int i, int j) { return this->B[i + static_cast<std::size_t>(j) * (this->P + 1)]; }
-  void Resize(int p, int q)
-  {
-    this->P = p;
-    this->Q = q;
-    this->B.assign(static_cast<std::size_t>(p + 1) * (q + 1), Homogeneous{});
-  }
-};
-
-/// The derivative in one direction; a constant 0 for degree 0.
-Net Derive(const Net& from, int direction)
-{
-  Net to;
-  const int degree = direction == 0 ? from.P : from.Q;
-  to.Resize(
-    direction == 0 ? std::max(from.P - 1, 0) : from.P, direction == 1 ? std::max(from.Q - 1, 0) : from.Q);
-  for (int j = 0; degree > 0 && j <= to.Q; ++j)
-  {
-    for (int i = 0; i <= to.P; ++i)
-    {
-      const Homogeneous& a = from.At(i, j);
-      const Homogeneous& b = direction == 0 ? from.At(i + 1, j) : from.At(i, j + 1);
-      for (int c = 0; c < 4; ++c)
-      {
-        to.At(i, j)[c] = degree * (b[c] - a[c]);
-      }
-    }
-  }
-  return to;
-}
-
-/// The same polynomial with one degree more in u until it has degree p, and so in v.
-void Elevate(Net& net, int p, int q)
-{
-  while (net.P < p || net.Q < q)
-  {
-    const bool alongU = net.P < p;
-    const Net from = net;
-    const int n = (alongU ? from.P : from.Q) + 1;
-    net.Resize(from.P + (alongU ? 1 : 0), from.Q + (alongU ? 0 : 1));
-    for (int j = 0; j <= net.Q; ++j)
-    {
-      for (int i = 0; i <= net.P; ++i)
-      {
-        const int k = alongU ? i : j;
-        const double share = static_cast<double>(k) / n;
-        for (int c = 0; c < 4; ++c)
-        {
-          const double before = k > 0 ? (alongU ? from.At(i - 1, j) : from.At(i, j - 1))[c] : 0.0;
-          const double here = k < n ? (alongU ? from.At(i, j) : from.At(i, j))[c] : 0.0;
-          net.At(i, j)[c] = share * before + (1.0 - share) * here;
-        }
-      }
-    }
-  }
-}
-
-Homogeneous Evaluate(const Net& net, double s, double r)
-{
-  Homogeneous column[MaximumDegree + 1] = {};
-  for (int j = 0; j <= net.Q; ++j)
-  {
-    column[j] = BernsteinPiece<4>{ &net.At(0, j), net.P }.Evaluate(s);
-  }
-  return BernsteinPiece<4>{ column, net.Q }.Evaluate(r);
-}
-
-Vector3 Project(const Homogeneous& h)
-{
-  return { h[0] / h[3], h[1] / h[3], h[2] / h[3] };
-}
-
-/// (H' - S w') / w: the derivative of the quotient.
-Vector3 ProjectDerivative(const Homogeneous& h, const Vector3& s, double w)
-{
-  return { (h[0] - s[0] * h[3]) / w, (h[1] - s[1] * h[3]) / w, (h[2] - s[2] * h[3]) / w };
-}
-
-double GetLargestNorm(const Net& net)
-{
-  double largest = 0.0;
-  for (const Homogeneous& h : net.B)
-  {
-    largest = std::max(largest, Dot(h.data(), h.data()));
-  }
-  return std::sqrt(largest);
-}
-
-double GetLargestWeight(const Net& net)
-{
-  double largest = 0.0;
-  for (const Homogeneous& h : net.B)
-  {
-    largest = std::max(largest, std::abs(h[3]));
-  }
-  return largest;
-}
-
-/**
- * With c, d_u, d_v: position and derivatives in the middle, H = (P, w):
- *     w S_uu = (P_uu - w_uu c - 2 w_u d_u)             - w_uu (S - c) - 2 w_u (S_u - d_u)
- *     w S_uv = (P_uv - w_uv c - w_u d_v - w_v d_u)     - w_uv (S - c) - w_u (S_v - d_v) - w_v (S_u - d_u)
- * The brackets are polynomials, bounded by their coefficients; |S_u - d_u| <= (M_uu + M_uv) / 2 and so on on [0,1]^2. That is
- * M <= g + A M with A, g >= 0; any M with M >= g + A M and g > 0 bounds the true one, for then the spectral radius of A is below 1.
- */
-bool BoundRational(const Net& net, const Net& u, const Net& v, std::array<double, 3>& bound)
-{
-  const Net second[3] = { Derive(u, 0), Derive(u, 1), Derive(v, 1) };
-  const Homogeneous h = Evaluate(net, 0.5, 0.5);
-  const Vector3 c = Project(h);
-  const Vector3 middle[2] = { ProjectDerivative(Evaluate(u, 0.5, 0.5), c, h[3]),
-    ProjectDerivative(Evaluate(v, 0.5, 0.5), c, h[3]) };
-  double lightest = std::max(net.B[0][3], LeastWeight);
-  for (const Homogeneous& b : net.B)
-  {
-    lightest = std::min(lightest, std::max(b[3], LeastWeight));
-  }
-  const double a[2] = { GetLargestWeight(u) / lightest, GetLargestWeight(v) / lightest };
-  double g[3];
-  double twice[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    Net all = second[k];
-    Net first[2] = { u, v };
-    const int p = k == 1 ? net.P : (k == 0 ? std::max(u.P, all.P) : net.P);
-    const int q = k == 1 ? net.Q : (k == 2 ? std::max(v.Q, all.Q) : net.Q);
-    Elevate(all, p, q);
-    for (std::size_t i = 0; i < all.B.size(); ++i)
-    {
-      for (int x = 0; x < 3; ++x)
-      {
-        all.B[i][x] -= all.B[i][3] * c[x];
-      }
-    }
-    // w_u with d_u for S_uu; w_u with d_v and w_v with d_u for S_uv.
-    for (int d = 0; d < 2; ++d)
-    {
-      if ((k == 0 && d == 1) || (k == 2 && d == 0))
-      {
-        continue;
-      }
-      Elevate(first[d], p, q);
-      const Vector3& with = k == 1 ? middle[1 - d] : middle[d];
-      for (std::size_t i = 0; i < all.B.size(); ++i)
-      {
-        for (int x = 0; x < 3; ++x)
-        {
-          all.B[i][x] -= (k == 1 ? 1.0 : 2.0) * first[d].B[i][3] * with[x];
-        }
-      }
-    }
-    g[k] = GetLargestNorm(all) / lightest;
-    twice[k] = GetLargestWeight(second[k]) / lightest;
-  }
-  const double far = 0.5 * (Norm(middle[0]) + Norm(middle[1]));
-  const double least = 1e-14 * (Norm(middle[0]) + Norm(middle[1])) + 1e-300;
-  std::array<double, 3> m{};
-  for (int step = 0; step < 60; ++step)
-  {
-    const double r = far + 0.125 * (m[0] + 2.0 * m[1] + m[2]);
-    const double ends[2] = { 0.5 * (m[0] + m[1]), 0.5 * (m[1] + m[2]) };
-    const std::array<double, 3> next{ g[0] + twice[0] * r + 2.0 * a[0] * ends[0] + least,
-      g[1] + twice[1] * r + a[0] * ends[1] + a[1] * ends[0] + least,
-      g[2] + twice[2] * r + 2.0 * a[1] * ends[1] + least };
-    if (next[0] <= m[0] && next[1] <= m[1] && next[2] <= m[2])
-    {
-      bound = m;
-      return true;
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      m[k] = 1.02 * next[k];
-    }
-  }
-  return false;
-}
-
-/// Second derivatives of a rational patch of any weights, coarse: |S_u| <= p (w_max / w_min)^2 max |S_i - S_j|.
-std::array<double, 3> BoundCoarsely(const Net& net, const Net& u, const Net& v)
-{
-  const Vector3 c = Project(net.B[0]);
-  double size = 0.0;
-  double lightest = std::max(net.B[0][3], LeastWeight);
-  for (const Homogeneous& h : net.B)
-  {
-    size = std::max(size, Norm(Subtract(Project(h), c)));
-    lightest = std::min(lightest, std::max(h[3], LeastWeight));
-  }
-  const double ratio = GetLargestWeight(net) / lightest;
-  const double slope[2] = { 2.0 * net.P * ratio * ratio * size, 2.0 * net.Q * ratio * ratio * size };
-  const double a[2] = { GetLargestWeight(u) / lightest, GetLargestWeight(v) / lightest };
-  const Net second[3] = { Derive(u, 0), Derive(u, 1), Derive(v, 1) };
-  std::array<double, 3> bound;
-  for (int k = 0; k < 3; ++k)
-  {
-    Net moved = second[k];
-    for (Homogeneous& h : moved.B)
-    {
-      for (int x = 0; x < 3; ++x)
-      {
-        h[x] -= h[3] * c[x];
-      }
-    }
-    bound[k] = (GetLargestNorm(moved) + GetLargestWeight(moved) * size) / lightest;
-  }
-  bound[0] += 2.0 * a[0] * slope[0];
-  bound[1] += a[0] * slope[1] + a[1] * slope[0];
-  bound[2] += 2.0 * a[1] * slope[1];
-  return bound;
-}
-
-/// True where the weights are products of a weight of the column and one of the row.
-bool IsSeparable(const Net& net)
-{
-  const double corner = net.At(0, 0)[3];
-  for (int j = 1; j <= net.Q; ++j)
-  {
-    for (int i = 1; i <= net.P; ++i)
-    {
-      const double product = net.At(i, 0)[3] * net.At(0, j)[3];
-      if (!(std::abs(net.At(i, j)[3] * corner - product) <= 1e-12 * product))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-/// Bound of the second derivative of a rational curve on [0,1], as in BoundRational() with one direction; infinite where there is none.
-double BoundCurve(const Homogeneous* b, int degree)
-{
-  const BernsteinPiece<4> curve{ b, degree };
-  Homogeneous derivative;
-  const Homogeneous h = curve.Evaluate(0.5, &derivative);
-  const Vector3 c = Project(h);
-  const Vector3 d = ProjectDerivative(derivative, c, h[3]);
-  double lightest = std::max(b[degree][3], LeastWeight);
-  double slope = 0.0;
-  double bend = 0.0;
-  for (int i = 0; i < degree; ++i)
-  {
-    lightest = std::min(lightest, std::max(b[i][3], LeastWeight));
-    slope = std::max(slope, degree * std::abs(b[i + 1][3] - b[i][3]));
-  }
-  // P'' - w'' c - 2 w' d, of degree - 1: the second differences have one degree less.
-  double largest = 0.0;
-  for (int i = 0; i < degree; ++i)
-  {
-    Homogeneous second{};
-    for (int side = 0; side < 2; ++side)
-    {
-      const int k = i - 1 + side;
-      const double share =
-        side == 0 ? i / std::max(degree - 1.0, 1.0) : 1.0 - i / std::max(degree - 1.0, 1.0);
-      for (int x = 0; k >= 0 && k + 2 <= degree && x < 4; ++x)
-      {
-        second[x] += share * degree * (degree - 1.0) * (b[k + 2][x] - 2.0 * b[k + 1][x] + b[k][x]);
-      }
-    }
-    const double w = degree * (b[i + 1][3] - b[i][3]);
-    Vector3 g;
-    for (int x = 0; x < 3; ++x)
-    {
-      g[x] = second[x] - second[3] * c[x] - 2.0 * w * d[x];
-    }
-    largest = std::max(largest, Norm(g));
-  }
-  for (int i = 0; i + 2 <= degree; ++i)
-  {
-    bend = std::max(bend, degree * (degree - 1.0) * std::abs(b[i + 2][3] - 2.0 * b[i + 1][3] + b[i][3]));
-  }
-  const double rest = 1.0 - slope / lightest - 0.125 * bend / lightest;
-  return rest > 0.0 ? (largest + 0.5 * bend * Norm(d)) / lightest / rest : HUGE_VAL;
-}
-
-/**
- * With w_ij = a_i b_j the surface is sum R_i(u) R_j(v) S_ij with rational bases of one direction each. R_j(v) >= 0 sum to 1, so
- * |S_uu| is at most that of the curves whose points are S_ij of one j; and |S_uv| <= p q (ratios of weights)^2 max |second
- * difference of S_ij in both directions|, because |C'| <= p (w_max / w_min)^2 max |S_i+1 - S_i| for a rational curve. False where the
- * weights differ too much.
- */
-bool BoundSeparable(const Net& net, std::array<double, 3>& bound)
-{
-  bound = {};
-  double ratio = 1.0;
-  for (int direction = 0; direction < 2; ++direction)
-  {
-    const int degree = direction == 0 ? net.P : net.Q;
-    const int rows = direction == 0 ? net.Q : net.P;
-    Homogeneous line[MaximumDegree + 1];
-    double least = HUGE_VAL;
-    double most = 0.0;
-    for (int row = 0; row <= rows; ++row)
-    {
-      for (int part = 0; part < CurveParts; ++part)
-      {
-        for (int i = 0; i <= degree; ++i)
-        {
-          line[i] = direction == 0 ? net.At(i, row) : net.At(row, i);
-          least = row == 0 ? std::min(least, line[i][3]) : least;
-          most = row == 0 ? std::max(most, line[i][3]) : most;
-        }
-        RestrictBernstein(line, degree, 1, static_cast<double>(part) / CurveParts, (part + 1.0) / CurveParts);
-        const double b = CurveParts * CurveParts * BoundCurve(line, degree);
-        bound[2 * direction] = std::max(bound[2 * direction], b);
-      }
-    }
-    ratio *= most / least;
-  }
-  for (int j = 0; j < net.Q; ++j)
-  {
-    for (int i = 0; i < net.P; ++i)
-    {
-      const Vector3 a = Subtract(Project(net.At(i + 1, j + 1)), Project(net.At(i, j + 1)));
-      const Vector3 b = Subtract(Project(net.At(i + 1, j)), Project(net.At(i, j)));
-      bound[1] = std::max(bound[1], net.P * net.Q * ratio * ratio * Norm(Subtract(a, b)));
-    }
-  }
-  return std::isfinite(bound[0] + bound[1] + bound[2]);
-}
-
-Net Restrict(const Net& net, double s0, double s1, double r0, double r1)
-{
-  Net part = net;
-  for (int j = 0; (s0 != 0.0 || s1 != 1.0) && j <= net.Q; ++j)
-  {
-    RestrictBernstein(&part.At(0, j), net.P, 1, s0, s1);
-  }
-  for (int i = 0; (r0 != 0.0 || r1 != 1.0) && i <= net.P; ++i)
-  {
-    RestrictBernstein(&part.At(i, 0), net.Q, net.P + 1, r0, r1);
-  }
-  return part;
-}
-
-std::array<double, 3> BoundNet(const Net& net, bool rational, int halvings)
-{
-  const Net u = Derive(net, 0);
-  const Net v = Derive(net, 1);
-  std::array<double, 3> bound{};
-  if (!rational)
-  {
-    const double w = net.B[0][3];
-    return { GetLargestNorm(Derive(u, 0)) / w, GetLargestNorm(Derive(u, 1)) / w,
-      GetLargestNorm(Derive(v, 1)) / w };
-  }
-  if (IsSeparable(net))
-  {
-    if (BoundSeparable(net, bound))
-    {
-      return bound;
-    }
-  }
-  else if (halvings <= MostHalvings - LeastHalvings && BoundRational(net, u, v, bound))
-  {
-    return bound;
-  }
-  if (halvings == 0)
-  {
-    return BoundCoarsely(net, u, v);
-  }
-  bound = {};
-  for (int part = 0; part < 4; ++part)
-  {
-    const double s = 0.5 * (part % 2);
-    const double r = 0.5 * (part / 2);
-    const std::array<double, 3> b = BoundNet(Restrict(net, s, s + 0.5, r, r + 0.5), rational, halvings - 1);
-    for (int k = 0; k < 3; ++k)
-    {
-      // Derivatives of the part are by half as long a unit.
-      bound[k] = std::max(bound[k], 4.0 * b[k]);
-    }
-  }
-  return bound;
-}
-
 /// Derivatives at a corner of the net, by its own parameters.
 struct CornerDerivatives
 {
@@ -437,7 +39,7 @@ struct CornerDerivatives
   double Normal[3];
 };
 
-CornerDerivatives EvaluateCorner(const Net& net, int si, int sj)
+CornerDerivatives EvaluateCorner(const PatchNet& net, int si, int sj)
 {
   const int i = si > 0 ? 0 : net.P;
   const int j = sj > 0 ? 0 : net.Q;
@@ -475,7 +77,7 @@ CornerDerivatives EvaluateCorner(const Net& net, int si, int sj)
 }
 
 /// Turn of the normal and speed at the four corners, per unit of the net's own parameters.
-void MeasureCorners(const Net& net, SurfaceBlocks::Block& block)
+void MeasureCorners(const PatchNet& net, SurfaceBlocks::Block& block)
 {
   CornerDerivatives corners[4];
   double fastest[2] = { 0.0, 0.0 };
@@ -507,13 +109,12 @@ void MeasureCorners(const Net& net, SurfaceBlocks::Block& block)
 namespace
 {
 /// Sets the bounds of a block, for parameters of the net's own.
-void BoundBlock(const Net& net, bool rational, SurfaceBlocks::Block& block)
+void BoundBlock(const PatchNet& net, bool rational, SurfaceBlocks::Block& block)
 {
-  block.Full = BoundNet(net, rational, MostHalvings);
+  block.Full = BoundSecondDerivatives(net, rational);
   block.Along = block.Full;
-  const double curved = block.Full[0] + block.Full[1] + block.Full[2];
   // Circular arcs are even enough.
-  if (curved == 0.0 || (rational && net.P <= 2 && net.Q <= 2))
+  if (rational && net.P <= 2 && net.Q <= 2)
   {
     return;
   }
@@ -533,13 +134,17 @@ void BoundBlock(const Net& net, bool rational, SurfaceBlocks::Block& block)
   }
   block.Normal = Normalized(cross);
   block.Tilt = std::asin(sine);
-  Net along = net;
+  if (sine == 0.0)
+  {
+    return;
+  }
+  PatchNet along = net;
   for (Homogeneous& b : along.B)
   {
     const Vector3 p{ b[0] - b[3] * c[0], b[1] - b[3] * c[1], b[2] - b[3] * c[2] };
     b = { Dot(p, block.Normal), 0.0, 0.0, b[3] };
   }
-  block.Along = BoundNet(along, rational, MostHalvings);
+  block.Along = BoundSecondDerivatives(along, rational);
 }
 }
 
@@ -561,44 +166,70 @@ void SurfaceBlocks::Block::Choose(double tilt)
 
 namespace
 {
-/// Jump of the derivative across the common side of two nets, the second one after the first in a direction; widths are those of the
-/// spans. Sampled, with a margin, where there are weights; 0 where it is rounding.
-double MeasureJump(
-  const Net& before, const Net& after, int direction, const double (&width)[2], bool rational)
+/// No less than |A' / w - (A / w) (w' / w)| on [0,1], where A, w are `side` and A', w' are `slope`: the numerator A' w - A w' has twice the
+/// degree, and its Bernstein coefficients are sums of products.
+double BoundQuotientDerivative(const Homogeneous* side, const Homogeneous* slope, int degree)
+{
+  // Row `degree` of Pascal's triangle, and row 2 degree.
+  double once[MaximumDegree + 1] = { 1.0 };
+  double twice[2 * MaximumDegree + 1] = { 1.0 };
+  for (int i = 1; i <= 2 * degree; ++i)
+  {
+    twice[i] = twice[i - 1] * (2 * degree - i + 1) / i;
+    if (i <= degree)
+    {
+      once[i] = once[i - 1] * (degree - i + 1) / i;
+    }
+  }
+  Vector3 sums[2 * MaximumDegree + 1] = {};
+  const Vector3 center = Project(side[degree / 2]);
+  double lightest = HUGE_VAL;
+  for (int i = 0; i <= degree; ++i)
+  {
+    lightest = std::min(lightest, std::max(side[i][3], 1e-100));
+    for (int j = 0; j <= degree; ++j)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        // About the center, so that less is rounded.
+        const double value = (slope[i][c] - slope[i][3] * center[c]) * side[j][3] -
+          (side[j][c] - side[j][3] * center[c]) * slope[i][3];
+        sums[i + j][c] += once[i] * once[j] / twice[i + j] * value;
+      }
+    }
+  }
+  double largest = 0.0;
+  for (int k = 0; k <= 2 * degree; ++k)
+  {
+    largest = std::max(largest, Norm(sums[k]));
+  }
+  return largest / (lightest * lightest);
+}
+
+/// Bound of the jump of the derivative across the common side of two nets, the second one after the first in a direction; widths are
+/// those of the spans. `scale`: about the derivative.
+double BoundJump(
+  const PatchNet& before, const PatchNet& after, int direction, const double (&width)[2], double& scale)
 {
   const int degree = direction == 0 ? before.P : before.Q;
   const int rows = direction == 0 ? before.Q : before.P;
-  const auto get = [&](const Net& net, int i, int row) -> const Homogeneous&
+  const auto get = [&](const PatchNet& net, int i, int row) -> const Homogeneous&
   { return direction == 0 ? net.At(i, row) : net.At(row, i); };
-  // Position and derivative along the side, as polynomials.
+  // Position along the side, and the derivatives across it, as polynomials.
   Homogeneous side[MaximumDegree + 1];
-  Homogeneous slope[2][MaximumDegree + 1];
+  Homogeneous slope[MaximumDegree + 1];
+  Homogeneous jump[MaximumDegree + 1];
   for (int row = 0; row <= rows; ++row)
   {
     side[row] = get(after, 0, row);
     for (int c = 0; c < 4; ++c)
     {
-      slope[0][row][c] = degree * (get(before, degree, row)[c] - get(before, degree - 1, row)[c]) / width[0];
-      slope[1][row][c] = degree * (get(after, 1, row)[c] - get(after, 0, row)[c]) / width[1];
+      slope[row][c] = degree * (get(before, degree, row)[c] - get(before, degree - 1, row)[c]) / width[0];
+      jump[row][c] = degree * (get(after, 1, row)[c] - get(after, 0, row)[c]) / width[1] - slope[row][c];
     }
   }
-  double jump = 0.0;
-  double scale = 0.0;
-  const int samples = rational ? 4 * rows : rows;
-  for (int k = 0; k <= samples; ++k)
-  {
-    Vector3 d[2];
-    for (int i = 0; i < 2; ++i)
-    {
-      const double r = static_cast<double>(k) / samples;
-      const Homogeneous h = rational ? BernsteinPiece<4>{ side, rows }.Evaluate(r) : side[k];
-      d[i] = ProjectDerivative(
-        rational ? BernsteinPiece<4>{ slope[i], rows }.Evaluate(r) : slope[i][k], Project(h), h[3]);
-    }
-    jump = std::max(jump, Norm(Subtract(d[0], d[1])));
-    scale = std::max(scale, Norm(d[0]));
-  }
-  return jump > SmoothJump * scale ? (rational ? 1.25 : 1.0) * jump : 0.0;
+  scale = BoundQuotientDerivative(side, slope, rows);
+  return BoundQuotientDerivative(side, jump, rows);
 }
 }
 
@@ -649,10 +280,10 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
   const std::size_t columns = this->Breaks[0].size() - 1;
   this->Blocks.resize(columns * (this->Breaks[1].size() - 1));
   // The net before the current one in u, and those of the row before.
-  Net net;
+  PatchNet net;
   net.Resize(surface.Degree[0], surface.Degree[1]);
-  Net left;
-  std::vector<Net> below(spans[0].size() - 1);
+  PatchNet left;
+  std::vector<PatchNet> below(spans[0].size() - 1);
   for (std::size_t b = 0; b + 1 < spans[1].size(); ++b)
   {
     for (std::size_t a = 0; a + 1 < spans[0].size(); ++a)
@@ -660,17 +291,18 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
       const double low[2] = { spans[0][a], spans[1][b] };
       const double width[2] = { spans[0][a + 1] - low[0], spans[1][b + 1] - low[1] };
       surface.ExtractBezier(low[0], spans[0][a + 1], low[1], spans[1][b + 1], net.B.data());
-      const Net* const neighbors[2] = { a > 0 ? &left : nullptr, b > 0 ? &below[a] : nullptr };
+      const PatchNet* const neighbors[2] = { a > 0 ? &left : nullptr, b > 0 ? &below[a] : nullptr };
       for (int d = 0; d < 2; ++d)
       {
         const std::vector<double>& knots = surface.Knots[d];
         if (neighbors[d] && std::count(knots.begin(), knots.end(), low[d]) >= surface.Degree[d])
         {
           const double widths[2] = { low[d] - spans[d][(d == 0 ? a : b) - 1], width[d] };
-          const double jump = MeasureJump(*neighbors[d], net, d, widths, surface.Rational);
+          double scale = 0.0;
+          const double jump = BoundJump(*neighbors[d], net, d, widths, scale);
           if (jump > 0.0)
           {
-            this->AddCrease(d, low[d], jump);
+            AddCrease(low[d], jump, jump > SmoothJump * scale ? this->Creases[d] : this->SmallJumps[d]);
           }
         }
       }
@@ -688,7 +320,7 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
           to[d] = (breaks[at[d] + 1] - low[d]) / width[d];
           size[d] = breaks[at[d] + 1] - breaks[at[d]];
         }
-        const Net piece = Restrict(net, from[0], to[0], from[1], to[1]);
+        const PatchNet piece = Restrict(net, from[0], to[0], from[1], to[1]);
         Block& block = this->Blocks[at[0] + at[1] * columns];
         BoundBlock(piece, surface.Rational, block);
         const double unit[3] = { size[0] * size[0], size[0] * size[1], size[1] * size[1] };
@@ -741,9 +373,9 @@ void SurfaceBlocks::CountThinStrips(int direction)
   }
 }
 
-void SurfaceBlocks::AddCrease(int direction, double at, double jump)
+void SurfaceBlocks::AddCrease(double at, double jump, std::vector<Crease>& creases)
 {
-  for (Crease& crease : this->Creases[direction])
+  for (Crease& crease : creases)
   {
     if (crease.At == at)
     {
@@ -751,7 +383,7 @@ void SurfaceBlocks::AddCrease(int direction, double at, double jump)
       return;
     }
   }
-  this->Creases[direction].push_back({ at, jump, 0.0 });
+  creases.push_back({ at, jump, 0.0 });
 }
 
 void SurfaceBlocks::GetRange(const ParameterBox& box, int d, std::size_t& first, std::size_t& last) const
@@ -782,24 +414,27 @@ SurfaceBlocks::Block SurfaceBlocks::GetLargest(const ParameterBox& box) const
   std::size_t last[2];
   this->GetRange(box, 0, first[0], last[0]);
   this->GetRange(box, 1, first[1], last[1]);
-  // Along the normal of the block in the middle, where there are several.
-  const Vector3 normal = this->GetBlock((first[0] + last[0]) / 2, (first[1] + last[1]) / 2).Normal;
-  const bool single = first[0] == last[0] && first[1] == last[1];
-  Block largest = this->GetBlock(first[0], first[1]);
-  if (single)
+  if (first[0] == last[0] && first[1] == last[1])
   {
-    return largest;
+    return this->GetBlock(first[0], first[1]);
   }
-  largest.Uu = largest.Uv = largest.Vv = 0.0;
+  // One normal for all, that of the block in the middle: what a derivative has along it is at most what it has along its block's, plus
+  // its length times the distance of the two unit vectors.
+  Block largest;
+  largest.Normal = this->GetBlock((first[0] + last[0]) / 2, (first[1] + last[1]) / 2).Normal;
+  largest.Tilt = 0.0;
   for (std::size_t j = first[1]; j <= last[1]; ++j)
   {
     for (std::size_t i = first[0]; i <= last[0]; ++i)
     {
-      Block b = this->GetBlock(i, j);
-      b.Choose(b.Tilt + std::acos(std::clamp(Dot(normal, b.Normal), -1.0, 1.0)));
-      largest.Uu = std::max(largest.Uu, b.Uu);
-      largest.Uv = std::max(largest.Uv, b.Uv);
-      largest.Vv = std::max(largest.Vv, b.Vv);
+      const Block& b = this->GetBlock(i, j);
+      const double distance = Norm(Subtract(b.Normal, largest.Normal));
+      largest.Tilt = std::max(largest.Tilt, b.Tilt + 2.0 * std::asin(std::min(0.5 * distance, 1.0)));
+      for (int k = 0; k < 3; ++k)
+      {
+        largest.Full[k] = std::max(largest.Full[k], b.Full[k]);
+        largest.Along[k] = std::max(largest.Along[k], std::min(b.Full[k], b.Along[k] + distance * b.Full[k]));
+      }
       for (int d = 0; d < 2; ++d)
       {
         largest.Turn[d] = std::max(largest.Turn[d], b.Turn[d]);
@@ -807,7 +442,21 @@ SurfaceBlocks::Block SurfaceBlocks::GetLargest(const ParameterBox& box) const
       }
     }
   }
+  largest.Choose(largest.Tilt);
   return largest;
+}
+
+double SurfaceBlocks::GetSmallJumps() const
+{
+  double error = 0.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    for (const Crease& crease : this->SmallJumps[d])
+    {
+      error += 0.25 * crease.Jump * (this->Covered.High[d] - this->Covered.Low[d]);
+    }
+  }
+  return error;
 }
 
 double SurfaceBlocks::GetError(const ParameterBox& box) const

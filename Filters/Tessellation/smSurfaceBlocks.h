@@ -15,7 +15,8 @@
  * Most of that error may lie in the surface, where parameters run unevenly. Let n be a unit vector from which no normal on
  * the box is farther than the angle theta, below 90 degrees: then the surface is a graph over the plane across n with slopes of at most
  * tan(theta), and the distance from it (continued beyond its borders with that slope) is at most the error along n plus tan(theta) times
- * the whole error. So M may be the second derivatives along n plus tan(theta) M, where that is less.
+ * the whole error. So M may be the second derivatives along n plus tan(theta) M, where that is less. On a box in several blocks n and
+ * theta are the same for all of them.
  */
 #ifndef smSurfaceBlocks_h
 #define smSurfaceBlocks_h
@@ -61,7 +62,10 @@ public:
   /// For parameters in `covered`, which may reach a little beyond the surface's domain. Several blocks to a span where it is curved.
   SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& covered);
 
-  /// The bound above.
+  /// What jumps of derivatives that are rounding, or little more, add to the error of any triangle; they are no creases.
+  double GetSmallJumps() const;
+
+  /// The bound above, without GetSmallJumps().
   double GetError(const ParameterBox& box) const;
   /// The largest of all blocks that the box touches.
   Block GetLargest(const ParameterBox& box) const;
@@ -83,7 +87,7 @@ private:
     /// Half the width of a thin strip that it stands for, in which the derivative changes by Jump; 0: none.
     double Half;
   };
-  void AddCrease(int direction, double at, double jump);
+  static void AddCrease(double at, double jump, std::vector<Crease>& creases);
   void CountThinStrips(int direction);
   void GetRange(const ParameterBox& box, int d, std::size_t& first, std::size_t& last) const;
 
@@ -91,6 +95,7 @@ private:
   std::vector<double> Breaks[2];
   std::vector<Block> Blocks;
   std::vector<Crease> Creases[2];
+  std::vector<Crease> SmallJumps[2];
 };
 }
 

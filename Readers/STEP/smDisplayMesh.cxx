@@ -29,6 +29,7 @@ DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMe
   DisplayMesh result;
   std::vector<const Face*> missing;
   std::vector<const Face*> crossing;
+  std::vector<const Face*> turned;
   for (std::size_t f = 0; f < meshes.size(); ++f)
   {
     const FaceMesh& mesh = meshes[f];
@@ -51,6 +52,10 @@ DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMe
     {
       missing.push_back(faces[f].get());
     }
+    else if (mesh.TurnedOver > 0)
+    {
+      turned.push_back(faces[f].get());
+    }
     else if (!mesh.Reason.empty())
     {
       crossing.push_back(faces[f].get());
@@ -61,6 +66,11 @@ DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMe
   if (!missing.empty())
   {
     messages.push_back("The display mesh lacks " + CountFaces(missing) + "; the exact geometry is there.");
+  }
+  if (!turned.empty())
+  {
+    messages.push_back("Triangles of the display mesh are turned over on " + CountFaces(turned) +
+      ", where edges lie off their surface.");
   }
   if (!crossing.empty())
   {

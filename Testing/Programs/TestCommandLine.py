@@ -365,6 +365,44 @@ def outputs():
         check_equal(f"exit status with {name}", 0, run("-q", "--mesh", target, ball["path"]).returncode)
         check_true(name, os.path.getsize(target) > 1000)
 
+    # Binary glTF: metres, y upwards, normals, closed by coordinates.
+    target = os.path.join(folder, "ball.glb")
+    check_equal("exit status with ball.glb", 0, run("-q", "--mesh", target, ball["path"]).returncode)
+    with open(target, "rb") as file:
+        content = file.read()
+    magic, version, length, size, kind = struct.unpack_from("<4sIII4s", content)
+    check_equal("header of a glb file", (b"glTF", 2, len(content), b"JSON"), (magic, version, length, kind))
+    scene = json.loads(content[20:20 + size])
+    check_equal("second chunk", b"BIN\0", content[24 + size:28 + size])
+
+    def read_accessor(index, code, width):
+        accessor = scene["accessors"][index]
+        start = 28 + size + scene["bufferViews"][accessor["bufferView"]]["byteOffset"]
+        return list(struct.iter_unpack(f"<{width}{code}", content[start:start + 4 * width * accessor["count"]]))
+
+    root, node = scene["nodes"]
+    primitive = scene["meshes"][node["mesh"]]["primitives"][0]
+    points = read_accessor(primitive["attributes"]["POSITION"], "f", 3)
+    normals = read_accessor(primitive["attributes"]["NORMAL"], "f", 3)
+    corners = [index for (index,) in read_accessor(primitive["indices"], "I", 1)]
+    volume, sides = 0.0, collections.Counter()
+    for first in range(0, len(corners), 3):
+        a, b, c = (points[corner] for corner in corners[first:first + 3])
+        volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+                   + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6.0
+        for start, end in ((a, b), (b, c), (c, a)):
+            sides[start, end] += 1
+            sides[end, start] -= 1
+    check_true("closed", not any(sides.values()), str(sum(map(abs, sides.values()))))
+    check_equal("scale from mm to metres", [0.001] * 3, root["scale"])
+    check_true("volume of the ball", abs(volume / ball["volume"] - 1.0) < 0.01, str(volume))
+    x, y, z, w = root["rotation"]
+    check_true("z becomes y", abs(2.0 * (y * z - x * w) - 1.0) < 1e-12 and y == z == 0.0, str(root["rotation"]))
+    radius = (3.0 * ball["volume"] / 4.0 / math.pi) ** (1.0 / 3.0)
+    # The ball's box, and so the centre of its node, is known to the deflection.
+    worst = max(abs(p[k] / radius - n[k]) for p, n in zip(points, normals) for k in range(3))
+    check_true("normals of a ball", worst < 0.01, str(worst))
+
     # A table that goes nowhere.
     with open("/dev/full", "w", encoding="utf-8") as full:
         result = run(good, stdout=full)

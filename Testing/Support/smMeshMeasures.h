@@ -24,6 +24,8 @@ struct MeshMeasures
   int OpenSides = 0;
   /// Triangles whose normal is against the surface's in the middle; of those that are no lines.
   int Inverted = 0;
+  /// How many of them the meshes name.
+  int Named = 0;
   /// Largest distance of a sample from the surface, also as a part of the face's promise.
   double Deviation = 0.0;
   double WorstShare = 0.0;
@@ -33,7 +35,7 @@ struct MeshMeasures
 
 /// Distance of a point from a surface, near the parameters (u,v); an upper bound, for the foot point is sought.
 inline double FindDistance(sm::NURBSSurface::Walker& walker, const sm::NURBSSurface& surface,
-  const sm::Vector3& point, double u, double v, sm::Vector3* normal = nullptr)
+  const sm::Vector3& point, double u, double v)
 {
   double best = 1e300;
   for (int step = 0; step < 4; ++step)
@@ -42,10 +44,6 @@ inline double FindDistance(sm::NURBSSurface::Walker& walker, const sm::NURBSSurf
     walker.Evaluate(u, v, s.data(), du.data(), dv.data());
     const sm::Vector3 d = sm::Subtract(point, s);
     best = std::min(best, sm::Norm(d));
-    if (normal && step == 0)
-    {
-      *normal = sm::Cross(du, dv);
-    }
     const double a = sm::Dot(du, du), b = sm::Dot(du, dv), c = sm::Dot(dv, dv);
     const double determinant = a * c - b * b;
     if (!(determinant > 1e-12 * a * c))
@@ -64,6 +62,27 @@ inline double FindDistance(sm::NURBSSurface::Walker& walker, const sm::NURBSSurf
   return best;
 }
 
+/// True for a triangle, no line, whose normal is against the surface's at its middle.
+inline bool IsTurnedOver(const sm::Face& face, sm::NURBSSurface::Walker& walker, const sm::FaceMesh& mesh,
+  const std::array<int, 3>& t)
+{
+  double uv[2] = { 0.0, 0.0 };
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    uv[0] += mesh.Parameters[t[k]][0] / 3.0;
+    uv[1] += mesh.Parameters[t[k]][1] / 3.0;
+    longest = std::max(longest, sm::Norm(sm::Subtract(mesh.Points[t[k]], mesh.Points[t[(k + 1) % 3]])));
+  }
+  sm::Vector3 s, du, dv;
+  walker.Evaluate(uv[0], uv[1], s.data(), du.data(), dv.data());
+  const sm::Vector3& a = mesh.Points[t[0]];
+  const sm::Vector3 normal =
+    sm::Cross(sm::Subtract(mesh.Points[t[1]], a), sm::Subtract(mesh.Points[t[2]], a));
+  return sm::Norm(normal) > 1e-6 * longest * longest &&
+    (sm::Dot(normal, sm::Cross(du, dv)) < 0.0) != face.Reversed;
+}
+
 /// `skip`: one of so many triangles is sampled for its deviation.
 inline MeshMeasures MeasureMesh(
   const std::vector<sm::FacePointer>& faces, const std::vector<sm::FaceMesh>& meshes, int skip = 1)
@@ -76,6 +95,7 @@ inline MeshMeasures MeasureMesh(
   {
     const sm::FaceMesh& mesh = meshes[f];
     result.EmptyFaces += mesh.Triangles.empty() ? 1 : 0;
+    result.Named += mesh.TurnedOver;
     result.Points += static_cast<long long>(mesh.Points.size());
     result.Triangles += static_cast<long long>(mesh.Triangles.size());
     std::vector<int> ids;
@@ -92,18 +112,17 @@ inline MeshMeasures MeasureMesh(
         sm::Cross(sm::Subtract(corner[1], corner[0]), sm::Subtract(corner[2], corner[0]));
       result.Area += 0.5 * sm::Norm(normal);
       result.Volume += sm::Dot(corner[0], normal) / 6.0;
-      double longest = 0.0;
       for (int k = 0; k < 3; ++k)
       {
         const int a = ids[t[k]];
         const int b = ids[t[(k + 1) % 3]];
         sides[{ std::min(a, b), std::max(a, b) }] += a < b ? 1 : -1;
-        longest = std::max(longest, sm::Norm(sm::Subtract(corner[k], corner[(k + 1) % 3])));
       }
       if (count++ % skip != 0)
       {
         continue;
       }
+      result.Inverted += IsTurnedOver(*faces[f], walker, mesh, t) ? 1 : 0;
       constexpr double Samples[7][3] = { { 1. / 3, 1. / 3, 1. / 3 }, { .5, .5, 0 }, { 0, .5, .5 },
         { .5, 0, .5 }, { .6, .2, .2 }, { .2, .6, .2 }, { .2, .2, .6 } };
       for (const auto& w : Samples)
@@ -119,14 +138,9 @@ inline MeshMeasures MeasureMesh(
           uv[0] += w[k] * mesh.Parameters[t[k]][0];
           uv[1] += w[k] * mesh.Parameters[t[k]][1];
         }
-        sm::Vector3 exact;
-        const double distance = FindDistance(walker, surface, p, uv[0], uv[1], &exact);
+        const double distance = FindDistance(walker, surface, p, uv[0], uv[1]);
         result.Deviation = std::max(result.Deviation, distance);
         result.WorstShare = std::max(result.WorstShare, distance / mesh.Deviation);
-        if (&w == &Samples[0] && sm::Norm(normal) > 1e-6 * longest * longest)
-        {
-          result.Inverted += (sm::Dot(normal, exact) < 0.0) != faces[f]->Reversed ? 1 : 0;
-        }
       }
     }
   }

@@ -73,6 +73,30 @@ void CheckThreads(const Expected& solid)
   CheckEqual("faces that differ on several threads", 0, different);
 }
 
+using Coefficients2 = std::vector<std::array<double, 2>>;
+using Coefficients3 = std::vector<std::array<double, 3>>;
+
+/// An edge with the Bernstein coefficients of its curve in space and in (u,v).
+sm::Coedge MakeCoedge(const Coefficients3& curve, const Coefficients2& trim)
+{
+  auto edge = std::make_shared<sm::Edge>();
+  edge->Curve.Breaks.push_back(0.0);
+  edge->Curve.AppendPiece(1.0, curve.data(), static_cast<int>(curve.size()) - 1);
+  edge->StartVertex = curve.front();
+  edge->EndVertex = curve.back();
+  sm::Coedge coedge;
+  coedge.Use = edge;
+  coedge.Curve.Breaks.push_back(0.0);
+  coedge.Curve.AppendPiece(1.0, trim.data(), static_cast<int>(trim.size()) - 1);
+  return coedge;
+}
+
+sm::Coedge MakeReversed(sm::Coedge coedge)
+{
+  coedge.Reversed = true;
+  return coedge;
+}
+
 /// A square whose loop crosses itself, and one without loops.
 void CheckLoops()
 {
@@ -85,26 +109,80 @@ void CheckLoops()
   crossed->Loops.emplace_back();
   for (int i = 0; i < 4; ++i)
   {
-    auto edge = std::make_shared<sm::Edge>();
-    sm::Coedge coedge;
-    std::array<double, 3> ends[2];
+    Coefficients3 ends(2);
     for (int k = 0; k < 2; ++k)
     {
       square->Surface.Evaluate(corners[i + k][0], corners[i + k][1], ends[k].data());
     }
-    edge->Curve.Breaks.push_back(0.0);
-    edge->Curve.AppendPiece(1.0, ends, 1);
-    edge->StartVertex = ends[0];
-    edge->EndVertex = ends[1];
-    coedge.Use = edge;
-    coedge.Curve.Breaks.push_back(0.0);
-    coedge.Curve.AppendPiece(1.0, corners + i, 1);
-    crossed->Loops[0].Coedges.push_back(coedge);
+    crossed->Loops[0].Coedges.push_back(MakeCoedge(ends, { corners[i], corners[i + 1] }));
   }
   const std::vector<sm::FaceMesh> meshes = sm::MeshFaces({ crossed }, { 0.1, 0.35 });
   // Halving makes a point of the crossing. A quarter of a square of side 1.6 cells of length 1.5.
   Check("the part that winds once", 0.25 * 2.4 * 2.4, MeasureMesh({ crossed }, meshes).Area, 1e-6,
     "steps of the grid");
+}
+
+/// (u, u^2 + width v, 0) on the unit square, with edges along its borders; the one at v = 1 has a vertex at u = 0.3. `lift`: how far
+/// the edge at v = 0 lies off the surface, towards v = 1.
+sm::FacePointer MakeBentStrip(double width, double lift)
+{
+  auto face = std::make_shared<sm::Face>(*MakeSquare(1.0, 1));
+  sm::NURBSSurface& s = face->Surface;
+  s.Degree[0] = 2;
+  s.Degree[1] = 1;
+  s.Knots[0] = { 0, 0, 0, 1, 1, 1 };
+  s.Knots[1] = { 0, 0, 1, 1 };
+  s.NumberOfControlPoints[0] = 3;
+  s.NumberOfControlPoints[1] = 2;
+  s.ControlPoints = { { 0, 0, 0, 1 }, { 0.5, 0, 0, 1 }, { 1, 1, 0, 1 }, { 0, width, 0, 1 },
+    { 0.5, width, 0, 1 }, { 1, 1 + width, 0, 1 } };
+  const double y = width;
+  face->Loops = { { {
+    MakeCoedge({ { 0, 0, 0 }, { 0.5, lift, 0 }, { 1, 1, 0 } }, { { 0, 0 }, { 1, 0 } }),
+    MakeCoedge({ { 1, 1, 0 }, { 1, 1 + y, 0 } }, { { 1, 0 }, { 1, 1 } }),
+    MakeReversed(
+      MakeCoedge({ { 0.3, 0.09 + y, 0 }, { 0.65, 0.3 + y, 0 }, { 1, 1 + y, 0 } }, { { 0.3, 1 }, { 1, 1 } })),
+    MakeReversed(MakeCoedge({ { 0, y, 0 }, { 0.15, y, 0 }, { 0.3, 0.09 + y, 0 } }, { { 0, 1 }, { 0.3, 1 } })),
+    MakeReversed(MakeCoedge({ { 0, 0, 0 }, { 0, y, 0 } }, { { 0, 0 }, { 0, 1 } })),
+  } } };
+  return face;
+}
+
+/// Faces that are narrower than the deflection: their chords would cross in space, or lie on one line.
+void CheckNarrowFaces()
+{
+  const sm::FacePointer strip = MakeBentStrip(0.01, 0.0);
+  std::vector<sm::FaceMesh> meshes = sm::MeshFaces({ strip }, { 0.3, 1.0 });
+  CheckEqual("triangles of a narrow strip that are turned over", 0, MeasureMesh({ strip }, meshes).Inverted);
+  CheckTrue("and no reason", meshes[0].Reason.empty() && !meshes[0].Triangles.empty());
+  const sm::FacePointer gap = MakeBentStrip(0.01, 0.1);
+  meshes = sm::MeshFaces({ gap }, { 0.3, 1.0 });
+  const int turned = MeasureMesh({ gap }, meshes).Inverted;
+  CheckTrue("an edge beyond the other side turns triangles over", turned > 0);
+  CheckEqual("and the mesh says so", turned, meshes[0].TurnedOver);
+  CheckTrue("by a sentence", meshes[0].Reason.find("turned over") != std::string::npos);
+
+  // Between y = 1 and a parabola that is 0.05 below it, both with one chord.
+  const sm::FacePointer square = MakeSquare(3.0, 1);
+  auto lens = std::make_shared<sm::Face>(*square);
+  lens->Loops = { { { MakeCoedge({ { 0.3, 1, 0 }, { 1.5, 0.9, 0 }, { 2.7, 1, 0 } },
+                        { { 0.1, 1.0 / 3 }, { 0.5, 0.3 }, { 0.9, 1.0 / 3 } }),
+    MakeReversed(MakeCoedge({ { 0.3, 1, 0 }, { 2.7, 1, 0 } }, { { 0.1, 1.0 / 3 }, { 0.9, 1.0 / 3 } })) } } };
+  meshes = sm::MeshFaces({ lens }, { 0.1, 1.0 });
+  CheckTrue("a lens that is thinner than the deflection has triangles", !meshes[0].Triangles.empty());
+}
+
+/// A roof so flat that its ridge is no crease: the stated deviation holds all the same.
+void CheckFlatRidge()
+{
+  auto face = std::make_shared<sm::Face>(*MakeSquare(1000.0, 2));
+  for (int j = 0; j < 3; ++j)
+  {
+    face->Surface.ControlPoints[1 + 3 * j][2] = 1e-6;
+  }
+  const MeshMeasures m = MeasureMesh({ face }, sm::MeshFaces({ face }, { 10.0, 1.0 }));
+  CheckRange("a flat ridge: distance", 1e-7, m.Deviation, 2e-6);
+  CheckRange("a flat ridge: distance / stated", 0.01, m.WorstShare, 1.0);
 }
 }
 
@@ -121,5 +199,7 @@ int TestBodyMesh(int argc, char* argv[])
   }
   CheckThreads(manifest.GetVariant("plain").front());
   CheckLoops();
+  CheckNarrowFaces();
+  CheckFlatRidge();
   return Finish();
 }

@@ -1,0 +1,75 @@
+/**
+ * @file smMeshRepair.h
+ * @brief Turns triangles back that are turned over in space though not in (u,v)
+ *
+ * That happens where edges lie off their surface, and where a face is narrower than its edges bend between two points.
+ */
+#ifndef smMeshRepair_h
+#define smMeshRepair_h
+
+#include "smTriangulation.h"
+#include "smVector.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace sm
+{
+struct MeshVertex
+{
+  std::array<double, 2> At{};
+  Vector3 Position{};
+  /// Along Su x Sv; 0 where that vanishes.
+  Vector3 Normal{};
+  /// The point of the body, see BoundaryPoint; -1: none.
+  int Shared = -1;
+  /// Distance from the surface.
+  double Gap = 0.0;
+};
+
+class MeshRepair
+{
+public:
+  using Corners = std::array<int, 3>;
+
+  /// What is asked of a triangle: whether it is turned over, and a bound of its distance from the surface.
+  struct Judge
+  {
+    std::function<bool(const Corners&)> IsTurned;
+    std::function<double(const Corners&)> GetDeviation;
+  };
+
+  /// `segments`: sides that stay, pairs of vertices with the smaller one first, and their numbers. `allowed`: the deviation that no repair
+  /// exceeds, but where triangles exceed it already.
+  MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPoint>& points,
+    const std::map<std::pair<int, int>, int>& segments, const Judge& judge, double allowed);
+
+  /**
+   * Exchanges diagonals, and merges vertices that lie on no segment with a neighbour, where fewer triangles are turned over then. All
+   * stay counter-clockwise in (u,v). Returns those that are left over.
+   */
+  std::vector<Corners> Run();
+
+private:
+  bool Flip(std::size_t triangle);
+  bool Merge(std::size_t triangle);
+  /// Puts `after` in the place of `before` if that turns triangles back.
+  bool Replace(const std::vector<std::size_t>& before, const std::vector<Corners>& after);
+  bool IsOnSegment(int vertex) const { return this->Fixed.count(vertex) > 0; }
+
+  std::vector<Corners>& Triangles;
+  const std::vector<GridPoint>& Points;
+  const std::map<std::pair<int, int>, int>& Segments;
+  std::set<int> Fixed;
+  const Judge& Asked;
+  double Allowed;
+  /// Indices of the triangles at each vertex.
+  std::vector<std::vector<std::size_t>> Stars;
+};
+}
+
+#endif
