@@ -29,12 +29,14 @@ double Uniform(Random& random, double low, double high)
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// A patch over about [0,1]^2 of a size 1, a trim piece from bottom to top, an edge curve at a distance `gap` from it.
-Case MakeCase(Random& random, double bend, double weights, bool pole, double gap, double slant)
+/// A patch over about [0,1]^2 of a size 1, a trim piece from bottom to top, an edge curve at a distance `gap` from it. `plane`: an
+/// oblique parallelogram.
+Case MakeCase(
+  Random& random, double bend, double weights, bool pole, double gap, double slant, bool plane = false)
 {
   Case made;
-  const int p = std::uniform_int_distribution<int>(1, 5)(random);
-  const int q = std::uniform_int_distribution<int>(1, 5)(random);
+  const int p = plane ? 1 : std::uniform_int_distribution<int>(1, 5)(random);
+  const int q = plane ? 1 : std::uniform_int_distribution<int>(1, 5)(random);
   sm::Patch patch{};
   patch.Degree[0] = p;
   patch.Degree[1] = q;
@@ -57,6 +59,11 @@ Case MakeCase(Random& random, double bend, double weights, bool pole, double gap
         x = 0.1;
         y = -0.6;
         z = 0.2;
+      }
+      if (plane)
+      {
+        z = 0.7 * x + 0.3 * y;
+        x = 0.9 * x - 0.4 * y;
       }
       made.Panels.Points.push_back({ w * x, w * y, w * z, w });
       patch.Radius = std::max(patch.Radius, std::sqrt(x * x + y * y + z * z));
@@ -155,17 +162,20 @@ void Run(const Case& made, double weights, double tolerance, const std::string& 
   }
 }
 
-void RunFamily(double weights, double bend, bool pole, double tolerance, int count)
+void RunFamily(double weights, double bend, bool pole, double tolerance, int count, bool plane = false)
 {
   char label[100];
   std::snprintf(label, sizeof(label), "weights 1:%g, bend %g%s, tolerance %g", weights, bend,
-    pole ? ", pole" : "", tolerance);
+    pole      ? ", pole"
+      : plane ? ", plane"
+              : "",
+    tolerance);
   Score score;
   for (int seed = 1; seed <= count; ++seed)
   {
     Random random(static_cast<unsigned int>(seed));
     const double gap = std::pow(10.0, -Uniform(random, 0.5, 12.0));
-    const Case made = MakeCase(random, bend, weights, pole, gap, seed % 3 == 0 ? 0.0 : 0.5);
+    const Case made = MakeCase(random, bend, weights, pole, gap, seed % 3 == 0 ? 0.0 : 0.5, plane);
     Run(made, weights, tolerance, std::string(label) + ", seed " + std::to_string(seed), score);
   }
   std::printf("%s: %d estimated, largest error/bound %.2g, %.0f points a case\n", label, score.Estimated,
@@ -234,6 +244,10 @@ int TestQuadraturePlan(int argc, char* argv[])
         RunFamily(weights, bend, true, tolerance, count);
       }
     }
+  }
+  for (const double tolerance : { 1e-4, 1e-9, 1e-12 })
+  {
+    RunFamily(1.0, 0.0, false, tolerance, 20 * count, true);
   }
   CheckMagnitudes(10 * count);
   return Finish();
