@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -185,6 +186,52 @@ void RunFamily(double weights, double bend, bool pole, double tolerance, int cou
   CheckTrue(std::string(label) + ": bounds say something", score.LargestRatio > 1e-9);
 }
 
+/// On a plane an edge that is the image of the trim curve leaves no ribbon: its gap is known to be rounding.
+void CheckNarrowRibbons(int count)
+{
+  int kept = 0;
+  for (int seed = 1; seed <= count; ++seed)
+  {
+    Random random(static_cast<unsigned int>(seed));
+    Case made = MakeCase(random, 0.0, 1.0, false, 0.0, 0.5, true);
+    sm::Ribbon& ribbon = made.Panels.Ribbons[0];
+    const int degree = ribbon.TrimDegree;
+    const ReferencePanels reference(made.Panels);
+    std::vector<Vector> points;
+    for (int i = 0; i <= degree; ++i)
+    {
+      Vector ds;
+      Vector dr;
+      points.emplace_back();
+      reference.EvaluatePatch(
+        0, made.Panels.Coefficients[2 * i], made.Panels.Coefficients[2 * i + 1], points.back(), ds, dr);
+    }
+    // The same curve, every other time with a degree that is one higher.
+    const int raised = degree + seed % 2;
+    made.Panels.Coefficients.resize(ribbon.Edge);
+    for (int i = 0; i <= raised; ++i)
+    {
+      const Real x = raised == degree ? 0.0L : static_cast<Real>(i) / raised;
+      for (int d = 0; d < 3; ++d)
+      {
+        made.Panels.Coefficients.push_back(static_cast<double>(
+          (i <= degree ? (1.0L - x) * points[i][d] : 0.0L) + (i > 0 ? x * points[i - 1][d] : 0.0L)));
+      }
+    }
+    ribbon.EdgeDegree = static_cast<std::uint8_t>(raised);
+    ribbon.Start = ribbon.EdgeStart = seed % 3 == 0 ? 0.25 : 0.0;
+    ribbon.End = ribbon.EdgeEnd = seed % 5 == 0 ? 0.75 : 1.0;
+    sm::PlanRequest request;
+    request.Classes = Classes;
+    request.Tolerances.assign(Count, 1e-12);
+    for (const sm::PlannedItem& item : sm::PlanFace(made.Face, made.Panels, request).Items)
+    {
+      kept += item.Kind == sm::ItemKind::Ribbon ? 1 : 0;
+    }
+  }
+  CheckEqual("ribbons on planes that are kept though they are rounding", 0, kept);
+}
+
 /// The magnitude that a face may have if it is not evaluated is that of its whole chain: of its caps, too.
 void CheckMagnitudes(int count)
 {
@@ -249,6 +296,7 @@ int TestQuadraturePlan(int argc, char* argv[])
   {
     RunFamily(1.0, 0.0, false, tolerance, 20 * count, true);
   }
+  CheckNarrowRibbons(20 * count);
   CheckMagnitudes(10 * count);
   return Finish();
 }
