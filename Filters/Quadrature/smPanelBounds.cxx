@@ -83,6 +83,10 @@ bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part)
       series.Traits, box, this->GetOrigin(panel));
     series.IsExpanded = true;
   }
+  if (!series.Whole.HasLength())
+  {
+    return false;
+  }
   this->Majorants = &series.Whole;
   this->MajorantsBox = box;
   this->IsPolynomial = series.Traits.Polynomial;

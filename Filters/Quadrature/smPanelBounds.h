@@ -35,7 +35,7 @@ public:
   /// `degree`: highest degree of the factors g.
   PanelBounds(const FacePanels& panels, const PlanRequest& request, int degree);
 
-  /// Bounds a part by the series of its patch. Returns false if it leaves the patch.
+  /// Bounds a part by the series of its patch. Returns false if it leaves the patch, or if |n| may have a zero there.
   bool ExpandByPatch(const Panel& panel, const PanelPart& part);
   /// Bounds a part by series of its own.
   void ExpandByPart(const Panel& panel, const PanelPart& part);

@@ -280,8 +280,7 @@ bool PanelPlanner::PlanByPatch(std::uint32_t index, const PanelPart& part)
   const Panel& panel = this->Panels.Panels[index];
   int along = 1;
   int across = 1;
-  if (!this->Bounds.ExpandByPatch(panel, part) || !this->Bounds.GetMajorants().HasLength() ||
-    !this->FindOrders(1.0, true, along, across) ||
+  if (!this->Bounds.ExpandByPatch(panel, part) || !this->FindOrders(1.0, true, along, across) ||
     (along * across > EvaluationsOfSeries && !this->Bounds.IsPatch()))
   {
     return false;

@@ -180,52 +180,40 @@ void PatchMajorants::SampleNumerators(const Vector3& origin)
 
 void PatchMajorants::Transform(int countS, int countR)
 {
-  // Nodes lie symmetrically, so even coefficients need the sums of opposite samples, odd ones their differences.
   const std::size_t line = static_cast<std::size_t>(Components) * countS;
-  static thread_local std::vector<double> folded;
-  const auto transform = [](const double* samples, std::size_t width, int count, double* series)
+  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
+  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
+  this->Scratch.assign(line * countR, 0.0);
+  for (int b = 0; b < countR; ++b)
   {
-    folded.resize(width * count);
-    for (int a = 0; a < count - 1 - a; ++a)
+    const double* from = this->Samples.data() + line * b;
+    double* to = this->Scratch.data() + line * b;
+    for (int k = 0; k < countS; ++k)
     {
-      const double* low = samples + width * a;
-      const double* high = samples + width * (count - 1 - a);
-      for (std::size_t e = 0; e < width; ++e)
+      const double* row = ruleS.GetTransform(k);
+      for (int a = 0; a < countS; ++a)
       {
-        folded[width * a + e] = low[e] + high[e];
-        folded[width * (count - 1 - a) + e] = low[e] - high[e];
-      }
-    }
-    const int middle = count / 2;
-    if (count % 2 == 1)
-    {
-      std::copy_n(
-        samples + width * middle, width, folded.begin() + static_cast<std::ptrdiff_t>(width) * middle);
-    }
-    const ChebyshevRule& rule = ChebyshevRule::Get(count);
-    for (int k = 0; k < count; ++k)
-    {
-      const double* row = rule.GetTransform(k);
-      double* to = series + width * k;
-      std::fill(to, to + width, 0.0);
-      // At the middle, odd ones vanish.
-      const int terms = k % 2 == 0 ? count - middle : middle;
-      for (int a = 0; a < terms; ++a)
-      {
-        const double* from = folded.data() + width * (k % 2 == 0 ? a : count - 1 - a);
-        for (std::size_t e = 0; e < width; ++e)
+        for (int c = 0; c < Components; ++c)
         {
-          to[e] += row[a] * from[e];
+          to[Components * k + c] += row[a] * from[Components * a + c];
         }
       }
     }
-  };
-  this->Scratch.resize(line * countR);
-  for (int b = 0; b < countR; ++b)
-  {
-    transform(this->Samples.data() + line * b, Components, countS, this->Scratch.data() + line * b);
   }
-  transform(this->Scratch.data(), line, countR, this->Samples.data());
+  std::fill(this->Samples.begin(), this->Samples.end(), 0.0);
+  for (int l = 0; l < countR; ++l)
+  {
+    const double* row = ruleR.GetTransform(l);
+    double* to = this->Samples.data() + line * l;
+    for (int b = 0; b < countR; ++b)
+    {
+      const double* from = this->Scratch.data() + line * b;
+      for (std::size_t e = 0; e < line; ++e)
+      {
+        to[e] += row[b] * from[e];
+      }
+    }
+  }
 }
 
 void PatchMajorants::DropNoise(std::size_t count, double noise)
