@@ -1,5 +1,7 @@
 #include "smChebyshev.h"
 
+#include "smWideEvaluation.h"
+
 #include <array>
 #include <cmath>
 #include <memory>
@@ -24,6 +26,26 @@ ChebyshevRule::ChebyshevRule(int n)
       this->Transform[k * n + i] = (k == 0 ? 1.0 : 2.0) / n * value;
     }
   }
+  if (n > MaximumDegree + 1)
+  {
+    return;
+  }
+  // Coefficient k of B_j is the sum of the transform times its values at the nodes.
+  std::vector<Wide> sums(n * n, 0.0L);
+  Wide basis[MaximumDegree + 1];
+  for (int i = 0; i < n; ++i)
+  {
+    const Wide angle = (i + 0.5L) * 3.141592653589793238462643L / n;
+    FillWideBasis(n - 1, 0.5L + 0.5L * std::cos(angle), basis);
+    for (int k = 0; k < n; ++k)
+    {
+      for (int j = 0; j < n; ++j)
+      {
+        sums[k * n + j] += (k == 0 ? 1.0L : 2.0L) / n * std::cos(k * angle) * basis[j];
+      }
+    }
+  }
+  this->FromBernstein.assign(sums.begin(), sums.end());
 }
 
 const ChebyshevRule& ChebyshevRule::Get(int n)

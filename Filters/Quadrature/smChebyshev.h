@@ -27,6 +27,8 @@ public:
   const double* GetValues(int i) const { return this->Values.data() + i * this->Size; }
   /// Row k: coefficient k is the sum of row[i] times sample i.
   const double* GetTransform(int k) const { return this->Transform.data() + k * this->Size; }
+  /// Row k: coefficient k is the sum of row[i] times the Bernstein coefficient i, of degree n - 1 on [0,1]. n <= 26.
+  const double* GetFromBernstein(int k) const { return this->FromBernstein.data() + k * this->Size; }
 
 private:
   explicit ChebyshevRule(int n);
@@ -35,7 +37,48 @@ private:
   std::vector<double> Nodes;
   std::vector<double> Values;
   std::vector<double> Transform;
+  std::vector<double> FromBernstein;
 };
+
+/// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form: degree + 1 coefficients of
+/// `size` numbers each, and so the series.
+template <class Real>
+void ExpandBernstein(const Real* coefficients, int size, int degree, double start, double end, Real* series)
+{
+  // De Casteljau's scheme leaves the part up to `end`, then that from `start`.
+  static thread_local std::vector<Real> part;
+  const int count = size * (degree + 1);
+  part.assign(coefficients, coefficients + count);
+  for (int level = 1; end != 1.0 && level <= degree; ++level)
+  {
+    for (int e = count - 1; e >= size * level; --e)
+    {
+      part[e] = (1.0 - end) * part[e - size] + end * part[e];
+    }
+  }
+  const double x = end != 0.0 ? start / end : 0.0;
+  for (int level = degree; x != 0.0 && level > 0; --level)
+  {
+    for (int e = 0; e < size * level; ++e)
+    {
+      part[e] = (1.0 - x) * part[e] + x * part[e + size];
+    }
+  }
+  const ChebyshevRule& rule = ChebyshevRule::Get(degree + 1);
+  for (int k = 0; k <= degree; ++k)
+  {
+    const double* row = rule.GetFromBernstein(k);
+    for (int d = 0; d < size; ++d)
+    {
+      Real sum = 0;
+      for (int i = 0; i <= degree; ++i)
+      {
+        sum += row[i] * part[size * i + d];
+      }
+      series[size * k + d] = sum;
+    }
+  }
+}
 
 /// Coefficients of the derivative of a series of `count` coefficients that lie `stride` doubles apart; the last one is 0.
 SMFILTERSQUADRATURE_EXPORT void DifferentiateChebyshev(

@@ -1,4 +1,5 @@
 #include "smPanelPlanner.h"
+#include "smIntegerPower.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 
@@ -10,9 +11,6 @@ namespace sm
 {
 namespace
 {
-// Radii of the ellipses tried: the least bound counts.
-constexpr double Radii[] = { 1.3, 1.5, 1.75, 2.05, 2.4, 2.8, 3.3, 4.0, 5.0, 6.5, 9.0, 13.0, 20.0, 40.0,
-  100.0 };
 // Halvings of a panel, and parts of it, before the area is compared instead of bounded. An isolated point without a
 // normal needs some 12 halvings in both directions until what is left is below its share.
 constexpr int LargestDepth = 30;
@@ -27,6 +25,8 @@ constexpr double EndRounding = 54.0;
 constexpr double RowBorder = 1e-15;
 constexpr int LeastCompared = 4;
 constexpr int MostCompared = 15;
+// Points that cost less than series of a part's own, which would ask for fewer.
+constexpr int EvaluationsOfSeries = 150;
 
 /// What the normal of a prismatic panel may change by along its straight lines, relative to the largest normal: 1e-14 at the samples of
 /// smFacePanels.cxx, times Lebesgue's constant, which is at most 2^n / n for n <= 20 equal steps.
@@ -34,32 +34,26 @@ double GetPrismaticDeviation(int q)
 {
   return 1e-14 * (q <= 5 ? std::exp2(4 * q) / (4 * q) : 5.0);
 }
+
+/// Highest degree of the factors g. A height is one degree more than x.n along a straight ruling.
+int GetDegree(const PlanRequest& request)
+{
+  int degree = 0;
+  for (const BoundClass& c : request.Classes)
+  {
+    degree = std::max(degree, c.Degree + (c.Kind == BoundClass::HeightMoment ? 1 : 0));
+  }
+  return degree;
+}
 }
 
 PanelPlanner::PanelPlanner(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
   : Panels(panels)
   , Request(request)
   , Result(plan)
-  , Traits(panels.Patches.size())
-  , HasTraits(panels.Patches.size(), false)
+  , Degree(GetDegree(request))
+  , Bounds(panels, request, Degree)
 {
-  for (const BoundClass& c : request.Classes)
-  {
-    // A height is one degree more than x.n along a straight ruling.
-    this->Degree = std::max(this->Degree, c.Degree + (c.Kind == BoundClass::HeightMoment ? 1 : 0));
-  }
-}
-
-const PatchTraits& PanelPlanner::GetTraits(std::uint32_t patch)
-{
-  if (!this->HasTraits[patch])
-  {
-    const Patch& source = this->Panels.Patches[patch];
-    this->Traits[patch] =
-      FindPatchTraits(this->Panels.Points.data() + source.FirstPoint, source.Degree[0], source.Degree[1]);
-    this->HasTraits[patch] = true;
-  }
-  return this->Traits[patch];
 }
 
 void PanelPlanner::AddFlatError(const Patch& patch, double reach)
@@ -86,8 +80,9 @@ void PanelPlanner::AddFlatError(const Patch& patch, double reach)
     const double shifted = 0.25 * moved * area * (c.Kind == BoundClass::AreaMoment ? k : k + 1);
     const double error = c.Kind == BoundClass::VectorArea ? rotated
       : c.Kind == BoundClass::AreaMoment
-      ? rotated * std::pow(reach, k) + (k > 0 ? shifted * std::pow(reach, k - 1) : 0.0)
-      : (rotated * reach + shifted) * std::pow(reach, k) / (c.Kind == BoundClass::VolumeMoment ? 3 + k : 1);
+      ? rotated * IntegerPower(reach, k) + (k > 0 ? shifted * IntegerPower(reach, k - 1) : 0.0)
+      : (rotated * reach + shifted) * IntegerPower(reach, k) /
+        (c.Kind == BoundClass::VolumeMoment ? 3 + k : 1);
     this->Result.QuadratureBound[i] += 2.0 * error;
   }
 }
@@ -111,15 +106,15 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
     center += x * x;
   }
   const double reach = std::sqrt(center) + 2.0 * patch.Radius;
-  this->Reach = std::max(this->Reach, reach);
+  this->FlatReach = std::max(this->FlatReach, reach);
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     const BoundClass& c = this->Request.Classes[i];
     const double area = 4.0 * patch.Radius * patch.Radius;
     this->Result.Magnitude[i] += c.Kind == BoundClass::VectorArea ? area
-      : c.Kind == BoundClass::AreaMoment                          ? area * std::pow(reach, c.Degree)
-      : c.Kind == BoundClass::HeightMoment                        ? area * std::pow(reach, c.Degree + 1)
-                                           : area * std::pow(reach, c.Degree + 1) / (3 + c.Degree);
+      : c.Kind == BoundClass::AreaMoment                          ? area * IntegerPower(reach, c.Degree)
+      : c.Kind == BoundClass::HeightMoment                        ? area * IntegerPower(reach, c.Degree + 1)
+                                           : area * IntegerPower(reach, c.Degree + 1) / (3 + c.Degree);
   }
   PlannedItem item{ ItemKind::Panel, index };
   item.Along = along;
@@ -130,123 +125,6 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   return true;
 }
 
-void PanelPlanner::SetPolynomialOrders(const Patch& patch)
-{
-  // Numerators have degree 3p-2 in s and 3q-2 in r, heights times normals one more, positions p and q; in t all of these times
-  // the trim's degree, and s(t) r'(t).
-  const int p = patch.Degree[0];
-  const int q = patch.Degree[1];
-  const int d = this->Trim.GetDegree();
-  const bool straight = this->Trim.IsConstantInS();
-  for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
-  {
-    const BoundClass& c = this->Request.Classes[i];
-    if (c.Kind != BoundClass::AreaMoment)
-    {
-      const int more = c.Kind == BoundClass::HeightMoment ? 1 : 0;
-      const int inS = 3 * p - 2 + more + c.Degree * p;
-      const int inR = 3 * q - 2 + more + c.Degree * q;
-      const int inT = straight ? inR * d + d - 1 : (inS + inR) * d + 2 * d - 1;
-      this->AcrossXi.SetExactOrder(i, inS / 2 + 1);
-      this->AlongT.SetExactOrder(i, std::max(inT, 0) / 2 + 1);
-    }
-  }
-}
-
-void PanelPlanner::BoundDirections(const Panel& panel, const Part& part, double jacobian)
-{
-  const std::size_t count = this->Request.Classes.size();
-  const Patch& patch = this->Panels.Patches[panel.Patch];
-  const ParameterBox box = this->Trim.GetBox(part.XiStart, part.XiEnd);
-  const Ellipse real = Ellipse::FromRadius(1.0);
-  const double share = std::exp2(-part.Depth);
-  this->AlongT.Reset(count);
-  this->AcrossXi.Reset(count);
-  this->Best.assign(count, LargestOrder + 1);
-  if (panel.Shape == PanelShape::General)
-  {
-    for (const double radius : Radii)
-    {
-      if (!this->Majorants.Evaluate(Ellipse::FromRadius(radius), real, this->Request.Classes, this->Bounds))
-      {
-        break;
-      }
-      for (double& bound : this->Bounds)
-      {
-        bound *= jacobian;
-      }
-      this->AcrossXi.AddEllipse(radius, this->Bounds);
-      if (!this->MayImprove(this->AcrossXi, share))
-      {
-        break;
-      }
-    }
-  }
-  else
-  {
-    // Along a straight ruling x.n is linear, |n| too unless it vanishes somewhere, and g has its degree.
-    const int order = (this->Degree + 3) / 2;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      if (this->Request.Classes[i].Kind != BoundClass::AreaMoment || panel.Shape == PanelShape::Prismatic ||
-        this->Majorants.HasLength())
-      {
-        this->AcrossXi.SetExactOrder(i, order);
-      }
-    }
-  }
-  this->Best.assign(count, LargestOrder + 1);
-  for (const double radius : Radii)
-  {
-    const Ellipse t = Ellipse::FromRadius(radius);
-    const Ellipse s = this->Trim.Map(t, 0, box, part.XiStart, part.XiEnd);
-    const Ellipse r = this->Trim.Map(t, 1, box, part.XiStart, part.XiEnd);
-    if (!this->Majorants.Evaluate(s, r, this->Request.Classes, this->Bounds))
-    {
-      break;
-    }
-    const double factor =
-      this->Trim.GetLargestS(t) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(t);
-    for (double& bound : this->Bounds)
-    {
-      bound *= factor;
-    }
-    this->AlongT.AddEllipse(radius, this->Bounds);
-    if (!this->MayImprove(this->AlongT, share))
-    {
-      break;
-    }
-  }
-  if (this->GetTraits(panel.Patch).Polynomial)
-  {
-    this->SetPolynomialOrders(patch);
-  }
-}
-
-bool PanelPlanner::MayImprove(const DirectionBound& direction, double share)
-{
-  bool may = false;
-  for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
-  {
-    const double half = 0.5 * share * this->Request.Tolerances[i];
-    if (half > 0.0 && !(this->Supremum[i] <= half))
-    {
-      // Orders fall with the radius until the bounds rise faster.
-      const int order = direction.FindLastOrder(i, half, LargestOrder);
-      may = may || (order <= this->Best[i] && order > 1);
-      this->Best[i] = std::min(this->Best[i], order);
-    }
-  }
-  return may;
-}
-
-double PanelPlanner::GetError(std::size_t integrand, int along, int across) const
-{
-  // The rule's weights are positive: it cannot be off by more than twice the largest value.
-  return std::min(2.0 * this->Supremum[integrand],
-    this->AlongT.GetError(integrand, along) + this->AcrossXi.GetError(integrand, across));
-}
-
 bool PanelPlanner::FindOrders(double share, bool withArea, int& along, int& across) const
 {
   along = across = 1;
@@ -255,15 +133,14 @@ bool PanelPlanner::FindOrders(double share, bool withArea, int& along, int& acro
   {
     const double tolerance = share * this->Request.Tolerances[i];
     return (withArea || this->Request.Classes[i].Kind != BoundClass::AreaMoment) && tolerance > 0.0 &&
-      !(2.0 * this->Supremum[i] <= tolerance);
+      !(2.0 * this->Bounds.GetSupremum(i) <= tolerance);
   };
   for (std::size_t i = 0; i < count; ++i)
   {
     if (wanted(i))
     {
-      const double half = 0.5 * share * this->Request.Tolerances[i];
-      along = std::max(along, this->AlongT.FindOrder(i, half, LargestOrder));
-      across = std::max(across, this->AcrossXi.FindOrder(i, half, LargestOrder));
+      along = std::max(along, this->Bounds.GetAlongT().GetOrder(i));
+      across = std::max(across, this->Bounds.GetAcrossXi().GetOrder(i));
     }
   }
   if (along > LargestOrder || across > LargestOrder)
@@ -275,7 +152,7 @@ bool PanelPlanner::FindOrders(double share, bool withArea, int& along, int& acro
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      if (wanted(i) && !(this->GetError(i, t, xi) <= share * this->Request.Tolerances[i]))
+      if (wanted(i) && !(this->Bounds.GetError(i, t, xi) <= share * this->Request.Tolerances[i]))
       {
         return false;
       }
@@ -300,7 +177,7 @@ bool PanelPlanner::IsSmall(double kink, double share) const
     const BoundClass& c = this->Request.Classes[i];
     const double tolerance = share * this->Request.Tolerances[i];
     if (c.Kind == BoundClass::AreaMoment && tolerance > 0.0 &&
-      kink * std::pow(this->Reach, c.Degree) > 0.25 * tolerance)
+      kink * IntegerPower(this->GetReach(), c.Degree) > 0.25 * tolerance)
     {
       return false;
     }
@@ -308,7 +185,7 @@ bool PanelPlanner::IsSmall(double kink, double share) const
   return true;
 }
 
-void PanelPlanner::AddEndError(const Panel& panel, const Part& part)
+void PanelPlanner::AddEndError(const Panel& panel, const PanelPart& part)
 {
   // The covered part of a patch's right edge ends where a trim curve crosses it: known to the rounding of that curve.
   if (!panel.Covered)
@@ -316,52 +193,48 @@ void PanelPlanner::AddEndError(const Panel& panel, const Part& part)
     return;
   }
   const Patch& patch = this->Panels.Patches[panel.Patch];
-  const double width = this->Trim.GetHigh(1) - this->Trim.GetLow(1);
+  const double width = this->Bounds.GetTrim().GetHigh(1) - this->Bounds.GetTrim().GetLow(1);
   const double largest = std::max(std::abs(patch.Start[1]), std::abs(patch.Start[1] + patch.Width[1]));
   const double rounding = EndRounding * UnitRoundoff * largest / patch.Width[1];
   int ends = 0;
-  ends += part.Start == 0.0 && std::abs(this->Trim.GetLow(1)) > RowBorder ? 1 : 0;
-  ends += part.End == 1.0 && std::abs(this->Trim.GetHigh(1) - 1.0) > RowBorder ? 1 : 0;
+  ends += part.Start == 0.0 && std::abs(this->Bounds.GetTrim().GetLow(1)) > RowBorder ? 1 : 0;
+  ends += part.End == 1.0 && std::abs(this->Bounds.GetTrim().GetHigh(1) - 1.0) > RowBorder ? 1 : 0;
   if (ends == 0 || !(width > 0.0))
   {
     return;
   }
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
-    this->Result.QuadratureBound[i] += ends * rounding / width * this->Supremum[i];
+    this->Result.QuadratureBound[i] += ends * rounding / width * this->Bounds.GetSupremum(i);
   }
 }
 
-int PanelPlanner::ChooseDirection(const Part& part, double share) const
+int PanelPlanner::ChooseDirection(const PanelPart& part) const
 {
   // The direction that no order satisfies; where neither does, the one in which the patch varies more.
   bool failsT = false;
   bool failsXi = false;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
-    const double half = 0.5 * share * this->Request.Tolerances[i];
-    if (half > 0.0 && !(this->Supremum[i] <= half))
-    {
-      failsT = failsT || this->AlongT.FindOrder(i, half, LargestOrder) > LargestOrder;
-      failsXi = failsXi || this->AcrossXi.FindOrder(i, half, LargestOrder) > LargestOrder;
-    }
+    failsT = failsT || this->Bounds.GetAlongT().GetOrder(i) > LargestOrder;
+    failsXi = failsXi || this->Bounds.GetAcrossXi().GetOrder(i) > LargestOrder;
   }
-  const bool anyway = (failsT && failsXi) || !this->Majorants.HasLength();
-  const bool alongT = anyway ? this->Majorants.GetVaryingDirection() == 1 : failsT;
+  const bool anyway = (failsT && failsXi) || !this->Bounds.GetMajorants().HasLength();
+  const bool alongT = anyway ? this->Bounds.GetMajorants().GetVaryingDirection() == 1 : failsT;
   if (alongT)
   {
     return 0;
   }
   // Halving xi narrows the box unless the piece itself runs across it.
   const double middle = 0.5 * (part.XiStart + part.XiEnd);
-  const double whole = this->Trim.GetBox(part.XiStart, part.XiEnd).Half[0];
-  const double half =
-    std::max(this->Trim.GetBox(part.XiStart, middle).Half[0], this->Trim.GetBox(middle, part.XiEnd).Half[0]);
+  const double whole = this->Bounds.GetTrim().GetBox(part.XiStart, part.XiEnd).Half[0];
+  const double half = std::max(this->Bounds.GetTrim().GetBox(part.XiStart, middle).Half[0],
+    this->Bounds.GetTrim().GetBox(middle, part.XiEnd).Half[0]);
   return half < 0.8 * whole ? 1 : 0;
 }
 
 void PanelPlanner::Keep(
-  std::uint32_t index, const Part& part, int along, int across, bool compared, double noise)
+  std::uint32_t index, const PanelPart& part, int along, int across, bool compared, double noise)
 {
   PlannedItem item{ ItemKind::Panel, index };
   item.Start = part.Start;
@@ -376,8 +249,8 @@ void PanelPlanner::Keep(
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     const BoundClass& c = this->Request.Classes[i];
-    this->Result.Magnitude[i] += this->Supremum[i];
-    const double error = this->GetError(i, last * along, last * across);
+    this->Result.Magnitude[i] += this->Bounds.GetSupremum(i);
+    const double error = this->Bounds.GetError(i, last * along, last * across);
     if (c.Kind != BoundClass::AreaMoment)
     {
       this->Result.QuadratureBound[i] += error;
@@ -386,80 +259,74 @@ void PanelPlanner::Keep(
     {
       this->Result.QuadratureBound[i] +=
         (compared && !(error <= this->Request.Tolerances[i] * item.Share) ? 0.0 : error) +
-        2.0 * noise * std::pow(this->Reach, c.Degree);
+        2.0 * noise * IntegerPower(this->GetReach(), c.Degree);
     }
   }
   this->Result.Estimated = this->Result.Estimated || compared;
-  const Ellipse real = Ellipse::FromRadius(1.0);
-  const double jacobian =
-    this->Trim.GetLargestS(real) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(real);
-  this->Majorants.GetDropped(this->Request.Classes, this->Bounds);
+  this->Bounds.GetMajorants().GetDropped(this->Request.Classes, this->Dropped);
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     // A rule is off by at most twice the largest value.
-    this->Result.QuadratureBound[i] += this->Bounds[i] > 0.0 ? 2.0 * this->Bounds[i] * jacobian : 0.0;
+    this->Result.QuadratureBound[i] +=
+      this->Dropped[i] > 0.0 ? 2.0 * this->Dropped[i] * this->Bounds.GetJacobian() : 0.0;
   }
   this->AddEndError(this->Panels.Panels[index], part);
   this->Result.Evaluations += static_cast<std::int64_t>(along) * across * (compared ? 5 : 1);
   this->Result.Items.push_back(item);
 }
 
-void PanelPlanner::PlanPart(std::uint32_t index, const Part& part)
+bool PanelPlanner::PlanByPatch(std::uint32_t index, const PanelPart& part)
 {
   const Panel& panel = this->Panels.Panels[index];
-  const Patch& patch = this->Panels.Patches[panel.Patch];
-  const PatchTraits& traits = this->GetTraits(panel.Patch);
-  const double width = panel.End - panel.Start;
-  this->Trim.Expand(this->Panels.Coefficients.data() + panel.Trim, panel.TrimDegree, patch,
-    panel.Start + width * part.Start, panel.Start + width * part.End);
-  std::array<double, 3> origin;
-  for (int c = 0; c < 3; ++c)
+  int along = 1;
+  int across = 1;
+  if (!this->Bounds.ExpandByPatch(panel, part) || !this->FindOrders(1.0, true, along, across) ||
+    (along * across > EvaluationsOfSeries && !this->Bounds.IsPatch()))
   {
-    origin[c] = patch.Center[c] + this->Request.Shift[c];
+    return false;
   }
-  const ParameterBox box = this->Trim.GetBox(part.XiStart, part.XiEnd);
-  this->Majorants.Expand(
-    this->Panels.Points.data() + patch.FirstPoint, patch.Degree[0], patch.Degree[1], traits, box, origin);
+  this->Keep(index, part, along, across, false,
+    this->Bounds.GetJacobian() * this->Bounds.GetMajorants().GetLengthDeviation());
+  return true;
+}
 
-  const Ellipse real = Ellipse::FromRadius(1.0);
-  const double jacobian =
-    this->Trim.GetLargestS(real) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(real);
-  if (this->Majorants.Evaluate(real, real, this->Request.Classes, this->Supremum))
-  {
-    this->Reach = std::max(this->Reach, this->Majorants.GetReach());
-    for (double& value : this->Supremum)
-    {
-      value *= jacobian;
-    }
-  }
-  else
-  {
-    this->Supremum.assign(this->Request.Classes.size(), std::numeric_limits<double>::infinity());
-  }
-  this->BoundDirections(panel, part, jacobian);
-
-  const double share = std::exp2(-part.Depth);
-  double noise = jacobian * this->Majorants.GetLengthDeviation();
-  // |n| and its factored form differ beyond a collapsed edge.
-  const double kinks[2] = { this->Majorants.GetKink(0), this->Majorants.GetKink(1) };
-  double kink = 0.0;
+double PanelPlanner::GetNoise(const Panel& panel, double kink) const
+{
+  const PatchMajorants& majorants = this->Bounds.GetMajorants();
+  double noise = this->Bounds.GetJacobian() * majorants.GetLengthDeviation();
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
-    if (this->Request.Classes[i] == PlainArea && kinks[0] + kinks[1] > 0.0)
+    if (this->Request.Classes[i] == PlainArea)
     {
-      kink = (kinks[0] + kinks[1]) * this->Supremum[i];
-      noise += kink;
-    }
-    if (this->Request.Classes[i] == PlainArea && panel.Shape == PanelShape::Prismatic &&
-      !this->Majorants.HasLength())
-    {
-      noise += GetPrismaticDeviation(patch.Degree[1]) * this->Supremum[i];
+      noise += kink > 0.0 ? kink * this->Bounds.GetSupremum(i) : 0.0;
+      noise += panel.Shape == PanelShape::Prismatic && !majorants.HasLength()
+        ? GetPrismaticDeviation(this->Panels.Patches[panel.Patch].Degree[1]) * this->Bounds.GetSupremum(i)
+        : 0.0;
     }
   }
+  return noise;
+}
+
+void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
+{
+  const Panel& panel = this->Panels.Panels[index];
+  this->Bounds.ExpandByPart(panel, part);
+  const PatchMajorants& majorants = this->Bounds.GetMajorants();
+  const double share = std::exp2(-part.Depth);
+  // |n| and its factored form differ beyond a collapsed edge.
+  const double kinks[2] = { majorants.GetKink(0), majorants.GetKink(1) };
+  const double kink = kinks[0] + kinks[1];
+  double kinkArea = 0.0;
+  for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
+  {
+    kinkArea =
+      this->Request.Classes[i] == PlainArea && kink > 0.0 ? kink * this->Bounds.GetSupremum(i) : kinkArea;
+  }
+  const double noise = this->GetNoise(panel, kink);
   int along = 1;
   int across = 1;
   const bool found = this->FindOrders(share, true, along, across);
-  if (found && this->IsSmall(kink, share))
+  if (found && this->IsSmall(kinkArea, share))
   {
     this->Keep(index, part, along, across, false, noise);
     return;
@@ -467,11 +334,11 @@ void PanelPlanner::PlanPart(std::uint32_t index, const Part& part)
   const std::size_t most = this->FindOrders(share, false, along, across) ? MostParts : MostPartsOfMoments;
   if (part.Depth < LargestDepth && this->Pending.size() + this->Parts < most)
   {
-    const bool inXi = found ? kinks[0] >= kinks[1] : this->ChooseDirection(part, share) == 1;
-    Part halves[2] = { part, part };
+    const bool inXi = found ? kinks[0] >= kinks[1] : this->ChooseDirection(part) == 1;
+    PanelPart halves[2] = { part, part };
     (inXi ? halves[0].XiEnd : halves[0].End) = (inXi ? halves[1].XiStart : halves[1].Start) =
       inXi ? 0.5 * (part.XiStart + part.XiEnd) : 0.5 * (part.Start + part.End);
-    for (Part& half : halves)
+    for (PanelPart& half : halves)
     {
       ++half.Depth;
       this->Pending.push_back(half);
@@ -489,12 +356,16 @@ void PanelPlanner::Plan(std::uint32_t index)
   {
     return;
   }
-  this->Pending.assign(1, { 0.0, 1.0, 0.0, 1.0, 0 });
+  if (this->PlanByPatch(index, {}))
+  {
+    return;
+  }
+  this->Pending.assign(1, {});
   this->Parts = 0;
   // The shallowest first, so that the limit of parts cuts off the deepest.
   for (std::size_t next = 0; next < this->Pending.size(); ++next)
   {
-    const Part part = this->Pending[next];
+    const PanelPart part = this->Pending[next];
     const std::size_t before = this->Pending.size();
     this->PlanPart(index, part);
     this->Parts += this->Pending.size() == before ? 1 : 0;

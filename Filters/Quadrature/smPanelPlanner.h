@@ -5,18 +5,14 @@
 #ifndef smPanelPlanner_h
 #define smPanelPlanner_h
 
-#include "smPatchMajorants.h"
-#include "smQuadratureBound.h"
-#include "smQuadraturePlan.h"
-#include "smTrimSeries.h"
+#include "smPanelBounds.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace sm
 {
-/// More points than this cost more than bisecting.
-constexpr int LargestOrder = 20;
-
 class PanelPlanner
 {
 public:
@@ -26,49 +22,32 @@ public:
   void Plan(std::uint32_t index);
 
   /// Largest distance from the point that moments are about, over the patches planned so far.
-  double GetReach() const { return this->Reach; }
+  double GetReach() const { return std::max(this->FlatReach, this->Bounds.GetReach()); }
 
 private:
-  struct Part
-  {
-    double Start, End, XiStart, XiEnd;
-    int Depth;
-  };
-  const PatchTraits& GetTraits(std::uint32_t patch);
   bool PlanExactly(std::uint32_t index);
   /// Adds the error of exact orders for what a flat patch deviates from a parallelogram.
   void AddFlatError(const Patch& patch, double reach);
-  void PlanPart(std::uint32_t index, const Part& part);
-  void BoundDirections(const Panel& panel, const Part& part, double jacobian);
-  void SetPolynomialOrders(const Patch& patch);
-  /// False when larger ellipses will not ask for fewer points.
-  bool MayImprove(const DirectionBound& direction, double share);
+  /// Plans a panel by the series of its patch. Returns false if they are not enough, or others may ask for far fewer points.
+  bool PlanByPatch(std::uint32_t index, const PanelPart& part);
+  void PlanPart(std::uint32_t index, const PanelPart& part);
+  /// Bound of the area that the series lack: rounding, the kinks of collapsed edges, and a normal that is not quite constant.
+  double GetNoise(const Panel& panel, double kink) const;
   bool FindOrders(double share, bool withArea, int& along, int& across) const;
-  double GetError(std::size_t integrand, int along, int across) const;
   bool IsSmall(double kink, double share) const;
-  void AddEndError(const Panel& panel, const Part& part);
-  int ChooseDirection(const Part& part, double share) const;
-  void Keep(std::uint32_t index, const Part& part, int along, int across, bool compared, double noise);
+  void AddEndError(const Panel& panel, const PanelPart& part);
+  int ChooseDirection(const PanelPart& part) const;
+  void Keep(std::uint32_t index, const PanelPart& part, int along, int across, bool compared, double noise);
 
   const FacePanels& Panels;
   const PlanRequest& Request;
   FacePlan& Result;
-  int Degree = 0;
-  double Reach = 0.0;
-  std::vector<PatchTraits> Traits;
-  std::vector<bool> HasTraits;
-  std::vector<Part> Pending;
+  int Degree;
+  double FlatReach = 0.0;
+  PanelBounds Bounds;
+  std::vector<PanelPart> Pending;
   std::size_t Parts = 0;
-
-  // Values of the current part.
-  TrimSeries Trim;
-  PatchMajorants Majorants;
-  DirectionBound AlongT;
-  DirectionBound AcrossXi;
-  std::vector<double> Supremum;
-  std::vector<double> Bounds;
-  /// Fewest points so far, per class.
-  std::vector<int> Best;
+  std::vector<double> Dropped;
 };
 }
 

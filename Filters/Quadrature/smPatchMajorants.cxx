@@ -1,24 +1,13 @@
 #include "smPatchMajorants.h"
 
+#include "smIntegerPower.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace sm
 {
-namespace
-{
-double Power(double base, int exponent)
-{
-  double power = 1.0;
-  for (; exponent > 0; --exponent)
-  {
-    power *= base;
-  }
-  return power;
-}
-}
-
 void PatchMajorants::Table::Resize(int countS, int countR)
 {
   this->CountS = countS;
@@ -98,7 +87,7 @@ void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vec
   dropped.resize(classes.size());
   for (std::size_t i = 0; i < classes.size(); ++i)
   {
-    const double power = Power(reach, classes[i].Degree);
+    const double power = IntegerPower(reach, classes[i].Degree);
     const double length = this->Dropped[this->IsPolynomialLength() && this->Traits.PolynomialLength ? 2 : 1];
     dropped[i] = classes[i].Kind == BoundClass::VolumeMoment
       ? this->Dropped[0] * power / ((3 + classes[i].Degree) * cube)
@@ -176,7 +165,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   bounds.resize(classes.size());
   for (std::size_t i = 0; i < classes.size(); ++i)
   {
-    const double power = Power(reach, classes[i].Degree);
+    const double power = IntegerPower(reach, classes[i].Degree);
     switch (classes[i].Kind)
     {
       case BoundClass::VolumeMoment:

@@ -137,7 +137,7 @@ private:
   /// |m~| is a polynomial on the box.
   bool IsPolynomialLength() const;
   void ExpandNet(const double* net, int countS, int countR, std::vector<double>& series);
-  void ExpandPosition(const std::array<double, 4>* points);
+  void ExpandDerivatives(const std::array<double, 4>* points);
   void SampleNumerators(const std::array<double, 3>& origin);
   void Transform(int countS, int countR);
   void MakeTables(int countS, int countR);

@@ -1,62 +1,62 @@
 #include "smQuadratureBound.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace sm
 {
-namespace
+EllipseRadius::EllipseRadius(double radius)
+  : Value(radius)
 {
-constexpr int NotExact = std::numeric_limits<int>::max();
-
-double IntegerPower(double base, int exponent)
-{
-  double power = 1.0;
-  for (; exponent > 0; exponent /= 2, base *= base)
+  this->Powers[0] = 1.0;
+  for (int n = 1; n <= MostPoints; ++n)
   {
-    power *= exponent % 2 ? base : 1.0;
+    this->Powers[n] = this->Powers[n - 1] / (radius * radius);
   }
-  return power;
-}
 }
 
-DirectionBound::DirectionBound(std::size_t integrands)
+void DirectionBound::Reset(const std::vector<double>& shares, int largest)
 {
-  this->Reset(integrands);
-}
-
-void DirectionBound::Reset(std::size_t integrands)
-{
-  this->Classes = integrands;
+  this->Shares = shares;
+  this->Largest = largest;
   this->Radii.clear();
   this->Factors.clear();
-  this->FactorLogarithms.clear();
-  this->ExactOrders.assign(integrands, NotExact);
+  this->Orders.clear();
+  for (const double share : shares)
+  {
+    this->Orders.push_back(share > 0.0 && std::isfinite(share) ? largest + 1 : 1);
+  }
+  this->ExactOrders.assign(shares.size(), std::numeric_limits<int>::max());
 }
 
-void DirectionBound::AddEllipse(double radius, const std::vector<double>& bounds)
+bool DirectionBound::AddEllipse(const EllipseRadius& radius, const std::vector<double>& bounds)
 {
-  this->Radii.push_back({ radius, std::log(radius) });
-  const double factor = 32.0 / 15.0 / (1.0 - 1.0 / (radius * radius));
-  for (std::size_t i = 0; i < this->Classes; ++i)
+  const double constant = 32.0 / 15.0 / (1.0 - radius.GetPower(1));
+  bool may = false;
+  this->Radii.push_back(&radius);
+  for (std::size_t i = 0; i < bounds.size(); ++i)
   {
-    this->Factors.push_back(factor * bounds[i]);
-    this->FactorLogarithms.push_back(std::log(this->Factors.back()));
+    const double factor = constant * bounds[i];
+    this->Factors.push_back(factor);
+    int& order = this->Orders[i];
+    if (order == 1)
+    {
+      continue;
+    }
+    // Neither infinite bounds nor those that are no numbers are below a share.
+    const bool asFew = order > this->Largest || factor * radius.GetPower(order) <= this->Shares[i];
+    while (order > 1 && factor * radius.GetPower(order - 1) <= this->Shares[i])
+    {
+      --order;
+    }
+    may = may || (asFew && order > 1);
   }
+  return may;
 }
 
 void DirectionBound::SetExactOrder(std::size_t integrand, int order)
 {
   this->ExactOrders[integrand] = std::min(this->ExactOrders[integrand], order);
-}
-
-void DirectionBound::SetExactOrder(int order)
-{
-  for (std::size_t i = 0; i < this->Classes; ++i)
-  {
-    this->SetExactOrder(i, order);
-  }
 }
 
 double DirectionBound::GetError(std::size_t integrand, int order) const
@@ -66,40 +66,11 @@ double DirectionBound::GetError(std::size_t integrand, int order) const
     return 0.0;
   }
   double least = std::numeric_limits<double>::infinity();
+  const std::size_t count = this->Shares.size();
   for (std::size_t i = 0; i < this->Radii.size(); ++i)
   {
-    least = std::min(
-      least, this->Factors[i * this->Classes + integrand] / IntegerPower(this->Radii[i].Value, 2 * order));
+    least = std::min(least, this->Factors[i * count + integrand] * this->Radii[i]->GetPower(order));
   }
   return least;
-}
-
-int DirectionBound::GetOrder(
-  std::size_t radius, std::size_t integrand, double share, double logarithm, int largest) const
-{
-  const std::size_t at = radius * this->Classes + integrand;
-  if (this->Factors[at] <= share)
-  {
-    return 1;
-  }
-  const double points = (this->FactorLogarithms[at] - logarithm) / (2.0 * this->Radii[radius].Logarithm);
-  // Infinite or not a number: not below.
-  return points < largest ? std::max(1, static_cast<int>(std::ceil(points))) : largest + 1;
-}
-
-int DirectionBound::FindOrder(std::size_t integrand, double share, int largest) const
-{
-  int least = std::min(this->ExactOrders[integrand], largest + 1);
-  const double logarithm = std::log(share);
-  for (std::size_t i = 0; i < this->Radii.size() && least > 1; ++i)
-  {
-    least = std::min(least, this->GetOrder(i, integrand, share, logarithm, largest));
-  }
-  return least;
-}
-
-int DirectionBound::FindLastOrder(std::size_t integrand, double share, int largest) const
-{
-  return this->GetOrder(this->Radii.size() - 1, integrand, share, std::log(share), largest);
 }
 }

@@ -14,46 +14,56 @@
 #ifndef smQuadratureBound_h
 #define smQuadratureBound_h
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace sm
 {
-/// Bounds of several integrands along one direction, on a number of ellipses.
+/// The radius rho of an ellipse, with rho^(-2N) for all N that are asked for.
+class EllipseRadius
+{
+public:
+  explicit EllipseRadius(double radius);
+  double GetValue() const { return this->Value; }
+  /// rho^(-2N), or no less.
+  double GetPower(int points) const { return this->Powers[std::min(points, MostPoints)]; }
+
+private:
+  static constexpr int MostPoints = 40;
+  double Value;
+  double Powers[MostPoints + 1];
+};
+
+/// Bounds of several integrands along one direction, on a number of ellipses, and the orders that they allow.
 class DirectionBound
 {
 public:
-  explicit DirectionBound(std::size_t integrands = 0);
-
-  void Reset(std::size_t integrands);
-  /// Adds an ellipse of this radius (> 1). `bounds` holds the bound of |f| on it for every integrand; infinite where f may not
-  /// be analytic.
-  void AddEllipse(double radius, const std::vector<double>& bounds);
+  /// Removes all ellipses. `shares` holds the error that the direction may have for every integrand; not positive or infinite: any.
+  /// Orders are at most `largest`.
+  void Reset(const std::vector<double>& shares, int largest);
+  /// Adds an ellipse of this radius (> 1), which stays where it is. `bounds` holds the bound of |f| on it for every integrand; infinite where f may not
+  /// be analytic. Returns false if the ellipse asks for more points of every integrand than one before it, so that larger ones
+  /// will not ask for fewer: orders fall with the radius until the bounds rise faster.
+  bool AddEllipse(const EllipseRadius& radius, const std::vector<double>& bounds);
   /// States that this integrand is a polynomial that `order` points integrate exactly.
   void SetExactOrder(std::size_t integrand, int order);
-  /// Sets this order for all integrands.
-  void SetExactOrder(int order);
 
   /// Bound of the error of `order` points.
   double GetError(std::size_t integrand, int order) const;
-  /// Fewest points whose bound is at most `share`; more than `largest` when none of so many is.
-  int FindOrder(std::size_t integrand, double share, int largest) const;
-  /// Returns the same from the ellipse added last alone, and ignores SetExactOrder().
-  int FindLastOrder(std::size_t integrand, double share, int largest) const;
+  /// Fewest points whose bound is at most the share; more than `largest` when none of so many is.
+  int GetOrder(std::size_t integrand) const
+  {
+    return std::min(this->Orders[integrand], this->ExactOrders[integrand]);
+  }
 
 private:
-  struct Radius
-  {
-    double Value;
-    double Logarithm;
-  };
-  /// `share` and its logarithm.
-  int GetOrder(std::size_t radius, std::size_t integrand, double share, double logarithm, int largest) const;
-
-  std::size_t Classes;
-  std::vector<Radius> Radii;
+  std::vector<double> Shares;
+  int Largest = 0;
+  std::vector<const EllipseRadius*> Radii;
   /// The error of N points is this times rho^(-2N).
   std::vector<double> Factors;
-  std::vector<double> FactorLogarithms;
+  std::vector<int> Orders;
   std::vector<int> ExactOrders;
 };
 }

@@ -28,8 +28,8 @@ double SumSeries(const std::vector<double>& series, double x)
 void TrimSeries::Expand(const double* coefficients, int degree, const Patch& patch, double start, double end)
 {
   const int n = degree + 1;
-  const ChebyshevRule& rule = ChebyshevRule::Get(n);
   std::array<double, 2> local[MaximumDegree + 1];
+  std::array<double, 2> series[MaximumDegree + 1];
   for (int i = 0; i < n; ++i)
   {
     for (int d = 0; d < 2; ++d)
@@ -37,20 +37,14 @@ void TrimSeries::Expand(const double* coefficients, int degree, const Patch& pat
       local[i][d] = (coefficients[2 * i + d] - patch.Start[d]) / patch.Width[d];
     }
   }
-  const BernsteinPiece<2> piece{ local, degree };
+  ExpandBernstein<double>(local[0].data(), 2, degree, start, end, series[0].data());
   for (int d = 0; d < 2; ++d)
   {
-    this->Series[d].assign(n, 0.0);
-    this->Derivative[d].assign(n, 0.0);
-  }
-  for (int i = 0; i < n; ++i)
-  {
-    const std::array<double, 2> point = piece.Evaluate(start + (end - start) * 0.5 * (1.0 + rule.GetNode(i)));
+    this->Series[d].resize(n);
+    this->Derivative[d].resize(n);
     for (int k = 0; k < n; ++k)
     {
-      const double factor = rule.GetTransform(k)[i];
-      this->Series[0][k] += factor * point[0];
-      this->Series[1][k] += factor * point[1];
+      this->Series[d][k] = series[k][d];
     }
   }
   for (int d = 0; d < 2; ++d)
@@ -155,13 +149,14 @@ double TrimSeries::GetLargestS(const Ellipse& t) const
   return sum;
 }
 
-double TrimSeries::GetLargestSlope(const Ellipse& t) const
+double TrimSeries::GetLargestSlope(const Ellipse& t, int direction) const
 {
-  this->UpdateMajorants(t, this->Derivative[1].size());
+  const std::vector<double>& derivative = this->Derivative[direction];
+  this->UpdateMajorants(t, derivative.size());
   double sum = 0.0;
-  for (std::size_t k = 0; k < this->Derivative[1].size(); ++k)
+  for (std::size_t k = 0; k < derivative.size(); ++k)
   {
-    sum += std::abs(this->Derivative[1][k]) * this->Majorants[k];
+    sum += std::abs(derivative[k]) * this->Majorants[k];
   }
   return sum;
 }

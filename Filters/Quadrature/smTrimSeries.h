@@ -23,6 +23,8 @@ public:
   int GetDegree() const { return static_cast<int>(this->Series[0].size()) - 1; }
   /// True when s does not change along the piece.
   bool IsConstantInS() const;
+  /// Coefficients of s (0) or r (1).
+  const std::vector<double>& GetSeries(int direction) const { return this->Series[direction]; }
   /// Interval of s (0) or r (1): contains the piece, and hardly more.
   double GetLow(int direction) const { return this->Low[direction]; }
   double GetHigh(int direction) const { return this->High[direction]; }
@@ -37,9 +39,9 @@ public:
   /// all t in the ellipse and real xi in [xiStart, xiEnd]. See Bounds.md.
   Ellipse Map(const Ellipse& t, int direction, const ParameterBox& box, double xiStart, double xiEnd) const;
 
-  /// Upper bounds of |s| and of |dr/dt|, t mapped to [0,1], in the ellipse.
+  /// Upper bounds of |s|, and of |ds/dt| (direction 0) or |dr/dt| (1) with t mapped to [0,1], in the ellipse.
   double GetLargestS(const Ellipse& t) const;
-  double GetLargestSlope(const Ellipse& t) const;
+  double GetLargestSlope(const Ellipse& t, int direction = 1) const;
 
 private:
   std::vector<double> Series[2];

@@ -5,18 +5,19 @@
 #ifndef smWideEvaluation_h
 #define smWideEvaluation_h
 
+#include "smBezierPatch.h"
+
 #include <array>
 
 namespace sm
 {
 using Wide = long double;
 
-/// (w x, w y, w z, w) of a patch of degrees p and q, and its derivatives in s and r.
-void EvaluatePatch(const std::array<double, 4>* points, int p, int q, Wide s, Wide r, Wide h[3][4]);
+/// B_i^degree(t), i = 0 .. degree: products of powers, each with at most 2 degree + 2 roundings.
+void FillWideBasis(int degree, Wide t, Wide* basis);
 
-/// A polynomial piece of `size` coordinates in Bernstein form, relative to `origin`.
-void EvaluatePiece(
-  const double* coefficients, int size, int degree, Wide t, const double* origin, Wide* point);
+/// (w x, w y, w z, w) of a patch of degrees p and q.
+void EvaluatePatch(const std::array<double, 4>* points, int p, int q, Wide s, Wide r, Wide h[4]);
 }
 
 #endif

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -29,12 +30,14 @@ double Uniform(Random& random, double low, double high)
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// A patch over about [0,1]^2 of a size 1, a trim piece from bottom to top, an edge curve at a distance `gap` from it.
-Case MakeCase(Random& random, double bend, double weights, bool pole, double gap, double slant)
+/// A patch over about [0,1]^2 of a size 1, a trim piece from bottom to top, an edge curve at a distance `gap` from it. `plane`: an
+/// oblique parallelogram.
+Case MakeCase(
+  Random& random, double bend, double weights, bool pole, double gap, double slant, bool plane = false)
 {
   Case made;
-  const int p = std::uniform_int_distribution<int>(1, 5)(random);
-  const int q = std::uniform_int_distribution<int>(1, 5)(random);
+  const int p = plane ? 1 : std::uniform_int_distribution<int>(1, 5)(random);
+  const int q = plane ? 1 : std::uniform_int_distribution<int>(1, 5)(random);
   sm::Patch patch{};
   patch.Degree[0] = p;
   patch.Degree[1] = q;
@@ -57,6 +60,11 @@ Case MakeCase(Random& random, double bend, double weights, bool pole, double gap
         x = 0.1;
         y = -0.6;
         z = 0.2;
+      }
+      if (plane)
+      {
+        z = 0.7 * x + 0.3 * y;
+        x = 0.9 * x - 0.4 * y;
       }
       made.Panels.Points.push_back({ w * x, w * y, w * z, w });
       patch.Radius = std::max(patch.Radius, std::sqrt(x * x + y * y + z * z));
@@ -155,17 +163,20 @@ void Run(const Case& made, double weights, double tolerance, const std::string& 
   }
 }
 
-void RunFamily(double weights, double bend, bool pole, double tolerance, int count)
+void RunFamily(double weights, double bend, bool pole, double tolerance, int count, bool plane = false)
 {
   char label[100];
   std::snprintf(label, sizeof(label), "weights 1:%g, bend %g%s, tolerance %g", weights, bend,
-    pole ? ", pole" : "", tolerance);
+    pole      ? ", pole"
+      : plane ? ", plane"
+              : "",
+    tolerance);
   Score score;
   for (int seed = 1; seed <= count; ++seed)
   {
     Random random(static_cast<unsigned int>(seed));
     const double gap = std::pow(10.0, -Uniform(random, 0.5, 12.0));
-    const Case made = MakeCase(random, bend, weights, pole, gap, seed % 3 == 0 ? 0.0 : 0.5);
+    const Case made = MakeCase(random, bend, weights, pole, gap, seed % 3 == 0 ? 0.0 : 0.5, plane);
     Run(made, weights, tolerance, std::string(label) + ", seed " + std::to_string(seed), score);
   }
   std::printf("%s: %d estimated, largest error/bound %.2g, %.0f points a case\n", label, score.Estimated,
@@ -173,6 +184,52 @@ void RunFamily(double weights, double bend, bool pole, double tolerance, int cou
   CheckTrue(std::string(label) + ": no bound exceeded", score.Exceeded == 0);
   CheckTrue(std::string(label) + ": bounds within the tolerance", score.Above == 0);
   CheckTrue(std::string(label) + ": bounds say something", score.LargestRatio > 1e-9);
+}
+
+/// On a plane an edge that is the image of the trim curve leaves no ribbon: its gap is known to be rounding.
+void CheckNarrowRibbons(int count)
+{
+  int kept = 0;
+  for (int seed = 1; seed <= count; ++seed)
+  {
+    Random random(static_cast<unsigned int>(seed));
+    Case made = MakeCase(random, 0.0, 1.0, false, 0.0, 0.5, true);
+    sm::Ribbon& ribbon = made.Panels.Ribbons[0];
+    const int degree = ribbon.TrimDegree;
+    const ReferencePanels reference(made.Panels);
+    std::vector<Vector> points;
+    for (int i = 0; i <= degree; ++i)
+    {
+      Vector ds;
+      Vector dr;
+      points.emplace_back();
+      reference.EvaluatePatch(
+        0, made.Panels.Coefficients[2 * i], made.Panels.Coefficients[2 * i + 1], points.back(), ds, dr);
+    }
+    // The same curve, every other time with a degree that is one higher.
+    const int raised = degree + seed % 2;
+    made.Panels.Coefficients.resize(ribbon.Edge);
+    for (int i = 0; i <= raised; ++i)
+    {
+      const Real x = raised == degree ? 0.0L : static_cast<Real>(i) / raised;
+      for (int d = 0; d < 3; ++d)
+      {
+        made.Panels.Coefficients.push_back(static_cast<double>(
+          (i <= degree ? (1.0L - x) * points[i][d] : 0.0L) + (i > 0 ? x * points[i - 1][d] : 0.0L)));
+      }
+    }
+    ribbon.EdgeDegree = static_cast<std::uint8_t>(raised);
+    ribbon.Start = ribbon.EdgeStart = seed % 3 == 0 ? 0.25 : 0.0;
+    ribbon.End = ribbon.EdgeEnd = seed % 5 == 0 ? 0.75 : 1.0;
+    sm::PlanRequest request;
+    request.Classes = Classes;
+    request.Tolerances.assign(Count, 1e-12);
+    for (const sm::PlannedItem& item : sm::PlanFace(made.Face, made.Panels, request).Items)
+    {
+      kept += item.Kind == sm::ItemKind::Ribbon ? 1 : 0;
+    }
+  }
+  CheckEqual("ribbons on planes that are kept though they are rounding", 0, kept);
 }
 
 /// The magnitude that a face may have if it is not evaluated is that of its whole chain: of its caps, too.
@@ -235,6 +292,11 @@ int TestQuadraturePlan(int argc, char* argv[])
       }
     }
   }
+  for (const double tolerance : { 1e-4, 1e-9, 1e-12 })
+  {
+    RunFamily(1.0, 0.0, false, tolerance, 20 * count, true);
+  }
+  CheckNarrowRibbons(20 * count);
   CheckMagnitudes(10 * count);
   return Finish();
 }

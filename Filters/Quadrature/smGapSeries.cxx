@@ -1,0 +1,386 @@
+#include "smGapSeries.h"
+
+#include "smUnitRoundoff.h"
+#include "smVector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+constexpr double Radii[] = { 1.3, 1.6, 2.0, 2.5, 3.2, 4.2, 6.0, 9.0, 15.0, 30.0, 100.0 };
+// Nodes that cost less than to ask whether fewer would do, the least that are taken then, and the most.
+constexpr int AffordableNodes = 16;
+constexpr int FewNodes = 10;
+constexpr int MostNodes = 128;
+// Roundings of a sample of the gap: those of the trim curve, the patch and the edge, up to degree 25 each.
+constexpr double SampleRoundings = 64.0;
+// The part of a plane's patch that is bilinear is known in double: rounding, relative to the steps of its corners.
+constexpr double LargestCorner = 1e-6;
+
+/// The coefficients of a trim piece in the parameters of a patch.
+void FillLocal(const double* coefficients, int degree, const Patch& patch, Wide local[][2])
+{
+  for (int i = 0; i <= degree; ++i)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      local[i][d] = (static_cast<Wide>(coefficients[2 * i + d]) - patch.Start[d]) / patch.Width[d];
+    }
+  }
+}
+
+template <int Dimension>
+void RaiseDegree(Wide coefficients[][Dimension], int from, int to)
+{
+  for (int n = from + 1; n <= to; ++n)
+  {
+    std::copy_n(coefficients[n - 1], Dimension, coefficients[n]);
+    for (int i = n - 1; i > 0; --i)
+    {
+      const Wide x = static_cast<Wide>(i) / n;
+      for (int d = 0; d < Dimension; ++d)
+      {
+        coefficients[i][d] = x * coefficients[i - 1][d] + (1 - x) * coefficients[i][d];
+      }
+    }
+  }
+}
+
+bool IsPolynomial(const std::array<double, 4>* points, int count)
+{
+  return std::all_of(
+    points, points + count, [points](const std::array<double, 4>& p) { return p[3] == points[0][3]; });
+}
+}
+
+const std::array<double, 4>* GapSeries::GetPoints(const Ribbon& ribbon) const
+{
+  return this->Panels.Points.data() + this->Panels.Patches[ribbon.Patch].FirstPoint;
+}
+
+void GapSeries::ExpandEdge(const Ribbon& ribbon, double start, double end)
+{
+  const double width = ribbon.EdgeEnd - ribbon.EdgeStart;
+  this->Curve.resize(ribbon.EdgeDegree + 1);
+  ExpandBernstein<double>(this->Panels.Coefficients.data() + ribbon.Edge, 3, ribbon.EdgeDegree,
+    ribbon.EdgeStart + width * start, ribbon.EdgeStart + width * end, this->Curve.front().data());
+  double center[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    center[c] = this->Curve[0][c] + this->Shift[c];
+  }
+  this->CurveDistance = Norm(center);
+}
+
+bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
+{
+  const Patch& patch = this->Panels.Patches[ribbon.Patch];
+  const std::array<double, 4>* p = this->GetPoints(ribbon);
+  if (patch.Degree[0] != 1 || patch.Degree[1] != 1 || !IsPolynomial(p, 4) ||
+    ribbon.Start != ribbon.EdgeStart || ribbon.End != ribbon.EdgeEnd)
+  {
+    return false;
+  }
+  // P = P00 + s (P10 - P00) + r (P01 - P00) + s r d: d is the rounding of the corners.
+  const double w = p[0][3];
+  Wide along[2][3];
+  double tangent[2][3];
+  double d[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    along[0][c] = static_cast<Wide>(p[1][c]) - p[0][c];
+    along[1][c] = static_cast<Wide>(p[2][c]) - p[0][c];
+    d[c] = static_cast<double>(static_cast<Wide>(p[3][c]) - p[1][c] - along[1][c]);
+    tangent[0][c] = static_cast<double>(along[0][c]) / w;
+    tangent[1][c] = static_cast<double>(along[1][c]) / w;
+  }
+  const double corner = Norm(d);
+  if (!(corner <= LargestCorner * w * std::min(Norm(tangent[0]), Norm(tangent[1]))))
+  {
+    return false;
+  }
+  const int degree = std::max(ribbon.TrimDegree, ribbon.EdgeDegree);
+  Wide local[MaximumDegree + 1][2];
+  Wide edge[MaximumDegree + 1][3];
+  FillLocal(this->Panels.Coefficients.data() + ribbon.Trim, ribbon.TrimDegree, patch, local);
+  const double* coefficients = this->Panels.Coefficients.data() + ribbon.Edge;
+  for (int i = 0; i <= ribbon.EdgeDegree; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      edge[i][c] = static_cast<Wide>(coefficients[3 * i + c]) - patch.Center[c];
+    }
+  }
+  RaiseDegree<2>(local, ribbon.TrimDegree, degree);
+  RaiseDegree<3>(edge, ribbon.EdgeDegree, degree);
+
+  double size = 0.0;
+  Wide gap[MaximumDegree + 1][3];
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int i = 0; i <= degree; ++i)
+    {
+      const Wide curve = edge[i][c] * w;
+      const Wide moved[2] = { local[i][0] * along[0][c], local[i][1] * along[1][c] };
+      gap[i][c] = curve - (p[0][c] + moved[0] + moved[1]);
+      size = std::max({ size, static_cast<double>(std::abs(curve)), static_cast<double>(std::abs(moved[0])),
+        static_cast<double>(std::abs(moved[1])), std::abs(p[0][c]) });
+    }
+  }
+  Wide series[MaximumDegree + 1][3];
+  const double width = ribbon.End - ribbon.Start;
+  ExpandBernstein<Wide>(
+    &gap[0][0], 3, degree, ribbon.Start + width * start, ribbon.Start + width * end, &series[0][0]);
+
+  const int trim = corner > 0.0 ? this->Trim.GetDegree() : 0;
+  const int count = std::max(degree, 2 * trim) + 1;
+  this->Gap.assign(count, {});
+  for (int k = 0; k <= degree; ++k)
+  {
+    std::copy_n(series[k], 3, this->Gap[k].begin());
+  }
+  this->Gap[0][3] = w;
+  // T_k T_l = (T_(k+l) + T_|k-l|) / 2.
+  const std::vector<double>& s = this->Trim.GetSeries(0);
+  const std::vector<double>& r = this->Trim.GetSeries(1);
+  for (int k = 0; corner > 0.0 && k <= trim; ++k)
+  {
+    for (int l = 0; l <= trim; ++l)
+    {
+      for (const int to : { k + l, std::abs(k - l) })
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          this->Gap[to][c] -= 0.5 * s[k] * r[l] * d[c];
+        }
+      }
+    }
+  }
+  this->Rough = false;
+  // To raise the degree costs as much again, at most.
+  this->Noise = 2.0 * SampleRoundings * WideRoundoff * size;
+
+  for (int k = 0; k < 2; ++k)
+  {
+    this->Stretch[k] = Norm(tangent[k]) + corner / w;
+    this->TrimSlope[k] = this->Trim.GetLargestSlope(Ellipse::FromRadius(1.0), k);
+  }
+  this->NormalLength = Norm(Cross(tangent[0], tangent[1]).data()) +
+    corner / w * (this->Stretch[0] + this->Stretch[1] + corner / w);
+  return true;
+}
+
+int GapSeries::ChooseNodes(const Ribbon& ribbon, double& tail)
+{
+  // U has the degree of P(c(t)) plus that of C, where w is not constant.
+  const Patch& patch = this->Panels.Patches[ribbon.Patch];
+  const std::array<double, 4>* points = this->GetPoints(ribbon);
+  const bool polynomial = IsPolynomial(points, (patch.Degree[0] + 1) * (patch.Degree[1] + 1));
+  const int inS = this->Trim.GetLow(0) == this->Trim.GetHigh(0) ? 0 : patch.Degree[0];
+  const int inR = this->Trim.GetLow(1) == this->Trim.GetHigh(1) ? 0 : patch.Degree[1];
+  const int ofPoint = (inS + inR) * this->Trim.GetDegree();
+  const int exact =
+    (polynomial ? std::max<int>(ofPoint, ribbon.EdgeDegree) : ofPoint + ribbon.EdgeDegree) + 1;
+  tail = 0.0;
+  this->Rough = false;
+  if (exact <= AffordableNodes)
+  {
+    return exact;
+  }
+  // Interpolation in n nodes misses at most 4 M rho^(1-n) / (rho - 1) of a function below M in the ellipse.
+  PatchTraits traits;
+  traits.Polynomial = false;
+  const ParameterBox box = this->Trim.GetBox(1.0, 1.0);
+  this->Crude.ExpandWithoutNormal(points, patch.Degree[0], patch.Degree[1], traits, box);
+  double size;
+  double realWeight;
+  const Ellipse real = Ellipse::FromRadius(1.0);
+  this->Crude.EvaluatePosition(real, real, size, realWeight);
+  const double wanted = 0.01 * UnitRoundoff * (this->CurveDistance * realWeight + size);
+  int nodes = std::min(exact, MostNodes);
+  tail = exact <= MostNodes ? 0.0 : std::numeric_limits<double>::infinity();
+  for (const double radius : Radii)
+  {
+    const Ellipse t = Ellipse::FromRadius(radius);
+    double position;
+    double weight;
+    this->Crude.EvaluatePosition(
+      this->Trim.Map(t, 0, box, 1.0, 1.0), this->Trim.Map(t, 1, box, 1.0, 1.0), position, weight);
+    t.GetMajorants(static_cast<int>(this->Curve.size()), this->Powers);
+    const double offset[3] = { this->Curve[0][0] - patch.Center[0], this->Curve[0][1] - patch.Center[1],
+      this->Curve[0][2] - patch.Center[2] };
+    double curve = Norm(offset);
+    for (std::size_t k = 1; k < this->Curve.size(); ++k)
+    {
+      curve += Norm(this->Curve[k].data()) * this->Powers[k];
+    }
+    const double largest = curve * weight + position;
+    const double factor = 4.0 * radius * largest / (radius - 1.0);
+    const double count = std::ceil(std::log(std::max(factor / wanted, 1.0)) / std::log(radius)) + 1.0;
+    const double mostly = factor * std::pow(radius, -MostNodes);
+    if (count < nodes)
+    {
+      nodes = std::max(FewNodes, static_cast<int>(count));
+      tail = wanted;
+    }
+    else if (nodes == MostNodes && mostly < tail)
+    {
+      tail = mostly;
+    }
+  }
+  this->Rough = !(tail <= 100.0 * wanted);
+  return nodes;
+}
+
+void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes)
+{
+  const Patch& patch = this->Panels.Patches[ribbon.Patch];
+  const ChebyshevRule& rule = ChebyshevRule::Get(nodes);
+  Wide local[MaximumDegree + 1][2];
+  FillLocal(this->Panels.Coefficients.data() + ribbon.Trim, ribbon.TrimDegree, patch, local);
+  const double* coefficients = this->Panels.Coefficients.data() + ribbon.Edge;
+  const bool together = ribbon.TrimDegree == ribbon.EdgeDegree && ribbon.Start == ribbon.EdgeStart &&
+    ribbon.End == ribbon.EdgeEnd;
+  static thread_local std::vector<std::array<Wide, 4>> samples;
+  samples.resize(nodes);
+  this->Stretch = this->TrimSlope = { 0.0, 0.0 };
+  this->NormalLength = 0.0;
+  double size = 0.0;
+  for (int i = 0; i < nodes; ++i)
+  {
+    const Wide t = start + (static_cast<Wide>(end) - start) * 0.5L * (1.0L + rule.GetNode(i));
+    Wide basis[MaximumDegree + 1];
+    FillWideBasis(
+      ribbon.TrimDegree, ribbon.Start + (static_cast<Wide>(ribbon.End) - ribbon.Start) * t, basis);
+    Wide at[2] = { 0, 0 };
+    for (int k = 0; k <= ribbon.TrimDegree; ++k)
+    {
+      at[0] += basis[k] * local[k][0];
+      at[1] += basis[k] * local[k][1];
+    }
+    Wide h[4];
+    EvaluatePatch(this->GetPoints(ribbon), patch.Degree[0], patch.Degree[1], at[0], at[1], h);
+    if (!together)
+    {
+      FillWideBasis(ribbon.EdgeDegree,
+        ribbon.EdgeStart + (static_cast<Wide>(ribbon.EdgeEnd) - ribbon.EdgeStart) * t, basis);
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      Wide edge = 0;
+      for (int k = 0; k <= ribbon.EdgeDegree; ++k)
+      {
+        edge += basis[k] * (static_cast<Wide>(coefficients[3 * k + c]) - patch.Center[c]);
+      }
+      edge *= h[3];
+      samples[i][c] = edge - h[c];
+      size = std::max({ size, static_cast<double>(std::abs(edge)), static_cast<double>(std::abs(h[c])) });
+    }
+    samples[i][3] = h[3];
+    this->SampleTangents(ribbon, rule.GetNode(i));
+  }
+  this->Gap.assign(nodes, {});
+  for (int k = 0; k < nodes; ++k)
+  {
+    const double* row = rule.GetTransform(k);
+    std::array<double, 4>& to = this->Gap[k];
+    for (int c = 0; c < 4; ++c)
+    {
+      Wide sum = 0;
+      for (int i = 0; i < nodes; ++i)
+      {
+        sum += row[i] * samples[i][c];
+      }
+      to[c] = static_cast<double>(sum);
+    }
+    if (k > 0 && std::abs(to[3]) <= 16.0 * UnitRoundoff * this->Gap[0][3])
+    {
+      to[3] = 0.0;
+    }
+  }
+  // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant.
+  this->Noise += SampleRoundings * WideRoundoff * size * (1.0 + std::log(static_cast<double>(nodes)));
+}
+
+void GapSeries::SampleTangents(const Ribbon& ribbon, double x)
+{
+  const std::array<double, 2> at = this->Trim.Evaluate(x);
+  const std::array<double, 2> slope = this->Trim.EvaluateDerivative(x);
+  double position[3];
+  double tangent[2][3];
+  EvaluatePatch(this->Panels.Patches[ribbon.Patch], this->GetPoints(ribbon), at[0], at[1], position,
+    tangent[0], tangent[1]);
+  for (int d = 0; d < 2; ++d)
+  {
+    this->Stretch[d] = std::max(this->Stretch[d], Norm(tangent[d]));
+    this->TrimSlope[d] = std::max(this->TrimSlope[d], std::abs(slope[d]));
+  }
+  this->NormalLength = std::max(this->NormalLength, Norm(Cross(tangent[0], tangent[1]).data()));
+}
+
+void GapSeries::Summarize()
+{
+  this->Sums.assign(std::max(this->Gap.size(), this->Curve.size()), {});
+  const auto add = [this](std::size_t count, int value, const auto& norm)
+  {
+    // |T_k'| <= k T_k(A) .. is too small near the foci, so the coefficients of the derivative are summed:
+    // d_(k-1) = d_(k+1) + 2 k c_k, all taken positive; times 2 from [-1,1] to [0,1].
+    double odd = 0.0;
+    double even = 0.0;
+    for (std::size_t k = count; k-- > 1;)
+    {
+      double& d = k % 2 ? odd : even;
+      const double size = norm(k);
+      this->Sums[k][value] = size;
+      d += 2.0 * static_cast<double>(k) * size;
+      this->Sums[k - 1][value + 1] = (k == 1 ? 1.0 : 2.0) * d;
+    }
+  };
+  add(this->Curve.size(), 0, [this](std::size_t k) { return Norm(this->Curve[k].data()); });
+  add(this->Gap.size(), 2, [this](std::size_t k) { return Norm(this->Gap[k].data()); });
+  add(this->Gap.size(), 4, [this](std::size_t k) { return std::abs(this->Gap[k][3]); });
+  this->Sums[0][0] = this->CurveDistance;
+  this->Sums[0][2] = Norm(this->Gap[0].data());
+}
+
+bool GapSeries::Evaluate(const Ellipse& t, Majorants& majorants) const
+{
+  t.GetMajorants(static_cast<int>(this->Sums.size()), this->Powers);
+  double sums[6] = {};
+  for (std::size_t k = 0; k < this->Sums.size(); ++k)
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      sums[i] += this->Powers[k] * this->Sums[k][i];
+    }
+  }
+  const double weight = this->Gap[0][3] - sums[4];
+  majorants = { sums[0], sums[1], 0.0, 0.0, weight };
+  if (!(weight > 1e-9 * this->Gap[0][3]))
+  {
+    return false;
+  }
+  majorants.Gap = sums[2] / weight;
+  majorants.GapSlope = (sums[3] + sums[5] * majorants.Gap) / weight;
+  return true;
+}
+
+void GapSeries::Expand(const Ribbon& ribbon, double start, double end)
+{
+  const Patch& patch = this->Panels.Patches[ribbon.Patch];
+  const double width = ribbon.End - ribbon.Start;
+  this->Trim.Expand(this->Panels.Coefficients.data() + ribbon.Trim, ribbon.TrimDegree, patch,
+    ribbon.Start + width * start, ribbon.Start + width * end);
+  this->ExpandEdge(ribbon, start, end);
+  if (!this->ExpandOnPlane(ribbon, start, end))
+  {
+    const int nodes = this->ChooseNodes(ribbon, this->Noise);
+    this->Sample(ribbon, start, end, nodes);
+  }
+  this->Summarize();
+}
+}

@@ -1,0 +1,88 @@
+/**
+ * @file smGapSeries.h
+ * @brief The gap between a trim curve on its patch and its edge's curve as Chebyshev series, and its size for complex parameters
+ *
+ * A ribbon X = (1-l) A + l C with A = P/w along the trim curve, C the edge's curve, G = C - A and k = 1 - l has
+ *
+ *     x.n = det(C, G, C') - k det(C, G, G'),     n = G x (C' - k G').
+ *
+ * G = U/w with the polynomial U = C w - P, which is small where the gap is small: it is known in extended precision, so that
+ * bounds, too, are as small as the gap. On a parallelogram U has a closed form, elsewhere it is sampled.
+ */
+#ifndef smGapSeries_h
+#define smGapSeries_h
+
+#include "smPatchMajorants.h"
+#include "smTrimSeries.h"
+#include "smWideEvaluation.h"
+
+#include <array>
+#include <vector>
+
+namespace sm
+{
+class GapSeries
+{
+public:
+  /// `shift`: see PlanRequest.
+  GapSeries(const FacePanels& panels, const std::array<double, 3>& shift)
+    : Panels(panels)
+    , Shift(shift)
+  {
+  }
+
+  /// Expands the part [start, end] of a ribbon.
+  void Expand(const Ribbon& ribbon, double start, double end);
+
+  /// Upper bounds in an ellipse of t: of |C|, |C'|, |G|, |G'|; and a lower bound of w.
+  struct Majorants
+  {
+    double Curve, CurveSlope, Gap, GapSlope, Weight;
+  };
+  /// Returns false when the weight may vanish.
+  bool Evaluate(const Ellipse& t, Majorants& majorants) const;
+
+  /// Bound of the remainder that the series of U lack, infinite if there is none; and the number of coefficients.
+  double GetNoise() const { return this->Noise; }
+  int GetSize() const { return static_cast<int>(this->Gap.size()); }
+  /// The series leave more of U than rounding does.
+  bool IsRough() const { return this->Rough; }
+
+  /// Largest values at nodes: |Ss|, |Sr|; |Ss x Sr|; |ds/dt|, |dr/dt|.
+  const std::array<double, 2>& GetStretch() const { return this->Stretch; }
+  double GetNormalLength() const { return this->NormalLength; }
+  const std::array<double, 2>& GetTrimSlope() const { return this->TrimSlope; }
+
+private:
+  const std::array<double, 4>* GetPoints(const Ribbon& ribbon) const;
+  void ExpandEdge(const Ribbon& ribbon, double start, double end);
+  /// The closed form: on a parallelogram, for curves that share their parameter. Returns false elsewhere.
+  bool ExpandOnPlane(const Ribbon& ribbon, double start, double end);
+  /// Nodes that determine U and w, and a bound of the remainder.
+  int ChooseNodes(const Ribbon& ribbon, double& tail);
+  void Sample(const Ribbon& ribbon, double start, double end, int nodes);
+  /// Stretch, TrimSlope and NormalLength at x in [-1,1].
+  void SampleTangents(const Ribbon& ribbon, double x);
+  /// The sums of Evaluate().
+  void Summarize();
+
+  const FacePanels& Panels;
+  std::array<double, 3> Shift;
+  TrimSeries Trim;
+  PatchMajorants Crude;
+  std::vector<std::array<double, 3>> Curve;
+  /// U and w.
+  std::vector<std::array<double, 4>> Gap;
+  double CurveDistance = 0.0;
+  double Noise = 0.0;
+  bool Rough = false;
+  std::array<double, 2> Stretch{};
+  double NormalLength = 0.0;
+  std::array<double, 2> TrimSlope{};
+  /// Coefficients of T_k(A) in the bounds of |C|, |C'|, |U|, |U'|, w and |w'|.
+  std::vector<std::array<double, 6>> Sums;
+  mutable std::vector<double> Powers;
+};
+}
+
+#endif

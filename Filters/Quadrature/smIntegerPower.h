@@ -1,0 +1,22 @@
+/**
+ * @file smIntegerPower.h
+ * @brief x^n
+ */
+#ifndef smIntegerPower_h
+#define smIntegerPower_h
+
+namespace sm
+{
+/// x^n for n >= 0, by squaring.
+inline double IntegerPower(double base, int exponent)
+{
+  double power = 1.0;
+  for (; exponent > 0; exponent /= 2, base *= base)
+  {
+    power *= exponent % 2 ? base : 1.0;
+  }
+  return power;
+}
+}
+
+#endif

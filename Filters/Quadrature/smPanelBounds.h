@@ -1,0 +1,98 @@
+/**
+ * @file smPanelBounds.h
+ * @brief Bounds of the integrands on a part of a panel, along its trim curve and across, see Bounds.md
+ *
+ * A part has two sets of series: those of its patch, which all its panels share and which cost nothing more, and those of its own box, which
+ * are sharper.
+ */
+#ifndef smPanelBounds_h
+#define smPanelBounds_h
+
+#include "smPatchMajorants.h"
+#include "smQuadratureBound.h"
+#include "smQuadraturePlan.h"
+#include "smTrimSeries.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace sm
+{
+/// More points than this cost more than bisecting.
+constexpr int LargestOrder = 20;
+
+/// Ranges of t and xi as fractions of the panel's; the depth is the number of halvings.
+struct PanelPart
+{
+  double Start = 0.0, End = 1.0, XiStart = 0.0, XiEnd = 1.0;
+  int Depth = 0;
+};
+
+class PanelBounds
+{
+public:
+  /// `degree`: highest degree of the factors g.
+  PanelBounds(const FacePanels& panels, const PlanRequest& request, int degree);
+
+  /// Bounds a part by the series of its patch. Returns false if it leaves the patch, or if |n| may have a zero there.
+  bool ExpandByPatch(const Panel& panel, const PanelPart& part);
+  /// Bounds a part by series of its own.
+  void ExpandByPart(const Panel& panel, const PanelPart& part);
+  /// The part is its patch: series of its own would be the same.
+  bool IsPatch() const;
+
+  const TrimSeries& GetTrim() const { return this->Trim; }
+  const PatchMajorants& GetMajorants() const { return *this->Majorants; }
+  const ParameterBox& GetBox() const { return this->Box; }
+  const DirectionBound& GetAlongT() const { return this->AlongT; }
+  const DirectionBound& GetAcrossXi() const { return this->AcrossXi; }
+  /// Largest size of each integrand's integral over the part, and |s r'| there.
+  double GetSupremum(std::size_t integrand) const { return this->Supremum[integrand]; }
+  double GetJacobian() const { return this->Jacobian; }
+  /// Bound of the error of a rule.
+  double GetError(std::size_t integrand, int along, int across) const;
+  /// Largest distance from the point that moments are about, over all parts so far.
+  double GetReach() const { return this->Reach; }
+
+private:
+  struct PatchSeries
+  {
+    PatchTraits Traits;
+    /// Series of the whole patch, made when they are asked for.
+    PatchMajorants Whole;
+    bool IsExpanded = false;
+  };
+  PatchSeries& GetSeries(const Panel& panel);
+  std::array<double, 3> GetOrigin(const Panel& panel) const;
+  void ExpandTrim(const Panel& panel, const PanelPart& part);
+  void Bound(const Panel& panel, const PanelPart& part);
+  void BoundAcross(const Panel& panel);
+  void BoundAlong(const PanelPart& part);
+  void SetPolynomialOrders(const Patch& patch);
+  /// An ellipse around the majorants' box that holds one around this part's.
+  Ellipse Embed(const Ellipse& ellipse, int direction) const;
+
+  const FacePanels& Panels;
+  const PlanRequest& Request;
+  int Degree;
+  double Reach = 0.0;
+  std::vector<std::unique_ptr<PatchSeries>> Series;
+  PatchMajorants OfPart;
+
+  // Values of the current part.
+  TrimSeries Trim;
+  ParameterBox Box{};
+  const PatchMajorants* Majorants = nullptr;
+  ParameterBox MajorantsBox{};
+  bool IsPolynomial = false;
+  double Jacobian = 0.0;
+  DirectionBound AlongT;
+  DirectionBound AcrossXi;
+  std::vector<double> Supremum;
+  std::vector<double> Shares;
+  std::vector<double> Bounds;
+};
+}
+
+#endif

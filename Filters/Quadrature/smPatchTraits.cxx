@@ -1,0 +1,237 @@
+// What is known of a patch before any box of it is examined.
+#include "smChebyshev.h"
+#include "smPatchMajorants.h"
+#include "smVector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+// A row of control points this close together, relative to the patch, is one point; a length this close to a
+// polynomial is one. Both leave what rounding leaves.
+constexpr double CollapsedSize = 1e-15;
+constexpr double LengthTolerance = 3e-15; // times the degrees, whose rounding adds up
+
+/// Doubles of a sample: D, m~ (3) and |m~|.
+constexpr int SampleSize = 5;
+
+/// Lebesgue's constant of n Chebyshev nodes: a polynomial of degree n - 1 is at most that many times its largest value at them.
+double GetLebesgueConstant(int n)
+{
+  return 1.0 + 2.0 / M_PI * std::log(static_cast<double>(n));
+}
+
+/// An edge of the net is collapsed when its control points are one point, relative to the size of the patch.
+void FindCollapsedEdges(const std::array<double, 4>* points, int p, int q, double size, PatchTraits& traits)
+{
+  const int columns = p + 1;
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    const bool inS = edge < 2;
+    const int first = edge == 1 ? p : edge == 3 ? columns * q : 0;
+    const std::array<double, 4>& a = points[first];
+    bool collapsed = true;
+    for (int i = 1; i <= (inS ? q : p); ++i)
+    {
+      const std::array<double, 4>& b = points[first + i * (inS ? columns : 1)];
+      const double offset[3] = { a[0] / a[3] - b[0] / b[3], a[1] / a[3] - b[1] / b[3],
+        a[2] / a[3] - b[2] / b[3] };
+      collapsed = collapsed && Norm(offset) <= CollapsedSize * size;
+    }
+    traits.Collapsed[edge] = collapsed;
+  }
+}
+
+/// The interpolation of |m~| may be |m~|: it is at one point between the nodes, to what `getAllowed` returns for the point.
+template <class GetAllowed>
+bool MayBePolynomialLength(const double* samples, int countS, int countR, const GetAllowed& getAllowed)
+{
+  // A point that is no node of any small rule.
+  const double at[2] = { 0.3141, -0.2718 };
+  std::vector<double> weights[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    const int n = d == 0 ? countS : countR;
+    const ChebyshevRule& rule = ChebyshevRule::Get(n);
+    weights[d].assign(n, 0.0);
+    double before = 1.0;
+    double value = at[d];
+    for (int k = 0; k < n; ++k)
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        weights[d][i] += before * rule.GetTransform(k)[i];
+      }
+      const double next = 2.0 * at[d] * value - before;
+      before = value;
+      value = next;
+    }
+  }
+  double sum[SampleSize] = {};
+  for (int b = 0; b < countR; ++b)
+  {
+    for (int a = 0; a < countS; ++a)
+    {
+      for (int c = 1; c < SampleSize; ++c)
+      {
+        sum[c] += weights[0][a] * weights[1][b] * samples[SampleSize * (a + countS * b) + c];
+      }
+    }
+  }
+  // Rounding of this interpolation has room, too.
+  return std::abs(Norm(sum + 1) - sum[4]) <= 4.0 * getAllowed(at[0], at[1]);
+}
+}
+
+PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
+{
+  PatchTraits traits;
+  const int columns = p + 1;
+  const int count = columns * (q + 1);
+  double size = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    traits.Polynomial = traits.Polynomial && points[i][3] == points[0][3];
+    size = std::max(size, Norm(points[i].data()) / points[i][3]);
+  }
+  FindCollapsedEdges(points, p, q, size, traits);
+
+  PatchMajorants patch;
+  patch.P = p;
+  patch.Q = q;
+  patch.Box = { { 0.5, 0.5 }, { 0.5, 0.5 } };
+  patch.Traits = traits;
+  patch.ExpandNet(points->data(), p + 1, q + 1, patch.Series[0]);
+  patch.ExpandDerivatives(points);
+  patch.SampleNumerators({ 0.0, 0.0, 0.0 });
+  const double tolerance = LengthTolerance * (p + q);
+  const double* longest = nullptr;
+  const double largest = patch.FindLongestSample(longest);
+  double acrossBound = 0.0;
+  const double across = patch.MeasureAcross(longest, acrossBound);
+  if (across <= tolerance * largest)
+  {
+    traits.ConstantDirection = true;
+    // Across the mean direction of a box on which |m~| varies by less than 2 it is at most three times as much as across the
+    // longest sample's.
+    traits.SquareDeviation = 9.0 * acrossBound * acrossBound;
+    return traits;
+  }
+  if (!MayBePolynomialLength(patch.Samples.data(), 3 * p - 1, 3 * q - 1,
+        [&](double x, double y) { return tolerance * largest * patch.EvaluateCube(x, y); }))
+  {
+    return traits;
+  }
+  patch.Transform(3 * p - 1, 3 * q - 1);
+  traits.PolynomialLength =
+    patch.MeasureLengthDeviation(tolerance * largest, largest, traits.SquareDeviation);
+  return traits;
+}
+
+double PatchMajorants::EvaluateCube(double x, double y) const
+{
+  const double w = this->Traits.Polynomial ? this->Series[0][3] : this->EvaluateWeight(x, y);
+  return w * w * w;
+}
+
+template <class Visit>
+void PatchMajorants::VisitSamples(const Visit& visit) const
+{
+  const int countS = 3 * this->P - 1;
+  const int countR = 3 * this->Q - 1;
+  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
+  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
+  for (int b = 0; b < countR; ++b)
+  {
+    for (int a = 0; a < countS; ++a)
+    {
+      visit(this->Samples.data() + Components * (a + static_cast<std::size_t>(countS) * b),
+        this->EvaluateCube(ruleS.GetNode(a), ruleR.GetNode(b)));
+    }
+  }
+}
+
+double PatchMajorants::FindLongestSample(const double*& longest) const
+{
+  double largest = 0.0;
+  longest = this->Samples.data();
+  this->VisitSamples(
+    [&](const double* sample, double cube)
+    {
+      if (sample[4] / cube > largest)
+      {
+        largest = sample[4] / cube;
+        longest = sample;
+      }
+    });
+  return largest;
+}
+
+double PatchMajorants::MeasureAcross(const double* longest, double& bound) const
+{
+  double across = 0.0;
+  bound = 0.0;
+  this->VisitSamples(
+    [&](const double* sample, double cube)
+    {
+      const Vector3 product = Cross(sample + 1, longest + 1);
+      const double length = Norm(product.data()) / longest[4];
+      across = std::max(across, length / cube);
+      bound = std::max(bound, length);
+    });
+  // Of each of the three components.
+  bound *= std::sqrt(3.0) * GetLebesgueConstant(3 * this->P - 1) * GetLebesgueConstant(3 * this->Q - 1);
+  return across;
+}
+
+bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, double& square) const
+{
+  const int countS = 3 * this->P - 1;
+  const int countR = 3 * this->Q - 1;
+  // h^2 - m~.m~ has the degrees 2 (countS - 1) and 2 (countR - 1): values at as many nodes and one more bound it.
+  const ChebyshevRule& checkS = ChebyshevRule::Get(2 * countS - 1);
+  const ChebyshevRule& checkR = ChebyshevRule::Get(2 * countR - 1);
+  double largestSquare = 0.0;
+  std::vector<double> line(static_cast<std::size_t>(Components) * countR);
+  for (int a = 0; a < checkS.GetSize(); ++a)
+  {
+    std::fill(line.begin(), line.end(), 0.0);
+    for (int l = 0; l < countR; ++l)
+    {
+      for (int k = 0; k < countS; ++k)
+      {
+        const double* from = this->Samples.data() + Components * (k + static_cast<std::size_t>(countS) * l);
+        for (int c = 1; c < Components; ++c)
+        {
+          line[Components * l + c] += checkS.GetValues(a)[k] * from[c];
+        }
+      }
+    }
+    for (int b = 0; b < checkR.GetSize(); ++b)
+    {
+      double value[Components] = {};
+      for (int l = 0; l < countR; ++l)
+      {
+        for (int c = 1; c < Components; ++c)
+        {
+          value[c] += checkR.GetValues(b)[l] * line[Components * l + c];
+        }
+      }
+      const double cube = this->EvaluateCube(checkS.GetNode(a), checkR.GetNode(b));
+      const double length = Norm(value + 1);
+      const double difference = std::abs(length - value[4]) / cube;
+      // Where the length is small a difference of squares says little of a difference.
+      if (!(difference <= allowed && length > 1e-3 * largest * cube))
+      {
+        return false;
+      }
+      largestSquare = std::max(largestSquare, difference * cube * (length + std::abs(value[4])));
+    }
+  }
+  square = largestSquare * GetLebesgueConstant(checkS.GetSize()) * GetLebesgueConstant(checkR.GetSize());
+  return true;
+}
+}
