@@ -44,7 +44,7 @@ has_volume() { # VOLUME COMMAND...: the sample part's volume, to ten digits, is 
 leaves_nothing() {
   dpkg-query -W | cut -f 1 | diff /tmp/packages.before - &&
     ! find / -xdev \( -path /home -o -path /tmp -o -path /proc -o -path /root \) -prune -o \
-      \( -iname '*solidmoments*' -o -name 'libsm[A-Z]*' -o -name paraview.conf \) -print | grep .
+      \( -iname '*solidmoments*' -o -name 'libsm[A-Z]*' -o -name paraview.conf -o -path "*paraview*" -name plugins -type f \) -print | grep .
 }
 
 has_no_static_libraries() {
