@@ -47,6 +47,8 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
   set(python "${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}")
   solidmoments_package(python python3-solidmoments "mass properties of CAD solids (Python modules)"
     "libsolidmoments ${own}, python3-paraview, python3 (>= ${python}), python3 (<< ${python}.99)")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    "${CMAKE_CURRENT_LIST_DIR}/python3-package/postinst" "${CMAKE_CURRENT_LIST_DIR}/python3-package/prerm")
 endif ()
 if (SOLIDMOMENTS_BUILD_EXAMPLES)
   solidmoments_package(Programs solidmoments "mass properties of CAD solids (programs)" "libsolidmoments ${own}")
