@@ -13,10 +13,6 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}"
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH "$ORIGIN:$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
-if (CMAKE_INSTALL_PREFIX STREQUAL "/usr")
-  # The loader looks there by itself.
-  set(CMAKE_SKIP_INSTALL_RPATH ON)
-endif ()
 set(SOLIDMOMENTS_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/SolidMoments")
 
 # Results are compared bit for bit between runs and backends: no contraction into fused operations.
