@@ -44,7 +44,7 @@ has_volume() { # VOLUME COMMAND...: the sample part's volume, to ten digits, is 
 leaves_nothing() {
   ! dpkg-query -W '*solidmoments*' 2>/dev/null | grep . &&
     ! find / -xdev \( -path /home -o -path /tmp -o -path /proc -o -path /root \) -prune -o \
-      \( -iname '*solidmoments*' -o -name 'libsm[A-Z]*' -o -name paraview.conf -o -path "*paraview*" -name plugins -type f \) -print | grep .
+      \( -iname '*solidmoments*' -o -name 'libsm[A-Z]*' -o -path /usr/bin/paraview.conf -o -path /usr/share/paraview/plugins \) -print | grep .
 }
 
 has_no_static_libraries() {
