@@ -1,19 +1,24 @@
 # What SolidMoments is built and tested with on Debian 12, and how it gets there; Debian 13 has the same names. Sourced, POSIX sh:
 #   solidmoments_packages                      prints the names
+#   solidmoments_library_packages              prints those that a program that links SolidMoments needs, too
 #   solidmoments_install LOG                   installs those that are missing; says what it does
 #   solidmoments_step LOG TITLE COMMAND...     runs a command quietly; on failure shows the end of the log and exits
 
-solidmoments_packages() {
-  # Compiler and build
-  echo g++ cmake ninja-build
+solidmoments_library_packages() {
   # ParaView's VTK and what its CMake files ask for
   echo paraview paraview-dev python3-paraview python3-dev libglew-dev libegl-dev libopengl-dev libgl-dev
   echo libx11-dev libdouble-conversion-dev libopenmpi-dev liblz4-dev liblzma-dev libexpat1-dev libpng-dev
   echo libjpeg-dev libtiff-dev libfreetype-dev zlib1g-dev libutfcpp-dev
-  # OpenGL on machines without a GPU, and a display for those without one
-  echo libgl1-mesa-dri libegl1 xvfb xauth
   # OpenCASCADE; its CMake files ask for TBB and fontconfig
   echo libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev libfontconfig-dev
+}
+
+solidmoments_packages() {
+  # Compiler and build
+  echo g++ cmake ninja-build
+  solidmoments_library_packages
+  # OpenGL on machines without a GPU, and a display for those without one
+  echo libgl1-mesa-dri libegl1 xvfb xauth
   # Header libraries
   echo libglm-dev libcli11-dev nlohmann-json3-dev
   # For Testing: benchmarks, and a locale with a decimal comma

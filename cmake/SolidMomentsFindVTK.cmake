@@ -3,7 +3,7 @@ set(_vtk_components
   ChartsCore CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   FiltersCore FiltersGeneral FiltersSources IOCore IOExport IOGeometry IOImage IOPLY IOXML ImagingCore InteractionStyle ParallelCore
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI TestingRendering
-  ViewsContext2D glew opengl vtksys zlib)
+  ViewsContext2D vtksys zlib)
 if (SOLIDMOMENTS_WRAP_PYTHON)
   if (NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
     # VTK's wrappers are built for the system's Python, whatever comes first on PATH.
@@ -26,10 +26,17 @@ if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
   set(VTK_DIR "${ParaView_DIR}/vtk" CACHE PATH "ParaView's own VTK" FORCE)
 endif ()
 solidmoments_accept_python_modules(VTK)
-# Only tests need MPI itself, and a filter that talks to other ranks. JSON is VTK's own where it has some: the example programs
-# cannot use another beside it.
-find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components} OPTIONAL_COMPONENTS ParallelMPI FiltersParallel nlohmannjson)
+# The loader of OpenGL is GLEW, and glad from 9.4 on. Only tests need MPI itself, and a filter that talks to other ranks. JSON is VTK's
+# own where it has some: the example programs cannot use another beside it.
+find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components} OPTIONAL_COMPONENTS ParallelMPI FiltersParallel nlohmannjson
+  glad glew opengl)
 if (NOT VTK_FOUND)
   message(FATAL_ERROR "VTK 9.1 or later was not found (${VTK_NOT_FOUND_MESSAGE}). Set VTK_DIR.")
 endif ()
+set(SOLIDMOMENTS_OPENGL_LOADER)
+foreach (module IN ITEMS VTK::glad VTK::glew VTK::opengl)
+  if (TARGET ${module})
+    list(APPEND SOLIDMOMENTS_OPENGL_LOADER ${module})
+  endif ()
+endforeach ()
 message(STATUS "VTK ${VTK_VERSION} from ${VTK_DIR}")

@@ -4,7 +4,9 @@ if (NOT SOLIDMOMENTS_WRAP_PYTHON)
 endif ()
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
 set(SOLIDMOMENTS_PYTHON_DESTINATION
-  "${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
+  "${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages" CACHE STRING
+  "Folder of the Python package in an install and in the build tree")
+mark_as_advanced(SOLIDMOMENTS_PYTHON_DESTINATION)
 # The extension modules lie three folders below the libraries.
 set(solidmoments_install_rpath "${CMAKE_INSTALL_RPATH}")
 list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/../../..")

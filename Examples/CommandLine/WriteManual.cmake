@@ -1,15 +1,17 @@
-# Writes the manual page of a program from its --help: cmake -DPROGRAM=... -DVERSION=... -DOUTPUT=... -P WriteManual.cmake
+# Writes the manual page of a program from its --help:
+#   cmake -DPROGRAM=... -DNAME=... -DSUMMARY=... -DVERSION=... -DOUTPUT=... -P WriteManual.cmake
 execute_process(COMMAND "${PROGRAM}" --help OUTPUT_VARIABLE help RESULT_VARIABLE status)
 if (NOT status EQUAL 0)
   message(FATAL_ERROR "${PROGRAM} --help: ${status}")
 endif ()
 string(REPLACE "\\" "\\e" help "${help}")
 string(REPLACE "-" "\\-" help "${help}")
+string(TOUPPER "${NAME}" title)
 # A line that begins with a dot or an apostrophe would be a request.
 string(REGEX REPLACE "(^|\n)([.'])" "\\1\\\\&\\2" help "${help}")
-file(WRITE "${OUTPUT}" ".TH SOLIDMOMENTS 1 \"\" \"SolidMoments ${VERSION}\" \"User Commands\"
+file(WRITE "${OUTPUT}" ".TH ${title} 1 \"\" \"SolidMoments ${VERSION}\" \"User Commands\"
 .SH NAME
-solidmoments \\- mass properties of STEP files, with error bounds
+${NAME} \\- ${SUMMARY}
 .SH DESCRIPTION
 .nf
 ${help}.fi

@@ -174,7 +174,7 @@ vtkSmartPointer<vtkTextActor> AddText(
     style->SetVerticalJustificationToTop();
   }
   actor->SetDisplayPosition(x, y);
-  renderer->AddActor2D(actor);
+  renderer->AddViewProp(actor);
   return actor;
 }
 

@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <vector>
@@ -50,9 +51,19 @@ Exit status:
   2  the file is unreadable, or has no solid or surface
   3  the last result is flagged: open, tolerance-not-met, suspect)";
 
+/// The sample part: beside the installed program, otherwise that of the sources.
+std::string GetDefaultPart()
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path installed = (program.parent_path() / SM_INSTALLED_PART).lexically_normal();
+  return fs::exists(installed, ignored) ? installed.string() : SM_FREE_FORM_PART;
+}
+
 struct Arguments
 {
-  std::string File = SM_FREE_FORM_PART;
+  std::string File = GetDefaultPart();
   std::string Play;
   std::string Record;
   std::string Json;

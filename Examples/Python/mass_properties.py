@@ -78,7 +78,7 @@ def make_scene(mass):
     style.SetColor(*(BLACK if mass.GetStatus() == "ok" else RED))
     style.SetVerticalJustificationToTop()
     summary.SetDisplayPosition(15, SIZE[1] - 15)
-    renderer.AddActor2D(summary)
+    renderer.AddViewProp(summary)
 
     camera = renderer.GetActiveCamera()
     camera.SetPosition(-1.0, -1.7, 1.1)

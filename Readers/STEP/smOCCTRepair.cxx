@@ -190,6 +190,14 @@ private:
 };
 
 #if OCC_VERSION_HEX < 0x070900
+// From 7.8 on ProcessShape() has one parameter more.
+#if OCC_VERSION_HEX < 0x070800
+#define SM_DETAIL_PARAMETER
+#define SM_DETAIL
+#else
+#define SM_DETAIL_PARAMETER , const TopAbs_ShapeEnum detail
+#define SM_DETAIL , detail
+#endif
 class SelectiveRepair : public XSAlgo_AlgoContainer
 {
   DEFINE_STANDARD_RTTI_INLINE(SelectiveRepair, XSAlgo_AlgoContainer)
@@ -203,7 +211,7 @@ public:
   TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Standard_Real precision,
     const Standard_Real maximum, const Standard_CString resource, const Standard_CString sequence,
     Handle(Standard_Transient) & info, const Message_ProgressRange& progress,
-    const Standard_Boolean nonManifold) const override
+    const Standard_Boolean nonManifold SM_DETAIL_PARAMETER) const override
   {
     const bool isBody =
       !shape.IsNull() && (shape.ShapeType() == TopAbs_SOLID || shape.ShapeType() == TopAbs_SHELL);
@@ -232,7 +240,7 @@ public:
       }
     }
     return this->XSAlgo_AlgoContainer::ProcessShape(
-      shape, precision, maximum, resource, sequence, info, progress, nonManifold);
+      shape, precision, maximum, resource, sequence, info, progress, nonManifold SM_DETAIL);
   }
 
 private:

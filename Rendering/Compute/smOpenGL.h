@@ -5,7 +5,13 @@
 #ifndef smOpenGL_h
 #define smOpenGL_h
 
+// VTK's loader is GLEW, and glad from 9.4 on.
+#if __has_include("vtk_glew.h")
 #include "vtk_glew.h"
+#define SM_HAS_GLEW
+#else
+#include "vtk_glad.h"
+#endif
 
 #include <string>
 

@@ -173,6 +173,9 @@ bool vtkEGLSurfacelessRenderWindow::vtkInternals::Create(const Candidate& candid
     this->Destroy();
     return this->Fail(candidate, "its context cannot be made current");
   }
+#ifndef SM_HAS_GLEW
+  gladLoadGL(eglGetProcAddress);
+#endif
   const GLubyte* renderer = glGetString(GL_RENDERER);
   this->Renderer = renderer ? reinterpret_cast<const char*>(renderer) : "";
   sm::CurrentContext::ReleaseEGL();
@@ -309,15 +312,21 @@ void vtkEGLSurfacelessRenderWindow::OpenGLInitContext()
   {
     return;
   }
+#ifdef SM_HAS_GLEW
   // A GLEW built for GLX looks for a GLX display after it has loaded every pointer, and the pointers work:
   // that one error (GLEW_ERROR_NO_GLX_DISPLAY, 4) is none.
   glewExperimental = GL_TRUE;
   const GLenum result = glewInit();
+  const bool loaded = (result == GLEW_OK || result == 4) && glGenVertexArrays != nullptr;
+  this->GlewInitValid = loaded;
+#else
+  const int result = gladLoadGL(eglGetProcAddress);
+  const bool loaded = result != 0;
+#endif
   sm::DrainErrors();
-  this->GlewInitValid = (result == GLEW_OK || result == 4) && glGenVertexArrays != nullptr;
-  if (!this->GlewInitValid)
+  if (!loaded)
   {
-    vtkErrorMacro("The OpenGL loader failed (GLEW error "
+    vtkErrorMacro("The OpenGL loader failed (result "
       << result << "). Check the OpenGL driver that EGL chose: " << this->Internals->Renderer << ".");
     return;
   }
