@@ -43,7 +43,7 @@ public:
     {
       problem = this->CloseWindingLoops();
     }
-    if (problem.empty())
+    if (problem.empty() && !this->IsPlaced)
     {
       AlignLoops(this->Face);
     }
@@ -82,11 +82,8 @@ private:
           return this->Finder ? "an edge has no feet on it"
                               : "its surface is closed, or of a kind that has no inverse";
         }
-        if (feet->LeavesDomain())
-        {
-          return "an edge leads beyond its surface";
-        }
         coedge.EdgeDistance = feet->GetDistance();
+        coedge.Overhang = feet->GetOverhang();
         coedge.Trim.Curve = feet->GetLine();
         coedge.Trim.Feet = coedge.Trim.Curve.IsNull() ? feet : nullptr;
         coedge.NeedsFeet = false;
@@ -254,8 +251,16 @@ private:
       }
       side = &winding;
     }
-    const bool isFound = sides[0] && sides[1] ? this->JoinSides(*sides[0], *sides[1])
-                                              : this->JoinToPole(sides[0] ? *sides[0] : *sides[1]);
+    bool isFound = false;
+    for (const bool isStraight : { true, false })
+    {
+      // On a torus a hole may be a period away in either direction.
+      if (!isFound && (isStraight || this->Face.Period[1 - d] <= 0.0))
+      {
+        isFound = sides[0] && sides[1] ? this->JoinSides(*sides[0], *sides[1], isStraight)
+                                       : this->JoinToPole(sides[0] ? *sides[0] : *sides[1], isStraight);
+      }
+    }
     return isFound ? std::string() : "no seam was found for its loops, which go round it";
   }
 
@@ -280,21 +285,94 @@ private:
     }
   }
 
-  /// The seam from a to b, forward, and a period away backward.
-  std::pair<DraftCoedge, DraftCoedge> MakeSeam(
-    const Point2& a, const Point2& b, int direction, double period, const DraftCoedge& from)
+  /// The seam along straight lines, forward, and a period away backward. It leads from one vertex to another.
+  std::pair<DraftLoop, DraftLoop> MakeSeam(const std::vector<Point2>& path, int direction, double period,
+    const TopoDS_Vertex& from, const TopoDS_Vertex& to)
   {
-    DraftCoedge there = this->MakeCoedge(a, b, this->Face.AddedEdges++);
-    there.Start = from.Start;
-    DraftCoedge back = there;
-    back.Reversed = true;
-    back.Start = {};
-    back.End = from.Start;
-    back.Trim.Shift[direction] = period;
+    DraftLoop there;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    {
+      there.push_back(this->MakeCoedge(path[i], path[i + 1], this->Face.AddedEdges++));
+    }
+    there.front().Start = from;
+    there.back().End = to;
+    DraftLoop back(there.rbegin(), there.rend());
+    for (DraftCoedge& coedge : back)
+    {
+      coedge.Reversed = true;
+      std::swap(coedge.Start, coedge.End);
+      coedge.Trim.Shift[direction] = period;
+    }
     return { there, back };
   }
 
-  bool JoinSides(const WindingLoop& plus, const WindingLoop& minus)
+  /// A way from a to b on which no loop is crossed: the straight one, or one round a hole. Empty when there is none.
+  std::vector<Point2> FindWay(const Point2& a, const Point2& b, int direction, bool isStraight) const
+  {
+    constexpr int turns = 8;
+    std::vector<std::vector<Point2>> ways;
+    if (isStraight)
+    {
+      ways.push_back({ a, b });
+    }
+    for (const double share : { 0.3, 0.1, 0.03 })
+    {
+      for (int k = 1; k < 2 * turns && !isStraight; ++k)
+      {
+        // To one side and to the other, nearer ones first.
+        const double aside =
+          (k % 2 == 1 ? 0.5 : -0.5) * (k / 2 + k % 2) / turns * this->Face.Period[direction];
+        Point2 way[2];
+        for (int i = 0; i < 2; ++i)
+        {
+          const double x = i == 0 ? share : 1.0 - share;
+          way[i][1 - direction] = (1.0 - x) * a[1 - direction] + x * b[1 - direction];
+          way[i][direction] = (1.0 - x) * a[direction] + x * b[direction] + aside;
+        }
+        ways.push_back({ a, way[0], way[1], b });
+      }
+    }
+    for (const std::vector<Point2>& way : ways)
+    {
+      bool isFree = true;
+      for (std::size_t i = 0; isFree && i + 1 < way.size(); ++i)
+      {
+        isFree = this->IsFree(way[i], way[i + 1], direction);
+      }
+      if (isFree)
+      {
+        return way;
+      }
+    }
+    return {};
+  }
+
+  /// Moves the other loops by whole periods between a seam that is not straight and its copy.
+  void PlaceHoles(const std::vector<Point2>& way, int direction, double period, std::size_t joined)
+  {
+    const int along = 1 - direction;
+    const double width = this->Face.Period[direction];
+    for (std::size_t l = 0; l < this->Face.Loops.size(); ++l)
+    {
+      const Point2 p = this->Face.Loops[l][0].GetStartPoint();
+      std::size_t i = 1;
+      while (i + 2 < way.size() && (way[i][along] < p[along]) == (way[0][along] < way[i][along]))
+      {
+        ++i;
+      }
+      const double x =
+        std::clamp((p[along] - way[i - 1][along]) / (way[i][along] - way[i - 1][along]), 0.0, 1.0);
+      const double seam = (1.0 - x) * way[i - 1][direction] + x * way[i][direction];
+      if (l != joined)
+      {
+        Move(this->Face.Loops[l], direction,
+          -std::floor((p[direction] - std::min(seam, seam - period)) / width) * width);
+      }
+    }
+    this->IsPlaced = true;
+  }
+
+  bool JoinSides(const WindingLoop& plus, const WindingLoop& minus, bool isStraight)
   {
     const int d = plus.Direction;
     const double period = this->Face.Period[d];
@@ -315,25 +393,28 @@ private:
           const double width = sign * (start[1 - d] - end[1 - d]) / across;
           Move(b, 1 - d, sign * (1.0 - std::ceil(width)) * across);
         }
-        const Point2 target = b[0].GetStartPoint();
-        if (!this->IsFree(end, target, d))
+        const std::vector<Point2> way = this->FindWay(end, b[0].GetStartPoint(), d, isStraight);
+        if (way.empty())
         {
           continue;
         }
-        auto [there, back] = this->MakeSeam(end, target, d, -period, a[0]);
-        there.End = back.Start = b[0].Start;
+        const auto [there, back] = this->MakeSeam(way, d, -period, a[0].Start, b[0].Start);
         DraftLoop joined = a;
-        joined.push_back(there);
+        joined.insert(joined.end(), there.begin(), there.end());
         joined.insert(joined.end(), b.begin(), b.end());
-        joined.push_back(back);
+        joined.insert(joined.end(), back.begin(), back.end());
         this->Replace(plus, &minus, std::move(joined));
+        if (!isStraight)
+        {
+          this->PlaceHoles(way, d, period, plus.Index - (minus.Index < plus.Index ? 1 : 0));
+        }
         return true;
       }
     }
     return false;
   }
 
-  bool JoinToPole(const WindingLoop& winding)
+  bool JoinToPole(const WindingLoop& winding, bool isStraight)
   {
     const int d = winding.Direction;
     const double period = winding.Turns * this->Face.Period[d];
@@ -351,18 +432,23 @@ private:
       const Point2 end = loop.back().GetEndPoint();
       Point2 top = end;
       top[1 - d] = target->Value;
-      if (!this->IsFree(end, top, d))
+      const std::vector<Point2> way = this->FindWay(end, top, d, isStraight);
+      if (way.empty())
       {
         continue;
       }
-      auto [there, back] = this->MakeSeam(end, top, d, -period, loop[0]);
+      const auto [there, back] = this->MakeSeam(way, d, -period, loop[0].Start, TopoDS_Vertex());
       Point2 before = top;
       before[d] -= period;
       const DraftCoedge pole = this->MakePole(top, before, TopoDS_Vertex());
-      loop.push_back(there);
+      loop.insert(loop.end(), there.begin(), there.end());
       loop.push_back(pole);
-      loop.push_back(back);
+      loop.insert(loop.end(), back.begin(), back.end());
       this->Replace(winding, nullptr, std::move(loop));
+      if (!isStraight)
+      {
+        this->PlaceHoles(way, d, period, winding.Index);
+      }
       return true;
     }
     return false;
@@ -432,6 +518,8 @@ private:
   DraftFace& Face;
   std::shared_ptr<const FootPointFinder> Finder;
   std::vector<WindingLoop> Winding;
+  /// The loops lie side by side.
+  bool IsPlaced = false;
 };
 }
 

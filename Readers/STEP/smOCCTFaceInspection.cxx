@@ -4,7 +4,9 @@
 
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
+#include <GeomAdaptor_Curve.hxx>
 #include <Geom_Plane.hxx>
+#include <ShapeAnalysis_Curve.hxx>
 
 #include <algorithm>
 #include <array>
@@ -21,42 +23,72 @@ using Point2 = std::array<double, 2>;
 /// Segments that stand for a coedge's trim.
 constexpr int Samples = 8;
 
-/// A loop as points in (u,v), in its direction. Edges that are projected get their EdgeDistance.
-std::vector<Point2> SampleLoop(const DraftFace& face, DraftLoop& loop)
+/// An edge beside its surface by more than that part of the face's size may have its feet anywhere.
+constexpr double LargestShare = 0.02;
+
+/// Distance of a point from a curve on [first,last].
+double GetDistance(const Handle(Geom_Curve) & curve, double first, double last, const gp_Pnt& point)
 {
-  std::vector<Point2> points;
+  gp_Pnt foot;
+  double parameter = first;
+  return ShapeAnalysis_Curve().Project(GeomAdaptor_Curve(curve, first, last), point, 0.0, foot, parameter);
+}
+
+/// Loops as points in (u,v), in their direction, and the box of their edges in space.
+struct SampledLoops
+{
+  std::vector<std::vector<Point2>> Loops;
+  gp_XYZ Low{ 1e300, 1e300, 1e300 };
+  gp_XYZ High{ -1e300, -1e300, -1e300 };
+};
+
+/// Coedges get their EdgeDistance. Trims of the file may be parametrised differently from their edges: only where a point of theirs is
+/// farther than `tolerance` from that of the edge, the distance from its curve counts.
+void SampleCoedge(const DraftFace& face, double tolerance, DraftCoedge& coedge, SampledLoops& result)
+{
   const auto plane = Handle(Geom_Plane)::DownCast(face.Surface);
-  for (DraftCoedge& coedge : loop)
+  TopLoc_Location location;
+  double range[2] = { coedge.Trim.First, coedge.Trim.Last };
+  Handle(Geom_Curve) curve;
+  gp_Trsf placement;
+  if (!coedge.Edge.IsNull() && !coedge.Degenerate)
   {
-    TopLoc_Location location;
-    double first = coedge.Trim.First;
-    double last = coedge.Trim.Last;
-    Handle(Geom_Curve) curve;
-    gp_Trsf placement;
+    curve = BRep_Tool::Curve(coedge.Edge, location, range[0], range[1]);
+    placement = face.Location.Inverted() * location.Transformation();
+  }
+  for (int i = 0; i <= Samples; ++i)
+  {
+    const double x = static_cast<double>(coedge.Reversed ? Samples - i : i) / Samples;
+    const double t = (1.0 - x) * range[0] + x * range[1];
+    const gp_Pnt point = curve.IsNull() ? gp_Pnt() : curve->Value(t).Transformed(placement);
+    Point2 uv{};
     if (coedge.Projected)
     {
-      curve = BRep_Tool::Curve(coedge.Edge, location, first, last);
-      placement = face.Location.Inverted() * location.Transformation();
+      ElSLib::Parameters(plane->Pln(), point, uv[0], uv[1]);
     }
-    for (int i = 0; i <= Samples; ++i)
+    else
     {
-      const double x = static_cast<double>(coedge.Reversed ? Samples - i : i) / Samples;
-      const double t = (1.0 - x) * first + x * last;
-      Point2 uv{};
-      if (coedge.Projected)
-      {
-        const gp_Pnt point = curve->Value(t).Transformed(placement);
-        coedge.EdgeDistance = std::max(coedge.EdgeDistance, plane->Pln().Distance(point));
-        ElSLib::Parameters(plane->Pln(), point, uv[0], uv[1]);
-      }
-      else
-      {
-        uv = coedge.Trim.Evaluate(t);
-      }
-      points.push_back(uv);
+      uv = coedge.Trim.Evaluate((1.0 - x) * coedge.Trim.First + x * coedge.Trim.Last);
+    }
+    result.Loops.back().push_back(uv);
+    if (curve.IsNull())
+    {
+      continue;
+    }
+    const gp_Pnt foot = face.Surface->Value(uv[0], uv[1]);
+    double distance = foot.Distance(point);
+    if (distance > tolerance && !coedge.Projected && !coedge.Trim.Feet)
+    {
+      distance =
+        std::min(distance, GetDistance(curve, range[0], range[1], foot.Transformed(placement.Inverted())));
+    }
+    coedge.EdgeDistance = distance <= coedge.EdgeDistance ? coedge.EdgeDistance : distance;
+    for (int c = 1; c <= 3; ++c)
+    {
+      result.Low.SetCoord(c, std::min(result.Low.Coord(c), point.Coord(c)));
+      result.High.SetCoord(c, std::max(result.High.Coord(c), point.Coord(c)));
     }
   }
-  return points;
 }
 
 /// Largest distance in space between the end of a coedge and the start of the next.
@@ -123,6 +155,45 @@ double GetConeVolume(
   return volume;
 }
 
+/// Why the edges do not lie on the surface; empty when they do, but for gaps that ribbons close.
+std::string FindWideGap(const DraftFace& face, double tolerance, double largestGap)
+{
+  for (const DraftLoop& loop : face.Loops)
+  {
+    for (const DraftCoedge& coedge : loop)
+    {
+      if (!(coedge.EdgeDistance <= std::max(tolerance, largestGap)))
+      {
+        return "an edge lies beside it";
+      }
+      if (!(coedge.Overhang <= largestGap))
+      {
+        return "an edge leads beyond its surface";
+      }
+    }
+  }
+  return {};
+}
+
+/// True if a loop is narrower in space than the gaps that it may have: its direction cannot be told.
+bool IsSliver(const DraftFace& face, const std::vector<Point2>& points, double area, double tolerance)
+{
+  double length = 0.0;
+  gp_Pnt last = face.Surface->Value(points.back()[0], points.back()[1]);
+  double speed = 0.0;
+  for (const Point2& p : points)
+  {
+    gp_Pnt q;
+    gp_Vec du;
+    gp_Vec dv;
+    face.Surface->D1(p[0], p[1], q, du, dv);
+    speed = std::max(speed, du.Crossed(dv).Magnitude());
+    length += q.Distance(last);
+    last = q;
+  }
+  return std::abs(area) * speed <= 0.5 * tolerance * length;
+}
+
 NativeBox GetBox(const std::vector<Point2>& points)
 {
   NativeBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };
@@ -138,7 +209,7 @@ NativeBox GetBox(const std::vector<Point2>& points)
 }
 }
 
-FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance)
+FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance, double largestGap)
 {
   FaceInspection result;
   result.Problem = face.Defects > 0 ? "one of its edges cannot be used"
@@ -148,19 +219,26 @@ FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double toleran
   {
     return result;
   }
+  SampledLoops sampled;
+  for (DraftLoop& loop : face.Loops)
+  {
+    sampled.Loops.emplace_back();
+    for (DraftCoedge& coedge : loop)
+    {
+      SampleCoedge(face, tolerance, coedge, sampled);
+    }
+  }
+  const double size = (sampled.High - sampled.Low).Modulus();
+  result.Problem = FindWideGap(face, tolerance, std::min(largestGap, LargestShare * size));
+  if (!result.Problem.empty())
+  {
+    return result;
+  }
   std::vector<double> areas;
   std::vector<NativeBox> boxes;
   std::size_t largest = 0;
-  for (DraftLoop& loop : face.Loops)
+  for (const std::vector<Point2>& points : sampled.Loops)
   {
-    const std::vector<Point2> points = SampleLoop(face, loop);
-    const bool isOnSurface = std::all_of(
-      loop.begin(), loop.end(), [tolerance](const DraftCoedge& c) { return c.EdgeDistance <= tolerance; });
-    if (!isOnSurface)
-    {
-      result.Problem = "an edge lies beside it";
-      return result;
-    }
     if (!(GetLargestGap(face, points) <= tolerance))
     {
       result.Problem = "a loop does not close";
@@ -171,7 +249,7 @@ FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double toleran
     largest = std::abs(areas.back()) > std::abs(areas[largest]) ? areas.size() - 1 : largest;
     result.ConeVolume += GetConeVolume(face, points, areas.back(), boxes[0].Low[0], origin);
   }
-  if (!(areas[largest] > 0.0))
+  if (!(areas[largest] > 0.0) && !IsSliver(face, sampled.Loops[largest], areas[largest], tolerance))
   {
     result.Problem = "its outer loop runs the wrong way";
   }

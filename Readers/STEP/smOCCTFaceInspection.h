@@ -21,8 +21,12 @@ struct FaceInspection
   double ConeVolume = 0.0;
 };
 
-/// CompleteLoops, and then a look at the loops together. Gaps up to `tolerance` in space leave a loop closed.
-FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance);
+/**
+ * CompleteLoops, and then a look at the loops together. Gaps up to `tolerance` in space leave a loop closed. Edges may lie beside the
+ * surface by that, too, and beside it and beyond its border by `largestGap`, but for faces that are small beside it: ribbons close such gaps,
+ * and the integrals state them.
+ */
+FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance, double largestGap);
 }
 
 #endif

@@ -18,6 +18,12 @@ namespace
 /// Part of a period that a foot may move from one sample to the next; a full circle has 64.
 constexpr double LargestStep = 0.15;
 
+/// Samples that may be added where feet move fast, beside a pole.
+constexpr int MostAdded = 64;
+
+/// A curve that ends so near a pole, relative to its size, was meant to end there.
+constexpr double PoleTolerance = 1e-5;
+
 /// A distance that does not count: 1e-9 of the size, or 1e-7 mm, which is nothing to OpenCASCADE and to the systems that write files,
 /// but no more than 1e-6 of the size.
 double GetSlack(double size, double magnitude)
@@ -38,11 +44,16 @@ std::shared_ptr<const FootCurve> FootCurve::Make(const std::shared_ptr<const Foo
   result->Curve =
     placement.Form() == gp_Identity ? curve : Handle(Geom_Curve)::DownCast(curve->Transformed(placement));
   result->Breaks = GetCurveBreaks(result->Curve, first, last);
-  if (!result->Follow() || !result->IsEven())
+  if (!result->Follow())
   {
     return nullptr;
   }
   result->Straighten();
+  result->Refine();
+  if (!result->IsEven())
+  {
+    return nullptr;
+  }
   result->AddKnotCrossings();
   return result;
 }
@@ -78,25 +89,7 @@ bool FootCurve::Follow()
   this->Size = (high - low).Modulus();
   this->Slack = GetSlack(this->Size, magnitude);
   const auto find = [&](std::size_t i, const Sample* neighbour)
-  {
-    Sample& sample = this->Samples[i];
-    if (!this->Finder->Find(points[i], neighbour ? neighbour->UV.data() : nullptr, sample.UV.data()))
-    {
-      return false;
-    }
-    gp_Pnt foot;
-    gp_Vec du;
-    gp_Vec dv;
-    this->Finder->GetSurface()->D1(sample.UV[0], sample.UV[1], foot, du, dv);
-    sample.Speed[0] = du.Magnitude();
-    sample.Speed[1] = dv.Magnitude();
-    this->Distance = std::max(this->Distance, foot.Distance(points[i]));
-    if (neighbour)
-    {
-      this->ContinueAtPole(neighbour->UV, sample.Speed, sample.UV);
-    }
-    return true;
-  };
+  { return this->FindFoot(points[i], neighbour, this->Samples[i]); };
   bool found = find(middle, nullptr);
   for (std::size_t i = middle; found && i > 0; --i)
   {
@@ -109,19 +102,72 @@ bool FootCurve::Follow()
   return found;
 }
 
+bool FootCurve::FindFoot(const gp_Pnt& point, const Sample* neighbour, Sample& sample)
+{
+  if (!this->Finder->Find(point, neighbour ? neighbour->UV.data() : nullptr, sample.UV.data()))
+  {
+    return false;
+  }
+  gp_Pnt foot;
+  gp_Vec du;
+  gp_Vec dv;
+  this->Finder->GetSurface()->D1(sample.UV[0], sample.UV[1], foot, du, dv);
+  sample.Speed[0] = du.Magnitude();
+  sample.Speed[1] = dv.Magnitude();
+  this->Distance = std::max(this->Distance, foot.Distance(point));
+  if (neighbour)
+  {
+    this->ContinueAtPole(neighbour->UV, sample.Speed, sample.UV);
+  }
+  return true;
+}
+
+/// Adds samples where a foot moves by a large part of a period.
+void FootCurve::Refine()
+{
+  int added = 0;
+  for (std::size_t i = 0; i + 1 < this->Samples.size() && added < MostAdded;)
+  {
+    const Sample a = this->Samples[i];
+    const Sample b = this->Samples[i + 1];
+    Sample middle{ 0.5 * (a.T + b.T), {}, {} };
+    if (!this->IsFar(a, b))
+    {
+      ++i;
+    }
+    else if (this->FindFoot(this->Curve->Value(middle.T), &a, middle))
+    {
+      this->Samples.insert(this->Samples.begin() + static_cast<std::ptrdiff_t>(i) + 1, middle);
+      ++added;
+    }
+    else
+    {
+      return;
+    }
+  }
+}
+
+bool FootCurve::IsFar(const Sample& a, const Sample& b) const
+{
+  for (int d = 0; d < 2; ++d)
+  {
+    const double period = this->Finder->GetPeriod(d);
+    if (period > 0.0 && std::abs(b.UV[d] - a.UV[d]) > LargestStep * period)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// No step from sample to sample is a large part of a period: that is so beside a pole, where no polynomial follows.
 bool FootCurve::IsEven() const
 {
   for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
   {
-    for (int d = 0; d < 2; ++d)
+    if (this->IsFar(this->Samples[i], this->Samples[i + 1]))
     {
-      const double period = this->Finder->GetPeriod(d);
-      if (period > 0.0 &&
-        std::abs(this->Samples[i + 1].UV[d] - this->Samples[i].UV[d]) > LargestStep * period)
-      {
-        return false;
-      }
+      return false;
     }
   }
   return true;
@@ -140,12 +186,26 @@ void FootCurve::ContinueAtPole(
   }
 }
 
+bool FootCurve::IsBesidePole(const Sample& sample) const
+{
+  return std::any_of(this->Finder->GetPoles().begin(), this->Finder->GetPoles().end(),
+    [&](const FootPointFinder::Pole& pole)
+    {
+      const double value = sample.UV[pole.Direction];
+      return value != pole.Value &&
+        std::abs(value - pole.Value) * sample.Speed[pole.Direction] <= PoleTolerance * this->Size;
+    });
+}
+
+/// The end of a curve beside a pole may lie on the other side of it: it does not count.
 void FootCurve::Straighten()
 {
+  const auto first = this->Samples.begin() + (this->IsBesidePole(this->Samples.front()) ? 1 : 0);
+  const auto last = this->Samples.end() - (this->IsBesidePole(this->Samples.back()) ? 1 : 0);
   for (int d = 0; d < 2; ++d)
   {
-    const auto fastest = std::max_element(this->Samples.begin(), this->Samples.end(),
-      [d](const Sample& a, const Sample& b) { return a.Speed[d] < b.Speed[d]; });
+    const auto fastest = std::max_element(
+      first, last, [d](const Sample& a, const Sample& b) { return a.Speed[d] < b.Speed[d]; });
     this->Slope[d] = std::numeric_limits<double>::quiet_NaN();
     for (const double slope : { 0.0, 1.0, -1.0 })
     {
@@ -154,7 +214,7 @@ void FootCurve::Straighten()
       {
         offset = this->Finder->SnapToBorder(d, offset, this->Slack / fastest->Speed[d]);
       }
-      const bool fits = std::all_of(this->Samples.begin(), this->Samples.end(),
+      const bool fits = std::all_of(first, last,
         [&](const Sample& s)
         { return std::abs(s.UV[d] - slope * s.T - offset) * s.Speed[d] <= 2.0 * this->Slack; });
       if (fits)
@@ -229,14 +289,16 @@ Handle(Geom2d_Curve) FootCurve::GetLine() const
     gp_Pnt2d(this->Offset[0], this->Offset[1]), gp_Dir2d(this->Slope[0], this->Slope[1]));
 }
 
-bool FootCurve::LeavesDomain() const
+double FootCurve::GetOverhang() const
 {
-  return std::any_of(this->Samples.begin(), this->Samples.end(),
-    [this](const Sample& s)
-    {
-      return std::max(this->Finder->GetExcess(0, s.UV[0]) * s.Speed[0],
-               this->Finder->GetExcess(1, s.UV[1]) * s.Speed[1]) > 1e-5 * this->Size;
-    });
+  double overhang = 0.0;
+  for (const Sample& s : this->Samples)
+  {
+    overhang = std::max(overhang,
+      std::hypot(
+        this->Finder->GetExcess(0, s.UV[0]) * s.Speed[0], this->Finder->GetExcess(1, s.UV[1]) * s.Speed[1]));
+  }
+  return overhang;
 }
 
 Handle(Geom2d_Curve) FootCurve::Approximate() const

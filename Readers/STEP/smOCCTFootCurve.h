@@ -39,8 +39,8 @@ public:
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
   /// The same as a line when one coordinate is constant and the other runs as the parameter does; else null.
   Handle(Geom2d_Curve) GetLine() const;
-  /// Feet lie beyond the border of the surface's domain, farther than an inaccurate file explains: by 1e-5 of the curve's size.
-  bool LeavesDomain() const;
+  /// Largest distance of a foot from the border of the surface's domain, beyond which its polynomials go on; 0 inside.
+  double GetOverhang() const;
   /// OpenCASCADE's approximation of the same curve, good to 1e-7 mm at best; null when it has none.
   Handle(Geom2d_Curve) Approximate() const;
   /// Largest distance of a sample from its foot, in the surface's coordinates.
@@ -55,7 +55,11 @@ private:
     double Speed[2];
   };
   bool Follow();
+  bool FindFoot(const gp_Pnt& point, const Sample* neighbour, Sample& sample);
+  void Refine();
+  bool IsFar(const Sample& a, const Sample& b) const;
   bool IsEven() const;
+  bool IsBesidePole(const Sample& sample) const;
   void Straighten();
   void AddKnotCrossings();
   /// At a pole the coordinate that is undetermined there becomes that of the neighbour.

@@ -29,8 +29,10 @@ struct DraftCoedge
   bool Projected = false;
   /// Without a pcurve of its own: to get the feet of the edge's curve.
   bool NeedsFeet = false;
-  /// Largest distance of samples of the edge from the surface, where its trim was made of them.
+  /// Largest distance of samples of the edge from the points of the surface that its trim gives, where that was looked at.
   double EdgeDistance = 0.0;
+  /// Largest distance of these points from the border of the surface's domain.
+  double Overhang = 0.0;
   NativeTrim Trim;
   /// In loop direction; null when the file gives none.
   TopoDS_Vertex Start;

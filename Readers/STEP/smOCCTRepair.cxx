@@ -29,8 +29,12 @@ constexpr std::size_t MostReasons = 10;
 constexpr double LoopTolerance = 1e-5;
 constexpr double VertexTolerance = 1e-3;
 
-/// A volume that is less than that part of size^3 has no sign that its estimate could tell.
-constexpr double LeastVolume = 1e-7;
+/// Gaps between edges and surfaces up to that part of the size are not repaired: a quarter of what the integrals excuse, whose bound of how far
+/// an edge leads beyond its surface may be several times too large.
+constexpr double LargestGap = 2.5e-4;
+
+/// A volume that is more than that part of the sum of its faces' cones has the sign of its estimate.
+constexpr double LeastShare = 0.2;
 
 /// How faces use an edge.
 struct EdgeUses
@@ -40,10 +44,68 @@ struct EdgeUses
   std::size_t FirstFace = 0;
 };
 
+/// The box around vertices and some points of edges.
+class ShapeBox
+{
+public:
+  explicit ShapeBox(const TopoDS_Shape& shape)
+  {
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+    for (int i = 1; i <= edges.Extent(); ++i)
+    {
+      double first = 0.0;
+      double last = 0.0;
+      const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(edges(i)), first, last);
+      for (const double x : { 0.0, 0.25, 0.5, 0.75, 1.0 })
+      {
+        if (!curve.IsNull() && last > first)
+        {
+          this->Add(curve->Value((1.0 - x) * first + x * last).XYZ());
+        }
+      }
+    }
+  }
+
+  double GetSize() const
+  {
+    return this->Low.X() <= this->High.X() ? (this->High - this->Low).Modulus() : 0.0;
+  }
+  bool Contains(const ShapeBox& other, double tolerance) const
+  {
+    return Contains(other.Low, tolerance) && Contains(other.High, tolerance);
+  }
+  gp_Pnt GetCenter() const { return gp_Pnt(0.5 * (this->Low + this->High)); }
+
+private:
+  bool Contains(const gp_XYZ& p, double tolerance) const
+  {
+    bool isInside = true;
+    for (int c = 1; c <= 3; ++c)
+    {
+      isInside = isInside && p.Coord(c) >= this->Low.Coord(c) - tolerance &&
+        p.Coord(c) <= this->High.Coord(c) + tolerance;
+    }
+    return isInside;
+  }
+
+  void Add(const gp_XYZ& p)
+  {
+    for (int c = 1; c <= 3; ++c)
+    {
+      this->Low.SetCoord(c, std::min(this->Low.Coord(c), p.Coord(c)));
+      this->High.SetCoord(c, std::max(this->High.Coord(c), p.Coord(c)));
+    }
+  }
+
+  gp_XYZ Low{ 1e300, 1e300, 1e300 };
+  gp_XYZ High{ -1e300, -1e300, -1e300 };
+};
+
 class ShapeInspector
 {
 public:
-  ShapeInspector(const TopoDS_Shape& shape, const ShapeLabel& label)
+  ShapeInspector(TopoDS_Shape& shape, const ShapeLabel& label)
     : Shape(shape)
     , Label(label)
   {
@@ -52,48 +114,53 @@ public:
   std::string Run()
   {
     this->Measure();
-    bool any = false;
-    for (TopExp_Explorer it(this->Shape, TopAbs_SHELL); it.More(); it.Next())
+    const bool isSolid = this->Shape.ShapeType() == TopAbs_SOLID;
+    TopExp_Explorer it(this->Shape, TopAbs_SHELL);
+    if (!it.More())
     {
-      const bool isSolid = this->Shape.ShapeType() == TopAbs_SOLID;
-      const std::string problem = this->InspectShell(it.Current(), isSolid, !any);
-      any = true;
+      return "it has no shell";
+    }
+    const ShapeBox outer(it.Current());
+    double sign = 0.0;
+    for (; it.More(); it.Next())
+    {
+      double outwards = 0.0;
+      const std::string problem = this->InspectShell(it.Current(), isSolid, outwards);
       if (!problem.empty())
       {
         return problem;
       }
+      // A void that is turned outwards is found by exact volumes in the integrals, but it may be no void.
+      if (sign * outwards > 0.0 && !outer.Contains(ShapeBox(it.Current()), this->Tolerance))
+      {
+        return "a void may lie outside its shell";
+      }
+      sign = sign != 0.0 ? sign : isSolid && outwards < -LeastShare ? -1.0 : 1.0;
     }
-    return any ? std::string() : "it has no shell";
+    if (sign < 0.0)
+    {
+      this->Shape.Reverse();
+    }
+    return {};
   }
 
 private:
   void Measure()
   {
-    gp_XYZ low(1e300, 1e300, 1e300);
-    gp_XYZ high(-1e300, -1e300, -1e300);
+    const ShapeBox box(this->Shape);
     TopTools_IndexedMapOfShape vertices;
     TopExp::MapShapes(this->Shape, TopAbs_VERTEX, vertices);
     for (int i = 1; i <= vertices.Extent(); ++i)
     {
-      const TopoDS_Vertex vertex = TopoDS::Vertex(vertices(i));
-      const gp_XYZ p = BRep_Tool::Pnt(vertex).XYZ();
-      this->Tolerance = std::max(this->Tolerance, BRep_Tool::Tolerance(vertex));
-      for (int c = 1; c <= 3; ++c)
-      {
-        low.SetCoord(c, std::min(low.Coord(c), p.Coord(c)));
-        high.SetCoord(c, std::max(high.Coord(c), p.Coord(c)));
-      }
+      this->Tolerance = std::max(this->Tolerance, BRep_Tool::Tolerance(TopoDS::Vertex(vertices(i))));
     }
-    if (!vertices.IsEmpty())
-    {
-      this->Size = (high - low).Modulus();
-      this->Origin = gp_Pnt(0.5 * (low + high));
-    }
+    this->Size = box.GetSize();
     this->Tolerance =
       LoopTolerance * this->Size + std::min(4.0 * this->Tolerance, VertexTolerance * this->Size);
   }
 
-  std::string InspectShell(const TopoDS_Shape& shell, bool isSolid, bool isOuter)
+  /// `outwards` becomes the volume inside, as a part of the sum of the volumes of its faces' cones.
+  std::string InspectShell(const TopoDS_Shape& shell, bool isSolid, double& outwards)
   {
     std::vector<DraftFace> drafts;
     std::vector<TopoDS_Shape> faces;
@@ -108,18 +175,22 @@ private:
     {
       return structure;
     }
+    const ShapeBox box(shell);
     std::vector<FaceInspection> results(drafts.size());
     ParallelFor(drafts.size(), 16,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          const std::string failure =
-            CatchFailure([&] { results[i] = InspectFace(drafts[i], this->Origin, this->Tolerance); });
+          const std::string failure = CatchFailure(
+            [&] {
+              results[i] = InspectFace(drafts[i], box.GetCenter(), this->Tolerance, LargestGap * this->Size);
+            });
           results[i].Problem = failure.empty() ? results[i].Problem : failure;
         }
       });
     double volume = 0.0;
+    double sum = 0.0;
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
       if (!results[i].Problem.empty())
@@ -127,10 +198,10 @@ private:
         return this->Label(faces[i]) + ": " + results[i].Problem;
       }
       volume += (drafts[i].Reversed ? -1.0 : 1.0) * results[i].ConeVolume;
+      sum += std::abs(results[i].ConeVolume);
     }
-    const double outwards = isOuter ? volume : -volume;
-    return !isSolid || outwards > LeastVolume * std::pow(this->Size, 3) ? std::string()
-                                                                        : "a shell may be turned inside out";
+    outwards = sum > 0.0 ? volume / sum : 0.0;
+    return {};
   }
 
   /// Every edge of a solid has two uses, one in each direction; the faces of a shell hang together.
@@ -174,7 +245,8 @@ private:
       {
         return "a shell is open";
       }
-      if (use.Count > 2 || (use.Count == 2 && use.Sum != 0))
+      // Parts of a solid that touch along an edge use it two times in either direction.
+      if ((use.Count > 2 && !isSolid) || (use.Count > 1 && use.Sum != 0))
       {
         return "its faces do not agree about their sides";
       }
@@ -182,9 +254,8 @@ private:
     return isSolid && groups > 1 ? "a shell is in several parts" : std::string();
   }
 
-  const TopoDS_Shape& Shape;
+  TopoDS_Shape& Shape;
   const ShapeLabel& Label;
-  gp_Pnt Origin;
   double Size = 0.0;
   double Tolerance = 0.0;
 };
@@ -208,11 +279,12 @@ public:
   {
   }
 
-  TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Standard_Real precision,
+  TopoDS_Shape ProcessShape(const TopoDS_Shape& original, const Standard_Real precision,
     const Standard_Real maximum, const Standard_CString resource, const Standard_CString sequence,
     Handle(Standard_Transient) & info, const Message_ProgressRange& progress,
     const Standard_Boolean nonManifold SM_DETAIL_PARAMETER) const override
   {
+    TopoDS_Shape shape = original;
     const bool isBody =
       !shape.IsNull() && (shape.ShapeType() == TopAbs_SOLID || shape.ShapeType() == TopAbs_SHELL);
     if (isBody && !nonManifold && std::strncmp(sequence, "read.", 5) == 0)
@@ -240,7 +312,7 @@ public:
       }
     }
     return this->XSAlgo_AlgoContainer::ProcessShape(
-      shape, precision, maximum, resource, sequence, info, progress, nonManifold SM_DETAIL);
+      original, precision, maximum, resource, sequence, info, progress, nonManifold SM_DETAIL);
   }
 
 private:
@@ -279,7 +351,7 @@ std::string Describe(const RepairLog& log)
   return text + (static_cast<int>(log.Reasons.size()) < log.RepairedBodies ? "; ..." : ".");
 }
 
-std::string FindShapeDamage(const TopoDS_Shape& shape, const ShapeLabel& label)
+std::string FindShapeDamage(TopoDS_Shape& shape, const ShapeLabel& label)
 {
   return ShapeInspector(shape, label).Run();
 }

@@ -35,8 +35,8 @@ using ShapeLabel = std::function<std::string(const TopoDS_Shape&)>;
 
 /**
  * While this exists, OpenCASCADE's transfer leaves solids and shells alone that are sound: edges of a solid are used once in either
- * direction, each shell is connected, the outer one is turned outwards and voids inwards, and all faces pass InspectFace
- * (smOCCTFaceInspection.h). Others it repairs as ever. The switch is global: hold a KernelSession. With OpenCASCADE 7.9 and later, which
+ * direction, each shell is connected, and all faces pass InspectFace (smOCCTFaceInspection.h). A solid that is turned inside out is
+ * reversed. Others it repairs as ever. The switch is global: hold a KernelSession. With OpenCASCADE 7.9 and later, which
  * has no such switch, nothing changes.
  */
 class RepairOnNeed
@@ -51,8 +51,8 @@ private:
   Handle(XSAlgo_AlgoContainer) Previous;
 };
 
-/// Why a solid or shell should be repaired; empty when it is sound.
-std::string FindShapeDamage(const TopoDS_Shape& shape, const ShapeLabel& label);
+/// Why a solid or shell should be repaired; empty when it is sound. A solid that is turned inside out, clearly, is reversed.
+std::string FindShapeDamage(TopoDS_Shape& shape, const ShapeLabel& label);
 }
 
 #endif

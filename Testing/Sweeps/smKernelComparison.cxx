@@ -142,7 +142,11 @@ private:
       const sm::Loop& loop = face.Result->Loops[l];
       for (std::size_t k = 0; k < loop.Coedges.size(); ++k)
       {
-        function(loop.Coedges[k], face.SourceEdges[l][k]);
+        // Poles and seams that the file leaves out are edges of the reader's own.
+        if (!face.SourceEdges[l][k].IsNull())
+        {
+          function(loop.Coedges[k], face.SourceEdges[l][k]);
+        }
       }
     }
   }
@@ -193,6 +197,18 @@ private:
     result.TrimPieces += coedge.Curve.GetNumberOfPieces();
     result.TrimResidual = std::max(result.TrimResidual, coedge.Curve.GetLargestResidual());
     const NativeTrim native(edge, face.Source);
+    for (const double x : { 0.0, 0.25, 0.5, 1.0 })
+    {
+      // Also where the file gives no curve, and none was made.
+      const double t = (1.0 - x) * coedge.Curve.GetStart() + x * coedge.Curve.GetEnd();
+      const auto c = coedge.Curve.Evaluate(t);
+      double actual[3];
+      face.Result->Surface.Evaluate(c[0], c[1], actual);
+      if (!coedge.Use->Degenerate)
+      {
+        result.MaxGap = std::max(result.MaxGap, Distance(coedge.Use->Curve.Evaluate(t), actual));
+      }
+    }
     if (native.Curve.IsNull())
     {
       return;
