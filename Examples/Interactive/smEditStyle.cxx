@@ -107,14 +107,15 @@ void smEditStyle::Drag()
 void smEditStyle::EndDrag(bool keep)
 {
   this->IsDragging = false;
-  this->Scene->SetHurried(false);
   if (keep)
   {
+    this->Scene->SetHurried(false);
     this->Scene->GetPart().Commit();
     this->Scene->Draw();
     return;
   }
   this->Scene->GetPart().Cancel();
+  this->Scene->SetHurried(false);
   this->Scene->SetNotice("drag cancelled");
   this->Scene->Update();
 }

@@ -7,11 +7,18 @@
 
 #include <exception>
 #include <new>
+#include <system_error>
 
 namespace sm
 {
 /// The reason for a std::bad_alloc.
 constexpr const char* InsufficientMemory = "there is not enough memory";
+
+/// True if there was no memory for the stack of a thread, or no more threads are allowed.
+inline bool IsLackOfThreads(const std::system_error& failure)
+{
+  return failure.code() == std::errc::resource_unavailable_try_again;
+}
 
 /// Runs `work`, which fails only for lack of memory; returns false if it throws.
 template <typename Work>
@@ -38,6 +45,10 @@ inline const char* GetReason(const std::exception_ptr& failure) noexcept
   catch (const std::bad_alloc&)
   {
     return InsufficientMemory;
+  }
+  catch (const std::system_error& error)
+  {
+    return IsLackOfThreads(error) ? InsufficientMemory : error.what();
   }
   catch (const std::exception& error)
   {

@@ -41,7 +41,7 @@ private:
 };
 
 /// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form: degree + 1 coefficients of
-/// `size` numbers each, and so the series.
+/// `size` numbers each, and so the series. 0 <= start < end <= 1.
 template <class Real>
 void ExpandBernstein(const Real* coefficients, int size, int degree, double start, double end, Real* series)
 {

@@ -10,6 +10,8 @@ namespace
 constexpr int MostPasses = 6;
 /// A repair may make the deviation that is not allowed so much larger.
 constexpr double WorseShare = 1.5;
+/// Triangles that are judged at most: with weights of 1e20 thousands are turned over, and nothing mends them.
+constexpr std::size_t MostTrials = 200000;
 /// A triangle that is no more.
 constexpr MeshRepair::Corners Gone{ -1, -1, -1 };
 
@@ -57,7 +59,7 @@ std::vector<MeshRepair::Corners> MeshRepair::Run()
     {
       if (this->Triangles[i] != Gone && this->Asked.IsTurned(this->Triangles[i]))
       {
-        const bool mended = this->Flip(i) || this->Merge(i);
+        const bool mended = this->Trials < MostTrials && (this->Flip(i) || this->Merge(i));
         changed = changed || mended;
         if (!mended)
         {
@@ -77,6 +79,7 @@ std::vector<MeshRepair::Corners> MeshRepair::Run()
 
 bool MeshRepair::Replace(const std::vector<std::size_t>& before, const std::vector<Corners>& after)
 {
+  this->Trials += before.size() + after.size();
   std::size_t turned[2] = { 0, 0 };
   double allowed = this->Allowed;
   for (const std::size_t i : before)
@@ -171,6 +174,10 @@ bool MeshRepair::Merge(std::size_t triangle)
           std::replace(n.begin(), n.end(), v, to);
           after.push_back(n);
         }
+      }
+      if (this->Trials >= MostTrials)
+      {
+        return false;
       }
       if (this->Replace(star, after))
       {

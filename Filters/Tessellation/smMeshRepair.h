@@ -69,6 +69,8 @@ private:
   double Allowed;
   /// Indices of the triangles at each vertex.
   std::vector<std::vector<std::size_t>> Stars;
+  /// Number of triangles that were judged.
+  std::size_t Trials = 0;
 };
 }
 

@@ -13,12 +13,13 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace sm
 {
 /**
  * Runs `work`. Returns why it threw an exception, an empty string when it threw none. A lack of memory is no property of the shape in
- * hand and goes on to the caller, as std::bad_alloc also where OpenCASCADE raised Standard_OutOfMemory.
+ * hand and goes on to the caller, as std::bad_alloc also where OpenCASCADE raised Standard_OutOfMemory, or a thread could not be started.
  */
 template <class Work>
 std::string CatchFailure(const Work& work)
@@ -35,6 +36,14 @@ std::string CatchFailure(const Work& work)
   catch (const Standard_OutOfMemory&)
   {
     throw std::bad_alloc();
+  }
+  catch (const std::system_error& failure)
+  {
+    if (IsLackOfThreads(failure))
+    {
+      throw std::bad_alloc();
+    }
+    return failure.what();
   }
   catch (const Standard_Failure& failure)
   {

@@ -55,9 +55,12 @@ std::string DescribeEnd(int status)
   if (WIFSIGNALED(status))
   {
     const int number = WTERMSIG(status);
+    const bool isCrash =
+      number == SIGSEGV || number == SIGBUS || number == SIGABRT || number == SIGFPE || number == SIGILL;
     return "ended by signal " + std::to_string(number) + " (" + strsignal(number) + ")" +
       (number == SIGKILL ? ", as the system does when memory runs out"
-                         : "; the file is malformed or OpenCASCADE cannot read it");
+          : isCrash      ? "; the file is malformed or OpenCASCADE cannot read it"
+                         : "");
   }
   return "ended with exit status " + std::to_string(WEXITSTATUS(status)) + " and without a result";
 }
@@ -168,8 +171,13 @@ void TakeMessages(Bytes& received, double& fraction, ReadProgramOutcome& outcome
     }
     else if (received[at] == ResultKind)
     {
-      outcome.Result.assign(content, content + size);
+      // The result is the last message; it is not copied.
+      received.erase(received.begin(), received.begin() + static_cast<std::ptrdiff_t>(at + HeadSize));
+      outcome.Result.swap(received);
+      outcome.Result.resize(size);
+      received.clear();
       isComplete = true;
+      return;
     }
   }
   received.erase(received.begin(), received.begin() + static_cast<std::ptrdiff_t>(at));
@@ -207,14 +215,15 @@ ReadProgramOutcome RunReadProgram(
     return outcome;
   }
   Bytes received;
-  double fraction = 0.0;
+  double fraction = -1.0;
   bool isComplete = false;
   for (std::size_t before = 0; process.Receive(Patience, received); before = received.size())
   {
     // Not for each part of a long result.
     const bool isAmidst = received.size() > before && before > 0;
     TakeMessages(received, fraction, outcome, isComplete);
-    if (!isAmidst && !progress(fraction))
+    outcome.IsStarted = outcome.IsStarted || fraction >= 0.0;
+    if (!isAmidst && !progress(std::max(fraction, 0.0)))
     {
       outcome.IsStopped = true;
       return outcome;

@@ -25,6 +25,8 @@ struct ReadProgramOutcome
   /// Why there is no result, with the process as the subject; empty if there is one, or if it was stopped.
   std::string Problem;
   bool IsStopped = false;
+  /// It has sent a message: what failed is not its start.
+  bool IsStarted = false;
 };
 
 /**

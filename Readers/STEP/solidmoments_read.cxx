@@ -23,13 +23,17 @@ void OnProgress(vtkObject* caller, unsigned long, void* data, void*)
 {
   if (!sm::SendProgress(*static_cast<int*>(data), static_cast<vtkAlgorithm*>(caller)->GetProgress()))
   {
-    std::exit(1); // nobody listens
+    std::_Exit(1); // nobody listens
   }
 }
 
 bool ReadAndSend(char** arguments)
 {
   int messages = sm::OpenMessages();
+  if (!sm::SendProgress(messages, 0.0))
+  {
+    return false;
+  }
   vtkObject::GlobalWarningDisplayOff();
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(arguments[0]);

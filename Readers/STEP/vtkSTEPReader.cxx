@@ -361,18 +361,10 @@ void vtkSTEPReader::Read(vtkPartitionedDataSetCollection* output)
     this->Fail(UNREADABLE, mistake);
     return;
   }
-  const std::string program = this->Isolated ? sm::FindReadProgram() : std::string();
-  if (!program.empty())
+  if (!this->Isolated || !this->ReadIsolated(output))
   {
-    this->ReadIsolated(program, output);
-    return;
+    this->ReadHere(output);
   }
-  if (this->Isolated)
-  {
-    this->Last->Messages.push_back(
-      "The program solidmoments-read was not found, so that the file was not read in a process of its own.");
-  }
-  this->ReadHere(output);
 }
 
 std::vector<char> vtkSTEPReader::PackOutput()
@@ -388,23 +380,32 @@ std::vector<char> vtkSTEPReader::PackOutput()
   return std::move(to.GetBytes());
 }
 
-void vtkSTEPReader::ReadIsolated(const std::string& program, vtkPartitionedDataSetCollection* output)
+bool vtkSTEPReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
 {
+  const std::string program = sm::FindReadProgram();
   // As solidmoments-read takes them; 17 digits keep the bits.
   const std::vector<std::string> arguments{ this->FileName, this->OutputUnit, std::to_string(this->Repair),
     sm::FormatDigits(this->LinearDeflection, 17), std::to_string(this->RelativeDeflection ? 1 : 0),
     sm::FormatDigits(this->AngularDeflection, 17) };
-  const sm::ReadProgramOutcome outcome =
-    sm::RunReadProgram(program, arguments, [this](double x) { return this->Report(x); });
+  const sm::ReadProgramOutcome outcome = program.empty()
+    ? sm::ReadProgramOutcome{ {}, "was not found", false, false }
+    : sm::RunReadProgram(program, arguments, [this](double x) { return this->Report(x); });
   if (outcome.IsStopped)
   {
     this->Stop();
-    return;
+    return true;
+  }
+  if (!outcome.Problem.empty() && !outcome.IsStarted)
+  {
+    this->Last->Messages.push_back(
+      "The file was not read in a process of its own: the program solidmoments-read " + outcome.Problem +
+      ".");
+    return false;
   }
   if (!outcome.Problem.empty())
   {
     this->Fail(UNREADABLE, "the process that read it " + outcome.Problem);
-    return;
+    return true;
   }
   sm::ByteReader from(outcome.Result);
   this->Unpack(from.GetAll<unsigned char>(), output);
@@ -426,6 +427,7 @@ void vtkSTEPReader::ReadIsolated(const std::string& program, vtkPartitionedDataS
   {
     this->UpdateProgress(1.0);
   }
+  return true;
 }
 
 void vtkSTEPReader::ReadHere(vtkPartitionedDataSetCollection* output)
@@ -438,7 +440,7 @@ void vtkSTEPReader::ReadHere(vtkPartitionedDataSetCollection* output)
     this->Repair == ON_NEED ? sm::RepairMode::OnNeed : sm::RepairMode::Always,
     [this](double x) { return this->Report(ReadingShare * x); });
   this->Last->ReadSeconds = vtkTimerLog::GetUniversalTime() - start;
-  this->Last->Messages = document.Messages;
+  this->Last->Messages.insert(this->Last->Messages.end(), document.Messages.begin(), document.Messages.end());
   this->Last->FileUnit = document.FileUnit;
   if (document.Status == sm::ReadStatus::Aborted)
   {
@@ -552,6 +554,7 @@ void vtkSTEPReader::PrintSelf(ostream& os, vtkIndent indent)
      << "AngularDeflection: " << this->AngularDeflection << "\n"
      << indent << "OutputUnit: " << this->OutputUnit << "\n"
      << indent << "Repair: " << (this->Repair == ON_NEED ? "on need\n" : "always\n") << indent
+     << "Isolated: " << (this->Isolated ? "on\n" : "off\n") << indent
      << "MaximumSeconds: " << this->MaximumSeconds << "\n"
      << indent << "Status: " << this->GetStatusAsString() << "\n";
 }

@@ -141,8 +141,9 @@ public:
   /**
    * Reads the file in a process of its own, the program solidmoments-read, which sends the output: what OpenCASCADE crashes on, or does
    * not end on, costs this file and not the session. The output has the same bits. It costs the start of a program, some tenths of a
-   * second, and for the time of the reading the memory of the models and meshes three times. If the program is not in the folder bin
-   * beside the library or above it, the file is read in this process, and a message says so. Default: off; on in ParaView.
+   * second, and for the time of the reading the memory of the models and meshes about three times. If the program is not in the folder
+   * bin beside the library or above it, or does not start, the file is read in this process, and a message says so. Default: off; on in
+   * ParaView.
    */
   vtkSetMacro(Isolated, bool);
   vtkGetMacro(Isolated, bool);
@@ -229,8 +230,8 @@ private:
   /// Read() that lets no exception out: one is an error, and the output is empty.
   void ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept;
   void Read(vtkPartitionedDataSetCollection* output);
-  /// Reads in a process of its own, whose program is given.
-  void ReadIsolated(const std::string& program, vtkPartitionedDataSetCollection* output);
+  /// Reads in a process of its own. False if there is none, with a message.
+  bool ReadIsolated(vtkPartitionedDataSetCollection* output);
   /// Reads in this process.
   void ReadHere(vtkPartitionedDataSetCollection* output);
   /// The mistake in the settings; empty when there is none.

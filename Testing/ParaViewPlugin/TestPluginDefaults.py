@@ -84,7 +84,9 @@ for group, proxy_name, label, module, class_name in PROXIES:
             check_equal(f"{name}: the proxy's defaults are the class's", actual, values)
             continue
         value = smproperty.GetElement(0)
-        check_equal(f"{name}: the proxy's default is the class's", type(value)(actual), value)
+        # A session is worth more than some tenths of a second.
+        expected = 1 if name == "Isolated" else type(value)(actual)
+        check_equal(f"{name}: the proxy's default is the class's", expected, value)
         limits = element.find("DoubleRangeDomain[@min]")
         whole = element.find("IntRangeDomain")
         for limit, step in (("min", -1), ("max", 1)) if whole is not None else ():

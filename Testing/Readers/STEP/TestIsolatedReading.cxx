@@ -11,7 +11,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -77,12 +79,14 @@ pid_t GetChild()
 /// Acts once, on the process that reads, as soon as there is progress.
 struct Actor
 {
+  vtkSTEPReader* Reader;
   std::function<void(pid_t)> Act;
   bool IsDone = false;
 
   void OnProgress()
   {
-    const pid_t child = this->IsDone ? 0 : GetChild();
+    // Before, it may not have started.
+    const pid_t child = this->IsDone || this->Reader->GetProgress() == 0.0 ? 0 : GetChild();
     if (child > 0)
     {
       this->IsDone = true;
@@ -93,7 +97,7 @@ struct Actor
 
 void ReadAndAct(vtkSTEPReader* reader, const std::string& path, const std::function<void(pid_t)>& act)
 {
-  Actor actor{ act };
+  Actor actor{ reader, act };
   const unsigned long id = reader->AddObserver(vtkCommand::ProgressEvent, &actor, &Actor::OnProgress);
   reader->SetFileName(path.c_str());
   reader->Modified();
@@ -130,6 +134,40 @@ void CheckEnds(const std::string& path)
   CheckEqual("and then the file is read", "ok", reader->GetStatusAsString());
   CheckEqual("instances", 1, reader->GetNumberOfInstances());
 }
+
+/// Without the program beside its library the reader reads here, and says so.
+int CheckLonely(const std::string& path)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->IsolatedOn();
+  reader->Update();
+  CheckEqual("without the program: status", "ok", reader->GetStatusAsString());
+  CheckTrue("and a message",
+    reader->GetNumberOfMessages() > 0 && reader->GetMessage(0).find("was not found") != std::string::npos,
+    reader->GetMessage(0));
+  return Finish();
+}
+
+/// Runs this test with a copy of the reader's library that lies alone.
+void RunLonely(const std::string& solids)
+{
+  std::string library;
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; library.empty() && std::getline(maps, line);)
+  {
+    library = line.find("libsmReadersSTEP") != std::string::npos ? line.substr(line.find('/')) : "";
+  }
+  const std::filesystem::path folder = Folder + "lonely/a/b/c/d";
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(library, folder / std::filesystem::path(library).filename(),
+    std::filesystem::copy_options::overwrite_existing);
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string command = "LD_LIBRARY_PATH='" + folder.string() + ":" +
+    std::filesystem::path(library).parent_path().string() + "' '" + program + "' TestIsolatedReading '" +
+    solids + "' '" + Folder + "' lonely";
+  CheckEqual("the same alone", 0, std::system(command.c_str()));
+}
 }
 
 int TestIsolatedReading(int argc, char* argv[])
@@ -137,6 +175,10 @@ int TestIsolatedReading(int argc, char* argv[])
   if (argc < 3)
   {
     return 1;
+  }
+  if (argc > 3)
+  {
+    return CheckLonely(Manifest(argv[1]).GetSolid("box", "plain")[0].Path);
   }
   const Manifest manifest(argv[1]);
   for (const char* solid : { "slanted_hole", "spline_ring", "hollow_sphere" })
@@ -156,6 +198,7 @@ int TestIsolatedReading(int argc, char* argv[])
   }
   CheckSame(Folder + "there is none.step", "mm", 0.001);
   CheckSame(manifest.GetSolid("box", "plain")[0].Path, "parsec", 0.001);
+  RunLonely(argv[1]);
   CheckEnds(manifest.GetSolid("slanted_hole", "moved")[0].Path);
   return Finish();
 }
