@@ -36,7 +36,7 @@ macro(solidmoments_package component package summary depends)
     COMPONENT ${component} EXCLUDE_FROM_ALL)
 endmacro ()
 
-# What the libraries' users need is what they were built with, but for the tools.
+# Users of the libraries need the packages that these were built with, but for the tools.
 execute_process(COMMAND sh -c ". \"$0\"; solidmoments_library_packages" "${PROJECT_SOURCE_DIR}/Examples/install-packages.sh"
   OUTPUT_VARIABLE development OUTPUT_STRIP_TRAILING_WHITESPACE)
 string(REGEX REPLACE "[ \n]+" ", " development "${development}")

@@ -33,7 +33,7 @@ constexpr std::uint32_t JsonChunk = 0x4E4F534A;
 constexpr std::uint32_t BinaryChunk = 0x004E4942;
 
 using Rgb = std::array<unsigned char, 3>;
-/// Of a face without a colour.
+/// The colour of a face without one.
 constexpr Rgb Grey{ 204, 204, 204 };
 
 /// An sRGB component as the linear one that glTF asks for.

@@ -1,4 +1,4 @@
-// What is known of a patch before any box of it is examined.
+// Properties of a whole patch, found before any box of it is examined.
 #include "smChebyshev.h"
 #include "smPatchMajorants.h"
 #include "smVector.h"
@@ -182,7 +182,7 @@ double PatchMajorants::MeasureAcross(const double* longest, double& bound) const
       across = std::max(across, length / cube);
       bound = std::max(bound, length);
     });
-  // Of each of the three components.
+  // One for each of the three components.
   bound *= std::sqrt(3.0) * GetLebesgueConstant(3 * this->P - 1) * GetLebesgueConstant(3 * this->Q - 1);
   return across;
 }

@@ -288,7 +288,7 @@ private:
 
   double GetDeviation(const Corners& t) const { return this->GetError(t) + this->GetGap(t); }
 
-  /// Of the triangle in space above its longest side.
+  /// The height of the triangle in space above its longest side.
   double GetHeight(const Corners& t) const
   {
     const Vector3& a = this->Vertices[t[0]].Position;

@@ -36,7 +36,7 @@ class MeshRepair
 public:
   using Corners = std::array<int, 3>;
 
-  /// What is asked of a triangle: whether it is turned over, and a bound of its distance from the surface.
+  /// Answers whether a triangle is turned over, and bounds its distance from the surface.
   struct Judge
   {
     std::function<bool(const Corners&)> IsTurned;

@@ -62,7 +62,7 @@ public:
   /// For parameters in `covered`, which may reach a little beyond the surface's domain. Several blocks to a span where it is curved.
   SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& covered);
 
-  /// What jumps of derivatives that are rounding, or little more, add to the error of any triangle; they are no creases.
+  /// Error of any triangle by jumps of derivatives that are rounding, or little more; they are no creases.
   double GetSmallJumps() const;
 
   /// The bound above, without GetSmallJumps().

@@ -20,7 +20,7 @@ std::string FindReadProgram();
 /// How the program ended.
 struct ReadProgramOutcome
 {
-  /// What it sent by SendResult().
+  /// The bytes that it sent by SendResult().
   Bytes Result;
   /// Why there is no result, with the process as the subject; empty if there is one, or if it was stopped.
   std::string Problem;

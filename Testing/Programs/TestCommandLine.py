@@ -295,6 +295,19 @@ def check_refused(what, folder, *arguments):
                                              for name in os.listdir(folder)})
 
 
+def check_closed(triangles):
+    """Every side is there in both directions; the volume inside."""
+    volume, sides = 0.0, collections.Counter()
+    for a, b, c in triangles:
+        volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+                   + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6.0
+        for start, end in ((a, b), (b, c), (c, a)):
+            sides[start, end] += 1
+            sides[end, start] -= 1
+    check_true("closed", volume > 0.0 and not any(sides.values()), str(sum(map(abs, sides.values()))))
+    return volume
+
+
 def outputs():
     good = manifest.solid("box")["path"]
     folder = make_folder("outputs")
@@ -346,17 +359,7 @@ def outputs():
             header, count = file.read(80), struct.unpack("<I", file.read(4))[0]
             corners = [struct.unpack("<12fH", file.read(50))[3:12] for _ in range(count)]
         check_true("the unit", b"lengths in mm" in header, header)
-        sides = collections.Counter()
-        volume = 0.0
-        for corner in corners:
-            a, b, c = corner[0:3], corner[3:6], corner[6:9]
-            volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
-                       + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6.0
-            for start, end in ((a, b), (b, c), (c, a)):
-                sides[start, end] += 1
-                sides[end, start] -= 1
-        check_true("closed", not any(sides.values()), str(sum(map(abs, sides.values()))))
-        volumes[deflection] = volume
+        volume = volumes[deflection] = check_closed((corner[0:3], corner[3:6], corner[6:9]) for corner in corners)
         error = abs(volume / ball["volume"] - 1.0)
         check_true(f"volume with a deflection of {deflection}", error < 3.5 * float(deflection) / 10.0, str(error))
     check_true("finer triangles are nearer", volumes["1"] < volumes["0.1"] < ball["volume"], str(volumes))
@@ -385,15 +388,7 @@ def outputs():
     points = read_accessor(primitive["attributes"]["POSITION"], "f", 3)
     normals = read_accessor(primitive["attributes"]["NORMAL"], "f", 3)
     corners = [index for (index,) in read_accessor(primitive["indices"], "I", 1)]
-    volume, sides = 0.0, collections.Counter()
-    for first in range(0, len(corners), 3):
-        a, b, c = (points[corner] for corner in corners[first:first + 3])
-        volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
-                   + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6.0
-        for start, end in ((a, b), (b, c), (c, a)):
-            sides[start, end] += 1
-            sides[end, start] -= 1
-    check_true("closed", not any(sides.values()), str(sum(map(abs, sides.values()))))
+    volume = check_closed([points[corner] for corner in corners[first:first + 3]] for first in range(0, len(corners), 3))
     check_equal("scale from mm to metres", [0.001] * 3, root["scale"])
     check_true("volume of the ball", abs(volume / ball["volume"] - 1.0) < 0.01, str(volume))
     x, y, z, w = root["rotation"]

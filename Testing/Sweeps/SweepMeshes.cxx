@@ -62,7 +62,7 @@ void Add(const smtest::MeshMeasures& from, double deflection, smtest::MeshMeasur
 }
 
 Totals All;
-/// Of the coordinates and triangles of all meshes: a change that must not move one is shown not to.
+/// A hash of the coordinates and triangles of all meshes: a change that must not move one is shown not to.
 std::uint64_t Bits = 14695981039346656037u;
 
 void AddBits(const void* data, std::size_t size)
