@@ -1,8 +1,7 @@
 // solidmoments: mass properties of STEP files, integrated on the GPU.
 
 #include "smArguments.h"
-#include "smInputFile.h"
-#include "smIsolatedJob.h"
+#include "smJobQueue.h"
 #include "smOutputFiles.h"
 #include "smReport.h"
 #include "smReportFiles.h"
@@ -143,41 +142,9 @@ void ReportFailure(const std::string& message, sm::Json& file, int& exitStatus)
   exitStatus = Combine(exitStatus, sm::Complain(message));
 }
 
-/// The messages with the name that the user gave in place of that of a copy.
-void RestoreName(const sm::JobOptions& job, sm::Json& file)
+/// The entry of a finished file, with what is missing of the outputs that were asked for.
+sm::Json TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& exitStatus)
 {
-  for (sm::Json& message : file["messages"])
-  {
-    std::string text = message.get<std::string>();
-    for (size_t at = text.find(job.SourceName); at != std::string::npos;
-         at = text.find(job.SourceName, at + job.FileName.size()))
-    {
-      text.replace(at, job.SourceName.size(), job.FileName);
-    }
-    message = text;
-  }
-}
-
-/// Computes one file; its entry is null when the run was interrupted before there was one.
-sm::Json RunFile(sm::JobOptions job, const std::string& head, ProgressLine& progress, int& exitStatus)
-{
-  const sm::InputFile input(job.FileName);
-  if (!input.GetError().empty())
-  {
-    return sm::UnreadableFile(job.FileName, job.FileName + " cannot be read: " + input.GetError());
-  }
-  job.SourceName = input.GetPath();
-  sm::JobOutcome outcome = sm::RunIsolatedJob(
-    job, [&](const std::string& stage, double fraction) { progress.Show(head, stage, fraction); });
-  progress.Clear();
-  if (outcome.File.is_null())
-  {
-    return outcome.File;
-  }
-  if (job.SourceName != job.FileName)
-  {
-    RestoreName(job, outcome.File);
-  }
   if (!outcome.TextureError.empty())
   {
     ReportFailure("trim textures are missing: " + outcome.TextureError, outcome.File, exitStatus);
@@ -190,7 +157,24 @@ sm::Json RunFile(sm::JobOptions job, const std::string& head, ProgressLine& prog
   {
     ReportFailure("no picture " + job.PictureName + ": " + outcome.PictureError, outcome.File, exitStatus);
   }
-  return outcome.File;
+  return std::move(outcome.File);
+}
+
+/// The job of each file.
+std::vector<sm::JobOptions> MakeJobs(const sm::Arguments& arguments)
+{
+  const std::vector<std::string> meshes = sm::OutputNames(arguments.Files, arguments.Mesh);
+  const std::vector<std::string> pictures = sm::OutputNames(arguments.Files, arguments.Picture);
+  const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
+  std::vector<sm::JobOptions> jobs(arguments.Files.size(), arguments.Job);
+  for (size_t i = 0; i < jobs.size(); ++i)
+  {
+    jobs[i].FileName = arguments.Files[i];
+    jobs[i].MeshName = meshes[i];
+    jobs[i].PictureName = pictures[i];
+    jobs[i].TexturePrefix = prefixes[i];
+  }
+  return jobs;
 }
 
 /// Errors of writing instead of the end of this process: a file above the limit of the shell (ulimit -f), and, when there are other
@@ -210,28 +194,29 @@ int Run(const sm::Arguments& arguments)
 {
   const bool showTable =
     !arguments.Quiet && arguments.Print.empty() && arguments.Json != "-" && arguments.Csv != "-";
-  const std::vector<std::string> meshes = sm::OutputNames(arguments.Files, arguments.Mesh);
-  const std::vector<std::string> pictures = sm::OutputNames(arguments.Files, arguments.Picture);
-  const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
-  const std::string count = std::to_string(arguments.Files.size());
+  const std::vector<sm::JobOptions> jobs = MakeJobs(arguments);
+  const std::string count = std::to_string(jobs.size());
   ProgressLine progress(!arguments.Quiet);
   sm::ReportFiles reports(arguments);
   int exitStatus = sm::AllOk;
   IgnoreWriteSignals(arguments);
   sm::CatchInterrupt();
-  for (size_t i = 0; i < arguments.Files.size() && !sm::IsInterrupted(); ++i)
-  {
-    sm::JobOptions job = arguments.Job;
-    job.FileName = arguments.Files[i];
-    job.MeshName = meshes[i];
-    job.PictureName = pictures[i];
-    job.TexturePrefix = prefixes[i];
-    const std::string head = "[" + std::to_string(i + 1) + "/" + count + "] " + sm::GetStem(job.FileName);
-    sm::Json file = RunFile(job, head, progress, exitStatus);
-    if (file.is_null())
+  sm::JobQueue queue(jobs, static_cast<size_t>(arguments.JobsAtOnce),
+    [&](size_t i, const std::string& stage, double fraction)
     {
-      break;
+      progress.Show(
+        "[" + std::to_string(i + 1) + "/" + count + "] " + sm::GetStem(jobs[i].FileName), stage, fraction);
+    });
+  for (size_t i = 0; i < jobs.size(); ++i)
+  {
+    sm::JobOutcome outcome = queue.Next();
+    progress.Clear();
+    if (outcome.File.is_null())
+    {
+      // It was interrupted; of those after it some may be finished.
+      continue;
     }
+    sm::Json file = TakeFile(std::move(outcome), jobs[i], exitStatus);
     exitStatus = Combine(exitStatus, Judge(file, arguments));
     const std::string urdfProblem = arguments.Urdf.empty() ? std::string() : sm::FindUrdfProblem(file);
     if (!urdfProblem.empty())
@@ -243,7 +228,8 @@ int Run(const sm::Arguments& arguments)
     {
       std::cout << sm::FormatFields(file, arguments.Print) << std::flush;
     }
-    Print(reports.Add(std::move(file)), showTable, i == 0);
+    const bool isFirst = reports.GetNumberOfFiles() == 0;
+    Print(reports.Add(std::move(file)), showTable, isFirst);
   }
   if ((showTable || !arguments.Print.empty()) && !std::cout)
   {

@@ -55,6 +55,12 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
     "Make the exit status 3 unless every file is this: stable (with --stability),\n"
     "mass (every solid has a density), validation (with --validate: nothing fails)")
     ->check(sm::CheckRequire);
+  app
+    .add_option("--jobs,-j", arguments.JobsAtOnce,
+      "Files to work on at a time (default 1), which share the processors; 0: one\n"
+      "for each processor. The outputs have the order of the files all the same")
+    ->type_name("NUMBER")
+    ->check(CLI::Range(0, 1024));
   app.add_flag("--quiet,-q", arguments.Quiet, "Print no table and no progress, only errors");
 }
 

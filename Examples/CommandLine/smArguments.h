@@ -36,6 +36,7 @@ struct Arguments
   std::vector<std::string> FailOn = { "open", "tolerance-not-met", "suspect", "not-computed", "empty" };
   std::vector<std::string> Require; ///< "stable", "mass": without it the exit status is 3
   JobOptions Job;                   ///< the options that all files share
+  int JobsAtOnce = 1;               ///< files that are worked on at a time
   bool Quiet = false;
 };
 

@@ -26,7 +26,8 @@ struct JobOptions
   std::string MeshName;    ///< file of triangles to write, see WriteMesh(); empty: none
   double Deflection = 0.0; ///< of the triangles, in Unit; 0: the reader's default
   std::string Unit = "mm"; ///< length unit of all results, or "file"
-  std::string Repair = "always"; ///< or "needed": which shapes OpenCASCADE repairs, see vtkSTEPReader::SetRepair
+  std::string Repair =
+    "always"; ///< or "needed": which shapes OpenCASCADE repairs, see vtkSTEPReader::SetRepair
   std::string Backend = "auto";
   double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
   /// Tolerances of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see vtkMassPropertiesGPU.
@@ -37,6 +38,7 @@ struct JobOptions
   /// Heights of waterlines along Up, in the unit of the results; Up is not 0.
   std::vector<double> Waterlines;
   std::array<double, 3> Up = { 0.0, 0.0, 1.0 };
+  int Threads = 0; ///< 0: one for each processor
   double MaximumEvaluations = 2e9;
   double MaximumSeconds = 0.0; ///< for the whole job; 0: no limit
   /// When these are over; RunFileJob() sets it.

@@ -3,6 +3,8 @@
 #include "smFormat.h"
 #include "smIntegralNames.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -50,16 +52,12 @@ void WriteLine(int descriptor, const sm::Json& message)
 
 // --- out of memory -----------------------------------------------------------------------------
 
-/// In memory that the child shares with this process: what it says when it has no memory for more.
-struct Notes
-{
-  volatile std::sig_atomic_t OutOfMemory;
-};
-Notes* SharedNotes = nullptr;
+/// Of a child: in memory that it shares with the process that started it, 1 when it has no memory for more.
+volatile std::sig_atomic_t* OutOfMemory = nullptr;
 
 void OnNoMemory()
 {
-  SharedNotes->OutOfMemory = 1;
+  *OutOfMemory = 1;
   throw std::bad_alloc();
 }
 
@@ -69,7 +67,7 @@ void OnFatalSignal(int number)
   constexpr size_t little = size_t(64) << 20;
   if (mmap(nullptr, little, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) == MAP_FAILED)
   {
-    SharedNotes->OutOfMemory = 1;
+    *OutOfMemory = 1;
   }
   std::signal(number, SIG_DFL);
   raise(number);
@@ -78,7 +76,7 @@ void OnFatalSignal(int number)
 /// Lets the child say that it has no memory for more. Signal handlers only where its memory is limited (ulimit -v).
 void WatchMemory()
 {
-  if (!SharedNotes)
+  if (!OutOfMemory)
   {
     return;
   }
@@ -114,67 +112,14 @@ void WatchMemory()
     dup2(null, STDOUT_FILENO);
     close(null);
   }
+  if (options.Threads > 0)
+  {
+    vtkSMPTools::Initialize(options.Threads);
+  }
   sm::RunFileJob(options, [descriptor](const sm::Json& message) { WriteLine(descriptor, message); });
   // Without the destructors of static objects in third-party libraries, which could only fail.
   _exit(0);
 }
-
-/// Collects the messages of the child.
-struct Listener
-{
-  const sm::ProgressListener& Progress;
-  sm::Json Result;
-  bool IsComplete = false; ///< of the result
-  sm::Json Textures;
-  sm::Json Mesh;
-  sm::Json Picture;
-  std::string Stage = sm::stages::Start;
-  std::string Pending;
-
-  void Take(sm::Json& message)
-  {
-    if (message.contains("progress"))
-    {
-      this->Stage = message["progress"][0].get<std::string>();
-      this->Progress(this->Stage, message["progress"][1].get<double>());
-    }
-    else if (message.contains("result"))
-    {
-      this->Result = std::move(message["result"]);
-      this->IsComplete = message["complete"].get<bool>();
-    }
-    else if (message.contains("textures"))
-    {
-      this->Textures = message["textures"];
-    }
-    else if (message.contains("mesh"))
-    {
-      this->Mesh = message["mesh"];
-    }
-    else if (message.contains("picture"))
-    {
-      this->Picture = message["picture"];
-    }
-  }
-
-  void Append(const char* bytes, size_t count)
-  {
-    this->Pending.append(bytes, count);
-    size_t begin = 0;
-    for (size_t end = this->Pending.find('\n'); end != std::string::npos;
-         end = this->Pending.find('\n', begin))
-    {
-      sm::Json message = sm::Json::parse(this->Pending.begin() + static_cast<long>(begin),
-        this->Pending.begin() + static_cast<long>(end), nullptr, false);
-      if (message.is_object())
-      {
-        this->Take(message);
-      }
-      begin = end + 1;
-    }
-    this->Pending.erase(0, begin);
-  }
-};
 
 using Clock = std::chrono::steady_clock;
 
@@ -187,38 +132,6 @@ Clock::time_point GetDeadline(const sm::JobOptions& options)
   }
   const double seconds = options.MaximumSeconds + std::max(2.0, 0.25 * options.MaximumSeconds);
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-}
-
-/// Listens until the child closes the pipe. Returns true when it took too long and was killed; what it had sent is taken all the same.
-bool Listen(int descriptor, pid_t child, Clock::time_point deadline, Listener& listener)
-{
-  char buffer[65536];
-  bool isKilled = false;
-  bool isTimeOver = false;
-  for (;;)
-  {
-    // A signal that comes just before poll() is seen a second later.
-    struct pollfd waiting = { descriptor, POLLIN, 0 };
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    const int ready =
-      poll(&waiting, 1, isKilled ? -1 : static_cast<int>(std::clamp<long long>(left, 0, 1000)));
-    if (!isKilled && (Interrupted || Clock::now() >= deadline))
-    {
-      kill(child, SIGKILL);
-      isKilled = true;
-      isTimeOver = !Interrupted;
-      continue;
-    }
-    if (ready > 0)
-    {
-      const ssize_t count = read(descriptor, buffer, sizeof(buffer));
-      if (count == 0 || (count < 0 && errno != EINTR))
-      {
-        return isTimeOver;
-      }
-      listener.Append(buffer, count > 0 ? static_cast<size_t>(count) : 0);
-    }
-  }
 }
 
 bool IsOverProcessorLimit(int status)
@@ -252,53 +165,15 @@ std::string DescribeEnd(int status, bool isTimeOver, bool isOutOfMemory, const s
   return !end.empty() && isOutOfMemory ? "ran out of memory and " + end : end;
 }
 
-/// A child process and the pipe that its messages come through.
-struct Child
-{
-  pid_t Process = -1;
-  int Pipe = -1;
-  std::string Error; ///< why there is no child; empty: there is one
-};
-
-Child StartChild(const sm::JobOptions& options)
-{
-  struct stat info = {};
-  if (stat(options.FileName.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
-  {
-    // Reading a pipe or a device may never end.
-    return { -1, -1, "Cannot read " + options.FileName + ": not a regular file." };
-  }
-  int ends[2];
-  if (pipe(ends) != 0)
-  {
-    return { -1, -1, std::string("no pipe to a child process: ") + std::strerror(errno) };
-  }
-  const pid_t parent = getpid();
-  const pid_t process = fork();
-  if (process == 0)
-  {
-    close(ends[0]);
-    RunChild(options, ends[1], parent);
-  }
-  const int error = errno;
-  close(ends[1]);
-  if (process < 0)
-  {
-    close(ends[0]);
-    return { -1, -1, std::string("no child process: ") + std::strerror(error) };
-  }
-  return { process, ends[0], {} };
-}
-
 /// Adds to the results that a child sent before it failed why there are no more; `isExplained` is true when `end` is the whole reason.
-void AddFailure(const sm::JobOptions& options, const Listener& listener, const std::string& end,
+void AddFailure(const sm::JobOptions& options, const std::string& stage, const std::string& end,
   bool isExplained, sm::Json& file)
 {
   std::string reason = "the process that worked on this file " +
-    (end.empty() ? "ended without a result" : end) + " in stage \"" + listener.Stage + "\"";
+    (end.empty() ? "ended without a result" : end) + " in stage \"" + stage + "\"";
   if (file.is_null())
   {
-    const bool isReading = listener.Stage == sm::stages::Read;
+    const bool isReading = stage == sm::stages::Read;
     file = sm::UnreadableFile(options.FileName,
       reason + (isReading && !isExplained ? "; the file is malformed or the CAD kernel cannot read it" : ""));
     file["status"] = isExplained ? names::StatusNotComputed : names::StatusUnreadable;
@@ -312,93 +187,218 @@ void AddFailure(const sm::JobOptions& options, const Listener& listener, const s
   sm::MarkIncomplete(file, reason + (isComputed ? "; what was computed before is kept" : ""));
 }
 
-/// Makes the notes that a child shares, or clears those of the child before.
-void ResetNotes()
-{
-  if (!SharedNotes)
-  {
-    void* shared = mmap(nullptr, sizeof(Notes), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    SharedNotes = shared != MAP_FAILED ? static_cast<Notes*>(shared) : nullptr;
-  }
-  if (SharedNotes)
-  {
-    SharedNotes->OutOfMemory = 0;
-  }
-}
-
 /// Adds the reasons why pictures and meshes are missing that were asked for. `end` is that of DescribeEnd().
 void FindOutputErrors(
-  const sm::JobOptions& options, const Listener& listener, const std::string& end, sm::JobOutcome& outcome)
+  const sm::JobOptions& options, const sm::JobMessages& said, const std::string& end, sm::JobOutcome& outcome)
 {
   // The status already tells why an unreadable or empty file has no pictures.
   const sm::Json& status = outcome.File["status"];
   if (!options.TexturePrefix.empty() && status != "unreadable")
   {
-    outcome.TextureError = listener.Textures.is_string() ? listener.Textures.get<std::string>()
-                                                         : "the process ended before they were written";
+    outcome.TextureError = said.Textures.is_string() ? said.Textures.get<std::string>()
+                                                     : "the process ended before they were written";
   }
   const bool isRead = status != "unreadable" && status != "empty";
-  const auto explain = [&end](const sm::Json& said, const std::string& process)
+  const auto explain = [&end](const sm::Json& reason, const std::string& process)
   {
-    return said.is_string() ? said.get<std::string>()
-      : end.empty()         ? process + " ended without one"
-                            : process + " " + end;
+    return reason.is_string() ? reason.get<std::string>()
+      : end.empty()           ? process + " ended without one"
+                              : process + " " + end;
   };
   if (!options.MeshName.empty() && isRead)
   {
-    outcome.MeshError = explain(listener.Mesh, "the process that made it");
+    outcome.MeshError = explain(said.Mesh, "the process that made it");
   }
   if (!options.PictureName.empty() && isRead)
   {
-    outcome.PictureError = explain(listener.Picture, "the process that drew it");
+    outcome.PictureError = explain(said.Picture, "the process that drew it");
   }
 }
 }
 
 namespace sm
 {
-JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& progress)
+void JobMessages::Take(Json& message, const ProgressListener& progress)
 {
-  const Clock::time_point deadline = GetDeadline(options);
-  ResetNotes();
-  const Child child = StartChild(options);
-  if (!child.Error.empty())
+  if (message.contains("progress"))
   {
-    return { UnreadableFile(options.FileName, child.Error), {}, {}, {} };
+    this->Stage = message["progress"][0].get<std::string>();
+    progress(this->Stage, message["progress"][1].get<double>());
   }
-  Listener listener{ progress, nullptr, false, nullptr, nullptr, nullptr, stages::Start, {} };
-  const bool isTimeOver = Listen(child.Pipe, child.Process, deadline, listener);
-  close(child.Pipe);
-  int status = 0;
-  while (waitpid(child.Process, &status, 0) < 0 && errno == EINTR)
+  else if (message.contains("result"))
   {
+    this->Result = std::move(message["result"]);
+    this->IsComplete = message["complete"].get<bool>();
   }
+  else if (message.contains("textures"))
+  {
+    this->Textures = message["textures"];
+  }
+  else if (message.contains("mesh"))
+  {
+    this->Mesh = message["mesh"];
+  }
+  else if (message.contains("picture"))
+  {
+    this->Picture = message["picture"];
+  }
+}
 
+IsolatedJob::IsolatedJob(const JobOptions& options, ProgressListener progress)
+  : Options(options)
+  , Progress(std::move(progress))
+  , Deadline(GetDeadline(options))
+{
+  this->Said.Stage = stages::Start;
+  struct stat info = {};
+  if (stat(options.FileName.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+  {
+    // Reading a pipe or a device may never end.
+    this->Error = "Cannot read " + options.FileName + ": not a regular file.";
+    return;
+  }
+  void* shared =
+    mmap(nullptr, sizeof(*this->OutOfMemory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  this->OutOfMemory = shared != MAP_FAILED ? static_cast<volatile std::sig_atomic_t*>(shared) : nullptr;
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0)
+  {
+    this->Error = std::string("no pipe to a child process: ") + std::strerror(errno);
+    return;
+  }
+  const pid_t parent = getpid();
+  this->Process = fork();
+  if (this->Process == 0)
+  {
+    close(ends[0]);
+    ::OutOfMemory = this->OutOfMemory;
+    RunChild(options, ends[1], parent);
+  }
+  const int error = errno;
+  close(ends[1]);
+  this->Pipe = ends[0];
+  if (this->Process < 0)
+  {
+    this->Error = std::string("no child process: ") + std::strerror(error);
+    close(this->Pipe);
+    this->Pipe = -1;
+  }
+}
+
+IsolatedJob::~IsolatedJob()
+{
+  if (this->IsRunning())
+  {
+    kill(this->Process, SIGKILL);
+    this->End();
+  }
+  if (this->OutOfMemory)
+  {
+    munmap(const_cast<std::sig_atomic_t*>(this->OutOfMemory), sizeof(*this->OutOfMemory));
+  }
+}
+
+void IsolatedJob::End()
+{
+  close(this->Pipe);
+  this->Pipe = -1;
+  while (waitpid(this->Process, &this->ExitStatus, 0) < 0 && errno == EINTR)
+  {
+  }
+}
+
+void IsolatedJob::Append(const char* bytes, std::size_t count)
+{
+  this->Pending.append(bytes, count);
+  std::size_t begin = 0;
+  for (std::size_t end = this->Pending.find('\n'); end != std::string::npos;
+       end = this->Pending.find('\n', begin))
+  {
+    Json message = Json::parse(this->Pending.begin() + static_cast<long>(begin),
+      this->Pending.begin() + static_cast<long>(end), nullptr, false);
+    if (message.is_object())
+    {
+      this->Said.Take(message, this->Progress);
+    }
+    begin = end + 1;
+  }
+  this->Pending.erase(0, begin);
+}
+
+void IsolatedJob::Wait(const std::vector<IsolatedJob*>& jobs)
+{
+  // A signal that comes just before poll() is seen a second later.
+  constexpr long long longest = 1000;
+  long long left = longest;
+  std::vector<struct pollfd> waiting;
+  for (IsolatedJob* job : jobs)
+  {
+    if (!job->IsKilled && (Interrupted || Clock::now() >= job->Deadline))
+    {
+      kill(job->Process, SIGKILL);
+      job->IsKilled = true;
+      job->IsTimeOver = !Interrupted;
+    }
+    const auto rest =
+      std::chrono::duration_cast<std::chrono::milliseconds>(job->Deadline - Clock::now()).count();
+    left = job->IsKilled ? left : std::clamp<long long>(rest, 0, left);
+    waiting.push_back({ job->Pipe, POLLIN, 0 });
+  }
+  if (poll(waiting.data(), waiting.size(), static_cast<int>(left)) <= 0)
+  {
+    return;
+  }
+  char buffer[65536];
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+  {
+    if (waiting[i].revents == 0)
+    {
+      continue;
+    }
+    const ssize_t count = read(jobs[i]->Pipe, buffer, sizeof(buffer));
+    if (count > 0)
+    {
+      jobs[i]->Append(buffer, static_cast<std::size_t>(count));
+    }
+    else if (count == 0 || errno != EINTR)
+    {
+      jobs[i]->End();
+    }
+  }
+}
+
+JobOutcome IsolatedJob::GetOutcome()
+{
   JobOutcome outcome;
-  outcome.File = std::move(listener.Result);
+  if (!this->Error.empty())
+  {
+    outcome.File = UnreadableFile(this->Options.FileName, this->Error);
+    return outcome;
+  }
+  outcome.File = std::move(this->Said.Result);
   if (outcome.File.is_object())
   {
     // The pipe carries UTF-8 only; the table and the CSV show the name with its own bytes.
-    outcome.File["file"] = options.FileName;
+    outcome.File["file"] = this->Options.FileName;
   }
   if (Interrupted)
   {
     // Results that are not complete are those of no finished file.
-    return listener.IsComplete ? outcome : JobOutcome();
+    return this->Said.IsComplete ? outcome : JobOutcome();
   }
-  const bool isOutOfMemory = SharedNotes && SharedNotes->OutOfMemory;
-  const std::string end = DescribeEnd(status, isTimeOver, isOutOfMemory, options);
-  if (!listener.IsComplete)
+  const bool isOutOfMemory = this->OutOfMemory && *this->OutOfMemory;
+  const std::string end = DescribeEnd(this->ExitStatus, this->IsTimeOver, isOutOfMemory, this->Options);
+  if (!this->Said.IsComplete)
   {
-    AddFailure(
-      options, listener, end, isTimeOver || isOutOfMemory || IsOverProcessorLimit(status), outcome.File);
+    AddFailure(this->Options, this->Said.Stage, end,
+      this->IsTimeOver || isOutOfMemory || IsOverProcessorLimit(this->ExitStatus), outcome.File);
   }
-  else if (!end.empty() && !isTimeOver)
+  else if (!end.empty() && !this->IsTimeOver)
   {
     outcome.File["messages"].push_back("the process that worked on this file " + end + " in stage \"" +
-      listener.Stage + "\", after it had sent the result");
+      this->Said.Stage + "\", after it had sent the result");
   }
-  FindOutputErrors(options, listener, end, outcome);
+  FindOutputErrors(this->Options, this->Said, end, outcome);
   return outcome;
 }
 

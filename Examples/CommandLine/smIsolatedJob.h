@@ -1,14 +1,21 @@
 /**
  * @file smIsolatedJob.h
- * @brief Runs the job of one file in a child process, so that a crash of the CAD kernel ends that file's job only
+ * @brief Runs the jobs of files in child processes, so that a crash of the CAD kernel ends that file's job only
  *
- * The child is forked while this process has neither threads nor an OpenGL context; results come back as lines of
+ * Children are forked while this process has neither threads nor an OpenGL context; results come back as lines of
  * JSON through a pipe. Signal handlers are installed in the child only where its memory is limited (ulimit -v), to say that it ran out.
  */
 #ifndef smIsolatedJob_h
 #define smIsolatedJob_h
 
 #include "smFileJob.h"
+
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <string>
+#include <sys/types.h>
+#include <vector>
 
 namespace sm
 {
@@ -23,9 +30,55 @@ struct JobOutcome
 
 using ProgressListener = std::function<void(const std::string& stage, double fraction)>;
 
-/// Runs the job in a child and waits for it; a child that takes longer than MaximumSeconds and a quarter, at least 2 seconds, more is
-/// killed. Call from a process with one thread.
-JobOutcome RunIsolatedJob(const JobOptions& options, const ProgressListener& progress);
+/// What a child has sent.
+struct JobMessages
+{
+  Json Result;
+  bool IsComplete = false; ///< of the result
+  Json Textures;
+  Json Mesh;
+  Json Picture;
+  std::string Stage;
+
+  void Take(Json& message, const ProgressListener& progress);
+};
+
+/// The job of one file in a child process. A child that takes longer than MaximumSeconds and a quarter, at least 2 seconds, more is
+/// killed.
+class IsolatedJob
+{
+public:
+  /// Starts the child. Call from a process with one thread.
+  IsolatedJob(const JobOptions& options, ProgressListener progress);
+  /// Kills the child if it still runs.
+  ~IsolatedJob();
+  IsolatedJob(const IsolatedJob&) = delete;
+  IsolatedJob& operator=(const IsolatedJob&) = delete;
+
+  bool IsRunning() const { return this->Pipe >= 0; }
+  /// Waits, a second at most, for one of the jobs, which all run, to say something or end, and kills those whose time is over, or all
+  /// after an interrupt.
+  static void Wait(const std::vector<IsolatedJob*>& jobs);
+  /// The outcome of a job that has ended, once.
+  JobOutcome GetOutcome();
+
+private:
+  void Append(const char* bytes, std::size_t count);
+  void End();
+
+  JobOptions Options;
+  ProgressListener Progress;
+  std::chrono::steady_clock::time_point Deadline;
+  JobMessages Said;
+  std::string Pending;
+  std::string Error; ///< why there is no child; empty: there is one
+  pid_t Process = -1;
+  int Pipe = -1; ///< of its messages; -1: it has ended
+  int ExitStatus = 0;
+  bool IsKilled = false;
+  bool IsTimeOver = false;
+  volatile std::sig_atomic_t* OutOfMemory = nullptr; ///< shared with the child, which sets it
+};
 
 /// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set IsInterrupted(), instead of ending this process at once.
 void CatchInterrupt();

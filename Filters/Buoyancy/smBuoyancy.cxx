@@ -1,6 +1,6 @@
 #include "smBuoyancy.h"
+#include "smChainExtent.h"
 #include "smParallelFor.h"
-#include "smPlacementError.h"
 #include "smSubmergedStrips.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
@@ -17,8 +17,6 @@ namespace sm
 namespace
 {
 using Point3 = std::array<double, 3>;
-using Wide = long double;
-using Wide3 = std::array<Wide, 3>;
 
 // Shares of a face's tolerance for cutting and for the quadrature. Rotating first moments to the world's axes multiplies their
 // bounds by at most sqrt(3), and a face may be twice as far from the frame's origin as the radius.
@@ -28,111 +26,6 @@ constexpr std::size_t Quantities = 4;
 // Share of the progress for cutting all faces, and faces cut at the waterline between two reports of progress.
 constexpr double CutProgress = 0.5;
 constexpr std::size_t CutsPerReport = 64;
-
-/// Returns the radius of a ball about `center` that contains a cut face.
-double GetReach(const FacePanels& panels, const Point3& center)
-{
-  double reach = 0.0;
-  const auto add = [&](const double* p, double radius)
-  { reach = std::max(reach, std::hypot(p[0] - center[0], p[1] - center[1], p[2] - center[2]) + radius); };
-  for (const Patch& patch : panels.Patches)
-  {
-    add(patch.Center, patch.Radius);
-  }
-  for (const Ribbon& ribbon : panels.Ribbons)
-  {
-    for (int i = 0; i <= ribbon.EdgeDegree; ++i)
-    {
-      add(panels.Coefficients.data() + ribbon.Edge + 3 * i, 0.0);
-    }
-  }
-  for (const Cap& cap : panels.Caps)
-  {
-    add(cap.Apex.data(), 0.0);
-    add(cap.From.data(), 0.0);
-    add(cap.To.data(), 0.0);
-  }
-  return reach;
-}
-
-/// Returns an upper bound of the area of the closed chain of a face: of its patches, ribbons and caps.
-double GetLargestArea(const FacePanels& panels, double stripArea)
-{
-  double area = stripArea;
-  for (const Patch& patch : panels.Patches)
-  {
-    area += patch.Stretch[0] * patch.Stretch[1];
-  }
-  return area;
-}
-
-/// Range of heights above the plane.
-struct HeightSpan
-{
-  double Low = std::numeric_limits<double>::infinity();
-  double High = -std::numeric_limits<double>::infinity();
-
-  void Add(double height)
-  {
-    this->Low = std::min(this->Low, height);
-    this->High = std::max(this->High, height);
-  }
-  /// Returns 1 or -1 if all heights are above or below the plane by more than the distance, else 0.
-  int GetSide(double distance) const { return this->Low > distance ? 1 : this->High < -distance ? -1 : 0; }
-};
-
-/// Returns the side of the plane on which a patch is, see HeightSpan.
-int FindSide(const FacePanels& panels, const Patch& patch, const HeightPlane& plane, double distance)
-{
-  const double middle = plane.GetHeight({ patch.Center[0], patch.Center[1], patch.Center[2] });
-  if (std::abs(middle) > 2.0 * patch.Radius + distance)
-  {
-    return middle > 0.0 ? 1 : -1;
-  }
-  HeightSpan span;
-  for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
-  {
-    const std::array<double, 4>& p = panels.Points[patch.FirstPoint + i];
-    span.Add(middle + (plane.Up[0] * p[0] + plane.Up[1] * p[1] + plane.Up[2] * p[2]) / p[3]);
-  }
-  return span.GetSide(distance);
-}
-
-/// Returns false if all of the chain of a face is further from the plane than the distance.
-bool MayTouch(const FacePanels& panels, const HeightPlane& plane, double distance)
-{
-  std::vector<int> sides;
-  for (const Patch& patch : panels.Patches)
-  {
-    sides.push_back(FindSide(panels, patch, plane, distance));
-    if (sides.back() == 0)
-    {
-      return true;
-    }
-  }
-  for (const Ribbon& ribbon : panels.Ribbons)
-  {
-    HeightSpan span;
-    for (int i = 0; i <= ribbon.EdgeDegree; ++i)
-    {
-      const double* p = panels.Coefficients.data() + ribbon.Edge + 3 * i;
-      span.Add(plane.GetHeight({ p[0], p[1], p[2] }));
-    }
-    if (span.GetSide(distance) != sides[ribbon.Patch])
-    {
-      return true;
-    }
-  }
-  return std::any_of(panels.Caps.begin(), panels.Caps.end(),
-    [&](const Cap& cap)
-    {
-      HeightSpan span;
-      span.Add(plane.GetHeight(cap.Apex));
-      span.Add(plane.GetHeight(cap.From));
-      span.Add(plane.GetHeight(cap.To));
-      return span.GetSide(distance) == 0;
-    });
-}
 
 /// Transforms the values or bounds of one kind of a face's results to moments about the world's origin, along its axes.
 void ToWorld(const Point3& origin, const std::array<Point3, 3>& axes, std::vector<double>& values, bool bound)
@@ -210,84 +103,6 @@ Point3 DisplacedMoments::GetCenter(double& bound) const
   return center;
 }
 
-BuoyancyIntegrator::Frame BuoyancyIntegrator::MakeFrame(const BodyIntegrals& body, const Waterline& waterline)
-{
-  const Wide3 up = Normalized(Wide3{ waterline.Up[0], waterline.Up[1], waterline.Up[2] });
-  const int least = static_cast<int>(
-    std::min_element(up.begin(), up.end(), [](Wide a, Wide b) { return std::abs(a) < std::abs(b); }) -
-    up.begin());
-  Wide3 axis{};
-  axis[least] = 1.0L;
-  const Wide3 x = Normalized(Cross(axis, up));
-  const std::array<Wide3, 3> axes = { x, Cross(up, x), up };
-
-  const std::array<double, 6> box = GetBox(*body.Model);
-  const double* modelOrigin = body.Model->GetOrigin();
-  const double* m = body.Placement.data();
-  Frame frame;
-  // Model origin and middle of the model's box, relative to the waterline's point.
-  Wide3 toModel;
-  Wide3 toMiddle;
-  double distance = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    toModel[i] = static_cast<Wide>(m[4 * i + 3]) - waterline.Point[i];
-    Wide local = 0.0L;
-    for (int j = 0; j < 3; ++j)
-    {
-      toModel[i] += static_cast<Wide>(m[4 * i + j]) * modelOrigin[j];
-      local += static_cast<Wide>(m[4 * i + j]) * 0.5L * (static_cast<Wide>(box[2 * j]) + box[2 * j + 1]);
-      distance += std::abs(m[4 * i + j] * modelOrigin[j]);
-    }
-    toMiddle[i] = toModel[i] + local;
-    frame.LocalMiddle[i] = 0.5 * (box[2 * i] + box[2 * i + 1]);
-    frame.Middle[i] = static_cast<double>(toMiddle[i] + waterline.Point[i]);
-    distance += std::abs(m[4 * i + 3]) + std::abs(waterline.Point[i]);
-  }
-  frame.Plane.Offset = Dot(up, toModel);
-  const double radius = GetRadius(*body.Model);
-  frame.PlacementBound = PlacementError::Make(body).Moved;
-  frame.PlaneBound = 16.0 * WideRoundoff * distance + frame.PlacementBound;
-  const std::array<Wide, 3> middle = { Dot(axes[0], toMiddle), Dot(axes[1], toMiddle),
-    Dot(axes[2], toMiddle) };
-  for (int k = 0; k < 3; ++k)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      Wide entry = 0.0L;
-      for (int i = 0; i < 3; ++i)
-      {
-        entry += axes[k][i] * m[4 * i + j];
-      }
-      frame.Placement[4 * k + j] = static_cast<double>(entry);
-      frame.Axes[k][j] = static_cast<double>(axes[k][j]);
-    }
-    // The frame's origin is near the body in the two directions across `up`, and in the plane along `up`.
-    frame.Placement[4 * k + 3] = static_cast<double>(Dot(axes[k], toModel) - (k < 2 ? middle[k] : 0.0L));
-  }
-  frame.Plane.Up = { frame.Placement[8], frame.Placement[9], frame.Placement[10] };
-  for (int i = 0; i < 3; ++i)
-  {
-    frame.Origin[i] =
-      static_cast<double>(waterline.Point[i] + middle[0] * axes[0][i] + middle[1] * axes[1][i]);
-  }
-  frame.Reach = radius;
-  return frame;
-}
-
-void BuoyancyIntegrator::MoveToMiddle(Frame& frame)
-{
-  // For a body that is entirely below the waterline any plane of this direction gives the same integrals; a plane through the
-  // body keeps the numbers small.
-  frame.Placement[11] = 0.0;
-  for (int c = 0; c < 3; ++c)
-  {
-    frame.Placement[11] -= frame.Plane.Up[c] * frame.LocalMiddle[c];
-  }
-  frame.Origin = frame.Middle;
-  frame.PlaneBound = frame.PlacementBound;
-}
-
 bool BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane,
   double tolerance, const ProgressCallback& progress, std::vector<SubmergedFace>& below)
 {
@@ -353,8 +168,8 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
     this->CutError = this->WasCutAborted ? "" : this->Cuts.GetError();
     return false;
   }
-  Frame& frame = cut.View;
-  frame = MakeFrame(body, waterline);
+  WaterlineFrame& frame = cut.View;
+  frame = WaterlineFrame::Make(body, waterline);
   if (!this->CutFaces(cut.Faces, frame.Plane, CutShare * tolerance, secondHalf, cut.Below))
   {
     return false;
@@ -383,7 +198,7 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
   }
   if (cut.IsWhole)
   {
-    MoveToMiddle(frame);
+    frame.MoveToMiddle();
   }
   return true;
 }
@@ -391,7 +206,7 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
 void BuoyancyIntegrator::AddTasks(
   CutBody& cut, std::size_t body, double tolerance, std::vector<FaceTask>& tasks, std::vector<Place>& places)
 {
-  Frame& frame = cut.View;
+  WaterlineFrame& frame = cut.View;
   FaceTask task;
   task.Placement = frame.Placement;
   task.Tolerances.assign(Quantities, QuadratureShare * tolerance * frame.Reach);
@@ -431,7 +246,7 @@ void BuoyancyIntegrator::AddTasks(
 
 void BuoyancyIntegrator::SumBody(const CutBody& cut, BodyBuoyancy& result)
 {
-  const Frame& frame = cut.View;
+  const WaterlineFrame& frame = cut.View;
   DisplacedMoments& total = result.Total;
   total.Origin = frame.Origin;
   std::vector<double> sums(Quantities, 0.0);

@@ -19,6 +19,7 @@
 #include "smProgressCallback.h"
 #include "smSubmergedFace.h"
 #include "smSurfaceIntegrator.h"
+#include "smWaterlineFrame.h"
 
 #include <array>
 #include <cstdint>
@@ -27,13 +28,6 @@
 
 namespace sm
 {
-/// Plane of the waterline, by a point of it in world coordinates and its normal out of the water, of any length but 0.
-struct Waterline
-{
-  std::array<double, 3> Point{};
-  std::array<double, 3> Up{};
-};
-
 /// Displaced volume and its first moments about Origin, along the world's axes, with their bounds. Origin is a point near the
 /// body.
 struct SMFILTERSBUOYANCY_EXPORT DisplacedMoments
@@ -88,29 +82,10 @@ public:
   void ReleaseMemory();
 
 private:
-  /// Plane of the waterline and coordinate frame of the integrals, for one body.
-  struct Frame
-  {
-    /// Plane of the waterline in the model's coordinates.
-    HeightPlane Plane;
-    /// Transform from the model's coordinates to coordinates near the body with z = height.
-    std::array<double, 12> Placement{};
-    /// Directions of these x, y and z in the world, and the world position of their origin.
-    std::array<std::array<double, 3>, 3> Axes{};
-    std::array<double, 3> Origin{};
-    /// Middle of the body's box, in the model's coordinates and in the world's.
-    std::array<double, 3> LocalMiddle{};
-    std::array<double, 3> Middle{};
-    /// Bound of the displacement of the body by rounding of its placement, and of the plane by rounding, against the body.
-    double PlacementBound = 0.0;
-    double PlaneBound = 0.0;
-    /// Radius about the frame's origin within which all points of the body lie.
-    double Reach = 0.0;
-  };
   /// Faces of a body and their parts below the waterline.
   struct CutBody
   {
-    Frame View;
+    WaterlineFrame View;
     std::vector<CutFacePointer> Faces;
     std::vector<SubmergedFace> Below;
     /// True if all of the body is below the waterline.
@@ -138,8 +113,6 @@ private:
     }
   };
 
-  static Frame MakeFrame(const BodyIntegrals& body, const Waterline& waterline);
-  static void MoveToMiddle(Frame& frame);
   static void AddTasks(CutBody& cut, std::size_t body, double tolerance, std::vector<FaceTask>& tasks,
     std::vector<Place>& places);
   static void SumBody(const CutBody& cut, BodyBuoyancy& result);

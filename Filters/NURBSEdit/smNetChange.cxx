@@ -1,10 +1,7 @@
 #include "smNetChange.h"
 
-#include "vtkMath.h"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <unordered_map>
 
@@ -14,9 +11,8 @@ namespace
 {
 // Relative to the size of the body: rows nearer than this are one.
 constexpr double RowTolerance = 1e-9;
-// The same for the steps of difference quotients, and the deviation from 1 or 0 that is their rounding.
+// The same for the steps of difference quotients.
 constexpr double SlopeStep = 1e-4;
-constexpr double SlopeNoise = 1e-9;
 
 /// The point moved as a control point was.
 std::array<double, 3> Move(
@@ -72,51 +68,6 @@ void NetChange::SetTemplate(int face, const FacePointer& face_)
   auto copy = std::make_shared<Face>(*face_);
   copy->Surface.ControlPoints = this->Faces[face]->Surface.ControlPoints;
   this->Faces[face] = copy;
-}
-
-void MapSlopes::Add(const PointMap& map, const std::array<double, 3>& point, double step)
-{
-  const std::array<double, 3> to = map(point);
-  double slopes[3][3];
-  for (int k = 0; k < 3; ++k)
-  {
-    std::array<double, 3> beside = point;
-    beside[k] += step;
-    const std::array<double, 3> there = map(beside);
-    for (int c = 0; c < 3; ++c)
-    {
-      const double same = c == k ? 1.0 : 0.0;
-      const double slope = (there[c] - to[c]) / (beside[k] - point[k]);
-      slopes[c][k] = std::abs(slope - same) <= SlopeNoise ? same : slope;
-      this->Entries[c][k] = std::max(this->Entries[c][k], std::abs(slopes[c][k]));
-    }
-  }
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  if (!std::all_of(&slopes[0][0], &slopes[0][0] + 9, [](double slope) { return std::isfinite(slope); }))
-  {
-    std::fill(&this->Entries[0][0], &this->Entries[0][0] + 9, unknown);
-    this->Lengthening = unknown;
-    return;
-  }
-  double u[3][3];
-  double w[3];
-  double vt[3][3];
-  vtkMath::SingularValueDecomposition3x3(slopes, u, w, vt);
-  this->Lengthening = std::max({ this->Lengthening, std::abs(w[0]), std::abs(w[1]), std::abs(w[2]) });
-}
-
-std::array<double, 3> MapSlopes::Apply(const std::array<double, 3>& bounds) const
-{
-  std::array<double, 3> result{};
-  for (int c = 0; c < 3; ++c)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      // An exact component stays exact, whatever the derivative.
-      result[c] += bounds[k] > 0.0 ? this->Entries[c][k] * bounds[k] : 0.0;
-    }
-  }
-  return result;
 }
 
 void NetChange::RaiseErrors(int face, const MapSlopes& slopes)

@@ -6,6 +6,7 @@
 #define smNetChange_h
 
 #include "smBoundaryRows.h"
+#include "smMapSlopes.h"
 #include "smModelEdit.h"
 
 #include <array>
@@ -20,18 +21,6 @@ namespace sm
 {
 /// The diagonal of the model's LocalBounds, or of its control points where there are none.
 double GetBodySize(vtkTrimmedNURBSModel* model);
-
-/// Derivatives of a map, by differences over a length `step`: the largest of their sizes at the points, entry by entry, and the largest
-/// factor by which it lengthens a vector. A map that only translates has exactly 1 and 0.
-struct MapSlopes
-{
-  std::array<std::array<double, 3>, 3> Entries{};
-  double Lengthening = 0.0;
-
-  void Add(const PointMap& map, const std::array<double, 3>& point, double step);
-  /// Bound of what becomes of a vector whose components have these bounds.
-  std::array<double, 3> Apply(const std::array<double, 3>& bounds) const;
-};
 
 /// Collects new control points of faces, and then moves the neighbours' boundary rows, the edges and the vertices that belong to
 /// them.

@@ -41,6 +41,16 @@ def run(*arguments, prepare=None, **more):
                           check=False, preexec_fn=prepare, **more)
 
 
+def children_of(process):
+    with open(f"/proc/{process.pid}/task/{process.pid}/children", encoding="ascii") as file:
+        return [int(child) for child in file.read().split()]
+
+
+def child_of(process):
+    children = children_of(process)
+    return children[0] if children else None
+
+
 def read_json(path):
     with open(path, encoding="utf-8") as file:
         return json.load(file)["files"]
@@ -166,7 +176,40 @@ def check_streams():
     check_equal("with the permissions it had", 0o640, os.stat(path).st_mode & 0o777)
 
 
+def check_several_at_a_time():
+    """--jobs: the outputs of one at a time, in the same order, whatever ends first; what is finished behind a job that is interrupted."""
+    folder = make_folder("jobs")
+    good = [options.sample, GOOD, manifest.special("assembly")["path"], os.path.join(folder, "missing.step"), GOOD]
+    texts = []
+    for jobs in ("1", "3", "0"):
+        table = os.path.join(folder, f"out-{jobs}.csv")
+        done = run("-j", jobs, "--backend", "cpu", "--csv", table, "--fields", "file,row,name,status,volume,volume_bound,center_x",
+                   "--print", "volume,volume_bound", *good)
+        check_equal(f"{jobs} at a time: exit status", 2, done.returncode)
+        with open(table, encoding="utf-8", newline="") as file:
+            texts.append(done.stdout + file.read())
+    check_true("the same output for every number of jobs", texts[0] == texts[1] == texts[2] and texts[0].count("\n") > 8, texts[0][:300])
+
+    target = os.path.join(folder, "out.json")
+    with subprocess.Popen([options.program, "-q", "--jobs", "2", "--json", target, "--backend", "cpu", options.sample, GOOD, GOOD, GOOD],
+                          stderr=subprocess.PIPE, encoding="utf-8") as process:
+        while not child_of(process):
+            pass
+        os.kill(child_of(process), signal.SIGSTOP)
+        # The others pass it: at last it is the only child.
+        others = set()
+        while len(others) < 4 or len(children_of(process)) > 1:
+            others.update(children_of(process))
+        process.send_signal(signal.SIGTERM)
+        complaint = process.communicate(timeout=100)[1]
+    check_equal("interrupted: ended by", -signal.SIGTERM, process.returncode)
+    check_equal("interrupted: files that were finished", [GOOD] * 3, [entry["file"] for entry in read_json(target)])
+    check_true("interrupted: how many", "3 of 4 files" in complaint, complaint)
+    check_equal("wrong number: exit status", 1, run("-j", "-1", GOOD).returncode)
+
+
 def outputs():
+    check_several_at_a_time()
     for number in (signal.SIGHUP, signal.SIGTERM, signal.SIGINT, signal.SIGKILL):
         for tables in (1, 4):
             check_signal(number, tables)
@@ -178,12 +221,6 @@ def outputs():
 
 
 # --- stages --------------------------------------------------------------------------------------
-
-def child_of(process):
-    with open(f"/proc/{process.pid}/task/{process.pid}/children", encoding="ascii") as file:
-        children = file.read().split()
-    return int(children[0]) if children else None
-
 
 def run_and_kill(stage, number, *arguments):
     """Kills the child when the progress on the terminal names the stage. Returns the exit status and what the terminal showed."""

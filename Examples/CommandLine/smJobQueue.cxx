@@ -1,0 +1,100 @@
+#include "smJobQueue.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+/// The messages with the name that the user gave in place of that of a copy.
+void RestoreName(const JobOptions& job, Json& file)
+{
+  for (Json& message : file["messages"])
+  {
+    std::string text = message.get<std::string>();
+    for (std::size_t at = text.find(job.SourceName); at != std::string::npos;
+         at = text.find(job.SourceName, at + job.FileName.size()))
+    {
+      text.replace(at, job.SourceName.size(), job.FileName);
+    }
+    message = text;
+  }
+}
+}
+
+JobQueue::JobQueue(std::vector<JobOptions> jobs, std::size_t atOnce, Listener progress)
+  : Jobs(std::move(jobs))
+  , Progress(std::move(progress))
+{
+  const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1U);
+  this->AtOnce = atOnce > 0 ? atOnce : processors;
+  if (this->AtOnce > 1)
+  {
+    for (JobOptions& job : this->Jobs)
+    {
+      job.Threads = static_cast<int>(std::max<std::size_t>(processors / this->AtOnce, 1));
+    }
+  }
+}
+
+void JobQueue::StartJobs()
+{
+  const auto isRunning = [](const Entry& entry) { return entry.Job && entry.Job->IsRunning(); };
+  auto running =
+    static_cast<std::size_t>(std::count_if(this->Started.begin(), this->Started.end(), isRunning));
+  for (std::size_t i = this->NextOut + this->Started.size();
+       i < this->Jobs.size() && running < this->AtOnce && !IsInterrupted(); ++i)
+  {
+    JobOptions& job = this->Jobs[i];
+    Entry entry;
+    entry.Input = std::make_unique<InputFile>(job.FileName);
+    if (entry.Input->GetError().empty())
+    {
+      job.SourceName = entry.Input->GetPath();
+      entry.Job = std::make_unique<IsolatedJob>(
+        job, [this, i](const std::string& stage, double fraction) { this->Progress(i, stage, fraction); });
+    }
+    running += isRunning(entry) ? 1 : 0;
+    this->Started.push_back(std::move(entry));
+  }
+}
+
+JobOutcome JobQueue::Next()
+{
+  this->StartJobs();
+  if (this->Started.empty())
+  {
+    return {};
+  }
+  while (this->Started.front().Job && this->Started.front().Job->IsRunning())
+  {
+    std::vector<IsolatedJob*> running;
+    for (const Entry& entry : this->Started)
+    {
+      if (entry.Job && entry.Job->IsRunning())
+      {
+        running.push_back(entry.Job.get());
+      }
+    }
+    IsolatedJob::Wait(running);
+    this->StartJobs();
+  }
+  const Entry entry = std::move(this->Started.front());
+  this->Started.pop_front();
+  const JobOptions& job = this->Jobs[this->NextOut++];
+  if (!entry.Job)
+  {
+    JobOutcome outcome;
+    outcome.File = UnreadableFile(job.FileName, job.FileName + " cannot be read: " + entry.Input->GetError());
+    return outcome;
+  }
+  JobOutcome outcome = entry.Job->GetOutcome();
+  if (!outcome.File.is_null() && job.SourceName != job.FileName)
+  {
+    RestoreName(job, outcome.File);
+  }
+  return outcome;
+}
+}

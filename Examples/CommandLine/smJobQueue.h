@@ -1,0 +1,48 @@
+/**
+ * @file smJobQueue.h
+ * @brief Runs the jobs of several files at a time and hands out their outcomes in the order of the files
+ */
+#ifndef smJobQueue_h
+#define smJobQueue_h
+
+#include "smInputFile.h"
+#include "smIsolatedJob.h"
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sm
+{
+class JobQueue
+{
+public:
+  using Listener = std::function<void(std::size_t job, const std::string& stage, double fraction)>;
+
+  /// `atOnce` is the number of jobs that run at a time, which share the processors; 0: as many as there are processors.
+  JobQueue(std::vector<JobOptions> jobs, std::size_t atOnce, Listener progress);
+
+  /// Waits for the outcome of the next job. Its File is null when it was interrupted before there was one. Jobs after it run on.
+  JobOutcome Next();
+
+private:
+  struct Entry
+  {
+    std::unique_ptr<InputFile> Input;
+    std::unique_ptr<IsolatedJob> Job; ///< null when the input cannot be read
+  };
+
+  void StartJobs();
+
+  std::vector<JobOptions> Jobs;
+  std::size_t AtOnce = 1;
+  Listener Progress;
+  std::deque<Entry> Started; ///< and not handed out
+  std::size_t NextOut = 0;
+};
+}
+
+#endif
