@@ -138,6 +138,11 @@ std::string CheckDensity(const std::string& text)
     : "the density must be a positive number, in kg/m^3, or a material of --list-materials";
 }
 
+std::string CheckShare(const std::string& text)
+{
+  return ParseShare(text) >= 0.0 ? "" : "the tolerance must be relative, from 0 to 1 or 0% to 100%";
+}
+
 std::string CheckFrame(const std::string& text)
 {
   std::vector<double> frame;

@@ -126,9 +126,15 @@ void DeclareMass(CLI::App& app, sm::Arguments& arguments)
       "mass in kg (default: what the file states)")
     ->type_name("NUMBER|NAME")
     ->check(sm::CheckDensity);
+  app
+    .add_option("--density-tolerance", arguments.DensityTolerance,
+      "Largest relative deviation of the densities, 1% or 0.01 (default 0), for what\n"
+      "is in doubt of the mass: the density, the gaps of the model, the bound")
+    ->type_name("NUMBER")
+    ->check(sm::CheckShare);
   sm::AddFileOption(app, "--materials", arguments.Materials,
     "Materials by the names of solids, before --density and the file: CSV with\n"
-    "lines NAME,MATERIAL,DENSITY, or JSON; in NAME, * and ? stand for any letters;\n"
+    "lines NAME,MATERIAL,DENSITY[,TOLERANCE], or JSON; in NAME, * and ? stand for any letters;\n"
     "the first line that fits counts. Without a density: that of --list-materials");
   app.add_flag(
     "--list-materials", arguments.ListMaterials, "Print the common materials with their densities, and end");

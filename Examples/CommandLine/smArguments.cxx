@@ -240,6 +240,7 @@ std::string TakeMass(sm::Arguments& arguments)
     }
   }
   job.PartsList = job.PartsList || !arguments.PartsCsv.empty();
+  job.DensityTolerance = sm::ParseShare(arguments.DensityTolerance);
   const sm::Material material = sm::ParseDensity(arguments.Density);
   if (material.Name.empty())
   {

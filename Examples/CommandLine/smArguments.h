@@ -26,8 +26,9 @@ struct Arguments
   std::string TextureFolder; ///< for trim textures; empty: none
   std::string Up = "0,0,1";  ///< upward normal of the waterlines
   std::string Density;       ///< a number or the name of a common material; empty: what the files state
-  std::string Materials;     ///< file with materials by the names of solids; empty: none
-  std::string About;         ///< see ParseFrame(); empty: none
+  std::string DensityTolerance = "0"; ///< see ParseShare()
+  std::string Materials;              ///< file with materials by the names of solids; empty: none
+  std::string About;                  ///< see ParseFrame(); empty: none
   bool ListMaterials = false;
   std::vector<std::string>
     Print; ///< columns of each file's total to print instead of the table; empty: the table

@@ -50,8 +50,9 @@ struct JobOptions
   int TrimTexture = 4;
   double ChordTolerance = 1e-8;
   std::string Deviation = "bounded";
-  std::string TexturePrefix; ///< "folder/stem": trim textures go to folder/stem-NAME.png; empty: none
-  double Density = 0.0;      ///< kg/m^3; 0: the density in the file
+  std::string TexturePrefix;     ///< "folder/stem": trim textures go to folder/stem-NAME.png; empty: none
+  double Density = 0.0;          ///< kg/m^3; 0: the density in the file
+  double DensityTolerance = 0.0; ///< relative, of densities without one of their own
   /// Materials by the names of solids, before Density; see vtkMassPropertiesBase::AddMaterial.
   std::vector<MaterialRule> Materials;
   /// Name patterns of products (MatchesPattern): only these are computed; none: all.

@@ -55,9 +55,10 @@ std::vector<std::string> SplitLine(const std::string& line)
 
 /// Adds a rule. Returns what is wrong with it; empty if nothing is.
 std::string AddRule(const std::string& pattern, const std::string& material, const std::string& density,
-  std::vector<MaterialRule>& rules)
+  const std::string& tolerance, std::vector<MaterialRule>& rules)
 {
   MaterialRule rule{ pattern, { material, 0.0 } };
+  rule.Material.Tolerance = tolerance.empty() ? -1.0 : ParseShare(tolerance);
   const Material* common = FindCommonMaterial(material);
   rule.Material.Density = !density.empty() ? ParseNumber(density) : common ? common->Density : 0.0;
   if (pattern.empty())
@@ -68,6 +69,10 @@ std::string AddRule(const std::string& pattern, const std::string& material, con
   {
     return density.empty() ? material + " is none of the materials of --list-materials: it needs a density"
                            : density + " is no density; give kg/m^3, for example 7850";
+  }
+  if (!tolerance.empty() && !(rule.Material.Tolerance >= 0.0))
+  {
+    return tolerance + " is no relative tolerance; give 0.01 or 1%, for example";
   }
   rules.push_back(rule);
   return {};
@@ -83,17 +88,17 @@ std::string ReadCsv(const std::string& text, std::vector<MaterialRule>& rules)
     begin = end + 1;
     ++number;
     std::vector<std::string> values = SplitLine(line);
-    if (line.empty() || line[0] == '#' || (values.size() == 3 && LowerCase(values[2]) == "density"))
+    if (line.empty() || line[0] == '#' || (values.size() >= 3 && LowerCase(values[2]) == "density"))
     {
       continue;
     }
     const std::string place = "line " + std::to_string(number) + ": ";
-    if (values.size() < 2 || values.size() > 3)
+    if (values.size() < 2 || values.size() > 4)
     {
-      return place + "write NAME,MATERIAL,DENSITY";
+      return place + "write NAME,MATERIAL,DENSITY or NAME,MATERIAL,DENSITY,TOLERANCE";
     }
-    values.resize(3);
-    const std::string problem = AddRule(values[0], values[1], values[2], rules);
+    values.resize(4);
+    const std::string problem = AddRule(values[0], values[1], values[2], values[3], rules);
     if (!problem.empty())
     {
       return place + problem;
@@ -125,7 +130,8 @@ std::string ReadJson(const std::string& text, std::vector<MaterialRule>& rules)
         : entry[key].is_string() ? entry[key].get<std::string>()
                                  : Dump(entry[key]);
     };
-    const std::string problem = AddRule(get("name"), get("material"), get("density"), rules);
+    const std::string problem =
+      AddRule(get("name"), get("material"), get("density"), get("tolerance"), rules);
     if (!problem.empty())
     {
       return "entry " + std::to_string(i + 1) + ": " + problem;
@@ -147,6 +153,13 @@ std::string ReadMaterialFile(const std::string& name, std::vector<MaterialRule>&
   const bool isJson = first != std::string::npos && (text[first] == '[' || text[first] == '{');
   const std::string problem = isJson ? ReadJson(text, rules) : ReadCsv(text, rules);
   return problem.empty() ? problem : name + ", " + problem;
+}
+
+double ParseShare(const std::string& text)
+{
+  const bool isPercent = !text.empty() && text.back() == '%';
+  const double value = isPercent ? ParseNumber(text.substr(0, text.size() - 1)) / 100.0 : ParseNumber(text);
+  return value >= 0.0 && value <= 1.0 ? value : -1.0;
 }
 
 Material ParseDensity(const std::string& text)

@@ -2,9 +2,10 @@
  * @file smMaterialFile.h
  * @brief Materials by the names of solids, from a small CSV or JSON file
  *
- * CSV: lines "pattern,material,density", the density in kg/m^3; a first line "name,material,density" and lines that begin with # are
- * skipped, a value in quotes may have commas. JSON: a list of objects with the keys "name", "material", "density", or such a list under
- * the key "materials". Without a density the material is one of the common ones. What the file is, its first character says.
+ * CSV: lines "pattern,material,density,tolerance", the density in kg/m^3, its relative tolerance as ParseShare() reads it; a first line
+ * "name,material,density" and lines that begin with # are skipped, a value in quotes may have commas. JSON: a list of objects with the keys
+ * "name", "material", "density", "tolerance", or such a list under the key "materials". Without a density the material is one of the common
+ * ones; without a tolerance that of all densities counts. What the file is, its first character says.
  */
 #ifndef smMaterialFile_h
 #define smMaterialFile_h
@@ -18,6 +19,9 @@ namespace sm
 {
 /// Appends the rules of a file. Returns an error message with the line or the entry that is wrong; empty if all is well.
 std::string ReadMaterialFile(const std::string& name, std::vector<MaterialRule>& rules);
+
+/// Reads "0.01" or "1%", 0 to 1; negative for what is neither.
+double ParseShare(const std::string& text);
 
 /// Reads "7850" or the name of a common material. Returns a density of 0 for what is neither.
 Material ParseDensity(const std::string& text);

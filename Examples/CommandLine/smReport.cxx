@@ -236,6 +236,14 @@ std::string MassRows(const Json& total, const Json& file)
           sm::FormatValue(total["known_mass"], bounds["known_mass"]), "kg", bounds["known_mass"]);
   }
   std::string text = BoundedRow("mass", sm::FormatValue(total["mass"], bounds["mass"]), "kg", bounds["mass"]);
+  const Json& doubt = total["mass_uncertainty"];
+  if (doubt.is_object() && (doubt["density"] != 0.0 || doubt["gaps"] != 0.0))
+  {
+    text += Row("mass in doubt",
+      "density " + ShortBound(doubt["density"]) + ", gaps " + ShortBound(doubt["gaps"]) + ", numerical " +
+        ShortBound(doubt["numerical"]),
+      "kg", doubt["total"]);
+  }
   if (HasMixedDensities(total))
   {
     text += BoundedRow("centre of mass", sm::FormatVector(total["mass_center"], bounds["mass_center"]),

@@ -98,6 +98,10 @@ void AddMassColumns(const Json& row, Columns& columns)
   const Json nothing;
   columns.Add("density", row["density"]);
   columns.Add("material", row["material"]);
+  const Json& doubt = row["mass_uncertainty"];
+  columns.Add("mass_uncertainty", doubt.is_object() ? doubt["total"] : nothing);
+  columns.Add("mass_uncertainty_density", doubt.is_object() ? doubt["density"] : nothing);
+  columns.Add("mass_uncertainty_gaps", doubt.is_object() ? doubt["gaps"] : nothing);
   columns.Add("mass_center", row["mass_center"], xyz);
   columns.Add("mass_center_bound", bounds["mass_center"]);
   columns.AddMatrix("mass_inertia", row["mass_inertia"]);

@@ -165,9 +165,11 @@ void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
 void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options)
 {
   filter->SetDensity(options.Density);
+  filter->SetDensityTolerance(options.DensityTolerance);
   for (const MaterialRule& rule : options.Materials)
   {
-    filter->AddMaterial(rule.Pattern.c_str(), rule.Material.Name.c_str(), rule.Material.Density);
+    filter->AddMaterial(
+      rule.Pattern.c_str(), rule.Material.Name.c_str(), rule.Material.Density, rule.Material.Tolerance);
   }
 }
 

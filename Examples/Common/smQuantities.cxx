@@ -107,6 +107,13 @@ void AddMassQuantities(vtkFieldData* data, vtkIdType row, Json& q)
   const std::string material = GetText(data, row, names::Material);
   q["density"] = GetNumber(data, row, names::Density);
   q["material"] = material.empty() ? Json() : Json(material);
+  const Json shares = GetVector(data, row, names::MassUncertainty, 4);
+  q["mass_uncertainty"] = nullptr;
+  if (shares.is_array())
+  {
+    q["mass_uncertainty"] = { { "total", shares[0] }, { "density", shares[1] }, { "gaps", shares[2] },
+      { "numerical", shares[3] } };
+  }
   q["mass_center"] = GetVector(data, row, names::MassCenter, 3);
   q["mass_inertia"] = GetMatrix(data, row, names::MassInertia);
   q["mass_principal_moments"] = GetVector(data, row, names::MassPrincipalMoments, 3);

@@ -24,6 +24,8 @@ struct MassAnalysisOptions
   MassTolerance Tolerance;
   /// Density of all bodies in kg/m^3; 0: the density that the file of each part states, if any.
   double Density = 0.0;
+  /// Largest relative deviation of the densities of materials that state none.
+  double DensityTolerance = 0.0;
   /// Materials by the names of the bodies. The first rule that a name matches comes before Density.
   std::vector<MaterialRule> Materials;
   /// A frame to give centre of mass and inertia in as well. Valid if it is given.

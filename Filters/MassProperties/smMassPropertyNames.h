@@ -32,8 +32,9 @@ constexpr const char* MassCenter = "MassCenter";   // 3, L, centre of mass weigh
 constexpr const char* MassPrincipalMoments = "MassPrincipalMoments"; // 3 ascending, kg L^2
 constexpr const char* MassPrincipalAxes = "MassPrincipalAxes";       // 9, rows are unit vectors
 constexpr const char* MassRadiiOfGyration = "MassRadiiOfGyration";   // 3, L
-constexpr const char* Density = "Density";                           // 1, kg/m^3
-constexpr const char* Material = "Material";                         // string
+constexpr const char* MassUncertainty = "MassUncertainty"; // 4, kg: in all, by density, gaps, numerical bound
+constexpr const char* Density = "Density";                 // 1, kg/m^3
+constexpr const char* Material = "Material";               // string
 // The total of solids of which only some have a density.
 constexpr const char* KnownMass = "KnownMass";               // 1, kg, of those
 constexpr const char* SolidsWithVolume = "SolidsWithVolume"; // 1 (int)

@@ -81,6 +81,7 @@ const Quantity MassQuantities[] = {
   { names::MassRadiiOfGyration, 3, true, [](Row r) { return r.Weighted.Gyration.data(); },
     [](Row r) { return &r.Weighted.GyrationBound; } },
   { names::Density, 1, false, [](Row r) { return &r.Density; }, nullptr },
+  { names::MassUncertainty, 4, false, [](Row r) { return r.MassUncertainty.data(); }, nullptr },
 };
 
 const Quantity FrameQuantities[] = {
@@ -127,17 +128,20 @@ MassRow::MassRow()
     this->KnownMass = this->KnownMassBound = this->ClosureCorrection = this->GapSquared = this->MaxGap =
       this->GapArea = this->ClosureResidual = std::numeric_limits<double>::quiet_NaN();
   this->MassInertia.fill(this->Mass);
+  this->MassUncertainty.fill(this->Mass);
 }
 
 void MassRow::RemoveBounds()
 {
   MassProperties& p = this->Properties;
   MassProperties& w = this->Weighted;
+  double& numerical = this->MassUncertainty[3];
   for (double* bound : { &p.VolumeBound, &p.CenterBound, &p.FirstBound, &p.SecondBound, &p.InertiaBound,
          &p.InertiaAtOriginBound, &p.PrincipalBound, &p.AxesBound, &p.GyrationBound, &this->AreaBound,
-         &this->MassBound, &this->MassInertiaBound, &this->KnownMassBound, &w.VolumeBound, &w.CenterBound,
-         &w.InertiaBound, &w.PrincipalBound, &w.AxesBound, &w.GyrationBound, &this->InFrame.CenterBound,
-         &this->InFrame.InertiaBound, &this->WeightedInFrame.CenterBound, &this->WeightedInFrame.InertiaBound,
+         &this->MassBound, &numerical, &this->MassUncertainty[0], &this->MassInertiaBound,
+         &this->KnownMassBound, &w.VolumeBound, &w.CenterBound, &w.InertiaBound, &w.PrincipalBound,
+         &w.AxesBound, &w.GyrationBound, &this->InFrame.CenterBound, &this->InFrame.InertiaBound,
+         &this->WeightedInFrame.CenterBound, &this->WeightedInFrame.InertiaBound,
          &this->InFrame.CentralInertiaBound, &this->WeightedInFrame.CentralInertiaBound })
   {
     *bound = std::numeric_limits<double>::quiet_NaN();

@@ -29,6 +29,9 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   double MassBound;
   std::array<double, 9> MassInertia;
   double MassInertiaBound;
+  /// What is in doubt of the mass, in kg: in all; by the tolerance of the density; by the gaps of the model, whose closing is ambiguous by
+  /// GapSquared; by MassBound. NaN without a mass.
+  std::array<double, 4> MassUncertainty;
   /// Properties with the density as weight: kg, kg L, kg L^2. Of all bodies together only if each has a density.
   MassProperties Weighted;
   /// Material, and density in kg/m^3; empty and NaN without one, or if bodies differ.

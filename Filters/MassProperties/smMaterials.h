@@ -18,6 +18,8 @@ struct Material
   std::string Name;
   /// kg/m^3; 0 without one.
   double Density = 0.0;
+  /// Largest relative deviation of the density, 0 to 1; negative if none is stated for this material.
+  double Tolerance = -1.0;
 };
 
 /// Gives a material to the solids whose name matches the pattern.

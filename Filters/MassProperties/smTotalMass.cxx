@@ -57,6 +57,13 @@ void ScaleMoments(Moments& moments, double factor)
   }
 }
 
+/// What the mass leaves in doubt, with its sum. Rounding of these shares, each of a few units in the last place, is within a millionth.
+std::array<double, 4> AddShares(double density, double gaps, double numerical)
+{
+  constexpr double above = 1.0 + 1e-6;
+  return { above * (density + gaps + numerical), density, gaps, numerical };
+}
+
 /// Sets what follows from moments that are weighted with the densities.
 void SetWeighted(MassRow& total, const Moments& weighted, const MassAnalysisOptions& options)
 {
@@ -99,12 +106,22 @@ std::string NameBodiesWithoutDensity(
 
 Material ChooseMaterial(const BodyIntegrals& body, const MassAnalysisOptions& options)
 {
+  Material material;
   if (const MaterialRule* rule = FindRule(options.Materials, body.Name))
   {
-    return rule->Material;
+    material = rule->Material;
   }
-  return options.Density > 0.0 ? Material{ std::string(), options.Density }
-                               : Material{ body.Model->GetMaterial(), body.Model->GetDensity() };
+  else if (options.Density > 0.0)
+  {
+    material.Density = options.Density;
+  }
+  else
+  {
+    material.Name = body.Model->GetMaterial();
+    material.Density = body.Model->GetDensity();
+  }
+  material.Tolerance = material.Tolerance >= 0.0 ? material.Tolerance : options.DensityTolerance;
+  return material;
 }
 
 void SetMass(MassRow& row, const Material& material, const std::string& unit)
@@ -128,6 +145,8 @@ void SetMass(MassRow& row, const Material& material, const std::string& unit)
   }
   row.Mass = weighted.Volume;
   row.MassBound = weighted.VolumeBound;
+  row.MassUncertainty =
+    AddShares(material.Tolerance * std::abs(row.Mass), factor * row.GapSquared, row.MassBound);
   row.MassInertia = weighted.Inertia;
   row.MassInertiaBound = weighted.InertiaBound;
   if (factor > 0.0)
@@ -144,6 +163,8 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   MassRow& total = analysis.Total;
   double mass = 0.0;
   double bound = 0.0;
+  double byDensity = 0.0;
+  double byGaps = 0.0;
   std::vector<Moments> weighted;
   std::size_t next = 0;
   for (const MassRow& row : analysis.Rows)
@@ -157,6 +178,8 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     {
       mass += row.Mass;
       bound += row.MassBound + 2.0 * UnitRoundoff * std::abs(mass);
+      byDensity += row.MassUncertainty[1];
+      byGaps += row.MassUncertainty[2];
       ScaleMoments(part, GetFactor(row.Density, analysis.Unit));
       weighted.push_back(part);
     }
@@ -191,6 +214,10 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     analysis.Messages.push_back("no density for " + std::to_string(parts.size() - weighted.size()) + " of " +
       std::to_string(parts.size()) + " solids: " + NameBodiesWithoutDensity(bodies, analysis.Rows) +
       "; the mass of the others is known, that of all is not");
+  }
+  if (std::isfinite(total.Mass))
+  {
+    total.MassUncertainty = AddShares(byDensity, byGaps, total.MassBound);
   }
 }
 

@@ -39,6 +39,7 @@ void vtkMassPropertiesBase::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Density: " << this->Density << "\n"
+     << indent << "DensityTolerance: " << this->DensityTolerance << "\n"
      << indent << "Materials: " << this->Materials.size() << "\n"
      << indent << "HasReferenceFrame: " << this->Frame->IsGiven << "\n"
      << indent << "GlyphScale: " << this->GlyphScale << "\n"
@@ -62,8 +63,31 @@ void vtkMassPropertiesBase::SetDensity(double density)
   }
 }
 
+void vtkMassPropertiesBase::SetDensityTolerance(double tolerance)
+{
+  if (!(tolerance >= 0.0 && tolerance <= 1.0))
+  {
+    vtkErrorMacro("SetDensityTolerance: "
+      << sm::FormatDigits(tolerance, 6)
+      << " is no relative tolerance; give 0 to 1, for example 0.01 for one per cent.");
+    return;
+  }
+  if (this->DensityTolerance != tolerance)
+  {
+    this->DensityTolerance = tolerance;
+    this->Modified();
+  }
+}
+
 void vtkMassPropertiesBase::AppendMaterial(const sm::MaterialRule& rule)
 {
+  if (!(rule.Material.Tolerance <= 1.0))
+  {
+    vtkErrorMacro("AddMaterial: " << sm::FormatDigits(rule.Material.Tolerance, 6)
+                                  << " is no relative tolerance; give 0 to 1, for example "
+                                     "0.01 for one per cent.");
+    return;
+  }
   if (!(rule.Material.Density > 0.0) || !std::isfinite(rule.Material.Density))
   {
     vtkErrorMacro("AddMaterial: there is no density above 0 for the solids "
@@ -75,9 +99,10 @@ void vtkMassPropertiesBase::AppendMaterial(const sm::MaterialRule& rule)
   this->Modified();
 }
 
-void vtkMassPropertiesBase::AddMaterial(const char* pattern, const char* material, double density)
+void vtkMassPropertiesBase::AddMaterial(
+  const char* pattern, const char* material, double density, double tolerance)
 {
-  this->AppendMaterial({ pattern ? pattern : "", { material ? material : "", density } });
+  this->AppendMaterial({ pattern ? pattern : "", { material ? material : "", density, tolerance } });
 }
 
 void vtkMassPropertiesBase::AddMaterial(const char* pattern, const char* material, const char* density)
@@ -228,6 +253,7 @@ void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   sm::MassAnalysisOptions options = this->MakeAnalysisOptions();
   options.GapLimit = this->GapLimit;
   options.Density = this->Density;
+  options.DensityTolerance = this->DensityTolerance;
   options.Materials = this->Materials;
   options.Frame = *this->Frame;
   *this->Analysis = sm::AnalyzeMass(bodies, options);

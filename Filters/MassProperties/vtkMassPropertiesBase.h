@@ -36,6 +36,7 @@
  * | MassCenter, MassRadiiOfGyration | 3 | L | with the densities as weight, as the next two              |
  * | MassPrincipalMoments, MassPrincipalAxes | 3, 9 | kg L^2, 1 | as PrincipalMoments and PrincipalAxes          |
  * | Density, Material     | 1     | kg/m^3 | Material (string) in the table of port 1 only               |
+ * | MassUncertainty       | 4     | kg   | what is in doubt of the mass: in all (the sum); by DensityTolerance; by gaps (GapSquared); by MassBound |
  * | KnownMass, SolidsWithMass, SolidsWithVolume | 1 | kg | mass of the solids with a density, and their numbers; no columns |
  * | CenterOfMassInFrame, VolumeInertiaInFrame | 3, 9 | L, L^5 | in the frame of reference, if there is one          |
  * | MassCenterInFrame, MassInertiaInFrame | 3, 9 | L, kg L^2 | the same with the densities as weight                |
@@ -76,6 +77,11 @@ public:
    * density. A negative, infinite or NaN value is reported as an error and changes nothing. */
   void SetDensity(double density);
   vtkGetMacro(Density, double);
+
+  /** Largest relative deviation of the densities, 0 to 1 (0.01 is one per cent), except of materials that state their own. It is the first
+   * share of MassUncertainty. A value outside that range is reported as an error and changes nothing. Default: 0. */
+  void SetDensityTolerance(double tolerance);
+  vtkGetMacro(DensityTolerance, double);
   ///@}
 
   ///@{
@@ -84,9 +90,9 @@ public:
    * letters of ASCII match in either case. The first pattern in the order of the calls that the name of a solid matches gives it material
    * and density in kg/m^3. The density as text may be empty: then the material is one of the common ones (smMaterials.h). A density that
    * is not above 0 and finite, and a material that is not known, is reported as an error and changes nothing; a pattern that gives no solid
-   * its material gets a message. Default: none.
+   * its material gets a message. `tolerance` is relative, negative for that of DensityTolerance. Default: none.
    */
-  void AddMaterial(const char* pattern, const char* material, double density);
+  void AddMaterial(const char* pattern, const char* material, double density, double tolerance = -1.0);
   void AddMaterial(const char* pattern, const char* material, const char* density);
   void ClearMaterials();
   int GetNumberOfMaterials() const;
@@ -174,6 +180,7 @@ protected:
 #endif
 
   double Density = 0.0;
+  double DensityTolerance = 0.0;
   double GlyphScale = 0.02;
   bool ShowPrincipalAxes = true;
   bool GlyphPerSolid = false;

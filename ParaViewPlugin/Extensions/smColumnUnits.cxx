@@ -38,6 +38,7 @@ constexpr Unit Units[] = {
   { names::MassPrincipalMoments, "kg", 2 },
   { names::MassRadiiOfGyration, "", 1 },
   { names::Density, "kg/m^3", 0 },
+  { names::MassUncertainty, "kg", 0 },
   { names::KnownMass, "kg", 0 },
   { names::ClosureCorrection, "", 3 },
   { names::GapSquared, "", 3 },

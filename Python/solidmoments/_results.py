@@ -11,7 +11,7 @@ Matrix = Tuple[Vector, Vector, Vector]
 # Unit of each quantity: power of the length unit L, and what it is multiplied by. A bound has the unit of its quantity.
 _UNITS = {"volume": (3, ""), "area": (2, ""), "center_of_mass": (1, ""), "inertia": (5, ""), "inertia_at_origin": (5, ""),
           "principal_moments": (5, ""), "principal_axes": (0, ""), "radii_of_gyration": (1, ""), "mass": (0, "kg"), "mass_center": (1, ""),
-          "mass_inertia": (2, "kg"), "density": (0, "kg/m^3"), "closure_correction": (3, ""), "gap_squared": (3, ""), "max_gap": (1, ""),
+          "mass_inertia": (2, "kg"), "mass_uncertainty": (0, "kg"), "density": (0, "kg/m^3"), "closure_correction": (3, ""), "gap_squared": (3, ""), "max_gap": (1, ""),
           "gap_area": (2, ""), "closure_residual": (0, "")}
 
 
@@ -35,7 +35,8 @@ class MassProperties:
     Every quantity has its error bound beside it, one number for all its components, in the same unit; `units` has the units. What could
     not be computed is None. `center_of_mass` and `inertia` are those of unit density: a homogeneous body; tensors have the negative
     products of inertia off the diagonal and are about the centre unless their name says otherwise. `mass_center` and `mass_inertia` take
-    the densities of the solids as weight. `status` is ok, open, suspect or tolerance-not-met; `closure_correction` and what follows it
+    the densities of the solids as weight. `mass_uncertainty` is what is in doubt of the mass: in all, and of it by the tolerance of the
+    densities, by the gaps of the model and by `mass_bound`. `status` is ok, open, suspect or tolerance-not-met; `closure_correction` and what follows it
     describe defects of the model, which are part of no bound.
     """
 
@@ -66,6 +67,7 @@ class MassProperties:
     mass_center_bound: Optional[float]
     mass_inertia: Optional[Matrix]
     mass_inertia_bound: Optional[float]
+    mass_uncertainty: Optional[Tuple[float, float, float, float]]
     density: Optional[float]
     material: str
     closure_correction: Optional[float]

@@ -25,7 +25,7 @@ def _get(data, row, name, count=1):
         return None
     if count == 9:
         return values[0:3], values[3:6], values[6:9]
-    return values if count == 3 else values[0]
+    return values if count > 1 else values[0]
 
 
 def _get_text(data, row, name):
@@ -40,13 +40,14 @@ def _make(file, data, row, **more):
         values[field + "_bound"] = _get(data, row, name + "Bound")
     for field, name in _DEFECTS:
         values[field] = _get(data, row, name)
+    values["mass_uncertainty"] = _get(data, row, "MassUncertainty", 4)
     edges = _get(data, row, "OpenEdges")
     return MassProperties(file=file, name=_get_text(data, row, "Name"), id=_get_text(data, row, "Id"),
                           status=_get_text(data, row, "Status"), length_unit=_get_text(data, row, "LengthUnit"),
                           material=_get_text(data, row, "Material"), open_edges=None if edges is None else int(edges), **values, **more)
 
 
-def _check(density, tolerance, backend, max_seconds, unit):
+def _check(density, tolerance, density_tolerance, backend, max_seconds, unit):
     """Raises ValueError for what the filter would clamp or report on the console."""
     if density is not None and not 0.0 < density < math.inf:
         raise ValueError(f"density is {density}; it has to be above 0 and finite, in kg/m^3, or None for those of the file")
@@ -64,11 +65,13 @@ def _messages(*algorithms):
     return tuple(algorithm.GetMessage(i) for algorithm in algorithms for i in range(algorithm.GetNumberOfMessages()))
 
 
-def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, materials=(), backend="auto", max_seconds=None, strict=False):
+def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, density_tolerance=0.0, materials=(), backend="auto", max_seconds=None,
+                    strict=False):
     """The MassProperties of all solids of a STEP file together; those of each solid are in `solids`.
 
     file: path. density: of all solids in kg/m^3; None: those that the file gives. unit: length unit of the result, mm, cm, m, um, inch, ft,
-    or file for that of the file. tolerance: relative, from 1e-15 to 1. materials: rows (pattern of names, material, density or None), before
+    or file for that of the file. tolerance: relative, from 1e-15 to 1. density_tolerance: largest relative deviation of the densities, 0 to 1,
+    for `mass_uncertainty`. materials: rows (pattern of names, material, density or None), before
     `density`. backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
 
     Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result. A result with another status
@@ -78,7 +81,7 @@ def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, materials=
     from .smReadersSTEP import vtkSTEPReader
 
     file = os.fspath(file)
-    _check(density, tolerance, backend, max_seconds, unit)
+    _check(density, tolerance, density_tolerance, backend, max_seconds, unit)
     if not os.path.exists(file):
         raise FileNotFoundError(file)
     reader, mass = vtkSTEPReader(), vtkMassPropertiesGPU()
@@ -91,6 +94,7 @@ def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, materials=
     reader.SetMaximumSeconds(max_seconds or 0.0)
     mass.SetInputConnection(reader.GetOutputPort())
     mass.SetDensity(density or 0.0)
+    mass.SetDensityTolerance(density_tolerance)
     mass.SetRelativeTolerance(tolerance)
     mass.SetMaximumSeconds(max_seconds or 0.0)
     mass.SetBackend({"auto": mass.AUTOMATIC, "opengl": mass.OPENGL, "cpu": mass.CPU}[backend])

@@ -117,6 +117,17 @@ def masses():
     check_equal("one density", 1000.0, file["total"]["density"])
     check_true("one centre", re.search(r"\n  centre of mass +\d.*\n  mass .*\n  mass inertia", run("--density", "1000", path).stdout))
 
+    # What is in doubt of the mass, each share named.
+    total = run_json("--density", "1000", "--density-tolerance", "2%", path)["total"]
+    doubt = total["mass_uncertainty"]
+    check("in doubt by the density", 0.02 * total["mass"], doubt["density"], 1e-15)
+    check_equal("by gaps: boxes have none", 0.0, doubt["gaps"])
+    check_equal("by the bound", total["bounds"]["mass"], doubt["numerical"])
+    check("in all", doubt["density"] + doubt["numerical"], doubt["total"], 2e-6 * doubt["total"])
+    result = run("--density", "1000", "--density-tolerance", "0.02", path)
+    check_true("in the table", re.search(r"\n  mass in doubt +density \S+, gaps 0, numerical \S+ kg +\+/- \d", result.stdout), result.stdout)
+    check_equal("no tolerance: exit status", 1, run("--density", "1000", "--density-tolerance", "200%", path).returncode)
+
     # Some parts have no density: the mass of the others, and the names.
     machine = make_machine(plate_density=None)
     path = write_product(os.path.join(folder, "partial.step"), machine)

@@ -83,19 +83,20 @@ void* operator new[](std::size_t size)
 {
   return smtest::Allocate(size);
 }
-void operator delete(void* memory) noexcept
+// Inlined alone, without the operator new above, they are a mismatched pair in GCC's eyes.
+[[gnu::noinline]] void operator delete(void* memory) noexcept
 {
   std::free(memory);
 }
-void operator delete[](void* memory) noexcept
+[[gnu::noinline]] void operator delete[](void* memory) noexcept
 {
   std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
 {
   std::free(memory);
 }
-void operator delete[](void* memory, std::size_t) noexcept
+[[gnu::noinline]] void operator delete[](void* memory, std::size_t) noexcept
 {
   std::free(memory);
 }

@@ -213,6 +213,24 @@ void CheckMaterials(const char* unit, long double metres)
     Check("density", boxes[i].Density, table->GetValueByName(i, names::Density).ToDouble(), 0.0);
   }
 
+  // What is in doubt: the boxes have no gaps, the rules with a tolerance of their own keep it.
+  mass->SetDensityTolerance(0.02);
+  mass->ClearMaterials();
+  mass->AddMaterial("*STEEL*", "steel", 7850.0, 0.1);
+  mass->AddMaterial("oth?r", "Brass", "");
+  mass->Update();
+  fields = mass->GetOutput()->GetFieldData();
+  const std::vector<Box> other(boxes.begin() + 1, boxes.end());
+  const auto inDoubt =
+    static_cast<double>(0.1L * Add({ boxes[0] }, metres).Mass + 0.02L * Add(other, metres).Mass);
+  const auto share = [&fields](int c)
+  { return fields->GetArray(names::MassUncertainty)->GetComponent(0, c); };
+  Check("in doubt by the densities", inDoubt, share(1), 1e-14 * inDoubt);
+  CheckEqual("by gaps", 0.0, share(2));
+  CheckEqual("by the bound", GetFieldBound(fields, names::Mass), share(3));
+  Check("in all", share(1) + share(3), share(0), 2e-6 * share(0), "rounding of the sum");
+  mass->SetDensityTolerance(0.0);
+
   // The density of the filter comes behind the rules and before that of the file.
   mass->SetDensity(3.0);
   boxes[1].Density = 3.0;
@@ -273,12 +291,15 @@ void CheckErrors()
   mass->AddMaterial("*", "steel", std::numeric_limits<double>::quiet_NaN());
   mass->AddMaterial("*", "unobtainium", "");
   mass->AddMaterial("*", "steel", "7,85");
+  mass->AddMaterial("*", "steel", 7850.0, 1.5);
+  mass->SetDensityTolerance(-0.1);
+  mass->SetDensityTolerance(std::numeric_limits<double>::quiet_NaN());
   const double origin[3] = { 0.0, 0.0, 0.0 };
   const double z[3] = { 0.0, 0.0, 2.0 };
   const double parallel[3] = { 0.0, 0.0, -5.0 };
   mass->SetReferenceFrame(origin, z, parallel);
   mass->SetReferenceFrame(origin, origin, z);
-  CheckEqual("errors", 6, trap.NumberOfErrors);
+  CheckEqual("errors", 9, trap.NumberOfErrors);
   CheckEqual("no material", 0, mass->GetNumberOfMaterials());
   CheckTrue("no frame", !mass->HasReferenceFrame());
 }
