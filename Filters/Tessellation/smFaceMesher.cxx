@@ -28,7 +28,7 @@ constexpr double LeastGap = 0.4;
 /// Points that refinement may add to n.
 constexpr std::size_t MostRefinement = 20000;
 /// Points that refinement may add to a quarter of n to turn triangles over, and the part of the deflection that they must err by.
-constexpr std::size_t MostTurns = 50;
+constexpr std::size_t MostTurns = 300;
 constexpr double TurnShare = 1e-2;
 /// Part of the deflection that the gap of a corner may take before its triangles are no longer made smaller for it.
 constexpr double LargestGapShare = 0.5;
@@ -281,7 +281,8 @@ private:
       if (error <= allowed)
       {
         // A triangle may be turned over where the surface bends, but also where edges lie off it: that no point mends.
-        if (turns == 0 || error < TurnShare * allowed || !this->Judge.IsInverted(t.Vertex))
+        if (turns == 0 || error < TurnShare * allowed || !this->Judge.IsInverted(t.Vertex) ||
+          !this->Judge.IsFolded(t.Vertex))
         {
           continue;
         }
@@ -369,7 +370,11 @@ private:
     result.TurnedOver = static_cast<int>(left.size());
     if (!left.empty() && result.Reason.empty())
     {
-      result.Reason = "Triangles are turned over, because edges lie off the surface.";
+      const bool isFolded =
+        std::all_of(left.begin(), left.end(), [this](const Corners& t) { return this->Judge.IsFolded(t); });
+      result.Reason = isFolded
+        ? "Triangles are turned over, because the face is too narrow for its bent parameter lines."
+        : "Triangles are turned over, because edges lie off the surface.";
     }
     return triangles;
   }

@@ -78,9 +78,26 @@ bool TriangleJudge::IsInverted(const Corners& t) const
 
 bool TriangleJudge::IsTurned(const Corners& t) const
 {
+  return this->IsAgainst(
+    { this->Vertices[t[0]].Position, this->Vertices[t[1]].Position, this->Vertices[t[2]].Position }, t);
+}
+
+bool TriangleJudge::IsFolded(const Corners& t) const
+{
+  std::array<Vector3, 3> onSurface;
+  for (int k = 0; k < 3; ++k)
+  {
+    const MeshVertex& v = this->Vertices[t[k]];
+    this->Walker.Evaluate(v.At[0], v.At[1], onSurface[k].data());
+  }
+  return this->IsAgainst(onSurface, t);
+}
+
+bool TriangleJudge::IsAgainst(const std::array<Vector3, 3>& corners, const Corners& t) const
+{
   const MeshVertex* const v[3] = { &this->Vertices[t[0]], &this->Vertices[t[1]], &this->Vertices[t[2]] };
-  const Vector3 sides[3] = { Subtract(v[1]->Position, v[0]->Position),
-    Subtract(v[2]->Position, v[0]->Position), Subtract(v[2]->Position, v[1]->Position) };
+  const Vector3 sides[3] = { Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]),
+    Subtract(corners[2], corners[1]) };
   const Vector3 normal = Cross(sides[0], sides[1]);
   const double size = Norm(normal);
   double longest = 0.0;

@@ -34,8 +34,12 @@ public:
   bool IsInverted(const Corners& t) const;
   /// True for a triangle, no line, whose normal is against the surface's at its middle.
   bool IsTurned(const Corners& t) const;
+  /// The same of the triangle whose corners are moved to the surface, where edges lie off it.
+  bool IsFolded(const Corners& t) const;
 
 private:
+  bool IsAgainst(const std::array<Vector3, 3>& corners, const Corners& t) const;
+
   const SurfaceBlocks& Blocks;
   const std::vector<MeshVertex>& Vertices;
   NURBSSurface::Walker& Walker;
