@@ -102,6 +102,33 @@ void ExtractCell(const NURBSSurface& surface, int ku, int kv, const double (&u)[
   Blossom(surface.Knots[0], p, ku, u[0], u[1], active, partial, { q + 1, 1, p + 1 });
   Blossom(surface.Knots[1], q, kv, v[0], v[1], partial, cell, { p + 1, p + 1, 1 });
 }
+
+/// Point and derivatives of a cell at local parameters. P, Q: its degrees where these are known to the compiler, else 0; every sum runs in the
+/// same order.
+template <int P, int Q>
+void EvaluateCell(const Homogeneous* cell, const std::array<int, 2>& degrees, double s, double r,
+  Homogeneous& h, Homogeneous& hs, Homogeneous& hr)
+{
+  constexpr bool isKnown = P > 0;
+  const int p = isKnown ? P : degrees[0];
+  const int q = isKnown ? Q : degrees[1];
+  Homogeneous column[isKnown ? P + 1 : MaximumDegree + 1];
+  Homogeneous columnR[isKnown ? P + 1 : MaximumDegree + 1];
+  // For compilers that do not see that p and q are 1 at least.
+  column[0] = columnR[0] = {};
+  for (int i = 0; i <= p; ++i)
+  {
+    Homogeneous line[isKnown ? Q + 1 : MaximumDegree + 1];
+    line[0] = {};
+    for (int j = 0; j <= q; ++j)
+    {
+      line[j] = cell[i + j * (p + 1)];
+    }
+    column[i] = BernsteinPiece<4>{ line, q }.Evaluate(r, &columnR[i]);
+  }
+  h = BernsteinPiece<4>{ column, p }.Evaluate(s, &hs);
+  hr = BernsteinPiece<4>{ columnR, p }.Evaluate(s);
+}
 }
 
 std::vector<double> NURBSSurface::GetSpanBreaks(int direction) const
@@ -238,25 +265,19 @@ void NURBSSurface::Walker::Evaluate(double u, double v, double position[3], doub
     this->Span[0] = ku;
     this->Span[1] = kv;
   }
-  const std::vector<Homogeneous>& cell = this->Cell;
-
   const double s = (u - u0) / (u1 - u0);
   const double r = (v - v0) / (v1 - v0);
-  Homogeneous column[MaximumDegree + 1] = {};
-  Homogeneous columnR[MaximumDegree + 1];
-  for (int i = 0; i <= p; ++i)
-  {
-    Homogeneous line[MaximumDegree + 1] = {};
-    for (int j = 0; j <= q; ++j)
-    {
-      line[j] = cell[i + j * (p + 1)];
-    }
-    column[i] = BernsteinPiece<4>{ line, q }.Evaluate(r, &columnR[i]);
-  }
+  Homogeneous h;
   Homogeneous hs;
   Homogeneous hr;
-  const Homogeneous h = BernsteinPiece<4>{ column, p }.Evaluate(s, &hs);
-  hr = BernsteinPiece<4>{ columnR, p }.Evaluate(s);
+  // Planes, ruled surfaces by arcs, tori, splines of degree 3.
+  const auto evaluate = p == 1 && q == 1 ? EvaluateCell<1, 1>
+    : p == 2 && q == 1                   ? EvaluateCell<2, 1>
+    : p == 1 && q == 2                   ? EvaluateCell<1, 2>
+    : p == 2 && q == 2                   ? EvaluateCell<2, 2>
+    : p == 3 && q == 3                   ? EvaluateCell<3, 3>
+                                         : EvaluateCell<0, 0>;
+  evaluate(this->Cell.data(), { p, q }, s, r, h, hs, hr);
   for (int c = 0; c < 3; ++c)
   {
     position[c] = h[c] / h[3];

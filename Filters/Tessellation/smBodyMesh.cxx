@@ -260,6 +260,7 @@ private:
     const int index = static_cast<int>(this->Index.at(coedge.Use.get()));
     const SharedEdge& edge = this->Edges[index];
     const int count = static_cast<int>(edge.T.size());
+    loop.reserve(loop.size() + count);
     for (int i = 0; i < count; ++i)
     {
       const int k = coedge.Reversed ? count - 1 - i : i;
@@ -322,6 +323,7 @@ private:
       // Where coedges meet, one point is enough.
       const ParameterBox& box = this->Blocks[f]->GetCovered();
       BoundaryLoop loop;
+      loop.reserve(all.size());
       for (std::size_t i = 0; i < all.size(); ++i)
       {
         const BoundaryPoint& next = all[(i + 1) % all.size()];

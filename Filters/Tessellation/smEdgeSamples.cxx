@@ -19,6 +19,8 @@ constexpr int ManyPieces = 64;
 constexpr double CornerAngle = 0.02;
 /// Part of the deflection that a chord may take in a face: triangles along it need more.
 constexpr double ChordShare = 0.6;
+/// Share of the deflection that a coarse bound must be below for the sharp one to be so for certain.
+constexpr double CertainShare = 0.999;
 
 double GetAngle(const Vector3& a, const Vector3& b)
 {
@@ -48,15 +50,59 @@ Vector3 GetEndTangent(const EdgeCurve& curve, int piece, bool atEnd)
   return { 0.0, 0.0, 0.0 };
 }
 
+bool IsBent(const TrimCurve& trim)
+{
+  for (int k = 0; k < trim.GetNumberOfPieces(); ++k)
+  {
+    if (trim.GetDegree(k) > 1)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// No chord within piece k is farther from the curve than this times the square of its length in parameters, by BoundSagitta(): second
+/// differences of a part are means of those of the piece; coefficients are off even steps along the chord by at most n / (n - 1) of
+/// what second differences allow the curve.
+double BoundBend(const EdgeCurve& curve, int k)
+{
+  const BernsteinPiece<3> b = curve.GetPiece(k);
+  const double width = curve.Breaks[k + 1] - curve.Breaks[k];
+  double largest = 0.0;
+  for (int i = 0; i + 2 <= b.Degree; ++i)
+  {
+    const Vector3 second{ b.Coefficients[i + 2][0] - 2.0 * b.Coefficients[i + 1][0] + b.Coefficients[i][0],
+      b.Coefficients[i + 2][1] - 2.0 * b.Coefficients[i + 1][1] + b.Coefficients[i][1],
+      b.Coefficients[i + 2][2] - 2.0 * b.Coefficients[i + 1][2] + b.Coefficients[i][2] };
+    largest = std::max(largest, Norm(second));
+  }
+  const double n = b.Degree;
+  return n < 2 ? 0.0 : 0.125 * n * (n - 1.0) * std::hypot(1.0, n / (n - 1.0)) * largest / (width * width);
+}
+
 class Sampler
 {
 public:
   Sampler(const Edge& edge, const std::vector<EdgeUse>& uses, const MeshLimits& limits)
     : Curve(edge.Curve)
     , IsPoint(edge.Degenerate)
-    , Uses(uses)
     , Limits(limits)
   {
+    for (const EdgeUse& use : uses)
+    {
+      // On a plane nothing depends on the points.
+      if (!use.Blocks->IsFlat(limits.Deflection, limits.Angle))
+      {
+        this->Uses.push_back({ use, HUGE_VAL, {} });
+      }
+    }
+    for (int k = 0; k < this->Curve.GetNumberOfPieces(); ++k)
+    {
+      this->Bends.push_back(BoundBend(this->Curve, k));
+    }
+    this->StraightInFaces =
+      std::none_of(uses.begin(), uses.end(), [](const EdgeUse& use) { return IsBent(*use.Trim); });
   }
 
   std::vector<double> Run(int least)
@@ -79,10 +125,9 @@ private:
   void MakeIntervals()
   {
     const int pieces = this->Curve.GetNumberOfPieces();
-    const bool straightInFaces = this->IsStraightInFaces();
     for (int k = 0; k < pieces; ++k)
     {
-      const bool straight = this->Curve.GetDegree(k) <= 1 && straightInFaces;
+      const bool straight = this->Curve.GetDegree(k) <= 1 && this->StraightInFaces;
       const int parts = straight || pieces > ManyPieces ? 1 : PieceIntervals;
       const double low = this->Curve.Breaks[k];
       const double high = this->Curve.Breaks[k + 1];
@@ -104,59 +149,55 @@ private:
     this->Ends.push_back(this->Curve.GetEnd());
   }
 
-  bool IsStraightInFaces() const
-  {
-    for (const EdgeUse& use : this->Uses)
-    {
-      for (int k = 0; k < use.Trim->GetNumberOfPieces(); ++k)
-      {
-        if (use.Trim->GetDegree(k) > 1)
-        {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
   /// Chords that the curve wants between two parameters of one piece.
-  double CountByCurve(int piece, double from, double to) const
+  double CountByCurve(int piece, double from, double to)
   {
     if (this->IsPoint || this->Curve.GetDegree(piece) <= 1)
     {
       return 0.0;
     }
-    Vector3 tangent[3];
-    for (int i = 0; i < 3; ++i)
+    Vector3 tangent[3] = { this->Tangent };
+    if (from != this->TangentAt)
     {
-      this->Curve.Evaluate(from + 0.5 * i * (to - from), &tangent[i]);
+      this->Curve.Evaluate(from, &tangent[0]);
     }
-    // Evaluate() at a break belongs to the next piece.
-    tangent[2] = to == this->Curve.Breaks[piece + 1] ? GetEndTangent(this->Curve, piece, true) : tangent[2];
+    this->Curve.Evaluate(from + 0.5 * (to - from), &tangent[1]);
+    if (to == this->Curve.Breaks[piece + 1])
+    {
+      // Evaluate() at a break belongs to the next piece.
+      tangent[2] = GetEndTangent(this->Curve, piece, true);
+      this->TangentAt = HUGE_VAL;
+    }
+    else
+    {
+      this->TangentAt = from + (to - from);
+      this->Curve.Evaluate(this->TangentAt, &tangent[2]);
+      this->Tangent = tangent[2];
+    }
     const double angle = GetAngle(tangent[0], tangent[1]) + GetAngle(tangent[1], tangent[2]);
     const double length = (to - from) * Norm(tangent[1]);
     // A circular arc of n chords deviates by length * angle / (8 n^2).
     return std::max(angle / this->Limits.Angle, std::sqrt(0.125 * length * angle / this->Limits.Deflection));
   }
 
-  double CountByFaces(double from, double to) const
+  double CountByFaces(double from, double to)
   {
     double count = 0.0;
-    for (const EdgeUse& use : this->Uses)
+    for (Use& use : this->Uses)
     {
-      const std::array<double, 2> a = use.Trim->Evaluate(from);
-      const std::array<double, 2> b = use.Trim->Evaluate(to);
+      const std::array<double, 2> a = use.Evaluate(from);
+      const std::array<double, 2> b = use.Evaluate(to);
       ParameterBox box{ a, a };
       box.Add(b);
       if (this->IsPoint)
       {
         // A pole gets as many points as the rows around it, so that a triangle with it leads straight to a row.
-        const ParameterBox& all = use.Blocks->GetCovered();
+        const ParameterBox& all = use.Source.Blocks->GetCovered();
         const int across = std::abs(a[0] - b[0]) >= std::abs(a[1] - b[1]) ? 1 : 0;
         box.Low[across] = all.Low[across];
         box.High[across] = all.High[across];
       }
-      const SurfaceBlocks::Block m = use.Blocks->GetLargest(box);
+      const SurfaceBlocks::Block m = use.Source.Blocks->GetLargest(box);
       const double w[2] = { std::abs(a[0] - b[0]), std::abs(a[1] - b[1]) };
       const double error = 0.125 * (m.Uu * w[0] * w[0] + 2.0 * m.Uv * w[0] * w[1] + m.Vv * w[1] * w[1]);
       count = std::max({ count, std::sqrt(error / (ChordShare * this->Limits.Deflection)),
@@ -199,18 +240,26 @@ private:
     result.push_back(end);
   }
 
-  bool IsGood(double low, double high) const
+  bool IsNearCurve(double low, double high) const
   {
-    if (!this->IsPoint && !(BoundSagitta(this->Curve, low, high) <= this->Limits.Deflection))
+    const int piece = this->Curve.FindPiece(low);
+    const double coarse = this->Bends[piece] * (high - low) * (high - low);
+    return (high <= this->Curve.Breaks[piece + 1] && coarse < CertainShare * this->Limits.Deflection) ||
+      BoundSagitta(this->Curve, low, high) <= this->Limits.Deflection;
+  }
+
+  bool IsGood(double low, double high)
+  {
+    if (!this->IsPoint && !this->IsNearCurve(low, high))
     {
       return false;
     }
-    for (const EdgeUse& use : this->Uses)
+    for (Use& use : this->Uses)
     {
-      const std::array<double, 2> a = use.Trim->Evaluate(low);
+      const std::array<double, 2> a = use.Evaluate(low);
       ParameterBox box{ a, a };
-      box.Add(use.Trim->Evaluate(high));
-      if (!(use.Blocks->GetError(box) <= 1.25 * ChordShare * this->Limits.Deflection))
+      box.Add(use.Evaluate(high));
+      if (!(use.Source.Blocks->GetError(box) <= 1.25 * ChordShare * this->Limits.Deflection))
       {
         return false;
       }
@@ -218,7 +267,7 @@ private:
     return true;
   }
 
-  std::vector<double> Refine(const std::vector<double>& coarse) const
+  std::vector<double> Refine(const std::vector<double>& coarse)
   {
     std::vector<double> result{ coarse.front() };
     // Chords that are still to be judged, the next one last.
@@ -240,10 +289,32 @@ private:
     return result;
   }
 
+  /// A face beside the edge, and the last point that was asked for: intervals and chords meet there.
+  struct Use
+  {
+    EdgeUse Source;
+    double T;
+    std::array<double, 2> Point;
+
+    std::array<double, 2> Evaluate(double t)
+    {
+      this->Point = t == this->T ? this->Point : this->Source.Trim->Evaluate(t);
+      this->T = t;
+      return this->Point;
+    }
+  };
+
   const EdgeCurve& Curve;
   bool IsPoint;
-  const std::vector<EdgeUse>& Uses;
+  bool StraightInFaces;
+  /// The faces that are not flat.
+  std::vector<Use> Uses;
   const MeshLimits& Limits;
+  /// BoundBend() of the pieces.
+  std::vector<double> Bends;
+  /// The curve's derivative at a parameter.
+  Vector3 Tangent{};
+  double TangentAt = HUGE_VAL;
   /// Where intervals begin, and where the last one ends.
   std::vector<double> Ends;
   /// True where an interval begins at a corner.

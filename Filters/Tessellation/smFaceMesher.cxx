@@ -2,6 +2,7 @@
 
 #include "smMeshRepair.h"
 #include "smMeshSteps.h"
+#include "smTriangleJudge.h"
 #include "smTriangulation.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
@@ -27,17 +28,12 @@ constexpr double LeastGap = 0.4;
 /// Points that refinement may add to n.
 constexpr std::size_t MostRefinement = 20000;
 /// Points that refinement may add to a quarter of n to turn triangles over, and the part of the deflection that they must err by.
-constexpr std::size_t MostTurns = 50;
+constexpr std::size_t MostTurns = 300;
 constexpr double TurnShare = 1e-2;
 /// Part of the deflection that the gap of a corner may take before its triangles are no longer made smaller for it.
 constexpr double LargestGapShare = 0.5;
 /// |S_u x S_v| has no direction below this part of the largest |S_u| |S_v|.
 constexpr double LeastNormal = 1e-10;
-/// A triangle is a line where twice its area is below this part of the square of its longest side.
-constexpr double LineShare = 1e-7;
-/// A triangle is not turned over where the cosines to the normals of its corners are above this.
-constexpr double PlainCosine = 0.5;
-
 class Mesher
 {
 public:
@@ -51,7 +47,8 @@ public:
     , Box(FindBox(loops))
     , Size{ Box.High[0] - Box.Low[0], Box.High[1] - Box.Low[1] }
     , Steps(blocks, Box, limits)
-    , Mesh(this->GetGridMetric())
+    , Mesh(this->GetGridMetric(), CountPoints(loops))
+    , Judge(blocks, Vertices, Walker)
   {
   }
 
@@ -78,8 +75,12 @@ public:
       this->HalveAll(halve);
       return result;
     }
-    this->Steps.LayRows([this](const Parameters& at, const Parameters& scale) { this->AddInner(at, scale); });
-    this->Refine();
+    if (!this->Blocks.IsFlat(this->Limits.Deflection, this->Limits.Angle))
+    {
+      this->Steps.LayRows(
+        [this](const Parameters& at, const Parameters& scale) { this->AddInner(at, scale); });
+      this->Refine();
+    }
     this->Write(this->Repair(halve, result), result);
     if (halve && !halve->empty())
     {
@@ -94,22 +95,6 @@ public:
   }
 
 private:
-  static ParameterBox FindBox(const std::vector<BoundaryLoop>& loops)
-  {
-    ParameterBox box;
-    bool first = true;
-    for (const BoundaryLoop& loop : loops)
-    {
-      for (const BoundaryPoint& p : loop)
-      {
-        box = first ? ParameterBox{ p.Parameters, p.Parameters } : box;
-        box.Add(p.Parameters);
-        first = false;
-      }
-    }
-    return box;
-  }
-
   /// Lengths of a grid step in which triangles are to be well shaped.
   Parameters GetGridMetric() const
   {
@@ -152,8 +137,12 @@ private:
 
   void AddBoundary(std::vector<std::pair<int, int>>* halve, FaceMesh& result)
   {
-    this->Vertices.resize(4);
+    const std::size_t count = CountPoints(this->Loops);
     std::vector<int> ids;
+    ids.reserve(count);
+    this->Starts.reserve(count);
+    this->Vertices.reserve(count + 4);
+    this->Vertices.resize(4);
     for (const BoundaryLoop& loop : this->Loops)
     {
       for (const BoundaryPoint& p : loop)
@@ -260,69 +249,11 @@ private:
     }
   }
 
-  bool IsCollapsed(const Corners& t) const
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int a = this->Vertices[t[k]].Shared;
-      if (a >= 0 && a == this->Vertices[t[(k + 1) % 3]].Shared)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  double GetError(const Corners& t) const
-  {
-    ParameterBox box{ this->Vertices[t[0]].At, this->Vertices[t[0]].At };
-    box.Add(this->Vertices[t[1]].At);
-    box.Add(this->Vertices[t[2]].At);
-    return this->Blocks.GetError(box);
-  }
-
-  double GetGap(const Corners& t) const
-  {
-    return std::max({ this->Vertices[t[0]].Gap, this->Vertices[t[1]].Gap, this->Vertices[t[2]].Gap });
-  }
-
-  double GetDeviation(const Corners& t) const { return this->GetError(t) + this->GetGap(t); }
-
-  /// The height of the triangle in space above its longest side.
-  double GetHeight(const Corners& t) const
-  {
-    const Vector3& a = this->Vertices[t[0]].Position;
-    const Vector3 sides[2] = { Subtract(this->Vertices[t[1]].Position, a),
-      Subtract(this->Vertices[t[2]].Position, a) };
-    return Norm(Cross(sides[0], sides[1])) /
-      std::max({ Norm(sides[0]), Norm(sides[1]), Norm(Subtract(sides[0], sides[1])), 1e-300 });
-  }
-
-  bool IsInverted(const Triangulation::Triangle& t) const
-  {
-    const MeshVertex* v[3];
-    Vector3 mean{ 0.0, 0.0, 0.0 };
-    double longest = 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      v[k] = &this->Vertices[t.Vertex[k]];
-      const Vector3 side = Subtract(v[k]->Position, this->Vertices[t.Vertex[(k + 1) % 3]].Position);
-      longest = std::max(longest, Dot(side, side));
-      for (int c = 0; c < 3; ++c)
-      {
-        mean[c] += v[k]->Normal[c];
-      }
-    }
-    const Vector3 normal =
-      Cross(Subtract(v[1]->Position, v[0]->Position), Subtract(v[2]->Position, v[0]->Position));
-    return Dot(normal, mean) < 0.0 && Norm(normal) > LineShare * longest;
-  }
-
   /// What a triangle may err by between its corners: the deflection less the gap of a corner. Where a corner's gap takes most of the
   /// deflection, no number of points keeps the promise.
   double GetAllowed(const Triangulation::Triangle& t) const
   {
-    const double gap = this->GetGap(t.Vertex);
+    const double gap = this->Judge.GetGap(t.Vertex);
     return gap > LargestGapShare * this->Limits.Deflection ? this->Limits.Deflection
                                                            : this->Limits.Deflection - gap;
   }
@@ -341,16 +272,17 @@ private:
     {
       const Triangulation::Triangle& t = this->Mesh.GetTriangles()[open.back()];
       open.pop_back();
-      if (!t.Inside || this->IsCollapsed(t.Vertex))
+      if (!t.Inside || this->Judge.IsCollapsed(t.Vertex))
       {
         continue;
       }
-      const double error = this->GetError(t.Vertex);
+      const double error = this->Judge.GetError(t.Vertex);
       const double allowed = this->GetAllowed(t);
       if (error <= allowed)
       {
         // A triangle may be turned over where the surface bends, but also where edges lie off it: that no point mends.
-        if (turns == 0 || error < TurnShare * allowed || !this->IsInverted(t))
+        if (turns == 0 || error < TurnShare * allowed || !this->Judge.IsInverted(t.Vertex) ||
+          !this->Judge.IsFolded(t.Vertex))
         {
           continue;
         }
@@ -396,33 +328,6 @@ private:
     return at;
   }
 
-  /// True for a triangle, no line, whose normal is against the surface's at its middle.
-  bool IsTurned(const Corners& t)
-  {
-    const MeshVertex* const v[3] = { &this->Vertices[t[0]], &this->Vertices[t[1]], &this->Vertices[t[2]] };
-    const Vector3 sides[3] = { Subtract(v[1]->Position, v[0]->Position),
-      Subtract(v[2]->Position, v[0]->Position), Subtract(v[2]->Position, v[1]->Position) };
-    const Vector3 normal = Cross(sides[0], sides[1]);
-    const double size = Norm(normal);
-    double longest = 0.0;
-    bool isPlain = true;
-    for (int k = 0; k < 3; ++k)
-    {
-      longest = std::max(longest, Dot(sides[k], sides[k]));
-      isPlain = isPlain && Dot(normal, v[k]->Normal) > PlainCosine * size;
-    }
-    if (isPlain || !(size > LineShare * longest))
-    {
-      return false;
-    }
-    Vector3 position;
-    Vector3 du;
-    Vector3 dv;
-    this->Walker.Evaluate((v[0]->At[0] + v[1]->At[0] + v[2]->At[0]) / 3.0,
-      (v[0]->At[1] + v[1]->At[1] + v[2]->At[1]) / 3.0, position.data(), du.data(), dv.data());
-    return Dot(normal, Cross(du, dv)) < 0.0;
-  }
-
   /// The triangles, as few turned over as can be had. Asks to halve chords beside those that are left.
   std::vector<Corners> Repair(std::vector<std::pair<int, int>>* halve, FaceMesh& result)
   {
@@ -430,38 +335,27 @@ private:
     bool any = false;
     for (const Triangulation::Triangle& t : this->Mesh.GetTriangles())
     {
-      if (t.Inside && !this->IsCollapsed(t.Vertex))
+      if (t.Inside && !this->Judge.IsCollapsed(t.Vertex))
       {
         triangles.push_back(t.Vertex);
-        any = any || this->IsTurned(t.Vertex);
+        any = any || this->Judge.IsTurned(t.Vertex);
       }
     }
     if (!any)
     {
       return triangles;
     }
-    std::map<std::pair<int, int>, int> segments;
-    for (const Triangulation::Triangle& t : this->Mesh.GetTriangles())
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const int a = t.Vertex[(k + 1) % 3];
-        const int b = t.Vertex[(k + 2) % 3];
-        if (t.Sides[k].Segment >= 0)
-        {
-          segments[{ std::min(a, b), std::max(a, b) }] = t.Sides[k].Segment;
-        }
-      }
-    }
-    const MeshRepair::Judge judge{ [this](const Corners& t) { return this->IsTurned(t); },
-      [this](const Corners& t) { return this->IsCollapsed(t) ? HUGE_VAL : this->GetDeviation(t); } };
+    const std::map<std::pair<int, int>, int> segments = MeshRepair::FindSegments(this->Mesh);
+    const MeshRepair::Judge judge{ [this](const Corners& t) { return this->Judge.IsTurned(t); },
+      [this](const Corners& t)
+      { return this->Judge.IsCollapsed(t) ? HUGE_VAL : this->Judge.GetDeviation(t); } };
     const std::vector<Corners> left =
       MeshRepair(triangles, this->Mesh.GetPoints(), segments, judge, this->Limits.Deflection).Run();
     std::set<int> corners;
     for (const Corners& t : left)
     {
       // Points on the edges do not mend what edges off the surface turn over.
-      if (this->GetHeight(t) > this->GetGap(t))
+      if (this->Judge.GetHeight(t) > this->Judge.GetGap(t))
       {
         corners.insert(t.begin(), t.end());
       }
@@ -476,7 +370,11 @@ private:
     result.TurnedOver = static_cast<int>(left.size());
     if (!left.empty() && result.Reason.empty())
     {
-      result.Reason = "Triangles are turned over, because edges lie off the surface.";
+      const bool isFolded =
+        std::all_of(left.begin(), left.end(), [this](const Corners& t) { return this->Judge.IsFolded(t); });
+      result.Reason = isFolded
+        ? "Triangles are turned over, because the face is too narrow for its bent parameter lines."
+        : "Triangles are turned over, because edges lie off the surface.";
     }
     return triangles;
   }
@@ -532,7 +430,7 @@ private:
         std::swap(corners[1], corners[2]);
       }
       result.Triangles.push_back(corners);
-      const double deviation = this->GetDeviation(t);
+      const double deviation = this->Judge.GetDeviation(t);
       // Not std::max, which loses a NaN.
       result.Deviation = deviation <= result.Deviation ? result.Deviation
         : std::isnan(deviation)                        ? HUGE_VAL
@@ -575,6 +473,7 @@ private:
   MeshSteps Steps;
   Triangulation Mesh;
   std::vector<MeshVertex> Vertices;
+  TriangleJudge Judge;
   /// The point at which each segment starts.
   std::vector<const BoundaryPoint*> Starts;
 };

@@ -5,6 +5,7 @@
 #ifndef smFaceMesher_h
 #define smFaceMesher_h
 
+#include "smBoundaryLoop.h"
 #include "smEdgeSamples.h"
 #include "smFace.h"
 #include "smFiltersTessellationModule.h"
@@ -17,19 +18,6 @@
 
 namespace sm
 {
-/// A point of a loop, and the chord that leads from it to the next.
-struct BoundaryPoint
-{
-  std::array<double, 2> Parameters{};
-  std::array<double, 3> Position{};
-  /// The point of the body, see BodyMesh; two points of a loop are one where they have the same.
-  int Shared = -1;
-  /// Edge of the chord and its number there; -1: a straight line in (u,v) that closes the loop.
-  int Edge = -1;
-  int Chord = -1;
-};
-using BoundaryLoop = std::vector<BoundaryPoint>;
-
 struct FaceMesh
 {
   /// In the coordinates of the model; unit normals point out of the body.
@@ -38,7 +26,7 @@ struct FaceMesh
   std::vector<std::array<double, 2>> Parameters;
   /// Counter-clockwise seen from outside.
   std::vector<std::array<int, 3>> Triangles;
-  /// Bound of the distance of the triangles from the surface.
+  /// Bound of the distance of the triangles from the surface, across it, see smSurfaceBlocks.h.
   double Deviation = 0.0;
   /// Triangles whose normals are against the surface's, which nothing mends; Reason says why.
   int TurnedOver = 0;

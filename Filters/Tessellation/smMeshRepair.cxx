@@ -26,6 +26,22 @@ bool Has(const MeshRepair::Corners& t, int vertex)
 }
 }
 
+std::map<std::pair<int, int>, int> MeshRepair::FindSegments(const Triangulation& mesh)
+{
+  std::map<std::pair<int, int>, int> segments;
+  for (const Triangulation::Triangle& t : mesh.GetTriangles())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (t.Sides[k].Segment >= 0)
+      {
+        segments[MakeSide(t.Vertex[(k + 1) % 3], t.Vertex[(k + 2) % 3])] = t.Sides[k].Segment;
+      }
+    }
+  }
+  return segments;
+}
+
 MeshRepair::MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPoint>& points,
   const std::map<std::pair<int, int>, int>& segments, const Judge& judge, double allowed)
   : Triangles(triangles)
@@ -33,6 +49,7 @@ MeshRepair::MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPo
   , Segments(segments)
   , Asked(judge)
   , Allowed(allowed)
+  , Most(allowed)
   , Stars(points.size())
 {
   for (const auto& segment : segments)
@@ -45,6 +62,7 @@ MeshRepair::MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPo
     {
       this->Stars[v].push_back(i);
     }
+    this->Most = std::max(this->Most, WorseShare * judge.GetDeviation(triangles[i]));
   }
 }
 
@@ -86,7 +104,8 @@ bool MeshRepair::Replace(const std::vector<std::size_t>& before, const std::vect
   {
     turned[0] += this->Asked.IsTurned(this->Triangles[i]) ? 1 : 0;
     const double deviation = this->Asked.GetDeviation(this->Triangles[i]);
-    allowed = deviation > this->Allowed ? std::max(allowed, WorseShare * deviation) : allowed;
+    allowed =
+      deviation > this->Allowed ? std::max(allowed, std::min(WorseShare * deviation, this->Most)) : allowed;
   }
   for (const Corners& t : after)
   {

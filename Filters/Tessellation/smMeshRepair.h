@@ -7,6 +7,8 @@
 #ifndef smMeshRepair_h
 #define smMeshRepair_h
 
+#include "smFiltersTessellationModule.h"
+
 #include "smTriangulation.h"
 #include "smVector.h"
 
@@ -31,7 +33,7 @@ struct MeshVertex
   double Gap = 0.0;
 };
 
-class MeshRepair
+class SMFILTERSTESSELLATION_EXPORT MeshRepair
 {
 public:
   using Corners = std::array<int, 3>;
@@ -43,8 +45,11 @@ public:
     std::function<double(const Corners&)> GetDeviation;
   };
 
+  /// The sides of a triangulation that are segments, as the constructor takes them.
+  static std::map<std::pair<int, int>, int> FindSegments(const Triangulation& mesh);
+
   /// `segments`: sides that stay, pairs of vertices with the smaller one first, and their numbers. `allowed`: the deviation that no repair
-  /// exceeds, but where triangles exceed it already.
+  /// exceeds, but where triangles exceed it already; and there none exceeds 1.5 times the largest of all triangles before any repair.
   MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPoint>& points,
     const std::map<std::pair<int, int>, int>& segments, const Judge& judge, double allowed);
 
@@ -67,6 +72,7 @@ private:
   std::set<int> Fixed;
   const Judge& Asked;
   double Allowed;
+  double Most;
   /// Indices of the triangles at each vertex.
   std::vector<std::vector<std::size_t>> Stars;
   /// Number of triangles that were judged.

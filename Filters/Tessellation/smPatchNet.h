@@ -8,6 +8,7 @@
 #include "smPolynomialCurve.h"
 #include "smVector.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -15,12 +16,52 @@ namespace sm
 {
 using Homogeneous = std::array<double, 4>;
 
+/// The coefficients of a net; few of them, as most nets have, without an allocation.
+class NetPoints
+{
+public:
+  NetPoints() = default;
+  NetPoints(const NetPoints& other) { *this = other; }
+  NetPoints& operator=(const NetPoints& other)
+  {
+    if (this != &other)
+    {
+      this->Count = other.Count;
+      this->Many = other.Many;
+      std::copy(other.Few, other.Few + (other.Many.empty() ? other.Count : 0), this->Few);
+    }
+    return *this;
+  }
+  /// So many zeros.
+  void Assign(std::size_t count)
+  {
+    this->Count = count;
+    this->Many.assign(count > Capacity ? count : 0, Homogeneous{});
+    std::fill_n(this->Few, std::min(count, Capacity), Homogeneous{});
+  }
+  std::size_t size() const { return this->Count; }
+  Homogeneous* data() { return this->Many.empty() ? this->Few : this->Many.data(); }
+  const Homogeneous* data() const { return this->Many.empty() ? this->Few : this->Many.data(); }
+  Homogeneous* begin() { return this->data(); }
+  Homogeneous* end() { return this->data() + this->Count; }
+  const Homogeneous* begin() const { return this->data(); }
+  const Homogeneous* end() const { return this->data() + this->Count; }
+  Homogeneous& operator[](std::size_t i) { return this->data()[i]; }
+  const Homogeneous& operator[](std::size_t i) const { return this->data()[i]; }
+
+private:
+  static constexpr std::size_t Capacity = 16;
+  std::size_t Count = 0;
+  Homogeneous Few[Capacity];
+  std::vector<Homogeneous> Many;
+};
+
 /// Coefficients of a polynomial on [0,1]^2, u index fastest.
 struct PatchNet
 {
   int P = 0;
   int Q = 0;
-  std::vector<Homogeneous> B;
+  NetPoints B;
 
   const Homogeneous& At(int i, int j) const
   {
@@ -31,7 +72,7 @@ struct PatchNet
   {
     this->P = p;
     this->Q = q;
-    this->B.assign(static_cast<std::size_t>(p + 1) * (q + 1), Homogeneous{});
+    this->B.Assign(static_cast<std::size_t>(p + 1) * (q + 1));
   }
 };
 

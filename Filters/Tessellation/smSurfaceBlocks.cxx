@@ -1,6 +1,7 @@
 #include "smSurfaceBlocks.h"
 
 #include "smPatchCurvature.h"
+#include "smPatchJump.h"
 #include "smPatchNet.h"
 #include "smVector.h"
 
@@ -26,6 +27,9 @@ constexpr double MostSine = 0.5;
 
 /// A strip between knots, relative to the face, that is a crease: the first derivative changes across it by its second times its width.
 constexpr double ThinShare = 1e-4;
+
+/// Errors below this part of the deflection are nothing.
+constexpr double FlatShare = 1e-9;
 
 /// Jump of a derivative, relative to it, that is rounding.
 constexpr double SmoothJump = 1e-8;
@@ -162,84 +166,7 @@ void SurfaceBlocks::Block::Choose(double tilt)
   {
     *chosen[k] = sum[0] <= sum[1] ? this->Full[k] : this->Along[k] + slope * this->Full[k];
   }
-}
-
-namespace
-{
-/// No less than |A' / w - (A / w) (w' / w)| on [0,1], where A, w are `side` and A', w' are `slope`: the numerator A' w - A w' has twice the
-/// degree, and its Bernstein coefficients are sums of products.
-double BoundQuotientDerivative(const Homogeneous* side, const Homogeneous* slope, int degree)
-{
-  // Row `degree` of Pascal's triangle, and row 2 degree.
-  double once[MaximumDegree + 1] = { 1.0 };
-  double twice[2 * MaximumDegree + 1] = { 1.0 };
-  for (int i = 1; i <= 2 * degree; ++i)
-  {
-    twice[i] = twice[i - 1] * (2 * degree - i + 1) / i;
-    if (i <= degree)
-    {
-      once[i] = once[i - 1] * (degree - i + 1) / i;
-    }
-  }
-  Vector3 sums[2 * MaximumDegree + 1] = {};
-  const Vector3 center = Project(side[degree / 2]);
-  double lightest = HUGE_VAL;
-  for (int i = 0; i <= degree; ++i)
-  {
-    lightest = std::min(lightest, std::max(side[i][3], 1e-100));
-    for (int j = 0; j <= degree; ++j)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        // About the center, so that less is rounded.
-        const double value = (slope[i][c] - slope[i][3] * center[c]) * side[j][3] -
-          (side[j][c] - side[j][3] * center[c]) * slope[i][3];
-        sums[i + j][c] += once[i] * once[j] / twice[i + j] * value;
-      }
-    }
-  }
-  double largest = 0.0;
-  for (int k = 0; k <= 2 * degree; ++k)
-  {
-    largest = std::max(largest, Norm(sums[k]));
-  }
-  return largest / (lightest * lightest);
-}
-
-/// Bound of the jump of the derivative across the common side of two nets, the second one after the first in a direction; widths are
-/// those of the spans. `scale`: about the derivative.
-double BoundJump(
-  const PatchNet& before, const PatchNet& after, int direction, const double (&width)[2], double& scale)
-{
-  const int degree = direction == 0 ? before.P : before.Q;
-  const int rows = direction == 0 ? before.Q : before.P;
-  const auto get = [&](const PatchNet& net, int i, int row) -> const Homogeneous&
-  { return direction == 0 ? net.At(i, row) : net.At(row, i); };
-  // Position along the side, and the derivatives across it, as polynomials.
-  Homogeneous side[MaximumDegree + 1];
-  Homogeneous slope[MaximumDegree + 1];
-  Homogeneous jump[MaximumDegree + 1];
-  for (int row = 0; row <= rows; ++row)
-  {
-    side[row] = get(after, 0, row);
-    for (int c = 0; c < 4; ++c)
-    {
-      slope[row][c] = degree * (get(before, degree, row)[c] - get(before, degree - 1, row)[c]) / width[0];
-      jump[row][c] = degree * (get(after, 1, row)[c] - get(after, 0, row)[c]) / width[1] - slope[row][c];
-    }
-  }
-  scale = BoundQuotientDerivative(side, slope, rows);
-  return BoundQuotientDerivative(side, jump, rows);
-}
-}
-
-void ParameterBox::Add(const std::array<double, 2>& uv)
-{
-  for (int d = 0; d < 2; ++d)
-  {
-    this->Low[d] = std::min(this->Low[d], uv[d]);
-    this->High[d] = std::max(this->High[d], uv[d]);
-  }
+  this->JumpFactor = sum[0] <= sum[1] ? 1.0 : std::hypot(1.0, slope);
 }
 
 SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& covered)
@@ -252,9 +179,9 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
     const std::vector<double> breaks = surface.GetSpanBreaks(d);
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
     {
-      // The first and the last span answer for what lies beyond the domain.
+      // The first and the last span answer for what lies beyond the domain; a point on a knot has the span after it.
       if ((k + 2 == breaks.size() || breaks[k + 1] > covered.Low[d]) &&
-        (k == 0 || breaks[k] < covered.High[d]))
+        (k == 0 || breaks[k] < covered.High[d] || spans[d].empty()))
       {
         if (spans[d].empty())
         {
@@ -408,16 +335,31 @@ void SurfaceBlocks::GetRange(const ParameterBox& box, int d, std::size_t& first,
   }
 }
 
+const SurfaceBlocks::Block* SurfaceBlocks::FindSingle(const ParameterBox& box) const
+{
+  std::size_t first[2];
+  std::size_t last[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    this->GetRange(box, d, first[d], last[d]);
+    if (first[d] != last[d])
+    {
+      return nullptr;
+    }
+  }
+  return &this->GetBlock(first[0], first[1]);
+}
+
 SurfaceBlocks::Block SurfaceBlocks::GetLargest(const ParameterBox& box) const
 {
+  if (const Block* single = this->FindSingle(box))
+  {
+    return *single;
+  }
   std::size_t first[2];
   std::size_t last[2];
   this->GetRange(box, 0, first[0], last[0]);
   this->GetRange(box, 1, first[1], last[1]);
-  if (first[0] == last[0] && first[1] == last[1])
-  {
-    return this->GetBlock(first[0], first[1]);
-  }
   // One normal for all, that of the block in the middle: what a derivative has along it is at most what it has along its block's, plus
   // its length times the distance of the two unit vectors.
   Block largest;
@@ -456,14 +398,38 @@ double SurfaceBlocks::GetSmallJumps() const
       error += 0.25 * crease.Jump * (this->Covered.High[d] - this->Covered.Low[d]);
     }
   }
-  return error;
+  const bool isGraph = std::any_of(this->Blocks.begin(), this->Blocks.end(),
+    [](const Block& b) { return std::sin(std::min(b.Tilt, 1.5)) < MostSine; });
+  return isGraph ? error / std::sqrt(1.0 - MostSine * MostSine) : error;
+}
+
+bool SurfaceBlocks::IsFlat(double deflection, double angle) const
+{
+  if (!this->Creases[0].empty() || !this->Creases[1].empty())
+  {
+    return false;
+  }
+  const double w[2] = { this->Covered.High[0] - this->Covered.Low[0],
+    this->Covered.High[1] - this->Covered.Low[1] };
+  const double square = std::max(w[0] * w[0], w[1] * w[1]);
+  return std::all_of(this->Blocks.begin(), this->Blocks.end(),
+    [&](const Block& b)
+    {
+      return square * (b.Full[0] + b.Full[1] + b.Full[2]) <= FlatShare * deflection &&
+        std::hypot(b.Turn[0] * w[0], b.Turn[1] * w[1]) <= FlatShare * angle;
+    });
 }
 
 double SurfaceBlocks::GetError(const ParameterBox& box) const
 {
-  const Block m = this->GetLargest(box);
+  const Block* const single = this->FindSingle(box);
+  const Block several = single ? Block() : this->GetLargest(box);
+  const Block& m = single ? *single : several;
   const double w[2] = { box.High[0] - box.Low[0], box.High[1] - box.Low[1] };
-  double error = 0.125 * (m.Uu * w[0] * w[0] + 2.0 * m.Uv * w[0] * w[1] + m.Vv * w[1] * w[1]);
+  const auto sum = [&w](double uu, double uv, double vv)
+  { return 0.125 * (uu * w[0] * w[0] + 2.0 * uv * w[0] * w[1] + vv * w[1] * w[1]); };
+  const double error = sum(m.Uu, m.Uv, m.Vv);
+  double jumps = 0.0;
   for (int d = 0; d < 2; ++d)
   {
     for (const Crease& crease : this->Creases[d])
@@ -471,10 +437,11 @@ double SurfaceBlocks::GetError(const ParameterBox& box) const
       const double slack = 1e-12 * std::abs(crease.At);
       if (crease.At + crease.Half > box.Low[d] + slack && crease.At - crease.Half < box.High[d] - slack)
       {
-        error += 0.25 * crease.Jump * w[d];
+        jumps += 0.25 * crease.Jump * w[d];
       }
     }
   }
-  return error;
+  return jumps > 0.0 ? std::min(error + m.JumpFactor * jumps, sum(m.Full[0], m.Full[1], m.Full[2]) + jumps)
+                     : error;
 }
 }

@@ -13,10 +13,15 @@
  * mean absolute deviation on one side is at most W_u / 4.
  *
  * Most of that error may lie in the surface, where parameters run unevenly. Let n be a unit vector from which no normal on
- * the box is farther than the angle theta, below 90 degrees: then the surface is a graph over the plane across n with slopes of at most
- * tan(theta), and the distance from it (continued beyond its borders with that slope) is at most the error along n plus tan(theta) times
- * the whole error. So M may be the second derivatives along n plus tan(theta) M, where that is less. On a box in several blocks n and
- * theta are the same for all of them.
+ * the box is farther than the angle theta, below 90 degrees: then the part of the surface on the box has slopes of at most tan(theta) over the
+ * plane across n. From the point of the surface with the same barycentric parameters one follows the surface across n as far as the triangle's
+ * point lies: its distance is at most the error along n plus tan(theta) times the error across n. So M may be the second derivatives along n
+ * plus tan(theta) M; and J becomes J / cos(theta), the most that |x.n| + tan(theta) |x - (x.n) n| is for a vector x of length J. The
+ * least of both sums is taken. On a box in several blocks n and theta are the same for all of them.
+ *
+ * What is bounded in that form is the distance across the surface. Where one leaves the part on the box before the triangle's point is
+ * reached, the surface is thought of as continued with slopes of at most tan(theta): a triangle may reach sideways beyond that part, at
+ * most by the whole error.
  */
 #ifndef smSurfaceBlocks_h
 #define smSurfaceBlocks_h
@@ -25,6 +30,7 @@
 
 #include "smNURBSSurface.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -34,7 +40,14 @@ struct ParameterBox
 {
   std::array<double, 2> Low{};
   std::array<double, 2> High{};
-  SMFILTERSTESSELLATION_EXPORT void Add(const std::array<double, 2>& uv);
+  void Add(const std::array<double, 2>& uv)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      this->Low[d] = std::min(this->Low[d], uv[d]);
+      this->High[d] = std::max(this->High[d], uv[d]);
+    }
+  }
 };
 
 class SMFILTERSTESSELLATION_EXPORT SurfaceBlocks
@@ -55,6 +68,8 @@ public:
     std::array<double, 3> Along{};
     std::array<double, 3> Normal{};
     double Tilt = 4.0;
+    /// What Uu, Uv and Vv multiply a jump of the first derivative by: 1 / cos of the tilt where they are those along Normal, else 1.
+    double JumpFactor = 1.0;
     /// Sets Uu, Uv, Vv for normals within `tilt` of Normal.
     void Choose(double tilt);
   };
@@ -69,6 +84,8 @@ public:
   double GetError(const ParameterBox& box) const;
   /// The largest of all blocks that the box touches.
   Block GetLargest(const ParameterBox& box) const;
+  /// True where GetError() of every box and the turn of the normal across all are nothing beside the deflection and the angle.
+  bool IsFlat(double deflection, double angle) const;
 
   const ParameterBox& GetCovered() const { return this->Covered; }
   /// Borders of the blocks in direction d.
@@ -90,6 +107,8 @@ private:
   static void AddCrease(double at, double jump, std::vector<Crease>& creases);
   void CountThinStrips(int direction);
   void GetRange(const ParameterBox& box, int d, std::size_t& first, std::size_t& last) const;
+  /// The block that holds the box; null: several do.
+  const Block* FindSingle(const ParameterBox& box) const;
 
   ParameterBox Covered;
   std::vector<double> Breaks[2];

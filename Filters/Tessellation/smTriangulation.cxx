@@ -2,32 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 namespace sm
 {
 namespace
 {
-/// Crossings of one line with segments that are resolved one after another.
-constexpr int MostCrossings = 64;
-
 /// Share of the sum of absolute values that a determinant in double precision is certain to reach where its sign is right.
 constexpr double CertainShare = 1e-13;
 
-int Next(int k)
-{
-  return k == 2 ? 0 : k + 1;
 }
 
-int Previous(int k)
-{
-  return k == 0 ? 2 : k - 1;
-}
-}
-
-Triangulation::Triangulation(const std::array<double, 2>& step)
+Triangulation::Triangulation(const std::array<double, 2>& step, std::size_t points)
   : Step(step)
 {
+  this->Points.reserve(points + 4);
+  this->VertexTriangle.reserve(points + 4);
+  this->Triangles.reserve(2 * points + 2);
   this->Points = { { 0, 0 }, { Extent, 0 }, { Extent, Extent }, { 0, Extent } };
   this->VertexTriangle = { 0, 0, 0, 1 };
   this->Triangles.resize(2);
@@ -66,8 +56,8 @@ bool Triangulation::IsFlipBetter(int triangle, int side) const
   double sum = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    const double left = x[Next(i)] * y[Previous(i)];
-    const double right = x[Previous(i)] * y[Next(i)];
+    const double left = x[NextCorner(i)] * y[PreviousCorner(i)];
+    const double right = x[PreviousCorner(i)] * y[NextCorner(i)];
     determinant += square[i] * (left - right);
     sum += square[i] * (std::abs(left) + std::abs(right));
   }
@@ -76,8 +66,8 @@ bool Triangulation::IsFlipBetter(int triangle, int side) const
     return false;
   }
   const GridPoint& a = this->Points[t.Vertex[side]];
-  return Orient(a, this->Points[t.Vertex[Next(side)]], d) > 0 &&
-    Orient(a, d, this->Points[t.Vertex[Previous(side)]]) > 0;
+  return Orient(a, this->Points[t.Vertex[NextCorner(side)]], d) > 0 &&
+    Orient(a, d, this->Points[t.Vertex[PreviousCorner(side)]]) > 0;
 }
 
 void Triangulation::SetNeighbor(int triangle, int from, int neighbor)
@@ -85,7 +75,7 @@ void Triangulation::SetNeighbor(int triangle, int from, int neighbor)
   if (triangle >= 0)
   {
     Triangle& t = this->Triangles[triangle];
-    t.Sides[Previous(this->FindVertexIn(triangle, from))].Neighbor = neighbor;
+    t.Sides[PreviousCorner(this->FindVertexIn(triangle, from))].Neighbor = neighbor;
   }
 }
 
@@ -100,13 +90,13 @@ void Triangulation::Flip(int triangle, int side)
     ++m;
   }
   const int a = t.Vertex[side];
-  const int b = t.Vertex[Next(side)];
-  const int c = t.Vertex[Previous(side)];
+  const int b = t.Vertex[NextCorner(side)];
+  const int c = t.Vertex[PreviousCorner(side)];
   const int d = o.Vertex[m];
-  const Side ca = t.Sides[Next(side)];
-  const Side ab = t.Sides[Previous(side)];
-  const Side bd = o.Sides[Next(m)];
-  const Side dc = o.Sides[Previous(m)];
+  const Side ca = t.Sides[NextCorner(side)];
+  const Side ab = t.Sides[PreviousCorner(side)];
+  const Side bd = o.Sides[NextCorner(m)];
+  const Side dc = o.Sides[PreviousCorner(m)];
   t.Vertex = { a, b, d };
   t.Sides = { bd, Side{ other, -1, 0 }, ab };
   o.Vertex = { a, d, c };
@@ -128,14 +118,14 @@ void Triangulation::SplitTriangle(int triangle, int vertex)
   {
     // Between the new vertex and side i.
     Triangle& n = this->Triangles[ids[i]];
-    n.Vertex = { vertex, t.Vertex[Next(i)], t.Vertex[Previous(i)] };
-    n.Sides = { t.Sides[i], Side{ ids[Next(i)], -1, 0 }, Side{ ids[Previous(i)], -1, 0 } };
+    n.Vertex = { vertex, t.Vertex[NextCorner(i)], t.Vertex[PreviousCorner(i)] };
+    n.Sides = { t.Sides[i], Side{ ids[NextCorner(i)], -1, 0 }, Side{ ids[PreviousCorner(i)], -1, 0 } };
     n.Inside = t.Inside;
     if (i > 0)
     {
-      this->SetNeighbor(t.Sides[i].Neighbor, t.Vertex[Previous(i)], ids[i]);
+      this->SetNeighbor(t.Sides[i].Neighbor, t.Vertex[PreviousCorner(i)], ids[i]);
     }
-    this->VertexTriangle[t.Vertex[Next(i)]] = ids[i];
+    this->VertexTriangle[t.Vertex[NextCorner(i)]] = ids[i];
     this->Stack.push_back({ ids[i], 0 });
   }
   this->VertexTriangle[vertex] = triangle;
@@ -152,8 +142,8 @@ void Triangulation::SplitSide(int triangle, int side, int vertex)
     ++m;
   }
   const int a = t.Vertex[side];
-  const int b = t.Vertex[Next(side)];
-  const int c = t.Vertex[Previous(side)];
+  const int b = t.Vertex[NextCorner(side)];
+  const int c = t.Vertex[PreviousCorner(side)];
   const int d = o.Vertex[m];
   const Side bc = t.Sides[side];
   const int first = static_cast<int>(this->Triangles.size());
@@ -162,8 +152,8 @@ void Triangulation::SplitSide(int triangle, int side, int vertex)
   const int ids[4] = { triangle, other, first, first + 1 };
   const int from[4] = { a, b, d, c };
   const int to[4] = { b, d, c, a };
-  const Side outer[4] = { t.Sides[Previous(side)], o.Sides[Next(m)], o.Sides[Previous(m)],
-    t.Sides[Next(side)] };
+  const Side outer[4] = { t.Sides[PreviousCorner(side)], o.Sides[NextCorner(m)], o.Sides[PreviousCorner(m)],
+    t.Sides[NextCorner(side)] };
   const int owner[4] = { triangle, other, other, triangle };
   for (int i = 0; i < 4; ++i)
   {
@@ -222,7 +212,7 @@ int Triangulation::Locate(const GridPoint& point)
     {
       // Another first side at each step: a walk that always prefers the same one may go round.
       const int k = static_cast<int>((step + i) % 3);
-      if (Orient(this->Points[t.Vertex[Next(k)]], this->Points[t.Vertex[Previous(k)]], point) < 0)
+      if (Orient(this->Points[t.Vertex[NextCorner(k)]], this->Points[t.Vertex[PreviousCorner(k)]], point) < 0)
       {
         next = t.Sides[k].Neighbor;
       }
@@ -240,7 +230,7 @@ int Triangulation::Locate(const GridPoint& point)
     bool inside = true;
     for (int k = 0; k < 3; ++k)
     {
-      inside = inside && Orient(this->Points[v[k]], this->Points[v[Next(k)]], point) >= 0;
+      inside = inside && Orient(this->Points[v[k]], this->Points[v[NextCorner(k)]], point) >= 0;
     }
     if (inside)
     {
@@ -264,7 +254,7 @@ int Triangulation::Insert(const GridPoint& point, bool keepSegments)
     {
       return t.Vertex[k];
     }
-    if (Orient(this->Points[t.Vertex[Next(k)]], this->Points[t.Vertex[Previous(k)]], point) == 0)
+    if (Orient(this->Points[t.Vertex[NextCorner(k)]], this->Points[t.Vertex[PreviousCorner(k)]], point) == 0)
     {
       onSide = k;
     }
@@ -286,221 +276,6 @@ int Triangulation::Insert(const GridPoint& point, bool keepSegments)
   }
   this->Legalize(this->Stack);
   return vertex;
-}
-
-int Triangulation::FindVertexIn(int triangle, int vertex) const
-{
-  const auto& v = this->Triangles[triangle].Vertex;
-  return v[0] == vertex ? 0 : (v[1] == vertex ? 1 : 2);
-}
-
-Triangulation::Place Triangulation::FindSide(int from, int to) const
-{
-  // Counter-clockwise about `from`, and about a corner of the square clockwise, too.
-  const int start = this->VertexTriangle[from];
-  for (const bool clockwise : { false, true })
-  {
-    int at = start;
-    do
-    {
-      const int k = this->FindVertexIn(at, from);
-      if (this->Triangles[at].Vertex[Next(k)] == to)
-      {
-        return { at, Previous(k) };
-      }
-      at = this->Triangles[at].Sides[clockwise ? Previous(k) : Next(k)].Neighbor;
-    } while (at != start && at >= 0);
-  }
-  return { -1, -1 };
-}
-
-Triangulation::Crossing Triangulation::Walk(int a, int b) const
-{
-  Crossing found;
-  const GridPoint& p = this->Points[a];
-  const GridPoint& q = this->Points[b];
-  const int start = this->VertexTriangle[a];
-  int at = start;
-  int right = -1;
-  int left = -1;
-  do
-  {
-    const Triangle& t = this->Triangles[at];
-    const int k = this->FindVertexIn(at, a);
-    const int v = t.Vertex[Next(k)];
-    const int w = t.Vertex[Previous(k)];
-    const GridPoint& r = this->Points[v];
-    const std::int64_t side = Orient(p, q, r);
-    if (v == b || (side == 0 && (q.X - p.X) * (r.X - p.X) + (q.Y - p.Y) * (r.Y - p.Y) > 0))
-    {
-      found.End = v;
-      return found;
-    }
-    if (side < 0 && Orient(p, q, this->Points[w]) > 0)
-    {
-      right = v;
-      left = w;
-      at = t.Sides[k].Neighbor;
-      found.Segment = t.Sides[k].Segment;
-      break;
-    }
-    at = t.Sides[Next(k)].Neighbor;
-  } while (at != start && at >= 0);
-  while (right >= 0 && at >= 0)
-  {
-    found.Sides.push_back({ right, left });
-    if (found.Segment >= 0)
-    {
-      return found;
-    }
-    const Triangle& t = this->Triangles[at];
-    // The side from left to right belongs to this triangle as (left, right) reversed.
-    int k = 0;
-    while (t.Vertex[k] == right || t.Vertex[k] == left)
-    {
-      ++k;
-    }
-    const int apex = t.Vertex[k];
-    const std::int64_t side = Orient(p, q, this->Points[apex]);
-    if (apex == b || side == 0)
-    {
-      found.End = apex;
-      return found;
-    }
-    // The line leaves opposite the vertex that stays behind.
-    const int behind = side > 0 ? left : right;
-    (side > 0 ? left : right) = apex;
-    const Side& out = t.Sides[this->FindVertexIn(at, behind)];
-    found.Segment = out.Segment;
-    at = out.Neighbor;
-  }
-  return found;
-}
-
-bool Triangulation::FlipAway(int a, int b, std::vector<std::pair<int, int>>& sides)
-{
-  const GridPoint& p = this->Points[a];
-  const GridPoint& q = this->Points[b];
-  std::deque<std::pair<int, int>> queue(sides.begin(), sides.end());
-  sides.clear();
-  std::size_t left = 64 + 16 * queue.size() * queue.size();
-  while (!queue.empty() && left-- > 0)
-  {
-    const auto [x, y] = queue.front();
-    queue.pop_front();
-    const Place place = this->FindSide(x, y);
-    if (place.Triangle < 0)
-    {
-      return false;
-    }
-    const Triangle& t = this->Triangles[place.Triangle];
-    const int other = t.Sides[place.Side].Neighbor;
-    const int c = t.Vertex[place.Side];
-    int m = 0;
-    while (this->Triangles[other].Sides[m].Neighbor != place.Triangle)
-    {
-      ++m;
-    }
-    const int d = this->Triangles[other].Vertex[m];
-    if (Orient(this->Points[c], this->Points[x], this->Points[d]) <= 0 ||
-      Orient(this->Points[c], this->Points[d], this->Points[y]) <= 0)
-    {
-      queue.push_back({ x, y });
-      continue;
-    }
-    this->Flip(place.Triangle, place.Side);
-    const std::int64_t first = Orient(p, q, this->Points[c]);
-    const std::int64_t second = Orient(p, q, this->Points[d]);
-    if ((first > 0 && second < 0) || (first < 0 && second > 0))
-    {
-      queue.push_back({ c, d });
-    }
-    else
-    {
-      sides.push_back({ c, d });
-    }
-  }
-  return queue.empty();
-}
-
-void Triangulation::AddSegment(int a, int b, int segment, int winding)
-{
-  const Place place = this->FindSide(a, b);
-  const Place back = this->FindSide(b, a);
-  Side& side = this->Triangles[place.Triangle].Sides[place.Side];
-  Side& other = this->Triangles[back.Triangle].Sides[back.Side];
-  side.Segment = other.Segment = segment;
-  side.Winding += winding;
-  other.Winding -= winding;
-}
-
-int Triangulation::InsertSegment(int a, int b, int segment, bool split)
-{
-  return this->InsertPart(a, b, segment, 1, split, 0);
-}
-
-int Triangulation::InsertPart(int a, int b, int segment, int winding, bool split, int depth)
-{
-  if (depth > MostCrossings)
-  {
-    return -2;
-  }
-  while (a != b)
-  {
-    Crossing found = this->Walk(a, b);
-    if (found.Segment >= 0)
-    {
-      if (!split)
-      {
-        return found.Segment;
-      }
-      // Both lines get a vertex where they cross, to the nearest point of the grid.
-      const auto [x, y] = found.Sides.back();
-      const GridPoint& p = this->Points[a];
-      const GridPoint& q = this->Points[b];
-      const GridPoint& r = this->Points[x];
-      const GridPoint& s = this->Points[y];
-      const double share = static_cast<double>(Orient(p, q, r)) /
-        (static_cast<double>(Orient(p, q, r)) - static_cast<double>(Orient(p, q, s)));
-      const GridPoint cross{ r.X + std::llround(share * static_cast<double>(s.X - r.X)),
-        r.Y + std::llround(share * static_cast<double>(s.Y - r.Y)) };
-      const Place place = this->FindSide(x, y);
-      Side& side = this->Triangles[place.Triangle].Sides[place.Side];
-      const Place back = this->FindSide(y, x);
-      Side& other = this->Triangles[back.Triangle].Sides[back.Side];
-      const Side old = side;
-      side.Segment = other.Segment = -1;
-      side.Winding = other.Winding = 0;
-      const int middle = this->Insert(cross, false);
-      if (middle < 0 || this->InsertPart(x, middle, old.Segment, old.Winding, true, depth + 1) != -1 ||
-        this->InsertPart(middle, y, old.Segment, old.Winding, true, depth + 1) != -1 ||
-        this->InsertPart(a, middle, segment, winding, true, depth + 1) != -1)
-      {
-        return -2;
-      }
-      a = middle;
-      ++depth;
-      if (depth > MostCrossings)
-      {
-        return -2;
-      }
-      continue;
-    }
-    if (found.End < 0)
-    {
-      return -2;
-    }
-    if (!found.Sides.empty())
-    {
-      if (!this->FlipAway(a, found.End, found.Sides))
-      {
-        return -2;
-      }
-    }
-    this->AddSegment(a, found.End, segment, winding);
-    a = found.End;
-  }
-  return -1;
 }
 
 void Triangulation::MarkInside()

@@ -30,7 +30,7 @@ inline std::int64_t Orient(const GridPoint& a, const GridPoint& b, const GridPoi
   return (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
 }
 
-class SMFILTERSTESSELLATION_EXPORT Triangulation
+class Triangulation
 {
 public:
   /// All points lie strictly inside the square from 0 to this.
@@ -52,25 +52,26 @@ public:
     bool Inside = false;
   };
 
-  /// Lengths of a grid step in x and y in which triangles are to be well shaped.
-  explicit Triangulation(const std::array<double, 2>& step);
+  /// Lengths of a grid step in x and y in which triangles are to be well shaped. `points`: about so many will be inserted.
+  SMFILTERSTESSELLATION_EXPORT explicit Triangulation(
+    const std::array<double, 2>& step, std::size_t points = 0);
 
   /// Index of a new vertex, or of the one that is there already; the first four are the corners of the square. -1: the point lies on a
   /// segment and `keepSegments`.
-  int Insert(const GridPoint& point, bool keepSegments);
+  SMFILTERSTESSELLATION_EXPORT int Insert(const GridPoint& point, bool keepSegments);
 
   /// Index of the triangle that holds the point, in its interior or on a side.
-  int Locate(const GridPoint& point);
+  SMFILTERSTESSELLATION_EXPORT int Locate(const GridPoint& point);
 
   /**
    * Makes the straight line from vertex `a` to vertex `b` a chain of sides; a winding number grows by 1 from its right to its left.
    * Returns the segment that it crosses inside both; -1: none. Nothing is changed then, unless `split`: both get a vertex
    * at the crossing. -2: the line cannot be inserted.
    */
-  int InsertSegment(int a, int b, int segment, bool split);
+  SMFILTERSTESSELLATION_EXPORT int InsertSegment(int a, int b, int segment, bool split);
 
   /// Sets Inside of all triangles whose winding number is positive, or negative where none is positive, and makes them Delaunay.
-  void MarkInside();
+  SMFILTERSTESSELLATION_EXPORT void MarkInside();
 
   const std::vector<GridPoint>& GetPoints() const { return this->Points; }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
@@ -78,6 +79,9 @@ public:
   const std::vector<int>& GetChanged() const { return this->Changed; }
 
 private:
+  static int NextCorner(int k) { return k == 2 ? 0 : k + 1; }
+  static int PreviousCorner(int k) { return k == 0 ? 2 : k - 1; }
+
   struct Place
   {
     int Triangle;
@@ -103,7 +107,11 @@ private:
   void Legalize(std::vector<Place>& places);
   /// Exchanges diagonals of inner triangles until none is better.
   void Improve();
-  int FindVertexIn(int triangle, int vertex) const;
+  int FindVertexIn(int triangle, int vertex) const
+  {
+    const std::array<int, 3>& v = this->Triangles[triangle].Vertex;
+    return v[0] == vertex ? 0 : (v[1] == vertex ? 1 : 2);
+  }
   /// The side from `from` to `to`; Triangle is -1 where there is none.
   Place FindSide(int from, int to) const;
   Crossing Walk(int a, int b) const;

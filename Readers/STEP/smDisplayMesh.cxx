@@ -30,6 +30,7 @@ DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMe
   std::vector<const Face*> missing;
   std::vector<const Face*> crossing;
   std::vector<const Face*> turned;
+  std::string turnedReason;
   for (std::size_t f = 0; f < meshes.size(); ++f)
   {
     const FaceMesh& mesh = meshes[f];
@@ -54,6 +55,7 @@ DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMe
     }
     else if (mesh.TurnedOver > 0)
     {
+      turnedReason = turned.empty() ? mesh.Reason : turnedReason;
       turned.push_back(faces[f].get());
     }
     else if (!mesh.Reason.empty())
@@ -69,8 +71,7 @@ DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMe
   }
   if (!turned.empty())
   {
-    messages.push_back("Triangles of the display mesh are turned over on " + CountFaces(turned) +
-      ", where edges lie off their surface.");
+    messages.push_back("Display mesh of " + CountFaces(turned) + ": " + turnedReason);
   }
   if (!crossing.empty())
   {

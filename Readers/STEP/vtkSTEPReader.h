@@ -49,7 +49,7 @@
  *
  * The display mesh is made of the exact model: every edge is sampled once and its points are shared by its faces with the same bits, so
  * that a closed solid has a closed mesh; the field array MeshDeviation holds a proved bound for each face of the distance of its
- * triangles from the surface. A body whose faces are not complete has GetNumberOfMissingFaces() or GetNumberOfDefects() above 0 in
+ * triangles from the surface, across it (vtkNURBSDataSet). A body whose faces are not complete has GetNumberOfMissingFaces() or GetNumberOfDefects() above 0 in
  * its model.
  */
 #ifndef vtkSTEPReader_h

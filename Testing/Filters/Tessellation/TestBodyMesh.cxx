@@ -97,29 +97,78 @@ sm::Coedge MakeReversed(sm::Coedge coedge)
   return coedge;
 }
 
-/// A square whose loop crosses itself, and one without loops.
+/// A square of side 3, with (u,v) from 0 to 2, that is trimmed by polygons in (u,v).
+sm::FacePointer MakeTrimmedSquare(const std::vector<Coefficients2>& polygons)
+{
+  auto face = std::make_shared<sm::Face>(*MakeSquare(3.0, 2));
+  for (const Coefficients2& polygon : polygons)
+  {
+    face->Loops.emplace_back();
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      const Coefficients2 trim{ polygon[i], polygon[(i + 1) % polygon.size()] };
+      Coefficients3 ends(2);
+      for (int k = 0; k < 2; ++k)
+      {
+        face->Surface.Evaluate(trim[k][0], trim[k][1], ends[k].data());
+      }
+      face->Loops.back().Coedges.push_back(MakeCoedge(ends, trim));
+    }
+  }
+  return face;
+}
+
+/// Loops as no file should have them: each face has the triangles of what its loops wind around, or a reason.
 void CheckLoops()
 {
-  const sm::FacePointer square = MakeSquare(3.0, 2);
-  const MeshMeasures plain = MeasureMesh({ square }, sm::MeshFaces({ square }, { 0.1, 0.35 }));
-  Check("area of a square without loops", 9.0, plain.Area, 1e-13, "rounding");
-  auto crossed = std::make_shared<sm::Face>(*square);
-  const std::array<double, 2> corners[5] = { { 0.2, 0.2 }, { 1.8, 1.8 }, { 1.8, 0.2 }, { 0.2, 1.8 },
-    { 0.2, 0.2 } };
-  crossed->Loops.emplace_back();
-  for (int i = 0; i < 4; ++i)
+  const Coefficients2 whole{ { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } };
+  const Coefficients2 clockwise{ { 0, 0 }, { 0, 2 }, { 2, 2 }, { 2, 0 } };
+  const struct
   {
-    Coefficients3 ends(2);
-    for (int k = 0; k < 2; ++k)
+    std::string Name;
+    std::vector<Coefficients2> Polygons;
+    /// In cells of 1.5 by 1.5.
+    double Area;
+    std::string Reason;
+  } cases[] = {
+    { "no loops", {}, 4.0, "" },
+    { "a loop that crosses itself", { { { 0.2, 0.2 }, { 1.8, 1.8 }, { 1.8, 0.2 }, { 0.2, 1.8 } } }, 0.64,
+      "" },
+    { "a loop that crosses itself in three places",
+      { { { 0.1, 0.1 }, { 1.9, 0.1 }, { 1.9, 1.7 }, { 0.7, 0.0 }, { 0.6, 1.9 }, { 0.2, 0.05 } } }, -1.0,
+      "cross" },
+    { "a clockwise loop", { clockwise }, 4.0, "" },
+    { "two squares that touch in a vertex",
+      { { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 2, 1 }, { 2, 2 }, { 1, 2 }, { 1, 1 }, { 0, 1 } } }, 2.0, "" },
+    { "a hole that touches the border", { whole, { { 1, 0 }, { 0.5, 1 }, { 1.5, 1 } } }, 3.5, "" },
+    { "a hole with a side on the border", { whole, { { 0.5, 0 }, { 0.5, 1 }, { 1.5, 1 }, { 1.5, 0 } } }, 3.0,
+      "" },
+    { "a hole that reaches beyond the border",
+      { whole, { { 0.5, 1.4 }, { 0.6, 2.3 }, { 1.5, 2.7 }, { 1.4, 1.3 } } }, -1.0, "cross" },
+    { "a loop with a spike", { { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 2, 1 }, { 2, 2 }, { 0, 2 } } },
+      4.0, "" },
+    { "a loop that is used twice", { whole, whole }, 4.0, "" },
+    { "a hole as large as the face", { whole, clockwise }, 0.0, "encloses no area" },
+    { "a loop forth and back", { { { 0.2, 0.2 }, { 1.8, 1.0 } } }, 0.0, "encloses no area" },
+    { "a loop that is a point on a knot", { { { 1, 1 }, { 1, 1 } } }, 0.0, "encloses no area" },
+  };
+  for (const auto& c : cases)
+  {
+    const sm::FacePointer face = MakeTrimmedSquare(c.Polygons);
+    const std::vector<sm::FaceMesh> meshes = sm::MeshFaces({ face }, { 1e-3, 0.35 });
+    const MeshMeasures m = MeasureMesh({ face }, meshes);
+    if (c.Area >= 0.0)
     {
-      square->Surface.Evaluate(corners[i + k][0], corners[i + k][1], ends[k].data());
+      Check(c.Name + ": area", 2.25 * c.Area, m.Area, 1e-6, "steps of the grid");
     }
-    crossed->Loops[0].Coedges.push_back(MakeCoedge(ends, { corners[i], corners[i + 1] }));
+    else
+    {
+      CheckTrue(c.Name + ": triangles", m.Area > 1.0);
+    }
+    CheckEqual(c.Name + ": a reason", !c.Reason.empty(), !meshes[0].Reason.empty());
+    CheckTrue(
+      c.Name + ": \"" + meshes[0].Reason + "\"", meshes[0].Reason.find(c.Reason) != std::string::npos);
   }
-  const std::vector<sm::FaceMesh> meshes = sm::MeshFaces({ crossed }, { 0.1, 0.35 });
-  // Halving makes a point of the crossing. A quarter of a square of side 1.6 cells of length 1.5.
-  Check("the part that winds once", 0.25 * 2.4 * 2.4, MeasureMesh({ crossed }, meshes).Area, 1e-6,
-    "steps of the grid");
 }
 
 /// (u, u^2 + width v, 0) on the unit square, with edges along its borders; the one at v = 1 has a vertex at u = 0.3. `lift`: how far
@@ -158,7 +207,10 @@ void CheckNarrowFaces()
   const sm::FacePointer gap = MakeBentStrip(0.01, 0.1);
   meshes = sm::MeshFaces({ gap }, { 0.3, 1.0 });
   const int turned = MeasureMesh({ gap }, meshes).Inverted;
-  CheckTrue("an edge beyond the other side turns triangles over", turned > 0);
+  CheckRange(
+    "triangles turned over by an edge beyond the other side", 1.0, turned, 10.0, "22 without repair");
+  CheckRange("triangles there", 1.0, static_cast<double>(meshes[0].Triangles.size()), 150.0,
+    "229 if chords were halved for the gap, too");
   CheckEqual("and the mesh says so", turned, meshes[0].TurnedOver);
   CheckTrue("by a sentence", meshes[0].Reason.find("turned over") != std::string::npos);
 

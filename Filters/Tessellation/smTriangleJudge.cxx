@@ -1,0 +1,121 @@
+#include "smTriangleJudge.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+/// A triangle is a line where twice its area is below this part of the square of its longest side.
+constexpr double LineShare = 1e-7;
+/// A triangle is not turned over where the cosines to the normals of its corners are above this.
+constexpr double PlainCosine = 0.5;
+}
+
+TriangleJudge::TriangleJudge(
+  const SurfaceBlocks& blocks, const std::vector<MeshVertex>& vertices, NURBSSurface::Walker& walker)
+  : Blocks(blocks)
+  , Vertices(vertices)
+  , Walker(walker)
+{
+}
+
+bool TriangleJudge::IsCollapsed(const Corners& t) const
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const int a = this->Vertices[t[k]].Shared;
+    if (a >= 0 && a == this->Vertices[t[(k + 1) % 3]].Shared)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+double TriangleJudge::GetError(const Corners& t) const
+{
+  ParameterBox box{ this->Vertices[t[0]].At, this->Vertices[t[0]].At };
+  box.Add(this->Vertices[t[1]].At);
+  box.Add(this->Vertices[t[2]].At);
+  return this->Blocks.GetError(box);
+}
+
+double TriangleJudge::GetGap(const Corners& t) const
+{
+  return std::max({ this->Vertices[t[0]].Gap, this->Vertices[t[1]].Gap, this->Vertices[t[2]].Gap });
+}
+
+double TriangleJudge::GetHeight(const Corners& t) const
+{
+  const Vector3& a = this->Vertices[t[0]].Position;
+  const Vector3 sides[2] = { Subtract(this->Vertices[t[1]].Position, a),
+    Subtract(this->Vertices[t[2]].Position, a) };
+  return Norm(Cross(sides[0], sides[1])) /
+    std::max({ Norm(sides[0]), Norm(sides[1]), Norm(Subtract(sides[0], sides[1])), 1e-300 });
+}
+
+bool TriangleJudge::IsInverted(const Corners& t) const
+{
+  const MeshVertex* v[3];
+  Vector3 mean{ 0.0, 0.0, 0.0 };
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    v[k] = &this->Vertices[t[k]];
+    const Vector3 side = Subtract(v[k]->Position, this->Vertices[t[(k + 1) % 3]].Position);
+    longest = std::max(longest, Dot(side, side));
+    for (int c = 0; c < 3; ++c)
+    {
+      mean[c] += v[k]->Normal[c];
+    }
+  }
+  const Vector3 normal =
+    Cross(Subtract(v[1]->Position, v[0]->Position), Subtract(v[2]->Position, v[0]->Position));
+  return Dot(normal, mean) < 0.0 && Norm(normal) > LineShare * longest;
+}
+
+bool TriangleJudge::IsTurned(const Corners& t) const
+{
+  return this->IsAgainst(
+    { this->Vertices[t[0]].Position, this->Vertices[t[1]].Position, this->Vertices[t[2]].Position }, t);
+}
+
+bool TriangleJudge::IsFolded(const Corners& t) const
+{
+  std::array<Vector3, 3> onSurface;
+  for (int k = 0; k < 3; ++k)
+  {
+    const MeshVertex& v = this->Vertices[t[k]];
+    this->Walker.Evaluate(v.At[0], v.At[1], onSurface[k].data());
+  }
+  return this->IsAgainst(onSurface, t);
+}
+
+bool TriangleJudge::IsAgainst(const std::array<Vector3, 3>& corners, const Corners& t) const
+{
+  const MeshVertex* const v[3] = { &this->Vertices[t[0]], &this->Vertices[t[1]], &this->Vertices[t[2]] };
+  const Vector3 sides[3] = { Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]),
+    Subtract(corners[2], corners[1]) };
+  const Vector3 normal = Cross(sides[0], sides[1]);
+  const double size = Norm(normal);
+  double longest = 0.0;
+  bool isPlain = true;
+  for (int k = 0; k < 3; ++k)
+  {
+    longest = std::max(longest, Dot(sides[k], sides[k]));
+    isPlain = isPlain && Dot(normal, v[k]->Normal) > PlainCosine * size;
+  }
+  if (isPlain || !(size > LineShare * longest))
+  {
+    return false;
+  }
+  Vector3 position;
+  Vector3 du;
+  Vector3 dv;
+  this->Walker.Evaluate((v[0]->At[0] + v[1]->At[0] + v[2]->At[0]) / 3.0,
+    (v[0]->At[1] + v[1]->At[1] + v[2]->At[1]) / 3.0, position.data(), du.data(), dv.data());
+  return Dot(normal, Cross(du, dv)) < 0.0;
+}
+}
