@@ -252,9 +252,9 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
     const std::vector<double> breaks = surface.GetSpanBreaks(d);
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
     {
-      // The first and the last span answer for what lies beyond the domain.
+      // The first and the last span answer for what lies beyond the domain, the one behind a knot for a box without width on it.
       if ((k + 2 == breaks.size() || breaks[k + 1] > covered.Low[d]) &&
-        (k == 0 || breaks[k] < covered.High[d]))
+        (k == 0 || breaks[k] < covered.High[d] || breaks[k] == covered.Low[d]))
       {
         if (spans[d].empty())
         {
