@@ -26,7 +26,8 @@ struct JobOptions
   std::string MeshName;    ///< file of triangles to write, see WriteMesh(); empty: none
   double Deflection = 0.0; ///< of the triangles, in Unit; 0: the reader's default
   std::string Unit = "mm"; ///< length unit of all results, or "file"
-  std::string Repair = "always"; ///< or "needed": which shapes OpenCASCADE repairs, see vtkSTEPReader::SetRepair
+  std::string Repair =
+    "needed"; ///< or "always": which shapes OpenCASCADE repairs, see vtkSTEPReader::SetRepair
   std::string Backend = "auto";
   double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
   /// Tolerances of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see vtkMassPropertiesGPU.

@@ -116,7 +116,7 @@ HOSTILE = {
     "05b_crash": (FLAGGED, ["#11"], None),
     "05d_crash": (FLAGGED, ["#202"], None),
     "07_assembly_bomb": ({"unreadable"}, ["393214 instances"], None),
-    "void_outside": (FLAGGED, ["does not lie inside its outer shell"], None),
+    "void_outside": (FLAGGED, ["a void lies outside the outer shell"], None),
     "same_solid_listed_twice": (FLAGGED, ["#157"], None),
     "one_shell_overlapping_boxes": (FLAGGED, ["its winding number is 2"], None),
     "two_coincident": ({"ok"}, ["they overlap"], None),
