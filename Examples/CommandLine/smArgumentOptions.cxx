@@ -102,9 +102,9 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->check(sm::CheckUnit);
   app
     .add_option("--repair", job.Repair,
-      "Which solids and shells OpenCASCADE repairs: always (default), or needed:\n"
-      "only those that are not sound as the file has them, which a message tells;\n"
-      "the others are read faster, with exact trim curves")
+      "Which solids and shells OpenCASCADE repairs: needed (default): those that are\n"
+      "not sound as the file has them, which a message tells; the others are read\n"
+      "faster, with exact trim curves; or always: all")
     ->type_name("WHEN")
     ->check(sm::CheckRepair);
   app

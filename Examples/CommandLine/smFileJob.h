@@ -27,7 +27,7 @@ struct JobOptions
   double Deflection = 0.0; ///< of the triangles, in Unit; 0: the reader's default
   std::string Unit = "mm"; ///< length unit of all results, or "file"
   std::string Repair =
-    "always"; ///< or "needed": which shapes OpenCASCADE repairs, see vtkSTEPReader::SetRepair
+    "needed"; ///< or "always": which shapes OpenCASCADE repairs, see vtkSTEPReader::SetRepair
   std::string Backend = "auto";
   double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
   /// Tolerances of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see vtkMassPropertiesGPU.

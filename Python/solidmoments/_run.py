@@ -47,7 +47,7 @@ def _make(file, data, row, **more):
                           material=_get_text(data, row, "Material"), open_edges=None if edges is None else int(edges), **values, **more)
 
 
-def _check(density, tolerance, density_tolerance, backend, max_seconds, unit):
+def _check(density, tolerance, density_tolerance, backend, max_seconds, unit, repair):
     """Raises ValueError for what the filter would clamp or report on the console."""
     if density is not None and not 0.0 < density < math.inf:
         raise ValueError(f"density is {density}; it has to be above 0 and finite, in kg/m^3, or None for those of the file")
@@ -55,6 +55,8 @@ def _check(density, tolerance, density_tolerance, backend, max_seconds, unit):
         raise ValueError(f"tolerance is {tolerance}; it has to be from 1e-15 to 1")
     if backend not in ("auto", "opengl", "cpu"):
         raise ValueError(f"backend is {backend!r}; it has to be 'auto', 'opengl' or 'cpu'")
+    if repair not in ("needed", "always"):
+        raise ValueError(f"repair is {repair!r}; it has to be 'needed' or 'always'")
     if max_seconds is not None and not 0.0 < max_seconds < math.inf:
         raise ValueError(f"max_seconds is {max_seconds}; it has to be above 0 and finite, or None")
     if unit not in ("mm", "cm", "m", "um", "inch", "ft", "file"):
@@ -66,13 +68,14 @@ def _messages(*algorithms):
 
 
 def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, density_tolerance=0.0, materials=(), backend="auto", max_seconds=None,
-                    strict=False):
+                    repair="needed", strict=False):
     """The MassProperties of all solids of a STEP file together; those of each solid are in `solids`.
 
     file: path. density: of all solids in kg/m^3; None: those that the file gives. unit: length unit of the result, mm, cm, m, um, inch, ft,
     or file for that of the file. tolerance: relative, from 1e-15 to 1. density_tolerance: largest relative deviation of the densities, 0 to 1,
     for `mass_uncertainty`. materials: rows (pattern of names, material, density or None), before
     `density`. backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
+    repair: needed, OpenCASCADE repairs the solids and shells that are not sound as the file has them; or always, all.
 
     Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result. A result with another status
     than ok gives a FlaggedResultWarning; with strict=True it raises SolidMomentsError, too.
@@ -81,7 +84,7 @@ def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, density_to
     from .smReadersSTEP import vtkSTEPReader
 
     file = os.fspath(file)
-    _check(density, tolerance, density_tolerance, backend, max_seconds, unit)
+    _check(density, tolerance, density_tolerance, backend, max_seconds, unit, repair)
     if not os.path.exists(file):
         raise FileNotFoundError(file)
     reader, mass = vtkSTEPReader(), vtkMassPropertiesGPU()
@@ -91,6 +94,7 @@ def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, density_to
     reader.SetFileName(file)
     reader.IsolatedOn()  # a file that crashes OpenCASCADE does not end the interpreter
     reader.SetOutputUnit(unit)
+    reader.SetRepair(reader.ON_NEED if repair == "needed" else reader.ALWAYS)
     reader.SetMaximumSeconds(max_seconds or 0.0)
     mass.SetInputConnection(reader.GetOutputPort())
     mass.SetDensity(density or 0.0)

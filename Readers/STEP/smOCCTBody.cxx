@@ -281,16 +281,43 @@ private:
     return trims;
   }
 
-  void ConvertFace(std::size_t index)
+  /// Takes the loops that were completed when the face was inspected, unless it has another placement.
+  void CompleteFace(const DraftFace& inspected, DraftFace& draft) const
   {
-    DraftFace& draft = this->Drafts[index];
-    if (draft.AsInFile)
+    if (!inspected.Face.IsEqual(draft.Face))
     {
       const std::string problem = CompleteLoops(draft);
       if (!problem.empty())
       {
         throw std::runtime_error(problem);
       }
+      return;
+    }
+    draft.Loops = inspected.Loops;
+    draft.AddedEdges = inspected.AddedEdges;
+    for (DraftLoop& loop : draft.Loops)
+    {
+      for (DraftCoedge& coedge : loop)
+      {
+        if (coedge.EdgeIndex >= 0)
+        {
+          coedge.EdgeIndex = this->EdgeShapes.FindIndex(coedge.Edge.Oriented(TopAbs_FORWARD)) - 1;
+          if (coedge.EdgeIndex < 0)
+          {
+            throw std::runtime_error("its edges are not those that were inspected");
+          }
+        }
+      }
+    }
+  }
+
+  void ConvertFace(std::size_t index)
+  {
+    DraftFace& draft = this->Drafts[index];
+    const ShapeInfo& info = Find(this->Table, draft.Face);
+    if (draft.AsInFile)
+    {
+      this->CompleteFace(*info.AsInFile, draft);
     }
     else
     {
@@ -302,7 +329,6 @@ private:
     const NativeBox box = GetCoveredBox(draft, trims);
     ConvertedSurface surface = ConvertSurface(draft.Surface, box, map);
 
-    const ShapeInfo& info = Find(this->Table, draft.Face);
     auto face = std::make_shared<Face>();
     face->Id = NewId();
     face->FileId = info.FileId;
@@ -513,6 +539,12 @@ private:
   std::vector<ConvertedFace> Faces;
   ConvertedBody Result;
 };
+}
+
+bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table)
+{
+  const TopExp_Explorer faces(shape, TopAbs_FACE);
+  return faces.More() && Find(table, faces.Current()).AsInFile != nullptr;
 }
 
 ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],

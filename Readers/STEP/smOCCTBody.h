@@ -13,6 +13,7 @@
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
 
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -29,14 +30,18 @@ struct ShapeInfo
   bool OpenSolid = false;
   /// The shape is a face that the file bounds by edges.
   bool Bounded = false;
-  /// The shape is a face that OpenCASCADE has not repaired: its loops are those of the file (smOCCTCompleteLoops.h).
-  bool AsInFile = false;
+  /// The shape is a face that OpenCASCADE has not repaired: its loops are those of the file, and here they are complete
+  /// (smOCCTCompleteLoops.h).
+  std::shared_ptr<const DraftFace> AsInFile;
   /// Faces that a shell has in the file but not in OpenCASCADE's shape.
   int LostFaces = 0;
   /// The shape is a solid or shell of which an instance lost its scale or its mirror.
   bool Misplaced = false;
 };
 using ShapeTable = std::unordered_map<const TopoDS_TShape*, ShapeInfo>;
+
+/// OpenCASCADE has not repaired the faces of a solid or shell.
+SMREADERSSTEP_EXPORT bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table);
 
 struct ConvertedFace
 {

@@ -6,6 +6,7 @@
 #include "smOCCTFile.h"
 #include "smOCCTModel.h"
 #include "smOCCTRepair.h"
+#include "smOCCTShells.h"
 #include "smOCCTTable.h"
 #include "smPart21File.h"
 #include "smSTEPReconciliation.h"
@@ -194,7 +195,10 @@ private:
             said.push_back(message);
           }
         }
-        this->AddBody(it.Current(), solid, part, placement, color, node, bodies++);
+        for (const TopoDS_Shape& connected : this->GetParts(it.Current()))
+        {
+          this->AddBody(connected, solid, part, placement, color, node, bodies++);
+        }
       }
       else
       {
@@ -221,6 +225,32 @@ private:
       }
       this->AddBody(group, false, part, placement, color, node, bodies++);
     }
+  }
+
+  /// The bodies of a shell beside solids: OpenCASCADE's repairs part what is not connected, and what it has not repaired is parted here.
+  std::vector<TopoDS_Shape> GetParts(const TopoDS_Shape& shell)
+  {
+    if (!IsAsInFile(shell, this->Result.Table))
+    {
+      return { shell };
+    }
+    std::vector<TopoDS_Shape>& parts = this->ShellParts[shell.TShape().get()];
+    if (parts.empty())
+    {
+      parts = SplitShell(shell);
+      ShapeInfo info = this->Result.Table[shell.TShape().get()];
+      for (const TopoDS_Shape& part : parts)
+      {
+        this->Result.Table.emplace(part.TShape().get(), info);
+        info.LostFaces = 0;
+      }
+    }
+    std::vector<TopoDS_Shape> placed;
+    for (const TopoDS_Shape& part : parts)
+    {
+      placed.push_back(part.Located(shell.Location()).Oriented(shell.Orientation()));
+    }
+    return placed;
   }
 
   PartBody DescribePart(const TDF_Label& product, const Inherited& inherited) const
@@ -306,6 +336,7 @@ private:
   bool OnlySolids = false;
   std::map<std::tuple<const void*, TopAbs_Orientation, double>, int> Known;
   std::map<const void*, TopoDS_Compound> LooseFaces;
+  std::map<const void*, std::vector<TopoDS_Shape>> ShellParts;
 };
 
 void Configure(STEPCAFControl_Reader& reader)
@@ -454,9 +485,9 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
     reader.Transfer(xde, indicator->Start());
   }
   indicator->Rethrow();
-  for (const TopoDS_TShape* face : log.SoundFaces)
+  for (const auto& [shape, face] : log.SoundFaces)
   {
-    document.Table[face].AsInFile = true;
+    document.Table[shape].AsInFile = face;
   }
   if (log.RepairedBodies > 0)
   {

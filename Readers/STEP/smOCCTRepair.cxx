@@ -2,6 +2,7 @@
 
 #include "smOCCTFaceInspection.h"
 #include "smOCCTFailure.h"
+#include "smOCCTShells.h"
 #include "smParallelFor.h"
 
 #include <BRep_Tool.hxx>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -33,6 +33,9 @@ constexpr double VertexTolerance = 1e-3;
 /// an edge leads beyond its surface may be several times too large.
 constexpr double LargestGap = 2.5e-4;
 
+/// Faces that are inspected before the first look at the results; then it is as many as before, and so many more.
+constexpr std::size_t FirstFaces = 32;
+
 /// A volume that is more than that part of the sum of its faces' cones has the sign of its estimate.
 constexpr double LeastShare = 0.2;
 
@@ -41,7 +44,6 @@ struct EdgeUses
 {
   int Count = 0;
   int Sum = 0;
-  std::size_t FirstFace = 0;
 };
 
 /// The box around vertices and some points of edges.
@@ -105,9 +107,10 @@ private:
 class ShapeInspector
 {
 public:
-  ShapeInspector(TopoDS_Shape& shape, const ShapeLabel& label)
+  ShapeInspector(TopoDS_Shape& shape, const ShapeLabel& label, SoundFaceTable& faces)
     : Shape(shape)
     , Label(label)
+    , SoundFaces(faces)
   {
   }
 
@@ -141,6 +144,7 @@ public:
     {
       this->Shape.Reverse();
     }
+    this->SoundFaces.merge(this->Inspected);
     return {};
   }
 
@@ -176,29 +180,40 @@ private:
       return structure;
     }
     const ShapeBox box(shell);
-    std::vector<FaceInspection> results(drafts.size());
-    ParallelFor(drafts.size(), 16,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const std::string failure = CatchFailure(
-            [&] {
-              results[i] = InspectFace(drafts[i], box.GetCenter(), this->Tolerance, LargestGap * this->Size);
-            });
-          results[i].Problem = failure.empty() ? results[i].Problem : failure;
-        }
-      });
     double volume = 0.0;
     double sum = 0.0;
+    std::vector<FaceInspection> results;
+    // The first problem is told: faces far behind it are not looked at.
+    for (std::size_t start = 0; start < drafts.size(); start += results.size())
+    {
+      results.assign(std::min(start + FirstFaces, drafts.size() - start), {});
+      ParallelFor(results.size(), 16,
+        [&](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const std::string failure = CatchFailure(
+              [&] {
+                results[i] =
+                  InspectFace(drafts[start + i], box.GetCenter(), this->Tolerance, LargestGap * this->Size);
+              });
+            results[i].Problem = failure.empty() ? results[i].Problem : failure;
+          }
+        });
+      for (std::size_t i = 0; i < results.size(); ++i)
+      {
+        if (!results[i].Problem.empty())
+        {
+          return this->Label(faces[start + i]) + ": " + results[i].Problem;
+        }
+        volume += (drafts[start + i].Reversed ? -1.0 : 1.0) * results[i].ConeVolume;
+        sum += std::abs(results[i].ConeVolume);
+      }
+    }
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
-      if (!results[i].Problem.empty())
-      {
-        return this->Label(faces[i]) + ": " + results[i].Problem;
-      }
-      volume += (drafts[i].Reversed ? -1.0 : 1.0) * results[i].ConeVolume;
-      sum += std::abs(results[i].ConeVolume);
+      this->Inspected.emplace(
+        faces[i].TShape().get(), std::make_shared<const DraftFace>(std::move(drafts[i])));
     }
     outwards = sum > 0.0 ? volume / sum : 0.0;
     return {};
@@ -208,35 +223,16 @@ private:
   static std::string InspectStructure(const std::vector<TopoDS_Shape>& faces, bool isSolid)
   {
     std::unordered_map<const TopoDS_TShape*, EdgeUses> uses;
-    std::vector<std::size_t> group(faces.size());
-    std::iota(group.begin(), group.end(), std::size_t{ 0 });
-    const auto find = [&group](std::size_t i)
+    for (const TopoDS_Shape& face : faces)
     {
-      while (group[i] != i)
+      for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
       {
-        i = group[i] = group[group[i]];
-      }
-      return i;
-    };
-    std::size_t groups = faces.size();
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      for (TopExp_Explorer it(faces[i], TopAbs_EDGE); it.More(); it.Next())
-      {
-        const TopAbs_Orientation orientation = it.Current().Orientation();
-        if (BRep_Tool::Degenerated(TopoDS::Edge(it.Current())) ||
-          (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED))
+        if (IsBoundary(it.Current()))
         {
-          continue;
+          EdgeUses& use = uses[it.Current().TShape().get()];
+          ++use.Count;
+          use.Sum += it.Current().Orientation() == TopAbs_FORWARD ? 1 : -1;
         }
-        EdgeUses& use = uses[it.Current().TShape().get()];
-        use.FirstFace = use.Count == 0 ? i : use.FirstFace;
-        ++use.Count;
-        use.Sum += orientation == TopAbs_FORWARD ? 1 : -1;
-        const std::size_t a = find(use.FirstFace);
-        const std::size_t b = find(i);
-        groups -= a != b ? 1 : 0;
-        group[b] = a;
       }
     }
     for (const auto& [edge, use] : uses)
@@ -251,11 +247,16 @@ private:
         return "its faces do not agree about their sides";
       }
     }
-    return isSolid && groups > 1 ? "a shell is in several parts" : std::string();
+    const std::vector<std::size_t> groups = GroupFaces(faces);
+    const bool isOne =
+      std::all_of(groups.begin(), groups.end(), [](std::size_t group) { return group == 0; });
+    return isSolid && !isOne ? "a shell is in several parts" : std::string();
   }
 
   TopoDS_Shape& Shape;
   const ShapeLabel& Label;
+  SoundFaceTable& SoundFaces;
+  SoundFaceTable Inspected;
   double Size = 0.0;
   double Tolerance = 0.0;
 };
@@ -293,16 +294,12 @@ public:
       // A label is a search through all that was transferred.
       const bool isTold = this->Log.Reasons.size() < MostReasons;
       const ShapeLabel none = [](const TopoDS_Shape&) { return std::string(); };
-      const std::string failure =
-        CatchFailure([&] { problem = FindShapeDamage(shape, isTold ? this->Label : none); });
+      const std::string failure = CatchFailure(
+        [&] { problem = FindShapeDamage(shape, isTold ? this->Label : none, this->Log.SoundFaces); });
       problem = failure.empty() ? problem : failure;
       if (problem.empty())
       {
         ++this->Log.SoundBodies;
-        for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
-        {
-          this->Log.SoundFaces.insert(it.Current().TShape().get());
-        }
         return shape;
       }
       ++this->Log.RepairedBodies;
@@ -351,8 +348,8 @@ std::string Describe(const RepairLog& log)
   return text + (static_cast<int>(log.Reasons.size()) < log.RepairedBodies ? "; ..." : ".");
 }
 
-std::string FindShapeDamage(TopoDS_Shape& shape, const ShapeLabel& label)
+std::string FindShapeDamage(TopoDS_Shape& shape, const ShapeLabel& label, SoundFaceTable& faces)
 {
-  return ShapeInspector(shape, label).Run();
+  return ShapeInspector(shape, label, faces).Run();
 }
 }

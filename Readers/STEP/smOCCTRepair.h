@@ -5,22 +5,28 @@
 #ifndef smOCCTRepair_h
 #define smOCCTRepair_h
 
+#include "smOCCTLoop.h"
+#include "smReadersSTEPModule.h"
+
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
 #include <XSAlgo_AlgoContainer.hxx>
 
 #include <functional>
+#include <memory>
 #include <string>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 namespace sm
 {
+using SoundFaceTable = std::unordered_map<const TopoDS_TShape*, std::shared_ptr<const DraftFace>>;
+
 /// Which shapes of a transfer were repaired, and why.
 struct RepairLog
 {
-  /// Faces that are as the file has them.
-  std::unordered_set<const TopoDS_TShape*> SoundFaces;
+  /// Faces that are as the file has them, with complete loops.
+  SoundFaceTable SoundFaces;
   int SoundBodies = 0;
   int RepairedBodies = 0;
   /// "solid #12: face #34: a loop does not close", for the first of them.
@@ -51,8 +57,10 @@ private:
   Handle(XSAlgo_AlgoContainer) Previous;
 };
 
-/// Why a solid or shell should be repaired; empty when it is sound. A solid that is turned inside out, clearly, is reversed.
-std::string FindShapeDamage(TopoDS_Shape& shape, const ShapeLabel& label);
+/// Why a solid or shell should be repaired; empty when it is sound, and then `faces` gets its faces. A solid that is turned inside out,
+/// clearly, is reversed.
+SMREADERSSTEP_EXPORT std::string FindShapeDamage(
+  TopoDS_Shape& shape, const ShapeLabel& label, SoundFaceTable& faces);
 }
 
 #endif

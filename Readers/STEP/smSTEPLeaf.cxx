@@ -19,8 +19,6 @@
 #include "vtkTrimmedNURBSModel.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <TopExp_Explorer.hxx>
-
 #include <algorithm>
 #include <cmath>
 
@@ -43,14 +41,6 @@ constexpr double MostDeflectionRatio = 1.5;
 
 /// A unit in mm is a product of up to three numbers that are no doubles (0.0254, 0.001, ...), times the coordinate.
 constexpr int UnitRoundings = 6;
-
-/// The kernel has not repaired the shape's faces.
-bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table)
-{
-  const TopExp_Explorer faces(shape, TopAbs_FACE);
-  const auto info = faces.More() ? table.find(faces.Current().TShape().get()) : table.end();
-  return info != table.end() && info->second.AsInFile;
-}
 
 vtkSmartPointer<vtkIntArray> MakeIndexArray(const std::vector<int>& values)
 {
@@ -147,9 +137,12 @@ void LeafMaker::Triangulate(
   {
     faces.push_back(face.Result);
   }
-  const auto report = [this, &progress](double x)
+  // Of two meshes each takes half of what is left.
+  double done = ConversionShare;
+  const double share = 0.5 * (1.0 - ConversionShare);
+  const auto report = [&](double x)
   {
-    this->Aborted = this->Aborted || !progress(ConversionShare + (1.0 - ConversionShare) * x);
+    this->Aborted = this->Aborted || !progress(done + share * x);
     return !this->Aborted;
   };
   const auto getDiagonal = [](const double* b) { return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]); };
@@ -175,6 +168,7 @@ void LeafMaker::Triangulate(
   if (shown.Angle != usual.Angle || shown.Deflection < usual.Deflection ||
     shown.Deflection > MostDeflectionRatio * usual.Deflection)
   {
+    done += share;
     meshes = MeshFaces(faces, shown, report);
   }
   this->Mesh = JoinMeshes(faces, std::move(meshes), this->Model->GetOrigin(), body.Messages);

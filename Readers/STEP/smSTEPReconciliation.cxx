@@ -157,17 +157,17 @@ private:
 
   void CheckSolid(const CensusBody& body)
   {
-    const auto found = this->Read.find(body.Id);
-    if (found == this->Read.end())
+    const std::vector<std::size_t>& parts = this->Read[body.Id];
+    if (parts.empty())
     {
       this->Result.Defects.push_back("Solid " + Name(body) +
         " of the file was lost: " + std::to_string(body.Faces) + " faces, " + Count(body.Instances) +
         (body.Instances == 1 ? " instance." : " instances.") + " OpenCASCADE makes no shape of it.");
       return;
     }
-    this->CheckFaces(body, found->second);
-    this->CheckInstances(body, found->second);
-    for (const std::size_t i : found->second)
+    this->CheckFaces(body, parts);
+    this->CheckInstances(body, parts);
+    for (const std::size_t i : parts)
     {
       PartBody& part = this->Result.Bodies[i];
       const double uncertainty = body.Context < 0 ? 0.0 : this->Census.Contexts[body.Context].Uncertainty;

@@ -123,10 +123,9 @@ public:
 
   ///@{
   /**
-   * ALWAYS (default): OpenCASCADE repairs all shapes of the file and computes trim curves that the file does not have. ON_NEED: it repairs
-   * the solids and shells that are not sound as the file has them, whose numbers GetMessage() tells; the others are taken from the
-   * file as they are, with trim curves in closed form, which is faster and more exact. Not available with OpenCASCADE 7.9 and later,
-   * where ON_NEED is ALWAYS.
+   * ON_NEED (default): OpenCASCADE repairs the solids and shells that are not sound as the file has them, whose numbers GetMessage()
+   * tells; the others are taken from the file as they are, with trim curves in closed form, which is faster and more exact. ALWAYS: it
+   * repairs all shapes of the file and computes trim curves that the file does not have. With OpenCASCADE 7.9 and later ON_NEED is ALWAYS.
    */
   enum RepairType
   {
@@ -254,7 +253,7 @@ private:
   bool RelativeDeflection = true;
   double AngularDeflection = 0.35;
   std::string OutputUnit = "mm";
-  int Repair = ALWAYS;
+  int Repair = ON_NEED;
   bool Isolated = false;
   double MaximumSeconds = 0.0;
   /// When the last Update() began, and whether it took too long.

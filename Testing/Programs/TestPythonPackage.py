@@ -56,6 +56,7 @@ def check_same():
     two = manifest.special("two_solids")["path"]
     for path, options, more in ((sample, (), {}), (sample, ("--density", "7850", "--unit", "inch"), {"density": 7850.0, "unit": "inch"}),
                                 (sample, ("--backend", "cpu", "--tolerance", "1e-6"), {"backend": "cpu", "tolerance": 1e-6}),
+                                (sample, ("--repair", "always"), {"repair": "always"}),
                                 (two, ("--density", "1000"), {"density": 1000.0})):
         expected = run(path, *options)[0]
         result, flags = quietly(path, **more)
@@ -84,7 +85,7 @@ def check_failures():
     found = raised(solidmoments.SolidMomentsError, os.path.join(folder, "no_geometry.step"))
     check_equal("a file without solids", "empty", found and found.status)
     for wrong in ({"density": -1.0}, {"density": 0.0}, {"density": math.nan}, {"tolerance": 2.0}, {"unit": "mile"}, {"backend": "gpu"},
-                  {"max_seconds": 0.0}, {"materials": [("*", "unobtainium", None)]}, {"materials": [("*", "oak", -5.0)]}):
+                  {"repair": "never"}, {"max_seconds": 0.0}, {"materials": [("*", "unobtainium", None)]}, {"materials": [("*", "oak", -5.0)]}):
         found = raised(ValueError, sample, **wrong)
         check_true(f"{wrong} is refused", found is not None, str(found))
     # A tolerance that no run meets flags the result.

@@ -104,8 +104,6 @@ Json RunJob(const std::string& file, double tolerance, vtkSTEPReader* reader)
   const double start = vtkTimerLog::GetUniversalTime();
   sm::JobOptions options;
   options.FileName = file;
-  // The references were made of shapes that OpenCASCADE had repaired; CompareRepairs.py holds the other way of reading against this.
-  options.Repair = "always";
   // The default itself is under test.
   options.Tolerance = tolerance == Tolerances[0] ? options.Tolerance : tolerance;
   Json document;

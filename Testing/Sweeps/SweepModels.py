@@ -163,12 +163,13 @@ def main():
         for reference, (runs, result, found) in zip(references, results):
             for one in runs:
                 SweepJudge.judge(reference, one)
+            if result:
+                runs[0].missed.update(SweepJudge.judge_kernel(reference, result["kernel"], result["mesh"]))
             swept.append(SweepJudge.Swept(reference, runs))
             print(SweepTable.console_row(swept[-1]), flush=True)
             failures += check_exceptions(reference["id"], exceptions.get(reference["id"], {}), runs)
             failures += found
             if result:
-                failures += SweepJudge.judge_kernel(reference, result["kernel"], result["mesh"])
                 SweepTable.add_types(types, result["kernel"])
     if not options.only:
         failures += check_counts(swept)

@@ -128,7 +128,7 @@ def summary(swept):
     unreadable = sum(1 for entry in swept if not entry.reference["readable"])
     lines = [f"{len(swept)} files: {count} with solids, {len(swept) - count - unreadable} of surfaces alone, {unreadable} "
              f"unreadable; each read once and integrated at two tolerances.", "",
-             "| | tolerance | error: median, worst | bound: median, worst | error <= bound + uncertainty "
+             "| | tolerance | error: median, worst | bound: median, worst | error <= bound + uncertainty + gaps "
              "| bound <= tolerance |", "|---|---|---|---|---|---|"]
     for name, title in NAMES.items():
         for index, tolerance in enumerate(SweepJudge.TOLERANCES):
@@ -140,7 +140,8 @@ def summary(swept):
                          f"| {middle_and_worst([run.bounds.get(name) for run in runs])} "
                          f"| {right} of {count} | {tight} of {count} |")
     lines += ["", "Errors are those on the files whose reference vouches for twelve digits "
-              f"({len(vouched)} of {count})."]
+              f"({len(vouched)} of {count}). The references were made of shapes that OpenCASCADE had repaired: where the file itself is "
+              "read otherwise, its gaps are what differs."]
     for index, tolerance in enumerate(SweepJudge.TOLERANCES):
         residuals = [entry.runs[index].total("closure_residual") for entry in solids]
         closed = sum(1 for entry in solids if entry.runs[index].is_closed())

@@ -88,7 +88,10 @@ public:
     , Result(result)
   {
     double bounds[6] = { 0, 0, 0, 0, 0, 0 };
-    sm::GetShapeBounds(part.Shape, bounds);
+    if (!sm::IsAsInFile(part.Shape, table) || !sm::GetEdgeBounds(part.Shape, bounds))
+    {
+      sm::GetShapeBounds(part.Shape, bounds);
+    }
     for (int d = 0; d < 3; ++d)
     {
       this->Origin[d] = 0.5 * (bounds[2 * d] + bounds[2 * d + 1]);

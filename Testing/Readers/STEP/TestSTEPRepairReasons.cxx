@@ -1,0 +1,167 @@
+// TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; shells that are not connected are none, and are
+// parted all the same. FOLDER takes the file.
+#include "smOCCTRepair.h"
+#include "smReaderTesting.h"
+
+#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkTrimmedNURBSModel.h"
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace smtest;
+
+std::string Write(const std::string& name, const TopoDS_Shape& shape, STEPControl_StepModelType type)
+{
+  STEPControl_Writer writer;
+  writer.Transfer(shape, type);
+  const std::string path = Folder + "/" + name;
+  writer.Write(path.c_str());
+  return path;
+}
+
+/// The message about repairs.
+std::string GetRepairs(vtkSTEPReader* reader)
+{
+  std::string repairs;
+  for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
+  {
+    const std::string message = reader->GetMessage(i);
+    repairs += message.find("repaired by OpenCASCADE") != std::string::npos ? message : "";
+  }
+  return repairs;
+}
+
+/// Gives the rim of the bore at height 10 another trim curve on the bore: a parabola through (pole, 10 + bump) half way.
+void SetTrim(const TopoDS_Shape& bored, double pole, double bump)
+{
+  for (TopExp_Explorer face(bored, TopAbs_FACE); face.More(); face.Next())
+  {
+    const TopoDS_Face cylinder = TopoDS::Face(face.Current().Oriented(TopAbs_FORWARD));
+    TopLoc_Location location;
+    if (Handle(Geom_CylindricalSurface)::DownCast(BRep_Tool::Surface(cylinder, location)).IsNull())
+    {
+      continue;
+    }
+    for (TopExp_Explorer it(cylinder, TopAbs_EDGE); it.More(); it.Next())
+    {
+      const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+      double first = 0.0;
+      double last = 0.0;
+      const Handle(Geom2d_Curve) trim = BRep_Tool::CurveOnSurface(edge, cylinder, first, last);
+      const gp_Pnt2d a = trim->Value(first);
+      const gp_Pnt2d b = trim->Value(last);
+      if (std::abs(a.Y() - 10.0) < 1e-9 && std::abs(b.Y() - 10.0) < 1e-9)
+      {
+        TColgp_Array1OfPnt2d poles(1, 3);
+        poles(1) = a;
+        poles(2) = gp_Pnt2d((1.0 - pole) * a.X() + pole * b.X(), 10.0 + bump);
+        poles(3) = b;
+        TColStd_Array1OfReal knots(1, 2);
+        knots(1) = first;
+        knots(2) = last;
+        TColStd_Array1OfInteger multiplicities(1, 2);
+        multiplicities.Init(3);
+        BRep_Builder().UpdateEdge(
+          edge, new Geom2d_BSplineCurve(poles, knots, multiplicities, 2), cylinder, 1e-7);
+        return;
+      }
+    }
+  }
+}
+
+/// Trim curves that leave their edges between the ends, where the loops close all the same, and one at another speed. From a file
+/// OpenCASCADE takes none that are off: it projects edges instead.
+void CheckTrims()
+{
+  const TopoDS_Shape bore =
+    BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(20.0, 15.0, 0.0), gp_Dir(0, 0, 1)), 5.0, 10.0).Shape();
+  const TopoDS_Shape bored = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40.0, 30.0, 10.0).Shape(), bore).Shape();
+  TopoDS_Shape solid = TopExp_Explorer(bored, TopAbs_SOLID).Current();
+  const auto label = [](const TopoDS_Shape&) { return std::string("face"); };
+  sm::SoundFaceTable faces;
+  const auto check = [&](const char* name, double pole, double bump, bool isSound)
+  {
+    SetTrim(solid, pole, bump);
+    faces.clear();
+    CheckEqual(name, isSound ? "" : "face: an edge lies beside it", sm::FindShapeDamage(solid, label, faces));
+    CheckEqual("  faces taken as they are", isSound ? 7 : 0, static_cast<int>(faces.size()));
+  };
+  check("trim on its edge", 0.5, 0.0, true);
+  check("trim on its edge at another speed", 0.3, 0.0, true);
+  check("trim beside its edge by a thousandth of the size", 0.5, -0.1, false);
+  check("trim beside its edge, off the surface's face", 0.5, 0.1, false);
+  check("trim beside its edge by less than gaps may be", 0.5, -0.01, true);
+}
+
+std::vector<TopoDS_Shape> MakeBoxFaces(const gp_Pnt& corner)
+{
+  std::vector<TopoDS_Shape> faces;
+  for (TopExp_Explorer it(BRepPrimAPI_MakeBox(corner, 1.0, 2.0, 3.0).Shell(), TopAbs_FACE); it.More();
+       it.Next())
+  {
+    faces.push_back(it.Current());
+  }
+  return faces;
+}
+
+/// A shell of two faces that share an edge, and one elsewhere.
+void CheckShells()
+{
+  const std::vector<TopoDS_Shape> faces = MakeBoxFaces(gp_Pnt());
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  // The first two lie opposite each other.
+  for (const TopoDS_Shape& face : { faces[0], MakeBoxFaces(gp_Pnt(9.0, 0.0, 0.0))[0], faces[2] })
+  {
+    builder.Add(shell, face);
+  }
+  const std::string path = Write("repair_shells.step", shell, STEPControl_ShellBasedSurfaceModel);
+  for (const int repair : { vtkSTEPReader::ALWAYS, vtkSTEPReader::ON_NEED })
+  {
+    vtkNew<vtkSTEPReader> reader;
+    reader->SetRepair(repair);
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    CheckEqual("connected parts are bodies", 2, reader->GetNumberOfBodies());
+    for (unsigned int i = 0; reader->GetNumberOfBodies() == 2 && i < 2; ++i)
+    {
+      CheckEqual("faces of a part", i == 0 ? 2 : 1, GetLeaf(reader, i)->GetModel()->GetNumberOfFaces());
+      CheckTrue("number in the file", GetLeaf(reader, i)->GetModel()->GetFileId() > 0);
+    }
+    CheckEqual("no repairs but where asked for", "", GetRepairs(reader));
+  }
+}
+}
+
+int TestSTEPRepairReasons(int argc, char* argv[])
+{
+  if (argc < 2)
+  {
+    return 1;
+  }
+  Folder = argv[1];
+  CheckTrims();
+  CheckShells();
+  return Finish();
+}
