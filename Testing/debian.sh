@@ -23,7 +23,11 @@ fi
 if [ ! -e "$system/.made" ]; then
   rm -rf "$system"
   mkdir -p "$system"
-  debootstrap --variant=minbase --include=git,ca-certificates "$suite" "$system" >"$system.log" 2>&1 || {
+  # A debootstrap that is older than the suite makes it as it makes Debian's unstable.
+  script=$suite
+  [ -e "/usr/share/debootstrap/scripts/$suite" ] || script=sid
+  debootstrap --variant=minbase --include=git,ca-certificates "$suite" "$system" http://deb.debian.org/debian "$script" \
+    >"$system.log" 2>&1 || {
     tail -n 5 "$system.log" >&2
     exit 1
   }

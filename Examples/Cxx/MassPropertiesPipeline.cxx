@@ -1,9 +1,9 @@
 // Reader, filter, actors and window in one pipeline and one OpenGL context;
 // run with --help for its arguments.
 #include <smFormat.h>
+#include <smVTKCompatibility.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkComputeContext.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMassPropertiesGPU.h>
@@ -55,7 +55,7 @@ int Show(const char* fileName, vtkRenderWindow* window)
   mass->SetInputConnection(reader->GetOutputPort());
   mass->SetRenderWindow(window); // integrate in the context that draws
 
-  vtkNew<vtkCompositePolyDataMapper2> partMapper;
+  vtkNew<sm::CompositeMapper> partMapper; // smVTKCompatibility.h
   partMapper->SetInputConnection(reader->GetOutputPort());
   vtkNew<vtkActor> part;
   part->SetMapper(partMapper);

@@ -20,12 +20,17 @@ try:
     from vtkmodules.vtkIOImage import vtkPNGWriter
     from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkTextActor, vtkWindowToImageFilter
     import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws text)
-    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2
     from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU
     from solidmoments.smReadersSTEP import vtkSTEPReader
     from solidmoments.smRenderingCompute import vtkComputeContext
 except ImportError as error:
     mass_table.exit_without_package(error)
+try:
+    from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLBatchedPolyDataMapper  # noqa: F401  (from VTK 9.3 on)
+    from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as CompositeMapper
+except ImportError:
+    # Until VTK 9.2 the class without the 2 is another one, which draws other pictures.
+    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as CompositeMapper
 
 SIZE = (900, 700)
 STEEL, BLACK, RED = (0.40, 0.56, 0.78), (0.1, 0.1, 0.1), (0.85, 0.1, 0.1)
@@ -64,7 +69,7 @@ def make_scene(mass):
     renderer.SetMaximumNumberOfPeels(12)
     renderer.SetUseFXAA(1)
 
-    bodies = add_actor(renderer, vtkCompositePolyDataMapper2(), mass.GetOutputPort(5))
+    bodies = add_actor(renderer, CompositeMapper(), mass.GetOutputPort(5))
     bodies.GetMapper().ScalarVisibilityOff()
     bodies.GetProperty().SetColor(*STEEL)
     bodies.GetProperty().SetOpacity(0.4)

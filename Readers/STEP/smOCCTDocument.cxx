@@ -1,6 +1,7 @@
 #include "smOCCTDocument.h"
 
 #include "smLengthUnits.h"
+#include "smOCCTCompatibility.h"
 #include "smOCCTDamage.h"
 #include "smOCCTFailure.h"
 #include "smOCCTFile.h"
@@ -355,13 +356,8 @@ void Configure(STEPCAFControl_Reader& reader)
 bool Parse(const std::string& fileName, const FileCheck& check, const Part21File& text,
   STEPCAFControl_Reader& reader, Document& document)
 {
-#if __has_include(<StepVisual_TessellatedSolid.hxx>)
-  // This version knows these entities, and the session tells it to skip them.
-  (void)text;
-  const std::string reduced;
-#else
-  const std::string reduced = RemoveTessellations(text);
-#endif
+  // Where OpenCASCADE knows these entities, the session tells it to skip them.
+  const std::string reduced = KernelReadsTessellations ? std::string() : RemoveTessellations(text);
   // The file is opened here: OpenCASCADE takes its name for UTF-8, and a name may be any bytes.
   std::istringstream reducedStream(reduced);
   std::ifstream fileStream(fileName, std::ios::binary);

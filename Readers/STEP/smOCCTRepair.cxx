@@ -6,15 +6,12 @@
 #include "smParallelFor.h"
 
 #include <BRep_Tool.hxx>
-#include <Standard_Version.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <XSAlgo.hxx>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <unordered_map>
 #include <utility>
 
@@ -261,80 +258,38 @@ private:
   double Tolerance = 0.0;
 };
 
-#if OCC_VERSION_HEX < 0x070900
-// From 7.8 on ProcessShape() has one parameter more.
-#if OCC_VERSION_HEX < 0x070800
-#define SM_DETAIL_PARAMETER
-#define SM_DETAIL
-#else
-#define SM_DETAIL_PARAMETER , const TopAbs_ShapeEnum detail
-#define SM_DETAIL , detail
-#endif
-class SelectiveRepair : public XSAlgo_AlgoContainer
+/// True leaves the body as it is; what was found is written to `log`.
+bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
 {
-  DEFINE_STANDARD_RTTI_INLINE(SelectiveRepair, XSAlgo_AlgoContainer)
-public:
-  SelectiveRepair(RepairLog& log, ShapeLabel label)
-    : Log(log)
-    , Label(std::move(label))
+  if (shape.IsNull() || (shape.ShapeType() != TopAbs_SOLID && shape.ShapeType() != TopAbs_SHELL))
   {
+    return false;
   }
-
-  TopoDS_Shape ProcessShape(const TopoDS_Shape& original, const Standard_Real precision,
-    const Standard_Real maximum, const Standard_CString resource, const Standard_CString sequence,
-    Handle(Standard_Transient) & info, const Message_ProgressRange& progress,
-    const Standard_Boolean nonManifold SM_DETAIL_PARAMETER) const override
+  // A label is a search through all that was transferred.
+  const bool isTold = log.Reasons.size() < MostReasons;
+  const ShapeLabel none = [](const TopoDS_Shape&) { return std::string(); };
+  std::string problem;
+  const std::string failure =
+    CatchFailure([&] { problem = FindShapeDamage(shape, isTold ? label : none, log.SoundFaces); });
+  problem = failure.empty() ? problem : failure;
+  if (problem.empty())
   {
-    TopoDS_Shape shape = original;
-    const bool isBody =
-      !shape.IsNull() && (shape.ShapeType() == TopAbs_SOLID || shape.ShapeType() == TopAbs_SHELL);
-    if (isBody && !nonManifold && std::strncmp(sequence, "read.", 5) == 0)
-    {
-      std::string problem;
-      // A label is a search through all that was transferred.
-      const bool isTold = this->Log.Reasons.size() < MostReasons;
-      const ShapeLabel none = [](const TopoDS_Shape&) { return std::string(); };
-      const std::string failure = CatchFailure(
-        [&] { problem = FindShapeDamage(shape, isTold ? this->Label : none, this->Log.SoundFaces); });
-      problem = failure.empty() ? problem : failure;
-      if (problem.empty())
-      {
-        ++this->Log.SoundBodies;
-        return shape;
-      }
-      ++this->Log.RepairedBodies;
-      if (isTold)
-      {
-        this->Log.Reasons.push_back(problem);
-      }
-    }
-    return this->XSAlgo_AlgoContainer::ProcessShape(
-      original, precision, maximum, resource, sequence, info, progress, nonManifold SM_DETAIL);
+    ++log.SoundBodies;
+    return true;
   }
-
-private:
-  RepairLog& Log;
-  ShapeLabel Label;
-};
-#endif
+  ++log.RepairedBodies;
+  if (isTold)
+  {
+    log.Reasons.push_back(problem);
+  }
+  return false;
+}
 }
 
-#if OCC_VERSION_HEX < 0x070900
 RepairOnNeed::RepairOnNeed(RepairLog& log, ShapeLabel label)
-  : Previous(XSAlgo::AlgoContainer())
+  : Filter([&log, label = std::move(label)](TopoDS_Shape& shape) { return IsSoundBody(shape, log, label); })
 {
-  XSAlgo::SetAlgoContainer(new SelectiveRepair(log, std::move(label)));
 }
-
-RepairOnNeed::~RepairOnNeed()
-{
-  XSAlgo::SetAlgoContainer(this->Previous);
-}
-#else
-RepairOnNeed::RepairOnNeed(RepairLog&, ShapeLabel) {}
-
-RepairOnNeed::~RepairOnNeed() = default;
-#endif
 
 std::string Describe(const RepairLog& log)
 {

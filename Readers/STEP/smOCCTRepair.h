@@ -5,12 +5,12 @@
 #ifndef smOCCTRepair_h
 #define smOCCTRepair_h
 
+#include "smOCCTCompatibility.h"
 #include "smOCCTLoop.h"
 #include "smReadersSTEPModule.h"
 
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
-#include <XSAlgo_AlgoContainer.hxx>
 
 #include <functional>
 #include <memory>
@@ -42,19 +42,15 @@ using ShapeLabel = std::function<std::string(const TopoDS_Shape&)>;
 /**
  * While this exists, OpenCASCADE's transfer leaves solids and shells alone that are sound: edges of a solid are used once in either
  * direction, each shell is connected, and all faces pass InspectFace (smOCCTFaceInspection.h). A solid that is turned inside out is
- * reversed. Others it repairs as ever. The switch is global: hold a KernelSession. With OpenCASCADE 7.9 and later, which
- * has no such switch, nothing changes.
+ * reversed. Others it repairs as ever. The conditions of TransferFilter hold.
  */
 class RepairOnNeed
 {
 public:
   RepairOnNeed(RepairLog& log, ShapeLabel label);
-  ~RepairOnNeed();
-  RepairOnNeed(const RepairOnNeed&) = delete;
-  void operator=(const RepairOnNeed&) = delete;
 
 private:
-  Handle(XSAlgo_AlgoContainer) Previous;
+  TransferFilter Filter;
 };
 
 /// Why a solid or shell should be repaired; empty when it is sound, and then `faces` gets its faces. A solid that is turned inside out,

@@ -5,13 +5,9 @@
 #ifndef smOpenGL_h
 #define smOpenGL_h
 
-// VTK's loader is GLEW, and glad from 9.4 on.
-#if __has_include("vtk_glew.h")
-#include "vtk_glew.h"
-#define SM_HAS_GLEW
-#else
-#include "vtk_glad.h"
-#endif
+#include "smVTKCompatibility.h"
+
+#include SM_OPENGL_LOADER
 
 #include <string>
 
@@ -23,6 +19,24 @@ inline void DrainErrors()
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
   }
+}
+
+/// Loads OpenGL's functions for the current context. Why it failed, empty when it did not.
+template <typename GetAddress>
+std::string LoadOpenGL(GetAddress getAddress)
+{
+#ifdef SM_HAS_GLEW
+  (void)getAddress;
+  // A GLEW built for GLX looks for a GLX display after it has loaded every pointer, and the pointers work:
+  // that one error (GLEW_ERROR_NO_GLX_DISPLAY, 4) is none.
+  glewExperimental = GL_TRUE;
+  const GLenum result = glewInit();
+  const bool loaded = (result == GLEW_OK || result == 4) && glGenVertexArrays != nullptr;
+#else
+  const int result = gladLoadGL(getAddress);
+  const bool loaded = result != 0;
+#endif
+  return loaded ? std::string() : "result " + std::to_string(result);
 }
 
 /// The first pending error by name, empty when there is none; the rest is forgotten.

@@ -173,10 +173,9 @@ bool vtkEGLSurfacelessRenderWindow::vtkInternals::Create(const Candidate& candid
     this->Destroy();
     return this->Fail(candidate, "its context cannot be made current");
   }
-#ifndef SM_HAS_GLEW
-  gladLoadGL(eglGetProcAddress);
-#endif
-  const GLubyte* renderer = glGetString(GL_RENDERER);
+  // OpenGL's functions are not loaded yet.
+  const auto getString = reinterpret_cast<const GLubyte* (*)(GLenum)>(eglGetProcAddress("glGetString"));
+  const GLubyte* renderer = getString ? getString(GL_RENDERER) : nullptr;
   this->Renderer = renderer ? reinterpret_cast<const char*>(renderer) : "";
   sm::CurrentContext::ReleaseEGL();
   return true;
@@ -312,22 +311,15 @@ void vtkEGLSurfacelessRenderWindow::OpenGLInitContext()
   {
     return;
   }
+  const std::string problem = sm::LoadOpenGL(eglGetProcAddress);
 #ifdef SM_HAS_GLEW
-  // A GLEW built for GLX looks for a GLX display after it has loaded every pointer, and the pointers work:
-  // that one error (GLEW_ERROR_NO_GLX_DISPLAY, 4) is none.
-  glewExperimental = GL_TRUE;
-  const GLenum result = glewInit();
-  const bool loaded = (result == GLEW_OK || result == 4) && glGenVertexArrays != nullptr;
-  this->GlewInitValid = loaded;
-#else
-  const int result = gladLoadGL(eglGetProcAddress);
-  const bool loaded = result != 0;
+  this->GlewInitValid = problem.empty();
 #endif
   sm::DrainErrors();
-  if (!loaded)
+  if (!problem.empty())
   {
-    vtkErrorMacro("The OpenGL loader failed (result "
-      << result << "). Check the OpenGL driver that EGL chose: " << this->Internals->Renderer << ".");
+    vtkErrorMacro("The OpenGL loader failed ("
+      << problem << "). Check the OpenGL driver that EGL chose: " << this->Internals->Renderer << ".");
     return;
   }
   this->Initialized = true;

@@ -7,11 +7,7 @@
 #ifndef smGLObjects_h
 #define smGLObjects_h
 
-#if __has_include("vtk_glew.h")
-#include "vtk_glew.h"
-#else
-#include "vtk_glad.h"
-#endif
+#include "smOpenGL.h"
 
 #include <algorithm>
 #include <array>

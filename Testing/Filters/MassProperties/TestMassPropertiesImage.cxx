@@ -1,10 +1,10 @@
 // TestMassPropertiesImage FILE.step -T FOLDER -V BASELINE.png: the translucent part with its centre of mass and principal
 // axes.
 #include "smTestPipeline.h"
+#include "smVTKCompatibility.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
@@ -25,7 +25,7 @@ int TestMassPropertiesImage(int argc, char* argv[])
   vtkNew<vtkRenderWindow> window;
   pipeline.Mass->SetRenderWindow(window);
 
-  vtkNew<vtkCompositePolyDataMapper2> partMapper;
+  vtkNew<sm::CompositeMapper> partMapper;
   partMapper->SetInputConnection(pipeline.Reader->GetOutputPort());
   partMapper->ScalarVisibilityOff();
   vtkNew<vtkActor> part;

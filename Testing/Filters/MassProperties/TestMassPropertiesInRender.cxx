@@ -2,10 +2,10 @@
 // a window's Render(), in contexts of their own or in the window's, and the picture does not change.
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
+#include "smVTKCompatibility.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkNURBSDeform.h>
 #include <vtkNURBSPointEvaluatorGPU.h>
 #include <vtkPolyDataMapper.h>
@@ -27,7 +27,7 @@ struct Scene
   vtkNew<vtkNURBSPointEvaluatorGPU> Points;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkCompositePolyDataMapper2> PartMapper;
+  vtkNew<sm::CompositeMapper> PartMapper;
   vtkNew<vtkPolyDataMapper> GlyphMapper;
   vtkNew<vtkActor> Part;
   vtkNew<vtkActor> Glyph;

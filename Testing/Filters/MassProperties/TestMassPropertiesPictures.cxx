@@ -9,10 +9,10 @@
 #include "smPictureTesting.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
+#include "smVTKCompatibility.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkLookupTable.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -92,7 +92,7 @@ public:
 
 private:
   smtest::Pipeline Shown;
-  vtkNew<vtkCompositePolyDataMapper2> BodyMapper;
+  vtkNew<sm::CompositeMapper> BodyMapper;
   vtkNew<vtkProperty> BodyProperty;
   vtkNew<vtkRenderer> Renderer;
 };

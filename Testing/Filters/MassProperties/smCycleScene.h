@@ -7,10 +7,10 @@
 
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
+#include "smVTKCompatibility.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkNURBSDeform.h>
 #include <vtkNURBSPointEvaluatorGPU.h>
 #include <vtkPolyDataMapper.h>
@@ -68,7 +68,7 @@ struct CycleScene
     this->Mass->SetGlyphScale(0.1);
     this->Points->SetRenderWindow(window);
     this->Mass->SetRenderWindow(window);
-    vtkNew<vtkCompositePolyDataMapper2> partMapper;
+    vtkNew<sm::CompositeMapper> partMapper;
     partMapper->SetInputConnection(this->Deform->GetOutputPort());
     this->Part->SetMapper(partMapper);
     this->Part->GetProperty()->SetOpacity(0.5);

@@ -4,12 +4,12 @@
 
 #include "smStabilityNames.h"
 #include "smTestPipeline.h"
+#include "smVTKCompatibility.h"
 
 #include "smStepFile.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
@@ -35,7 +35,7 @@ void AddPrism(vtkRenderer* renderer, const std::string& folder, double lean, dou
   stability->Update();
   smtest::CheckEqual("verdict", verdict, stability->GetStability());
 
-  vtkNew<vtkCompositePolyDataMapper2> partMapper;
+  vtkNew<sm::CompositeMapper> partMapper;
   partMapper->SetInputConnection(reader->GetOutputPort());
   partMapper->ScalarVisibilityOff();
   vtkNew<vtkActor> part;

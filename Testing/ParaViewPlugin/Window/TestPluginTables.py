@@ -95,6 +95,7 @@ check_equal("edges", ["vtkOriginalIndices", "Solid", "EdgeId", "Name", "Uses", "
 # Rows that are sorted by a column stay so.
 sheet.ColumnToSort, sheet.InvertOrder = "EdgeId", 1
 simple.Render(sheet)
+client.ClearCache()  # ParaView 5.13 shows the rows that it has until the data change
 place = [client.GetColumnName(i) for i in range(client.GetNumberOfColumns())].index("EdgeId")
 ids = [client.GetValue(row, place).ToInt() for row in range(client.GetNumberOfRows())]
 check_true("edges: sorted by a column", len(set(ids)) > 5 and ids in (sorted(ids), sorted(ids, reverse=True)), str(ids[:9]))

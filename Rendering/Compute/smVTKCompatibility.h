@@ -1,0 +1,41 @@
+/**
+ * @file smVTKCompatibility.h
+ * @brief What has another name in another version of VTK (9.1 to 9.7), found by the headers that exist and never by a version
+ *
+ * | name here | until VTK 9.2 | from 9.3 on |
+ * |---|---|---|
+ * | sm::CompositeMapper | vtkCompositePolyDataMapper2 | vtkCompositePolyDataMapper |
+ *
+ * | macro | until VTK 9.3 | from 9.4 on |
+ * |---|---|---|
+ * | SM_OPENGL_LOADER | "vtk_glew.h" | "vtk_glad.h" |
+ * | SM_HAS_GLEW | defined | not defined |
+ */
+#ifndef smVTKCompatibility_h
+#define smVTKCompatibility_h
+
+#if __has_include(<vtkOpenGLBatchedPolyDataMapper.h>)
+#include <vtkCompositePolyDataMapper.h>
+#define SM_COMPOSITE_MAPPER vtkCompositePolyDataMapper
+#else
+#include <vtkCompositePolyDataMapper2.h>
+#define SM_COMPOSITE_MAPPER vtkCompositePolyDataMapper2
+#endif
+
+#if __has_include("vtk_glew.h")
+#define SM_OPENGL_LOADER "vtk_glew.h"
+#define SM_HAS_GLEW
+#else
+#define SM_OPENGL_LOADER "vtk_glad.h"
+#endif
+
+namespace sm
+{
+/// Draws all blocks of a composite dataset, those of one state together. Until VTK 9.2 the class vtkCompositePolyDataMapper is another
+/// one, which draws block by block and other pictures.
+using CompositeMapper = SM_COMPOSITE_MAPPER;
+}
+
+#undef SM_COMPOSITE_MAPPER
+
+#endif
