@@ -65,6 +65,10 @@ struct PatchTraits
 /// Points are those of the patch: (p+1) x (q+1), s fastest, homogeneous relative to its centre.
 SMFILTERSQUADRATURE_EXPORT PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q);
 
+/// Moves the control points of every edge that are within `size` times the patch's of one another to one point: a pole whose
+/// coordinates were rounded.
+void CollapseEdges(std::vector<std::array<double, 4>>& points, int p, int q, double size);
+
 /// Intervals of s and r.
 struct ParameterBox
 {
@@ -89,6 +93,8 @@ public:
     std::vector<double>& bounds) const;
   /// Largest distance from the point that moments are about.
   double GetReach() const;
+  /// A lower bound of w on the box, which may be negative.
+  double GetLowestWeight() const;
 
   /// Upper bound of the part of |n| that is not in the series of a polynomial length; real parameters.
   double GetLengthDeviation() const;
@@ -120,7 +126,6 @@ private:
   };
   using ProductEntry = std::array<double, 4>;
   ProductEntry SumProducts(const std::vector<double>& s, const std::vector<double>& r) const;
-  double GetLowestWeight() const;
   double EvaluateWeight(double x, double y) const;
   /// The cube of the weight at a point of the box: n = factors m~ / w^3, so lengths of m~ are compared after division by it.
   double EvaluateCube(double x, double y) const;
