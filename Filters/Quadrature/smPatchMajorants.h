@@ -126,7 +126,6 @@ private:
   };
   using ProductEntry = std::array<double, 4>;
   ProductEntry SumProducts(const std::vector<double>& s, const std::vector<double>& r) const;
-  double EvaluateWeight(double x, double y) const;
   /// The cube of the weight at a point of the box: n = factors m~ / w^3, so lengths of m~ are compared after division by it.
   double EvaluateCube(double x, double y) const;
   /// Calls visit(sample, cube of the weight there) for all nodes.
@@ -144,6 +143,8 @@ private:
   void ExpandNet(const double* net, int countS, int countR, std::vector<double>& series);
   void ExpandDerivatives(const std::array<double, 4>* points);
   void SampleNumerators(const std::array<double, 3>& origin);
+  /// The first `Used` components of the samples; the others become 0.
+  template <int Used>
   void Transform(int countS, int countR);
   void MakeTables(int countS, int countR);
   void DropNoise(std::size_t count, double noise);
@@ -171,9 +172,10 @@ private:
 
   // Series of (w x, w y, w z, w) and of its derivatives, four doubles a coefficient, s fastest.
   std::vector<double> Series[3];
-  // Samples, then coefficients, of D, m~ (3) and |m~|: five doubles a node.
+  // Samples, then coefficients, of D, m~ (3) and |m~|: five doubles a node; and the samples of w.
   static constexpr int Components = 5;
   std::vector<double> Samples;
+  std::vector<double> Weights;
   std::vector<double> Scratch;
 
   Table Weight;   // |w_kl| without the first

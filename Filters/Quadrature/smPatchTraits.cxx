@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace sm
 {
@@ -168,7 +169,7 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
   {
     return traits;
   }
-  patch.Transform(3 * p - 1, 3 * q - 1);
+  patch.Transform<PatchMajorants::Components>(3 * p - 1, 3 * q - 1);
   traits.PolynomialLength =
     patch.MeasureLengthDeviation(tolerance * largest, largest, traits.SquareDeviation);
   return traits;
@@ -176,7 +177,23 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
 
 double PatchMajorants::EvaluateCube(double x, double y) const
 {
-  const double w = this->Traits.Polynomial ? this->Series[0][3] : this->EvaluateWeight(x, y);
+  // T_k(x) T_l(y) by their recurrences.
+  double w = 0.0;
+  double tl[2] = { 1.0, y };
+  for (int l = 0; l <= this->Q; ++l)
+  {
+    double tk[2] = { 1.0, x };
+    for (int k = 0; k <= this->P; ++k)
+    {
+      w += tl[0] * tk[0] * this->Series[0][4 * (k + (this->P + 1) * l) + 3];
+      const double next = 2.0 * x * tk[1] - tk[0];
+      tk[0] = tk[1];
+      tk[1] = next;
+    }
+    const double next = 2.0 * y * tl[1] - tl[0];
+    tl[0] = tl[1];
+    tl[1] = next;
+  }
   return w * w * w;
 }
 
@@ -185,15 +202,10 @@ void PatchMajorants::VisitSamples(const Visit& visit) const
 {
   const int countS = 3 * this->P - 1;
   const int countR = 3 * this->Q - 1;
-  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
-  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
-  for (int b = 0; b < countR; ++b)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(countS) * countR; ++i)
   {
-    for (int a = 0; a < countS; ++a)
-    {
-      visit(this->Samples.data() + Components * (a + static_cast<std::size_t>(countS) * b),
-        this->EvaluateCube(ruleS.GetNode(a), ruleR.GetNode(b)));
-    }
+    const double w = this->Weights[i];
+    visit(this->Samples.data() + Components * i, w * w * w);
   }
 }
 
@@ -239,6 +251,7 @@ bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, doub
   const ChebyshevRule& checkR = ChebyshevRule::Get(2 * countR - 1);
   double largestSquare = 0.0;
   std::vector<double> line(static_cast<std::size_t>(Components) * countR);
+  std::vector<double> weights(this->Q + 1);
   for (int a = 0; a < checkS.GetSize(); ++a)
   {
     std::fill(line.begin(), line.end(), 0.0);
@@ -253,8 +266,17 @@ bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, doub
         }
       }
     }
+    for (int l = 0; l <= this->Q; ++l)
+    {
+      weights[l] = 0.0;
+      for (int k = 0; k <= this->P; ++k)
+      {
+        weights[l] += checkS.GetValues(a)[k] * this->Series[0][4 * (k + (this->P + 1) * l) + 3];
+      }
+    }
     for (int b = 0; b < checkR.GetSize(); ++b)
     {
+      const double w = std::inner_product(weights.begin(), weights.end(), checkR.GetValues(b), 0.0);
       double value[Components] = {};
       for (int l = 0; l < countR; ++l)
       {
@@ -263,7 +285,7 @@ bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, doub
           value[c] += checkR.GetValues(b)[l] * line[Components * l + c];
         }
       }
-      const double cube = this->EvaluateCube(checkS.GetNode(a), checkR.GetNode(b));
+      const double cube = w * w * w;
       const double length = Norm(value + 1);
       const double difference = std::abs(length - value[4]) / cube;
       // Where the length is small a difference of squares says little of a difference.
