@@ -20,11 +20,11 @@ constexpr int MostNodes = 128;
 // The part of a plane's patch that is bilinear is known in double: rounding, relative to the steps of its corners.
 constexpr double LargestCorner = 1e-6;
 
-/// Roundings of a sum of Bernstein polynomials at Start + (End - Start) t, relative to its largest coefficient: 2n + 2 of the
+/// Roundings of a sum of Bernstein polynomials at start + (end - start) t, relative to its largest coefficient: 2n + 2 of the
 /// polynomials (smWideEvaluation.h), n + 1 of products and sums, 2 of the coefficients, and 3 of the parameter, which count 2n times.
-double GetCurveRoundings(int degree)
+double GetCurveRoundings(int degree, double start, double end)
 {
-  return 9.0 * degree + 5.0;
+  return (start == 0.0 && end == 1.0 ? 3.0 : 9.0) * degree + 5.0;
 }
 
 /// The same of the n coefficients of ExpandBernstein(): its scheme rounds 6 times a degree; rows, the absolute values of which add up to
@@ -286,6 +286,7 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
   this->Stretch = this->TrimSlope = { 0.0, 0.0 };
   this->NormalLength = 0.0;
   double largest = 0.0;
+  double weight = 0.0;
   for (int i = 0; i < nodes; ++i)
   {
     const Wide t = start + (static_cast<Wide>(end) - start) * 0.5L * (1.0L + rule.GetNode(i));
@@ -316,6 +317,7 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
       largest = std::max(largest, static_cast<double>(std::abs(samples[i][c])));
     }
     samples[i][3] = h[3];
+    weight = std::max(weight, static_cast<double>(h[3]));
     this->SampleTangents(ribbon, rule.GetNode(i));
   }
   this->Gap.assign(nodes, {});
@@ -339,36 +341,36 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
   }
   // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant. Coefficients are sums
   // of n terms; the values of a row add up to 2 at most.
-  this->Noise = this->GetSampleNoise(ribbon) * (1.0 + std::log(static_cast<double>(nodes))) +
+  this->Noise = this->GetSampleNoise(ribbon, weight) * (1.0 + std::log(static_cast<double>(nodes))) +
     std::sqrt(3.0) * WideRoundoff * 2.0 * nodes * (nodes + 6.0) * largest;
 }
 
-double GapSeries::GetSampleNoise(const Ribbon& ribbon) const
+double GapSeries::GetSampleNoise(const Ribbon& ribbon, double weight) const
 {
-  // P is a sum of the control points times 2p + 2 and 2q + 2 roundings of the polynomials, and p + q + 2 of sums and products. Where the
-  // trim point is off by d in s, U is by w |Ss| d, but for a rounding of the gap. C's coefficients and those of the trim piece count over
-  // the whole piece, which may be longer than the ribbon, and leave the patch. Beyond it polynomials have both signs.
+  // P is a sum of the control points times 2p + 2 and 2q + 2 roundings of the polynomials, and p + q + 2 of sums and products; their
+  // absolute values add up to the radius times the weight. Where the trim point is off by d in s, U is by w |Ss| d, but for a rounding of
+  // the gap. C's coefficients and those of the trim piece count over the whole piece, which may be longer than the ribbon, and leave the
+  // patch.
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
   const std::array<double, 4>* points = this->GetPoints(ribbon);
   const int p = patch.Degree[0];
   const int q = patch.Degree[1];
-  double point = 0.0;
-  double weight = 0.0;
-  for (int i = 0; i < (p + 1) * (q + 1); ++i)
-  {
-    point = std::max(point, Norm(points[i].data()));
-    weight = std::max(weight, points[i][3]);
-  }
-  double beyond[2];
+  double growth = 1.0;
   double local[2] = { 0.0, 0.0 };
   const double* trim = this->Panels.Coefficients.data() + ribbon.Trim;
   for (int d = 0; d < 2; ++d)
   {
-    beyond[d] = 1.0 + 2.0 * std::max({ 0.0, -this->Trim.GetLow(d), this->Trim.GetHigh(d) - 1.0 });
+    const double beyond = std::max({ 0.0, -this->Trim.GetLow(d), this->Trim.GetHigh(d) - 1.0 });
+    growth *= IntegerPower(1.0 + 2.0 * beyond, patch.Degree[d]);
     for (int i = 0; i <= ribbon.TrimDegree; ++i)
     {
       local[d] = std::max(local[d], std::abs((trim[2 * i + d] - patch.Start[d]) / patch.Width[d]));
     }
+  }
+  for (int i = 0; growth > 1.0 && i < (p + 1) * (q + 1); ++i)
+  {
+    // Beyond the patch polynomials have both signs.
+    weight = std::max(weight, growth * points[i][3]);
   }
   double edge = 0.0;
   const double* coefficients = this->Panels.Coefficients.data() + ribbon.Edge;
@@ -378,10 +380,10 @@ double GapSeries::GetSampleNoise(const Ribbon& ribbon) const
       coefficients[3 * i + 1] - patch.Center[1], coefficients[3 * i + 2] - patch.Center[2] };
     edge = std::max(edge, Norm(offset));
   }
-  const double growth = IntegerPower(beyond[0], p) * IntegerPower(beyond[1], q);
-  return WideRoundoff * growth *
-    (3.0 * (p + q + 3) * (point + edge * weight) + GetCurveRoundings(ribbon.EdgeDegree) * edge * weight +
-      GetCurveRoundings(ribbon.TrimDegree) * weight *
+  return WideRoundoff * weight *
+    (3.0 * (p + q + 3) * (patch.Radius + edge) +
+      GetCurveRoundings(ribbon.EdgeDegree, ribbon.EdgeStart, ribbon.EdgeEnd) * edge +
+      GetCurveRoundings(ribbon.TrimDegree, ribbon.Start, ribbon.End) *
         (local[0] * this->Stretch[0] + local[1] * this->Stretch[1]));
 }
 

@@ -64,8 +64,8 @@ private:
   /// Nodes that determine U and w, but for a Tail.
   int ChooseNodes(const Ribbon& ribbon);
   void Sample(const Ribbon& ribbon, double start, double end, int nodes);
-  /// Bound of the rounding of the samples of U: Stretch is known.
-  double GetSampleNoise(const Ribbon& ribbon) const;
+  /// Bound of the rounding of the samples of U, the weights of which are at most `weight`; Stretch is known.
+  double GetSampleNoise(const Ribbon& ribbon, double weight) const;
   /// Stretch, TrimSlope and NormalLength at x in [-1,1].
   void SampleTangents(const Ribbon& ribbon, double x);
   /// The sums of Evaluate().

@@ -229,11 +229,13 @@ bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part)
   return true;
 }
 
-void PanelBounds::ExpandByPart(const Panel& panel, const PanelPart& part)
+void PanelBounds::ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm)
 {
   this->ExpandTrim(panel, part);
   const PatchSeries& series = this->GetSeries(panel, part);
-  const PatchTraits& traits = series.Traits;
+  PatchTraits traits = series.Traits;
+  traits.PolynomialLength = traits.PolynomialLength && withForm;
+  traits.ConstantDirection = traits.ConstantDirection && withForm;
   const Patch& patch = this->Panels.Patches[panel.Patch];
   this->OfPart.Expand(
     series.Points.data(), patch.Degree[0], patch.Degree[1], traits, this->Box, this->GetOrigin(patch));

@@ -41,8 +41,8 @@ public:
 
   /// Bounds a part by the series of its patch. Returns false if it leaves the patch, or if |n| may have a zero there.
   bool ExpandByPatch(const Panel& panel, const PanelPart& part);
-  /// Bounds a part by series of its own.
-  void ExpandByPart(const Panel& panel, const PanelPart& part);
+  /// Bounds a part by series of its own. `withForm`: |n| may be taken for a polynomial.
+  void ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm = true);
   /// The part is its patch: series of its own would be the same.
   bool IsPatch() const;
 

@@ -284,8 +284,12 @@ bool PanelPlanner::PlanByPatch(std::uint32_t index, const PanelPart& part)
   {
     return false;
   }
-  this->Keep(index, part, along, across, false,
-    this->Bounds.GetJacobian() * this->Bounds.GetMajorants().GetLengthDeviation());
+  const double noise = this->GetNoise(panel, 0.0);
+  if (!this->IsSmall(2.0 * noise, 1.0))
+  {
+    return false;
+  }
+  this->Keep(index, part, along, across, false, noise);
   return true;
 }
 
@@ -321,7 +325,13 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
     kinkArea =
       this->Request.Classes[i] == PlainArea && kink > 0.0 ? kink * this->Bounds.GetSupremum(i) : kinkArea;
   }
-  const double noise = this->GetNoise(panel, kink);
+  double noise = this->GetNoise(panel, kink);
+  if (!this->IsSmall(2.0 * this->GetNoise(panel, 0.0), share))
+  {
+    // That |n| is a polynomial may be true and its deviation not be known well enough.
+    this->Bounds.ExpandByPart(panel, part, false);
+    noise = this->GetNoise(panel, kink);
+  }
   int along = 1;
   int across = 1;
   const bool found = this->FindOrders(share, true, along, across);
