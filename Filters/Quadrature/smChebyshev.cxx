@@ -2,6 +2,7 @@
 
 #include "smWideEvaluation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -14,16 +15,29 @@ ChebyshevRule::ChebyshevRule(int n)
   , Nodes(n)
   , Values(n * n)
   , Transform(n * n)
+  , WideTransform(n * n)
 {
-  const double pi = 3.14159265358979323846;
+  // cos(m pi / 2n): the argument of a high degree would be off by many u.
+  std::vector<Wide> cosines(n + 1);
+  for (int m = 0; m < n; ++m)
+  {
+    cosines[m] = std::cos(m * 1.570796326794896619231322L / n);
+  }
+  const auto getCosine = [&cosines, n](int m)
+  {
+    m %= 4 * n;
+    m = std::min(m, 4 * n - m);
+    return m <= n ? cosines[m] : -cosines[2 * n - m];
+  };
   for (int i = 0; i < n; ++i)
   {
-    this->Nodes[i] = std::cos((i + 0.5) * pi / n);
+    this->Nodes[i] = static_cast<double>(getCosine(2 * i + 1));
     for (int k = 0; k < n; ++k)
     {
-      const double value = std::cos(k * (i + 0.5) * pi / n);
-      this->Values[i * n + k] = value;
-      this->Transform[k * n + i] = (k == 0 ? 1.0 : 2.0) / n * value;
+      const Wide value = getCosine(k * (2 * i + 1));
+      this->Values[i * n + k] = static_cast<double>(value);
+      this->WideTransform[k * n + i] = (k == 0 ? 1.0L : 2.0L) / n * value;
+      this->Transform[k * n + i] = static_cast<double>(this->WideTransform[k * n + i]);
     }
   }
   if (n > MaximumDegree + 1)
@@ -31,21 +45,19 @@ ChebyshevRule::ChebyshevRule(int n)
     return;
   }
   // Coefficient k of B_j is the sum of the transform times its values at the nodes.
-  std::vector<Wide> sums(n * n, 0.0L);
+  this->FromBernstein.assign(n * n, 0.0L);
   Wide basis[MaximumDegree + 1];
   for (int i = 0; i < n; ++i)
   {
-    const Wide angle = (i + 0.5L) * 3.141592653589793238462643L / n;
-    FillWideBasis(n - 1, 0.5L + 0.5L * std::cos(angle), basis);
+    FillWideBasis(n - 1, 0.5L + 0.5L * getCosine(2 * i + 1), basis);
     for (int k = 0; k < n; ++k)
     {
       for (int j = 0; j < n; ++j)
       {
-        sums[k * n + j] += (k == 0 ? 1.0L : 2.0L) / n * std::cos(k * angle) * basis[j];
+        this->FromBernstein[k * n + j] += this->WideTransform[k * n + i] * basis[j];
       }
     }
   }
-  this->FromBernstein.assign(sums.begin(), sums.end());
 }
 
 const ChebyshevRule& ChebyshevRule::Get(int n)

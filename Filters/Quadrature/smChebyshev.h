@@ -27,8 +27,10 @@ public:
   const double* GetValues(int i) const { return this->Values.data() + i * this->Size; }
   /// Row k: coefficient k is the sum of row[i] times sample i.
   const double* GetTransform(int k) const { return this->Transform.data() + k * this->Size; }
+  /// The same in extended precision.
+  const long double* GetWideTransform(int k) const { return this->WideTransform.data() + k * this->Size; }
   /// Row k: coefficient k is the sum of row[i] times the Bernstein coefficient i, of degree n - 1 on [0,1]. n <= 26.
-  const double* GetFromBernstein(int k) const { return this->FromBernstein.data() + k * this->Size; }
+  const long double* GetFromBernstein(int k) const { return this->FromBernstein.data() + k * this->Size; }
 
 private:
   explicit ChebyshevRule(int n);
@@ -37,7 +39,8 @@ private:
   std::vector<double> Nodes;
   std::vector<double> Values;
   std::vector<double> Transform;
-  std::vector<double> FromBernstein;
+  std::vector<long double> WideTransform;
+  std::vector<long double> FromBernstein;
 };
 
 /// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form: degree + 1 coefficients of
@@ -53,27 +56,27 @@ void ExpandBernstein(const Real* coefficients, int size, int degree, double star
   {
     for (int e = count - 1; e >= size * level; --e)
     {
-      part[e] = (1.0 - end) * part[e - size] + end * part[e];
+      part[e] = (Real(1) - end) * part[e - size] + end * part[e];
     }
   }
-  const double x = end != 0.0 ? start / end : 0.0;
-  for (int level = degree; x != 0.0 && level > 0; --level)
+  const Real x = end != 0.0 ? Real(start) / end : Real(0);
+  for (int level = degree; x != Real(0) && level > 0; --level)
   {
     for (int e = 0; e < size * level; ++e)
     {
-      part[e] = (1.0 - x) * part[e] + x * part[e + size];
+      part[e] = (Real(1) - x) * part[e] + x * part[e + size];
     }
   }
   const ChebyshevRule& rule = ChebyshevRule::Get(degree + 1);
   for (int k = 0; k <= degree; ++k)
   {
-    const double* row = rule.GetFromBernstein(k);
+    const long double* row = rule.GetFromBernstein(k);
     for (int d = 0; d < size; ++d)
     {
       Real sum = 0;
       for (int i = 0; i <= degree; ++i)
       {
-        sum += row[i] * part[size * i + d];
+        sum += static_cast<Real>(row[i]) * part[size * i + d];
       }
       series[size * k + d] = sum;
     }

@@ -1,5 +1,6 @@
 #include "smGapSeries.h"
 
+#include "smIntegerPower.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 
@@ -16,10 +17,22 @@ constexpr double Radii[] = { 1.3, 1.6, 2.0, 2.5, 3.2, 4.2, 6.0, 9.0, 15.0, 30.0,
 constexpr int AffordableNodes = 16;
 constexpr int FewNodes = 10;
 constexpr int MostNodes = 128;
-// Roundings of a sample of the gap: those of the trim curve, the patch and the edge, up to degree 25 each.
-constexpr double SampleRoundings = 64.0;
 // The part of a plane's patch that is bilinear is known in double: rounding, relative to the steps of its corners.
 constexpr double LargestCorner = 1e-6;
+
+/// Roundings of a sum of Bernstein polynomials at start + (end - start) t, relative to its largest coefficient: 2n + 2 of the
+/// polynomials (smWideEvaluation.h), n + 1 of products and sums, 2 of the coefficients, and 3 of the parameter, which count 2n times.
+double GetCurveRoundings(int degree, double start, double end)
+{
+  return (start == 0.0 && end == 1.0 ? 3.0 : 9.0) * degree + 5.0;
+}
+
+/// The same of the n coefficients of ExpandBernstein(): its scheme rounds 6 times a degree; rows, the absolute values of which add up to
+/// 2 at most, are within 8 n roundings; products and sums round n + 1 times.
+double GetSeriesRoundings(int n)
+{
+  return 30.0 * n * n;
+}
 
 /// The coefficients of a trim piece in the parameters of a patch.
 void FillLocal(const double* coefficients, int degree, const Patch& patch, Wide local[][2])
@@ -65,9 +78,21 @@ const std::array<double, 4>* GapSeries::GetPoints(const Ribbon& ribbon) const
 void GapSeries::ExpandEdge(const Ribbon& ribbon, double start, double end)
 {
   const double width = ribbon.EdgeEnd - ribbon.EdgeStart;
-  this->Curve.resize(ribbon.EdgeDegree + 1);
-  ExpandBernstein<double>(this->Panels.Coefficients.data() + ribbon.Edge, 3, ribbon.EdgeDegree,
-    ribbon.EdgeStart + width * start, ribbon.EdgeStart + width * end, this->Curve.front().data());
+  const int n = ribbon.EdgeDegree + 1;
+  const double* coefficients = this->Panels.Coefficients.data() + ribbon.Edge;
+  Wide edge[3 * (MaximumDegree + 1)];
+  Wide series[3 * (MaximumDegree + 1)];
+  std::copy_n(coefficients, 3 * n, edge);
+  ExpandBernstein<Wide>(
+    edge, 3, ribbon.EdgeDegree, ribbon.EdgeStart + width * start, ribbon.EdgeStart + width * end, series);
+  this->Curve.resize(n);
+  double largest = 0.0;
+  for (int k = 0; k < n; ++k)
+  {
+    std::copy_n(series + 3 * k, 3, this->Curve[k].begin());
+    largest = std::max(largest, Norm(coefficients + 3 * k));
+  }
+  this->CurveNoise = WideRoundoff * GetSeriesRoundings(n) * largest;
   double center[3];
   for (int c = 0; c < 3; ++c)
   {
@@ -119,6 +144,8 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   RaiseDegree<3>(edge, ribbon.EdgeDegree, degree);
 
   double size = 0.0;
+  double largest = 0.0;
+  double farthest = 1.0;
   Wide gap[MaximumDegree + 1][3];
   for (int c = 0; c < 3; ++c)
   {
@@ -129,6 +156,8 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
       gap[i][c] = curve - (p[0][c] + moved[0] + moved[1]);
       size = std::max({ size, static_cast<double>(std::abs(curve)), static_cast<double>(std::abs(moved[0])),
         static_cast<double>(std::abs(moved[1])), std::abs(p[0][c]) });
+      largest = std::max(largest, static_cast<double>(std::abs(gap[i][c])));
+      farthest = std::max(farthest, static_cast<double>(std::abs(local[i][0]) + std::abs(local[i][1])));
     }
   }
   Wide series[MaximumDegree + 1][3];
@@ -161,8 +190,13 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
     }
   }
   this->Rough = false;
-  // To raise the degree costs as much again, at most.
-  this->Noise = 2.0 * SampleRoundings * WideRoundoff * size;
+  this->Tail = 0.0;
+  // Of every coordinate: 20 roundings of the terms and their sum, 4 in each of three terms to raise the degree by one, and those of the
+  // series. The trim's series are doubles, but matter to d alone.
+  const int raised = std::abs(ribbon.TrimDegree - ribbon.EdgeDegree);
+  this->Noise = std::sqrt(3.0) *
+    (WideRoundoff * ((20.0 + 12.0 * raised) * size + GetSeriesRoundings(degree + 1) * largest) +
+      UnitRoundoff * 2.0 * GetSeriesRoundings(trim + 1) * farthest * farthest * corner);
 
   for (int k = 0; k < 2; ++k)
   {
@@ -174,7 +208,7 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   return true;
 }
 
-int GapSeries::ChooseNodes(const Ribbon& ribbon, double& tail)
+int GapSeries::ChooseNodes(const Ribbon& ribbon)
 {
   // U has the degree of P(c(t)) plus that of C, where w is not constant.
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
@@ -185,6 +219,8 @@ int GapSeries::ChooseNodes(const Ribbon& ribbon, double& tail)
   const int ofPoint = (inS + inR) * this->Trim.GetDegree();
   const int exact =
     (polynomial ? std::max<int>(ofPoint, ribbon.EdgeDegree) : ofPoint + ribbon.EdgeDegree) + 1;
+  this->GapDegree = exact - 1;
+  double& tail = this->Tail;
   tail = 0.0;
   this->Rough = false;
   if (exact <= AffordableNodes)
@@ -249,7 +285,8 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
   samples.resize(nodes);
   this->Stretch = this->TrimSlope = { 0.0, 0.0 };
   this->NormalLength = 0.0;
-  double size = 0.0;
+  double largest = 0.0;
+  double weight = 0.0;
   for (int i = 0; i < nodes; ++i)
   {
     const Wide t = start + (static_cast<Wide>(end) - start) * 0.5L * (1.0L + rule.GetNode(i));
@@ -276,17 +313,17 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
       {
         edge += basis[k] * (static_cast<Wide>(coefficients[3 * k + c]) - patch.Center[c]);
       }
-      edge *= h[3];
-      samples[i][c] = edge - h[c];
-      size = std::max({ size, static_cast<double>(std::abs(edge)), static_cast<double>(std::abs(h[c])) });
+      samples[i][c] = edge * h[3] - h[c];
+      largest = std::max(largest, static_cast<double>(std::abs(samples[i][c])));
     }
     samples[i][3] = h[3];
+    weight = std::max(weight, static_cast<double>(h[3]));
     this->SampleTangents(ribbon, rule.GetNode(i));
   }
   this->Gap.assign(nodes, {});
   for (int k = 0; k < nodes; ++k)
   {
-    const double* row = rule.GetTransform(k);
+    const Wide* row = rule.GetWideTransform(k);
     std::array<double, 4>& to = this->Gap[k];
     for (int c = 0; c < 4; ++c)
     {
@@ -302,8 +339,64 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
       to[3] = 0.0;
     }
   }
-  // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant.
-  this->Noise += SampleRoundings * WideRoundoff * size * (1.0 + std::log(static_cast<double>(nodes)));
+  // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant. Coefficients are sums
+  // of n terms; the values of a row add up to 2 at most.
+  this->Noise = this->GetSampleNoise(ribbon, weight) * (1.0 + std::log(static_cast<double>(nodes))) +
+    std::sqrt(3.0) * WideRoundoff * 2.0 * nodes * (nodes + 6.0) * largest;
+}
+
+double GapSeries::GetSampleNoise(const Ribbon& ribbon, double weight) const
+{
+  // P is a sum of the control points times 2p + 2 and 2q + 2 roundings of the polynomials, and p + q + 2 of sums and products; their
+  // absolute values add up to the radius times the weight. Where the trim point is off by d in s, U is by w |Ss| d, but for a rounding of
+  // the gap. C's coefficients and those of the trim piece count over the whole piece, which may be longer than the ribbon, and leave the
+  // patch.
+  const Patch& patch = this->Panels.Patches[ribbon.Patch];
+  const std::array<double, 4>* points = this->GetPoints(ribbon);
+  const int p = patch.Degree[0];
+  const int q = patch.Degree[1];
+  double growth = 1.0;
+  double local[2] = { 0.0, 0.0 };
+  const double* trim = this->Panels.Coefficients.data() + ribbon.Trim;
+  for (int d = 0; d < 2; ++d)
+  {
+    const double beyond = std::max({ 0.0, -this->Trim.GetLow(d), this->Trim.GetHigh(d) - 1.0 });
+    growth *= IntegerPower(1.0 + 2.0 * beyond, patch.Degree[d]);
+    for (int i = 0; i <= ribbon.TrimDegree; ++i)
+    {
+      local[d] = std::max(local[d], std::abs((trim[2 * i + d] - patch.Start[d]) / patch.Width[d]));
+    }
+  }
+  for (int i = 0; growth > 1.0 && i < (p + 1) * (q + 1); ++i)
+  {
+    // Beyond the patch polynomials have both signs.
+    weight = std::max(weight, growth * points[i][3]);
+  }
+  double edge = 0.0;
+  const double* coefficients = this->Panels.Coefficients.data() + ribbon.Edge;
+  for (int i = 0; i <= ribbon.EdgeDegree; ++i)
+  {
+    const double offset[3] = { coefficients[3 * i] - patch.Center[0],
+      coefficients[3 * i + 1] - patch.Center[1], coefficients[3 * i + 2] - patch.Center[2] };
+    edge = std::max(edge, Norm(offset));
+  }
+  return WideRoundoff * weight *
+    (3.0 * (p + q + 3) * (patch.Radius + edge) +
+      GetCurveRoundings(ribbon.EdgeDegree, ribbon.EdgeStart, ribbon.EdgeEnd) * edge +
+      GetCurveRoundings(ribbon.TrimDegree, ribbon.Start, ribbon.End) *
+        (local[0] * this->Stretch[0] + local[1] * this->Stretch[1]));
+}
+
+GapSeries::Remainder GapSeries::GetRemainder(const Majorants& real) const
+{
+  // A polynomial of degree n below e on [0,1] has a derivative below 2 n^2 e (Markov). With U off by e w, G = U/w is off by e and
+  // G' = (U' - G w') / w by the derivative's part and by e |w'| / w.
+  const auto bound = [](double noise, double degree) { return 2.0 * degree * degree * noise; };
+  const double gap = (this->Noise + this->Tail) / real.Weight;
+  const double gapSlope =
+    bound(this->Noise, static_cast<double>(this->Gap.size() - 1)) + bound(this->Tail, this->GapDegree);
+  return { this->CurveNoise, bound(this->CurveNoise, static_cast<double>(this->Curve.size() - 1)), gap,
+    (gapSlope + gap * real.WeightSlope) / real.Weight };
 }
 
 void GapSeries::SampleTangents(const Ribbon& ribbon, double x)
@@ -359,7 +452,7 @@ bool GapSeries::Evaluate(const Ellipse& t, Majorants& majorants) const
     }
   }
   const double weight = this->Gap[0][3] - sums[4];
-  majorants = { sums[0], sums[1], 0.0, 0.0, weight };
+  majorants = { sums[0], sums[1], 0.0, 0.0, weight, sums[5] };
   if (!(weight > 1e-9 * this->Gap[0][3]))
   {
     return false;
@@ -378,7 +471,7 @@ void GapSeries::Expand(const Ribbon& ribbon, double start, double end)
   this->ExpandEdge(ribbon, start, end);
   if (!this->ExpandOnPlane(ribbon, start, end))
   {
-    const int nodes = this->ChooseNodes(ribbon, this->Noise);
+    const int nodes = this->ChooseNodes(ribbon);
     this->Sample(ribbon, start, end, nodes);
   }
   this->Summarize();

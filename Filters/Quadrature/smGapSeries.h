@@ -34,17 +34,20 @@ public:
   /// Expands the part [start, end] of a ribbon.
   void Expand(const Ribbon& ribbon, double start, double end);
 
-  /// Upper bounds in an ellipse of t: of |C|, |C'|, |G|, |G'|; and a lower bound of w.
+  /// Upper bounds in an ellipse of t: of |C|, |C'|, |G|, |G'| and |w'|; and a lower bound of w.
   struct Majorants
   {
-    double Curve, CurveSlope, Gap, GapSlope, Weight;
+    double Curve, CurveSlope, Gap, GapSlope, Weight, WeightSlope;
   };
   /// Returns false when the weight may vanish.
   bool Evaluate(const Ellipse& t, Majorants& majorants) const;
 
-  /// Bound of the remainder that the series of U lack, infinite if there is none; and the number of coefficients.
-  double GetNoise() const { return this->Noise; }
-  int GetSize() const { return static_cast<int>(this->Gap.size()); }
+  /// By how much C, C', G and G' may differ from their series at real t; infinite if there is no bound. `real`: those of t in [0,1].
+  struct Remainder
+  {
+    double Curve, CurveSlope, Gap, GapSlope;
+  };
+  Remainder GetRemainder(const Majorants& real) const;
   /// The series leave more of U than rounding does.
   bool IsRough() const { return this->Rough; }
 
@@ -58,9 +61,11 @@ private:
   void ExpandEdge(const Ribbon& ribbon, double start, double end);
   /// The closed form: on a parallelogram, for curves that share their parameter. Returns false elsewhere.
   bool ExpandOnPlane(const Ribbon& ribbon, double start, double end);
-  /// Nodes that determine U and w, and a bound of the remainder.
-  int ChooseNodes(const Ribbon& ribbon, double& tail);
+  /// Nodes that determine U and w, but for a Tail.
+  int ChooseNodes(const Ribbon& ribbon);
   void Sample(const Ribbon& ribbon, double start, double end, int nodes);
+  /// Bound of the rounding of the samples of U, the weights of which are at most `weight`; Stretch is known.
+  double GetSampleNoise(const Ribbon& ribbon, double weight) const;
   /// Stretch, TrimSlope and NormalLength at x in [-1,1].
   void SampleTangents(const Ribbon& ribbon, double x);
   /// The sums of Evaluate().
@@ -74,7 +79,11 @@ private:
   /// U and w.
   std::vector<std::array<double, 4>> Gap;
   double CurveDistance = 0.0;
+  /// Bounds, at real t, of the rounding of the series of C and U, and of what these lack of a U that has a higher degree.
+  double CurveNoise = 0.0;
   double Noise = 0.0;
+  double Tail = 0.0;
+  int GapDegree = 0;
   bool Rough = false;
   std::array<double, 2> Stretch{};
   double NormalLength = 0.0;

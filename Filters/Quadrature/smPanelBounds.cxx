@@ -1,5 +1,8 @@
 #include "smPanelBounds.h"
 
+#include "smIntegerPower.h"
+#include "smVector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +18,17 @@ const EllipseRadius Radii[] = { EllipseRadius(1.3), EllipseRadius(1.5), EllipseR
   EllipseRadius(40.0), EllipseRadius(100.0) };
 // The box of a patch's series is larger by this, so that it holds trim curves that leave the patch by rounding.
 constexpr double Margin = 1e-6;
+// Edges whose control points are this close together, relative to the patch: those that may be taken for a point where the tolerance has
+// room for it, and those that always are.
+constexpr double NearlyCollapsed = 1e-9;
+constexpr double CertainlyCollapsed = 1e-15;
+// A part that leaves its patch by no more has the patch's bounds of what was moved, times OnPatchGrowth, as long as neighbours' weights
+// differ by less than LargestRatio: the sum of the polynomials' negative terms is about 2 (p + q) OnPatch LargestRatio.
+constexpr double OnPatch = 1e-9;
+constexpr double OnPatchGrowth = 1.01;
+constexpr double LargestRatio = 1e4;
+// The part of a panel's tolerance that what was moved may take.
+constexpr double LargestChange = 0.25;
 
 bool IsInside(const ParameterBox& box, const ParameterBox& outer)
 {
@@ -39,22 +53,140 @@ PanelBounds::PanelBounds(const FacePanels& panels, const PlanRequest& request, i
 {
 }
 
-PanelBounds::PatchSeries& PanelBounds::GetSeries(const Panel& panel)
+double GetIntegrandChange(const BoundClass& c, double moved, double turned, double normal, double reach)
 {
-  std::unique_ptr<PatchSeries>& series = this->Series[panel.Patch];
-  if (!series)
+  const int k = c.Degree;
+  const auto moment = [&](int degree)
   {
-    const Patch& patch = this->Panels.Patches[panel.Patch];
-    series = std::make_unique<PatchSeries>();
-    series->Traits =
-      FindPatchTraits(this->Panels.Points.data() + patch.FirstPoint, patch.Degree[0], patch.Degree[1]);
-  }
-  return *series;
+    return turned * IntegerPower(reach, degree) +
+      (degree > 0 ? degree * moved * normal * IntegerPower(reach, degree - 1) : 0.0);
+  };
+  return c.Kind == BoundClass::VectorArea ? turned
+    : c.Kind == BoundClass::AreaMoment    ? moment(k)
+    : c.Kind == BoundClass::HeightMoment  ? moment(k + 1)
+                                          : moment(k + 1) / (3 + k);
 }
 
-std::array<double, 3> PanelBounds::GetOrigin(const Panel& panel) const
+bool PanelBounds::IsOnPatch(const Patch& patch) const
+{
+  return patch.WeightRatio < LargestRatio &&
+    std::min(this->Trim.GetLow(0), this->Trim.GetLow(1)) >= -OnPatch &&
+    std::max(this->Trim.GetHigh(0), this->Trim.GetHigh(1)) <= 1.0 + OnPatch;
+}
+
+void PanelBounds::FillChange(const Patch& patch, double moved, const double slope[2], double radius,
+  const double stretch[2], std::vector<double>& change) const
+{
+  const double turned = slope[0] * stretch[1] + stretch[0] * slope[1] + slope[0] * slope[1];
+  const double normal = (stretch[0] + slope[0]) * (stretch[1] + slope[1]);
+  const double reach = Norm(this->GetOrigin(patch).data()) + radius + moved;
+  change.clear();
+  for (const BoundClass& c : this->Request.Classes)
+  {
+    change.push_back(GetIntegrandChange(c, moved, turned, normal, reach));
+  }
+}
+
+void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector<double>& change) const
+{
+  // A sum of control points times weights is at most `growth` times the weight and the longest of them, and its derivative at most
+  // 2 n growth (1 + growth) times that.
+  double growth = 1.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    growth *= IntegerPower(
+      1.0 + 2.0 * std::max({ 0.0, -this->Trim.GetLow(d), this->Trim.GetHigh(d) - 1.0 }), patch.Degree[d]);
+  }
+  double largest = 0.0;
+  for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
+  {
+    largest = std::max(largest, this->Panels.Points[patch.FirstPoint + i][3]);
+  }
+  const double weight = this->Majorants->GetLowestWeight();
+  growth *= weight > 0.0 ? largest / weight : std::numeric_limits<double>::infinity();
+  const double factor = 2.0 * growth * (1.0 + growth);
+  const double slope[2] = { factor * patch.Degree[0] * moved, factor * patch.Degree[1] * moved };
+  const double stretch[2] = { factor * patch.Degree[0] * patch.Radius,
+    factor * patch.Degree[1] * patch.Radius };
+  this->FillChange(patch, growth * moved, slope, growth * patch.Radius, stretch, change);
+}
+
+const std::vector<double>& PanelBounds::GetChange()
+{
+  const PatchSeries& series = *this->PartSeries;
+  if (series.Change.empty() || this->IsOnPatch(*this->PartPatch))
+  {
+    return series.Change;
+  }
+  this->FillChangeBeyond(*this->PartPatch, series.Moved, this->Change);
+  return this->Change;
+}
+
+void PanelBounds::MakeSeries(const Patch& patch, double size, PatchSeries& series) const
+{
+  const std::array<double, 4>* points = this->Panels.Points.data() + patch.FirstPoint;
+  const int p = patch.Degree[0];
+  const int q = patch.Degree[1];
+  series.Points.assign(points, points + (p + 1) * (q + 1));
+  CollapseEdges(series.Points, p, q, size);
+  series.Traits = FindPatchTraits(series.Points.data(), p, q);
+  // The difference is a rational patch with the same weights.
+  std::vector<std::array<double, 4>> moved = series.Points;
+  for (std::size_t i = 0; i < moved.size(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      moved[i][c] = points[i][c] - moved[i][c];
+    }
+  }
+  Patch difference = patch;
+  MeasurePatch(moved.data(), difference);
+  series.Moved = difference.Radius;
+  if (series.Moved > 0.0)
+  {
+    const double slope[2] = { OnPatchGrowth * difference.Stretch[0], OnPatchGrowth * difference.Stretch[1] };
+    this->FillChange(patch, OnPatchGrowth * series.Moved, slope, patch.Radius, patch.Stretch, series.Change);
+  }
+}
+
+bool PanelBounds::Fits(const PatchSeries& series, const PanelPart& part) const
+{
+  const double share = std::exp2(-part.Depth);
+  for (std::size_t i = 0; i < series.Change.size(); ++i)
+  {
+    const double tolerance = share * this->Request.Tolerances[i];
+    if (tolerance > 0.0 && 2.0 * series.Change[i] * this->Jacobian > LargestChange * tolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+PanelBounds::PatchSeries& PanelBounds::GetSeries(const Panel& panel, const PanelPart& part)
 {
   const Patch& patch = this->Panels.Patches[panel.Patch];
+  std::array<std::unique_ptr<PatchSeries>, 2>& series = this->Series[panel.Patch];
+  const auto get = [&](std::size_t i, double size) -> PatchSeries&
+  {
+    if (!series[i])
+    {
+      series[i] = std::make_unique<PatchSeries>();
+      this->MakeSeries(patch, size, *series[i]);
+    }
+    return *series[i];
+  };
+  PatchSeries& nearly = get(0, NearlyCollapsed);
+  const bool certain = nearly.Moved <= CertainlyCollapsed * patch.Radius;
+  const bool chosen = certain || (this->IsOnPatch(patch) && this->Fits(nearly, part));
+  this->PartPatch = &patch;
+  PatchSeries& found = chosen ? nearly : get(1, CertainlyCollapsed);
+  this->PartSeries = &found;
+  return found;
+}
+
+std::array<double, 3> PanelBounds::GetOrigin(const Patch& patch) const
+{
   return { patch.Center[0] + this->Request.Shift[0], patch.Center[1] + this->Request.Shift[1],
     patch.Center[2] + this->Request.Shift[2] };
 }
@@ -65,12 +197,15 @@ void PanelBounds::ExpandTrim(const Panel& panel, const PanelPart& part)
   this->Trim.Expand(this->Panels.Coefficients.data() + panel.Trim, panel.TrimDegree,
     this->Panels.Patches[panel.Patch], panel.Start + width * part.Start, panel.Start + width * part.End);
   this->Box = this->Trim.GetBox(part.XiStart, part.XiEnd);
+  const Ellipse real = Ellipse::FromRadius(1.0);
+  this->Jacobian =
+    this->Trim.GetLargestS(real) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(real);
 }
 
 bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part)
 {
   this->ExpandTrim(panel, part);
-  PatchSeries& series = this->GetSeries(panel);
+  PatchSeries& series = this->GetSeries(panel, part);
   const ParameterBox box = GetPatchBox(series.Traits);
   if (!IsInside(this->Box, box))
   {
@@ -79,8 +214,8 @@ bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part)
   if (!series.IsExpanded)
   {
     const Patch& patch = this->Panels.Patches[panel.Patch];
-    series.Whole.Expand(this->Panels.Points.data() + patch.FirstPoint, patch.Degree[0], patch.Degree[1],
-      series.Traits, box, this->GetOrigin(panel));
+    series.Whole.Expand(
+      series.Points.data(), patch.Degree[0], patch.Degree[1], series.Traits, box, this->GetOrigin(patch));
     series.IsExpanded = true;
   }
   if (!series.Whole.HasLength())
@@ -94,13 +229,16 @@ bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part)
   return true;
 }
 
-void PanelBounds::ExpandByPart(const Panel& panel, const PanelPart& part)
+void PanelBounds::ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm)
 {
   this->ExpandTrim(panel, part);
-  const PatchTraits& traits = this->GetSeries(panel).Traits;
+  const PatchSeries& series = this->GetSeries(panel, part);
+  PatchTraits traits = series.Traits;
+  traits.PolynomialLength = traits.PolynomialLength && withForm;
+  traits.ConstantDirection = traits.ConstantDirection && withForm;
   const Patch& patch = this->Panels.Patches[panel.Patch];
-  this->OfPart.Expand(this->Panels.Points.data() + patch.FirstPoint, patch.Degree[0], patch.Degree[1], traits,
-    this->Box, this->GetOrigin(panel));
+  this->OfPart.Expand(
+    series.Points.data(), patch.Degree[0], patch.Degree[1], traits, this->Box, this->GetOrigin(patch));
   this->Majorants = &this->OfPart;
   this->MajorantsBox = this->Box;
   this->IsPolynomial = traits.Polynomial;
@@ -122,8 +260,6 @@ Ellipse PanelBounds::Embed(const Ellipse& ellipse, int direction) const
 void PanelBounds::Bound(const Panel& panel, const PanelPart& part)
 {
   const Ellipse real = Ellipse::FromRadius(1.0);
-  this->Jacobian =
-    this->Trim.GetLargestS(real) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(real);
   const std::size_t count = this->Request.Classes.size();
   if (this->Majorants->Evaluate(real, real, this->Request.Classes, this->Supremum))
   {

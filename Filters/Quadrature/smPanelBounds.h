@@ -29,6 +29,10 @@ struct PanelPart
   int Depth = 0;
 };
 
+/// The largest change of an integrand where points move by `moved` and normals by `turned`; normals are at most `normal` long, and points no
+/// farther than `reach`.
+double GetIntegrandChange(const BoundClass& c, double moved, double turned, double normal, double reach);
+
 class PanelBounds
 {
 public:
@@ -37,8 +41,8 @@ public:
 
   /// Bounds a part by the series of its patch. Returns false if it leaves the patch, or if |n| may have a zero there.
   bool ExpandByPatch(const Panel& panel, const PanelPart& part);
-  /// Bounds a part by series of its own.
-  void ExpandByPart(const Panel& panel, const PanelPart& part);
+  /// Bounds a part by series of its own. `withForm`: |n| may be taken for a polynomial.
+  void ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm = true);
   /// The part is its patch: series of its own would be the same.
   bool IsPatch() const;
 
@@ -54,17 +58,34 @@ public:
   double GetError(std::size_t integrand, int along, int across) const;
   /// Largest distance from the point that moments are about, over all parts so far.
   double GetReach() const { return this->Reach; }
+  /// By how much the integrands of the part differ from those that are bounded, as poles were made points; without the Jacobian. Empty
+  /// where they do not.
+  const std::vector<double>& GetChange();
 
 private:
   struct PatchSeries
   {
+    /// Those of the patch, poles made points; by how much at most; and what that changes of the integrands on the patch.
+    std::vector<std::array<double, 4>> Points;
+    double Moved = 0.0;
+    std::vector<double> Change;
     PatchTraits Traits;
     /// Series of the whole patch, made when they are asked for.
     PatchMajorants Whole;
     bool IsExpanded = false;
   };
-  PatchSeries& GetSeries(const Panel& panel);
-  std::array<double, 3> GetOrigin(const Panel& panel) const;
+  PatchSeries& GetSeries(const Panel& panel, const PanelPart& part);
+  void MakeSeries(const Patch& patch, double size, PatchSeries& series) const;
+  /// The tolerances have room for the change.
+  bool Fits(const PatchSeries& series, const PanelPart& part) const;
+  /// The part is on its patch, but for rounding.
+  bool IsOnPatch(const Patch& patch) const;
+  /// The changes of the integrands where points move by `moved` and derivatives by `slope`, if the patch has the radius and derivatives of
+  /// at most `stretch`; and where the part leaves the patch.
+  void FillChange(const Patch& patch, double moved, const double slope[2], double radius,
+    const double stretch[2], std::vector<double>& change) const;
+  void FillChangeBeyond(const Patch& patch, double moved, std::vector<double>& change) const;
+  std::array<double, 3> GetOrigin(const Patch& patch) const;
   void ExpandTrim(const Panel& panel, const PanelPart& part);
   void Bound(const Panel& panel, const PanelPart& part);
   void BoundAcross(const Panel& panel);
@@ -77,11 +98,15 @@ private:
   const PlanRequest& Request;
   int Degree;
   double Reach = 0.0;
-  std::vector<std::unique_ptr<PatchSeries>> Series;
+  /// Of each patch with poles that are nearly points made so, and, where that is not the same, with certain ones.
+  std::vector<std::array<std::unique_ptr<PatchSeries>, 2>> Series;
   PatchMajorants OfPart;
 
   // Values of the current part.
   TrimSeries Trim;
+  const Patch* PartPatch = nullptr;
+  const PatchSeries* PartSeries = nullptr;
+  std::vector<double> Change;
   ParameterBox Box{};
   const PatchMajorants* Majorants = nullptr;
   ParameterBox MajorantsBox{};

@@ -75,15 +75,8 @@ void PanelPlanner::AddFlatError(const Patch& patch, double reach)
   const double area = patch.Stretch[0] * patch.Stretch[1];
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
-    const BoundClass& c = this->Request.Classes[i];
-    const int k = c.Degree;
-    const double shifted = 0.25 * moved * area * (c.Kind == BoundClass::AreaMoment ? k : k + 1);
-    const double error = c.Kind == BoundClass::VectorArea ? rotated
-      : c.Kind == BoundClass::AreaMoment
-      ? rotated * IntegerPower(reach, k) + (k > 0 ? shifted * IntegerPower(reach, k - 1) : 0.0)
-      : (rotated * reach + shifted) * IntegerPower(reach, k) /
-        (c.Kind == BoundClass::VolumeMoment ? 3 + k : 1);
-    this->Result.QuadratureBound[i] += 2.0 * error;
+    this->Result.QuadratureBound[i] +=
+      2.0 * GetIntegrandChange(this->Request.Classes[i], 0.25 * moved, rotated, area, reach);
   }
 }
 
@@ -270,6 +263,12 @@ void PanelPlanner::Keep(
     this->Result.QuadratureBound[i] +=
       this->Dropped[i] > 0.0 ? 2.0 * this->Dropped[i] * this->Bounds.GetJacobian() : 0.0;
   }
+  const std::vector<double>& change = this->Bounds.GetChange();
+  for (std::size_t i = 0; i < change.size(); ++i)
+  {
+    this->Result.QuadratureBound[i] += 2.0 * change[i] * this->Bounds.GetJacobian();
+    this->Result.Magnitude[i] += change[i] * this->Bounds.GetJacobian();
+  }
   this->AddEndError(this->Panels.Panels[index], part);
   this->Result.Evaluations += static_cast<std::int64_t>(along) * across * (compared ? 5 : 1);
   this->Result.Items.push_back(item);
@@ -285,8 +284,12 @@ bool PanelPlanner::PlanByPatch(std::uint32_t index, const PanelPart& part)
   {
     return false;
   }
-  this->Keep(index, part, along, across, false,
-    this->Bounds.GetJacobian() * this->Bounds.GetMajorants().GetLengthDeviation());
+  const double noise = this->GetNoise(panel, 0.0);
+  if (!this->IsSmall(2.0 * noise, 1.0))
+  {
+    return false;
+  }
+  this->Keep(index, part, along, across, false, noise);
   return true;
 }
 
@@ -322,7 +325,13 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
     kinkArea =
       this->Request.Classes[i] == PlainArea && kink > 0.0 ? kink * this->Bounds.GetSupremum(i) : kinkArea;
   }
-  const double noise = this->GetNoise(panel, kink);
+  double noise = this->GetNoise(panel, kink);
+  if (!this->IsSmall(2.0 * this->GetNoise(panel, 0.0), share))
+  {
+    // That |n| is a polynomial may be true and its deviation not be known well enough.
+    this->Bounds.ExpandByPart(panel, part, false);
+    noise = this->GetNoise(panel, kink);
+  }
   int along = 1;
   int across = 1;
   const bool found = this->FindOrders(share, true, along, across);

@@ -122,6 +122,7 @@ void PatchMajorants::SampleNumerators(const Vector3& origin)
   const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
   const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
   this->Samples.resize(static_cast<std::size_t>(Components) * countS * countR);
+  this->Weights.resize(static_cast<std::size_t>(countS) * countR);
   static thread_local std::vector<double> lines;
   lines.resize(12 * rows);
   for (int a = 0; a < countS; ++a)
@@ -165,6 +166,7 @@ void PatchMajorants::SampleNumerators(const Vector3& origin)
       const double r = this->Box.Middle[1] + this->Box.Half[1] * ruleR.GetNode(b);
       const double factor = this->GetFactor(s, r);
       double* sample = this->Samples.data() + Components * (a + static_cast<std::size_t>(countS) * b);
+      this->Weights[a + static_cast<std::size_t>(countS) * b] = h[0][3];
       double m[3];
       for (int c = 0; c < 3; ++c)
       {
@@ -178,43 +180,53 @@ void PatchMajorants::SampleNumerators(const Vector3& origin)
   }
 }
 
+template <int Used>
 void PatchMajorants::Transform(int countS, int countR)
 {
-  const std::size_t line = static_cast<std::size_t>(Components) * countS;
+  const std::size_t line = static_cast<std::size_t>(Used) * countS;
   const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
   const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
-  this->Scratch.assign(line * countR, 0.0);
+  this->Scratch.resize(line * countR);
+  // Sums in registers, always in the order of the nodes.
   for (int b = 0; b < countR; ++b)
   {
-    const double* from = this->Samples.data() + line * b;
+    const double* from = this->Samples.data() + static_cast<std::size_t>(Components) * countS * b;
     double* to = this->Scratch.data() + line * b;
     for (int k = 0; k < countS; ++k)
     {
       const double* row = ruleS.GetTransform(k);
+      double sum[Used] = {};
       for (int a = 0; a < countS; ++a)
       {
-        for (int c = 0; c < Components; ++c)
+        for (int c = 0; c < Used; ++c)
         {
-          to[Components * k + c] += row[a] * from[Components * a + c];
+          sum[c] += row[a] * from[Components * a + c];
         }
       }
+      std::copy_n(sum, Used, to + Used * k);
     }
   }
-  std::fill(this->Samples.begin(), this->Samples.end(), 0.0);
   for (int l = 0; l < countR; ++l)
   {
     const double* row = ruleR.GetTransform(l);
-    double* to = this->Samples.data() + line * l;
-    for (int b = 0; b < countR; ++b)
+    for (int k = 0; k < countS; ++k)
     {
-      const double* from = this->Scratch.data() + line * b;
-      for (std::size_t e = 0; e < line; ++e)
+      const double* from = this->Scratch.data() + Used * k;
+      double* to = this->Samples.data() + Components * (k + static_cast<std::size_t>(countS) * l);
+      double sum[Components] = {};
+      for (int b = 0; b < countR; ++b, from += line)
       {
-        to[e] += row[b] * from[e];
+        for (int c = 0; c < Used; ++c)
+        {
+          sum[c] += row[b] * from[c];
+        }
       }
+      std::copy_n(sum, Components, to);
     }
   }
 }
+
+template void PatchMajorants::Transform<PatchMajorants::Components>(int countS, int countR);
 
 void PatchMajorants::DropNoise(std::size_t count, double noise)
 {
@@ -322,7 +334,14 @@ void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, c
     origin[2] + series[2] / series[3] };
   this->CenterDistance = Norm(fromOrigin);
   this->SampleNumerators(origin);
-  this->Transform(3 * p - 1, 3 * q - 1);
+  if (traits.PolynomialLength)
+  {
+    this->Transform<Components>(3 * p - 1, 3 * q - 1);
+  }
+  else
+  {
+    this->Transform<Components - 1>(3 * p - 1, 3 * q - 1);
+  }
   this->MakeTables(3 * p - 1, 3 * q - 1);
 }
 }

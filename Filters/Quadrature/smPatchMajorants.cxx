@@ -219,28 +219,6 @@ double PatchMajorants::GetLengthDeviation() const
     (weight * weight * weight);
 }
 
-double PatchMajorants::EvaluateWeight(double x, double y) const
-{
-  // T_k(x) T_l(y) by their recurrences.
-  double sum = 0.0;
-  double tl[2] = { 1.0, y };
-  for (int l = 0; l <= this->Q; ++l)
-  {
-    double tk[2] = { 1.0, x };
-    for (int k = 0; k <= this->P; ++k)
-    {
-      sum += tl[0] * tk[0] * this->Series[0][4 * (k + (this->P + 1) * l) + 3];
-      const double next = 2.0 * x * tk[1] - tk[0];
-      tk[0] = tk[1];
-      tk[1] = next;
-    }
-    const double next = 2.0 * y * tl[1] - tl[0];
-    tl[0] = tl[1];
-    tl[1] = next;
-  }
-  return sum;
-}
-
 void PatchMajorants::EvaluatePosition(
   const Ellipse& s, const Ellipse& r, double& position, double& weight) const
 {

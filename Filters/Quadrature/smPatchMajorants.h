@@ -65,6 +65,10 @@ struct PatchTraits
 /// Points are those of the patch: (p+1) x (q+1), s fastest, homogeneous relative to its centre.
 SMFILTERSQUADRATURE_EXPORT PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q);
 
+/// Moves the control points of every edge that are within `size` times the patch's of one another to one point: a pole whose
+/// coordinates were rounded.
+void CollapseEdges(std::vector<std::array<double, 4>>& points, int p, int q, double size);
+
 /// Intervals of s and r.
 struct ParameterBox
 {
@@ -89,6 +93,8 @@ public:
     std::vector<double>& bounds) const;
   /// Largest distance from the point that moments are about.
   double GetReach() const;
+  /// A lower bound of w on the box, which may be negative.
+  double GetLowestWeight() const;
 
   /// Upper bound of the part of |n| that is not in the series of a polynomial length; real parameters.
   double GetLengthDeviation() const;
@@ -120,8 +126,6 @@ private:
   };
   using ProductEntry = std::array<double, 4>;
   ProductEntry SumProducts(const std::vector<double>& s, const std::vector<double>& r) const;
-  double GetLowestWeight() const;
-  double EvaluateWeight(double x, double y) const;
   /// The cube of the weight at a point of the box: n = factors m~ / w^3, so lengths of m~ are compared after division by it.
   double EvaluateCube(double x, double y) const;
   /// Calls visit(sample, cube of the weight there) for all nodes.
@@ -139,6 +143,8 @@ private:
   void ExpandNet(const double* net, int countS, int countR, std::vector<double>& series);
   void ExpandDerivatives(const std::array<double, 4>* points);
   void SampleNumerators(const std::array<double, 3>& origin);
+  /// The first `Used` components of the samples; the others become 0.
+  template <int Used>
   void Transform(int countS, int countR);
   void MakeTables(int countS, int countR);
   void DropNoise(std::size_t count, double noise);
@@ -166,9 +172,10 @@ private:
 
   // Series of (w x, w y, w z, w) and of its derivatives, four doubles a coefficient, s fastest.
   std::vector<double> Series[3];
-  // Samples, then coefficients, of D, m~ (3) and |m~|: five doubles a node.
+  // Samples, then coefficients, of D, m~ (3) and |m~|: five doubles a node; and the samples of w.
   static constexpr int Components = 5;
   std::vector<double> Samples;
+  std::vector<double> Weights;
   std::vector<double> Scratch;
 
   Table Weight;   // |w_kl| without the first

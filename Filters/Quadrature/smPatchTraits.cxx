@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace sm
 {
@@ -24,25 +25,39 @@ double GetLebesgueConstant(int n)
   return 1.0 + 2.0 / M_PI * std::log(static_cast<double>(n));
 }
 
-/// An edge of the net is collapsed when its control points are one point, relative to the size of the patch.
-void FindCollapsedEdges(const std::array<double, 4>* points, int p, int q, double size, PatchTraits& traits)
+/// Index of a control point of an edge: s = 0, s = 1, r = 0, r = 1.
+int GetEdgePoint(int edge, int i, int p, int q)
 {
-  const int columns = p + 1;
-  for (int edge = 0; edge < 4; ++edge)
+  return edge < 2 ? (edge == 1 ? p : 0) + i * (p + 1) : (edge == 3 ? (p + 1) * q : 0) + i;
+}
+
+Vector3 GetPosition(const std::array<double, 4>& point)
+{
+  return { point[0] / point[3], point[1] / point[3], point[2] / point[3] };
+}
+
+double GetSize(const std::array<double, 4>* points, int count)
+{
+  double size = 0.0;
+  for (int i = 0; i < count; ++i)
   {
-    const bool inS = edge < 2;
-    const int first = edge == 1 ? p : edge == 3 ? columns * q : 0;
-    const std::array<double, 4>& a = points[first];
-    bool collapsed = true;
-    for (int i = 1; i <= (inS ? q : p); ++i)
-    {
-      const std::array<double, 4>& b = points[first + i * (inS ? columns : 1)];
-      const double offset[3] = { a[0] / a[3] - b[0] / b[3], a[1] / a[3] - b[1] / b[3],
-        a[2] / a[3] - b[2] / b[3] };
-      collapsed = collapsed && Norm(offset) <= CollapsedSize * size;
-    }
-    traits.Collapsed[edge] = collapsed;
+    size = std::max(size, Norm(points[i].data()) / points[i][3]);
   }
+  return size;
+}
+
+/// All control points of an edge are within `distance` of its first.
+bool IsCollapsed(const std::array<double, 4>* points, int p, int q, int edge, double distance)
+{
+  const Vector3 first = GetPosition(points[GetEdgePoint(edge, 0, p, q)]);
+  for (int i = 1; i <= (edge < 2 ? q : p); ++i)
+  {
+    if (!(Norm(Subtract(GetPosition(points[GetEdgePoint(edge, i, p, q)]), first)) <= distance))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// The interpolation of |m~| may be |m~|: it is at one point between the nodes, to what `getAllowed` returns for the point.
@@ -86,18 +101,47 @@ bool MayBePolynomialLength(const double* samples, int countS, int countR, const 
 }
 }
 
+void CollapseEdges(std::vector<std::array<double, 4>>& points, int p, int q, double size)
+{
+  const std::vector<std::array<double, 4>> before = points;
+  const double distance = size * GetSize(points.data(), static_cast<int>(points.size()));
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    if (!IsCollapsed(before.data(), p, q, edge, distance))
+    {
+      continue;
+    }
+    const int last = edge < 2 ? q : p;
+    const Vector3 first = GetPosition(points[GetEdgePoint(edge, 0, p, q)]);
+    Vector3 pole = first;
+    for (int i = 1; i <= last; ++i)
+    {
+      const Vector3 offset = Subtract(GetPosition(points[GetEdgePoint(edge, i, p, q)]), first);
+      for (int c = 0; c < 3; ++c)
+      {
+        pole[c] += offset[c] / (last + 1);
+      }
+    }
+    for (int i = 0; i <= last; ++i)
+    {
+      std::array<double, 4>& point = points[GetEdgePoint(edge, i, p, q)];
+      point = { pole[0] * point[3], pole[1] * point[3], pole[2] * point[3], point[3] };
+    }
+  }
+}
+
 PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
 {
   PatchTraits traits;
-  const int columns = p + 1;
-  const int count = columns * (q + 1);
-  double size = 0.0;
+  const int count = (p + 1) * (q + 1);
   for (int i = 0; i < count; ++i)
   {
     traits.Polynomial = traits.Polynomial && points[i][3] == points[0][3];
-    size = std::max(size, Norm(points[i].data()) / points[i][3]);
   }
-  FindCollapsedEdges(points, p, q, size, traits);
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    traits.Collapsed[edge] = IsCollapsed(points, p, q, edge, CollapsedSize * GetSize(points, count));
+  }
 
   PatchMajorants patch;
   patch.P = p;
@@ -125,7 +169,7 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
   {
     return traits;
   }
-  patch.Transform(3 * p - 1, 3 * q - 1);
+  patch.Transform<PatchMajorants::Components>(3 * p - 1, 3 * q - 1);
   traits.PolynomialLength =
     patch.MeasureLengthDeviation(tolerance * largest, largest, traits.SquareDeviation);
   return traits;
@@ -133,7 +177,23 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
 
 double PatchMajorants::EvaluateCube(double x, double y) const
 {
-  const double w = this->Traits.Polynomial ? this->Series[0][3] : this->EvaluateWeight(x, y);
+  // T_k(x) T_l(y) by their recurrences.
+  double w = 0.0;
+  double tl[2] = { 1.0, y };
+  for (int l = 0; l <= this->Q; ++l)
+  {
+    double tk[2] = { 1.0, x };
+    for (int k = 0; k <= this->P; ++k)
+    {
+      w += tl[0] * tk[0] * this->Series[0][4 * (k + (this->P + 1) * l) + 3];
+      const double next = 2.0 * x * tk[1] - tk[0];
+      tk[0] = tk[1];
+      tk[1] = next;
+    }
+    const double next = 2.0 * y * tl[1] - tl[0];
+    tl[0] = tl[1];
+    tl[1] = next;
+  }
   return w * w * w;
 }
 
@@ -142,15 +202,10 @@ void PatchMajorants::VisitSamples(const Visit& visit) const
 {
   const int countS = 3 * this->P - 1;
   const int countR = 3 * this->Q - 1;
-  const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
-  const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
-  for (int b = 0; b < countR; ++b)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(countS) * countR; ++i)
   {
-    for (int a = 0; a < countS; ++a)
-    {
-      visit(this->Samples.data() + Components * (a + static_cast<std::size_t>(countS) * b),
-        this->EvaluateCube(ruleS.GetNode(a), ruleR.GetNode(b)));
-    }
+    const double w = this->Weights[i];
+    visit(this->Samples.data() + Components * i, w * w * w);
   }
 }
 
@@ -196,6 +251,7 @@ bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, doub
   const ChebyshevRule& checkR = ChebyshevRule::Get(2 * countR - 1);
   double largestSquare = 0.0;
   std::vector<double> line(static_cast<std::size_t>(Components) * countR);
+  std::vector<double> weights(this->Q + 1);
   for (int a = 0; a < checkS.GetSize(); ++a)
   {
     std::fill(line.begin(), line.end(), 0.0);
@@ -210,8 +266,17 @@ bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, doub
         }
       }
     }
+    for (int l = 0; l <= this->Q; ++l)
+    {
+      weights[l] = 0.0;
+      for (int k = 0; k <= this->P; ++k)
+      {
+        weights[l] += checkS.GetValues(a)[k] * this->Series[0][4 * (k + (this->P + 1) * l) + 3];
+      }
+    }
     for (int b = 0; b < checkR.GetSize(); ++b)
     {
+      const double w = std::inner_product(weights.begin(), weights.end(), checkR.GetValues(b), 0.0);
       double value[Components] = {};
       for (int l = 0; l < countR; ++l)
       {
@@ -220,7 +285,7 @@ bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, doub
           value[c] += checkR.GetValues(b)[l] * line[Components * l + c];
         }
       }
-      const double cube = this->EvaluateCube(checkS.GetNode(a), checkR.GetNode(b));
+      const double cube = w * w * w;
       const double length = Norm(value + 1);
       const double difference = std::abs(length - value[4]) / cube;
       // Where the length is small a difference of squares says little of a difference.

@@ -74,31 +74,28 @@ bool RibbonPlanner::IsRounding(const Ribbon& ribbon, const Majorants& real) cons
   const double rounding = UnitRoundoff *
     (RibbonRoundings * patch.Radius +
       TrimRoundings * (this->Gap.GetStretch()[0] + this->Gap.GetStretch()[1]));
-  return real.Gap + this->Gap.GetNoise() / real.Weight <= rounding;
+  return real.Gap + this->Gap.GetRemainder(real).Gap <= rounding;
 }
 
 void RibbonPlanner::AddNoiseError(const Majorants& real)
 {
-  // With G off by e, G' by at most 2 N^2 e (Markov): a rule errs by at most twice what the integrand changes.
-  const double e = this->Gap.GetNoise() / real.Weight;
-  const double strip = e * (real.CurveSlope + real.GapSlope) +
-    (real.Gap + e) * 2.0 * this->Gap.GetSize() * this->Gap.GetSize() * e;
+  // The bounds of Bound() are polynomials in |C|, |C'|, |G| and |G'| with positive coefficients: where these are off, the integrands
+  // change by the polynomials' derivatives at the upper ends. A rule errs by at most twice that.
+  const GapSeries::Remainder off = this->Gap.GetRemainder(real);
+  const double gap = real.Gap + off.Gap;
+  const double slopes = real.CurveSlope + off.CurveSlope + real.GapSlope + off.GapSlope;
+  const double reach = real.Curve + off.Curve + gap;
+  const double strip = off.Gap * slopes + gap * (off.CurveSlope + off.GapSlope);
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     const BoundClass& c = this->Request.Classes[i];
-    if (c.Kind == BoundClass::VolumeMoment)
-    {
-      this->Result.QuadratureBound[i] += 2.0 * (real.Curve + real.Gap) * strip *
-        IntegerPower(real.Curve + real.Gap, c.Degree) / (3 + c.Degree);
-    }
-    else if (c.Kind == BoundClass::HeightMoment)
-    {
-      this->Result.QuadratureBound[i] += 2.0 * strip * IntegerPower(real.Curve + real.Gap, c.Degree + 1);
-    }
-    else if (c.Kind == BoundClass::VectorArea)
-    {
-      this->Result.QuadratureBound[i] += 2.0 * strip;
-    }
+    const int degree = c.Degree + 1;
+    const double moment = strip * IntegerPower(reach, degree) +
+      gap * slopes * degree * IntegerPower(reach, degree - 1) * (off.Curve + off.Gap);
+    this->Result.QuadratureBound[i] += c.Kind == BoundClass::AreaMoment ? 0.0
+      : c.Kind == BoundClass::VectorArea                                ? 2.0 * strip
+      : c.Kind == BoundClass::HeightMoment                              ? 2.0 * moment
+                                                                        : 2.0 * moment / (3 + c.Degree);
   }
 }
 
@@ -197,7 +194,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   this->Gap.Expand(ribbon, start, end);
   Majorants real;
   const bool sound =
-    this->Gap.Evaluate(Ellipse::FromRadius(1.0), real) && std::isfinite(this->Gap.GetNoise());
+    this->Gap.Evaluate(Ellipse::FromRadius(1.0), real) && std::isfinite(this->Gap.GetRemainder(real).Gap);
   const double share = std::exp2(-depth);
   this->BoundAlong(sound, real, share);
   const int along = this->ChooseOrder();

@@ -1,6 +1,6 @@
 /**
  * @file smReferencePanels.h
- * @brief Panels and ribbons integrated in extended precision, by formulas of their own: the truth for plans of orders
+ * @brief Panels and ribbons integrated in a wider precision, by formulas of their own: the truth for plans of orders
  */
 #ifndef smReferencePanels_h
 #define smReferencePanels_h
@@ -22,6 +22,13 @@ inline const std::vector<sm::BoundClass> Classes = { { sm::BoundClass::VolumeMom
 constexpr int Count = 5;
 using Values = std::array<Real, Count>;
 
+#ifdef __SIZEOF_FLOAT128__
+/// For what is as small as the rounding of extended precision. Elsewhere that is no wider than this, or quadruple itself.
+__extension__ using Quad = __float128;
+#else
+using Quad = long double;
+#endif
+
 /// The Gauss-Legendre rule of n points on [0,1] in extended precision.
 inline const GaussRule& GetRule(int n)
 {
@@ -34,7 +41,8 @@ inline const GaussRule& GetRule(int n)
   return rule;
 }
 
-inline Real Power(Real x, int n)
+template <class Real>
+Real Power(Real x, int n)
 {
   Real value = 1;
   for (; n > 0; --n)
@@ -44,7 +52,8 @@ inline Real Power(Real x, int n)
   return value;
 }
 
-inline Real Bernstein(int n, int i, Real x)
+template <class Real>
+Real Bernstein(int n, int i, Real x)
 {
   if (i < 0 || i > n)
   {
@@ -58,12 +67,14 @@ inline Real Bernstein(int n, int i, Real x)
   return binomial * Power(x, i) * Power(1 - x, n - i);
 }
 
-inline Real Slope(int n, int i, Real x)
+template <class Real>
+Real Slope(int n, int i, Real x)
 {
   return n == 0 ? 0 : n * (Bernstein(n - 1, i - 1, x) - Bernstein(n - 1, i, x));
 }
 
 /// All Bernstein polynomials of degree n <= 63 at x, by raising the degree, and their derivatives.
+template <class Real>
 struct Basis
 {
   Basis(int n, Real x)
@@ -86,20 +97,26 @@ struct Basis
   std::array<Real, 64> Values, Slopes;
 };
 
-inline Vector Cross(const Vector& a, const Vector& b)
+template <class Real>
+std::array<Real, 3> Cross(const std::array<Real, 3>& a, const std::array<Real, 3>& b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
-inline Real Dot(const Vector& a, const Vector& b)
+template <class Real>
+Real Dot(const std::array<Real, 3>& a, const std::array<Real, 3>& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-class ReferencePanels
+template <class Real>
+class ReferencePanelsOf
 {
 public:
-  explicit ReferencePanels(const sm::FacePanels& panels)
+  using Vector = std::array<Real, 3>;
+  using Values = std::array<Real, Count>;
+
+  explicit ReferencePanelsOf(const sm::FacePanels& panels)
     : Panels(panels)
   {
   }
@@ -247,7 +264,7 @@ public:
     values[1] += weight * flux * x[1] / 4;
     values[2] += weight * flux * x[0] * x[2] / 5;
     values[3] += weight * n[2];
-    values[4] += withArea ? weight * std::sqrt(Dot(n, n)) : 0;
+    values[4] += withArea ? weight * std::sqrt(static_cast<smtest::Real>(Dot(n, n))) : 0;
   }
 
 private:
@@ -336,6 +353,8 @@ private:
 
   const sm::FacePanels& Panels;
 };
+
+using ReferencePanels = ReferencePanelsOf<Real>;
 }
 
 #endif
