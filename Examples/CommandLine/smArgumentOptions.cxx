@@ -104,7 +104,7 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     .add_option("--repair", job.Repair,
       "Which solids and shells OpenCASCADE repairs: needed (default): those that are\n"
       "not sound as the file has them, which a message tells; the others are read\n"
-      "faster, with exact trim curves; or always: all")
+      "faster, with trim curves that follow the edges; or always: all")
     ->type_name("WHEN")
     ->check(sm::CheckRepair);
   app

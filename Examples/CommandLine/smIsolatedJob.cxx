@@ -8,9 +8,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <limits>
 #include <new>
 #include <poll.h>
 #include <sys/mman.h>
@@ -115,6 +118,8 @@ void WatchMemory()
   if (options.Threads > 0)
   {
     vtkSMPTools::Initialize(options.Threads);
+    // Mesa's software rasterizer has threads of its own.
+    setenv("LP_NUM_THREADS", std::to_string(options.Threads).c_str(), 0);
   }
   sm::RunFileJob(options, [descriptor](const sm::Json& message) { WriteLine(descriptor, message); });
   // Without the destructors of static objects in third-party libraries, which could only fail.
@@ -124,14 +129,10 @@ void WatchMemory()
 using Clock = std::chrono::steady_clock;
 
 /// The end of a job that does not end by itself. What computes ends at the limit; a reader or a compiler that hangs does not.
-Clock::time_point GetDeadline(const sm::JobOptions& options)
+double GetSecondsLeft(const sm::JobOptions& options)
 {
-  if (!(options.MaximumSeconds > 0.0) || options.MaximumSeconds > 1e8)
-  {
-    return Clock::time_point::max();
-  }
-  const double seconds = options.MaximumSeconds + std::max(2.0, 0.25 * options.MaximumSeconds);
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  return options.MaximumSeconds > 0.0 ? options.MaximumSeconds + std::max(2.0, 0.25 * options.MaximumSeconds)
+                                      : std::numeric_limits<double>::infinity();
 }
 
 bool IsOverProcessorLimit(int status)
@@ -247,7 +248,7 @@ void JobMessages::Take(Json& message, const ProgressListener& progress)
 IsolatedJob::IsolatedJob(const JobOptions& options, ProgressListener progress)
   : Options(options)
   , Progress(std::move(progress))
-  , Deadline(GetDeadline(options))
+  , SecondsLeft(GetSecondsLeft(options))
 {
   this->Said.Stage = stages::Start;
   struct stat info = {};
@@ -328,23 +329,27 @@ void IsolatedJob::Append(const char* bytes, std::size_t count)
 void IsolatedJob::Wait(const std::vector<IsolatedJob*>& jobs)
 {
   // A signal that comes just before poll() is seen a second later.
-  constexpr long long longest = 1000;
-  long long left = longest;
+  double seconds = 1.0;
   std::vector<struct pollfd> waiting;
   for (IsolatedJob* job : jobs)
   {
-    if (!job->IsKilled && (Interrupted || Clock::now() >= job->Deadline))
+    if (!job->IsKilled && (Interrupted || job->SecondsLeft <= 0.0))
     {
       kill(job->Process, SIGKILL);
       job->IsKilled = true;
       job->IsTimeOver = !Interrupted;
     }
-    const auto rest =
-      std::chrono::duration_cast<std::chrono::milliseconds>(job->Deadline - Clock::now()).count();
-    left = job->IsKilled ? left : std::clamp<long long>(rest, 0, left);
+    seconds = job->IsKilled ? seconds : std::min(job->SecondsLeft, seconds);
     waiting.push_back({ job->Pipe, POLLIN, 0 });
   }
-  if (poll(waiting.data(), waiting.size(), static_cast<int>(left)) <= 0)
+  const auto start = Clock::now();
+  const int ready = poll(waiting.data(), waiting.size(), static_cast<int>(std::ceil(1e3 * seconds)));
+  const double waited = std::chrono::duration<double>(Clock::now() - start).count();
+  for (IsolatedJob* job : jobs)
+  {
+    job->SecondsLeft -= waited;
+  }
+  if (ready <= 0)
   {
     return;
   }

@@ -10,7 +10,6 @@
 
 #include "smFileJob.h"
 
-#include <chrono>
 #include <csignal>
 #include <functional>
 #include <string>
@@ -43,8 +42,8 @@ struct JobMessages
   void Take(Json& message, const ProgressListener& progress);
 };
 
-/// The job of one file in a child process. A child that takes longer than MaximumSeconds and a quarter, at least 2 seconds, more is
-/// killed.
+/// The job of one file in a child process. A child is killed when it was waited for longer than MaximumSeconds and a quarter, at least
+/// 2 seconds, more.
 class IsolatedJob
 {
 public:
@@ -68,7 +67,8 @@ private:
 
   JobOptions Options;
   ProgressListener Progress;
-  std::chrono::steady_clock::time_point Deadline;
+  double
+    SecondsLeft; ///< of waiting for the child; other time does not count, as a pipe that nobody reads stops it
   JobMessages Said;
   std::string Pending;
   std::string Error; ///< why there is no child; empty: there is one

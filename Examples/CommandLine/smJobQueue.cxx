@@ -39,11 +39,15 @@ JobQueue::JobQueue(std::vector<JobOptions> jobs, std::size_t atOnce, Listener pr
   }
 }
 
+bool JobQueue::IsRunning(const Entry& entry)
+{
+  return entry.Job && entry.Job->IsRunning();
+}
+
 void JobQueue::StartJobs()
 {
-  const auto isRunning = [](const Entry& entry) { return entry.Job && entry.Job->IsRunning(); };
   auto running =
-    static_cast<std::size_t>(std::count_if(this->Started.begin(), this->Started.end(), isRunning));
+    static_cast<std::size_t>(std::count_if(this->Started.begin(), this->Started.end(), IsRunning));
   for (std::size_t i = this->NextOut + this->Started.size();
        i < this->Jobs.size() && running < this->AtOnce && !IsInterrupted(); ++i)
   {
@@ -56,30 +60,40 @@ void JobQueue::StartJobs()
       entry.Job = std::make_unique<IsolatedJob>(
         job, [this, i](const std::string& stage, double fraction) { this->Progress(i, stage, fraction); });
     }
-    running += isRunning(entry) ? 1 : 0;
+    running += IsRunning(entry) ? 1 : 0;
     this->Started.push_back(std::move(entry));
   }
 }
 
 JobOutcome JobQueue::Next()
 {
-  this->StartJobs();
-  if (this->Started.empty())
+  // An outcome that is there is handed out before anything is started: that may take long, as input may come through a pipe.
+  while (this->Started.empty() || IsRunning(this->Started.front()))
   {
-    return {};
-  }
-  while (this->Started.front().Job && this->Started.front().Job->IsRunning())
-  {
+    this->StartJobs();
+    if (this->Started.empty())
+    {
+      return {};
+    }
     std::vector<IsolatedJob*> running;
     for (const Entry& entry : this->Started)
     {
-      if (entry.Job && entry.Job->IsRunning())
+      if (IsRunning(entry))
       {
         running.push_back(entry.Job.get());
       }
     }
-    IsolatedJob::Wait(running);
-    this->StartJobs();
+    if (!running.empty())
+    {
+      IsolatedJob::Wait(running);
+    }
+    for (Entry& entry : this->Started)
+    {
+      if (entry.Job && !entry.Job->IsRunning())
+      {
+        entry.Input.reset(); // which may be a copy of some GB
+      }
+    }
   }
   const Entry entry = std::move(this->Started.front());
   this->Started.pop_front();

@@ -35,6 +35,7 @@ private:
     std::unique_ptr<IsolatedJob> Job; ///< null when the input cannot be read
   };
 
+  static bool IsRunning(const Entry& entry);
   void StartJobs();
 
   std::vector<JobOptions> Jobs;

@@ -240,9 +240,9 @@ std::string MassRows(const Json& total, const Json& file)
   if (doubt.is_object() && (doubt["density"] != 0.0 || doubt["gaps"] != 0.0))
   {
     text += Row("mass in doubt",
-      "density " + ShortBound(doubt["density"]) + ", gaps " + ShortBound(doubt["gaps"]) + ", numerical " +
-        ShortBound(doubt["numerical"]),
-      "kg", doubt["total"]);
+      ShortBound(doubt["total"]) + " kg: density " + ShortBound(doubt["density"]) + ", gaps " +
+        ShortBound(doubt["gaps"]) + ", numerical " + ShortBound(doubt["numerical"]),
+      "", nullptr);
   }
   if (HasMixedDensities(total))
   {

@@ -29,8 +29,9 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   double MassBound;
   std::array<double, 9> MassInertia;
   double MassInertiaBound;
-  /// What is in doubt of the mass, in kg: in all; by the tolerance of the density; by the gaps of the model, whose closing is ambiguous by
-  /// GapSquared; by MassBound. NaN without a mass.
+  /// What is in doubt of the mass, in kg: in all; by the tolerance of the density; by the gaps of the model, by what closing them moved and
+  /// GapSquared; numerically, by the bound. NaN without a mass. The share of gaps is an estimate and no bound of the distance to
+  /// the designer's part.
   std::array<double, 4> MassUncertainty;
   /// Properties with the density as weight: kg, kg L, kg L^2. Of all bodies together only if each has a density.
   MassProperties Weighted;

@@ -57,11 +57,14 @@ void ScaleMoments(Moments& moments, double factor)
   }
 }
 
-/// What the mass leaves in doubt, with its sum. Rounding of these shares, each of a few units in the last place, is within a millionth.
-std::array<double, 4> AddShares(double density, double gaps, double numerical)
+/// What is in doubt of a mass: in all, by the density, by gaps, by the numerical bound. A density that is larger by its tolerance makes the
+/// others larger, too; rounding of these shares is within a millionth.
+std::array<double, 4> GetMassUncertainty(const MassRow& row, double tolerance, double factor)
 {
-  constexpr double above = 1.0 + 1e-6;
-  return { above * (density + gaps + numerical), density, gaps, numerical };
+  const double density = tolerance * std::abs(row.Mass);
+  const double gaps = (1.0 + tolerance) * factor * (row.ClosureCorrection + row.GapSquared);
+  const double numerical = (1.0 + tolerance) * row.MassBound;
+  return { (1.0 + 1e-6) * (density + gaps + numerical), density, gaps, numerical };
 }
 
 /// Sets what follows from moments that are weighted with the densities.
@@ -145,8 +148,7 @@ void SetMass(MassRow& row, const Material& material, const std::string& unit)
   }
   row.Mass = weighted.Volume;
   row.MassBound = weighted.VolumeBound;
-  row.MassUncertainty =
-    AddShares(material.Tolerance * std::abs(row.Mass), factor * row.GapSquared, row.MassBound);
+  row.MassUncertainty = GetMassUncertainty(row, material.Tolerance, factor);
   row.MassInertia = weighted.Inertia;
   row.MassInertiaBound = weighted.InertiaBound;
   if (factor > 0.0)
@@ -163,8 +165,7 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   MassRow& total = analysis.Total;
   double mass = 0.0;
   double bound = 0.0;
-  double byDensity = 0.0;
-  double byGaps = 0.0;
+  std::array<double, 4> uncertainty{};
   std::vector<Moments> weighted;
   std::size_t next = 0;
   for (const MassRow& row : analysis.Rows)
@@ -177,9 +178,14 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     if (row.Density > 0.0)
     {
       mass += row.Mass;
-      bound += row.MassBound + 2.0 * UnitRoundoff * std::abs(mass);
-      byDensity += row.MassUncertainty[1];
-      byGaps += row.MassUncertainty[2];
+      const double rounding = 2.0 * UnitRoundoff * std::abs(mass);
+      bound += row.MassBound + rounding;
+      uncertainty[0] += rounding;
+      uncertainty[3] += rounding;
+      for (int k = 0; k < 4; ++k)
+      {
+        uncertainty[k] += row.MassUncertainty[k];
+      }
       ScaleMoments(part, GetFactor(row.Density, analysis.Unit));
       weighted.push_back(part);
     }
@@ -217,7 +223,7 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   }
   if (std::isfinite(total.Mass))
   {
-    total.MassUncertainty = AddShares(byDensity, byGaps, total.MassBound);
+    total.MassUncertainty = uncertainty;
   }
 }
 

@@ -36,7 +36,7 @@
  * | MassCenter, MassRadiiOfGyration | 3 | L | with the densities as weight, as the next two              |
  * | MassPrincipalMoments, MassPrincipalAxes | 3, 9 | kg L^2, 1 | as PrincipalMoments and PrincipalAxes          |
  * | Density, Material     | 1     | kg/m^3 | Material (string) in the table of port 1 only               |
- * | MassUncertainty       | 4     | kg   | what is in doubt of the mass: in all (the sum); by DensityTolerance; by gaps (GapSquared); by MassBound |
+ * | MassUncertainty       | 4     | kg   | what is in doubt of the mass: in all (the sum); by DensityTolerance; by gaps (ClosureCorrection, GapSquared; no bound); numerically |
  * | KnownMass, SolidsWithMass, SolidsWithVolume | 1 | kg | mass of the solids with a density, and their numbers; no columns |
  * | CenterOfMassInFrame, VolumeInertiaInFrame | 3, 9 | L, L^5 | in the frame of reference, if there is one          |
  * | MassCenterInFrame, MassInertiaInFrame | 3, 9 | L, kg L^2 | the same with the densities as weight                |
@@ -79,8 +79,8 @@ public:
   vtkGetMacro(Density, double);
 
   /** Largest relative deviation of the densities, 0 to 1 (0.01 is one per cent), except of materials that state their own. It is the first
-   * share of MassUncertainty. A value outside that range is reported as an error and changes nothing. Default: 0. */
-  void SetDensityTolerance(double tolerance);
+   * share of MassUncertainty. Default: 0. */
+  vtkSetClampMacro(DensityTolerance, double, 0.0, 1.0);
   vtkGetMacro(DensityTolerance, double);
   ///@}
 

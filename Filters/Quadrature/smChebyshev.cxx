@@ -13,6 +13,7 @@ namespace sm
 ChebyshevRule::ChebyshevRule(int n)
   : Size(n)
   , Nodes(n)
+  , WideNodes(n)
   , Values(n * n)
   , Transform(n * n)
   , WideTransform(n * n)
@@ -31,7 +32,8 @@ ChebyshevRule::ChebyshevRule(int n)
   };
   for (int i = 0; i < n; ++i)
   {
-    this->Nodes[i] = static_cast<double>(getCosine(2 * i + 1));
+    this->WideNodes[i] = getCosine(2 * i + 1);
+    this->Nodes[i] = static_cast<double>(this->WideNodes[i]);
     for (int k = 0; k < n; ++k)
     {
       const Wide value = getCosine(k * (2 * i + 1));
@@ -49,7 +51,7 @@ ChebyshevRule::ChebyshevRule(int n)
   Wide basis[MaximumDegree + 1];
   for (int i = 0; i < n; ++i)
   {
-    FillWideBasis(n - 1, 0.5L + 0.5L * getCosine(2 * i + 1), basis);
+    FillWideBasis(n - 1, 0.5L + 0.5L * this->WideNodes[i], basis);
     for (int k = 0; k < n; ++k)
     {
       for (int j = 0; j < n; ++j)

@@ -23,6 +23,7 @@ public:
 
   int GetSize() const { return this->Size; }
   double GetNode(int i) const { return this->Nodes[i]; }
+  long double GetWideNode(int i) const { return this->WideNodes[i]; }
   /// T_0 .. T_{n-1} at node i.
   const double* GetValues(int i) const { return this->Values.data() + i * this->Size; }
   /// Row k: coefficient k is the sum of row[i] times sample i.
@@ -37,6 +38,7 @@ private:
 
   int Size;
   std::vector<double> Nodes;
+  std::vector<long double> WideNodes;
   std::vector<double> Values;
   std::vector<double> Transform;
   std::vector<long double> WideTransform;
@@ -46,20 +48,20 @@ private:
 /// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form: degree + 1 coefficients of
 /// `size` numbers each, and so the series. 0 <= start < end <= 1.
 template <class Real>
-void ExpandBernstein(const Real* coefficients, int size, int degree, double start, double end, Real* series)
+void ExpandBernstein(const Real* coefficients, int size, int degree, Real start, Real end, Real* series)
 {
   // De Casteljau's scheme leaves the part up to `end`, then that from `start`.
   static thread_local std::vector<Real> part;
   const int count = size * (degree + 1);
   part.assign(coefficients, coefficients + count);
-  for (int level = 1; end != 1.0 && level <= degree; ++level)
+  for (int level = 1; end != Real(1) && level <= degree; ++level)
   {
     for (int e = count - 1; e >= size * level; --e)
     {
       part[e] = (Real(1) - end) * part[e - size] + end * part[e];
     }
   }
-  const Real x = end != 0.0 ? Real(start) / end : Real(0);
+  const Real x = end != Real(0) ? start / end : Real(0);
   for (int level = degree; x != Real(0) && level > 0; --level)
   {
     for (int e = 0; e < size * level; ++e)

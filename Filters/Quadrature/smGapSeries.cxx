@@ -77,7 +77,7 @@ const std::array<double, 4>* GapSeries::GetPoints(const Ribbon& ribbon) const
 
 void GapSeries::ExpandEdge(const Ribbon& ribbon, double start, double end)
 {
-  const double width = ribbon.EdgeEnd - ribbon.EdgeStart;
+  const Wide width = static_cast<Wide>(ribbon.EdgeEnd) - ribbon.EdgeStart;
   const int n = ribbon.EdgeDegree + 1;
   const double* coefficients = this->Panels.Coefficients.data() + ribbon.Edge;
   Wide edge[3 * (MaximumDegree + 1)];
@@ -161,7 +161,7 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
     }
   }
   Wide series[MaximumDegree + 1][3];
-  const double width = ribbon.End - ribbon.Start;
+  const Wide width = static_cast<Wide>(ribbon.End) - ribbon.Start;
   ExpandBernstein<Wide>(
     &gap[0][0], 3, degree, ribbon.Start + width * start, ribbon.Start + width * end, &series[0][0]);
 
@@ -289,7 +289,7 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
   double weight = 0.0;
   for (int i = 0; i < nodes; ++i)
   {
-    const Wide t = start + (static_cast<Wide>(end) - start) * 0.5L * (1.0L + rule.GetNode(i));
+    const Wide t = start + (static_cast<Wide>(end) - start) * 0.5L * (1.0L + rule.GetWideNode(i));
     Wide basis[MaximumDegree + 1];
     FillWideBasis(
       ribbon.TrimDegree, ribbon.Start + (static_cast<Wide>(ribbon.End) - ribbon.Start) * t, basis);

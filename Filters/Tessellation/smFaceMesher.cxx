@@ -346,11 +346,11 @@ private:
       return triangles;
     }
     const std::map<std::pair<int, int>, int> segments = MeshRepair::FindSegments(this->Mesh);
-    const MeshRepair::Judge judge{ [this](const Corners& t) { return this->Judge.IsTurned(t); },
+    const MeshRepair::TriangleTests tests{ [this](const Corners& t) { return this->Judge.IsTurned(t); },
       [this](const Corners& t)
       { return this->Judge.IsCollapsed(t) ? HUGE_VAL : this->Judge.GetDeviation(t); } };
     const std::vector<Corners> left =
-      MeshRepair(triangles, this->Mesh.GetPoints(), segments, judge, this->Limits.Deflection).Run();
+      MeshRepair(triangles, this->Mesh.GetPoints(), segments, tests, this->Limits.Deflection).Run();
     std::set<int> corners;
     for (const Corners& t : left)
     {

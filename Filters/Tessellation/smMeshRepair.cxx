@@ -1,6 +1,7 @@
 #include "smMeshRepair.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace sm
 {
@@ -43,11 +44,11 @@ std::map<std::pair<int, int>, int> MeshRepair::FindSegments(const Triangulation&
 }
 
 MeshRepair::MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPoint>& points,
-  const std::map<std::pair<int, int>, int>& segments, const Judge& judge, double allowed)
+  const std::map<std::pair<int, int>, int>& segments, const TriangleTests& tests, double allowed)
   : Triangles(triangles)
   , Points(points)
   , Segments(segments)
-  , Asked(judge)
+  , Tests(tests)
   , Allowed(allowed)
   , Most(allowed)
   , Stars(points.size())
@@ -62,20 +63,21 @@ MeshRepair::MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPo
     {
       this->Stars[v].push_back(i);
     }
-    this->Most = std::max(this->Most, WorseShare * judge.GetDeviation(triangles[i]));
+    this->Most = std::max(this->Most, WorseShare * tests.GetDeviation(triangles[i]));
   }
 }
 
 std::vector<MeshRepair::Corners> MeshRepair::Run()
 {
   std::vector<Corners> left;
-  for (int pass = 0; pass < MostPasses; ++pass)
+  bool changed = true;
+  for (int pass = 0; changed && pass < MostPasses; ++pass)
   {
-    bool changed = false;
+    changed = false;
     left.clear();
     for (std::size_t i = 0; i < this->Triangles.size(); ++i)
     {
-      if (this->Triangles[i] != Gone && this->Asked.IsTurned(this->Triangles[i]))
+      if (this->Triangles[i] != Gone && this->Tests.IsTurned(this->Triangles[i]))
       {
         const bool mended = this->Trials < MostTrials && (this->Flip(i) || this->Merge(i));
         changed = changed || mended;
@@ -85,13 +87,16 @@ std::vector<MeshRepair::Corners> MeshRepair::Run()
         }
       }
     }
-    if (!changed)
-    {
-      break;
-    }
   }
   this->Triangles.erase(
     std::remove(this->Triangles.begin(), this->Triangles.end(), Gone), this->Triangles.end());
+  if (changed)
+  {
+    // The last pass may have mended what it had called turned.
+    left.clear();
+    std::copy_if(
+      this->Triangles.begin(), this->Triangles.end(), std::back_inserter(left), this->Tests.IsTurned);
+  }
   return left;
 }
 
@@ -102,8 +107,8 @@ bool MeshRepair::Replace(const std::vector<std::size_t>& before, const std::vect
   double allowed = this->Allowed;
   for (const std::size_t i : before)
   {
-    turned[0] += this->Asked.IsTurned(this->Triangles[i]) ? 1 : 0;
-    const double deviation = this->Asked.GetDeviation(this->Triangles[i]);
+    turned[0] += this->Tests.IsTurned(this->Triangles[i]) ? 1 : 0;
+    const double deviation = this->Tests.GetDeviation(this->Triangles[i]);
     allowed =
       deviation > this->Allowed ? std::max(allowed, std::min(WorseShare * deviation, this->Most)) : allowed;
   }
@@ -113,8 +118,8 @@ bool MeshRepair::Replace(const std::vector<std::size_t>& before, const std::vect
     {
       return false;
     }
-    turned[1] += this->Asked.IsTurned(t) ? 1 : 0;
-    if (turned[1] >= turned[0] || !(this->Asked.GetDeviation(t) <= allowed))
+    turned[1] += this->Tests.IsTurned(t) ? 1 : 0;
+    if (turned[1] >= turned[0] || !(this->Tests.GetDeviation(t) <= allowed))
     {
       return false;
     }

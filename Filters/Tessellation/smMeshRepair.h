@@ -39,7 +39,7 @@ public:
   using Corners = std::array<int, 3>;
 
   /// Answers whether a triangle is turned over, and bounds its distance from the surface.
-  struct Judge
+  struct TriangleTests
   {
     std::function<bool(const Corners&)> IsTurned;
     std::function<double(const Corners&)> GetDeviation;
@@ -51,7 +51,7 @@ public:
   /// `segments`: sides that stay, pairs of vertices with the smaller one first, and their numbers. `allowed`: the deviation that no repair
   /// exceeds, but where triangles exceed it already; and there none exceeds 1.5 times the largest of all triangles before any repair.
   MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPoint>& points,
-    const std::map<std::pair<int, int>, int>& segments, const Judge& judge, double allowed);
+    const std::map<std::pair<int, int>, int>& segments, const TriangleTests& tests, double allowed);
 
   /**
    * Exchanges diagonals, and merges vertices that lie on no segment with a neighbour, where fewer triangles are turned over then. All
@@ -70,7 +70,7 @@ private:
   const std::vector<GridPoint>& Points;
   const std::map<std::pair<int, int>, int>& Segments;
   std::set<int> Fixed;
-  const Judge& Asked;
+  const TriangleTests& Tests;
   double Allowed;
   double Most;
   /// Indices of the triangles at each vertex.

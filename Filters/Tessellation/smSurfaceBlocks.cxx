@@ -434,11 +434,11 @@ double SurfaceBlocks::GetError(const ParameterBox& box) const
   {
     for (const Crease& crease : this->Creases[d])
     {
+      // A hinge leaves its chord by the jump times the distance from the nearer border at most, and by a quarter of the width.
+      const double inside =
+        std::min(crease.At + crease.Half - box.Low[d], box.High[d] - crease.At + crease.Half);
       const double slack = 1e-12 * std::abs(crease.At);
-      if (crease.At + crease.Half > box.Low[d] + slack && crease.At - crease.Half < box.High[d] - slack)
-      {
-        jumps += 0.25 * crease.Jump * w[d];
-      }
+      jumps += inside > 0.0 ? crease.Jump * (inside > slack ? 0.25 * w[d] : inside) : 0.0;
     }
   }
   return jumps > 0.0 ? std::min(error + m.JumpFactor * jumps, sum(m.Full[0], m.Full[1], m.Full[2]) + jumps)

@@ -55,6 +55,8 @@ def _check(density, tolerance, density_tolerance, backend, max_seconds, unit, re
         raise ValueError(f"tolerance is {tolerance}; it has to be from 1e-15 to 1")
     if backend not in ("auto", "opengl", "cpu"):
         raise ValueError(f"backend is {backend!r}; it has to be 'auto', 'opengl' or 'cpu'")
+    if not 0.0 <= density_tolerance <= 1.0:
+        raise ValueError(f"density_tolerance is {density_tolerance}; it has to be from 0 to 1, 0.01 for one per cent")
     if repair not in ("needed", "always"):
         raise ValueError(f"repair is {repair!r}; it has to be 'needed' or 'always'")
     if max_seconds is not None and not 0.0 < max_seconds < math.inf:

@@ -1,6 +1,7 @@
 #include "smDisplayMesh.h"
 
 #include <algorithm>
+#include <map>
 
 namespace sm
 {
@@ -29,8 +30,7 @@ DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMe
   DisplayMesh result;
   std::vector<const Face*> missing;
   std::vector<const Face*> crossing;
-  std::vector<const Face*> turned;
-  std::string turnedReason;
+  std::map<std::string, std::vector<const Face*>> turned;
   for (std::size_t f = 0; f < meshes.size(); ++f)
   {
     const FaceMesh& mesh = meshes[f];
@@ -55,8 +55,7 @@ DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMe
     }
     else if (mesh.TurnedOver > 0)
     {
-      turnedReason = turned.empty() ? mesh.Reason : turnedReason;
-      turned.push_back(faces[f].get());
+      turned[mesh.Reason].push_back(faces[f].get());
     }
     else if (!mesh.Reason.empty())
     {
@@ -69,9 +68,9 @@ DisplayMesh JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMe
   {
     messages.push_back("The display mesh lacks " + CountFaces(missing) + "; the exact geometry is there.");
   }
-  if (!turned.empty())
+  for (const auto& [reason, of] : turned)
   {
-    messages.push_back("Display mesh of " + CountFaces(turned) + ": " + turnedReason);
+    messages.push_back("Display mesh of " + CountFaces(of) + ": " + reason);
   }
   if (!crossing.empty())
   {

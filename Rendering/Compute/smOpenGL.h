@@ -5,9 +5,13 @@
 #ifndef smOpenGL_h
 #define smOpenGL_h
 
-#include "smVTKCompatibility.h"
-
-#include SM_OPENGL_LOADER
+// GLEW until VTK 9.3, glad from 9.4 on.
+#if __has_include("vtk_glew.h")
+#include "vtk_glew.h"
+#define SM_HAS_GLEW
+#else
+#include "vtk_glad.h"
+#endif
 
 #include <string>
 

@@ -5,11 +5,6 @@
  * | name here | until VTK 9.2 | from 9.3 on |
  * |---|---|---|
  * | sm::CompositeMapper | vtkCompositePolyDataMapper2 | vtkCompositePolyDataMapper |
- *
- * | macro | until VTK 9.3 | from 9.4 on |
- * |---|---|---|
- * | SM_OPENGL_LOADER | "vtk_glew.h" | "vtk_glad.h" |
- * | SM_HAS_GLEW | defined | not defined |
  */
 #ifndef smVTKCompatibility_h
 #define smVTKCompatibility_h
@@ -20,13 +15,6 @@
 #else
 #include <vtkCompositePolyDataMapper2.h>
 #define SM_COMPOSITE_MAPPER vtkCompositePolyDataMapper2
-#endif
-
-#if __has_include("vtk_glew.h")
-#define SM_OPENGL_LOADER "vtk_glew.h"
-#define SM_HAS_GLEW
-#else
-#define SM_OPENGL_LOADER "vtk_glad.h"
 #endif
 
 namespace sm

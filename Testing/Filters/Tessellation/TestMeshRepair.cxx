@@ -41,8 +41,8 @@ int TestMeshRepair(int, char*[])
       triangles.push_back({ 0, i, i + 1 });
     }
   }
-  const sm::MeshRepair::Judge judge{ IsAtCenter, GetDeviation };
-  sm::MeshRepair repair(triangles, points, segments, judge, 1.0);
+  const sm::MeshRepair::TriangleTests tests{ IsAtCenter, GetDeviation };
+  sm::MeshRepair repair(triangles, points, segments, tests, 1.0);
   const std::size_t left = repair.Run().size();
   double largest = 0.0;
   std::int64_t area = 0;
