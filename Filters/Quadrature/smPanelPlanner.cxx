@@ -236,7 +236,6 @@ void PanelPlanner::Keep(
   item.XiEnd = part.XiEnd;
   item.Along = along;
   item.Across = across;
-  item.Share = std::exp2(-part.Depth);
   item.Compared = compared;
   const int last = compared ? 2 : 1;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
@@ -251,7 +250,7 @@ void PanelPlanner::Keep(
     else
     {
       this->Result.QuadratureBound[i] +=
-        (compared && !(error <= this->Request.Tolerances[i] * item.Share) ? 0.0 : error) +
+        (compared && !(error <= this->Request.Tolerances[i] * std::exp2(-part.Depth)) ? 0.0 : error) +
         2.0 * noise * IntegerPower(this->GetReach(), c.Degree);
     }
   }

@@ -193,6 +193,28 @@ FacePlan MakePlan(std::size_t classes)
   return plan;
 }
 
+/// What the bounds leave of the areas' tolerances is for the items that are compared, in equal shares, since a line on which normals vanish
+/// needs the same of all its parts; half of it, as of four quarters of an item more than two may need theirs.
+void ShareOut(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
+{
+  const auto compared = std::count_if(
+    plan.Items.begin(), plan.Items.end(), [](const PlannedItem& item) { return item.Compared; });
+  const auto count = static_cast<double>(std::max<std::size_t>(panels.Panels.size(), 1));
+  double left = 1.0;
+  for (std::size_t i = 0; i < request.Classes.size(); ++i)
+  {
+    const double tolerance = request.Tolerances[i];
+    if (request.Classes[i].Kind == BoundClass::AreaMoment && tolerance > 0.0)
+    {
+      left = std::min(left, 1.0 - plan.QuadratureBound[i] / tolerance);
+    }
+  }
+  for (PlannedItem& item : plan.Items)
+  {
+    item.Share = item.Compared ? 0.5 * std::max(left, 1.0 / count) / static_cast<double>(compared) : 1.0;
+  }
+}
+
 void Add(const std::vector<double>& values, std::vector<double>& sums)
 {
   std::transform(values.begin(), values.end(), sums.begin(), sums.begin(), std::plus<>());
@@ -254,6 +276,7 @@ FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequ
     reach = std::max(reach, portions[i].Reach);
     area = i < panelPortions ? plan.Magnitude[areaClass] : area;
   }
+  ShareOut(panels, request, plan);
   for (std::uint32_t i = 0; i < panels.Caps.size(); ++i)
   {
     AddCap(panels, all, i, plan);

@@ -40,7 +40,7 @@ struct PlannedItem
   /// Gauss points along t, and across.
   int Along = 1;
   int Across = 1;
-  /// Fraction of an undivided item's tolerances.
+  /// Fraction of the tolerances of the face, where it is compared.
   double Share = 1.0;
   /// To be evaluated again with twice the points, and compared: the area has no bound.
   bool Compared = false;

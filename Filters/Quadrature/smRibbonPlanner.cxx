@@ -220,7 +220,6 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   item.Start = start;
   item.End = end;
   item.Along = std::clamp(along, ribbon.AlongEdge ? LeastGapPoints : 1, LargestOrder);
-  item.Share = share;
   this->AddItem(item);
   if (sound)
   {

@@ -297,7 +297,8 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
     ItemRunner::BatchFace face{ batch[slot], {}, task.Placement };
     for (const std::size_t k : this->Chosen)
     {
-      face.Tolerances.push_back(task.Tolerances[k] / std::max<std::size_t>(cut.GetNumberOfItems(), 1));
+      face.Tolerances.push_back(
+        task.Tolerances[k] / (this->Planned ? 1 : std::max<std::size_t>(cut.GetNumberOfItems(), 1)));
     }
     faces.push_back(std::move(face));
   }
