@@ -14,6 +14,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
@@ -51,9 +52,13 @@ def child_of(process):
     return children[0] if children else None
 
 
-def read_json(path):
+def read_text(path):
     with open(path, encoding="utf-8") as file:
-        return json.load(file)["files"]
+        return file.read()
+
+
+def read_json(path):
+    return json.loads(read_text(path))["files"]
 
 
 def count_totals(path):
@@ -206,6 +211,18 @@ def check_several_at_a_time():
     check_equal("interrupted: files that were finished", [GOOD] * 3, [entry["file"] for entry in read_json(target)])
     check_true("interrupted: how many", "3 of 4 files" in complaint, complaint)
     check_equal("wrong number: exit status", 1, run("-j", "-1", GOOD).returncode)
+
+    # What is finished is told before the next file, which may come late, is read.
+    target = os.path.join(folder, "early.csv")
+    with subprocess.Popen([options.program, "-q", "--backend", "cpu", "--csv", target, GOOD, "-"], stdin=subprocess.PIPE) as process:
+        deadline = time.monotonic() + 100
+        while not (os.path.exists(target) and GOOD in read_text(target)) and time.monotonic() < deadline:
+            time.sleep(0.05)
+        told = read_text(target)
+        with open(GOOD, "rb") as file:
+            process.communicate(file.read(), timeout=100)
+    check_true("a file is told before standard input ends", GOOD in told)
+    check_true("standard input, too", read_text(target).count("\n") > told.count("\n"))
 
 
 def outputs():
