@@ -1,6 +1,7 @@
 """Checks the documents of the tree against the tree: CheckDocuments.py [--root FOLDER] [--program solidmoments] [--write]
 
 Without a program:
+- no document has a mark @@ that was to be replaced;
 - README has at most 130 lines;
 - every relative link of a Markdown file leads to a file and, behind a '#', to a heading of it, and every path of the tree that is
   named in code (`Testing/run.sh`) exists; CHANGELOG may name what is gone;
@@ -145,6 +146,7 @@ def check_files(checker):
     checker.check(lines <= README_LINES, f"README.md has {lines} lines, {README_LINES} are allowed")
     for path in checker.find_documents():
         check_links(checker, path, checker.read(path))
+        checker.check("@@" not in checker.read(path), f"{path} has a mark @@ that was to be replaced")
         if path != "CHANGELOG.md":
             check_paths(checker, path, checker.read(path))
         check_snippets(checker, path, checker.read(path))
