@@ -19,7 +19,7 @@ vtkSurfaceIntegralBase::vtkSurfaceIntegralBase()
 {
   sm::ClearAbortAtStart(this);
   this->SetNumberOfInputPorts(1);
-  this->SetNumberOfOutputPorts(6);
+  this->SetNumberOfOutputPorts(7);
 }
 
 vtkSurfaceIntegralBase::~vtkSurfaceIntegralBase() = default;
@@ -50,9 +50,9 @@ int vtkSurfaceIntegralBase::FillInputPortInformation(int, vtkInformation* info)
 int vtkSurfaceIntegralBase::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(),
-    port == 0     ? "vtkPolyData"
-      : port == 5 ? "vtkPartitionedDataSetCollection"
-                  : "vtkTable");
+    port == 0 || port == 6 ? "vtkPolyData"
+      : port == 5          ? "vtkPartitionedDataSetCollection"
+                           : "vtkTable");
   return 1;
 }
 
