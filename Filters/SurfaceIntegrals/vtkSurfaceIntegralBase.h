@@ -272,6 +272,9 @@ private:
   void operator=(const vtkSurfaceIntegralBase&) = delete;
 
 #ifndef __VTK_WRAP__
+  /** Makes the text of the next report of progress say why no other will follow for some seconds. */
+  void ReportCompilation();
+  void ReportProgress(double fraction);
   int Run(vtkInformation* request, vtkDataObject* input, vtkInformationVector* outputVector);
   struct Input;
   /** Finds the bodies of the input that are to be integrated. */
@@ -298,6 +301,7 @@ private:
   std::unique_ptr<sm::IntegralEngine> Engine;
   std::vector<std::string> Selectors;
   std::string AssemblyName = "Assembly";
+  bool IsCompiling = false;
 #endif
 };
 
