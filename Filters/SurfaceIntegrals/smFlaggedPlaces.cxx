@@ -18,6 +18,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <utility>
 
 namespace sm
 {
@@ -128,7 +129,8 @@ std::vector<std::vector<const EdgeGap*>> FindOpenings(const std::vector<EdgeGap>
     }
     // An edge was found from both of its ends.
     std::sort(opening.begin(), opening.end(),
-      [](const EdgeGap* a, const EdgeGap* b) { return a->Source->Id < b->Source->Id; });
+      [](const EdgeGap* a, const EdgeGap* b)
+      { return std::make_pair(a->Source->Id, a) < std::make_pair(b->Source->Id, b); });
     opening.erase(std::unique(opening.begin(), opening.end()), opening.end());
   }
   return openings;

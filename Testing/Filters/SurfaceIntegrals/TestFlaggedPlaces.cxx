@@ -1,5 +1,6 @@
 // Open edges, wide gaps and faces that count wrongly are drawn where they are, with the figures that they put in doubt.
 #include "smBoxBodies.h"
+#include "smFlaggedPlaces.h"
 #include "smIntegralNames.h"
 #include "smMessageTrap.h"
 #include "smTesting.h"
@@ -146,6 +147,39 @@ void CheckOthers()
   CheckTrue("sound: summary", !sound.Says("in doubt"), sound.Summary);
 }
 
+/// A parabola from (0,0) over (1,1) to (2,0) and its chord, as the open edges of a box. The polygon of n chords has 1 - 1/n^2 of the area 4/3.
+void CheckCurvedEdges()
+{
+  BoxBody box;
+  box.Add({ { 0, 0, 0 }, { 1, 2, 3 } });
+  const auto leaf = box.Make();
+  sm::Edge arc;
+  sm::Edge chord;
+  arc.EndVertex = chord.EndVertex = { 2, 0, 0 };
+  const std::array<double, 3> parabola[3] = { { 0, 0, 0 }, { 1, 2, 0 }, { 2, 0, 0 } };
+  const std::array<double, 3> line[2] = { parabola[0], parabola[2] };
+  arc.Curve.Breaks = chord.Curve.Breaks = { 0.0 };
+  arc.Curve.AppendPiece(1.0, parabola, 2);
+  chord.Curve.AppendPiece(1.0, line, 1);
+  std::vector<sm::EdgeGap> edges(2);
+  edges[0].Source = &arc;
+  edges[1].Source = &chord;
+  edges[0].SignedUses = 1;
+  edges[1].SignedUses = -1;
+  sm::BodyIntegrals body;
+  body.Model = leaf->GetModel();
+  body.Mesh = leaf;
+  body.Status = sm::Status::Open;
+  body.Edges = std::make_shared<const std::vector<sm::EdgeGap>>(edges);
+  const std::vector<sm::FlaggedPlace> places = sm::FindFlaggedPlaces({ body });
+  CheckEqual("curved: openings", 1, static_cast<long long>(places.size()));
+  Check("curved: area", 4.0 / 3.0 * (1.0 - 1.0 / 1024.0), places[0].AreaInDoubt, Rounding);
+  // Edges in one direction do not close.
+  edges[1].SignedUses = 1;
+  body.Edges = std::make_shared<const std::vector<sm::EdgeGap>>(edges);
+  CheckTrue("not closed: area is not known", std::isnan(sm::FindFlaggedPlaces({ body })[0].AreaInDoubt));
+}
+
 /// The lid lies 0.3 above its edges. A gap of constant width w along an edge of length l: area w l, square w^2 l.
 void CheckGap()
 {
@@ -216,6 +250,7 @@ int TestFlaggedPlaces(int, char*[])
 {
   CheckOpening();
   CheckOthers();
+  CheckCurvedEdges();
   CheckGap();
   CheckFaces();
   return Finish();
