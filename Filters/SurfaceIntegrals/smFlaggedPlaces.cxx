@@ -92,7 +92,7 @@ double GetVectorArea(const std::vector<const EdgeGap*>& edges)
   return isClosed ? 0.5 * Norm(twice) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Divides the open edges of a body into those that hang together by their vertices.
+/// Divides the open edges of a body into sets that are connected by vertices.
 std::vector<std::vector<const EdgeGap*>> FindOpenings(const std::vector<EdgeGap>& edges)
 {
   std::map<Vector3, std::vector<const EdgeGap*>> atVertex;

@@ -25,7 +25,7 @@
  * | 6    | polydata | flagged places of suspect and open bodies: open edges and edges with wide gaps as lines, faces as  |
  * |      |          | triangles; cell arrays Flag (number of the place, the worst first), Solid, Name, FaceId, EdgeId,    |
  * |      |          | MaxGap, AreaInDoubt, VolumeInDoubt, Text. The figures are estimates for the place as a whole       |
- * |      |          | (smFlaggedPlaces.h) and stand on each of its cells                                                  |
+ * |      |          | (smFlaggedPlaces.h), repeated on each of its cells                                                  |
  * The names are in smIntegralNames.h. A value that could not be computed is NaN, never 0, and Status gives the reason.
  *
  * Status is the worst status of all solids and of the file. In ascending order: ok; tolerance-not-met (a bound is above the
