@@ -252,6 +252,7 @@ std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesBase* filter, vtkPolyDa
   picture.Body = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
   picture.Mark = filter->GetOutput();
   picture.Stability = stability;
+  picture.Flagged = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(6));
   picture.Result = &file;
   return picture.Window ? sm::WritePicture(picture, options.PictureName)
                         : "there is no OpenGL context to draw in: " + context->GetReason();

@@ -1,22 +1,41 @@
 #include "smPicture.h"
 
 #include "smBodyScene.h"
+#include "smFormat.h"
+#include "smMassPropertyNames.h"
 #include "smReport.h"
 #include "smText.h"
 
+#include "vtkActor.h"
+#include "vtkBillboardTextActor3D.h"
 #include "vtkBoundingBox.h"
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+#include <cmath>
+#include <map>
+#include <string>
 
 namespace
 {
 const int Width = 900;
 const int Height = 700;
 const int Margin = 20;
+const double SignalColor[3] = { 0.90, 0.05, 0.12 };
+const int MostNumbers = 5;      // of flagged places
+const size_t LongestLine = 100; // characters across the picture
 
 /// The values that exist, and the status when it is not ok.
 std::string Caption(const sm::Json& file)
@@ -49,6 +68,60 @@ std::string Caption(const sm::Json& file)
   return sm::RaiseDigits(text);
 }
 
+void AddNumber(vtkRenderer* front, vtkCell* cell, int number)
+{
+  vtkNew<vtkBillboardTextActor3D> text;
+  text->SetInput(std::to_string(number).c_str());
+  vtkPoints* points = cell->GetPoints();
+  double middle[3];
+  points->GetPoint(points->GetNumberOfPoints() / 2, middle);
+  text->SetPosition(middle);
+  text->SetDisplayOffset(6, 6);
+  vtkTextProperty* style = text->GetTextProperty();
+  style->SetFontSize(20);
+  style->SetBold(true);
+  style->SetColor(SignalColor[0], SignalColor[1], SignalColor[2]);
+  style->SetBackgroundColor(1.0, 1.0, 1.0);
+  style->SetBackgroundOpacity(0.8);
+  front->AddViewProp(text);
+}
+
+/// Draws the flagged faces and edges in both layers, and names the worst below the title.
+void AddFlagged(vtkRenderer* body, vtkRenderer* front, vtkPolyData* flagged)
+{
+  vtkDataArray* numbers = flagged->GetCellData()->GetArray(sm::names::Flag);
+  auto* texts = vtkStringArray::SafeDownCast(flagged->GetCellData()->GetAbstractArray(sm::names::Text));
+  if (!numbers || !texts)
+  {
+    return;
+  }
+  for (vtkRenderer* layer : { body, front })
+  {
+    vtkActor* actor = sm::AddActor(layer, flagged, SignalColor, layer == body ? 1.0 : 0.55);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetLineWidth(4.0f);
+  }
+  std::map<int, vtkIdType> firstCells;
+  for (vtkIdType cell = 0; cell < flagged->GetNumberOfCells(); ++cell)
+  {
+    firstCells.emplace(static_cast<int>(numbers->GetComponent(cell, 0)), cell);
+  }
+  std::string lines;
+  for (const auto& [number, cell] : firstCells)
+  {
+    if (number <= MostNumbers)
+    {
+      AddNumber(front, flagged->GetCell(cell), number);
+      lines += sm::WrapText(std::to_string(number) + " " + texts->GetValue(cell), LongestLine);
+    }
+  }
+  const auto more = static_cast<int>(std::lround(numbers->GetRange()[1])) - MostNumbers;
+  lines += more > 0 ? "and " + std::to_string(more) + " more" : "";
+  sm::AddText(front, sm::RaiseDigits(lines), 15, false, Margin, Height - 2 * Margin - 10, true)
+    ->GetTextProperty()
+    ->SetColor(SignalColor[0], SignalColor[1], SignalColor[2]);
+}
+
 void SetUpScene(const sm::Picture& picture, vtkRenderer* body, vtkRenderer* front)
 {
   const vtkSmartPointer<vtkPolyData> mesh = sm::JoinParts(picture.Body);
@@ -61,10 +134,16 @@ void SetUpScene(const sm::Picture& picture, vtkRenderer* body, vtkRenderer* fron
     sm::AddDrawing(body, front, picture.Stability);
     box.AddBounds(picture.Stability->GetBounds());
   }
+  if (picture.Flagged)
+  {
+    AddFlagged(body, front, picture.Flagged);
+  }
   double bounds[6];
   box.GetBounds(bounds);
   sm::SetUpLayers(picture.Window, body, front, 12);
-  sm::SetView(body, bounds, 1.05, -0.06); // room for the caption below
+  // Room for the caption below, and for the names of flagged places above.
+  const bool isFlagged = picture.Flagged && picture.Flagged->GetNumberOfCells() > 0;
+  sm::SetView(body, bounds, isFlagged ? 0.72 : 1.05, isFlagged ? 0.0 : -0.06);
 
   const std::string path = (*picture.Result)["file"].get<std::string>();
   sm::AddText(front, sm::GetFileName(path), 18, true, Margin, Height - Margin, true);

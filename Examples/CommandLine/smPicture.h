@@ -1,6 +1,8 @@
 /**
  * @file smPicture.h
  * @brief A picture of a part, translucent, with its centre of mass marked and its results in a corner
+ *
+ * The faces and edges that make its result suspect or open are red, and the worst of them numbered and named.
  */
 #ifndef smPicture_h
 #define smPicture_h
@@ -21,6 +23,7 @@ struct Picture
   vtkPartitionedDataSetCollection* Body = nullptr; ///< the reader's output
   vtkPolyData* Mark = nullptr;                     ///< port 0 of vtkMassPropertiesGPU
   vtkPolyData* Stability = nullptr; ///< port 0 of vtkSolidStability, in its own colours; null: none
+  vtkPolyData* Flagged = nullptr;   ///< port 6: faces and edges to mark; may be empty
   const Json* Result = nullptr;     ///< the file's entry, for the caption
 };
 

@@ -125,6 +125,7 @@ void CheckClosureCorrection(BodyIntegrals& body, const MassRow& row, double limi
     body.Flag(Status::Suspect,
       "closing the gaps between its faces changes the volume by " +
         FormatDigits(100.0 * row.ClosureCorrection / volume, 2) + " %");
+    body.ExcusedGap = std::min(body.ExcusedGap, 2.0 * LargeGap * GetRadius(*body.Model));
   }
 }
 

@@ -6,30 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace sm
 {
 namespace
 {
-/// Breaks text between words into lines of at most `width` characters (more for a longer word), each with a newline.
-std::string Wrap(const std::string& text, std::size_t width)
-{
-  std::string result;
-  std::string line;
-  std::istringstream words(text);
-  for (std::string word; words >> word;)
-  {
-    if (!line.empty() && line.size() + 1 + word.size() > width)
-    {
-      result += line + "\n";
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  return line.empty() ? result : result + line + "\n";
-}
-
 struct Quantity
 {
   const char* Name;
@@ -205,7 +186,7 @@ std::string FormatSummary(const MassRow& total, const std::string& status, const
   std::string text;
   if (status != names::StatusOk)
   {
-    text += "Status: " + status + "\n" + Wrap(reason, 64);
+    text += "Status: " + status + "\n" + WrapText(reason, 64);
   }
   if (solids > 1)
   {

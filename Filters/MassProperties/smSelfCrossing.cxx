@@ -347,6 +347,15 @@ void Report(const SelfCrossing& result, BodyIntegrals& body)
         (result.Winding > 0        ? "counts " + times
             : result.Winding == -1 ? "is subtracted"
                                    : "is subtracted " + times));
+    // Of parts that are checked together, one has the face.
+    const std::vector<FacePointer>& faces = body.Model->GetFaces();
+    const auto beside = std::find_if(
+      faces.begin(), faces.end(), [&result](const FacePointer& face) { return face->FileId == result.Face; });
+    if (beside != faces.end())
+    {
+      body.FaceDefects.push_back(
+        { { static_cast<std::size_t>(beside - faces.begin()) }, "the boundary crosses itself beside it" });
+    }
   }
   else if (!result.Unchecked.empty())
   {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace sm
 {
@@ -86,6 +87,23 @@ std::string FormatWithBound(double value, double bound, const std::string& unit)
   return std::isfinite(value)
     ? FormatNumber(value, bound) + (unit.empty() ? "" : " ") + unit + FormatBoundNote(bound)
     : std::string("not known");
+}
+
+std::string WrapText(const std::string& text, std::size_t width)
+{
+  std::string result;
+  std::string line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+  {
+    if (!line.empty() && line.size() + 1 + word.size() > width)
+    {
+      result += line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return line.empty() ? result : result + line + "\n";
 }
 
 std::string MakeLiteral(double value)

@@ -7,6 +7,7 @@
 
 #include "smFiltersNURBSModule.h"
 
+#include <cstddef>
 #include <string>
 
 namespace sm
@@ -29,6 +30,9 @@ SMFILTERSNURBS_EXPORT std::string FormatNumber(double value, double bound);
 SMFILTERSNURBS_EXPORT std::string FormatBoundNote(double bound);
 /// Value, unit and bound.
 SMFILTERSNURBS_EXPORT std::string FormatWithBound(double value, double bound, const std::string& unit);
+
+/// Breaks text between words into lines of at most `width` characters (more for a longer word), each with a newline.
+SMFILTERSNURBS_EXPORT std::string WrapText(const std::string& text, std::size_t width);
 
 /// A double literal of GLSL that reads back to the bit: "-1.50000000000000000e+00LF".
 SMFILTERSNURBS_EXPORT std::string MakeLiteral(double value);

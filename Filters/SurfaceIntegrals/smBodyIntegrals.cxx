@@ -214,10 +214,17 @@ void SetUnknown(BodyIntegrals& body, std::size_t integrands)
 
 namespace
 {
+/// The distances of trim curve and edge add along the edge; the square of the face's own gap has been counted.
+double GetOverhangSquared(const FaceIntegrals& face)
+{
+  return face.Outside.Squared + 2.0 * std::sqrt(face.Outside.Squared * face.GapSquared);
+}
+
 /// The strip between the border of a surface and the trim curves beyond it is a gap of the model, next to that between the trim
 /// curves and the edges.
-void AddOverhang(BodyIntegrals& body, const FaceIntegrals& face, const std::string& label)
+void AddOverhang(BodyIntegrals& body, std::size_t index, const std::string& label)
 {
+  const FaceIntegrals& face = (*body.Faces)[index];
   const Overhang& outside = face.Outside;
   const std::string message = label + ": a trim curve leaves the surface" +
     (std::isfinite(outside.Distance)
@@ -226,14 +233,14 @@ void AddOverhang(BodyIntegrals& body, const FaceIntegrals& face, const std::stri
   if (!face.IsContinued)
   {
     body.Flag(Status::Suspect, message);
+    body.FaceDefects.push_back({ { index }, "a trim curve leaves the surface", false, outside.Area });
     return;
   }
   body.Messages.push_back(message + ", to which the surface is continued");
   body.MaxOverhang = GetLargerGap(body.MaxOverhang, outside.Distance + face.MaxGap);
   body.MaxGap = GetLargerGap(body.MaxGap, outside.Distance + face.MaxGap);
   body.GapArea += outside.Area;
-  // The distances add along the edge; the face's own gap has been counted.
-  body.GapSquared += outside.Squared + 2.0 * std::sqrt(outside.Squared * face.GapSquared);
+  body.GapSquared += GetOverhangSquared(face);
 }
 }
 
@@ -249,6 +256,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     if (!result.Error.empty())
     {
       body.Flag(Status::Suspect, result.Error + "; it is left out");
+      body.FaceDefects.push_back({ { i }, "left out", true });
       continue;
     }
     for (const std::string& message : source.Messages)
@@ -267,10 +275,11 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     {
       body.Flag(
         Status::Suspect, label + ": a loop covers part of the surface more than once or from outside");
+      body.FaceDefects.push_back({ { i }, "a loop covers part of it more than once or from outside", true });
     }
     if (result.Outside.Distance > LargeOverhang * size)
     {
-      AddOverhang(body, result, label);
+      AddOverhang(body, i, label);
     }
   }
   SumValues(body, integrands);
@@ -336,6 +345,22 @@ double GetExcused(double limit, double size, double excuse)
                       : std::max(limit * size, std::min(excuse, 10.0 * limit * size));
 }
 
+namespace
+{
+void FlagOverhangs(BodyIntegrals& body, double excused)
+{
+  for (std::size_t i = 0; i < body.Faces->size(); ++i)
+  {
+    const FaceIntegrals& face = (*body.Faces)[i];
+    if (face.IsContinued && !(face.Outside.Distance + face.MaxGap <= excused))
+    {
+      body.FaceDefects.push_back({ { i }, "trim curves and edges lie beyond its surface", false,
+        face.Outside.Area, GetOverhangSquared(face) });
+    }
+  }
+}
+}
+
 void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)
 {
   using Key = std::pair<vtkTrimmedNURBSModel*, const std::vector<FaceIntegrals>*>;
@@ -352,8 +377,10 @@ void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)
     const std::string message = DescribeWorstEdge(*edges, diagonal, body.Model->GetLengthUnit());
     const double widest = edges->empty() ? 0.0 : edges->front().MaxGap;
     const double excused = GetExcused(limit, diagonal, 2.0 * body.Model->GetFileUncertainty());
+    body.ExcusedGap = excused;
     if (!(body.MaxOverhang <= excused))
     {
+      FlagOverhangs(body, excused);
       body.Flag(Status::Suspect,
         "trim curves and edges lie beyond the surface of their face" +
           (std::isfinite(body.MaxOverhang)
@@ -397,6 +424,7 @@ void ReverseShells(BodyIntegrals& body, const std::vector<Integrand>& integrands
   if (!found.Uncertainty.empty())
   {
     body.Flag(Status::Suspect, found.Uncertainty + "; its shells are taken as the file orients them");
+    body.FaceDefects.push_back({ found.Uncertain, found.Uncertainty, true });
   }
   if (!found.Sides.empty())
   {

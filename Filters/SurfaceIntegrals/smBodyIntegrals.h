@@ -16,6 +16,8 @@
 #include "vtkTrimmedNURBSModel.h"
 
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +27,17 @@ class vtkDataObject;
 
 namespace sm
 {
+/// Faces that together make their body suspect.
+struct FaceDefect
+{
+  std::vector<std::size_t> Faces;
+  std::string Reason;
+  /// True if the whole faces count wrongly. Otherwise the area and volume that are in doubt are those below, NaN where not known.
+  bool IsWhole = false;
+  double Area = std::numeric_limits<double>::quiet_NaN();
+  double Volume = std::numeric_limits<double>::quiet_NaN();
+};
+
 /// One instance of a solid or of a free shell.
 struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
 {
@@ -54,6 +67,9 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   /// Entity numbers of the faces whose bounds are estimated, and the number of faces that were skipped.
   std::vector<int> EstimatedFaces;
   int SkippedFaces = 0;
+  /// Defects of faces that make the body suspect. Edges do so if they are open or their gap is wider than ExcusedGap.
+  std::vector<FaceDefect> FaceDefects;
+  double ExcusedGap = std::numeric_limits<double>::infinity();
 
   /// Number of edges whose signed uses do not cancel.
   int OpenEdges = 0;

@@ -11,7 +11,6 @@ namespace sm
 {
 namespace
 {
-constexpr double LargeGap = 1e-5;
 constexpr double RoundingGap = 1e-12;
 }
 

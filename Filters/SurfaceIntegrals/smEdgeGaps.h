@@ -30,6 +30,9 @@ struct EdgeGap
   bool IsOpen() const { return this->SignedUses != 0; }
 };
 
+/// Gaps above this fraction of the size of a body are significant.
+constexpr double LargeGap = 1e-5;
+
 /// Order of the table: the widest gap first, unknown gaps last.
 SMFILTERSSURFACEINTEGRALS_EXPORT bool IsWider(const EdgeGap& a, const EdgeGap& b);
 

@@ -41,7 +41,13 @@ constexpr const char* FaceId = "FaceId"; // int: entity number in the file
 constexpr const char* EdgeId = "EdgeId"; // int: entity number in the file, 0 without one
 constexpr const char* Uses = "Uses";     // int: coedges that use the edge
 constexpr const char* Open = "Open";     // int: 1 when its signed uses do not cancel
-constexpr const char* Text = "Text";     // string, the one cell of the text table
+constexpr const char* Text = "Text"; // string, the one cell of the text table; of a flagged place: what it is
+
+// Cell data of the flagged places on port 6, in addition to Solid, Name, FaceId, EdgeId, MaxGap and Text.
+constexpr const char* Flag = "Flag"; // int: number of the place, 1, 2, ..., the worst first
+constexpr const char* AreaInDoubt =
+  "AreaInDoubt"; // 1, L^2, estimate of what the place may change in the area
+constexpr const char* VolumeInDoubt = "VolumeInDoubt"; // 1, L^3, likewise in the volume
 
 // Names of other columns in vtkSurfaceIntegralGPU's outputs, which integrands must not have.
 constexpr const char* ReservedColumnNames[] = { Name, Id, Solid, FaceId, Faces, Status, Backend, Renderer,

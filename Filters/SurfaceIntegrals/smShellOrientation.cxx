@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 
 namespace sm
@@ -127,9 +128,9 @@ std::vector<ShellMesh> MakeMeshes(vtkPolyData* mesh, const std::vector<int>& she
 }
 
 /// Computes the number of shells around each shell. Returns a sentence with the reason if it cannot be determined, else an empty
-/// string.
-std::string FindDepths(
-  const std::vector<ShellMesh>& meshes, const std::vector<double>& volumes, std::vector<int>& depths)
+/// string. `uncertain` receives the shells that the reason is about.
+std::string FindDepths(const std::vector<ShellMesh>& meshes, const std::vector<double>& volumes,
+  std::vector<int>& depths, std::set<std::size_t>& uncertain)
 {
   depths.assign(meshes.size(), 0);
   if (std::any_of(meshes.begin(), meshes.end(), [](const ShellMesh& m) { return m.IsEmpty(); }))
@@ -143,6 +144,7 @@ std::string FindDepths(
       const ShellMesh::Place ij = meshes[i].Find(meshes[j]);
       const ShellMesh::Place ji = meshes[j].Find(meshes[i]);
       using Place = ShellMesh::Place;
+      uncertain = { i, j };
       if (ij == Place::Crossing || ji == Place::Crossing || (ij == Place::Inside && ji == Place::Inside))
       {
         return "two of its shells cross";
@@ -163,6 +165,7 @@ std::string FindDepths(
       depths[j] += ji == Place::Inside ? 1 : 0;
     }
   }
+  uncertain.clear();
   return {};
 }
 }
@@ -184,25 +187,46 @@ ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
     volumes[shellOfFace[f]] += volume[f];
     bounds[shellOfFace[f]] += bound[f];
   }
+  const auto setUncertain = [&](const std::string& reason, const std::set<std::size_t>& shells)
+  {
+    result.Uncertainty = reason;
+    for (std::size_t f = 0; f < shellOfFace.size(); ++f)
+    {
+      if (shells.count(static_cast<std::size_t>(shellOfFace[f])) > 0)
+      {
+        result.Uncertain.push_back(f);
+      }
+    }
+  };
   for (int i = 0; i < result.Shells; ++i)
   {
     if (!(std::abs(volumes[i]) > bounds[i]))
     {
-      result.Uncertainty =
-        "the volume of a shell is zero within its bound, so that its orientation is unknown";
+      setUncertain("the volume of a shell is zero within its bound, so that its orientation is unknown",
+        { static_cast<std::size_t>(i) });
       return result;
     }
   }
   std::vector<int> depths;
-  result.Uncertainty = FindDepths(MakeMeshes(mesh, shellOfFace, result.Shells), volumes, depths);
-  if (!result.Uncertainty.empty())
+  std::set<std::size_t> uncertain;
+  const std::string reason =
+    FindDepths(MakeMeshes(mesh, shellOfFace, result.Shells), volumes, depths, uncertain);
+  if (!reason.empty())
   {
+    setUncertain(reason, uncertain);
     return result;
   }
   const auto outer = std::count_if(depths.begin(), depths.end(), [](int depth) { return depth % 2 == 0; });
   if (model.GetNumberOfOuterShells() > 0 && outer != model.GetNumberOfOuterShells())
   {
-    result.Uncertainty = "a void lies outside the outer shell, or inside another void";
+    for (std::size_t i = 0; i < depths.size(); ++i)
+    {
+      if ((volumes[i] > 0.0) != (depths[i] % 2 == 0))
+      {
+        uncertain.insert(i);
+      }
+    }
+    setUncertain("a void lies outside the outer shell, or inside another void", uncertain);
     return result;
   }
   std::vector<bool> wrong(result.Shells);

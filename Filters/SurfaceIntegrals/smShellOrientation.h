@@ -7,6 +7,7 @@
 
 #include "vtkTrimmedNURBSModel.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct ShellOrientation
   bool InsideOut = false;
   /// Reason why the file's orientation was kept although it may be wrong; empty otherwise.
   std::string Uncertainty;
+  /// Indices of the faces of the shells that it is about, where these are known.
+  std::vector<std::size_t> Uncertain;
 };
 
 /**

@@ -19,7 +19,29 @@ vtkSurfaceIntegralBase::vtkSurfaceIntegralBase()
 {
   sm::ClearAbortAtStart(this);
   this->SetNumberOfInputPorts(1);
-  this->SetNumberOfOutputPorts(6);
+  this->SetNumberOfOutputPorts(7);
+  this->GetComputeContext()->AddObserver(
+    vtkComputeContext::COMPILE_EVENT, this, &vtkSurfaceIntegralBase::ReportCompilation);
+}
+
+void vtkSurfaceIntegralBase::ReportCompilation()
+{
+  this->IsCompiling = true;
+}
+
+void vtkSurfaceIntegralBase::ReportProgress(double fraction)
+{
+  const std::string text = this->GetProgressText() ? this->GetProgressText() : this->GetClassName();
+  if (this->IsCompiling)
+  {
+    this->SetProgressText((text + ": compiling shaders").c_str());
+  }
+  this->UpdateProgress(fraction);
+  if (this->IsCompiling)
+  {
+    this->IsCompiling = false;
+    this->SetProgressText(text.c_str());
+  }
 }
 
 vtkSurfaceIntegralBase::~vtkSurfaceIntegralBase() = default;
@@ -50,9 +72,9 @@ int vtkSurfaceIntegralBase::FillInputPortInformation(int, vtkInformation* info)
 int vtkSurfaceIntegralBase::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(),
-    port == 0     ? "vtkPolyData"
-      : port == 5 ? "vtkPartitionedDataSetCollection"
-                  : "vtkTable");
+    port == 0 || port == 6 ? "vtkPolyData"
+      : port == 5          ? "vtkPartitionedDataSetCollection"
+                           : "vtkTable");
   return 1;
 }
 
@@ -250,7 +272,7 @@ sm::IntegralLimits vtkSurfaceIntegralBase::MakeLimits(double begin, double end)
   limits.Perturbation = this->ShaderPerturbation;
   limits.Progress = [this, begin, end](double fraction)
   {
-    this->UpdateProgress(begin + (end - begin) * fraction);
+    this->ReportProgress(begin + (end - begin) * fraction);
     return !this->GetAbortExecute();
   };
   return limits;

@@ -22,6 +22,10 @@
  * |      |          | GapArea, GapSquared                                                                                 |
  * | 5    | partitioned dataset collection | meshes of the bodies in the order of port 1, points and cells shared with     |
  * |      |          | the input, with cell arrays for colouring                                                           |
+ * | 6    | polydata | flagged places of suspect and open bodies: open edges and edges with wide gaps as lines, faces as  |
+ * |      |          | triangles; cell arrays Flag (number of the place, the worst first), Solid, Name, FaceId, EdgeId,    |
+ * |      |          | MaxGap, AreaInDoubt, VolumeInDoubt, Text. The figures are estimates for the place as a whole       |
+ * |      |          | (smFlaggedPlaces.h), repeated on each of its cells                                                  |
  * The names are in smIntegralNames.h. A value that could not be computed is NaN, never 0, and Status gives the reason.
  *
  * Status is the worst status of all solids and of the file. In ascending order: ok; tolerance-not-met (a bound is above the
@@ -268,6 +272,9 @@ private:
   void operator=(const vtkSurfaceIntegralBase&) = delete;
 
 #ifndef __VTK_WRAP__
+  /** Makes the text of the next report of progress say why no other will follow for some seconds. */
+  void ReportCompilation();
+  void ReportProgress(double fraction);
   int Run(vtkInformation* request, vtkDataObject* input, vtkInformationVector* outputVector);
   struct Input;
   /** Finds the bodies of the input that are to be integrated. */
@@ -294,6 +301,7 @@ private:
   std::unique_ptr<sm::IntegralEngine> Engine;
   std::vector<std::string> Selectors;
   std::string AssemblyName = "Assembly";
+  bool IsCompiling = false;
 #endif
 };
 

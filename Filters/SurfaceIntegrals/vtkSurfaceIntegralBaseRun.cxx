@@ -6,6 +6,7 @@
 #include "smColumns.h"
 #include "smFailureReason.h"
 #include "smFileState.h"
+#include "smFlaggedPlaces.h"
 #include "smIntegralEngine.h"
 
 #include "vtkBoundingBox.h"
@@ -17,6 +18,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -28,6 +30,9 @@ namespace
 {
 /// Number of messages that a warning has at most; GetMessage() has them all.
 constexpr std::size_t MostMessagesOfWarning = 8;
+
+/// Number of flagged places that the summary names.
+constexpr std::size_t MostPlacesOfText = 5;
 
 /// The reason of a status, and the messages that do not repeat it, a line each.
 std::string ListMessages(const std::string& reason, const std::vector<std::string>& messages)
@@ -70,12 +75,23 @@ void AddPlaceholderPoint(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyDa
   totals->SetPoints(points);
 }
 
+void AppendText(const std::string& text, vtkTable* table)
+{
+  auto* summary = vtkStringArray::SafeDownCast(table->GetRowData()->GetAbstractArray(sm::names::Text));
+  if (summary && summary->GetNumberOfValues() > 0 && !text.empty())
+  {
+    const std::string before = summary->GetValue(0);
+    summary->SetValue(0, before + (before.empty() || before.back() == '\n' ? "" : "\n") + text);
+  }
+}
+
 /// Throws std::bad_alloc unless there is memory for the outputs: VTK's arrays end the process where they find none.
 void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t arrays)
 {
   // Columns of doubles with their bounds, twice as large while they grow; and the glyphs.
   constexpr std::size_t BytesOfValue = 4 * sizeof(double);
   constexpr std::size_t Columns = 64;
+  constexpr std::size_t BytesOfFlaggedEdge = 2048;
   std::size_t bytes = std::size_t{ 1 } << 20;
   // Instances of a model share the arrays of its cells.
   std::set<const vtkTrimmedNURBSModel*> models;
@@ -86,6 +102,8 @@ void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t
     const bool isFirst = models.insert(body.Model).second;
     const std::size_t cells = isFirst ? static_cast<std::size_t>(body.Mesh->GetNumberOfCells()) : 0;
     bytes += BytesOfValue * (Columns + faces * (arrays + 3) + edges * 8) + cells * arrays * sizeof(float);
+    // At most: every edge is drawn as a flagged one.
+    bytes += body.Status >= sm::Status::Suspect ? edges * BytesOfFlaggedEdge : 0;
   }
   ::operator delete(::operator new(bytes));
 }
@@ -171,6 +189,9 @@ void vtkSurfaceIntegralBase::Write(
   AddPlaceholderPoint(bodies, outputs.Totals);
   sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
   sm::MakeBodyMeshes(bodies, arrays, input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));
+  const std::vector<sm::FlaggedPlace> places = sm::FindFlaggedPlaces(bodies);
+  sm::DrawFlaggedPlaces(places, bodies, vtkPolyData::GetData(outputVector, 6));
+  AppendText(sm::ListFlaggedPlaces(places, bodies, MostPlacesOfText), outputs.Text);
   this->Engine->GetReport().FillFieldData(outputs.Totals->GetFieldData());
 }
 

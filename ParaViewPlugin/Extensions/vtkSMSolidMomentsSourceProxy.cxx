@@ -6,17 +6,59 @@
 #include "vtkAlgorithm.h"
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
+#include "vtkComputeContext.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVProgressHandler.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMSession.h"
+#include "vtkSurfaceIntegralBase.h"
+#include "vtkWeakPointer.h"
 
+#include <algorithm>
+#include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 
 vtkStandardNewMacro(vtkSMSolidMomentsSourceProxy);
 
 namespace
 {
+/// ParaView drops reports of progress that follow another within an interval, at first 0.1 s. This one is the least that it takes.
+constexpr double ShortInterval = 0.01;
+
+/// Makes ParaView show the report that shaders are compiled, the only one for some seconds; owned by the compute context.
+class CompileCommand : public vtkCommand
+{
+public:
+  static CompileCommand* New() { return new CompileCommand; }
+  vtkTypeMacro(CompileCommand, vtkCommand);
+
+  vtkWeakPointer<vtkPVProgressHandler> Handler;
+
+  void Execute(vtkObject*, unsigned long event, void*) override
+  {
+    if (!this->Handler)
+    {
+      return;
+    }
+    if (event == vtkComputeContext::COMPILE_EVENT)
+    {
+      this->Interval = std::max(this->Interval, this->Handler->GetProgressInterval());
+      this->Handler->SetProgressInterval(ShortInterval);
+      std::this_thread::sleep_for(std::chrono::duration<double>(1.1 * ShortInterval));
+    }
+    else if (this->Interval > 0.0)
+    {
+      this->Handler->SetProgressInterval(this->Interval);
+    }
+  }
+
+private:
+  double Interval = 0.0;
+};
+
 /// Listens for Esc while an algorithm runs; owned by the algorithm.
 class EscapeCommand : public vtkCommand
 {
@@ -111,6 +153,14 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
     {
       // A higher priority than ParaView's own observer, which reads the text.
       algorithm->AddObserver(event, command, 1.0f);
+    }
+    auto* filter = vtkSurfaceIntegralBase::SafeDownCast(algorithm);
+    if (filter && this->GetSession())
+    {
+      vtkNew<CompileCommand> compiling;
+      compiling->Handler = this->GetSession()->GetProgressHandler();
+      filter->GetComputeContext()->AddObserver(vtkComputeContext::COMPILE_EVENT, compiling);
+      filter->AddObserver(vtkCommand::EndEvent, compiling);
     }
   }
 }

@@ -65,6 +65,12 @@ public:
     LOST = 5         ///< was READY, then its window ended; Start() tries anew
   };
 
+  /** Invoked by filters before they compile shaders, which takes seconds where the driver does not have them from an earlier run. */
+  enum EventType
+  {
+    COMPILE_EVENT = 1001 // above vtkCommand::UserEvent
+  };
+
   ///@{
   /** The wanted source. Default: AUTOMATIC. Values outside the enumeration are clamped. A change ends the
    * present context. */

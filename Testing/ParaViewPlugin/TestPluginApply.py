@@ -13,7 +13,7 @@ plugin, folder = sys.argv[1:3]
 simple.LoadPlugin(plugin, ns=globals())
 manifest = Manifest(folder)
 controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
-names = ["Center of Mass", "Solids", "Summary", "Faces", "Edges", "Bodies"]
+names = ["Center of Mass", "Solids", "Summary", "Faces", "Edges", "Bodies", "Flagged"]
 view = simple.CreateRenderView()
 view.ViewSize = [500, 400]
 view.OrientationAxesVisibility = 0
@@ -67,7 +67,8 @@ reader = simple.OpenDataFile(part["path"])
 simple.Show(reader, view)
 mass = MassProperties(Input=reader)  # noqa: F821
 check_equal("ports", names, [mass.SMProxy.GetOutputPortName(port) for port in range(mass.SMProxy.GetNumberOfOutputPorts())])
-everything = ["MassMarkerRepresentation", None, "MassSummaryRepresentation", None, None, "MassBodiesRepresentation"]
+everything = ["MassMarkerRepresentation", None, "MassSummaryRepresentation", None, None, "MassBodiesRepresentation",
+              "FlaggedRepresentation"]
 apply(mass, everything)
 check_equal("views", ["RenderView"], [each.GetXMLName() for each in simple.GetViews()])
 bodies = display(mass, 5)
@@ -139,6 +140,29 @@ many.SMProxy.SetSelectionInput(5, servermanager.vtkSMSelectionHelper.NewAppendSe
 check_equal("all are selected in the view", total, count_selected_cells(many, 5))
 many.SMProxy.CleanSelectionInputs(1)
 check_equal("and stay selected", total, count_selected_cells(many, 5))
+
+# What makes a result open is red in the view, with its number; it goes with the visibility of the port.
+simple.HideAll(view)
+opened = MassProperties(Input=simple.OpenDataFile(manifest.special("open_solid")["path"]))  # noqa: F821
+simple.Show(opened.Input, view)
+apply(opened, everything)
+simple.Hide(servermanager.OutputPort(opened, 2), view)
+flagged = servermanager.OutputPort(opened, 6)
+check_equal("open edges", 4, flagged.GetDataInformation().GetNumberOfCells())
+check("area in doubt: the missing face", 200.0, flagged.CellData["AreaInDoubt"].GetRange()[0], 1e-10)
+check("volume in doubt", 200.0 * 0.5 * 1400.0**0.5 / 3.0, flagged.CellData["VolumeInDoubt"].GetRange()[1], 1e-10)
+shown = display(opened, 6)
+check_equal("not coloured by an array", "", shown.ColorArrayName[1] or "")
+marked = count_pixels(is_red)
+check_true("red pixels of lines and number", marked > 400, str(marked))
+shown.NumberColor = [1.0, 1.0, 1.0]
+lines = count_pixels(is_red)
+check_true("red pixels of lines alone", 300 < lines < marked - 10, f"{lines} of {marked}")
+simple.Hide(flagged, view)
+check_equal("hidden", 0, count_pixels(is_red))
+check_equal("hidden, with the number", 0, count_pixels(is_white))
+simple.Show(flagged, view, "FlaggedRepresentation")
+check_equal("shown again", lines, count_pixels(is_red))
 
 # Tables open in a spreadsheet on request.
 sheet = simple.CreateView("SpreadSheetView")

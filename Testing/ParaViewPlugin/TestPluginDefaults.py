@@ -3,6 +3,7 @@ import glob
 import importlib
 import importlib.util
 import os
+import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
@@ -105,4 +106,20 @@ for group, proxy_name, label, module, class_name in PROXIES:
             smproperty.SetUncheckedElement(0, 0.0 if float(limits.get("min")) > 0.0 else -1.0)
             check_equal(f"{name}: the domain refuses less than its minimum", 0, smproperty.IsInDomains())
             smproperty.ClearUncheckedElements()
+
+# No text of the GUI names a class or a method, the device in a name, or a word that the project has replaced by the field's own.
+UNWANTED = re.compile(r"\bvtk[A-Z]|\b[GS]et[A-Z]\w*\(|\(GPU\)|\b(leak|plumb|sanity|turned|hush|remark|outcome)\b|what comes out|does it stand",
+                      re.IGNORECASE)
+check_true("the pattern finds what it seeks", all(UNWANTED.search(text) for text in ("Mass Properties (GPU)", "see GetMessage()", "Turned")))
+count = 0
+for path in sorted(glob.glob(os.path.join(folder, "*.xml"))):
+    for element in ElementTree.parse(path).iter():
+        texts = [element.get(key) or "" for key in ("label", "short_help", "long_help", "text")]
+        texts += [element.text or ""] if element.tag == "Documentation" else []
+        for text in filter(None, texts):
+            count += 1
+            found = UNWANTED.search(text)
+            if found:
+                check_true(f"{os.path.basename(path)}: no '{found.group()}'", False, " ".join(text.split()))
+check_true("texts of the GUI", count > 100, str(count))
 finish()

@@ -94,7 +94,7 @@ struct GPUItemRunner::Internals
   }
 
   /// Builds the programs that the faces need and runs each once, as drivers finish compilation at the first dispatch.
-  bool WarmUp(const std::vector<CutFacePointer>& faces, std::string& error);
+  bool WarmUp(const std::vector<CutFacePointer>& faces, const ProgressCallback& progress, std::string& error);
   bool Dispatch(const Setup& setup, const RowLayout& layout, const ProgramKey& key, std::size_t begin,
     std::size_t count, std::string& error);
 };
@@ -121,19 +121,22 @@ bool GPUItemRunner::Acquire(const std::vector<CutFacePointer>& faces, const Prog
   Internals& self = *this->Implementation;
   this->StartSeconds = 0.0;
   self.Slots.clear();
-  if (!self.Resident.Acquire(faces, self.Places, progress))
+  // The last report is for the shaders: ParaView shows a text when the percentage changes.
+  const auto uploading = [&progress](double fraction) { return !progress || progress(0.9 * fraction); };
+  if (!self.Resident.Acquire(faces, self.Places, uploading))
   {
     self.Places.clear();
     return this->Fail(self.Resident.GetError());
   }
   const double start = vtkTimerLog::GetUniversalTime();
   std::string error;
-  const bool isWarm = self.WarmUp(faces, error);
+  const bool isWarm = self.WarmUp(faces, progress, error);
   this->StartSeconds = vtkTimerLog::GetUniversalTime() - start;
   return isWarm || this->Fail(error);
 }
 
-bool GPUItemRunner::Internals::WarmUp(const std::vector<CutFacePointer>& faces, std::string& error)
+bool GPUItemRunner::Internals::WarmUp(
+  const std::vector<CutFacePointer>& faces, const ProgressCallback& progress, std::string& error)
 {
   std::map<ProgramKey, int> needed;
   for (std::size_t i = 0; i < faces.size(); ++i)
@@ -155,6 +158,17 @@ bool GPUItemRunner::Internals::WarmUp(const std::vector<CutFacePointer>& faces, 
   {
     error = this->GetBufferErrors();
     return false;
+  }
+  if (std::any_of(needed.begin(), needed.end(),
+        [this](const auto& program) { return !this->Programs.IsBuilt(program.first); }))
+  {
+    // Outside the scope below, since an observer may draw.
+    this->Context->InvokeEvent(vtkComputeContext::COMPILE_EVENT);
+    if (progress && !progress(1.0))
+    {
+      error = "aborted";
+      return false;
+    }
   }
   const ContextScope scope(this->Context);
   if (!scope)

@@ -197,12 +197,17 @@ std::string IntegrationPrograms::MakeRoundings(bool chainOnly) const
   return text;
 }
 
-ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
+bool IntegrationPrograms::IsBuilt(const ProgramKey& key) const
 {
   const auto found = this->Programs.find(key);
-  if (found != this->Programs.end() && found->second.IsBuilt())
+  return found != this->Programs.end() && found->second.IsBuilt();
+}
+
+ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
+{
+  if (this->IsBuilt(key))
   {
-    return &found->second;
+    return &this->Programs[key];
   }
   const auto [kind, degreeS, degreeR] = key;
   const char* const texts[] = { smPanelCS, smRibbonCS, smCapCS };

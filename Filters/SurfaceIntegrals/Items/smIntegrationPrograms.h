@@ -34,6 +34,7 @@ public:
   /// results of a face are bitwise the same in any batch.
   static ProgramKey ChooseProgram(ItemKind kind, int degreeS, int degreeR);
 
+  bool IsBuilt(const ProgramKey& key) const;
   /// Returns the program, which is built on first use; null, with GetError(), if it cannot be built.
   ComputeProgram* Get(const ProgramKey& key);
 

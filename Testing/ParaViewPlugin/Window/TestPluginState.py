@@ -41,7 +41,7 @@ reader = simple.OpenDataFile(assembly)
 view = simple.CreateRenderView()
 simple.Show(reader, view)
 mass = MassProperties(Input=reader, Density=2700.0)  # noqa: F821
-for port in range(6):
+for port in range(7):
     controller.ShowInPreferredView(mass.SMProxy, port, view.SMProxy)
 simple.Hide(reader, view)
 for port, values in VALUES.items():

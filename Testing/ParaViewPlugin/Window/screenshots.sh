@@ -1,11 +1,12 @@
 #!/bin/sh
 # screenshots.sh BUILD FOLDER: pictures of ParaView's window with the plugin, made on a virtual display and written to FOLDER:
 # window_main.png (a part and its mass properties), window_table.png (an assembly, rows of its table selected),
-# window_volume.png (its solids coloured by volume). Needs paraview, xvfb-run and ImageMagick's import; BUILD has the plugin and
+# window_volume.png (its solids coloured by volume), window_flagged.png (an open solid). With a scene (main, table, volume, flagged) and a
+# STEP file: one picture of that file. Needs paraview, xvfb-run and ImageMagick's import; BUILD has the plugin and
 # make_paper_parts. Look at the pictures: nothing here judges them.
 set -eu
-if [ "$#" -ne 2 ]; then
-  echo "usage: screenshots.sh BUILD FOLDER" >&2
+if [ "$#" -ne 2 ] && [ "$#" -ne 4 ]; then
+  echo "usage: screenshots.sh BUILD FOLDER [SCENE FILE.step]" >&2
   exit 1
 fi
 build=$(cd "$1" && pwd)
@@ -24,7 +25,7 @@ grab() { # SCENE FILE.step
       window=$!
       tries=0
       until [ -e "$3/ready" ] || [ "$tries" -ge 300 ]; do sleep 1; tries=$((tries + 1)); done
-      # The window shows the script's changes with a delay: wait until two pictures are the same.
+      # The window shows changes with a delay: wait until two pictures are the same.
       import -window root "$3/before.png"
       while sleep 3; do
         import -window root "$3/after.png"
@@ -43,6 +44,11 @@ grab() { # SCENE FILE.step
   echo "$folder/window_$1.png"
 }
 
+if [ "$#" -eq 4 ]; then
+  grab "$3" "$4"
+  exit
+fi
 grab main "$here/../../../Examples/Models/sample_part.step"
 grab table "$work/gear_train.step"
 grab volume "$work/gear_train.step"
+grab flagged "$build/Testing/solids/open_solid.step"

@@ -1,0 +1,146 @@
+#include "vtkFlaggedRepresentation.h"
+
+#include "smIntegralNames.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkBillboardTextActor3D.h"
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextProperty.h"
+
+#include <functional>
+#include <set>
+#include <string>
+
+vtkStandardNewMacro(vtkFlaggedRepresentation);
+
+namespace
+{
+void VisitMeshes(vtkDataObject* data, const std::function<void(vtkPolyData*)>& visit)
+{
+  if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  {
+    visit(mesh);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto leaves = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      VisitMeshes(leaves->GetCurrentDataObject(), visit);
+    }
+  }
+}
+}
+
+vtkFlaggedRepresentation::vtkFlaggedRepresentation()
+{
+  for (auto& number : this->Numbers)
+  {
+    number->SetVisibility(false);
+    number->SetPickable(false);
+    number->SetDisplayOffset(6, 6);
+    number->GetTextProperty()->SetFontSize(18);
+    number->GetTextProperty()->SetBold(true);
+    number->GetTextProperty()->SetBackgroundColor(0.0, 0.0, 0.0);
+    number->GetTextProperty()->SetBackgroundOpacity(0.6);
+  }
+}
+
+vtkFlaggedRepresentation::~vtkFlaggedRepresentation() = default;
+
+void vtkFlaggedRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberColor: " << this->NumberColor[0] << " " << this->NumberColor[1] << " "
+     << this->NumberColor[2] << "\n";
+}
+
+bool vtkFlaggedRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  for (auto& number : this->Numbers)
+  {
+    if (renderView)
+    {
+      renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER)->AddViewProp(number);
+    }
+  }
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkFlaggedRepresentation::RemoveFromView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  for (auto& number : this->Numbers)
+  {
+    if (renderView)
+    {
+      renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER)->RemoveViewProp(number);
+    }
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkFlaggedRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  for (auto& number : this->Numbers)
+  {
+    // The next rendering shows those that are there.
+    number->SetVisibility(false);
+  }
+}
+
+int vtkFlaggedRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request != vtkPVView::REQUEST_RENDER() || !this->GetActiveRepresentation())
+  {
+    return 1;
+  }
+  // The numbers are drawn where the geometry is.
+  vtkAlgorithmOutput* piece = vtkPVRenderView::GetPieceProducer(inInfo, this->GetActiveRepresentation());
+  vtkDataObject* data = piece ? piece->GetProducer()->GetOutputDataObject(piece->GetIndex()) : nullptr;
+  std::set<int> shown;
+  VisitMeshes(data,
+    [this, &shown](vtkPolyData* mesh)
+    {
+      vtkDataArray* flags = mesh->GetCellData()->GetArray(sm::names::Flag);
+      for (vtkIdType i = 0; flags && i < mesh->GetNumberOfCells(); ++i)
+      {
+        const auto flag = static_cast<int>(flags->GetComponent(i, 0));
+        if (flag < 1 || flag > static_cast<int>(this->Numbers.size()) || !shown.insert(flag).second)
+        {
+          continue;
+        }
+        vtkCell* cell = mesh->GetCell(i);
+        double middle[3];
+        cell->GetPoints()->GetPoint(cell->GetNumberOfPoints() / 2, middle);
+        vtkBillboardTextActor3D* number = this->Numbers[static_cast<std::size_t>(flag) - 1];
+        number->SetInput(std::to_string(flag).c_str());
+        number->SetPosition(middle);
+        number->GetTextProperty()->SetColor(this->NumberColor);
+      }
+    });
+  for (int flag = 1; flag <= static_cast<int>(this->Numbers.size()); ++flag)
+  {
+    this->Numbers[static_cast<std::size_t>(flag) - 1]->SetVisibility(
+      this->GetVisibility() && shown.count(flag) > 0);
+  }
+  return 1;
+}

@@ -1,0 +1,52 @@
+/**
+ * @class   vtkFlaggedRepresentation
+ * @brief   draws flagged edges and faces, with the numbers of the worst beside them
+ *
+ * The input is port 6 of vtkSurfaceIntegralBase. The numbers are those of the cell array Flag, by which the summary names the places. They
+ * are drawn in front of everything by the process with the window, and not at all while a server renders for it.
+ */
+#ifndef vtkFlaggedRepresentation_h
+#define vtkFlaggedRepresentation_h
+
+#include "smParaViewExtensionsModule.h" // for the export macro
+#include "vtkNew.h"                     // for the numbers
+#include "vtkPVCompositeRepresentation.h"
+
+#include <array> // for the numbers
+
+class vtkBillboardTextActor3D;
+
+class SMPARAVIEWEXTENSIONS_EXPORT vtkFlaggedRepresentation : public vtkPVCompositeRepresentation
+{
+public:
+  static vtkFlaggedRepresentation* New();
+  vtkTypeMacro(vtkFlaggedRepresentation, vtkPVCompositeRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Colour of the numbers: red, green and blue, each from 0 to 1. Default: 1 0.4 0.35. */
+  vtkSetVector3Macro(NumberColor, double);
+  vtkGetVector3Macro(NumberColor, double);
+  ///@}
+
+  void SetVisibility(bool visible) override;
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+protected:
+  vtkFlaggedRepresentation();
+  ~vtkFlaggedRepresentation() override;
+
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+private:
+  vtkFlaggedRepresentation(const vtkFlaggedRepresentation&) = delete;
+  void operator=(const vtkFlaggedRepresentation&) = delete;
+
+  double NumberColor[3] = { 1.0, 0.4, 0.35 };
+  /// As many as the summary names.
+  std::array<vtkNew<vtkBillboardTextActor3D>, 5> Numbers;
+};
+
+#endif
