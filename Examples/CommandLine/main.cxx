@@ -1,8 +1,11 @@
 // solidmoments: mass properties of STEP files, integrated on the GPU.
 
 #include "smArguments.h"
+#include "smComparison.h"
+#include "smComparisonTable.h"
 #include "smJobQueue.h"
 #include "smOutputFiles.h"
+#include "smProductShapes.h"
 #include "smReport.h"
 #include "smReportFiles.h"
 #include "smUrdf.h"
@@ -190,6 +193,25 @@ void IgnoreWriteSignals(const sm::Arguments& arguments)
   }
 }
 
+/// Compares two finished files, whose entries still have their shapes, and prints the table. Returns the comparison; null where there
+/// is nothing to compare.
+sm::Json Compare(const std::vector<sm::Json>& files, double limit, bool showTable, int& exitStatus)
+{
+  const bool areRead = files.size() == 2 &&
+    std::all_of(
+      files.begin(), files.end(), [](const sm::Json& file) { return file.contains(sm::ShapesKey); });
+  sm::Json comparison = areRead ? sm::CompareProducts(files[0], files[1], limit) : sm::Json();
+  if (areRead && comparison["equal"] != true)
+  {
+    exitStatus = Combine(exitStatus, sm::Different);
+  }
+  if (showTable && files.size() == 2)
+  {
+    std::cout << sm::FormatComparison(files[0], files[1], comparison) << std::flush;
+  }
+  return comparison;
+}
+
 int Run(const sm::Arguments& arguments)
 {
   const bool showTable =
@@ -198,6 +220,7 @@ int Run(const sm::Arguments& arguments)
   const std::string count = std::to_string(jobs.size());
   ProgressLine progress(!arguments.Quiet);
   sm::ReportFiles reports(arguments);
+  std::vector<sm::Json> compared;
   int exitStatus = sm::AllOk;
   IgnoreWriteSignals(arguments);
   sm::CatchInterrupt();
@@ -228,8 +251,17 @@ int Run(const sm::Arguments& arguments)
     {
       std::cout << sm::FormatFields(file, arguments.Print) << std::flush;
     }
+    if (arguments.Compare)
+    {
+      compared.push_back(file);
+      file.erase(sm::ShapesKey);
+    }
     const bool isFirst = reports.GetNumberOfFiles() == 0;
-    Print(reports.Add(std::move(file)), showTable, isFirst);
+    Print(reports.Add(std::move(file)), showTable && !arguments.Compare, isFirst);
+  }
+  if (arguments.Compare)
+  {
+    reports.SetComparison(Compare(compared, arguments.CompareLimit, showTable, exitStatus));
   }
   if ((showTable || !arguments.Print.empty()) && !std::cout)
   {

@@ -8,6 +8,7 @@
 #include "smOptions.h"
 #include "smPartsList.h"
 #include "smPicture.h"
+#include "smProductShapes.h"
 #include "smProductTree.h"
 #include "smQuantities.h"
 #include "smText.h"
@@ -294,9 +295,15 @@ vtkSmartPointer<vtkPolyData> IntegrateMore(vtkSTEPReader* reader, const sm::JobO
   return drawing;
 }
 
-/// What follows from the product structure and the solids that were computed: parts list and validation properties.
-void AddProducts(vtkSTEPReader* reader, const sm::JobOptions& options, Json& file, sm::MessageList& messages)
+/// What follows from the product structure and the solids that were computed: shapes, parts list and validation properties.
+void AddProducts(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& send,
+  Json& file, sm::MessageList& messages)
 {
+  if (options.Shapes)
+  {
+    SendResult(send, file, messages, false);
+    file[sm::ShapesKey] = sm::MeasureProduct(reader, options, file["solids"]);
+  }
   if (!options.PartsList && !options.Validate && options.ValidationTarget.empty())
   {
     return;
@@ -348,7 +355,7 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkSTEPReader
     file["status"] = names::StatusNotComputed;
     SendResult(send, file, messages, false);
     Integrate(filter, options, send, file, messages);
-    AddProducts(reader, options, file, messages);
+    AddProducts(reader, options, send, file, messages);
 #ifdef SM_HAS_STABILITY
     if (options.Box)
     {
