@@ -201,9 +201,9 @@ sm::Json Compare(const std::vector<sm::Json>& files, double limit, bool showTabl
     std::all_of(
       files.begin(), files.end(), [](const sm::Json& file) { return file.contains(sm::ShapesKey); });
   sm::Json comparison = areRead ? sm::CompareProducts(files[0], files[1], limit) : sm::Json();
-  if (areRead && comparison["equal"] != true)
+  if (!areRead || comparison["equal"] != true)
   {
-    exitStatus = Combine(exitStatus, sm::Different);
+    exitStatus = Combine(exitStatus, areRead ? sm::Different : sm::Flagged);
   }
   if (showTable && files.size() == 2)
   {

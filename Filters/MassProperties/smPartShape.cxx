@@ -92,6 +92,24 @@ bool IsFinite(const FaceShape& face)
   return std::isfinite(sum) && face.Area > 0.0;
 }
 
+/// Largest bounds of a face that others are compared with: relative to the face, or to the part if that is more. Within wider ones
+/// different faces would count as equal.
+constexpr double LargestFaceBound = 1e-6;
+constexpr double LargestPartBound = 1e-9;
+
+bool IsAccurate(const PartShape& shape)
+{
+  const double radius = shape.GetRadius();
+  const double area = shape.GetArea();
+  return std::all_of(shape.Faces.begin(), shape.Faces.end(),
+    [radius, area](const FaceShape& face)
+    {
+      const double largest = std::max(LargestFaceBound * face.Area, LargestPartBound * area);
+      return face.AreaBound <= largest && face.FirstBound <= largest * radius &&
+        face.SecondBound <= largest * radius * radius && face.VectorAreaBound <= largest;
+    });
+}
+
 PartShape MakeShape(const BodyIntegrals& body)
 {
   PartShape shape;
@@ -113,6 +131,10 @@ PartShape MakeShape(const BodyIntegrals& body)
   if (shape.Faces.empty() || body.Model->GetNumberOfMissingFaces() > 0)
   {
     shape.Problem = "some faces are missing";
+  }
+  if (shape.Problem.empty() && !IsAccurate(shape))
+  {
+    shape.Problem = "the bounds of its faces are too wide";
   }
   return shape;
 }

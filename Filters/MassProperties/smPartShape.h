@@ -56,7 +56,7 @@ struct SMFILTERSMASSPROPERTIES_EXPORT PartShape
 };
 
 /// Returns the shapes of models, integrated on the CPU. `relativeTolerance`: of the integrals, relative to the part; the bounds are mostly
-/// far smaller. `maximumSeconds`: 0 for no limit; what is not integrated by then has a Problem.
+/// far smaller. `maximumSeconds`: 0 for no limit; what is not integrated by then has a Problem, and so has a part with faces whose bounds exceed 1e-6 of them.
 SMFILTERSMASSPROPERTIES_EXPORT std::vector<PartShape> MeasureShapes(
   const std::vector<vtkTrimmedNURBSModel*>& models, double relativeTolerance, double maximumSeconds = 0.0);
 }
