@@ -3,6 +3,7 @@
 #include "smArguments.h"
 #include "smComparison.h"
 #include "smComparisonTable.h"
+#include "smInputFile.h"
 #include "smJobQueue.h"
 #include "smOutputFiles.h"
 #include "smProductShapes.h"
@@ -167,7 +168,8 @@ sm::Json TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& exitSt
 std::vector<sm::JobOptions> MakeJobs(const sm::Arguments& arguments)
 {
   const std::vector<std::string> meshes = sm::OutputNames(arguments.Files, arguments.Mesh);
-  const std::vector<std::string> pictures = sm::OutputNames(arguments.Files, arguments.Picture);
+  const std::vector<std::string> pictures =
+    sm::OutputNames(arguments.Files, arguments.Compare ? "" : arguments.Picture);
   const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
   std::vector<sm::JobOptions> jobs(arguments.Files.size(), arguments.Job);
   for (size_t i = 0; i < jobs.size(); ++i)
@@ -210,6 +212,26 @@ sm::Json Compare(const std::vector<sm::Json>& files, double limit, bool showTabl
     std::cout << sm::FormatComparison(files[0], files[1], comparison) << std::flush;
   }
   return comparison;
+}
+
+/// Draws the comparison in another process, which reads both files again. Returns an exit status.
+int DrawCompared(const sm::Arguments& arguments, const sm::Json& comparison, ProgressLine& progress)
+{
+  const sm::InputFile before(arguments.Files[0]);
+  sm::JobOptions job = arguments.Job;
+  job.FileName = arguments.Files[1];
+  job.ComparedName = before.GetPath();
+  job.Comparison = comparison;
+  job.PictureName = arguments.Picture;
+  sm::JobQueue queue({ job }, 1,
+    [&progress](std::size_t, const std::string& stage, double fraction)
+    { progress.Show("picture", stage, fraction); });
+  const sm::JobOutcome outcome = queue.Next();
+  progress.Clear();
+  const std::string problem = outcome.File.is_null() ? "interrupted"
+    : before.GetError().empty()                      ? outcome.PictureError
+                                                     : before.GetError();
+  return problem.empty() ? sm::AllOk : sm::Complain("no picture " + job.PictureName + ": " + problem);
 }
 
 int Run(const sm::Arguments& arguments)
@@ -261,7 +283,12 @@ int Run(const sm::Arguments& arguments)
   }
   if (arguments.Compare)
   {
-    reports.SetComparison(Compare(compared, arguments.CompareLimit, showTable, exitStatus));
+    const sm::Json comparison = Compare(compared, arguments.CompareLimit, showTable, exitStatus);
+    reports.SetComparison(comparison);
+    if (!arguments.Picture.empty() && !comparison.is_null() && !sm::IsInterrupted())
+    {
+      exitStatus = Combine(exitStatus, DrawCompared(arguments, comparison, progress));
+    }
   }
   if ((showTable || !arguments.Print.empty()) && !std::cout)
   {

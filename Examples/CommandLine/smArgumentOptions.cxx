@@ -41,7 +41,8 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
     ->check(CLI::PositiveNumber);
   sm::AddFileOption(app, "--png", arguments.Picture,
     "Draw the part, translucent, with its centre of mass marked. With several\n"
-    "files, each picture has the STEP file's name added: out-bracket.png");
+    "files, each picture has the STEP file's name added: out-bracket.png; with\n"
+    "--compare one picture: added solids green, changed amber, moved blue, removed red");
   AddListOption(app, "--print", arguments.Print, "COLUMN,...",
     "Print only these columns of the CSV, one line per file with the values of\n"
     "all its solids together, for scripts: --print volume; nan where there is none");

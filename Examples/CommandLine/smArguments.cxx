@@ -136,6 +136,10 @@ std::string FindWrongComparison(const CLI::App& app, const sm::Arguments& argume
   {
     return "--compare needs results in one unit: name it instead of --unit file";
   }
+  if (!arguments.Picture.empty() && std::count(arguments.Files.begin(), arguments.Files.end(), "-") > 0)
+  {
+    return "--compare with --png reads both files twice: neither can be the standard input";
+  }
   for (const char* option : { "--scheme", "--print" })
   {
     if (app.count(option) > 0)

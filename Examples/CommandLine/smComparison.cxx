@@ -352,17 +352,12 @@ Json MakeBody(const Outcome& outcome)
   return entry;
 }
 
-/// Number of solids with the model and the name of this one, in a list of outcomes.
-std::size_t CountInstances(const std::vector<Outcome>& outcomes, const Body* body, const Body* Outcome::*side)
+/// Number of solids of that name in one of the files.
+std::size_t CountInstances(
+  const std::vector<Outcome>& outcomes, const std::string& name, const Body* Outcome::*side)
 {
-  return body ? static_cast<std::size_t>(std::count_if(outcomes.begin(), outcomes.end(),
-                  [&](const Outcome& outcome)
-                  {
-                    const Body* other = outcome.*side;
-                    return other && other->Shape.Model == body->Shape.Model &&
-                      (*other->Solid)["name"] == (*body->Solid)["name"];
-                  }))
-              : 0;
+  return static_cast<std::size_t>(std::count_if(outcomes.begin(), outcomes.end(),
+    [&](const Outcome& outcome) { return outcome.*side && (outcome.*side)->GetName() == name; }));
 }
 
 /// What the solids of one part have in common.
@@ -394,8 +389,8 @@ Json MakeParts(const std::vector<Outcome>& outcomes)
     part["name"] = getName(first.New ? first.New : first.Old);
     part["old_name"] = getName(first.Old);
     part["count"] = group.size();
-    part["in_old"] = CountInstances(outcomes, first.Old, &Outcome::Old);
-    part["in_new"] = CountInstances(outcomes, first.New, &Outcome::New);
+    part["in_old"] = CountInstances(outcomes, (first.Old ? first.Old : first.New)->GetName(), &Outcome::Old);
+    part["in_new"] = CountInstances(outcomes, (first.New ? first.New : first.Old)->GetName(), &Outcome::New);
     part["notes"] = first.Old && first.New ? MakeNotes(first) : Json::array();
     part["difference"] =
       first.Old && first.New ? MakeDifferences(*first.Old->Solid, *first.New->Solid) : Json();

@@ -21,7 +21,7 @@ namespace sm
  *
  * {"equal": true if all is unchanged, "limit", "length_unit", "counts": of solids by their states, "total": differences,
  *  "parts": [{"state", "name", "old_name", "count", "in_old", "in_new", "notes", "difference", "bodies"}]}
- * A part has all solids of one state, name and model. "in_old" and "in_new" count its instances, in whatever state; "difference" is that of
+ * A part has all solids of one state, name and model. "in_old" and "in_new" count the solids of its name in either file; "difference" is that of
  * the first of its bodies.
  */
 Json CompareProducts(const Json& oldFile, const Json& newFile, double limit);

@@ -1,5 +1,6 @@
 #include "smFileJob.h"
 
+#include "smComparisonPicture.h"
 #include "smFileEntry.h"
 #include "smMassPropertyNames.h"
 #include "smMeshFile.h"
@@ -101,14 +102,7 @@ const std::string& GetSource(const sm::JobOptions& options)
 bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
   sm::MessageList& messages)
 {
-  reader->SetFileName(GetSource(options).c_str());
-  reader->SetOutputUnit(options.Unit);
-  reader->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
-  if (options.Deflection > 0.0)
-  {
-    reader->RelativeDeflectionOff();
-    reader->SetLinearDeflection(options.Deflection);
-  }
+  sm::SetUpReader(reader, GetSource(options), options);
   {
     ProgressScope progress(reader, sm::stages::Read, send);
     reader->Update();
@@ -335,6 +329,12 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkSTEPReader
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkSMPTools::SetBackend("STDThread");
 
+  if (!given.Comparison.is_null())
+  {
+    sm::DrawComparison(given, send);
+    vtkOutputWindow::SetInstance(nullptr);
+    return;
+  }
   Json file = sm::MakeEmptyFile(given.FileName);
   sm::MessageList messages;
   const bool isRead = Read(reader, given, send, file, messages);

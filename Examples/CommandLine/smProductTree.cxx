@@ -34,7 +34,7 @@ void ForEachBody(vtkPartitionedDataSetCollection* parts, const Use& use)
       auto* leaf = vtkNURBSDataSet::SafeDownCast(parts->GetPartitionAsDataObject(i, j));
       if (leaf && leaf->GetModel())
       {
-        ProductBody body{ std::to_string(++id), leaf->GetModel(), {} };
+        ProductBody body{ std::to_string(++id), leaf->GetModel(), leaf, {} };
         std::copy_n(leaf->GetPlacementData(), 12, body.Placement.begin());
         use(i, body);
       }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+class vtkPolyData;
 class vtkSTEPReader;
 class vtkTrimmedNURBSModel;
 
@@ -20,12 +21,13 @@ namespace sm
 /// bodies with the same "model" are instances of one; "placement" has the first three rows of the matrix from the part to the world. Nodes more than 100 levels deep are missing, and their bodies are in the node above.
 Json GetProductTree(vtkSTEPReader* reader);
 
-/// A solid or free shell of the file: its id in the table of solids, its model, and the first three rows of the matrix from the part to the
+/// A solid or free shell of the file: its id in the table of solids, its model, its display mesh, and the first three rows of the matrix from the part to the
 /// world.
 struct ProductBody
 {
   std::string Id;
   vtkTrimmedNURBSModel* Model;
+  vtkPolyData* Mesh;
   std::array<double, 12> Placement;
 };
 /// All of them, in the order of their ids.

@@ -4,8 +4,10 @@ import json
 import math
 import os
 import shutil
+import struct
 import subprocess
 import sys
+import zlib
 from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
@@ -14,7 +16,7 @@ from smproduct import Assembly, Part, write_product  # noqa: E402
 from polyhedra import make_prism  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["products", "outputs", "solids"])
+parser.add_argument("mode", choices=["products", "outputs", "solids", "picture"])
 for name in ("--program", "--output"):
     parser.add_argument(name, required=True)
 parser.add_argument("--solids", help="folder with the exact test solids, for outputs and solids")
@@ -153,9 +155,9 @@ def products():
     # One more, one less, and both at once.
     more = write("more", make_product(bolts=((10, 10), (110, 10), (110, 40), (10, 40))))
     bolt = find(compare(old, more, status=4, counts={"unchanged": 5, "added": 1}), "added", "bolt")
-    check_equal("one more", (1, 3, 4), (bolt["count"], 3, bolt["in_new"]))
+    check_equal("one more", (1, 3, 4), (bolt["count"], bolt["in_old"], bolt["in_new"]))
     bolt = find(compare(more, old, status=4, counts={"unchanged": 5, "removed": 1}), "removed", "bolt")
-    check_equal("one less", (1, 4), (bolt["count"], bolt["in_old"]))
+    check_equal("one less", (1, 4, 3), (bolt["count"], bolt["in_old"], bolt["in_new"]))
 
     # A part of its own name and shape instead of another.
     new = write("exchanged", make_product(bracket=Part("angle", [((0, 0, 0), (7, 8, 9))], "2700.")))
@@ -271,5 +273,51 @@ def solids():
     check_true("the axis of a cylinder is", 0.0 < body["rotation_angle"] <= 90.0 + 1e-9, str(body))
 
 
-{"products": products, "outputs": outputs, "solids": solids}[options.mode]()
+def read_png(path):
+    """Rows of (red, green, blue), of 8 bits each."""
+    with open(path, "rb") as file:
+        data = file.read()
+    width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
+    check_equal("bits and colours", (8, 2), (depth, kind))
+    packed, at = b"", 8
+    while at < len(data):
+        size = struct.unpack(">I", data[at:at + 4])[0]
+        packed += data[at + 8:at + 8 + size] if data[at + 4:at + 8] == b"IDAT" else b""
+        at += size + 12
+    raw, rows, above = zlib.decompress(packed), [], bytes(3 * width)
+    for y in range(height):
+        method, row = raw[y * (3 * width + 1)], bytearray(raw[y * (3 * width + 1) + 1:(y + 1) * (3 * width + 1)])
+        for i in range(3 * width):
+            left, up, corner = row[i - 3] if i >= 3 else 0, above[i], above[i - 3] if i >= 3 else 0
+            nearest = min((left, up, corner), key=lambda x, p=left + up - corner: abs(p - x))
+            row[i] = (row[i] + (0, left, up, (left + up) // 2, nearest)[method]) % 256
+        rows.append([tuple(row[i:i + 3]) for i in range(0, 3 * width, 3)])
+        above = row
+    return rows
+
+
+def picture():
+    """Each state has its colour."""
+    old = write("before", make_product(bracket=Part("angle", [((0, 0, 0), (30, 8, 9))], "2700.")))
+    new = write("after", make_product(make_plate([((20, 15), (20, 35), (40, 35), (40, 15))]), bolts=((10, 10), (110, 10), (90, 40), (60, 40))))
+    path = os.path.join(folder, "picture.png")
+    strong = {"moved": lambda r, g, b: b > 1.5 * r and b > 1.5 * g, "changed": lambda r, g, b: r > 1.3 * g > 2.6 * b,
+              "added": lambda r, g, b: g > 1.8 * r and g > 1.8 * b, "removed": lambda r, g, b: r > 2 * g and r > 2 * b}
+    for product, counts, status in ((new, {"unchanged": 2, "moved": 1, "changed": 1, "added": 2, "removed": 1}, 4), (old, {"unchanged": 5}, 0)):
+        if os.path.exists(path):
+            os.remove(path)
+        compare(old, product, "--png", path, status=status, counts=counts)
+        pixels = [pixel for row in read_png(path) for pixel in row]
+        for state, fits in strong.items():
+            share = sum(fits(*pixel) for pixel in pixels)
+            check_true(f"pixels of what is {state}", (share > 200) == (state in counts), str(share))
+    check_equal("one picture, of no file alone", [], [name for name in os.listdir(folder) if name.startswith("picture-")])
+    for arguments, said in ((("-", old, "--png", path), "standard input"), ((old, old, "--png", old), "must end in .png")):
+        result = run("--compare", *arguments)
+        check_true(f"wrong usage: {said}", result.returncode == 1 and said in result.stderr, result.stderr)
+    result = run("--compare", "--quiet", old, old, "--png", os.path.join(folder, "missing", "x.png"))
+    check_equal("no folder for the picture", 1, result.returncode)
+
+
+{"products": products, "outputs": outputs, "solids": solids, "picture": picture}[options.mode]()
 finish()
