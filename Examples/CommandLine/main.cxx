@@ -229,8 +229,10 @@ int DrawCompared(const sm::Arguments& arguments, const sm::Json& comparison, Pro
   const sm::JobOutcome outcome = queue.Next();
   progress.Clear();
   const std::string problem = outcome.File.is_null() ? "interrupted"
-    : before.GetError().empty()                      ? outcome.PictureError
-                                                     : before.GetError();
+    : !before.GetError().empty()                     ? before.GetError()
+    : !outcome.PictureError.empty()                  ? outcome.PictureError
+    : outcome.File["status"] == "ok"                 ? std::string()
+                                                     : FindReason(outcome.File);
   return problem.empty() ? sm::AllOk : sm::Complain("no picture " + job.PictureName + ": " + problem);
 }
 

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace sm
@@ -71,6 +73,8 @@ bool AreEqual(const FaceShape& a, const FaceShape& b, double tolerance, double r
 /// A shape with its faces in the order of their areas.
 struct SortedShape
 {
+  using OrderIterator = std::vector<std::size_t>::const_iterator;
+
   const PartShape* Shape;
   double Radius;
   double AreaBound = 0.0;
@@ -89,31 +93,37 @@ struct SortedShape
       this->AreaBound = std::max(this->AreaBound, face.AreaBound);
     }
   }
+
+  const FaceShape& GetFace(std::size_t i) const { return this->Shape->Faces[i]; }
+
+  /// The part of Order with the faces that may have the area of this one.
+  std::pair<OrderIterator, OrderIterator> FindArea(const FaceShape& face, double tolerance) const
+  {
+    const double slack = 2.0 * tolerance * face.Area + face.AreaBound + this->AreaBound;
+    const auto begin = std::partition_point(this->Order.begin(), this->Order.end(),
+      [&](std::size_t i) { return this->GetFace(i).Area < face.Area - slack; });
+    return { begin,
+      std::partition_point(begin, this->Order.end(),
+        [&](std::size_t i) { return this->GetFace(i).Area <= face.Area + slack; }) };
+  }
 };
 
 /// True if the rotation carries the faces of `a` to those of `b`, each to one of its own.
 bool Carries(const Matrix3& rotation, const PartShape& a, const SortedShape& b, double tolerance)
 {
-  const std::vector<FaceShape>& faces = b.Shape->Faces;
-  std::vector<bool> used(faces.size());
+  std::vector<bool> used(b.Order.size());
   for (const FaceShape& face : a.Faces)
   {
     FaceShape carried = face;
     carried.Rotate(rotation);
-    const double slack = 2.0 * tolerance * face.Area + face.AreaBound + b.AreaBound;
-    auto next = std::partition_point(
-      b.Order.begin(), b.Order.end(), [&](std::size_t i) { return faces[i].Area < face.Area - slack; });
-    bool isFound = false;
-    for (; next != b.Order.end() && !isFound && faces[*next].Area <= face.Area + slack; ++next)
-    {
-      const FaceShape& other = faces[*next];
-      isFound = !used[*next] && AreEqual(carried, other, tolerance, b.Radius);
-      used[*next] = used[*next] || isFound;
-    }
-    if (!isFound)
+    const auto [begin, end] = b.FindArea(face, tolerance);
+    const auto found = std::find_if(begin, end,
+      [&](std::size_t i) { return !used[i] && AreEqual(carried, b.GetFace(i), tolerance, b.Radius); });
+    if (found == end)
     {
       return false;
     }
+    used[*found] = true;
   }
   return true;
 }
@@ -310,14 +320,11 @@ private:
   std::vector<std::size_t> FindFaces(std::size_t face) const
   {
     std::vector<std::size_t> found;
-    const std::vector<FaceShape>& faces = this->B.Shape->Faces;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      if (HaveSameSignature(this->A.Faces[face], faces[i], this->Tolerance, this->B.Radius))
-      {
-        found.push_back(i);
-      }
-    }
+    const auto [begin, end] = this->B.FindArea(this->A.Faces[face], this->Tolerance);
+    std::copy_if(begin, end, std::back_inserter(found),
+      [&](std::size_t i) {
+        return HaveSameSignature(this->A.Faces[face], this->B.GetFace(i), this->Tolerance, this->B.Radius);
+      });
     return found;
   }
 
@@ -327,7 +334,7 @@ private:
     std::vector<Direction> images;
     for (const std::size_t face : this->FindFaces(direction.Face))
     {
-      for (Direction image : GetDirections(this->B.Shape->Faces[face], face, this->B.Radius))
+      for (Direction image : GetDirections(this->B.GetFace(face), face, this->B.Radius))
       {
         if (image.Kind == direction.Kind)
         {
