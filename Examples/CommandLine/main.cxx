@@ -1,8 +1,12 @@
 // solidmoments: mass properties of STEP files, integrated on the GPU.
 
 #include "smArguments.h"
+#include "smComparison.h"
+#include "smComparisonTable.h"
+#include "smInputFile.h"
 #include "smJobQueue.h"
 #include "smOutputFiles.h"
+#include "smProductShapes.h"
 #include "smReport.h"
 #include "smReportFiles.h"
 #include "smUrdf.h"
@@ -164,7 +168,8 @@ sm::Json TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& exitSt
 std::vector<sm::JobOptions> MakeJobs(const sm::Arguments& arguments)
 {
   const std::vector<std::string> meshes = sm::OutputNames(arguments.Files, arguments.Mesh);
-  const std::vector<std::string> pictures = sm::OutputNames(arguments.Files, arguments.Picture);
+  const std::vector<std::string> pictures =
+    sm::OutputNames(arguments.Files, arguments.Compare ? "" : arguments.Picture);
   const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
   std::vector<sm::JobOptions> jobs(arguments.Files.size(), arguments.Job);
   for (size_t i = 0; i < jobs.size(); ++i)
@@ -190,6 +195,47 @@ void IgnoreWriteSignals(const sm::Arguments& arguments)
   }
 }
 
+/// Compares two finished files, whose entries still have their shapes, and prints the table. Returns the comparison; null where there
+/// is nothing to compare.
+sm::Json Compare(const std::vector<sm::Json>& files, double limit, bool showTable, int& exitStatus)
+{
+  const bool areRead = files.size() == 2 &&
+    std::all_of(
+      files.begin(), files.end(), [](const sm::Json& file) { return file.contains(sm::ShapesKey); });
+  sm::Json comparison = areRead ? sm::CompareProducts(files[0], files[1], limit) : sm::Json();
+  if (!areRead || comparison["equal"] != true)
+  {
+    exitStatus = Combine(exitStatus, areRead ? sm::Different : sm::Flagged);
+  }
+  if (showTable && files.size() == 2)
+  {
+    std::cout << sm::FormatComparison(files[0], files[1], comparison) << std::flush;
+  }
+  return comparison;
+}
+
+/// Draws the comparison in another process, which reads both files again. Returns an exit status.
+int DrawCompared(const sm::Arguments& arguments, const sm::Json& comparison, ProgressLine& progress)
+{
+  const sm::InputFile before(arguments.Files[0]);
+  sm::JobOptions job = arguments.Job;
+  job.FileName = arguments.Files[1];
+  job.ComparedName = before.GetPath();
+  job.Comparison = comparison;
+  job.PictureName = arguments.Picture;
+  sm::JobQueue queue({ job }, 1,
+    [&progress](std::size_t, const std::string& stage, double fraction)
+    { progress.Show("picture", stage, fraction); });
+  const sm::JobOutcome outcome = queue.Next();
+  progress.Clear();
+  const std::string problem = outcome.File.is_null() ? "interrupted"
+    : !before.GetError().empty()                     ? before.GetError()
+    : !outcome.PictureError.empty()                  ? outcome.PictureError
+    : outcome.File["status"] == "ok"                 ? std::string()
+                                                     : FindReason(outcome.File);
+  return problem.empty() ? sm::AllOk : sm::Complain("no picture " + job.PictureName + ": " + problem);
+}
+
 int Run(const sm::Arguments& arguments)
 {
   const bool showTable =
@@ -198,6 +244,7 @@ int Run(const sm::Arguments& arguments)
   const std::string count = std::to_string(jobs.size());
   ProgressLine progress(!arguments.Quiet);
   sm::ReportFiles reports(arguments);
+  std::vector<sm::Json> compared;
   int exitStatus = sm::AllOk;
   IgnoreWriteSignals(arguments);
   sm::CatchInterrupt();
@@ -228,8 +275,22 @@ int Run(const sm::Arguments& arguments)
     {
       std::cout << sm::FormatFields(file, arguments.Print) << std::flush;
     }
+    if (arguments.Compare)
+    {
+      compared.push_back(file);
+      file.erase(sm::ShapesKey);
+    }
     const bool isFirst = reports.GetNumberOfFiles() == 0;
-    Print(reports.Add(std::move(file)), showTable, isFirst);
+    Print(reports.Add(std::move(file)), showTable && !arguments.Compare, isFirst);
+  }
+  if (arguments.Compare)
+  {
+    const sm::Json comparison = Compare(compared, arguments.CompareLimit, showTable, exitStatus);
+    reports.SetComparison(comparison);
+    if (!arguments.Picture.empty() && !comparison.is_null() && !sm::IsInterrupted())
+    {
+      exitStatus = Combine(exitStatus, DrawCompared(arguments, comparison, progress));
+    }
   }
   if ((showTable || !arguments.Print.empty()) && !std::cout)
   {

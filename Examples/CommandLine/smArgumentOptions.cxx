@@ -41,7 +41,8 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
     ->check(CLI::PositiveNumber);
   sm::AddFileOption(app, "--png", arguments.Picture,
     "Draw the part, translucent, with its centre of mass marked. With several\n"
-    "files, each picture has the STEP file's name added: out-bracket.png");
+    "files, each picture has the STEP file's name added: out-bracket.png; with\n"
+    "--compare one picture: added solids green, changed amber, moved blue, removed red");
   AddListOption(app, "--print", arguments.Print, "COLUMN,...",
     "Print only these columns of the CSV, one line per file with the values of\n"
     "all its solids together, for scripts: --print volume; nan where there is none");
@@ -169,6 +170,21 @@ void DeclareProducts(CLI::App& app, sm::Arguments& arguments)
     ->allow_extra_args(false);
 }
 
+/// Two versions of a product.
+void DeclareComparison(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Comparison");
+  app.add_flag("--compare", arguments.Compare,
+    "Compare two files, the old and the new one: which solids are unchanged,\n"
+    "moved, changed, added or removed, by their exact geometry and not by their\n"
+    "names, and the differences of the results with bounds; in JSON the key\n"
+    "comparison. The exit status is 4 if the products differ");
+  sm::AddNumberOption(app, "--compare-limit", arguments.CompareLimit,
+    "Largest difference that counts as equal beside the bounds, relative to the\n"
+    "face, of places to the product (default 1e-9); 1e-6 for files of two systems")
+    ->check(sm::CheckValidationLimit);
+}
+
 /// The validation properties that a file states.
 void DeclareValidation(CLI::App& app, sm::Arguments& arguments)
 {
@@ -289,6 +305,7 @@ void DeclareOptions(CLI::App& app, Arguments& arguments)
   DeclareComputation(app, arguments.Job);
   DeclareMass(app, arguments);
   DeclareProducts(app, arguments);
+  DeclareComparison(app, arguments);
   DeclareValidation(app, arguments);
   DeclareIntegrals(app, arguments);
   DeclareWaterlines(app, arguments);

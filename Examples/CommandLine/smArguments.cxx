@@ -34,14 +34,16 @@ Examples:
   solidmoments bracket.step --png bracket.png
   solidmoments --unit inch --density 2700 bracket.step
   solidmoments *.step --quiet --json results.json --csv results.csv
+  solidmoments --compare old.step new.step
 
 Exit status:
   0  all files computed with status ok
   1  wrong usage, or an output (table, JSON, CSV, PNG) could not be written
   2  some file is unreadable
   3  some result is flagged: open, tolerance-not-met, suspect, not-computed, empty
-The first of 1, 2, 3 that applies. 130 after Ctrl-C, 143 when told to end (SIGTERM), 129 when the terminal has
-gone (SIGHUP): then the outputs hold the files finished before.)";
+  4  with --compare: the products differ
+The first of 1, 2, 3, 4 that applies. 130 after Ctrl-C, 143 when told to end (SIGTERM), 129 when the terminal
+has gone (SIGHUP): then the outputs hold the files finished before.)";
 
 /// An error message when a file name is empty; empty otherwise.
 std::string FindEmptyName(const CLI::App& app, const sm::Arguments& arguments)
@@ -113,6 +115,36 @@ std::string FindForeignOption(const CLI::App& app, const sm::Arguments& argument
     if (app.count(option) > 0 && arguments.Job.Scheme != "adaptive")
     {
       return std::string(option) + " is for --scheme adaptive: the paper's schemes have no tolerance";
+    }
+  }
+  return {};
+}
+
+/// An error message when two products cannot be compared in this way; empty otherwise.
+std::string FindWrongComparison(const CLI::App& app, const sm::Arguments& arguments)
+{
+  if (!arguments.Compare)
+  {
+    return app.count("--compare-limit") > 0 ? "--compare-limit is for --compare: add it" : "";
+  }
+  if (arguments.Files.size() != 2)
+  {
+    return "--compare takes two files, the old and the new one; there are " +
+      std::to_string(arguments.Files.size());
+  }
+  if (sm::LowerCase(arguments.Job.Unit) == "file")
+  {
+    return "--compare needs results in one unit: name it instead of --unit file";
+  }
+  if (!arguments.Picture.empty() && std::count(arguments.Files.begin(), arguments.Files.end(), "-") > 0)
+  {
+    return "--compare with --png reads both files twice: neither can be the standard input";
+  }
+  for (const char* option : { "--scheme", "--print" })
+  {
+    if (app.count(option) > 0)
+    {
+      return std::string("--compare excludes ") + option;
     }
   }
   return {};
@@ -239,6 +271,7 @@ std::string TakeMass(sm::Arguments& arguments)
       return problem;
     }
   }
+  job.Shapes = arguments.Compare;
   job.PartsList = job.PartsList || !arguments.PartsCsv.empty();
   job.DensityTolerance = sm::ParseShare(arguments.DensityTolerance);
   const sm::Material material = sm::ParseDensity(arguments.Density);
@@ -256,8 +289,8 @@ std::string TakeMass(sm::Arguments& arguments)
 /// An error message when arguments that are well-formed one by one do not fit together; empty otherwise.
 std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
 {
-  for (const std::string& problem :
-    { FindEmptyName(app, arguments), FindMissingModule(app, arguments), FindForeignOption(app, arguments) })
+  for (const std::string& problem : { FindEmptyName(app, arguments), FindMissingModule(app, arguments),
+         FindForeignOption(app, arguments), FindWrongComparison(app, arguments) })
   {
     if (!problem.empty())
     {

@@ -29,6 +29,8 @@ struct Arguments
   std::string DensityTolerance = "0"; ///< see ParseShare()
   std::string Materials;              ///< file with materials by the names of solids; empty: none
   std::string About;                  ///< see ParseFrame(); empty: none
+  bool Compare = false;               ///< the two files are an old and a new product
+  double CompareLimit = 1e-9;         ///< see CompareProducts()
   bool ListMaterials = false;
   std::vector<std::string>
     Print; ///< columns of each file's total to print instead of the table; empty: the table

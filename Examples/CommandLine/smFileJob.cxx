@@ -1,5 +1,6 @@
 #include "smFileJob.h"
 
+#include "smComparisonPicture.h"
 #include "smFileEntry.h"
 #include "smMassPropertyNames.h"
 #include "smMeshFile.h"
@@ -8,6 +9,7 @@
 #include "smOptions.h"
 #include "smPartsList.h"
 #include "smPicture.h"
+#include "smProductShapes.h"
 #include "smProductTree.h"
 #include "smQuantities.h"
 #include "smText.h"
@@ -100,14 +102,7 @@ const std::string& GetSource(const sm::JobOptions& options)
 bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
   sm::MessageList& messages)
 {
-  reader->SetFileName(GetSource(options).c_str());
-  reader->SetOutputUnit(options.Unit);
-  reader->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
-  if (options.Deflection > 0.0)
-  {
-    reader->RelativeDeflectionOff();
-    reader->SetLinearDeflection(options.Deflection);
-  }
+  sm::SetUpReader(reader, GetSource(options), options);
   {
     ProgressScope progress(reader, sm::stages::Read, send);
     reader->Update();
@@ -295,9 +290,15 @@ vtkSmartPointer<vtkPolyData> IntegrateMore(vtkSTEPReader* reader, const sm::JobO
   return drawing;
 }
 
-/// What follows from the product structure and the solids that were computed: parts list and validation properties.
-void AddProducts(vtkSTEPReader* reader, const sm::JobOptions& options, Json& file, sm::MessageList& messages)
+/// What follows from the product structure and the solids that were computed: shapes, parts list and validation properties.
+void AddProducts(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& send,
+  Json& file, sm::MessageList& messages)
 {
+  if (options.Shapes)
+  {
+    SendResult(send, file, messages, false);
+    file[sm::ShapesKey] = sm::MeasureProduct(reader, options, file["solids"]);
+  }
   if (!options.PartsList && !options.Validate && options.ValidationTarget.empty())
   {
     return;
@@ -329,6 +330,12 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkSTEPReader
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkSMPTools::SetBackend("STDThread");
 
+  if (!given.Comparison.is_null())
+  {
+    sm::DrawComparison(given, send);
+    vtkOutputWindow::SetInstance(nullptr);
+    return;
+  }
   Json file = sm::MakeEmptyFile(given.FileName);
   sm::MessageList messages;
   const bool isRead = Read(reader, given, send, file, messages);
@@ -349,7 +356,7 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkSTEPReader
     file["status"] = names::StatusNotComputed;
     SendResult(send, file, messages, false);
     Integrate(filter, options, send, file, messages);
-    AddProducts(reader, options, file, messages);
+    AddProducts(reader, options, send, file, messages);
 #ifdef SM_HAS_STABILITY
     if (options.Box)
     {

@@ -64,7 +64,11 @@ struct JobOptions
   bool Validate = false;              ///< adds "validation" to the entry, see CompareValidation()
   double ValidationLimit = 1e-3;
   std::string ValidationTarget; ///< STEP file to write with validation properties; empty: none
-  std::vector<double> About;    ///< a frame of reference, see ParseFrame(); empty: none
+  /// A comparison with the plain file ComparedName to draw, see DrawComparison(), and nothing else; null: none.
+  Json Comparison;
+  std::string ComparedName;
+  bool Shapes = false;       ///< adds the shapes of the solids to the entry, see smProductShapes.h
+  std::vector<double> About; ///< a frame of reference, see ParseFrame(); empty: none
 };
 
 /// Stages of a job, in their order: reading; mass properties; then what else was asked for.

@@ -143,7 +143,10 @@ std::string CheckOutputs(const Arguments& arguments)
   for (const auto& [option, given] :
     { std::make_pair("--mesh", arguments.Mesh), std::make_pair("--png", arguments.Picture) })
   {
-    for (const std::string& name : OutputNames(arguments.Files, given))
+    // Of two products that are compared there is one picture.
+    const bool isOne = arguments.Compare && given == arguments.Picture;
+    for (const std::string& name :
+      isOne ? std::vector<std::string>{ given } : OutputNames(arguments.Files, given))
     {
       outputs.emplace_back(option, name);
     }

@@ -8,6 +8,7 @@
 #include "vtkSTEPReader.h"
 #include "vtkTrimmedNURBSModel.h"
 
+#include <algorithm>
 #include <map>
 
 namespace sm
@@ -16,11 +17,15 @@ namespace
 {
 constexpr int MaximumLevel = 100;
 
-/// Bodies by the number of their partitioned dataset. The ids count the bodies as the filter does.
-std::vector<Json> ListBodies(vtkPartitionedDataSetCollection* parts)
+vtkPartitionedDataSetCollection* GetParts(vtkSTEPReader* reader)
 {
-  std::vector<Json> bodies(parts->GetNumberOfPartitionedDataSets(), Json::array());
-  std::map<vtkTrimmedNURBSModel*, size_t> models;
+  return vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
+}
+
+/// Calls `use` with the number of the partitioned dataset and the body, for every body. The ids count the bodies as the filter does.
+template <typename Use>
+void ForEachBody(vtkPartitionedDataSetCollection* parts, const Use& use)
+{
   size_t id = 0;
   for (unsigned int i = 0; i < parts->GetNumberOfPartitionedDataSets(); ++i)
   {
@@ -29,13 +34,25 @@ std::vector<Json> ListBodies(vtkPartitionedDataSetCollection* parts)
       auto* leaf = vtkNURBSDataSet::SafeDownCast(parts->GetPartitionAsDataObject(i, j));
       if (leaf && leaf->GetModel())
       {
-        const size_t model = models.emplace(leaf->GetModel(), models.size()).first->second;
-        const double* placement = leaf->GetPlacementData();
-        bodies[i].push_back({ { "id", std::to_string(++id) }, { "model", model },
-          { "placement", std::vector<double>(placement, placement + 12) } });
+        ProductBody body{ std::to_string(++id), leaf->GetModel(), leaf, {} };
+        std::copy_n(leaf->GetPlacementData(), 12, body.Placement.begin());
+        use(i, body);
       }
     }
   }
+}
+
+/// Bodies by the number of their partitioned dataset.
+std::vector<Json> GroupBodies(vtkPartitionedDataSetCollection* parts)
+{
+  std::vector<Json> bodies(parts->GetNumberOfPartitionedDataSets(), Json::array());
+  std::map<vtkTrimmedNURBSModel*, size_t> models;
+  ForEachBody(parts,
+    [&](unsigned int i, const ProductBody& body)
+    {
+      const size_t model = models.emplace(body.Model, models.size()).first->second;
+      bodies[i].push_back({ { "id", body.Id }, { "model", model }, { "placement", body.Placement } });
+    });
   return bodies;
 }
 
@@ -76,10 +93,16 @@ void AddNode(vtkDataAssembly* assembly, int node, int level, const std::vector<J
   }
 }
 
-vtkPartitionedDataSetCollection* GetParts(vtkSTEPReader* reader)
-{
-  return vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
 }
+
+std::vector<ProductBody> ListBodies(vtkSTEPReader* reader)
+{
+  std::vector<ProductBody> bodies;
+  if (vtkPartitionedDataSetCollection* parts = GetParts(reader))
+  {
+    ForEachBody(parts, [&bodies](unsigned int, const ProductBody& body) { bodies.push_back(body); });
+  }
+  return bodies;
 }
 
 Json GetProductTree(vtkSTEPReader* reader)
@@ -89,7 +112,7 @@ Json GetProductTree(vtkSTEPReader* reader)
   Json root = { { "name", "" }, { "bodies", Json::array() }, { "children", Json::array() } };
   if (assembly)
   {
-    AddNode(assembly, vtkDataAssembly::GetRootNode(), 0, ListBodies(parts), root);
+    AddNode(assembly, vtkDataAssembly::GetRootNode(), 0, GroupBodies(parts), root);
   }
   return root;
 }

@@ -7,16 +7,31 @@
 
 #include "smJson.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
+class vtkPolyData;
 class vtkSTEPReader;
+class vtkTrimmedNURBSModel;
 
 namespace sm
 {
 /// The root of the products: {"name", "bodies": [{"id", "model", "placement"}], "children": [...]}. "id" is that of the table of solids, and
 /// bodies with the same "model" are instances of one; "placement" has the first three rows of the matrix from the part to the world. Nodes more than 100 levels deep are missing, and their bodies are in the node above.
 Json GetProductTree(vtkSTEPReader* reader);
+
+/// A solid or free shell of the file: its id in the table of solids, its model, its display mesh, and the first three rows of the matrix from the part to the
+/// world.
+struct ProductBody
+{
+  std::string Id;
+  vtkTrimmedNURBSModel* Model;
+  vtkPolyData* Mesh;
+  std::array<double, 12> Placement;
+};
+/// All of them, in the order of their ids.
+std::vector<ProductBody> ListBodies(vtkSTEPReader* reader);
 
 /// A selector (vtkSurfaceIntegralBase::AddSelector) for every product whose name matches the pattern (MatchesPattern); one that
 /// selects nothing and names the pattern when there is none.

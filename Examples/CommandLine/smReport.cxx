@@ -411,22 +411,6 @@ std::string SolidRows(const Json& file)
   return text;
 }
 
-std::string Messages(const Json& file)
-{
-  const Json& messages = file["messages"];
-  std::string text;
-  for (size_t i = 0; i < std::min(messages.size(), MaximumMessages); ++i)
-  {
-    text += "  note: " + Plain(messages[i]) + "\n";
-  }
-  if (messages.size() > MaximumMessages)
-  {
-    text +=
-      "  ... and " + Count(messages.size() - MaximumMessages, "more note", "more notes") + ", see --json\n";
-  }
-  return text;
-}
-
 // --- JSON and CSV ------------------------------------------------------------------------------
 
 bool IsFlat(const Json& value)
@@ -468,6 +452,22 @@ int CountValidation(const Json& file, const std::string& result)
     list.begin(), list.end(), [&result](const Json& entry) { return entry["result"] == result; }));
 }
 
+std::string FormatMessages(const Json& file)
+{
+  const Json& messages = file["messages"];
+  std::string text;
+  for (size_t i = 0; i < std::min(messages.size(), MaximumMessages); ++i)
+  {
+    text += "  note: " + Plain(messages[i]) + "\n";
+  }
+  if (messages.size() > MaximumMessages)
+  {
+    text +=
+      "  ... and " + Count(messages.size() - MaximumMessages, "more note", "more notes") + ", see --json\n";
+  }
+  return text;
+}
+
 std::string FormatTable(const Json& file)
 {
   std::string text = Plain(file["file"]) + "   " + Plain(file["status"]) + "\n";
@@ -480,7 +480,7 @@ std::string FormatTable(const Json& file)
         Short(seconds["prepare"]) + ", integrate " + Short(seconds["integrate"]),
       "", nullptr);
   }
-  return text + SolidRows(file) + sm::FormatPartsList(file) + Messages(file);
+  return text + SolidRows(file) + sm::FormatPartsList(file) + FormatMessages(file);
 }
 
 std::string FormatJson(const Json& document)

@@ -22,6 +22,8 @@ std::string FormatUnit(const Json& file, int power);
 /// Number of entries of "validation" with that result.
 int CountValidation(const Json& file, const std::string& result);
 
+/// A line for each of the first messages of a file.
+std::string FormatMessages(const Json& file);
 /// The table of one file.
 std::string FormatTable(const Json& file);
 /// The whole document; objects over several lines, arrays of numbers on one.

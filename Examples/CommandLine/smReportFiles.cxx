@@ -38,8 +38,12 @@ int ReportFiles::SaveAll(bool isLast)
   int exitStatus = AllOk;
   if (isDue(this->JsonName))
   {
-    const std::string text = FormatJson({ { "version", 2 }, { "files", this->Files } });
-    exitStatus = this->Save(this->JsonName, text, this->InJson, isLast);
+    Json document = { { "version", 2 }, { "files", this->Files } };
+    if (this->Comparison)
+    {
+      document["comparison"] = *this->Comparison;
+    }
+    exitStatus = this->Save(this->JsonName, FormatJson(document), this->InJson, isLast);
   }
   if (isDue(this->CsvName) &&
     this->Save(this->CsvName, FormatCsv(this->Files, this->Fields), this->InCsv, isLast) != AllOk)

@@ -7,7 +7,9 @@
 
 #include "smArguments.h"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sm
@@ -31,6 +33,8 @@ public:
 
   /// Adds the entry of a finished file, and returns it.
   const Json& Add(Json file);
+  /// Adds the comparison of the files to the JSON.
+  void SetComparison(Json comparison) { this->Comparison = std::move(comparison); }
   size_t GetNumberOfFiles() const { return this->Files.size(); }
   /// Writes what is not yet written. Returns an exit status, after a sentence about every output that could not be written.
   int Finish();
@@ -46,6 +50,7 @@ private:
   std::string UrdfName;
   std::vector<std::string> Fields; ///< columns of the CSV; none: all
   Json Files = Json::array();
+  std::optional<Json> Comparison;
   size_t InJson = 0;
   size_t InCsv = 0;
   size_t InParts = 0;

@@ -145,6 +145,18 @@ std::string FindClash(const JobOptions& options)
   return {};
 }
 
+void SetUpReader(vtkSTEPReader* reader, const std::string& path, const JobOptions& options)
+{
+  reader->SetFileName(path.c_str());
+  reader->SetOutputUnit(options.Unit);
+  reader->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
+  if (options.Deflection > 0.0)
+  {
+    reader->RelativeDeflectionOff();
+    reader->SetLinearDeflection(options.Deflection);
+  }
+}
+
 void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
 {
   filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));

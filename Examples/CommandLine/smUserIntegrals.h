@@ -27,6 +27,9 @@ bool ParseIntegral(const std::string& text, std::string& name, std::string& expr
 /// A name that two integrals, or an integral and another column of the results, would share; empty when there is none.
 std::string FindClash(const JobOptions& options);
 
+/// Sets the reader's file and what the options say about reading.
+void SetUpReader(vtkSTEPReader* reader, const std::string& path, const JobOptions& options);
+
 /// Gives a filter what all filters of a job share: limits and backend.
 void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options);
 

@@ -13,13 +13,14 @@
 
 namespace sm
 {
-/// When several of 1, 2 and 3 apply, the smallest is the exit status.
+/// When several of them apply, the smallest but 0 is the exit status.
 enum ExitStatus
 {
   AllOk = 0,
   UsageOrOutput = 1,
   Unreadable = 2,
-  Flagged = 3
+  Flagged = 3,
+  Different = 4
 };
 
 /// An error message when the value of an option that names a file looks like another option; empty otherwise. "-" is a file name.

@@ -5,6 +5,7 @@
 #include "smMoments.h"
 #include "smPlacementError.h"
 #include "smPlausibility.h"
+#include "smSelfCrossing.h"
 #include "smTotalMass.h"
 #include "smUnitRoundoff.h"
 
@@ -12,6 +13,7 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace sm
@@ -379,6 +381,35 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
     analysis.TotalStatus = Status::ToleranceNotMet;
     analysis.Messages.push_back("bounds of the total above the tolerance, relative: " + unmet);
   }
+  return analysis;
+}
+
+IntegralRequest MakeMassRequest(const MassTolerance& tolerance)
+{
+  IntegralRequest request;
+  request.Integrands = MakeMassIntegrands();
+  request.UsePlacements = false;
+  request.GetTolerances = [tolerance](const BodyIntegrals& body)
+  { return ShareTolerance(tolerance, *body.Model); };
+  return request;
+}
+
+MassAnalysis AnalyzeRun(std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options,
+  bool checkEdits, const IntegralLimits& limits, SelfCrossingCheck& crossings, RunReport& report)
+{
+  MassAnalysis analysis = AnalyzeMass(bodies, options);
+  if (options.HasBounds)
+  {
+    using Clock = std::chrono::steady_clock;
+    const auto left =
+      std::chrono::duration<double>(limits.MaximumSeconds - report.PrepareSeconds - report.IntegrateSeconds);
+    const Clock::time_point start = Clock::now();
+    crossings.Run(bodies, checkEdits,
+      [&limits, left, start]()
+      { return limits.Progress(1.0) && !(limits.MaximumSeconds > 0.0 && Clock::now() - start > left); });
+  }
+  report.Status = std::max(report.Status, analysis.TotalStatus);
+  report.Messages.insert(report.Messages.end(), analysis.Messages.begin(), analysis.Messages.end());
   return analysis;
 }
 }

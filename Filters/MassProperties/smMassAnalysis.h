@@ -7,6 +7,7 @@
 
 #include "smBodyIntegrals.h"
 #include "smFiltersMassPropertiesModule.h"
+#include "smIntegralEngine.h"
 #include "smMassTable.h"
 #include "smMassTolerance.h"
 #include "smMaterials.h"
@@ -18,6 +19,8 @@
 
 namespace sm
 {
+class SelfCrossingCheck;
+
 /// Options of AnalyzeMass().
 struct MassAnalysisOptions
 {
@@ -66,6 +69,15 @@ struct MassAnalysis
 /// integrals of MakeMassIntegrands() (SumFaces), or no Faces if nothing was computed.
 SMFILTERSMASSPROPERTIES_EXPORT MassAnalysis AnalyzeMass(
   std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options);
+
+/// Returns what is integrated for mass properties: once for each part, about its origin, to tolerances that depend on the part alone.
+SMFILTERSMASSPROPERTIES_EXPORT IntegralRequest MakeMassRequest(const MassTolerance& tolerance);
+
+/// Calls AnalyzeMass(), looks for bodies that cross themselves if the integrals have bounds, as long as the limits of the run allow, and
+/// adds the status and the messages of the total to the report. `checkEdits` is that of SelfCrossingCheck::Run().
+SMFILTERSMASSPROPERTIES_EXPORT MassAnalysis AnalyzeRun(std::vector<BodyIntegrals>& bodies,
+  const MassAnalysisOptions& options, bool checkEdits, const IntegralLimits& limits,
+  SelfCrossingCheck& crossings, RunReport& report);
 }
 
 #endif

@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <system_error>
 
@@ -240,23 +239,8 @@ void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   options.DensityTolerance = this->DensityTolerance;
   options.Materials = this->Materials;
   options.Frame = *this->Frame;
-  *this->Analysis = sm::AnalyzeMass(bodies, options);
-  if (options.HasBounds)
-  {
-    const sm::IntegralLimits limits = this->MakeLimits();
-    const sm::RunReport& run = this->GetEngine().GetReport();
-    using Clock = std::chrono::steady_clock;
-    const auto left =
-      std::chrono::duration<double>(limits.MaximumSeconds - run.PrepareSeconds - run.IntegrateSeconds);
-    const Clock::time_point start = Clock::now();
-    this->CrossingCheck->Run(bodies, this->CheckEditedSolids,
-      [&limits, left, start]()
-      { return limits.Progress(1.0) && !(limits.MaximumSeconds > 0.0 && Clock::now() - start > left); });
-  }
-  sm::RunReport& report = this->GetEngine().GetReport();
-  report.Status = std::max(report.Status, this->Analysis->TotalStatus);
-  report.Messages.insert(
-    report.Messages.end(), this->Analysis->Messages.begin(), this->Analysis->Messages.end());
+  *this->Analysis = sm::AnalyzeRun(bodies, options, this->CheckEditedSolids, this->MakeLimits(),
+    *this->CrossingCheck, this->GetEngine().GetReport());
 }
 
 void vtkMassPropertiesBase::WriteOutputs(

@@ -3,7 +3,6 @@
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smMassAnalysis.h"
-#include "smMassIntegrands.h"
 #include "smMassTolerance.h"
 
 #include "vtkObjectFactory.h"
@@ -78,12 +77,7 @@ void vtkMassPropertiesGPU::SetInertiaTolerance(double relative, double absolute)
 
 sm::IntegralRequest vtkMassPropertiesGPU::MakeRequest() const
 {
-  sm::IntegralRequest request;
-  request.Integrands = sm::MakeMassIntegrands();
-  request.UsePlacements = false;
-  request.GetTolerances = [tolerance = this->GetTolerance()](const sm::BodyIntegrals& body)
-  { return sm::ShareTolerance(tolerance, *body.Model); };
-  return request;
+  return sm::MakeMassRequest(this->GetTolerance());
 }
 
 sm::MassAnalysisOptions vtkMassPropertiesGPU::MakeAnalysisOptions() const

@@ -2,7 +2,6 @@
 
 #include "Items/smCPUItemRunner.h"
 #include "Items/smGPUItemRunner.h"
-#include "smColumns.h"
 
 #include "vtkTimerLog.h"
 #include "vtkTrimmedNURBSModel.h"
@@ -46,24 +45,6 @@ void AddTasks(const IntegralRequest& request, const BodyIntegrals& body, std::ve
     tasks.push_back(task);
   }
 }
-}
-
-void RunReport::SetReason(const std::string& message)
-{
-  this->Messages.push_back(message);
-  this->Reason = this->Reason.empty() ? message : this->Reason;
-}
-
-void RunReport::FillFieldData(vtkFieldData* data) const
-{
-  columns::SetString(data, names::Status, GetText(this->Status));
-  columns::SetString(data, names::Backend, this->Backend);
-  columns::SetString(data, names::Renderer, this->Renderer);
-  columns::SetInteger(data, names::Evaluations, this->Evaluations);
-  columns::SetInteger(data, names::Dispatches, this->Dispatches);
-  columns::SetInteger(data, names::Faces, this->Faces);
-  columns::SetInteger(data, names::Ranks, this->Ranks);
-  columns::SetInteger(data, names::BoundsEstimated, this->Estimated ? 1 : 0);
 }
 
 IntegralEngine::IntegralEngine()
@@ -291,6 +272,29 @@ bool IntegralEngine::Integrate(
     bodies[i].Faces = faces;
   }
   return true;
+}
+
+void IntegralEngine::Sum(
+  const IntegralRequest& request, bool computed, double gapLimit, std::vector<BodyIntegrals>& bodies)
+{
+  this->Report.Ranks = computed ? std::max(this->Report.Ranks, 1) : 0;
+  for (BodyIntegrals& body : bodies)
+  {
+    if (computed)
+    {
+      SumFaces(body, request.Integrands);
+    }
+    else
+    {
+      // A value that was not computed has no bound and meets no tolerance.
+      SetUnknown(body, request.Integrands.size());
+    }
+  }
+  if (computed)
+  {
+    MeasureEdges(bodies, gapLimit);
+  }
+  this->Report.Status = this->Report.FileStatus;
 }
 
 void IntegralEngine::ReleaseMemory()

@@ -8,9 +8,8 @@
 #include "Sharing/smControllerExchange.h"
 #include "smBodyIntegrals.h"
 #include "smFiltersSurfaceIntegralsModule.h"
-#include "smIntegralNames.h"
 #include "smProgressCallback.h"
-#include "smStatus.h"
+#include "smRunReport.h"
 #include "smSurfaceIntegrator.h"
 
 #include "vtkComputeContext.h"
@@ -25,44 +24,8 @@
 #include <string>
 #include <vector>
 
-class vtkFieldData;
-
 namespace sm
 {
-/// Report of a run, with the values of the getters and of the field data.
-struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
-{
-  sm::Status Status = sm::Status::None;
-  /// Status of the file as a whole, which the status of the run is not better than.
-  sm::Status FileStatus = sm::Status::None;
-  std::vector<std::string> Messages;
-  /// The message that gives the reason why the run stopped or had nothing to compute; empty otherwise.
-  std::string Reason;
-  /// A message about all bodies together, which follows the messages about single bodies.
-  std::string Note;
-  std::string Backend = names::BackendNone;
-  std::string Renderer;
-  /// Reason why the CPU was used although OpenGL is preferred; empty otherwise.
-  std::string FallbackReason;
-  std::int64_t Evaluations = 0;
-  std::int64_t Dispatches = 0;
-  /// True if some bound is estimated and not proved.
-  bool Estimated = false;
-  int Solids = 0;
-  int Faces = 0;
-  int Ranks = 0;
-  double StartSeconds = 0.0;
-  double PrepareSeconds = 0.0;
-  double CutSeconds = 0.0;
-  double PlanSeconds = 0.0;
-  double IntegrateSeconds = 0.0;
-
-  /// Adds a message; the first one of a run becomes its Reason.
-  void SetReason(const std::string& message);
-  /// Adds the arrays Status, Backend, Renderer, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated.
-  void FillFieldData(vtkFieldData* data) const;
-};
-
 /// The backends that may compute, as in vtkSurfaceIntegralBase::BackendType.
 enum class BackendChoice
 {
@@ -147,6 +110,12 @@ public:
    */
   bool Integrate(
     const IntegralRequest& request, const IntegralLimits& limits, std::vector<BodyIntegrals>& bodies);
+  /**
+   * Sums the faces of every body and measures the gaps of their edges, or sets unknown values if nothing was computed. The status of the
+   * run becomes that of the file; what the bodies add to it follows from the analysis (RunReport::AddStatuses).
+   */
+  void Sum(
+    const IntegralRequest& request, bool computed, double gapLimit, std::vector<BodyIntegrals>& bodies);
   /// Integrates this rank's share of another rank's faces. This rank's own report has only its device.
   void RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits);
 

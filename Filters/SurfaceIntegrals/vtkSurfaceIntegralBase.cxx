@@ -280,13 +280,7 @@ sm::IntegralLimits vtkSurfaceIntegralBase::MakeLimits(double begin, double end)
 
 std::string vtkSurfaceIntegralBase::FindReason(const std::vector<sm::BodyIntegrals>& bodies) const
 {
-  const sm::RunReport& report = this->Engine->GetReport();
-  const auto worst = std::find_if(bodies.begin(), bodies.end(),
-    [&report](const sm::BodyIntegrals& body)
-    { return body.Status == report.Status && !body.Reason.empty(); });
-  return !report.Reason.empty() ? report.Reason
-    : worst == bodies.end()     ? report.Note
-                                : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Reason;
+  return this->Engine->GetReport().FindReason(bodies);
 }
 
 std::string vtkSurfaceIntegralBase::FormatStatus(const std::vector<sm::BodyIntegrals>& bodies) const

@@ -283,8 +283,6 @@ private:
   int RunAsOwner(Input& found, vtkDataObject* input, vtkInformationVector* outputVector);
   /** The run of a rank that integrates a share of the bodies of another one. */
   void RunAsWorker();
-  /// Reports what the reader found about the file as a whole, and why there is nothing to integrate.
-  void ReportFile(const Input& found);
   /** Computes values, statuses and the report of the run from the integrals. */
   void Analyze(const sm::IntegralRequest& request, bool computed, std::vector<sm::BodyIntegrals>& bodies);
   void Write(

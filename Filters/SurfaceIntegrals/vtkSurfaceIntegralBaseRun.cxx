@@ -135,10 +135,7 @@ void vtkSurfaceIntegralBase::ChooseBodies(vtkDataObject* input, std::vector<sm::
 int vtkSurfaceIntegralBase::RejectInput(bool isWithheld)
 {
   sm::RunReport& report = this->Engine->GetReport();
-  report.Status = sm::Status::Empty;
-  report.Messages.push_back(isWithheld ? "the points of the input were changed after it was read, "
-                                         "so its exact geometry no longer describes it"
-                                       : "the input is a mesh without exact geometry");
+  report.RejectInput(isWithheld);
   vtkErrorMacro(
     "No exact geometry in the input: " << report.Messages.back()
                                        << ". Connect the output of vtkSTEPReader directly: filters "
@@ -150,31 +147,9 @@ int vtkSurfaceIntegralBase::RejectInput(bool isWithheld)
 void vtkSurfaceIntegralBase::Analyze(
   const sm::IntegralRequest& request, bool computed, std::vector<sm::BodyIntegrals>& bodies)
 {
-  sm::RunReport& report = this->Engine->GetReport();
-  report.Ranks = computed ? std::max(report.Ranks, 1) : 0;
-  for (sm::BodyIntegrals& body : bodies)
-  {
-    if (computed)
-    {
-      sm::SumFaces(body, request.Integrands);
-    }
-    else
-    {
-      // A value that was not computed has no bound and meets no tolerance.
-      sm::SetUnknown(body, request.Integrands.size());
-    }
-  }
-  if (computed)
-  {
-    sm::MeasureEdges(bodies, this->GapLimit);
-  }
-  report.Status = report.FileStatus;
+  this->Engine->Sum(request, computed, this->GapLimit, bodies);
   this->AnalyzeBodies(bodies);
-  for (const sm::BodyIntegrals& body : bodies)
-  {
-    report.Status = std::max(report.Status, body.Status);
-    report.Estimated = report.Estimated || body.IsEstimated();
-  }
+  this->Engine->GetReport().AddStatuses(bodies);
 }
 
 void vtkSurfaceIntegralBase::Write(
@@ -258,21 +233,12 @@ int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkIn
 {
   sm::RunReport& report = this->Engine->GetReport();
   std::vector<sm::BodyIntegrals>& bodies = found.Bodies;
-  const int meshes = found.GetNumberOfMeshes();
-  if (!found.HasBodies && meshes > 0)
+  if (!found.HasBodies && found.GetNumberOfMeshes() > 0)
   {
     return this->RejectInput(found.Rejected.Withheld > 0);
   }
-  if (meshes > 0)
-  {
-    report.Messages.push_back(std::to_string(meshes) + " meshes without exact geometry were left out");
-  }
-  report.Solids = static_cast<int>(bodies.size());
-  for (const sm::BodyIntegrals& body : bodies)
-  {
-    report.Faces += static_cast<int>(body.Model->GetNumberOfFaces());
-  }
-  this->ReportFile(found);
+  report.AddBodies(bodies, found.Rejected);
+  report.AddFile(found.File, found.HasBodies, !bodies.empty());
   const sm::IntegralRequest wanted = this->MakeRequest();
   const bool computed = !bodies.empty() && this->IntegrateBodies(wanted, bodies);
   this->Engine->FinishSharing();
@@ -280,27 +246,6 @@ int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkIn
   this->Write(bodies, input, outputVector);
   this->AddMessages(bodies);
   return 1;
-}
-
-void vtkSurfaceIntegralBase::ReportFile(const Input& found)
-{
-  sm::RunReport& report = this->Engine->GetReport();
-  report.FileStatus = sm::Status::Ok;
-  for (const std::string& defect : found.File.Defects)
-  {
-    report.FileStatus = sm::Status::Suspect;
-    report.SetReason(defect);
-  }
-  if (found.Bodies.empty())
-  {
-    const std::string& file = found.File.Status;
-    report.FileStatus = file == sm::names::StatusUnreadable ? sm::Status::Unreadable
-      : file == "aborted"                                   ? sm::Status::NotComputed
-                                                            : sm::Status::Empty;
-    report.SetReason(found.HasBodies  ? "no solid is chosen"
-        : !found.File.Problem.empty() ? found.File.Problem
-                                      : "the input holds no solid and no surface");
-  }
 }
 
 void vtkSurfaceIntegralBase::RunAsWorker()
@@ -328,17 +273,7 @@ void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& b
 {
   sm::RunReport& report = this->Engine->GetReport();
   const std::string reason = this->FindReason(bodies);
-  for (const sm::BodyIntegrals& body : bodies)
-  {
-    for (const std::string& message : body.Messages)
-    {
-      report.Messages.push_back((body.Name.empty() ? "" : body.Name + ": ") + message);
-    }
-  }
-  if (!report.Note.empty())
-  {
-    report.Messages.push_back(report.Note);
-  }
+  report.AddMessages(bodies);
   if (report.Status != sm::Status::Ok && !report.Messages.empty())
   {
     vtkWarningMacro("Status " << this->GetStatus() << ListMessages(reason, report.Messages));

@@ -221,7 +221,8 @@ def check_guide(checker, sample):
                       f"Documentation/UserGuide.md does not name the option {option}")
     wanted = [word for pair in COMPLETE if pair[0] in options for word in pair]
     document = json.loads(run(checker, sample, "--quiet", "--json", "-", *wanted))
-    for key in sorted(list_keys(document)):
+    compared = json.loads(run(checker, sample, sample, "--compare", "--quiet", "--json", "-"))["comparison"]
+    for key in sorted(list_keys(document) | {"comparison"} | list_keys(compared)):
         checker.check(key in words, f"Documentation/UserGuide.md does not name the key {key} of the JSON")
     columns = next(csv.reader(io.StringIO(run(checker, sample, "--quiet", "--csv", "-"))))
     for column in columns:

@@ -2,7 +2,7 @@
 
 half-ball: BuildByHand or build_by_hand.py. What it prints is compared here with the closed forms of half a ball; bounds must hold and must
 be small; a wrong argument ends with a sentence and exit status 1.
-volume: volume.py on a box of the generated solids, and on a file that does not exist.
+volume: volume.py or OneCall on a box of the generated solids, and on a file that does not exist.
 one-call: one_call.py on that box, with its mass.
 """
 import argparse

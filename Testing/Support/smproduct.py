@@ -21,8 +21,10 @@ DENSITY_UNITS = {
 
 
 class Part:
-    def __init__(self, name, boxes, density=None, density_unit="kg/m^3", unit="mm", validation=None):
-        """boxes: (corner, size) in the unit; density: a decimal as text; validation: (volume, area, centroid) in the unit, as texts."""
+    def __init__(self, name, boxes, density=None, density_unit="kg/m^3", unit="mm", validation=None, polyhedra=()):
+        """boxes: (corner, size) in the unit; density: a decimal as text; validation: (volume, area, centroid) in the unit, as texts;
+        polyhedra: more solids, points in the unit and faces as make_prism() has them, which expand() does not know."""
+        self.polyhedra = polyhedra
         self.name, self.boxes, self.unit = name, boxes, unit
         self.density, self.density_unit, self.validation = density, density_unit, validation
 
@@ -57,6 +59,8 @@ class Writer(Part21):
         kept, self.known = self.known, {}
         for corner, size in part.boxes:
             points, faces = make_box(*[Fraction(x) for x in size], tuple(Fraction(x) for x in corner))
+            self.solid(write_polyhedron(self, points, faces))
+        for points, faces in part.polyhedra:
             self.solid(write_polyhedron(self, points, faces))
         self.known = kept
         items = ",".join([origin] + self.solids)

@@ -1,0 +1,154 @@
+#include "smComparisonPicture.h"
+
+#include "smBodyScene.h"
+#include "smMassPropertyNames.h"
+#include "smProductTree.h"
+#include "smText.h"
+#include "smUserIntegrals.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkComputeContext.h"
+#include "vtkImageData.h"
+#include "vtkMassPropertiesGPU.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+#include "vtkSTEPReader.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+#include <map>
+#include <string>
+
+namespace sm
+{
+namespace
+{
+const int Width = 900;
+const int Height = 700;
+const int Margin = 20;
+const int LineHeight = 26;
+
+struct Style
+{
+  const char* State;
+  double Color[3];
+  double Opacity;
+  bool IsOld;
+};
+
+const Style Styles[] = { { "unchanged", { 0.62, 0.64, 0.67 }, 0.3, false },
+  { "moved", { 0.20, 0.45, 0.85 }, 0.9, false }, { "changed", { 0.95, 0.62, 0.05 }, 0.9, false },
+  { "added", { 0.13, 0.62, 0.25 }, 0.9, false }, { "removed", { 0.85, 0.12, 0.10 }, 0.35, true } };
+
+/// The states of solids by their ids in the old or the new file.
+std::map<std::string, std::string> ListStates(const Json& comparison, const char* id)
+{
+  std::map<std::string, std::string> states;
+  for (const Json& part : comparison["parts"])
+  {
+    for (const Json& body : part["bodies"])
+    {
+      if (body[id].is_string())
+      {
+        states[body[id].get<std::string>()] = part["state"].get<std::string>();
+      }
+    }
+  }
+  return states;
+}
+
+/// One mesh of the solids of a file that have the state.
+vtkSmartPointer<vtkPolyData> JoinState(
+  vtkSTEPReader* reader, const std::map<std::string, std::string>& states, const std::string& state)
+{
+  vtkNew<vtkPartitionedDataSetCollection> chosen;
+  unsigned int count = 0;
+  for (const ProductBody& body : ListBodies(reader))
+  {
+    const auto found = states.find(body.Id);
+    if (found != states.end() && found->second == state)
+    {
+      chosen->SetPartition(count++, 0, body.Mesh);
+    }
+  }
+  return JoinParts(chosen);
+}
+
+void SetUpScene(vtkSTEPReader* before, vtkSTEPReader* after, const JobOptions& options,
+  vtkOpenGLRenderWindow* window, vtkRenderer* body, vtkRenderer* front)
+{
+  const auto oldStates = ListStates(options.Comparison, "old_id");
+  const auto newStates = ListStates(options.Comparison, "new_id");
+  vtkBoundingBox box;
+  int line = Margin;
+  for (const Style& style : Styles)
+  {
+    const Json& count = options.Comparison["counts"][style.State];
+    if (count == 0)
+    {
+      continue;
+    }
+    const vtkSmartPointer<vtkPolyData> mesh =
+      style.IsOld ? JoinState(before, oldStates, style.State) : JoinState(after, newStates, style.State);
+    AddActor(body, mesh, style.Color, style.Opacity);
+    AddOutlines(body, MakeOutlines(mesh));
+    box.AddBounds(mesh->GetBounds());
+    vtkTextActor* text = AddText(front, Dump(count) + " " + style.State, 18, true, Margin, line, false);
+    text->GetTextProperty()->SetColor(style.Color[0], style.Color[1], style.Color[2]);
+    line += LineHeight;
+  }
+  double bounds[6];
+  box.GetBounds(bounds);
+  SetUpLayers(window, body, front, 12);
+  SetView(body, bounds, 1.05, -0.06); // room for the caption below
+  AddText(front, GetFileName(options.ComparedName) + " -> " + GetFileName(options.FileName), 18, true, Margin,
+    Height - Margin, true);
+}
+
+/// Returns an error message, empty when the picture is written.
+std::string WritePicture(vtkSTEPReader* before, vtkSTEPReader* after, const JobOptions& options)
+{
+  vtkNew<vtkMassPropertiesGPU> filter;
+  SetUpFilter(filter, options);
+  vtkComputeContext* context = filter->GetComputeContext();
+  context->Start();
+  vtkOpenGLRenderWindow* window = context->GetRenderWindow();
+  if (!window)
+  {
+    return "there is no OpenGL context to draw in: " + context->GetReason();
+  }
+  vtkNew<vtkRenderer> body;
+  vtkNew<vtkRenderer> front;
+  window->SetOffScreenRendering(1);
+  window->SetSize(Width, Height);
+  SetUpScene(before, after, options, window, body, front);
+  window->Render();
+  std::string error = WriteImage(GrabImage(window), options.PictureName);
+  window->RemoveRenderer(front);
+  window->RemoveRenderer(body);
+  return error;
+}
+}
+
+void DrawComparison(const JobOptions& options, const JobListener& send)
+{
+  vtkNew<vtkSTEPReader> before;
+  vtkNew<vtkSTEPReader> after;
+  send({ { "progress", { stages::Read, 0.0 } } });
+  SetUpReader(before, options.ComparedName, options);
+  before->Update();
+  SetUpReader(after, options.SourceName.empty() ? options.FileName : options.SourceName, options);
+  after->Update();
+  Json file = UnreadableFile(options.FileName, "");
+  const bool areRead = before->GetStatus() == vtkSTEPReader::OK && after->GetStatus() == vtkSTEPReader::OK;
+  file["status"] = areRead ? names::StatusOk : names::StatusNotComputed;
+  send({ { "result", file }, { "complete", true } });
+  send({ { "progress", { stages::Draw, 0.0 } } });
+  send({ { "picture",
+    areRead ? WritePicture(before, after, options) : std::string("the files could not be read again") } });
+}
+}

@@ -1,0 +1,19 @@
+/**
+ * @file smComparisonTable.h
+ * @brief The comparison of two products as a table
+ */
+#ifndef smComparisonTable_h
+#define smComparisonTable_h
+
+#include "smJson.h"
+
+#include <string>
+
+namespace sm
+{
+/// The statuses of both files, a row for each part that is not unchanged and for those that are, the differences of the totals, and the
+/// result. `comparison`: of CompareProducts(); null where there is none.
+std::string FormatComparison(const Json& oldFile, const Json& newFile, const Json& comparison);
+}
+
+#endif

@@ -1,0 +1,64 @@
+/**
+ * @file smPartShape.h
+ * @brief The shape of a part as moments of the area of each of its faces, which do not depend on their parametrisation
+ */
+#ifndef smPartShape_h
+#define smPartShape_h
+
+#include "smFiltersMassPropertiesModule.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkTrimmedNURBSModel;
+
+namespace sm
+{
+/// Integrals over a face, about a point of the part: area; x, y, z; xx, yy, zz, xy, yz, xz; the components of the outward normal.
+struct SMFILTERSMASSPROPERTIES_EXPORT FaceShape
+{
+  double Area = 0.0;
+  std::array<double, 3> First{};
+  std::array<double, 6> Second{};
+  std::array<double, 3> VectorArea{};
+  /// Bounds of the four, the largest of their components.
+  double AreaBound = 0.0;
+  double FirstBound = 0.0;
+  double SecondBound = 0.0;
+  double VectorAreaBound = 0.0;
+
+  /// Index in Second of the moment of x_i x_j.
+  static constexpr int Pair[3][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 } };
+  double GetTrace() const { return this->Second[0] + this->Second[1] + this->Second[2]; }
+  /// Applies a row-major rotation or reflection about the point. The bounds stay those of the components before.
+  void Rotate(const std::array<double, 9>& matrix);
+};
+
+/// A part, in its own coordinates or placed.
+struct SMFILTERSMASSPROPERTIES_EXPORT PartShape
+{
+  /// The point that the faces refer to; after Center() that of the area's centre.
+  std::array<double, 3> Reference{};
+  std::vector<FaceShape> Faces;
+  /// False for a free shell.
+  bool IsSolid = true;
+  /// Why the shape is not known, so that it equals none; empty otherwise.
+  std::string Problem;
+
+  double GetArea() const;
+  /// About half the size of the part, the same for every placement.
+  double GetRadius() const;
+  /// Changes the reference to the centre of the area.
+  void Center();
+  /// Applies the first three rows of a 4x4 placement (rotation or reflection, translation).
+  void Place(const double placement[12]);
+};
+
+/// Returns the shapes of models, integrated on the CPU. `relativeTolerance`: of the integrals, relative to the part; the bounds are mostly
+/// far smaller. `maximumSeconds`: 0 for no limit; what is not integrated by then has a Problem, and so has a part with faces whose bounds exceed 1e-6 of them.
+SMFILTERSMASSPROPERTIES_EXPORT std::vector<PartShape> MeasureShapes(
+  const std::vector<vtkTrimmedNURBSModel*>& models, double relativeTolerance, double maximumSeconds = 0.0);
+}
+
+#endif

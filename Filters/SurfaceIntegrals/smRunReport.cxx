@@ -1,0 +1,102 @@
+#include "smRunReport.h"
+
+#include "smColumns.h"
+
+#include "vtkTrimmedNURBSModel.h"
+
+#include <algorithm>
+
+namespace sm
+{
+void RunReport::SetReason(const std::string& message)
+{
+  this->Messages.push_back(message);
+  this->Reason = this->Reason.empty() ? message : this->Reason;
+}
+
+void RunReport::FillFieldData(vtkFieldData* data) const
+{
+  columns::SetString(data, names::Status, GetText(this->Status));
+  columns::SetString(data, names::Backend, this->Backend);
+  columns::SetString(data, names::Renderer, this->Renderer);
+  columns::SetInteger(data, names::Evaluations, this->Evaluations);
+  columns::SetInteger(data, names::Dispatches, this->Dispatches);
+  columns::SetInteger(data, names::Faces, this->Faces);
+  columns::SetInteger(data, names::Ranks, this->Ranks);
+  columns::SetInteger(data, names::BoundsEstimated, this->Estimated ? 1 : 0);
+}
+
+void RunReport::AddFile(const FileState& file, bool hasBodies, bool isChosen)
+{
+  this->FileStatus = Status::Ok;
+  for (const std::string& defect : file.Defects)
+  {
+    this->FileStatus = Status::Suspect;
+    this->SetReason(defect);
+  }
+  if (!isChosen)
+  {
+    this->FileStatus = file.Status == names::StatusUnreadable ? Status::Unreadable
+      : file.Status == "aborted"                              ? Status::NotComputed
+                                                              : Status::Empty;
+    this->SetReason(hasBodies   ? "no solid is chosen"
+        : !file.Problem.empty() ? file.Problem
+                                : "the input holds no solid and no surface");
+  }
+}
+
+void RunReport::AddBodies(const std::vector<BodyIntegrals>& bodies, const RejectedInput& rejected)
+{
+  const int meshes = rejected.Plain + rejected.Withheld;
+  if (meshes > 0)
+  {
+    this->Messages.push_back(std::to_string(meshes) + " meshes without exact geometry were left out");
+  }
+  this->Solids = static_cast<int>(bodies.size());
+  for (const BodyIntegrals& body : bodies)
+  {
+    this->Faces += static_cast<int>(body.Model->GetNumberOfFaces());
+  }
+}
+
+void RunReport::RejectInput(bool isWithheld)
+{
+  this->Status = Status::Empty;
+  this->Messages.push_back(isWithheld ? "the points of the input were changed after it was read, "
+                                        "so its exact geometry no longer describes it"
+                                      : "the input is a mesh without exact geometry");
+}
+
+void RunReport::AddStatuses(const std::vector<BodyIntegrals>& bodies)
+{
+  for (const BodyIntegrals& body : bodies)
+  {
+    this->Status = std::max(this->Status, body.Status);
+    this->Estimated = this->Estimated || body.IsEstimated();
+  }
+}
+
+void RunReport::AddMessages(const std::vector<BodyIntegrals>& bodies)
+{
+  for (const BodyIntegrals& body : bodies)
+  {
+    for (const std::string& message : body.Messages)
+    {
+      this->Messages.push_back((body.Name.empty() ? "" : body.Name + ": ") + message);
+    }
+  }
+  if (!this->Note.empty())
+  {
+    this->Messages.push_back(this->Note);
+  }
+}
+
+std::string RunReport::FindReason(const std::vector<BodyIntegrals>& bodies) const
+{
+  const auto worst = std::find_if(bodies.begin(), bodies.end(),
+    [this](const BodyIntegrals& body) { return body.Status == this->Status && !body.Reason.empty(); });
+  return !this->Reason.empty() ? this->Reason
+    : worst == bodies.end()    ? this->Note
+                               : (worst->Name.empty() ? "" : worst->Name + ": ") + worst->Reason;
+}
+}
