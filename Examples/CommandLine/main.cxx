@@ -202,7 +202,15 @@ sm::Json Compare(const std::vector<sm::Json>& files, double limit, bool showTabl
   const bool areRead = files.size() == 2 &&
     std::all_of(
       files.begin(), files.end(), [](const sm::Json& file) { return file.contains(sm::ShapesKey); });
-  sm::Json comparison = areRead ? sm::CompareProducts(files[0], files[1], limit) : sm::Json();
+  sm::Json comparison;
+  if (areRead)
+  {
+    comparison = sm::CompareProducts(files[0], files[1], limit, []() { return !sm::IsInterrupted(); });
+  }
+  if (sm::IsInterrupted())
+  {
+    return comparison;
+  }
   if (!areRead || comparison["equal"] != true)
   {
     exitStatus = Combine(exitStatus, areRead ? sm::Different : sm::Flagged);

@@ -176,8 +176,8 @@ void DeclareComparison(CLI::App& app, sm::Arguments& arguments)
   app.option_defaults()->group("Comparison");
   app.add_flag("--compare", arguments.Compare,
     "Compare two files, the old and the new one: which solids are unchanged,\n"
-    "moved, changed, added or removed, by their exact geometry and not by their\n"
-    "names, and the differences of the results with bounds; in JSON the key\n"
+    "moved, changed, added or removed, by exact integrals of their faces and not\n"
+    "by their names, and the differences of the results with bounds; in JSON the key\n"
     "comparison. The exit status is 4 if the products differ");
   sm::AddNumberOption(app, "--compare-limit", arguments.CompareLimit,
     "Largest difference that counts as equal beside the bounds, relative to the\n"

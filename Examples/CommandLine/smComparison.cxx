@@ -19,11 +19,7 @@ namespace
 /// 2^-53: one operation, rounded to nearest, errs by at most that times its result.
 constexpr double Roundoff = 1.1102230246251565e-16;
 
-constexpr const char* Unchanged = "unchanged";
-constexpr const char* Moved = "moved";
-constexpr const char* Changed = "changed";
-constexpr const char* Added = "added";
-constexpr const char* Removed = "removed";
+using namespace states;
 /// In the order of the list.
 constexpr const char* States[] = { Changed, Moved, Added, Removed, Unchanged };
 
@@ -93,6 +89,16 @@ bool IsOther(const Json& before, const Json& after, const char* quantity, double
   return !(GetLargest(difference["difference"]) <= bound + limit * scale);
 }
 
+/// True if a shape that is the same has another material, density or mass; densities are no results and have no bounds.
+bool HasOtherMaterial(const Json& before, const Json& after, double limit)
+{
+  const Json& a = before["density"];
+  const Json& b = after["density"];
+  return before["material"] != after["material"] || a.is_null() != b.is_null() ||
+    (a.is_number() && !(GetLargest(Subtract(a, b)) <= limit * GetLargest(a))) ||
+    IsOther(before, after, "mass", limit);
+}
+
 // --- solids ------------------------------------------------------------------------------------
 
 /// A solid of one of the files.
@@ -138,8 +144,9 @@ struct Outcome
 class Comparison
 {
 public:
-  Comparison(const Json& oldFile, const Json& newFile, double limit)
-    : Old(ListBodies(oldFile))
+  Comparison(const Json& oldFile, const Json& newFile, double limit, std::function<bool()> shouldContinue)
+    : ShouldContinue(std::move(shouldContinue))
+    , Old(ListBodies(oldFile))
     , New(ListBodies(newFile))
     , Limit(limit)
     , Diagonal(std::max(GetLargest(oldFile["diagonal"]), GetLargest(newFile["diagonal"])))
@@ -180,8 +187,7 @@ private:
     before.IsDone = after.IsDone = true;
     const Json& a = *before.Solid;
     const Json& b = *after.Solid;
-    const bool isOther =
-      hasSameShape && (a["material"] != b["material"] || IsOther(a, b, "mass", this->Limit));
+    const bool isOther = hasSameShape && HasOtherMaterial(a, b, this->Limit);
     this->Outcomes.push_back({ &before, &after, isOther ? Changed : state, hasSameShape, rotation });
   }
 
@@ -201,7 +207,7 @@ private:
     const double slack = this->Limit * this->Diagonal;
     for (Body& before : this->Old)
     {
-      if (before.IsDone || !before.HasShape())
+      if (before.IsDone || !before.HasShape() || !this->ShouldContinue())
       {
         continue;
       }
@@ -230,7 +236,9 @@ private:
     const auto [known, isNew] = this->Congruent.emplace(key, false);
     if (isNew)
     {
-      known->second = FindRotation(before.Shape.GetPlaced(), after.Shape.GetPlaced(), this->Limit).IsFound;
+      known->second = this->ShouldContinue() &&
+        MayBeEqual(*before.Shape.Shape, *after.Shape.Shape, this->Limit) &&
+        FindRotation(before.Shape.GetPlaced(), after.Shape.GetPlaced(), this->Limit).IsFound;
     }
     return known->second;
   }
@@ -258,7 +266,7 @@ private:
   {
     for (Body& before : this->Old)
     {
-      if (before.IsDone || !before.HasShape())
+      if (before.IsDone || !before.HasShape() || !this->ShouldContinue())
       {
         continue;
       }
@@ -270,8 +278,10 @@ private:
         });
       if (after)
       {
-        this->Add(before, *after, Moved, true,
-          FindRotation(before.Shape.GetPlaced(), after->Shape.GetPlaced(), this->Limit));
+        // Of instances of two models that are congruent, the rotation may be missed among too many.
+        const Rotation rotation =
+          FindRotation(before.Shape.GetPlaced(), after->Shape.GetPlaced(), this->Limit);
+        this->Add(before, *after, rotation.IsFound ? Moved : Changed, rotation.IsFound, rotation);
       }
     }
   }
@@ -293,6 +303,7 @@ private:
     }
   }
 
+  std::function<bool()> ShouldContinue;
   std::vector<Body> Old;
   std::vector<Body> New;
   double Limit;
@@ -405,10 +416,15 @@ Json MakeParts(const std::vector<Outcome>& outcomes)
 }
 }
 
-Json CompareProducts(const Json& oldFile, const Json& newFile, double limit)
+Json CompareProducts(
+  const Json& oldFile, const Json& newFile, double limit, const std::function<bool()>& shouldContinue)
 {
-  Comparison comparison(oldFile, newFile, limit);
+  Comparison comparison(oldFile, newFile, limit, shouldContinue);
   const std::vector<Outcome> outcomes = comparison.Run();
+  if (!shouldContinue())
+  {
+    return {};
+  }
   Json counts;
   for (const char* state : States)
   {

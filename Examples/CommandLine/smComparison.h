@@ -7,8 +7,19 @@
 
 #include "smJson.h"
 
+#include <functional>
+
 namespace sm
 {
+namespace states
+{
+constexpr const char* Unchanged = "unchanged";
+constexpr const char* Moved = "moved";
+constexpr const char* Changed = "changed";
+constexpr const char* Added = "added";
+constexpr const char* Removed = "removed";
+}
+
 /**
  * Compares the solids of two files by their geometry (smPartMatch.h), each solid of one with at most one of the other:
  *   - unchanged: the same shape in the same place, and the same mass and material;
@@ -22,9 +33,10 @@ namespace sm
  * {"equal": true if all is unchanged, "limit", "length_unit", "counts": of solids by their states, "total": differences,
  *  "parts": [{"state", "name", "old_name", "count", "in_old", "in_new", "notes", "difference", "bodies"}]}
  * A part has all solids of one state, name and model. "in_old" and "in_new" count the solids of its name in either file; "difference" is that of
- * the first of its bodies.
+ * the first of its bodies. Null once `shouldContinue` returns false.
  */
-Json CompareProducts(const Json& oldFile, const Json& newFile, double limit);
+Json CompareProducts(
+  const Json& oldFile, const Json& newFile, double limit, const std::function<bool()>& shouldContinue);
 }
 
 #endif

@@ -1,6 +1,7 @@
 #include "smComparisonPicture.h"
 
 #include "smBodyScene.h"
+#include "smComparison.h"
 #include "smMassPropertyNames.h"
 #include "smProductTree.h"
 #include "smText.h"
@@ -40,9 +41,10 @@ struct Style
   bool IsOld;
 };
 
-const Style Styles[] = { { "unchanged", { 0.62, 0.64, 0.67 }, 0.3, false },
-  { "moved", { 0.20, 0.45, 0.85 }, 0.9, false }, { "changed", { 0.95, 0.62, 0.05 }, 0.9, false },
-  { "added", { 0.13, 0.62, 0.25 }, 0.9, false }, { "removed", { 0.85, 0.12, 0.10 }, 0.35, true } };
+const Style Styles[] = { { states::Unchanged, { 0.62, 0.64, 0.67 }, 0.3, false },
+  { states::Moved, { 0.20, 0.45, 0.85 }, 0.9, false }, { states::Changed, { 0.95, 0.62, 0.05 }, 0.9, false },
+  { states::Added, { 0.13, 0.62, 0.25 }, 0.9, false },
+  { states::Removed, { 0.85, 0.12, 0.10 }, 0.35, true } };
 
 /// The states of solids by their ids in the old or the new file.
 std::map<std::string, std::string> ListStates(const Json& comparison, const char* id)

@@ -1,5 +1,6 @@
 #include "smComparisonTable.h"
 
+#include "smComparison.h"
 #include "smFormat.h"
 #include "smReport.h"
 #include "smTableText.h"
@@ -83,14 +84,14 @@ std::string Describe(const Json& part, const Json& newFile)
 {
   std::string text;
   const std::string state = part["state"].get<std::string>();
-  if (state == "changed")
+  if (state == states::Changed)
   {
     text += FormatDifference(part["difference"], "volume", "volume", FormatUnit(newFile, 3)) +
       FormatDifference(part["difference"], "area", "area", FormatUnit(newFile, 2)) +
       FormatDifference(part["difference"], "mass", "mass", "kg");
   }
   // Of what is unchanged only noise would be shown.
-  if (state != "unchanged" && part["bodies"][0]["distance"].is_number())
+  if (state != states::Unchanged && part["bodies"][0]["distance"].is_number())
   {
     text += FormatMotion(part, FormatUnit(newFile, 1));
   }

@@ -91,7 +91,7 @@ void AddFlagged(vtkRenderer* body, vtkRenderer* front, vtkPolyData* flagged)
 {
   vtkDataArray* numbers = flagged->GetCellData()->GetArray(sm::names::Flag);
   auto* texts = vtkStringArray::SafeDownCast(flagged->GetCellData()->GetAbstractArray(sm::names::Text));
-  if (!numbers || !texts)
+  if (!numbers || !texts || flagged->GetNumberOfCells() == 0)
   {
     return;
   }

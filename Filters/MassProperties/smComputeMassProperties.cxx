@@ -171,14 +171,10 @@ MassPropertiesResult MakeFailure(const std::string& reason)
 
 MassPropertiesResult ComputeMassProperties(vtkDataObject* model, const MassPropertiesOptions& options)
 {
-  const std::string wrong = FindWrongOption(options);
-  if (!wrong.empty())
-  {
-    return MakeFailure("nothing was computed: " + wrong);
-  }
   try
   {
-    return Compute(model, options);
+    const std::string wrong = FindWrongOption(options);
+    return wrong.empty() ? Compute(model, options) : MakeFailure("nothing was computed: " + wrong);
   }
   catch (...)
   {

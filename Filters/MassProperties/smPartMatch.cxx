@@ -128,21 +128,6 @@ bool Carries(const Matrix3& rotation, const PartShape& a, const SortedShape& b, 
   return true;
 }
 
-bool MayBeEqual(const PartShape& a, const PartShape& b, double tolerance)
-{
-  if (!a.Problem.empty() || !b.Problem.empty() || a.IsSolid != b.IsSolid || a.Faces.size() != b.Faces.size())
-  {
-    return false;
-  }
-  const double area = a.GetArea();
-  double bound = 0.0;
-  for (std::size_t i = 0; i < a.Faces.size(); ++i)
-  {
-    bound += a.Faces[i].AreaBound + b.Faces[i].AreaBound;
-  }
-  return std::abs(area - b.GetArea()) <= tolerance * area + bound;
-}
-
 // --- rotations ---------------------------------------------------------------------------------
 
 /// A direction that a face defines: 0: to its centre, 1: its vector area, 2 to 4: a principal axis, of either sign.
@@ -303,6 +288,10 @@ public:
     const bool isRound = second->Weight * Norm(GetAcross(*first, *second)) <= LeastWeight;
     for (const Direction& image : this->FindImages(*first))
     {
+      if (this->Tried > MostRotations)
+      {
+        break;
+      }
       if (isRound)
       {
         this->Try(MakeSmallestRotation(first->Vector, image.Vector));
@@ -389,6 +378,21 @@ private:
   int Tried = 0;
   Rotation Result;
 };
+}
+
+bool MayBeEqual(const PartShape& a, const PartShape& b, double tolerance)
+{
+  if (!a.Problem.empty() || !b.Problem.empty() || a.IsSolid != b.IsSolid || a.Faces.size() != b.Faces.size())
+  {
+    return false;
+  }
+  const double area = a.GetArea();
+  double bound = 0.0;
+  for (std::size_t i = 0; i < a.Faces.size(); ++i)
+  {
+    bound += a.Faces[i].AreaBound + b.Faces[i].AreaBound;
+  }
+  return std::abs(area - b.GetArea()) <= tolerance * area + bound;
 }
 
 bool AreParallel(const PartShape& a, const PartShape& b, double tolerance)

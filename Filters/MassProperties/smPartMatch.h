@@ -5,7 +5,8 @@
  * Two shapes are equal if there is a rotation that carries the faces of one to those of the other, one to one. Two faces are equal if
  * their area, its moments of order 1 and 2, and their vector area are, within the bounds of both and within a tolerance relative to the
  * face. These do not depend on parametrisation, knots, trim curves or the order of the faces. A change that leaves all thirteen
- * numbers of every face, or that is smaller than the bounds, is not seen; one boundary that is divided into other faces is another shape. A
+ * numbers of every face, or that is smaller than the bounds, is not seen: so has a single face with three or more equal lobes (a spline
+ * gear, a polygonal bore) in every position about its axis the same numbers. One boundary that is divided into other faces is another shape. A
  * mirrored shape is another one unless it has a plane of symmetry.
  */
 #ifndef smPartMatch_h
@@ -18,6 +19,9 @@
 
 namespace sm
 {
+/// Returns false if numbers that do not depend on placements tell the shapes apart. `tolerance`: of the area.
+SMFILTERSMASSPROPERTIES_EXPORT bool MayBeEqual(const PartShape& a, const PartShape& b, double tolerance);
+
 /// Returns true if a translation alone carries `a` to `b`. Both are centred. `tolerance`: of the radius, and of each face's integrals.
 SMFILTERSMASSPROPERTIES_EXPORT bool AreParallel(const PartShape& a, const PartShape& b, double tolerance);
 

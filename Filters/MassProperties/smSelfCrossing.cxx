@@ -351,7 +351,7 @@ void Report(const SelfCrossing& result, BodyIntegrals& body)
     const std::vector<FacePointer>& faces = body.Model->GetFaces();
     const auto beside = std::find_if(
       faces.begin(), faces.end(), [&result](const FacePointer& face) { return face->FileId == result.Face; });
-    if (beside != faces.end())
+    if (result.Face > 0 && beside != faces.end())
     {
       body.FaceDefects.push_back(
         { { static_cast<std::size_t>(beside - faces.begin()) }, "the boundary crosses itself beside it" });

@@ -62,6 +62,22 @@ void vtkMassPropertiesBase::SetDensity(double density)
   }
 }
 
+void vtkMassPropertiesBase::SetDensityTolerance(double tolerance)
+{
+  if (!(tolerance >= 0.0 && tolerance <= 1.0))
+  {
+    vtkErrorMacro("SetDensityTolerance: " << sm::FormatDigits(tolerance, 6)
+                                          << " is no relative tolerance; give 0 to 1, for example "
+                                             "0.01 for one per cent.");
+    return;
+  }
+  if (this->DensityTolerance != tolerance)
+  {
+    this->DensityTolerance = tolerance;
+    this->Modified();
+  }
+}
+
 void vtkMassPropertiesBase::AppendMaterial(const sm::MaterialRule& rule)
 {
   if (!(rule.Material.Tolerance <= 1.0))

@@ -79,8 +79,8 @@ public:
   vtkGetMacro(Density, double);
 
   /** Largest relative deviation of the densities, 0 to 1 (0.01 is one per cent), except of materials that state their own. It is the first
-   * share of MassUncertainty. Default: 0. */
-  vtkSetClampMacro(DensityTolerance, double, 0.0, 1.0);
+   * share of MassUncertainty. A value outside that range is reported as an error and changes nothing. Default: 0. */
+  void SetDensityTolerance(double tolerance);
   vtkGetMacro(DensityTolerance, double);
   ///@}
 

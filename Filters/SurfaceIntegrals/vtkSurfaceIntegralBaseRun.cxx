@@ -92,6 +92,7 @@ void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t
   constexpr std::size_t BytesOfValue = 4 * sizeof(double);
   constexpr std::size_t Columns = 64;
   constexpr std::size_t BytesOfFlaggedEdge = 2048;
+  constexpr std::size_t BytesOfFlaggedTriangle = 512;
   std::size_t bytes = std::size_t{ 1 } << 20;
   // Instances of a model share the arrays of its cells.
   std::set<const vtkTrimmedNURBSModel*> models;
@@ -102,8 +103,11 @@ void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t
     const bool isFirst = models.insert(body.Model).second;
     const std::size_t cells = isFirst ? static_cast<std::size_t>(body.Mesh->GetNumberOfCells()) : 0;
     bytes += BytesOfValue * (Columns + faces * (arrays + 3) + edges * 8) + cells * arrays * sizeof(float);
-    // At most: every edge is drawn as a flagged one.
+    // At most: every edge and every face is drawn as a flagged one.
     bytes += body.Status >= sm::Status::Suspect ? edges * BytesOfFlaggedEdge : 0;
+    bytes += body.FaceDefects.empty()
+      ? 0
+      : static_cast<std::size_t>(body.Mesh->GetNumberOfCells()) * BytesOfFlaggedTriangle;
   }
   ::operator delete(::operator new(bytes));
 }

@@ -293,12 +293,16 @@ void CheckErrors()
   mass->AddMaterial("*", "unobtainium", "");
   mass->AddMaterial("*", "steel", "7,85");
   mass->AddMaterial("*", "steel", 7850.0, 1.5);
+  mass->SetDensityTolerance(-0.1);
+  mass->SetDensityTolerance(5.0);
+  mass->SetDensityTolerance(std::numeric_limits<double>::quiet_NaN());
+  CheckEqual("density tolerance", 0.0, mass->GetDensityTolerance());
   const double origin[3] = { 0.0, 0.0, 0.0 };
   const double z[3] = { 0.0, 0.0, 2.0 };
   const double parallel[3] = { 0.0, 0.0, -5.0 };
   mass->SetReferenceFrame(origin, z, parallel);
   mass->SetReferenceFrame(origin, origin, z);
-  CheckEqual("errors", 7, trap.NumberOfErrors);
+  CheckEqual("errors", 10, trap.NumberOfErrors);
   CheckEqual("no material", 0, mass->GetNumberOfMaterials());
   CheckTrue("no frame", !mass->HasReferenceFrame());
 }
