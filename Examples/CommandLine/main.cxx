@@ -1,4 +1,4 @@
-// solidmoments: mass properties of STEP files, integrated on the GPU.
+// solidmoments: mass properties of STEP and BREP files, integrated on the GPU.
 
 #include "smArguments.h"
 #include "smComparison.h"

@@ -46,6 +46,11 @@ std::string CheckUnit(const std::string& name)
                                       : "there is no unit " + name + "; use mm, cm, m, um, inch, ft or file";
 }
 
+std::string CheckInputUnit(const std::string& name)
+{
+  return LowerCase(name) == "file" ? "there is no unit file; use mm, cm, m, um, inch or ft" : CheckUnit(name);
+}
+
 std::string CheckTolerance(const std::string& text)
 {
   const double value = ParseNumber(text);

@@ -15,6 +15,7 @@ std::string CheckDeviation(const std::string& name);
 std::string CheckBackend(const std::string& name);
 std::string CheckRepair(const std::string& word);
 std::string CheckUnit(const std::string& name);
+std::string CheckInputUnit(const std::string& name);
 std::string CheckTolerance(const std::string& text);
 std::string CheckGapLimit(const std::string& text);
 std::string CheckValidationLimit(const std::string& text);

@@ -22,8 +22,8 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
   app.option_defaults()->group("Files and outputs");
   app
     .add_option("FILE", arguments.Files,
-      "STEP files, also compressed (.step.gz, .stpz, a ZIP archive with one); - for\n"
-      "standard input; a folder for the STEP files in it")
+      "STEP files, and OpenCASCADE's BREP files, also compressed (.step.gz, .stpz, a\n"
+      "ZIP archive with one); - for standard input; a folder for such files in it")
     ->type_name("");
   sm::AddFileOption(
     app, "--json", arguments.Json, "Write all results as JSON; - for standard output, and then no table");
@@ -41,7 +41,7 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
     ->check(CLI::PositiveNumber);
   sm::AddFileOption(app, "--png", arguments.Picture,
     "Draw the part, translucent, with its centre of mass marked. With several\n"
-    "files, each picture has the STEP file's name added: out-bracket.png; with\n"
+    "files, each picture has the file's name added: out-bracket.png; with\n"
     "--compare one picture: added solids green, changed amber, moved blue, removed red");
   AddListOption(app, "--print", arguments.Print, "COLUMN,...",
     "Print only these columns of the CSV, one line per file with the values of\n"
@@ -101,6 +101,12 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
       "the one that the file is written in")
     ->type_name("UNIT")
     ->check(sm::CheckUnit);
+  app
+    .add_option("--input-unit", job.InputUnit,
+      "Length unit of BREP files, which state none: mm (default), cm, m, um, inch\n"
+      "or ft")
+    ->type_name("UNIT")
+    ->check(sm::CheckInputUnit);
   app
     .add_option("--repair", job.Repair,
       "Which solids and shells OpenCASCADE repairs: needed (default): those that are\n"

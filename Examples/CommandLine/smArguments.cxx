@@ -50,11 +50,11 @@ std::string FindEmptyName(const CLI::App& app, const sm::Arguments& arguments)
 {
   if (std::count(arguments.Files.begin(), arguments.Files.end(), "") > 0)
   {
-    return "a file name is empty; name a STEP file";
+    return "a file name is empty; name a STEP or BREP file";
   }
   if (arguments.Files.empty())
   {
-    return "FILE is required: name a STEP file";
+    return "FILE is required: name a STEP or BREP file";
   }
   for (const char* option : { "--json", "--csv", "--mesh", "--png", "--trim-textures", "--materials",
          "--bom-csv", "--urdf", "--write-validation" })
@@ -320,8 +320,9 @@ namespace sm
 {
 std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
 {
-  CLI::App app("Volume, area, centre of mass and inertia of the parts in STEP files, from their exact NURBS\n"
-               "geometry, integrated on the GPU, with error bounds.",
+  CLI::App app(
+    "Volume, area, centre of mass and inertia of the parts in STEP and BREP files, from their exact NURBS\n"
+    "geometry, integrated on the GPU, with error bounds.",
     "solidmoments");
   app.set_version_flag("--version,-V", std::string("solidmoments ") + Version);
   app.footer(Footer);
@@ -348,10 +349,10 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   {
     return Complain(problem);
   }
-  arguments.Job.Unit = LowerCase(arguments.Job.Unit);
-  if (arguments.Job.Unit == "in")
+  for (std::string* unit : { &arguments.Job.Unit, &arguments.Job.InputUnit })
   {
-    arguments.Job.Unit = "inch";
+    *unit = LowerCase(*unit);
+    *unit = *unit == "in" ? "inch" : *unit;
   }
   return std::nullopt;
 }

@@ -6,11 +6,11 @@
 #include "smUserIntegrals.h"
 
 #include "vtkBuoyancy.h"
+#include "vtkCADReader.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSTEPReader.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Json Describe(vtkFieldData* data, vtkIdType row)
 
 namespace sm
 {
-void IntegrateBelowWaterlines(vtkSTEPReader* reader, const JobOptions& options,
+void IntegrateBelowWaterlines(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
 {
   if (options.Waterlines.empty())

@@ -10,7 +10,7 @@
 #include <functional>
 
 class vtkAlgorithm;
-class vtkSTEPReader;
+class vtkCADReader;
 
 namespace sm
 {
@@ -18,7 +18,7 @@ class MessageList;
 
 /// Fills `waterlines` of the file and of each solid, a list of {"height", "up", "volume", "center", "bounds": {"volume", "center"}},
 /// null where it is not known. A flag of theirs becomes the file's when that was ok. `update` runs a filter.
-void IntegrateBelowWaterlines(vtkSTEPReader* reader, const JobOptions& options,
+void IntegrateBelowWaterlines(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages);
 }
 

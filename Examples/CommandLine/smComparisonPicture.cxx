@@ -2,12 +2,14 @@
 
 #include "smBodyScene.h"
 #include "smComparison.h"
+#include "smFileReader.h"
 #include "smMassPropertyNames.h"
 #include "smProductTree.h"
 #include "smText.h"
 #include "smUserIntegrals.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCADReader.h"
 #include "vtkCellData.h"
 #include "vtkComputeContext.h"
 #include "vtkImageData.h"
@@ -17,7 +19,6 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
-#include "vtkSTEPReader.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
@@ -65,7 +66,7 @@ std::map<std::string, std::string> ListStates(const Json& comparison, const char
 
 /// One mesh of the solids of a file that have the state.
 vtkSmartPointer<vtkPolyData> JoinState(
-  vtkSTEPReader* reader, const std::map<std::string, std::string>& states, const std::string& state)
+  vtkCADReader* reader, const std::map<std::string, std::string>& states, const std::string& state)
 {
   vtkNew<vtkPartitionedDataSetCollection> chosen;
   unsigned int count = 0;
@@ -80,7 +81,7 @@ vtkSmartPointer<vtkPolyData> JoinState(
   return JoinParts(chosen);
 }
 
-void SetUpScene(vtkSTEPReader* before, vtkSTEPReader* after, const JobOptions& options,
+void SetUpScene(vtkCADReader* before, vtkCADReader* after, const JobOptions& options,
   vtkOpenGLRenderWindow* window, vtkRenderer* body, vtkRenderer* front)
 {
   const auto oldStates = ListStates(options.Comparison, "old_id");
@@ -112,7 +113,7 @@ void SetUpScene(vtkSTEPReader* before, vtkSTEPReader* after, const JobOptions& o
 }
 
 /// Returns an error message, empty when the picture is written.
-std::string WritePicture(vtkSTEPReader* before, vtkSTEPReader* after, const JobOptions& options)
+std::string WritePicture(vtkCADReader* before, vtkCADReader* after, const JobOptions& options)
 {
   vtkNew<vtkMassPropertiesGPU> filter;
   SetUpFilter(filter, options);
@@ -138,15 +139,16 @@ std::string WritePicture(vtkSTEPReader* before, vtkSTEPReader* after, const JobO
 
 void DrawComparison(const JobOptions& options, const JobListener& send)
 {
-  vtkNew<vtkSTEPReader> before;
-  vtkNew<vtkSTEPReader> after;
+  const std::string& name = options.SourceName.empty() ? options.FileName : options.SourceName;
+  const vtkSmartPointer<vtkCADReader> before = MakeReader(options.ComparedName);
+  const vtkSmartPointer<vtkCADReader> after = MakeReader(name);
   send({ { "progress", { stages::Read, 0.0 } } });
   SetUpReader(before, options.ComparedName, options);
   before->Update();
-  SetUpReader(after, options.SourceName.empty() ? options.FileName : options.SourceName, options);
+  SetUpReader(after, name, options);
   after->Update();
   Json file = UnreadableFile(options.FileName, "");
-  const bool areRead = before->GetStatus() == vtkSTEPReader::OK && after->GetStatus() == vtkSTEPReader::OK;
+  const bool areRead = before->GetStatus() == vtkCADReader::OK && after->GetStatus() == vtkCADReader::OK;
   file["status"] = areRead ? names::StatusOk : names::StatusNotComputed;
   send({ { "result", file }, { "complete", true } });
   send({ { "progress", { stages::Draw, 0.0 } } });

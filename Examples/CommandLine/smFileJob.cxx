@@ -2,6 +2,7 @@
 
 #include "smComparisonPicture.h"
 #include "smFileEntry.h"
+#include "smFileReader.h"
 #include "smMassPropertyNames.h"
 #include "smMeshFile.h"
 #include "smMessageCollector.h"
@@ -26,6 +27,7 @@
 #endif
 
 #include "vtkAlgorithm.h"
+#include "vtkCADReader.h"
 #include "vtkCallbackCommand.h"
 #include "vtkComputeContext.h"
 #include "vtkFieldData.h"
@@ -36,7 +38,6 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkSTEPReader.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
@@ -99,7 +100,7 @@ const std::string& GetSource(const sm::JobOptions& options)
 }
 
 /// Reads the file; false when there is nothing to integrate, for the reason that status and messages of the entry give.
-bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
+bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
   sm::MessageList& messages)
 {
   sm::SetUpReader(reader, GetSource(options), options);
@@ -114,7 +115,7 @@ bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobLis
   file["seconds"]["convert"] = reader->GetConversionSeconds();
   file["status"] = reader->GetStatusAsString();
   messages.AddReader(reader);
-  if (reader->GetStatus() != vtkSTEPReader::OK && reader->GetStatus() != vtkSTEPReader::EMPTY)
+  if (reader->GetStatus() != vtkCADReader::OK && reader->GetStatus() != vtkCADReader::EMPTY)
   {
     file["status"] = names::StatusUnreadable;
     return false;
@@ -122,7 +123,7 @@ bool Read(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobLis
   file["length_unit"] = reader->GetLengthUnit();
   file["faces"] = 0;
   file["free_faces"] = reader->GetNumberOfFreeFaces();
-  return reader->GetStatus() == vtkSTEPReader::OK;
+  return reader->GetStatus() == vtkCADReader::OK;
 }
 
 /// The text was checked when the arguments were parsed.
@@ -153,7 +154,7 @@ void SetQuantityTolerance(vtkMassPropertiesGPU* filter, const std::string& text)
   }
 }
 
-vtkSmartPointer<vtkMassPropertiesBase> MakeFilter(vtkSTEPReader* reader, const sm::JobOptions& options)
+vtkSmartPointer<vtkMassPropertiesBase> MakeFilter(vtkCADReader* reader, const sm::JobOptions& options)
 {
   vtkSmartPointer<vtkMassPropertiesBase> filter;
   if (options.Scheme == "adaptive")
@@ -237,7 +238,7 @@ std::string DescribeException(const std::exception& error)
     : std::string("stopped by an error: ") + error.what();
 }
 
-std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* stability,
+std::string Draw(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* stability,
   const sm::JobOptions& options, const Json& file)
 {
   vtkComputeContext* context = filter->GetComputeContext();
@@ -254,7 +255,7 @@ std::string Draw(vtkSTEPReader* reader, vtkMassPropertiesBase* filter, vtkPolyDa
 }
 
 /// What the options ask for beside the mass properties. Sends the results after every stage. Returns the drawing of the stability.
-vtkSmartPointer<vtkPolyData> IntegrateMore(vtkSTEPReader* reader, const sm::JobOptions& options,
+vtkSmartPointer<vtkPolyData> IntegrateMore(vtkCADReader* reader, const sm::JobOptions& options,
   const sm::JobListener& send, Json& file, sm::MessageList& messages)
 {
   const auto makeUpdate = [&send](const char* stage)
@@ -291,8 +292,8 @@ vtkSmartPointer<vtkPolyData> IntegrateMore(vtkSTEPReader* reader, const sm::JobO
 }
 
 /// What follows from the product structure and the solids that were computed: shapes, parts list and validation properties.
-void AddProducts(vtkSTEPReader* reader, const sm::JobOptions& options, const sm::JobListener& send,
-  Json& file, sm::MessageList& messages)
+void AddProducts(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
+  sm::MessageList& messages)
 {
   if (options.Shapes)
   {
@@ -323,7 +324,7 @@ void AddProducts(vtkSTEPReader* reader, const sm::JobOptions& options, const sm:
   }
 }
 
-void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkSTEPReader* reader)
+void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader* reader)
 {
   vtkNew<smMessageCollector> collector;
   vtkOutputWindow::SetInstance(collector);
@@ -455,7 +456,7 @@ bool ParseQuantityTolerance(
   return relative >= 0.0 && relative <= 1.0 && absolute >= 0.0 && std::isfinite(absolute);
 }
 
-void RunFileJob(const JobOptions& given, const JobListener& send, vtkSTEPReader* reader)
+void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* reader)
 {
   JobOptions options = given;
   if (options.MaximumSeconds > 0.0)
@@ -486,7 +487,7 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkSTEPReader*
   };
   try
   {
-    const auto own = reader ? vtkSmartPointer<vtkSTEPReader>(reader) : vtkSmartPointer<vtkSTEPReader>::New();
+    const auto own = reader ? vtkSmartPointer<vtkCADReader>(reader) : MakeReader(GetSource(options));
     Run(options, listener, own);
   }
   catch (const std::exception& error)

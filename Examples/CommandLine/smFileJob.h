@@ -14,20 +14,21 @@
 #include <string>
 #include <vector>
 
-class vtkSTEPReader;
+class vtkCADReader;
 
 namespace sm
 {
 struct JobOptions
 {
   std::string FileName;
-  std::string SourceName;  ///< plain file with the content of FileName (InputFile); empty: that is one
-  std::string PictureName; ///< PNG file to draw; empty: none
-  std::string MeshName;    ///< file of triangles to write, see WriteMesh(); empty: none
-  double Deflection = 0.0; ///< of the triangles, in Unit; 0: the reader's default
-  std::string Unit = "mm"; ///< length unit of all results, or "file"
+  std::string SourceName;       ///< plain file with the content of FileName (InputFile); empty: that is one
+  std::string PictureName;      ///< PNG file to draw; empty: none
+  std::string MeshName;         ///< file of triangles to write, see WriteMesh(); empty: none
+  double Deflection = 0.0;      ///< of the triangles, in Unit; 0: the reader's default
+  std::string Unit = "mm";      ///< length unit of all results, or "file"
+  std::string InputUnit = "mm"; ///< of files that state none, see vtkBREPReader::SetInputUnit
   std::string Repair =
-    "needed"; ///< or "always": which shapes OpenCASCADE repairs, see vtkSTEPReader::SetRepair
+    "needed"; ///< or "always": which shapes OpenCASCADE repairs, see vtkCADReader::SetRepair
   std::string Backend = "auto";
   double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
   /// Tolerances of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see vtkMassPropertiesGPU.
@@ -96,7 +97,7 @@ using JobListener = std::function<void(const Json&)>;
 
 /// Runs the whole job in this process, which should be a child (smIsolatedJob.h). Never throws. Jobs that are given the same
 /// `reader` one after the other read their file once.
-void RunFileJob(const JobOptions& options, const JobListener& send, vtkSTEPReader* reader = nullptr);
+void RunFileJob(const JobOptions& options, const JobListener& send, vtkCADReader* reader = nullptr);
 
 /// Adds why results are missing that were asked for: a status that was ok is not-computed.
 void MarkIncomplete(Json& file, const std::string& reason);

@@ -25,10 +25,11 @@ constexpr size_t BufferSize = 1 << 16;
 const char* const TooLarge = "it has more than 4 GB";
 const char* const NoSpace = "there is no room for its content in the folder for temporary files";
 
-bool IsStepName(const std::string& name)
+bool IsCADName(const std::string& name)
 {
   const std::string extension = LowerCase(fs::path(name).extension().string());
-  return extension == ".step" || extension == ".stp" || extension == ".p21";
+  return extension == ".step" || extension == ".stp" || extension == ".p21" || extension == ".brep" ||
+    extension == ".brp";
 }
 
 std::uint32_t GetNumber(const std::string& bytes, size_t at, size_t count)
@@ -142,7 +143,7 @@ bool InputFile::MakeFolder(const std::string& name)
   this->Folder = folder;
   // "bracket.step.gz" becomes bracket.step.
   const std::string stem = GetStem(name);
-  this->Path = folder + "/" + (IsStepName(stem) ? stem : stem + ".step");
+  this->Path = folder + "/" + (IsCADName(stem) ? stem : stem + ".step");
   return true;
 }
 
@@ -221,7 +222,7 @@ void InputFile::Extract(const std::string& name)
   for (size_t at = 0; at + 46 <= directory.size() && directory.compare(at, 4, "PK\x01\x02") == 0;)
   {
     const size_t length = GetNumber(directory, at + 28, 2);
-    if (IsStepName(directory.substr(at + 46, length)))
+    if (IsCADName(directory.substr(at + 46, length)))
     {
       found.push_back(at);
     }
@@ -229,7 +230,8 @@ void InputFile::Extract(const std::string& name)
   }
   if (found.size() != 1)
   {
-    this->Error = "the ZIP archive has " + std::to_string(found.size()) + " STEP files; it must have one";
+    this->Error =
+      "the ZIP archive has " + std::to_string(found.size()) + " STEP or BREP files; it must have one";
     return;
   }
   const size_t at = found.front();
@@ -283,7 +285,7 @@ std::vector<std::string> ExpandFolders(const std::vector<std::string>& names)
       const std::string file = it->path().string();
       const std::string extension = LowerCase(it->path().extension().string());
       if (it->is_regular_file(error) &&
-        (IsStepName(file) || extension == ".stpz" || (extension == ".gz" && IsStepName(GetStem(file)))))
+        (IsCADName(file) || extension == ".stpz" || (extension == ".gz" && IsCADName(GetStem(file)))))
       {
         inside.push_back(file);
       }

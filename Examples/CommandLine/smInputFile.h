@@ -1,6 +1,6 @@
 /**
  * @file smInputFile.h
- * @brief Input that is not a plain file: compressed STEP files and the standard input
+ * @brief Input that is not a plain file: compressed files and the standard input
  */
 #ifndef smInputFile_h
 #define smInputFile_h
@@ -12,7 +12,7 @@ namespace sm
 {
 /**
  * What a name stands for, as a plain file: the file itself; for "-" a copy of the standard input; the content of a file that gzip has
- * compressed (.step.gz, .stpz); and the only STEP file in a ZIP archive (.stpz, .zip). What a file is, its first bytes say. Copies are in a
+ * compressed (.step.gz, .stpz); and the only STEP or BREP file in a ZIP archive (.stpz, .zip). What a file is, its first bytes say. Copies are in a
  * folder below TMPDIR (/tmp without it) that the destructor removes, under the stem of the name, and have no more than 4 GB.
  */
 class InputFile
@@ -39,7 +39,7 @@ private:
   std::string Folder;
 };
 
-/// The names, with the STEP files in it, by their extension and in the order of their names, in place of every folder that has some.
+/// The names, with the STEP and BREP files in it, by their extension and in the order of their names, in place of every folder that has some.
 std::vector<std::string> ExpandFolders(const std::vector<std::string>& names);
 }
 

@@ -1,10 +1,10 @@
 #include "smMessageList.h"
 
+#include "vtkCADReader.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkSTEPReader.h"
 #include "vtkSurfaceIntegralBase.h"
 #include "vtkTrimmedNURBSModel.h"
 
@@ -46,7 +46,7 @@ bool IsOfFace(const std::string& fact, const std::vector<std::string>& said)
 
 namespace sm
 {
-void MessageList::AddReader(vtkSTEPReader* reader)
+void MessageList::AddReader(vtkCADReader* reader)
 {
   this->CollectBodies(reader);
   this->LabelBodies();
@@ -121,7 +121,7 @@ void MessageList::AddEcho(const std::string& message)
   }
 }
 
-void MessageList::CollectBodies(vtkSTEPReader* reader)
+void MessageList::CollectBodies(vtkCADReader* reader)
 {
   auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
   std::map<vtkTrimmedNURBSModel*, size_t> places;

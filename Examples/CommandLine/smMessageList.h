@@ -17,7 +17,7 @@
 #include <vector>
 
 class vtkSurfaceIntegralBase;
-class vtkSTEPReader;
+class vtkCADReader;
 class vtkTrimmedNURBSModel;
 
 namespace sm
@@ -26,7 +26,7 @@ class MessageList
 {
 public:
   /// Adds the messages of the reader, after its run.
-  void AddReader(vtkSTEPReader* reader);
+  void AddReader(vtkCADReader* reader);
   /// Adds the messages of a filter, after its run on that reader's output.
   void AddFilter(vtkSurfaceIntegralBase* filter);
   /// Adds an error or warning of VTK unless it repeats a message that was added before.
@@ -42,7 +42,7 @@ private:
     std::set<std::string> Said;
   };
 
-  void CollectBodies(vtkSTEPReader* reader);
+  void CollectBodies(vtkCADReader* reader);
   void LabelBodies();
   void Add(const std::string& message);
   void AddFact(Body& body, const std::string& fact);

@@ -2,6 +2,8 @@
 
 #include "smSafeFile.h"
 
+#include "vtkBREPReader.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -90,7 +92,7 @@ std::vector<std::string> TexturePrefixes(const Arguments& arguments)
   return prefixes;
 }
 
-bool IsStepFile(const std::string& name)
+bool IsModelFile(const std::string& name)
 {
   struct stat info = {};
   if (stat(name.c_str(), &info) != 0 || !S_ISREG(info.st_mode))
@@ -98,7 +100,8 @@ bool IsStepFile(const std::string& name)
     return false;
   }
   const std::string extension = LowerCase(fs::path(name).extension().string());
-  if (extension == ".step" || extension == ".stp" || extension == ".p21")
+  if (extension == ".step" || extension == ".stp" || extension == ".p21" || extension == ".brep" ||
+    extension == ".brp")
   {
     return true;
   }
@@ -106,7 +109,8 @@ bool IsStepFile(const std::string& name)
   std::string head(64, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   const size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return begin != std::string::npos && head.compare(begin, 12, "ISO-10303-21") == 0;
+  return begin != std::string::npos &&
+    (head.compare(begin, 12, "ISO-10303-21") == 0 || vtkBREPReader::CanReadContent(head) != 0);
 }
 
 std::string MakeTextureFolder(const Arguments& arguments)
@@ -168,9 +172,9 @@ std::string CheckOutputs(const Arguments& arguments)
       }
     }
     // Only this one is meant to be a STEP file.
-    if (IsStepFile(name) && option != "--write-validation")
+    if (IsModelFile(name) && option != "--write-validation")
     {
-      return option + " would overwrite " + name + ", which is a STEP file; name another file";
+      return option + " would overwrite " + name + ", which is a CAD file; name another file";
     }
     const std::string problem = FindSaveProblem(name);
     if (!problem.empty())

@@ -17,8 +17,8 @@ std::vector<std::string> OutputNames(const std::vector<std::string>& files, cons
 /// a folder.
 std::vector<std::string> TexturePrefixes(const Arguments& arguments);
 
-/// True when a file of this name exists and is a STEP file by its extension or its first line.
-bool IsStepFile(const std::string& name);
+/// True when a file of this name exists and is a STEP or BREP file by its extension or its first line.
+bool IsModelFile(const std::string& name);
 
 /// Makes the folder of the trim textures, if one is given. Returns an error message when it cannot be written, otherwise an empty text.
 std::string MakeTextureFolder(const Arguments& arguments);

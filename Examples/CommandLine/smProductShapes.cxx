@@ -2,8 +2,8 @@
 
 #include "smProductTree.h"
 
+#include "vtkCADReader.h"
 #include "vtkMath.h"
-#include "vtkSTEPReader.h"
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ Json WriteShape(const PartShape& shape)
 }
 }
 
-Json MeasureProduct(vtkSTEPReader* reader, const JobOptions& options, const Json& solids)
+Json MeasureProduct(vtkCADReader* reader, const JobOptions& options, const Json& solids)
 {
   std::set<std::string> ids;
   for (const Json& solid : solids)

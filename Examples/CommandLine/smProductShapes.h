@@ -20,7 +20,7 @@ namespace sm
 constexpr const char* ShapesKey = "shapes";
 
 /// The shape of each model that one of the solids is an instance of, and the model and the placement of each solid.
-Json MeasureProduct(vtkSTEPReader* reader, const JobOptions& options, const Json& solids);
+Json MeasureProduct(vtkCADReader* reader, const JobOptions& options, const Json& solids);
 
 /// A solid as the comparison sees it.
 struct SolidShape

@@ -2,10 +2,10 @@
 
 #include "smMaterials.h"
 
+#include "vtkCADReader.h"
 #include "vtkDataAssembly.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkSTEPReader.h"
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace
 {
 constexpr int MaximumLevel = 100;
 
-vtkPartitionedDataSetCollection* GetParts(vtkSTEPReader* reader)
+vtkPartitionedDataSetCollection* GetParts(vtkCADReader* reader)
 {
   return vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
 }
@@ -95,7 +95,7 @@ void AddNode(vtkDataAssembly* assembly, int node, int level, const std::vector<J
 
 }
 
-std::vector<ProductBody> ListBodies(vtkSTEPReader* reader)
+std::vector<ProductBody> ListBodies(vtkCADReader* reader)
 {
   std::vector<ProductBody> bodies;
   if (vtkPartitionedDataSetCollection* parts = GetParts(reader))
@@ -105,7 +105,7 @@ std::vector<ProductBody> ListBodies(vtkSTEPReader* reader)
   return bodies;
 }
 
-Json GetProductTree(vtkSTEPReader* reader)
+Json GetProductTree(vtkCADReader* reader)
 {
   vtkPartitionedDataSetCollection* parts = GetParts(reader);
   vtkDataAssembly* assembly = parts ? parts->GetDataAssembly() : nullptr;
@@ -117,7 +117,7 @@ Json GetProductTree(vtkSTEPReader* reader)
   return root;
 }
 
-std::vector<std::string> FindProducts(vtkSTEPReader* reader, const std::string& pattern)
+std::vector<std::string> FindProducts(vtkCADReader* reader, const std::string& pattern)
 {
   vtkPartitionedDataSetCollection* parts = GetParts(reader);
   vtkDataAssembly* assembly = parts ? parts->GetDataAssembly() : nullptr;

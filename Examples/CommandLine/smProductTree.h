@@ -12,14 +12,14 @@
 #include <vector>
 
 class vtkPolyData;
-class vtkSTEPReader;
+class vtkCADReader;
 class vtkTrimmedNURBSModel;
 
 namespace sm
 {
 /// The root of the products: {"name", "bodies": [{"id", "model", "placement"}], "children": [...]}. "id" is that of the table of solids, and
 /// bodies with the same "model" are instances of one; "placement" has the first three rows of the matrix from the part to the world. Nodes more than 100 levels deep are missing, and their bodies are in the node above.
-Json GetProductTree(vtkSTEPReader* reader);
+Json GetProductTree(vtkCADReader* reader);
 
 /// A solid or free shell of the file: its id in the table of solids, its model, its display mesh, and the first three rows of the matrix from the part to the
 /// world.
@@ -31,11 +31,11 @@ struct ProductBody
   std::array<double, 12> Placement;
 };
 /// All of them, in the order of their ids.
-std::vector<ProductBody> ListBodies(vtkSTEPReader* reader);
+std::vector<ProductBody> ListBodies(vtkCADReader* reader);
 
 /// A selector (vtkSurfaceIntegralBase::AddSelector) for every product whose name matches the pattern (MatchesPattern); one that
 /// selects nothing and names the pattern when there is none.
-std::vector<std::string> FindProducts(vtkSTEPReader* reader, const std::string& pattern);
+std::vector<std::string> FindProducts(vtkCADReader* reader, const std::string& pattern);
 }
 
 #endif

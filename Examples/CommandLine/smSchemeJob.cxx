@@ -29,9 +29,9 @@ std::string MakeFileName(const std::string& name)
 
 std::string Write(vtkImageData* image, const std::string& fileName)
 {
-  if (sm::IsStepFile(fileName))
+  if (sm::IsModelFile(fileName))
   {
-    return fileName + " would be overwritten, and it is a STEP file";
+    return fileName + " would be overwritten, and it is a CAD file";
   }
   return sm::WriteImage(image, fileName);
 }

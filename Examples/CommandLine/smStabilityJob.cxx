@@ -8,12 +8,12 @@
 #include "smText.h"
 #include "smUserIntegrals.h"
 
+#include "vtkCADReader.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMassPropertiesGPU.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSTEPReader.h"
 #include "vtkSolidStability.h"
 #include "vtkTable.h"
 
@@ -78,7 +78,7 @@ Json Describe(vtkSolidStability* filter, vtkIdType row)
 
 namespace sm
 {
-vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptions& options,
+vtkSmartPointer<vtkPolyData> FindStability(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
 {
   std::array<double, 3> direction;
@@ -130,7 +130,7 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptio
   return drawing;
 }
 
-void AddBoxes(vtkSTEPReader* reader, Json& file)
+void AddBoxes(vtkCADReader* reader, Json& file)
 {
   const std::vector<BodyBox> boxes = ComputeBodyBoxes(reader->GetOutputDataObject(0));
   const auto set = [](Json& quantities, const BodyBox& box)

@@ -13,7 +13,7 @@
 
 class vtkAlgorithm;
 class vtkPolyData;
-class vtkSTEPReader;
+class vtkCADReader;
 
 namespace sm
 {
@@ -21,11 +21,11 @@ class MessageList;
 
 /// Fills `stability` of the total (all solids as one body that rests on its lowest points) and of every solid alone. `update` runs a
 /// filter. Returns the drawing for the picture; null when the options have no direction.
-vtkSmartPointer<vtkPolyData> FindStability(vtkSTEPReader* reader, const JobOptions& options,
+vtkSmartPointer<vtkPolyData> FindStability(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages);
 
 /// Sets "bounding_box" and its bound of every solid and of all together.
-void AddBoxes(vtkSTEPReader* reader, Json& file);
+void AddBoxes(vtkCADReader* reader, Json& file);
 }
 
 #endif

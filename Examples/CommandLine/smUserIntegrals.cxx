@@ -3,6 +3,7 @@
 #include "smMassPropertyNames.h"
 #include "smMessageList.h"
 
+#include "vtkCADReader.h"
 #include "vtkComputeContext.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -10,7 +11,6 @@
 #include "vtkMassPropertiesBase.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSTEPReader.h"
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceIntegralGPU.h"
 #include "vtkTable.h"
@@ -145,18 +145,6 @@ std::string FindClash(const JobOptions& options)
   return {};
 }
 
-void SetUpReader(vtkSTEPReader* reader, const std::string& path, const JobOptions& options)
-{
-  reader->SetFileName(path.c_str());
-  reader->SetOutputUnit(options.Unit);
-  reader->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
-  if (options.Deflection > 0.0)
-  {
-    reader->RelativeDeflectionOff();
-    reader->SetLinearDeflection(options.Deflection);
-  }
-}
-
 void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
 {
   filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));
@@ -239,7 +227,7 @@ void AddEffort(vtkSurfaceIntegralBase* filter, Json& file, MessageList& messages
   messages.AddFilter(filter);
 }
 
-void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
+void IntegrateUsers(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
 {
   const auto run = [&](vtkSurfaceIntegralGPU* filter)

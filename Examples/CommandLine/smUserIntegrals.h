@@ -10,7 +10,7 @@
 #include <functional>
 
 class vtkAlgorithm;
-class vtkSTEPReader;
+class vtkCADReader;
 class vtkMassPropertiesBase;
 class vtkSurfaceIntegralBase;
 
@@ -26,9 +26,6 @@ bool ParseIntegral(const std::string& text, std::string& name, std::string& expr
 
 /// A name that two integrals, or an integral and another column of the results, would share; empty when there is none.
 std::string FindClash(const JobOptions& options);
-
-/// Sets the reader's file and what the options say about reading.
-void SetUpReader(vtkSTEPReader* reader, const std::string& path, const JobOptions& options);
 
 /// Gives a filter what all filters of a job share: limits and backend.
 void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options);
@@ -47,7 +44,7 @@ void AddEffort(vtkSurfaceIntegralBase* filter, Json& file, MessageList& messages
 
 /// Computes the integrals that the options ask for into `integrals` of the file and of each solid: {NAME: {"value", "bound"}}, null
 /// where it is not known. `update` runs a filter.
-void IntegrateUsers(vtkSTEPReader* reader, const JobOptions& options,
+void IntegrateUsers(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages);
 }
 

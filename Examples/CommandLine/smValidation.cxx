@@ -296,7 +296,7 @@ std::string WriteValidation(
   const Comparison comparison(fileName, tree, file);
   if (!comparison.IsRead)
   {
-    return "the text of " + fileName + " cannot be read";
+    return fileName + " is no STEP file that can be written again with validation properties";
   }
   std::vector<STEPStatement> statements;
   for (const STEPProduct& product : comparison.Products)

@@ -4,6 +4,7 @@ _solidmoments()
   local word=${COMP_WORDS[COMP_CWORD]} words=
   case ${COMP_WORDS[COMP_CWORD - 1]} in
     --unit) words="mm cm m um inch ft file" ;;
+    --input-unit) words="mm cm m um inch ft" ;;
     --backend) words="auto opengl x egl cpu" ;;
     --scheme) words="adaptive midpoint gauss2 gauss3" ;;
     --deviation) words="bounded sampled" ;;

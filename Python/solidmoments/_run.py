@@ -47,7 +47,7 @@ def _make(file, data, row, **more):
                           material=_get_text(data, row, "Material"), open_edges=None if edges is None else int(edges), **values, **more)
 
 
-def _check(density, tolerance, density_tolerance, backend, max_seconds, unit, repair):
+def _check(density, tolerance, density_tolerance, backend, max_seconds, unit, input_unit, repair):
     """Raises ValueError for what the filter would clamp or report on the console."""
     if density is not None and not 0.0 < density < math.inf:
         raise ValueError(f"density is {density}; it has to be above 0 and finite, in kg/m^3, or None for those of the file")
@@ -63,18 +63,20 @@ def _check(density, tolerance, density_tolerance, backend, max_seconds, unit, re
         raise ValueError(f"max_seconds is {max_seconds}; it has to be above 0 and finite, or None")
     if unit not in ("mm", "cm", "m", "um", "inch", "ft", "file"):
         raise ValueError(f"unit is {unit!r}; it has to be mm, cm, m, um, inch, ft or file")
+    if input_unit not in ("mm", "cm", "m", "um", "inch", "ft"):
+        raise ValueError(f"input_unit is {input_unit!r}; it has to be mm, cm, m, um, inch or ft")
 
 
 def _messages(*algorithms):
     return tuple(algorithm.GetMessage(i) for algorithm in algorithms for i in range(algorithm.GetNumberOfMessages()))
 
 
-def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, density_tolerance=0.0, materials=(), backend="auto", max_seconds=None,
+def mass_properties(file, density=None, *, unit="mm", input_unit="mm", tolerance=1e-9, density_tolerance=0.0, materials=(), backend="auto", max_seconds=None,
                     repair="needed", strict=False):
-    """The MassProperties of all solids of a STEP file together; those of each solid are in `solids`.
+    """The MassProperties of all solids of a STEP or BREP file together; those of each solid are in `solids`.
 
-    file: path. density: of all solids in kg/m^3; None: those that the file gives. unit: length unit of the result, mm, cm, m, um, inch, ft,
-    or file for that of the file. tolerance: relative, from 1e-15 to 1. density_tolerance: largest relative deviation of the densities, 0 to 1,
+    file: path, or the bytes of a file. density: of all solids in kg/m^3; None: those that the file gives. unit: length unit of the result, mm, cm, m, um, inch, ft,
+    or file for that of the file. input_unit: that of a BREP file, which states none. tolerance: relative, from 1e-15 to 1. density_tolerance: largest relative deviation of the densities, 0 to 1,
     for `mass_uncertainty`. materials: rows (pattern of names, material, density or None), before
     `density`. backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
     repair: needed, OpenCASCADE repairs the solids and shells that are not sound as the file has them; or always, all.
@@ -83,20 +85,27 @@ def mass_properties(file, density=None, *, unit="mm", tolerance=1e-9, density_to
     than ok gives a FlaggedResultWarning; with strict=True it raises SolidMomentsError, too.
     """
     from .smFiltersMassProperties import vtkMassPropertiesGPU
+    from .smReadersBREP import vtkBREPReader
     from .smReadersSTEP import vtkSTEPReader
 
-    file = os.fspath(file)
-    _check(density, tolerance, density_tolerance, backend, max_seconds, unit, repair)
-    if not os.path.exists(file):
+    content = file if isinstance(file, bytes) else b""
+    file = "bytes in memory" if isinstance(file, bytes) else os.fspath(file)
+    _check(density, tolerance, density_tolerance, backend, max_seconds, unit, input_unit, repair)
+    if not content and not os.path.exists(file):
         raise FileNotFoundError(file)
-    reader, mass = vtkSTEPReader(), vtkMassPropertiesGPU()
+    is_brep = vtkBREPReader.CanReadContent(content) if content else vtkBREPReader.CanReadFile(file)
+    reader, mass = vtkBREPReader() if is_brep else vtkSTEPReader(), vtkMassPropertiesGPU()
     for algorithm in (reader, mass):  # their texts are in the messages: nothing is written to the console
         for event in ("ErrorEvent", "WarningEvent"):
             algorithm.AddObserver(event, lambda *_: None)
     reader.SetFileName(file)
     reader.IsolatedOn()  # a file that crashes OpenCASCADE does not end the interpreter
     reader.SetOutputUnit(unit)
-    reader.SetRepair(reader.ON_NEED if repair == "needed" else reader.ALWAYS)
+    reader.SetContent(content)
+    if is_brep:
+        reader.SetInputUnit(input_unit)
+    else:
+        reader.SetRepair(reader.ON_NEED if repair == "needed" else reader.ALWAYS)
     reader.SetMaximumSeconds(max_seconds or 0.0)
     mass.SetInputConnection(reader.GetOutputPort())
     mass.SetDensity(density or 0.0)

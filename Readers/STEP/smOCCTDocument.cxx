@@ -1,6 +1,7 @@
 #include "smOCCTDocument.h"
 
 #include "smLengthUnits.h"
+#include "smMemoryBuffer.h"
 #include "smOCCTCompatibility.h"
 #include "smOCCTDamage.h"
 #include "smOCCTFailure.h"
@@ -20,9 +21,9 @@
 #include <XSControl_WorkSession.hxx>
 
 #include <algorithm>
-#include <fstream>
+#include <istream>
 #include <memory>
-#include <sstream>
+#include <utility>
 
 namespace sm
 {
@@ -46,18 +47,14 @@ void Configure(STEPCAFControl_Reader& reader)
   reader.SetSHUOMode(false);
 }
 
-/// Reads the entities of the file, whose text is also in `text`. False, with document.Problem, when OpenCASCADE cannot.
-bool Parse(const std::string& fileName, const FileCheck& check, const Part21File& text,
-  STEPCAFControl_Reader& reader, Document& document)
+/// Reads the entities of the file. False, with document.Problem, when OpenCASCADE cannot.
+bool Parse(const FileCheck& check, const Part21File& text, STEPCAFControl_Reader& reader, Document& document)
 {
   // Where OpenCASCADE knows these entities, the session tells it to skip them.
   const std::string reduced = KernelReadsTessellations ? std::string() : RemoveTessellations(text);
-  // The file is opened here: OpenCASCADE takes its name for UTF-8, and a name may be any bytes.
-  std::istringstream reducedStream(reduced);
-  std::ifstream fileStream(fileName, std::ios::binary);
-  fileStream.seekg(static_cast<std::streamoff>(check.JunkBytes));
-  std::istream& stream = reduced.empty() ? static_cast<std::istream&>(fileStream) : reducedStream;
-  const IFSelect_ReturnStatus status = reader.ChangeReader().ReadStream(fileName.c_str(), stream);
+  MemoryBuffer buffer(reduced.empty() ? text.GetText().substr(check.JunkBytes) : reduced);
+  std::istream stream(&buffer);
+  const IFSelect_ReturnStatus status = reader.ChangeReader().ReadStream("STEP", stream);
   if (status != IFSelect_RetDone)
   {
     document.Problem = std::string("OpenCASCADE cannot parse it") +
@@ -115,9 +112,9 @@ struct DeclaredContent
   STEPCensus Census;
   std::unordered_map<std::uint64_t, std::string> Perils;
 
-  DeclaredContent(const std::string& fileName, Document& document)
+  DeclaredContent(std::string content, Document& document)
   {
-    if (!this->Text.Read(fileName))
+    if (!this->Text.Parse(std::move(content)))
     {
       document.Defects.push_back("What the file declares could not be checked: its text could not be read.");
     }
@@ -186,10 +183,10 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
   return progress(1.0);
 }
 
-void Read(const std::string& fileName, const FileCheck& check, RepairMode repair,
-  const ProgressCallback& progress, Document& document)
+void Read(std::string content, const FileCheck& check, RepairMode repair, const ProgressCallback& progress,
+  Document& document)
 {
-  const DeclaredContent declared(fileName, document);
+  const DeclaredContent declared(std::move(content), document);
   const CensusCount instances = CountDeclaredInstances(declared.Census);
   if (instances > MostInstances)
   {
@@ -207,7 +204,7 @@ void Read(const std::string& fileName, const FileCheck& check, RepairMode repair
   const KernelSession kernel;
   STEPCAFControl_Reader reader;
   Configure(reader);
-  if (!Parse(fileName, check, declared.Text, reader, document))
+  if (!Parse(check, declared.Text, reader, document))
   {
     return;
   }
@@ -251,10 +248,10 @@ void Read(const std::string& fileName, const FileCheck& check, RepairMode repair
 }
 }
 
-Document ReadDocument(const std::string& fileName, RepairMode repair, const ProgressCallback& progress)
+Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback& progress)
 {
   Document document;
-  const FileCheck check = CheckFile(fileName);
+  const FileCheck check = CheckText(content);
   if (!check.Readable)
   {
     document.Problem = check.Problem;
@@ -269,7 +266,8 @@ Document ReadDocument(const std::string& fileName, RepairMode repair, const Prog
   {
     document.Messages.push_back("The file does not end with END-ISO-10303-21: part of it may be missing.");
   }
-  const std::string failure = CatchFailure([&]() { Read(fileName, check, repair, progress, document); });
+  const std::string failure =
+    CatchFailure([&]() { Read(std::move(content), check, repair, progress, document); });
   if (!failure.empty())
   {
     document.Status = ReadStatus::Unreadable;

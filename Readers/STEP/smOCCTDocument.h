@@ -1,6 +1,6 @@
 /**
  * @file smOCCTDocument.h
- * @brief A STEP file as parts and instances with their attributes
+ * @brief A STEP or BREP file as parts and instances with their attributes
  */
 #ifndef smOCCTDocument_h
 #define smOCCTDocument_h
@@ -75,6 +75,8 @@ struct Document
   /// The file's own length unit as it spells it ("millimetre"), and in mm; empty and 1 when it gives none.
   std::string FileUnit;
   double FileUnitInMillimetres = 1.0;
+  /// Unit of the lengths of this document, also where mm is said above, in mm.
+  double UnitInMillimetres = 1.0;
   std::vector<PartBody> Bodies;
   std::vector<BodyInstance> Instances;
   ProductNode Root;
@@ -91,10 +93,10 @@ enum class RepairMode
 };
 
 /**
- * Reads the file. `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession, so that one
+ * Reads the bytes of a STEP file. `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession, so that one
  * thread of the process reads at a time. Throws std::bad_alloc, and nothing else.
  */
-Document ReadDocument(const std::string& fileName, RepairMode repair, const ProgressCallback& progress);
+Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback& progress);
 }
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "smExportTree.h"
 #include "smProgressCallback.h"
+#include "smReadersSTEPModule.h"
 
 #include <iosfwd>
 #include <string>
@@ -43,8 +44,8 @@ ExportResult WriteSTEP(const ExportTree& tree, const ExportOptions& options, std
   const ProgressCallback& progress);
 
 /// OpenCASCADE's own text format, one compound of all instances; it has neither units, names nor colours.
-ExportResult WriteBREP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
-  const ProgressCallback& progress);
+SMREADERSSTEP_EXPORT ExportResult WriteBREP(const ExportTree& tree, const ExportOptions& options,
+  std::ostream& stream, const ProgressCallback& progress);
 }
 
 #endif

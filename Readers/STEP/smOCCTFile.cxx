@@ -30,25 +30,15 @@ std::mutex& GetKernelMutex()
 
 thread_local int SessionDepth = 0;
 
-std::string ReadBytes(std::ifstream& file, std::streamoff from, std::size_t count)
-{
-  std::string bytes(count, '\0');
-  file.clear();
-  file.seekg(from);
-  file.read(&bytes[0], static_cast<std::streamsize>(count));
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  return bytes;
-}
-
 /// Blanks and comments may stand before the header.
-bool IsBlank(const std::string& text)
+bool IsBlank(std::string_view text)
 {
   for (std::size_t i = 0; i < text.size(); ++i)
   {
     if (text.compare(i, 2, "/*") == 0)
     {
       const std::size_t end = text.find("*/", i + 2);
-      if (end == std::string::npos)
+      if (end == std::string_view::npos)
       {
         return false;
       }
@@ -63,27 +53,32 @@ bool IsBlank(const std::string& text)
 }
 }
 
-FileCheck CheckFile(const std::string& name)
+std::string LoadFile(const std::string& name, std::string& problem)
 {
-  FileCheck check;
   std::ifstream file(name, std::ios::binary);
   file.seekg(0, std::ios::end);
   const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
   // A folder opens on some systems and tells a size that nothing can have.
-  if (size < 0 || !std::ifstream(name, std::ios::binary) ||
-    size == std::numeric_limits<std::streamoff>::max())
+  if (size < 0 || size == std::numeric_limits<std::streamoff>::max())
   {
-    check.Problem = "it cannot be opened; check that it exists and may be read";
-    return check;
+    problem = "it cannot be opened; check that it exists and may be read";
+    return {};
   }
-  if (size == 0)
-  {
-    check.Problem = "it is empty; export it again";
-    return check;
-  }
-  const std::string head = ReadBytes(file, 0, SniffBytes);
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  file.seekg(0);
+  file.read(bytes.data(), size);
+  // A file that shrinks meanwhile is read as far as it goes.
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  problem = bytes.empty() ? "it is empty; export it again" : "";
+  return bytes;
+}
+
+FileCheck CheckText(std::string_view text)
+{
+  FileCheck check;
+  const std::string_view head = text.substr(0, SniffBytes);
   const std::size_t start = head.find(Magic);
-  if (start == std::string::npos)
+  if (start == std::string_view::npos)
   {
     check.Problem = head.compare(0, 2, "PK") == 0 ? "it is a zip archive (.stpz?); unpack it first"
       : head.compare(0, 2, "\x1f\x8b") == 0       ? "it is compressed with gzip; unpack it first"
@@ -93,17 +88,23 @@ FileCheck CheckFile(const std::string& name)
   }
   check.Readable = true;
   check.JunkBytes = IsBlank(head.substr(0, start)) ? 0 : start;
-  const std::size_t tail = static_cast<std::size_t>(std::min<std::streamoff>(size, 4096));
-  check.Truncated =
-    ReadBytes(file, size - static_cast<std::streamoff>(tail), tail).find("END-ISO-10303-21") ==
-    std::string::npos;
+  const std::string_view tail = text.substr(text.size() - std::min<std::size_t>(text.size(), 4096));
+  check.Truncated = tail.find("END-ISO-10303-21") == std::string_view::npos;
   return check;
+}
+
+std::string LoadHead(const std::string& name)
+{
+  std::ifstream file(name, std::ios::binary);
+  std::string bytes(SniffBytes, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
 }
 
 bool LooksLikeSTEP(const std::string& name)
 {
-  std::ifstream file(name, std::ios::binary);
-  return file && ReadBytes(file, 0, SniffBytes).find(Magic) != std::string::npos;
+  return LoadHead(name).find(Magic) != std::string::npos;
 }
 
 void KernelSettings::Set(const char* name, const char* value)

@@ -1,11 +1,12 @@
 /**
  * @file smOCCTFile.h
- * @brief Checks of a STEP file before OpenCASCADE reads it; OpenCASCADE's global settings and its progress
+ * @brief Bytes of a file and checks before OpenCASCADE reads them; OpenCASCADE's global settings and its progress
  */
 #ifndef smOCCTFile_h
 #define smOCCTFile_h
 
 #include "smProgressCallback.h"
+#include "smReadersSTEPModule.h"
 
 #include <Message_ProgressIndicator.hxx>
 #include <Message_SequenceOfPrinters.hxx>
@@ -16,10 +17,14 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 namespace sm
 {
-/// Result of a look at the first and last bytes.
+/// All bytes of a file; empty, with the problem and its remedy, when it cannot be opened or is empty.
+std::string LoadFile(const std::string& name, std::string& problem);
+
+/// Result of a look at the first and last bytes of a STEP file.
 struct FileCheck
 {
   bool Readable = false;
@@ -30,7 +35,10 @@ struct FileCheck
   /// The file does not end with END-ISO-10303-21.
   bool Truncated = false;
 };
-FileCheck CheckFile(const std::string& name);
+FileCheck CheckText(std::string_view text);
+
+/// The first 64 KiB of a file, in which the header of its format stands; fewer where there are no more.
+SMREADERSSTEP_EXPORT std::string LoadHead(const std::string& name);
 
 /// True when the file begins like a STEP file; cheap.
 bool LooksLikeSTEP(const std::string& name);
@@ -74,7 +82,7 @@ private:
 };
 
 /// Lengths of the document are in mm; OpenCASCADE looks at the process's settings only where a document has no unit.
-void SetMillimetres(const Handle(TDocStd_Document) & document);
+SMREADERSSTEP_EXPORT void SetMillimetres(const Handle(TDocStd_Document) & document);
 
 /// CPU time of this thread in seconds. A limit in CPU time does not depend on the load of the machine, so that a file gives the same
 /// bits on a busy one.
@@ -82,7 +90,7 @@ double GetThreadSeconds();
 
 /// OpenCASCADE's progress as a call of `progress` with a fraction in [0,1]; progress answers false to stop. It also
 /// stops after so many seconds of this thread's; 0: never.
-class KernelProgress : public Message_ProgressIndicator
+class SMREADERSSTEP_EXPORT KernelProgress : public Message_ProgressIndicator
 {
   DEFINE_STANDARD_RTTI_INLINE(KernelProgress, Message_ProgressIndicator)
 public:

@@ -13,7 +13,7 @@ namespace sm
 {
 /// Adds the products of `xde` to the root of the document, whose table has what the file says of their shapes. Faces that no solid has are
 /// bodies only where the file has no solids; else they are counted.
-void AddProducts(const Handle(TDocStd_Document) & xde, Document& document);
+SMREADERSSTEP_EXPORT void AddProducts(const Handle(TDocStd_Document) & xde, Document& document);
 }
 
 #endif

@@ -7,9 +7,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <memory>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -69,7 +71,7 @@ std::string DescribeEnd(int status)
 class Process
 {
 public:
-  Process(const std::string& program, const std::vector<std::string>& arguments);
+  Process(const std::string& program, const std::vector<std::string>& arguments, const std::string& input);
   ~Process();
   Process(const Process&) = delete;
   void operator=(const Process&) = delete;
@@ -87,8 +89,34 @@ private:
   int Error = 0;
 };
 
-Process::Process(const std::string& program, const std::vector<std::string>& arguments)
+/// A file without a name that holds the bytes, at its start; null, with errno, without room for it.
+std::FILE* MakeInput(const std::string& bytes)
 {
+  std::FILE* file = std::tmpfile();
+  if (file && (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0))
+  {
+    const int error = errno;
+    std::fclose(file);
+    errno = error;
+    return nullptr;
+  }
+  if (file)
+  {
+    std::rewind(file);
+  }
+  return file;
+}
+
+Process::Process(
+  const std::string& program, const std::vector<std::string>& arguments, const std::string& input)
+{
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+    input.empty() ? nullptr : MakeInput(input), &std::fclose);
+  if (!input.empty() && !file)
+  {
+    this->Error = errno;
+    return;
+  }
   std::vector<char*> words{ const_cast<char*>(program.c_str()) };
   for (const std::string& argument : arguments)
   {
@@ -104,6 +132,14 @@ Process::Process(const std::string& program, const std::vector<std::string>& arg
   this->Pipe = ends[0];
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
+  if (file)
+  {
+    posix_spawn_file_actions_adddup2(&actions, fileno(file.get()), STDIN_FILENO);
+  }
+  else
+  {
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  }
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   this->Error = posix_spawn(&this->Id, program.c_str(), &actions, nullptr, words.data(), environ);
@@ -204,11 +240,11 @@ std::string FindReadProgram()
   return {};
 }
 
-ReadProgramOutcome RunReadProgram(
-  const std::string& program, const std::vector<std::string>& arguments, const ProgressCallback& progress)
+ReadProgramOutcome RunReadProgram(const std::string& program, const std::vector<std::string>& arguments,
+  const std::string& input, const ProgressCallback& progress)
 {
   ReadProgramOutcome outcome;
-  Process process(program, arguments);
+  Process process(program, arguments, input);
   if (process.GetError() != 0)
   {
     outcome.Problem = std::string("could not be started: ") + std::strerror(process.GetError());

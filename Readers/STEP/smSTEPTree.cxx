@@ -62,12 +62,12 @@ std::string GetStem(const std::string& path)
 }
 }
 
-void AddAssembly(
-  const ProductNode& root, const std::string& fileName, vtkPartitionedDataSetCollection* output)
+void AddAssembly(const ProductNode& root, const char* format, const std::string& fileName,
+  vtkPartitionedDataSetCollection* output)
 {
   vtkNew<vtkDataAssembly> assembly;
   const std::string stem = GetStem(fileName);
-  assembly->SetRootNodeName("STEP");
+  assembly->SetRootNodeName(format);
   assembly->SetAttribute(vtkDataAssembly::GetRootNode(), "label", stem.c_str());
   for (const ProductNode& product : root.Children)
   {

@@ -1,6 +1,6 @@
 /**
  * @file smSTEPTree.h
- * @brief The output of vtkSTEPReader without its leaves: names and product structure, also for ranks that have no leaves
+ * @brief The output of vtkCADReader without its leaves: names and product structure, also for ranks that have no leaves
  */
 #ifndef smSTEPTree_h
 #define smSTEPTree_h
@@ -17,9 +17,10 @@ class vtkPartitionedDataSetCollection;
 
 namespace sm
 {
-/// Makes the vtkDataAssembly of the products. The attribute "label" of its root is the file's name without folder and extension.
-void AddAssembly(
-  const ProductNode& root, const std::string& fileName, vtkPartitionedDataSetCollection* output);
+/// Makes the vtkDataAssembly of the products. Its root is named `format`; the attribute "label" of it is the file's name without folder
+/// and extension.
+void AddAssembly(const ProductNode& root, const char* format, const std::string& fileName,
+  vtkPartitionedDataSetCollection* output);
 
 /// More than the field data of an output needs.
 constexpr std::size_t SpareMemory = std::size_t{ 1 } << 20;

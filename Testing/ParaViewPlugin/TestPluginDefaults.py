@@ -14,6 +14,7 @@ from paraview import servermanager, simple  # noqa: E402
 
 # Group, proxy, label, Python module and class.
 PROXIES = (("sources", "STEPReader", "STEP Reader", "smReadersSTEP", "vtkSTEPReader"),
+           ("sources", "BREPReader", "BREP Reader", "smReadersBREP", "vtkBREPReader"),
            ("writers", "STEPWriter", "STEP (exact NURBS solids)", "smReadersSTEP", "vtkSTEPWriter"),
            ("filters", "MassPropertiesGPU", "Mass Properties", "smFiltersMassProperties", "vtkMassPropertiesGPU"),
            ("filters", "SurfaceIntegralGPU", "Surface Integral", "smFiltersSurfaceIntegrals", "vtkSurfaceIntegralGPU"),

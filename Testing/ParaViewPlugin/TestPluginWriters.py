@@ -66,6 +66,11 @@ brep = os.path.join(output, f"{prefix}-box.brep")
 simple.SaveData(brep, proxy=reader)
 with open(brep, encoding="utf-8") as file:
     check_true("BREP", "CASCADE Topology" in file.read(200))
+again = simple.OpenDataFile(brep)
+check_equal("BREP: our reader opens it", "BREPReader", again.GetXMLName())
+check("BREP: volume", weigh(reader)[0], weigh(again)[0], 1e-13 * weigh(reader)[0])
+again.InputUnit = "cm"
+check("BREP: volume in cm", 1000.0 * weigh(reader)[0], weigh(again)[0], 1e-10 * weigh(reader)[0])
 if server:
     check_true("this was remote", servermanager.ActiveConnection.IsRemote())
 finish()

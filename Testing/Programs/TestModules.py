@@ -10,7 +10,8 @@ from smcheck import Manifest, check, check_equal, check_true, check_values, fini
 from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
 from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkTrimmedNURBSModel  # noqa: E402
 from solidmoments.smFiltersSurfaceIntegrals import vtkSurfaceIntegralGPU  # noqa: E402
-from solidmoments.smReadersSTEP import vtkBREPWriter, vtkSTEPReader, vtkSTEPWriter  # noqa: E402
+from solidmoments.smReadersBREP import vtkBREPReader, vtkBREPWriter  # noqa: E402
+from solidmoments.smReadersSTEP import vtkSTEPReader, vtkSTEPWriter  # noqa: E402
 from solidmoments.smRenderingCompute import vtkComputeContext  # noqa: E402
 from solidmoments.smRenderingNURBS import vtkNURBSPointEvaluatorGPU  # noqa: E402
 from vtkmodules.vtkCommonTransforms import vtkTransform  # noqa: E402
@@ -94,10 +95,15 @@ with tempfile.TemporaryDirectory() as output:
         check_equal(name, 1, writer.Write())
         check_equal(name + ": faces", 7, writer.GetNumberOfFaces())
         check_equal(name + ": messages", 0, writer.GetNumberOfMessages())
-    again = vtkSTEPReader()
-    again.SetFileName(os.path.join(output, "part.step"))
     volume = mass.GetVolume()
-    mass.SetInputConnection(again.GetOutputPort())
-    mass.Update()
-    check_true("saved and read", abs(mass.GetVolume() / volume - 1) < 1e-14, str(mass.GetVolume() / volume - 1))
+    for again, name in ((vtkSTEPReader(), "part.step"), (vtkBREPReader(), "part.brep")):
+        again.SetFileName(os.path.join(output, name))
+        mass.SetInputConnection(again.GetOutputPort())
+        mass.Update()
+        check_true(name + " read", abs(mass.GetVolume() / volume - 1) < 1e-14, str(mass.GetVolume() / volume - 1))
+        with open(os.path.join(output, name), "rb") as file:
+            again.SetContent(file.read())
+        again.SetFileName(None)
+        mass.Update()
+        check_true(name + " from bytes", abs(mass.GetVolume() / volume - 1) < 1e-14, str(mass.GetVolume() / volume - 1))
 finish()

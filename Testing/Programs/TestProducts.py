@@ -489,8 +489,8 @@ def inputs():
         result = subprocess.run([options.program, "--print", "volume", "-"], input=data, stdout=subprocess.PIPE, timeout=200, check=False)
         check_equal("from the standard input", (0, volume), (result.returncode, float(result.stdout or "nan")))
     for name, said in ((write("cut.step.gz", packed[:-200]), "ends in the middle"), (write("bad.step.gz", packed[:500] + b"!" * 99 + packed[600:]), "damaged"),
-                       (zip_up("none.zip", members[:1], zipfile.ZIP_STORED), "0 STEP files"), (write("cut.zip", b"PK\x03\x04" + bytes(40)), "damaged"),
-                       (zip_up("both.zip", members + [("b.stp", content)], zipfile.ZIP_DEFLATED), "2 STEP files"),
+                       (zip_up("none.zip", members[:1], zipfile.ZIP_STORED), "0 STEP or BREP files"), (write("cut.zip", b"PK\x03\x04" + bytes(40)), "damaged"),
+                       (zip_up("both.zip", members + [("b.stp", content)], zipfile.ZIP_DEFLATED), "2 STEP or BREP files"),
                        (write("text.step.gz", gzip.compress(b"no STEP file")), "text.step.gz")):
         file = run_json(name, status=2)
         check_true("it says why", file["status"] == "unreadable" and any(said in text for text in file["messages"]), str(file["messages"]))

@@ -1,16 +1,18 @@
 """TestPythonPackage.py PROGRAM SOLIDS SAMPLE VERSION: solidmoments.mass_properties() and to_dataframe() give what the program prints as
 JSON, bit for bit, and raise where it has no result."""
 import dataclasses
+import gzip
 import json
 import math
 import os
 import subprocess
 import sys
+import tempfile
 import types
 import warnings
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
-from smcheck import Manifest, check_equal, check_true, finish  # noqa: E402
+from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
 
 import solidmoments  # noqa: E402
 
@@ -70,6 +72,45 @@ def check_same():
             check_equal(f"{name}, solid {i}: name and id", (solid["name"], solid["id"], solid["status"]), (row.name, row.id, row.status))
 
 
+def check_brep_and_memory():
+    """BREP files, plain and compressed, and bytes in memory."""
+    from solidmoments.smReadersBREP import vtkBREPWriter
+    from solidmoments.smReadersSTEP import vtkSTEPReader
+
+    with open(sample, "rb") as file:
+        check_row("STEP in memory", run(sample)[0]["total"], quietly(file.read())[0])
+    reader, writer = vtkSTEPReader(), vtkBREPWriter()
+    reader.SetFileName(sample)
+    writer.SetInputConnection(reader.GetOutputPort())
+    with tempfile.TemporaryDirectory() as output:
+        brep = os.path.join(output, "part.brep")
+        writer.SetFileName(brep)
+        check_equal("BREP is written", 1, writer.Write())
+        expected = run(brep)[0]["total"]
+        check_row("BREP", expected, quietly(brep)[0])
+        volume = run(sample)[0]["total"]["volume"]
+        check("BREP: volume of the STEP file", volume, expected["volume"], 1e-13 * volume)
+        check_row("BREP in inches", run(brep, "--input-unit", "in")[0]["total"], quietly(brep, input_unit="inch")[0])
+        check("BREP in inches: volume", volume * 25.4 ** 3, quietly(brep, input_unit="inch")[0].volume, 1e-12 * volume * 25.4 ** 3)
+        with open(brep, "rb") as file:
+            content = file.read()
+        result = quietly(content)[0]
+        check_row("BREP in memory", expected, result)
+        check_equal("its name", "bytes in memory", result.file)
+        with gzip.open(brep + ".gz", "wb") as file:
+            file.write(content)
+        check_row("BREP, compressed", run(brep + ".gz")[0]["total"], quietly(brep)[0])
+        check_equal("a folder has both formats", 2, len(run(output)))
+        kept = os.path.join(output, "kept.brep")
+        os.rename(brep, kept)
+        found = subprocess.run([program, sample, "--json", kept], capture_output=True, text=True, timeout=200, check=False)
+        check_true("no output overwrites a BREP file", found.returncode == 1 and "would overwrite" in found.stderr, found.stderr)
+        found = subprocess.run([program, kept, "--write-validation", os.path.join(output, "out.step")], capture_output=True, text=True,
+                               timeout=200, check=False)
+        check_true("validation properties go into STEP files only", found.returncode == 3 and "no STEP file" in found.stdout + found.stderr,
+                   found.stdout + found.stderr)
+
+
 def check_failures():
     def raised(error, *arguments, **options):
         try:
@@ -84,7 +125,7 @@ def check_failures():
     check_true("a file that is no STEP file", found and found.status == "unreadable" and found.messages and str(found).startswith(here), str(found))
     found = raised(solidmoments.SolidMomentsError, os.path.join(folder, "no_geometry.step"))
     check_equal("a file without solids", "empty", found and found.status)
-    for wrong in ({"density": -1.0}, {"density": 0.0}, {"density": math.nan}, {"density_tolerance": 2.0}, {"density_tolerance": math.nan}, {"tolerance": 2.0}, {"unit": "mile"}, {"backend": "gpu"},
+    for wrong in ({"density": -1.0}, {"density": 0.0}, {"density": math.nan}, {"density_tolerance": 2.0}, {"density_tolerance": math.nan}, {"tolerance": 2.0}, {"unit": "mile"}, {"input_unit": "file"}, {"backend": "gpu"},
                   {"repair": "never"}, {"max_seconds": 0.0}, {"materials": [("*", "unobtainium", None)]}, {"materials": [("*", "oak", -5.0)]}):
         found = raised(ValueError, sample, **wrong)
         check_true(f"{wrong} is refused", found is not None, str(found))
@@ -133,6 +174,7 @@ def check_table():
 
 
 check_same()
+check_brep_and_memory()
 check_failures()
 check_texts()
 check_table()

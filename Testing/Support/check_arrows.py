@@ -28,7 +28,7 @@ ROOMS = {
     "RenderingNURBS": ("Rendering/NURBS", ["RenderingCompute", "FiltersNURBS"]),
     "ReadersPart21": ("Readers/Part21", []),
     "ReadersSTEP": ("Readers/STEP", ["ReadersPart21", "FiltersTessellation", "FiltersNURBS"]),
-    "ReadersBREP": ("Readers/BREP", ["FiltersTessellation", "FiltersNURBS"]),
+    "ReadersBREP": ("Readers/BREP", ["ReadersSTEP"]),
 }
 
 

@@ -1,23 +1,26 @@
 /**
  * @file solidmoments_read.cxx
- * @brief solidmoments-read: reads a STEP file for a vtkSTEPReader in another process, which gives it its settings
+ * @brief solidmoments-read: reads a file for a vtkCADReader in another process, which gives it its settings
  *
- * It sends progress and output by the messages of smReadProgram.h to its standard output, and ends with the process that started it.
+ * Its arguments are the format, "file" or "content" (of the standard input), and the words of vtkCADReader::PackSettings(). It sends progress and output by the messages of smReadProgram.h to its standard output, and ends with the process that started it.
  */
 #include "smReadProgram.h"
+#include "vtkBREPReader.h"
 #include "vtkSTEPReader.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <iterator>
+#include <string>
 
 namespace
 {
-constexpr int NumberOfArguments = 6;
+constexpr int NumberOfArguments = 2 + vtkCADReader::NumberOfSettings;
 
 void OnProgress(vtkObject* caller, unsigned long, void* data, void*)
 {
@@ -35,14 +38,17 @@ bool ReadAndSend(char** arguments)
     return false;
   }
   vtkObject::GlobalWarningDisplayOff();
-  vtkNew<vtkSTEPReader> reader;
-  reader->SetFileName(arguments[0]);
-  reader->SetOutputUnit(arguments[1]);
-  reader->SetRepair(std::atoi(arguments[2]));
-  reader->SetLinearDeflection(std::strtod(arguments[3], nullptr));
-  reader->SetRelativeDeflection(std::atoi(arguments[4]) != 0);
-  reader->SetAngularDeflection(std::strtod(arguments[5], nullptr));
-  vtkNew<vtkCallbackCommand> observer;
+  vtkSmartPointer<vtkCADReader> reader = vtkSmartPointer<vtkSTEPReader>::New();
+  if (arguments[0] == std::string("BREP"))
+  {
+    reader = vtkSmartPointer<vtkBREPReader>::New();
+  }
+  reader->UnpackSettings({ arguments + 2, arguments + NumberOfArguments });
+  if (arguments[1] == std::string("content"))
+  {
+    reader->SetContent({ std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>() });
+  }
+  auto observer = vtkSmartPointer<vtkCallbackCommand>::New();
   observer->SetCallback(OnProgress);
   observer->SetClientData(&messages);
   reader->AddObserver(vtkCommand::ProgressEvent, observer);
@@ -56,7 +62,7 @@ int main(int argc, char** argv)
   if (argc != NumberOfArguments + 1)
   {
     std::cerr
-      << "solidmoments-read: this program is started by vtkSTEPReader; the command line is solidmoments.\n";
+      << "solidmoments-read: this program is started by vtkCADReader; the command line is solidmoments.\n";
     return 1;
   }
   try

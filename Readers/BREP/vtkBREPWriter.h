@@ -10,10 +10,10 @@
 #define vtkBREPWriter_h
 
 #include "smProgressCallback.h"
-#include "smReadersSTEPModule.h"
+#include "smReadersBREPModule.h"
 #include "vtkNURBSModelWriter.h"
 
-class SMREADERSSTEP_EXPORT vtkBREPWriter : public vtkNURBSModelWriter
+class SMREADERSBREP_EXPORT vtkBREPWriter : public vtkNURBSModelWriter
 {
 public:
   static vtkBREPWriter* New();

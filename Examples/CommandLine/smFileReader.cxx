@@ -1,0 +1,37 @@
+#include "smFileReader.h"
+
+#include "smFileJob.h"
+
+#include "vtkBREPReader.h"
+#include "vtkSTEPReader.h"
+
+namespace sm
+{
+vtkSmartPointer<vtkCADReader> MakeReader(const std::string& path)
+{
+  if (vtkBREPReader::CanReadFile(path.c_str()) != 0)
+  {
+    return vtkSmartPointer<vtkBREPReader>::New();
+  }
+  return vtkSmartPointer<vtkSTEPReader>::New();
+}
+
+void SetUpReader(vtkCADReader* reader, const std::string& path, const JobOptions& options)
+{
+  reader->SetFileName(path.c_str());
+  reader->SetOutputUnit(options.Unit);
+  if (auto* step = vtkSTEPReader::SafeDownCast(reader))
+  {
+    step->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
+  }
+  if (auto* brep = vtkBREPReader::SafeDownCast(reader))
+  {
+    brep->SetInputUnit(options.InputUnit);
+  }
+  if (options.Deflection > 0.0)
+  {
+    reader->RelativeDeflectionOff();
+    reader->SetLinearDeflection(options.Deflection);
+  }
+}
+}

@@ -1,0 +1,52 @@
+#include "vtkBREPReader.h"
+
+#include "smBREPDocument.h"
+#include "smLengthUnits.h"
+#include "smOCCTFile.h"
+
+#include "vtkObjectFactory.h"
+#include "vtksys/SystemTools.hxx"
+
+vtkStandardNewMacro(vtkBREPReader);
+
+vtkBREPReader::vtkBREPReader() = default;
+
+vtkBREPReader::~vtkBREPReader() = default;
+
+int vtkBREPReader::CanReadFile(const char* fileName)
+{
+  if (!fileName || sm::LooksLikeBREP(sm::LoadHead(fileName)))
+  {
+    return fileName ? 1 : 0;
+  }
+  const std::string extension =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
+  return (extension == ".brep" || extension == ".brp") && vtksys::SystemTools::FileExists(fileName, true) ? 1
+                                                                                                          : 0;
+}
+
+int vtkBREPReader::CanReadContent(const std::string& content)
+{
+  return sm::LooksLikeBREP(content) ? 1 : 0;
+}
+
+sm::Document vtkBREPReader::ReadDocument(std::string content, const sm::ProgressCallback& progress)
+{
+  sm::Document document = sm::ReadBREP(content, progress);
+  document.FileUnit = this->InputUnit;
+  document.FileUnitInMillimetres = document.UnitInMillimetres = sm::GetUnitInMillimetres(this->InputUnit);
+  return document;
+}
+
+std::string vtkBREPReader::FindMistakeOfFormat() const
+{
+  return sm::GetShortUnit(sm::GetUnitInMillimetres(this->InputUnit)).empty()
+    ? "InputUnit \"" + this->InputUnit + "\" is not known; use mm, cm, m, um, inch or ft"
+    : std::string();
+}
+
+void vtkBREPReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "InputUnit: " << this->InputUnit << "\n";
+}

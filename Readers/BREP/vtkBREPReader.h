@@ -1,0 +1,58 @@
+/**
+ * @class   vtkBREPReader
+ * @brief   reads OpenCASCADE's BREP files, text and binary, into exact trimmed NURBS models with a display mesh
+ *
+ * vtkCADReader documents the output, errors, and how it is read in a process of its own or from memory. The format has no names, units,
+ * colours, materials or tolerances of coordinates: bodies are called "Solid" or "Shell", and InputUnit says what the numbers are. Nested
+ * compounds become the product structure, and a shape that occurs several times is one model with several instances.
+ *
+ * The shapes are taken as they are, without OpenCASCADE's repairs, and there is no list of what the file should have: a file that was
+ * changed by hand is judged by its geometry alone (gaps, open edges, shells that cross). A text that does not end as the format asks is
+ * refused.
+ */
+#ifndef vtkBREPReader_h
+#define vtkBREPReader_h
+
+#include "smReadersBREPModule.h"
+#include "vtkCADReader.h"
+
+class SMREADERSBREP_EXPORT vtkBREPReader : public vtkCADReader
+{
+public:
+  static vtkBREPReader* New();
+  vtkTypeMacro(vtkBREPReader, vtkCADReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** 1 if the file begins like a BREP file, or if its name ends as one of GetFileExtensions(): then reading reports what is wrong with
+   * it. Otherwise 0. */
+  static int CanReadFile(const char* fileName);
+  /** 1 if the bytes begin like a BREP file, otherwise 0. */
+  static int CanReadContent(const std::string& content);
+  static const char* GetFileExtensions() { return ".brep .brp"; }
+  static const char* GetDescriptiveName() { return "OpenCASCADE BREP"; }
+
+  ///@{
+  /** Unit of the file's lengths: "mm" (default, as most programs write it), "cm", "m", "um", "inch" or "ft". Update() raises an error for
+   * any other word. */
+  vtkSetMacro(InputUnit, std::string);
+  vtkGetMacro(InputUnit, std::string);
+  ///@}
+
+protected:
+  vtkBREPReader();
+  ~vtkBREPReader() override;
+
+  const char* GetFormatName() const override { return "BREP"; }
+  sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) override;
+  std::string FindMistakeOfFormat() const override;
+  std::string GetSettingOfFormat() const override { return this->InputUnit; }
+  void SetSettingOfFormat(const std::string& word) override { this->SetInputUnit(word); }
+
+private:
+  vtkBREPReader(const vtkBREPReader&) = delete;
+  void operator=(const vtkBREPReader&) = delete;
+
+  std::string InputUnit = "mm";
+};
+
+#endif

@@ -1,0 +1,570 @@
+#include "vtkCADReader.h"
+
+#include "smAbortFlag.h"
+#include "smFailureReason.h"
+#include "smFileState.h"
+#include "smFormat.h"
+#include "smLeafBytes.h"
+#include "smLengthUnits.h"
+#include "smOCCTDocument.h"
+#include "smOCCTFailure.h"
+#include "smOCCTFile.h"
+#include "smReadProgram.h"
+#include "smSTEPLeaf.h"
+#include "smSTEPTree.h"
+
+#include "vtkCommunicator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+namespace
+{
+/// Share of the progress that OpenCASCADE's reading takes.
+constexpr double ReadingShare = 0.5;
+
+/**
+ * The rank that updates the first piece, when all ranks of `controller` update this reader together, each a piece of its own; -1 when
+ * they do not. An update for another number of pieces than there are ranks is one of this rank alone, and the others do not answer.
+ */
+int FindFirstPiece(vtkMultiProcessController* controller, int piece, int pieces)
+{
+  if (!controller || pieces < 2 || controller->GetNumberOfProcesses() != pieces)
+  {
+    return -1;
+  }
+  const int own = piece == 0 ? controller->GetLocalProcessId() : -1;
+  int root = -1;
+  return controller->AllReduce(&own, &root, 1, vtkCommunicator::MAX_OP) != 0 ? root : -1;
+}
+
+void PackStrings(vtkMultiProcessStream& stream, const std::vector<std::string>& strings)
+{
+  stream << static_cast<int>(strings.size());
+  for (const std::string& text : strings)
+  {
+    stream << text;
+  }
+}
+
+void UnpackStrings(vtkMultiProcessStream& stream, std::vector<std::string>& strings)
+{
+  int count = 0;
+  stream >> count;
+  strings.resize(count);
+  for (std::string& text : strings)
+  {
+    stream >> text;
+  }
+}
+}
+
+struct vtkCADReader::Results
+{
+  std::vector<std::string> Messages;
+  /// As sm::FileState.
+  std::string Problem;
+  std::vector<std::string> Defects;
+  std::string FileUnit;
+  std::string LengthUnit = "mm";
+  int Bodies = 0;
+  int Instances = 0;
+  int FreeFaces = 0;
+  double ReadSeconds = 0.0;
+  double MeshSeconds = 0.0;
+  double ConversionSeconds = 0.0;
+};
+
+vtkCADReader::vtkCADReader()
+  : Last(new Results)
+{
+  sm::ClearAbortAtStart(this);
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkCADReader::~vtkCADReader()
+{
+  this->SetFileName(nullptr);
+}
+
+const char* vtkCADReader::GetStatusAsString() const
+{
+  static const char* const words[] = { "ok", "empty", "unreadable", "aborted" };
+  return words[this->Status];
+}
+
+std::string vtkCADReader::GetFileUnit() const
+{
+  return this->Last->FileUnit;
+}
+
+std::string vtkCADReader::GetLengthUnit() const
+{
+  return this->Last->LengthUnit;
+}
+
+int vtkCADReader::GetNumberOfMessages() const
+{
+  return static_cast<int>(this->Last->Messages.size());
+}
+
+std::string vtkCADReader::GetMessage(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfMessages() ? this->Last->Messages[index] : std::string();
+}
+
+int vtkCADReader::GetNumberOfBodies() const
+{
+  return this->Last->Bodies;
+}
+
+int vtkCADReader::GetNumberOfInstances() const
+{
+  return this->Last->Instances;
+}
+
+int vtkCADReader::GetNumberOfFreeFaces() const
+{
+  return this->Last->FreeFaces;
+}
+
+double vtkCADReader::GetReadSeconds() const
+{
+  return this->Last->ReadSeconds;
+}
+
+double vtkCADReader::GetMeshSeconds() const
+{
+  return this->Last->MeshSeconds;
+}
+
+double vtkCADReader::GetConversionSeconds() const
+{
+  return this->Last->ConversionSeconds;
+}
+
+int vtkCADReader::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPartitionedDataSetCollection");
+  return 1;
+}
+
+int vtkCADReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  // Pieces beyond the first have no leaves: every rank of a parallel run may ask for one.
+  outputVector->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+void vtkCADReader::SetLinearDeflection(double deflection)
+{
+  const double value = deflection > 0.0 ? std::min(std::max(deflection, 1e-7), 1e30) : 0.001;
+  if (value != this->LinearDeflection)
+  {
+    this->LinearDeflection = value;
+    this->Modified();
+  }
+}
+
+void vtkCADReader::SetAngularDeflection(double angle)
+{
+  const double value = std::isnan(angle) ? 0.35 : std::min(std::max(angle, 0.01), 3.0);
+  if (value != this->AngularDeflection)
+  {
+    this->AngularDeflection = value;
+    this->Modified();
+  }
+}
+
+bool vtkCADReader::Report(double fraction)
+{
+  this->UpdateProgress(fraction);
+  this->IsTimeOver = this->IsTimeOver ||
+    (this->MaximumSeconds > 0.0 && vtkTimerLog::GetUniversalTime() - this->Start > this->MaximumSeconds);
+  return !this->IsTimeOver && !this->GetAbortExecute();
+}
+
+void vtkCADReader::Fail(int status, std::string_view problem) noexcept
+{
+  this->Status = status;
+  this->SetErrorCode(vtkErrorCode::FileFormatError);
+  sm::HasMemoryFor(
+    [&]()
+    {
+      const std::string sentence = std::string("Cannot read ") +
+        (this->FileName ? this->FileName : std::string("a ") + this->GetFormatName() + " file") + ": " +
+        std::string(problem) + ".";
+      this->Last->Messages.push_back(sentence);
+      this->Last->Problem = sentence;
+      vtkErrorMacro(<< sentence);
+    });
+}
+
+void vtkCADReader::Stop()
+{
+  this->Status = ABORTED;
+  this->Last->Problem = std::string("Reading ") + (this->FileName ? this->FileName : "the content") +
+    " was stopped" + (this->IsTimeOver ? ": MaximumSeconds were over." : ".");
+  if (this->IsTimeOver)
+  {
+    this->Last->Messages.push_back(this->Last->Problem);
+  }
+}
+
+int vtkCADReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  auto* output = vtkPartitionedDataSetCollection::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT()));
+  *this->Last = Results();
+  this->Status = EMPTY;
+  this->Start = vtkTimerLog::GetUniversalTime();
+  this->IsTimeOver = false;
+  this->SetErrorCode(vtkErrorCode::NoError);
+  const int piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  const int pieces = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const int root = FindFirstPiece(controller, piece, pieces);
+  if (piece == 0)
+  {
+    this->ReadGuarded(output);
+  }
+  else
+  {
+    this->Status = OK;
+  }
+  std::string_view problem;
+  if (root >= 0)
+  {
+    problem = this->ShareTree(controller, root, output);
+  }
+  else if (!sm::HasMemoryFor([&]() { this->WriteState(output); }))
+  {
+    problem = sm::InsufficientMemory;
+  }
+  if (!problem.empty())
+  {
+    output->Initialize();
+    *this->Last = Results();
+    this->Fail(UNREADABLE, problem);
+    sm::HasMemoryFor([&]() { this->WriteState(output); });
+  }
+  // An update that fails would leave the numbers of the previous file in the filters downstream.
+  return 1;
+}
+
+void vtkCADReader::WriteState(vtkPartitionedDataSetCollection* output) const
+{
+  sm::CheckMemory(sm::SpareMemory);
+  sm::SetFileState(output, { this->GetStatusAsString(), this->Last->Problem, this->Last->Defects });
+}
+
+void vtkCADReader::Pack(vtkPartitionedDataSetCollection* output, std::vector<unsigned char>& bytes) const
+{
+  const Results& last = *this->Last;
+  vtkMultiProcessStream stream;
+  stream << this->Status << last.Bodies << last.Instances << last.FreeFaces << last.FileUnit
+         << last.LengthUnit << last.Problem;
+  PackStrings(stream, last.Messages);
+  PackStrings(stream, last.Defects);
+  sm::PackTree(output, stream);
+  stream.GetRawData(bytes);
+}
+
+void vtkCADReader::Unpack(const std::vector<unsigned char>& bytes, vtkPartitionedDataSetCollection* output)
+{
+  Results& last = *this->Last;
+  vtkMultiProcessStream stream;
+  stream.SetRawData(bytes);
+  stream >> this->Status >> last.Bodies >> last.Instances >> last.FreeFaces >> last.FileUnit >>
+    last.LengthUnit >> last.Problem;
+  UnpackStrings(stream, last.Messages);
+  UnpackStrings(stream, last.Defects);
+  sm::UnpackTree(stream, output);
+}
+
+std::string_view vtkCADReader::ShareTree(
+  vtkMultiProcessController* controller, int root, vtkPartitionedDataSetCollection* output) noexcept
+{
+  const bool isRoot = controller->GetLocalProcessId() == root;
+  std::vector<unsigned char> bytes;
+  bool hasMemory = true;
+  if (isRoot && !sm::HasMemoryFor([&]() { this->Pack(output, bytes); }))
+  {
+    hasMemory = false;
+    bytes.clear();
+  }
+  bool isConnected = sm::BroadcastBytes(controller, root, bytes, hasMemory);
+  const auto complete = [&]()
+  {
+    if (!isRoot)
+    {
+      this->Unpack(bytes, output);
+    }
+    this->WriteState(output);
+  };
+  // Without bytes the root had no memory for them.
+  const int own = isConnected && hasMemory && !bytes.empty() && sm::HasMemoryFor(complete) ? 1 : 0;
+  int all = 0;
+  isConnected = isConnected && controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP) != 0;
+  return !isConnected ? "the connection to the other processes was lost"
+    : all == 0        ? "there is not enough memory in one of the processes"
+                      : "";
+}
+
+void vtkCADReader::ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept
+{
+  std::string problem;
+  const bool hasMemory =
+    sm::HasMemoryFor([&]() { problem = sm::CatchEverything([this, output]() { this->Read(output); }); });
+  if (!hasMemory || !problem.empty())
+  {
+    output->Initialize();
+    this->Fail(UNREADABLE, hasMemory ? std::string_view(problem) : sm::InsufficientMemory);
+  }
+}
+
+void vtkCADReader::Read(vtkPartitionedDataSetCollection* output)
+{
+  const std::string mistake = this->FindMistake();
+  if (!mistake.empty())
+  {
+    this->Fail(UNREADABLE, mistake);
+    return;
+  }
+  if (!this->Isolated || !this->ReadIsolated(output))
+  {
+    this->ReadHere(output);
+  }
+}
+
+std::vector<std::string> vtkCADReader::PackSettings() const
+{
+  // 17 digits keep the bits.
+  return { this->FileName ? this->FileName : "", this->OutputUnit, this->GetSettingOfFormat(),
+    sm::FormatDigits(this->LinearDeflection, 17), std::to_string(this->RelativeDeflection ? 1 : 0),
+    sm::FormatDigits(this->AngularDeflection, 17) };
+}
+
+void vtkCADReader::UnpackSettings(const std::vector<std::string>& words)
+{
+  this->SetFileName(words[0].empty() ? nullptr : words[0].c_str());
+  this->SetOutputUnit(words[1]);
+  this->SetSettingOfFormat(words[2]);
+  this->SetLinearDeflection(std::strtod(words[3].c_str(), nullptr));
+  this->SetRelativeDeflection(words[4] == "1");
+  this->SetAngularDeflection(std::strtod(words[5].c_str(), nullptr));
+}
+
+std::vector<char> vtkCADReader::PackOutput()
+{
+  vtkPartitionedDataSetCollection* output = this->GetOutput();
+  std::vector<unsigned char> head;
+  this->Pack(output, head);
+  sm::ByteWriter to;
+  to.PutAll(head);
+  to.Put(
+    std::array<double, 3>{ this->Last->ReadSeconds, this->Last->MeshSeconds, this->Last->ConversionSeconds });
+  sm::PutLeaves(output, to);
+  return std::move(to.GetBytes());
+}
+
+bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
+{
+  const std::string program = sm::FindReadProgram();
+  std::vector<std::string> arguments{ this->GetFormatName(), this->Content.empty() ? "file" : "content" };
+  for (const std::string& word : this->PackSettings())
+  {
+    arguments.push_back(word);
+  }
+  const sm::ReadProgramOutcome outcome = program.empty()
+    ? sm::ReadProgramOutcome{ {}, "was not found", false, false }
+    : sm::RunReadProgram(program, arguments, this->Content, [this](double x) { return this->Report(x); });
+  if (outcome.IsStopped)
+  {
+    this->Stop();
+    return true;
+  }
+  if (!outcome.Problem.empty() && !outcome.IsStarted)
+  {
+    this->Last->Messages.push_back(
+      "The file was not read in a process of its own: the program solidmoments-read " + outcome.Problem +
+      ".");
+    return false;
+  }
+  if (!outcome.Problem.empty())
+  {
+    this->Fail(UNREADABLE, "the process that read it " + outcome.Problem);
+    return true;
+  }
+  sm::ByteReader from(outcome.Result);
+  this->Unpack(from.GetAll<unsigned char>(), output);
+  const auto seconds = from.Get<std::array<double, 3>>();
+  this->Last->ReadSeconds = seconds[0];
+  this->Last->MeshSeconds = seconds[1];
+  this->Last->ConversionSeconds = seconds[2];
+  if (!sm::GetLeaves(from, output))
+  {
+    output->Initialize();
+    this->Fail(UNREADABLE, "the process that read it sent what is not understood here");
+  }
+  else if (this->Status != OK)
+  {
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< this->Last->Problem);
+  }
+  else
+  {
+    this->UpdateProgress(1.0);
+  }
+  return true;
+}
+
+void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
+{
+  const sm::KernelSession kernel;
+  const double start = vtkTimerLog::GetUniversalTime();
+  // The time that another reader's file took does not count.
+  this->Start = start;
+  sm::Document document;
+  std::string content =
+    this->Content.empty() ? sm::LoadFile(this->FileName, document.Problem) : this->Content;
+  if (document.Problem.empty())
+  {
+    document =
+      this->ReadDocument(std::move(content), [this](double x) { return this->Report(ReadingShare * x); });
+  }
+  this->Last->ReadSeconds = vtkTimerLog::GetUniversalTime() - start;
+  this->Last->Messages.insert(this->Last->Messages.end(), document.Messages.begin(), document.Messages.end());
+  this->Last->FileUnit = document.FileUnit;
+  if (document.Status == sm::ReadStatus::Aborted)
+  {
+    this->Stop();
+    return;
+  }
+  if (document.Status != sm::ReadStatus::Ok)
+  {
+    this->Fail(document.Status == sm::ReadStatus::Empty ? EMPTY : UNREADABLE, document.Problem);
+    return;
+  }
+  this->Last->FreeFaces = document.FreeFaces;
+  this->Last->Defects = document.Defects;
+  this->Last->Messages.insert(this->Last->Messages.end(), document.Defects.begin(), document.Defects.end());
+  const sm::LeafOptions options = this->ChooseOptions(document);
+  std::vector<std::unique_ptr<sm::LeafMaker>> makers;
+  if (!this->MakeBodies(document, options, makers))
+  {
+    this->Stop();
+    return;
+  }
+  const double assembling = vtkTimerLog::GetUniversalTime();
+  output->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(document.Instances.size()));
+  for (unsigned int i = 0; i < document.Instances.size(); ++i)
+  {
+    const sm::BodyInstance& instance = document.Instances[i];
+    output->SetPartition(i, 0, makers[instance.Body]->MakeLeaf(instance));
+    output->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), instance.Name.c_str());
+  }
+  sm::AddAssembly(document.Root, this->GetFormatName(), this->FileName ? this->FileName : "", output);
+  this->Last->Bodies = static_cast<int>(document.Bodies.size());
+  this->Last->Instances = static_cast<int>(document.Instances.size());
+  this->Last->ConversionSeconds += vtkTimerLog::GetUniversalTime() - assembling;
+  this->Status = OK;
+  this->InspectDocument(document);
+  this->UpdateProgress(1.0);
+}
+
+std::string vtkCADReader::FindMistake() const
+{
+  if ((!this->FileName || !*this->FileName) && this->Content.empty())
+  {
+    return "no file name was given; call SetFileName first";
+  }
+  if (this->OutputUnit != "file" && sm::GetShortUnit(sm::GetUnitInMillimetres(this->OutputUnit)).empty())
+  {
+    return "OutputUnit \"" + this->OutputUnit + "\" is not known; use mm, cm, m, um, inch, ft or file";
+  }
+  if (sm::KernelSession::IsHeldHere())
+  {
+    return "another file is being read on this thread, and OpenCASCADE reads one at a time; do not update a "
+           "reader inside an observer of another one's progress";
+  }
+  return this->FindMistakeOfFormat();
+}
+
+sm::LeafOptions vtkCADReader::ChooseOptions(const sm::Document& document)
+{
+  double millimetres = sm::GetUnitInMillimetres(this->OutputUnit);
+  if (this->OutputUnit == "file")
+  {
+    millimetres = document.FileUnitInMillimetres;
+    if (sm::GetShortUnit(millimetres).empty())
+    {
+      this->Last->Messages.push_back(
+        "The file's length unit (" + document.FileUnit + ") has no name here; lengths are in mm.");
+      millimetres = 1.0;
+    }
+  }
+  this->Last->LengthUnit = sm::GetShortUnit(millimetres);
+  sm::LeafOptions options;
+  options.Unit = document.UnitInMillimetres / millimetres;
+  options.UnitName = this->Last->LengthUnit;
+  options.FileUnitName = document.FileUnit.empty() ? "" : sm::GetShortUnit(document.FileUnitInMillimetres);
+  options.LinearDeflection = this->LinearDeflection;
+  options.RelativeDeflection = this->RelativeDeflection;
+  options.AngularDeflection = this->AngularDeflection;
+  return options;
+}
+
+bool vtkCADReader::MakeBodies(const sm::Document& document, const sm::LeafOptions& options,
+  std::vector<std::unique_ptr<sm::LeafMaker>>& makers)
+{
+  for (std::size_t i = 0; i < document.Bodies.size(); ++i)
+  {
+    const auto report = [this, i, &document](double x)
+    { return this->Report(ReadingShare + (1.0 - ReadingShare) * (i + x) / document.Bodies.size()); };
+    if (!report(0.0))
+    {
+      return false;
+    }
+    makers.emplace_back(new sm::LeafMaker(document.Bodies[i], document.Table, options, report));
+    if (makers.back()->IsAborted())
+    {
+      return false;
+    }
+    this->Last->MeshSeconds += makers.back()->GetMeshSeconds();
+    this->Last->ConversionSeconds += makers.back()->GetConversionSeconds();
+    const std::vector<std::string>& messages = makers.back()->GetMessages();
+    this->Last->Messages.insert(this->Last->Messages.end(), messages.begin(), messages.end());
+  }
+  return true;
+}
+
+void vtkCADReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+     << indent << "LinearDeflection: " << this->LinearDeflection
+     << (this->RelativeDeflection ? " relative\n" : "\n") << indent
+     << "AngularDeflection: " << this->AngularDeflection << "\n"
+     << indent << "OutputUnit: " << this->OutputUnit << "\n"
+     << indent << "Content: " << this->Content.size() << " bytes\n"
+     << indent << "Isolated: " << (this->Isolated ? "on\n" : "off\n") << indent
+     << "MaximumSeconds: " << this->MaximumSeconds << "\n"
+     << indent << "Status: " << this->GetStatusAsString() << "\n";
+}

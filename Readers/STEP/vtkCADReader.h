@@ -1,0 +1,265 @@
+/**
+ * @class   vtkCADReader
+ * @brief   base class of the readers of exact solids, vtkSTEPReader and vtkBREPReader
+ *
+ * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per solid instance; its partition
+ * 0 is a vtkNURBSDataSet. A file without solids gives one per free shell instead. Its name
+ * (vtkCompositeDataSet::NAME()) is that of the product. A vtkDataAssembly mirrors the product structure: its
+ * node names are valid XML names, the attribute "label" holds the name as the file has it, "layer" its
+ * layer. Instances of one part share a vtkTrimmedNURBSModel, which stays in the coordinates of the part.
+ *
+ * Surfaces become rational B-splines without error; a surface that has no such form (an offset surface) is
+ * fitted and NURBSSurface::Residual says how well. Trim and edge curves are exact polynomials or fitted to
+ * rounding level; TrimCurve::Residual says how well. See Documentation/Numerics.md.
+ *
+ * Arrays of each leaf, besides those vtkNURBSDataSet documents:
+ * | name    | association | components | meaning                                                             |
+ * |---------|-------------|------------|---------------------------------------------------------------------|
+ * | Normals | point       | 3 (float)  | outward unit normal of the exact surface                            |
+ * | Color   | cell        | 3 (uchar)  | sRGB colour of the face; only when the file gives the body a colour |
+ *
+ * Points are in world coordinates and OutputUnit. A face that cannot be carried over is left out and named in the
+ * messages of its model (vtkTrimmedNURBSModel::GetMessages); nothing else is lost. Faces outside the solids
+ * of a file belong to no body: they are counted (GetNumberOfFreeFaces) and left out.
+ *
+ * A file that cannot be read raises one error that names it and the remedy; the output is empty then, GetStatus says why, and
+ * GetErrorCode() is not 0. The pipeline goes on, so that filters do not keep the numbers of the file before: their status is unreadable
+ * or empty. No exception leaves Update(): one that OpenCASCADE, an observer or a lack of memory raises is such an error.
+ *
+ * Under MPI, all ranks have the same tree: as many partitioned datasets, the same names, the same assembly. The leaves are on the rank
+ * that asks for the first piece; on the others every partition is null. Status, messages and counts are the same on all ranks. For that
+ * the ranks of the global controller talk to each other when the number of pieces is the number of ranks, so all of them must update
+ * the reader; each asks for a piece of its own. With any other number of pieces a rank is updated for itself, and pieces beyond the
+ * first are empty collections. A file that cannot be read is an error on the rank that reads it, and the output is empty on all. If
+ * one rank has not enough memory for the tree, that is an error on all ranks.
+ *
+ * One file is read at a time in a process, readers on other threads wait: OpenCASCADE's settings are global. A
+ * reader that is updated by an observer of another one's progress raises an error. Conversion uses vtkSMPTools. No
+ * OpenGL context is needed.
+ *
+ * OpenCASCADE crashes on some damaged files, and the process with it. With IsolatedOn() a crash ends a process that only reads the file,
+ * and is an error.
+ *
+ * The display mesh is made of the exact model: every edge is sampled once and its points are shared by its faces with the same bits, so
+ * that a closed solid has a closed mesh; the field array MeshDeviation holds a proved bound for each face of the distance of its
+ * triangles from the surface, across it (vtkNURBSDataSet). A body whose faces are not complete has GetNumberOfMissingFaces() or
+ * GetNumberOfDefects() above 0 in its model.
+ */
+#ifndef vtkCADReader_h
+#define vtkCADReader_h
+
+#include "smProgressCallback.h"
+#include "smReadersSTEPModule.h"
+#include "vtkPartitionedDataSetCollectionAlgorithm.h"
+
+#include <memory>      // for the messages and results
+#include <string>      // for std::string
+#include <string_view> // for problems
+#include <vector>      // for the bodies
+
+class vtkMultiProcessController;
+
+namespace sm
+{
+class LeafMaker;
+struct Document;
+struct LeafOptions;
+}
+
+class SMREADERSSTEP_EXPORT vtkCADReader : public vtkPartitionedDataSetCollectionAlgorithm
+{
+public:
+  vtkTypeMacro(vtkCADReader, vtkPartitionedDataSetCollectionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Path of the file. Default: none. Without one Update() raises an error. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** The bytes of a file in memory, of any length: they are read in place of a file, and FileName, where there is one, only names them in
+   * messages and in the assembly. Empty (default): the file is read. */
+  vtkSetMacro(Content, std::string);
+  vtkGetMacro(Content, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Largest distance of the display mesh from the surface: a fraction of the part's bounding-box diagonal when
+   * RelativeDeflection is on (default), else a length in OutputUnit. Clamped to [1e-7, 1e30]; 0, less and NaN give
+   * the default, 0.001. The mesher gets no less than 1e-5 of the diagonal. Faces with gaps to their edges may be farther away: the field
+   * array MeshDeviation says by how much. It does not touch the exact geometry.
+   */
+  void SetLinearDeflection(double deflection);
+  vtkGetMacro(LinearDeflection, double);
+  vtkSetMacro(RelativeDeflection, bool);
+  vtkGetMacro(RelativeDeflection, bool);
+  vtkBooleanMacro(RelativeDeflection, bool);
+  ///@}
+
+  ///@{
+  /** Angle between neighbouring triangles, in radians, that the mesh is made for where the deflection would allow more; aimed at, not
+   * proved. Clamped to [0.01, 3], of which at most 1.2 is used; NaN gives the default, 0.35. */
+  void SetAngularDeflection(double angle);
+  vtkGetMacro(AngularDeflection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Unit of all lengths of the output: "mm" (default), "cm", "m", "um", "inch", "ft", or "file" for the unit that
+   * the file is written in. Update() raises an error for any other word.
+   */
+  vtkSetMacro(OutputUnit, std::string);
+  vtkGetMacro(OutputUnit, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Reads the file in a process of its own, the program solidmoments-read, which sends the output: what OpenCASCADE crashes on, or does
+   * not end on, costs this file and not the session. The output has the same bits. It costs the start of a program, some tenths of a
+   * second, and for the time of the reading the memory of the models and meshes about three times; Content goes there by a temporary file. If the program is not in the folder
+   * bin beside the library or above it, or does not start, the file is read in this process, and a message says so. Default: off; on in
+   * ParaView.
+   */
+  vtkSetMacro(Isolated, bool);
+  vtkGetMacro(Isolated, bool);
+  vtkBooleanMacro(Isolated, bool);
+  ///@}
+
+  ///@{
+  /** Limit of the duration of an Update() in seconds, after which the status is ABORTED. OpenCASCADE says only now and then how far it is,
+   * and for damaged geometry perhaps never: only where the reading is isolated is it ended then. At least 0, clamped. Default 0: no
+   * limit. */
+  vtkSetClampMacro(MaximumSeconds, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumSeconds, double);
+  ///@}
+
+  /** Result of the last Update(). */
+  enum StatusType
+  {
+    OK = 0,
+    EMPTY = 1,
+    UNREADABLE = 2,
+    ABORTED = 3
+  };
+  /** Status of the last Update(); EMPTY before the first. */
+  vtkGetMacro(Status, int);
+  /** The same as a word: "ok", "empty", "unreadable" or "aborted". */
+  const char* GetStatusAsString() const;
+
+  /** The length unit of the last file, as the file spells it; empty when it gives none. */
+  std::string GetFileUnit() const;
+  /** Unit of the last output's lengths, never "file": "mm", "cm", "m", "um", "inch", "ft". */
+  std::string GetLengthUnit() const;
+
+  ///@{
+  /** Messages of the last Update(), one sentence each: those about the file, then one for each body whose conversion had
+   * problems. The model of the body has all messages about it. If the run failed, the last message is the error. An index out
+   * of range gives an empty string. */
+  int GetNumberOfMessages() const;
+  std::string GetMessage(int index) const;
+  ///@}
+
+  /** Bodies with geometry of their own, and instances of them, in the last output; 0 before the first. */
+  int GetNumberOfBodies() const;
+  int GetNumberOfInstances() const;
+  /** Faces outside the solids of the last file, which were left out. */
+  int GetNumberOfFreeFaces() const;
+
+  ///@{
+  /** Wall-clock seconds of the last Update(): OpenCASCADE's reading, the display mesh, and the conversion to
+   * NURBS models (with the making of the output). */
+  double GetReadSeconds() const;
+  double GetMeshSeconds() const;
+  double GetConversionSeconds() const;
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /** The settings of an isolated reader as words, and a reader's settings made from them: how solidmoments-read is told what to do. */
+  std::vector<std::string> PackSettings() const;
+  static constexpr int NumberOfSettings = 6;
+  void UnpackSettings(const std::vector<std::string>& words);
+  /** The output, status and messages of the last Update() as bytes, for an isolated reader: what solidmoments-read sends. */
+  std::vector<char> PackOutput();
+#endif
+
+protected:
+  vtkCADReader();
+  ~vtkCADReader() override;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+  /// "STEP" or "BREP".
+  virtual const char* GetFormatName() const = 0;
+  /// Reads the bytes of a file with OpenCASCADE, whose KernelSession this thread holds. `progress` gets a fraction in [0,1] and answers
+  /// false to stop. Throws std::bad_alloc, and nothing else.
+  virtual sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) = 0;
+  /// The mistake in the settings that only this format has; empty when there is none.
+  virtual std::string FindMistakeOfFormat() const
+  {
+    return {};
+  }
+  /// The setting that only this format has as a word, for the process of an isolated reader.
+  virtual std::string GetSettingOfFormat() const = 0;
+  virtual void SetSettingOfFormat(const std::string& word) = 0;
+
+  /// Called when a file has been read and the output is complete, while OpenCASCADE's shapes are still there: for tests that compare
+  /// both. Does nothing.
+  virtual void InspectDocument(const sm::Document&) {}
+
+private:
+  vtkCADReader(const vtkCADReader&) = delete;
+  void operator=(const vtkCADReader&) = delete;
+
+  /// Reports `fraction`; false when the application asked to stop, or MaximumSeconds are over.
+  bool Report(double fraction);
+  /// Sets the status, and its message where there is memory for it.
+  void Fail(int status, std::string_view problem) noexcept;
+  /// Ends a run that was to stop.
+  void Stop();
+  /// Read() that lets no exception out: one is an error, and the output is empty.
+  void ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept;
+  void Read(vtkPartitionedDataSetCollection* output);
+  /// Reads in a process of its own. False if there is none, with a message.
+  bool ReadIsolated(vtkPartitionedDataSetCollection* output);
+  /// Reads in this process.
+  void ReadHere(vtkPartitionedDataSetCollection* output);
+  /// The mistake in the settings; empty when there is none.
+  std::string FindMistake() const;
+  sm::LeafOptions ChooseOptions(const sm::Document& document);
+  /// Converts all bodies; false when the application asked to stop.
+  bool MakeBodies(const sm::Document& document, const sm::LeafOptions& options,
+    std::vector<std::unique_ptr<sm::LeafMaker>>& makers);
+  /// Sets the field data of the output.
+  void WriteState(vtkPartitionedDataSetCollection* output) const;
+  void Pack(vtkPartitionedDataSetCollection* output, std::vector<unsigned char>& bytes) const;
+  void Unpack(const std::vector<unsigned char>& bytes, vtkPartitionedDataSetCollection* output);
+  /// Sends status, messages and the tree of the output from `root` to all other ranks, and completes the output. Every rank makes all
+  /// collective calls, even without memory. Returns the reason for a failure, the same on all ranks that are still connected.
+  std::string_view ShareTree(
+    vtkMultiProcessController* controller, int root, vtkPartitionedDataSetCollection* output) noexcept;
+
+  char* FileName = nullptr;
+  std::string Content;
+  double LinearDeflection = 0.001;
+  bool RelativeDeflection = true;
+  double AngularDeflection = 0.35;
+  std::string OutputUnit = "mm";
+  bool Isolated = false;
+  double MaximumSeconds = 0.0;
+  /// When the last Update() began, and whether it took too long.
+  double Start = 0.0;
+  bool IsTimeOver = false;
+  int Status = EMPTY;
+
+  struct Results;
+  std::unique_ptr<Results> Last;
+};
+
+#endif

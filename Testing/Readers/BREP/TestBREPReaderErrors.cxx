@@ -1,0 +1,114 @@
+// TestBREPReaderErrors OUTPUT: what is no BREP file, or a part of one, is an error that says so; damage ends no process that isolates it.
+#include "smMessageTrap.h"
+#include "smTesting.h"
+
+#include <vtkBREPReader.h>
+#include <vtkErrorCode.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepTools.hxx>
+
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+
+namespace
+{
+using namespace smtest;
+
+std::string Folder;
+
+std::string Make(const std::string& name, const std::string& content)
+{
+  const std::string path = Folder + "/" + name;
+  std::ofstream(path, std::ios::binary) << content;
+  return path;
+}
+
+void CheckProblem(vtkBREPReader* reader, const std::string& what, const std::string& part)
+{
+  const MessageTrap trap(reader);
+  reader->Modified();
+  reader->Update();
+  CheckEqual(what + ": status", "unreadable", reader->GetStatusAsString());
+  CheckEqual(what + ": errors", 1, trap.NumberOfErrors);
+  CheckTrue(what + ": says " + part, trap.Errors.find(part) != std::string::npos, trap.Errors);
+  CheckTrue(what + ": error code", reader->GetErrorCode() != vtkErrorCode::NoError);
+  CheckEqual(what + ": output", 0, reader->GetOutput()->GetNumberOfPartitionedDataSets());
+}
+
+/// Files with a number, a word or a byte that is another one: each ends with a status, and the next sound file is read.
+void CheckDamage(const std::string& sound)
+{
+  vtkNew<vtkBREPReader> reader;
+  const MessageTrap trap(reader);
+  reader->IsolatedOn();
+  reader->SetMaximumSeconds(2.0);
+  std::mt19937 random(7);
+  int counts[4] = { 0, 0, 0, 0 };
+  for (int i = 0; i < 15; ++i)
+  {
+    std::string damaged = sound;
+    const std::size_t at = 60 + random() % (damaged.size() - 70);
+    switch (i % 3)
+    {
+      case 0:
+        damaged[at] = static_cast<char>('0' + random() % 10);
+        break;
+      case 1:
+        damaged.erase(at, 1 + random() % 20);
+        break;
+      default:
+        damaged.insert(at, " 99999999 ");
+    }
+    reader->SetContent(damaged);
+    reader->Update();
+    ++counts[reader->GetStatus()];
+  }
+  std::printf("ok, empty, unreadable, aborted: %d %d %d %d\n", counts[0], counts[1], counts[2], counts[3]);
+  CheckTrue("some are read and some are not", counts[0] > 0 && counts[2] > 0);
+  reader->SetContent(sound);
+  reader->SetMaximumSeconds(0.0);
+  reader->Update();
+  CheckEqual("and a sound one", "ok", reader->GetStatusAsString());
+}
+}
+
+int TestBREPReaderErrors(int argc, char** argv)
+{
+  if (argc < 2)
+  {
+    return 1;
+  }
+  Folder = argv[1];
+  std::ostringstream stream;
+  BRepTools::Write(BRepPrimAPI_MakeCylinder(5.0, 12.0).Shape(), stream);
+  const std::string sound = stream.str();
+  vtkNew<vtkBREPReader> reader;
+  CheckProblem(reader, "no name", "no file name was given");
+  reader->SetFileName("/nowhere/part.brep");
+  CheckProblem(reader, "no file", "it cannot be opened");
+  reader->SetFileName(Make("brep_empty.brep", "").c_str());
+  CheckProblem(reader, "an empty file", "it is empty");
+  reader->SetFileName(Make("brep_step.brep", "ISO-10303-21;\nHEADER;\n").c_str());
+  CheckProblem(reader, "a STEP file", "it is not a BREP file");
+  CheckEqual("its name says BREP", 1, vtkBREPReader::CanReadFile(reader->GetFileName()));
+  for (const double share : { 0.05, 0.3, 0.6, 0.9, 0.97 })
+  {
+    const auto length = static_cast<std::size_t>(share * static_cast<double>(sound.size()));
+    reader->SetFileName(Make("brep_part.brep", sound.substr(0, length)).c_str());
+    CheckProblem(reader, "a part of a file", "it ends in the middle");
+  }
+  reader->SetFileName(Make("brep_sound.txt", sound).c_str());
+  CheckEqual("a BREP file of another name", 1, vtkBREPReader::CanReadFile(reader->GetFileName()));
+  reader->SetInputUnit("mile");
+  CheckProblem(reader, "unit", "InputUnit \"mile\" is not known");
+  reader->SetInputUnit("mm");
+  reader->Update();
+  CheckEqual("a sound file", "ok", reader->GetStatusAsString());
+  CheckDamage(sound);
+  return Finish();
+}
