@@ -8,7 +8,7 @@
 #include "smMessageCollector.h"
 #include "smMessageList.h"
 #include "smOptions.h"
-#include "smPartsList.h"
+#include "smPartsReport.h"
 #include "smPicture.h"
 #include "smProductShapes.h"
 #include "smProductTree.h"
@@ -292,8 +292,8 @@ vtkSmartPointer<vtkPolyData> IntegrateMore(vtkCADReader* reader, const sm::JobOp
 }
 
 /// What follows from the product structure and the solids that were computed: shapes, parts list and validation properties.
-void AddProducts(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
-  sm::MessageList& messages)
+void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, const sm::JobOptions& options,
+  const sm::JobListener& send, Json& file, sm::MessageList& messages)
 {
   if (options.Shapes)
   {
@@ -307,7 +307,7 @@ void AddProducts(vtkCADReader* reader, const sm::JobOptions& options, const sm::
   const Json tree = sm::GetProductTree(reader);
   if (options.PartsList)
   {
-    file["parts"] = sm::MakePartsList(tree, file["solids"], options.Depth);
+    file["parts"] = sm::MakePartsJson(filter->GetPartsList(), options.Depth);
   }
   if (options.Validate)
   {
@@ -357,7 +357,7 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
     file["status"] = names::StatusNotComputed;
     SendResult(send, file, messages, false);
     Integrate(filter, options, send, file, messages);
-    AddProducts(reader, options, send, file, messages);
+    AddProducts(reader, filter, options, send, file, messages);
 #ifdef SM_HAS_STABILITY
     if (options.Box)
     {

@@ -1,6 +1,7 @@
 #include "smProductTree.h"
 
 #include "smMaterials.h"
+#include "smProducts.h"
 
 #include "vtkCADReader.h"
 #include "vtkDataAssembly.h"
@@ -15,8 +16,6 @@ namespace sm
 {
 namespace
 {
-constexpr int MaximumLevel = 100;
-
 vtkPartitionedDataSetCollection* GetParts(vtkCADReader* reader)
 {
   return vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
@@ -42,57 +41,21 @@ void ForEachBody(vtkPartitionedDataSetCollection* parts, const Use& use)
   }
 }
 
-/// Bodies by the number of their partitioned dataset.
-std::vector<Json> GroupBodies(vtkPartitionedDataSetCollection* parts)
+Json MakeNode(const ProductTreeNode& product, std::map<vtkTrimmedNURBSModel*, size_t>& models)
 {
-  std::vector<Json> bodies(parts->GetNumberOfPartitionedDataSets(), Json::array());
-  std::map<vtkTrimmedNURBSModel*, size_t> models;
-  ForEachBody(parts,
-    [&](unsigned int i, const ProductBody& body)
-    {
-      const size_t model = models.emplace(body.Model, models.size()).first->second;
-      bodies[i].push_back({ { "id", body.Id }, { "model", model }, { "placement", body.Placement } });
-    });
-  return bodies;
+  Json node = { { "name", product.Name }, { "bodies", Json::array() }, { "children", Json::array() } };
+  for (const ProductTreeNode::Body& body : product.Bodies)
+  {
+    const size_t model = models.emplace(body.Model, models.size()).first->second;
+    node["bodies"].push_back({ { "id", body.Id }, { "model", model },
+      { "placement", std::vector<double>(body.Placement, body.Placement + 12) } });
+  }
+  for (const ProductTreeNode& child : product.Children)
+  {
+    node["children"].push_back(MakeNode(child, models));
+  }
+  return node;
 }
-
-void AddNode(vtkDataAssembly* assembly, int node, int level, const std::vector<Json>& bodies, Json& entry)
-{
-  for (const unsigned int index : assembly->GetDataSetIndices(node, false))
-  {
-    for (const Json& body : index < bodies.size() ? bodies[index] : Json::array())
-    {
-      entry["bodies"].push_back(body);
-    }
-  }
-  bool isUnnamed = false; ///< the last child
-  for (const int child : assembly->GetChildNodes(node, false))
-  {
-    if (level == MaximumLevel)
-    {
-      AddNode(assembly, child, level, bodies, entry);
-      continue;
-    }
-    Json below = { { "name", assembly->GetAttributeOrDefault(child, "label", "") },
-      { "bodies", Json::array() }, { "children", Json::array() } };
-    AddNode(assembly, child, level + 1, bodies, below);
-    if (!below["bodies"].empty() || !below["children"].empty())
-    {
-      isUnnamed = assembly->GetAttributeOrDefault(child, "unnamed", 0) == 1;
-      entry["children"].push_back(std::move(below));
-    }
-  }
-  // Some systems relate the shape of a product to another one, which has the bodies and no name: it is the same product.
-  Json& children = entry["children"];
-  if (level > 0 && isUnnamed && entry["bodies"].empty() && children.size() == 1 &&
-    children[0]["children"].empty())
-  {
-    const Json bodiesBelow = children[0]["bodies"];
-    entry["bodies"] = bodiesBelow;
-    children = Json::array();
-  }
-}
-
 }
 
 std::vector<ProductBody> ListBodies(vtkCADReader* reader)
@@ -107,14 +70,8 @@ std::vector<ProductBody> ListBodies(vtkCADReader* reader)
 
 Json GetProductTree(vtkCADReader* reader)
 {
-  vtkPartitionedDataSetCollection* parts = GetParts(reader);
-  vtkDataAssembly* assembly = parts ? parts->GetDataAssembly() : nullptr;
-  Json root = { { "name", "" }, { "bodies", Json::array() }, { "children", Json::array() } };
-  if (assembly)
-  {
-    AddNode(assembly, vtkDataAssembly::GetRootNode(), 0, GroupBodies(parts), root);
-  }
-  return root;
+  std::map<vtkTrimmedNURBSModel*, size_t> models;
+  return MakeNode(MakeProductTree(GetParts(reader)), models);
 }
 
 std::vector<std::string> FindProducts(vtkCADReader* reader, const std::string& pattern)

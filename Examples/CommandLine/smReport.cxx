@@ -1,7 +1,7 @@
 #include "smReport.h"
 
 #include "smFormat.h"
-#include "smPartsList.h"
+#include "smPartsReport.h"
 #include "smTableText.h"
 #include "smText.h"
 

@@ -1,6 +1,6 @@
 #include "smReportFiles.h"
 
-#include "smPartsList.h"
+#include "smPartsReport.h"
 #include "smReport.h"
 #include "smSafeFile.h"
 #include "smUrdf.h"

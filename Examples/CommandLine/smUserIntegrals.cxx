@@ -26,14 +26,9 @@ namespace
 using sm::Json;
 namespace names = sm::names;
 
-Json Finite(double value)
-{
-  return std::isfinite(value) ? Json(value) : Json();
-}
-
 Json ValueAndBound(double value, double bound)
 {
-  return { { "value", Finite(value) }, { "bound", Finite(bound) } };
+  return { { "value", sm::MakeNumber(value) }, { "bound", sm::MakeNumber(bound) } };
 }
 
 double Component(vtkDataSetAttributes* columns, vtkIdType row, const std::string& name)

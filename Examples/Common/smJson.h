@@ -13,11 +13,18 @@
 #include <nlohmann/json.hpp>
 #endif
 
+#include <cmath>
 #include <string>
 
 namespace sm
 {
 using Json = nlohmann::ordered_json;
+
+/// Null where the value is not finite.
+inline Json MakeNumber(double value)
+{
+  return std::isfinite(value) ? Json(value) : Json();
+}
 
 /// JSON as text, on one line or with `indent` blanks for every level; bytes that are not UTF-8 are replaced by U+FFFD.
 inline std::string Dump(const Json& value, int indent = -1)

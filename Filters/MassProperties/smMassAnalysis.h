@@ -11,6 +11,7 @@
 #include "smMassTable.h"
 #include "smMassTolerance.h"
 #include "smMaterials.h"
+#include "smPartsList.h"
 #include "smReferenceFrame.h"
 #include "smStatus.h"
 
@@ -63,6 +64,8 @@ struct MassAnalysis
   sm::Status TotalStatus = sm::Status::Ok;
   /// Messages about the total.
   std::vector<std::string> Messages;
+  /// The parts list; empty where bodies have different units.
+  std::vector<PartsListEntry> Parts;
 };
 
 /// Reverses shells whose normals point inwards, sets the statuses of the bodies and computes all mass properties. Bodies have the

@@ -9,6 +9,7 @@
 #include "smMassIntegrands.h"
 #include "smMassPropertyNames.h"
 #include "smMaterials.h"
+#include "smProducts.h"
 #include "smReferenceFrame.h"
 #include "smSelfCrossing.h"
 
@@ -30,6 +31,7 @@ vtkMassPropertiesBase::vtkMassPropertiesBase()
   , CrossingCheck(new sm::SelfCrossingCheck)
   , Frame(new sm::ReferenceFrame)
 {
+  this->SetNumberOfOutputPorts(8);
 }
 
 vtkMassPropertiesBase::~vtkMassPropertiesBase() = default;
@@ -231,6 +233,11 @@ double vtkMassPropertiesBase::GetMassBound() const
   return this->Analysis->Total.MassBound;
 }
 
+const std::vector<sm::PartsListEntry>& vtkMassPropertiesBase::GetPartsList() const
+{
+  return this->Analysis->Parts;
+}
+
 const sm::MassAnalysis& vtkMassPropertiesBase::GetAnalysis() const
 {
   return *this->Analysis;
@@ -257,6 +264,12 @@ void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   options.Frame = *this->Frame;
   *this->Analysis = sm::AnalyzeRun(bodies, options, this->CheckEditedSolids, this->MakeLimits(),
     *this->CrossingCheck, this->GetEngine().GetReport());
+  // Sums of lengths in different units would have none.
+  if (this->Analysis->HasOneUnit)
+  {
+    this->Analysis->Parts =
+      sm::MakePartsList(sm::MakeProductTree(this->GetInputDataObject(0, 0)), bodies, this->Analysis->Rows);
+  }
 }
 
 void vtkMassPropertiesBase::WriteOutputs(
@@ -294,6 +307,7 @@ void vtkMassPropertiesBase::WriteOutputs(
   {
     outputs.Solids->GetRowData()->AddArray(materials);
   }
+  sm::FillPartsTable(analysis.Parts, analysis.Unit, hasMaterial, outputs.Parts);
   const sm::Status status = this->GetEngine().GetReport().Status;
   std::string summary = sm::FormatSummary(analysis.Total, sm::GetText(status), this->FindReason(bodies),
     analysis.Unit, static_cast<int>(bodies.size()), analysis.Weighed, analysis.Weighable);

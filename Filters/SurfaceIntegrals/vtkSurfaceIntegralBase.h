@@ -209,6 +209,8 @@ protected:
     vtkTable* Solids;
     vtkTable* Text;
     vtkTable* Faces;
+    /// Port 7 of classes that have one, else null.
+    vtkTable* Parts;
   };
 
   /** Resets the results, so that the getters return the values before the first run. Called at the start of every run. */

@@ -162,7 +162,8 @@ void vtkSurfaceIntegralBase::Write(
   const std::vector<sm::MeshArray> arrays = this->GetMeshArrays(bodies);
   CheckOutputMemory(bodies, arrays.size());
   const Outputs outputs{ vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
-    vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3) };
+    vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3),
+    this->GetNumberOfOutputPorts() > 7 ? vtkTable::GetData(outputVector, 7) : nullptr };
   this->WriteOutputs(bodies, outputs);
   sm::columns::SetString(outputs.Text->GetFieldData(), sm::names::Status, this->GetStatus());
   AddPlaceholderPoint(bodies, outputs.Totals);

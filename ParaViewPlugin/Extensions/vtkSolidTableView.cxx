@@ -37,7 +37,7 @@ constexpr const char* RowNumber = "vtkOriginalIndices";
 
 /// Columns before the integrals that the user named: identity and status of the row, then the main results.
 const char* const Leading[] = { RowNumber, names::Solid, vtkNURBSDataSet::FaceIndexArrayName(), names::FaceId,
-  names::EdgeId, names::Name, names::Id, names::Status,
+  names::EdgeId, names::Name, names::Id, names::Status, names::Kind, names::Count, names::CountInAll,
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
   names::Stability, names::Support, names::DecidedBy, names::SideFrom, names::SideTo, names::StabilityMargin,
   names::TipAngle, names::CenterOfMassRise, names::TipEnergy,
@@ -45,7 +45,8 @@ const char* const Leading[] = { RowNumber, names::Solid, vtkNURBSDataSet::FaceIn
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
   names::DisplacedVolume, names::CenterOfBuoyancy, names::DisplacedFirstMoments,
 #endif
-  names::Volume, names::Mass, names::Density, names::Material, names::SurfaceArea, names::CenterOfMass };
+  names::Volume, names::Mass, names::MassInAll, names::Density, names::Material, names::SurfaceArea,
+  names::CenterOfMass };
 
 /// Columns after them: units, tensors, details of the support, and defects of the model.
 constexpr const char* Trailing[] = { names::LengthUnit, names::PrincipalMoments, names::RadiiOfGyration,
@@ -83,6 +84,7 @@ bool HasSolids(const std::vector<std::string>& columns)
   const auto has = [&columns](const char* name)
   { return std::find(columns.begin(), columns.end(), name) != columns.end(); };
   return (has(names::Name) && has(names::Id) && has(names::Status)) ||
+    (has(names::Name) && has(names::Level) && has(names::CountInAll)) ||
     (has(names::Solid) && std::any_of(std::begin(PartsOfSolids), std::end(PartsOfSolids), has));
 }
 

@@ -13,7 +13,7 @@ plugin, folder = sys.argv[1:3]
 simple.LoadPlugin(plugin, ns=globals())
 manifest = Manifest(folder)
 controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
-names = ["Center of Mass", "Solids", "Summary", "Faces", "Edges", "Bodies", "Flagged"]
+names = ["Center of Mass", "Solids", "Summary", "Faces", "Edges", "Bodies", "Flagged", "Parts"]
 view = simple.CreateRenderView()
 view.ViewSize = [500, 400]
 view.OrientationAxesVisibility = 0
@@ -68,7 +68,7 @@ simple.Show(reader, view)
 mass = MassProperties(Input=reader)  # noqa: F821
 check_equal("ports", names, [mass.SMProxy.GetOutputPortName(port) for port in range(mass.SMProxy.GetNumberOfOutputPorts())])
 everything = ["MassMarkerRepresentation", None, "MassSummaryRepresentation", None, None, "MassBodiesRepresentation",
-              "FlaggedRepresentation"]
+              "FlaggedRepresentation", None]
 apply(mass, everything)
 check_equal("views", ["RenderView"], [each.GetXMLName() for each in simple.GetViews()])
 bodies = display(mass, 5)

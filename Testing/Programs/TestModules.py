@@ -6,6 +6,7 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, check_values, finish  # noqa: E402
+from smproduct import Assembly, Part, write_product  # noqa: E402
 
 from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
 from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkTrimmedNURBSModel  # noqa: E402
@@ -47,6 +48,45 @@ def check_edits(reader, mass, leaf, center):
     check("centre of the mirror image", -center[0], twin_center[0], mass.GetCenterOfMassBound() + twin.GetCenterOfMassBound())
 
 
+def check_parts():
+    """The parts list on port 7: two stations with two bolts each, and a rail without density."""
+    bolt = Part("bolt", [((0, 0, 0), (2, 2, 10))], "7.85", "g/cm^3")
+    plate = Part("Plate", [((0, 0, 0), (20, 10, 5))], "2700.")
+    station = Assembly("station", [(plate, (0, 0, 0), None), (bolt, (5, 5, 5), None), (bolt, (12, 5, 5), None)])
+    rail = Part("rail", [((0, 0, 0), (200, 10, 10))])
+    machine = Assembly("machine", [(station, (0, 0, 10), None), (rail, (0, 0, 0), None), (station, (100, 0, 10), None)])
+    mass = vtkMassPropertiesGPU()
+    with tempfile.TemporaryDirectory() as folder:
+        reader = vtkSTEPReader()
+        reader.SetFileName(write_product(os.path.join(folder, "machine.step"), machine))
+        mass.SetInputConnection(reader.GetOutputPort())
+        mass.Update()
+    table = mass.GetOutputDataObject(7)
+    rows = [[table.GetValueByName(i, name).ToString() for name in ("Name", "Kind", "Level", "Count", "CountInAll", "Solids", "SolidsWithMass")]
+            for i in range(table.GetNumberOfRows())]
+    check_equal("parts list", [["machine", "assembly", "1", "1", "1", "7", "6"], ["    rail", "part", "2", "1", "1", "1", "0"],
+                               ["    station", "assembly", "2", "2", "2", "3", "3"], ["        bolt", "part", "3", "2", "4", "1", "1"],
+                               ["        Plate", "part", "3", "1", "2", "1", "1"]], rows)
+    bolts, plates = 4 * 40 * 7850e-9, 2 * 1000 * 2700e-9
+    for name, values in (("Volume", (22160.0, 20000.0, 1080.0, 40.0, 1000.0)),
+                         ("MassInAll", (bolts + plates, None, bolts + plates, bolts, plates))):
+        for i, value in enumerate(values):
+            number = table.GetValueByName(i, name).ToDouble()
+            check_true(f"{name} of row {i}", number != number if value is None else
+                       abs(number - value) <= table.GetValueByName(i, name + "Bound").ToDouble() + 1e-15 * value, f"{number}, {value}")
+    check_true("no layers", table.GetColumnByName("Layer") is None)
+    tree = reader.GetOutput().GetDataAssembly()
+    for node in tree.SelectNodes(["//*[@label='Plate']"]):
+        tree.SetAttribute(node, "layer", "sheet metal")
+    mass.Modified()
+    mass.Update()
+    check_equal("layers", ["", "", "", "", "sheet metal"], [table.GetValueByName(i, "Layer").ToString() for i in range(5)])
+    mass.AddSelector("//*[@label='station']")
+    mass.Update()
+    check_equal("of selected solids", ["machine", "    station", "        bolt", "        Plate"],
+                [table.GetValueByName(i, "Name").ToString() for i in range(mass.GetOutputDataObject(7).GetNumberOfRows())])
+
+
 def check_stability():
     """A box on its bottom."""
     from solidmoments.smFiltersStability import vtkSolidStability
@@ -84,6 +124,7 @@ integral.AddIntegrand("area", "length(normal)")
 integral.Update()
 check_true("own integrand", abs(integral.GetIntegral("area") / PART["area"] - 1) < 1e-9, str(integral.GetIntegral("area")))
 
+check_parts()
 if "NURBSEdit" in sys.argv[2:]:
     check_edits(reader, mass, leaf, center)
 if "Stability" in sys.argv[2:]:

@@ -1,0 +1,276 @@
+#include "smPartsList.h"
+
+#include "smBodyIntegrals.h"
+#include "smMassPropertyNames.h"
+#include "smMassTable.h"
+#include "smProducts.h"
+#include "smUnitRoundoff.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+/// A product with what tells it from others.
+struct Product
+{
+  PartsListEntry Entry;
+  /// Equal for equal products.
+  std::string Signature;
+  bool HasMaterial = false;
+  std::vector<Product> Children;
+
+  void TakeMaterial(const std::string& material, double density)
+  {
+    PartsListEntry& entry = this->Entry;
+    entry.Material = !this->HasMaterial || entry.Material == material ? material : std::string();
+    entry.Density = !this->HasMaterial || entry.Density == density ? density : std::nan("");
+    this->HasMaterial = true;
+  }
+};
+
+/// Adds the sums of an equal product, whose children are in the same order.
+void AddInAll(Product& product, const Product& other)
+{
+  product.Entry.InAll.Add(other.Entry.InAll);
+  for (std::size_t i = 0; i < product.Children.size(); ++i)
+  {
+    AddInAll(product.Children[i], other.Children[i]);
+  }
+}
+
+std::string GetLowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+void SortByName(std::vector<Product>& products)
+{
+  std::sort(products.begin(), products.end(),
+    [](const Product& a, const Product& b)
+    {
+      const std::string nameA = GetLowerCase(a.Entry.Name);
+      const std::string nameB = GetLowerCase(b.Entry.Name);
+      return nameA != nameB ? nameA < nameB : a.Signature < b.Signature;
+    });
+}
+
+class ListMaker
+{
+public:
+  ListMaker(const std::vector<BodyIntegrals>& bodies, const std::vector<MassRow>& rows)
+  {
+    for (std::size_t i = 0; i < bodies.size() && i < rows.size(); ++i)
+    {
+      this->Rows.emplace(bodies[i].Id, &rows[i]);
+    }
+  }
+
+  Product MakeProduct(const ProductTreeNode& node)
+  {
+    Product product;
+    PartsListEntry& entry = product.Entry;
+    entry.Name = node.Name;
+    entry.Layer = node.Layer;
+    entry.IsAssembly = !node.Children.empty();
+    std::string models;
+    for (const ProductTreeNode::Body& body : node.Bodies)
+    {
+      const auto found = this->Rows.find(body.Id);
+      if (found == this->Rows.end())
+      {
+        continue;
+      }
+      const MassRow& row = *found->second;
+      entry.Each.Volume.Add(row.Properties.Volume, row.Properties.VolumeBound);
+      entry.Each.Area.Add(row.Area, row.AreaBound);
+      entry.Each.Mass.Add(row.Mass, row.MassBound);
+      product.TakeMaterial(row.Material, row.Density);
+      ++entry.Solids;
+      models += std::to_string(this->Models.emplace(body.Model, this->Models.size()).first->second) + ",";
+    }
+    this->AddChildren(node, product);
+    product.Signature = std::to_string(node.Name.size()) + ":" + node.Name + "[" + models + "](";
+    for (const Product& child : product.Children)
+    {
+      product.Signature += std::to_string(child.Entry.Count) + child.Signature;
+    }
+    product.Signature += ")";
+    entry.InAll = entry.Each;
+    return product;
+  }
+
+private:
+  void AddChildren(const ProductTreeNode& node, Product& product)
+  {
+    std::map<std::string, std::size_t> places;
+    for (const ProductTreeNode& below : node.Children)
+    {
+      Product child = this->MakeProduct(below);
+      if (child.Entry.Solids == 0)
+      {
+        continue;
+      }
+      product.Entry.Solids += child.Entry.Solids;
+      product.Entry.Each.Add(child.Entry.InAll);
+      product.TakeMaterial(child.Entry.Material, child.Entry.Density);
+      const auto [place, isNew] = places.emplace(child.Signature, product.Children.size());
+      if (isNew)
+      {
+        product.Children.push_back(std::move(child));
+      }
+      else
+      {
+        ++product.Children[place->second].Entry.Count;
+        AddInAll(product.Children[place->second], child);
+      }
+    }
+    SortByName(product.Children);
+  }
+
+  std::map<std::string, const MassRow*> Rows;
+  std::map<const void*, std::size_t> Models;
+};
+
+std::vector<PartsListEntry> TakeEntries(std::vector<Product>& products, int above)
+{
+  std::vector<PartsListEntry> entries;
+  for (Product& product : products)
+  {
+    PartsListEntry& entry = product.Entry;
+    entry.CountInAll = entry.Count * above;
+    entry.Children = TakeEntries(product.Children, entry.CountInAll);
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+/// The entries in depth-first order, with their levels.
+using Lines = std::vector<std::pair<const PartsListEntry*, int>>;
+
+void ListLines(const std::vector<PartsListEntry>& entries, int level, Lines& lines)
+{
+  for (const PartsListEntry& entry : entries)
+  {
+    lines.emplace_back(&entry, level);
+    ListLines(entry.Children, level + 1, lines);
+  }
+}
+
+/// Adds a column of the values that `get` gives for an entry and its level.
+template <typename Array, typename Get>
+void AddColumn(const Lines& lines, const std::string& name, const Get& get, vtkTable* table)
+{
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  for (const auto& [entry, level] : lines)
+  {
+    array->InsertNextValue(get(*entry, level));
+  }
+  table->AddColumn(array);
+}
+
+/// Adds the columns of a quantity and its bound.
+template <typename Get>
+void AddSum(const Lines& lines, const std::string& name, const Get& get, vtkTable* table)
+{
+  AddColumn<vtkDoubleArray>(
+    lines, name, [&get](const PartsListEntry& entry, int) { return get(entry).GetValue(); }, table);
+  AddColumn<vtkDoubleArray>(
+    lines, name + names::BoundSuffix,
+    [&get](const PartsListEntry& entry, int) { return get(entry).GetBound(); }, table);
+}
+}
+
+void PartsSum::Add(double value, double bound)
+{
+  if (!std::isnan(value))
+  {
+    this->Value += value;
+    this->Bound += bound + 2.0 * UnitRoundoff * std::abs(this->Value);
+    ++this->Terms;
+  }
+}
+
+void PartsSum::Add(const PartsSum& other)
+{
+  this->Value += other.Value;
+  this->Bound += other.Bound + 2.0 * UnitRoundoff * std::abs(this->Value);
+  this->Terms += other.Terms;
+}
+
+void PartsSums::Add(const PartsSums& other)
+{
+  this->Volume.Add(other.Volume);
+  this->Area.Add(other.Area);
+  this->Mass.Add(other.Mass);
+}
+
+std::vector<PartsListEntry> MakePartsList(
+  const ProductTreeNode& tree, const std::vector<BodyIntegrals>& bodies, const std::vector<MassRow>& rows)
+{
+  Product root = ListMaker(bodies, rows).MakeProduct(tree);
+  return TakeEntries(root.Children, 1);
+}
+
+void FillPartsTable(
+  const std::vector<PartsListEntry>& entries, const std::string& unit, bool withMass, vtkTable* table)
+{
+  using Entry = const PartsListEntry&;
+  Lines lines;
+  ListLines(entries, 1, lines);
+  AddColumn<vtkStringArray>(
+    lines, names::Name,
+    [](Entry e, int level) { return std::string(4 * static_cast<std::size_t>(level - 1), ' ') + e.Name; },
+    table);
+  AddColumn<vtkStringArray>(
+    lines, names::Kind, [](Entry e, int) { return std::string(e.IsAssembly ? "assembly" : "part"); }, table);
+  AddColumn<vtkIntArray>(
+    lines, names::Level, [](Entry, int level) { return level; }, table);
+  AddColumn<vtkIntArray>(
+    lines, names::Count, [](Entry e, int) { return e.Count; }, table);
+  AddColumn<vtkIntArray>(
+    lines, names::CountInAll, [](Entry e, int) { return e.CountInAll; }, table);
+  AddColumn<vtkIntArray>(
+    lines, names::Solids, [](Entry e, int) { return e.Solids; }, table);
+  if (std::any_of(lines.begin(), lines.end(), [](const auto& line) { return !line.first->Layer.empty(); }))
+  {
+    AddColumn<vtkStringArray>(
+      lines, names::Layer, [](Entry e, int) { return e.Layer; }, table);
+  }
+  if (withMass)
+  {
+    AddColumn<vtkStringArray>(
+      lines, names::Material, [](Entry e, int) { return e.Material; }, table);
+    AddColumn<vtkDoubleArray>(
+      lines, names::Density, [](Entry e, int) { return e.Density; }, table);
+    AddSum(
+      lines, names::Mass, [](Entry e) { return e.Each.Mass; }, table);
+    AddSum(
+      lines, names::MassInAll, [](Entry e) { return e.InAll.Mass; }, table);
+    AddColumn<vtkIntArray>(
+      lines, names::SolidsWithMass, [](Entry e, int) { return e.Each.Mass.Terms; }, table);
+  }
+  AddSum(
+    lines, names::Volume, [](Entry e) { return e.Each.Volume; }, table);
+  AddSum(
+    lines, names::SurfaceArea, [](Entry e) { return e.Each.Area; }, table);
+  AddColumn<vtkStringArray>(
+    lines, names::LengthUnit, [&unit](Entry, int) { return unit; }, table);
+}
+}

@@ -1,0 +1,78 @@
+/**
+ * @file smPartsList.h
+ * @brief The parts list (bill of materials) of an input: products with their counts, and the sums of their solids
+ */
+#ifndef smPartsList_h
+#define smPartsList_h
+
+#include "smFiltersMassPropertiesModule.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+class vtkTable;
+
+namespace sm
+{
+struct BodyIntegrals;
+struct MassRow;
+struct ProductTreeNode;
+
+/// The sum of a quantity over solids that have it, with its bound; values without a bound make the sum one without.
+struct SMFILTERSMASSPROPERTIES_EXPORT PartsSum
+{
+  double Value = 0.0;
+  double Bound = 0.0;
+  int Terms = 0;
+
+  /// NaN adds nothing.
+  void Add(double value, double bound);
+  void Add(const PartsSum& other);
+  double GetValue() const { return this->Terms > 0 ? this->Value : std::numeric_limits<double>::quiet_NaN(); }
+  double GetBound() const { return this->Terms > 0 ? this->Bound : std::numeric_limits<double>::quiet_NaN(); }
+};
+
+/// Units: L^3, L^2 and kg. The mass has fewer terms than the volume where some solids have no density.
+struct PartsSums
+{
+  PartsSum Volume, Area, Mass;
+
+  void Add(const PartsSums& other);
+  bool HasWholeMass() const { return this->Mass.Terms == this->Volume.Terms; }
+};
+
+/// All equal products in one place. Products are equal if they have the same name and consist of the same models and equal products.
+struct PartsListEntry
+{
+  std::string Name;
+  /// Of the first product; empty where the file states none.
+  std::string Layer;
+  bool IsAssembly = false;
+  /// In the product above, and in the input.
+  int Count = 1;
+  int CountInAll = 1;
+  /// Of one.
+  int Solids = 0;
+  /// Empty and NaN where the solids differ or have none. Density in kg/m^3.
+  std::string Material;
+  double Density = std::numeric_limits<double>::quiet_NaN();
+  /// Of the first product, and of all.
+  PartsSums Each, InAll;
+  /// Sorted by name.
+  std::vector<PartsListEntry> Children;
+};
+
+/// The products below the root of the tree, sorted by name. Rows are those of the bodies; bodies of the tree that are not among `bodies`
+/// (not selected) are left out.
+SMFILTERSMASSPROPERTIES_EXPORT std::vector<PartsListEntry> MakePartsList(
+  const ProductTreeNode& tree, const std::vector<BodyIntegrals>& bodies, const std::vector<MassRow>& rows);
+
+/// Writes the entries in depth-first order, a row each: Level (1, 2, …), Name, indented by its level, Kind, Count, CountInAll, Solids, Layer where there is one,
+/// Volume, SurfaceArea, each with its bound, LengthUnit, and, `withMass`, Material, Density, Mass, MassInAll with their bounds, and
+/// SolidsWithMass (smMassPropertyNames.h). Masses are those of the solids that have a density.
+SMFILTERSMASSPROPERTIES_EXPORT void FillPartsTable(
+  const std::vector<PartsListEntry>& entries, const std::string& unit, bool withMass, vtkTable* table);
+}
+
+#endif

@@ -1,0 +1,128 @@
+#include "smProducts.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataAssembly.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkSmartPointer.h"
+#include "vtkTrimmedNURBSModel.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+constexpr int MaximumLevel = 100;
+
+using Bodies = std::vector<ProductTreeNode::Body>;
+
+ProductTreeNode::Body MakeBody(std::size_t number, vtkNURBSDataSet* leaf)
+{
+  return { std::to_string(number), leaf->GetModel(), leaf->GetPlacementData() };
+}
+
+/// Bodies by the number of their partitioned dataset.
+std::vector<Bodies> GroupBodies(vtkPartitionedDataSetCollection* collection)
+{
+  std::vector<Bodies> groups(collection->GetNumberOfPartitionedDataSets());
+  std::size_t number = 0;
+  for (unsigned int i = 0; i < groups.size(); ++i)
+  {
+    for (unsigned int j = 0; j < collection->GetNumberOfPartitions(i); ++j)
+    {
+      auto* leaf = vtkNURBSDataSet::SafeDownCast(collection->GetPartitionAsDataObject(i, j));
+      if (leaf && leaf->GetModel())
+      {
+        groups[i].push_back(MakeBody(++number, leaf));
+      }
+    }
+  }
+  return groups;
+}
+
+void AddNode(
+  vtkDataAssembly* assembly, int node, int level, const std::vector<Bodies>& groups, ProductTreeNode& product)
+{
+  for (const unsigned int index : assembly->GetDataSetIndices(node, false))
+  {
+    if (index < groups.size())
+    {
+      product.Bodies.insert(product.Bodies.end(), groups[index].begin(), groups[index].end());
+    }
+  }
+  bool isUnnamed = false; // the last child
+  for (const int child : assembly->GetChildNodes(node, false))
+  {
+    if (level == MaximumLevel)
+    {
+      AddNode(assembly, child, level, groups, product);
+      continue;
+    }
+    ProductTreeNode below;
+    below.Name = assembly->GetAttributeOrDefault(child, "label", "");
+    below.Layer = assembly->GetAttributeOrDefault(child, "layer", "");
+    AddNode(assembly, child, level + 1, groups, below);
+    if (!below.Bodies.empty() || !below.Children.empty())
+    {
+      isUnnamed = assembly->GetAttributeOrDefault(child, "unnamed", 0) == 1;
+      product.Children.push_back(std::move(below));
+    }
+  }
+  // Some systems relate the shape of a product to another one, which has the bodies and no name: it is the same product.
+  if (level > 0 && isUnnamed && product.Bodies.empty() && product.Children.size() == 1 &&
+    product.Children[0].Children.empty())
+  {
+    product.Bodies = Bodies(product.Children[0].Bodies);
+    product.Children.clear();
+  }
+}
+
+/// A product for each body, by the names of their models.
+void AddBodies(vtkDataObject* input, ProductTreeNode& root)
+{
+  const auto add = [&root](vtkDataObject* object, std::size_t number)
+  {
+    auto* leaf = vtkNURBSDataSet::SafeDownCast(object);
+    if (!leaf || !leaf->GetModel())
+    {
+      return number;
+    }
+    ProductTreeNode product;
+    product.Name = leaf->GetModel()->GetName();
+    product.Bodies.push_back(MakeBody(++number, leaf));
+    root.Children.push_back(std::move(product));
+    return number;
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    add(input, 0);
+    return;
+  }
+  std::size_t number = 0;
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    number = add(iterator->GetCurrentDataObject(), number);
+  }
+}
+}
+
+ProductTreeNode MakeProductTree(vtkDataObject* input)
+{
+  ProductTreeNode root;
+  auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(input);
+  vtkDataAssembly* assembly = collection ? collection->GetDataAssembly() : nullptr;
+  if (assembly)
+  {
+    AddNode(assembly, vtkDataAssembly::GetRootNode(), 0, GroupBodies(collection), root);
+  }
+  else
+  {
+    AddBodies(input, root);
+  }
+  return root;
+}
+}

@@ -1,0 +1,41 @@
+/**
+ * @file smProducts.h
+ * @brief The product structure of an input as its assembly has it
+ */
+#ifndef smProducts_h
+#define smProducts_h
+
+#include "smFiltersMassPropertiesModule.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkTrimmedNURBSModel;
+
+namespace sm
+{
+/// A product of an input: its bodies, by the numbers that filters give them (BodyIntegrals::Id), and the products that it consists of.
+struct ProductTreeNode
+{
+  struct Body
+  {
+    std::string Id;
+    vtkTrimmedNURBSModel* Model = nullptr;
+    /// The first three rows of the matrix from the part to the world.
+    const double* Placement = nullptr;
+  };
+  std::string Name;
+  /// Empty where the file states none.
+  std::string Layer;
+  std::vector<Body> Bodies;
+  std::vector<ProductTreeNode> Children;
+};
+
+/// The tree of the vtkDataAssembly of a vtkPartitionedDataSetCollection, without products that have no bodies; without an assembly a
+/// product for each body. Nodes more than 100 levels deep are missing, and their bodies are in the node above. Pointers are valid as long as
+/// the input.
+SMFILTERSMASSPROPERTIES_EXPORT ProductTreeNode MakeProductTree(vtkDataObject* input);
+}
+
+#endif
