@@ -30,21 +30,22 @@ if scene == "volume":
     simple.GetColorTransferFunction("Volume").MapControlPointsToLogSpace()
     simple.GetColorTransferFunction("Volume").UseLogScale = 1
     simple.SetActiveSource(mass)
-elif scene == "table":
+elif scene in ("table", "parts"):
     layout = simple.GetLayout(view)
     layout.SplitVertical(0, 0.6)
     sheet = simple.CreateView("SpreadSheetView")
     layout.AssignView(2, sheet)
     view.Update()
-    simple.Show(servermanager.OutputPort(mass, 1), sheet)
+    simple.Show(servermanager.OutputPort(mass, 1 if scene == "table" else 7), sheet)
     simple.SetActiveView(view)
     simple.ResetCamera(view)
-    select_rows(mass, 1, (1, 3))
+    if scene == "table":
+        select_rows(mass, 1, (1, 3))
     simple.SetActiveSource(mass)
 else:
     simple.SetActiveSource(mass)
 # Zooms in, as a user does after Apply; out in the low view, where the text would cover the solids.
-simple.GetActiveCamera().Zoom(1.4 if scene != "table" else 0.9)
+simple.GetActiveCamera().Zoom(0.9 if scene in ("table", "parts") else 1.4)
 simple.Render(view)
 with open(ready, "w", encoding="utf-8") as file:
     file.write("ready\n")

@@ -1,7 +1,7 @@
 #!/bin/sh
 # screenshots.sh BUILD FOLDER: pictures of ParaView's window with the plugin, made on a virtual display and written to FOLDER:
-# window_main.png (a part and its mass properties), window_table.png (an assembly, rows of its table selected),
-# window_volume.png (its solids coloured by volume), window_flagged.png (an open solid). With a scene (main, table, volume, flagged) and a
+# window_main.png (a part and its mass properties), window_table.png (an assembly, rows of its table selected), window_parts.png (its parts list),
+# window_volume.png (its solids coloured by volume), window_flagged.png (an open solid). With a scene (main, table, parts, volume, flagged) and a
 # STEP file: one picture of that file. Needs paraview, xvfb-run and ImageMagick's import; BUILD has the plugin and
 # make_paper_parts. Look at the pictures: nothing here judges them.
 set -eu
@@ -50,5 +50,6 @@ if [ "$#" -eq 4 ]; then
 fi
 grab main "$here/../../../Examples/Models/sample_part.step"
 grab table "$work/gear_train.step"
+grab parts "$work/gear_train.step"
 grab volume "$work/gear_train.step"
 grab flagged "$build/Testing/solids/open_solid.step"
