@@ -131,7 +131,7 @@ double GetDistance(const Body& a, const Body& b)
   return std::sqrt(vtkMath::Distance2BetweenPoints(a.Center.data(), b.Center.data()));
 }
 
-/// What became of a solid of the old file, or where one of the new file comes from; one of both may be null.
+/// The state of a pair of solids; one of both may be null.
 struct Outcome
 {
   const Body* Old;
@@ -278,7 +278,7 @@ private:
         });
       if (after)
       {
-        // Of instances of two models that are congruent, the rotation may be missed among too many.
+        // The rotation between instances of two congruent models may be missed among too many.
         const Rotation rotation =
           FindRotation(before.Shape.GetPlaced(), after->Shape.GetPlaced(), this->Limit);
         this->Add(before, *after, rotation.IsFound ? Moved : Changed, rotation.IsFound, rotation);
@@ -371,7 +371,7 @@ std::size_t CountInstances(
     [&](const Outcome& outcome) { return outcome.*side && (outcome.*side)->GetName() == name; }));
 }
 
-/// What the solids of one part have in common.
+/// Common properties of the solids of one part.
 using PartKey = std::tuple<std::size_t, std::string, std::string, std::size_t, std::size_t>;
 
 PartKey GetKey(const Outcome& outcome)

@@ -79,7 +79,7 @@ std::string FormatMotion(const Json& part, const std::string& unit)
   return (distance.empty() ? "" : ", by " + distance) + (angle.empty() ? "" : ", rotated by " + angle);
 }
 
-/// What is to be said about a part.
+/// The differences and notes of a part.
 std::string Describe(const Json& part, const Json& newFile)
 {
   std::string text;
@@ -90,7 +90,7 @@ std::string Describe(const Json& part, const Json& newFile)
       FormatDifference(part["difference"], "area", "area", FormatUnit(newFile, 2)) +
       FormatDifference(part["difference"], "mass", "mass", "kg");
   }
-  // Of what is unchanged only noise would be shown.
+  // The motion of an unchanged part would be noise.
   if (state != states::Unchanged && part["bodies"][0]["distance"].is_number())
   {
     text += FormatMotion(part, FormatUnit(newFile, 1));

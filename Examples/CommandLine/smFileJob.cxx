@@ -254,7 +254,7 @@ std::string Draw(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyDat
                         : "there is no OpenGL context to draw in: " + context->GetReason();
 }
 
-/// What the options ask for beside the mass properties. Sends the results after every stage. Returns the drawing of the stability.
+/// Computes the other results that the options ask for. Sends the results after every stage. Returns the drawing of the stability.
 vtkSmartPointer<vtkPolyData> IntegrateMore(vtkCADReader* reader, const sm::JobOptions& options,
   const sm::JobListener& send, Json& file, sm::MessageList& messages)
 {
@@ -291,7 +291,7 @@ vtkSmartPointer<vtkPolyData> IntegrateMore(vtkCADReader* reader, const sm::JobOp
   return drawing;
 }
 
-/// What follows from the product structure and the solids that were computed: shapes, parts list and validation properties.
+/// Adds the results of products: shapes, parts list and validation properties.
 void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, const sm::JobOptions& options,
   const sm::JobListener& send, Json& file, sm::MessageList& messages)
 {

@@ -11,8 +11,8 @@
 namespace sm
 {
 /**
- * What a name stands for, as a plain file: the file itself; for "-" a copy of the standard input; the content of a file that gzip has
- * compressed (.step.gz, .stpz); and the only STEP or BREP file in a ZIP archive (.stpz, .zip). What a file is, its first bytes say. Copies are in a
+ * The content behind a name as a plain file: the file itself; for "-" a copy of the standard input; the content of a file that gzip has
+ * compressed (.step.gz, .stpz); and the only STEP or BREP file in a ZIP archive (.stpz, .zip). The first bytes of a file tell its kind. Copies are in a
  * folder below TMPDIR (/tmp without it) that the destructor removes, under the stem of the name, and have no more than 4 GB.
  */
 class InputFile

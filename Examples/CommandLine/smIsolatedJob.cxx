@@ -55,7 +55,7 @@ void WriteLine(int descriptor, const sm::Json& message)
 
 // --- out of memory -----------------------------------------------------------------------------
 
-/// Of a child: in memory that it shares with the process that started it, 1 when it has no memory for more.
+/// 1 when a child has no memory left; it shares this flag with the process that started it.
 volatile std::sig_atomic_t* OutOfMemory = nullptr;
 
 void OnNoMemory()

@@ -29,7 +29,7 @@ struct JobOutcome
 
 using ProgressListener = std::function<void(const std::string& stage, double fraction)>;
 
-/// What a child has sent.
+/// The messages of a child.
 struct JobMessages
 {
   Json Result;

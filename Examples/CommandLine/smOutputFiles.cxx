@@ -147,7 +147,7 @@ std::string CheckOutputs(const Arguments& arguments)
   for (const auto& [option, given] :
     { std::make_pair("--mesh", arguments.Mesh), std::make_pair("--png", arguments.Picture) })
   {
-    // Of two products that are compared there is one picture.
+    // Two products that are compared share one picture.
     const bool isOne = arguments.Compare && given == arguments.Picture;
     for (const std::string& name :
       isOne ? std::vector<std::string>{ given } : OutputNames(arguments.Files, given))

@@ -26,7 +26,7 @@ struct Computed
   double CenterBound = std::nan("");
   /// Why the centre is not comparable; empty if it is.
   std::string NoCenter;
-  /// Of a part, not of an assembly.
+  /// Null for an assembly.
   Json Material, Density;
 };
 

@@ -34,7 +34,7 @@ struct Bounded
 /// Options of ComputeMassProperties(); see the setters of vtkMassPropertiesGPU for their meaning.
 struct MassPropertiesOptions
 {
-  /// Of every quantity, relative to its scale. In (0, 1]; what is below 1e-15 counts as that.
+  /// Tolerance of every quantity, relative to its scale. In (0, 1]; values below 1e-15 count as that.
   double RelativeTolerance = 1e-9;
   /// kg/m^3 of all solids; 0: what the file of each part states. Finite, not negative.
   double Density = 0.0;

@@ -29,7 +29,7 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   double MassBound;
   std::array<double, 9> MassInertia;
   double MassInertiaBound;
-  /// What is in doubt of the mass, in kg: in all; by the tolerance of the density; by the gaps of the model, by what closing them moved and
+  /// The uncertainty of the mass, in kg: in all; by the tolerance of the density; by the gaps of the model, by what closing them moved and
   /// GapSquared; numerically, by the bound. NaN without a mass. The share of gaps is an estimate and no bound of the distance to
   /// the designer's part.
   std::array<double, 4> MassUncertainty;

@@ -17,7 +17,7 @@ namespace
 {
 using Matrix3 = std::array<double, 9>;
 
-/// What one face may differ in and still be the same.
+/// Largest differences of two faces that count as equal.
 struct Slack
 {
   double Area, First, Second, VectorArea;

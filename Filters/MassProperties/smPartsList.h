@@ -46,18 +46,18 @@ struct PartsSums
 struct PartsListEntry
 {
   std::string Name;
-  /// Of the first product; empty where the file states none.
+  /// Layer of the first product; empty where the file states none.
   std::string Layer;
   bool IsAssembly = false;
   /// In the product above, and in the input.
   int Count = 1;
   int CountInAll = 1;
-  /// Of one.
+  /// Number of solids of one product.
   int Solids = 0;
   /// Empty and NaN where the solids differ or have none. Density in kg/m^3.
   std::string Material;
   double Density = std::numeric_limits<double>::quiet_NaN();
-  /// Of the first product, and of all.
+  /// Sums over the first product, and over all.
   PartsSums Each, InAll;
   /// Sorted by name.
   std::vector<PartsListEntry> Children;

@@ -100,7 +100,7 @@ private:
 
   const std::vector<const BodyIntegrals*>& Parts;
   double Diagonal = 0.0;
-  /// What a distance between mesh and surface may be besides the deviation of a triangle.
+  /// Largest distance between mesh and surface besides the deviation of a triangle.
   double Slack = 0.0;
   std::vector<MeshTriangle> Triangles;
   /// The faces of all parts one after another, and the face of each triangle.
@@ -347,7 +347,7 @@ void Report(const SelfCrossing& result, BodyIntegrals& body)
         (result.Winding > 0        ? "counts " + times
             : result.Winding == -1 ? "is subtracted"
                                    : "is subtracted " + times));
-    // Of parts that are checked together, one has the face.
+    // One of the parts that are checked together has the face.
     const std::vector<FacePointer>& faces = body.Model->GetFaces();
     const auto beside = std::find_if(
       faces.begin(), faces.end(), [&result](const FacePointer& face) { return face->FileId == result.Face; });

@@ -57,7 +57,7 @@ void ScaleMoments(Moments& moments, double factor)
   }
 }
 
-/// What is in doubt of a mass: in all, by the density, by gaps, by the numerical bound. A density that is larger by its tolerance makes the
+/// The uncertainty of a mass: in all, by the density, by gaps, by the numerical bound. A density that is larger by its tolerance makes the
 /// others larger, too; rounding of these shares is within a millionth.
 std::array<double, 4> GetMassUncertainty(const MassRow& row, double tolerance, double factor)
 {

@@ -78,7 +78,7 @@ private:
   bool Fail(const std::string& what);
   bool FindMissing(const std::vector<FacePointer>& faces, std::vector<FacePointer>& missing);
 
-  /// What a cache keeps of a face; it knows how many caches of the process keep it.
+  /// An entry of a cache, for a face; it knows how many caches of the process keep it.
   class Kept;
   FaceCache<NoKey, std::shared_ptr<const Kept>> Faces;
   std::uint64_t Cuts = 0;

@@ -20,7 +20,7 @@ struct FileState
   std::string Status;
   /// Why the status is not "ok": a sentence with the file's name.
   std::string Problem;
-  /// What makes every result of the file suspect, one sentence each: solids, faces or instances that the file declares and that are
+  /// Reasons why every result of the file is suspect, one sentence each: solids, faces or instances that the file declares and that are
   /// not in the output, and contradictions that belong to no single body.
   std::vector<std::string> Defects;
 };

@@ -191,7 +191,7 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   }
   this->Rough = false;
   this->Tail = 0.0;
-  // Of every coordinate: 20 roundings of the terms and their sum, 4 in each of three terms to raise the degree by one, and those of the
+  // Roundings of every coordinate: 20 of the terms and their sum, 4 in each of three terms to raise the degree by one, and those of the
   // series. The trim's series are doubles, but matter to d alone.
   const int raised = std::abs(ribbon.TrimDegree - ribbon.EdgeDegree);
   this->Noise = std::sqrt(3.0) *

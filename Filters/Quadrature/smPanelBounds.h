@@ -98,7 +98,7 @@ private:
   const PlanRequest& Request;
   int Degree;
   double Reach = 0.0;
-  /// Of each patch with poles that are nearly points made so, and, where that is not the same, with certain ones.
+  /// Series of each patch: with poles that are nearly points made points, and, where that is not the same, with certain ones only.
   std::vector<std::array<std::unique_ptr<PatchSeries>, 2>> Series;
   PatchMajorants OfPart;
 

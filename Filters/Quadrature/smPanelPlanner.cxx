@@ -28,7 +28,7 @@ constexpr int MostCompared = 15;
 // Points that cost less than series of a part's own, which would ask for fewer.
 constexpr int EvaluationsOfSeries = 150;
 
-/// What the normal of a prismatic panel may change by along its straight lines, relative to the largest normal: 1e-14 at the samples of
+/// Largest change of the normal of a prismatic panel along its straight lines, relative to the largest normal: 1e-14 at the samples of
 /// smFacePanels.cxx, times Lebesgue's constant, which is at most 2^n / n for n <= 20 equal steps.
 double GetPrismaticDeviation(int q)
 {

@@ -57,7 +57,7 @@ struct FacePlan
   std::vector<double> Magnitude;
   /// Bound of the face's area that is known before anything is evaluated.
   double Area = 0.0;
-  /// What is added to ConversionBound once the face's area is known.
+  /// Error of reading, which is added to ConversionBound once the face's area is known.
   ReadingError Reading;
   /// Points of all items, caps aside.
   std::int64_t Evaluations = 0;

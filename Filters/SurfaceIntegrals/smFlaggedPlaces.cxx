@@ -375,7 +375,7 @@ void DrawFlaggedPlaces(
       columns.Append(i, places[i], body, texts[i], edge, nullptr);
     }
   }
-  // Of several places with one face, the worst has its triangles.
+  // The triangles of a face belong to the worst of its places.
   std::map<std::size_t, std::map<std::size_t, std::size_t>> placesOfBodies;
   for (std::size_t i = 0; i < places.size(); ++i)
   {

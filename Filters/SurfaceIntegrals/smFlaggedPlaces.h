@@ -25,7 +25,7 @@ struct FlaggedPlace
   /// Either edges, or indices of faces in the model.
   std::vector<const EdgeGap*> Edges;
   std::vector<std::size_t> Faces;
-  /// What is wrong, without the figures in doubt.
+  /// The defect in words, without the figures in doubt.
   std::string Reason;
   /**
    * Estimates of what the place may change in the area and volume of its body, not bounds; NaN where they are not known.

@@ -419,7 +419,7 @@ bool SurfaceIntegrator::Integrate(
   if (self.Sharing.IsOpen())
   {
     this->FinishSharing(self.Error.c_str());
-    // What the others received is unknown.
+    // It is unknown how much the others received.
     self.Shares.Forget();
   }
   self.Progress = nullptr;

@@ -175,7 +175,7 @@ void vtkSurfaceIntegralBase::Write(
   this->Engine->GetReport().FillFieldData(outputs.Totals->GetFieldData());
 }
 
-/// What a run finds in its input.
+/// The bodies and the state of a run's input.
 struct vtkSurfaceIntegralBase::Input
 {
   /// The bodies to integrate.

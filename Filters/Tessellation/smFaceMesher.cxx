@@ -249,7 +249,7 @@ private:
     }
   }
 
-  /// What a triangle may err by between its corners: the deflection less the gap of a corner. Where a corner's gap takes most of the
+  /// Largest error of a triangle between its corners that is allowed: the deflection less the gap of a corner. Where a corner's gap takes most of the
   /// deflection, no number of points keeps the promise.
   double GetAllowed(const Triangulation::Triangle& t) const
   {

@@ -74,7 +74,7 @@ CornerDerivatives EvaluateCorner(const PatchNet& net, int si, int sj)
   const double area = Norm(cross);
   for (int k = 0; k < 3 && area > LeastSine * result.Speed[0] * result.Speed[1]; ++k)
   {
-    // What else S_uu and S_uv consist of lies in the tangent plane.
+    // The other parts of S_uu and S_uv lie in the tangent plane.
     result.Normal[k] = Dot(ProjectDerivative(second[k], s, b[3]), cross) / area;
   }
   return result;

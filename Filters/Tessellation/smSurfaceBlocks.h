@@ -19,7 +19,7 @@
  * plus tan(theta) M; and J becomes J / cos(theta), the most that |x.n| + tan(theta) |x - (x.n) n| is for a vector x of length J. The
  * least of both sums is taken. On a box in several blocks n and theta are the same for all of them.
  *
- * What is bounded in that form is the distance across the surface. Where one leaves the part on the box before the triangle's point is
+ * That form bounds the distance across the surface. Where one leaves the part on the box before the triangle's point is
  * reached, the surface is thought of as continued with slopes of at most tan(theta): a triangle may reach sideways beyond that part, at
  * most by the whole error.
  */
@@ -68,7 +68,7 @@ public:
     std::array<double, 3> Along{};
     std::array<double, 3> Normal{};
     double Tilt = 4.0;
-    /// What Uu, Uv and Vv multiply a jump of the first derivative by: 1 / cos of the tilt where they are those along Normal, else 1.
+    /// Factor of a jump of the first derivative in Uu, Uv and Vv: 1 / cos of the tilt where they are those along Normal, else 1.
     double JumpFactor = 1.0;
     /// Sets Uu, Uv, Vv for normals within `tilt` of Normal.
     void Choose(double tilt);

@@ -18,7 +18,7 @@ class TriangleJudge
 public:
   using Corners = MeshRepair::Corners;
 
-  /// What is passed must outlive the judge; vertices may be added.
+  /// The arguments must outlive the judge; vertices may be added.
   TriangleJudge(
     const SurfaceBlocks& blocks, const std::vector<MeshVertex>& vertices, NURBSSurface::Walker& walker);
 

@@ -87,7 +87,7 @@ private:
     int Triangle;
     int Side;
   };
-  /// What a walk along a line from vertex `a` finds before the next vertex on it.
+  /// The sides and the end of a walk along a line from vertex `a` to the next vertex on it.
   struct Crossing
   {
     /// Sides that the line crosses, as pairs of vertices: right, left.
@@ -99,7 +99,7 @@ private:
   };
 
   bool IsFlipBetter(int triangle, int side) const;
-  /// Of the side that begins at vertex `from`.
+  /// Sets the triangle beyond the side that begins at vertex `from`.
   void SetNeighbor(int triangle, int from, int neighbor);
   void Flip(int triangle, int side);
   void SplitTriangle(int triangle, int vertex);

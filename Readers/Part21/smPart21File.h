@@ -13,7 +13,7 @@
 
 namespace sm
 {
-/// What is wrong with a text. Values, never exceptions: a damaged file is read as far as it goes.
+/// Defects of a text. Values, never exceptions: a damaged file is read as far as it goes.
 enum class Part21Defect : unsigned char
 {
   Unopened,           ///< the file cannot be opened or read
@@ -123,7 +123,7 @@ public:
   }
   /// Index into the names of the types.
   std::uint32_t GetType(Index i, std::size_t record = 0) const { return this->GetRecord(i, record).Type; }
-  /// What stands between the brackets, for Part21Values.
+  /// The text between the brackets, for Part21Values.
   std::string_view GetParameters(Index i, std::size_t record = 0) const
   {
     return this->Cut(this->GetRecord(i, record).Begin, this->GetRecord(i, record).End);
@@ -132,7 +132,7 @@ public:
 
   /// Names of all types of records in the file, in capitals, in the order in which they appear.
   const std::vector<std::string>& GetTypeNames() const { return this->TypeNames; }
-  /// What FILE_SCHEMA says: strings as in the file.
+  /// The names in FILE_SCHEMA, as in the file.
   const std::vector<std::string>& GetSchemas() const { return this->Schemas; }
 
   const std::vector<Part21Problem>& GetProblems() const { return this->Problems; }

@@ -11,7 +11,7 @@ char ToCapital(char c)
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-/// Of the length and the first and last eight characters, in capitals.
+/// Hash of the length and the first and last eight characters, in capitals.
 std::size_t GetHash(std::string_view name)
 {
   char ends[16] = {};

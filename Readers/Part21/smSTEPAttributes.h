@@ -37,7 +37,7 @@ public:
   {
     return this->Types[this->File.GetType(i, record)];
   }
-  /// Of all records together.
+  /// The roles of all records together.
   std::uint64_t GetRoles(Index i) const { return this->Roles[i]; }
   bool Has(Index i, std::uint64_t roles) const { return i != None && (this->Roles[i] & roles) != 0; }
   /// The type of the entity is one of those that the census knows.

@@ -56,7 +56,7 @@ constexpr CensusCount CensusMaximum = std::numeric_limits<CensusCount>::max();
 
 struct CensusFace
 {
-  /// Of the face itself, not of an ORIENTED_FACE.
+  /// Entity number of the face itself, not of an ORIENTED_FACE.
   std::uint64_t Id = 0;
   /// Numbers of its bounds: a part of STEPCensus::Bounds.
   std::uint32_t FirstBound = 0;
@@ -74,7 +74,7 @@ enum class CensusShellKind : unsigned char
 
 struct CensusShell
 {
-  /// Of the shell itself, not of an ORIENTED_CLOSED_SHELL.
+  /// Entity number of the shell itself, not of an ORIENTED_CLOSED_SHELL.
   std::uint64_t Id = 0;
   CensusShellKind Kind = CensusShellKind::Closed;
   /// Its faces: a part of STEPCensus::FaceUses, without doubles.
@@ -88,7 +88,7 @@ struct CensusShellUse
 {
   /// Index into STEPCensus::Shells.
   std::uint32_t Shell = 0;
-  /// Of the ORIENTED_CLOSED_SHELL, or of the shell.
+  /// Entity number of the ORIENTED_CLOSED_SHELL, or of the shell.
   std::uint64_t Id = 0;
   bool Void = false;
 };
@@ -135,7 +135,7 @@ struct CensusOccurrence
   /// Numbers of the PRODUCT_DEFINITIONs; 0 where there is none.
   std::uint64_t Parent = 0;
   std::uint64_t Child = 0;
-  /// Of the CONTEXT_DEPENDENT_SHAPE_REPRESENTATION and its transformation; 0: none.
+  /// Entity numbers of the CONTEXT_DEPENDENT_SHAPE_REPRESENTATION and its transformation; 0: none.
   std::uint64_t Placement = 0;
   std::uint64_t Transformation = 0;
   /// How often it occurs: as often as its parent.
@@ -198,7 +198,7 @@ struct STEPDensity
   std::string Problem;
 };
 
-/// What an entity is needed for, as bits.
+/// Uses of an entity, as bits.
 namespace CensusUse
 {
 enum Bit : unsigned char

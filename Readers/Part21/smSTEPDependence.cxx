@@ -1,4 +1,4 @@
-// What the bodies of a census depend on, and whether it is sound.
+// The entities that the bodies of a census depend on, and their damage.
 #include "smSTEPCensusTaker.h"
 
 #include <algorithm>

@@ -51,7 +51,7 @@ struct STEPProduct
  */
 SMREADERSPART21_EXPORT std::vector<STEPProduct> ReadSTEPProducts(const Part21File& file);
 
-/// What AppendSTEPValidation() writes for a product: lengths are millimetres.
+/// The values that AppendSTEPValidation() writes for a product: lengths are millimetres.
 struct STEPStatement
 {
   /// As ReadSTEPProducts() gave it.

@@ -12,7 +12,7 @@
 
 namespace sm
 {
-/// What an entity may stand for, as bits; an entity has all those of its records.
+/// Roles of an entity, as bits; an entity has all those of its records.
 namespace STEPRole
 {
 enum Bit : std::uint64_t

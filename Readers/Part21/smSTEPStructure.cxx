@@ -374,7 +374,7 @@ void STEPCensusTaker::CountAll()
 /// `open`: arcs that lead to an entity from entities whose count is not known.
 void STEPCensusTaker::ReportCycles(const std::vector<std::uint32_t>& open)
 {
-  // What lies below a cycle is open, too; it has no way back. Taken off from below, the cycles remain.
+  // Everything below a cycle is open, too; it has no way back. Taken off from below, the cycles remain.
   std::vector<Arc> back;
   std::vector<std::uint32_t> outgoing(open.size(), 0);
   for (const Arc& arc : this->Arcs)

@@ -70,7 +70,7 @@ struct Document
   /// Why Status is not Ok: a sentence without the file's name.
   std::string Problem;
   std::vector<std::string> Messages;
-  /// What the file declares and the document lacks, and contradictions that belong to no single body; a sentence each.
+  /// Solids, faces and instances that the file declares and the document lacks, and contradictions that belong to no single body; a sentence each.
   std::vector<std::string> Defects;
   /// The file's own length unit as it spells it ("millimetre"), and in mm; empty and 1 when it gives none.
   std::string FileUnit;

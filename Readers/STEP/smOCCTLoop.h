@@ -72,7 +72,7 @@ struct DraftFace
   int Defects = 0;
 };
 
-/// What a coedge without a pcurve gets on a surface that is no plane.
+/// The trim curve that a coedge without a pcurve gets on a surface that is no plane.
 enum class MissingTrim
 {
   /// OpenCASCADE's approximation, at once.

@@ -23,9 +23,9 @@ constexpr int Scaled = 2;
 constexpr int Rotated = 16;
 // By a profile's distance from its axis, or an offset.
 constexpr int Profiled = 6;
-// Of lengths seen from a frame: directions are normalized, made orthogonal, mapped, and multiplied by sines and cosines.
+// By lengths seen from a frame: directions are normalized, made orthogonal, mapped, and multiplied by sines and cosines.
 constexpr int Framed = 16;
-// Of distances between control points, when weights are rounded.
+// By rounded weights, relative to distances between control points.
 constexpr int Weighted = 4;
 
 Vector3 GetPoint(const std::array<double, 4>& h)
@@ -109,7 +109,7 @@ double GetKnotRounding(const NURBSSurface& surface, int direction, const NativeB
   return 2.0 * p * largest;
 }
 
-/// What rounding of weights and knots moves a spline by.
+/// Largest motion of a spline by the rounding of its weights and knots.
 double GetSplineRounding(const NURBSSurface& surface, const NativeBox& box, double diameter)
 {
   return (surface.Rational ? Weighted * UnitRoundoff * diameter : 0.0) +

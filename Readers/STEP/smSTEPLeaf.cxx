@@ -137,7 +137,7 @@ void LeafMaker::Triangulate(
   {
     faces.push_back(face.Result);
   }
-  // Of two meshes each takes half of what is left.
+  // Each of two meshes takes half of the remaining progress.
   double done = ConversionShare;
   const double share = 0.5 * (1.0 - ConversionShare);
   const auto report = [&](double x)

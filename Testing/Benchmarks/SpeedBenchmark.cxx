@@ -95,7 +95,7 @@ void MeasureOpenCASCADE(const std::string& path, bool onlyRead, Json& seconds, J
   }
 }
 
-/// What an update takes. Its stages are known in seconds of a clock: they get their share of the processor's, and so does the rest.
+/// Processor time of an update. Its stages are known in seconds of a clock: they get their share of the processor's, and so does the rest.
 class UpdateCost
 {
 public:
@@ -132,7 +132,7 @@ void MeasureOurs(const std::string& path, bool onlyRead, Json& seconds, Json& re
   UpdateCost read;
   reader->Update();
   read.Stop();
-  // What the reader does beside its stages belongs to reading.
+  // The reader's work beside its stages belongs to reading.
   const double mesh = reader->GetMeshSeconds();
   const double convert = reader->GetConversionSeconds();
   seconds["read"] = read.GetRest(mesh + convert);
@@ -225,7 +225,7 @@ double MeasureArithmetic()
   return evaluations / watch.GetSeconds();
 }
 
-/// Whether both measured the same: only then times can be compared.
+/// True if both measured the same: only then times can be compared.
 bool IsSame(const Json& file)
 {
   const double expected = file.value("occt_gprop_1e-6_volume", std::nan(""));

@@ -103,7 +103,7 @@ struct PlacedBox
     }
     return area;
   }
-  /// Of the part below a plane that cuts the four edges along Edges[2].
+  /// Volume of the part below a plane that cuts the four edges along Edges[2].
   Real GetVolumeBelow(const double point[3], const double up[3]) const
   {
     const auto dot = [up](const Vector& a) { return up[0] * a[0] + up[1] * a[1] + up[2] * a[2]; };

@@ -292,7 +292,7 @@ private:
 
   gp_Trsf Trsf;
   double Origin[3];
-  /// Of the body, plus its distance from the part's origin.
+  /// Size of the body, plus its distance from the part's origin.
   double Size = 0.0;
   sm::ConvertedBody Body;
   std::map<const sm::Edge*, int> Uses;

@@ -37,7 +37,7 @@ struct KernelComparison
   /// Faces and open edges of all instances; free faces are counted, too.
   int Faces = 0;
   int OpenEdges = 0;
-  /// Of bodies, each counted once.
+  /// Faces and defects of bodies, each body counted once.
   int MissingFaces = 0;
   int Defects = 0;
   std::size_t TrimPieces = 0;
@@ -54,7 +54,7 @@ struct KernelComparison
   int AboveLimits = 0;
   /// By name of OpenCASCADE's class of surface.
   std::map<std::string, FaceTally> Tallies;
-  /// What is above a limit, and what the conversion says.
+  /// Excesses over limits, and messages of the conversion.
   std::vector<std::string> Messages;
 };
 

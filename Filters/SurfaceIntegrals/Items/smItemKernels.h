@@ -67,7 +67,7 @@ struct KernelResult
 /// Buffers for the items that are evaluated together; every thread has its own.
 struct KernelScratch
 {
-  /// What items side by side read, and their sums.
+  /// Input data of items side by side, and their sums.
   std::vector<double> Inputs, Sums;
   /// Sums of a single item.
   std::vector<double> Values, Results, Roundings, Noises;

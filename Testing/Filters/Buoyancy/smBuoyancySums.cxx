@@ -115,7 +115,7 @@ void CheckBelowAndAbove(
         check(names[c], firstBelow[c] + firstAbove[c],
           below->GetDisplacedFirstMomentsBound() + above->GetDisplacedFirstMomentsBound());
       }
-      // Of several solids some may be below as a whole: their faces' shares are about another plane.
+      // Some of several solids may be below as a whole: their faces' shares are about another plane.
       if (withFaces && tolerance < 1e-8 && below->GetNumberOfSolids() == 1)
       {
         CheckFaces(what + label, below, above, reader, { "", plane.Point, up, {} });

@@ -213,7 +213,7 @@ void CheckMaterials(const char* unit, long double metres)
     Check("density", boxes[i].Density, table->GetValueByName(i, names::Density).ToDouble(), 0.0);
   }
 
-  // What is in doubt: the boxes have no gaps, the rules with a tolerance of their own keep it.
+  // The uncertainty: the boxes have no gaps, the rules with a tolerance of their own keep it.
   mass->SetDensityTolerance(0.02);
   mass->ClearMaterials();
   mass->AddMaterial("*STEEL*", "steel", 7850.0, 0.1);

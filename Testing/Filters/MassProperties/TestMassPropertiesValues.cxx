@@ -40,7 +40,7 @@ int GetMostUnmet(const std::string& solid)
   return floored ? 18 : 9;
 }
 
-/// Of the rounding at reading in the bound of the area: the length of edges and of the lines between Bézier patches over the size of the
+/// Amplification of the rounding at reading in the bound of the area: the length of edges and of the lines between Bézier patches over the size of the
 /// solid, times degrees and ratios of weights.
 double GetAreaAmplification(const std::string& solid)
 {
@@ -48,7 +48,7 @@ double GetAreaAmplification(const std::string& solid)
   return weighted ? 1e4 : 5e3;
 }
 
-/// What rounding at reading may cost the bounds, relative to the scale: every coordinate a few roundings, which move every face. The
+/// Largest share of rounding at reading in the bounds, relative to the scale: every coordinate a few roundings, which move every face. The
 /// inertia has them from all its moments; the area also along knot lines, of which there may be many.
 double GetReadingLimit(const Expected& expected, const std::string& quantity)
 {

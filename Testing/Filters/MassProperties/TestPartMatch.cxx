@@ -140,7 +140,7 @@ void CheckOthers()
   again.Place(MakePlacement({ 0, 0, 1 }, 0.0, true).data());
   CheckTrue("mirrored twice", sm::AreParallel(chiral, again, 1e-9));
 
-  // What the tolerance leaves, and what it does not.
+  // Differences within the tolerance, and beyond it.
   for (const auto& [change, isEqual] : { std::pair(1e-11, true), std::pair(1e-6, false) })
   {
     const sm::PartShape longer = MeasureCentered({ { { 0, 0, 0 }, { 2, 3, 7 + change } } });

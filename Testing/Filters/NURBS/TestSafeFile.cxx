@@ -20,7 +20,7 @@ namespace
 using namespace smtest;
 
 std::string Target;
-/// What the file was, and its temporary file held, when the library called fsync().
+/// The contents of the file and of its temporary file when the library called fsync().
 std::string BeforeSync;
 std::string Synced;
 int Syncs = 0;
@@ -84,7 +84,7 @@ void CheckLeft()
   CheckEqual("later", "", sm::SaveFile(Target, "fifth"));
   CheckTrue("and is removed", !fs::exists(left) && !fs::exists(Target + ".saving1"));
   CheckEqual("the file", "fifth", Read(Target));
-  // What is no file of ours to remove.
+  // Files that are not ours to remove.
   fs::create_directory(left);
   CheckEqual("a folder of that name", "", sm::SaveFile(Target, "sixth"));
   CheckTrue("stays", fs::is_directory(left));

@@ -268,7 +268,7 @@ vtkSmartPointer<vtkNURBSDataSet> MakeLoose(double off)
   return leaf;
 }
 
-/// What the surfaces and edges of a face are off by grows with a map that lengthens.
+/// The error of a face's surfaces and edges grows with a map that lengthens.
 void CheckErrorsGrow()
 {
   std::printf("--- residuals and roundings\n");

@@ -397,7 +397,7 @@ void CheckRoundedPoles(double tolerance, int count)
     std::printf("poles with a spread of %g, tolerance %g: %d estimated, %g times as many points\n", spread,
       tolerance, score.Estimated, static_cast<double>(score.Points) / static_cast<double>(least));
     CheckTrue("poles that are rounded: no bound exceeded", score.Exceeded == 0);
-    // What is moved may take a quarter of the tolerance, and some digits count as its derivatives.
+    // A motion may take a quarter of the tolerance, and some digits count as its derivatives.
     CheckRange("and they cost no more", 0.5, static_cast<double>(score.Points) / static_cast<double>(least),
       tolerance >= 500.0 * spread ? 1.1 : 1000.0);
   }

@@ -1,4 +1,4 @@
-// What rounding at reading may do to a closed solid: control points moved at random, and all outwards, change its integrals by no more
+// Rounding at reading of a closed solid: control points moved at random, and all outwards, change its integrals by no more
 // than ReadingError says, and by not much less.
 #include "smReferencePanels.h"
 #include "smTesting.h"

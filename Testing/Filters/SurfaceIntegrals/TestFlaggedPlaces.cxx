@@ -112,7 +112,7 @@ void CheckOpening()
     CheckTrue(what + ": id of the edge", run.Get(names::EdgeId, cell) >= 1000.0);
     Check(what + ": gap", 0.0, run.Get(names::MaxGap, cell), Rounding);
   }
-  // What the missing face would add is within the figure.
+  // The share of the missing face is within the figure.
   const double missing = 6.0 - run.Mass->GetVolume();
   CheckTrue(
     "the volume lacks no more than that", missing > 1.0 && missing <= volume, std::to_string(missing));

@@ -262,7 +262,7 @@ void CheckMistakes(const char* folder)
   Check("and moments are computed", box.Part.Volume, filter->GetIntegral("volume"), 1e-9 * box.Part.Volume);
 }
 
-/// What is undefined or infinite at some point, whatever the rest of the expression makes of it, is no number and not ok.
+/// An expression that is undefined or infinite at some point, whatever its rest makes of it, is no number and not ok.
 void CheckUndefined(const char* folder)
 {
   const char* undefined[] = { "dA / (u - u)", "dA / 0", "dA / (0 * u)", "dA / (1 / (u - u))",

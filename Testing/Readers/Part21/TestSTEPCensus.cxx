@@ -116,7 +116,7 @@ void CheckDetails()
   CheckTrue("inch: uncertainty", inches.Uncertainty == 25.4e-7);
 }
 
-/// What a reader cannot follow is listed without limit; damage that does no harm to it is not.
+/// Entities that a reader cannot follow are listed without limit; harmless damage is not.
 void CheckPerils()
 {
   const std::string ball = smtest::GetBallText();
@@ -257,7 +257,7 @@ std::uint64_t CountAllFaces(const sm::STEPCensus& census)
   return faces;
 }
 
-/// What the file declares, where it is not what OpenCASCADE makes of it.
+/// Declarations of files that differ from what OpenCASCADE makes of them.
 struct Declared
 {
   int Solids;

@@ -161,7 +161,7 @@ std::vector<CensusCase> GetBodyCases()
       ExtendBall("(#23,#31)", "(#23,#31,#80)", "#80=TEXT_LITERAL('',#99,#81,3);\n#81=X(;\n"), OneBall, "" },
     { "no solid in the representation", ChangeBall("(#23,#31)", "(#23)"), Count(0, 0, 0),
       "used by nothing: 1 (#31 MANIFOLD_SOLID_BREP)" },
-    // What the census cannot know shows by what it leaves unused.
+    // Entities that the census cannot know are left unused.
     { "a misspelled solid", ChangeBall("#31=MANIFOLD_SOLID_BREP", "#31=MANIFOLD_SOLID_BREQ"), Count(0, 0, 0),
       "used by nothing: 1 (#30 CLOSED_SHELL)" },
     { "a misspelled face", ChangeBall("ADVANCED_FACE", "ADVANCED_FICE"), Count(1, 1, 0),

@@ -15,7 +15,7 @@ struct CensusCase
   std::string Name;
   /// A whole file.
   std::string Text;
-  /// What DescribeCounts() and DescribeProblems(…, 2) answer.
+  /// Expected answers of DescribeCounts() and DescribeProblems(…, 2).
   std::string Counts;
   std::string Problems;
 };
