@@ -1,4 +1,5 @@
-// Properties of a whole patch, found before any box of it is examined.
+#include "smPatchTraits.h"
+
 #include "smChebyshev.h"
 #include "smPatchMajorants.h"
 #include "smVector.h"
