@@ -1,25 +1,30 @@
 #include "smSolidHighlight.h"
 
 #include "vtkCommand.h"
+#include "vtkDataAssembly.h"
 #include "vtkNew.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMOutputPort.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
-#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSelectionHelper.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMViewProxy.h"
+#include "vtkSelectionNode.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace sm
 {
 namespace
 {
-/// Copies the selection of the table's port to the meshes' port; owned by the proxy that it observes.
+/// Copies selections between the table's port and the meshes' port; owned by the proxy that it observes.
 class HighlightCommand : public vtkCommand
 {
 public:
@@ -37,32 +42,57 @@ public:
     {
       return;
     }
-    const std::set<vtkIdType> rows = GetSelectedRows(filter->GetSelectionInput(this->TablePort));
-    // A selection in the view is the user's own; after it was cleared, rows that are still selected are highlighted again.
-    if (port == this->MeshesPort && (rows.empty() || filter->GetSelectionInput(this->MeshesPort)))
-    {
-      return;
-    }
-    // After a selection in the view ParaView clears the rows; the user's selection has to stay.
-    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
-    if (rows.empty() && shown != this->Own)
-    {
-      return;
-    }
     this->Busy = true;
-    if (rows.empty())
-    {
-      filter->CleanSelectionInputs(this->MeshesPort);
-    }
-    else
-    {
-      this->Highlight(filter, rows);
-    }
+    const bool isChanged = port == this->TablePort ? this->FollowRows(filter) : this->FollowMeshes(filter);
     this->Busy = false;
-    this->RenderViews(filter);
+    if (isChanged)
+    {
+      this->RenderViews(filter);
+    }
   }
 
 private:
+  /// The rows have changed. Returns whether anything else has.
+  bool FollowRows(vtkSMSourceProxy* filter)
+  {
+    const std::set<vtkIdType> rows = GetSelectedRows(filter->GetSelectionInput(this->TablePort));
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
+    if (!rows.empty())
+    {
+      this->Highlight(filter, rows);
+      return true;
+    }
+    if (shown && shown != this->OwnMeshes)
+    {
+      // After a selection in a view ParaView clears the rows; those of the user's selection come back.
+      return this->SelectRows(filter, FindSolids(filter, this->MeshesPort));
+    }
+    filter->CleanSelectionInputs(this->MeshesPort);
+    return shown != nullptr;
+  }
+
+  /// The user has selected or cleared something in a view, or another tool has. Returns whether anything else has changed.
+  bool FollowMeshes(vtkSMSourceProxy* filter)
+  {
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
+    if (shown)
+    {
+      return shown != this->OwnMeshes && this->SelectRows(filter, FindSolids(filter, this->MeshesPort));
+    }
+    vtkSMSourceProxy* selected = filter->GetSelectionInput(this->TablePort);
+    if (selected && selected == this->OwnRows)
+    {
+      filter->CleanSelectionInputs(this->TablePort);
+      return true;
+    }
+    const std::set<vtkIdType> rows = GetSelectedRows(selected);
+    if (!rows.empty())
+    {
+      this->Highlight(filter, rows);
+    }
+    return !rows.empty();
+  }
+
   static std::set<vtkIdType> GetSelectedRows(vtkSMSourceProxy* selection)
   {
     std::set<vtkIdType> rows;
@@ -96,7 +126,84 @@ private:
     const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(
       vtkSMSourceProxy::SafeDownCast(vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
     filter->SetSelectionInput(this->MeshesPort, selection, 0);
-    this->Own = selection;
+    this->OwnMeshes = selection;
+  }
+
+  /// The numbers of the solids of which the user has selected blocks or cells on a port; empty for other kinds of selections.
+  static std::set<vtkIdType> FindSolids(vtkSMSourceProxy* filter, unsigned int port)
+  {
+    std::set<vtkIdType> solids;
+    vtkSMProperty* sources = filter->GetSelectionInput(port)->GetProperty("Input");
+    vtkDataAssembly* hierarchy =
+      filter->GetOutputPort(port)->GetDataInformation()->GetHierarchy(); // of partitioned datasets
+    for (unsigned int i = 0; sources && i < vtkSMPropertyHelper(sources).GetNumberOfElements(); ++i)
+    {
+      vtkSMProxy* source = vtkSMPropertyHelper(sources).GetAsProxy(i);
+      const std::string kind = source ? source->GetXMLName() : "";
+      // The composite index counts the collection, and each partitioned dataset before its only partition.
+      const auto add = [&solids](vtkIdType index)
+      {
+        if (index > 0)
+        {
+          solids.insert((index - 1) / 2);
+        }
+      };
+      const auto addIndices = [&add, source](const char* name, unsigned int step)
+      {
+        vtkSMPropertyHelper ids(source, name);
+        for (unsigned int k = 0; k < ids.GetNumberOfElements(); k += step)
+        {
+          add(ids.GetAsIdType(k));
+        }
+      };
+      if (kind == "CompositeDataIDSelectionSource")
+      {
+        addIndices("IDs", 3);
+      }
+      else if (kind == "BlockSelectionSource")
+      {
+        addIndices("Blocks", 1);
+      }
+      else if (kind == "BlockSelectorsSelectionSource" && hierarchy)
+      {
+        vtkSMPropertyHelper texts(source, "BlockSelectors");
+        std::vector<std::string> selectors;
+        for (unsigned int k = 0; k < texts.GetNumberOfElements(); ++k)
+        {
+          selectors.emplace_back(texts.GetAsString(k));
+        }
+        for (const unsigned int index : hierarchy->GetDataSetIndices(hierarchy->SelectNodes(selectors)))
+        {
+          add(index);
+        }
+      }
+    }
+    return solids;
+  }
+
+  /// Selects rows of the table, and says whether there are any.
+  bool SelectRows(vtkSMSourceProxy* filter, const std::set<vtkIdType>& rows)
+  {
+    if (rows.empty())
+    {
+      return false;
+    }
+    vtkSMSessionProxyManager* manager = filter->GetSessionProxyManager();
+    const auto source = vtkSmartPointer<vtkSMSourceProxy>::Take(
+      vtkSMSourceProxy::SafeDownCast(manager->NewProxy("sources", "IDSelectionSource")));
+    std::vector<vtkIdType> ids;
+    for (const vtkIdType row : rows)
+    {
+      ids.insert(ids.end(), { 0, row }); // process and index
+    }
+    vtkSMPropertyHelper(source, "FieldType").Set(vtkSelectionNode::ROW);
+    vtkSMPropertyHelper(source, "IDs").Set(ids.data(), static_cast<unsigned int>(ids.size()));
+    source->UpdateVTKObjects();
+    const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(
+      vtkSMSourceProxy::SafeDownCast(vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
+    filter->SetSelectionInput(this->TablePort, selection, 0);
+    this->OwnRows = selection;
+    return true;
   }
 
   void RenderViews(vtkSMSourceProxy* filter) const
@@ -105,8 +212,10 @@ private:
     iterator->SetSessionProxyManager(filter->GetSessionProxyManager());
     for (iterator->Begin("views"); !iterator->IsAtEnd(); iterator->Next())
     {
-      auto* view = vtkSMRenderViewProxy::SafeDownCast(iterator->GetProxy());
-      if (view && view->FindRepresentation(filter, static_cast<int>(this->MeshesPort)))
+      auto* view = vtkSMViewProxy::SafeDownCast(iterator->GetProxy());
+      if (view &&
+        (view->FindRepresentation(filter, static_cast<int>(this->MeshesPort)) ||
+          view->FindRepresentation(filter, static_cast<int>(this->TablePort))))
       {
         view->StillRender();
       }
@@ -114,8 +223,9 @@ private:
   }
 
   bool Busy = false;
-  /// The selection that Highlight() made last.
-  vtkWeakPointer<vtkSMSourceProxy> Own;
+  /// The selections that Highlight() and SelectRows() made last.
+  vtkWeakPointer<vtkSMSourceProxy> OwnMeshes;
+  vtkWeakPointer<vtkSMSourceProxy> OwnRows;
 };
 }
 

@@ -1,10 +1,11 @@
 /**
  * @file smSolidHighlight.h
- * @brief Highlights the solids whose rows are selected in the table of a filter
+ * @brief Highlights the solids whose rows are selected in the table of a filter, and selects the rows of solids that are picked in a view
  *
- * After the call, a selection of rows by index, as a spreadsheet makes it, selects the blocks of these rows, and the render views that
- * show them are rendered again. An empty selection, or one by other means than indices, clears the blocks that were selected in this
- * way and leaves a selection that the user made in a view. Works on the client without Qt, so also in scripts.
+ * After the call, a selection of rows by index, as a spreadsheet makes it, selects the blocks of these rows; a selection of cells or
+ * blocks, as a click in a view makes it, selects the rows of their solids. The views that show them are rendered again. An empty
+ * selection, or one by other means, clears what was selected in this way and leaves a selection that the user made. Works on the
+ * client without Qt, so also in scripts.
  */
 #ifndef smSolidHighlight_h
 #define smSolidHighlight_h

@@ -4,7 +4,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
-from smselection import count_selected_cells, select_rows  # noqa: E402
+from smselection import count_selected_cells, get_selected_rows, select_rows  # noqa: E402
 
 from paraview import servermanager, simple  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
@@ -140,6 +140,30 @@ many.SMProxy.SetSelectionInput(5, servermanager.vtkSMSelectionHelper.NewAppendSe
 check_equal("all are selected in the view", total, count_selected_cells(many, 5))
 many.SMProxy.CleanSelectionInputs(1)
 check_equal("and stay selected", total, count_selected_cells(many, 5))
+check_equal("with the rows of all solids", list(range(500)), get_selected_rows(many, 1))
+
+
+def pick(kind, name, values):
+    """Selects as a click in the view does."""
+    source = manager.NewProxy("sources", kind)
+    for i, value in enumerate(values):
+        source.GetProperty(name).SetElement(i, value)
+    source.UpdateVTKObjects()
+    many.SMProxy.SetSelectionInput(5, servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(source), 0)
+
+
+# Two cells of the third solid and one of the tenth; composite indices count every partitioned dataset before its partition.
+pick("CompositeDataIDSelectionSource", "IDs", [6, 0, 1, 6, 0, 2, 20, 0, 0])
+check_equal("rows of picked faces", [2, 9], get_selected_rows(many, 1))
+check_equal("the picked cells stay", 3, count_selected_cells(many, 5))
+many.SMProxy.CleanSelectionInputs(5)
+check_equal("rows are cleared with the pick", [], get_selected_rows(many, 1))
+pick("BlockSelectionSource", "Blocks", [8])
+check_equal("row of a picked block", [3], get_selected_rows(many, 1))
+select_rows(many, 1, [7])
+check_equal("rows that the user selects replace a pick", one, count_selected_cells(many, 5))
+many.SMProxy.CleanSelectionInputs(1)
+check_equal("nothing is selected", 0, count_pixels(is_magenta))
 
 # What makes a result open is red in the view, with its number; it goes with the visibility of the port.
 simple.HideAll(view)

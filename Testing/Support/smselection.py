@@ -16,6 +16,15 @@ def select_rows(filter, port, rows):
     filter.SMProxy.SetSelectionInput(port, selection, 0)
 
 
+def get_selected_rows(filter, port):
+    """Numbers of the rows that are selected, in their order."""
+    selection = filter.SMProxy.GetSelectionInput(port)
+    if not selection:
+        return []
+    ids = selection.GetProperty("Input").GetProxy(0).GetProperty("IDs")
+    return [ids.GetElement(i) for i in range(1, ids.GetNumberOfElements(), 2)]
+
+
 def count_selected_cells(filter, port):
     """Cells of an output that are highlighted by what is selected."""
     output = filter.SMProxy.GetSelectionOutput(port)
