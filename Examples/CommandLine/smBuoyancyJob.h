@@ -1,6 +1,6 @@
 /**
  * @file smBuoyancyJob.h
- * @brief What lies below the waterlines that a user asked for, as JSON
+ * @brief Buoyancy below the waterlines that a user asked for, as JSON
  */
 #ifndef smBuoyancyJob_h
 #define smBuoyancyJob_h

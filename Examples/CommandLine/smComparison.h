@@ -1,6 +1,6 @@
 /**
  * @file smComparison.h
- * @brief What became of the parts of a product from one file to another
+ * @brief Comparison of the parts of a product in two files
  */
 #ifndef smComparison_h
 #define smComparison_h

@@ -25,11 +25,16 @@ constexpr size_t BufferSize = 1 << 16;
 const char* const TooLarge = "it has more than 4 GB";
 const char* const NoSpace = "there is no room for its content in the folder for temporary files";
 
+bool IsSTEPName(const std::string& name)
+{
+  const std::string extension = LowerCase(fs::path(name).extension().string());
+  return extension == ".step" || extension == ".stp" || extension == ".p21";
+}
+
 bool IsCADName(const std::string& name)
 {
   const std::string extension = LowerCase(fs::path(name).extension().string());
-  return extension == ".step" || extension == ".stp" || extension == ".p21" || extension == ".brep" ||
-    extension == ".brp";
+  return IsSTEPName(name) || extension == ".brep" || extension == ".brp";
 }
 
 std::uint32_t GetNumber(const std::string& bytes, size_t at, size_t count)
@@ -218,17 +223,23 @@ void InputFile::Extract(const std::string& name)
   file.clear();
   file.seekg(GetNumber(bytes, end + 16, 4));
   file.read(directory.data(), static_cast<std::streamsize>(directory.size()));
-  std::vector<size_t> found;
+  std::vector<size_t> found; ///< STEP files before BREP files
+  size_t stepFiles = 0;
   for (size_t at = 0; at + 46 <= directory.size() && directory.compare(at, 4, "PK\x01\x02") == 0;)
   {
     const size_t length = GetNumber(directory, at + 28, 2);
-    if (IsCADName(directory.substr(at + 46, length)))
+    const std::string member = directory.substr(at + 46, length);
+    if (IsSTEPName(member))
+    {
+      found.insert(found.begin() + static_cast<std::ptrdiff_t>(stepFiles++), at);
+    }
+    else if (IsCADName(member))
     {
       found.push_back(at);
     }
     at += 46 + length + GetNumber(directory, at + 30, 2) + GetNumber(directory, at + 32, 2);
   }
-  if (found.size() != 1)
+  if (found.empty() || (stepFiles != 1 && found.size() != 1))
   {
     this->Error =
       "the ZIP archive has " + std::to_string(found.size()) + " STEP or BREP files; it must have one";

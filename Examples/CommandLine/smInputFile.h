@@ -12,7 +12,7 @@ namespace sm
 {
 /**
  * The content behind a name as a plain file: the file itself; for "-" a copy of the standard input; the content of a file that gzip has
- * compressed (.step.gz, .stpz); and the only STEP or BREP file in a ZIP archive (.stpz, .zip). The first bytes of a file tell its kind. Copies are in a
+ * compressed (.step.gz, .stpz); and the only STEP file in a ZIP archive, or its only BREP file where it has none (.stpz, .zip). The first bytes of a file tell its kind. Copies are in a
  * folder below TMPDIR (/tmp without it) that the destructor removes, under the stem of the name, and have no more than 4 GB.
  */
 class InputFile

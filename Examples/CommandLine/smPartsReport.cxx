@@ -39,6 +39,7 @@ Json MakeEntries(const std::vector<PartsListEntry>& parts, int level, int depth)
     entry["count"] = part.Count;
     entry["count_in_all"] = part.CountInAll;
     entry["solids"] = part.Solids;
+    entry["status"] = GetText(part.Status);
     entry["layer"] = part.Layer.empty() ? Json() : Json(part.Layer);
     entry["material"] = part.Material.empty() ? Json() : Json(part.Material);
     entry["density"] = MakeNumber(part.Density);
@@ -113,7 +114,8 @@ std::string FormatPartsList(const Json& file)
 
 std::string FormatPartsCsv(const Json& files)
 {
-  std::string text = "file,level,name,kind,count,count_in_all,solids,layer,material,density,length_unit";
+  std::string text =
+    "file,level,name,kind,count,count_in_all,solids,status,layer,material,density,length_unit";
   const char* const quantities[] = { "volume", "area", "mass", "known_mass" };
   for (const char* place : { "each", "in_all" })
   {
@@ -132,7 +134,7 @@ std::string FormatPartsCsv(const Json& files)
       {
         text += FormatCell(file["file"]) + "," + std::to_string(level);
         for (const char* key :
-          { "name", "kind", "count", "count_in_all", "solids", "layer", "material", "density" })
+          { "name", "kind", "count", "count_in_all", "solids", "status", "layer", "material", "density" })
         {
           text += "," + FormatCell(entry[key]);
         }

@@ -15,7 +15,7 @@ namespace sm
 {
 /**
  * The entries as the JSON has them:
- *   name, kind ("part" or "assembly"), count (in the product above), count_in_all (in the file), solids (of one), layer, material, density, each
+ *   name, kind ("part" or "assembly"), count (in the product above), count_in_all (in the file), solids (of one), status (the worst of the solids), layer, material, density, each
  *   and in_all ({volume, area, mass, known_mass, solids_with_mass, bounds}), children.
  * Products more than `depth` levels down are left out of the list, but not out of the sums; 0 keeps all.
  */

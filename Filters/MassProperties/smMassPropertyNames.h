@@ -41,13 +41,14 @@ constexpr const char* SolidsWithVolume = "SolidsWithVolume"; // 1 (int)
 constexpr const char* SolidsWithMass = "SolidsWithMass";     // 1 (int)
 
 // The parts list, port 7 of the filters of mass properties: those of one product have the names above.
-constexpr const char* Kind = "Kind";             // string: part or assembly
-constexpr const char* Level = "Level";           // 1 (int), 1 for the products of the root
-constexpr const char* Count = "Count";           // 1 (int), equal products in the product above
-constexpr const char* CountInAll = "CountInAll"; // 1 (int), in the input
-constexpr const char* Solids = "Solids";         // 1 (int), of one
-constexpr const char* Layer = "Layer";           // string; where a product has one
-constexpr const char* MassInAll = "MassInAll";   // 1, kg, of all
+constexpr const char* Kind = "Kind";                     // string: part or assembly
+constexpr const char* Level = "Level";                   // 1 (int), 1 for the products of the root
+constexpr const char* Count = "Count";                   // 1 (int), equal products in the product above
+constexpr const char* CountInAll = "CountInAll";         // 1 (int), in the input
+constexpr const char* Solids = "Solids";                 // 1 (int), of one
+constexpr const char* Layer = "Layer";                   // string; where a product has one
+constexpr const char* MassInAll = "MassInAll";           // 1, kg, of all
+constexpr const char* KnownMassInAll = "KnownMassInAll"; // 1, kg, of those of all that have a density
 
 // In the coordinates of the frame of reference, about its origin.
 constexpr const char* CenterOfMassInFrame = "CenterOfMassInFrame";   // 3, L

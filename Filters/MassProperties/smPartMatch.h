@@ -1,6 +1,6 @@
 /**
  * @file smPartMatch.h
- * @brief Whether two parts have one shape, and the rotation that carries one to the other
+ * @brief A test if two parts have one shape, and the rotation that carries one to the other
  *
  * Two shapes are equal if there is a rotation that carries the faces of one to those of the other, one to one. Two faces are equal if
  * their area, its moments of order 1 and 2, and their vector area are, within the bounds of both and within a tolerance relative to the

@@ -6,19 +6,14 @@
 #define smPartsList_h
 
 #include "smFiltersMassPropertiesModule.h"
+#include "smStatus.h"
 
 #include <limits>
 #include <string>
 #include <vector>
 
-class vtkTable;
-
 namespace sm
 {
-struct BodyIntegrals;
-struct MassRow;
-struct ProductTreeNode;
-
 /// The sum of a quantity over solids that have it, with its bound; values without a bound make the sum one without.
 struct SMFILTERSMASSPROPERTIES_EXPORT PartsSum
 {
@@ -34,11 +29,12 @@ struct SMFILTERSMASSPROPERTIES_EXPORT PartsSum
 };
 
 /// Units: L^3, L^2 and kg. The mass has fewer terms than the volume where some solids have no density.
-struct PartsSums
+struct SMFILTERSMASSPROPERTIES_EXPORT PartsSums
 {
   PartsSum Volume, Area, Mass;
 
   void Add(const PartsSums& other);
+  /// Every solid with a volume has a mass.
   bool HasWholeMass() const { return this->Mass.Terms == this->Volume.Terms; }
 };
 
@@ -57,22 +53,13 @@ struct PartsListEntry
   /// Empty and NaN where the solids differ or have none. Density in kg/m^3.
   std::string Material;
   double Density = std::numeric_limits<double>::quiet_NaN();
-  /// Sums over the first product, and over all.
+  /// The worst of the solids of all.
+  sm::Status Status = sm::Status::None;
+  /// Sums over the first product, and over all. Solids whose volume was not computed, and surfaces, add nothing.
   PartsSums Each, InAll;
   /// Sorted by name.
   std::vector<PartsListEntry> Children;
 };
-
-/// The products below the root of the tree, sorted by name. Rows are those of the bodies; bodies of the tree that are not among `bodies`
-/// (not selected) are left out.
-SMFILTERSMASSPROPERTIES_EXPORT std::vector<PartsListEntry> MakePartsList(
-  const ProductTreeNode& tree, const std::vector<BodyIntegrals>& bodies, const std::vector<MassRow>& rows);
-
-/// Writes the entries in depth-first order, a row each: Level (1, 2, …), Name, indented by its level, Kind, Count, CountInAll, Solids, Layer where there is one,
-/// Volume, SurfaceArea, each with its bound, LengthUnit, and, `withMass`, Material, Density, Mass, MassInAll with their bounds, and
-/// SolidsWithMass (smMassPropertyNames.h). Masses are those of the solids that have a density.
-SMFILTERSMASSPROPERTIES_EXPORT void FillPartsTable(
-  const std::vector<PartsListEntry>& entries, const std::string& unit, bool withMass, vtkTable* table);
 }
 
 #endif

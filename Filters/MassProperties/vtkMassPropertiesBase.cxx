@@ -9,6 +9,7 @@
 #include "smMassIntegrands.h"
 #include "smMassPropertyNames.h"
 #include "smMaterials.h"
+#include "smPartsListMaker.h"
 #include "smProducts.h"
 #include "smReferenceFrame.h"
 #include "smSelfCrossing.h"

@@ -15,9 +15,8 @@
  * | 3    | table    | a row per face and instance: its area and its part of the volume (flux about the part's origin)     |
  * | 5    | partitioned dataset collection | meshes of the bodies; cell arrays (float): Volume, Mass (of the solid), FaceShare |
  * |      |          | (part of the volume due to the face), FaceArea, FaceGap and FaceBound                               |
- * | 7    | table    | the parts list: a row per product in depth-first order, equal ones in one place together, with Name, |
- * |      |          | indented by its level, Kind, Level, Count, CountInAll, Solids, and of one product Volume, SurfaceArea, |
- * |      |          | Material, Density, Mass, of all MassInAll, with their bounds (smPartsList.h)                        |
+ * | 7    | table    | the parts list: a row per product in depth-first order, equal ones in one place together, with their |
+ * |      |          | count, the worst status, volume, area and mass (columns: smMassPropertyNames.h); empty if units differ |
  *
  * The active cell scalars of the glyph are its colour, green, or red for a flagged result; vtkPolyDataMapper shows them directly.
  * If there is no glyph, port 0 has one point without a cell, in the middle of the solids' box.

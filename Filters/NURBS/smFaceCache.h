@@ -1,6 +1,6 @@
 /**
  * @file smFaceCache.h
- * @brief What is kept of faces from run to run: by face id and key, within a budget of bytes
+ * @brief A cache of results of faces from run to run: by face id and key, within a budget of bytes
  */
 #ifndef smFaceCache_h
 #define smFaceCache_h

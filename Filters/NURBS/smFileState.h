@@ -1,6 +1,6 @@
 /**
  * @file smFileState.h
- * @brief What a reader found about a file as a whole; it travels with the reader's output as field data
+ * @brief A reader's findings about a file as a whole; they travel with the reader's output as field data
  */
 #ifndef smFileState_h
 #define smFileState_h

@@ -1,6 +1,6 @@
 /**
  * @file smIntegrand.h
- * @brief What is integrated: a formula of position and normal, for the GPU as text and for the CPU as structure
+ * @brief An integrand: a formula of position and normal, for the GPU as text and for the CPU as structure
  */
 #ifndef smIntegrand_h
 #define smIntegrand_h

@@ -1,6 +1,6 @@
 /**
  * @file smReadingError.h
- * @brief What rounding of the numbers that a face was read from may change its integrals by
+ * @brief Largest change of a face's integrals by rounding of the numbers that it was read from
  *
  * Surface and edges move together by a displacement d with |d| <= Moved, a B-spline surface as they are (NURBSSurface::Rounding), so
  * the chain of a body stays closed. Its volume integrals change by the flux of d, an area by the change of the tangents and by what

@@ -34,6 +34,7 @@ constexpr Unit Units[] = {
   { names::RadiiOfGyration, "", 1 },
   { names::Mass, "kg", 0 },
   { names::MassInAll, "kg", 0 },
+  { names::KnownMassInAll, "kg", 0 },
   { names::MassInertia, "kg", 2 },
   { names::MassCenter, "", 1 },
   { names::MassPrincipalMoments, "kg", 2 },

@@ -71,11 +71,11 @@ def _messages(*algorithms):
     return tuple(algorithm.GetMessage(i) for algorithm in algorithms for i in range(algorithm.GetNumberOfMessages()))
 
 
-def mass_properties(file, density=None, *, unit="mm", input_unit="mm", tolerance=1e-9, density_tolerance=0.0, materials=(), backend="auto", max_seconds=None,
+def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="mm", tolerance=1e-9, density_tolerance=0.0, materials=(), backend="auto", max_seconds=None,
                     repair="needed", strict=False):
     """The MassProperties of all solids of a STEP or BREP file together; those of each solid are in `solids`.
 
-    file: path, or the bytes of a file. density: of all solids in kg/m^3; None: those that the file gives. unit: length unit of the result, mm, cm, m, um, inch, ft,
+    file: path. content: the bytes of a file, which are read in place of it; `file` only names them. density: of all solids in kg/m^3; None: those that the file gives. unit: length unit of the result, mm, cm, m, um, inch, ft,
     or file for that of the file. input_unit: that of a BREP file, which states none. tolerance: relative, from 1e-15 to 1. density_tolerance: largest relative deviation of the densities, 0 to 1,
     for `mass_uncertainty`. materials: rows (pattern of names, material, density or None), before
     `density`. backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
@@ -88,12 +88,11 @@ def mass_properties(file, density=None, *, unit="mm", input_unit="mm", tolerance
     from .smReadersBREP import vtkBREPReader
     from .smReadersSTEP import vtkSTEPReader
 
-    content = file if isinstance(file, bytes) else b""
-    file = "bytes in memory" if isinstance(file, bytes) else os.fspath(file)
+    file = os.fspath(file)
     _check(density, tolerance, density_tolerance, backend, max_seconds, unit, input_unit, repair)
-    if not content and not os.path.exists(file):
+    if content is None and not os.path.exists(file):
         raise FileNotFoundError(file)
-    is_brep = vtkBREPReader.CanReadContent(content) if content else vtkBREPReader.CanReadFile(file)
+    is_brep = vtkBREPReader.CanReadFile(file) if content is None else vtkBREPReader.CanReadContent(bytes(content))
     reader, mass = vtkBREPReader() if is_brep else vtkSTEPReader(), vtkMassPropertiesGPU()
     for algorithm in (reader, mass):  # their texts are in the messages: nothing is written to the console
         for event in ("ErrorEvent", "WarningEvent"):
@@ -101,7 +100,8 @@ def mass_properties(file, density=None, *, unit="mm", input_unit="mm", tolerance
     reader.SetFileName(file)
     reader.IsolatedOn()  # a file that crashes OpenCASCADE does not end the interpreter
     reader.SetOutputUnit(unit)
-    reader.SetContent(content)
+    if content is not None:
+        reader.SetContent(bytes(content))
     if is_brep:
         reader.SetInputUnit(input_unit)
     else:

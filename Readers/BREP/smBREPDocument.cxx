@@ -7,6 +7,7 @@
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <BinTools.hxx>
 #include <TDF_Label.hxx>
 #include <TDocStd_Document.hxx>
@@ -16,9 +17,12 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
+#include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <istream>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace sm
@@ -54,7 +58,8 @@ bool IsText(std::string_view bytes)
   return StartsWith(text, TextMagic);
 }
 
-/// A text ends with the reference to its last shape, "+1 0", behind the asterisk that ends the table of shapes.
+/// A text ends with the reference to its last shape, "+1 0", behind the asterisk that ends the table of shapes. Without a blank or a line
+/// end behind it, only the location 0 is certainly whole.
 bool IsWhole(std::string_view text)
 {
   const std::size_t end = text.find_last_not_of(" \t\r\n");
@@ -64,16 +69,80 @@ bool IsWhole(std::string_view text)
     return false;
   }
   const std::string_view reference = SkipBlanks(text.substr(asterisk + 1, end - asterisk));
-  return reference.size() > 3 && std::string_view("+-ie").find(reference.front()) != std::string_view::npos &&
-    reference.find(' ') != std::string_view::npos && text.size() > end + 1;
+  const std::size_t blank = reference.find(' ');
+  const auto isNumber = [](std::string_view word)
+  { return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos; };
+  return blank != std::string_view::npos &&
+    std::string_view("+-ie").find(reference.front()) != std::string_view::npos &&
+    isNumber(reference.substr(1, blank - 1)) && isNumber(reference.substr(blank + 1)) &&
+    (text.size() > end + 1 || reference.substr(blank) == " 0");
 }
+
+/// Counts what a shape has below it, each time that it occurs.
+class ShapeCounter
+{
+public:
+  struct Count
+  {
+    std::uint64_t Nodes = 0;
+    std::uint64_t Faces = 0;
+    bool HasSolid = false;
+    int Depth = 0;
+  };
+
+  const Count& Get(const TopoDS_Shape& shape, int level = 0)
+  {
+    const void* key = shape.TShape().get();
+    const auto known = this->Counts.find(key);
+    if (known != this->Counts.end())
+    {
+      return known->second;
+    }
+    Count count;
+    count.Nodes = shape.ShapeType() < TopAbs_FACE ? 1 : 0;
+    count.Faces = shape.ShapeType() == TopAbs_FACE ? 1 : 0;
+    count.HasSolid = shape.ShapeType() == TopAbs_SOLID;
+    // Without a look below, a deeper shape is as deep as is refused.
+    for (TopoDS_Iterator it(shape, Standard_False, Standard_False);
+         it.More() && shape.ShapeType() < TopAbs_FACE && level <= MostLevels; it.Next())
+    {
+      const Count& below = this->Get(it.Value(), level + 1);
+      // Above the limits the number does not matter.
+      count.Nodes = std::min(count.Nodes + below.Nodes, Endless);
+      count.Faces = std::min(count.Faces + below.Faces, Endless);
+      count.HasSolid = count.HasSolid || below.HasSolid;
+      count.Depth = std::max(count.Depth, below.Depth + 1);
+    }
+    return this->Counts.emplace(key, count).first->second;
+  }
+
+  /// Why a shape cannot be read: it has more instances, faces or levels than is possible to show; empty when it can.
+  std::string FindExcess(const TopoDS_Shape& shape)
+  {
+    const Count& count = this->Get(shape);
+    return count.Depth > MostLevels
+      ? "its compounds are nested more than " + std::to_string(MostLevels) + " times"
+      : count.Nodes > MostInstances
+      ? "it has more than " + std::to_string(MostInstances) + " instances of solids, shells and compounds"
+      : count.Faces > MostFaces ? "it has more than " + std::to_string(MostFaces) + " faces"
+                                : std::string();
+  }
+
+private:
+  static constexpr int MostLevels = 100;
+  static constexpr std::uint64_t MostFaces = 10000000;
+  static constexpr std::uint64_t Endless = std::uint64_t{ 1 } << 40;
+
+  std::unordered_map<const void*, Count> Counts;
+};
 
 /// Makes the products of a shape as an XCAF document has them.
 class ProductMaker
 {
 public:
-  explicit ProductMaker(const Handle(TDocStd_Document) & xde)
+  ProductMaker(const Handle(TDocStd_Document) & xde, ShapeCounter& counter)
     : Shapes(XCAFDoc_DocumentTool::ShapeTool(xde->Main()))
+    , Counter(counter)
   {
   }
 
@@ -93,7 +162,7 @@ public:
 
 private:
   /// Every member is a solid, or a compound that has some; a group of faces is one part.
-  static bool IsAssembly(const TopoDS_Shape& shape)
+  bool IsAssembly(const TopoDS_Shape& shape)
   {
     if (shape.ShapeType() > TopAbs_COMPSOLID)
     {
@@ -102,7 +171,7 @@ private:
     int members = 0;
     for (TopoDS_Iterator it(shape, Standard_False, Standard_False); it.More(); it.Next(), ++members)
     {
-      if (!TopExp_Explorer(it.Value(), TopAbs_SOLID).More())
+      if (!this->Counter.Get(it.Value()).HasSolid)
       {
         return false;
       }
@@ -138,8 +207,25 @@ private:
   }
 
   Handle(XCAFDoc_ShapeTool) Shapes;
+  ShapeCounter& Counter;
   std::map<std::pair<const void*, int>, TDF_Label> Products;
 };
+
+/// A closed shell beside the solids of a file is a solid that was not called one: it is left out, and that is said.
+void FindLostShells(const TopoDS_Shape& shape, Document& document)
+{
+  int shells = 0;
+  for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
+  {
+    shells += BRep_Tool::IsClosed(it.Current()) ? 1 : 0;
+  }
+  if (shells > 0)
+  {
+    document.Defects.push_back(
+      "Closed shells beside the solids of the file belong to none of them and are left out: " +
+      std::to_string(shells) + ".");
+  }
+}
 
 void Read(std::string_view bytes, const ProgressCallback& progress, Document& document)
 {
@@ -166,10 +252,21 @@ void Read(std::string_view bytes, const ProgressCallback& progress, Document& do
     document.Problem = "OpenCASCADE cannot parse it: it is damaged, or of a newer version; save it again";
     return;
   }
+  ShapeCounter counter;
+  document.Problem = counter.FindExcess(shape);
+  if (!document.Problem.empty())
+  {
+    document.Problem += "; save its parts one by one";
+    return;
+  }
   const Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   SetMillimetres(xde);
-  ProductMaker(xde).Add(shape);
+  ProductMaker(xde, counter).Add(shape);
   AddProducts(xde, document);
+  if (counter.Get(shape).HasSolid)
+  {
+    FindLostShells(shape, document);
+  }
   document.Status = document.Bodies.empty() ? ReadStatus::Empty : ReadStatus::Ok;
   if (document.Bodies.empty())
   {
@@ -188,12 +285,12 @@ Document ReadBREP(std::string_view bytes, const ProgressCallback& progress)
   Document document;
   if (!LooksLikeBREP(bytes))
   {
-    document.Problem = "it is not a BREP file of OpenCASCADE: \"CASCADE Topology\" is missing at its start";
+    document.Problem = NotBREP;
     return document;
   }
   if (IsText(bytes) && !IsWhole(bytes))
   {
-    document.Problem = "it ends in the middle: copy or save it again";
+    document.Problem = "it ends in the middle, or without a line end: copy or save it again";
     return document;
   }
   const std::string failure = CatchFailure([&]() { Read(bytes, progress, document); });

@@ -12,6 +12,10 @@
 
 namespace sm
 {
+/// Why bytes that do not begin like a BREP file cannot be read.
+inline const std::string NotBREP =
+  "it is not a BREP file of OpenCASCADE: \"CASCADE Topology\" is missing at its start";
+
 /// The bytes begin like a BREP file.
 bool LooksLikeBREP(std::string_view bytes);
 

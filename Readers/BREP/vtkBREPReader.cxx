@@ -5,6 +5,7 @@
 #include "smOCCTFile.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkSTEPReader.h"
 #include "vtksys/SystemTools.hxx"
 
 vtkStandardNewMacro(vtkBREPReader);
@@ -15,9 +16,10 @@ vtkBREPReader::~vtkBREPReader() = default;
 
 int vtkBREPReader::CanReadFile(const char* fileName)
 {
-  if (!fileName || sm::LooksLikeBREP(sm::LoadHead(fileName)))
+  const std::string head = fileName ? sm::LoadHead(fileName) : std::string();
+  if (!fileName || sm::LooksLikeBREP(head) || vtkSTEPReader::CanReadContent(head) != 0)
   {
-    return fileName ? 1 : 0;
+    return sm::LooksLikeBREP(head) ? 1 : 0;
   }
   const std::string extension =
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
@@ -36,6 +38,11 @@ sm::Document vtkBREPReader::ReadDocument(std::string content, const sm::Progress
   document.FileUnit = this->InputUnit;
   document.FileUnitInMillimetres = document.UnitInMillimetres = sm::GetUnitInMillimetres(this->InputUnit);
   return document;
+}
+
+std::string vtkBREPReader::FindMistakeOfHead(const std::string& head) const
+{
+  return sm::LooksLikeBREP(head) ? std::string() : sm::NotBREP;
 }
 
 std::string vtkBREPReader::FindMistakeOfFormat() const

@@ -23,8 +23,8 @@ public:
   vtkTypeMacro(vtkBREPReader, vtkCADReader);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** 1 if the file begins like a BREP file, or if its name ends as one of GetFileExtensions(): then reading reports what is wrong with
-   * it. Otherwise 0. */
+  /** 1 if the file begins like a BREP file, or if its name ends as one of GetFileExtensions() and it does not begin like a STEP file: then
+   * reading reports what is wrong with it. Otherwise 0. */
   static int CanReadFile(const char* fileName);
   /** 1 if the bytes begin like a BREP file, otherwise 0. */
   static int CanReadContent(const std::string& content);
@@ -32,8 +32,8 @@ public:
   static const char* GetDescriptiveName() { return "OpenCASCADE BREP"; }
 
   ///@{
-  /** Unit of the file's lengths: "mm" (default, as most programs write it), "cm", "m", "um", "inch" or "ft". Update() raises an error for
-   * any other word. */
+  /** Unit of the file's lengths, as GetFileUnit() and the models say it: "mm" (default, as most programs write it), "cm", "m", "um", "inch"
+   * or "ft". Update() raises an error for any other word. */
   vtkSetMacro(InputUnit, std::string);
   vtkGetMacro(InputUnit, std::string);
   ///@}
@@ -43,6 +43,7 @@ protected:
   ~vtkBREPReader() override;
 
   const char* GetFormatName() const override { return "BREP"; }
+  std::string FindMistakeOfHead(const std::string& head) const override;
   sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) override;
   std::string FindMistakeOfFormat() const override;
   std::string GetSettingOfFormat() const override { return this->InputUnit; }

@@ -1,6 +1,6 @@
 /**
  * @file smSTEPCensus.h
- * @brief What a STEP file declares: its solids with shells and faces, how often each occurs, its units, and damage that matters
+ * @brief Declarations of a STEP file: its solids with shells and faces, how often each occurs, its units, and damage that matters
  */
 #ifndef smSTEPCensus_h
 #define smSTEPCensus_h

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTCompatibility.h
- * @brief What differs between versions of OpenCASCADE (7.6 to 8.0), found by the headers that exist and by the compiler
+ * @brief Differences between versions of OpenCASCADE (7.6 to 8.0), found by the headers that exist and by the compiler
  */
 #ifndef smOCCTCompatibility_h
 #define smOCCTCompatibility_h

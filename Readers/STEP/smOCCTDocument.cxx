@@ -32,9 +32,6 @@ namespace
 /// Share of the progress that parsing takes; the rest is the transfer.
 constexpr double ParsingShare = 0.3;
 
-/// Instances of bodies and sub-assemblies that are read; each becomes a node of the tree, a body's a leaf with points of its own.
-constexpr CensusCount MostInstances = 100000;
-
 void Configure(STEPCAFControl_Reader& reader)
 {
   reader.SetColorMode(true);
@@ -272,11 +269,6 @@ Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback
   {
     document.Status = ReadStatus::Unreadable;
     document.Problem = "it could not be read (" + failure + "); export it again";
-  }
-  if (document.FreeFaces > 0)
-  {
-    document.Messages.push_back(std::to_string(document.FreeFaces) +
-      " faces lie in the file beside its solids; they belong to no body and are left out.");
   }
   return document;
 }

@@ -8,6 +8,7 @@
 #include "smOCCTBody.h"
 #include "smProgressCallback.h"
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -83,6 +84,9 @@ struct Document
   int FreeFaces = 0;
   ShapeTable Table;
 };
+
+/// Instances of bodies and sub-assemblies that are read; each becomes a node of the tree, a body's a leaf with points of its own.
+constexpr std::uint64_t MostInstances = 100000;
 
 /// Which shapes OpenCASCADE repairs before they are converted.
 enum class RepairMode

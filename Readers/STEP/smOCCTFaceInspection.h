@@ -1,6 +1,6 @@
 /**
  * @file smOCCTFaceInspection.h
- * @brief Whether a face can be taken as the file has it
+ * @brief Inspection of a face: can it be taken as the file has it?
  */
 #ifndef smOCCTFaceInspection_h
 #define smOCCTFaceInspection_h

@@ -53,7 +53,8 @@ bool IsBlank(std::string_view text)
 }
 }
 
-std::string LoadFile(const std::string& name, std::string& problem)
+bool LoadFile(
+  const std::string& name, const std::function<bool()>& progress, std::string& bytes, std::string& problem)
 {
   std::ifstream file(name, std::ios::binary);
   file.seekg(0, std::ios::end);
@@ -62,15 +63,25 @@ std::string LoadFile(const std::string& name, std::string& problem)
   if (size < 0 || size == std::numeric_limits<std::streamoff>::max())
   {
     problem = "it cannot be opened; check that it exists and may be read";
-    return {};
+    return true;
   }
-  std::string bytes(static_cast<std::size_t>(size), '\0');
+  constexpr std::streamoff PieceSize = std::streamoff{ 1 } << 26;
+  bytes.resize(static_cast<std::size_t>(size));
   file.seekg(0);
-  file.read(bytes.data(), size);
+  std::streamoff done = 0;
+  while (done < size && file)
+  {
+    if (!progress())
+    {
+      return false;
+    }
+    file.read(bytes.data() + done, std::min(PieceSize, size - done));
+    done += std::max<std::streamsize>(file.gcount(), 0);
+  }
   // A file that shrinks meanwhile is read as far as it goes.
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  bytes.resize(static_cast<std::size_t>(done));
   problem = bytes.empty() ? "it is empty; export it again" : "";
-  return bytes;
+  return true;
 }
 
 FileCheck CheckText(std::string_view text)

@@ -14,6 +14,7 @@
 
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -21,8 +22,10 @@
 
 namespace sm
 {
-/// All bytes of a file; empty, with the problem and its remedy, when it cannot be opened or is empty.
-std::string LoadFile(const std::string& name, std::string& problem);
+/// Reads all bytes of a file, or the problem with its remedy when it cannot be opened or is empty. `progress` is asked now and then; false
+/// when it answers false.
+bool LoadFile(
+  const std::string& name, const std::function<bool()>& progress, std::string& bytes, std::string& problem);
 
 /// Result of a look at the first and last bytes of a STEP file.
 struct FileCheck
@@ -35,7 +38,7 @@ struct FileCheck
   /// The file does not end with END-ISO-10303-21.
   bool Truncated = false;
 };
-FileCheck CheckText(std::string_view text);
+SMREADERSSTEP_EXPORT FileCheck CheckText(std::string_view text);
 
 /// The first 64 KiB of a file, in which the header of its format stands; fewer where there are no more.
 SMREADERSSTEP_EXPORT std::string LoadHead(const std::string& name);

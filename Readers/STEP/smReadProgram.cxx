@@ -7,13 +7,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
-#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <memory>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #ifdef __linux__
@@ -71,7 +71,8 @@ std::string DescribeEnd(int status)
 class Process
 {
 public:
-  Process(const std::string& program, const std::vector<std::string>& arguments, const std::string& input);
+  /// `input` is the file that the program reads as its standard input; -1: none.
+  Process(const std::string& program, const std::vector<std::string>& arguments, int input);
   ~Process();
   Process(const Process&) = delete;
   void operator=(const Process&) = delete;
@@ -89,34 +90,32 @@ private:
   int Error = 0;
 };
 
-/// A file without a name that holds the bytes, at its start; null, with errno, without room for it.
-std::FILE* MakeInput(const std::string& bytes)
+/// A file without a name that holds the bytes, at its start, and that no other program inherits; -1, with errno, without room for it.
+int MakeInput(const std::string& bytes)
 {
-  std::FILE* file = std::tmpfile();
-  if (file && (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0))
+#ifdef __linux__
+  const int file = memfd_create("solidmoments", MFD_CLOEXEC);
+#else
+  const char* const given = std::getenv("TMPDIR");
+  std::string name = std::string(given && *given ? given : "/tmp") + "/solidmoments-XXXXXX";
+  const int file = mkostemp(name.data(), O_CLOEXEC);
+  if (file >= 0)
+  {
+    unlink(name.c_str());
+  }
+#endif
+  if (file >= 0 && (!Send(file, bytes.data(), bytes.size()) || lseek(file, 0, SEEK_SET) != 0))
   {
     const int error = errno;
-    std::fclose(file);
+    close(file);
     errno = error;
-    return nullptr;
-  }
-  if (file)
-  {
-    std::rewind(file);
+    return -1;
   }
   return file;
 }
 
-Process::Process(
-  const std::string& program, const std::vector<std::string>& arguments, const std::string& input)
+Process::Process(const std::string& program, const std::vector<std::string>& arguments, int input)
 {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
-    input.empty() ? nullptr : MakeInput(input), &std::fclose);
-  if (!input.empty() && !file)
-  {
-    this->Error = errno;
-    return;
-  }
   std::vector<char*> words{ const_cast<char*>(program.c_str()) };
   for (const std::string& argument : arguments)
   {
@@ -132,9 +131,9 @@ Process::Process(
   this->Pipe = ends[0];
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  if (file)
+  if (input >= 0)
   {
-    posix_spawn_file_actions_adddup2(&actions, fileno(file.get()), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   }
   else
   {
@@ -241,10 +240,21 @@ std::string FindReadProgram()
 }
 
 ReadProgramOutcome RunReadProgram(const std::string& program, const std::vector<std::string>& arguments,
-  const std::string& input, const ProgressCallback& progress)
+  const std::string* input, const ProgressCallback& progress)
 {
   ReadProgramOutcome outcome;
-  Process process(program, arguments, input);
+  const int file = input ? MakeInput(*input) : -1;
+  if (input && file < 0)
+  {
+    outcome.Problem = std::string("could not be given the content: ") + std::strerror(errno);
+    outcome.IsStarted = true;
+    return outcome;
+  }
+  Process process(program, arguments, file);
+  if (file >= 0)
+  {
+    close(file);
+  }
   if (process.GetError() != 0)
   {
     outcome.Problem = std::string("could not be started: ") + std::strerror(process.GetError());

@@ -25,17 +25,17 @@ struct ReadProgramOutcome
   /// Why there is no result, with the process as the subject; empty if there is one, or if it was stopped.
   std::string Problem;
   bool IsStopped = false;
-  /// It has sent a message: what failed is not its start.
+  /// It has sent a message, or could not be given its input: what failed is not its start.
   bool IsStarted = false;
 };
 
 /**
- * Runs the program, with `input` as its standard input, and waits until it ends. It sends its messages to the file descriptor that is its standard output; its other output
+ * Runs the program, with `input`, where there is one, as its standard input, and waits until it ends. It sends its messages to the file descriptor that is its standard output; its other output
  * is dropped. `progress` gets the fractions that it sends by SendProgress(), again and again while none comes; once it answers false,
  * the program is killed. So it is when an exception leaves. Throws std::bad_alloc.
  */
 ReadProgramOutcome RunReadProgram(const std::string& program, const std::vector<std::string>& arguments,
-  const std::string& input, const ProgressCallback& progress);
+  const std::string* input, const ProgressCallback& progress);
 
 /// For the program: gives the standard output to messages alone, so that what libraries print is dropped, and ends the process with
 /// the one that started it. Returns the file descriptor for the messages, -1 if there is none.

@@ -387,14 +387,15 @@ std::vector<char> vtkCADReader::PackOutput()
 bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
 {
   const std::string program = sm::FindReadProgram();
-  std::vector<std::string> arguments{ this->GetFormatName(), this->Content.empty() ? "file" : "content" };
+  std::vector<std::string> arguments{ this->GetFormatName(), this->IsContentGiven ? "content" : "file" };
   for (const std::string& word : this->PackSettings())
   {
     arguments.push_back(word);
   }
   const sm::ReadProgramOutcome outcome = program.empty()
     ? sm::ReadProgramOutcome{ {}, "was not found", false, false }
-    : sm::RunReadProgram(program, arguments, this->Content, [this](double x) { return this->Report(x); });
+    : sm::RunReadProgram(program, arguments, this->IsContentGiven ? &this->Content : nullptr,
+        [this](double x) { return this->Report(x); });
   if (outcome.IsStopped)
   {
     this->Stop();
@@ -435,6 +436,45 @@ bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
   return true;
 }
 
+bool vtkCADReader::Load(sm::Document& document, std::string& content)
+{
+  if (this->IsContentGiven)
+  {
+    content = this->Content;
+    document.Problem = content.empty() ? "it is empty; export it again" : "";
+  }
+  else
+  {
+    // A large file of another format is not read whole.
+    const std::string head = sm::LoadHead(this->FileName);
+    document.Problem = head.empty() ? std::string() : this->FindMistakeOfHead(head);
+    const auto report = [this]() { return this->Report(0.0); };
+    if (document.Problem.empty() && !sm::LoadFile(this->FileName, report, content, document.Problem))
+    {
+      document.Status = sm::ReadStatus::Aborted;
+      return false;
+    }
+  }
+  return document.Problem.empty();
+}
+
+void vtkCADReader::SetContent(const std::string& bytes)
+{
+  this->Content = bytes;
+  this->IsContentGiven = true;
+  this->Modified();
+}
+
+void vtkCADReader::ClearContent()
+{
+  if (this->IsContentGiven)
+  {
+    this->Content = std::string();
+    this->IsContentGiven = false;
+    this->Modified();
+  }
+}
+
 void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
 {
   const sm::KernelSession kernel;
@@ -442,9 +482,8 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
   // The time that another reader's file took does not count.
   this->Start = start;
   sm::Document document;
-  std::string content =
-    this->Content.empty() ? sm::LoadFile(this->FileName, document.Problem) : this->Content;
-  if (document.Problem.empty())
+  std::string content;
+  if (this->Load(document, content))
   {
     document =
       this->ReadDocument(std::move(content), [this](double x) { return this->Report(ReadingShare * x); });
@@ -463,6 +502,11 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
     return;
   }
   this->Last->FreeFaces = document.FreeFaces;
+  if (document.FreeFaces > 0)
+  {
+    this->Last->Messages.push_back(std::to_string(document.FreeFaces) +
+      " faces lie in the file beside its solids; they belong to no body and are left out.");
+  }
   this->Last->Defects = document.Defects;
   this->Last->Messages.insert(this->Last->Messages.end(), document.Defects.begin(), document.Defects.end());
   const sm::LeafOptions options = this->ChooseOptions(document);
@@ -491,7 +535,7 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
 
 std::string vtkCADReader::FindMistake() const
 {
-  if ((!this->FileName || !*this->FileName) && this->Content.empty())
+  if ((!this->FileName || !*this->FileName) && !this->IsContentGiven)
   {
     return "no file name was given; call SetFileName first";
   }

@@ -79,10 +79,12 @@ public:
   ///@}
 
   ///@{
-  /** The bytes of a file in memory, of any length: they are read in place of a file, and FileName, where there is one, only names them in
-   * messages and in the assembly. Empty (default): the file is read. */
-  vtkSetMacro(Content, std::string);
-  vtkGetMacro(Content, std::string);
+  /** The bytes of a file in memory: until ClearContent() they are read in place of a file, also if there are none, and FileName, where
+   * there is one, only names them in messages and in the assembly. Of several ranks the one that asks for the first piece needs them.
+   * Default: no content. */
+  void SetContent(const std::string& bytes);
+  void ClearContent();
+  bool HasContent() const { return this->IsContentGiven; }
   ///@}
 
   ///@{
@@ -119,7 +121,7 @@ public:
   /**
    * Reads the file in a process of its own, the program solidmoments-read, which sends the output: what OpenCASCADE crashes on, or does
    * not end on, costs this file and not the session. The output has the same bits. It costs the start of a program, some tenths of a
-   * second, and for the time of the reading the memory of the models and meshes about three times; Content goes there by a temporary file. If the program is not in the folder
+   * second, and for the time of the reading the memory of the models and meshes about three times; content goes there by a file in memory. If the program is not in the folder
    * bin beside the library or above it, or does not start, the file is read in this process, and a message says so. Default: off; on in
    * ParaView.
    */
@@ -200,6 +202,8 @@ protected:
   /// Reads the bytes of a file with OpenCASCADE, whose KernelSession this thread holds. `progress` gets a fraction in [0,1] and answers
   /// false to stop. Throws std::bad_alloc, and nothing else.
   virtual sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) = 0;
+  /// Why bytes that begin like `head` are no file of this format; empty where they may be one.
+  virtual std::string FindMistakeOfHead(const std::string& head) const = 0;
   /// The mistake in the settings that only this format has; empty when there is none.
   virtual std::string FindMistakeOfFormat() const
   {
@@ -228,6 +232,8 @@ private:
   void Read(vtkPartitionedDataSetCollection* output);
   /// Reads in a process of its own. False if there is none, with a message.
   bool ReadIsolated(vtkPartitionedDataSetCollection* output);
+  /// The bytes of the file or of the content; false, with the reason in `document` or after Stop(), when there are none.
+  bool Load(sm::Document& document, std::string& content);
   /// Reads in this process.
   void ReadHere(vtkPartitionedDataSetCollection* output);
   /// The mistake in the settings; empty when there is none.
@@ -247,6 +253,7 @@ private:
 
   char* FileName = nullptr;
   std::string Content;
+  bool IsContentGiven = false;
   double LinearDeflection = 0.001;
   bool RelativeDeflection = true;
   double AngularDeflection = 0.35;

@@ -26,10 +26,20 @@ int vtkSTEPReader::CanReadFile(const char* fileName)
   return isNamed && vtksys::SystemTools::FileExists(fileName, true) ? 1 : 0;
 }
 
+int vtkSTEPReader::CanReadContent(const std::string& content)
+{
+  return sm::CheckText(content).Readable ? 1 : 0;
+}
+
 sm::Document vtkSTEPReader::ReadDocument(std::string content, const sm::ProgressCallback& progress)
 {
   return sm::ReadSTEP(
     std::move(content), this->Repair == ON_NEED ? sm::RepairMode::OnNeed : sm::RepairMode::Always, progress);
+}
+
+std::string vtkSTEPReader::FindMistakeOfHead(const std::string& head) const
+{
+  return sm::CheckText(head).Problem;
 }
 
 std::string vtkSTEPReader::GetSettingOfFormat() const

@@ -30,6 +30,8 @@ public:
   /** 1 if the file's first 64 kB hold the header of a STEP file, or if its name ends as one of GetFileExtensions(): then reading reports
    * what is wrong with it. Otherwise 0. */
   static int CanReadFile(const char* fileName);
+  /** 1 if the first 64 kB hold the header of a STEP file, otherwise 0. */
+  static int CanReadContent(const std::string& content);
   static const char* GetFileExtensions() { return ".step .stp .p21"; }
   static const char* GetDescriptiveName() { return "STEP"; }
 
@@ -53,6 +55,7 @@ protected:
   ~vtkSTEPReader() override;
 
   const char* GetFormatName() const override { return "STEP"; }
+  std::string FindMistakeOfHead(const std::string& head) const override;
   sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) override;
   std::string GetSettingOfFormat() const override;
   void SetSettingOfFormat(const std::string& word) override;

@@ -1,6 +1,6 @@
 /**
  * @file smVTKCompatibility.h
- * @brief What has another name in another version of VTK (9.1 to 9.7), found by the headers that exist and never by a version
+ * @brief Names that differ between versions of VTK (9.1 to 9.7), found by the headers that exist and never by a version
  *
  * | name here | until VTK 9.2 | from 9.3 on |
  * |---|---|---|

@@ -62,14 +62,15 @@ def check_parts():
         mass.SetInputConnection(reader.GetOutputPort())
         mass.Update()
     table = mass.GetOutputDataObject(7)
-    rows = [[table.GetValueByName(i, name).ToString() for name in ("Name", "Kind", "Level", "Count", "CountInAll", "Solids", "SolidsWithMass")]
+    rows = [[table.GetValueByName(i, name).ToString() for name in ("Name", "Kind", "Level", "Count", "CountInAll", "Solids", "SolidsWithMass", "Status")]
             for i in range(table.GetNumberOfRows())]
-    check_equal("parts list", [["machine", "assembly", "1", "1", "1", "7", "6"], ["    rail", "part", "2", "1", "1", "1", "0"],
-                               ["    station", "assembly", "2", "2", "2", "3", "3"], ["        bolt", "part", "3", "2", "4", "1", "1"],
-                               ["        Plate", "part", "3", "1", "2", "1", "1"]], rows)
+    check_equal("parts list", [["machine", "assembly", "1", "1", "1", "7", "6", "ok"], ["    rail", "part", "2", "1", "1", "1", "0", "ok"],
+                               ["    station", "assembly", "2", "2", "2", "3", "3", "ok"], ["        bolt", "part", "3", "2", "4", "1", "1", "ok"],
+                               ["        Plate", "part", "3", "1", "2", "1", "1", "ok"]], rows)
     bolts, plates = 4 * 40 * 7850e-9, 2 * 1000 * 2700e-9
     for name, values in (("Volume", (22160.0, 20000.0, 1080.0, 40.0, 1000.0)),
-                         ("MassInAll", (bolts + plates, None, bolts + plates, bolts, plates))):
+                         ("MassInAll", (None, None, bolts + plates, bolts, plates)),
+                         ("KnownMassInAll", (bolts + plates, None, bolts + plates, bolts, plates)), ("Mass", (None, None, (bolts + plates) / 2, bolts / 4, plates / 2))):
         for i, value in enumerate(values):
             number = table.GetValueByName(i, name).ToDouble()
             check_true(f"{name} of row {i}", number != number if value is None else
@@ -145,6 +146,7 @@ with tempfile.TemporaryDirectory() as output:
         with open(os.path.join(output, name), "rb") as file:
             again.SetContent(file.read())
         again.SetFileName(None)
+        check_true("it has content", again.HasContent())
         mass.Update()
         check_true(name + " from bytes", abs(mass.GetVolume() / volume - 1) < 1e-14, str(mass.GetVolume() / volume - 1))
 finish()

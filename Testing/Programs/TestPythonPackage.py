@@ -5,11 +5,13 @@ import gzip
 import json
 import math
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
 import types
 import warnings
+import zipfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
@@ -78,7 +80,7 @@ def check_brep_and_memory():
     from solidmoments.smReadersSTEP import vtkSTEPReader
 
     with open(sample, "rb") as file:
-        check_row("STEP in memory", run(sample)[0]["total"], quietly(file.read())[0])
+        check_row("STEP in memory", run(sample)[0]["total"], quietly("sample", content=file.read())[0])
     reader, writer = vtkSTEPReader(), vtkBREPWriter()
     reader.SetFileName(sample)
     writer.SetInputConnection(reader.GetOutputPort())
@@ -94,9 +96,24 @@ def check_brep_and_memory():
         check("BREP in inches: volume", volume * 25.4 ** 3, quietly(brep, input_unit="inch")[0].volume, 1e-12 * volume * 25.4 ** 3)
         with open(brep, "rb") as file:
             content = file.read()
-        result = quietly(content)[0]
+        result = quietly("a name", content=bytearray(content))[0]
         check_row("BREP in memory", expected, result)
-        check_equal("its name", "bytes in memory", result.file)
+        check_equal("its name", "a name", result.file)
+        try:
+            solidmoments.mass_properties(sample, content=b"")
+            check_true("no bytes are no file", False)
+        except solidmoments.SolidMomentsError as error:
+            check_true("no bytes are no file", "it is empty" in str(error), str(error))
+        step = os.path.join(output, "step.brep")
+        shutil.copy(sample, step)
+        check_row("a STEP file of another name", run(sample)[0]["total"], quietly(step)[0])
+        check_equal("by the program, too", volume, run(step)[0]["total"]["volume"])
+        os.remove(step)
+        with zipfile.ZipFile(os.path.join(output, "both.zip"), "w") as file:
+            file.writestr("part.brep", content)
+            file.write(sample, "part.step")
+        check_equal("the STEP file of an archive with both", volume, run(os.path.join(output, "both.zip"))[0]["total"]["volume"])
+        os.remove(os.path.join(output, "both.zip"))
         with gzip.open(brep + ".gz", "wb") as file:
             file.write(content)
         check_row("BREP, compressed", run(brep + ".gz")[0]["total"], quietly(brep)[0])

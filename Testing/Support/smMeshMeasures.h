@@ -1,6 +1,6 @@
 /**
  * @file smMeshMeasures.h
- * @brief What tests measure of the triangles of faces
+ * @brief Measures of the triangles of faces
  */
 #ifndef smMeshMeasures_h
 #define smMeshMeasures_h

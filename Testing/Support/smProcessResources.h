@@ -1,6 +1,6 @@
 /**
  * @file smProcessResources.h
- * @brief What the process holds: memory, threads, open files. Linux with glibc
+ * @brief Resources of the process: memory, threads, open files. Linux with glibc
  */
 #ifndef smProcessResources_h
 #define smProcessResources_h

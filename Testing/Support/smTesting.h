@@ -1,6 +1,6 @@
 /**
  * @file smTesting.h
- * @brief What every test program shares: checks that print expected, actual, difference and limit
+ * @brief Checks of all test programs, which print expected, actual, difference and limit
  *
  * A program calls the checks and returns smtest::Finish(). A program that ran no check fails, so that a
  * loop over nothing cannot pass.

@@ -1,6 +1,6 @@
 /**
  * @file smBuoyancySums.h
- * @brief What is below a plane and what is above it are the whole
+ * @brief A check that the parts below and above a plane are the whole
  */
 #ifndef smBuoyancySums_h
 #define smBuoyancySums_h

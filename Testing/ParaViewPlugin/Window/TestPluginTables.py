@@ -91,8 +91,8 @@ check_equal("export: values", ["ok"] + [table.GetValueByName(0, name).ToDouble()
 check_equal("faces", ["vtkOriginalIndices", "Solid", "FaceIndex", "FaceId", "Volume", "VolumeBound", "SurfaceArea", "SurfaceAreaBound",
                       "BoundsEstimated"], show(mass, 3, "Row Data")[1])
 client, columns = show(mass, 7, "Row Data")
-check_equal("parts", ["vtkOriginalIndices", "Name", "Kind", "Count", "CountInAll", "Volume", "VolumeBound", "Mass", "MassBound", "MassInAll",
-                      "MassInAllBound", "Density", "Material", "SurfaceArea", "SurfaceAreaBound"], columns[:15])
+check_equal("parts", ["vtkOriginalIndices", "Name", "Status", "Kind", "Count", "CountInAll", "Volume", "VolumeBound", "Mass", "MassBound", "MassInAll",
+                      "MassInAllBound", "Density", "Material", "SurfaceArea", "SurfaceAreaBound"], columns[:16])
 labels = {client.GetColumnName(i): client.GetColumnLabel(i) for i in range(client.GetNumberOfColumns())}
 check_equal("parts: headers", ("Volume (mm^3)", "MassInAll (kg)"), (labels["Volume"], labels["MassInAll"]))
 client, columns = show(mass, 4, "Row Data")

@@ -150,6 +150,16 @@ void CheckFaces()
   reader->Update();
   CheckEqual("a face beside a solid: bodies", 1, reader->GetNumberOfBodies());
   CheckEqual("free faces", 1, reader->GetNumberOfFreeFaces());
+  CheckEqual("and a message",
+    "1 faces lie in the file beside its solids; they belong to no body and are left out.",
+    reader->GetMessage(0));
+  CheckEqual("its result", "ok", Weigh(reader->GetOutput(), 1e-11).Status);
+  const TopoDS_Shape shell = TopExp_Explorer(MakePlate(), TopAbs_SHELL).Current();
+  reader->SetFileName(
+    WriteText("brep_shell.brep", Join({ BRepPrimAPI_MakeSphere(4.0).Shape(), shell })).c_str());
+  reader->Update();
+  CheckEqual("a closed shell beside a solid: bodies", 1, reader->GetNumberOfBodies());
+  CheckEqual("makes the result", "suspect", Weigh(reader->GetOutput(), 1e-11).Status);
   reader->SetFileName(WriteText("brep_faces.brep", Join({ face, face.Located(Move(7.0)) })).c_str());
   reader->Update();
   CheckEqual("two faces alone: bodies", 1, reader->GetNumberOfBodies());

@@ -9,6 +9,10 @@
 
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
 
 #include <fstream>
 #include <random>
@@ -40,6 +44,60 @@ void CheckProblem(vtkBREPReader* reader, const std::string& what, const std::str
   CheckEqual(what + ": output", 0, reader->GetOutput()->GetNumberOfPartitionedDataSets());
 }
 
+/// Parts of a binary file, read in a process of their own: none is read as if it were whole.
+void CheckBinary()
+{
+  std::ostringstream stream;
+  BinTools::Write(BRepPrimAPI_MakeCylinder(5.0, 12.0).Shape(), stream);
+  const std::string sound = stream.str();
+  vtkNew<vtkBREPReader> reader;
+  const MessageTrap trap(reader);
+  reader->IsolatedOn();
+  reader->SetMaximumSeconds(2.0);
+  for (const double share : { 0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99 })
+  {
+    reader->SetContent(sound.substr(0, static_cast<std::size_t>(share * static_cast<double>(sound.size()))));
+    reader->Update();
+    CheckTrue(
+      "a part of a binary file", reader->GetStatus() >= vtkBREPReader::UNREADABLE, std::to_string(share));
+  }
+  reader->SetContent(sound);
+  reader->SetMaximumSeconds(0.0);
+  reader->Update();
+  CheckEqual("a binary file", "ok", reader->GetStatusAsString());
+}
+
+TopoDS_Shape Nest(TopoDS_Shape shape, int levels, int copies)
+{
+  BRep_Builder builder;
+  for (int i = 0; i < levels; ++i)
+  {
+    TopoDS_Compound compound;
+    builder.MakeCompound(compound);
+    for (int k = 0; k < copies; ++k)
+    {
+      builder.Add(compound, shape);
+    }
+    shape = compound;
+  }
+  return shape;
+}
+
+/// Small files of very many instances.
+void CheckExcess(vtkBREPReader* reader)
+{
+  const TopoDS_Shape solid = BRepPrimAPI_MakeCylinder(5.0, 12.0).Shape();
+  const TopoDS_Shape face = TopExp_Explorer(solid, TopAbs_FACE).Current();
+  const std::string path = Folder + "/brep_nested.brep";
+  reader->SetFileName(path.c_str());
+  BRepTools::Write(Nest(solid, 40, 2), path.c_str());
+  CheckProblem(reader, "2^40 solids", "more than 100000 instances");
+  BRepTools::Write(Nest(face, 40, 2), path.c_str());
+  CheckProblem(reader, "2^40 faces", "more than 100000 instances");
+  BRepTools::Write(Nest(solid, 5000, 1), path.c_str());
+  CheckProblem(reader, "5000 levels", "nested more than 100 times");
+}
+
 /// Files with a number, a word or a byte that is another one: each ends with a status, and the next sound file is read.
 void CheckDamage(const std::string& sound)
 {
@@ -67,6 +125,10 @@ void CheckDamage(const std::string& sound)
     reader->SetContent(damaged);
     reader->Update();
     ++counts[reader->GetStatus()];
+    for (int k = 0; k < reader->GetNumberOfMessages(); ++k)
+    {
+      CheckTrue("isolated", reader->GetMessage(k).find("not read in a process") == std::string::npos);
+    }
   }
   std::printf("ok, empty, unreadable, aborted: %d %d %d %d\n", counts[0], counts[1], counts[2], counts[3]);
   CheckTrue("some are read and some are not", counts[0] > 0 && counts[2] > 0);
@@ -95,13 +157,19 @@ int TestBREPReaderErrors(int argc, char** argv)
   CheckProblem(reader, "an empty file", "it is empty");
   reader->SetFileName(Make("brep_step.brep", "ISO-10303-21;\nHEADER;\n").c_str());
   CheckProblem(reader, "a STEP file", "it is not a BREP file");
-  CheckEqual("its name says BREP", 1, vtkBREPReader::CanReadFile(reader->GetFileName()));
+  CheckEqual("its content says STEP", 0, vtkBREPReader::CanReadFile(reader->GetFileName()));
+  CheckEqual("a name that says BREP", 1, vtkBREPReader::CanReadFile(Make("brep_text.brep", "text").c_str()));
   for (const double share : { 0.05, 0.3, 0.6, 0.9, 0.97 })
   {
     const auto length = static_cast<std::size_t>(share * static_cast<double>(sound.size()));
     reader->SetFileName(Make("brep_part.brep", sound.substr(0, length)).c_str());
     CheckProblem(reader, "a part of a file", "it ends in the middle");
   }
+  reader->SetFileName(Make("brep_stripped.brep", sound.substr(0, sound.find_last_not_of(" \n") + 1)).c_str());
+  reader->Update();
+  CheckEqual("a file without its last line end", "ok", reader->GetStatusAsString());
+  CheckBinary();
+  CheckExcess(reader);
   reader->SetFileName(Make("brep_sound.txt", sound).c_str());
   CheckEqual("a BREP file of another name", 1, vtkBREPReader::CanReadFile(reader->GetFileName()));
   reader->SetInputUnit("mile");

@@ -1,6 +1,6 @@
 /**
  * @file smComputeTesting.h
- * @brief What the tests of Rendering/Compute share
+ * @brief Helpers of the tests of Rendering/Compute
  */
 #ifndef smComputeTesting_h
 #define smComputeTesting_h

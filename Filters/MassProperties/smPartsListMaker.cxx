@@ -1,4 +1,4 @@
-#include "smPartsList.h"
+#include "smPartsListMaker.h"
 
 #include "smBodyIntegrals.h"
 #include "smMassPropertyNames.h"
@@ -46,6 +46,7 @@ struct Product
 void AddInAll(Product& product, const Product& other)
 {
   product.Entry.InAll.Add(other.Entry.InAll);
+  product.Entry.Status = std::max(product.Entry.Status, other.Entry.Status);
   for (std::size_t i = 0; i < product.Children.size(); ++i)
   {
     AddInAll(product.Children[i], other.Children[i]);
@@ -77,7 +78,7 @@ public:
   {
     for (std::size_t i = 0; i < bodies.size() && i < rows.size(); ++i)
     {
-      this->Rows.emplace(bodies[i].Id, &rows[i]);
+      this->Rows.emplace(bodies[i].Id, std::make_pair(&rows[i], bodies[i].Status));
     }
   }
 
@@ -96,7 +97,8 @@ public:
       {
         continue;
       }
-      const MassRow& row = *found->second;
+      const MassRow& row = *found->second.first;
+      entry.Status = std::max(entry.Status, found->second.second);
       entry.Each.Volume.Add(row.Properties.Volume, row.Properties.VolumeBound);
       entry.Each.Area.Add(row.Area, row.AreaBound);
       entry.Each.Mass.Add(row.Mass, row.MassBound);
@@ -127,6 +129,7 @@ private:
         continue;
       }
       product.Entry.Solids += child.Entry.Solids;
+      product.Entry.Status = std::max(product.Entry.Status, child.Entry.Status);
       product.Entry.Each.Add(child.Entry.InAll);
       product.TakeMaterial(child.Entry.Material, child.Entry.Density);
       const auto [place, isNew] = places.emplace(child.Signature, product.Children.size());
@@ -143,7 +146,7 @@ private:
     SortByName(product.Children);
   }
 
-  std::map<std::string, const MassRow*> Rows;
+  std::map<std::string, std::pair<const MassRow*, Status>> Rows;
   std::map<const void*, std::size_t> Models;
 };
 
@@ -183,6 +186,12 @@ void AddColumn(const Lines& lines, const std::string& name, const Get& get, vtkT
     array->InsertNextValue(get(*entry, level));
   }
   table->AddColumn(array);
+}
+
+/// The mass of all solids; a sum without terms where some have none.
+PartsSum GetWholeMass(const PartsSums& sums)
+{
+  return sums.HasWholeMass() ? sums.Mass : PartsSum();
 }
 
 /// Adds the columns of a quantity and its bound.
@@ -248,6 +257,10 @@ void FillPartsTable(
     lines, names::CountInAll, [](Entry e, int) { return e.CountInAll; }, table);
   AddColumn<vtkIntArray>(
     lines, names::Solids, [](Entry e, int) { return e.Solids; }, table);
+  AddColumn<vtkIntArray>(
+    lines, names::SolidsWithVolume, [](Entry e, int) { return e.Each.Volume.Terms; }, table);
+  AddColumn<vtkStringArray>(
+    lines, names::Status, [](Entry e, int) { return std::string(GetText(e.Status)); }, table);
   if (std::any_of(lines.begin(), lines.end(), [](const auto& line) { return !line.first->Layer.empty(); }))
   {
     AddColumn<vtkStringArray>(
@@ -260,9 +273,13 @@ void FillPartsTable(
     AddColumn<vtkDoubleArray>(
       lines, names::Density, [](Entry e, int) { return e.Density; }, table);
     AddSum(
-      lines, names::Mass, [](Entry e) { return e.Each.Mass; }, table);
+      lines, names::Mass, [](Entry e) { return GetWholeMass(e.Each); }, table);
     AddSum(
-      lines, names::MassInAll, [](Entry e) { return e.InAll.Mass; }, table);
+      lines, names::KnownMass, [](Entry e) { return e.Each.Mass; }, table);
+    AddSum(
+      lines, names::MassInAll, [](Entry e) { return GetWholeMass(e.InAll); }, table);
+    AddSum(
+      lines, names::KnownMassInAll, [](Entry e) { return e.InAll.Mass; }, table);
     AddColumn<vtkIntArray>(
       lines, names::SolidsWithMass, [](Entry e, int) { return e.Each.Mass.Terms; }, table);
   }
