@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sm
 {
@@ -17,6 +18,8 @@ using Point2 = std::array<double, 2>;
 constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
 // Share of the room beside a box by which a crossing of the waterline may be off, so that the graph still finds it there.
 constexpr double CrossingRoom = 0.05;
+// More than the derivatives of a patch grow in the room beside its box, where graphs may be.
+constexpr double GraphStretch = 1.25;
 // Largest number of subdivisions of a piece whose degree is too high for a Chebyshev series of its height.
 constexpr std::size_t MostParts = 4096;
 
@@ -73,7 +76,29 @@ double GetVariation(const RegionPart& part, int direction, double start, double 
 }
 }
 
+CutErrors SubmergedPanels::GetCost(const Monotone& box, double largest, double length) const
+{
+  return { box.Rate * largest * largest * length, box.AreaRate * (largest + box.Noise) * length };
+}
+
 std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const RegionPart& part)
+{
+  const std::vector<SignedRange> ranges = this->FindSigns(box, part);
+  if (this->Limits.HasArea())
+  {
+    // N is monotone between a zero as found and the true one.
+    double largest = 0.0;
+    for (std::size_t i = 1; i < ranges.size(); ++i)
+    {
+      const Point2 at = part.Evaluate(ranges[i].Start);
+      largest = std::max(largest, std::abs(box.Net->Evaluate(at[0], at[1])));
+    }
+    this->Errors.Area += this->GetCost(box, largest, GetVariation(part, 1, part.Start, part.End)).Area;
+  }
+  return ranges;
+}
+
+std::vector<SignedRange> SubmergedPanels::FindSigns(const Monotone& box, const RegionPart& part)
 {
   const std::vector<Point2>& b = *part.Piece;
   int degree = 0;
@@ -95,10 +120,11 @@ std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const 
       degree, part.Start, part.End,
       [&](double start, double end, double largest, bool last)
       {
-        const double cost = box.Rate * largest * largest * GetVariation(part, 1, start, end);
-        if (last || (cost <= this->Small && largest <= CrossingRoom * box.Room * box.Slope))
+        const CutErrors cost = this->GetCost(box, largest, GetVariation(part, 1, start, end));
+        if (last ||
+          (this->IsSmall(cost, largest, box.Noise) && largest <= CrossingRoom * box.Room * box.Slope))
         {
-          this->CutError += cost;
+          this->Add(cost);
           return true;
         }
         return false;
@@ -126,12 +152,13 @@ std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const 
     }
     const NetRange range = box.Net->GetRange(around);
     const double largest = std::max(std::abs(range.Low), std::abs(range.High));
-    const double cost = box.Rate * largest * largest * GetVariation(part, 1, start, end);
+    const CutErrors cost = this->GetCost(box, largest, GetVariation(part, 1, start, end));
     const bool sure = range.High <= 0.0 || range.Low >= 0.0;
-    const bool isSmall = cost <= this->Small && largest <= CrossingRoom * box.Room * box.Slope;
+    const bool isSmall =
+      this->IsSmall(cost, largest, box.Noise) && largest <= CrossingRoom * box.Room * box.Slope;
     if (sure || isSmall || steps > MostParts)
     {
-      this->CutError += sure ? 0.0 : cost;
+      this->Add(sure ? CutErrors() : cost);
       ranges.push_back({ start, end, range.Low + range.High < 0.0 });
     }
     else
@@ -219,11 +246,25 @@ bool SubmergedPanels::FitGraph(
   const std::array<double, 2> extent = GetExtent(graph, 0, low, high);
   const bool inside = extent[0] > box.Range.Low[0] - box.Room && extent[1] < box.Range.High[0] + box.Room &&
     largest <= 0.25 * box.Room * box.Slope;
-  const double cost =
-    std::abs(end - start) * (inside ? std::min(box.Rate * largest * largest, box.Whole) : box.Whole);
-  if (cost <= this->Small || accept)
+  const double width = std::abs(end - start);
+  CutErrors cost{ box.Whole.Volume * width, box.Whole.Area * width };
+  if (inside)
   {
-    this->CutError += cost;
+    const CutErrors sliver = this->GetCost(box, largest, width);
+    cost = { std::min(sliver.Volume, cost.Volume), std::min(sliver.Area, cost.Area) };
+  }
+  if (this->IsSmall(cost, inside ? largest : std::numeric_limits<double>::infinity(), box.Noise) || accept)
+  {
+    this->Add(cost);
+    const Patch& patch = this->Results[box.Exchanged ? 1 : 0].Patches[box.Patch];
+    for (std::size_t i = 1; i < graph.Piece->size(); ++i)
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        this->Errors.Area += GraphStretch * this->Limits.Displacement * patch.Stretch[d] / patch.Width[d] *
+          std::abs((*graph.Piece)[i][d] - (*graph.Piece)[i - 1][d]);
+      }
+    }
     piece = graph.Piece;
     return true;
   }
