@@ -20,6 +20,8 @@ constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
 constexpr double CrossingRoom = 0.05;
 // More than the derivatives of a patch grow in the room beside its box, where graphs may be.
 constexpr double GraphStretch = 1.25;
+// Halvings of a part around a point where it crosses the waterline.
+constexpr int MostUncertainHalvings = 16;
 // Largest number of subdivisions of a piece whose degree is too high for a Chebyshev series of its height.
 constexpr std::size_t MostParts = 4096;
 
@@ -93,9 +95,68 @@ std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const 
       const Point2 at = part.Evaluate(ranges[i].Start);
       largest = std::max(largest, std::abs(box.Net->Evaluate(at[0], at[1])));
     }
-    this->Errors.Area += this->GetCost(box, largest, GetVariation(part, 1, part.Start, part.End)).Area;
+    const double length =
+      this->GetUncertainVariation(box, part, part.Start, part.End, largest + box.Noise, 0);
+    this->Errors.Area += length > 0.0 ? this->GetAreaBeside(box, part, largest, length) : 0.0;
   }
   return ranges;
+}
+
+double SubmergedPanels::GetUncertainVariation(
+  const Monotone& box, const RegionPart& part, double start, double end, double most, int depth) const
+{
+  const int degree = (box.Net->GetDegree(0) + box.Net->GetDegree(1)) * part.GetDegree();
+  if (degree >= ChebyshevRule::MaximumSize || depth == MostUncertainHalvings)
+  {
+    return GetVariation(part, 1, start, end);
+  }
+  std::vector<double> series;
+  ExpandPolynomial(
+    [&](double t)
+    {
+      const Point2 at = part.Evaluate(t);
+      return box.Net->Evaluate(at[0], at[1]);
+    },
+    degree, start, end, series);
+  const double largest = GetLargest(series);
+  if (2.0 * std::abs(series[0]) - largest > most)
+  {
+    return 0.0;
+  }
+  if (largest <= 2.0 * most)
+  {
+    return GetVariation(part, 1, start, end);
+  }
+  const double middle = 0.5 * (start + end);
+  return this->GetUncertainVariation(box, part, start, middle, most, depth + 1) +
+    this->GetUncertainVariation(box, part, middle, end, most, depth + 1);
+}
+
+double SubmergedPanels::GetAreaBeside(
+  const Monotone& box, const RegionPart& part, double largest, double length) const
+{
+  const double most = largest + box.Noise;
+  ParameterRange around;
+  for (int d = 0; d < 2; ++d)
+  {
+    const std::array<double, 2> extent = GetExtent(part, d, part.From[d], part.From[d]);
+    const double room = d == 0 ? std::max(2.0 * most / box.Slope, 0.5 * box.Room) : 0.0;
+    around.Low[d] = extent[0] - room;
+    around.High[d] = extent[1] + room;
+  }
+  if (!(around.High[1] > around.Low[1]))
+  {
+    return this->GetCost(box, largest, length).Area;
+  }
+  const NetRange range = box.Net->GetRange(around);
+  const double width = box.Net->ToLocal(0, around.High[0]) - box.Net->ToLocal(0, around.Low[0]);
+  // Per unit of the trim pieces' parameter, as box.Slope.
+  const double slope = (std::min(std::abs(range.SlopeLow[0]), std::abs(range.SlopeHigh[0])) -
+                         2.0 * box.Net->GetDegree(0) * box.Net->GetRounding() / width) *
+    width / (around.High[0] - around.Low[0]);
+  const double normal =
+    this->GetLargestNormal(box.SourcePatch, box.Exchanged ? around.Exchanged() : around);
+  return std::min(normal / std::max(slope, box.Slope), box.AreaRate) * most * length;
 }
 
 std::vector<SignedRange> SubmergedPanels::FindSigns(const Monotone& box, const RegionPart& part)
@@ -174,6 +235,7 @@ void SubmergedPanels::CutMonotone(const Source& source, Monotone& box, const Reg
 {
   FacePanels& result = this->Results[box.Exchanged ? 1 : 0];
   const ParameterRange own = box.Exchanged ? box.Range.Exchanged() : box.Range;
+  box.SourcePatch = source.Patch;
   box.Patch = AppendPatchPart(this->From, source.Patch, own.Low, own.High, box.Exchanged, result);
   box.Shape = !box.Exchanged || source.Shape == PanelShape::Flat ? source.Shape : PanelShape::General;
   this->Flip = source.Flip != box.Exchanged;
@@ -252,6 +314,12 @@ bool SubmergedPanels::FitGraph(
   {
     const CutErrors sliver = this->GetCost(box, largest, width);
     cost = { std::min(sliver.Volume, cost.Volume), std::min(sliver.Area, cost.Area) };
+    if (this->Limits.HasArea())
+    {
+      graph.From = graph.Piece->front();
+      graph.To = graph.Piece->back();
+      cost.Area = std::min(cost.Area, this->GetAreaBeside(box, graph, largest, width));
+    }
   }
   if (this->IsSmall(cost, inside ? largest : std::numeric_limits<double>::infinity(), box.Noise) || accept)
   {

@@ -109,6 +109,13 @@ void SubmergedPanels::Cut()
   }
 }
 
+double SubmergedPanels::GetLargestNormal(std::uint32_t patch, const ParameterRange& range) const
+{
+  FacePanels part;
+  AppendPatchPart(this->From, patch, range.Low, range.High, false, part);
+  return HeightNet(part, part.Patches[0], this->Plane).GetLargestNormal();
+}
+
 bool SubmergedPanels::IsFinal(const Box& box) const
 {
   const Source& source = this->Sources[box.Net];
@@ -261,9 +268,11 @@ bool SubmergedPanels::Resolve(Box& box)
   if (!this->IsResolved(box, below, monotone))
   {
     const NetRange range = source.Net.GetRange(box.Range);
-    box.Majorant.Area = source.Net.GetLargestNormal() * (box.Range.High[0] - box.Range.Low[0]) *
-      (box.Range.High[1] - box.Range.Low[1]);
-    box.Majorant.Volume = range.GetLargestHeight() * box.Majorant.Area;
+    const double size = (box.Range.High[0] - box.Range.Low[0]) * (box.Range.High[1] - box.Range.Low[1]);
+    box.Majorant.Volume = range.GetLargestHeight() * source.Net.GetLargestNormal() * size;
+    // Near a collapsed edge the normals of a box are much smaller than those of its patch.
+    box.Majorant.Area =
+      size * (this->Limits.HasArea() ? this->GetLargestNormal(source.Patch, box.Range) : 0.0);
     box.Excess = std::max(
       box.Majorant.Volume / this->Limits.Volume, box.Majorant.Area / this->Limits.Area);
     return false;

@@ -49,6 +49,7 @@ private:
     ParameterRange Range;
     bool Exchanged;
     std::uint32_t Patch;
+    std::uint32_t SourcePatch;
     PanelShape Shape;
     bool Increasing;
     /// Lower bound of |dN| per unit of the first parameter, on the box and Room on both sides of it.
@@ -82,6 +83,8 @@ private:
   {
     return this->Limits.HasArea() ? net.GetNoise(this->Limits.Displacement) : 0.0;
   }
+  /// Returns an upper bound of |n| on a part of a patch of the source: surface area per area in the parameters of the trim pieces.
+  double GetLargestNormal(std::uint32_t patch, const ParameterRange& range) const;
   /// Returns true if no halving of the box decides on which side it is.
   bool IsFinal(const Box& box) const;
   void AddLeftover(const Box& box);
@@ -106,6 +109,12 @@ private:
   /// Returns the integrals over a sliver with |N| at most `largest` along a length in the second parameter, and for the area also
   /// what is not certain beside it.
   CutErrors GetCost(const Monotone& box, double largest, double length) const;
+  /// Returns the area that is not certain beside a part, with |N| at most `largest` along a length in the second parameter, by bounds
+  /// near the part; those of the box are used where they are smaller.
+  double GetAreaBeside(const Monotone& box, const RegionPart& part, double largest, double length) const;
+  /// Returns the variation of the second parameter along the interval of a part where |N| may be at most `most`.
+  double GetUncertainVariation(
+    const Monotone& box, const RegionPart& part, double start, double end, double most, int depth) const;
   /// Find the ranges of a part on which N has one sign; FindRanges() adds the area that is not certain beside it.
   std::vector<struct SignedRange> FindRanges(const Monotone& box, const RegionPart& part);
   std::vector<struct SignedRange> FindSigns(const Monotone& box, const RegionPart& part);
