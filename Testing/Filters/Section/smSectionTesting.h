@@ -146,10 +146,13 @@ struct SectionScene
   vtkNew<vtkNURBSTransform> Move;
   vtkNew<vtkSolidSection> Filter;
 
-  explicit SectionScene(const std::string& path)
+  explicit SectionScene(const std::string& path, bool isCoarse = true)
   {
     this->Reader->SetFileName(path.c_str());
-    UseCoarseMesh(this->Reader);
+    if (isCoarse)
+    {
+      UseCoarseMesh(this->Reader);
+    }
     this->Move->SetInputConnection(this->Reader->GetOutputPort());
     this->Filter->SetInputConnection(this->Move->GetOutputPort());
     this->Filter->SetBackend(Backend);
