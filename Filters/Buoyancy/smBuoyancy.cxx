@@ -380,13 +380,14 @@ void BuoyancyIntegrator::SumBody(const CutBody& cut, BodyBuoyancy& result) const
 
 std::vector<Integrand> BuoyancyIntegrator::MakeIntegrands() const
 {
-  std::vector<Integrand> integrands = { Integrand::HeightMoment("V", 0, 0, 0), Integrand::HeightMoment("X", 1, 0, 0),
-    Integrand::HeightMoment("Y", 0, 1, 0), Integrand::HeightMoment("Z", 0, 0, 1) };
+  std::vector<Integrand> integrands = { Integrand::HeightMoment("V", 0, 0, 0),
+    Integrand::HeightMoment("X", 1, 0, 0), Integrand::HeightMoment("Y", 0, 1, 0),
+    Integrand::HeightMoment("Z", 0, 0, 1) };
   if (this->WithSection)
   {
-    for (const auto& [name, i, j] : { std::make_tuple("A", 0, 0), std::make_tuple("AX", 1, 0),
-           std::make_tuple("AY", 0, 1), std::make_tuple("AXX", 2, 0), std::make_tuple("AYY", 0, 2),
-           std::make_tuple("AXY", 1, 1) })
+    for (const auto& [name, i, j] :
+      { std::make_tuple("A", 0, 0), std::make_tuple("AX", 1, 0), std::make_tuple("AY", 0, 1),
+        std::make_tuple("AXX", 2, 0), std::make_tuple("AYY", 0, 2), std::make_tuple("AXY", 1, 1) })
     {
       integrands.push_back(Integrand::SectionMoment(name, i, j));
     }
@@ -408,7 +409,8 @@ bool BuoyancyIntegrator::CutBodies(const std::vector<BodyIntegrals>& bodies, con
       return !this->WasCutAborted;
     };
     vtkTrimmedNURBSModel& model = *bodies[b].Model;
-    const double share = relativeTolerance / static_cast<double>(std::max<std::size_t>(model.GetFaces().size(), 1));
+    const double share =
+      relativeTolerance / static_cast<double>(std::max<std::size_t>(model.GetFaces().size(), 1));
     const Tolerance tolerance{ share * GetVolumeScale(model), share * GetAreaScale(model) };
     if (!this->CutAtWaterline(bodies[b], waterline, tolerance, report, cuts[b]))
     {

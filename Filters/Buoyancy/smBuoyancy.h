@@ -151,7 +151,8 @@ private:
   bool CutAtWaterline(const BodyIntegrals& body, const Waterline& waterline, const Tolerance& tolerance,
     const ProgressCallback& progress, CutBody& cut);
   bool CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane,
-    const std::vector<CutLimits>& limits, const ProgressCallback& progress, std::vector<SubmergedFace>& below);
+    const std::vector<CutLimits>& limits, const ProgressCallback& progress,
+    std::vector<SubmergedFace>& below);
   ///@}
 
   bool WithSection;

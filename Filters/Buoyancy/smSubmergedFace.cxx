@@ -3,6 +3,7 @@
 #include "smSubmergedPanels.h"
 #include "smSubmergedStrips.h"
 #include "smUnitRoundoff.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,14 +57,23 @@ int FindSide(const FacePanels& panels, const HeightPlane& plane, double margin)
 }
 
 /// Distance from the plane beyond which the side of a point of the face is certain: heights are rounded, too.
-double GetMargin(const FacePanels& panels, const CutLimits& limits)
+/// Edges may also be off by their residuals.
+double GetMargin(const CutFace& face, const CutLimits& limits)
 {
   double radius = 0.0;
-  for (const Patch& patch : panels.Patches)
+  for (const Patch& patch : face.Panels.Patches)
   {
     radius = std::max(radius, patch.Radius);
   }
-  return limits.Displacement + 16.0 * UnitRoundoff * radius;
+  double residual = 0.0;
+  for (const Loop& loop : face.Source->Loops)
+  {
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      residual = std::max(residual, Norm(coedge.Use->Curve.Residual));
+    }
+  }
+  return limits.Displacement + residual + 16.0 * UnitRoundoff * radius;
 }
 
 CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchanged)
@@ -96,8 +106,9 @@ CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchange
 SubmergedFace CutBelow(const CutFacePointer& face, const HeightPlane& plane, const CutLimits& limits)
 {
   SubmergedFace result;
-  const int side =
-    face->Error.empty() ? FindSide(face->Panels, plane, limits.HasArea() ? GetMargin(face->Panels, limits) : 0.0) : -1;
+  const int side = face->Error.empty()
+    ? FindSide(face->Panels, plane, limits.HasArea() ? GetMargin(*face, limits) : 0.0)
+    : -1;
   if (side > 0)
   {
     return result;

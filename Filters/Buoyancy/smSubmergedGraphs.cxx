@@ -154,8 +154,7 @@ double SubmergedPanels::GetAreaBeside(
   const double slope = (std::min(std::abs(range.SlopeLow[0]), std::abs(range.SlopeHigh[0])) -
                          2.0 * box.Net->GetDegree(0) * box.Net->GetRounding() / width) *
     width / (around.High[0] - around.Low[0]);
-  const double normal =
-    this->GetLargestNormal(box.SourcePatch, box.Exchanged ? around.Exchanged() : around);
+  const double normal = this->GetLargestNormal(box.SourcePatch, box.Exchanged ? around.Exchanged() : around);
   return std::min(normal / std::max(slope, box.Slope), box.AreaRate) * most * length;
 }
 

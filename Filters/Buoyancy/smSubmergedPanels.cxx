@@ -80,8 +80,8 @@ void SubmergedPanels::Cut()
   const std::size_t most = this->Boxes + MostBoxes;
   double left = sum();
   double final = 0.0;
-  while (!this->Open.empty() && this->Boxes < most &&
-    left > std::max(LeftoverShare - final, FinalShare * final))
+  while (
+    !this->Open.empty() && this->Boxes < most && left > std::max(LeftoverShare - final, FinalShare * final))
   {
     std::pop_heap(this->Open.begin(), this->Open.end(), isLess);
     const Box box = std::move(this->Open.back());
@@ -273,8 +273,7 @@ bool SubmergedPanels::Resolve(Box& box)
     // Near a collapsed edge the normals of a box are much smaller than those of its patch.
     box.Majorant.Area =
       size * (this->Limits.HasArea() ? this->GetLargestNormal(source.Patch, box.Range) : 0.0);
-    box.Excess = std::max(
-      box.Majorant.Volume / this->Limits.Volume, box.Majorant.Area / this->Limits.Area);
+    box.Excess = std::max(box.Majorant.Volume / this->Limits.Volume, box.Majorant.Area / this->Limits.Area);
     return false;
   }
   if (below)

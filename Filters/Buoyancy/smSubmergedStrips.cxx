@@ -259,8 +259,8 @@ private:
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> Pieces;
 };
 
-StripCutter::StripCutter(const Face& face, const FacePanels& from, const HeightPlane& plane,
-  const CutLimits& limits, FacePanels& to)
+StripCutter::StripCutter(
+  const Face& face, const FacePanels& from, const HeightPlane& plane, const CutLimits& limits, FacePanels& to)
   : From(from)
   , Plane(plane)
   , Limits(limits)
@@ -444,8 +444,8 @@ void StripCutter::Keep(const Ribbon& ribbon, double start, double end)
 }
 }
 
-CutErrors CutStripsBelow(const Face& face, const FacePanels& from, const HeightPlane& plane,
-  const CutLimits& limits, FacePanels& to)
+CutErrors CutStripsBelow(
+  const Face& face, const FacePanels& from, const HeightPlane& plane, const CutLimits& limits, FacePanels& to)
 {
   StripCutter cutter(face, from, plane, limits, to);
   for (const Ribbon& ribbon : from.Ribbons)

@@ -52,8 +52,8 @@ void vtkPlaneCutBase::SetNormal(double x, double y, double z)
 {
   if (!AreFinite(x, y, z) || (x == 0.0 && y == 0.0 && z == 0.0))
   {
-    vtkErrorMacro("SetNormal: " << sm::FormatTriple(x, y, z)
-                                << " is no direction; give a vector that is not 0.");
+    vtkErrorMacro(
+      "SetNormal: " << sm::FormatTriple(x, y, z) << " is no direction; give a vector that is not 0.");
     return;
   }
   const double normal[3] = { x, y, z };
@@ -82,7 +82,8 @@ bool vtkPlaneCutBase::IntegrateSide(const sm::IntegralRequest& request,
   sm::RunReport& report = engine.GetReport();
   sm::IntegralLimits limits = this->MakeLimits(begin, end);
   limits.MaximumSeconds *= end - begin;
-  limits.MaximumEvaluations = std::max<std::int64_t>(1, limits.MaximumEvaluations / std::lround(1.0 / (end - begin)));
+  limits.MaximumEvaluations =
+    std::max<std::int64_t>(1, limits.MaximumEvaluations / std::lround(1.0 / (end - begin)));
   if (!engine.ChooseRunner(limits.Backend))
   {
     return false;
@@ -115,11 +116,11 @@ bool vtkPlaneCutBase::IntegrateSide(const sm::IntegralRequest& request,
   if (!done)
   {
     results.clear();
-    report.SetReason(!cutError.empty()      ? "nothing was computed: " + cutError
-        : isTimeOver                        ? "nothing was computed: MaximumSeconds were over"
+    report.SetReason(!cutError.empty()        ? "nothing was computed: " + cutError
+        : isTimeOver                          ? "nothing was computed: MaximumSeconds were over"
         : this->Integrator->WasAbortedInCut() ? "the run was aborted while faces were cut at the plane"
-        : integrator.WasAborted()           ? "the run was aborted"
-                                            : "nothing was computed: " + integrator.GetError());
+        : integrator.WasAborted()             ? "the run was aborted"
+                                              : "nothing was computed: " + integrator.GetError());
     return false;
   }
   if (integrator.WasAborted())

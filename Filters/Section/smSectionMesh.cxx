@@ -6,10 +6,10 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkClipPolyData.h"
 #include "vtkContourTriangulator.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
@@ -32,50 +32,63 @@ constexpr const char* ColorName = "Color";
 constexpr unsigned char CapColor[3] = { 224, 122, 60 };
 constexpr unsigned char PlainColor[3] = { 190, 190, 195 };
 
-/// The segments in which polygons cross a plane. Points on the plane count as above it. Polygons that share an edge get the same
-/// point on it to the bit, because its ends are taken in one order, so that the segments of a closed mesh are closed loops.
-class SegmentFinder
+/// Clips polygons at a plane, and collects the segments in which they cross it. Points on the plane count as above it. Points of
+/// different polygons stay apart as they are, for their normals differ; but polygons that share an edge get the same point on it to
+/// the bit, because its ends are taken in one order, so that the segments of a closed mesh are closed loops.
+class PlaneClipper
 {
 public:
-  explicit SegmentFinder(vtkPlane* plane)
-    : Plane(plane)
+  PlaneClipper(vtkPolyData* mesh, vtkPlane* plane)
+    : Mesh(mesh)
+    , Plane(plane)
+    , Normals(mesh->GetPointData()->GetNormals())
+    , Kept(static_cast<std::size_t>(mesh->GetNumberOfPoints()), -1)
   {
     this->Points->SetDataTypeToDouble();
+    this->CutPoints->SetDataTypeToDouble();
+    this->CutNormals->SetNumberOfComponents(3);
+    this->CutNormals->SetName("Normals");
   }
 
-  void AddPolygon(vtkPoints* points, const vtkIdType* ids, vtkIdType count)
+  void AddPolygon(vtkIdType cell, const vtkIdType* ids, vtkIdType count)
   {
+    std::vector<vtkIdType> below;
     std::vector<vtkIdType> crossings;
+    bool startsFalling = false;
     for (vtkIdType i = 0; i < count; ++i)
     {
+      const vtkIdType ends[2] = { ids[i], ids[(i + 1) % count] };
       Point a;
       Point b;
-      points->GetPoint(ids[i], a.data());
-      points->GetPoint(ids[(i + 1) % count], b.data());
+      this->Mesh->GetPoint(ends[0], a.data());
+      this->Mesh->GetPoint(ends[1], b.data());
       const bool falls = this->IsBelow(b);
+      if (this->IsBelow(a))
+      {
+        below.push_back(this->Keep(ends[0], a));
+      }
       if (this->IsBelow(a) != falls)
       {
+        startsFalling = crossings.empty() ? falls : startsFalling;
         crossings.push_back(this->GetCrossing(std::min(a, b), std::max(a, b)));
-        // A segment runs from where its polygon rises through the plane to where it falls.
-        if (crossings.size() == 1 && falls)
-        {
-          this->StartsFalling = true;
-        }
+        below.push_back(this->AddCutPoint(crossings.back(), ends));
       }
+    }
+    if (below.size() > 2)
+    {
+      this->Polygons->InsertNextCell(static_cast<vtkIdType>(below.size()), below.data());
+      this->Cells.push_back(cell);
     }
     for (std::size_t i = 1; i < crossings.size(); i += 2)
     {
-      vtkIdType ends[2] = { crossings[i - 1], crossings[i] };
-      if (this->StartsFalling)
-      {
-        std::swap(ends[0], ends[1]);
-      }
+      // From where the polygon falls through the plane to where it rises: the section is on the left, seen from above.
+      const vtkIdType ends[2] = { crossings[startsFalling ? i - 1 : i],
+        crossings[startsFalling ? i : i - 1] };
       if (ends[0] != ends[1])
       {
         this->Lines->InsertNextCell(2, ends);
       }
     }
-    this->StartsFalling = false;
   }
 
   vtkSmartPointer<vtkPolyData> GetSegments() const
@@ -86,8 +99,60 @@ public:
     return segments;
   }
 
+  /// Returns the polygons below the plane; `cells` are those of the mesh that they are parts of.
+  vtkSmartPointer<vtkPolyData> GetBelow(std::vector<vtkIdType>& cells) const
+  {
+    auto below = vtkSmartPointer<vtkPolyData>::New();
+    below->SetPoints(this->CutPoints);
+    below->SetPolys(this->Polygons);
+    if (this->Normals)
+    {
+      below->GetPointData()->SetNormals(this->CutNormals);
+    }
+    cells = this->Cells;
+    return below;
+  }
+
 private:
   bool IsBelow(const Point& p) const { return this->Plane->EvaluateFunction(p[0], p[1], p[2]) < 0.0; }
+
+  vtkIdType Insert(const Point& p, const double normal[3])
+  {
+    this->CutNormals->InsertNextTuple(normal);
+    return this->CutPoints->InsertNextPoint(p.data());
+  }
+
+  vtkIdType Keep(vtkIdType id, const Point& p)
+  {
+    vtkIdType& kept = this->Kept[static_cast<std::size_t>(id)];
+    if (kept < 0)
+    {
+      double normal[3] = { 0.0, 0.0, 0.0 };
+      if (this->Normals)
+      {
+        this->Normals->GetTuple(id, normal);
+      }
+      kept = this->Insert(p, normal);
+    }
+    return kept;
+  }
+
+  /// Returns a point of the polygon's own at the crossing, with the mean of the normals at the edge's ends.
+  vtkIdType AddCutPoint(vtkIdType crossing, const vtkIdType ends[2])
+  {
+    Point p;
+    this->Points->GetPoint(crossing, p.data());
+    double normal[3] = { 0.0, 0.0, 0.0 };
+    for (int end = 0; this->Normals && end < 2; ++end)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        normal[c] += this->Normals->GetComponent(ends[end], c);
+      }
+    }
+    vtkMath::Normalize(normal);
+    return this->Insert(p, normal);
+  }
 
   vtkIdType GetCrossing(const Point& a, const Point& b)
   {
@@ -107,15 +172,22 @@ private:
     return entry->second;
   }
 
+  vtkPolyData* Mesh;
   vtkPlane* Plane;
-  bool StartsFalling = false;
+  vtkDataArray* Normals;
+  std::vector<vtkIdType> Kept;
+  vtkNew<vtkPoints> CutPoints;
+  vtkNew<vtkFloatArray> CutNormals;
+  vtkNew<vtkCellArray> Polygons;
+  std::vector<vtkIdType> Cells;
   std::map<Point, vtkIdType> Places;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Lines;
 };
 
-/// Sets the cell arrays of a part of the output.
-void SetCellArrays(vtkPolyData* part, int solid, bool isCap, vtkDataArray* colors)
+/// Sets the cell arrays of a part of the output; `sources` are the cells whose colours the part's cells get.
+void SetCellArrays(
+  vtkPolyData* part, int solid, bool isCap, vtkDataArray* colors, const std::vector<vtkIdType>& sources)
 {
   const vtkIdType cells = part->GetNumberOfCells();
   vtkNew<vtkIntArray> solids;
@@ -135,7 +207,8 @@ void SetCellArrays(vtkPolyData* part, int solid, bool isCap, vtkDataArray* color
   {
     for (int c = 0; c < 3; ++c)
     {
-      shown->SetComponent(cell, c, colors ? colors->GetComponent(cell, c) : plain[c]);
+      shown->SetComponent(
+        cell, c, colors ? colors->GetComponent(sources[static_cast<std::size_t>(cell)], c) : plain[c]);
     }
   }
   part->GetCellData()->Initialize();
@@ -144,35 +217,40 @@ void SetCellArrays(vtkPolyData* part, int solid, bool isCap, vtkDataArray* color
   part->GetCellData()->AddArray(shown);
 }
 
-/// Returns the part of the mesh below the plane, with normals and without other arrays of its points.
-vtkSmartPointer<vtkPolyData> Clip(vtkPolyData* mesh, vtkPlane* plane, int solid)
+/// Returns the colours of the mesh's cells, or null.
+vtkDataArray* FindColors(vtkPolyData* mesh)
 {
-  vtkNew<vtkPolyData> faces;
-  faces->SetPoints(mesh->GetPoints());
-  faces->SetPolys(mesh->GetPolys());
-  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
-  if (normals)
-  {
-    faces->GetPointData()->SetNormals(normals);
-  }
   vtkDataArray* colors = mesh->GetCellData()->GetArray(ColorName);
-  const bool hasColors = colors && colors->GetNumberOfComponents() >= 3 &&
-    colors->GetNumberOfTuples() == faces->GetNumberOfCells();
-  if (hasColors)
+  return colors && colors->GetNumberOfComponents() >= 3 ? colors : nullptr;
+}
+
+/// Returns the section as polygons; null if the segments do not bound any.
+vtkSmartPointer<vtkPolyData> MakeCap(vtkPolyData* segments, vtkPlane* plane)
+{
+  vtkNew<vtkContourTriangulator> triangulator;
+  triangulator->TriangulationErrorDisplayOff();
+  triangulator->SetInputData(segments);
+  triangulator->Update();
+  vtkPolyData* polygons = triangulator->GetOutput();
+  if (triangulator->GetTriangulationError() != 0 || polygons->GetNumberOfPolys() == 0)
   {
-    faces->GetCellData()->AddArray(colors);
+    return nullptr;
   }
-  vtkNew<vtkClipPolyData> clip;
-  clip->SetInputData(faces);
-  clip->SetClipFunction(plane);
-  clip->InsideOutOn();
-  clip->Update();
-  auto below = vtkSmartPointer<vtkPolyData>::New();
-  below->ShallowCopy(clip->GetOutput());
-  const vtkSmartPointer<vtkDataArray> clipped =
-    hasColors ? below->GetCellData()->GetArray(ColorName) : nullptr;
-  SetCellArrays(below, solid, false, clipped);
-  return below;
+  auto cap = vtkSmartPointer<vtkPolyData>::New();
+  cap->SetPoints(polygons->GetPoints());
+  cap->SetPolys(polygons->GetPolys());
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(cap->GetNumberOfPoints());
+  double normal[3];
+  plane->GetNormal(normal);
+  for (vtkIdType i = 0; i < cap->GetNumberOfPoints(); ++i)
+  {
+    normals->SetTuple(i, normal);
+  }
+  cap->GetPointData()->SetNormals(normals);
+  return cap;
 }
 }
 
@@ -184,43 +262,30 @@ vtkSmartPointer<vtkPolyData> MakeSectionMesh(vtkPolyData* mesh, vtkPlane* plane,
   {
     return result;
   }
-  vtkNew<vtkAppendPolyData> append;
-  const vtkSmartPointer<vtkPolyData> below = Clip(mesh, plane, solid);
-  append->AddInputData(below);
-  SegmentFinder finder(plane);
+  PlaneClipper clipper(mesh, plane);
+  // Cells are numbered vertices and lines first.
+  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   const auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
     vtkIdType count = 0;
     const vtkIdType* ids = nullptr;
     cells->GetCurrentCell(count, ids);
-    finder.AddPolygon(mesh->GetPoints(), ids, count);
+    clipper.AddPolygon(first + cells->GetCurrentCellId(), ids, count);
   }
-  const vtkSmartPointer<vtkPolyData> segments = finder.GetSegments();
+  std::vector<vtkIdType> sources;
+  const vtkSmartPointer<vtkPolyData> below = clipper.GetBelow(sources);
+  SetCellArrays(below, solid, false, FindColors(mesh), sources);
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(below);
+  const vtkSmartPointer<vtkPolyData> segments = clipper.GetSegments();
   if (segments->GetNumberOfLines() > 0)
   {
-    vtkNew<vtkContourTriangulator> triangulator;
-    triangulator->TriangulationErrorDisplayOff();
-    triangulator->SetInputData(segments);
-    triangulator->Update();
-    hasCap = triangulator->GetTriangulationError() == 0 && triangulator->GetOutput()->GetNumberOfPolys() > 0;
+    const vtkSmartPointer<vtkPolyData> cap = MakeCap(segments, plane);
+    hasCap = cap != nullptr;
     if (hasCap)
     {
-      vtkNew<vtkPolyData> cap;
-      cap->SetPoints(triangulator->GetOutput()->GetPoints());
-      cap->SetPolys(triangulator->GetOutput()->GetPolys());
-      vtkNew<vtkFloatArray> normals;
-      normals->SetName("Normals");
-      normals->SetNumberOfComponents(3);
-      normals->SetNumberOfTuples(cap->GetNumberOfPoints());
-      double normal[3];
-      plane->GetNormal(normal);
-      for (vtkIdType i = 0; i < cap->GetNumberOfPoints(); ++i)
-      {
-        normals->SetTuple(i, normal);
-      }
-      cap->GetPointData()->SetNormals(normals);
-      SetCellArrays(cap, solid, true, nullptr);
+      SetCellArrays(cap, solid, true, nullptr, {});
       append->AddInputData(cap);
     }
   }

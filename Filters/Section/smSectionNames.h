@@ -15,7 +15,7 @@ constexpr const char* SectionArea = "SectionArea";         // 1, L^2, with bound
 constexpr const char* SectionCentroid = "SectionCentroid"; // 3, L, with bound
 // 6, L^4: xx, yy, zz, xy, yz, xz about the centroid, along the world's axes, with bound
 constexpr const char* SectionSecondMoments = "SectionSecondMoments";
-constexpr const char* SectionPrincipalMoments = "SectionPrincipalMoments";       // 2, L^4, ascending, with bound
+constexpr const char* SectionPrincipalMoments = "SectionPrincipalMoments"; // 2, L^4, ascending, with bound
 constexpr const char* SectionPrincipalDirections = "SectionPrincipalDirections"; // 6, two unit vectors
 constexpr const char* VolumeBelow = "VolumeBelow";                               // 1, L^3, with bound
 constexpr const char* CenterBelow = "CenterBelow";                               // 3, L, with bound

@@ -77,7 +77,8 @@ double GetDensityPerVolume(const sm::BodyIntegrals& body, double density)
 
 /// Flags a body whose shells do not all have their material inside: of such shells the volumes on the two sides do not add up to what
 /// the body encloses.
-void CheckShells(const std::vector<sm::Integrand>& integrands, const sm::BodyBuoyancy& above, sm::BodyIntegrals& body)
+void CheckShells(
+  const std::vector<sm::Integrand>& integrands, const sm::BodyBuoyancy& above, sm::BodyIntegrals& body)
 {
   sm::BodyIntegrals whole = body;
   std::vector<sm::FaceIntegrals> faces = *body.Faces;
@@ -94,14 +95,15 @@ void CheckShells(const std::vector<sm::Integrand>& integrands, const sm::BodyBuo
   {
     body.Flag(sm::Status::Suspect,
       "the normals of " + std::to_string(whole.FlippedShells) +
-        " shells point inwards; section and volumes are those of the shells as the file orients them. Correct the file, or see "
+        " shells point inwards; section and volumes are those of the shells as the file orients them. "
+        "Correct the file, or see "
         "Mass Properties for its volume");
   }
 }
 
 /// Flags a body with a bound above the tolerance, or with results that contradict each other.
-void CheckResults(const sm::SectionRow& row, const sm::SectionMoments& fromAbove, double tolerance,
-  sm::BodyIntegrals& body)
+void CheckResults(
+  const sm::SectionRow& row, const sm::SectionMoments& fromAbove, double tolerance, sm::BodyIntegrals& body)
 {
   const double volumeScale = sm::GetVolumeScale(*body.Model);
   if (!(std::max(row.Below.VolumeBound, row.Above.VolumeBound) <= tolerance * volumeScale))
@@ -111,7 +113,8 @@ void CheckResults(const sm::SectionRow& row, const sm::SectionMoments& fromAbove
   if (!(row.AreaBound <= tolerance * sm::GetAreaScale(*body.Model)))
   {
     body.Flag(sm::Status::ToleranceNotMet,
-      "the bound of the section's area is above the tolerance: where the plane runs along a face, or touches one, by no more than the "
+      "the bound of the section's area is above the tolerance: where the plane runs along a face, or touches "
+      "one, by no more than the "
       "numbers are accurate to, the area is not determined. Move the plane");
   }
   if (body.OpenEdges > 0)
@@ -125,7 +128,8 @@ void CheckResults(const sm::SectionRow& row, const sm::SectionMoments& fromAbove
   if (std::abs(row.Area - fromAbove.Area) > row.AreaBound + fromAbove.AreaBound)
   {
     body.Flag(sm::Status::Suspect,
-      "the areas of the section from below and from above differ by more than their bounds: the faces do not close");
+      "the areas of the section from below and from above differ by more than their bounds: the faces do not "
+      "close");
   }
 }
 }
@@ -391,8 +395,8 @@ std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& 
   addPoint("Centroid: ", section.Centroid, section.CentroidBound);
   if (std::isfinite(section.PrincipalBound))
   {
-    text += "Principal second moments: " + sm::FormatNumber(section.Principal[0], section.PrincipalBound) + "  " +
-      sm::FormatNumber(section.Principal[1], section.PrincipalBound) + "  " + unit + "^4" +
+    text += "Principal second moments: " + sm::FormatNumber(section.Principal[0], section.PrincipalBound) +
+      "  " + sm::FormatNumber(section.Principal[1], section.PrincipalBound) + "  " + unit + "^4" +
       sm::FormatBoundNote(section.PrincipalBound) + "\n";
   }
   for (const auto& [label, side] :
@@ -413,8 +417,7 @@ std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& 
   return text;
 }
 
-void vtkSolidSection::WriteOutputs(
-  const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const
+void vtkSolidSection::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const
 {
   const Internals& self = *this->Implementation;
   Columns totals;

@@ -24,14 +24,16 @@ struct Case
   Real Given = 0;
 };
 
-void CheckSection(const Case& body, const Cut& cut, const std::string& name, double tolerance, vtkSolidSection* filter)
+void CheckSection(
+  const Case& body, const Cut& cut, const std::string& name, double tolerance, vtkSolidSection* filter)
 {
   const Region& exact = cut.Section;
   const auto number = [](Real x) { return static_cast<double>(x); };
   const double size = number(body.Size);
   const double off = number(3 * body.Given * (cut.Slope + body.Size));
   const double bound = filter->GetSectionAreaBound();
-  Check(name, number(exact.Area), filter->GetSectionArea(), bound + off + 2.3e-16 * number(exact.Area), "the bound");
+  Check(name, number(exact.Area), filter->GetSectionArea(), bound + off + 2.3e-16 * number(exact.Area),
+    "the bound");
   if (exact.Area > 0)
   {
     std::printf("     %s: error / bound %.2g, bound / area %.2g\n", name.c_str(),
@@ -54,7 +56,8 @@ void CheckSection(const Case& body, const Cut& cut, const std::string& name, dou
   for (int c = 0; c < 3; ++c)
   {
     Check(name + ", centroid " + "xyz"[c], number(exact.Centroid[c]), centroid[c],
-      centroidBound + 4.0 * size * off / number(exact.Area) + 10.0 * number(body.Given) + 1.2e-16 * reach, "the bound");
+      centroidBound + 4.0 * size * off / number(exact.Area) + 10.0 * number(body.Given) + 1.2e-16 * reach,
+      "the bound");
   }
   CheckRange(name + ", bound of the centroid", 0.0, centroidBound,
     20.0 * size * (part + tolerance * number(body.Area / exact.Area)) + 1e-14 * reach);
@@ -63,11 +66,12 @@ void CheckSection(const Case& body, const Cut& cut, const std::string& name, dou
   const double secondBound = filter->GetSectionSecondMomentsBound();
   for (int i = 0; i < 6; ++i)
   {
-    Check(name + ", second moment " + std::to_string(i), number(exact.Second[Entries[i][0]][Entries[i][1]]), second[i],
-      secondBound + 4.0 * size * size * off, "the bound");
+    Check(name + ", second moment " + std::to_string(i), number(exact.Second[Entries[i][0]][Entries[i][1]]),
+      second[i], secondBound + 4.0 * size * size * off, "the bound");
   }
   CheckRange(name + ", bound of the second moments", 0.0, secondBound,
-    40.0 * size * size * (bound + off + tolerance * number(body.Area)) + 1e-13 * size * size * number(exact.Area));
+    40.0 * size * size * (bound + off + tolerance * number(body.Area)) +
+      1e-13 * size * size * number(exact.Area));
 }
 
 void CheckCuts(const Case& body, SectionScene& scene, const std::vector<Cut>& cuts)
@@ -142,8 +146,9 @@ void CheckBoxes(const Manifest& manifest)
     }
   }
   std::vector<Cut> cuts;
-  const auto add = [&](const std::string& name, const Vector& point, const Vector& normal)
-  { cuts.push_back({ name, point, normal, ConvexSection(edges, point, Unit(normal)), 60 }); };
+  const auto add = [&](const std::string& name, const Vector& point, const Vector& normal) {
+    cuts.push_back({ name, point, normal, ConvexSection(edges, point, Unit(normal)), 60 });
+  };
   const Vector n = { 0.25L, 0.5L, 1 };
   for (const Real d : { -1.0L, 0.25L, 4.0L, 10.5L, 13.75L, 20.0L, 27.0L, 28.0L })
   {
@@ -173,8 +178,8 @@ void CheckCylinders(const Manifest& manifest)
   {
     const Real half = std::sqrt(r * r - x * x);
     cuts.push_back({ Name("upright", x), { x, 0, 0 }, { 1, 0, 0 },
-      Symmetric({ x, 0, 12.5L }, 50 * half, 50 * half * half * half / 3, { 0, 1, 0 }, half * 2 * 25 * 25 * 25 / 12,
-        { 0, 0, 1 }),
+      Symmetric({ x, 0, 12.5L }, 50 * half, 50 * half * half * half / 3, { 0, 1, 0 },
+        half * 2 * 25 * 25 * 25 / 12, { 0, 0, 1 }),
       50 * std::abs(x) / half });
   }
   SectionScene scene(manifest.GetSolid("cylinder", "plain")[0].Path);
@@ -203,13 +208,15 @@ void CheckBalls(const Manifest& manifest)
         const Real d = depth * radius;
         const Vector middle = Sum(center, Scaled(n, d));
         const Real small = std::abs(depth) < 1 ? std::sqrt(radius * radius - d * d) : 0;
-        cuts.push_back(
-          { Name(label, depth), middle, up, Ellipse(middle, small, x, small, CrossProduct(n, x)), 2 * Pi * radius });
+        cuts.push_back({ Name(label, depth), middle, up, Ellipse(middle, small, x, small, CrossProduct(n, x)),
+          2 * Pi * radius });
       }
     }
     SectionScene scene(part.Path);
-    const Real given = 3e-16L * part.GetDistance() + 4e-16L * radius + static_cast<Real>(part.VolumeAccuracy) / (radius * radius);
-    CheckCuts({ "sphere " + part.Variant, 2 * radius, 4 * Pi * radius * radius, 4 * Pi / 3 * radius * radius * radius, given },
+    const Real given = 3e-16L * part.GetDistance() + 4e-16L * radius +
+      static_cast<Real>(part.VolumeAccuracy) / (radius * radius);
+    CheckCuts({ "sphere " + part.Variant, 2 * radius, 4 * Pi * radius * radius,
+                4 * Pi / 3 * radius * radius * radius, given },
       scene, cuts);
   }
 }
@@ -223,12 +230,14 @@ void CheckCones(const Manifest& manifest)
   for (const Real z : { 1.0L, 10.0L, 19.999L })
   {
     const Real r = bottom * (1 - z / height);
-    cuts.push_back({ Name("circle", z), { 1, 2, z }, { 0, 0, 1 }, Ellipse({ 0, 0, z }, r, { 1, 0, 0 }, r, { 0, 1, 0 }), 100 });
+    cuts.push_back({ Name("circle", z), { 1, 2, z }, { 0, 0, 1 },
+      Ellipse({ 0, 0, z }, r, { 1, 0, 0 }, r, { 0, 1, 0 }), 100 });
   }
   // Through the axis: a triangle. Its second moments are base height^3 / 36 and height base^3 / 48.
   cuts.push_back({ "triangle", { 0, 0, 3 }, { 0, 1, 0 },
     Symmetric({ 0, 0, height / 3 }, bottom * height, height * std::pow(2 * bottom, Real(3)) / 48, { 1, 0, 0 },
-      2 * bottom * height * height * height / 36, { 0, 0, 1 }), 100 });
+      2 * bottom * height * height * height / 36, { 0, 0, 1 }),
+    100 });
   // Parallel to a generator: a parabola of base 2 b and length l, with the area 4 b l / 3, the centroid at 2 l / 5 from the base, and the
   // second moments 4 l b^3 / 15 across and 16 b l^3 / 175 along the axis.
   const Real k = 4;
@@ -238,12 +247,14 @@ void CheckCones(const Manifest& manifest)
   const Vector up = { bottom / generator, 0, height / generator };
   const Real l = generator * (bottom - k) / (2 * bottom);
   cuts.push_back({ "parabola", base, { height, 0, -bottom },
-    Symmetric(Sum(base, Scaled(up, 2 * l / 5)), 4 * b * l / 3, 4 * l * b * b * b / 15, { 0, 1, 0 }, 16 * b * l * l * l / 175, up),
+    Symmetric(Sum(base, Scaled(up, 2 * l / 5)), 4 * b * l / 3, 4 * l * b * b * b / 15, { 0, 1, 0 },
+      16 * b * l * l * l / 175, up),
     200 });
   // Upright beside the axis: a hyperbola.
   for (const Real a : { 2.0L, 11.0L })
   {
-    const auto half = [&](Real z) { return std::sqrt(std::max<Real>(std::pow(bottom * (1 - z / height), Real(2)) - a * a, 0)); };
+    const auto half = [&](Real z)
+    { return std::sqrt(std::max<Real>(std::pow(bottom * (1 - z / height), Real(2)) - a * a, 0)); };
     const Real top = height * (1 - a / bottom);
     // With z = top (1 - s^2) the root at the top is smooth, and Gauss' rule of two points on 4000 parts is exact to 1e-14.
     Real area = 0;
@@ -268,14 +279,16 @@ void CheckCones(const Manifest& manifest)
     }
     const Real closed =
       height / bottom * (bottom * std::sqrt(bottom * bottom - a * a) - a * a * std::acosh(bottom / a));
-    Check("the area of a hyperbola, summed", static_cast<double>(closed), static_cast<double>(area), 1e-13 * static_cast<double>(closed));
+    Check("the area of a hyperbola, summed", static_cast<double>(closed), static_cast<double>(area),
+      1e-13 * static_cast<double>(closed));
     const Real z = first / area;
     cuts.push_back({ Name("hyperbola", a), { a, 0, 0 }, { 1, 0, 0 },
       Symmetric({ a, 0, z }, closed, across, { 0, 1, 0 }, second - area * z * z, { 0, 0, 1 }), 400 });
   }
   cuts.push_back({ "beside", { 0, 0, 20.5L }, { 0.3L, 0.1L, 1 }, {}, 1 });
   SectionScene scene(manifest.GetSpecial("cone_tip").Path);
-  CheckCuts({ "cone", 30, Pi * bottom * (bottom + generator), Pi * bottom * bottom * height / 3 }, scene, cuts);
+  CheckCuts(
+    { "cone", 30, Pi * bottom * (bottom + generator), Pi * bottom * bottom * height / 3 }, scene, cuts);
 }
 
 /// Integral of f over [from, to], with roots or poles at the ends allowed: tanh-sinh rule.
@@ -352,8 +365,10 @@ std::vector<Cut> MakeTorusCuts()
   // Halves of the lens are segments of height R - r at the distance r from the centre of their circle.
   const Real chord = std::sqrt(R * R - r * r);
   const Real segment = lens / 2;
-  const Real alongChord = R * R * R * R / 4 * (angle - std::sin(2 * angle) / 2 * (1 + 2 * std::sin(angle) * std::sin(angle) / 3));
-  const Real acrossCenter = R * R * R * R / 4 * (angle - std::sin(2 * angle) / 2 * (1 - 2 * std::sin(angle) * std::sin(angle)));
+  const Real alongChord =
+    R * R * R * R / 4 * (angle - std::sin(2 * angle) / 2 * (1 + 2 * std::sin(angle) * std::sin(angle) / 3));
+  const Real acrossCenter =
+    R * R * R * R / 4 * (angle - std::sin(2 * angle) / 2 * (1 - 2 * std::sin(angle) * std::sin(angle)));
   // About the chord: the segment's centroid is at 2 chord^3 / (3 segment) from the circle's centre.
   const Real far = 2 * chord * chord * chord / (3 * segment);
   const Real aboutChord = acrossCenter - segment * far * far + segment * (far - r) * (far - r);
@@ -365,7 +380,7 @@ std::vector<Cut> MakeTorusCuts()
   return cuts;
 }
 
-const Case Torus = { "torus", 60, 4 * Pi * Pi * 20 * 6, 2 * Pi * Pi * 20 * 36 };
+const Case Torus = { "torus", 60, 4 * Pi* Pi * 20 * 6, 2 * Pi* Pi * 20 * 36 };
 
 void CheckTori(const Manifest& manifest)
 {
@@ -379,7 +394,8 @@ void CheckHoles(const Manifest& manifest)
   std::vector<Cut> cuts;
   for (const Real z : { 0.5L, 8.0L, 15.0L })
   {
-    const Region block = Symmetric({ 20, 12, z }, 960, 960 * Real(1600) / 12, { 1, 0, 0 }, 960 * Real(576) / 12, { 0, 1, 0 });
+    const Region block =
+      Symmetric({ 20, 12, z }, 960, 960 * Real(1600) / 12, { 1, 0, 0 }, 960 * Real(576) / 12, { 0, 1, 0 });
     cuts.push_back({ Name("hole at", z), { 3, 4, z }, { 0, 0, 1 },
       Combine(block, Ellipse({ 12 + 0.75L * z, 11, z }, 6.25L, { 1, 0, 0 }, 5, { 0, 1, 0 }), -1), 100 });
   }
@@ -391,11 +407,13 @@ void CheckHoles(const Manifest& manifest)
   cuts.clear();
   for (const Real z : { -9.0L, -6.0L, -1.5L, 0.0L, 4.0L })
   {
-    const auto circle = [](Real x, Real y, Real at, Real square)
-    { return Ellipse({ x, y, at }, std::sqrt(square), { 1, 0, 0 }, std::sqrt(square), { 0, 1, 0 }); };
+    const auto circle = [](Real x, Real y, Real at, Real square) {
+      return Ellipse({ x, y, at }, std::sqrt(square), { 1, 0, 0 }, std::sqrt(square), { 0, 1, 0 });
+    };
     const Real hole = 36 - (z + 1.5L) * (z + 1.5L);
     const Region outer = circle(0, 0, z, 100 - z * z);
-    cuts.push_back({ Name("void at", z), { 0, 0, z }, { 0, 0, 1 }, hole > 0 ? Combine(outer, circle(1, 2, z, hole), -1) : outer, 120 });
+    cuts.push_back({ Name("void at", z), { 0, 0, z }, { 0, 0, 1 },
+      hole > 0 ? Combine(outer, circle(1, 2, z, hole), -1) : outer, 120 });
   }
   SectionScene scene(manifest.GetSolid("hollow_sphere", "plain")[0].Path);
   CheckCuts({ "hollow ball", 20, 4 * Pi * 136, 4 * Pi / 3 * (1000 - 216), 1e-14L }, scene, cuts);
@@ -444,7 +462,8 @@ void CheckPlacements(const Manifest& manifest)
       }
       SectionScene scene(manifest.GetSolid("torus", "plain")[0].Path);
       scene.Move->SetRotation(30, 30, 30);
-      scene.Move->SetTranslation(static_cast<double>(move[0]), static_cast<double>(move[1]), static_cast<double>(move[2]));
+      scene.Move->SetTranslation(
+        static_cast<double>(move[0]), static_cast<double>(move[1]), static_cast<double>(move[2]));
       scene.Move->SetMirror(mirror ? vtkNURBSTransform::X : vtkNURBSTransform::NONE);
       Case body = Torus;
       body.What = std::string(mirror ? "mirrored torus" : "moved torus") + (distance > 0 ? " far away" : "");
@@ -466,7 +485,8 @@ int TestSolidSection(int argc, char* argv[])
   SetBackend(argv[3]);
   const Manifest manifest(argv[1]);
   RunMode(argv[2], manifest,
-    { { "boxes", CheckBoxes }, { "cylinders", CheckCylinders }, { "balls", CheckBalls }, { "cones", CheckCones },
-      { "tori", CheckTori }, { "holes", CheckHoles }, { "placements", CheckPlacements } });
+    { { "boxes", CheckBoxes }, { "cylinders", CheckCylinders }, { "balls", CheckBalls },
+      { "cones", CheckCones }, { "tori", CheckTori }, { "holes", CheckHoles },
+      { "placements", CheckPlacements } });
   return Finish();
 }

@@ -3,9 +3,9 @@
 #include "smSectionTesting.h"
 
 #include <vtkCellData.h>
+#include <vtkCleanPolyData.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFeatureEdges.h>
-#include <vtkCleanPolyData.h>
 #include <vtkMath.h>
 #include <vtkNURBSDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -22,8 +22,8 @@ namespace
 using namespace smtest;
 
 /// A plane that touches a face or runs along it: areas up to `most` are within what the numbers are accurate to.
-void CheckTouch(const std::string& what, SectionScene& scene, const Vector& point, const Vector& normal, double most,
-  double widest, bool isDetermined)
+void CheckTouch(const std::string& what, SectionScene& scene, const Vector& point, const Vector& normal,
+  double most, double widest, bool isDetermined)
 {
   for (const int sense : { 1, -1 })
   {
@@ -60,10 +60,12 @@ void CheckTouching(const Manifest& manifest)
   {
     // What a plane off by 1e-15 cuts: twice the root of 2 r 1e-15 wide, 25 long, or a ring around the axis.
     SectionScene cylinder(manifest.GetSolid("cylinder", "plain")[0].Path);
-    CheckTouch("cylinder, along a line", cylinder, { 8, 2, 1 }, { 1, 0, 0 }, 25 * 2 * std::sqrt(16e-15), 1e-3, false);
+    CheckTouch(
+      "cylinder, along a line", cylinder, { 8, 2, 1 }, { 1, 0, 0 }, 25 * 2 * std::sqrt(16e-15), 1e-3, false);
   }
   SectionScene torus(manifest.GetSolid("torus", "plain")[0].Path);
-  CheckTouch("torus, along a circle", torus, { 1, 2, 6 }, { 0, 0, 1 }, 2 * 3.14159 * 20 * 2 * std::sqrt(12e-15), 1e-2, false);
+  CheckTouch("torus, along a circle", torus, { 1, 2, 6 }, { 0, 0, 1 },
+    2 * 3.14159 * 20 * 2 * std::sqrt(12e-15), 1e-2, false);
 }
 
 /// Area of the cells of the section in the picture.
@@ -118,10 +120,12 @@ void CheckOutputs(const Manifest& manifest)
   vtkFieldData* rows = vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData();
   namespace names = sm::names;
   const std::pair<const char*, std::vector<double>> exact[] = { { names::SectionArea, { 600 } },
-    { names::SectionCentroid, { 15, 10, 2.5 } }, { names::SectionSecondMoments, { 45000, 20000, 0, 0, 0, 0 } },
+    { names::SectionCentroid, { 15, 10, 2.5 } },
+    { names::SectionSecondMoments, { 45000, 20000, 0, 0, 0, 0 } },
     { names::SectionPrincipalMoments, { 20000, 45000 } }, { names::VolumeBelow, { 1500 } },
-    { names::CenterBelow, { 15, 10, 1.25 } }, { names::MassBelow, { 1500e-9 * 7850 } }, { names::VolumeAbove, { 4500 } },
-    { names::CenterAbove, { 15, 10, 6.25 } }, { names::MassAbove, { 4500e-9 * 7850 } } };
+    { names::CenterBelow, { 15, 10, 1.25 } }, { names::MassBelow, { 1500e-9 * 7850 } },
+    { names::VolumeAbove, { 4500 } }, { names::CenterAbove, { 15, 10, 6.25 } },
+    { names::MassAbove, { 4500e-9 * 7850 } } };
   for (const auto& [name, values] : exact)
   {
     const double bound = GetFieldBound(fields, name);
@@ -129,12 +133,15 @@ void CheckOutputs(const Manifest& manifest)
     for (std::size_t c = 0; c < values.size(); ++c)
     {
       Check(name, values[c], GetField(fields, name, static_cast<int>(c)), bound);
-      Check(std::string(name) + " of the solid", values[c], rows->GetArray(name)->GetComponent(0, static_cast<int>(c)), bound);
+      Check(std::string(name) + " of the solid", values[c],
+        rows->GetArray(name)->GetComponent(0, static_cast<int>(c)), bound);
     }
   }
   // The largest second moment is along x.
-  Check("direction of the largest moment", 1.0, std::abs(GetField(fields, names::SectionPrincipalDirections, 3)), 1e-12);
-  Check("direction of the smallest moment", 1.0, std::abs(GetField(fields, names::SectionPrincipalDirections, 1)), 1e-12);
+  Check("direction of the largest moment", 1.0,
+    std::abs(GetField(fields, names::SectionPrincipalDirections, 3)), 1e-12);
+  Check("direction of the smallest moment", 1.0,
+    std::abs(GetField(fields, names::SectionPrincipalDirections, 1)), 1e-12);
   auto* faces = vtkTable::SafeDownCast(filter->GetOutputDataObject(3));
   double sum = 0.0;
   for (vtkIdType row = 0; row < faces->GetNumberOfRows(); ++row)
@@ -151,14 +158,15 @@ void CheckOutputs(const Manifest& manifest)
   auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(scene.Reader->GetOutputDataObject(0));
   auto* leaf = vtkNURBSDataSet::SafeDownCast(parts->GetPartition(0, 0));
   leaf->GetBounds(bounds);
-  CheckTrue("the input stays what it is", leaf->GetModel() != nullptr && bounds[5] == 10.0 &&
-      !leaf->GetCellData()->HasArray(names::SectionCap));
+  CheckTrue("the input stays what it is",
+    leaf->GetModel() != nullptr && bounds[5] == 10.0 && !leaf->GetCellData()->HasArray(names::SectionCap));
   filter->Modified();
   filter->Update();
   CheckTrue("cut once, integrated once", filter->GetEvaluations() == 0);
   filter->SetDensity(0.0);
   filter->Update();
-  CheckTrue("no density, no mass", std::isnan(GetField(filter->GetOutput()->GetFieldData(), names::MassBelow, 0)));
+  CheckTrue(
+    "no density, no mass", std::isnan(GetField(filter->GetOutput()->GetFieldData(), names::MassBelow, 0)));
   MessageTrap messages(filter);
   filter->SetDensity(-1.0);
   CheckEqual("errors of a negative density", 1, messages.NumberOfErrors);
@@ -197,11 +205,14 @@ void CheckOutputs(const Manifest& manifest)
     }
     both = row == 0 ? own : Combine(both, own, 1);
   }
-  Check("two solids, area", static_cast<double>(both.Area), two.Filter->GetSectionArea(), 2 * two.Filter->GetSectionAreaBound());
+  Check("two solids, area", static_cast<double>(both.Area), two.Filter->GetSectionArea(),
+    2 * two.Filter->GetSectionAreaBound());
   double second[6];
   two.Filter->GetSectionSecondMoments(second);
-  Check("two solids, second moment", static_cast<double>(both.Second[0][0]), second[0], 2 * two.Filter->GetSectionSecondMomentsBound());
-  Check("two solids, mixed second moment", static_cast<double>(both.Second[0][2]), second[5], 2 * two.Filter->GetSectionSecondMomentsBound());
+  Check("two solids, second moment", static_cast<double>(both.Second[0][0]), second[0],
+    2 * two.Filter->GetSectionSecondMomentsBound());
+  Check("two solids, mixed second moment", static_cast<double>(both.Second[0][2]), second[5],
+    2 * two.Filter->GetSectionSecondMomentsBound());
 }
 
 /// A void whose face points outwards counts as material: that must not pass.
@@ -261,12 +272,14 @@ void CheckSplines(const Manifest& manifest)
       const double secant = std::sqrt(1.0 + 1.25 * slope * slope);
       const std::string label = std::string(name) + ", slope " + std::to_string(slope);
       Check(label, part.Volume / height * secant, scene.Filter->GetSectionArea(),
-        scene.Filter->GetSectionAreaBound() + part.VolumeAccuracy / height + 1e-15 * part.Volume, "the bound");
+        scene.Filter->GetSectionAreaBound() + part.VolumeAccuracy / height + 1e-15 * part.Volume,
+        "the bound");
       CheckRange(label + ", bound", 0.0, scene.Filter->GetSectionAreaBound(), 2e-9 * part.Area);
       CheckEqual(label + ", status", "ok", scene.Filter->GetStatus());
     }
   }
-  for (const char* name : { "bicylinder", "ellipsoid", "spline_ring", "wavy_plate", "graph_9_9", "rational_block", "moebius_1000" })
+  for (const char* name :
+    { "bicylinder", "ellipsoid", "spline_ring", "wavy_plate", "graph_9_9", "rational_block", "moebius_1000" })
   {
     const Expected part = manifest.GetSolid(name, "plain")[0];
     SectionScene scene(part.Path);
@@ -301,7 +314,7 @@ int TestSolidSectionRuns(int argc, char* argv[])
   SetBackend(argv[3]);
   const Manifest manifest(argv[1]);
   RunMode(argv[2], manifest,
-    { { "touching", CheckTouching }, { "outputs", CheckOutputs }, { "shells", CheckShells }, { "open", CheckOpen },
-      { "splines", CheckSplines } });
+    { { "touching", CheckTouching }, { "outputs", CheckOutputs }, { "shells", CheckShells },
+      { "open", CheckOpen }, { "splines", CheckSplines } });
   return Finish();
 }
