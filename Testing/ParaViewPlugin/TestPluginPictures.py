@@ -68,7 +68,7 @@ elif mode == "share":
     mass = apply(os.path.join(models, "free_form_part.step"))
     color_by(mass, "FaceShare", 0.0, 0.08)
 elif mode == "section":
-    mass = apply(os.path.join(models, "free_form_part.step"), "Section", Point=[50.0, 20.0, 10.0], Normal=[0.0, -1.0, 0.4], Density=7850.0)
+    mass = apply(os.path.join(models, "free_form_part.step"), "Section", Point=[0.0, 2.0, -6.0], Normal=[-0.6, -1.0, 0.4], Density=7850.0)
 else:
     check_equal("mode", "volume", mode)
     mass = apply(os.path.join(parts, "gear_train.step"))
@@ -86,7 +86,7 @@ elif mode == "flagged":
     # The same text, not red.
     simple.GetRepresentation(servermanager.OutputPort(mass, 2), view).FlaggedColor = [1.0, 1.0, 1.0]
 elif mode == "section":
-    mass.Normal = [0.0, -1.0, 0.5]
+    mass.Point = [0.0, 4.0, -6.0]
 elif mode == "share":
     color_by(mass, "FaceGap", 0.0, 0.08)
 else:

@@ -109,7 +109,7 @@ if servermanager.ProxyManager().SMProxyManager.HasDefinition("filters", "SolidSt
 if servermanager.ProxyManager().SMProxyManager.HasDefinition("filters", "SolidSection"):
     cut = show_all(Section(Input=red, Point=[0.0, 0.0, 5.0]))  # noqa: F821
     check_equal("the clipped part", ("SectionRepresentation", "Color"), (display(cut, 7).SMProxy.GetXMLName(), display(cut, 7).ColorArrayName[1]))
-    check_equal("the solids beside it are not shown", False, bool(display(cut, 5) and display(cut, 5).Visibility))
+    check_true("the solids beside it are not shown", view.SMProxy.FindRepresentation(cut.SMProxy, 5) is None)
     simple.Delete(cut)
 tilted = show_all(Buoyancy(Input=red, Point=[0.0, 0.0, 5.0]))  # noqa: F821
 for source in (mass, tilted):
