@@ -113,9 +113,9 @@ void CheckResults(
   if (!(row.AreaBound <= tolerance * sm::GetAreaScale(*body.Model)))
   {
     body.Flag(sm::Status::ToleranceNotMet,
-      "the bound of the section's area is above the tolerance: where the plane runs along a face, or touches "
-      "one, by no more than the "
-      "numbers are accurate to, the area is not determined. Move the plane");
+      "the bound of the section's area is above the tolerance: where the plane runs along a face or a gap, "
+      "or touches a face, by no "
+      "more than the numbers are accurate to, the area is not determined. Move the plane");
   }
   if (body.OpenEdges > 0)
   {

@@ -215,6 +215,41 @@ void CheckOutputs(const Manifest& manifest)
     2 * two.Filter->GetSectionSecondMomentsBound());
 }
 
+/// Runs that are stopped, or may not evaluate enough: nothing is computed, or the bounds say what is missing.
+void CheckLimits(const Manifest& manifest)
+{
+  const std::string path = manifest.GetSolid("torus", "plain")[0].Path;
+  const double exact = 3.14159265358979323846 * (26.0 * 26.0 - 14.0 * 14.0);
+  {
+    SectionScene slow(path);
+    MessageTrap trap(slow.Filter);
+    slow.Filter->SetMaximumSeconds(1e-9);
+    slow.Filter->Update();
+    CheckEqual("no time, status", sm::names::StatusNotComputed, slow.Filter->GetStatus());
+    CheckTrue("no time, no area", std::isnan(slow.Filter->GetSectionArea()));
+    CheckTrue("no time, said", Says(slow.Filter, "MaximumSeconds were over"), GetMessages(slow.Filter));
+    CheckTrue("no time, but the picture, which needs no integral",
+      vtkPolyData::SafeDownCast(slow.Filter->GetOutputDataObject(7))->GetNumberOfPolys() > 0);
+    slow.Filter->SetMaximumSeconds(0.0);
+    slow.Filter->Update();
+    Check("the next run", exact, slow.Filter->GetSectionArea(), slow.Filter->GetSectionAreaBound());
+  }
+  SectionScene few(path);
+  MessageTrap trap(few.Filter);
+  few.Filter->SetMaximumEvaluations(100);
+  few.Filter->Update();
+  CheckEqual("few evaluations, status", "tolerance-not-met", few.Filter->GetStatus());
+  Check(
+    "few evaluations", exact, few.Filter->GetSectionArea(), few.Filter->GetSectionAreaBound(), "the bound");
+  Check("few evaluations, volume", 3.14159265358979323846 * 3.14159265358979323846 * 20.0 * 36.0,
+    few.Filter->GetVolumeAbove(), few.Filter->GetVolumeAboveBound(), "the bound");
+  // The shaders are what the numbers come from.
+  few.Filter->SetMaximumEvaluations(2000000000);
+  few.Filter->SetShaderPerturbation(1.0 + 1e-4);
+  few.Filter->Update();
+  CheckRange("perturbed shaders", 1e-5 * exact, std::abs(few.Filter->GetSectionArea() - exact), 1e-3 * exact);
+}
+
 /// A void whose face points outwards counts as material: that must not pass.
 void CheckShells(const Manifest& manifest)
 {
@@ -314,7 +349,7 @@ int TestSolidSectionRuns(int argc, char* argv[])
   SetBackend(argv[3]);
   const Manifest manifest(argv[1]);
   RunMode(argv[2], manifest,
-    { { "touching", CheckTouching }, { "outputs", CheckOutputs }, { "shells", CheckShells },
-      { "open", CheckOpen }, { "splines", CheckSplines } });
+    { { "touching", CheckTouching }, { "outputs", CheckOutputs }, { "limits", CheckLimits },
+      { "shells", CheckShells }, { "open", CheckOpen }, { "splines", CheckSplines } });
   return Finish();
 }
