@@ -136,6 +136,14 @@ std::string CheckDirection(const std::string& text)
     : text + " is not a direction; write x, y, z, -x, -y, -z, or three numbers such as 0,0.1,-1";
 }
 
+std::string CheckPlane(const std::string& text)
+{
+  std::array<double, 6> plane;
+  return ParsePlane(text, plane)
+    ? ""
+    : text + " is no plane; write a point and a normal that is not 0, six numbers such as 0,0,5,0,0,1";
+}
+
 std::string CheckDensity(const std::string& text)
 {
   return ParseDensity(text).Density > 0.0

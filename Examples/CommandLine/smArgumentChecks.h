@@ -28,6 +28,7 @@ std::string CheckDegree(const std::string& text);
 std::string CheckIntegral(const std::string& text);
 std::string CheckHeight(const std::string& text);
 std::string CheckDirection(const std::string& text);
+std::string CheckPlane(const std::string& text);
 std::string CheckDensity(const std::string& text);
 std::string CheckShare(const std::string& text);
 std::string CheckFrame(const std::string& text);

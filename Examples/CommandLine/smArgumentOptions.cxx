@@ -250,6 +250,28 @@ void DeclareWaterlines(CLI::App& app, sm::Arguments& arguments)
     ->check(sm::CheckDirection);
 }
 
+void DeclareSections(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Sections");
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--section",
+      [&planes = arguments.Job.Sections](const std::vector<std::string>& texts)
+      {
+        for (const std::string& text : texts)
+        {
+          sm::ParsePlane(text, planes.emplace_back());
+        }
+      },
+      "Section with the plane through the point X,Y,Z, in the unit of the\n"
+      "results, with the normal NX,NY,NZ: its area, centroid and second moments,\n"
+      "and volume, centre and mass on either side; may be given several times")
+    ->type_name("X,Y,Z,NX,NY,NZ")
+    ->check(sm::CheckPlane)
+    ->take_all()
+    ->allow_extra_args(false);
+}
+
 void DeclareStability(CLI::App& app, sm::Arguments& arguments)
 {
   app.option_defaults()->group("Static stability");
@@ -315,6 +337,7 @@ void DeclareOptions(CLI::App& app, Arguments& arguments)
   DeclareValidation(app, arguments);
   DeclareIntegrals(app, arguments);
   DeclareWaterlines(app, arguments);
+  DeclareSections(app, arguments);
   DeclareStability(app, arguments);
   DeclareSchemes(app, arguments);
 }

@@ -78,6 +78,12 @@ std::string FindMissingModule(const CLI::App& app, const sm::Arguments& argument
     return say("--waterline", "SOLIDMOMENTS_ENABLE_BUOYANCY");
   }
 #endif
+#ifndef SM_HAS_SECTION
+  if (app.count("--section") > 0)
+  {
+    return say("--section", "SOLIDMOMENTS_ENABLE_SECTION");
+  }
+#endif
 #ifndef SM_HAS_STABILITY
   if (app.count("--box") > 0)
   {

@@ -113,6 +113,7 @@ Json MakeEmptyFile(const std::string& fileName)
   file["solids"] = Json::array();
   file["integrals"] = Json::object();
   file["waterlines"] = Json::array();
+  file["sections"] = Json::array();
   file["faces"] = nullptr;
   file["free_faces"] = nullptr;
   file["diagonal"] = nullptr;

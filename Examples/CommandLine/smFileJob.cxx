@@ -22,6 +22,9 @@
 #ifdef SM_HAS_MOMENT_SCHEMES
 #include "smSchemeJob.h"
 #endif
+#ifdef SM_HAS_SECTION
+#include "smSectionJob.h"
+#endif
 #ifdef SM_HAS_STABILITY
 #include "smStabilityJob.h"
 #endif
@@ -282,6 +285,13 @@ vtkSmartPointer<vtkPolyData> IntegrateMore(vtkCADReader* reader, const sm::JobOp
     sm::IntegrateBelowWaterlines(reader, options, makeUpdate(sm::stages::Buoyancy), file, messages);
   }
 #endif
+#ifdef SM_HAS_SECTION
+  if (!options.Sections.empty())
+  {
+    SendResult(send, file, messages, false);
+    sm::IntegrateSections(reader, options, makeUpdate(sm::stages::Section), file, messages);
+  }
+#endif
   // Last: an expression can crash a shader compiler.
   if (!options.Integrals.empty() || options.MomentDegree >= 0)
   {
@@ -414,6 +424,18 @@ bool ParseDirection(const std::string& text, std::array<double, 3>& direction)
   }
   std::copy(numbers.begin(), numbers.end(), direction.begin());
   return direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0;
+}
+
+bool ParsePlane(const std::string& text, std::array<double, 6>& plane)
+{
+  const std::vector<double> numbers = ParseNumbers(text);
+  if (numbers.size() != plane.size() ||
+    !std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }))
+  {
+    return false;
+  }
+  std::copy(numbers.begin(), numbers.end(), plane.begin());
+  return plane[3] != 0.0 || plane[4] != 0.0 || plane[5] != 0.0;
 }
 
 bool ParseFrame(const std::string& text, std::vector<double>& frame)

@@ -39,6 +39,8 @@ struct JobOptions
   /// Heights of waterlines along Up, in the unit of the results; Up is not 0.
   std::vector<double> Waterlines;
   std::array<double, 3> Up = { 0.0, 0.0, 1.0 };
+  /// Planes of sections: a point, in the unit of the results, and a normal that is not 0.
+  std::vector<std::array<double, 6>> Sections;
   int Threads = 0; ///< 0: one for each processor
   double MaximumEvaluations = 2e9;
   double MaximumSeconds = 0.0; ///< for the whole job; 0: no limit
@@ -80,6 +82,7 @@ constexpr const char* Read = "read";
 constexpr const char* Integrate = "integrate";
 constexpr const char* Integrals = "integrals";
 constexpr const char* Buoyancy = "buoyancy";
+constexpr const char* Section = "section";
 constexpr const char* Stability = "stability";
 constexpr const char* Textures = "textures";
 constexpr const char* Mesh = "mesh";
@@ -111,6 +114,9 @@ bool ParseQuantityTolerance(
 
 /// Parses "x", "+y", "-z", or three numbers, "0,0.1,-1"; false when the text is neither, or all three are 0.
 bool ParseDirection(const std::string& text, std::array<double, 3>& direction);
+
+/// Parses a plane "X,Y,Z,NX,NY,NZ", a point and a normal; false when it is not six numbers, or the normal is 0.
+bool ParsePlane(const std::string& text, std::array<double, 6>& plane);
 
 /// Parses "origin", a point "X,Y,Z", or a frame of nine numbers: origin, direction of its z axis, direction of its x axis. False when the
 /// text is none of them, or the directions make no frame.

@@ -196,6 +196,42 @@ std::string WaterlineRows(const Json& file)
   return text;
 }
 
+/// Moments of each section, and what lies on its sides.
+std::string SectionRows(const Json& file)
+{
+  std::string text;
+  for (const Json& section : file["sections"])
+  {
+    const Json& bounds = section["bounds"];
+    const auto add = [&](const char* label, const char* key, int power)
+    {
+      if (!section[key].is_null())
+      {
+        std::string value;
+        for (const Json& number : section[key].is_array() ? section[key] : Json::array({ section[key] }))
+        {
+          value += (value.empty() ? "" : "  ") + sm::FormatValue(number, bounds[key]);
+        }
+        text += BoundedRow(label, value, power > 0 ? sm::FormatUnit(file, power) : "kg", bounds[key]);
+      }
+    };
+    text += Row("section at",
+      sm::FormatVector(section["point"], 1e-9) + "  normal  " + sm::FormatVector(section["normal"], 1e-9), "",
+      nullptr);
+    text += BoundedRow("  its area", sm::FormatValue(section["area"], bounds["area"]),
+      sm::FormatUnit(file, 2), bounds["area"]);
+    add("  its centroid", "centroid", 1);
+    add("  second moments", "principal_moments", 4);
+    add("  volume below", "volume_below", 3);
+    add("  centre below", "center_below", 1);
+    add("  mass below", "mass_below", 0);
+    add("  volume above", "volume_above", 3);
+    add("  centre above", "center_above", 1);
+    add("  mass above", "mass_above", 0);
+  }
+  return text;
+}
+
 /// Defects of the model, which are not part of the bounds: open edges and gaps.
 std::string DefectRows(const Json& total, const Json& file)
 {
@@ -357,6 +393,7 @@ std::string Results(const Json& file)
   text += StabilityRows(total, file);
   text += IntegralRows(file);
   text += WaterlineRows(file);
+  text += SectionRows(file);
   text += SchemeRows(total, file);
   text += ValidationRows(file);
   text += DefectRows(total, file);

@@ -40,11 +40,12 @@ struct Columns
   }
 };
 
-/// Additional columns of all files: names of integrals and the number of waterlines.
+/// Additional columns of all files: names of integrals and the numbers of waterlines and sections.
 struct Extras
 {
   std::vector<std::string> Integrals;
   size_t Waterlines = 0;
+  size_t Sections = 0;
 };
 
 Extras FindExtras(const Json& files)
@@ -61,8 +62,45 @@ Extras FindExtras(const Json& files)
       }
     }
     extras.Waterlines = std::max(extras.Waterlines, file["waterlines"].size());
+    extras.Sections = std::max(extras.Sections, file["sections"].size());
   }
   return extras;
+}
+
+/// Columns of one section; empty where it is null.
+void AddSection(const std::string& stem, const Json& section, Columns& columns)
+{
+  const Json nothing;
+  const std::vector<std::string> xyz = { "x", "y", "z" };
+  const auto get = [&](const char* key) -> const Json& { return section.is_null() ? nothing : section[key]; };
+  const auto addBound = [&](const char* key)
+  { columns.Add(stem + "_" + key + "_bound", section.is_null() ? nothing : section["bounds"][key]); };
+  columns.Add(stem + "_point", get("point"), xyz);
+  columns.Add(stem + "_normal", get("normal"), xyz);
+  columns.Add(stem + "_area", get("area"));
+  addBound("area");
+  columns.Add(stem + "_centroid", get("centroid"), xyz);
+  addBound("centroid");
+  columns.AddMatrix(stem + "_second_moments", get("second_moments"));
+  addBound("second_moments");
+  columns.Add(stem + "_principal_moments", get("principal_moments"), { "1", "2" });
+  addBound("principal_moments");
+  for (const std::string side : { "below", "above" })
+  {
+    for (const std::string quantity : { "volume", "center", "mass" })
+    {
+      const std::string key = quantity + "_" + side;
+      if (quantity == "center")
+      {
+        columns.Add(stem + "_" + key, get(key.c_str()), xyz);
+      }
+      else
+      {
+        columns.Add(stem + "_" + key, get(key.c_str()));
+      }
+      addBound(key.c_str());
+    }
+  }
 }
 
 void AddExtras(const Json& row, const Extras& extras, Columns& columns)
@@ -88,6 +126,11 @@ void AddExtras(const Json& row, const Extras& extras, Columns& columns)
     columns.Add(stem + "_volume_bound", known ? waterline["bounds"]["volume"] : nothing);
     columns.Add(stem + "_center", known ? waterline["center"] : nothing, { "x", "y", "z" });
     columns.Add(stem + "_center_bound", known ? waterline["bounds"]["center"] : nothing);
+  }
+  for (size_t i = 0; i < extras.Sections; ++i)
+  {
+    const bool known = row.contains("sections") && i < row["sections"].size();
+    AddSection("section" + std::to_string(i + 1), known ? row["sections"][i] : nothing, columns);
   }
 }
 

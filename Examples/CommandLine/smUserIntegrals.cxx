@@ -193,8 +193,26 @@ void AddPlaceholders(const JobOptions& options, Json& file)
     waterlines.push_back({ { "height", height }, { "up", options.Up }, { "volume", nullptr },
       { "center", nullptr }, { "bounds", { { "volume", nullptr }, { "center", nullptr } } } });
   }
+  Json sections = Json::array();
+  for (const std::array<double, 6>& plane : options.Sections)
+  {
+    Json section = { { "point", { plane[0], plane[1], plane[2] } },
+      { "normal", { plane[3], plane[4], plane[5] } }, { "principal_directions", nullptr } };
+    Json bounds;
+    for (const char* key : { "area", "centroid", "second_moments", "principal_moments", "volume_below",
+           "center_below", "mass_below", "volume_above", "center_above", "mass_above" })
+    {
+      section[key] = bounds[key] = nullptr;
+    }
+    section["bounds"] = bounds;
+    sections.push_back(section);
+  }
   const auto add = [&](Json& entry)
   {
+    if (!sections.empty())
+    {
+      entry["sections"] = sections;
+    }
     if (!integrals.empty())
     {
       entry["integrals"] = integrals;

@@ -36,7 +36,7 @@ void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options);
 /// Limits the next run of a filter to the seconds that the job has left.
 void SetTimeLimit(vtkSurfaceIntegralBase* filter, const JobOptions& options);
 
-/// Adds the integrals and waterlines that the options ask for to the file and each solid, with null for every value.
+/// Adds the integrals, waterlines and sections that the options ask for to the file and each solid, with null for every value.
 void AddPlaceholders(const JobOptions& options, Json& file);
 
 /// Adds evaluations, dispatches and messages of a filter's last run to the file's. Its status becomes the file's when that was ok.

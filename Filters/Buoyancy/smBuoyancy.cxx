@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace sm
@@ -22,15 +24,19 @@ using Point3 = std::array<double, 3>;
 // bounds by at most sqrt(3), and a face may be twice as far from the frame's origin as the radius.
 constexpr double CutShare = 0.125;
 constexpr double QuadratureShare = 0.4;
+/// Quantities of the submerged part, and degrees of the moments of the section behind them.
 constexpr std::size_t Quantities = 4;
+constexpr int SectionDegrees[] = { 0, 1, 1, 2, 2, 2 };
 // Share of the progress for cutting all faces, and faces cut at the waterline between two reports of progress.
 constexpr double CutProgress = 0.5;
+// Roundings of a placement's entries and of the plane's normal, relative to the distance of a point.
+constexpr double PlacementRoundings = 8.0;
 constexpr std::size_t CutsPerReport = 64;
 
 /// Transforms the values or bounds of one kind of a face's results to moments about the world's origin, along its axes.
 void ToWorld(const Point3& origin, const std::array<Point3, 3>& axes, std::vector<double>& values, bool bound)
 {
-  std::vector<double> world(Quantities, 0.0);
+  std::vector<double> world = values;
   world[0] = values[0];
   for (int c = 0; c < 3; ++c)
   {
@@ -51,7 +57,7 @@ void AddPart(const FaceIntegrals& from, FaceIntegrals& to)
     { &to.Rounding, &from.Rounding }, { &to.Conversion, &from.Conversion } };
   for (const auto& [sum, more] : pairs)
   {
-    for (std::size_t k = 0; k < Quantities; ++k)
+    for (std::size_t k = 0; k < sum->size(); ++k)
     {
       (*sum)[k] += (*more)[k];
     }
@@ -103,15 +109,35 @@ Point3 DisplacedMoments::GetCenter(double& bound) const
   return center;
 }
 
+CutLimits BuoyancyIntegrator::MakeLimits(
+  const CutFace& face, const WaterlineFrame& frame, const Tolerance& tolerance) const
+{
+  CutLimits limits;
+  limits.Volume = CutShare * tolerance.Volume;
+  if (this->WithSection)
+  {
+    const Face& source = *face.Source;
+    double moved = 0.0;
+    for (const Patch& patch : face.Panels.Patches)
+    {
+      moved = std::max(moved, Norm(patch.Displacement));
+    }
+    limits.Area = CutShare * tolerance.Area;
+    // Control points as extracted and as read, a fitted surface, the plane, and the rounding of the placement's entries.
+    limits.Displacement = moved + Norm(source.Surface.Rounding) + source.Surface.Residual + frame.PlaneBound +
+      PlacementRoundings * UnitRoundoff * GetReach(face.Panels, {});
+  }
+  return limits;
+}
+
 bool BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, const HeightPlane& plane,
-  double tolerance, const ProgressCallback& progress, std::vector<SubmergedFace>& below)
+  const std::vector<CutLimits>& limits, const ProgressCallback& progress, std::vector<SubmergedFace>& below)
 {
   below.assign(faces.size(), {});
-  const CutKey key{ plane, tolerance };
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    if (const SubmergedFace* known = this->Below.Find(faces[i]->Source->Id, key))
+    if (const SubmergedFace* known = this->Below.Find(faces[i]->Source->Id, { plane, limits[i] }))
     {
       below[i] = *known;
     }
@@ -132,7 +158,7 @@ bool BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, cons
       {
         for (std::size_t i = begin + from; i < begin + to; ++i)
         {
-          below[missing[i]] = CutBelow(faces[missing[i]], plane, tolerance);
+          below[missing[i]] = CutBelow(faces[missing[i]], plane, limits[missing[i]]);
         }
       });
     for (std::size_t k = begin; k < end; ++k)
@@ -144,7 +170,7 @@ bool BuoyancyIntegrator::CutFaces(const std::vector<CutFacePointer>& faces, cons
         // A face that is entirely below the plane is kept and counted by the other cache.
         bytes += part && part != faces[i] ? CountBytes(*part) : 0;
       }
-      this->Below.Store(faces[i]->Source->Id, key, below[i], bytes);
+      this->Below.Store(faces[i]->Source->Id, { plane, limits[i] }, below[i], bytes);
     }
   }
   return true;
@@ -157,7 +183,7 @@ void BuoyancyIntegrator::ReleaseMemory()
 }
 
 bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterline& waterline,
-  double tolerance, const ProgressCallback& progress, CutBody& cut)
+  const Tolerance& tolerance, const ProgressCallback& progress, CutBody& cut)
 {
   const std::vector<FacePointer>& sources = body.Model->GetFaces();
   // The two halves of the progress: faces into panels, panels at the waterline.
@@ -170,13 +196,24 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
   }
   WaterlineFrame& frame = cut.View;
   frame = WaterlineFrame::Make(body, waterline);
-  if (!this->CutFaces(cut.Faces, frame.Plane, CutShare * tolerance, secondHalf, cut.Below))
+  std::vector<CutLimits> limits;
+  for (const CutFacePointer& face : cut.Faces)
+  {
+    limits.push_back(this->MakeLimits(*face, frame, tolerance));
+  }
+  if (!this->CutFaces(cut.Faces, frame.Plane, limits, secondHalf, cut.Below))
   {
     return false;
   }
+  cut.AreaErrors.assign(sources.size(), 0.0);
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    cut.IsWhole = cut.IsWhole && cut.Below[i].Parts[0] == cut.Faces[i];
+    const SubmergedFace& below = cut.Below[i];
+    const bool isWhole = below.Parts[0] == cut.Faces[i];
+    cut.IsWhole = cut.IsWhole && isWhole;
+    cut.AreaErrors[i] = below.AreaError;
+    cut.IsCrossed = cut.IsCrossed || below.AreaError > 0.0 || !cut.Faces[i]->Error.empty() ||
+      (!isWhole && (below.Parts[0] || below.Parts[1]));
   }
   // Faces below or above the plane by no more than the rounding error of the plane and of their own numbers: a body found to be
   // entirely on one side may have a thin sheet on the other side.
@@ -203,14 +240,19 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
   return true;
 }
 
-void BuoyancyIntegrator::AddTasks(
-  CutBody& cut, std::size_t body, double tolerance, std::vector<FaceTask>& tasks, std::vector<Place>& places)
+void BuoyancyIntegrator::AddTasks(CutBody& cut, std::size_t body, const Tolerance& tolerance,
+  std::vector<FaceTask>& tasks, std::vector<Place>& places) const
 {
   WaterlineFrame& frame = cut.View;
   FaceTask task;
   task.Placement = frame.Placement;
-  task.Tolerances.assign(Quantities, QuadratureShare * tolerance * frame.Reach);
-  task.Tolerances[0] = 2.0 * QuadratureShare * tolerance;
+  task.Tolerances.assign(Quantities, QuadratureShare * tolerance.Volume * frame.Reach);
+  task.Tolerances[0] = 2.0 * QuadratureShare * tolerance.Volume;
+  for (std::size_t k = Quantities; k < this->GetNumberOfQuantities(); ++k)
+  {
+    task.Tolerances.push_back(
+      QuadratureShare * tolerance.Area * std::pow(frame.Reach, SectionDegrees[k - Quantities]));
+  }
   // Origin of the frame in the model's coordinates, as placements are orthonormal.
   Point3 center{};
   for (int j = 0; j < 3; ++j)
@@ -239,12 +281,38 @@ void BuoyancyIntegrator::AddTasks(
         cut.VolumeErrors[i] += moved * GetLargestArea(part->Panels, below.StripArea);
       }
     }
-    frame.Reach =
-      std::max(frame.Reach, cut.VolumeErrors[i] > 0.0 ? GetReach(cut.Faces[i]->Panels, center) : 0.0);
+    const bool isUncertain = cut.VolumeErrors[i] > 0.0 || cut.AreaErrors[i] > 0.0;
+    frame.Reach = std::max(frame.Reach, isUncertain ? GetReach(cut.Faces[i]->Panels, center) : 0.0);
   }
 }
 
-void BuoyancyIntegrator::SumBody(const CutBody& cut, BodyBuoyancy& result)
+namespace
+{
+/// Sums the section's moments of all faces, in the frame's coordinates. `rounding` is the relative rounding of the sums.
+void SumSection(const WaterlineFrame& frame, const std::vector<FaceIntegrals>& faces, double rounding,
+  SectionMoments& section)
+{
+  section.Origin = frame.Origin;
+  section.Axes = { frame.Axes[0], frame.Axes[1] };
+  double* const values[] = { &section.Area, &section.First[0], &section.First[1], &section.Second[0],
+    &section.Second[1], &section.Second[2] };
+  double* const bounds[] = { &section.AreaBound, &section.FirstBound[0], &section.FirstBound[1],
+    &section.SecondBound[0], &section.SecondBound[1], &section.SecondBound[2] };
+  for (std::size_t k = 0; k < std::size(values); ++k)
+  {
+    for (const FaceIntegrals& face : faces)
+    {
+      const std::size_t column = Quantities + k;
+      *values[k] -= face.Face[column] + face.Closing[column];
+      *bounds[k] += face.Error.empty()
+        ? face.GetBound(column) + rounding * (std::abs(face.Face[column]) + std::abs(face.Closing[column]))
+        : std::numeric_limits<double>::infinity();
+    }
+  }
+}
+}
+
+void BuoyancyIntegrator::SumBody(const CutBody& cut, BodyBuoyancy& result) const
 {
   const WaterlineFrame& frame = cut.View;
   DisplacedMoments& total = result.Total;
@@ -262,10 +330,24 @@ void BuoyancyIntegrator::SumBody(const CutBody& cut, BodyBuoyancy& result)
       sums[k] += face.Face[k] + face.Closing[k];
       bounds[k] += face.Error.empty() ? face.GetBound(k) : std::numeric_limits<double>::infinity();
     }
+    for (std::size_t k = Quantities; k < this->GetNumberOfQuantities(); ++k)
+    {
+      face.Conversion[k] += cut.AreaErrors[i] * std::pow(frame.Reach, SectionDegrees[k - Quantities]);
+    }
     magnitude += std::abs(face.Face[0]) + std::abs(face.Closing[0]);
   }
   // Rounding of sums with this number of terms.
-  const double rounding = UnitRoundoff * static_cast<double>(result.Faces.size() + 8) * magnitude;
+  const double relative = UnitRoundoff * static_cast<double>(result.Faces.size() + 8);
+  const double rounding = relative * magnitude;
+  if (cut.IsCrossed && this->WithSection)
+  {
+    SumSection(frame, result.Faces, relative, result.Section);
+  }
+  else
+  {
+    result.Section.Origin = frame.Origin;
+    result.Section.Axes = { frame.Axes[0], frame.Axes[1] };
+  }
   bounds[0] += rounding;
   for (std::size_t k = 1; k < Quantities; ++k)
   {
@@ -296,10 +378,21 @@ void BuoyancyIntegrator::SumBody(const CutBody& cut, BodyBuoyancy& result)
   }
 }
 
-std::vector<Integrand> BuoyancyIntegrator::MakeIntegrands()
+std::vector<Integrand> BuoyancyIntegrator::MakeIntegrands() const
 {
-  return { Integrand::HeightMoment("V", 0, 0, 0), Integrand::HeightMoment("X", 1, 0, 0),
-    Integrand::HeightMoment("Y", 0, 1, 0), Integrand::HeightMoment("Z", 0, 0, 1) };
+  std::vector<Integrand> integrands = { Integrand::HeightMoment("V", 0, 0, 0),
+    Integrand::HeightMoment("X", 1, 0, 0), Integrand::HeightMoment("Y", 0, 1, 0),
+    Integrand::HeightMoment("Z", 0, 0, 1) };
+  if (this->WithSection)
+  {
+    for (const auto& [name, i, j] :
+      { std::make_tuple("A", 0, 0), std::make_tuple("AX", 1, 0), std::make_tuple("AY", 0, 1),
+        std::make_tuple("AXX", 2, 0), std::make_tuple("AYY", 0, 2), std::make_tuple("AXY", 1, 1) })
+    {
+      integrands.push_back(Integrand::SectionMoment(name, i, j));
+    }
+  }
+  return integrands;
 }
 
 bool BuoyancyIntegrator::CutBodies(const std::vector<BodyIntegrals>& bodies, const Waterline& waterline,
@@ -316,8 +409,9 @@ bool BuoyancyIntegrator::CutBodies(const std::vector<BodyIntegrals>& bodies, con
       return !this->WasCutAborted;
     };
     vtkTrimmedNURBSModel& model = *bodies[b].Model;
-    const double tolerance =
-      relativeTolerance * GetVolumeScale(model) / std::max<std::size_t>(model.GetFaces().size(), 1);
+    const double share =
+      relativeTolerance / static_cast<double>(std::max<std::size_t>(model.GetFaces().size(), 1));
+    const Tolerance tolerance{ share * GetVolumeScale(model), share * GetAreaScale(model) };
     if (!this->CutAtWaterline(bodies[b], waterline, tolerance, report, cuts[b]))
     {
       return false;
@@ -349,7 +443,7 @@ bool BuoyancyIntegrator::Integrate(SurfaceIntegrator& integrator, const std::vec
     return false;
   }
   FaceIntegrals zero;
-  for (std::size_t k = 0; k < Quantities; ++k)
+  for (std::size_t k = 0; k < this->GetNumberOfQuantities(); ++k)
   {
     zero.Append(0.0);
   }
@@ -364,7 +458,7 @@ bool BuoyancyIntegrator::Integrate(SurfaceIntegrator& integrator, const std::vec
   }
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
-    SumBody(cuts[b], results[b]);
+    this->SumBody(cuts[b], results[b]);
   }
   return true;
 }

@@ -1,6 +1,7 @@
 #include "smHeightNet.h"
 
 #include "smPatchParts.h"
+#include "smUnitRoundoff.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,8 @@ HeightNet::HeightNet(const FacePanels& panels, const Patch& patch, const HeightP
       height += static_cast<long double>(plane.Up[c]) * point[c];
     }
     this->Coefficients.push_back({ static_cast<double>(height), point[3] });
+    this->LargestNumerator = std::max(this->LargestNumerator, std::abs(this->Coefficients.back()[0]));
+    this->LargestWeight = std::max(this->LargestWeight, point[3]);
   }
   this->Normal = std::min(patch.Stretch[0] * patch.Stretch[1],
                    std::hypot(patch.Normal[0], patch.Normal[1], patch.Normal[2])) /
@@ -53,6 +56,8 @@ HeightNet HeightNet::Exchanged() const
     other.Width[d] = this->Width[1 - d];
   }
   other.Normal = this->Normal;
+  other.LargestNumerator = this->LargestNumerator;
+  other.LargestWeight = this->LargestWeight;
   other.Coefficients.resize(this->Coefficients.size());
   for (int j = 0; j <= this->Degree[1]; ++j)
   {
@@ -62,6 +67,18 @@ HeightNet HeightNet::Exchanged() const
     }
   }
   return other;
+}
+
+double HeightNet::GetRounding() const
+{
+  // Three roundings per level of de Casteljau's algorithm, which runs twice in each direction to restrict a net and once to evaluate
+  // it, and some for sums of series. The parameters of a trim piece's point are rounded, too, by which N changes with its slopes.
+  double roundings = 32.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    roundings += this->Degree[d] * (24.0 + 8.0 * std::abs(this->Start[d]) / std::abs(this->Width[d]));
+  }
+  return roundings * UnitRoundoff * this->LargestNumerator;
 }
 
 NetRange HeightNet::GetRange(const ParameterRange& box) const

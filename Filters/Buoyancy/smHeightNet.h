@@ -82,6 +82,14 @@ public:
                                           : std::numeric_limits<double>::infinity();
   }
 
+  /// Returns a bound of the error of N by the rounding of its coefficients and of its evaluation on the patch.
+  double GetRounding() const;
+  /// Returns a bound of the error of N where no point is further than `displacement` from where it should be against the plane.
+  double GetNoise(double displacement) const
+  {
+    return this->GetRounding() + 1.001 * this->LargestWeight * displacement;
+  }
+
   /// Returns the net with its two parameters exchanged.
   HeightNet Exchanged() const;
 
@@ -91,6 +99,8 @@ private:
   double Start[2] = { 0.0, 0.0 };
   double Width[2] = { 1.0, 1.0 };
   double Normal = 0.0;
+  double LargestNumerator = 0.0;
+  double LargestWeight = 0.0;
   /// Coefficients (N, w), with s varying fastest.
   std::vector<std::array<double, 2>> Coefficients;
 };

@@ -2,7 +2,10 @@
 
 #include "smSubmergedPanels.h"
 #include "smSubmergedStrips.h"
+#include "smUnitRoundoff.h"
+#include "smVector.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -11,21 +14,21 @@ namespace sm
 {
 namespace
 {
-/// Returns -1 if the face is below or in the plane, 1 if it is above or in the plane, 0 if it may be on both sides.
-int FindSide(const FacePanels& panels, const HeightPlane& plane)
+/// Returns -1 if all heights of the face are at most -`margin`, 1 if all are at least `margin`, else 0.
+int FindSide(const FacePanels& panels, const HeightPlane& plane, double margin)
 {
   bool below = false;
   bool above = panels.Outside.Distance > 0.0;
   below = above;
   const auto add = [&](double height)
   {
-    below = below || height < 0.0;
-    above = above || height > 0.0;
+    below = below || height < margin;
+    above = above || height > -margin;
   };
   for (const Patch& patch : panels.Patches)
   {
     const double middle = plane.GetHeight({ patch.Center[0], patch.Center[1], patch.Center[2] });
-    if (std::abs(middle) > 2.0 * patch.Radius)
+    if (std::abs(middle) > 2.0 * patch.Radius + margin)
     {
       add(middle);
       continue;
@@ -51,6 +54,26 @@ int FindSide(const FacePanels& panels, const HeightPlane& plane)
     add(plane.GetHeight(cap.To));
   }
   return below && above ? 0 : above ? 1 : -1;
+}
+
+/// Distance from the plane beyond which the side of a point of the face is certain: heights are rounded, too.
+/// Edges may also be off by their residuals.
+double GetMargin(const CutFace& face, const CutLimits& limits)
+{
+  double radius = 0.0;
+  for (const Patch& patch : face.Panels.Patches)
+  {
+    radius = std::max(radius, patch.Radius);
+  }
+  double residual = 0.0;
+  for (const Loop& loop : face.Source->Loops)
+  {
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      residual = std::max(residual, Norm(coedge.Use->Curve.Residual));
+    }
+  }
+  return limits.Displacement + residual + 16.0 * UnitRoundoff * radius;
 }
 
 CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchanged)
@@ -80,10 +103,12 @@ CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchange
 }
 }
 
-SubmergedFace CutBelow(const CutFacePointer& face, const HeightPlane& plane, double tolerance)
+SubmergedFace CutBelow(const CutFacePointer& face, const HeightPlane& plane, const CutLimits& limits)
 {
   SubmergedFace result;
-  const int side = face->Error.empty() ? FindSide(face->Panels, plane) : -1;
+  const int side = face->Error.empty()
+    ? FindSide(face->Panels, plane, limits.HasArea() ? GetMargin(*face, limits) : 0.0)
+    : -1;
   if (side > 0)
   {
     return result;
@@ -94,11 +119,13 @@ SubmergedFace CutBelow(const CutFacePointer& face, const HeightPlane& plane, dou
     result.Parts[0] = face;
     return result;
   }
-  SubmergedPanels panels(face->Panels, plane, 0.5 * tolerance);
+  const CutLimits half{ 0.5 * limits.Volume, 0.5 * limits.Area, limits.Displacement };
+  SubmergedPanels panels(face->Panels, plane, half);
   panels.Cut();
   result.Boxes = panels.GetBoxes();
-  result.CutError =
-    panels.GetCutError() + CutStripsBelow(face->Panels, plane, 0.5 * tolerance, panels.GetPanels(false));
+  const CutErrors strips = CutStripsBelow(*face->Source, face->Panels, plane, half, panels.GetPanels(false));
+  result.CutError = panels.GetErrors().Volume + strips.Volume;
+  result.AreaError = limits.HasArea() ? panels.GetErrors().Area + strips.Area : 0.0;
   for (int i = 0; i < 2; ++i)
   {
     result.Parts[i] = MakeFace(*face, panels.GetPanels(i == 1), i == 1);

@@ -13,6 +13,18 @@
  * integral by the order of d^2. This error is added to the bound by means of bounds of h along the graph. The bound also covers
  * the boxes around points where the height is 0 and stationary (tangent planes, saddles, tips), whose contribution falls with the
  * fourth power of their size, and the strips between a face and an edge on opposite sides of the plane.
+ *
+ * **Sections.** The area of the section is the flux of -up through the submerged part, its moments those of -up g(x, y), x and y
+ * coordinates of the plane. The 2-form w = g dx dy is closed, but does not vanish on the plane. Let X be the chain as computed and X'
+ * the true one over the same parameters, |X' - X| <= d with the plane's own error in d, and R the part that is kept as submerged.
+ * 1. w over X'(R) less w over X(R) is, by Stokes' theorem, w over what the border of R sweeps from X to X': at most max|g| d times the
+ *    length of that border, which is the graphs alone, since patches, ribbons and caps share all others.
+ * 2. What is in R and not below the true plane, or the reverse, has max|g| times its area: a point left of a graph p(r) has
+ *    N <= e = max |N(p(r), r)|, and if it is above the true plane N >= -n, n the noise of N by d and by rounding; as N is monotone the
+ *    sliver is at most (e + n) / |dN/ds| wide. The same holds with the other sign, and where a trim piece is cut.
+ * 3. Boxes, strips and caps whose heights have no certain sign beyond n count with their whole area, and d times their border.
+ * AreaError is the sum, for g = 1. It is of first order in e and d, so graphs are fitted to rounding; at a plane that runs along a face
+ * or touches it along a curve it is as wide as the area that d leaves open.
  */
 #ifndef smSubmergedFace_h
 #define smSubmergedFace_h
@@ -21,10 +33,37 @@
 #include "smFiltersBuoyancyModule.h"
 #include "smHeightNet.h"
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace sm
 {
+/// Limits of the errors of a cut.
+struct CutLimits
+{
+  /// Limit of SubmergedFace::CutError.
+  double Volume = 0.0;
+  /// Limit of SubmergedFace::AreaError; infinite if all fluxes vanish on the plane, and AreaError is not wanted.
+  double Area = std::numeric_limits<double>::infinity();
+  /// Bound d of the distance of the chain's points from where they should be against the plane; for AreaError.
+  double Displacement = 0.0;
+
+  bool HasArea() const { return std::isfinite(this->Area); }
+  bool operator==(const CutLimits& other) const
+  {
+    return this->Volume == other.Volume && this->Area == other.Area &&
+      this->Displacement == other.Displacement;
+  }
+};
+
+/// Bounds of the integrals of |h| |n| and of |n| over regions that may be on the wrong side.
+struct CutErrors
+{
+  double Volume = 0.0;
+  double Area = 0.0;
+};
+
 /// The submerged part of a face.
 struct SubmergedFace
 {
@@ -33,6 +72,8 @@ struct SubmergedFace
   CutFacePointer Parts[2];
   /// Upper bound of the integral of |h| |n| over all regions that may have been included or omitted wrongly.
   double CutError = 0.0;
+  /// Upper bound of the error of the section's area, see above; 0 if it is not wanted.
+  double AreaError = 0.0;
   /// Upper bound of the area of all ribbons and caps of the face, of which those of the submerged part are parts; 0 without such a
   /// part.
   double StripArea = 0.0;
@@ -40,10 +81,10 @@ struct SubmergedFace
   std::size_t Boxes = 0;
 };
 
-/// Cuts a face at the plane. `tolerance` is the limit for CutError; if a limit of work is reached first, CutError exceeds it. A
-/// face with an error is returned unchanged. Thread safe.
+/// Cuts a face at the plane. If a limit of work is reached first, the errors exceed their limits. A face with an error is returned
+/// unchanged. Thread safe.
 SMFILTERSBUOYANCY_EXPORT SubmergedFace CutBelow(
-  const CutFacePointer& face, const HeightPlane& plane, double tolerance);
+  const CutFacePointer& face, const HeightPlane& plane, const CutLimits& limits);
 }
 
 #endif

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sm
 {
@@ -17,6 +18,10 @@ using Point2 = std::array<double, 2>;
 constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
 // Share of the room beside a box by which a crossing of the waterline may be off, so that the graph still finds it there.
 constexpr double CrossingRoom = 0.05;
+// More than the derivatives of a patch grow in the room beside its box, where graphs may be.
+constexpr double GraphStretch = 1.25;
+// Halvings of a part around a point where it crosses the waterline.
+constexpr int MostUncertainHalvings = 16;
 // Largest number of subdivisions of a piece whose degree is too high for a Chebyshev series of its height.
 constexpr std::size_t MostParts = 4096;
 
@@ -73,7 +78,87 @@ double GetVariation(const RegionPart& part, int direction, double start, double 
 }
 }
 
+CutErrors SubmergedPanels::GetCost(const Monotone& box, double largest, double length) const
+{
+  return { box.Rate * largest * largest * length, box.AreaRate * (largest + box.Noise) * length };
+}
+
 std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const RegionPart& part)
+{
+  const std::vector<SignedRange> ranges = this->FindSigns(box, part);
+  if (this->Limits.HasArea())
+  {
+    // N is monotone between a zero as found and the true one.
+    double largest = 0.0;
+    for (std::size_t i = 1; i < ranges.size(); ++i)
+    {
+      const Point2 at = part.Evaluate(ranges[i].Start);
+      largest = std::max(largest, std::abs(box.Net->Evaluate(at[0], at[1])));
+    }
+    const double length =
+      this->GetUncertainVariation(box, part, part.Start, part.End, largest + box.Noise, 0);
+    this->Errors.Area += length > 0.0 ? this->GetAreaBeside(box, part, largest, length) : 0.0;
+  }
+  return ranges;
+}
+
+double SubmergedPanels::GetUncertainVariation(
+  const Monotone& box, const RegionPart& part, double start, double end, double most, int depth) const
+{
+  const int degree = (box.Net->GetDegree(0) + box.Net->GetDegree(1)) * part.GetDegree();
+  if (degree >= ChebyshevRule::MaximumSize || depth == MostUncertainHalvings)
+  {
+    return GetVariation(part, 1, start, end);
+  }
+  std::vector<double> series;
+  ExpandPolynomial(
+    [&](double t)
+    {
+      const Point2 at = part.Evaluate(t);
+      return box.Net->Evaluate(at[0], at[1]);
+    },
+    degree, start, end, series);
+  const double largest = GetLargest(series);
+  if (2.0 * std::abs(series[0]) - largest > most)
+  {
+    return 0.0;
+  }
+  if (largest <= 2.0 * most)
+  {
+    return GetVariation(part, 1, start, end);
+  }
+  const double middle = 0.5 * (start + end);
+  return this->GetUncertainVariation(box, part, start, middle, most, depth + 1) +
+    this->GetUncertainVariation(box, part, middle, end, most, depth + 1);
+}
+
+double SubmergedPanels::GetAreaBeside(
+  const Monotone& box, const RegionPart& part, double largest, double length) const
+{
+  const double most = largest + box.Noise;
+  ParameterRange around;
+  for (int d = 0; d < 2; ++d)
+  {
+    const std::array<double, 2> extent = GetExtent(part, d, part.From[d], part.From[d]);
+    const double room = d == 0 ? std::max(2.0 * most / box.Slope, 0.5 * box.Room) : 0.0;
+    around.Low[d] = extent[0] - room;
+    around.High[d] = extent[1] + room;
+  }
+  if (!(around.High[1] > around.Low[1]))
+  {
+    return this->GetCost(box, largest, length).Area;
+  }
+  const NetRange range = box.Net->GetRange(around);
+  const double width = box.Net->ToLocal(0, around.High[0]) - box.Net->ToLocal(0, around.Low[0]);
+  // Per unit of the trim pieces' parameter, as box.Slope.
+  const double slope = (std::min(std::abs(range.SlopeLow[0]), std::abs(range.SlopeHigh[0])) -
+                         2.0 * box.Net->GetDegree(0) * box.Net->GetRounding() / width) *
+    width / (around.High[0] - around.Low[0]);
+  const double normal = this->GetLargestNormal(box.SourcePatch, box.Exchanged ? around.Exchanged() : around);
+  return std::min(normal / std::max(slope, box.Slope), box.AreaRate) * most * length;
+}
+
+std::vector<SignedRange> SubmergedPanels::FindSigns(const Monotone& box, const RegionPart& part)
 {
   const std::vector<Point2>& b = *part.Piece;
   int degree = 0;
@@ -95,10 +180,11 @@ std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const 
       degree, part.Start, part.End,
       [&](double start, double end, double largest, bool last)
       {
-        const double cost = box.Rate * largest * largest * GetVariation(part, 1, start, end);
-        if (last || (cost <= this->Small && largest <= CrossingRoom * box.Room * box.Slope))
+        const CutErrors cost = this->GetCost(box, largest, GetVariation(part, 1, start, end));
+        if (last ||
+          (this->IsSmall(cost, largest, box.Noise) && largest <= CrossingRoom * box.Room * box.Slope))
         {
-          this->CutError += cost;
+          this->Add(cost);
           return true;
         }
         return false;
@@ -126,12 +212,13 @@ std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const 
     }
     const NetRange range = box.Net->GetRange(around);
     const double largest = std::max(std::abs(range.Low), std::abs(range.High));
-    const double cost = box.Rate * largest * largest * GetVariation(part, 1, start, end);
+    const CutErrors cost = this->GetCost(box, largest, GetVariation(part, 1, start, end));
     const bool sure = range.High <= 0.0 || range.Low >= 0.0;
-    const bool isSmall = cost <= this->Small && largest <= CrossingRoom * box.Room * box.Slope;
+    const bool isSmall =
+      this->IsSmall(cost, largest, box.Noise) && largest <= CrossingRoom * box.Room * box.Slope;
     if (sure || isSmall || steps > MostParts)
     {
-      this->CutError += sure ? 0.0 : cost;
+      this->Add(sure ? CutErrors() : cost);
       ranges.push_back({ start, end, range.Low + range.High < 0.0 });
     }
     else
@@ -147,6 +234,7 @@ void SubmergedPanels::CutMonotone(const Source& source, Monotone& box, const Reg
 {
   FacePanels& result = this->Results[box.Exchanged ? 1 : 0];
   const ParameterRange own = box.Exchanged ? box.Range.Exchanged() : box.Range;
+  box.SourcePatch = source.Patch;
   box.Patch = AppendPatchPart(this->From, source.Patch, own.Low, own.High, box.Exchanged, result);
   box.Shape = !box.Exchanged || source.Shape == PanelShape::Flat ? source.Shape : PanelShape::General;
   this->Flip = source.Flip != box.Exchanged;
@@ -219,11 +307,31 @@ bool SubmergedPanels::FitGraph(
   const std::array<double, 2> extent = GetExtent(graph, 0, low, high);
   const bool inside = extent[0] > box.Range.Low[0] - box.Room && extent[1] < box.Range.High[0] + box.Room &&
     largest <= 0.25 * box.Room * box.Slope;
-  const double cost =
-    std::abs(end - start) * (inside ? std::min(box.Rate * largest * largest, box.Whole) : box.Whole);
-  if (cost <= this->Small || accept)
+  const double width = std::abs(end - start);
+  CutErrors cost{ box.Whole.Volume * width, box.Whole.Area * width };
+  if (inside)
   {
-    this->CutError += cost;
+    const CutErrors sliver = this->GetCost(box, largest, width);
+    cost = { std::min(sliver.Volume, cost.Volume), std::min(sliver.Area, cost.Area) };
+    if (this->Limits.HasArea())
+    {
+      graph.From = graph.Piece->front();
+      graph.To = graph.Piece->back();
+      cost.Area = std::min(cost.Area, this->GetAreaBeside(box, graph, largest, width));
+    }
+  }
+  if (this->IsSmall(cost, inside ? largest : std::numeric_limits<double>::infinity(), box.Noise) || accept)
+  {
+    this->Add(cost);
+    const Patch& patch = this->Results[box.Exchanged ? 1 : 0].Patches[box.Patch];
+    for (std::size_t i = 1; i < graph.Piece->size(); ++i)
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        this->Errors.Area += GraphStretch * this->Limits.Displacement * patch.Stretch[d] / patch.Width[d] *
+          std::abs((*graph.Piece)[i][d] - (*graph.Piece)[i - 1][d]);
+      }
+    }
     piece = graph.Piece;
     return true;
   }

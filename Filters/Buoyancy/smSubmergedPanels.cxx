@@ -13,6 +13,8 @@ using Point2 = std::array<double, 2>;
 
 // Shares of the tolerance for all boxes that remain unresolved together, and for a single cut or fit.
 constexpr double LeftoverShare = 0.25;
+// Boxes are not halved any more when they have less than this share of what no halving can resolve.
+constexpr double FinalShare = 1.0 / 64.0;
 constexpr double PieceShare = 1.0 / 4096.0;
 // Largest number of boxes per face in addition to its patches, and smallest width of a box relative to its patch.
 constexpr std::size_t MostBoxes = 20000;
@@ -26,11 +28,11 @@ constexpr int MostGraphHalvings = 1000;
 
 }
 
-SubmergedPanels::SubmergedPanels(const FacePanels& source, const HeightPlane& plane, double tolerance)
+SubmergedPanels::SubmergedPanels(const FacePanels& source, const HeightPlane& plane, const CutLimits& limits)
   : From(source)
   , Plane(plane)
-  , Tolerance(tolerance)
-  , Small(PieceShare * tolerance)
+  , Limits(limits)
+  , Small(PieceShare)
 {
 }
 
@@ -64,44 +66,78 @@ void SubmergedPanels::Cut()
     this->AddPatch(patch, std::move(parts));
   }
   // The box with the largest error bound is halved first, until the remaining bounds are small.
-  const auto isLess = [](const Box& a, const Box& b) { return a.Majorant < b.Majorant; };
+  const auto isLess = [](const Box& a, const Box& b) { return a.Excess < b.Excess; };
   std::make_heap(this->Open.begin(), this->Open.end(), isLess);
   const auto sum = [this]()
   {
     double total = 0.0;
     for (const Box& box : this->Open)
     {
-      total += box.Majorant;
+      total += box.Excess;
     }
     return total;
   };
   const std::size_t most = this->Boxes + MostBoxes;
   double left = sum();
   double final = 0.0;
-  while (!this->Open.empty() && this->Boxes < most && left + final > LeftoverShare * this->Tolerance)
+  while (
+    !this->Open.empty() && this->Boxes < most && left > std::max(LeftoverShare - final, FinalShare * final))
   {
     std::pop_heap(this->Open.begin(), this->Open.end(), isLess);
     const Box box = std::move(this->Open.back());
     this->Open.pop_back();
-    const Patch& patch = this->From.Patches[this->Sources[box.Net].Patch];
-    if (box.Range.High[0] - box.Range.Low[0] < SmallestBox * patch.Width[0] ||
-      box.Range.High[1] - box.Range.Low[1] < SmallestBox * patch.Width[1])
+    if (this->IsFinal(box))
     {
-      final += box.Majorant;
+      final += box.Excess;
+      this->AddLeftover(box);
       left = sum();
       continue;
     }
     const std::size_t before = this->Open.size();
     this->Halve(box);
-    left -= box.Majorant;
+    left -= box.Excess;
     for (std::size_t i = before; i < this->Open.size(); ++i)
     {
-      left += this->Open[i].Majorant;
+      left += this->Open[i].Excess;
       std::push_heap(this->Open.begin(), this->Open.begin() + static_cast<std::ptrdiff_t>(i) + 1, isLess);
     }
     left = std::isfinite(left) ? left : sum();
   }
-  this->CutError += final + sum();
+  for (const Box& box : this->Open)
+  {
+    this->AddLeftover(box);
+  }
+}
+
+double SubmergedPanels::GetLargestNormal(std::uint32_t patch, const ParameterRange& range) const
+{
+  FacePanels part;
+  AppendPatchPart(this->From, patch, range.Low, range.High, false, part);
+  return HeightNet(part, part.Patches[0], this->Plane).GetLargestNormal();
+}
+
+bool SubmergedPanels::IsFinal(const Box& box) const
+{
+  const Source& source = this->Sources[box.Net];
+  const Patch& patch = this->From.Patches[source.Patch];
+  if (box.Range.High[0] - box.Range.Low[0] < SmallestBox * patch.Width[0] ||
+    box.Range.High[1] - box.Range.Low[1] < SmallestBox * patch.Width[1])
+  {
+    return true;
+  }
+  const NetRange range = source.Net.GetRange(box.Range);
+  return std::max(range.High, -range.Low) < this->GetNoise(source.Net);
+}
+
+void SubmergedPanels::AddLeftover(const Box& box)
+{
+  this->Add(box.Majorant);
+  const Patch& patch = this->From.Patches[this->Sources[box.Net].Patch];
+  for (int d = 0; d < 2; ++d)
+  {
+    const double length = patch.Stretch[d] * (box.Range.High[d] - box.Range.Low[d]) / patch.Width[d];
+    this->Errors.Area += 2.0 * this->Limits.Displacement * length;
+  }
 }
 
 void SubmergedPanels::AddPatch(std::uint32_t index, Region parts)
@@ -163,10 +199,17 @@ bool SubmergedPanels::IsMonotone(const HeightNet& net, const ParameterRange& ran
   {
     return false;
   }
-  const double slope = std::min(std::abs(bounds.SlopeLow[0]), std::abs(bounds.SlopeHigh[0]));
-  const double across = std::max(std::abs(bounds.SlopeLow[1]), std::abs(bounds.SlopeHigh[1]));
   const double width[2] = { net.ToLocal(0, range.High[0]) - net.ToLocal(0, range.Low[0]),
     net.ToLocal(1, range.High[1]) - net.ToLocal(1, range.Low[1]) };
+  // Differences of coefficients that are rounded.
+  const double rounding =
+    this->Limits.HasArea() ? 2.0 * net.GetDegree(0) * net.GetRounding() / width[0] : 0.0;
+  const double slope = std::min(std::abs(bounds.SlopeLow[0]), std::abs(bounds.SlopeHigh[0])) - rounding;
+  const double across = std::max(std::abs(bounds.SlopeLow[1]), std::abs(bounds.SlopeHigh[1]));
+  if (!(slope > 0.0))
+  {
+    return false;
+  }
   if (!(SteepestGraph * slope * width[0] >= across * width[1]))
   {
     return false;
@@ -178,8 +221,11 @@ bool SubmergedPanels::IsMonotone(const HeightNet& net, const ParameterRange& ran
   found.Slope = slope * width[0] / (range.High[0] - range.Low[0]);
   // |h| <= N / w on a sliver of width N / slope.
   found.Rate = net.GetLargestNormal() / (bounds.LowestWeight * found.Slope);
+  found.AreaRate = net.GetLargestNormal() / found.Slope;
+  found.Noise = this->GetNoise(net);
   found.Room = room;
-  found.Whole = bounds.GetLargestHeight() * net.GetLargestNormal() * (wide.High[0] - wide.Low[0]);
+  found.Whole.Area = net.GetLargestNormal() * (wide.High[0] - wide.Low[0]);
+  found.Whole.Volume = bounds.GetLargestHeight() * found.Whole.Area;
   found.Halvings = MostGraphHalvings;
   return true;
 }
@@ -188,9 +234,10 @@ bool SubmergedPanels::IsResolved(const Box& box, bool& below, int& monotone) con
 {
   const Source& source = this->Sources[box.Net];
   const NetRange range = source.Net.GetRange(box.Range);
-  below = range.High <= 0.0;
+  const double noise = this->GetNoise(source.Net);
+  below = range.High <= -noise;
   monotone = -1;
-  if (below || range.Low >= 0.0)
+  if (below || range.Low >= noise)
   {
     return true;
   }
@@ -221,8 +268,12 @@ bool SubmergedPanels::Resolve(Box& box)
   if (!this->IsResolved(box, below, monotone))
   {
     const NetRange range = source.Net.GetRange(box.Range);
-    box.Majorant = range.GetLargestHeight() * source.Net.GetLargestNormal() *
-      (box.Range.High[0] - box.Range.Low[0]) * (box.Range.High[1] - box.Range.Low[1]);
+    const double size = (box.Range.High[0] - box.Range.Low[0]) * (box.Range.High[1] - box.Range.Low[1]);
+    box.Majorant.Volume = range.GetLargestHeight() * source.Net.GetLargestNormal() * size;
+    // Near a collapsed edge the normals of a box are much smaller than those of its patch.
+    box.Majorant.Area =
+      size * (this->Limits.HasArea() ? this->GetLargestNormal(source.Patch, box.Range) : 0.0);
+    box.Excess = std::max(box.Majorant.Volume / this->Limits.Volume, box.Majorant.Area / this->Limits.Area);
     return false;
   }
   if (below)

@@ -7,6 +7,7 @@
 
 #include "smFacePanels.h"
 #include "smHeightNet.h"
+#include "smSubmergedFace.h"
 #include "smTrimRegion.h"
 
 #include <cstddef>
@@ -20,14 +21,14 @@ namespace sm
 class SubmergedPanels
 {
 public:
-  SubmergedPanels(const FacePanels& source, const HeightPlane& plane, double tolerance);
+  SubmergedPanels(const FacePanels& source, const HeightPlane& plane, const CutLimits& limits);
 
   /// Cuts the panels of all patches.
   void Cut();
 
   /// Returns the resulting panels: in the parameters of the source, or with these exchanged.
   FacePanels& GetPanels(bool exchanged) { return this->Results[exchanged ? 1 : 0]; }
-  double GetCutError() const { return this->CutError; }
+  const CutErrors& GetErrors() const { return this->Errors; }
   std::size_t GetBoxes() const { return this->Boxes; }
 
 private:
@@ -37,8 +38,9 @@ private:
     std::size_t Net;
     ParameterRange Range;
     Region Parts;
-    /// Upper bound of the integral of |h| |n| over the box.
-    double Majorant = 0.0;
+    /// Upper bounds of the integrals over the box, and the larger of their ratios to the limits.
+    CutErrors Majorant;
+    double Excess = 0.0;
   };
   /// A box in which the height is monotone in the first parameter.
   struct Monotone
@@ -47,16 +49,21 @@ private:
     ParameterRange Range;
     bool Exchanged;
     std::uint32_t Patch;
+    std::uint32_t SourcePatch;
     PanelShape Shape;
     bool Increasing;
     /// Lower bound of |dN| per unit of the first parameter, on the box and Room on both sides of it.
     double Slope;
     /// Bound of the integral of |h| |n| over a sliver beside the waterline, per N^2 and per unit of the second parameter.
     double Rate;
+    /// Surface area of such a sliver, per |N| and per unit of the second parameter.
+    double AreaRate;
+    /// Bound of the error of N, for the area.
+    double Noise;
     /// Width on each side of the box, in the first parameter, within which the height is known to be monotone too.
     double Room;
-    /// Bound of the integral of |h| |n| over the box and Room on both sides, per unit of the second parameter.
-    double Whole;
+    /// Bounds of the integrals over the box and Room on both sides, per unit of the second parameter.
+    CutErrors Whole;
     /// Number of further halvings of graphs that are allowed.
     int Halvings;
   };
@@ -71,6 +78,27 @@ private:
   };
 
   void AddPatch(std::uint32_t patch, Region parts);
+  /// Returns a bound of the error of N that decides which side of the plane is certain: 0 if areas are not wanted.
+  double GetNoise(const HeightNet& net) const
+  {
+    return this->Limits.HasArea() ? net.GetNoise(this->Limits.Displacement) : 0.0;
+  }
+  /// Returns an upper bound of |n| on a part of a patch of the source: surface area per area in the parameters of the trim pieces.
+  double GetLargestNormal(std::uint32_t patch, const ParameterRange& range) const;
+  /// Returns true if no halving of the box decides on which side it is.
+  bool IsFinal(const Box& box) const;
+  void AddLeftover(const Box& box);
+  /// Returns true if an error is so small that a cut or fit may cause it. `largest` is its |N|.
+  bool IsSmall(const CutErrors& cost, double largest, double noise) const
+  {
+    return cost.Volume <= this->Small * this->Limits.Volume &&
+      (cost.Area <= this->Small * this->Limits.Area || largest <= noise);
+  }
+  void Add(const CutErrors& cost)
+  {
+    this->Errors.Volume += cost.Volume;
+    this->Errors.Area += cost.Area;
+  }
   /// Appends the submerged panels of a box. Returns false if the box must be halved.
   bool Resolve(Box& box);
   bool IsResolved(const Box& box, bool& below, int& monotone) const;
@@ -78,15 +106,26 @@ private:
   void Halve(const Box& box);
   int ChooseDirection(const Box& box) const;
   void CutMonotone(const Source& source, Monotone& box, const Region& region);
+  /// Returns the integrals over a sliver with |N| at most `largest` along a length in the second parameter, and for the area also
+  /// what is not certain beside it.
+  CutErrors GetCost(const Monotone& box, double largest, double length) const;
+  /// Returns the area that is not certain beside a part, with |N| at most `largest` along a length in the second parameter, by bounds
+  /// near the part; those of the box are used where they are smaller.
+  double GetAreaBeside(const Monotone& box, const RegionPart& part, double largest, double length) const;
+  /// Returns the variation of the second parameter along the interval of a part where |N| may be at most `most`.
+  double GetUncertainVariation(
+    const Monotone& box, const RegionPart& part, double start, double end, double most, int depth) const;
+  /// Find the ranges of a part on which N has one sign; FindRanges() adds the area that is not certain beside it.
   std::vector<struct SignedRange> FindRanges(const Monotone& box, const RegionPart& part);
+  std::vector<struct SignedRange> FindSigns(const Monotone& box, const RegionPart& part);
   void AddGraph(Monotone& box, double start, double end, int sign);
   bool FitGraph(const Monotone& box, double start, double end, int degree, bool accept, PiecePointer& piece);
   void AddPanel(bool exchanged, std::uint32_t patch, PanelShape shape, bool flip, const RegionPart& part);
 
   const FacePanels& From;
   HeightPlane Plane;
-  double Tolerance;
-  /// Largest error that a single cut or fit may cause.
+  CutLimits Limits;
+  /// Share of the limits that a single cut or fit may cause.
   double Small;
   std::vector<Source> Sources;
   std::vector<Box> Open;
@@ -95,7 +134,7 @@ private:
   /// Pieces whose addresses are keys of Trims; they must stay alive.
   std::vector<PiecePointer> Kept;
   bool Flip = false;
-  double CutError = 0.0;
+  CutErrors Errors;
   std::size_t Boxes = 0;
 };
 }

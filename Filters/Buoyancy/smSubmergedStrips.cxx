@@ -4,6 +4,7 @@
 #include "smPatchParts.h"
 #include "smPolynomialCurve.h"
 #include "smSignChanges.h"
+#include "smUnitRoundoff.h"
 #include "smVector.h"
 
 #include <algorithm>
@@ -18,8 +19,13 @@ namespace
 {
 using Point3 = std::array<double, 3>;
 
-// Share of the tolerance for the position of one crossing.
+// Share of the limits for one crossing.
 constexpr double CrossingShare = 1.0 / 4096.0;
+// Largest numbers of halvings of an interval and of parts of a strip.
+constexpr int MostHalvings = 44;
+constexpr int MostParts = 4096;
+// Roundings of a point of an edge's curve, relative to its coordinates.
+constexpr double EdgeRoundings = 32.0;
 
 /// A ribbon whose two curves are parametrised over [0,1].
 class Strip
@@ -41,6 +47,8 @@ public:
   double Length;
   /// Lowest weight of the patch.
   double LowestWeight;
+  /// Largest distance of the edge's control points from the model's origin.
+  double EdgeReach = 0.0;
 
 private:
   double ToTrim(double t) const { return this->Own.Start + (this->Own.End - this->Own.Start) * t; }
@@ -102,6 +110,10 @@ Strip::Strip(const FacePanels& panels, const Ribbon& ribbon)
     step = std::max(step, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
   }
   this->Length = length + ribbon.EdgeDegree * step * std::abs(ribbon.EdgeEnd - ribbon.EdgeStart);
+  for (const Point3& point : this->EdgePoints)
+  {
+    this->EdgeReach = std::max(this->EdgeReach, Norm(point));
+  }
   this->LowestWeight = std::numeric_limits<double>::infinity();
   for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
   {
@@ -194,61 +206,210 @@ void CutCap(const Cap& cap, const HeightPlane& plane, FacePanels& to)
 class StripCutter
 {
 public:
-  StripCutter(const FacePanels& from, const HeightPlane& plane, double tolerance, FacePanels& to)
-    : From(from)
-    , Plane(plane)
-    , Small(CrossingShare * tolerance)
-    , To(to)
-  {
-  }
+  StripCutter(const Face& face, const FacePanels& from, const HeightPlane& plane, const CutLimits& limits,
+    FacePanels& to);
   void Cut(const Ribbon& ribbon);
-  double CutError = 0.0;
+  /// Adds the cap below the plane.
+  void Cut(const Cap& cap);
+  CutErrors Errors;
 
 private:
-  /// Returns ranges of equal sign of the height of the face's curve, or of the edge's curve.
-  std::vector<SignedRange> FindRanges(const Strip& strip, const HeightNet& net, bool ofEdge);
+  /// Height of a curve of the strip over an interval: that in the middle, how far the others may be from it, and the bound of their
+  /// error.
+  struct Heights
+  {
+    double Middle, Spread, Noise;
+
+    /// True if all have one sign.
+    bool IsCertain() const { return std::abs(this->Middle) >= this->Spread + this->Noise; }
+    bool IsNoise() const { return std::abs(this->Middle) + this->Spread <= 2.0 * this->Noise; }
+    double GetLargest() const { return std::abs(this->Middle) + this->Spread; }
+  };
+  /// A strip and the bounds that hold for all of it.
+  struct Open
+  {
+    const Ribbon& Source;
+    const Strip& Curves;
+    const HeightNet& Net;
+    /// Bound of the distance of the strip's points from where they should be.
+    double Moved;
+    double EdgeNoise;
+    int Parts = 0;
+    /// The interval that is below the plane and not yet appended.
+    double From = 0.0;
+    double To = 0.0;
+  };
+
+  double GetMoved(const Ribbon& ribbon) const;
+  Heights GetFaceHeights(const Open& open, double start, double end) const;
+  Heights GetEdgeHeights(const Open& open, double start, double end) const;
+  /// Halves an interval until both curves are on a certain side on it, or the area of the strip there is small.
+  void CutInterval(Open& open, double start, double end, int depth);
+  void KeepInterval(Open& open, double start, double end);
   void Keep(const Ribbon& ribbon, double start, double end);
 
   const FacePanels& From;
   const HeightPlane& Plane;
-  double Small;
+  CutLimits Limits;
   FacePanels& To;
+  /// Residuals of the coedges' curves, in the parameters of the panels, and of their edges' curves.
+  std::vector<std::array<double, 3>> Residuals;
   std::map<std::uint32_t, HeightNet> Nets;
   std::map<std::uint32_t, std::uint32_t> Patches;
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> Pieces;
 };
 
-std::vector<SignedRange> StripCutter::FindRanges(const Strip& strip, const HeightNet& net, bool ofEdge)
+StripCutter::StripCutter(
+  const Face& face, const FacePanels& from, const HeightPlane& plane, const CutLimits& limits, FacePanels& to)
+  : From(from)
+  , Plane(plane)
+  , Limits(limits)
+  , To(to)
 {
-  const auto evaluateFace = [&strip, &net](double t)
+  // Panels may have u and v exchanged, see smFacePanels.h.
+  const int u = face.Surface.Degree[0] > face.Surface.Degree[1] ? 1 : 0;
+  for (const Loop& loop : face.Loops)
   {
-    const std::array<double, 2> at = strip.EvaluateTrim(t);
-    return net.Evaluate(at[0], at[1]);
-  };
-  const auto evaluateEdge = [&strip, this](double t) { return this->Plane.GetHeight(strip.EvaluateEdge(t)); };
-  std::vector<SignedRange> ranges;
-  const int degree = ofEdge ? strip.EdgeDegree : strip.FaceDegree;
-  if (degree >= ChebyshevRule::MaximumSize)
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      const std::array<double, 2>& trim = coedge.Curve.Residual;
+      this->Residuals.push_back({ trim[u], trim[1 - u], Norm(coedge.Use->Curve.Residual) });
+    }
+  }
+}
+
+double StripCutter::GetMoved(const Ribbon& ribbon) const
+{
+  double moved = this->Limits.Displacement;
+  if (ribbon.Coedge >= 0 && ribbon.Coedge < static_cast<int>(this->Residuals.size()))
+  {
+    const Patch& patch = this->From.Patches[ribbon.Patch];
+    const std::array<double, 3>& residual = this->Residuals[ribbon.Coedge];
+    moved += residual[2];
+    for (int d = 0; d < 2; ++d)
+    {
+      moved += 2.0 * residual[d] / patch.Width[d] * patch.Stretch[d];
+    }
+  }
+  return moved;
+}
+
+StripCutter::Heights StripCutter::GetFaceHeights(const Open& open, double start, double end) const
+{
+  static thread_local std::vector<double> series;
+  ExpandPolynomial(
+    [&open](double t)
+    {
+      const std::array<double, 2> at = open.Curves.EvaluateTrim(t);
+      return open.Net.Evaluate(at[0], at[1]);
+    },
+    open.Curves.FaceDegree, start, end, series);
+  const double spread = GetLargest(series) - std::abs(series[0]);
+  const double weight = open.Curves.LowestWeight;
+  return { series[0] / weight, spread / weight,
+    this->Limits.HasArea() ? open.Net.GetNoise(open.Moved) / weight : 0.0 };
+}
+
+StripCutter::Heights StripCutter::GetEdgeHeights(const Open& open, double start, double end) const
+{
+  static thread_local std::vector<double> series;
+  ExpandPolynomial([&open, this](double t) { return this->Plane.GetHeight(open.Curves.EvaluateEdge(t)); },
+    open.Curves.EdgeDegree, start, end, series);
+  return { series[0], GetLargest(series) - std::abs(series[0]), open.EdgeNoise };
+}
+
+void StripCutter::KeepInterval(Open& open, double start, double end)
+{
+  if (open.To == start && open.From < open.To)
+  {
+    open.To = end;
+    return;
+  }
+  if (open.From < open.To)
+  {
+    this->Keep(open.Source, open.From, open.To);
+  }
+  open.From = start;
+  open.To = end;
+}
+
+void StripCutter::CutInterval(Open& open, double start, double end, int depth)
+{
+  ++open.Parts;
+  const Heights ofFace = this->GetFaceHeights(open, start, end);
+  const Heights ofEdge = this->GetEdgeHeights(open, start, end);
+  const bool isCertain = ofFace.IsCertain() && ofEdge.IsCertain();
+  const bool isBelow = ofFace.Middle < 0.0 && ofEdge.Middle < 0.0;
+  if (!isCertain || (ofFace.Middle < 0.0) != (ofEdge.Middle < 0.0))
+  {
+    const double gap = open.Curves.GetGap(start, end) + 2.0 * open.Moved;
+    // Where the plane passes between the two curves, no point of the strip is further from it than the gap.
+    const double height = isCertain ? gap : std::max(ofFace.GetLargest(), ofEdge.GetLargest());
+    CutErrors cost;
+    cost.Area = gap * open.Curves.Length * (end - start) + open.Moved * gap;
+    cost.Volume = height * gap * open.Curves.Length * (end - start);
+    const bool isSmall =
+      cost.Volume <= CrossingShare * this->Limits.Volume && cost.Area <= CrossingShare * this->Limits.Area;
+    const bool isNoise = ofFace.IsNoise() && ofEdge.IsNoise();
+    if (!isCertain && !isSmall && !isNoise && depth < MostHalvings && open.Parts < MostParts)
+    {
+      const double middle = 0.5 * (start + end);
+      this->CutInterval(open, start, middle, depth + 1);
+      this->CutInterval(open, middle, end, depth + 1);
+      return;
+    }
+    this->Errors.Volume += cost.Volume;
+    this->Errors.Area += cost.Area;
+  }
+  if (isBelow)
+  {
+    this->KeepInterval(open, start, end);
+  }
+}
+
+void StripCutter::Cut(const Ribbon& ribbon)
+{
+  const auto net =
+    this->Nets.try_emplace(ribbon.Patch, this->From, this->From.Patches[ribbon.Patch], this->Plane);
+  const Strip strip(this->From, ribbon);
+  Open open{ ribbon, strip, net.first->second, this->GetMoved(ribbon), 0.0 };
+  if (strip.FaceDegree >= ChebyshevRule::MaximumSize || strip.EdgeDegree >= ChebyshevRule::MaximumSize)
   {
     // Such a degree does not occur in files: the whole strip counts as uncertain.
-    this->CutError += strip.Gap * strip.Length * (strip.Gap + strip.Length);
-    ranges.push_back({ 0.0, 1.0, evaluateFace(0.5) < 0.0 });
-    return ranges;
+    this->Errors.Area += (strip.Gap + 2.0 * open.Moved) * strip.Length;
+    this->Errors.Volume += strip.Gap * strip.Length * (strip.Gap + strip.Length);
+    return;
   }
-  const double weight = ofEdge ? 1.0 : strip.LowestWeight;
-  FindSignedRanges([&](double t) { return ofEdge ? evaluateEdge(t) : evaluateFace(t); }, degree, 0.0, 1.0,
-    [&](double start, double end, double largest, bool last)
-    {
-      const double cost = largest / weight * strip.Gap * strip.Length * (end - start);
-      if (last || cost <= this->Small)
-      {
-        this->CutError += cost;
-        return true;
-      }
-      return false;
-    },
-    ranges);
-  return ranges;
+  if (this->Limits.HasArea())
+  {
+    open.EdgeNoise = open.Moved + EdgeRoundings * UnitRoundoff * strip.EdgeReach;
+  }
+  this->CutInterval(open, 0.0, 1.0, 0);
+  if (open.From < open.To)
+  {
+    this->Keep(ribbon, open.From, open.To);
+  }
+}
+
+void StripCutter::Cut(const Cap& cap)
+{
+  CutCap(cap, this->Plane, this->To);
+  double moved = this->Limits.Displacement;
+  for (const std::array<double, 3>& residual : this->Residuals)
+  {
+    moved = std::max(moved, this->Limits.Displacement + residual[2]);
+  }
+  int side = 0;
+  for (const Point3* corner : { &cap.Apex, &cap.From, &cap.To })
+  {
+    const double height = this->Plane.GetHeight(*corner);
+    side += height > moved ? 1 : height < -moved ? -1 : 0;
+  }
+  if (std::abs(side) < 3)
+  {
+    const double sides[2] = { Norm(Subtract(cap.From, cap.Apex)), Norm(Subtract(cap.To, cap.Apex)) };
+    this->Errors.Area += 0.5 * sides[0] * sides[1] + 2.0 * moved * (sides[0] + sides[1]);
+  }
 }
 
 void StripCutter::Keep(const Ribbon& ribbon, double start, double end)
@@ -281,49 +442,21 @@ void StripCutter::Keep(const Ribbon& ribbon, double start, double end)
   part.Edge = copy(ribbon.Edge, 3 * (ribbon.EdgeDegree + 1));
   this->To.Ribbons.push_back(part);
 }
-
-void StripCutter::Cut(const Ribbon& ribbon)
-{
-  const auto net =
-    this->Nets.try_emplace(ribbon.Patch, this->From, this->From.Patches[ribbon.Patch], this->Plane);
-  const Strip strip(this->From, ribbon);
-  const std::vector<SignedRange> ofFace = this->FindRanges(strip, net.first->second, false);
-  const std::vector<SignedRange> ofEdge = this->FindRanges(strip, net.first->second, true);
-  double start = 0.0;
-  std::size_t a = 0;
-  std::size_t b = 0;
-  while (a < ofFace.size() && b < ofEdge.size())
-  {
-    const double end = std::min(ofFace[a].End, ofEdge[b].End);
-    if (ofFace[a].Negative && ofEdge[b].Negative)
-    {
-      this->Keep(ribbon, start, end);
-    }
-    else if (ofFace[a].Negative != ofEdge[b].Negative)
-    {
-      // The plane passes between the two curves, so that no point of the strip is further from the plane than the gap.
-      const double gap = strip.GetGap(start, end);
-      this->CutError += gap * gap * strip.Length * (end - start);
-    }
-    start = end;
-    a += ofFace[a].End == end ? 1 : 0;
-    b += b < ofEdge.size() && ofEdge[b].End == end ? 1 : 0;
-  }
-}
 }
 
-double CutStripsBelow(const FacePanels& from, const HeightPlane& plane, double tolerance, FacePanels& to)
+CutErrors CutStripsBelow(
+  const Face& face, const FacePanels& from, const HeightPlane& plane, const CutLimits& limits, FacePanels& to)
 {
-  StripCutter cutter(from, plane, tolerance, to);
+  StripCutter cutter(face, from, plane, limits, to);
   for (const Ribbon& ribbon : from.Ribbons)
   {
     cutter.Cut(ribbon);
   }
   for (const Cap& cap : from.Caps)
   {
-    CutCap(cap, plane, to);
+    cutter.Cut(cap);
   }
-  return cutter.CutError;
+  return cutter.Errors;
 }
 
 double GetStripArea(const FacePanels& panels)

@@ -7,13 +7,15 @@
 
 #include "smFacePanels.h"
 #include "smHeightNet.h"
+#include "smSubmergedFace.h"
 
 namespace sm
 {
 /// Appends the ribbons and caps below the plane to `to`. Strips between a curve of the face and a curve of the edge on opposite
-/// sides of the plane are omitted. Returns an upper bound of the integral of |h| |n| over all regions that were omitted or
-/// included wrongly.
-double CutStripsBelow(const FacePanels& from, const HeightPlane& plane, double tolerance, FacePanels& to);
+/// sides of the plane are omitted. Returns bounds of the integrals over all regions that were omitted or included wrongly; the
+/// residuals of the face's trim curves and of its edges count as displacements of its strips.
+CutErrors CutStripsBelow(const Face& face, const FacePanels& from, const HeightPlane& plane,
+  const CutLimits& limits, FacePanels& to);
 
 /// Returns an upper bound of the area of a face's ribbons and caps.
 double GetStripArea(const FacePanels& panels);

@@ -14,7 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
-#include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <array>
@@ -95,15 +94,10 @@ Row MakeRow(const sm::BodyIntegrals& body, const sm::DisplacedMoments* moments)
   return row;
 }
 
-bool AreFinite(double x, double y, double z)
-{
-  return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
-}
 }
 
 struct vtkBuoyancy::Internals
 {
-  sm::BuoyancyIntegrator Integrator;
   /// Results of the last run for each body; empty if nothing was computed.
   std::vector<sm::BodyBuoyancy> Results;
   std::vector<Row> Rows;
@@ -111,7 +105,8 @@ struct vtkBuoyancy::Internals
 };
 
 vtkBuoyancy::vtkBuoyancy()
-  : Implementation(new Internals)
+  : vtkPlaneCutBase(false)
+  , Implementation(new Internals)
 {
 }
 
@@ -120,40 +115,6 @@ vtkBuoyancy::~vtkBuoyancy() = default;
 void vtkBuoyancy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Point: " << this->Point[0] << " " << this->Point[1] << " " << this->Point[2] << "\n"
-     << indent << "Normal: " << this->Normal[0] << " " << this->Normal[1] << " " << this->Normal[2] << "\n"
-     << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
-}
-
-void vtkBuoyancy::SetPoint(double x, double y, double z)
-{
-  if (!AreFinite(x, y, z))
-  {
-    vtkErrorMacro("SetPoint: " << sm::FormatTriple(x, y, z) << " is no point; give finite coordinates.");
-    return;
-  }
-  const double point[3] = { x, y, z };
-  if (!std::equal(point, point + 3, this->Point))
-  {
-    std::copy_n(point, 3, this->Point);
-    this->Modified();
-  }
-}
-
-void vtkBuoyancy::SetNormal(double x, double y, double z)
-{
-  if (!AreFinite(x, y, z) || (x == 0.0 && y == 0.0 && z == 0.0))
-  {
-    vtkErrorMacro("SetNormal: " << sm::FormatTriple(x, y, z)
-                                << " is no direction; give a vector out of the water that is not 0.");
-    return;
-  }
-  const double normal[3] = { x, y, z };
-  if (!std::equal(normal, normal + 3, this->Normal))
-  {
-    std::copy_n(normal, 3, this->Normal);
-    this->Modified();
-  }
 }
 
 double vtkBuoyancy::GetDisplacedVolume() const
@@ -194,15 +155,10 @@ void vtkBuoyancy::ResetResults()
   this->Implementation->Total = Row();
 }
 
-void vtkBuoyancy::ReleaseKept()
-{
-  this->Implementation->Integrator.ReleaseMemory();
-}
-
 sm::IntegralRequest vtkBuoyancy::MakeRequest() const
 {
   sm::IntegralRequest request;
-  request.Integrands = sm::BuoyancyIntegrator::MakeIntegrands();
+  request.Integrands = this->MakeIntegrands();
   request.Integrands[0].Name = sm::names::DisplacedVolume;
   return request;
 }
@@ -210,58 +166,9 @@ sm::IntegralRequest vtkBuoyancy::MakeRequest() const
 bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vector<sm::BodyIntegrals>& bodies)
 {
   Internals& self = *this->Implementation;
-  sm::IntegralEngine& engine = this->GetEngine();
-  sm::RunReport& report = engine.GetReport();
-  const sm::IntegralLimits limits = this->MakeLimits();
-  if (!engine.ChooseRunner(limits.Backend))
+  if (!this->IntegrateSide(request, bodies, false, 0.0, 1.0, self.Results))
   {
     return false;
-  }
-  engine.Configure(request, limits);
-  sm::SurfaceIntegrator& integrator = engine.GetIntegrator();
-  const sm::Waterline waterline{ { this->Point[0], this->Point[1], this->Point[2] },
-    { this->Normal[0], this->Normal[1], this->Normal[2] } };
-  const vtkTypeUInt64 dispatches = engine.GetContext()->GetNumberOfDispatches();
-  // The limit counts from here: the integrator's own starts when the faces are cut.
-  const double start = vtkTimerLog::GetUniversalTime();
-  bool isTimeOver = false;
-  const auto progress = [&limits, &isTimeOver, start](double fraction)
-  {
-    isTimeOver = isTimeOver ||
-      (limits.MaximumSeconds > 0.0 && vtkTimerLog::GetUniversalTime() - start > limits.MaximumSeconds);
-    return !isTimeOver && (!limits.Progress || limits.Progress(fraction));
-  };
-  const bool done =
-    self.Integrator.Integrate(integrator, bodies, waterline, this->RelativeTolerance, progress, self.Results);
-  isTimeOver = isTimeOver || integrator.WasTimedOut();
-  const std::string& cutError = self.Integrator.GetCutError();
-  const bool isCut = cutError.empty() && !self.Integrator.WasAbortedInCut();
-  if (isCut)
-  {
-    engine.AddEffort(dispatches);
-  }
-  report.PrepareSeconds += self.Integrator.GetCutSeconds();
-  if (!done)
-  {
-    self.Results.clear();
-    report.SetReason(!cutError.empty()      ? "nothing was computed: " + cutError
-        : isTimeOver                        ? "nothing was computed: MaximumSeconds were over"
-        : self.Integrator.WasAbortedInCut() ? "the run was aborted while faces were cut at the waterline"
-        : integrator.WasAborted()           ? "the run was aborted"
-                                            : "nothing was computed: " + integrator.GetError());
-    return false;
-  }
-  if (integrator.WasAborted())
-  {
-    report.SetReason(isTimeOver
-        ? "MaximumSeconds were over before all faces were integrated below the waterline"
-        : "the run was stopped before all faces were integrated below the waterline");
-  }
-  if (integrator.WasLoosened())
-  {
-    report.Messages.push_back(
-      "MaximumEvaluations is too small for the tolerance below the waterline, which was "
-      "loosened; the bounds show the accuracy reached");
   }
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {

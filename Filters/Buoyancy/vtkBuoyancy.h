@@ -26,37 +26,14 @@
 #define vtkBuoyancy_h
 
 #include "smFiltersBuoyancyModule.h"
-#include "vtkSurfaceIntegralBase.h"
+#include "vtkPlaneCutBase.h"
 
-class SMFILTERSBUOYANCY_EXPORT vtkBuoyancy : public vtkSurfaceIntegralBase
+class SMFILTERSBUOYANCY_EXPORT vtkBuoyancy : public vtkPlaneCutBase
 {
 public:
   static vtkBuoyancy* New();
-  vtkTypeMacro(vtkBuoyancy, vtkSurfaceIntegralBase);
+  vtkTypeMacro(vtkBuoyancy, vtkPlaneCutBase);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /** A point of the waterline, in world coordinates, unit L. A coordinate that is not finite is reported as an error and leaves
-   * the point unchanged. Default 0 0 0. */
-  void SetPoint(double x, double y, double z);
-  void SetPoint(const double point[3]) { this->SetPoint(point[0], point[1], point[2]); }
-  vtkGetVector3Macro(Point, double);
-  ///@}
-  ///@{
-  /** The direction out of the water, in world coordinates, of any length but 0. A zero vector, or a component that is not
-   * finite, is reported as an error and leaves the normal unchanged. Default 0 0 1. */
-  void SetNormal(double x, double y, double z);
-  void SetNormal(const double normal[3]) { this->SetNormal(normal[0], normal[1], normal[2]); }
-  vtkGetVector3Macro(Normal, double);
-  ///@}
-
-  ///@{
-  /** Tolerance of the displaced volume relative to the scale of its solid's volume, and of its first moments relative to volume
-   * times distance from the origin. Range (0, 1], clamped to [1e-15, 1]; NaN is reported as an error and changes nothing.
-   * Default 1e-9. If it cannot be met, Status is tolerance-not-met, and the values are kept with their true bounds. */
-  void SetRelativeTolerance(double tolerance) { this->ChangeRelativeTolerance(tolerance); }
-  vtkGetMacro(RelativeTolerance, double);
-  ///@}
 
   ///@{
   /** Totals of the last run over all bodies; NaN if not computed. */
@@ -74,20 +51,12 @@ protected:
 
 #ifndef __VTK_WRAP__
   void ResetResults() override;
-  bool CanShareFaces() const override
-  {
-    return false;
-  }
   sm::IntegralRequest MakeRequest() const override;
   bool IntegrateBodies(const sm::IntegralRequest& request, std::vector<sm::BodyIntegrals>& bodies) override;
   void AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies) override;
   void WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const override;
   std::vector<sm::MeshArray> GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const override;
-  void ReleaseKept() override;
 #endif
-
-  double Point[3] = { 0.0, 0.0, 0.0 };
-  double Normal[3] = { 0.0, 0.0, 1.0 };
 
 private:
   vtkBuoyancy(const vtkBuoyancy&) = delete;

@@ -65,6 +65,18 @@ Integrand Integrand::HeightMoment(const std::string& name, int i, int j, int k)
     Kind::HeightMoment, factor, { i, j, k + 1 }, factor, degree + 1 };
 }
 
+Integrand Integrand::SectionMoment(const std::string& name, int i, int j)
+{
+  const int power = i + j;
+  if (power == 0)
+  {
+    return VectorArea(name, 2);
+  }
+  // Of one coordinate times n_z the bounds are those of the height z times n_z.
+  return { name, "normal.z" + Monomial(i, j, 0), true, power - 1, MakeLiteral(1.0) + SizePower(power),
+    Kind::HeightMoment, 1.0, { i, j, 0 }, 1.0, power };
+}
+
 Integrand Integrand::User(const std::string& name, const std::string& expression, bool closedChain,
   const UserExpression::Constants& constants)
 {

@@ -24,7 +24,7 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
     AreaMoment,
     /// The component of the normal whose power is 1.
     VectorArea,
-    /// Factor * normal.z * x^i y^j z^k: vanishes with z.
+    /// Factor * normal.z * x^i y^j z^k: a HeightMoment or SectionMoment.
     HeightMoment,
     /// An expression of the user's: Source.
     User
@@ -35,7 +35,7 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   std::string Expression;
   /// Integrated over ribbons and caps too.
   bool ClosedChain = false;
-  /// Total degree of the polynomial g in x.n g(x), n g(x), |n| g(x) or z n_z g(x); -1: not such a polynomial.
+  /// Total degree of the polynomial g in x.n g(x), n g(x), |n| g(x) or x_i n_z g(x); -1: not such a polynomial.
   int Degree = -1;
   /// GLSL expression of `size` = |position|: what multiplies a sample's relative rounding, see Bounds.md.
   std::string Magnitude;
@@ -61,6 +61,9 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   static Integrand VectorArea(const std::string& name, int component);
   /// Flux of (0, 0, z) g(x) / (k + 1) with g = x^i y^j z^k: the volume integral of g, too, with nothing to add where z = 0.
   static Integrand HeightMoment(const std::string& name, int i, int j, int k);
+  /// Flux of (0, 0, 1) x^i y^j, a field without divergence: of the part of a closed surface below z = 0 it is minus the moment of the
+  /// section at z = 0. At most degree 2.
+  static Integrand SectionMoment(const std::string& name, int i, int j);
   static Integrand User(const std::string& name, const std::string& expression, bool closedChain,
     const UserExpression::Constants& constants = {});
 

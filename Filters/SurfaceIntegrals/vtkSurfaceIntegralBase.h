@@ -3,7 +3,8 @@
  * @brief   base of the filters that integrate over the exact faces of trimmed NURBS solids
  *
  * Abstract. The subclasses are siblings: vtkSurfaceIntegralGPU computes integrals that its user chooses, vtkMassPropertiesGPU
- * volume, area, centre of mass and inertia, vtkBuoyancy displaced volume and centre of buoyancy below a plane,
+ * volume, area, centre of mass and inertia, vtkBuoyancy displaced volume and centre of buoyancy below a plane, vtkSolidSection the
+ * section with a plane and what lies on either side,
  * vtkSchemeMassPropertiesGPU mass properties by the schemes of the paper. This class finds the solids of the input (a
  * vtkNURBSDataSet, or those leaves of a composite dataset that are one), applies the selectors, integrates on the GPU inside an
  * OpenGL context of VTK, or on the CPU by the same mathematics compiled as C++, shares the work with other processes, and reports
@@ -151,7 +152,8 @@ public:
    * rank with other integrands takes no part, with a message. A rank without OpenGL computes on the CPU. If a rank fails, by
    * an exception or otherwise, the rank with the bodies computes its share, with a message; if that one fails, nothing is computed. An abort on any rank stops all ranks, at the end of a batch of some
    * 2e7 evaluations. Every rank may spend the part of MaximumEvaluations that corresponds to its faces' part of the plan.
-   * Evaluations and Dispatches count all ranks. vtkBuoyancy and vtkSchemeMassPropertiesGPU run on the rank that has the bodies.
+   * Evaluations and Dispatches count all ranks. vtkBuoyancy, vtkSolidSection and
+   * vtkSchemeMassPropertiesGPU run on the rank that has the bodies.
    * If several ranks have bodies, each integrates its own. A plain Update() involves only the calling process.
    *
    * Default: vtkMultiProcessController::GetGlobalController() at construction. Null: no other process.

@@ -4,6 +4,9 @@
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
 #include "smBuoyancyNames.h"
 #endif
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersSection
+#include "smSectionNames.h"
+#endif
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
 #include "smStabilityNames.h"
 #endif
@@ -53,6 +56,18 @@ constexpr Unit Units[] = {
   { names::DisplacedVolume, "", 3 },
   { names::DisplacedFirstMoments, "", 4 },
   { names::CenterOfBuoyancy, "", 1 },
+#endif
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersSection
+  { names::SectionArea, "", 2 },
+  { names::SectionCentroid, "", 1 },
+  { names::SectionSecondMoments, "", 4 },
+  { names::SectionPrincipalMoments, "", 4 },
+  { names::VolumeBelow, "", 3 },
+  { names::CenterBelow, "", 1 },
+  { names::MassBelow, "kg", 0 },
+  { names::VolumeAbove, "", 3 },
+  { names::CenterAbove, "", 1 },
+  { names::MassAbove, "kg", 0 },
 #endif
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
   { names::StabilityMargin, "", 1 },

@@ -5,6 +5,9 @@
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
 #include "smBuoyancyNames.h"
 #endif
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersSection
+#include "smSectionNames.h"
+#endif
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
 #include "smStabilityNames.h"
 #endif
@@ -45,6 +48,10 @@ const char* const Leading[] = { RowNumber, names::Solid, vtkNURBSDataSet::FaceIn
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
   names::DisplacedVolume, names::CenterOfBuoyancy, names::DisplacedFirstMoments,
 #endif
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersSection
+  names::SectionArea, names::SectionCentroid, names::SectionPrincipalMoments, names::VolumeBelow,
+  names::CenterBelow, names::MassBelow, names::VolumeAbove, names::CenterAbove, names::MassAbove,
+#endif
   names::Volume, names::Mass, names::MassInAll, names::Density, names::Material, names::SurfaceArea,
   names::CenterOfMass };
 
@@ -52,6 +59,9 @@ const char* const Leading[] = { RowNumber, names::Solid, vtkNURBSDataSet::FaceIn
 constexpr const char* Trailing[] = { names::LengthUnit, names::PrincipalMoments, names::RadiiOfGyration,
   names::PrincipalAxes, names::PrincipalAxesDegenerate, names::VolumeInertia, names::MassInertia,
   names::VolumeInertiaAtOrigin, names::FirstMoments, names::SecondMoments,
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersSection
+  names::SectionSecondMoments, names::SectionPrincipalDirections,
+#endif
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
   names::CenterHeight, names::Clearance, names::RollingRadius, names::RollingMargin,
   names::ProjectedCenterOfMass, names::ContactFaces, names::ContactEdges,

@@ -20,6 +20,7 @@ PROXIES = (("sources", "STEPReader", "STEP Reader", "smReadersSTEP", "vtkSTEPRea
            ("filters", "SurfaceIntegralGPU", "Surface Integral", "smFiltersSurfaceIntegrals", "vtkSurfaceIntegralGPU"),
            ("filters", "SchemeMassProperties", "Mass Properties by Paper Schemes", "smFiltersMomentSchemes", "vtkSchemeMassPropertiesGPU"),
            ("filters", "Buoyancy", "Buoyancy", "smFiltersBuoyancy", "vtkBuoyancy"),
+           ("filters", "SolidSection", "Section", "smFiltersSection", "vtkSolidSection"),
            ("filters", "NURBSTransform", "NURBS Transform", "smFiltersNURBSEdit", "vtkNURBSTransform"),
            ("filters", "NURBSDeform", "NURBS Deform", "smFiltersNURBSEdit", "vtkNURBSDeform"),
            ("filters", "SolidStability", "Static Stability", "smFiltersStability", "vtkSolidStability"))

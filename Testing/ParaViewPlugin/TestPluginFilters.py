@@ -125,6 +125,23 @@ if has("Buoyancy"):
     check("the half above", half, total(afloat, "DisplacedVolume"), 1e-9 * sphere["volume"])
     check("its centre", center[2] + 0.375 * radius, vector(afloat, "CenterOfBuoyancy")[2], 1e-8 * radius)
 
+# The section with the same plane.
+if has("SolidSection"):
+    cut = Section(Input=source, Point=center, Normal=[0.0, 0.0, 2.0], Density=1000.0)  # noqa: F821
+    check("section area", math.pi * radius ** 2, total(cut, "SectionArea"), 1e-8 * radius ** 2)
+    check_true("section area: its bound", 0.0 < total(cut, "SectionAreaBound") <= 2e-8 * radius ** 2, str(total(cut, "SectionAreaBound")))
+    for axis in range(3):
+        check(f"centroid, axis {axis}", center[axis], vector(cut, "SectionCentroid")[axis], 1e-8 * radius)
+    check("second moment", math.pi * radius ** 4 / 4, vector(cut, "SectionSecondMoments")[0], 1e-7 * radius ** 4)
+    check("half of the mass, kg", 0.5e-6 * sphere["volume"], total(cut, "MassBelow"), 1e-14 * sphere["volume"])
+    check("the other half", 0.5e-6 * sphere["volume"], total(cut, "MassAbove"), 1e-14 * sphere["volume"])
+    clipped = servermanager.Fetch(cut, idx=7)
+    check("the clipped mesh ends at the plane", center[2], clipped.GetBounds()[5], 1e-6 * radius)
+    caps = clipped.GetCellData().GetArray("Cap")
+    check_equal("it has a section", (0.0, 1.0), caps.GetRange())
+    check_true("the summary has it", "Section area: " in servermanager.Fetch(cut, idx=2).GetValueByName(0, "Text").ToString())
+    check_equal("and the volume of the input stays", total(MassProperties(Input=source), "Volume"), plain_volume)  # noqa: F821
+
 # ParaView's filters call Modified() on the points that they read (Clip does): their input stays what it is.
 for name in ("Clip", "Cut", "Threshold", "PolyDataNormals", "CleanPolyData", "ExtractEdges", "FeatureEdges", "ElevationFilter",
              "CellSize", "DecimatePro", "QuadricClustering", "MeshQuality", "GenerateIdScalars", "OutlineFilter", "ConvertToPointCloud"):
@@ -162,7 +179,7 @@ if has("NURBSTransform"):
     edited = [("NURBS Transform", moved, 0, True), ("NURBS Deform", deformed, 0, True)]
 
 # Inputs: exact faces are accepted, everything else is refused.
-filters = [name for name in ("MassPropertiesGPU", "SurfaceIntegralGPU", "SchemeMassProperties", "Buoyancy", "SolidStability",
+filters = [name for name in ("MassPropertiesGPU", "SurfaceIntegralGPU", "SchemeMassProperties", "Buoyancy", "SolidSection", "SolidStability",
                              "NURBSTransform", "NURBSDeform") if has(name)]
 plain = simple.Transform(Input=source)
 plain.Transform.Translate = [1.0, 0.0, 0.0]

@@ -6,6 +6,7 @@ assembly  likewise, a marker in every solid
 flagged   an open solid: red text
 share     faces coloured by their share of the volume
 volume    solids coloured by their volume
+section   a part cut by a plane, closed by its section
 """
 import os
 import sys
@@ -33,10 +34,10 @@ def draw(name):
     return to_colors(image)
 
 
-def apply(path, **properties):
-    """Opens a file and shows the outputs as the GUI's Apply does."""
+def apply(path, label="MassProperties", **properties):
+    """Opens a file and shows the outputs of the filter as the GUI's Apply does."""
     reader = simple.OpenDataFile(path)
-    mass = MassProperties(Input=reader, **properties)  # noqa: F821
+    mass = globals()[label](Input=reader, **properties)
     controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
     for port in range(mass.SMProxy.GetNumberOfOutputPorts()):
         controller.ShowInPreferredView(mass.SMProxy, port, view.SMProxy)
@@ -66,6 +67,8 @@ elif mode == "flagged":
 elif mode == "share":
     mass = apply(os.path.join(models, "free_form_part.step"))
     color_by(mass, "FaceShare", 0.0, 0.08)
+elif mode == "section":
+    mass = apply(os.path.join(models, "free_form_part.step"), "Section", Point=[0.0, 2.0, -6.0], Normal=[-0.6, -1.0, 0.4], Density=7850.0)
 else:
     check_equal("mode", "volume", mode)
     mass = apply(os.path.join(parts, "gear_train.step"))
@@ -82,6 +85,8 @@ elif mode == "assembly":
 elif mode == "flagged":
     # The same text, not red.
     simple.GetRepresentation(servermanager.OutputPort(mass, 2), view).FlaggedColor = [1.0, 1.0, 1.0]
+elif mode == "section":
+    mass.Point = [0.0, 4.0, -6.0]
 elif mode == "share":
     color_by(mass, "FaceGap", 0.0, 0.08)
 else:

@@ -106,6 +106,11 @@ if servermanager.ProxyManager().SMProxyManager.HasDefinition("filters", "SolidSt
     standing = show_all(StaticStability(Input=red))  # noqa: F821
     check_equal("the summary of Static Stability", "MassSummaryRepresentation", display(standing, 2).SMProxy.GetXMLName())
     simple.Delete(standing)
+if servermanager.ProxyManager().SMProxyManager.HasDefinition("filters", "SolidSection"):
+    cut = show_all(Section(Input=red, Point=[0.0, 0.0, 5.0]))  # noqa: F821
+    check_equal("the clipped part", ("SectionRepresentation", "Color"), (display(cut, 7).SMProxy.GetXMLName(), display(cut, 7).ColorArrayName[1]))
+    check_true("the solids beside it are not shown", view.SMProxy.FindRepresentation(cut.SMProxy, 5) is None)
+    simple.Delete(cut)
 tilted = show_all(Buoyancy(Input=red, Point=[0.0, 0.0, 5.0]))  # noqa: F821
 for source in (mass, tilted):
     for port in (0, 5):

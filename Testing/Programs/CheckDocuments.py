@@ -39,7 +39,7 @@ LAST_DIGITS = 2.0
 # The options of the schemes are in --help alone.
 PAPER_OPTIONS = ("--subpatches", "--trim-texture", "--trim-textures", "--chord", "--deviation")
 # What makes the JSON complete; a program that was built without a module lacks its option.
-COMPLETE = (("--stability", "-z"), ("--waterline", "10"), ("--density", "1000"), ("--moments", "0"), ("--about", "origin"), ("--bom",), ("--box",), ("--validate",))
+COMPLETE = (("--stability", "-z"), ("--waterline", "10"), ("--section", "0,0,5,0,0,1"), ("--density", "1000"), ("--moments", "0"), ("--about", "origin"), ("--bom",), ("--box",), ("--validate",))
 
 
 class Checker:

@@ -16,7 +16,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from smcheck import Manifest, check, check_equal, check_true, check_values, finish  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["results", "integrals", "stability", "errors", "outputs", "packages", "picture", "no-context"])
+parser.add_argument("mode", choices=["results", "integrals", "sections", "stability", "errors", "outputs", "packages", "picture", "no-context"])
 for name in ("--program", "--solids", "--output", "--sample"):
     parser.add_argument(name, required=True)
 options = parser.parse_args()
@@ -30,7 +30,7 @@ BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments",
 BOUND_KEYS = {"volume", "area", "center_of_mass", "inertia", "mass", "mass_center", "mass_inertia", "radii_of_gyration",
               "inertia_at_origin", "bounding_box"}
 FILE_KEYS = {"file", "file_bytes", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer", "frame", "total",
-             "solids", "faces", "free_faces", "integrals", "waterlines", "diagonal", "evaluations", "dispatches", "seconds"}
+             "solids", "faces", "free_faces", "integrals", "waterlines", "sections", "diagonal", "evaluations", "dispatches", "seconds"}
 
 
 def run(*arguments, cwd=None, stdout=subprocess.PIPE):
@@ -190,6 +190,46 @@ def integrals():
                   ("--moments", "1", "--integral", "moment_0_1_0=dA")):
         result = run(*wrong, part["path"])
         check_true("wrong usage " + " ".join(wrong), result.returncode == 1 and result.stderr)
+
+
+def sections():
+    part = manifest.solid("box")
+    csv = os.path.join(options.output, "sections.csv")
+    result, files = run_json("--section", "0,0,2.5,0,0,2", "--section", "0,0,20,0,0,1", "--density", "7850", "--csv", csv, part["path"])
+    check_equal("exit status", 0, result.returncode)
+    level, nothing = files[0]["sections"]
+    check_equal("of the only solid", files[0]["sections"], files[0]["solids"][0]["sections"])
+    check_equal("plane", ([0.0, 0.0, 2.5], [0.0, 0.0, 2.0]), (level["point"], level["normal"]))
+    for key, exact in (("area", 600.0), ("centroid", [15.0, 10.0, 2.5]), ("principal_moments", [20000.0, 45000.0]),
+                       ("volume_below", 1500.0), ("center_below", [15.0, 10.0, 1.25]), ("mass_below", 1500e-9 * 7850),
+                       ("volume_above", 4500.0), ("center_above", [15.0, 10.0, 6.25]), ("mass_above", 4500e-9 * 7850)):
+        found = level[key] if isinstance(exact, list) else [level[key]]
+        for one, value in zip(exact if isinstance(exact, list) else [exact], found):
+            check(key, one, value, level["bounds"][key])
+    for i, exact in enumerate((45000.0, 20000.0, 0.0)):
+        check("second moment", exact, level["second_moments"][i][i], level["bounds"]["second_moments"])
+    check("direction of the largest moment", 1.0, abs(level["principal_directions"][1][0]), 1e-12)
+    check_equal("the plane misses the box", (0.0, 0.0, None), (nothing["area"], nothing["bounds"]["area"], nothing["centroid"]))
+    check("all is below", 6000.0, nothing["volume_below"], nothing["bounds"]["volume_below"])
+    with open(csv, encoding="utf-8") as file:
+        rows = [line.rstrip("\n").split(",") for line in file]
+    for row in rows[1:]:
+        cells = dict(zip(rows[0], row))
+        check("area in CSV", level["area"], float(cells["section1_area"]), 0.0)
+        check("centroid in CSV", level["centroid"][2], float(cells["section1_centroid_z"]), 0.0)
+        check("second moment in CSV", level["second_moments"][0][0], float(cells["section1_second_moments_xx"]), 0.0)
+        check("mass in CSV", level["mass_above"], float(cells["section1_mass_above"]), 0.0)
+        check_equal("no centroid in CSV", "", cells["section2_centroid_x"])
+    table = run("--section", "0,0,2.5,0,0,1", part["path"]).stdout
+    check_true("section in the table", "section at" in table and "600 mm^2" in table, table)
+    # Along a face the area is not determined: the bound says so, and the exit status.
+    result, files = run_json("--section", "0,0,10,0,0,1", part["path"])
+    check_equal("along a face, exit status", 3, result.returncode)
+    check_equal("along a face", "tolerance-not-met", files[0]["status"])
+    check_true("along a face, the bound", files[0]["sections"][0]["bounds"]["area"] >= 599.9, str(files[0]["sections"][0]))
+    for wrong in ("0,0,1", "0,0,1,0,0,0", "0,0,1,0,0,nan", "level"):
+        result = run("--section", wrong, part["path"])
+        check_true("wrong usage " + wrong, result.returncode == 1 and "plane" in result.stderr, result.stderr)
 
 
 def check_unreadable(file):
@@ -642,6 +682,6 @@ def no_context():
     check_equal("who asks for the CPU is told nothing", [], files[0]["messages"])
 
 
-{"results": results, "integrals": integrals, "stability": stability, "errors": errors, "outputs": outputs, "packages": packages,
+{"results": results, "integrals": integrals, "sections": sections, "stability": stability, "errors": errors, "outputs": outputs, "packages": packages,
  "picture": picture, "no-context": no_context}[options.mode]()
 finish()

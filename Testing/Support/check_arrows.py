@@ -21,6 +21,7 @@ ROOMS = {
     "FiltersMassProperties": ("Filters/MassProperties", ["FiltersSurfaceIntegrals"]),
     "FiltersStability": ("Filters/Stability", ["FiltersMassProperties"]),
     "FiltersBuoyancy": ("Filters/Buoyancy", ["FiltersSurfaceIntegrals"]),
+    "FiltersSection": ("Filters/Section", ["FiltersBuoyancy"]),
     "FiltersMomentSchemes": ("Filters/MomentSchemes", ["FiltersMassProperties", "RenderingCompute", "RenderingNURBS"]),
     "FiltersNURBSEdit": ("Filters/NURBSEdit", ["FiltersNURBS"]),
     "FiltersTessellation": ("Filters/Tessellation", ["FiltersNURBS"]),

@@ -268,7 +268,7 @@ void CheckAborts(const Manifest& manifest)
       CheckTrue(name + ", said", Says(scene.Filter, "was aborted") || Says(scene.Filter, "was stopped"),
         GetMessages(scene.Filter));
     }
-    if (Says(scene.Filter, "the run was aborted while faces were cut at the waterline"))
+    if (Says(scene.Filter, "the run was aborted while faces were cut at the plane"))
     {
       ++inCut;
       CheckEqual(name + ", status", sm::names::StatusNotComputed, scene.Filter->GetStatus());

@@ -11,7 +11,7 @@ plugin, part = sys.argv[1:3]
 simple.LoadPlugin(plugin, ns=globals())
 manager = servermanager.ProxyManager()
 # A filter of a module that is not built is not in the plugin.
-FILTERS = [name for name in ("MassPropertiesGPU", "SurfaceIntegralGPU", "SchemeMassProperties", "Buoyancy", "SolidStability",
+FILTERS = [name for name in ("MassPropertiesGPU", "SurfaceIntegralGPU", "SchemeMassProperties", "Buoyancy", "SolidSection", "SolidStability",
                              "NURBSTransform", "NURBSDeform") if manager.SMProxyManager.HasDefinition("filters", name)]
 check_equal("no entry that only explains", False, bool(manager.SMProxyManager.HasDefinition("filters", "WhyNotThisInput")))
 

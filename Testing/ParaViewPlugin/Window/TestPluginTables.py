@@ -114,6 +114,11 @@ if manager.SMProxyManager.HasDefinition("filters", "Buoyancy"):
     check_equal("buoyancy", ["vtkOriginalIndices", "Name", "Id", "Status", "DisplacedVolume", "DisplacedVolumeBound", "CenterOfBuoyancy_0",
                              "CenterOfBuoyancy_1", "CenterOfBuoyancy_2", "CenterOfBuoyancyBound", "DisplacedFirstMoments_0"],
                 show(afloat, 1, "Row Data")[1][:11])
+if manager.SMProxyManager.HasDefinition("filters", "SolidSection"):
+    cut = Section(Input=reader, Point=[0.0, 0.0, 5.0])  # noqa: F821
+    check_equal("section", ["vtkOriginalIndices", "Name", "Id", "Status", "SectionArea", "SectionAreaBound", "SectionCentroid_0",
+                            "SectionCentroid_1", "SectionCentroid_2", "SectionCentroidBound", "SectionPrincipalMoments_0"],
+                show(cut, 1, "Row Data")[1][:11])
 integral = SurfaceIntegral(Input=reader, BendingEnergy=1, MomentDegree=0, Integrands="a = dA")  # noqa: F821
 check_equal("integrals", ["vtkOriginalIndices", "Name", "Id", "Status", "BendingEnergy", "BendingEnergyBound", "a", "aBound",
                           "moment_0_0_0", "moment_0_0_0Bound", "LengthUnit"], show(integral, 1, "Row Data")[1][:11])

@@ -1,0 +1,124 @@
+#include "smSectionJob.h"
+
+#include "smMessageList.h"
+#include "smQuantities.h"
+#include "smSectionNames.h"
+#include "smUserIntegrals.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSTEPReader.h"
+#include "vtkSolidSection.h"
+#include "vtkTable.h"
+
+#include <cmath>
+
+namespace
+{
+using sm::Json;
+namespace names = sm::names;
+
+/// The components of a value as a list, null where it is not known.
+Json GetList(vtkFieldData* data, vtkIdType row, const char* name)
+{
+  vtkDataArray* array = data->GetArray(name);
+  Json list = Json::array();
+  for (int c = 0; array && row < array->GetNumberOfTuples() && c < array->GetNumberOfComponents(); ++c)
+  {
+    list.push_back(array->GetComponent(row, c));
+    if (!std::isfinite(array->GetComponent(row, c)))
+    {
+      return {};
+    }
+  }
+  return list.empty() ? Json() : list;
+}
+
+/// xx, yy, zz, xy, yz, xz as a symmetric matrix.
+Json MakeMatrix(const Json& six)
+{
+  return six.is_null()
+    ? six
+    : Json{ { six[0], six[3], six[5] }, { six[3], six[1], six[4] }, { six[5], six[4], six[2] } };
+}
+
+/// A row of field data or of a table. The density of the filter is not that of materials by name: no mass then.
+Json Describe(vtkFieldData* data, vtkIdType row, bool hasMass)
+{
+  Json found;
+  Json bounds;
+  const auto setBound = [&](const char* key, const char* name)
+  { bounds[key] = sm::GetNumber(data, row, std::string(name) + names::BoundSuffix); };
+  const auto setNumber = [&](const char* key, const char* name)
+  {
+    found[key] = sm::GetNumber(data, row, name);
+    setBound(key, name);
+  };
+  const auto setPoint = [&](const char* key, const char* name)
+  {
+    found[key] = sm::GetPoint(data, row, name);
+    setBound(key, name);
+  };
+  setNumber("area", names::SectionArea);
+  setPoint("centroid", names::SectionCentroid);
+  found["second_moments"] = MakeMatrix(GetList(data, row, names::SectionSecondMoments));
+  setBound("second_moments", names::SectionSecondMoments);
+  found["principal_moments"] = GetList(data, row, names::SectionPrincipalMoments);
+  setBound("principal_moments", names::SectionPrincipalMoments);
+  const Json six = GetList(data, row, names::SectionPrincipalDirections);
+  found["principal_directions"] =
+    six.is_null() ? six : Json{ { six[0], six[1], six[2] }, { six[3], six[4], six[5] } };
+  setNumber("volume_below", names::VolumeBelow);
+  setPoint("center_below", names::CenterBelow);
+  setNumber("volume_above", names::VolumeAbove);
+  setPoint("center_above", names::CenterAbove);
+  setNumber("mass_below", names::MassBelow);
+  setNumber("mass_above", names::MassAbove);
+  if (!hasMass)
+  {
+    for (const char* key : { "mass_below", "mass_above" })
+    {
+      found[key] = bounds[key] = nullptr;
+    }
+  }
+  found["bounds"] = bounds;
+  return found;
+}
+}
+
+namespace sm
+{
+void IntegrateSections(vtkSTEPReader* reader, const JobOptions& options,
+  const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
+{
+  if (options.Sections.empty())
+  {
+    return;
+  }
+  vtkNew<vtkSolidSection> filter;
+  SetUpFilter(filter, options);
+  filter->SetRelativeTolerance(options.Tolerance);
+  filter->SetDensity(options.Density);
+  filter->SetInputConnection(reader->GetOutputPort());
+  for (std::size_t i = 0; i < options.Sections.size(); ++i)
+  {
+    SetTimeLimit(filter, options);
+    filter->SetPoint(options.Sections[i].data());
+    filter->SetNormal(options.Sections[i].data() + 3);
+    update(filter);
+    const auto add = [&](Json& entry, vtkFieldData* data, vtkIdType row)
+    { entry["sections"][i].update(Describe(data, row, options.Materials.empty())); };
+    add(file, filter->GetOutput()->GetFieldData(), 0);
+    vtkIdType row = 0;
+    for (Json& solid : file["solids"])
+    {
+      add(solid, vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData(), row);
+      ++row;
+    }
+    AddEffort(filter, file, messages);
+  }
+}
+}

@@ -1,0 +1,25 @@
+/**
+ * @file smSectionJob.h
+ * @brief Sections with the planes that a user asked for, as JSON
+ */
+#ifndef smSectionJob_h
+#define smSectionJob_h
+
+#include "smFileJob.h"
+
+#include <functional>
+
+class vtkAlgorithm;
+class vtkSTEPReader;
+
+namespace sm
+{
+class MessageList;
+
+/// Fills `sections` of the file and of each solid, null where a value is not known (AddPlaceholders() has the keys). A flag of theirs
+/// becomes the file's when that was ok. `update` runs a filter.
+void IntegrateSections(vtkSTEPReader* reader, const JobOptions& options,
+  const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages);
+}
+
+#endif

@@ -1,0 +1,448 @@
+#include "vtkSolidSection.h"
+
+#include "smBodyMeshes.h"
+#include "smColumns.h"
+#include "smFormat.h"
+#include "smIntegralEngine.h"
+#include "smLengthUnits.h"
+#include "smSectionMesh.h"
+#include "smSectionNames.h"
+#include "smSectionRow.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPlane.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSolidSection);
+
+namespace
+{
+constexpr int MeshPort = 7;
+
+/// Columns of the quantities of rows and of their bounds.
+class Columns
+{
+public:
+  void Append(const sm::SectionRow& row)
+  {
+    std::size_t i = 0;
+    const auto append = [&](const std::string& name, const double* values, int components)
+    {
+      if (i == this->All.size())
+      {
+        this->All.push_back(std::make_unique<sm::columns::Column>(name, components));
+      }
+      this->All[i++]->Append(values);
+    };
+    row.Visit(
+      [&append](const std::string& name, const double* values, int components, const double* bound)
+      {
+        append(name, values, components);
+        if (bound)
+        {
+          append(name + sm::names::BoundSuffix, bound, 1);
+        }
+      });
+  }
+  void AddTo(vtkFieldData* data) const
+  {
+    for (const auto& column : this->All)
+    {
+      column->AddTo(data);
+    }
+  }
+
+private:
+  std::vector<std::unique_ptr<sm::columns::Column>> All;
+};
+
+/// Returns the density of a body in kg per cubic length unit; NaN without one.
+double GetDensityPerVolume(const sm::BodyIntegrals& body, double density)
+{
+  const double own = density > 0.0 ? density : body.Model->GetDensity();
+  const double metres = sm::GetMetres(body.Model->GetLengthUnit());
+  return own > 0.0 && metres > 0.0 ? own * metres * metres * metres : vtkMath::Nan();
+}
+
+/// Flags a body whose shells do not all have their material inside: of such shells the volumes on the two sides do not add up to what
+/// the body encloses.
+void CheckShells(
+  const std::vector<sm::Integrand>& integrands, const sm::BodyBuoyancy& above, sm::BodyIntegrals& body)
+{
+  sm::BodyIntegrals whole = body;
+  std::vector<sm::FaceIntegrals> faces = *body.Faces;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    faces[i].Face[0] += above.Faces[i].Face[0];
+    faces[i].Closing[0] += above.Faces[i].Closing[0];
+    faces[i].QuadratureError[0] += above.Faces[i].GetBound(0);
+  }
+  whole.Faces = std::make_shared<const std::vector<sm::FaceIntegrals>>(std::move(faces));
+  sm::SumValues(whole, integrands);
+  sm::ReverseShells(whole, integrands, 0);
+  if (whole.FlippedShells > 0)
+  {
+    body.Flag(sm::Status::Suspect,
+      "the normals of " + std::to_string(whole.FlippedShells) +
+        " shells point inwards; section and volumes are those of the shells as the file orients them. "
+        "Correct the file, or see "
+        "Mass Properties for its volume");
+  }
+}
+
+/// Flags a body with a bound above the tolerance, or with results that contradict each other.
+void CheckResults(
+  const sm::SectionRow& row, const sm::SectionMoments& fromAbove, double tolerance, sm::BodyIntegrals& body)
+{
+  const double volumeScale = sm::GetVolumeScale(*body.Model);
+  if (!(std::max(row.Below.VolumeBound, row.Above.VolumeBound) <= tolerance * volumeScale))
+  {
+    body.Flag(sm::Status::ToleranceNotMet, "the bound of the volume on one side is above the tolerance");
+  }
+  if (!(row.AreaBound <= tolerance * sm::GetAreaScale(*body.Model)))
+  {
+    body.Flag(sm::Status::ToleranceNotMet,
+      "the bound of the section's area is above the tolerance: where the plane runs along a face or a gap, "
+      "or touches a face, by no "
+      "more than the numbers are accurate to, the area is not determined. Move the plane");
+  }
+  if (body.OpenEdges > 0)
+  {
+    return;
+  }
+  if (row.Below.Volume < -row.Below.VolumeBound || row.Above.Volume < -row.Above.VolumeBound)
+  {
+    body.Flag(sm::Status::Suspect, "the volume is negative: the solid is inside out in the file");
+  }
+  if (std::abs(row.Area - fromAbove.Area) > row.AreaBound + fromAbove.AreaBound)
+  {
+    body.Flag(sm::Status::Suspect,
+      "the areas of the section from below and from above differ by more than their bounds: the faces do not "
+      "close");
+  }
+}
+}
+
+struct vtkSolidSection::Internals
+{
+  /// Results of the last run for each body, below and above the plane; empty if nothing was computed.
+  std::vector<sm::BodyBuoyancy> Below;
+  std::vector<sm::BodyBuoyancy> Above;
+  std::vector<sm::SectionRow> Rows;
+  sm::SectionRow Total;
+  vtkNew<vtkPolyData> Mesh;
+  /// Names of the bodies whose mesh could not be closed.
+  std::string WithoutCap;
+};
+
+vtkSolidSection::vtkSolidSection()
+  : vtkPlaneCutBase(true)
+  , Implementation(new Internals)
+{
+  this->SetNumberOfOutputPorts(MeshPort + 1);
+}
+
+vtkSolidSection::~vtkSolidSection() = default;
+
+void vtkSolidSection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Density: " << this->Density << "\n";
+}
+
+void vtkSolidSection::SetDensity(double density)
+{
+  if (!std::isfinite(density) || density < 0.0)
+  {
+    vtkErrorMacro("SetDensity: " << sm::FormatDigits(density, 6)
+                                 << " is no density; give kg/m^3, for example 7850 for steel, or 0.");
+    return;
+  }
+  if (this->Density != density)
+  {
+    this->Density = density;
+    this->Modified();
+  }
+}
+
+int vtkSolidSection::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == MeshPort)
+  {
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+    return 1;
+  }
+  return this->Superclass::FillOutputPortInformation(port, info);
+}
+
+int vtkSolidSection::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  vtkPolyData::GetData(outputVector, MeshPort)->ShallowCopy(this->Implementation->Mesh);
+  this->Implementation->Mesh->Initialize();
+  return result;
+}
+
+double vtkSolidSection::GetSectionArea() const
+{
+  return this->Implementation->Total.Area;
+}
+
+double vtkSolidSection::GetSectionAreaBound() const
+{
+  return this->Implementation->Total.AreaBound;
+}
+
+void vtkSolidSection::GetSectionCentroid(double centroid[3]) const
+{
+  std::copy_n(this->Implementation->Total.Properties.Centroid.begin(), 3, centroid);
+}
+
+double vtkSolidSection::GetSectionCentroidBound() const
+{
+  return this->Implementation->Total.Properties.CentroidBound;
+}
+
+void vtkSolidSection::GetSectionSecondMoments(double moments[6]) const
+{
+  std::copy_n(this->Implementation->Total.Properties.Second.begin(), 6, moments);
+}
+
+double vtkSolidSection::GetSectionSecondMomentsBound() const
+{
+  return this->Implementation->Total.Properties.SecondBound;
+}
+
+void vtkSolidSection::GetSectionPrincipalMoments(double moments[2]) const
+{
+  std::copy_n(this->Implementation->Total.Properties.Principal.begin(), 2, moments);
+}
+
+double vtkSolidSection::GetSectionPrincipalMomentsBound() const
+{
+  return this->Implementation->Total.Properties.PrincipalBound;
+}
+
+double vtkSolidSection::GetVolumeBelow() const
+{
+  return this->Implementation->Total.Below.Volume;
+}
+
+double vtkSolidSection::GetVolumeBelowBound() const
+{
+  return this->Implementation->Total.Below.VolumeBound;
+}
+
+double vtkSolidSection::GetVolumeAbove() const
+{
+  return this->Implementation->Total.Above.Volume;
+}
+
+double vtkSolidSection::GetVolumeAboveBound() const
+{
+  return this->Implementation->Total.Above.VolumeBound;
+}
+
+void vtkSolidSection::ResetResults()
+{
+  this->Superclass::ResetResults();
+  Internals& self = *this->Implementation;
+  self.Below.clear();
+  self.Above.clear();
+  self.Rows.clear();
+  self.Total = sm::SectionRow();
+  self.Mesh->Initialize();
+  self.WithoutCap.clear();
+}
+
+sm::IntegralRequest vtkSolidSection::MakeRequest() const
+{
+  sm::IntegralRequest request;
+  request.Integrands = this->MakeIntegrands();
+  request.Integrands[0].Name = sm::names::VolumeBelow;
+  return request;
+}
+
+bool vtkSolidSection::IntegrateBodies(
+  const sm::IntegralRequest& request, std::vector<sm::BodyIntegrals>& bodies)
+{
+  Internals& self = *this->Implementation;
+  if (!this->IntegrateSide(request, bodies, false, 0.0, 0.5, self.Below) ||
+    !this->IntegrateSide(request, bodies, true, 0.5, 1.0, self.Above))
+  {
+    self.Below.clear();
+    self.Above.clear();
+    return false;
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    std::vector<sm::FaceIntegrals> faces = self.Below[b].Faces;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      faces[i].Skipped = faces[i].Skipped || self.Above[b].Faces[i].Skipped;
+      faces[i].Estimated = faces[i].Estimated || self.Above[b].Faces[i].Estimated;
+    }
+    bodies[b].Faces = std::make_shared<const std::vector<sm::FaceIntegrals>>(std::move(faces));
+  }
+  return true;
+}
+
+void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
+{
+  Internals& self = *this->Implementation;
+  const std::vector<sm::Integrand> integrands = this->MakeRequest().Integrands;
+  sm::SectionMoments section;
+  sm::DisplacedMoments below;
+  sm::DisplacedMoments above;
+  sm::SectionRow masses;
+  bool isFirst = true;
+  self.Rows.assign(bodies.size(), {});
+  for (std::size_t b = 0; b < bodies.size() && !self.Below.empty(); ++b)
+  {
+    sm::BodyIntegrals& body = bodies[b];
+    if (!body.HasVolume() || !body.Faces)
+    {
+      continue;
+    }
+    sm::SectionRow& row = self.Rows[b];
+    row = sm::SectionRow(self.Below[b].Section, self.Below[b].Total, self.Above[b].Total);
+    row.SetMass(GetDensityPerVolume(body, this->Density));
+    CheckShells(integrands, self.Above[b], body);
+    CheckResults(row, self.Above[b].Section, this->RelativeTolerance, body);
+    if (isFirst)
+    {
+      section = self.Below[b].Section;
+      below = self.Below[b].Total;
+      above = self.Above[b].Total;
+      masses = row;
+      isFirst = false;
+      continue;
+    }
+    section.Add(self.Below[b].Section);
+    below.Add(self.Below[b].Total);
+    above.Add(self.Above[b].Total);
+    masses.AddMass(row);
+  }
+  if (!isFirst)
+  {
+    self.Total = sm::SectionRow(section, below, above);
+    for (const auto& [from, to] :
+      { std::make_pair(&masses.Below, &self.Total.Below), std::make_pair(&masses.Above, &self.Total.Above) })
+    {
+      to->Mass = from->Mass;
+      to->MassBound = from->MassBound;
+    }
+  }
+}
+
+void vtkSolidSection::DrawSection(const std::vector<sm::BodyIntegrals>& bodies) const
+{
+  Internals& self = *this->Implementation;
+  vtkNew<vtkPlane> plane;
+  double normal[3] = { this->Normal[0], this->Normal[1], this->Normal[2] };
+  vtkMath::Normalize(normal);
+  plane->SetOrigin(this->Point[0], this->Point[1], this->Point[2]);
+  plane->SetNormal(normal);
+  vtkNew<vtkAppendPolyData> append;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    bool hasCap = true;
+    append->AddInputData(sm::MakeSectionMesh(bodies[b].Mesh, plane, static_cast<int>(b), hasCap));
+    if (!hasCap)
+    {
+      self.WithoutCap += (self.WithoutCap.empty() ? "" : ", ") + bodies[b].Name;
+    }
+  }
+  if (!bodies.empty())
+  {
+    append->Update();
+    self.Mesh->ShallowCopy(append->GetOutput());
+  }
+}
+
+std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& bodies) const
+{
+  const Internals& self = *this->Implementation;
+  const sm::SectionRow& total = self.Total;
+  const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
+  std::string text = this->FormatStatus(bodies) +
+    "Section area: " + sm::FormatWithBound(total.Area, total.AreaBound, unit + "^2") + "\n";
+  const auto addPoint = [&text, &unit](const char* label, const std::array<double, 3>& point, double bound)
+  {
+    if (std::isfinite(bound))
+    {
+      text += label;
+      for (const double coordinate : point)
+      {
+        text += sm::FormatNumber(coordinate, bound) + "  ";
+      }
+      text += unit + sm::FormatBoundNote(bound) + "\n";
+    }
+  };
+  const sm::SectionProperties& section = total.Properties;
+  addPoint("Centroid: ", section.Centroid, section.CentroidBound);
+  if (std::isfinite(section.PrincipalBound))
+  {
+    text += "Principal second moments: " + sm::FormatNumber(section.Principal[0], section.PrincipalBound) +
+      "  " + sm::FormatNumber(section.Principal[1], section.PrincipalBound) + "  " + unit + "^4" +
+      sm::FormatBoundNote(section.PrincipalBound) + "\n";
+  }
+  for (const auto& [label, side] :
+    { std::make_pair("below", &total.Below), std::make_pair("above", &total.Above) })
+  {
+    text += std::string("Volume ") + label + ": " +
+      sm::FormatWithBound(side->Volume, side->VolumeBound, unit + "^3") + "\n";
+    if (std::isfinite(side->Mass))
+    {
+      text +=
+        std::string("Mass ") + label + ": " + sm::FormatWithBound(side->Mass, side->MassBound, "kg") + "\n";
+    }
+  }
+  if (!self.WithoutCap.empty())
+  {
+    text += "The display mesh of " + self.WithoutCap + " is not closed: its section is not drawn.\n";
+  }
+  return text;
+}
+
+void vtkSolidSection::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const
+{
+  const Internals& self = *this->Implementation;
+  Columns totals;
+  totals.Append(self.Total);
+  totals.AddTo(outputs.Totals->GetFieldData());
+  Columns solids;
+  for (const sm::SectionRow& row : self.Rows)
+  {
+    solids.Append(row);
+  }
+  solids.AddTo(outputs.Solids->GetRowData());
+  this->DrawSection(bodies);
+  const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
+  sm::columns::SetString(outputs.Totals->GetFieldData(), sm::names::LengthUnit, unit);
+  sm::columns::AddBodyColumns(bodies, outputs.Solids);
+  sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, this->WriteSummary(bodies));
+  sm::columns::AddFaceRows(bodies, this->MakeRequest().Integrands, outputs.Faces, { 0 });
+}
+
+std::vector<sm::MeshArray> vtkSolidSection::GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const
+{
+  const auto getVolume = [&bodies](std::size_t body, std::size_t face)
+  {
+    const sm::FaceIntegrals* result = bodies[body].Faces ? &(*bodies[body].Faces)[face] : nullptr;
+    return result && result->Error.empty() ? result->Face[0] + result->Closing[0] : vtkMath::Nan();
+  };
+  return { { sm::names::VolumeBelow, getVolume } };
+}
