@@ -10,7 +10,7 @@
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSTEPReader.h"
+#include "vtkCADReader.h"
 #include "vtkSolidSection.h"
 #include "vtkTable.h"
 
@@ -91,7 +91,7 @@ Json Describe(vtkFieldData* data, vtkIdType row, bool hasMass)
 
 namespace sm
 {
-void IntegrateSections(vtkSTEPReader* reader, const JobOptions& options,
+void IntegrateSections(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
 {
   if (options.Sections.empty())

@@ -10,7 +10,7 @@
 #include <functional>
 
 class vtkAlgorithm;
-class vtkSTEPReader;
+class vtkCADReader;
 
 namespace sm
 {
@@ -18,7 +18,7 @@ class MessageList;
 
 /// Fills `sections` of the file and of each solid, null where a value is not known (AddPlaceholders() has the keys). A flag of theirs
 /// becomes the file's when that was ok. `update` runs a filter.
-void IntegrateSections(vtkSTEPReader* reader, const JobOptions& options,
+void IntegrateSections(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages);
 }
 
