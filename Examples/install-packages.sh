@@ -1,4 +1,4 @@
-# What SolidMoments is built and tested with on Debian 12, and how it gets there; Debian 13 has the same names. Sourced, POSIX sh:
+# What SolidMoments is built and tested with on Debian 12 and 13, and how it gets there. Sourced, POSIX sh:
 #   solidmoments_packages                      prints the names
 #   solidmoments_library_packages              prints those that a program that links SolidMoments needs, too
 #   solidmoments_install LOG                   installs those that are missing; says what it does

@@ -37,11 +37,13 @@ cp /etc/resolv.conf "$system/etc/resolv.conf"
 
 # shellcheck disable=SC2317
 leave() {
+  umount "$system/dev/pts" 2>/dev/null || true
   umount "$system/dev" "$system/proc" 2>/dev/null || true
 }
 trap leave EXIT
 trap 'exit 130' INT TERM
 mount --bind /dev "$system/dev"
+mount --bind /dev/pts "$system/dev/pts"
 mount -t proc proc "$system/proc"
 if [ -e "$clone" ]; then
   git -C "$clone" fetch -q "$project" HEAD

@@ -3,6 +3,9 @@
 #include "smOCCTCurve.h"
 #include "smUnitRoundoff.h"
 
+// ShapeConstruct_ProjectCurveOnSurface.hxx of OpenCASCADE 7.9 lacks it.
+#include <TColStd_HArray1OfReal.hxx>
+
 #include <Geom2d_Line.hxx>
 #include <Precision.hxx>
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>

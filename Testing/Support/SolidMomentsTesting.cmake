@@ -80,7 +80,8 @@ endfunction ()
 # Open MPI needs this to run as root, with more ranks than cores, waiting without taking a core, and in a container.
 set(SOLIDMOMENTS_MPI_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
-  OMPI_MCA_btl_vader_single_copy_mechanism=none)
+  OMPI_MCA_btl_vader_single_copy_mechanism=none
+  PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none)
 
 # Gives a test executable the headers of Testing/Support, VTK's OpenGL classes and the precompiled header of all tests. The latter
 # requires the same definitions everywhere: VTK's registration of OpenGL is therefore an object of its own.

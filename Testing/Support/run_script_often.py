@@ -3,6 +3,7 @@
 LISTS: JSON, a list of argument lists. Standard output: JSON, a list of {"status": n, "stdout": text, "stderr": text}. What
 libraries print past Python counts as the script's.
 """
+import ctypes
 import json
 import os
 import runpy
@@ -27,6 +28,8 @@ def run(script, arguments):
             status = 1
         sys.stdout.flush()
         sys.stderr.flush()
+        # Python's streams are C's in pvpython 5.13, and a flush of the former leaves text in the latter.
+        ctypes.CDLL(None).fflush(None)
         for number, stream in enumerate(kept, 1):
             os.dup2(stream, number)
             os.close(stream)

@@ -6,6 +6,9 @@
 
 #include <vtkNew.h>
 
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <string>
 
 namespace
@@ -28,11 +31,24 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> ReadAsItIs(const std::string& p
   return reader->GetStatus() == vtkSTEPReader::OK ? reader->GetOutput() : nullptr;
 }
 
+/// Whether the loop of a torus runs the other way than in (u,v). It is two seams, each there and back, and all ends are one vertex: only
+/// the direction of its second edge tells. OpenCASCADE 7.6 models every torus so, 7.8 the mirrored one.
+bool HasTurnedLoop(const std::string& path)
+{
+  std::ifstream file(path);
+  const std::string text{ std::istreambuf_iterator<char>(file), {} };
+  std::smatch loop;
+  std::smatch edge;
+  return std::regex_search(text, loop, std::regex(R"(EDGE_LOOP\('',\(#\d+,(#\d+),)")) &&
+    std::regex_search(
+      text, edge, std::regex("\n" + loop[1].str() + R"( = ORIENTED_EDGE\('',\*,\*,#\d+,\.(.)\.\))")) &&
+    edge[1] == "T";
+}
+
 void CheckSolid(const Expected& expected)
 {
   const std::string name = expected.Solid + "-" + expected.Variant;
-  // The loop of a torus is two seams, each there and back: all ends are one vertex, and the order of the file is not that in (u,v).
-  const bool isUnsound = expected.Solid == "torus";
+  const bool isUnsound = expected.Solid == "torus" && HasTurnedLoop(expected.Path);
   std::string repaired;
   const auto data = ReadAsItIs(expected.Path, repaired);
   CheckTrue(name + ": read", data != nullptr);
