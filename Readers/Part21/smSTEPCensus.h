@@ -25,17 +25,18 @@ enum class CensusDefect : unsigned char
   InconsistentSpline, ///< multiplicities, knots, poles and degree do not fit together
   CyclicReference,    ///< an oriented shell, face or edge, a boundary or a curve that is part of itself
   SharedBound,        ///< a bound of two faces, or twice of one
-  RepeatedFace,       ///< a face twice in one shell
-  RepeatedItem,       ///< a solid twice in one representation; it is counted once
-  UnusedEntity,       ///< a face, bound, loop, shell or solid that nothing uses
-  EmptyShell,         ///< a shell without a face
-  AssemblyCycle,      ///< a product, or a representation, that contains itself
-  MissingPlacement,   ///< an occurrence in an assembly without a transformation
-  PlacementMismatch,  ///< the placement of an occurrence relates representations of other products
-  UnreachedBody,      ///< a solid in a representation that no product uses
-  MissingUnit,        ///< no length unit, or no angle unit
-  WrongUnit,          ///< a unit that is damaged, not positive, or not what its name says
-  AbsurdUnit,         ///< a length unit below a nanometre or above a kilometre
+  TurnedEdge,       ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
+  RepeatedFace,     ///< a face twice in one shell
+  RepeatedItem,     ///< a solid twice in one representation; it is counted once
+  UnusedEntity,     ///< a face, bound, loop, shell or solid that nothing uses
+  EmptyShell,       ///< a shell without a face
+  AssemblyCycle,    ///< a product, or a representation, that contains itself
+  MissingPlacement, ///< an occurrence in an assembly without a transformation
+  PlacementMismatch, ///< the placement of an occurrence relates representations of other products
+  UnreachedBody,     ///< a solid in a representation that no product uses
+  MissingUnit,       ///< no length unit, or no angle unit
+  WrongUnit,         ///< a unit that is damaged, not positive, or not what its name says
+  AbsurdUnit,        ///< a length unit below a nanometre or above a kilometre
   Count
 };
 

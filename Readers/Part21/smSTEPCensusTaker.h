@@ -8,6 +8,7 @@
 #include "smSTEPAttributes.h"
 #include "smSTEPCensus.h"
 
+#include <array>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -86,6 +87,14 @@ private:
   /// The shell or face below oriented ones.
   Index Unwrap(Index i, const STEPAttribute& element, const char* oriented);
   void FindUnused();
+
+  // smSTEPLoops.cxx: the order of edges
+  using Point3 = std::array<double, 3>;
+  void CheckLoops();
+  void CheckLoop(Index face, Index loop);
+  /// The coordinates of a vertex; false where they cannot be read.
+  bool ReadVertex(Index vertex, Point3& point) const;
+  bool IsStraight(Index curve) const;
   void CheckBounds();
 
   // smSTEPDependence.cxx: what bodies depend on, and its damage

@@ -118,6 +118,14 @@ std::vector<CensusCase> GetBodyCases()
   const std::string second =
     "#70=VERTEX_LOOP('',#25);\n#71=FACE_BOUND('',#70,.T.);\n#72=ADVANCED_FACE('',(#71),#24,.T.);\n"
     "#73=CLOSED_SHELL('',(#72));\n";
+  // Half a disc.
+  const std::string half =
+    "#71=FACE_BOUND('',#74,.T.);\n#72=ADVANCED_FACE('',(#71),#73,.T.);\n#73=PLANE('',#23);\n"
+    "#74=EDGE_LOOP('',(#75,#76));\n#75=ORIENTED_EDGE('',*,*,#79,.T.);\n#76=ORIENTED_EDGE('',*,*,#81,.T.);\n"
+    "#77=VERTEX_POINT('',#83);\n#78=VERTEX_POINT('',#84);\n#79=EDGE_CURVE('',#77,#78,#80,.T.);\n"
+    "#80=CIRCLE('',#23,5.);\n#81=EDGE_CURVE('',#78,#77,#82,.T.);\n#82=LINE('',#83,#85);\n"
+    "#83=CARTESIAN_POINT('',(5.,0.,0.));\n#84=CARTESIAN_POINT('',(-5.,0.,0.));\n#85=VECTOR('',#86,1.);\n"
+    "#86=DIRECTION('',(-1.,0.,0.));\n";
   const std::string solid = "#31=MANIFOLD_SOLID_BREP('ball',#30);";
   return {
     { "a ball", ChangeBall("ball", "ball"), OneBall, "" },
@@ -193,6 +201,15 @@ std::vector<CensusCase> GetBodyCases()
         "(#29))", "(#29,#72))", Replace(second.substr(0, second.find("#73")), "(#71),#24", "(#28),#24")),
       Count(1, 1, 2),
       "bound of two faces: 1 (#72 ADVANCED_FACE bounds #28); used by nothing: 1 (#71 FACE_BOUND)" },
+    { "a loop of an arc and a line", ExtendBall("(#29))", "(#29,#72))", half), Count(1, 1, 2), "" },
+    { "an arc that runs against the line",
+      ExtendBall("(#29))", "(#29,#72))", Replace(half, "#77,#78,#80", "#78,#77,#80")), Count(1, 1, 2),
+      "a curved edge runs against its neighbours: 1 (#74 EDGE_LOOP edges #79)" },
+    { "lines in any direction",
+      ExtendBall("(#29))", "(#29,#72))",
+        Replace(
+          Replace(half, "#77,#78,#80", "#78,#77,#80"), "#80=CIRCLE('',#23,5.)", "#80=LINE('',#83,#85)")),
+      Count(1, 1, 2), "" },
     { "the number of a face twice", ExtendBall("ball", "ball", "#29=ADVANCED_FACE('',(#28),#24,.F.);\n"),
       OneBall, "damaged entity: 1 (#29 ADVANCED_FACE); used by nothing: 1 (#29 ADVANCED_FACE)" },
     { "a bound without a bracket", ChangeBall("('',#27,.T.);", "('',#27,.T.;"), OneBall,

@@ -1,0 +1,193 @@
+// Loops whose edges run against one another.
+#include "smSTEPCensusTaker.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+constexpr STEPAttribute LoopOfBound = { "FACE_BOUND", 0, 1, "bound" };
+constexpr STEPAttribute EdgesOfLoop = { "PATH", 0, 1, "edges" };
+constexpr STEPAttribute EdgeOfOriented = { "ORIENTED_EDGE", 0, 3, "edge" };
+constexpr STEPAttribute Orientation = { "ORIENTED_EDGE", 1, 4, "orientation" };
+constexpr STEPAttribute StartOfEdge = { "EDGE", 0, 1, "start" };
+constexpr STEPAttribute EndOfEdge = { "EDGE", 1, 2, "end" };
+constexpr STEPAttribute CurveOfEdge = { "EDGE_CURVE", 0, 3, "geometry" };
+constexpr STEPAttribute CurveInSpace = { "SURFACE_CURVE", 0, 1, "3D curve" };
+constexpr STEPAttribute PointOfVertex = { "VERTEX_POINT", 0, 1, "point" };
+constexpr STEPAttribute Coordinates = { "CARTESIAN_POINT", 0, 1, "coordinates" };
+
+/// Ends that are closer, relative to the extent of the loop's vertices, follow one another; a wider gap is seen by the integrals, too.
+constexpr double LoopTolerance = 1e-3;
+
+using Point = std::array<double, 3>;
+
+double GetDistance(const Point& a, const Point& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// An edge of a loop, as the loop runs along it.
+struct LoopEdge
+{
+  std::uint64_t Id = 0;
+  Point Start{};
+  Point End{};
+  bool Straight = false;
+};
+
+/// The numbers of the edges that run against the others when the first one is kept, or turned; false when they make no loop in this order.
+bool FindTurned(
+  const std::vector<LoopEdge>& edges, double tolerance, bool isFirstTurned, std::vector<std::size_t>& turned)
+{
+  turned.clear();
+  const Point& start = isFirstTurned ? edges[0].End : edges[0].Start;
+  Point at = start;
+  for (std::size_t k = 0; k < edges.size(); ++k)
+  {
+    const LoopEdge& edge = edges[k];
+    const bool isTurned = k == 0 ? isFirstTurned : GetDistance(at, edge.Start) > tolerance;
+    if (isTurned && GetDistance(at, edge.End) > tolerance)
+    {
+      return false;
+    }
+    if (isTurned)
+    {
+      turned.push_back(k);
+    }
+    at = isTurned ? edge.Start : edge.End;
+  }
+  return GetDistance(at, start) <= tolerance;
+}
+
+bool IsChained(const std::vector<LoopEdge>& edges, double tolerance)
+{
+  std::vector<std::size_t> turned;
+  return FindTurned(edges, tolerance, false, turned) && turned.empty();
+}
+}
+
+bool STEPCensusTaker::ReadVertex(Index vertex, Point3& point) const
+{
+  const Part21Value list =
+    this->Entities.Get(this->Entities.Follow(this->Entities.Get(vertex, PointOfVertex)), Coordinates);
+  Part21Values values(list.Text);
+  Part21Value value;
+  return list.IsList() && values.Next(value) && value.GetNumber(point[0]) && values.Next(value) &&
+    value.GetNumber(point[1]) && values.Next(value) && value.GetNumber(point[2]);
+}
+
+bool STEPCensusTaker::IsStraight(Index curve) const
+{
+  std::string_view parameters;
+  for (int k = 0; k < 2 && curve != None; ++k)
+  {
+    if (this->Entities.FindRecord(curve, "LINE", parameters))
+    {
+      return true;
+    }
+    if (!this->Entities.FindRecord(curve, "SURFACE_CURVE", parameters) &&
+      !this->Entities.FindRecord(curve, "SEAM_CURVE", parameters) &&
+      !this->Entities.FindRecord(curve, "INTERSECTION_CURVE", parameters))
+    {
+      return false;
+    }
+    curve = this->Entities.Follow(this->Entities.Get(curve, CurveInSpace));
+  }
+  return false;
+}
+
+void STEPCensusTaker::CheckLoop(Index face, Index loop)
+{
+  std::vector<LoopEdge> edges;
+  Point low;
+  Point high;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  Part21Values values(this->Entities.Get(loop, EdgesOfLoop).Text);
+  for (Part21Value value; values.Next(value);)
+  {
+    const Index oriented = this->Entities.Follow(value);
+    if (!this->Entities.Has(oriented, STEPRole::OrientedEdge))
+    {
+      return;
+    }
+    const Index edge = this->Entities.Follow(this->Entities.Get(oriented, EdgeOfOriented));
+    if (!this->Entities.Has(edge, STEPRole::Edge))
+    {
+      return;
+    }
+    LoopEdge found;
+    found.Id = this->File.GetId(edge);
+    if (!this->ReadVertex(this->Entities.Follow(this->Entities.Get(edge, StartOfEdge)), found.Start) ||
+      !this->ReadVertex(this->Entities.Follow(this->Entities.Get(edge, EndOfEdge)), found.End))
+    {
+      return;
+    }
+    found.Straight = this->IsStraight(this->Entities.Follow(this->Entities.Get(edge, CurveOfEdge)));
+    if (this->Entities.Get(oriented, Orientation).Text == "F")
+    {
+      std::swap(found.Start, found.End);
+    }
+    for (const Point& point : { found.Start, found.End })
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        low[c] = std::min(low[c], point[c]);
+        high[c] = std::max(high[c], point[c]);
+      }
+    }
+    edges.push_back(found);
+  }
+  const double tolerance = LoopTolerance * (edges.empty() ? 0.0 : GetDistance(low, high));
+  if (edges.size() < 2 || IsChained(edges, tolerance))
+  {
+    return;
+  }
+  // Either the first edge is kept or it is turned; what takes fewer turns is meant, and of as many one or the other. Edges in another order
+  // make one loop, or a gap that the integrals see.
+  std::vector<std::size_t> turned;
+  std::vector<std::size_t> others;
+  const bool isLoop = FindTurned(edges, tolerance, false, turned);
+  const bool isOther = FindTurned(edges, tolerance, true, others);
+  if (isOther && (!isLoop || others.size() <= turned.size()))
+  {
+    turned = isLoop && others.size() == turned.size() ? turned : std::vector<std::size_t>();
+    turned.insert(turned.end(), others.begin(), others.end());
+  }
+  else if (!isLoop)
+  {
+    return;
+  }
+  // A straight edge is the same in both directions, but of a curve through two points the one part or the other is meant.
+  const auto curved =
+    std::find_if(turned.begin(), turned.end(), [&edges](std::size_t k) { return !edges[k].Straight; });
+  if (curved != turned.end())
+  {
+    this->GeometricDamage[face] = true;
+    this->Add(CensusDefect::TurnedEdge, loop, edges[*curved].Id, EdgesOfLoop.Name);
+  }
+}
+
+void STEPCensusTaker::CheckLoops()
+{
+  for (std::size_t k = 0; k < this->Census.Faces.size(); ++k)
+  {
+    const CensusFace face = this->Census.Faces[k];
+    for (std::uint32_t b = 0; b < face.NumberOfBounds; ++b)
+    {
+      const Index bound = this->File.Find(this->Census.Bounds[face.FirstBound + b]);
+      const Index loop =
+        bound != None ? this->Entities.Follow(this->Entities.Get(bound, LoopOfBound)) : Part21File::None;
+      if (this->Entities.Has(loop, STEPRole::Loop))
+      {
+        this->CheckLoop(this->FaceEntities[k], loop);
+      }
+    }
+  }
+}
+}
