@@ -288,12 +288,9 @@ void BuoyancyIntegrator::AddTasks(CutBody& cut, std::size_t body, const Toleranc
 
 namespace
 {
-/// Sums the section's moments of all faces, in the frame's coordinates. `rounding` is the relative rounding of the sums.
-void SumSection(const WaterlineFrame& frame, const std::vector<FaceIntegrals>& faces, double rounding,
-  SectionMoments& section)
+/// Sums the section's moments of all faces. `rounding` is the relative rounding of the sums.
+void SumSection(const std::vector<FaceIntegrals>& faces, double rounding, SectionMoments& section)
 {
-  section.Origin = frame.Origin;
-  section.Axes = { frame.Axes[0], frame.Axes[1] };
   double* const values[] = { &section.Area, &section.First[0], &section.First[1], &section.Second[0],
     &section.Second[1], &section.Second[2] };
   double* const bounds[] = { &section.AreaBound, &section.FirstBound[0], &section.FirstBound[1],
@@ -339,14 +336,11 @@ void BuoyancyIntegrator::SumBody(const CutBody& cut, BodyBuoyancy& result) const
   // Rounding of sums with this number of terms.
   const double relative = UnitRoundoff * static_cast<double>(result.Faces.size() + 8);
   const double rounding = relative * magnitude;
+  result.Section.Origin = frame.PlaneOrigin;
+  result.Section.Axes = { frame.Axes[0], frame.Axes[1] };
   if (cut.IsCrossed && this->WithSection)
   {
-    SumSection(frame, result.Faces, relative, result.Section);
-  }
-  else
-  {
-    result.Section.Origin = frame.Origin;
-    result.Section.Axes = { frame.Axes[0], frame.Axes[1] };
+    SumSection(result.Faces, relative, result.Section);
   }
   bounds[0] += rounding;
   for (std::size_t k = 1; k < Quantities; ++k)

@@ -276,6 +276,56 @@ void CheckShells(const Manifest& manifest)
   }
 }
 
+/// A centroid that is known lies on the plane within its bound.
+void CheckOnPlane(
+  const std::string& what, const Vector& point, const Vector& normal, const double centroid[3], double bound)
+{
+  if (std::isfinite(bound))
+  {
+    const Vector way = Sum({ centroid[0], centroid[1], centroid[2] }, Scaled(point, -1));
+    Check(what + ", distance from the plane", 0.0, static_cast<double>(Dot(way, Unit(normal))), bound);
+  }
+}
+
+/// Several bodies: the centroid stays on a plane that passes bodies by, and is that of the bodies which the plane cuts.
+void CheckBodies(const Manifest& manifest)
+{
+  SectionScene two(manifest.GetSpecial("two_solids").Path);
+  const Vector planes[][2] = { { { 0, 0, 12 }, { 0, 0, 1 } }, { { 0, 0, -3 }, { 0, 0, 1 } },
+    { { 55, 0, 0 }, { 1, 0, 0 } }, { { 0, 0, 5 }, { 0.1L, 0.2L, 1 } }, { { 5e5L, 0, 12 }, { 0, 0, 1 } } };
+  for (const auto& [point, axis] : planes)
+  {
+    for (const int sense : { 1, -1 })
+    {
+      const Vector normal = Scaled(axis, sense);
+      two.Set(point, normal);
+      two.Filter->Update();
+      double centroid[3];
+      two.Filter->GetSectionCentroid(centroid);
+      CheckTrue("two solids, the centroid is known", std::isfinite(two.Filter->GetSectionCentroidBound()));
+      CheckOnPlane("two solids, all", point, normal, centroid, two.Filter->GetSectionCentroidBound());
+      auto* rows = vtkTable::SafeDownCast(two.Filter->GetOutputDataObject(1))->GetRowData();
+      for (vtkIdType row = 0; row < 2; ++row)
+      {
+        rows->GetArray(sm::names::SectionCentroid)->GetTuple(row, centroid);
+        CheckOnPlane("two solids, one", point, normal, centroid,
+          rows->GetArray((std::string(sm::names::SectionCentroid) + sm::names::BoundSuffix).c_str())
+            ->GetComponent(row, 0));
+      }
+      if (point[2] == 12)
+      {
+        two.Filter->GetSectionCentroid(centroid);
+        const double exact[3] = { 60, 10, 12 };
+        for (int c = 0; c < 3; ++c)
+        {
+          Check("two solids, centroid of the higher one", exact[c], centroid[c],
+            two.Filter->GetSectionCentroidBound());
+        }
+      }
+    }
+  }
+}
+
 void CheckOpen(const Manifest& manifest)
 {
   SectionScene solid(manifest.GetSpecial("open_solid").Path);
@@ -350,6 +400,7 @@ int TestSolidSectionRuns(int argc, char* argv[])
   const Manifest manifest(argv[1]);
   RunMode(argv[2], manifest,
     { { "touching", CheckTouching }, { "outputs", CheckOutputs }, { "limits", CheckLimits },
-      { "shells", CheckShells }, { "open", CheckOpen }, { "splines", CheckSplines } });
+      { "shells", CheckShells }, { "bodies", CheckBodies }, { "open", CheckOpen },
+      { "splines", CheckSplines } });
   return Finish();
 }
