@@ -117,10 +117,6 @@ void CheckResults(
       "or touches a face, by no "
       "more than the numbers are accurate to, the area is not determined. Move the plane");
   }
-  if (body.OpenEdges > 0)
-  {
-    return;
-  }
   if (row.Below.Volume < -row.Below.VolumeBound || row.Above.Volume < -row.Above.VolumeBound)
   {
     body.Flag(sm::Status::Suspect, "the volume is negative: the solid is inside out in the file");
@@ -308,12 +304,21 @@ void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
   sm::DisplacedMoments above;
   sm::SectionRow masses;
   bool isFirst = true;
+  bool hasOpen = false;
   self.Rows.assign(bodies.size(), {});
   for (std::size_t b = 0; b < bodies.size() && !self.Below.empty(); ++b)
   {
     sm::BodyIntegrals& body = bodies[b];
     if (!body.HasVolume() || !body.Faces)
     {
+      continue;
+    }
+    if (body.OpenEdges > 0)
+    {
+      hasOpen = true;
+      body.Flag(sm::Status::Open,
+        "the solid is not closed: its section and the volumes on either side are not defined, nor are the "
+        "totals. Close it, or leave it out");
       continue;
     }
     sm::SectionRow& row = self.Rows[b];
@@ -335,7 +340,7 @@ void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
     above.Add(self.Above[b].Total);
     masses.AddMass(row);
   }
-  if (!isFirst)
+  if (!isFirst && !hasOpen)
   {
     self.Total = sm::SectionRow(section, below, above);
     for (const auto& [from, to] :

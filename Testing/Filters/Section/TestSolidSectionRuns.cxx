@@ -329,9 +329,27 @@ void CheckBodies(const Manifest& manifest)
 void CheckOpen(const Manifest& manifest)
 {
   SectionScene solid(manifest.GetSpecial("open_solid").Path);
-  solid.Set({ 0, 0, 5 }, { 0, 0, 1 });
-  solid.Filter->Update();
-  CheckEqual("open solid, status", "open", solid.Filter->GetStatus());
+  for (const double sense : { 1.0, -1.0 })
+  {
+    solid.Set({ 15, 10, 5 }, { sense, 0, 0 });
+    solid.Filter->Update();
+    CheckEqual("open solid, status", "open", solid.Filter->GetStatus());
+    CheckTrue("open solid, said", Says(solid.Filter, "are not defined"), GetMessages(solid.Filter));
+    vtkFieldData* fields = solid.Filter->GetOutput()->GetFieldData();
+    vtkFieldData* rows = vtkTable::SafeDownCast(solid.Filter->GetOutputDataObject(1))->GetRowData();
+    for (const char* name :
+      { sm::names::SectionArea, sm::names::SectionCentroid, sm::names::SectionSecondMoments,
+        sm::names::VolumeBelow, sm::names::CenterBelow, sm::names::VolumeAbove, sm::names::CenterAbove })
+    {
+      const std::string bound = std::string(name) + sm::names::BoundSuffix;
+      for (const std::string& column : { std::string(name), bound })
+      {
+        CheckTrue("open solid, no " + column,
+          std::isnan(fields->GetArray(column.c_str())->GetComponent(0, 0)) &&
+            std::isnan(rows->GetArray(column.c_str())->GetComponent(0, 0)));
+      }
+    }
+  }
   SectionScene shell(manifest.GetSpecial("open_shell").Path);
   shell.Set({ 0, 0, 5 }, { 0, 0, 1 });
   shell.Filter->Update();
