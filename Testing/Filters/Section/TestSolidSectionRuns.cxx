@@ -1,5 +1,6 @@
 // TestSolidSectionRuns FOLDER MODE BACKEND: outputs of a run, planes that touch, shells inside out, open bodies, spline solids
 #include "smSectionNames.h"
+#include "smSectionRow.h"
 #include "smSectionTesting.h"
 
 #include <vtkCellData.h>
@@ -163,6 +164,10 @@ void CheckOutputs(const Manifest& manifest)
   filter->Modified();
   filter->Update();
   CheckTrue("cut once, integrated once", filter->GetEvaluations() == 0);
+  scene.Set({ 15, 0, 0 }, { 1e200L, 0, 1e-200L });
+  filter->Update();
+  Check("area across a normal of 1e200", 200.0, filter->GetSectionArea(), filter->GetSectionAreaBound());
+  Check("its cap", 200.0, GetCapArea(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(7))), 1e-9);
   filter->SetDensity(0.0);
   filter->Update();
   CheckTrue(
@@ -326,6 +331,34 @@ void CheckBodies(const Manifest& manifest)
   }
 }
 
+/// Results of both sides that differ by more than their bounds, or a centroid beside the plane, are found.
+void CheckContradictions(const Manifest&)
+{
+  const sm::Waterline plane{ { 7, 0, 5 }, { 0, 0, 2 } };
+  sm::SectionMoments below;
+  below.Origin = { 1, 2, 5 };
+  below.Axes = { { { 1, 0, 0 }, { 0, 1, 0 } } };
+  below.Area = 4.0;
+  below.Second = { 3.0, 2.0, 0.5 };
+  below.AreaBound = 1e-9;
+  below.FirstBound = { 1e-9, 1e-9 };
+  below.SecondBound = { 1e-9, 1e-9, 1e-9 };
+  const auto find = [&](const sm::SectionMoments& above) { return FindContradiction(below, above, plane); };
+  CheckEqual("no contradiction", std::string(), find(below));
+  sm::SectionMoments above = below;
+  above.Area += 1e-8;
+  CheckTrue("areas", find(above).find("areas") != std::string::npos);
+  above = below;
+  above.First[1] += 1e-7;
+  CheckTrue("centroids", find(above).find("centroids") != std::string::npos);
+  above = below;
+  above.Second[2] += 1e-7;
+  CheckTrue("second moments", find(above).find("second moments") != std::string::npos);
+  below.Origin[2] += 1e-8;
+  CheckTrue("off the plane", find(below).find("off the plane") != std::string::npos);
+  CheckEqual("nothing is no contradiction", std::string(), FindContradiction({}, {}, plane));
+}
+
 void CheckOpen(const Manifest& manifest)
 {
   SectionScene solid(manifest.GetSpecial("open_solid").Path);
@@ -418,7 +451,7 @@ int TestSolidSectionRuns(int argc, char* argv[])
   const Manifest manifest(argv[1]);
   RunMode(argv[2], manifest,
     { { "touching", CheckTouching }, { "outputs", CheckOutputs }, { "limits", CheckLimits },
-      { "shells", CheckShells }, { "bodies", CheckBodies }, { "open", CheckOpen },
-      { "splines", CheckSplines } });
+      { "shells", CheckShells }, { "bodies", CheckBodies }, { "contradictions", CheckContradictions },
+      { "open", CheckOpen }, { "splines", CheckSplines } });
   return Finish();
 }
