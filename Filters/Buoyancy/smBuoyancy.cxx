@@ -240,6 +240,21 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
   return true;
 }
 
+namespace
+{
+/// Returns the area that the border of a part with one patch sweeps by the displacement of its control points. The planner takes such a
+/// patch for a whole face, with no neighbour that is displaced by itself.
+double GetSweptBorder(const FacePanels& part)
+{
+  if (part.Patches.size() != 1)
+  {
+    return 0.0;
+  }
+  const Patch& patch = part.Patches[0];
+  return 2.0 * Norm(patch.Displacement) * (patch.Stretch[0] + patch.Stretch[1]);
+}
+}
+
 void BuoyancyIntegrator::AddTasks(CutBody& cut, std::size_t body, const Tolerance& tolerance,
   std::vector<FaceTask>& tasks, std::vector<Place>& places) const
 {
@@ -273,9 +288,16 @@ void BuoyancyIntegrator::AddTasks(CutBody& cut, std::size_t body, const Toleranc
         task.Source = part->Source;
         task.Cut = part;
         tasks.push_back(task);
-        for (double& own : tasks.back().Tolerances)
+        if (below.Parts[0] && below.Parts[1])
         {
-          own *= below.Parts[0] && below.Parts[1] ? 0.5 : 1.0;
+          for (double& own : tasks.back().Tolerances)
+          {
+            own *= 0.5;
+          }
+          // The plane crosses the face, so that no height exceeds twice the radius.
+          const double swept = GetSweptBorder(part->Panels);
+          cut.VolumeErrors[i] += 2.0 * frame.Reach * swept;
+          cut.AreaErrors[i] += swept;
         }
         places.push_back({ body, i });
         cut.VolumeErrors[i] += moved * GetLargestArea(part->Panels, below.StripArea);
