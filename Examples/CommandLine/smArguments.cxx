@@ -159,8 +159,7 @@ std::string FindWrongComparison(const CLI::App& app, const sm::Arguments& argume
 /// An error message for a column or an expression that cannot be, or for something required that is not computed; empty otherwise.
 std::string FindWrongRequest(const CLI::App& app, const sm::Arguments& arguments)
 {
-  sm::Json file = sm::UnreadableFile("", "");
-  sm::AddPlaceholders(arguments.Job, file);
+  const sm::Json file = sm::UnreadableFile(arguments.Job, "");
   const std::vector<std::string> known = sm::ListColumns(file);
   for (const std::vector<std::string>& columns : { arguments.Print, arguments.Fields })
   {

@@ -147,7 +147,7 @@ void DrawComparison(const JobOptions& options, const JobListener& send)
   before->Update();
   SetUpReader(after, name, options);
   after->Update();
-  Json file = UnreadableFile(options.FileName, "");
+  Json file = UnreadableFile(options, "");
   const bool areRead = before->GetStatus() == vtkCADReader::OK && after->GetStatus() == vtkCADReader::OK;
   file["status"] = areRead ? names::StatusOk : names::StatusNotComputed;
   send({ { "result", file }, { "complete", true } });

@@ -348,6 +348,7 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
     return;
   }
   Json file = sm::MakeEmptyFile(given.FileName);
+  sm::AddPlaceholders(given, file);
   sm::MessageList messages;
   const bool isRead = Read(reader, given, send, file, messages);
   sm::JobOptions options = given;
@@ -522,7 +523,7 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
     }
     if (sent.is_null())
     {
-      sent = UnreadableFile(options.FileName, reason);
+      sent = UnreadableFile(options, reason);
     }
     else
     {
@@ -548,9 +549,10 @@ int GetExitStatus(const Json& file)
                                                 : Flagged;
 }
 
-Json UnreadableFile(const std::string& fileName, const std::string& message)
+Json UnreadableFile(const JobOptions& options, const std::string& message)
 {
-  Json file = sm::MakeEmptyFile(fileName);
+  Json file = sm::MakeEmptyFile(options.FileName);
+  AddPlaceholders(options, file);
   file["messages"].push_back(message);
   return file;
 }

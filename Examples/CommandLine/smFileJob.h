@@ -122,8 +122,8 @@ bool ParsePlane(const std::string& text, std::array<double, 6>& plane);
 /// text is none of them, or the directions make no frame.
 bool ParseFrame(const std::string& text, std::vector<double>& frame);
 
-/// The entry of a file that could not be read: it has every key, and the values are null.
-Json UnreadableFile(const std::string& fileName, const std::string& message);
+/// The entry of a file that could not be read: it has every key, also of what the options ask for, and the values are null.
+Json UnreadableFile(const JobOptions& options, const std::string& message);
 }
 
 #endif

@@ -175,7 +175,7 @@ void AddFailure(const sm::JobOptions& options, const std::string& stage, const s
   if (file.is_null())
   {
     const bool isReading = stage == sm::stages::Read;
-    file = sm::UnreadableFile(options.FileName,
+    file = sm::UnreadableFile(options,
       reason + (isReading && !isExplained ? "; the file is malformed or the CAD kernel cannot read it" : ""));
     file["status"] = isExplained ? names::StatusNotComputed : names::StatusUnreadable;
     return;
@@ -377,7 +377,7 @@ JobOutcome IsolatedJob::GetOutcome()
   JobOutcome outcome;
   if (!this->Error.empty())
   {
-    outcome.File = UnreadableFile(this->Options.FileName, this->Error);
+    outcome.File = UnreadableFile(this->Options, this->Error);
     return outcome;
   }
   outcome.File = std::move(this->Said.Result);

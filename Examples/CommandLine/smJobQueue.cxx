@@ -101,7 +101,7 @@ JobOutcome JobQueue::Next()
   if (!entry.Job)
   {
     JobOutcome outcome;
-    outcome.File = UnreadableFile(job.FileName, job.FileName + " cannot be read: " + entry.Input->GetError());
+    outcome.File = UnreadableFile(job, job.FileName + " cannot be read: " + entry.Input->GetError());
     return outcome;
   }
   JobOutcome outcome = entry.Job->GetOutcome();

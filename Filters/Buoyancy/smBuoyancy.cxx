@@ -240,6 +240,21 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
   return true;
 }
 
+namespace
+{
+/// Returns the area that the border of a part with one patch sweeps by the displacement of its control points. The planner takes such a
+/// patch for a whole face, with no neighbour that is displaced by itself.
+double GetSweptBorder(const FacePanels& part)
+{
+  if (part.Patches.size() != 1)
+  {
+    return 0.0;
+  }
+  const Patch& patch = part.Patches[0];
+  return 2.0 * Norm(patch.Displacement) * (patch.Stretch[0] + patch.Stretch[1]);
+}
+}
+
 void BuoyancyIntegrator::AddTasks(CutBody& cut, std::size_t body, const Tolerance& tolerance,
   std::vector<FaceTask>& tasks, std::vector<Place>& places) const
 {
@@ -273,9 +288,16 @@ void BuoyancyIntegrator::AddTasks(CutBody& cut, std::size_t body, const Toleranc
         task.Source = part->Source;
         task.Cut = part;
         tasks.push_back(task);
-        for (double& own : tasks.back().Tolerances)
+        if (below.Parts[0] && below.Parts[1])
         {
-          own *= below.Parts[0] && below.Parts[1] ? 0.5 : 1.0;
+          for (double& own : tasks.back().Tolerances)
+          {
+            own *= 0.5;
+          }
+          // The plane crosses the face, so that no height exceeds twice the radius.
+          const double swept = GetSweptBorder(part->Panels);
+          cut.VolumeErrors[i] += 2.0 * frame.Reach * swept;
+          cut.AreaErrors[i] += swept;
         }
         places.push_back({ body, i });
         cut.VolumeErrors[i] += moved * GetLargestArea(part->Panels, below.StripArea);
@@ -288,12 +310,9 @@ void BuoyancyIntegrator::AddTasks(CutBody& cut, std::size_t body, const Toleranc
 
 namespace
 {
-/// Sums the section's moments of all faces, in the frame's coordinates. `rounding` is the relative rounding of the sums.
-void SumSection(const WaterlineFrame& frame, const std::vector<FaceIntegrals>& faces, double rounding,
-  SectionMoments& section)
+/// Sums the section's moments of all faces. `rounding` is the relative rounding of the sums.
+void SumSection(const std::vector<FaceIntegrals>& faces, double rounding, SectionMoments& section)
 {
-  section.Origin = frame.Origin;
-  section.Axes = { frame.Axes[0], frame.Axes[1] };
   double* const values[] = { &section.Area, &section.First[0], &section.First[1], &section.Second[0],
     &section.Second[1], &section.Second[2] };
   double* const bounds[] = { &section.AreaBound, &section.FirstBound[0], &section.FirstBound[1],
@@ -339,14 +358,11 @@ void BuoyancyIntegrator::SumBody(const CutBody& cut, BodyBuoyancy& result) const
   // Rounding of sums with this number of terms.
   const double relative = UnitRoundoff * static_cast<double>(result.Faces.size() + 8);
   const double rounding = relative * magnitude;
+  result.Section.Origin = frame.PlaneOrigin;
+  result.Section.Axes = { frame.Axes[0], frame.Axes[1] };
   if (cut.IsCrossed && this->WithSection)
   {
-    SumSection(frame, result.Faces, relative, result.Section);
-  }
-  else
-  {
-    result.Section.Origin = frame.Origin;
-    result.Section.Axes = { frame.Axes[0], frame.Axes[1] };
+    SumSection(result.Faces, relative, result.Section);
   }
   bounds[0] += rounding;
   for (std::size_t k = 1; k < Quantities; ++k)

@@ -10,7 +10,8 @@
  * a list of panels, ribbons and caps (smSubmergedFace.h).
  *
  * The section with the plane closes that part: its area is the flux of -up through the submerged part, and its moments are those of
- * -up times x, y, xx, yy and xy (Integrand::SectionMoment). These do not vanish on the plane: smSubmergedFace.h has their bound.
+ * -up times x, y, xx, yy and xy (Integrand::SectionMoment), provided that the chain is closed: what is missing below the plane would
+ * count as section. These do not vanish on the plane: smSubmergedFace.h has their bound.
  */
 #ifndef smBuoyancy_h
 #define smBuoyancy_h

@@ -57,7 +57,7 @@ int FindSide(const FacePanels& panels, const HeightPlane& plane, double margin)
 }
 
 /// Distance from the plane beyond which the side of a point of the face is certain: heights are rounded, too.
-/// Edges may also be off by their residuals.
+/// The border may also be off by the residuals of its curves.
 double GetMargin(const CutFace& face, const CutLimits& limits)
 {
   double radius = 0.0;
@@ -65,15 +65,7 @@ double GetMargin(const CutFace& face, const CutLimits& limits)
   {
     radius = std::max(radius, patch.Radius);
   }
-  double residual = 0.0;
-  for (const Loop& loop : face.Source->Loops)
-  {
-    for (const Coedge& coedge : loop.Coedges)
-    {
-      residual = std::max(residual, Norm(coedge.Use->Curve.Residual));
-    }
-  }
-  return limits.Displacement + residual + 16.0 * UnitRoundoff * radius;
+  return limits.Displacement + GetBorderResidual(*face.Source, face.Panels) + 16.0 * UnitRoundoff * radius;
 }
 
 CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchanged)

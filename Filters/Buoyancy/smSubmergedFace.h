@@ -16,7 +16,8 @@
  *
  * **Sections.** The area of the section is the flux of -up through the submerged part, its moments those of -up g(x, y), x and y
  * coordinates of the plane. The 2-form w = g dx dy is closed, but does not vanish on the plane. Let X be the chain as computed and X'
- * the true one over the same parameters, |X' - X| <= d with the plane's own error in d, and R the part that is kept as submerged.
+ * the true one over the same parameters, |X' - X| <= d with the plane's own error in d, and R the part that is kept as submerged. The
+ * chain of the body must be closed: every edge is shared, so that only the graphs bound R.
  * 1. w over X'(R) less w over X(R) is, by Stokes' theorem, w over what the border of R sweeps from X to X': at most max|g| d times the
  *    length of that border, which is the graphs alone, since patches, ribbons and caps share all others.
  * 2. What is in R and not below the true plane, or the reverse, has max|g| times its area: a point left of a graph p(r) has

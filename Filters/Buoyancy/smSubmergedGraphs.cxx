@@ -18,8 +18,8 @@ using Point2 = std::array<double, 2>;
 constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
 // Share of the room beside a box by which a crossing of the waterline may be off, so that the graph still finds it there.
 constexpr double CrossingRoom = 0.05;
-// More than the derivatives of a patch grow in the room beside its box, where graphs may be.
-constexpr double GraphStretch = 1.25;
+// More than the roundings of a part's stretch, relative to it.
+constexpr double StretchRounding = 1.001;
 // Halvings of a part around a point where it crosses the waterline.
 constexpr int MostUncertainHalvings = 16;
 // Largest number of subdivisions of a piece whose degree is too high for a Chebyshev series of its height.
@@ -151,9 +151,11 @@ double SubmergedPanels::GetAreaBeside(
   const NetRange range = box.Net->GetRange(around);
   const double width = box.Net->ToLocal(0, around.High[0]) - box.Net->ToLocal(0, around.Low[0]);
   // Per unit of the trim pieces' parameter, as box.Slope.
-  const double slope = (std::min(std::abs(range.SlopeLow[0]), std::abs(range.SlopeHigh[0])) -
-                         2.0 * box.Net->GetDegree(0) * box.Net->GetRounding() / width) *
-    width / (around.High[0] - around.Low[0]);
+  const double least = range.SlopeLow[0] > 0.0 || range.SlopeHigh[0] < 0.0
+    ? std::min(std::abs(range.SlopeLow[0]), std::abs(range.SlopeHigh[0]))
+    : 0.0;
+  const double slope = (least - 2.0 * box.Net->GetDegree(0) * box.Net->GetRounding() / width) * width /
+    (around.High[0] - around.Low[0]);
   const double normal = this->GetLargestNormal(box.SourcePatch, box.Exchanged ? around.Exchanged() : around);
   return std::min(normal / std::max(slope, box.Slope), box.AreaRate) * most * length;
 }
@@ -274,6 +276,29 @@ void SubmergedPanels::CutMonotone(const Source& source, Monotone& box, const Reg
   }
 }
 
+void SubmergedPanels::AddSweep(
+  const Monotone& box, const std::vector<Point2>& graph, const std::array<double, 2>& extent)
+{
+  if (!this->Limits.HasArea())
+  {
+    return;
+  }
+  // The part that the graph is on: beside the box, derivatives may be larger than on it.
+  const ParameterRange range{ { extent[0], box.Range.Low[1] }, { extent[1], box.Range.High[1] } };
+  const ParameterRange own = box.Exchanged ? range.Exchanged() : range;
+  FacePanels part;
+  AppendPatchPart(this->From, box.SourcePatch, own.Low, own.High, box.Exchanged, part);
+  const Patch& patch = part.Patches[0];
+  for (std::size_t i = 1; i < graph.size(); ++i)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      this->Errors.Area += StretchRounding * this->Limits.Displacement * patch.Stretch[d] / patch.Width[d] *
+        std::abs(graph[i][d] - graph[i - 1][d]);
+    }
+  }
+}
+
 bool SubmergedPanels::FitGraph(
   const Monotone& box, double start, double end, int degree, bool accept, PiecePointer& piece)
 {
@@ -323,15 +348,7 @@ bool SubmergedPanels::FitGraph(
   if (this->IsSmall(cost, inside ? largest : std::numeric_limits<double>::infinity(), box.Noise) || accept)
   {
     this->Add(cost);
-    const Patch& patch = this->Results[box.Exchanged ? 1 : 0].Patches[box.Patch];
-    for (std::size_t i = 1; i < graph.Piece->size(); ++i)
-    {
-      for (int d = 0; d < 2; ++d)
-      {
-        this->Errors.Area += GraphStretch * this->Limits.Displacement * patch.Stretch[d] / patch.Width[d] *
-          std::abs((*graph.Piece)[i][d] - (*graph.Piece)[i - 1][d]);
-      }
-    }
+    this->AddSweep(box, *graph.Piece, extent);
     piece = graph.Piece;
     return true;
   }

@@ -119,6 +119,9 @@ private:
   std::vector<struct SignedRange> FindRanges(const Monotone& box, const RegionPart& part);
   std::vector<struct SignedRange> FindSigns(const Monotone& box, const RegionPart& part);
   void AddGraph(Monotone& box, double start, double end, int sign);
+  /// Adds the area that a graph sweeps when its points are displaced. `extent` is a range of its first parameter.
+  void AddSweep(const Monotone& box, const std::vector<std::array<double, 2>>& graph,
+    const std::array<double, 2>& extent);
   bool FitGraph(const Monotone& box, double start, double end, int degree, bool accept, PiecePointer& piece);
   void AddPanel(bool exchanged, std::uint32_t patch, PanelShape shape, bool flip, const RegionPart& part);
 

@@ -203,6 +203,34 @@ void CutCap(const Cap& cap, const HeightPlane& plane, FacePanels& to)
   }
 }
 
+/// Returns the residuals of each coedge's curve, in the parameters of the panels, and of its edge's curve.
+std::vector<std::array<double, 3>> ListResiduals(const Face& face)
+{
+  // Panels may have u and v exchanged, see smFacePanels.h.
+  const int u = face.Surface.Degree[0] > face.Surface.Degree[1] ? 1 : 0;
+  std::vector<std::array<double, 3>> residuals;
+  for (const Loop& loop : face.Loops)
+  {
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      const std::array<double, 2>& trim = coedge.Curve.Residual;
+      residuals.push_back({ trim[u], trim[1 - u], Norm(coedge.Use->Curve.Residual) });
+    }
+  }
+  return residuals;
+}
+
+/// Returns a bound of the displacement of a point of the border on a patch by residuals of the coedge's curves.
+double GetDisplacement(const std::array<double, 3>& residual, const Patch& patch)
+{
+  double moved = residual[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    moved += 2.0 * residual[d] / patch.Width[d] * patch.Stretch[d];
+  }
+  return moved;
+}
+
 class StripCutter
 {
 public:
@@ -252,8 +280,10 @@ private:
   const HeightPlane& Plane;
   CutLimits Limits;
   FacePanels& To;
-  /// Residuals of the coedges' curves, in the parameters of the panels, and of their edges' curves.
+  /// Of all coedges, see ListResiduals().
   std::vector<std::array<double, 3>> Residuals;
+  /// Bound of the distance of all points of the border from where they should be.
+  double LargestMoved;
   std::map<std::uint32_t, HeightNet> Nets;
   std::map<std::uint32_t, std::uint32_t> Patches;
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> Pieces;
@@ -265,17 +295,9 @@ StripCutter::StripCutter(
   , Plane(plane)
   , Limits(limits)
   , To(to)
+  , Residuals(ListResiduals(face))
+  , LargestMoved(limits.Displacement + GetBorderResidual(face, from))
 {
-  // Panels may have u and v exchanged, see smFacePanels.h.
-  const int u = face.Surface.Degree[0] > face.Surface.Degree[1] ? 1 : 0;
-  for (const Loop& loop : face.Loops)
-  {
-    for (const Coedge& coedge : loop.Coedges)
-    {
-      const std::array<double, 2>& trim = coedge.Curve.Residual;
-      this->Residuals.push_back({ trim[u], trim[1 - u], Norm(coedge.Use->Curve.Residual) });
-    }
-  }
 }
 
 double StripCutter::GetMoved(const Ribbon& ribbon) const
@@ -283,13 +305,7 @@ double StripCutter::GetMoved(const Ribbon& ribbon) const
   double moved = this->Limits.Displacement;
   if (ribbon.Coedge >= 0 && ribbon.Coedge < static_cast<int>(this->Residuals.size()))
   {
-    const Patch& patch = this->From.Patches[ribbon.Patch];
-    const std::array<double, 3>& residual = this->Residuals[ribbon.Coedge];
-    moved += residual[2];
-    for (int d = 0; d < 2; ++d)
-    {
-      moved += 2.0 * residual[d] / patch.Width[d] * patch.Stretch[d];
-    }
+    moved += GetDisplacement(this->Residuals[ribbon.Coedge], this->From.Patches[ribbon.Patch]);
   }
   return moved;
 }
@@ -394,11 +410,7 @@ void StripCutter::Cut(const Ribbon& ribbon)
 void StripCutter::Cut(const Cap& cap)
 {
   CutCap(cap, this->Plane, this->To);
-  double moved = this->Limits.Displacement;
-  for (const std::array<double, 3>& residual : this->Residuals)
-  {
-    moved = std::max(moved, this->Limits.Displacement + residual[2]);
-  }
+  const double moved = this->LargestMoved;
   int side = 0;
   for (const Point3* corner : { &cap.Apex, &cap.From, &cap.To })
   {
@@ -457,6 +469,20 @@ CutErrors CutStripsBelow(
     cutter.Cut(cap);
   }
   return cutter.Errors;
+}
+
+double GetBorderResidual(const Face& face, const FacePanels& panels)
+{
+  double largest = 0.0;
+  for (const std::array<double, 3>& residual : ListResiduals(face))
+  {
+    largest = std::max(largest, residual[2]);
+    for (const Patch& patch : panels.Patches)
+    {
+      largest = std::max(largest, GetDisplacement(residual, patch));
+    }
+  }
+  return largest;
 }
 
 double GetStripArea(const FacePanels& panels)

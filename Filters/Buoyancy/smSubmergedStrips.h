@@ -17,6 +17,9 @@ namespace sm
 CutErrors CutStripsBelow(const Face& face, const FacePanels& from, const HeightPlane& plane,
   const CutLimits& limits, FacePanels& to);
 
+/// Returns a bound of how far the residuals of trim and edge curves may move a point of the face's border.
+double GetBorderResidual(const Face& face, const FacePanels& panels);
+
 /// Returns an upper bound of the area of a face's ribbons and caps.
 double GetStripArea(const FacePanels& panels);
 }

@@ -74,6 +74,7 @@ WaterlineFrame WaterlineFrame::Make(const BodyIntegrals& body, const Waterline& 
     frame.Origin[i] =
       static_cast<double>(waterline.Point[i] + middle[0] * axes[0][i] + middle[1] * axes[1][i]);
   }
+  frame.PlaneOrigin = frame.Origin;
   frame.Reach = radius;
   return frame;
 }

@@ -29,6 +29,8 @@ struct WaterlineFrame
   /// Directions of these x, y and z in the world, and the world position of their origin.
   std::array<std::array<double, 3>, 3> Axes{};
   std::array<double, 3> Origin{};
+  /// World position of the origin's projection to the plane of the waterline, which moments of the section are about.
+  std::array<double, 3> PlaneOrigin{};
   /// Middle of the body's box, in the model's coordinates and in the world's.
   std::array<double, 3> LocalMiddle{};
   std::array<double, 3> Middle{};
@@ -42,6 +44,7 @@ struct WaterlineFrame
   static WaterlineFrame Make(const BodyIntegrals& body, const Waterline& waterline);
   /// Moves plane and origin into the body. For a body that is entirely below the waterline any plane of this direction gives the
   /// same integrals; a plane through the body keeps the numbers small.
+  /// PlaneOrigin stays on the waterline.
   void MoveToMiddle();
 };
 }

@@ -2,6 +2,7 @@
 
 #include "smSectionNames.h"
 #include "smUnitRoundoff.h"
+#include "smVector.h"
 
 #include <cmath>
 
@@ -74,5 +75,50 @@ void SectionRow::Visit(const Visitor& visit) const
   visit(names::VolumeAbove, &this->Above.Volume, 1, &this->Above.VolumeBound);
   visit(names::CenterAbove, this->Above.Center.data(), 3, &this->Above.CenterBound);
   visit(names::MassAbove, &this->Above.Mass, 1, &this->Above.MassBound);
+}
+
+namespace
+{
+/// Returns true if values differ by more than the bound, false where one of them is NaN.
+template <std::size_t Size>
+bool Differ(const std::array<double, Size>& a, const std::array<double, Size>& b, double bound)
+{
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    if (std::abs(a[i] - b[i]) > bound)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool IsOffPlane(const SectionProperties& section, const Waterline& plane)
+{
+  const double height = Dot(Normalized(plane.Up), Subtract(section.Centroid, plane.Point));
+  return std::abs(height) >
+    section.CentroidBound + 16.0 * UnitRoundoff * (Norm(section.Centroid) + Norm(plane.Point));
+}
+}
+
+std::string FindContradiction(
+  const SectionMoments& fromBelow, const SectionMoments& fromAbove, const Waterline& plane)
+{
+  const SectionProperties below = fromBelow.ComputeProperties();
+  const SectionProperties above = fromAbove.ComputeProperties();
+  const bool differentAreas =
+    std::abs(fromBelow.Area - fromAbove.Area) > fromBelow.AreaBound + fromAbove.AreaBound;
+  const char* quantity = differentAreas                                                 ? "areas"
+    : Differ(below.Centroid, above.Centroid, below.CentroidBound + above.CentroidBound) ? "centroids"
+    : Differ(below.Second, above.Second, below.SecondBound + above.SecondBound)         ? "second moments"
+                                                                                        : nullptr;
+  if (quantity)
+  {
+    return std::string("the ") + quantity +
+      " of the section from below and from above differ by more than their bounds: the faces do not close";
+  }
+  return IsOffPlane(below, plane) || IsOffPlane(above, plane)
+    ? "the centroid of the section is off the plane by more than its bound: the faces do not close"
+    : "";
 }
 }

@@ -8,6 +8,7 @@
 #include "smSectionMesh.h"
 #include "smSectionNames.h"
 #include "smSectionRow.h"
+#include "smVector.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkDataSetAttributes.h"
@@ -103,7 +104,7 @@ void CheckShells(
 
 /// Flags a body with a bound above the tolerance, or with results that contradict each other.
 void CheckResults(
-  const sm::SectionRow& row, const sm::SectionMoments& fromAbove, double tolerance, sm::BodyIntegrals& body)
+  const sm::SectionRow& row, const std::string& contradiction, double tolerance, sm::BodyIntegrals& body)
 {
   const double volumeScale = sm::GetVolumeScale(*body.Model);
   if (!(std::max(row.Below.VolumeBound, row.Above.VolumeBound) <= tolerance * volumeScale))
@@ -117,19 +118,13 @@ void CheckResults(
       "or touches a face, by no "
       "more than the numbers are accurate to, the area is not determined. Move the plane");
   }
-  if (body.OpenEdges > 0)
-  {
-    return;
-  }
   if (row.Below.Volume < -row.Below.VolumeBound || row.Above.Volume < -row.Above.VolumeBound)
   {
     body.Flag(sm::Status::Suspect, "the volume is negative: the solid is inside out in the file");
   }
-  if (std::abs(row.Area - fromAbove.Area) > row.AreaBound + fromAbove.AreaBound)
+  if (!contradiction.empty())
   {
-    body.Flag(sm::Status::Suspect,
-      "the areas of the section from below and from above differ by more than their bounds: the faces do not "
-      "close");
+    body.Flag(sm::Status::Suspect, contradiction);
   }
 }
 }
@@ -303,11 +298,15 @@ void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
 {
   Internals& self = *this->Implementation;
   const std::vector<sm::Integrand> integrands = this->MakeRequest().Integrands;
+  const sm::Waterline plane{ { this->Point[0], this->Point[1], this->Point[2] },
+    { this->Normal[0], this->Normal[1], this->Normal[2] } };
   sm::SectionMoments section;
+  sm::SectionMoments fromAbove;
   sm::DisplacedMoments below;
   sm::DisplacedMoments above;
   sm::SectionRow masses;
   bool isFirst = true;
+  bool hasOpen = false;
   self.Rows.assign(bodies.size(), {});
   for (std::size_t b = 0; b < bodies.size() && !self.Below.empty(); ++b)
   {
@@ -316,14 +315,24 @@ void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
     {
       continue;
     }
+    if (body.OpenEdges > 0)
+    {
+      hasOpen = true;
+      body.Flag(sm::Status::Open,
+        "the solid is not closed: its section and the volumes on either side are not defined, nor are the "
+        "totals. Close it, or leave it out");
+      continue;
+    }
     sm::SectionRow& row = self.Rows[b];
     row = sm::SectionRow(self.Below[b].Section, self.Below[b].Total, self.Above[b].Total);
     row.SetMass(GetDensityPerVolume(body, this->Density));
     CheckShells(integrands, self.Above[b], body);
-    CheckResults(row, self.Above[b].Section, this->RelativeTolerance, body);
+    CheckResults(row, sm::FindContradiction(self.Below[b].Section, self.Above[b].Section, plane),
+      this->RelativeTolerance, body);
     if (isFirst)
     {
       section = self.Below[b].Section;
+      fromAbove = self.Above[b].Section;
       below = self.Below[b].Total;
       above = self.Above[b].Total;
       masses = row;
@@ -331,11 +340,12 @@ void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
       continue;
     }
     section.Add(self.Below[b].Section);
+    fromAbove.Add(self.Above[b].Section);
     below.Add(self.Below[b].Total);
     above.Add(self.Above[b].Total);
     masses.AddMass(row);
   }
-  if (!isFirst)
+  if (!isFirst && !hasOpen)
   {
     self.Total = sm::SectionRow(section, below, above);
     for (const auto& [from, to] :
@@ -344,6 +354,11 @@ void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
       to->Mass = from->Mass;
       to->MassBound = from->MassBound;
     }
+    const std::string contradiction = sm::FindContradiction(section, fromAbove, plane);
+    for (std::size_t b = 0; b < bodies.size() && !contradiction.empty(); ++b)
+    {
+      bodies[b].Flag(sm::Status::Suspect, "over all solids, " + contradiction);
+    }
   }
 }
 
@@ -351,10 +366,10 @@ void vtkSolidSection::DrawSection(const std::vector<sm::BodyIntegrals>& bodies) 
 {
   Internals& self = *this->Implementation;
   vtkNew<vtkPlane> plane;
-  double normal[3] = { this->Normal[0], this->Normal[1], this->Normal[2] };
-  vtkMath::Normalize(normal);
+  // vtkMath::Normalize() overflows for large components.
+  const sm::Vector3 normal = sm::Normalized(sm::Vector3{ this->Normal[0], this->Normal[1], this->Normal[2] });
   plane->SetOrigin(this->Point[0], this->Point[1], this->Point[2]);
-  plane->SetNormal(normal);
+  plane->SetNormal(normal[0], normal[1], normal[2]);
   vtkNew<vtkAppendPolyData> append;
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {

@@ -21,7 +21,8 @@
  * | CenterBelow, CenterAbove   | 3     | L    | its centroid                                                              |
  * | MassBelow, MassAbove       | 1     | kg   | Density times volume                                                      |
  * What does not exist is NaN: the centroid of an area or volume that may be 0 by its bound, directions of moments that may be equal,
- * a mass without a density, and every value of a surface that is no solid. The second moment that resists bending about an axis of the
+ * a mass without a density, and every value of a surface or of a solid that is not closed (status open): the values are fluxes through a
+ * closed surface. A total over such a solid is NaN too. The second moment that resists bending about an axis of the
  * plane is the one across that axis.
  *
  * Shells are taken as the file orients them. A solid with a shell that is inside out is `suspect` here (vtkMassPropertiesGPU

@@ -227,6 +227,18 @@ def sections():
     check_equal("along a face, exit status", 3, result.returncode)
     check_equal("along a face", "tolerance-not-met", files[0]["status"])
     check_true("along a face, the bound", files[0]["sections"][0]["bounds"]["area"] >= 599.9, str(files[0]["sections"][0]))
+    # A file that cannot be read has nulls for every plane.
+    bad = os.path.join(make_folder("sections"), "bad.step")
+    with open(bad, "w", encoding="utf-8") as file:
+        file.write("no STEP file")
+    result, files = run_json("--section", "0,0,1,0,0,1", "--section", "0,0,2,0,0,1", "--waterline", "3", bad)
+    check_equal("unreadable, exit status", 2, result.returncode)
+    check_unreadable(files[0])
+    check_equal("unreadable, planes", [[0.0, 0.0, 1.0], [0.0, 0.0, 2.0]], [section["point"] for section in files[0]["sections"]])
+    for section in files[0]["sections"]:
+        check_equal("unreadable, keys", set(level), set(section))
+        check_true("unreadable, no values", all(section[key] is None for key in section if key not in ("point", "normal", "bounds")))
+    check_equal("unreadable, heights", [3.0], [waterline["height"] for waterline in files[0]["waterlines"]])
     for wrong in ("0,0,1", "0,0,1,0,0,0", "0,0,1,0,0,nan", "level"):
         result = run("--section", wrong, part["path"])
         check_true("wrong usage " + wrong, result.returncode == 1 and "plane" in result.stderr, result.stderr)

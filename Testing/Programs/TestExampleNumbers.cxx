@@ -68,7 +68,9 @@ void CheckReport()
 {
   CheckEqual("value", "1.234568", sm::FormatValue(1.23456789, 1e-6));
   CheckEqual("vector", "0.5  -1.25  0", sm::FormatVector({ 0.5, -1.25, -1e-17 }, 1e-9));
-  sm::Json file = sm::UnreadableFile("part.step", "a note");
+  sm::JobOptions options;
+  options.FileName = "part.step";
+  sm::Json file = sm::UnreadableFile(options, "a note");
   file["backend"] = "cpu";
   file["length_unit"] = "mm";
   file["renderer"] = "CPU";

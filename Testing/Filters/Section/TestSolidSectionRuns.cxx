@@ -1,5 +1,6 @@
 // TestSolidSectionRuns FOLDER MODE BACKEND: outputs of a run, planes that touch, shells inside out, open bodies, spline solids
 #include "smSectionNames.h"
+#include "smSectionRow.h"
 #include "smSectionTesting.h"
 
 #include <vtkCellData.h>
@@ -163,6 +164,10 @@ void CheckOutputs(const Manifest& manifest)
   filter->Modified();
   filter->Update();
   CheckTrue("cut once, integrated once", filter->GetEvaluations() == 0);
+  scene.Set({ 15, 0, 0 }, { 1e200L, 0, 1e-200L });
+  filter->Update();
+  Check("area across a normal of 1e200", 200.0, filter->GetSectionArea(), filter->GetSectionAreaBound());
+  Check("its cap", 200.0, GetCapArea(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(7))), 1e-9);
   filter->SetDensity(0.0);
   filter->Update();
   CheckTrue(
@@ -276,12 +281,108 @@ void CheckShells(const Manifest& manifest)
   }
 }
 
+/// A centroid that is known lies on the plane within its bound.
+void CheckOnPlane(
+  const std::string& what, const Vector& point, const Vector& normal, const double centroid[3], double bound)
+{
+  if (std::isfinite(bound))
+  {
+    const Vector way = Sum({ centroid[0], centroid[1], centroid[2] }, Scaled(point, -1));
+    Check(what + ", distance from the plane", 0.0, static_cast<double>(Dot(way, Unit(normal))), bound);
+  }
+}
+
+/// Several bodies: the centroid stays on a plane that passes bodies by, and is that of the bodies which the plane cuts.
+void CheckBodies(const Manifest& manifest)
+{
+  SectionScene two(manifest.GetSpecial("two_solids").Path);
+  const Vector planes[][2] = { { { 0, 0, 12 }, { 0, 0, 1 } }, { { 0, 0, -3 }, { 0, 0, 1 } },
+    { { 55, 0, 0 }, { 1, 0, 0 } }, { { 0, 0, 5 }, { 0.1L, 0.2L, 1 } }, { { 5e5L, 0, 12 }, { 0, 0, 1 } } };
+  for (const auto& [point, axis] : planes)
+  {
+    for (const int sense : { 1, -1 })
+    {
+      const Vector normal = Scaled(axis, sense);
+      two.Set(point, normal);
+      two.Filter->Update();
+      double centroid[3];
+      two.Filter->GetSectionCentroid(centroid);
+      CheckTrue("two solids, the centroid is known", std::isfinite(two.Filter->GetSectionCentroidBound()));
+      CheckOnPlane("two solids, all", point, normal, centroid, two.Filter->GetSectionCentroidBound());
+      auto* rows = vtkTable::SafeDownCast(two.Filter->GetOutputDataObject(1))->GetRowData();
+      for (vtkIdType row = 0; row < 2; ++row)
+      {
+        rows->GetArray(sm::names::SectionCentroid)->GetTuple(row, centroid);
+        CheckOnPlane("two solids, one", point, normal, centroid,
+          rows->GetArray((std::string(sm::names::SectionCentroid) + sm::names::BoundSuffix).c_str())
+            ->GetComponent(row, 0));
+      }
+      if (point[2] == 12)
+      {
+        two.Filter->GetSectionCentroid(centroid);
+        const double exact[3] = { 60, 10, 12 };
+        for (int c = 0; c < 3; ++c)
+        {
+          Check("two solids, centroid of the higher one", exact[c], centroid[c],
+            two.Filter->GetSectionCentroidBound());
+        }
+      }
+    }
+  }
+}
+
+/// Results of both sides that differ by more than their bounds, or a centroid beside the plane, are found.
+void CheckContradictions(const Manifest&)
+{
+  const sm::Waterline plane{ { 7, 0, 5 }, { 0, 0, 2 } };
+  sm::SectionMoments below;
+  below.Origin = { 1, 2, 5 };
+  below.Axes = { { { 1, 0, 0 }, { 0, 1, 0 } } };
+  below.Area = 4.0;
+  below.Second = { 3.0, 2.0, 0.5 };
+  below.AreaBound = 1e-9;
+  below.FirstBound = { 1e-9, 1e-9 };
+  below.SecondBound = { 1e-9, 1e-9, 1e-9 };
+  const auto find = [&](const sm::SectionMoments& above) { return FindContradiction(below, above, plane); };
+  CheckEqual("no contradiction", std::string(), find(below));
+  sm::SectionMoments above = below;
+  above.Area += 1e-8;
+  CheckTrue("areas", find(above).find("areas") != std::string::npos);
+  above = below;
+  above.First[1] += 1e-7;
+  CheckTrue("centroids", find(above).find("centroids") != std::string::npos);
+  above = below;
+  above.Second[2] += 1e-7;
+  CheckTrue("second moments", find(above).find("second moments") != std::string::npos);
+  below.Origin[2] += 1e-8;
+  CheckTrue("off the plane", find(below).find("off the plane") != std::string::npos);
+  CheckEqual("nothing is no contradiction", std::string(), FindContradiction({}, {}, plane));
+}
+
 void CheckOpen(const Manifest& manifest)
 {
   SectionScene solid(manifest.GetSpecial("open_solid").Path);
-  solid.Set({ 0, 0, 5 }, { 0, 0, 1 });
-  solid.Filter->Update();
-  CheckEqual("open solid, status", "open", solid.Filter->GetStatus());
+  for (const double sense : { 1.0, -1.0 })
+  {
+    solid.Set({ 15, 10, 5 }, { sense, 0, 0 });
+    solid.Filter->Update();
+    CheckEqual("open solid, status", "open", solid.Filter->GetStatus());
+    CheckTrue("open solid, said", Says(solid.Filter, "are not defined"), GetMessages(solid.Filter));
+    vtkFieldData* fields = solid.Filter->GetOutput()->GetFieldData();
+    vtkFieldData* rows = vtkTable::SafeDownCast(solid.Filter->GetOutputDataObject(1))->GetRowData();
+    for (const char* name :
+      { sm::names::SectionArea, sm::names::SectionCentroid, sm::names::SectionSecondMoments,
+        sm::names::VolumeBelow, sm::names::CenterBelow, sm::names::VolumeAbove, sm::names::CenterAbove })
+    {
+      const std::string bound = std::string(name) + sm::names::BoundSuffix;
+      for (const std::string& column : { std::string(name), bound })
+      {
+        CheckTrue("open solid, no " + column,
+          std::isnan(fields->GetArray(column.c_str())->GetComponent(0, 0)) &&
+            std::isnan(rows->GetArray(column.c_str())->GetComponent(0, 0)));
+      }
+    }
+  }
   SectionScene shell(manifest.GetSpecial("open_shell").Path);
   shell.Set({ 0, 0, 5 }, { 0, 0, 1 });
   shell.Filter->Update();
@@ -350,6 +451,7 @@ int TestSolidSectionRuns(int argc, char* argv[])
   const Manifest manifest(argv[1]);
   RunMode(argv[2], manifest,
     { { "touching", CheckTouching }, { "outputs", CheckOutputs }, { "limits", CheckLimits },
-      { "shells", CheckShells }, { "open", CheckOpen }, { "splines", CheckSplines } });
+      { "shells", CheckShells }, { "bodies", CheckBodies }, { "contradictions", CheckContradictions },
+      { "open", CheckOpen }, { "splines", CheckSplines } });
   return Finish();
 }
