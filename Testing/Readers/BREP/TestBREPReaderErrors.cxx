@@ -104,10 +104,10 @@ void CheckDamage(const std::string& sound)
   vtkNew<vtkBREPReader> reader;
   const MessageTrap trap(reader);
   reader->IsolatedOn();
-  reader->SetMaximumSeconds(2.0);
+  reader->SetMaximumSeconds(5.0);
   std::mt19937 random(7);
   int counts[4] = { 0, 0, 0, 0 };
-  for (int i = 0; i < 15; ++i)
+  for (int i = 0; i < 12; ++i)
   {
     std::string damaged = sound;
     const std::size_t at = 60 + random() % (damaged.size() - 70);
