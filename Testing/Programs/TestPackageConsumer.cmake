@@ -34,7 +34,20 @@ foreach (file IN LISTS files)
   endif ()
 endforeach ()
 
-run_step("configure" "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${CONSUMER}" -B "${BUILD}/test-consumer"
+# The consumer includes every header that is installed beside its own.
+file(COPY "${CONSUMER}/" DESTINATION "${BUILD}/test-consumer/source")
+file(GLOB headers RELATIVE "${PREFIX}/include/solidmoments" "${PREFIX}/include/solidmoments/*.h")
+if (NOT headers)
+  message(FATAL_ERROR "no headers are installed")
+endif ()
+set(includes)
+foreach (header IN LISTS headers)
+  string(APPEND includes "#include <${header}>\n")
+endforeach ()
+file(WRITE "${BUILD}/test-consumer/source/headers.cxx" "${includes}")
+file(APPEND "${BUILD}/test-consumer/source/CMakeLists.txt" "target_sources(consumer PRIVATE headers.cxx)\n")
+
+run_step("configure" "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${BUILD}/test-consumer/source" -B "${BUILD}/test-consumer"
   "-DCMAKE_PREFIX_PATH=${PREFIX}" "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_CXX_COMPILER=${CXX}"
   "-DCMAKE_BUILD_TYPE=${CONFIG}" "-DCMAKE_CXX_FLAGS=${FLAGS}")
 file(STRINGS "${BUILD}/test-consumer/CMakeCache.txt" found REGEX "^SolidMoments_DIR:")
