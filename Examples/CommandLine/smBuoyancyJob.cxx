@@ -37,6 +37,23 @@ Json Describe(vtkFieldData* data, vtkIdType row)
 
 namespace sm
 {
+void RunPlaneCut(vtkCADReader* reader, const JobOptions& options,
+  const std::function<void(vtkAlgorithm*)>& update, vtkPlaneCutBase* filter, const RowWriter& write,
+  Json& file, MessageList& messages)
+{
+  SetUpFilter(filter, options);
+  filter->SetInputConnection(reader->GetOutputPort());
+  update(filter);
+  write(filter->GetOutput()->GetFieldData(), 0, file);
+  vtkIdType row = 0;
+  for (Json& solid : file["solids"])
+  {
+    write(vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData(), row, solid);
+    ++row;
+  }
+  AddEffort(filter, file, messages);
+}
+
 void IntegrateBelowWaterlines(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages)
 {
@@ -49,26 +66,17 @@ void IntegrateBelowWaterlines(vtkCADReader* reader, const JobOptions& options,
   const std::array<double, 3> scaled = { up[0] / largest, up[1] / largest, up[2] / largest };
   const double length = std::hypot(scaled[0], scaled[1], scaled[2]);
   vtkNew<vtkBuoyancy> filter;
-  SetUpFilter(filter, options);
   filter->SetRelativeTolerance(options.Tolerance);
   filter->SetNormal(scaled.data());
-  filter->SetInputConnection(reader->GetOutputPort());
   for (std::size_t i = 0; i < options.Waterlines.size(); ++i)
   {
     const double along = options.Waterlines[i] / length;
-    SetTimeLimit(filter, options);
     filter->SetPoint(along * scaled[0], along * scaled[1], along * scaled[2]);
-    update(filter);
-    const auto add = [&](Json& entry, vtkFieldData* data, vtkIdType row)
-    { entry["waterlines"][i].update(Describe(data, row)); };
-    add(file, filter->GetOutput()->GetFieldData(), 0);
-    vtkIdType row = 0;
-    for (Json& solid : file["solids"])
-    {
-      add(solid, vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData(), row);
-      ++row;
-    }
-    AddEffort(filter, file, messages);
+    RunPlaneCut(
+      reader, options, update, filter,
+      [i](vtkFieldData* data, vtkIdType row, Json& entry)
+      { entry["waterlines"][i].update(Describe(data, row)); },
+      file, messages);
   }
 }
 }

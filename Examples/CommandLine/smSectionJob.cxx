@@ -1,18 +1,13 @@
 #include "smSectionJob.h"
 
-#include "smMessageList.h"
+#include "smBuoyancyJob.h"
 #include "smQuantities.h"
 #include "smSectionNames.h"
-#include "smUserIntegrals.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkCADReader.h"
 #include "vtkSolidSection.h"
-#include "vtkTable.h"
 
 #include <cmath>
 
@@ -99,26 +94,17 @@ void IntegrateSections(vtkCADReader* reader, const JobOptions& options,
     return;
   }
   vtkNew<vtkSolidSection> filter;
-  SetUpFilter(filter, options);
   filter->SetRelativeTolerance(options.Tolerance);
   filter->SetDensity(options.Density);
-  filter->SetInputConnection(reader->GetOutputPort());
   for (std::size_t i = 0; i < options.Sections.size(); ++i)
   {
-    SetTimeLimit(filter, options);
     filter->SetPoint(options.Sections[i].data());
     filter->SetNormal(options.Sections[i].data() + 3);
-    update(filter);
-    const auto add = [&](Json& entry, vtkFieldData* data, vtkIdType row)
-    { entry["sections"][i].update(Describe(data, row, options.Materials.empty())); };
-    add(file, filter->GetOutput()->GetFieldData(), 0);
-    vtkIdType row = 0;
-    for (Json& solid : file["solids"])
-    {
-      add(solid, vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData(), row);
-      ++row;
-    }
-    AddEffort(filter, file, messages);
+    RunPlaneCut(
+      reader, options, update, filter,
+      [i, &options](vtkFieldData* data, vtkIdType row, Json& entry)
+      { entry["sections"][i].update(Describe(data, row, options.Materials.empty())); },
+      file, messages);
   }
 }
 }
