@@ -1,0 +1,177 @@
+// The output of a reader on its way to other processes: MPI ranks, and from the one that reads for an isolated reader.
+#include "vtkCADReaderInternals.h"
+
+#include "smFailureReason.h"
+#include "smFormat.h"
+#include "smLeafBytes.h"
+#include "smReadProgram.h"
+#include "smSTEPTree.h"
+
+#include "vtkCommunicator.h"
+#include "vtkErrorCode.h"
+#include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
+#include "vtkPartitionedDataSetCollection.h"
+
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+namespace
+{
+void PackStrings(vtkMultiProcessStream& stream, const std::vector<std::string>& strings)
+{
+  stream << static_cast<int>(strings.size());
+  for (const std::string& text : strings)
+  {
+    stream << text;
+  }
+}
+
+void UnpackStrings(vtkMultiProcessStream& stream, std::vector<std::string>& strings)
+{
+  int count = 0;
+  stream >> count;
+  strings.resize(count);
+  for (std::string& text : strings)
+  {
+    stream >> text;
+  }
+}
+}
+
+void vtkCADReader::Pack(vtkPartitionedDataSetCollection* output, std::vector<unsigned char>& bytes) const
+{
+  const Results& last = *this->Last;
+  vtkMultiProcessStream stream;
+  stream << this->Status << last.Bodies << last.Instances << last.FreeFaces << last.FileUnit
+         << last.LengthUnit << last.Problem;
+  PackStrings(stream, last.Messages);
+  PackStrings(stream, last.Defects);
+  sm::PackTree(output, stream);
+  stream.GetRawData(bytes);
+}
+
+void vtkCADReader::Unpack(const std::vector<unsigned char>& bytes, vtkPartitionedDataSetCollection* output)
+{
+  Results& last = *this->Last;
+  vtkMultiProcessStream stream;
+  stream.SetRawData(bytes);
+  stream >> this->Status >> last.Bodies >> last.Instances >> last.FreeFaces >> last.FileUnit >>
+    last.LengthUnit >> last.Problem;
+  UnpackStrings(stream, last.Messages);
+  UnpackStrings(stream, last.Defects);
+  sm::UnpackTree(stream, output);
+}
+
+std::string_view vtkCADReader::ShareTree(
+  vtkMultiProcessController* controller, int root, vtkPartitionedDataSetCollection* output) noexcept
+{
+  const bool isRoot = controller->GetLocalProcessId() == root;
+  std::vector<unsigned char> bytes;
+  bool hasMemory = true;
+  if (isRoot && !sm::HasMemoryFor([&]() { this->Pack(output, bytes); }))
+  {
+    hasMemory = false;
+    bytes.clear();
+  }
+  bool isConnected = sm::BroadcastBytes(controller, root, bytes, hasMemory);
+  const auto complete = [&]()
+  {
+    if (!isRoot)
+    {
+      this->Unpack(bytes, output);
+    }
+    this->WriteState(output);
+  };
+  // Without bytes the root had no memory for them.
+  const int own = isConnected && hasMemory && !bytes.empty() && sm::HasMemoryFor(complete) ? 1 : 0;
+  int all = 0;
+  isConnected = isConnected && controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP) != 0;
+  return !isConnected ? "the connection to the other processes was lost"
+    : all == 0        ? "there is not enough memory in one of the processes"
+                      : "";
+}
+
+std::vector<std::string> vtkCADReader::PackSettings() const
+{
+  // 17 digits keep the bits.
+  return { this->FileName ? this->FileName : "", this->OutputUnit, this->GetSettingOfFormat(),
+    sm::FormatDigits(this->LinearDeflection, 17), std::to_string(this->RelativeDeflection ? 1 : 0),
+    sm::FormatDigits(this->AngularDeflection, 17) };
+}
+
+void vtkCADReader::UnpackSettings(const std::vector<std::string>& words)
+{
+  this->SetFileName(words[0].empty() ? nullptr : words[0].c_str());
+  this->SetOutputUnit(words[1]);
+  this->SetSettingOfFormat(words[2]);
+  this->SetLinearDeflection(std::strtod(words[3].c_str(), nullptr));
+  this->SetRelativeDeflection(words[4] == "1");
+  this->SetAngularDeflection(std::strtod(words[5].c_str(), nullptr));
+}
+
+std::vector<char> vtkCADReader::PackOutput()
+{
+  vtkPartitionedDataSetCollection* output = this->GetOutput();
+  std::vector<unsigned char> head;
+  this->Pack(output, head);
+  sm::ByteWriter to;
+  to.PutAll(head);
+  to.Put(
+    std::array<double, 3>{ this->Last->ReadSeconds, this->Last->MeshSeconds, this->Last->ConversionSeconds });
+  sm::PutLeaves(output, to);
+  return std::move(to.GetBytes());
+}
+
+bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
+{
+  const std::string program = sm::FindReadProgram();
+  std::vector<std::string> arguments{ this->GetFormatName(), this->IsContentGiven ? "content" : "file" };
+  for (const std::string& word : this->PackSettings())
+  {
+    arguments.push_back(word);
+  }
+  const sm::ReadProgramOutcome outcome = program.empty()
+    ? sm::ReadProgramOutcome{ {}, "was not found", false, false }
+    : sm::RunReadProgram(program, arguments, this->IsContentGiven ? &this->Content : nullptr,
+        [this](double x) { return this->Report(x); });
+  if (outcome.IsStopped)
+  {
+    this->Stop();
+    return true;
+  }
+  if (!outcome.Problem.empty() && !outcome.IsStarted)
+  {
+    this->Last->Messages.push_back(
+      "The file was not read in a process of its own: the program solidmoments-read " + outcome.Problem +
+      ".");
+    return false;
+  }
+  if (!outcome.Problem.empty())
+  {
+    this->Fail(UNREADABLE, "the process that read it " + outcome.Problem);
+    return true;
+  }
+  sm::ByteReader from(outcome.Result);
+  this->Unpack(from.GetAll<unsigned char>(), output);
+  const auto seconds = from.Get<std::array<double, 3>>();
+  this->Last->ReadSeconds = seconds[0];
+  this->Last->MeshSeconds = seconds[1];
+  this->Last->ConversionSeconds = seconds[2];
+  if (!sm::GetLeaves(from, output))
+  {
+    output->Initialize();
+    this->Fail(UNREADABLE, "the process that read it sent what is not understood here");
+  }
+  else if (this->Status != OK)
+  {
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< this->Last->Problem);
+  }
+  else
+  {
+    this->UpdateProgress(1.0);
+  }
+  return true;
+}
