@@ -348,12 +348,13 @@ void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
   if (!isFirst && !hasOpen)
   {
     self.Total = sm::SectionRow(section, below, above);
-    for (const auto& [from, to] :
-      { std::make_pair(&masses.Below, &self.Total.Below), std::make_pair(&masses.Above, &self.Total.Above) })
+    const auto takeMass = [](const sm::SectionSide& from, sm::SectionSide& to)
     {
-      to->Mass = from->Mass;
-      to->MassBound = from->MassBound;
-    }
+      to.Mass = from.Mass;
+      to.MassBound = from.MassBound;
+    };
+    takeMass(masses.Below, self.Total.Below);
+    takeMass(masses.Above, self.Total.Above);
     const std::string contradiction = sm::FindContradiction(section, fromAbove, plane);
     for (std::size_t b = 0; b < bodies.size() && !contradiction.empty(); ++b)
     {
@@ -414,17 +415,16 @@ std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& 
       "  " + sm::FormatNumber(section.Principal[1], section.PrincipalBound) + "  " + unit + "^4" +
       sm::FormatBoundNote(section.PrincipalBound) + "\n";
   }
-  for (const auto& [label, side] :
-    { std::make_pair("below", &total.Below), std::make_pair("above", &total.Above) })
+  const auto addSide = [&text, &unit](const std::string& label, const sm::SectionSide& side)
   {
-    text += std::string("Volume ") + label + ": " +
-      sm::FormatWithBound(side->Volume, side->VolumeBound, unit + "^3") + "\n";
-    if (std::isfinite(side->Mass))
+    text += "Volume " + label + ": " + sm::FormatWithBound(side.Volume, side.VolumeBound, unit + "^3") + "\n";
+    if (std::isfinite(side.Mass))
     {
-      text +=
-        std::string("Mass ") + label + ": " + sm::FormatWithBound(side->Mass, side->MassBound, "kg") + "\n";
+      text += "Mass " + label + ": " + sm::FormatWithBound(side.Mass, side.MassBound, "kg") + "\n";
     }
-  }
+  };
+  addSide("below", total.Below);
+  addSide("above", total.Above);
   if (!self.WithoutCap.empty())
   {
     text += "The display mesh of " + self.WithoutCap + " is not closed: its section is not drawn.\n";
