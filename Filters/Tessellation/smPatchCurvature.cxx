@@ -217,23 +217,60 @@ double BoundCurve(const Homogeneous* b, int degree)
   return rest > 0.0 ? (largest + 0.5 * bend * Norm(d)) / lightest / rest : HUGE_VAL;
 }
 
+/// Largest part of the weights' ratio, in one direction, on which the mixed derivative is bounded, and most of such parts.
+constexpr double LargestRatio = 1.5;
+constexpr int MostMixedParts = 16;
+
+/// Largest ratio of the weights of a separable net in each direction.
+std::array<double, 2> GetWeightRatios(const PatchNet& net)
+{
+  std::array<double, 2> ratios{};
+  for (int d = 0; d < 2; ++d)
+  {
+    double least = HUGE_VAL;
+    double most = 0.0;
+    for (int i = 0; i <= (d == 0 ? net.P : net.Q); ++i)
+    {
+      const double w = (d == 0 ? net.At(i, 0) : net.At(0, i))[3];
+      least = std::min(least, w);
+      most = std::max(most, w);
+    }
+    ratios[d] = most / least;
+  }
+  return ratios;
+}
+
+/// |S_uv| <= p q (ratios of weights)^2 max |second difference of S_ij in both directions|, for separable weights.
+double BoundMixed(const PatchNet& net)
+{
+  const std::array<double, 2> ratios = GetWeightRatios(net);
+  const double ratio = ratios[0] * ratios[1];
+  double largest = 0.0;
+  for (int j = 0; j < net.Q; ++j)
+  {
+    for (int i = 0; i < net.P; ++i)
+    {
+      const Vector3 a = Subtract(Project(net.At(i + 1, j + 1)), Project(net.At(i, j + 1)));
+      const Vector3 b = Subtract(Project(net.At(i + 1, j)), Project(net.At(i, j)));
+      largest = std::max(largest, Norm(Subtract(a, b)));
+    }
+  }
+  return net.P * net.Q * ratio * ratio * largest;
+}
+
 /**
  * With w_ij = a_i b_j the surface is sum R_i(u) R_j(v) S_ij with rational bases of one direction each. R_j(v) >= 0 sum to 1, so
- * |S_uu| is at most that of the curves whose points are S_ij of one j; and |S_uv| <= p q (ratios of weights)^2 max |second
- * difference of S_ij in both directions|, because |C'| <= p (w_max / w_min)^2 max |S_i+1 - S_i| for a rational curve. False where the
- * weights differ too much.
+ * |S_uu| is at most that of the curves whose points are S_ij of one j; and BoundMixed() holds, because |C'| <= p (w_max / w_min)^2
+ * max |S_i+1 - S_i| for a rational curve. False where the weights differ too much.
  */
 bool BoundSeparable(const PatchNet& net, std::array<double, 3>& bound)
 {
   bound = {};
-  double ratio = 1.0;
   for (int direction = 0; direction < 2; ++direction)
   {
     const int degree = direction == 0 ? net.P : net.Q;
     const int rows = direction == 0 ? net.Q : net.P;
     Homogeneous line[MaximumDegree + 1];
-    double least = HUGE_VAL;
-    double most = 0.0;
     for (int row = 0; row <= rows; ++row)
     {
       for (int part = 0; part < CurveParts; ++part)
@@ -241,24 +278,30 @@ bool BoundSeparable(const PatchNet& net, std::array<double, 3>& bound)
         for (int i = 0; i <= degree; ++i)
         {
           line[i] = direction == 0 ? net.At(i, row) : net.At(row, i);
-          least = row == 0 ? std::min(least, line[i][3]) : least;
-          most = row == 0 ? std::max(most, line[i][3]) : most;
         }
         RestrictBernstein(line, degree, 1, static_cast<double>(part) / CurveParts, (part + 1.0) / CurveParts);
         const double b = CurveParts * CurveParts * BoundCurve(line, degree);
         bound[2 * direction] = std::max(bound[2 * direction], b);
       }
     }
-    ratio *= most / least;
   }
-  for (int j = 0; j < net.Q; ++j)
+  int parts[2];
+  const std::array<double, 2> ratios = GetWeightRatios(net);
+  for (int d = 0; d < 2; ++d)
   {
-    for (int i = 0; i < net.P; ++i)
+    if (!(ratios[d] >= 1.0 && std::isfinite(ratios[d])))
     {
-      const Vector3 a = Subtract(Project(net.At(i + 1, j + 1)), Project(net.At(i, j + 1)));
-      const Vector3 b = Subtract(Project(net.At(i + 1, j)), Project(net.At(i, j)));
-      bound[1] = std::max(bound[1], net.P * net.Q * ratio * ratio * Norm(Subtract(a, b)));
+      return false;
     }
+    const double wanted = std::ceil(std::log(ratios[d]) / std::log(LargestRatio));
+    parts[d] = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(MostMixedParts)));
+  }
+  for (int part = 0; part < parts[0] * parts[1]; ++part)
+  {
+    const int at[2] = { part % parts[0], part / parts[0] };
+    const PatchNet piece = Restrict(net, static_cast<double>(at[0]) / parts[0], (at[0] + 1.0) / parts[0],
+      static_cast<double>(at[1]) / parts[1], (at[1] + 1.0) / parts[1]);
+    bound[1] = std::max(bound[1], parts[0] * parts[1] * BoundMixed(piece));
   }
   return std::isfinite(bound[0] + bound[1] + bound[2]);
 }

@@ -63,6 +63,36 @@ sm::NURBSSurface MakeRandom(std::mt19937& random, int degree, double spread, boo
   return s;
 }
 
+/// The polynomial surface of MakeRandom() in one span, with u = 2 t / (1 + t) and so for v: weights from 1 to 2^degree in both
+/// directions.
+sm::NURBSSurface MakeUneven(std::mt19937& random, int degree)
+{
+  sm::NURBSSurface s = MakeRandom(random, degree, 0.0, false);
+  for (int d = 0; d < 2; ++d)
+  {
+    s.Knots[d].assign(degree + 1, 0.0);
+    s.Knots[d].insert(s.Knots[d].end(), degree + 1, 1.0);
+  }
+  const int columns = s.NumberOfControlPoints[0];
+  std::vector<std::array<double, 4>> points;
+  for (int j = 0; j <= degree; ++j)
+  {
+    for (int i = 0; i <= degree; ++i)
+    {
+      std::array<double, 4> p = s.ControlPoints[i + j * columns];
+      for (double& x : p)
+      {
+        x *= std::exp2(i + j);
+      }
+      points.push_back(p);
+    }
+  }
+  s.ControlPoints = points;
+  s.NumberOfControlPoints[0] = s.NumberOfControlPoints[1] = degree + 1;
+  s.Rational = true;
+  return s;
+}
+
 /// The least and the largest ratio of the distance and its bound over random triangles of about `width`.
 void CheckTriangles(const std::string& what, const sm::NURBSSurface& surface, double width, double least)
 {
@@ -166,6 +196,7 @@ int TestSurfaceBlocks(int, char*[])
     CheckTriangles("rational surfaces" + name, MakeRandom(random, degree, 0.5, false), 0.2, 0.05);
     CheckTriangles("surfaces with a crease" + name, MakeRandom(random, degree, 0.0, true), 0.2, 0.1);
   }
+  CheckTriangles("weights from 1 to 64 in each direction", MakeUneven(random, 6), 0.05, 0.04);
   CheckThinSpan();
   return Finish();
 }
