@@ -22,11 +22,11 @@ constexpr double Margin = 1e-6;
 // room for it, and those that always are.
 constexpr double NearlyCollapsed = 1e-9;
 constexpr double CertainlyCollapsed = 1e-15;
-// A part that leaves its patch by no more has the patch's bounds of what was moved, times OnPatchGrowth, as long as neighbours' weights
-// differ by less than LargestRatio: the sum of the polynomials' negative terms is about 2 (p + q) OnPatch LargestRatio.
-constexpr double OnPatch = 1e-9;
+// A part that leaves its patch by d, relative to it, has the patch's bounds of what was moved, times OnPatchGrowth, as long as
+// n r d <= OnPatch, n = p + q, r: ratio of neighbours' weights. For the Bernstein polynomials' negative terms sum to at most (1 + r d)^n - 1
+// times the positive ones.
+constexpr double OnPatch = 1e-3;
 constexpr double OnPatchGrowth = 1.01;
-constexpr double LargestRatio = 1e4;
 // The part of a panel's tolerance that what was moved may take.
 constexpr double LargestChange = 0.25;
 
@@ -69,9 +69,9 @@ double GetIntegrandChange(const BoundClass& c, double moved, double turned, doub
 
 bool PanelBounds::IsOnPatch(const Patch& patch) const
 {
-  return patch.WeightRatio < LargestRatio &&
-    std::min(this->Trim.GetLow(0), this->Trim.GetLow(1)) >= -OnPatch &&
-    std::max(this->Trim.GetHigh(0), this->Trim.GetHigh(1)) <= 1.0 + OnPatch;
+  const double beyond = std::max({ 0.0, -this->Trim.GetLow(0), -this->Trim.GetLow(1),
+    this->Trim.GetHigh(0) - 1.0, this->Trim.GetHigh(1) - 1.0 });
+  return (patch.Degree[0] + patch.Degree[1]) * patch.WeightRatio * beyond <= OnPatch;
 }
 
 void PanelBounds::FillChange(const Patch& patch, double moved, const double slope[2], double radius,

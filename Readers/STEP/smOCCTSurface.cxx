@@ -117,6 +117,23 @@ void ConvertPlane(const gp_Ax3& frame, const NativeBox& box, const AffineMap& ma
   }
 }
 
+/// Moves an end of a range that is a pole but for the file's digits to it: there the row of control points is one point. Towards the pole
+/// the surface only becomes larger; beyond it are its points once more.
+void SnapToPole(double pole, double& low, double& high)
+{
+  constexpr double Before = 1e-6;
+  constexpr double Beyond = 1e-9;
+  const double width = high - low;
+  if (low - pole <= Before * width && pole - low <= Beyond * width)
+  {
+    low = pole;
+  }
+  else if (pole - high <= Before * width && high - pole <= Beyond * width)
+  {
+    high = pole;
+  }
+}
+
 /// A straight profile radius(v), height(v) at both ends of v; a radius that is zero but for rounding is zero.
 std::vector<Vector3> StraightProfile(
   const NativeBox& box, double radius, double radiusSlope, double heightSlope)
@@ -356,18 +373,23 @@ bool ConvertExactly(
   }
   else if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface))
   {
+    const double slope = std::sin(cone->SemiAngle());
+    NativeBox whole = box;
+    SnapToPole(-cone->RefRadius() / slope, whole.Low[1], whole.High[1]);
     SetArcs(result, 0, box.Low[0], box.High[0]);
-    SetLinear(result, 1, box.Low[1], box.High[1]);
+    SetLinear(result, 1, whole.Low[1], whole.High[1]);
     RevolveElementary(cone->Position(),
-      StraightProfile(box, cone->RefRadius(), std::sin(cone->SemiAngle()), std::cos(cone->SemiAngle())), map,
-      result);
+      StraightProfile(whole, cone->RefRadius(), slope, std::cos(cone->SemiAngle())), map, result);
   }
   else if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface))
   {
     SetArcs(result, 0, box.Low[0], box.High[0]);
-    // A latitude that is a pole but for rounding is the pole: its row of control points is one point.
-    SetArcs(result, 1, box.Low[1] < -0.5 * Pi + 1e-10 ? -0.5 * Pi : box.Low[1],
-      box.High[1] > 0.5 * Pi - 1e-10 ? 0.5 * Pi : box.High[1]);
+    NativeBox whole = box;
+    for (const double pole : { -0.5 * Pi, 0.5 * Pi })
+    {
+      SnapToPole(pole, whole.Low[1], whole.High[1]);
+    }
+    SetArcs(result, 1, whole.Low[1], whole.High[1]);
     RevolveElementary(sphere->Position(), CircularProfile(result.Map[1], 0.0, sphere->Radius()), map, result);
   }
   else if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface))

@@ -266,6 +266,44 @@ void CheckFarSurfaces()
   }
 }
 
+/// The end of a range that is a pole but for the file's digits becomes the pole, a row of one point; another end stays.
+void CheckPoles()
+{
+  const double pi = std::acos(-1.0);
+  const gp_Ax3 frame(gp_Pnt(0.3, -2.0, 1.0), gp_Dir(0.2, 0.5, 1.0), gp_Dir(1.0, 0.0, 0.3));
+  const sm::AffineMap map = MakeMap(false);
+  const Handle(Geom_ConicalSurface) cone = new Geom_ConicalSurface(frame, 0.4, 2.0);
+  const Handle(Geom_SphericalSurface) sphere = new Geom_SphericalSurface(frame, 3.0);
+  const double apex = -2.0 / std::sin(0.4);
+  const auto getWidth = [&map](const Handle(Geom_Surface) & surface, double low, double high, bool last)
+  {
+    const sm::NativeBox box{ { 0.0, low }, { 2.0, high } };
+    const sm::NURBSSurface s = sm::ConvertSurface(surface, box, map).Surface;
+    const std::size_t columns = s.NumberOfControlPoints[0];
+    const std::size_t row = last ? s.ControlPoints.size() - columns : 0;
+    double width = 0.0;
+    for (std::size_t i = 0; i < columns; ++i)
+    {
+      const auto& a = s.ControlPoints[row];
+      const auto& b = s.ControlPoints[row + i];
+      width = std::max(
+        width, std::hypot(a[0] / a[3] - b[0] / b[3], a[1] / a[3] - b[1] / b[3], a[2] / a[3] - b[2] / b[3]));
+    }
+    return width;
+  };
+  for (const double digits : { 0.0, 1e-11, -1e-11, 1e-8 })
+  {
+    const std::string name = " with an end off by " + std::to_string(digits * 1e11) + "e-11";
+    smtest::CheckRange("cone" + name, 0.0, getWidth(cone, apex + digits, 3.0, false), 1e-15);
+    smtest::CheckRange("cone upside down" + name, 0.0, getWidth(cone, -20.0, apex - digits, true), 1e-15);
+    smtest::CheckRange("sphere" + name, 0.0, getWidth(sphere, -0.5 * pi + digits, 1.0, false), 1e-15);
+    smtest::CheckRange(
+      "sphere's other pole" + name, 0.0, getWidth(sphere, 0.0, 0.5 * pi - digits, true), 1e-15);
+  }
+  smtest::CheckRange("a cone cut above its apex", 1e-6, getWidth(cone, apex + 1e-4, 3.0, false), 1.0);
+  smtest::CheckRange("both nappes", 1e-6, getWidth(cone, apex - 1e-4, 3.0, false), 1.0);
+}
+
 /// Trim curves under two angle maps, one, or none; the residual limit is 1e-13 of an arc and the floor of double precision.
 void CheckTrim(const char* name, const Handle(Geom2d_Curve) & curve, double first, double last,
   const sm::ParameterMap& mapU, const sm::ParameterMap& mapV, bool exact)
@@ -384,6 +422,7 @@ int TestSTEPSurfaces(int, char*[])
 {
   CheckSurfaces();
   CheckFarSurfaces();
+  CheckPoles();
   CheckTrims();
   CheckEdges();
   return smtest::Finish();
