@@ -1,8 +1,10 @@
-// TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; shells that are not connected are none, and are
-// parted all the same. FOLDER takes the file.
+// TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; a torus with a negative radius and shells that are
+// not connected are none, and these are parted all the same. FOLDER takes the file.
 #include "smOCCTRepair.h"
 #include "smReaderTesting.h"
 
+#include "vtkMassPropertiesGPU.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkTrimmedNURBSModel.h"
@@ -10,10 +12,12 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -23,6 +27,7 @@
 #include <TopoDS_Shell.hxx>
 
 #include <cmath>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -152,6 +157,39 @@ void CheckShells()
     CheckEqual("no repairs but where asked for", "", GetRepairs(reader));
   }
 }
+
+/// A torus with a negative major radius is the same surface with its other side outside. OpenCASCADE's transfer turns the face alone.
+void CheckTurnedTorus()
+{
+  Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+  const std::string path =
+    Write("repair_torus.step", BRepPrimAPI_MakeTorus(30.0, 5.0, 1.5).Solid(), STEPControl_AsIs);
+  Interface_Static::SetIVal("write.surfacecurve.mode", 1);
+  const std::string text = ReadAll(path);
+  std::smatch torus;
+  CheckTrue(
+    "a torus", std::regex_search(text, torus, std::regex("(#[0-9]+) = TOROIDAL_SURFACE\\('',#[0-9]+,30\\.")));
+  std::string turned =
+    std::regex_replace(text, std::regex("(TOROIDAL_SURFACE\\('',#[0-9]+,)30\\."), "$1-30.");
+  turned = std::regex_replace(
+    turned, std::regex("(ADVANCED_FACE\\('',\\([^)]*\\)," + torus[1].str() + ",)\\.T\\."), "$1.F.");
+  for (const std::string& content : { text, turned })
+  {
+    vtkNew<vtkSTEPReader> reader;
+    reader->SetFileName(Make("repair_torus.step", content).c_str());
+    vtkNew<vtkMassPropertiesGPU> mass;
+    mass->SetInputConnection(reader->GetOutputPort());
+    mass->SetBackend(vtkMassPropertiesGPU::CPU);
+    mass->Update();
+    const double volume = vtkMath::Pi() * 25.0 * 30.0 * 1.5;
+    const std::string name = content == text ? "torus" : "torus with a negative radius";
+    CheckEqual(name + ": not repaired", "", GetRepairs(reader));
+    CheckEqual("  faces", 3, GetLeaf(reader, 0)->GetModel()->GetNumberOfFaces());
+    CheckTrue("  volume", std::abs(mass->GetVolume() - volume) <= mass->GetVolumeBound() + 1e-12 * volume,
+      std::to_string(mass->GetVolume() - volume));
+  }
+  CheckTrue("the files differ", text.size() + 1 == turned.size());
+}
 }
 
 int TestSTEPRepairReasons(int argc, char* argv[])
@@ -163,5 +201,6 @@ int TestSTEPRepairReasons(int argc, char* argv[])
   Folder = argv[1];
   CheckTrims();
   CheckShells();
+  CheckTurnedTorus();
   return Finish();
 }
