@@ -293,6 +293,7 @@ private:
       }
       return;
     }
+    draft.Surface = inspected.Surface;
     draft.Loops = inspected.Loops;
     draft.AddedEdges = inspected.AddedEdges;
     for (DraftLoop& loop : draft.Loops)

@@ -1,5 +1,5 @@
-// TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; a torus with a negative radius and shells that are
-// not connected are none, and these are parted all the same. FOLDER takes the file.
+// TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; a torus with a negative radius, a pole on an
+// edge and shells that are not connected are none, and these are parted all the same. FOLDER takes the file.
 #include "smOCCTRepair.h"
 #include "smReaderTesting.h"
 
@@ -12,6 +12,7 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -29,6 +30,7 @@
 #include <cmath>
 #include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -158,14 +160,34 @@ void CheckShells()
   }
 }
 
+/// The solid is read as it is in the file and has this volume.
+void CheckVolume(const std::string& name, const std::string& content, int faces, double volume)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(Make("repair_volume.step", content).c_str());
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputConnection(reader->GetOutputPort());
+  mass->SetBackend(vtkMassPropertiesGPU::CPU);
+  mass->Update();
+  CheckEqual(name + ": not repaired", "", GetRepairs(reader));
+  CheckEqual("  faces", faces, GetLeaf(reader, 0)->GetModel()->GetNumberOfFaces());
+  CheckTrue("  volume", std::abs(mass->GetVolume() - volume) <= mass->GetVolumeBound() + 1e-12 * volume,
+    std::to_string(mass->GetVolume() - volume));
+}
+
+/// The text of a file without parameter curves.
+std::string WriteEdgesOnly(const TopoDS_Shape& shape)
+{
+  Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+  const std::string text = ReadAll(Write("repair_edges.step", shape, STEPControl_AsIs));
+  Interface_Static::SetIVal("write.surfacecurve.mode", 1);
+  return text;
+}
+
 /// A torus with a negative major radius is the same surface with its other side outside. OpenCASCADE's transfer turns the face alone.
 void CheckTurnedTorus()
 {
-  Interface_Static::SetIVal("write.surfacecurve.mode", 0);
-  const std::string path =
-    Write("repair_torus.step", BRepPrimAPI_MakeTorus(30.0, 5.0, 1.5).Solid(), STEPControl_AsIs);
-  Interface_Static::SetIVal("write.surfacecurve.mode", 1);
-  const std::string text = ReadAll(path);
+  const std::string text = WriteEdgesOnly(BRepPrimAPI_MakeTorus(30.0, 5.0, 1.5).Solid());
   std::smatch torus;
   CheckTrue(
     "a torus", std::regex_search(text, torus, std::regex("(#[0-9]+) = TOROIDAL_SURFACE\\('',#[0-9]+,30\\.")));
@@ -173,22 +195,29 @@ void CheckTurnedTorus()
     std::regex_replace(text, std::regex("(TOROIDAL_SURFACE\\('',#[0-9]+,)30\\."), "$1-30.");
   turned = std::regex_replace(
     turned, std::regex("(ADVANCED_FACE\\('',\\([^)]*\\)," + torus[1].str() + ",)\\.T\\."), "$1.F.");
-  for (const std::string& content : { text, turned })
-  {
-    vtkNew<vtkSTEPReader> reader;
-    reader->SetFileName(Make("repair_torus.step", content).c_str());
-    vtkNew<vtkMassPropertiesGPU> mass;
-    mass->SetInputConnection(reader->GetOutputPort());
-    mass->SetBackend(vtkMassPropertiesGPU::CPU);
-    mass->Update();
-    const double volume = vtkMath::Pi() * 25.0 * 30.0 * 1.5;
-    const std::string name = content == text ? "torus" : "torus with a negative radius";
-    CheckEqual(name + ": not repaired", "", GetRepairs(reader));
-    CheckEqual("  faces", 3, GetLeaf(reader, 0)->GetModel()->GetNumberOfFaces());
-    CheckTrue("  volume", std::abs(mass->GetVolume() - volume) <= mass->GetVolumeBound() + 1e-12 * volume,
-      std::to_string(mass->GetVolume() - volume));
-  }
   CheckTrue("the files differ", text.size() + 1 == turned.size());
+  const double volume = vtkMath::Pi() * 25.0 * 30.0 * 1.5;
+  CheckVolume("torus", text, 3, volume);
+  CheckVolume("torus with a negative radius", turned, 3, volume);
+}
+
+/// Half a sphere whose rim passes both poles, or where x leaves the sphere, or both.
+void CheckPolesOnEdges()
+{
+  const std::string text =
+    WriteEdgesOnly(BRepPrimAPI_MakeSphere(3.0, 0.0, 0.5 * vtkMath::Pi(), 2.0 * vtkMath::Pi()).Solid());
+  std::smatch sphere;
+  CheckTrue("a sphere", std::regex_search(text, sphere, std::regex("SPHERICAL_SURFACE\\('',(#[0-9]+),3\\.")));
+  for (const auto& [axis, reference] : std::vector<std::pair<std::string, std::string>>{
+         { "0.,0.,1.", "1.,0.,0." }, { "0.6,0.8,0.", "0.,0.,1." }, { "0.6,0.8,0.", "-0.8,0.6,0." } })
+  {
+    const std::string placed = std::regex_replace(text,
+      std::regex(sphere[1].str() + " = AXIS2_PLACEMENT_3D\\('',(#[0-9]+),#[0-9]+,#[0-9]+\\);"),
+      "#900001=DIRECTION('',(" + axis + "));#900002=DIRECTION('',(" + reference + "));" + sphere[1].str() +
+        "=AXIS2_PLACEMENT_3D('',$1,#900001,#900002);");
+    CheckTrue("other poles", placed.size() > text.size());
+    CheckVolume("poles at " + axis, placed, 2, 18.0 * vtkMath::Pi());
+  }
 }
 }
 
@@ -202,5 +231,6 @@ int TestSTEPRepairReasons(int argc, char* argv[])
   CheckTrims();
   CheckShells();
   CheckTurnedTorus();
+  CheckPolesOnEdges();
   return Finish();
 }
