@@ -22,7 +22,7 @@ namespace sm
 /**
  * The records that OpenCASCADE's own lexer and parser would make of the text, in the same order: one for each entity of the header, for
  * each record of an instance, and for each list or typed value within, which comes before the record that has it. They are made in
- * a quarter of the time.
+ * a twentieth of the time.
  */
 class SMREADERSSTEP_EXPORT KernelRecords
 {
