@@ -5,6 +5,8 @@
 #ifndef smPart21Cursor_h
 #define smPart21Cursor_h
 
+#include "smReadersPart21Module.h"
+
 #include <cstdint>
 #include <cstring>
 #include <string_view>
@@ -18,7 +20,7 @@ enum Part21Character : unsigned char
   Part21Digit = 2,
   Part21Letter = 4
 };
-extern const unsigned char Part21Characters[256];
+extern SMREADERSPART21_EXPORT const unsigned char Part21Characters[256];
 
 inline bool IsPart21(char c, unsigned char kinds)
 {
@@ -30,7 +32,7 @@ bool IsInstanceStart(const char* at, const char* end);
 
 /// A place in the text. Each Skip… begins at the first character of its token and ends behind the last; false when the token is
 /// malformed, then the place is where that shows.
-struct Part21Cursor
+struct SMREADERSPART21_EXPORT Part21Cursor
 {
   const char* At;
   const char* End;

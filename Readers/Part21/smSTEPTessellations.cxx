@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
-#include <vector>
 
 namespace sm
 {
@@ -16,13 +15,19 @@ constexpr std::string_view Types[] = { "COMPLEX_TRIANGULATED_FACE", "COMPLEX_TRI
   "TRIANGULATED_FACE", "TRIANGULATED_SURFACE_SET" };
 }
 
-std::string RemoveTessellations(const Part21File& file)
+std::vector<bool> FindTessellationTypes(const Part21File& file)
 {
   std::vector<bool> tessellated;
   for (const std::string& name : file.GetTypeNames())
   {
     tessellated.push_back(std::find(std::begin(Types), std::end(Types), name) != std::end(Types));
   }
+  return tessellated;
+}
+
+std::string RemoveTessellations(const Part21File& file)
+{
+  const std::vector<bool> tessellated = FindTessellationTypes(file);
   const std::string_view text = file.GetText();
   std::string result;
   std::size_t kept = std::min(text.find("ISO-10303-21;"), text.size());

@@ -8,6 +8,7 @@
 #include "smPart21File.h"
 
 #include <string>
+#include <vector>
 
 namespace sm
 {
@@ -18,6 +19,9 @@ namespace sm
  * numbers and their types, so that references to them hold. Damaged instances stay as they are. Empty when there is nothing to remove.
  */
 SMREADERSPART21_EXPORT std::string RemoveTessellations(const Part21File& file);
+
+/// For each of the file's types whether the above takes its parameters away.
+SMREADERSPART21_EXPORT std::vector<bool> FindTessellationTypes(const Part21File& file);
 }
 
 #endif

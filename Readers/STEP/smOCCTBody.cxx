@@ -293,6 +293,7 @@ private:
       }
       return;
     }
+    draft.Surface = inspected.Surface;
     draft.Loops = inspected.Loops;
     draft.AddedEdges = inspected.AddedEdges;
     for (DraftLoop& loop : draft.Loops)
@@ -324,6 +325,16 @@ private:
       OrderLoops(draft);
       ShiftLoops(draft);
     }
+    for (DraftLoop& loop : draft.Loops)
+    {
+      for (DraftCoedge& coedge : loop)
+      {
+        if (!coedge.Projected && coedge.Trim.GetLine().IsNull())
+        {
+          coedge.Trim.Samples = coedge.Trim.Sample();
+        }
+      }
+    }
     const AffineMap map = this->MakeMap(draft.Location);
     std::vector<std::vector<TrimCurve>> trims = this->ProjectTrims(draft, map);
     const NativeBox box = GetCoveredBox(draft, trims);
@@ -346,6 +357,13 @@ private:
     face->Surface = std::move(surface.Surface);
     face->Surface.Rounding =
       GetReadingRounding(draft.Surface, box, map, this->Origin, this->Roundings, face->Surface);
+    for (DraftLoop& loop : draft.Loops)
+    {
+      for (DraftCoedge& coedge : loop)
+      {
+        coedge.Trim.Samples = {};
+      }
+    }
     this->CheckClosing(draft, *face);
     result.Defects = draft.Defects;
     result.Source = draft.Face;

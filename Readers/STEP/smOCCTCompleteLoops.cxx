@@ -3,6 +3,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -521,10 +522,59 @@ private:
   /// The loops lie side by side.
   bool IsPlaced = false;
 };
+
+bool HasStoredTrims(const DraftFace& face)
+{
+  for (const DraftLoop& loop : face.Loops)
+  {
+    for (const DraftCoedge& coedge : loop)
+    {
+      if (!coedge.NeedsFeet)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The same sphere, with poles where its x axis (or y axis) leaves it.
+Handle(Geom_Surface) TurnSphere(const Handle(Geom_SphericalSurface) & sphere, bool isX)
+{
+  const gp_Ax3& from = sphere->Position();
+  gp_Ax3 frame(from.Location(), isX ? from.XDirection() : from.YDirection(), from.Direction());
+  if (!from.Direct())
+  {
+    frame.YReverse();
+  }
+  return new Geom_SphericalSurface(frame, sphere->Radius());
+}
 }
 
 std::string CompleteLoops(DraftFace& face)
 {
-  return LoopCompleter(face).Run();
+  const auto sphere = Handle(Geom_SphericalSurface)::DownCast(face.Surface);
+  if (sphere.IsNull() || HasStoredTrims(face))
+  {
+    return LoopCompleter(face).Run();
+  }
+  const DraftFace before = face;
+  std::string problem = LoopCompleter(face).Run();
+  const std::string first = problem;
+  // An edge that passes a pole has no feet that move smoothly, and no file says where the poles of a sphere have to be.
+  for (const bool isX : { true, false })
+  {
+    if (!problem.empty())
+    {
+      face = before;
+      face.Surface = TurnSphere(sphere, isX);
+      problem = LoopCompleter(face).Run();
+    }
+  }
+  if (!problem.empty())
+  {
+    face = before;
+  }
+  return problem.empty() ? problem : first;
 }
 }

@@ -8,6 +8,7 @@
 #include "smOCCTFile.h"
 #include "smOCCTModel.h"
 #include "smOCCTProducts.h"
+#include "smOCCTRecords.h"
 #include "smOCCTRepair.h"
 #include "smOCCTTable.h"
 #include "smPart21File.h"
@@ -47,11 +48,18 @@ void Configure(STEPCAFControl_Reader& reader)
 /// Reads the entities of the file. False, with document.Problem, when OpenCASCADE cannot.
 bool Parse(const FileCheck& check, const Part21File& text, STEPCAFControl_Reader& reader, Document& document)
 {
-  // Where OpenCASCADE knows these entities, the session tells it to skip them.
-  const std::string reduced = KernelReadsTessellations ? std::string() : RemoveTessellations(text);
+  // Where OpenCASCADE knows tessellations, the session tells it to skip them.
+  KernelRecords records;
+  const bool isPlain = records.Make(text,
+    KernelReadsTessellations ? std::vector<bool>(text.GetTypeNames().size()) : FindTessellationTypes(text));
+  const std::string reduced = isPlain || KernelReadsTessellations ? std::string() : RemoveTessellations(text);
   MemoryBuffer buffer(reduced.empty() ? text.GetText().substr(check.JunkBytes) : reduced);
   std::istream stream(&buffer);
+  const Handle(XSControl_WorkSession) session = reader.Reader().WS();
+  const Handle(IFSelect_WorkLibrary) library = session->WorkLibrary();
+  session->SetLibrary(isPlain ? MakeRecordLibrary(records) : library);
   const IFSelect_ReturnStatus status = reader.ChangeReader().ReadStream("STEP", stream);
+  session->SetLibrary(library);
   if (status != IFSelect_RetDone)
   {
     document.Problem = std::string("OpenCASCADE cannot parse it") +

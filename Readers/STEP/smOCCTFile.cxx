@@ -148,6 +148,8 @@ KernelSession::KernelSession()
   this->Printers = Message::DefaultMessenger()->Printers();
   Message::DefaultMessenger()->ChangePrinters().Clear();
   this->Settings.Set("xstep.cascade.unit", "MM");
+  // No face is asked how smoothly it meets its neighbours.
+  this->Settings.Set("read.encoderegularity.angle", "0.");
   // Shapes without surfaces, beside the exact ones.
   this->Settings.Set("read.step.tessellated", "Off");
   SessionDepth = 1;

@@ -48,7 +48,7 @@ bool LooksLikeSTEP(const std::string& name);
 
 /// Sets parameters of OpenCASCADE, which belong to the process, and puts them back when it goes. One that this version does not know
 /// is left out.
-class KernelSettings
+class SMREADERSSTEP_EXPORT KernelSettings
 {
 public:
   KernelSettings() = default;
@@ -67,7 +67,7 @@ private:
  * lengths arrive in mm, and tessellations are not read. The session of another thread waits; a session inside one of the same thread
  * changes nothing.
  */
-class KernelSession
+class SMREADERSSTEP_EXPORT KernelSession
 {
 public:
   KernelSession();

@@ -3,6 +3,7 @@
 #include "smUnitRoundoff.h"
 
 #include <ElSLib.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -16,6 +17,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <utility>
 
 namespace sm
@@ -86,16 +89,22 @@ public:
   explicit NewtonFinder(const Handle(Geom_Surface) & surface)
     : FootPointFinder(surface)
   {
+    if (this->Period[0] == 0.0 && this->Period[1] == 0.0 &&
+      surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface)))
+    {
+      this->Patches = std::make_unique<GeomAdaptor_Surface>(surface);
+    }
   }
 
   bool Find(const gp_Pnt& point, const double* guess, double uv[2]) const override
   {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
     double distance = std::numeric_limits<double>::infinity();
     if (guess)
     {
       uv[0] = guess[0];
       uv[1] = guess[1];
-      gp_Pnt from = this->Surface->Value(uv[0], uv[1]);
+      const gp_Pnt from = this->GetPoint(uv[0], uv[1]);
       if (this->Solve(point, uv, distance) && distance <= point.Distance(from) + this->Rounding)
       {
         return true;
@@ -117,9 +126,26 @@ protected:
   /// Parameters near the foot.
   virtual bool FindSeed(const gp_Pnt& point, double uv[2]) const = 0;
 
+  gp_Pnt GetPoint(double u, double v) const
+  {
+    return this->Patches ? this->Patches->Value(u, v) : this->Surface->Value(u, v);
+  }
+
   double Rounding = 0.0;
 
 private:
+  void GetDerivatives(double u, double v, gp_Pnt& point, gp_Vec& du, gp_Vec& dv) const
+  {
+    if (this->Patches)
+    {
+      this->Patches->D1(u, v, point, du, dv);
+    }
+    else
+    {
+      this->Surface->D1(u, v, point, du, dv);
+    }
+  }
+
   /// Polynomials go on beyond the border of the domain: an edge beside it has feet that move smoothly.
   double GetLow(int d) const { return this->Low[d] - Margin * (this->High[d] - this->Low[d]); }
   double GetHigh(int d) const { return this->High[d] + Margin * (this->High[d] - this->Low[d]); }
@@ -132,7 +158,7 @@ private:
     {
       gp_Pnt foot;
       gp_Vec d[2];
-      this->Surface->D1(uv[0], uv[1], foot, d[0], d[1]);
+      this->GetDerivatives(uv[0], uv[1], foot, d[0], d[1]);
       const gp_Vec gap(foot, point);
       distance = gap.Magnitude();
       double step[2];
@@ -193,6 +219,11 @@ private:
     }
   }
 
+  /// A spline that is not periodic, with the polynomials of the patch that it was asked for last, which the mutex guards. Others differ from
+  /// their surface where parameters leave the domain.
+  std::unique_ptr<GeomAdaptor_Surface> Patches;
+  mutable std::mutex Mutex;
+
 protected:
   double Extent = 1.0;
 };
@@ -219,7 +250,7 @@ public:
     {
       for (int j = 0; j <= this->Count[1]; ++j)
       {
-        const gp_Pnt p = surface->Value(this->GetParameter(0, i), this->GetParameter(1, j));
+        const gp_Pnt p = this->GetPoint(this->GetParameter(0, i), this->GetParameter(1, j));
         this->Points.push_back(p);
         for (int c = 1; c <= 3; ++c)
         {
@@ -256,7 +287,7 @@ private:
     return this->First[direction] + i * this->Step[direction];
   }
 
-  const gp_Pnt& GetPoint(int i, int j) const { return this->Points[i * (this->Count[1] + 1) + j]; }
+  const gp_Pnt& GetGridPoint(int i, int j) const { return this->Points[i * (this->Count[1] + 1) + j]; }
 
   /// Borders that are one point.
   void FindPoles()
@@ -268,8 +299,8 @@ private:
         double widest = 0.0;
         for (int k = 0; k <= this->Count[1 - d]; ++k)
         {
-          const gp_Pnt& p = d == 0 ? this->GetPoint(end, k) : this->GetPoint(k, end);
-          const gp_Pnt& q = d == 0 ? this->GetPoint(end, 0) : this->GetPoint(0, end);
+          const gp_Pnt& p = d == 0 ? this->GetGridPoint(end, k) : this->GetGridPoint(k, end);
+          const gp_Pnt& q = d == 0 ? this->GetGridPoint(end, 0) : this->GetGridPoint(0, end);
           widest = std::max(widest, p.Distance(q));
         }
         if (this->Period[d] == 0.0 && widest <= 1e-9 * this->Extent)

@@ -57,7 +57,7 @@ struct DraftFace
   bool Reversed = false;
   /// Its loops are those of the file, for CompleteLoops.
   bool AsInFile = false;
-  /// The surface without rectangular trims.
+  /// The surface without rectangular trims; a sphere of CompleteLoops may have other poles.
   Handle(Geom_Surface) Surface;
   /// The surface as the face stores it; its domain is used for a face without loops.
   Handle(Geom_Surface) Stored;

@@ -105,9 +105,16 @@ public:
       return this->Result;
     }
     const std::vector<double> breaks = this->Trim.GetBreaks();
+    const auto points = this->Trim.Samples.empty() ? this->Trim.Sample() : this->Trim.Samples;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
     {
-      this->FitInterval(breaks[i], breaks[i + 1], Attempt());
+      Samples native;
+      for (int k = 0; k <= FitOrder; ++k)
+      {
+        const std::array<double, 2>& p = points[i * (FitOrder + 1) + k];
+        native[k] = { p[0] + this->Trim.Shift[0], p[1] + this->Trim.Shift[1] };
+      }
+      this->CutAndFit(breaks[i], breaks[i + 1], native, Attempt());
     }
     return this->Result;
   }
@@ -178,16 +185,30 @@ private:
     return 0.5 * (a + b);
   }
 
-  /// Cuts at the borders of arcs, then fits what lies between.
-  void FitInterval(double a, double b, const Attempt& attempt)
+  bool IsGivenUp()
   {
     this->GivenUp = this->Trim.Feet && this->Result.GetNumberOfPieces() >= this->Most;
-    if (this->GivenUp)
+    return this->GivenUp;
+  }
+
+  void FitInterval(double a, double b, const Attempt& attempt)
+  {
+    if (this->IsGivenUp())
     {
       return;
     }
     Samples native;
     this->SampleNative(a, b, native);
+    this->CutAndFit(a, b, native, attempt);
+  }
+
+  /// Cuts at the borders of arcs, then fits what lies between.
+  void CutAndFit(double a, double b, const Samples& native, const Attempt& attempt)
+  {
+    if (this->IsGivenUp())
+    {
+      return;
+    }
     std::vector<double> cuts;
     for (int d = 0; d < 2; ++d)
     {
@@ -356,6 +377,28 @@ Handle(Geom2d_Line) NativeTrim::GetLine() const
   return this->Feet ? Handle(Geom2d_Line)() : Handle(Geom2d_Line)::DownCast(GetBasis(this->Curve));
 }
 
+std::vector<std::array<double, 2>> NativeTrim::Sample() const
+{
+  std::vector<std::array<double, 2>> points;
+  const std::vector<double> breaks = this->GetBreaks();
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    for (int i = 0; i <= FitOrder; ++i)
+    {
+      const double t =
+        i == FitOrder ? breaks[k + 1] : breaks[k] + GetFitNodes()[i] * (breaks[k + 1] - breaks[k]);
+      if (this->Feet)
+      {
+        points.push_back(this->Feet->Evaluate(t));
+        continue;
+      }
+      const gp_Pnt2d p = this->Curve->Value(t);
+      points.push_back({ p.X(), p.Y() });
+    }
+  }
+  return points;
+}
+
 void NativeTrim::AddTo(NativeBox& box) const
 {
   const auto add = [&box](double u, double v)
@@ -373,22 +416,20 @@ void NativeTrim::AddTo(NativeBox& box) const
     add(b.X(), b.Y());
     return;
   }
-  const std::vector<double> breaks = this->GetBreaks();
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  const std::vector<std::array<double, 2>> points = this->Samples.empty() ? this->Sample() : this->Samples;
+  for (std::size_t k = 0; k < points.size(); ++k)
   {
-    gp_Pnt2d p[FitOrder + 1];
-    for (int i = 0; i <= FitOrder; ++i)
-    {
-      const double t = breaks[k] + GetFitNodes()[i] * (breaks[k + 1] - breaks[k]);
-      const std::array<double, 2> feet = this->Feet ? this->Feet->Evaluate(t) : std::array<double, 2>{};
-      p[i] = this->Feet ? gp_Pnt2d(feet[0], feet[1]) : this->Curve->Value(t);
-      add(p[i].X(), p[i].Y());
-    }
+    add(points[k][0], points[k][1]);
     // Between samples a smooth curve rises above them by at most about an eighth of the second difference.
-    for (int i = 1; i < FitOrder; ++i)
+    const std::size_t i = k % (FitOrder + 1);
+    if (i > 0 && i < FitOrder)
     {
-      const gp_XY bulge = 0.25 * (p[i].XY() - 0.5 * (p[i - 1].XY() + p[i + 1].XY()));
-      add(p[i].X() + bulge.X(), p[i].Y() + bulge.Y());
+      double raised[2];
+      for (int d = 0; d < 2; ++d)
+      {
+        raised[d] = points[k][d] + 0.25 * (points[k][d] - 0.5 * (points[k - 1][d] + points[k + 1][d]));
+      }
+      add(raised[0], raised[1]);
     }
   }
 }
@@ -445,6 +486,7 @@ TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast,
   NativeTrim other = trim;
   other.Curve = trim.Feet->Approximate();
   other.Feet = nullptr;
+  other.Samples.clear();
   if (other.Curve.IsNull())
   {
     throw std::runtime_error("the feet of an edge on it do not move smoothly");

