@@ -190,6 +190,30 @@ select_rows(many, 3, rows)
 many.SMProxy.CleanSelectionInputs(3)
 check_equal("cleared with the rows of faces", 0, count_pixels(is_magenta))
 
+# Labels are white, and there are none at first.
+shown = simple.GetRepresentation(servermanager.OutputPort(many, 5), view)
+simple.Hide(servermanager.OutputPort(many, 2), view)
+
+
+def is_white(red, green, blue):
+    return (red > 240) & (green > 240) & (blue > 240)
+
+
+check_equal("no labels", (0, 0), (count_pixels(is_white), shown.SMProxy.GetProperty("PartLabels").GetElement(0)))
+shown.PartLabels = "Name"
+short = count_pixels(is_white)
+shown.PartLabels = "Name and mass"
+both = count_pixels(is_white)
+check_true("labels with names, and others with masses", 100 < short != both > 100, f"{short} {both} pixels")
+shown.LabelColor = [1.0, 1.0, 0.0]
+check_equal("labels of another colour", 0, count_pixels(is_white))
+shown.LabelColor = [1.0, 1.0, 1.0]
+shown.Visibility = 0
+check_equal("labels are hidden with the solids", 0, count_pixels(is_white))
+shown.Visibility = 1
+shown.PartLabels = "None"
+check_equal("labels switched off", 0, count_pixels(is_white))
+
 # What makes a result open is red in the view, with its number; it goes with the visibility of the port.
 simple.HideAll(view)
 opened = MassProperties(Input=simple.OpenDataFile(manifest.special("open_solid")["path"]))  # noqa: F821
