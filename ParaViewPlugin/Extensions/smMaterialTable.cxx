@@ -19,7 +19,7 @@ const Cells Titles = { "Part", "Material", "kg/m^3", "Mass kg" };
 constexpr const char* TotalName = "Total";
 constexpr const char* FromFile = " (file)";
 constexpr const char* FromDensity = " (Density)";
-constexpr const char* FromRowBelow = " (row below)";
+constexpr const char* FromRowBelow = " (below)";
 constexpr int MassDigits = 6;
 
 /// The shortest text that reads back to the bit.

@@ -6,7 +6,7 @@
  * last one the total. Between them is a row for each part of the input, then one for each rule that has another pattern.
  * A rule is a row of the property Materials: pattern of names, material, density.
  *
- * Cells of material and density that no rule of that row gave say where they come from: "7850 (file)", "2700 (Density)", "7850 (row below)".
+ * Cells of material and density that no rule of that row gave say where they come from: "7850 (file)", "2700 (Density)", "7850 (below)".
  * Only cells without such an ending make rules, so that a table as text has a meaning without the input that it was made for.
  */
 #ifndef smMaterialTable_h

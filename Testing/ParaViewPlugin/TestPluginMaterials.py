@@ -142,19 +142,19 @@ mass.UpdatePipeline()
 cells = get_rows(mass)
 check_equal("a script's rules", rules, list(mass.Materials))
 check_equal("a script's rules: rows", ["plate", "bolt", "rail", "b*", "Total"], list(cells))
-check_equal("a script's rules: bolt", ["lead (row below)", "11340 (row below)"], cells["bolt"][:2])
+check_equal("a script's rules: bolt", ["lead (below)", "11340 (below)"], cells["bolt"][:2])
 check("a script's rules: mass of bolts", VOLUMES["bolt"] * 11340e-9, float(cells["bolt"][2]), 5.1e-6 * 2e-3, "six digits")
 edit(mass, "rail", material="gold")
 check_equal("an edit after a script: the first rule of a pattern counts", ["plate", "", "1000", "rail", "gold", "19300", "b*", "lead", "11340", "bolt", "zinc", "7140"],
             list(mass.Materials))
-check_equal("an edit after a script: bolt", ["lead (row below)", "11340 (row below)"], get_rows(mass)["bolt"][:2])
+check_equal("an edit after a script: bolt", ["lead (below)", "11340 (below)"], get_rows(mass)["bolt"][:2])
 
 # A row that is added, and one that is removed.
 table = list(mass.MaterialTable)
 mass.MaterialTable = table[:4] + ["*", "brass", "", ""] + [cell for i in range(4, len(table), 4) if table[i] != "plate" for cell in table[i:i + 4]]
 mass.UpdatePipeline()
 check_true("a row above all", list(mass.Materials)[:3] == ["*", "brass", "8500"] and "plate" not in list(mass.Materials), str(list(mass.Materials)))
-check_equal("a row above all: plate", ["brass (row below)", "8500 (row below)"], get_rows(mass)["plate"][:2])
+check_equal("a row above all: plate", ["brass (below)", "8500 (below)"], get_rows(mass)["plate"][:2])
 mass.MaterialTable = []
 mass.UpdatePipeline()
 check_table("all rows removed", mass, FILE, [])
