@@ -47,8 +47,6 @@ struct Label
 
 vtkLabeledSolidsRepresentation::vtkLabeledSolidsRepresentation()
 {
-  this->Text->SetJustificationToCentered();
-  this->Text->SetVerticalJustificationToCentered();
   this->Text->SetBold(true);
   this->Text->SetShadow(true);
   vtkNew<vtkPointSetToLabelHierarchy> hierarchy;

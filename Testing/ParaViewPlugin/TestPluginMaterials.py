@@ -174,6 +174,23 @@ mass.UpdatePipeline()
 check_equal("another input: the rule stays", ["rail", "steel", "7850"], list(mass.Materials))
 check_equal("another input: rows", ["nut", "rail", "Total"], list(get_rows(mass)))
 
+# Parts have a total: the product that is all, or a row of its own.
+def get_parts(filter_proxy):
+    table = servermanager.Fetch(filter_proxy, idx=7)
+    return [{table.GetColumnName(i): table.GetValue(row, i) for i in range(table.GetNumberOfColumns())} for row in range(table.GetNumberOfRows())]
+
+
+whole = get_parts(MassProperties(Input=reader))[0]  # noqa: F821
+check_equal("parts: all is one product", ("machine", "assembly", 8, 7), (whole["Name"].ToString(), whole["Kind"].ToString(), whole["Solids"].ToInt(),
+                                                                        whole["SolidsWithMass"].ToInt()))
+path = write_product(os.path.join(folder, "materials_loose.step"), nut, Part("cube", [((0, 0, 20), (10, 10, 10))], "1.5", "g/cm^3"))
+parts = get_parts(MassProperties(Input=simple.OpenDataFile(path)))  # noqa: F821
+check_equal("parts: several", [("Total", "total", 2), ("cube", "part", 1), ("nut", "part", 1)],
+            [(part["Name"].ToString(), part["Kind"].ToString(), part["Solids"].ToInt()) for part in parts])
+for column, expected in (("Volume", 1008.0), ("MassInAll", 8.0 * 8900e-9 + 1000.0 * 1500e-9)):
+    value = parts[0][column].ToDouble()
+    check(f"parts: {column} of all", expected, value, parts[0][column + "Bound"].ToDouble() + 1e-15 * value, "its bound")
+
 listed = subprocess.run([program, "--list-materials"], stdout=subprocess.PIPE, text=True, check=True).stdout
 names = [" ".join(line.split()[:-2]) for line in listed.splitlines() if line.endswith(" kg/m^3")]
 text = " ".join(mass.SMProxy.GetProperty("MaterialTable").GetDocumentation().GetDescription().split())

@@ -29,7 +29,8 @@ grab() { # SCENE FILE.step
       if [ "$5" = materials ]; then
         # The borders of the panel, which no event of ParaView moves: wider, and higher.
         sleep 5
-        xdotool mousemove 296 420 sleep 1 mousedown 1 sleep 1 mousemove 400 420 sleep 1 mousemove 470 420 sleep 1 mouseup 1
+        xdotool mousemove 296 420 sleep 1 mousedown 1 sleep 1 mousemove 400 420 sleep 1 mousemove 520 420 sleep 1 \
+          mousemove 521 420 sleep 2 mouseup 1
         xdotool mousemove 150 352 sleep 1 mousedown 1 sleep 1 mousemove 150 300 sleep 1 mousemove 150 240 sleep 1 mouseup 1
       fi
       # The window shows changes with a delay: wait until two pictures are the same.
