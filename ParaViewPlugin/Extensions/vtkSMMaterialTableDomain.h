@@ -13,7 +13,7 @@
  *   </RequiredProperties>
  * </MaterialTableDomain>
  * @endcode
- * Port 1 of the filter is its table of solids. What the table shows besides rules is never sent to a server.
+ * Port 1 of the filter is its table of solids. The property has no command: the filter gets the rules only.
  */
 #ifndef vtkSMMaterialTableDomain_h
 #define vtkSMMaterialTableDomain_h

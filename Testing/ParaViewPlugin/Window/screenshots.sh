@@ -19,10 +19,16 @@ trap 'rm -rf "$work"' EXIT
 "$build/bin/make_paper_parts" "$work" gear_train > /dev/null
 
 grab() { # SCENE FILE.step
-  rm -f "$work/ready"
+  rm -f "$work/ready" "$work/events.xml"
+  events=
+  if [ -e "$here/screenshots_$1.xml" ]; then
+    # Without blanks in its path, whatever that of the tree is.
+    cp "$here/screenshots_$1.xml" "$work/events.xml"
+    events=--test-script=$work/events.xml
+  fi
   SM_SCENE=$1 SM_FILE=$2 SM_READY=$work/ready HOME=$work PYTHONPATH=$here/../../Support QT_QPA_PLATFORM=xcb xvfb-run -a \
     -s "-noreset -screen 0 1440x900x24" sh -c '
-      paraview --dr --plugin-search-paths="$1" --plugins=SolidMoments --script="$2" --test-script="$4" > "$3/log" 2>&1 &
+      paraview --dr --plugin-search-paths="$1" --plugins=SolidMoments --script="$2" $4 > "$3/log" 2>&1 &
       window=$!
       tries=0
       until [ -e "$3/ready" ] || [ "$tries" -ge 300 ]; do sleep 1; tries=$((tries + 1)); done
@@ -42,7 +48,7 @@ grab() { # SCENE FILE.step
       done
       kill "$window"
       wait "$window" 2> /dev/null || true
-    ' sh "$(echo "$build"/lib/paraview-*/plugins/SolidMoments)" "$here/screenshots.py" "$work" "$here/screenshots_$1.xml" "$1"
+    ' sh "$(echo "$build"/lib/paraview-*/plugins/SolidMoments)" "$here/screenshots.py" "$work" "$events" "$1"
   if [ ! -e "$work/ready" ]; then
     cat "$work/log" >&2
     exit 1
