@@ -135,6 +135,13 @@ check_table("but of one", mass, {**{part: ("", "1000 (Density)", 1000.0) for par
             ["plate", "Lead", "11340"])
 mass.Density = 0.0
 
+# A material that is not known gives no rule; a message says so. The row keeps what was typed.
+edit(mass, "rail", material="unobtainium")
+check_equal("an unknown material: the row", ["unobtainium", "", ""], get_rows(mass)["rail"])
+check_equal("an unknown material: the others have theirs", ["Lead", "11340"], get_rows(mass)["plate"][:2])
+edit(mass, "rail", density="123.5")
+check("an unknown material and a density", VOLUMES["rail"] * 123.5e-9, float(get_rows(mass)["rail"][2]), 1.3e-8, "six digits")
+
 # Rules of a script stay as they are.
 rules = ["b*", "lead", "", "plate", "", "1000", "bolt", "zinc", ""]
 mass.Materials = rules
