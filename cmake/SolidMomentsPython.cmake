@@ -21,12 +21,19 @@ vtk_module_wrap_python(
   TARGET              SolidMoments::Python)
 set(CMAKE_INSTALL_RPATH "${solidmoments_install_rpath}")
 # mass_properties() and what goes with it, on those modules.
+set(solidmoments_vtk_folder "${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
 set(solidmoments_python_folder "${CMAKE_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}/solidmoments")
 configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Python/solidmoments/_version.py.in" "${solidmoments_python_folder}/_version.py" @ONLY)
-foreach (file IN ITEMS __init__ _results _run)
+foreach (file IN ITEMS __init__ _mesh _pyvista _results _run _write_mesh)
   configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Python/solidmoments/${file}.py" "${solidmoments_python_folder}/${file}.py" COPYONLY)
   install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/Python/solidmoments/${file}.py"
     DESTINATION "${SOLIDMOMENTS_PYTHON_DESTINATION}/solidmoments" COMPONENT python)
 endforeach ()
 install(FILES "${solidmoments_python_folder}/_version.py"
   DESTINATION "${SOLIDMOMENTS_PYTHON_DESTINATION}/solidmoments" COMPONENT python)
+# PyVista finds the reader by these entry points, without an import of the package.
+set(solidmoments_distribution "solidmoments-${PROJECT_VERSION}.dist-info")
+set(solidmoments_distribution_folder "${CMAKE_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}/${solidmoments_distribution}")
+configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Python/METADATA.in" "${solidmoments_distribution_folder}/METADATA" @ONLY)
+configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Python/entry_points.txt" "${solidmoments_distribution_folder}/entry_points.txt" COPYONLY)
+install(DIRECTORY "${solidmoments_distribution_folder}" DESTINATION "${SOLIDMOMENTS_PYTHON_DESTINATION}" COMPONENT python)

@@ -41,7 +41,7 @@ constexpr const char* SolidsWithVolume = "SolidsWithVolume"; // 1 (int)
 constexpr const char* SolidsWithMass = "SolidsWithMass";     // 1 (int)
 
 // The parts list, port 7 of the filters of mass properties: those of one product have the names above.
-constexpr const char* Kind = "Kind";                     // string: part or assembly
+constexpr const char* Kind = "Kind";                     // string: part, assembly, or total
 constexpr const char* Level = "Level";                   // 1 (int), 1 for the products of the root
 constexpr const char* Count = "Count";                   // 1 (int), equal products in the product above
 constexpr const char* CountInAll = "CountInAll";         // 1 (int), in the input

@@ -175,11 +175,11 @@ std::string FormatSummary(const MassRow& total, const std::string& status, const
   const std::string& unit, int solids, int weighed, int weighable)
 {
   const MassProperties& p = total.Properties;
-  const auto triple = [&unit](const std::array<double, 3>& values, double bound, const std::string& power)
+  const auto triple = [](const std::array<double, 3>& values, double bound, const std::string& inUnit)
   {
     const bool known = std::isfinite(values[0] + values[1] + values[2]);
     return (known ? FormatNumber(values[0], bound) + "  " + FormatNumber(values[1], bound) + "  " +
-                 FormatNumber(values[2], bound) + " " + unit + power + FormatBoundNote(bound)
+                 FormatNumber(values[2], bound) + " " + inUnit + FormatBoundNote(bound)
                   : std::string("not known")) +
       "\n";
   };
@@ -194,19 +194,28 @@ std::string FormatSummary(const MassRow& total, const std::string& status, const
   }
   text += "Volume: " + FormatWithBound(p.Volume, p.VolumeBound, unit + "^3") + "\n";
   text += "Area: " + FormatWithBound(total.Area, total.AreaBound, unit + "^2") + "\n";
+  // Where densities differ, or are not all known, the centre of the volume is not that of the mass.
+  const bool isMixed = std::isfinite(total.KnownMass) && !std::isfinite(total.Density);
   if (std::isfinite(p.Center[0]))
   {
-    text += "Centre of mass: " + triple(p.Center, p.CenterBound, "");
-    text += "Principal moments: " + triple(p.Principal, p.PrincipalBound, "^5");
+    text += (isMixed ? "Centre of volume: " : "Centre of mass: ") + triple(p.Center, p.CenterBound, unit);
   }
   if (std::isfinite(total.Mass))
   {
     text += "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg") + "\n";
+    const MassProperties& w = total.Weighted;
+    text += isMixed ? "Centre of mass: " + triple(w.Center, w.CenterBound, unit) : std::string();
+    text += "Principal moments: " + triple(w.Principal, w.PrincipalBound, "kg " + unit + "^2");
   }
-  else if (std::isfinite(total.KnownMass))
+  else
   {
-    text += "Mass of " + std::to_string(weighed) + " of " + std::to_string(weighable) +
-      " solids: " + FormatWithBound(total.KnownMass, total.KnownMassBound, "kg") + "\n";
+    text += std::isfinite(p.Center[0])
+      ? "Principal moments: " + triple(p.Principal, p.PrincipalBound, unit + "^5")
+      : std::string();
+    text += std::isfinite(total.KnownMass)
+      ? "Mass of " + std::to_string(weighed) + " of " + std::to_string(weighable) +
+        " solids: " + FormatWithBound(total.KnownMass, total.KnownMassBound, "kg") + "\n"
+      : std::string();
   }
   return text;
 }

@@ -175,6 +175,21 @@ void ListLines(const std::vector<PartsListEntry>& entries, int level, Lines& lin
   }
 }
 
+/// The sums of several products.
+PartsListEntry MakeTotal(const std::vector<PartsListEntry>& entries)
+{
+  PartsListEntry total;
+  total.Name = "Total";
+  for (const PartsListEntry& entry : entries)
+  {
+    total.Solids += entry.Count * entry.Solids;
+    total.Status = std::max(total.Status, entry.Status);
+    total.Each.Add(entry.InAll);
+  }
+  total.InAll = total.Each;
+  return total;
+}
+
 /// Adds a column of the values that `get` gives for an entry and its level.
 template <typename Array, typename Get>
 void AddColumn(const Lines& lines, const std::string& name, const Get& get, vtkTable* table)
@@ -242,13 +257,22 @@ void FillPartsTable(
 {
   using Entry = const PartsListEntry&;
   Lines lines;
+  const PartsListEntry total = MakeTotal(entries);
+  if (entries.size() > 1)
+  {
+    lines.emplace_back(&total, 1);
+  }
   ListLines(entries, 1, lines);
   AddColumn<vtkStringArray>(
     lines, names::Name,
     [](Entry e, int level) { return std::string(4 * static_cast<std::size_t>(level - 1), ' ') + e.Name; },
     table);
   AddColumn<vtkStringArray>(
-    lines, names::Kind, [](Entry e, int) { return std::string(e.IsAssembly ? "assembly" : "part"); }, table);
+    lines, names::Kind,
+    [&total](Entry e, int) {
+      return std::string(&e == &total ? "total" : e.IsAssembly ? "assembly" : "part");
+    },
+    table);
   AddColumn<vtkIntArray>(
     lines, names::Level, [](Entry, int level) { return level; }, table);
   AddColumn<vtkIntArray>(

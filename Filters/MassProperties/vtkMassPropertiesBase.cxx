@@ -85,14 +85,15 @@ void vtkMassPropertiesBase::AppendMaterial(const sm::MaterialRule& rule)
 {
   if (!(rule.Material.Tolerance <= 1.0))
   {
-    vtkErrorMacro("AddMaterial: " << sm::FormatDigits(rule.Material.Tolerance, 6)
-                                  << " is no relative tolerance; give 0 to 1, for example "
-                                     "0.01 for one per cent.");
+    vtkErrorMacro("Material \"" << rule.Material.Name
+                                << "\": " << sm::FormatDigits(rule.Material.Tolerance, 6)
+                                << " is no relative tolerance; give 0 to 1, for example "
+                                   "0.01 for one per cent.");
     return;
   }
   if (!(rule.Material.Density > 0.0) || !std::isfinite(rule.Material.Density))
   {
-    vtkErrorMacro("AddMaterial: there is no density above 0 for the solids "
+    vtkErrorMacro("There is no density above 0 for the solids "
       << rule.Pattern << ", material \"" << rule.Material.Name
       << "\"; give kg/m^3, for example 7850, or one of the common materials.");
     return;

@@ -1,5 +1,8 @@
 #include "smSolidHighlight.h"
 
+#include "vtkFaceRowsInformation.h"
+#include "vtkNURBSDataSet.h"
+
 #include "vtkCommand.h"
 #include "vtkDataAssembly.h"
 #include "vtkNew.h"
@@ -16,6 +19,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,17 +37,22 @@ public:
 
   unsigned int TablePort = 1;
   unsigned int MeshesPort = 5;
+  /// Negative without a table of faces.
+  int FacesPort = -1;
 
   void Execute(vtkObject* caller, unsigned long, void* data) override
   {
     auto* filter = vtkSMSourceProxy::SafeDownCast(caller);
     const unsigned int port = data ? *static_cast<unsigned int*>(data) : this->TablePort;
-    if (!filter || this->Busy || (port != this->TablePort && port != this->MeshesPort))
+    const bool isFaces = static_cast<int>(port) == this->FacesPort;
+    if (!filter || this->Busy || (port != this->TablePort && port != this->MeshesPort && !isFaces))
     {
       return;
     }
     this->Busy = true;
-    const bool isChanged = port == this->TablePort ? this->FollowRows(filter) : this->FollowMeshes(filter);
+    const bool isChanged = isFaces ? this->FollowFaces(filter)
+      : port == this->TablePort    ? this->FollowRows(filter)
+                                   : this->FollowMeshes(filter);
     this->Busy = false;
     if (isChanged)
     {
@@ -62,6 +71,10 @@ private:
       this->Highlight(filter, rows);
       return true;
     }
+    if (shown && shown == this->OwnFaces)
+    {
+      return false;
+    }
     if (shown && shown != this->OwnMeshes)
     {
       // After a selection in a view ParaView clears the rows; those of the user's selection come back.
@@ -71,13 +84,40 @@ private:
     return shown != nullptr;
   }
 
+  /// The rows of faces have changed. Returns whether anything else has.
+  bool FollowFaces(vtkSMSourceProxy* filter)
+  {
+    const std::set<vtkIdType> rows =
+      GetSelectedRows(filter->GetSelectionInput(static_cast<unsigned int>(this->FacesPort)));
+    vtkNew<vtkFaceRowsInformation> information;
+    information->SetPortNumber(this->FacesPort);
+    information->SetRows({ rows.begin(), rows.end() });
+    if (!rows.empty())
+    {
+      filter->GatherInformation(information);
+    }
+    if (!information->GetFaces().empty())
+    {
+      this->HighlightFaces(filter, information->GetFaces());
+      return true;
+    }
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
+    if (shown && shown == this->OwnFaces)
+    {
+      filter->CleanSelectionInputs(this->MeshesPort);
+      return true;
+    }
+    return false;
+  }
+
   /// The user has selected or cleared something in a view, or another tool has. Returns whether anything else has changed.
   bool FollowMeshes(vtkSMSourceProxy* filter)
   {
     vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
     if (shown)
     {
-      return shown != this->OwnMeshes && this->SelectRows(filter, FindSolids(filter, this->MeshesPort));
+      return shown != this->OwnMeshes && shown != this->OwnFaces &&
+        this->SelectRows(filter, FindSolids(filter, this->MeshesPort));
     }
     vtkSMSourceProxy* selected = filter->GetSelectionInput(this->TablePort);
     if (selected && selected == this->OwnRows)
@@ -110,6 +150,55 @@ private:
     return rows;
   }
 
+  /// The partitioned dataset of a solid in the hierarchy, counted from 1.
+  static std::string GetSelector(vtkIdType solid)
+  {
+    return "/Root/*[@number_of_partitions][" + std::to_string(solid + 1) + "]";
+  }
+
+  /// Selects the cells of faces: those that are in the block of the solid and have the index of the face.
+  void HighlightFaces(vtkSMSourceProxy* filter, const std::map<int, std::set<int>>& facesOfSolids)
+  {
+    vtkSMSessionProxyManager* manager = filter->GetSessionProxyManager();
+    const auto make = [manager](const char* group, const char* name)
+    {
+      return vtkSmartPointer<vtkSMSourceProxy>::Take(
+        vtkSMSourceProxy::SafeDownCast(manager->NewProxy(group, name)));
+    };
+    const auto selection = make("filters", "AppendSelections");
+    unsigned int next = 0;
+    std::string expression;
+    const auto append = [&](vtkSMSourceProxy* source)
+    {
+      const std::string name = "S" + std::to_string(next);
+      source->UpdateVTKObjects();
+      vtkSMPropertyHelper(selection, "Input").Add(source);
+      vtkSMPropertyHelper(selection, "SelectionNames").Set(next++, name.c_str());
+      return name;
+    };
+    for (const auto& [solid, faces] : facesOfSolids)
+    {
+      const auto block = make("sources", "BlockSelectorsSelectionSource");
+      vtkSMPropertyHelper(block, "FieldType").Set(vtkSelectionNode::CELL);
+      vtkSMPropertyHelper(block, "BlockSelectors").Set(0, GetSelector(solid).c_str());
+      const auto values = make("sources", "ThresholdSelectionSource");
+      vtkSMPropertyHelper(values, "FieldType").Set(vtkSelectionNode::CELL);
+      vtkSMPropertyHelper(values, "ArrayName").Set(vtkNURBSDataSet::FaceIndexArrayName());
+      std::vector<double> ranges;
+      for (const int face : faces)
+      {
+        ranges.insert(ranges.end(), 2, face);
+      }
+      vtkSMPropertyHelper(values, "Thresholds").Set(ranges.data(), static_cast<unsigned int>(ranges.size()));
+      expression += (expression.empty() ? "(" : "|(") + append(block) + "&";
+      expression += append(values) + ")";
+    }
+    vtkSMPropertyHelper(selection, "Expression").Set(expression.c_str());
+    selection->UpdateVTKObjects();
+    filter->SetSelectionInput(this->MeshesPort, selection, 0);
+    this->OwnFaces = selection;
+  }
+
   void Highlight(vtkSMSourceProxy* filter, const std::set<vtkIdType>& rows)
   {
     vtkSMSessionProxyManager* manager = filter->GetSessionProxyManager();
@@ -119,8 +208,7 @@ private:
     unsigned int next = 0;
     for (const vtkIdType row : rows)
     {
-      // The partitioned datasets of the hierarchy, counted from 1.
-      selectors.Set(next++, ("/Root/*[@number_of_partitions][" + std::to_string(row + 1) + "]").c_str());
+      selectors.Set(next++, GetSelector(row).c_str());
     }
     source->UpdateVTKObjects();
     const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(
@@ -215,7 +303,8 @@ private:
       auto* view = vtkSMViewProxy::SafeDownCast(iterator->GetProxy());
       if (view &&
         (view->FindRepresentation(filter, static_cast<int>(this->MeshesPort)) ||
-          view->FindRepresentation(filter, static_cast<int>(this->TablePort))))
+          view->FindRepresentation(filter, static_cast<int>(this->TablePort)) ||
+          (this->FacesPort >= 0 && view->FindRepresentation(filter, this->FacesPort))))
       {
         view->StillRender();
       }
@@ -223,17 +312,20 @@ private:
   }
 
   bool Busy = false;
-  /// The selections that Highlight() and SelectRows() made last.
+  /// The selections that Highlight(), HighlightFaces() and SelectRows() made last.
   vtkWeakPointer<vtkSMSourceProxy> OwnMeshes;
+  vtkWeakPointer<vtkSMSourceProxy> OwnFaces;
   vtkWeakPointer<vtkSMSourceProxy> OwnRows;
 };
 }
 
-void HighlightSolidsOfRows(vtkSMSourceProxy* filter, unsigned int tablePort, unsigned int meshesPort)
+void HighlightSolidsOfRows(
+  vtkSMSourceProxy* filter, unsigned int tablePort, unsigned int meshesPort, int facesPort)
 {
   vtkNew<HighlightCommand> command;
   command->TablePort = tablePort;
   command->MeshesPort = meshesPort;
+  command->FacesPort = facesPort;
   filter->AddObserver(vtkCommand::SelectionChangedEvent, command);
 }
 }

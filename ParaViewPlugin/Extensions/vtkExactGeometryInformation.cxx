@@ -1,12 +1,10 @@
 #include "vtkExactGeometryInformation.h"
 
-#include "vtkAlgorithm.h"
-#include "vtkAlgorithmOutput.h"
+#include "smOutputData.h"
+
 #include "vtkClientServerStream.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkExecutive.h"
-#include "vtkInformation.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkObjectFactory.h"
@@ -21,23 +19,6 @@ vtkTrimmedNURBSModel* GetModel(vtkDataObject* data)
 {
   auto* leaf = vtkNURBSDataSet::SafeDownCast(data);
   return leaf ? leaf->GetModel() : nullptr;
-}
-
-vtkDataObject* GetOutput(vtkObject* object, int port)
-{
-  if (auto* data = vtkDataObject::SafeDownCast(object))
-  {
-    return data;
-  }
-  auto* output = vtkAlgorithmOutput::SafeDownCast(object);
-  auto* algorithm = output ? output->GetProducer() : vtkAlgorithm::SafeDownCast(object);
-  if (!algorithm)
-  {
-    return nullptr;
-  }
-  // Not vtkAlgorithm::GetOutputDataObject(): it runs a pipeline pass, which may report errors.
-  vtkInformation* info = algorithm->GetExecutive()->GetOutputInformation(output ? output->GetIndex() : port);
-  return info ? vtkDataObject::GetData(info) : nullptr;
 }
 }
 
@@ -54,7 +35,7 @@ void vtkExactGeometryInformation::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkExactGeometryInformation::CopyFromObject(vtkObject* object)
 {
-  vtkDataObject* data = GetOutput(object, this->PortNumber);
+  vtkDataObject* data = sm::GetOutputData(object, this->PortNumber);
   vtkTrimmedNURBSModel* model = GetModel(data);
   bool isCommon = true;
   if (auto* tree = vtkCompositeDataSet::SafeDownCast(data))

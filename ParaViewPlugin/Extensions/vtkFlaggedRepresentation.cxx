@@ -1,13 +1,12 @@
 #include "vtkFlaggedRepresentation.h"
 
 #include "smIntegralNames.h"
+#include "smVisitMeshes.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkCell.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -15,33 +14,12 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
 #include "vtkTextProperty.h"
 
-#include <functional>
 #include <set>
 #include <string>
 
 vtkStandardNewMacro(vtkFlaggedRepresentation);
-
-namespace
-{
-void VisitMeshes(vtkDataObject* data, const std::function<void(vtkPolyData*)>& visit)
-{
-  if (auto* mesh = vtkPolyData::SafeDownCast(data))
-  {
-    visit(mesh);
-  }
-  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const auto leaves = vtk::TakeSmartPointer(composite->NewIterator());
-    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-    {
-      VisitMeshes(leaves->GetCurrentDataObject(), visit);
-    }
-  }
-}
-}
 
 vtkFlaggedRepresentation::vtkFlaggedRepresentation()
 {
@@ -117,8 +95,8 @@ int vtkFlaggedRepresentation::ProcessViewRequest(
   vtkAlgorithmOutput* piece = vtkPVRenderView::GetPieceProducer(inInfo, this->GetActiveRepresentation());
   vtkDataObject* data = piece ? piece->GetProducer()->GetOutputDataObject(piece->GetIndex()) : nullptr;
   std::set<int> shown;
-  VisitMeshes(data,
-    [this, &shown](vtkPolyData* mesh)
+  sm::VisitMeshes(data,
+    [this, &shown](vtkPolyData* mesh, const std::string&)
     {
       vtkDataArray* flags = mesh->GetCellData()->GetArray(sm::names::Flag);
       for (vtkIdType i = 0; flags && i < mesh->GetNumberOfCells(); ++i)

@@ -136,7 +136,10 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
   int meshes = 0;
   if (hint && hint->GetScalarAttribute("table", &table) && hint->GetScalarAttribute("meshes", &meshes))
   {
-    sm::HighlightSolidsOfRows(this, static_cast<unsigned int>(table), static_cast<unsigned int>(meshes));
+    int faces = -1;
+    hint->GetScalarAttribute("faces", &faces);
+    sm::HighlightSolidsOfRows(
+      this, static_cast<unsigned int>(table), static_cast<unsigned int>(meshes), faces);
   }
   // The text of the status bar, also for a run on a server; the default is the name of the class.
   vtkClientServerStream stream;

@@ -4,9 +4,9 @@
  *
  * The plugin's XML uses `<SolidMomentsSourceProxy>` in place of ParaView's `<SourceProxy>`. An InitializationHelper in the hints runs
  * only for proxies made by Apply or a script; this class also serves those of a loaded state. It adds
- * - highlighting of the solids whose rows are selected in a table (smSolidHighlight.h), where the hints ask for it:
+ * - highlighting of the solids and faces whose rows are selected in tables (smSolidHighlight.h), where the hints ask for it:
  * @code{xml}
- * <HighlightRows table="1" meshes="5"/>
+ * <HighlightRows table="1" meshes="5" faces="3"/>
  * @endcode
  * - the key Esc in ParaView's window, which stops a run in this process (smEscapeKey.h); ParaView 5.11 never enables its own button
  *   beside the progress bar. During such a run the status bar shows "Mass Properties, Esc stops it". A run on a server cannot

@@ -183,10 +183,26 @@ void vtkSolidTableView::Arrange(const std::vector<std::string>& sorted)
   }
 }
 
+vtkIdType vtkSolidTableView::GetNumberOfColumns()
+{
+  const vtkIdType count = this->Superclass::GetNumberOfColumns();
+  bool isKnown = !this->IsFetching || count == static_cast<vtkIdType>(this->KnownColumns.size());
+  for (vtkIdType i = 0; this->IsFetching && isKnown && i < count; ++i)
+  {
+    const char* name = this->Superclass::GetColumnName(i);
+    isKnown = name && this->KnownColumns[static_cast<std::size_t>(i)] == name;
+  }
+  return isKnown ? count : 0;
+}
+
 vtkTable* vtkSolidTableView::FetchBlock(vtkIdType blockindex)
 {
+  const bool wasFetching = this->IsFetching;
+  this->IsFetching = true;
   vtkTable* sorted = this->Superclass::FetchBlock(blockindex);
+  this->IsFetching = wasFetching;
   const std::vector<std::string> columns = GetNames(sorted);
+  this->KnownColumns = columns;
   if (!sorted || !HasSolids(columns))
   {
     return sorted;

@@ -29,6 +29,11 @@ public:
   vtkTypeMacro(vtkSolidTableView, vtkSpreadSheetView);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * 0 while the first block of a table with other columns is fetched. ParaView 5.11 then asks for the number of columns within a reset of its
+   * model, and would fit the widths to columns that its header does not have yet; now it fits them afterwards, to their contents.
+   */
+  vtkIdType GetNumberOfColumns() override;
   const char* GetColumnName(vtkIdType index) override;
   using Superclass::GetColumnLabel;
   /** The name with its unit, "Volume (mm^3)", in a table of this project with a column LengthUnit. */
@@ -57,6 +62,9 @@ private:
   /// Sets SortedColumns and ShownColumns.
   void Arrange(const std::vector<std::string>& sorted);
 
+  bool IsFetching = false;
+  /// Columns of the last block, as the superclass sorts them.
+  std::vector<std::string> KnownColumns;
   /// Columns of the last table of this project, as the superclass sorts them and as they are shown.
   std::vector<std::string> SortedColumns;
   std::vector<std::string> ShownColumns;

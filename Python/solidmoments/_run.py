@@ -61,6 +61,11 @@ def _check(density, tolerance, density_tolerance, backend, max_seconds, unit, in
         raise ValueError(f"repair is {repair!r}; it has to be 'needed' or 'always'")
     if max_seconds is not None and not 0.0 < max_seconds < math.inf:
         raise ValueError(f"max_seconds is {max_seconds}; it has to be above 0 and finite, or None")
+    check_unit(unit, input_unit)
+
+
+def check_unit(unit, input_unit):
+    """Raises ValueError for a unit that a reader does not know."""
     if unit not in ("mm", "cm", "m", "um", "inch", "ft", "file"):
         raise ValueError(f"unit is {unit!r}; it has to be mm, cm, m, um, inch, ft or file")
     if input_unit not in ("mm", "cm", "m", "um", "inch", "ft"):

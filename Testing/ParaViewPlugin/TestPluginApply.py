@@ -165,6 +165,55 @@ check_equal("rows that the user selects replace a pick", one, count_selected_cel
 many.SMProxy.CleanSelectionInputs(1)
 check_equal("nothing is selected", 0, count_pixels(is_magenta))
 
+# Rows of faces highlight these faces: two of one solid, and one of another.
+faces = servermanager.Fetch(many, idx=3)
+solid_of = [faces.GetValueByName(row, "Solid").ToInt() for row in range(faces.GetNumberOfRows())]
+rows = [solid_of.index(4), solid_of.index(4) + 1, solid_of.index(499)]
+select_rows(many, 3, rows)
+highlighted = count_selected_cells(many, 5)
+check_true("cells of selected faces", 3 <= highlighted < 2 * one, f"{highlighted}, of a solid {one}")
+check_true("magenta pixels of selected faces", count_pixels(is_magenta) > 0, str(count_pixels(is_magenta)))
+select_rows(many, 3, [row for row, solid in enumerate(solid_of) if solid == 4])
+check_equal("all faces of a solid are its cells", one, count_selected_cells(many, 5))
+select_rows(many, 3, rows[:1])
+first = count_selected_cells(many, 5)
+select_rows(many, 3, rows[1:2])
+check_true("faces of one solid together", 0 < first < highlighted and first + count_selected_cells(many, 5) < highlighted, f"{first} of {highlighted}")
+many.SMProxy.CleanSelectionInputs(1)
+check_true("they stay when other rows are cleared", count_selected_cells(many, 5) > 0)
+select_rows(many, 1, [499])
+check_equal("rows of solids replace them", one, count_selected_cells(many, 5))
+many.SMProxy.CleanSelectionInputs(3)
+check_equal("and stay when rows of faces are cleared", one, count_selected_cells(many, 5))
+many.SMProxy.CleanSelectionInputs(1)
+select_rows(many, 3, rows)
+many.SMProxy.CleanSelectionInputs(3)
+check_equal("cleared with the rows of faces", 0, count_pixels(is_magenta))
+
+# Labels are white, and there are none at first.
+shown = simple.GetRepresentation(servermanager.OutputPort(many, 5), view)
+simple.Hide(servermanager.OutputPort(many, 2), view)
+
+
+def is_white(red, green, blue):
+    return (red > 240) & (green > 240) & (blue > 240)
+
+
+check_equal("no labels", (0, 0), (count_pixels(is_white), shown.SMProxy.GetProperty("PartLabels").GetElement(0)))
+shown.PartLabels = "Name"
+short = count_pixels(is_white)
+shown.PartLabels = "Name and mass"
+both = count_pixels(is_white)
+check_true("labels with names, and others with masses", 100 < short != both > 100, f"{short} {both} pixels")
+shown.LabelColor = [1.0, 1.0, 0.0]
+check_equal("labels of another colour", 0, count_pixels(is_white))
+shown.LabelColor = [1.0, 1.0, 1.0]
+shown.Visibility = 0
+check_equal("labels are hidden with the solids", 0, count_pixels(is_white))
+shown.Visibility = 1
+shown.PartLabels = "None"
+check_equal("labels switched off", 0, count_pixels(is_white))
+
 # What makes a result open is red in the view, with its number; it goes with the visibility of the port.
 simple.HideAll(view)
 opened = MassProperties(Input=simple.OpenDataFile(manifest.special("open_solid")["path"]))  # noqa: F821

@@ -33,6 +33,18 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
   solidmoments_add_test(NAME PythonPackage LABELS value error package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestPythonPackage.py" "$<TARGET_FILE:solidmoments>"
       "${SOLIDMOMENTS_TEST_SOLIDS}" "${SOLIDMOMENTS_SAMPLE_PART}" "${PROJECT_VERSION}")
+  solidmoments_add_test(NAME DisplayMesh LABELS value error package NODISPLAY ENVIRONMENT "${python_path}"
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestDisplayMesh.py" "${SOLIDMOMENTS_TEST_SOLIDS}"
+      "${SOLIDMOMENTS_SAMPLE_PART}")
+  # With PyVista itself, where it is installed.
+  execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import pyvista; pyvista.register_reader" RESULT_VARIABLE pyvista_is_missing
+    OUTPUT_QUIET ERROR_QUIET)
+  if (NOT pyvista_is_missing)
+    solidmoments_add_test(NAME PyVistaReader LABELS value package NODISPLAY
+      ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
+      COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestDisplayMesh.py" "${SOLIDMOMENTS_TEST_SOLIDS}"
+        "${SOLIDMOMENTS_SAMPLE_PART}" pyvista)
+  endif ()
   # pvpython has ParaView's VTK: modules that were built with another do not load there.
   if (SOLIDMOMENTS_PVPYTHON AND SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
     solidmoments_add_test(NAME PythonModulesPvpython LABELS package NODISPLAY ENVIRONMENT "${python_path}"

@@ -130,9 +130,11 @@ class Writer(Part21):
         return definition, whole, origin, context
 
 
-def write_product(path, root):
+def write_product(path, root, *more):
+    """`more` are products beside the first one, without an assembly of them all."""
     writer = Writer()
-    writer.add_node(root)
+    for node in (root, *more):
+        writer.add_node(node)
     body = "".join(f"#{k}={line};\n" for k, line in enumerate(writer.lines, 1))
     with open(path, "w", encoding="ascii") as file:
         file.write(HEADER.format(name=root.name, description="product of boxes") + body + "ENDSEC;\nEND-ISO-10303-21;\n")

@@ -90,7 +90,16 @@ check_equal("export: values", ["ok"] + [table.GetValueByName(0, name).ToDouble()
 
 check_equal("faces", ["vtkOriginalIndices", "Solid", "FaceIndex", "FaceId", "Volume", "VolumeBound", "SurfaceArea", "SurfaceAreaBound",
                       "BoundsEstimated"], show(mass, 3, "Row Data")[1])
+# ParaView fits the widths of columns when their number has changed: not before it has the columns.
+numbers = []
+observer = client.AddObserver("UpdateEvent", lambda *_: numbers.append(client.GetNumberOfColumns()))
 client, columns = show(mass, 7, "Row Data")
+check_true("widths: no columns while other ones are fetched, then all", numbers[0] == 0 and client.GetNumberOfColumns() >= len(columns) > 16, str(numbers))
+numbers.clear()
+client.ClearCache()
+count = client.GetNumberOfColumns()
+check_true("widths: all columns while the same are fetched again", numbers and set(numbers) == {count} and count >= len(columns), str(numbers))
+client.RemoveObserver(observer)
 check_equal("parts", ["vtkOriginalIndices", "Name", "Status", "Kind", "Count", "CountInAll", "Volume", "VolumeBound", "Mass", "MassBound", "MassInAll",
                       "MassInAllBound", "Density", "Material", "SurfaceArea", "SurfaceAreaBound"], columns[:16])
 labels = {client.GetColumnName(i): client.GetColumnLabel(i) for i in range(client.GetNumberOfColumns())}

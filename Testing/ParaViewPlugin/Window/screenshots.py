@@ -42,6 +42,15 @@ elif scene in ("table", "parts"):
     if scene == "table":
         select_rows(mass, 1, (1, 3))
     simple.SetActiveSource(mass)
+elif scene == "materials":
+    mass.Density = 0.0
+    mass.UpdatePipeline()
+    parts = list(mass.MaterialTable)[4:-4:4]
+    # All but the last part get a material or a density.
+    given = (("steel", ""), ("aluminium", ""), ("brass", ""), ("", "7900"))
+    mass.Materials = [cell for i, part in enumerate(parts[:-1]) for cell in (part, *given[i % 4])]
+    shown.PartLabels = "Name and mass"
+    simple.SetActiveSource(mass)
 else:
     simple.SetActiveSource(mass)
 # Zooms in, as a user does after Apply; out in the low view, where the text would cover the solids.

@@ -1,0 +1,194 @@
+#include "smMaterialTable.h"
+
+#include "smFormat.h"
+#include "smMaterials.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <map>
+
+namespace sm
+{
+namespace
+{
+using Cells = std::array<std::string, MaterialTableColumns>;
+
+/// Short: the panel is narrow.
+const Cells Titles = { "Part", "Material", "kg/m^3", "Mass kg" };
+constexpr const char* TotalName = "Total";
+constexpr const char* FromFile = " (file)";
+constexpr const char* FromDensity = " (Density)";
+constexpr const char* FromRowBelow = " (below)";
+constexpr int MassDigits = 6;
+
+/// The shortest text that reads back to the bit.
+std::string FormatDensity(double density)
+{
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof(text), density).ptr);
+}
+
+std::string GetCommonDensity(const std::string& material)
+{
+  const Material* common = FindCommonMaterial(material);
+  return common ? FormatDensity(common->Density) : std::string();
+}
+
+/// The text without the ending that says where it comes from.
+std::string RemoveOrigin(const std::string& cell)
+{
+  for (const std::string origin : { FromFile, FromDensity, FromRowBelow })
+  {
+    if (cell.size() >= origin.size() && cell.compare(cell.size() - origin.size(), origin.size(), origin) == 0)
+    {
+      return cell.substr(0, cell.size() - origin.size());
+    }
+  }
+  return cell;
+}
+
+bool IsTyped(const std::string& cell)
+{
+  return !cell.empty() && RemoveOrigin(cell) == cell;
+}
+
+std::string AddOrigin(const std::string& text, const char* origin)
+{
+  return text.empty() ? text : text + origin;
+}
+
+std::string FormatMass(const PartMaterial& part)
+{
+  return part.Weighed > 0 ? FormatDigits(part.Mass, MassDigits) : std::string();
+}
+
+/// "6 of 7 solids" where only some have a mass.
+std::string FormatShare(const PartMaterial& part)
+{
+  return part.Weighed == 0 || part.Weighed == part.Solids
+    ? std::string()
+    : std::to_string(part.Weighed) + " of " + std::to_string(part.Solids) + " solids";
+}
+
+std::string GetDensity(const MaterialRow& rule)
+{
+  return rule[2].empty() ? GetCommonDensity(rule[1]) : rule[2];
+}
+
+Cells MakePartRow(const PartMaterial& part, const MaterialRow* rule, double density, const PartMaterial* mass)
+{
+  Cells row = { part.Name, "", "", "" };
+  if (mass)
+  {
+    const std::string share = FormatShare(*mass);
+    row[3] = FormatMass(*mass) + (share.empty() ? "" : " (" + share + ")");
+  }
+  if (rule && (*rule)[0] == part.Name)
+  {
+    row[1] = (*rule)[1];
+    row[2] = GetDensity(*rule);
+  }
+  else if (rule)
+  {
+    row[1] = AddOrigin((*rule)[1], FromRowBelow);
+    row[2] = AddOrigin(GetDensity(*rule), FromRowBelow);
+  }
+  else if (density > 0.0)
+  {
+    row[2] = FormatDensity(density) + FromDensity;
+  }
+  else
+  {
+    row[1] = AddOrigin(part.HasSeveral ? "several" : part.Material, FromFile);
+    row[2] = part.HasSeveral ? std::string("several") + FromFile
+      : part.Density > 0.0   ? FormatDensity(part.Density) + FromFile
+                             : std::string();
+  }
+  return row;
+}
+
+Cells GetRow(const std::vector<std::string>& cells, std::size_t row)
+{
+  Cells result;
+  for (std::size_t k = 0; k < result.size() && row * result.size() + k < cells.size(); ++k)
+  {
+    result[k] = cells[row * result.size() + k];
+  }
+  return result;
+}
+}
+
+std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& parts,
+  const std::vector<PartMaterial>& masses, const std::vector<MaterialRow>& rules, double density)
+{
+  if (parts.empty() && rules.empty())
+  {
+    return {};
+  }
+  std::map<std::string, const PartMaterial*> massOfPart;
+  PartMaterial total;
+  total.Solids = 0;
+  for (const PartMaterial& part : masses)
+  {
+    massOfPart[part.Name] = &part;
+    total.Solids += part.Solids;
+    total.Weighed += part.Weighed;
+    total.Mass += part.Mass;
+  }
+  std::vector<std::string> cells(Titles.begin(), Titles.end());
+  std::vector<bool> isShown(rules.size(), false);
+  for (const PartMaterial& part : parts)
+  {
+    const auto rule = std::find_if(rules.begin(), rules.end(),
+      [&part](const MaterialRow& row) { return MatchesPattern(row[0], part.Name); });
+    const auto mass = massOfPart.find(part.Name);
+    const Cells row = MakePartRow(part, rule == rules.end() ? nullptr : &*rule, density,
+      mass == massOfPart.end() ? nullptr : mass->second);
+    cells.insert(cells.end(), row.begin(), row.end());
+    if (rule != rules.end() && (*rule)[0] == part.Name)
+    {
+      isShown[static_cast<std::size_t>(rule - rules.begin())] = true;
+    }
+  }
+  for (std::size_t i = 0; i < rules.size(); ++i)
+  {
+    if (!isShown[i])
+    {
+      cells.insert(cells.end(), { rules[i][0], rules[i][1], GetDensity(rules[i]), "" });
+    }
+  }
+  cells.insert(cells.end(), { TotalName, FormatShare(total), "", FormatMass(total) });
+  return cells;
+}
+
+std::vector<MaterialRow> ReadMaterialTable(
+  const std::vector<std::string>& cells, const std::vector<MaterialRow>& rules)
+{
+  std::vector<MaterialRow> result;
+  const std::size_t rows = (cells.size() + MaterialTableColumns - 1) / MaterialTableColumns;
+  for (std::size_t i = 0; i < rows; ++i)
+  {
+    const Cells row = GetRow(cells, i);
+    const bool isTitle = row[1] == Titles[1] && row[2] == Titles[2];
+    const bool isTotal = i + 1 == rows && row[0] == TotalName;
+    const bool isKnown = std::any_of(
+      result.begin(), result.end(), [&row](const MaterialRow& other) { return other[0] == row[0]; });
+    if (isTitle || isTotal || isKnown || row[0].empty() || !(IsTyped(row[1]) || IsTyped(row[2])))
+    {
+      continue;
+    }
+    const auto before =
+      std::find_if(rules.begin(), rules.end(), [&row](const MaterialRow& rule) { return rule[0] == row[0]; });
+    MaterialRow rule = { row[0], RemoveOrigin(row[1]), RemoveOrigin(row[2]) };
+    const std::string common = GetCommonDensity(rule[1]);
+    const bool isLeft = before != rules.end() && (*before)[1] != rule[1] && GetDensity(*before) == rule[2];
+    if (!common.empty() && (!IsTyped(row[2]) || isLeft))
+    {
+      rule[2] = common;
+    }
+    result.push_back(rule);
+  }
+  return result;
+}
+}

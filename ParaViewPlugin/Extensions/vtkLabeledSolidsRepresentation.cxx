@@ -1,0 +1,166 @@
+#include "vtkLabeledSolidsRepresentation.h"
+
+#include "smFormat.h"
+#include "smMassPropertyNames.h"
+#include "smVisitMeshes.h"
+
+#include "vtkActor2D.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkLabelPlacementMapper.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkPointData.h"
+#include "vtkPointSetToLabelHierarchy.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+#include "vtkStringArray.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkLabeledSolidsRepresentation);
+
+namespace
+{
+constexpr std::size_t MostLabels = 50;
+constexpr int MassDigits = 4;
+constexpr const char* TextArray = "Label";
+constexpr const char* PriorityArray = "Priority";
+
+struct Label
+{
+  std::string Text;
+  double Middle[3];
+  double Size;
+};
+}
+
+vtkLabeledSolidsRepresentation::vtkLabeledSolidsRepresentation()
+{
+  this->Text->SetBold(true);
+  this->Text->SetShadow(true);
+  vtkNew<vtkPointSetToLabelHierarchy> hierarchy;
+  hierarchy->SetInputData(this->Places);
+  hierarchy->SetLabelArrayName(TextArray);
+  hierarchy->SetPriorityArrayName(PriorityArray);
+  hierarchy->SetTextProperty(this->Text);
+  this->Mapper->SetInputConnection(hierarchy->GetOutputPort());
+  this->Mapper->SetMaximumLabelFraction(0.5);
+  this->Labels->SetMapper(this->Mapper);
+  this->Labels->SetVisibility(false);
+  this->Labels->SetPickable(false);
+}
+
+vtkLabeledSolidsRepresentation::~vtkLabeledSolidsRepresentation() = default;
+
+void vtkLabeledSolidsRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PartLabels: " << this->PartLabels << "\n"
+     << indent << "LabelColor: " << this->LabelColor[0] << " " << this->LabelColor[1] << " "
+     << this->LabelColor[2] << "\n"
+     << indent << "LabelFontSize: " << this->LabelFontSize << "\n";
+}
+
+bool vtkLabeledSolidsRepresentation::AddToView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER)->AddViewProp(this->Labels);
+  }
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkLabeledSolidsRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER)->RemoveViewProp(this->Labels);
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkLabeledSolidsRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  // The next rendering shows them.
+  this->Labels->SetVisibility(false);
+}
+
+int vtkLabeledSolidsRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request != vtkPVView::REQUEST_RENDER() || !this->GetActiveRepresentation())
+  {
+    return 1;
+  }
+  const bool isShown = this->GetVisibility() && this->PartLabels != NoLabels;
+  if (isShown)
+  {
+    // The labels are drawn where the geometry is.
+    vtkAlgorithmOutput* piece = vtkPVRenderView::GetPieceProducer(inInfo, this->GetActiveRepresentation());
+    this->PlaceLabels(piece ? piece->GetProducer()->GetOutputDataObject(piece->GetIndex()) : nullptr);
+  }
+  this->Labels->SetVisibility(isShown && this->Places->GetNumberOfPoints() > 0);
+  return 1;
+}
+
+void vtkLabeledSolidsRepresentation::PlaceLabels(vtkDataObject* data)
+{
+  std::vector<Label> labels;
+  sm::VisitMeshes(data,
+    [this, &labels](vtkPolyData* mesh, const std::string& name)
+    {
+      if (mesh->GetNumberOfCells() == 0)
+      {
+        return;
+      }
+      Label label;
+      const vtkBoundingBox box(mesh->GetBounds());
+      box.GetCenter(label.Middle);
+      label.Size = box.GetDiagonalLength();
+      label.Text = name;
+      vtkDataArray* masses = mesh->GetCellData()->GetArray(sm::names::Mass);
+      const double mass = masses ? masses->GetComponent(0, 0) : 0.0;
+      if (this->PartLabels == NamesAndMasses && masses && std::isfinite(mass))
+      {
+        label.Text += (name.empty() ? "" : ", ") + sm::FormatDigits(mass, MassDigits) + " kg";
+      }
+      labels.push_back(label);
+    });
+  std::stable_sort(
+    labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.Size > b.Size; });
+  labels.resize(std::min(labels.size(), MostLabels));
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkStringArray> texts;
+  texts->SetName(TextArray);
+  vtkNew<vtkDoubleArray> priorities;
+  priorities->SetName(PriorityArray);
+  for (const Label& label : labels)
+  {
+    points->InsertNextPoint(label.Middle);
+    texts->InsertNextValue(label.Text);
+    priorities->InsertNextValue(label.Size);
+  }
+  this->Text->SetColor(this->LabelColor);
+  this->Text->SetFontSize(this->LabelFontSize);
+  this->Places->Initialize();
+  this->Places->SetPoints(points);
+  this->Places->GetPointData()->AddArray(texts);
+  this->Places->GetPointData()->AddArray(priorities);
+  this->Places->Modified();
+}

@@ -1,0 +1,139 @@
+#include "vtkSMMaterialTableDomain.h"
+
+#include "vtkPartMaterialsInformation.h"
+
+#include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMStringVectorProperty.h"
+
+#include <cstddef>
+#include <string>
+
+vtkStandardNewMacro(vtkSMMaterialTableDomain);
+
+namespace
+{
+constexpr int SolidsPort = 1;
+}
+
+vtkSMMaterialTableDomain::vtkSMMaterialTableDomain()
+{
+  this->Masses->SetPortNumber(SolidsPort);
+}
+
+vtkSMMaterialTableDomain::~vtkSMMaterialTableDomain() = default;
+
+void vtkSMMaterialTableDomain::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Parts: " << this->Parts->GetParts().size() << "\n";
+}
+
+void vtkSMMaterialTableDomain::Update(vtkSMProperty* requestingProperty)
+{
+  vtkSMProxy* filter = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
+  if (!filter)
+  {
+    return;
+  }
+  if (!this->IsObserving)
+  {
+    this->IsObserving = true;
+    this->GetProperty()->AddObserver(vtkCommand::ModifiedEvent, this, &vtkSMMaterialTableDomain::FollowCells);
+    filter->AddObserver(vtkCommand::UpdateDataEvent, this, &vtkSMMaterialTableDomain::FollowRun);
+  }
+  if (requestingProperty == this->GetRequiredProperty("Input"))
+  {
+    this->GatherParts();
+  }
+  this->Masses->Clear();
+  this->FillCells();
+}
+
+std::vector<sm::MaterialRow> vtkSMMaterialTableDomain::GetRules()
+{
+  std::vector<sm::MaterialRow> rules;
+  auto* property = vtkSMStringVectorProperty::SafeDownCast(this->GetRequiredProperty("Rules"));
+  const std::vector<std::string> texts = property ? property->GetElements() : std::vector<std::string>();
+  for (std::size_t i = 0; i + 2 < texts.size(); i += 3)
+  {
+    rules.push_back({ texts[i], texts[i + 1], texts[i + 2] });
+  }
+  return rules;
+}
+
+void vtkSMMaterialTableDomain::GatherParts()
+{
+  this->Parts->Clear();
+  vtkSMPropertyHelper input(this->GetRequiredProperty("Input"));
+  auto* source =
+    input.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
+  if (source && source->GetObjectsCreated())
+  {
+    this->Parts->SetPortNumber(static_cast<int>(input.GetOutputPort()));
+    source->GatherInformation(this->Parts);
+  }
+}
+
+void vtkSMMaterialTableDomain::FollowCells()
+{
+  auto* table = vtkSMStringVectorProperty::SafeDownCast(this->GetProperty());
+  auto* property = vtkSMStringVectorProperty::SafeDownCast(this->GetRequiredProperty("Rules"));
+  if (this->IsFilling || !table || !property)
+  {
+    return;
+  }
+  const std::vector<sm::MaterialRow> rules = this->GetRules();
+  const std::vector<sm::MaterialRow> read = sm::ReadMaterialTable(table->GetElements(), rules);
+  const std::vector<std::string> filled =
+    sm::MakeMaterialTable(this->Parts->GetParts(), this->Masses->GetParts(), rules, this->GetDensity());
+  if (read == sm::ReadMaterialTable(filled, rules))
+  {
+    this->FillCells();
+    return;
+  }
+  std::vector<std::string> texts;
+  for (const sm::MaterialRow& row : read)
+  {
+    texts.insert(texts.end(), row.begin(), row.end());
+  }
+  // Fills the cells by Update().
+  property->SetElements(texts);
+}
+
+void vtkSMMaterialTableDomain::FollowRun()
+{
+  auto* filter = vtkSMSourceProxy::SafeDownCast(this->GetProperty()->GetParent());
+  if (!filter)
+  {
+    return;
+  }
+  if (this->Parts->GetParts().empty())
+  {
+    this->GatherParts();
+  }
+  this->Masses->Clear();
+  filter->GatherInformation(this->Masses);
+  this->FillCells();
+}
+
+double vtkSMMaterialTableDomain::GetDensity()
+{
+  vtkSMProperty* density = this->GetRequiredProperty("Density");
+  return density ? vtkSMPropertyHelper(density).GetAsDouble() : 0.0;
+}
+
+void vtkSMMaterialTableDomain::FillCells()
+{
+  auto* table = vtkSMStringVectorProperty::SafeDownCast(this->GetProperty());
+  const std::vector<std::string> cells = sm::MakeMaterialTable(
+    this->Parts->GetParts(), this->Masses->GetParts(), this->GetRules(), this->GetDensity());
+  if (table && table->GetElements() != cells)
+  {
+    this->IsFilling = true;
+    table->SetElements(cells);
+    this->IsFilling = false;
+  }
+}

@@ -1,0 +1,34 @@
+"""TestPluginMaterialsWindow.py PARAVIEW PLUGIN.so OUTPUT: plays TestPluginMaterialsWindow.xml back; its checks read the table in the panel."""
+import os
+import re
+import subprocess
+import sys
+
+here = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(here, "..", "..", "Support"))
+from smcheck import check_equal, check_true, finish  # noqa: E402
+from smproduct import Assembly, Part, write_product  # noqa: E402
+
+paraview, plugin, output = sys.argv[1:4]
+folder = os.path.join(output, "materials_window")
+os.makedirs(folder, exist_ok=True)
+bolt = Part("bolt", [((0, 0, 0), (2, 2, 10))], "7.85", "g/cm^3")
+rail = Part("rail", [((0, 0, 0), (200, 10, 10))])
+write_product(os.path.join(folder, "materials_window.step"), Assembly("machine", [(bolt, (0, 0, 10), None), (rail, (0, 0, 0), None)]))
+panel = "pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
+with open(os.path.join(here, "TestPluginMaterialsWindow.xml"), encoding="utf-8") as file:
+    events = file.read().replace("PANEL", panel)
+script, state = (os.path.join(folder, "materials_window." + end) for end in ("xml", "pvsm"))
+with open(script, "w", encoding="utf-8") as file:
+    file.write(events)
+if os.path.exists(state):
+    os.remove(state)
+status = subprocess.call([
+    paraview, "--dr", "--plugin-search-paths=" + os.path.dirname(plugin), "--plugins=SolidMoments", "--data-directory=" + folder,
+    "--test-directory=" + folder, "--test-script=" + script, "--exit"])
+check_equal("the playback ends with", 0, status)
+if check_true("the state was saved", os.path.exists(state), state):
+    with open(state, encoding="utf-8") as file:
+        materials = re.search(r'<Property name="Materials".*?</Property>', file.read(), re.DOTALL).group()
+    check_equal("rules of the state", ["rail", "Steel", "7850"], re.findall(r'<Element index="\d+" value="([^"]*)"', materials))
+finish()
