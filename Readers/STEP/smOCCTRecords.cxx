@@ -47,7 +47,7 @@ bool IsPlain(const Part21File& file)
       return false;
     }
   }
-  return file.GetNumberOfInstances() > 0;
+  return file.GetNumberOfInstances() > 0 && file.GetText().size() < std::numeric_limits<std::uint32_t>::max();
 }
 
 class RecordLibrary : public StepSelect_WorkLibrary
