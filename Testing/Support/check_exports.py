@@ -2,8 +2,8 @@
 
     check_exports.py --nm NM --source FOLDER LIBRARY...
 
-Every function of the namespace sm in the dynamic symbols of the libraries, and the class of every method, must have the macro in a
-header of the modules.
+Every function and variable of the namespace sm in the dynamic symbols of the libraries, and the class of every method, must have the
+macro in a header of the modules.
 """
 import argparse
 import pathlib
@@ -13,12 +13,13 @@ import sys
 
 
 def find_marked(source):
-    """Names of classes and functions with a macro."""
+    """Names of classes, functions and variables with a macro."""
     names = set()
     for room in ("Filters", "Readers", "Rendering"):
         for path in (pathlib.Path(source) / room).rglob("*.h"):
             text = path.read_text(encoding="utf-8")
             names.update(re.findall(r"(?:class|struct)\s+SM\w+_EXPORT\s+(\w+)", text))
+            names.update(re.findall(r"extern\s+SM\w+_EXPORT\s+const\s+[\w ]+?(\w+)\s*[\[;]", text))
             for declaration in re.findall(r"SM\w+_EXPORT\s+([^;{]*\()", text):
                 names.update(re.findall(r"(\w+)\s*\(", declaration))
     return names
