@@ -22,8 +22,8 @@ constexpr double Margin = 1e-6;
 // room for it, and those that always are.
 constexpr double NearlyCollapsed = 1e-9;
 constexpr double CertainlyCollapsed = 1e-15;
-// A part that leaves its patch by d, relative to it, has the patch's bounds of what was moved, times OnPatchGrowth, as long as
-// n r d <= OnPatch, n = p + q, r: ratio of neighbours' weights. For the Bernstein polynomials' negative terms sum to at most (1 + r d)^n - 1
+// A part that leaves its patch by d, relative to it, has the patch's bounds of positions and derivatives, and of what was moved, times
+// OnPatchGrowth, as long as n r d <= OnPatch, n = p + q, r: ratio of neighbours' weights. For the Bernstein polynomials' negative terms sum to at most (1 + r d)^n - 1
 // times the positive ones.
 constexpr double OnPatch = 1e-3;
 constexpr double OnPatchGrowth = 1.01;
@@ -69,9 +69,10 @@ double GetIntegrandChange(const BoundClass& c, double moved, double turned, doub
 
 bool PanelBounds::IsOnPatch(const Patch& patch) const
 {
-  const double beyond = std::max({ 0.0, -this->Trim.GetLow(0), -this->Trim.GetLow(1),
-    this->Trim.GetHigh(0) - 1.0, this->Trim.GetHigh(1) - 1.0 });
-  return (patch.Degree[0] + patch.Degree[1]) * patch.WeightRatio * beyond <= OnPatch;
+  const double factor = (patch.Degree[0] + patch.Degree[1]) * patch.WeightRatio;
+  const auto isNear = [factor](double beyond) { return factor * beyond <= OnPatch; };
+  return isNear(-this->Trim.GetLow(0)) && isNear(-this->Trim.GetLow(1)) &&
+    isNear(this->Trim.GetHigh(0) - 1.0) && isNear(this->Trim.GetHigh(1) - 1.0);
 }
 
 void PanelBounds::FillChange(const Patch& patch, double moved, const double slope[2], double radius,
@@ -144,8 +145,10 @@ void PanelBounds::MakeSeries(const Patch& patch, double size, PatchSeries& serie
   series.Moved = difference.Radius;
   if (series.Moved > 0.0)
   {
-    const double slope[2] = { OnPatchGrowth * difference.Stretch[0], OnPatchGrowth * difference.Stretch[1] };
-    this->FillChange(patch, OnPatchGrowth * series.Moved, slope, patch.Radius, patch.Stretch, series.Change);
+    const auto grown = [](double x) { return OnPatchGrowth * x; };
+    const double slope[2] = { grown(difference.Stretch[0]), grown(difference.Stretch[1]) };
+    const double stretch[2] = { grown(patch.Stretch[0]), grown(patch.Stretch[1]) };
+    this->FillChange(patch, grown(series.Moved), slope, grown(patch.Radius), stretch, series.Change);
   }
 }
 

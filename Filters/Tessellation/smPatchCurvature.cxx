@@ -217,8 +217,8 @@ double BoundCurve(const Homogeneous* b, int degree)
   return rest > 0.0 ? (largest + 0.5 * bend * Norm(d)) / lightest / rest : HUGE_VAL;
 }
 
-/// Largest part of the weights' ratio, in one direction, on which the mixed derivative is bounded, and most of such parts.
-constexpr double LargestRatio = 1.5;
+/// The mixed derivative is bounded on parts whose weights in one direction are in about this ratio at most, on no more than so many.
+constexpr double PartRatio = 1.5;
 constexpr int MostMixedParts = 16;
 
 /// Largest ratio of the weights of a separable net in each direction.
@@ -293,7 +293,7 @@ bool BoundSeparable(const PatchNet& net, std::array<double, 3>& bound)
     {
       return false;
     }
-    const double wanted = std::ceil(std::log(ratios[d]) / std::log(LargestRatio));
+    const double wanted = std::ceil(std::log(ratios[d]) / std::log(PartRatio));
     parts[d] = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(MostMixedParts)));
   }
   for (int part = 0; part < parts[0] * parts[1]; ++part)

@@ -17,11 +17,15 @@
 
 #include <STEPCAFControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepGeom_RectangularTrimmedSurface.hxx>
+#include <StepGeom_ToroidalSurface.hxx>
+#include <StepShape_FaceSurface.hxx>
 #include <TDocStd_Document.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <istream>
 #include <memory>
 #include <utility>
@@ -85,6 +89,34 @@ void SkipDamagedAttributes(
     reader.SetMatMode(false);
     document.Messages.push_back(
       "Entities of its properties are damaged: volumes and materials it states were not read.");
+  }
+}
+
+/**
+ * Gives tori of negative major radius the positive one, and their faces the other sense: the same surface with the other normal. Of such a
+ * face OpenCASCADE would turn the loops and not the face.
+ */
+void TurnNegativeTori(const Handle(StepData_StepModel) & model)
+{
+  std::vector<Handle(StepGeom_ToroidalSurface)> negative;
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
+    Handle(StepGeom_Surface) surface = face.IsNull() ? nullptr : face->FaceGeometry();
+    while (const auto trimmed = Handle(StepGeom_RectangularTrimmedSurface)::DownCast(surface))
+    {
+      surface = trimmed->BasisSurface();
+    }
+    const auto torus = Handle(StepGeom_ToroidalSurface)::DownCast(surface);
+    if (!torus.IsNull() && torus->MajorRadius() < 0.0)
+    {
+      face->SetSameSense(!face->SameSense());
+      negative.push_back(torus);
+    }
+  }
+  for (const Handle(StepGeom_ToroidalSurface) & torus : negative)
+  {
+    torus->SetMajorRadius(std::abs(torus->MajorRadius()));
   }
 }
 
@@ -233,6 +265,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
     return;
   }
   SkipDamagedAttributes(model, reader, document);
+  TurnNegativeTori(model);
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   SetMillimetres(xde);
   if (!Transfer(reader, xde, repair, progress, document))

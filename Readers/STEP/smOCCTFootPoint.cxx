@@ -30,6 +30,9 @@ constexpr double Pi = 3.14159265358979323846;
 /// Part of the domain's width by which feet may lie beyond its border.
 constexpr double Margin = 0.01;
 
+/// Higher degrees of a spline lose too many digits in powers of the parameters.
+constexpr int LargestCachedDegree = 8;
+
 /// Cylinder, cone, sphere and torus.
 class ElementaryFinder : public FootPointFinder
 {
@@ -89,8 +92,10 @@ public:
   explicit NewtonFinder(const Handle(Geom_Surface) & surface)
     : FootPointFinder(surface)
   {
-    if (this->Period[0] == 0.0 && this->Period[1] == 0.0 &&
-      surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface)))
+    // Polynomials of periodic and other surfaces differ from these where parameters leave the domain, those of high degrees by their rounding.
+    const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
+    if (!spline.IsNull() && this->Period[0] == 0.0 && this->Period[1] == 0.0 &&
+      std::max(spline->UDegree(), spline->VDegree()) <= LargestCachedDegree)
     {
       this->Patches = std::make_unique<GeomAdaptor_Surface>(surface);
     }
@@ -98,7 +103,11 @@ public:
 
   bool Find(const gp_Pnt& point, const double* guess, double uv[2]) const override
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
+    std::unique_lock<std::mutex> lock(this->Mutex, std::defer_lock);
+    if (this->Patches)
+    {
+      lock.lock();
+    }
     double distance = std::numeric_limits<double>::infinity();
     if (guess)
     {
@@ -219,8 +228,7 @@ private:
     }
   }
 
-  /// A spline that is not periodic, with the polynomials of the patch that it was asked for last, which the mutex guards. Others differ from
-  /// their surface where parameters leave the domain.
+  /// The surface with the polynomials of the patch that it was asked for last, which the mutex guards; null without them.
   std::unique_ptr<GeomAdaptor_Surface> Patches;
   mutable std::mutex Mutex;
 

@@ -377,7 +377,13 @@ private:
 
 bool KernelRecords::Make(const Part21File& file, const std::vector<bool>& emptied)
 {
-  return IsPlain(file) && KernelRecordMaker(file, *this).Run(emptied);
+  const bool isMade = IsPlain(file) && KernelRecordMaker(file, *this).Run(emptied);
+  if (!isMade)
+  {
+    // OpenCASCADE's own parser needs the memory.
+    *this = KernelRecords();
+  }
+  return isMade;
 }
 
 Handle(StepData_StepReaderData) KernelRecords::MakeReaderData(Resource_FormatType codePage) const

@@ -163,7 +163,6 @@ private:
   /// `outwards` becomes the volume inside, as a part of the sum of the volumes of its faces' cones.
   std::string InspectShell(const TopoDS_Shape& shell, bool isSolid, double& outwards)
   {
-    ReverseTurnedTori(shell);
     std::vector<DraftFace> drafts;
     std::vector<TopoDS_Shape> faces;
     TopTools_IndexedMapOfShape edges;

@@ -18,10 +18,6 @@ bool IsBoundary(const TopoDS_Shape& edge);
 /// Groups of faces that are connected by boundary edges: for each face the index of the first face of its group.
 std::vector<std::size_t> GroupFaces(const std::vector<TopoDS_Shape>& faces);
 
-/// Reverses the faces on tori that run along all of their neighbours' edges as these do: OpenCASCADE makes them so where the file's major
-/// radius is negative. The shell itself is changed.
-void ReverseTurnedTori(const TopoDS_Shape& shell);
-
 /// The connected parts of a shell as shells, in the order of their first faces, without its placement and orientation; the shell itself,
 /// without them, if it is connected.
 std::vector<TopoDS_Shape> SplitShell(const TopoDS_Shape& shell);

@@ -117,22 +117,9 @@ void ConvertPlane(const gp_Ax3& frame, const NativeBox& box, const AffineMap& ma
   }
 }
 
-/// Moves an end of a range that is a pole but for the file's digits to it: there the row of control points is one point. Towards the pole
-/// the surface only becomes larger; beyond it are its points once more.
-void SnapToPole(double pole, double& low, double& high)
-{
-  constexpr double Before = 1e-6;
-  constexpr double Beyond = 1e-9;
-  const double width = high - low;
-  if (low - pole <= Before * width && pole - low <= Beyond * width)
-  {
-    low = pole;
-  }
-  else if (pole - high <= Before * width && high - pole <= Beyond * width)
-  {
-    high = pole;
-  }
-}
+/// An end of a range this close to a pole, relative to the range, is the pole but for the file's digits. The surface from there on has a row
+/// of control points that are one point. Where no loop cuts it, its area is larger by at most the square of this.
+constexpr double PoleDistance = 1e-8;
 
 /// A straight profile radius(v), height(v) at both ends of v; a radius that is zero but for rounding is zero.
 std::vector<Vector3> StraightProfile(
@@ -375,7 +362,11 @@ bool ConvertExactly(
   {
     const double slope = std::sin(cone->SemiAngle());
     NativeBox whole = box;
-    SnapToPole(-cone->RefRadius() / slope, whole.Low[1], whole.High[1]);
+    const double apex = -cone->RefRadius() / slope;
+    for (double* const end : { &whole.Low[1], &whole.High[1] })
+    {
+      *end = std::abs(*end - apex) <= PoleDistance * (box.High[1] - box.Low[1]) ? apex : *end;
+    }
     SetArcs(result, 0, box.Low[0], box.High[0]);
     SetLinear(result, 1, whole.Low[1], whole.High[1]);
     RevolveElementary(cone->Position(),
@@ -384,12 +375,9 @@ bool ConvertExactly(
   else if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface))
   {
     SetArcs(result, 0, box.Low[0], box.High[0]);
-    NativeBox whole = box;
-    for (const double pole : { -0.5 * Pi, 0.5 * Pi })
-    {
-      SnapToPole(pole, whole.Low[1], whole.High[1]);
-    }
-    SetArcs(result, 1, whole.Low[1], whole.High[1]);
+    const double near = PoleDistance * (box.High[1] - box.Low[1]);
+    SetArcs(result, 1, box.Low[1] < near - 0.5 * Pi ? -0.5 * Pi : box.Low[1],
+      box.High[1] > 0.5 * Pi - near ? 0.5 * Pi : box.High[1]);
     RevolveElementary(sphere->Position(), CircularProfile(result.Map[1], 0.0, sphere->Radius()), map, result);
   }
   else if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface))

@@ -184,21 +184,27 @@ std::string WriteEdgesOnly(const TopoDS_Shape& shape)
   return text;
 }
 
-/// A torus with a negative major radius is the same surface with its other side outside. OpenCASCADE's transfer turns the face alone.
+/// A torus with a negative major radius is the same surface with its other side outside. OpenCASCADE's transfer turns the loops of its face
+/// alone. A torus whose face has the wrong sense, on the other hand, is repaired, and said.
 void CheckTurnedTorus()
 {
   const std::string text = WriteEdgesOnly(BRepPrimAPI_MakeTorus(30.0, 5.0, 1.5).Solid());
   std::smatch torus;
   CheckTrue(
     "a torus", std::regex_search(text, torus, std::regex("(#[0-9]+) = TOROIDAL_SURFACE\\('',#[0-9]+,30\\.")));
-  std::string turned =
-    std::regex_replace(text, std::regex("(TOROIDAL_SURFACE\\('',#[0-9]+,)30\\."), "$1-30.");
-  turned = std::regex_replace(
-    turned, std::regex("(ADVANCED_FACE\\('',\\([^)]*\\)," + torus[1].str() + ",)\\.T\\."), "$1.F.");
+  const std::string flipped = std::regex_replace(
+    text, std::regex("(ADVANCED_FACE\\('',\\([^)]*\\)," + torus[1].str() + ",)\\.T\\."), "$1.F.");
+  const std::string turned =
+    std::regex_replace(flipped, std::regex("(TOROIDAL_SURFACE\\('',#[0-9]+,)30\\."), "$1-30.");
   CheckTrue("the files differ", text.size() + 1 == turned.size());
   const double volume = vtkMath::Pi() * 25.0 * 30.0 * 1.5;
   CheckVolume("torus", text, 3, volume);
   CheckVolume("torus with a negative radius", turned, 3, volume);
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(Make("repair_flipped.step", flipped).c_str());
+  reader->Update();
+  const std::string repairs = GetRepairs(reader);
+  CheckTrue("a face with the wrong sense", !repairs.empty(), repairs);
 }
 
 /// Half a sphere whose rim passes both poles, or where x leaves the sphere, or both.

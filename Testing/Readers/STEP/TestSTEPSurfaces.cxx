@@ -291,7 +291,7 @@ void CheckPoles()
     }
     return width;
   };
-  for (const double digits : { 0.0, 1e-11, -1e-11, 1e-8 })
+  for (const double digits : { 0.0, 1e-11, -1e-11, 1e-8, -5e-9 })
   {
     const std::string name = " with an end off by " + std::to_string(digits * 1e11) + "e-11";
     smtest::CheckRange("cone" + name, 0.0, getWidth(cone, apex + digits, 3.0, false), 1e-15);
