@@ -142,7 +142,8 @@ void DeclareMass(CLI::App& app, sm::Arguments& arguments)
   sm::AddFileOption(app, "--materials", arguments.Materials,
     "Materials by the names of solids, before --density and the file: CSV with\n"
     "lines NAME,MATERIAL,DENSITY[,TOLERANCE], or JSON; in NAME, * and ? stand for any letters;\n"
-    "the first line that fits counts. Without a density: that of --list-materials");
+    "the line of the very name counts, else the first that fits. Without a density: that "
+    "of\n--list-materials");
   app.add_flag(
     "--list-materials", arguments.ListMaterials, "Print the common materials with their densities, and end");
   app.add_flag("--box", arguments.Job.Box,

@@ -73,10 +73,29 @@ bool MatchesPattern(const std::string& pattern, const std::string& name)
     pattern.begin() + static_cast<std::ptrdiff_t>(p), pattern.end(), [](char c) { return c == '*'; });
 }
 
+std::size_t FindPattern(std::size_t count, const std::function<const std::string&(std::size_t)>& getPattern,
+  const std::string& name)
+{
+  std::size_t found = count;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::string& pattern = getPattern(i);
+    if (pattern == name)
+    {
+      return i;
+    }
+    if (found == count && MatchesPattern(pattern, name))
+    {
+      found = i;
+    }
+  }
+  return found;
+}
+
 const MaterialRule* FindRule(const std::vector<MaterialRule>& rules, const std::string& name)
 {
-  const auto found = std::find_if(rules.begin(), rules.end(),
-    [&name](const MaterialRule& rule) { return MatchesPattern(rule.Pattern, name); });
-  return found == rules.end() ? nullptr : &*found;
+  const std::size_t found = FindPattern(
+    rules.size(), [&rules](std::size_t i) -> const std::string& { return rules[i].Pattern; }, name);
+  return found == rules.size() ? nullptr : &rules[found];
 }
 }

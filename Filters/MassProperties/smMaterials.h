@@ -7,6 +7,8 @@
 
 #include "smFiltersMassPropertiesModule.h"
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,7 +41,11 @@ SMFILTERSMASSPROPERTIES_EXPORT const Material* FindCommonMaterial(const std::str
 /// Returns true if the name is the pattern, in which * stands for any characters and ? for one byte. Letters of ASCII match in either case.
 SMFILTERSMASSPROPERTIES_EXPORT bool MatchesPattern(const std::string& pattern, const std::string& name);
 
-/// Returns the first rule whose pattern the name matches, or null.
+/// Returns the place of the first pattern that is the name to the letter, else of the first that the name matches; `count` where none is.
+SMFILTERSMASSPROPERTIES_EXPORT std::size_t FindPattern(std::size_t count,
+  const std::function<const std::string&(std::size_t)>& getPattern, const std::string& name);
+
+/// Returns the rule whose pattern FindPattern() finds, or null.
 SMFILTERSMASSPROPERTIES_EXPORT const MaterialRule* FindRule(
   const std::vector<MaterialRule>& rules, const std::string& name);
 }

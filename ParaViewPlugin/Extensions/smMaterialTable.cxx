@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <map>
+#include <system_error>
 
 namespace sm
 {
@@ -20,6 +22,10 @@ constexpr const char* TotalName = "Total";
 constexpr const char* FromFile = " (file)";
 constexpr const char* FromDensity = " (Density)";
 constexpr const char* FromRowBelow = " (below)";
+/// In place of a material or density where the solids of a name differ.
+constexpr const char* Several = "several";
+/// In place of a mass: the filter refuses the rule, and has computed the solids without it.
+constexpr const char* NoDensity = "no density";
 constexpr int MassDigits = 6;
 
 /// The shortest text that reads back to the bit.
@@ -58,17 +64,17 @@ std::string AddOrigin(const std::string& text, const char* origin)
   return text.empty() ? text : text + origin;
 }
 
+/// The mass, and "(6 of 7 solids)" where only some have one.
 std::string FormatMass(const PartMaterial& part)
 {
-  return part.Weighed > 0 ? FormatDigits(part.Mass, MassDigits) : std::string();
-}
-
-/// "6 of 7 solids" where only some have a mass.
-std::string FormatShare(const PartMaterial& part)
-{
-  return part.Weighed == 0 || part.Weighed == part.Solids
-    ? std::string()
-    : std::to_string(part.Weighed) + " of " + std::to_string(part.Solids) + " solids";
+  if (part.Weighed == 0)
+  {
+    return {};
+  }
+  const std::string mass = FormatDigits(part.Mass, MassDigits);
+  return part.Weighed == part.Solids
+    ? mass
+    : mass + " (" + std::to_string(part.Weighed) + " of " + std::to_string(part.Solids) + " solids)";
 }
 
 std::string GetDensity(const MaterialRow& rule)
@@ -76,13 +82,31 @@ std::string GetDensity(const MaterialRow& rule)
   return rule[2].empty() ? GetCommonDensity(rule[1]) : rule[2];
 }
 
+/// A number above 0, with a decimal point, as vtkMassPropertiesBase::AddMaterial() takes it.
+bool IsDensity(const std::string& text)
+{
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && value > 0.0 && std::isfinite(value);
+}
+
+/// What a rule has of a cell: nothing of one that says that the solids differ.
+std::string TakeCell(const std::string& cell)
+{
+  const std::string text = RemoveOrigin(cell);
+  return IsTyped(cell) || text != Several ? text : std::string();
+}
+
 Cells MakePartRow(const PartMaterial& part, const MaterialRow* rule, double density, const PartMaterial* mass)
 {
   Cells row = { part.Name, "", "", "" };
   if (mass)
   {
-    const std::string share = FormatShare(*mass);
-    row[3] = FormatMass(*mass) + (share.empty() ? "" : " (" + share + ")");
+    row[3] = FormatMass(*mass);
+  }
+  if (rule && !IsDensity(GetDensity(*rule)))
+  {
+    row[3] = NoDensity;
   }
   if (rule && (*rule)[0] == part.Name)
   {
@@ -100,8 +124,8 @@ Cells MakePartRow(const PartMaterial& part, const MaterialRow* rule, double dens
   }
   else
   {
-    row[1] = AddOrigin(part.HasSeveral ? "several" : part.Material, FromFile);
-    row[2] = part.HasSeveral ? std::string("several") + FromFile
+    row[1] = AddOrigin(part.HasSeveral ? Several : part.Material, FromFile);
+    row[2] = part.HasSeveral ? std::string(Several) + FromFile
       : part.Density > 0.0   ? FormatDensity(part.Density) + FromFile
                              : std::string();
   }
@@ -140,15 +164,15 @@ std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& part
   std::vector<bool> isShown(rules.size(), false);
   for (const PartMaterial& part : parts)
   {
-    const auto rule = std::find_if(rules.begin(), rules.end(),
-      [&part](const MaterialRow& row) { return MatchesPattern(row[0], part.Name); });
+    const std::size_t found = FindPattern(
+      rules.size(), [&rules](std::size_t i) -> const std::string& { return rules[i][0]; }, part.Name);
+    const MaterialRow* const rule = found == rules.size() ? nullptr : &rules[found];
     const auto mass = massOfPart.find(part.Name);
-    const Cells row = MakePartRow(part, rule == rules.end() ? nullptr : &*rule, density,
-      mass == massOfPart.end() ? nullptr : mass->second);
+    const Cells row = MakePartRow(part, rule, density, mass == massOfPart.end() ? nullptr : mass->second);
     cells.insert(cells.end(), row.begin(), row.end());
-    if (rule != rules.end() && (*rule)[0] == part.Name)
+    if (rule && (*rule)[0] == part.Name)
     {
-      isShown[static_cast<std::size_t>(rule - rules.begin())] = true;
+      isShown[found] = true;
     }
   }
   for (std::size_t i = 0; i < rules.size(); ++i)
@@ -158,8 +182,21 @@ std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& part
       cells.insert(cells.end(), { rules[i][0], rules[i][1], GetDensity(rules[i]), "" });
     }
   }
-  cells.insert(cells.end(), { TotalName, FormatShare(total), "", FormatMass(total) });
+  cells.insert(cells.end(), { TotalName, "", "", FormatMass(total) });
   return cells;
+}
+
+void TakeEditedCell(const std::vector<std::string>& before, std::vector<std::string>& cells)
+{
+  if (before.size() != cells.size())
+  {
+    return;
+  }
+  const auto [edited, from] = std::mismatch(cells.begin(), cells.end(), before.begin());
+  if (edited != cells.end() && std::equal(edited + 1, cells.end(), from + 1))
+  {
+    *edited = RemoveOrigin(*edited);
+  }
 }
 
 std::vector<MaterialRow> ReadMaterialTable(
@@ -180,7 +217,7 @@ std::vector<MaterialRow> ReadMaterialTable(
     }
     const auto before =
       std::find_if(rules.begin(), rules.end(), [&row](const MaterialRow& rule) { return rule[0] == row[0]; });
-    MaterialRow rule = { row[0], RemoveOrigin(row[1]), RemoveOrigin(row[2]) };
+    MaterialRow rule = { row[0], TakeCell(row[1]), TakeCell(row[2]) };
     const std::string common = GetCommonDensity(rule[1]);
     const bool isLeft = before != rules.end() && (*before)[1] != rule[1] && GetDensity(*before) == rule[2];
     if (!common.empty() && (!IsTyped(row[2]) || isLeft))

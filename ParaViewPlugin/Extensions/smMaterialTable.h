@@ -44,6 +44,9 @@ constexpr int MaterialTableColumns = 4;
 std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& parts,
   const std::vector<PartMaterial>& masses, const std::vector<MaterialRow>& rules, double density);
 
+/// Where one cell alone differs from the table before, it was edited: without its ending it is what was typed.
+void TakeEditedCell(const std::vector<std::string>& before, std::vector<std::string>& cells);
+
 /**
  * Returns the rules that a table has, each pattern once, in the order of its rows. A common material gives a row without a density its density,
  * and so it does where the material was changed (`rules` are those before) and the density left as it was. The row of titles, the last row if its

@@ -2,7 +2,7 @@
  * @class   vtkLabeledSolidsRepresentation
  * @brief   draws solids, with their names or names and masses as labels
  *
- * A label begins in the middle of its solid's box. The 50 largest solids that are drawn have labels; where two would overlap, the larger solid keeps its own.
+ * A label begins in the middle of its solid's box. The 50 largest solids have labels, those of hidden blocks, too; where two would overlap, the larger solid keeps its own.
  * The mass is that of the cell array Mass, with four digits. Labels are in front of everything, drawn by the process with the window, and not
  * at all while a server renders for it.
  */

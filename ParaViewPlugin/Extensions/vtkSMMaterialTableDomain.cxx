@@ -86,7 +86,9 @@ void vtkSMMaterialTableDomain::FollowCells()
     return;
   }
   const std::vector<sm::MaterialRow> rules = this->GetRules();
-  const std::vector<sm::MaterialRow> read = sm::ReadMaterialTable(table->GetElements(), rules);
+  std::vector<std::string> cells = table->GetElements();
+  sm::TakeEditedCell(this->Filled, cells);
+  const std::vector<sm::MaterialRow> read = sm::ReadMaterialTable(cells, rules);
   const std::vector<std::string> filled =
     sm::MakeMaterialTable(this->Parts->GetParts(), this->Masses->GetParts(), rules, this->GetDensity());
   if (read == sm::ReadMaterialTable(filled, rules))
@@ -130,6 +132,7 @@ void vtkSMMaterialTableDomain::FillCells()
   auto* table = vtkSMStringVectorProperty::SafeDownCast(this->GetProperty());
   const std::vector<std::string> cells = sm::MakeMaterialTable(
     this->Parts->GetParts(), this->Masses->GetParts(), this->GetRules(), this->GetDensity());
+  this->Filled = cells;
   if (table && table->GetElements() != cells)
   {
     this->IsFilling = true;

@@ -55,6 +55,8 @@ private:
   vtkNew<vtkPartMaterialsInformation> Parts;
   /// Of the last run, unless something has changed since.
   vtkNew<vtkPartMaterialsInformation> Masses;
+  /// The table as it was filled last.
+  std::vector<std::string> Filled;
   bool IsObserving = false;
   bool IsFilling = false;
 #endif

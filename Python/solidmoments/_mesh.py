@@ -50,11 +50,12 @@ def display_mesh(file, *, unit="mm", input_unit="mm", deflection=0.001):
     here = os.path.dirname(os.path.abspath(__file__))
     python = PYTHON if os.path.exists(PYTHON) else sys.executable
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONHOME"}
-    environment["PYTHONPATH"] = os.pathsep.join([os.path.dirname(here), VTK_FOLDER])
+    # A wheel may have put another VTK beside this package.
+    environment["PYTHONPATH"] = os.pathsep.join([VTK_FOLDER, os.path.dirname(here)])
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "mesh")
         done = subprocess.run([python, "-B", os.path.join(here, "_write_mesh.py"), file, output, unit, input_unit, repr(float(deflection))],
-                              env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+                              env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8", errors="replace", check=False)
         if done.returncode != 0 or not os.path.exists(output):
             reason = f"the process that reads it ended with {done.returncode}: {done.stderr.strip()[-500:]}"
             raise SolidMomentsError(f"{file}: {reason}", "unreadable", (reason,))

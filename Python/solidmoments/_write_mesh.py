@@ -28,7 +28,7 @@ def main(file, output, unit, input_unit, deflection):
     arrays, solids = [], []
 
     def describe(array):
-        data = memoryview(array).cast("B")
+        data = memoryview(array).tobytes()
         arrays.append(data)
         kind = {"f": "f", "d": "f", "B": "u"}.get(memoryview(array).format, "i")
         return {"bytes": len(data), "type": f"{kind}{array.GetDataTypeSize()}", "components": array.GetNumberOfComponents()}

@@ -307,6 +307,19 @@ void CheckErrors()
   CheckTrue("no frame", !mass->HasReferenceFrame());
 }
 
+void CheckRules()
+{
+  const std::vector<sm::MaterialRule> rules = { { "M8*20", {} }, { "b*", {} }, { "Bolt", {} },
+    { "bolt", {} } };
+  const std::pair<const char*, const char*> found[] = { { "bolt", "bolt" }, { "Bolt", "Bolt" },
+    { "BOLT", "b*" }, { "M8*20", "M8*20" }, { "M8*120", "M8*20" }, { "nut", "" } };
+  for (const auto& [name, pattern] : found)
+  {
+    const sm::MaterialRule* rule = sm::FindRule(rules, name);
+    CheckEqual(std::string("the rule of ") + name, pattern, rule ? rule->Pattern : "");
+  }
+}
+
 void CheckPatterns()
 {
   std::printf("--- patterns\n");
@@ -330,6 +343,7 @@ int TestMassPropertiesMaterials(int, char*[])
   CheckMaterials("mm", 0.001L);
   CheckMaterials("inch", 0.0254L);
   CheckErrors();
+  CheckRules();
   CheckPatterns();
   return Finish();
 }
