@@ -34,6 +34,7 @@ if [ ! -e "$system/.made" ]; then
   touch "$system/.made"
 fi
 cp /etc/resolv.conf "$system/etc/resolv.conf"
+[ -s "$system/etc/hosts" ] || echo "127.0.0.1 localhost" >"$system/etc/hosts"
 
 # shellcheck disable=SC2317
 leave() {
