@@ -23,8 +23,8 @@ constexpr double Margin = 1e-6;
 constexpr double NearlyCollapsed = 1e-9;
 constexpr double CertainlyCollapsed = 1e-15;
 // A part that leaves its patch by d, relative to it, has the patch's bounds of positions and derivatives, and of what was moved, times
-// OnPatchGrowth, as long as n r d <= OnPatch, n = p + q, r: ratio of neighbours' weights. For the Bernstein polynomials' negative terms sum to at most (1 + r d)^n - 1
-// times the positive ones.
+// OnPatchGrowth, as long as n r d <= OnPatch, n = p + q, r: ratio of neighbours' weights. For the Bernstein polynomials' negative terms sum
+// to at most (1 + r d)^n - 1 times the positive ones.
 constexpr double OnPatch = 1e-3;
 constexpr double OnPatchGrowth = 1.01;
 // The part of a panel's tolerance that what was moved may take.

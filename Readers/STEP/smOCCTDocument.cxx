@@ -92,6 +92,9 @@ void SkipDamagedAttributes(
   }
 }
 
+/// Trimmed surfaces of trimmed surfaces that are followed.
+constexpr int MostTrimmedSurfaces = 4;
+
 /**
  * Gives tori of negative major radius the positive one, and their faces the other sense: the same surface with the other normal. Of such a
  * face OpenCASCADE would turn the loops and not the face.
@@ -103,9 +106,11 @@ void TurnNegativeTori(const Handle(StepData_StepModel) & model)
   {
     const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
     Handle(StepGeom_Surface) surface = face.IsNull() ? nullptr : face->FaceGeometry();
-    while (const auto trimmed = Handle(StepGeom_RectangularTrimmedSurface)::DownCast(surface))
+    // A damaged one may be its own basis; faces that were dropped for this are still entities of the model.
+    for (int depth = 0; depth < MostTrimmedSurfaces; ++depth)
     {
-      surface = trimmed->BasisSurface();
+      const auto trimmed = Handle(StepGeom_RectangularTrimmedSurface)::DownCast(surface);
+      surface = trimmed.IsNull() ? surface : trimmed->BasisSurface();
     }
     const auto torus = Handle(StepGeom_ToroidalSurface)::DownCast(surface);
     if (!torus.IsNull() && torus->MajorRadius() < 0.0)

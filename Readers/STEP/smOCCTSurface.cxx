@@ -118,7 +118,7 @@ void ConvertPlane(const gp_Ax3& frame, const NativeBox& box, const AffineMap& ma
 }
 
 /// An end of a range this close to a pole, relative to the range, is the pole but for the file's digits. The surface from there on has a row
-/// of control points that are one point. Where no loop cuts it, its area is larger by at most the square of this.
+/// of control points that are one point. Where no loop cuts it, its area is larger by less than rounding.
 constexpr double PoleDistance = 1e-8;
 
 /// A straight profile radius(v), height(v) at both ends of v; a radius that is zero but for rounding is zero.

@@ -73,6 +73,8 @@ def check_solids():
     # OpenCASCADE crashes on such files, or reads them for ever.
     damage("bicylinder-plain.step", "edge_of_itself", [(r"(#\d+) = (ORIENTED_EDGE\('',\*,\*,)#\d+", r"\1 = \2\1")],
            {"unreadable"}, ["cyclic reference", "export it again"])
+    damage(box, "surface_of_itself", [(r"(#\d+) = PLANE\('',#\d+\)", r"\1 = RECTANGULAR_TRIMMED_SURFACE('',\1,0.,1.,0.,1.,.T.,.T.)")], FLAGGED,
+           ["cyclic reference", "left out"])
     for name, target in (("nothing", "#99999"), ("point", "#30")):
         damage("hollow_sphere-plain.step", f"oriented_shell_of_{name}", [(r"(ORIENTED_CLOSED_SHELL\('',\*,)#\d+", r"\g<1>" + target)],
                {"unreadable"}, ["oriented shell #27 has no shell", "export it again"])
