@@ -118,7 +118,7 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     .add_option("--backend", job.Backend,
       "opengl: compute shaders, on the X display or through EGL where there is\n"
       "none; x or egl: only that one; cpu: no OpenGL; auto (default): opengl\n"
-      "where there is OpenGL 4.3 with doubles, else cpu")
+      "on a GPU with OpenGL 4.3 and doubles, and for expressions, else cpu")
     ->type_name("NAME")
     ->check(sm::CheckBackend);
 }

@@ -83,12 +83,12 @@ sm::IntegralRequest vtkSchemeMassPropertiesGPU::MakeRequest() const
 }
 
 bool vtkSchemeMassPropertiesGPU::IntegrateBodies(
-  const sm::IntegralRequest&, std::vector<sm::BodyIntegrals>& bodies)
+  const sm::IntegralRequest& request, std::vector<sm::BodyIntegrals>& bodies)
 {
   sm::IntegralEngine& engine = this->GetEngine();
   sm::RunReport& report = engine.GetReport();
   const sm::IntegralLimits limits = this->MakeLimits();
-  if (!engine.ChooseRunner(limits.Backend))
+  if (!engine.ChooseRunner(request, limits.Backend))
   {
     return false;
   }

@@ -54,19 +54,37 @@ IntegralEngine::IntegralEngine()
 
 IntegralEngine::~IntegralEngine() = default;
 
-bool IntegralEngine::ChooseRunner(BackendChoice backend)
+bool IntegralRequest::HasExpressions() const
+{
+  return std::any_of(this->Integrands.begin(), this->Integrands.end(),
+    [](const Integrand& integrand) { return integrand.Form == Integrand::Kind::User; });
+}
+
+bool IntegralEngine::ChooseRunner(const IntegralRequest& request, BackendChoice backend)
 {
   const double start = vtkTimerLog::GetUniversalTime();
-  const bool hasOpenGL = backend != BackendChoice::CPU && this->Context->Start() == vtkComputeContext::READY;
+  const bool isGPUNeeded = backend == BackendChoice::Automatic && !request.HasExpressions() &&
+    !this->Context->GetWindow() && this->Context->GetSource() == vtkComputeContext::AUTOMATIC;
+  const bool hasOpenGL = backend != BackendChoice::CPU &&
+    (isGPUNeeded ? this->Context->StartOnGPU() : this->Context->Start() == vtkComputeContext::READY);
   this->Report.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
   if (!hasOpenGL && backend == BackendChoice::OpenGL)
   {
     this->Report.SetReason("nothing was computed: " + this->Context->GetReason());
     return false;
   }
+  std::string whyCPU;
   if (!hasOpenGL && backend == BackendChoice::Automatic)
   {
-    this->Report.FallbackReason = this->Context->GetReason();
+    // A machine without a GPU is nothing to report; a GPU that cannot be used is.
+    if (isGPUNeeded && this->Context->GetStatus() <= vtkComputeContext::NO_CONTEXT)
+    {
+      whyCPU = ", no GPU";
+    }
+    else
+    {
+      this->Report.FallbackReason = this->Context->GetReason();
+    }
   }
   // Another context may use another device, with different rounding.
   const vtkTypeUInt64 generation = hasOpenGL ? this->Context->GetGeneration() : 0;
@@ -76,7 +94,7 @@ bool IntegralEngine::ChooseRunner(BackendChoice backend)
     this->Generation = generation;
   }
   this->Report.Backend = hasOpenGL ? names::BackendOpenGL : names::BackendCPU;
-  this->Report.Renderer = hasOpenGL ? this->Context->GetRenderer() : CPUItemRunner::GetDescription();
+  this->Report.Renderer = hasOpenGL ? this->Context->GetRenderer() : CPUItemRunner::GetDescription() + whyCPU;
   if (this->Runner != this->Report.Backend)
   {
     std::unique_ptr<ItemRunner> runner;
@@ -242,7 +260,7 @@ std::vector<std::size_t> IntegralEngine::MakeTasks(const IntegralRequest& reques
 bool IntegralEngine::Integrate(
   const IntegralRequest& request, const IntegralLimits& limits, std::vector<BodyIntegrals>& bodies)
 {
-  if (!this->ChooseRunner(limits.Backend))
+  if (!this->ChooseRunner(request, limits.Backend))
   {
     return false;
   }

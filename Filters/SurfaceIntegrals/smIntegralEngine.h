@@ -45,6 +45,9 @@ struct IntegralRequest
   std::function<std::vector<double>(const BodyIntegrals&)> GetTolerances;
   /// Entity numbers of the faces to integrate over; empty: all.
   std::set<int> FaceIds;
+
+  /// Returns whether an integrand is an expression in GLSL.
+  bool HasExpressions() const;
 };
 
 /// Limits and options of a run.
@@ -98,9 +101,12 @@ public:
   /// ended the run of this rank, or null.
   void FinishSharing(const std::exception_ptr& failure = nullptr) noexcept;
 
-  /// Gives the integrator a runner that `backend` allows and the machine supports. Returns false, with a reason in the report, if
-  /// there is none.
-  bool ChooseRunner(BackendChoice backend);
+  /**
+   * Gives the integrator a runner that `backend` allows and the machine supports. Returns false, with a reason in the report, if
+   * there is none. BackendChoice::Automatic takes OpenGL on a GPU; a software renderer, which is slower on the same processor than the
+   * CPU backend, only for expressions or where the context has a window or source of the user's.
+   */
+  bool ChooseRunner(const IntegralRequest& request, BackendChoice backend);
   /// Sets the integrands and limits of the integrator.
   void Configure(const IntegralRequest& request, const IntegralLimits& limits);
 

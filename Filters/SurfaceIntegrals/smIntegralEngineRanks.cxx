@@ -73,7 +73,7 @@ void IntegralEngine::FinishSharing(const std::exception_ptr& failure) noexcept
 
 void IntegralEngine::RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits)
 {
-  this->ChooseRunner(limits.Backend);
+  this->ChooseRunner(request, limits.Backend);
   this->Configure(request, limits);
   this->Integrator.SetDevice(this->GetDevice());
   const bool done = this->Integrator.RunAsWorker(limits.Progress);

@@ -106,7 +106,8 @@ public:
   /**
    * The device that computes. OPENGL: compute shaders (OpenGL 4.3 with doubles; if not available, nothing is computed and Status
    * is not-computed). CPU: all threads of vtkSMPTools (the application chooses its backend; VTK's default may be a single
-   * thread). AUTOMATIC: OPENGL if available, else CPU, with a message that gives the reason. The results of both agree to
+   * thread). AUTOMATIC: OPENGL on a GPU; on a software renderer (Mesa's llvmpipe) only with expressions, with a render window, or with
+   * a source set in the compute context; else CPU, with a message if there is a GPU that cannot be used. The results of both agree to
    * rounding, but not bitwise. Range [AUTOMATIC, CPU], clamped. Default AUTOMATIC.
    */
   vtkSetClampMacro(Backend, int, AUTOMATIC, CPU);

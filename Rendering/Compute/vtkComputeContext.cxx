@@ -4,6 +4,7 @@
 #include "smCurrentContext.h"
 #include "smWindowResources.h"
 #include "vtkComputeContextInternals.h"
+#include "vtkEGLSurfacelessRenderWindow.h"
 
 #include "vtkObjectFactory.h"
 
@@ -81,44 +82,21 @@ void vtkComputeContext::SetMaximumVersion(int major, int minor)
 
 int vtkComputeContext::Start()
 {
+  return this->Status == READY ? READY : this->Internals->Search(false);
+}
+
+bool vtkComputeContext::StartOnGPU()
+{
+  vtkInternals& internals = *this->Internals;
   if (this->Status == READY)
   {
-    return READY;
+    return !vtkEGLSurfacelessRenderWindow::IsSoftware(internals.Renderer);
   }
-  vtkInternals& internals = *this->Internals;
-  const sm::CurrentContext::Guard guard;
-  // An own X window that was closed must not end while an EGL context is current.
-  sm::CurrentContext::ReleaseEGL();
-  internals.Detach();
-  internals.Own = nullptr;
-  internals.Reason.clear();
-
-  const bool automatic = this->Source == AUTOMATIC;
-  int status = NOT_STARTED;
-  // The status of the attempt that came farthest.
-  const auto attempt = [&](bool wanted, int (vtkInternals::*method)())
+  if (internals.FoundNoGPU != this->GetMTime() && internals.Search(true) != READY)
   {
-    if (wanted && status != READY)
-    {
-      const int result = (internals.*method)();
-      status = result == READY ? READY : std::max(status, result);
-    }
-  };
-  attempt(this->Source == WINDOW || (automatic && internals.Given), &vtkInternals::TryWindow);
-  attempt(this->Source == X || automatic, &vtkInternals::TryX);
-  attempt(this->Source == EGL || automatic, &vtkInternals::TryEGL);
-  this->Status = status;
-  if (status == READY)
-  {
-    internals.Reason.clear();
+    internals.FoundNoGPU = this->GetMTime();
   }
-  else
-  {
-    internals.Reason +=
-      " Install or choose an OpenGL driver with version 4.3 and double precision: a graphics "
-      "card's own, or Mesa's llvmpipe (libgl1-mesa-dri, with libegl1 where there is no display).";
-  }
-  return status;
+  return this->Status == READY;
 }
 
 void vtkComputeContext::Stop()

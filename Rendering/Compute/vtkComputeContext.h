@@ -96,6 +96,10 @@ public:
    * anew. Leaves the thread's current context as it was. Never aborts, never prints. */
   int Start();
 
+  /** Like Start(), but never makes a context of a software renderer: returns whether the context is READY and that of a GPU. That
+   * there is no GPU is remembered until source, window or version change. */
+  bool StartOnGPU();
+
   /** Frees everything made in the context and gives it up; the status becomes NOT_STARTED. */
   void Stop();
 

@@ -46,6 +46,44 @@ bool IsInitialized(vtkOpenGLRenderWindow* window)
 }
 }
 
+int vtkComputeContext::vtkInternals::Search(bool onlyGPU)
+{
+  const sm::CurrentContext::Guard guard;
+  // An own X window that was closed must not end while an EGL context is current.
+  sm::CurrentContext::ReleaseEGL();
+  this->Detach();
+  this->Own = nullptr;
+  this->Reason.clear();
+  this->OnlyGPU = onlyGPU;
+
+  const int source = this->Self->Source;
+  const bool automatic = source == AUTOMATIC;
+  int status = NOT_STARTED;
+  const auto attempt = [&](bool wanted, int (vtkInternals::*method)())
+  {
+    if (wanted && status != READY)
+    {
+      const int result = (this->*method)();
+      status = result == READY ? READY : std::max(status, result);
+    }
+  };
+  attempt(source == WINDOW || (automatic && this->Given), &vtkInternals::TryWindow);
+  attempt(source == X || automatic, &vtkInternals::TryX);
+  attempt(source == EGL || automatic, &vtkInternals::TryEGL);
+  this->Self->Status = status;
+  if (status == READY)
+  {
+    this->Reason.clear();
+  }
+  else
+  {
+    this->Reason +=
+      " Install or choose an OpenGL driver with version 4.3 and double precision: a graphics "
+      "card's own, or Mesa's llvmpipe (libgl1-mesa-dri, with libegl1 where there is no display).";
+  }
+  return status;
+}
+
 int vtkComputeContext::vtkInternals::TryWindow()
 {
   static const char* const label = "Given window";
@@ -135,6 +173,10 @@ int vtkComputeContext::vtkInternals::TryEGL()
   static const char* const label = "EGL";
   vtkNew<vtkEGLSurfacelessRenderWindow> window;
   window->SetMaximumVersion(this->MaximumVersion[0], this->MaximumVersion[1]);
+  if (this->OnlyGPU && !vtkEGLSurfacelessRenderWindow::MayHaveGPU())
+  {
+    return this->Fail(label, "no device is a GPU", NO_CONTEXT);
+  }
   if (!window->CreateContext())
   {
     return this->Fail(label, window->GetReason(), NO_CONTEXT);
@@ -176,6 +218,10 @@ int vtkComputeContext::vtkInternals::Use(vtkOpenGLRenderWindow* window, const ch
     limit = ", limited by SetMaximumVersion()";
   }
   const std::string renderer = GetString(GL_RENDERER);
+  if (this->OnlyGPU && vtkEGLSurfacelessRenderWindow::IsSoftware(renderer))
+  {
+    return this->Fail(label, renderer + " is a software renderer", NO_CONTEXT);
+  }
   if (std::make_pair(major, minor) < std::make_pair(4, 3) || !glDispatchCompute || !glGetInteger64i_v)
   {
     const char* forced = std::getenv("MESA_GL_VERSION_OVERRIDE");

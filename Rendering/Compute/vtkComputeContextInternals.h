@@ -43,6 +43,13 @@ public:
   std::string Version;
   const char* SourceName = "";
 
+  /// Only contexts of a GPU are wanted now.
+  bool OnlyGPU = false;
+  /// Modification time of the context with which no GPU was found.
+  vtkMTimeType FoundNoGPU = 0;
+
+  /// Makes a context and sets the status to READY, or to that of the attempt that came farthest; returns it.
+  int Search(bool onlyGPU);
   /// Each returns a status, READY or why not; the reasons are collected.
   int TryWindow();
   int TryX();

@@ -35,18 +35,6 @@ bool HasWord(const char* words, const char* word)
   return false;
 }
 
-bool IsSoftware(const std::string& renderer)
-{
-  for (const char* name : { "llvmpipe", "softpipe", "swrast", "Software Rasterizer" })
-  {
-    if (renderer.find(name) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 struct Candidate
 {
   EGLDisplay Display;
@@ -232,6 +220,30 @@ void vtkEGLSurfacelessRenderWindow::SetMaximumVersion(int major, int minor)
 std::string vtkEGLSurfacelessRenderWindow::GetReason()
 {
   return this->Internals->Reason;
+}
+
+bool vtkEGLSurfacelessRenderWindow::IsSoftware(const std::string& renderer)
+{
+  for (const char* name : { "llvmpipe", "softpipe", "swrast", "Software Rasterizer" })
+  {
+    if (renderer.find(name) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool vtkEGLSurfacelessRenderWindow::MayHaveGPU()
+{
+  if (!HasWord(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_EXT_platform_device"))
+  {
+    return true;
+  }
+  std::vector<Candidate> hardware;
+  std::vector<Candidate> software;
+  GetDeviceDisplays(hardware, software);
+  return !hardware.empty();
 }
 
 bool vtkEGLSurfacelessRenderWindow::CreateContext()

@@ -34,6 +34,12 @@ public:
   vtkTypeMacro(vtkEGLSurfacelessRenderWindow, vtkGenericOpenGLRenderWindow);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** Returns whether EGL lists a device of a GPU, or cannot list devices. Makes no context. */
+  static bool MayHaveGPU();
+
+  /** Returns whether `renderer`, a GL_RENDERER, is a known software renderer, for example Mesa's llvmpipe. */
+  static bool IsSoftware(const std::string& renderer);
+
   /** Requests at most this OpenGL version. Default: 0 0, the highest. Read when the context is made. A driver
    * may give a later, compatible version. */
   void SetMaximumVersion(int major, int minor);

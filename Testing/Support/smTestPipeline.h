@@ -50,6 +50,8 @@ struct Pipeline
     {
       UseCoarseMesh(this->Reader);
     }
+    // The shaders are tested; TestMassPropertiesBackends holds the CPU against them.
+    this->Mass->SetBackend(vtkMassPropertiesGPU::OPENGL);
     this->Mass->SetInputConnection(this->Reader->GetOutputPort());
   }
 };

@@ -3,6 +3,7 @@
 #include "smTestPipeline.h"
 #include "smTestRanks.h"
 
+#include <vtkComputeContext.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkNURBSDeform.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -271,6 +272,8 @@ void TestNoOpenGL(const std::string& file, int backend)
   Pipeline shared(file);
   shared.Mass->SetController(controller);
   shared.Mass->SetBackend(backend);
+  // With a source of its own AUTOMATIC takes a software renderer, too.
+  shared.Mass->GetComputeContext()->SetSource(vtkComputeContext::EGL);
   MessageTrap trap(shared.Mass);
   UpdateTogether(shared.Mass);
   CheckEqual("errors", 0, trap.NumberOfErrors);

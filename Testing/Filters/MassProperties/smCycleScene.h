@@ -66,6 +66,7 @@ struct CycleScene
     this->Move(0.02 * part.Size);
     this->Mass->SetInputConnection(this->Deform->GetOutputPort());
     this->Mass->SetGlyphScale(0.1);
+    this->Mass->SetBackend(vtkMassPropertiesGPU::OPENGL);
     this->Points->SetRenderWindow(window);
     this->Mass->SetRenderWindow(window);
     vtkNew<sm::CompositeMapper> partMapper;

@@ -7,6 +7,7 @@
 #include "smTestPipeline.h"
 
 #include <vtkCellData.h>
+#include <vtkComputeContext.h>
 #include <vtkImageData.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkSMPTools.h>
@@ -413,6 +414,7 @@ void CheckWithoutOpenGL(const Manifest& manifest)
   MessageTrap trap(pipeline.Mass);
   pipeline.Mass->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS3);
   pipeline.Mass->SetSubPatchFactor(8);
+  pipeline.Mass->GetComputeContext()->SetSource(vtkComputeContext::EGL);
   pipeline.Mass->Update();
   CheckEqual("backend", names::BackendCPU, pipeline.Mass->GetBackendName());
   CheckForm(pipeline.Mass, "GAUSS3");
