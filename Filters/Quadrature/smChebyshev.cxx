@@ -16,10 +16,10 @@ ChebyshevRule::ChebyshevRule(int n)
   , WideNodes(n)
   , Values(n * n)
   , Transform(n * n)
-  , WideTransform(n * n)
 {
   // cos(m pi / 2n): the argument of a high degree would be off by many u.
   std::vector<Wide> cosines(n + 1);
+  std::vector<Wide> transform(n * n);
   for (int m = 0; m < n; ++m)
   {
     cosines[m] = std::cos(m * 1.570796326794896619231322L / n);
@@ -38,8 +38,8 @@ ChebyshevRule::ChebyshevRule(int n)
     {
       const Wide value = getCosine(k * (2 * i + 1));
       this->Values[i * n + k] = static_cast<double>(value);
-      this->WideTransform[k * n + i] = (k == 0 ? 1.0L : 2.0L) / n * value;
-      this->Transform[k * n + i] = static_cast<double>(this->WideTransform[k * n + i]);
+      transform[k * n + i] = (k == 0 ? 1.0L : 2.0L) / n * value;
+      this->Transform[k * n + i] = static_cast<double>(transform[k * n + i]);
     }
   }
   if (n > MaximumDegree + 1)
@@ -47,7 +47,7 @@ ChebyshevRule::ChebyshevRule(int n)
     return;
   }
   // Coefficient k of B_j is the sum of the transform times its values at the nodes.
-  this->FromBernstein.assign(n * n, 0.0L);
+  std::vector<Wide> fromBernstein(n * n);
   Wide basis[MaximumDegree + 1];
   for (int i = 0; i < n; ++i)
   {
@@ -56,10 +56,11 @@ ChebyshevRule::ChebyshevRule(int n)
     {
       for (int j = 0; j < n; ++j)
       {
-        this->FromBernstein[k * n + j] += this->WideTransform[k * n + i] * basis[j];
+        fromBernstein[k * n + j] += transform[k * n + i] * basis[j];
       }
     }
   }
+  this->FromBernstein.assign(fromBernstein.begin(), fromBernstein.end());
 }
 
 const ChebyshevRule& ChebyshevRule::Get(int n)
@@ -68,6 +69,43 @@ const ChebyshevRule& ChebyshevRule::Get(int n)
   static std::array<std::once_flag, MaximumSize + 1> made;
   std::call_once(made[n], [n]() { rules[n].reset(new ChebyshevRule(n)); });
   return *rules[n];
+}
+
+void ExpandBernstein(
+  const double* coefficients, int size, int degree, double start, double end, double* series)
+{
+  // De Casteljau's scheme leaves the part up to `end`, then that from `start`.
+  static thread_local std::vector<double> part;
+  const int count = size * (degree + 1);
+  part.assign(coefficients, coefficients + count);
+  for (int level = 1; end != 1.0 && level <= degree; ++level)
+  {
+    for (int e = count - 1; e >= size * level; --e)
+    {
+      part[e] = (1.0 - end) * part[e - size] + end * part[e];
+    }
+  }
+  const double x = end != 0.0 ? start / end : 0.0;
+  for (int level = degree; x != 0.0 && level > 0; --level)
+  {
+    for (int e = 0; e < size * level; ++e)
+    {
+      part[e] = (1.0 - x) * part[e] + x * part[e + size];
+    }
+  }
+  const ChebyshevRule& rule = ChebyshevRule::Get(degree + 1);
+  std::fill(series, series + count, 0.0);
+  for (int k = 0; k <= degree; ++k)
+  {
+    const double* row = rule.GetFromBernstein(k);
+    for (int i = 0; i <= degree; ++i)
+    {
+      for (int d = 0; d < size; ++d)
+      {
+        series[size * k + d] += row[i] * part[size * i + d];
+      }
+    }
+  }
 }
 
 void DifferentiateChebyshev(const double* series, double* derivative, int count, int stride)

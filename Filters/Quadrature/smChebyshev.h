@@ -28,10 +28,8 @@ public:
   const double* GetValues(int i) const { return this->Values.data() + i * this->Size; }
   /// Row k: coefficient k is the sum of row[i] times sample i.
   const double* GetTransform(int k) const { return this->Transform.data() + k * this->Size; }
-  /// The same in extended precision.
-  const long double* GetWideTransform(int k) const { return this->WideTransform.data() + k * this->Size; }
   /// Row k: coefficient k is the sum of row[i] times the Bernstein coefficient i, of degree n - 1 on [0,1]. n <= 26.
-  const long double* GetFromBernstein(int k) const { return this->FromBernstein.data() + k * this->Size; }
+  const double* GetFromBernstein(int k) const { return this->FromBernstein.data() + k * this->Size; }
 
 private:
   explicit ChebyshevRule(int n);
@@ -41,49 +39,13 @@ private:
   std::vector<long double> WideNodes;
   std::vector<double> Values;
   std::vector<double> Transform;
-  std::vector<long double> WideTransform;
-  std::vector<long double> FromBernstein;
+  std::vector<double> FromBernstein;
 };
 
 /// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form: degree + 1 coefficients of
 /// `size` numbers each, and so the series. 0 <= start < end <= 1.
-template <class Real>
-void ExpandBernstein(const Real* coefficients, int size, int degree, Real start, Real end, Real* series)
-{
-  // De Casteljau's scheme leaves the part up to `end`, then that from `start`.
-  static thread_local std::vector<Real> part;
-  const int count = size * (degree + 1);
-  part.assign(coefficients, coefficients + count);
-  for (int level = 1; end != Real(1) && level <= degree; ++level)
-  {
-    for (int e = count - 1; e >= size * level; --e)
-    {
-      part[e] = (Real(1) - end) * part[e - size] + end * part[e];
-    }
-  }
-  const Real x = end != Real(0) ? start / end : Real(0);
-  for (int level = degree; x != Real(0) && level > 0; --level)
-  {
-    for (int e = 0; e < size * level; ++e)
-    {
-      part[e] = (Real(1) - x) * part[e] + x * part[e + size];
-    }
-  }
-  const ChebyshevRule& rule = ChebyshevRule::Get(degree + 1);
-  for (int k = 0; k <= degree; ++k)
-  {
-    const long double* row = rule.GetFromBernstein(k);
-    for (int d = 0; d < size; ++d)
-    {
-      Real sum = 0;
-      for (int i = 0; i <= degree; ++i)
-      {
-        sum += static_cast<Real>(row[i]) * part[size * i + d];
-      }
-      series[size * k + d] = sum;
-    }
-  }
-}
+SMFILTERSQUADRATURE_EXPORT void ExpandBernstein(
+  const double* coefficients, int size, int degree, double start, double end, double* series);
 
 /// Coefficients of the derivative of a series of `count` coefficients that lie `stride` doubles apart; the last one is 0.
 SMFILTERSQUADRATURE_EXPORT void DifferentiateChebyshev(

@@ -66,8 +66,8 @@ private:
   void Sample(const Ribbon& ribbon, double start, double end, int nodes);
   /// Bound of the rounding of the samples of U, the weights of which are at most `weight`; Stretch is known.
   double GetSampleNoise(const Ribbon& ribbon, double weight) const;
-  /// Stretch, TrimSlope and NormalLength at x in [-1,1].
-  void SampleTangents(const Ribbon& ribbon, double x);
+  /// Stretch, TrimSlope and NormalLength at x in [-1,1], where the trim curve is `at`.
+  void SampleTangents(const Ribbon& ribbon, const std::array<double, 2>& at, double x);
   /// The sums of Evaluate().
   void Summarize();
 
