@@ -15,11 +15,11 @@ ChebyshevRule::ChebyshevRule(int n)
   , Nodes(n)
   , WideNodes(n)
   , Values(n * n)
-  , Transform(n * n)
 {
   // cos(m pi / 2n): the argument of a high degree would be off by many u.
   std::vector<Wide> cosines(n + 1);
-  std::vector<Wide> transform(n * n);
+  std::vector<Wide>& transform = std::get<std::vector<Wide>>(this->Transform);
+  transform.resize(n * n);
   for (int m = 0; m < n; ++m)
   {
     cosines[m] = std::cos(m * 1.570796326794896619231322L / n);
@@ -39,15 +39,16 @@ ChebyshevRule::ChebyshevRule(int n)
       const Wide value = getCosine(k * (2 * i + 1));
       this->Values[i * n + k] = static_cast<double>(value);
       transform[k * n + i] = (k == 0 ? 1.0L : 2.0L) / n * value;
-      this->Transform[k * n + i] = static_cast<double>(transform[k * n + i]);
     }
   }
+  std::get<std::vector<double>>(this->Transform).assign(transform.begin(), transform.end());
   if (n > MaximumDegree + 1)
   {
     return;
   }
   // Coefficient k of B_j is the sum of the transform times its values at the nodes.
-  std::vector<Wide> fromBernstein(n * n);
+  std::vector<Wide>& fromBernstein = std::get<std::vector<Wide>>(this->FromBernstein);
+  fromBernstein.resize(n * n);
   Wide basis[MaximumDegree + 1];
   for (int i = 0; i < n; ++i)
   {
@@ -60,7 +61,7 @@ ChebyshevRule::ChebyshevRule(int n)
       }
     }
   }
-  this->FromBernstein.assign(fromBernstein.begin(), fromBernstein.end());
+  std::get<std::vector<double>>(this->FromBernstein).assign(fromBernstein.begin(), fromBernstein.end());
 }
 
 const ChebyshevRule& ChebyshevRule::Get(int n)
@@ -69,43 +70,6 @@ const ChebyshevRule& ChebyshevRule::Get(int n)
   static std::array<std::once_flag, MaximumSize + 1> made;
   std::call_once(made[n], [n]() { rules[n].reset(new ChebyshevRule(n)); });
   return *rules[n];
-}
-
-void ExpandBernstein(
-  const double* coefficients, int size, int degree, double start, double end, double* series)
-{
-  // De Casteljau's scheme leaves the part up to `end`, then that from `start`.
-  static thread_local std::vector<double> part;
-  const int count = size * (degree + 1);
-  part.assign(coefficients, coefficients + count);
-  for (int level = 1; end != 1.0 && level <= degree; ++level)
-  {
-    for (int e = count - 1; e >= size * level; --e)
-    {
-      part[e] = (1.0 - end) * part[e - size] + end * part[e];
-    }
-  }
-  const double x = end != 0.0 ? start / end : 0.0;
-  for (int level = degree; x != 0.0 && level > 0; --level)
-  {
-    for (int e = 0; e < size * level; ++e)
-    {
-      part[e] = (1.0 - x) * part[e] + x * part[e + size];
-    }
-  }
-  const ChebyshevRule& rule = ChebyshevRule::Get(degree + 1);
-  std::fill(series, series + count, 0.0);
-  for (int k = 0; k <= degree; ++k)
-  {
-    const double* row = rule.GetFromBernstein(k);
-    for (int i = 0; i <= degree; ++i)
-    {
-      for (int d = 0; d < size; ++d)
-      {
-        series[size * k + d] += row[i] * part[size * i + d];
-      }
-    }
-  }
 }
 
 void DifferentiateChebyshev(const double* series, double* derivative, int count, int stride)

@@ -6,6 +6,7 @@
 #define smChebyshev_h
 
 #include "smFiltersQuadratureModule.h"
+#include <tuple>
 #include <vector>
 
 namespace sm
@@ -26,10 +27,18 @@ public:
   long double GetWideNode(int i) const { return this->WideNodes[i]; }
   /// T_0 .. T_{n-1} at node i.
   const double* GetValues(int i) const { return this->Values.data() + i * this->Size; }
-  /// Row k: coefficient k is the sum of row[i] times sample i.
-  const double* GetTransform(int k) const { return this->Transform.data() + k * this->Size; }
+  /// Row k: coefficient k is the sum of row[i] times sample i. In doubles or in extended precision.
+  template <class Real = double>
+  const Real* GetTransform(int k) const
+  {
+    return std::get<std::vector<Real>>(this->Transform).data() + k * this->Size;
+  }
   /// Row k: coefficient k is the sum of row[i] times the Bernstein coefficient i, of degree n - 1 on [0,1]. n <= 26.
-  const double* GetFromBernstein(int k) const { return this->FromBernstein.data() + k * this->Size; }
+  template <class Real = double>
+  const Real* GetFromBernstein(int k) const
+  {
+    return std::get<std::vector<Real>>(this->FromBernstein).data() + k * this->Size;
+  }
 
 private:
   explicit ChebyshevRule(int n);
@@ -38,14 +47,49 @@ private:
   std::vector<double> Nodes;
   std::vector<long double> WideNodes;
   std::vector<double> Values;
-  std::vector<double> Transform;
-  std::vector<double> FromBernstein;
+  std::tuple<std::vector<double>, std::vector<long double>> Transform;
+  std::tuple<std::vector<double>, std::vector<long double>> FromBernstein;
 };
 
 /// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form: degree + 1 coefficients of
 /// `size` numbers each, and so the series. 0 <= start < end <= 1.
-SMFILTERSQUADRATURE_EXPORT void ExpandBernstein(
-  const double* coefficients, int size, int degree, double start, double end, double* series);
+template <class Real>
+void ExpandBernstein(const Real* coefficients, int size, int degree, Real start, Real end, Real* series)
+{
+  // De Casteljau's scheme leaves the part up to `end`, then that from `start`.
+  static thread_local std::vector<Real> part;
+  const int count = size * (degree + 1);
+  part.assign(coefficients, coefficients + count);
+  for (int level = 1; end != Real(1) && level <= degree; ++level)
+  {
+    for (int e = count - 1; e >= size * level; --e)
+    {
+      part[e] = (Real(1) - end) * part[e - size] + end * part[e];
+    }
+  }
+  const Real x = end != Real(0) ? start / end : Real(0);
+  for (int level = degree; x != Real(0) && level > 0; --level)
+  {
+    for (int e = 0; e < size * level; ++e)
+    {
+      part[e] = (Real(1) - x) * part[e] + x * part[e + size];
+    }
+  }
+  const ChebyshevRule& rule = ChebyshevRule::Get(degree + 1);
+  for (int k = 0; k <= degree; ++k)
+  {
+    const Real* row = rule.GetFromBernstein<Real>(k);
+    for (int d = 0; d < size; ++d)
+    {
+      Real sum = 0;
+      for (int i = 0; i <= degree; ++i)
+      {
+        sum += row[i] * part[size * i + d];
+      }
+      series[size * k + d] = sum;
+    }
+  }
+}
 
 /// Coefficients of the derivative of a series of `count` coefficients that lie `stride` doubles apart; the last one is 0.
 SMFILTERSQUADRATURE_EXPORT void DifferentiateChebyshev(

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace sm
 {
@@ -19,13 +20,24 @@ constexpr int FewNodes = 10;
 constexpr int MostNodes = 128;
 // The part of a plane's patch that is bilinear is known in double: rounding, relative to the steps of its corners.
 constexpr double LargestCorner = 1e-6;
+// Degrees from which on raising one saves time.
+constexpr int LeastRaised = 4;
+// Gaps wider than this, relative to the patch, are kept in extended precision throughout: where they are narrower the rounding of doubles is
+// that of a small number.
+constexpr double WideGap = 1e-6;
+
+template <class Real>
+constexpr double GetRoundoff()
+{
+  return std::is_same<Real, double>::value ? UnitRoundoff : WideRoundoff;
+}
 
 /// Roundings of a sum of Bernstein polynomials at start + (end - start) t, relative to its largest coefficient: 2n + 2 of the
 /// polynomials (smWideEvaluation.h), n + 1 of products and sums, 3 of the coefficients, 3 of the parameter, which count 2n times, and 4 to
 /// raise the degree to n by one.
 double GetCurveRoundings(int degree, int raised, double start, double end)
 {
-  return (start == 0.0 && end == 1.0 ? 3.0 : 9.0) * raised + 6.0 + 4.0 * (raised - degree);
+  return 3.0 * raised + (start == 0.0 && end == 1.0 ? 0.0 : 6.0) * degree + 6.0 + 4.0 * (raised - degree);
 }
 
 /// The same of the n coefficients of ExpandBernstein(): its scheme rounds 6 times a degree; rows, the absolute values of which add up to
@@ -82,21 +94,31 @@ void SumBasis(const Wide* basis, const Wide coefficients[][Dimension], int degre
   }
 }
 
-/// The trim and edge pieces of a ribbon in extended precision: the trim's in the parameters of the patch, the edge's about its centre. Both
-/// have the higher of their degrees where they share their interval.
+bool ShareInterval(const Ribbon& ribbon)
+{
+  return ribbon.Start == ribbon.EdgeStart && ribbon.End == ribbon.EdgeEnd;
+}
+
+/// Returns whether a basis for both curves of a ribbon costs less than one for each.
+bool MayRaiseDegree(const Ribbon& ribbon)
+{
+  return ShareInterval(ribbon) &&
+    (ribbon.TrimDegree == ribbon.EdgeDegree || std::min(ribbon.TrimDegree, ribbon.EdgeDegree) >= LeastRaised);
+}
+
+/// The trim and edge pieces of a ribbon in extended precision: the trim's in the parameters of the patch, the edge's about its centre.
 struct WideCurves
 {
   Wide Trim[MaximumDegree + 1][2];
   Wide Edge[MaximumDegree + 1][3];
   int TrimDegree;
   int EdgeDegree;
-  bool Together;
   bool Constant[2] = { true, true };
 
-  WideCurves(const FacePanels& panels, const Ribbon& ribbon)
+  /// `raised`: both have the higher of their degrees.
+  WideCurves(const FacePanels& panels, const Ribbon& ribbon, bool raised)
     : TrimDegree(ribbon.TrimDegree)
     , EdgeDegree(ribbon.EdgeDegree)
-    , Together(ribbon.Start == ribbon.EdgeStart && ribbon.End == ribbon.EdgeEnd)
   {
     const Patch& patch = panels.Patches[ribbon.Patch];
     const double* trim = panels.Coefficients.data() + ribbon.Trim;
@@ -117,7 +139,7 @@ struct WideCurves
         this->Edge[i][c] = static_cast<Wide>(edge[3 * i + c]) - patch.Center[c];
       }
     }
-    if (this->Together)
+    if (raised)
     {
       const int degree = std::max(this->TrimDegree, this->EdgeDegree);
       RaiseDegree<2>(this->Trim, this->TrimDegree, degree);
@@ -139,20 +161,25 @@ const std::array<double, 4>* GapSeries::GetPoints(const Ribbon& ribbon) const
   return this->Panels.Points.data() + this->Panels.Patches[ribbon.Patch].FirstPoint;
 }
 
+template <class Real>
 void GapSeries::ExpandEdge(const Ribbon& ribbon, double start, double end)
 {
-  const double width = ribbon.EdgeEnd - ribbon.EdgeStart;
+  const Real width = static_cast<Real>(ribbon.EdgeEnd) - ribbon.EdgeStart;
   const int n = ribbon.EdgeDegree + 1;
   const double* coefficients = this->Panels.Coefficients.data() + ribbon.Edge;
+  Real edge[3 * (MaximumDegree + 1)];
+  Real series[3 * (MaximumDegree + 1)];
+  std::copy_n(coefficients, 3 * n, edge);
+  ExpandBernstein<Real>(
+    edge, 3, ribbon.EdgeDegree, ribbon.EdgeStart + width * start, ribbon.EdgeStart + width * end, series);
   this->Curve.resize(n);
-  ExpandBernstein(coefficients, 3, ribbon.EdgeDegree, ribbon.EdgeStart + width * start,
-    ribbon.EdgeStart + width * end, this->Curve.front().data());
   double largest = 0.0;
   for (int k = 0; k < n; ++k)
   {
+    std::copy_n(series + 3 * k, 3, this->Curve[k].begin());
     largest = std::max(largest, Norm(coefficients + 3 * k));
   }
-  this->CurveNoise = std::sqrt(3.0) * UnitRoundoff * GetSeriesRoundings(n) * largest;
+  this->CurveNoise = std::sqrt(3.0) * GetRoundoff<Real>() * GetSeriesRoundings(n) * largest;
   double center[3];
   for (int c = 0; c < 3; ++c)
   {
@@ -161,12 +188,45 @@ void GapSeries::ExpandEdge(const Ribbon& ribbon, double start, double end)
   this->CurveDistance = Norm(center);
 }
 
+template <class Real>
+void GapSeries::TransformSamples(const std::vector<std::array<Wide, 4>>& samples, double largest)
+{
+  const int nodes = static_cast<int>(samples.size());
+  const ChebyshevRule& rule = ChebyshevRule::Get(nodes);
+  static thread_local std::vector<std::array<Real, 4>> values;
+  values.resize(nodes);
+  for (int i = 0; i < nodes; ++i)
+  {
+    std::copy_n(samples[i].begin(), 4, values[i].begin());
+  }
+  this->Gap.resize(nodes);
+  for (int k = 0; k < nodes; ++k)
+  {
+    const Real* row = rule.GetTransform<Real>(k);
+    Real sum[4] = {};
+    for (int i = 0; i < nodes; ++i)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        sum[c] += row[i] * values[i][c];
+      }
+    }
+    std::copy_n(sum, 4, this->Gap[k].begin());
+    double& weight = this->Gap[k][3];
+    if (k > 0 && std::abs(weight) <= 16.0 * UnitRoundoff * this->Gap[0][3])
+    {
+      weight = 0.0;
+    }
+  }
+  // Coefficients are sums of n terms; the values of a row add up to 2 at most.
+  this->Noise = std::sqrt(3.0) * GetRoundoff<Real>() * 2.0 * nodes * (nodes + 6.0) * largest;
+}
+
 bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
 {
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
   const std::array<double, 4>* p = this->GetPoints(ribbon);
-  if (patch.Degree[0] != 1 || patch.Degree[1] != 1 || !IsPolynomial(p, 4) ||
-    ribbon.Start != ribbon.EdgeStart || ribbon.End != ribbon.EdgeEnd)
+  if (patch.Degree[0] != 1 || patch.Degree[1] != 1 || !IsPolynomial(p, 4) || !ShareInterval(ribbon))
   {
     return false;
   }
@@ -188,7 +248,7 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   {
     return false;
   }
-  const WideCurves curves(this->Panels, ribbon);
+  const WideCurves curves(this->Panels, ribbon, true);
   const int degree = curves.TrimDegree;
   const Wide(&local)[MaximumDegree + 1][2] = curves.Trim;
   double size = 0.0;
@@ -208,9 +268,13 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
       farthest = std::max(farthest, static_cast<double>(std::abs(local[i][0]) + std::abs(local[i][1])));
     }
   }
+  if (largest > WideGap * patch.Radius * w)
+  {
+    return false;
+  }
   double series[MaximumDegree + 1][3];
   const double width = ribbon.End - ribbon.Start;
-  ExpandBernstein(
+  ExpandBernstein<double>(
     &gap[0][0], 3, degree, ribbon.Start + width * start, ribbon.Start + width * end, &series[0][0]);
 
   const int trim = corner > 0.0 ? this->Trim.GetDegree() : 0;
@@ -245,7 +309,8 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   this->Noise = std::sqrt(3.0) *
     (WideRoundoff * (20.0 + 12.0 * raised) * size +
       UnitRoundoff *
-        (GetSeriesRoundings(degree + 1) * largest + 2.0 * GetSeriesRoundings(trim + 1) * farthest * farthest * corner));
+        (GetSeriesRoundings(degree + 1) * largest +
+          2.0 * GetSeriesRoundings(trim + 1) * farthest * farthest * corner));
 
   for (int k = 0; k < 2; ++k)
   {
@@ -325,10 +390,11 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
 {
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
   const ChebyshevRule& rule = ChebyshevRule::Get(nodes);
-  const WideCurves curves(this->Panels, ribbon);
+  const bool together = MayRaiseDegree(ribbon);
+  const WideCurves curves(this->Panels, ribbon, together);
   const WidePatch net(this->GetPoints(ribbon), patch.Degree[0], patch.Degree[1],
     curves.Constant[0] ? &curves.Trim[0][0] : nullptr, curves.Constant[1] ? &curves.Trim[0][1] : nullptr);
-  static thread_local std::vector<std::array<double, 4>> samples;
+  static thread_local std::vector<std::array<Wide, 4>> samples;
   samples.resize(nodes);
   this->Stretch = this->TrimSlope = { 0.0, 0.0 };
   this->NormalLength = 0.0;
@@ -345,7 +411,7 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
     SumBasis<2>(basis, curves.Trim, curves.TrimDegree, at);
     Wide h[4];
     net.Evaluate(at[0], at[1], h);
-    if (!curves.Together)
+    if (!together)
     {
       FillWideBasis(curves.EdgeDegree, ribbon.EdgeStart + edgeWidth * t, basis);
     }
@@ -353,36 +419,24 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
     SumBasis<3>(basis, curves.Edge, curves.EdgeDegree, edge);
     for (int c = 0; c < 3; ++c)
     {
-      samples[i][c] = static_cast<double>(edge[c] * h[3] - h[c]);
-      largest = std::max(largest, std::abs(samples[i][c]));
+      samples[i][c] = edge[c] * h[3] - h[c];
+      largest = std::max(largest, static_cast<double>(std::abs(samples[i][c])));
     }
-    samples[i][3] = static_cast<double>(h[3]);
-    weight = std::max(weight, samples[i][3]);
-    this->SampleTangents(
-      ribbon, { static_cast<double>(at[0]), static_cast<double>(at[1]) }, rule.GetNode(i));
+    samples[i][3] = h[3];
+    weight = std::max(weight, static_cast<double>(h[3]));
+    this->SampleTangents(ribbon, { static_cast<double>(at[0]), static_cast<double>(at[1]) }, rule.GetNode(i));
   }
-  this->Gap.assign(nodes, {});
-  for (int k = 0; k < nodes; ++k)
+  if (largest > WideGap * weight * patch.Radius)
   {
-    const double* row = rule.GetTransform(k);
-    std::array<double, 4> to{};
-    for (int i = 0; i < nodes; ++i)
-    {
-      for (int c = 0; c < 4; ++c)
-      {
-        to[c] += row[i] * samples[i][c];
-      }
-    }
-    if (k > 0 && std::abs(to[3]) <= 16.0 * UnitRoundoff * this->Gap[0][3])
-    {
-      to[3] = 0.0;
-    }
-    this->Gap[k] = to;
+    this->TransformSamples<Wide>(samples, largest);
+    this->ExpandEdge<Wide>(ribbon, start, end);
   }
-  // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant. Coefficients are sums
-  // of n terms in doubles, as U is small; the values of a row add up to 2 at most.
-  this->Noise = this->GetSampleNoise(ribbon, weight) * (1.0 + std::log(static_cast<double>(nodes))) +
-    std::sqrt(3.0) * UnitRoundoff * 2.0 * nodes * (nodes + 6.0) * largest;
+  else
+  {
+    this->TransformSamples<double>(samples, largest);
+  }
+  // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant.
+  this->Noise += this->GetSampleNoise(ribbon, weight) * (1.0 + std::log(static_cast<double>(nodes)));
 }
 
 double GapSeries::GetSampleNoise(const Ribbon& ribbon, double weight) const
@@ -420,11 +474,14 @@ double GapSeries::GetSampleNoise(const Ribbon& ribbon, double weight) const
       coefficients[3 * i + 1] - patch.Center[1], coefficients[3 * i + 2] - patch.Center[2] };
     edge = std::max(edge, Norm(offset));
   }
+  const bool together = MayRaiseDegree(ribbon);
   const int raised = std::max(ribbon.TrimDegree, ribbon.EdgeDegree);
+  const int trimRaised = together ? raised : ribbon.TrimDegree;
+  const int edgeRaised = together ? raised : ribbon.EdgeDegree;
   return WideRoundoff * weight *
     (3.0 * (p + q + 3) * (patch.Radius + edge) +
-      GetCurveRoundings(ribbon.EdgeDegree, raised, ribbon.EdgeStart, ribbon.EdgeEnd) * edge +
-      GetCurveRoundings(ribbon.TrimDegree, raised, ribbon.Start, ribbon.End) *
+      GetCurveRoundings(ribbon.EdgeDegree, edgeRaised, ribbon.EdgeStart, ribbon.EdgeEnd) * edge +
+      GetCurveRoundings(ribbon.TrimDegree, trimRaised, ribbon.Start, ribbon.End) *
         (local[0] * this->Stretch[0] + local[1] * this->Stretch[1]));
 }
 
@@ -508,7 +565,7 @@ void GapSeries::Expand(const Ribbon& ribbon, double start, double end)
   const double width = ribbon.End - ribbon.Start;
   this->Trim.Expand(this->Panels.Coefficients.data() + ribbon.Trim, ribbon.TrimDegree, patch,
     ribbon.Start + width * start, ribbon.Start + width * end);
-  this->ExpandEdge(ribbon, start, end);
+  this->ExpandEdge<double>(ribbon, start, end);
   if (!this->ExpandOnPlane(ribbon, start, end))
   {
     const int nodes = this->ChooseNodes(ribbon);

@@ -58,12 +58,16 @@ public:
 
 private:
   const std::array<double, 4>* GetPoints(const Ribbon& ribbon) const;
+  template <class Real>
   void ExpandEdge(const Ribbon& ribbon, double start, double end);
   /// The closed form: on a parallelogram, for curves that share their parameter. Returns false elsewhere.
   bool ExpandOnPlane(const Ribbon& ribbon, double start, double end);
   /// Nodes that determine U and w, but for a Tail.
   int ChooseNodes(const Ribbon& ribbon);
   void Sample(const Ribbon& ribbon, double start, double end, int nodes);
+  /// Gap and Noise from samples of U, the largest of which is `largest`, and w.
+  template <class Real>
+  void TransformSamples(const std::vector<std::array<Wide, 4>>& samples, double largest);
   /// Bound of the rounding of the samples of U, the weights of which are at most `weight`; Stretch is known.
   double GetSampleNoise(const Ribbon& ribbon, double weight) const;
   /// Stretch, TrimSlope and NormalLength at x in [-1,1], where the trim curve is `at`.

@@ -37,7 +37,7 @@ void TrimSeries::Expand(const double* coefficients, int degree, const Patch& pat
       local[i][d] = (coefficients[2 * i + d] - patch.Start[d]) / patch.Width[d];
     }
   }
-  ExpandBernstein(local[0].data(), 2, degree, start, end, series[0].data());
+  ExpandBernstein<double>(local[0].data(), 2, degree, start, end, series[0].data());
   for (int d = 0; d < 2; ++d)
   {
     this->Series[d].resize(n);
