@@ -13,7 +13,7 @@ namespace sm
 {
 namespace
 {
-constexpr double Radii[] = { 1.3, 1.6, 2.0, 2.5, 3.2, 4.2, 6.0, 9.0, 15.0, 30.0, 100.0 };
+constexpr double Radii[] = { 1.6, 2.5, 4.2, 9.0, 30.0 };
 // Nodes that cost less than to ask whether fewer would do, the least that are taken then, and the most.
 constexpr int AffordableNodes = 16;
 constexpr int FewNodes = 10;
@@ -396,8 +396,7 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
     curves.Constant[0] ? &curves.Trim[0][0] : nullptr, curves.Constant[1] ? &curves.Trim[0][1] : nullptr);
   static thread_local std::vector<std::array<Wide, 4>> samples;
   samples.resize(nodes);
-  this->Stretch = this->TrimSlope = { 0.0, 0.0 };
-  this->NormalLength = 0.0;
+  const bool onPatch = this->BoundTangents(patch);
   double largest = 0.0;
   double weight = 0.0;
   const Wide width = static_cast<Wide>(ribbon.End) - ribbon.Start;
@@ -424,7 +423,10 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
     }
     samples[i][3] = h[3];
     weight = std::max(weight, static_cast<double>(h[3]));
-    this->SampleTangents(ribbon, { static_cast<double>(at[0]), static_cast<double>(at[1]) }, rule.GetNode(i));
+    if (!onPatch)
+    {
+      this->SampleTangents(ribbon, { static_cast<double>(at[0]), static_cast<double>(at[1]) });
+    }
   }
   if (largest > WideGap * weight * patch.Radius)
   {
@@ -497,19 +499,31 @@ GapSeries::Remainder GapSeries::GetRemainder(const Majorants& real) const
     (gapSlope + gap * real.WeightSlope) / real.Weight };
 }
 
-void GapSeries::SampleTangents(const Ribbon& ribbon, const std::array<double, 2>& at, double x)
+bool GapSeries::BoundTangents(const Patch& patch)
 {
-  const std::array<double, 2> slope = this->Trim.EvaluateDerivative(x);
+  const bool onPatch = this->Trim.IsOnPatch(patch);
+  const double growth = onPatch ? TrimSeries::OnPatchGrowth : 0.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    this->Stretch[d] = growth * patch.Stretch[d];
+    this->TrimSlope[d] = this->Trim.GetLargestSlope(Ellipse::FromRadius(1.0), d);
+  }
+  this->NormalLength = growth * growth * Norm(patch.Normal);
+  return onPatch;
+}
+
+void GapSeries::SampleTangents(const Ribbon& ribbon, const std::array<double, 2>& at)
+{
   double position[3];
   double tangent[2][3];
   EvaluatePatch(this->Panels.Patches[ribbon.Patch], this->GetPoints(ribbon), at[0], at[1], position,
     tangent[0], tangent[1]);
   for (int d = 0; d < 2; ++d)
   {
-    this->Stretch[d] = std::max(this->Stretch[d], Norm(tangent[d]));
-    this->TrimSlope[d] = std::max(this->TrimSlope[d], std::abs(slope[d]));
+    this->Stretch[d] = std::max(this->Stretch[d], 2.0 * Norm(tangent[d]));
   }
-  this->NormalLength = std::max(this->NormalLength, Norm(Cross(tangent[0], tangent[1]).data()));
+  this->NormalLength =
+    std::max(this->NormalLength, 2.0 * Norm(Cross(tangent[0], tangent[1]).data()));
 }
 
 void GapSeries::Summarize()

@@ -22,11 +22,6 @@ constexpr double Margin = 1e-6;
 // room for it, and those that always are.
 constexpr double NearlyCollapsed = 1e-9;
 constexpr double CertainlyCollapsed = 1e-15;
-// A part that leaves its patch by d, relative to it, has the patch's bounds of positions and derivatives, and of what was moved, times
-// OnPatchGrowth, as long as n r d <= OnPatch, n = p + q, r: ratio of neighbours' weights. For the Bernstein polynomials' negative terms sum
-// to at most (1 + r d)^n - 1 times the positive ones.
-constexpr double OnPatch = 1e-3;
-constexpr double OnPatchGrowth = 1.01;
 // The part of a panel's tolerance that what was moved may take.
 constexpr double LargestChange = 0.25;
 
@@ -65,14 +60,6 @@ double GetIntegrandChange(const BoundClass& c, double moved, double turned, doub
     : c.Kind == BoundClass::AreaMoment    ? moment(k)
     : c.Kind == BoundClass::HeightMoment  ? moment(k + 1)
                                           : moment(k + 1) / (3 + k);
-}
-
-bool PanelBounds::IsOnPatch(const Patch& patch) const
-{
-  const double factor = (patch.Degree[0] + patch.Degree[1]) * patch.WeightRatio;
-  const auto isNear = [factor](double beyond) { return factor * beyond <= OnPatch; };
-  return isNear(-this->Trim.GetLow(0)) && isNear(-this->Trim.GetLow(1)) &&
-    isNear(this->Trim.GetHigh(0) - 1.0) && isNear(this->Trim.GetHigh(1) - 1.0);
 }
 
 void PanelBounds::FillChange(const Patch& patch, double moved, const double slope[2], double radius,
@@ -115,7 +102,7 @@ void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector
 const std::vector<double>& PanelBounds::GetChange()
 {
   const PatchSeries& series = *this->PartSeries;
-  if (series.Change.empty() || this->IsOnPatch(*this->PartPatch))
+  if (series.Change.empty() || this->Trim.IsOnPatch(*this->PartPatch))
   {
     return series.Change;
   }
@@ -145,7 +132,7 @@ void PanelBounds::MakeSeries(const Patch& patch, double size, PatchSeries& serie
   series.Moved = difference.Radius;
   if (series.Moved > 0.0)
   {
-    const auto grown = [](double x) { return OnPatchGrowth * x; };
+    const auto grown = [](double x) { return TrimSeries::OnPatchGrowth * x; };
     const double slope[2] = { grown(difference.Stretch[0]), grown(difference.Stretch[1]) };
     const double stretch[2] = { grown(patch.Stretch[0]), grown(patch.Stretch[1]) };
     this->FillChange(patch, grown(series.Moved), slope, grown(patch.Radius), stretch, series.Change);
@@ -181,7 +168,7 @@ PanelBounds::PatchSeries& PanelBounds::GetSeries(const Panel& panel, const Panel
   };
   PatchSeries& nearly = get(0, NearlyCollapsed);
   const bool certain = nearly.Moved <= CertainlyCollapsed * patch.Radius;
-  const bool chosen = certain || (this->IsOnPatch(patch) && this->Fits(nearly, part));
+  const bool chosen = certain || (this->Trim.IsOnPatch(patch) && this->Fits(nearly, part));
   this->PartPatch = &patch;
   PatchSeries& found = chosen ? nearly : get(1, CertainlyCollapsed);
   this->PartSeries = &found;

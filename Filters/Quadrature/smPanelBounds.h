@@ -78,8 +78,6 @@ private:
   void MakeSeries(const Patch& patch, double size, PatchSeries& series) const;
   /// The tolerances have room for the change.
   bool Fits(const PatchSeries& series, const PanelPart& part) const;
-  /// The part is on its patch, but for rounding.
-  bool IsOnPatch(const Patch& patch) const;
   /// The changes of the integrands where points move by `moved` and derivatives by `slope`, if the patch has the radius and derivatives of
   /// at most `stretch`; and where the part leaves the patch.
   void FillChange(const Patch& patch, double moved, const double slope[2], double radius,

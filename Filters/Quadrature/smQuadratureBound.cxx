@@ -54,6 +54,21 @@ bool DirectionBound::AddEllipse(const EllipseRadius& radius, const std::vector<d
   return may;
 }
 
+bool DirectionBound::IsPastBest(int points) const
+{
+  const std::size_t count = this->Shares.size();
+  const std::size_t last = this->Radii.size() - 1;
+  for (std::size_t i = 0; last > 0 && i < count; ++i)
+  {
+    if (this->Factors[last * count + i] * this->Radii[last]->GetPower(points) <
+      this->Factors[(last - 1) * count + i] * this->Radii[last - 1]->GetPower(points))
+    {
+      return false;
+    }
+  }
+  return last > 0;
+}
+
 void DirectionBound::SetExactOrder(std::size_t integrand, int order)
 {
   this->ExactOrders[integrand] = std::min(this->ExactOrders[integrand], order);

@@ -46,6 +46,8 @@ public:
   /// be analytic. Returns false if the ellipse asks for more points of every integrand than one before it, so that larger ones
   /// will not ask for fewer: orders fall with the radius until the bounds rise faster.
   bool AddEllipse(const EllipseRadius& radius, const std::vector<double>& bounds);
+  /// Returns whether the last ellipse has a larger error of `points` points for every integrand than the one before it.
+  bool IsPastBest(int points) const;
   /// States that this integrand is a polynomial that `order` points integrate exactly.
   void SetExactOrder(std::size_t integrand, int order);
 

@@ -114,12 +114,11 @@ void RibbonPlanner::AddResidualError(const Ribbon& ribbon, const Majorants& real
     return;
   }
   // The faces' boundary moves by Ss ds + Sr dr, and sweeps |Ss x Sr| |ds r' - dr s'| of their area. The chain stays closed, and its
-  // volume changes by what the ribbon sweeps: a triangle of the gap and the displacement along the length. 2: these are
-  // known at nodes only.
+  // volume changes by what the ribbon sweeps: a triangle of the gap and the displacement along the length.
   const double area =
-    2.0 * this->Gap.GetNormalLength() * (ds * this->Gap.GetTrimSlope()[1] + dr * this->Gap.GetTrimSlope()[0]);
+    this->Gap.GetNormalLength() * (ds * this->Gap.GetTrimSlope()[1] + dr * this->Gap.GetTrimSlope()[0]);
   const double moved =
-    2.0 * (ds * this->Gap.GetStretch()[0] + dr * this->Gap.GetStretch()[1]) + residual.Edge;
+    ds * this->Gap.GetStretch()[0] + dr * this->Gap.GetStretch()[1] + residual.Edge;
   const double length = real.CurveSlope + real.GapSlope;
   const double reach = real.Curve + real.Gap;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
@@ -159,7 +158,10 @@ void RibbonPlanner::BoundAlong(bool sound, const Majorants& real, double share)
       break;
     }
     this->Bound(majorants, this->Bounds);
-    this->AlongT.AddEllipse(Radii[i], this->Bounds);
+    if (!this->AlongT.AddEllipse(Radii[i], this->Bounds) && this->AlongT.IsPastBest(LeastGapPoints))
+    {
+      break;
+    }
   }
 }
 
