@@ -297,46 +297,40 @@ void PanelBounds::BoundAcross(const Panel& panel)
     return;
   }
   const Ellipse real = Ellipse::FromRadius(1.0);
-  for (const EllipseRadius& radius : Radii)
-  {
-    const Ellipse s = this->Embed(Ellipse::FromRadius(radius.GetValue()), 0);
-    if (!this->Majorants->Evaluate(s, real, this->Request.Classes, this->Bounds))
+  SearchEllipses(Radii,
+    [&](const EllipseRadius& radius)
     {
-      return;
-    }
-    for (double& bound : this->Bounds)
-    {
-      bound *= this->Jacobian;
-    }
-    if (!this->AcrossXi.AddEllipse(radius, this->Bounds))
-    {
-      return;
-    }
-  }
+      const Ellipse s = this->Embed(Ellipse::FromRadius(radius.GetValue()), 0);
+      return this->AddEllipse(s, real, this->Jacobian, radius, this->AcrossXi);
+    });
 }
 
 void PanelBounds::BoundAlong(const PanelPart& part)
 {
-  for (const EllipseRadius& radius : Radii)
+  SearchEllipses(Radii,
+    [&](const EllipseRadius& radius)
+    {
+      const Ellipse t = Ellipse::FromRadius(radius.GetValue());
+      const Ellipse s = this->Trim.Map(t, 0, this->MajorantsBox, part.XiStart, part.XiEnd);
+      const Ellipse r = this->Trim.Map(t, 1, this->MajorantsBox, part.XiStart, part.XiEnd);
+      const double factor =
+        this->Trim.GetLargestS(t) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(t);
+      return this->AddEllipse(s, r, factor, radius, this->AlongT);
+    });
+}
+
+EllipseGain PanelBounds::AddEllipse(
+  const Ellipse& s, const Ellipse& r, double factor, const EllipseRadius& radius, DirectionBound& direction)
+{
+  if (!this->Majorants->Evaluate(s, r, this->Request.Classes, this->Bounds))
   {
-    const Ellipse t = Ellipse::FromRadius(radius.GetValue());
-    const Ellipse s = this->Trim.Map(t, 0, this->MajorantsBox, part.XiStart, part.XiEnd);
-    const Ellipse r = this->Trim.Map(t, 1, this->MajorantsBox, part.XiStart, part.XiEnd);
-    if (!this->Majorants->Evaluate(s, r, this->Request.Classes, this->Bounds))
-    {
-      return;
-    }
-    const double factor =
-      this->Trim.GetLargestS(t) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(t);
-    for (double& bound : this->Bounds)
-    {
-      bound *= factor;
-    }
-    if (!this->AlongT.AddEllipse(radius, this->Bounds))
-    {
-      return;
-    }
+    return EllipseGain::None;
   }
+  for (double& bound : this->Bounds)
+  {
+    bound *= factor;
+  }
+  return direction.AddEllipse(radius, this->Bounds) ? EllipseGain::Useful : EllipseGain::Worse;
 }
 
 void PanelBounds::SetPolynomialOrders(const Patch& patch)

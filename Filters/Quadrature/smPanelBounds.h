@@ -87,6 +87,9 @@ private:
   void ExpandTrim(const Panel& panel, const PanelPart& part);
   void Bound(const Panel& panel, const PanelPart& part);
   void BoundAcross(const Panel& panel);
+  /// Adds the bounds on the ellipses `s` and `r`, times `factor`, as those on the ellipse of a radius along a direction.
+  EllipseGain AddEllipse(const Ellipse& s, const Ellipse& r, double factor, const EllipseRadius& radius,
+    DirectionBound& direction);
   void BoundAlong(const PanelPart& part);
   void SetPolynomialOrders(const Patch& patch);
   /// An ellipse around the majorants' box that holds one around this part's.

@@ -54,19 +54,24 @@ bool DirectionBound::AddEllipse(const EllipseRadius& radius, const std::vector<d
   return may;
 }
 
-bool DirectionBound::IsPastBest(int points) const
+bool DirectionBound::IsLastBest(int points) const
 {
   const std::size_t count = this->Shares.size();
   const std::size_t last = this->Radii.size() - 1;
-  for (std::size_t i = 0; last > 0 && i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    if (this->Factors[last * count + i] * this->Radii[last]->GetPower(points) <
-      this->Factors[(last - 1) * count + i] * this->Radii[last - 1]->GetPower(points))
+    const double error = this->Factors[last * count + i] * this->Radii[last]->GetPower(points);
+    bool isBest = true;
+    for (std::size_t k = 0; isBest && k < last; ++k)
     {
-      return false;
+      isBest = error < this->Factors[k * count + i] * this->Radii[k]->GetPower(points);
+    }
+    if (isBest)
+    {
+      return true;
     }
   }
-  return last > 0;
+  return false;
 }
 
 void DirectionBound::SetExactOrder(std::size_t integrand, int order)

@@ -150,19 +150,23 @@ void RibbonPlanner::BoundAlong(bool sound, const Majorants& real, double share)
       : tolerance;
   }
   this->AlongT.Reset(this->Shares, LargestOrder);
-  for (std::size_t i = 0; sound && i < std::size(Radii); ++i)
+  if (!sound)
   {
-    Majorants majorants;
-    if (!this->Gap.Evaluate(Ellipse::FromRadius(Radii[i].GetValue()), majorants))
-    {
-      break;
-    }
-    this->Bound(majorants, this->Bounds);
-    if (!this->AlongT.AddEllipse(Radii[i], this->Bounds) && this->AlongT.IsPastBest(LeastGapPoints))
-    {
-      break;
-    }
+    return;
   }
+  SearchEllipses(Radii,
+    [&](const EllipseRadius& radius)
+    {
+      Majorants majorants;
+      if (!this->Gap.Evaluate(Ellipse::FromRadius(radius.GetValue()), majorants))
+      {
+        return EllipseGain::None;
+      }
+      this->Bound(majorants, this->Bounds);
+      return this->AlongT.AddEllipse(radius, this->Bounds) || this->AlongT.IsLastBest(LeastGapPoints)
+        ? EllipseGain::Useful
+        : EllipseGain::Worse;
+    });
 }
 
 int RibbonPlanner::ChooseOrder() const
