@@ -118,6 +118,8 @@ void PanelBounds::MakeSeries(const Patch& patch, double size, PatchSeries& serie
   series.Points.assign(points, points + (p + 1) * (q + 1));
   CollapseEdges(series.Points, p, q, size);
   series.Traits = FindPatchTraits(series.Points.data(), p, q);
+  series.Whole.ExpandPatch(
+    series.Points.data(), p, q, series.Traits, GetPatchBox(series.Traits), this->GetOrigin(patch));
   // The difference is a rational patch with the same weights.
   std::vector<std::array<double, 4>> moved = series.Points;
   for (std::size_t i = 0; i < moved.size(); ++i)
@@ -195,20 +197,9 @@ void PanelBounds::ExpandTrim(const Panel& panel, const PanelPart& part)
 bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part)
 {
   this->ExpandTrim(panel, part);
-  PatchSeries& series = this->GetSeries(panel, part);
+  const PatchSeries& series = this->GetSeries(panel, part);
   const ParameterBox box = GetPatchBox(series.Traits);
-  if (!IsInside(this->Box, box))
-  {
-    return false;
-  }
-  if (!series.IsExpanded)
-  {
-    const Patch& patch = this->Panels.Patches[panel.Patch];
-    series.Whole.Expand(
-      series.Points.data(), patch.Degree[0], patch.Degree[1], series.Traits, box, this->GetOrigin(patch));
-    series.IsExpanded = true;
-  }
-  if (!series.Whole.HasLength())
+  if (!IsInside(this->Box, box) || !series.Whole.HasLength())
   {
     return false;
   }

@@ -70,9 +70,7 @@ private:
     double Moved = 0.0;
     std::vector<double> Change;
     PatchTraits Traits;
-    /// Series of the whole patch, made when they are asked for.
     PatchMajorants Whole;
-    bool IsExpanded = false;
   };
   PatchSeries& GetSeries(const Panel& panel, const PanelPart& part);
   void MakeSeries(const Patch& patch, double size, PatchSeries& series) const;

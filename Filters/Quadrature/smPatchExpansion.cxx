@@ -311,8 +311,8 @@ void PatchMajorants::ExpandWithoutNormal(
   }
 }
 
-void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
-  const ParameterBox& box, const Vector3& origin)
+void PatchMajorants::ExpandSamples(const std::array<double, 4>* points, int p, int q,
+  const PatchTraits& traits, const ParameterBox& box, const Vector3& origin)
 {
   this->ExpandWithoutNormal(points, p, q, traits, box);
   this->ExpandDerivatives(points);
@@ -321,6 +321,12 @@ void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, c
     origin[2] + series[2] / series[3] };
   this->CenterDistance = Norm(fromOrigin);
   this->SampleNumerators(origin);
+}
+
+void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
+  const ParameterBox& box, const Vector3& origin)
+{
+  this->ExpandSamples(points, p, q, traits, box, origin);
   if (traits.PolynomialLength)
   {
     this->Transform<Components>(3 * p - 1, 3 * q - 1);
