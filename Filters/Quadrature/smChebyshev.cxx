@@ -15,11 +15,11 @@ ChebyshevRule::ChebyshevRule(int n)
   , Nodes(n)
   , WideNodes(n)
   , Values(n * n)
-  , Transform(n * n)
-  , WideTransform(n * n)
 {
   // cos(m pi / 2n): the argument of a high degree would be off by many u.
   std::vector<Wide> cosines(n + 1);
+  std::vector<Wide>& transform = std::get<std::vector<Wide>>(this->Transform);
+  transform.resize(n * n);
   for (int m = 0; m < n; ++m)
   {
     cosines[m] = std::cos(m * 1.570796326794896619231322L / n);
@@ -38,16 +38,17 @@ ChebyshevRule::ChebyshevRule(int n)
     {
       const Wide value = getCosine(k * (2 * i + 1));
       this->Values[i * n + k] = static_cast<double>(value);
-      this->WideTransform[k * n + i] = (k == 0 ? 1.0L : 2.0L) / n * value;
-      this->Transform[k * n + i] = static_cast<double>(this->WideTransform[k * n + i]);
+      transform[k * n + i] = (k == 0 ? 1.0L : 2.0L) / n * value;
     }
   }
+  std::get<std::vector<double>>(this->Transform).assign(transform.begin(), transform.end());
   if (n > MaximumDegree + 1)
   {
     return;
   }
   // Coefficient k of B_j is the sum of the transform times its values at the nodes.
-  this->FromBernstein.assign(n * n, 0.0L);
+  std::vector<Wide>& fromBernstein = std::get<std::vector<Wide>>(this->FromBernstein);
+  fromBernstein.resize(n * n);
   Wide basis[MaximumDegree + 1];
   for (int i = 0; i < n; ++i)
   {
@@ -56,10 +57,11 @@ ChebyshevRule::ChebyshevRule(int n)
     {
       for (int j = 0; j < n; ++j)
       {
-        this->FromBernstein[k * n + j] += this->WideTransform[k * n + i] * basis[j];
+        fromBernstein[k * n + j] += transform[k * n + i] * basis[j];
       }
     }
   }
+  std::get<std::vector<double>>(this->FromBernstein).assign(fromBernstein.begin(), fromBernstein.end());
 }
 
 const ChebyshevRule& ChebyshevRule::Get(int n)

@@ -6,6 +6,7 @@
 #define smChebyshev_h
 
 #include "smFiltersQuadratureModule.h"
+#include <tuple>
 #include <vector>
 
 namespace sm
@@ -26,12 +27,18 @@ public:
   long double GetWideNode(int i) const { return this->WideNodes[i]; }
   /// T_0 .. T_{n-1} at node i.
   const double* GetValues(int i) const { return this->Values.data() + i * this->Size; }
-  /// Row k: coefficient k is the sum of row[i] times sample i.
-  const double* GetTransform(int k) const { return this->Transform.data() + k * this->Size; }
-  /// The same in extended precision.
-  const long double* GetWideTransform(int k) const { return this->WideTransform.data() + k * this->Size; }
+  /// Row k: coefficient k is the sum of row[i] times sample i. In doubles or in extended precision.
+  template <class Real = double>
+  const Real* GetTransform(int k) const
+  {
+    return std::get<std::vector<Real>>(this->Transform).data() + k * this->Size;
+  }
   /// Row k: coefficient k is the sum of row[i] times the Bernstein coefficient i, of degree n - 1 on [0,1]. n <= 26.
-  const long double* GetFromBernstein(int k) const { return this->FromBernstein.data() + k * this->Size; }
+  template <class Real = double>
+  const Real* GetFromBernstein(int k) const
+  {
+    return std::get<std::vector<Real>>(this->FromBernstein).data() + k * this->Size;
+  }
 
 private:
   explicit ChebyshevRule(int n);
@@ -40,9 +47,8 @@ private:
   std::vector<double> Nodes;
   std::vector<long double> WideNodes;
   std::vector<double> Values;
-  std::vector<double> Transform;
-  std::vector<long double> WideTransform;
-  std::vector<long double> FromBernstein;
+  std::tuple<std::vector<double>, std::vector<long double>> Transform;
+  std::tuple<std::vector<double>, std::vector<long double>> FromBernstein;
 };
 
 /// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form: degree + 1 coefficients of
@@ -72,13 +78,13 @@ void ExpandBernstein(const Real* coefficients, int size, int degree, Real start,
   const ChebyshevRule& rule = ChebyshevRule::Get(degree + 1);
   for (int k = 0; k <= degree; ++k)
   {
-    const long double* row = rule.GetFromBernstein(k);
+    const Real* row = rule.GetFromBernstein<Real>(k);
     for (int d = 0; d < size; ++d)
     {
       Real sum = 0;
       for (int i = 0; i <= degree; ++i)
       {
-        sum += static_cast<Real>(row[i]) * part[size * i + d];
+        sum += row[i] * part[size * i + d];
       }
       series[size * k + d] = sum;
     }

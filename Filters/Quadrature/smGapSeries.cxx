@@ -7,24 +7,37 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace sm
 {
 namespace
 {
-constexpr double Radii[] = { 1.3, 1.6, 2.0, 2.5, 3.2, 4.2, 6.0, 9.0, 15.0, 30.0, 100.0 };
+constexpr double Radii[] = { 1.6, 2.5, 4.2, 9.0, 30.0 };
 // Nodes that cost less than to ask whether fewer would do, the least that are taken then, and the most.
 constexpr int AffordableNodes = 16;
 constexpr int FewNodes = 10;
 constexpr int MostNodes = 128;
 // The part of a plane's patch that is bilinear is known in double: rounding, relative to the steps of its corners.
 constexpr double LargestCorner = 1e-6;
+// Degrees from which on raising one saves time.
+constexpr int LeastRaised = 4;
+// Gaps wider than this, relative to the patch, are kept in extended precision throughout: where they are narrower the rounding of doubles is
+// that of a small number.
+constexpr double WideGap = 1e-6;
+
+template <class Real>
+constexpr double GetRoundoff()
+{
+  return std::is_same<Real, double>::value ? UnitRoundoff : WideRoundoff;
+}
 
 /// Roundings of a sum of Bernstein polynomials at start + (end - start) t, relative to its largest coefficient: 2n + 2 of the
-/// polynomials (smWideEvaluation.h), n + 1 of products and sums, 2 of the coefficients, and 3 of the parameter, which count 2n times.
-double GetCurveRoundings(int degree, double start, double end)
+/// polynomials (smWideEvaluation.h), n + 1 of products and sums, 3 of the coefficients, 3 of the parameter, which count 2n times, and 4 to
+/// raise the degree to n by one.
+double GetCurveRoundings(int degree, int raised, double start, double end)
 {
-  return (start == 0.0 && end == 1.0 ? 3.0 : 9.0) * degree + 5.0;
+  return 3.0 * raised + (start == 0.0 && end == 1.0 ? 0.0 : 6.0) * degree + 6.0 + 4.0 * (raised - degree);
 }
 
 /// The same of the n coefficients of ExpandBernstein(): its scheme rounds 6 times a degree; rows, the absolute values of which add up to
@@ -34,16 +47,19 @@ double GetSeriesRoundings(int n)
   return 30.0 * n * n;
 }
 
-/// The coefficients of a trim piece in the parameters of a patch.
-void FillLocal(const double* coefficients, int degree, const Patch& patch, Wide local[][2])
+/// i / n.
+Wide GetRatio(int i, int n)
 {
-  for (int i = 0; i <= degree; ++i)
+  static const std::vector<Wide> ratios = []()
   {
-    for (int d = 0; d < 2; ++d)
+    std::vector<Wide> table((MaximumDegree + 1) * (MaximumDegree + 1));
+    for (std::size_t at = MaximumDegree + 1; at < table.size(); ++at)
     {
-      local[i][d] = (static_cast<Wide>(coefficients[2 * i + d]) - patch.Start[d]) / patch.Width[d];
+      table[at] = static_cast<Wide>(at % (MaximumDegree + 1)) / (at / (MaximumDegree + 1));
     }
-  }
+    return table;
+  }();
+  return ratios[n * (MaximumDegree + 1) + i];
 }
 
 template <int Dimension>
@@ -54,7 +70,7 @@ void RaiseDegree(Wide coefficients[][Dimension], int from, int to)
     std::copy_n(coefficients[n - 1], Dimension, coefficients[n]);
     for (int i = n - 1; i > 0; --i)
     {
-      const Wide x = static_cast<Wide>(i) / n;
+      const Wide x = GetRatio(i, n);
       for (int d = 0; d < Dimension; ++d)
       {
         coefficients[i][d] = x * coefficients[i - 1][d] + (1 - x) * coefficients[i][d];
@@ -62,6 +78,76 @@ void RaiseDegree(Wide coefficients[][Dimension], int from, int to)
     }
   }
 }
+
+template <int Dimension>
+void SumBasis(const Wide* basis, const Wide coefficients[][Dimension], int degree, Wide* sums)
+{
+  for (int d = 0; d < Dimension; ++d)
+  {
+    // In a register: storing a wide number costs more than adding one.
+    Wide sum = 0;
+    for (int i = 0; i <= degree; ++i)
+    {
+      sum += basis[i] * coefficients[i][d];
+    }
+    sums[d] = sum;
+  }
+}
+
+bool ShareInterval(const Ribbon& ribbon)
+{
+  return ribbon.Start == ribbon.EdgeStart && ribbon.End == ribbon.EdgeEnd;
+}
+
+/// Returns whether a basis for both curves of a ribbon costs less than one for each.
+bool MayRaiseDegree(const Ribbon& ribbon)
+{
+  return ShareInterval(ribbon) &&
+    (ribbon.TrimDegree == ribbon.EdgeDegree || std::min(ribbon.TrimDegree, ribbon.EdgeDegree) >= LeastRaised);
+}
+
+/// The trim and edge pieces of a ribbon in extended precision: the trim's in the parameters of the patch, the edge's about its centre.
+struct WideCurves
+{
+  Wide Trim[MaximumDegree + 1][2];
+  Wide Edge[MaximumDegree + 1][3];
+  int TrimDegree;
+  int EdgeDegree;
+  bool Constant[2] = { true, true };
+
+  /// `raised`: both have the higher of their degrees.
+  WideCurves(const FacePanels& panels, const Ribbon& ribbon, bool raised)
+    : TrimDegree(ribbon.TrimDegree)
+    , EdgeDegree(ribbon.EdgeDegree)
+  {
+    const Patch& patch = panels.Patches[ribbon.Patch];
+    const double* trim = panels.Coefficients.data() + ribbon.Trim;
+    const double* edge = panels.Coefficients.data() + ribbon.Edge;
+    const Wide scale[2] = { 1 / static_cast<Wide>(patch.Width[0]), 1 / static_cast<Wide>(patch.Width[1]) };
+    for (int i = 0; i <= this->TrimDegree; ++i)
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        this->Trim[i][d] = (static_cast<Wide>(trim[2 * i + d]) - patch.Start[d]) * scale[d];
+        this->Constant[d] = this->Constant[d] && trim[2 * i + d] == trim[d];
+      }
+    }
+    for (int i = 0; i <= this->EdgeDegree; ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        this->Edge[i][c] = static_cast<Wide>(edge[3 * i + c]) - patch.Center[c];
+      }
+    }
+    if (raised)
+    {
+      const int degree = std::max(this->TrimDegree, this->EdgeDegree);
+      RaiseDegree<2>(this->Trim, this->TrimDegree, degree);
+      RaiseDegree<3>(this->Edge, this->EdgeDegree, degree);
+      this->TrimDegree = this->EdgeDegree = degree;
+    }
+  }
+};
 
 bool IsPolynomial(const std::array<double, 4>* points, int count)
 {
@@ -75,15 +161,16 @@ const std::array<double, 4>* GapSeries::GetPoints(const Ribbon& ribbon) const
   return this->Panels.Points.data() + this->Panels.Patches[ribbon.Patch].FirstPoint;
 }
 
+template <class Real>
 void GapSeries::ExpandEdge(const Ribbon& ribbon, double start, double end)
 {
-  const Wide width = static_cast<Wide>(ribbon.EdgeEnd) - ribbon.EdgeStart;
+  const Real width = static_cast<Real>(ribbon.EdgeEnd) - ribbon.EdgeStart;
   const int n = ribbon.EdgeDegree + 1;
   const double* coefficients = this->Panels.Coefficients.data() + ribbon.Edge;
-  Wide edge[3 * (MaximumDegree + 1)];
-  Wide series[3 * (MaximumDegree + 1)];
+  Real edge[3 * (MaximumDegree + 1)];
+  Real series[3 * (MaximumDegree + 1)];
   std::copy_n(coefficients, 3 * n, edge);
-  ExpandBernstein<Wide>(
+  ExpandBernstein<Real>(
     edge, 3, ribbon.EdgeDegree, ribbon.EdgeStart + width * start, ribbon.EdgeStart + width * end, series);
   this->Curve.resize(n);
   double largest = 0.0;
@@ -92,7 +179,7 @@ void GapSeries::ExpandEdge(const Ribbon& ribbon, double start, double end)
     std::copy_n(series + 3 * k, 3, this->Curve[k].begin());
     largest = std::max(largest, Norm(coefficients + 3 * k));
   }
-  this->CurveNoise = WideRoundoff * GetSeriesRoundings(n) * largest;
+  this->CurveNoise = std::sqrt(3.0) * GetRoundoff<Real>() * GetSeriesRoundings(n) * largest;
   double center[3];
   for (int c = 0; c < 3; ++c)
   {
@@ -101,12 +188,45 @@ void GapSeries::ExpandEdge(const Ribbon& ribbon, double start, double end)
   this->CurveDistance = Norm(center);
 }
 
+template <class Real>
+void GapSeries::TransformSamples(const std::vector<std::array<Wide, 4>>& samples, double largest)
+{
+  const int nodes = static_cast<int>(samples.size());
+  const ChebyshevRule& rule = ChebyshevRule::Get(nodes);
+  static thread_local std::vector<std::array<Real, 4>> values;
+  values.resize(nodes);
+  for (int i = 0; i < nodes; ++i)
+  {
+    std::copy_n(samples[i].begin(), 4, values[i].begin());
+  }
+  this->Gap.resize(nodes);
+  for (int k = 0; k < nodes; ++k)
+  {
+    const Real* row = rule.GetTransform<Real>(k);
+    Real sum[4] = {};
+    for (int i = 0; i < nodes; ++i)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        sum[c] += row[i] * values[i][c];
+      }
+    }
+    std::copy_n(sum, 4, this->Gap[k].begin());
+    double& weight = this->Gap[k][3];
+    if (k > 0 && std::abs(weight) <= 16.0 * UnitRoundoff * this->Gap[0][3])
+    {
+      weight = 0.0;
+    }
+  }
+  // Coefficients are sums of n terms; the values of a row add up to 2 at most.
+  this->Noise = std::sqrt(3.0) * GetRoundoff<Real>() * 2.0 * nodes * (nodes + 6.0) * largest;
+}
+
 bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
 {
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
   const std::array<double, 4>* p = this->GetPoints(ribbon);
-  if (patch.Degree[0] != 1 || patch.Degree[1] != 1 || !IsPolynomial(p, 4) ||
-    ribbon.Start != ribbon.EdgeStart || ribbon.End != ribbon.EdgeEnd)
+  if (patch.Degree[0] != 1 || patch.Degree[1] != 1 || !IsPolynomial(p, 4) || !ShareInterval(ribbon))
   {
     return false;
   }
@@ -128,41 +248,33 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   {
     return false;
   }
-  const int degree = std::max(ribbon.TrimDegree, ribbon.EdgeDegree);
-  Wide local[MaximumDegree + 1][2];
-  Wide edge[MaximumDegree + 1][3];
-  FillLocal(this->Panels.Coefficients.data() + ribbon.Trim, ribbon.TrimDegree, patch, local);
-  const double* coefficients = this->Panels.Coefficients.data() + ribbon.Edge;
-  for (int i = 0; i <= ribbon.EdgeDegree; ++i)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      edge[i][c] = static_cast<Wide>(coefficients[3 * i + c]) - patch.Center[c];
-    }
-  }
-  RaiseDegree<2>(local, ribbon.TrimDegree, degree);
-  RaiseDegree<3>(edge, ribbon.EdgeDegree, degree);
-
+  const WideCurves curves(this->Panels, ribbon, true);
+  const int degree = curves.TrimDegree;
+  const Wide(&local)[MaximumDegree + 1][2] = curves.Trim;
   double size = 0.0;
   double largest = 0.0;
   double farthest = 1.0;
-  Wide gap[MaximumDegree + 1][3];
+  double gap[MaximumDegree + 1][3];
   for (int c = 0; c < 3; ++c)
   {
     for (int i = 0; i <= degree; ++i)
     {
-      const Wide curve = edge[i][c] * w;
+      const Wide curve = curves.Edge[i][c] * w;
       const Wide moved[2] = { local[i][0] * along[0][c], local[i][1] * along[1][c] };
-      gap[i][c] = curve - (p[0][c] + moved[0] + moved[1]);
+      gap[i][c] = static_cast<double>(curve - (p[0][c] + moved[0] + moved[1]));
       size = std::max({ size, static_cast<double>(std::abs(curve)), static_cast<double>(std::abs(moved[0])),
         static_cast<double>(std::abs(moved[1])), std::abs(p[0][c]) });
-      largest = std::max(largest, static_cast<double>(std::abs(gap[i][c])));
+      largest = std::max(largest, std::abs(gap[i][c]));
       farthest = std::max(farthest, static_cast<double>(std::abs(local[i][0]) + std::abs(local[i][1])));
     }
   }
-  Wide series[MaximumDegree + 1][3];
-  const Wide width = static_cast<Wide>(ribbon.End) - ribbon.Start;
-  ExpandBernstein<Wide>(
+  if (largest > WideGap * patch.Radius * w)
+  {
+    return false;
+  }
+  double series[MaximumDegree + 1][3];
+  const double width = ribbon.End - ribbon.Start;
+  ExpandBernstein<double>(
     &gap[0][0], 3, degree, ribbon.Start + width * start, ribbon.Start + width * end, &series[0][0]);
 
   const int trim = corner > 0.0 ? this->Trim.GetDegree() : 0;
@@ -191,12 +303,14 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   }
   this->Rough = false;
   this->Tail = 0.0;
-  // Roundings of every coordinate: 20 of the terms and their sum, 4 in each of three terms to raise the degree by one, and those of the
-  // series. The trim's series are doubles, but matter to d alone.
+  // Roundings of every coordinate: 20 of the terms and their sum, 4 in each of three terms to raise the degree by one. The series of the
+  // gap and of the trim are doubles: the one is small, the other matters to d alone.
   const int raised = std::abs(ribbon.TrimDegree - ribbon.EdgeDegree);
   this->Noise = std::sqrt(3.0) *
-    (WideRoundoff * ((20.0 + 12.0 * raised) * size + GetSeriesRoundings(degree + 1) * largest) +
-      UnitRoundoff * 2.0 * GetSeriesRoundings(trim + 1) * farthest * farthest * corner);
+    (WideRoundoff * (20.0 + 12.0 * raised) * size +
+      UnitRoundoff *
+        (GetSeriesRoundings(degree + 1) * largest +
+          2.0 * GetSeriesRoundings(trim + 1) * farthest * farthest * corner));
 
   for (int k = 0; k < 2; ++k)
   {
@@ -276,73 +390,55 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
 {
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
   const ChebyshevRule& rule = ChebyshevRule::Get(nodes);
-  Wide local[MaximumDegree + 1][2];
-  FillLocal(this->Panels.Coefficients.data() + ribbon.Trim, ribbon.TrimDegree, patch, local);
-  const double* coefficients = this->Panels.Coefficients.data() + ribbon.Edge;
-  const bool together = ribbon.TrimDegree == ribbon.EdgeDegree && ribbon.Start == ribbon.EdgeStart &&
-    ribbon.End == ribbon.EdgeEnd;
+  const bool together = MayRaiseDegree(ribbon);
+  const WideCurves curves(this->Panels, ribbon, together);
+  const WidePatch net(this->GetPoints(ribbon), patch.Degree[0], patch.Degree[1],
+    curves.Constant[0] ? &curves.Trim[0][0] : nullptr, curves.Constant[1] ? &curves.Trim[0][1] : nullptr);
   static thread_local std::vector<std::array<Wide, 4>> samples;
   samples.resize(nodes);
-  this->Stretch = this->TrimSlope = { 0.0, 0.0 };
-  this->NormalLength = 0.0;
+  const bool onPatch = this->BoundTangents(patch);
   double largest = 0.0;
   double weight = 0.0;
+  const Wide width = static_cast<Wide>(ribbon.End) - ribbon.Start;
+  const Wide edgeWidth = static_cast<Wide>(ribbon.EdgeEnd) - ribbon.EdgeStart;
   for (int i = 0; i < nodes; ++i)
   {
     const Wide t = start + (static_cast<Wide>(end) - start) * 0.5L * (1.0L + rule.GetWideNode(i));
     Wide basis[MaximumDegree + 1];
-    FillWideBasis(
-      ribbon.TrimDegree, ribbon.Start + (static_cast<Wide>(ribbon.End) - ribbon.Start) * t, basis);
-    Wide at[2] = { 0, 0 };
-    for (int k = 0; k <= ribbon.TrimDegree; ++k)
-    {
-      at[0] += basis[k] * local[k][0];
-      at[1] += basis[k] * local[k][1];
-    }
+    FillWideBasis(curves.TrimDegree, ribbon.Start + width * t, basis);
+    Wide at[2];
+    SumBasis<2>(basis, curves.Trim, curves.TrimDegree, at);
     Wide h[4];
-    EvaluatePatch(this->GetPoints(ribbon), patch.Degree[0], patch.Degree[1], at[0], at[1], h);
+    net.Evaluate(at[0], at[1], h);
     if (!together)
     {
-      FillWideBasis(ribbon.EdgeDegree,
-        ribbon.EdgeStart + (static_cast<Wide>(ribbon.EdgeEnd) - ribbon.EdgeStart) * t, basis);
+      FillWideBasis(curves.EdgeDegree, ribbon.EdgeStart + edgeWidth * t, basis);
     }
+    Wide edge[3];
+    SumBasis<3>(basis, curves.Edge, curves.EdgeDegree, edge);
     for (int c = 0; c < 3; ++c)
     {
-      Wide edge = 0;
-      for (int k = 0; k <= ribbon.EdgeDegree; ++k)
-      {
-        edge += basis[k] * (static_cast<Wide>(coefficients[3 * k + c]) - patch.Center[c]);
-      }
-      samples[i][c] = edge * h[3] - h[c];
+      samples[i][c] = edge[c] * h[3] - h[c];
       largest = std::max(largest, static_cast<double>(std::abs(samples[i][c])));
     }
     samples[i][3] = h[3];
     weight = std::max(weight, static_cast<double>(h[3]));
-    this->SampleTangents(ribbon, rule.GetNode(i));
+    if (!onPatch)
+    {
+      this->SampleTangents(ribbon, { static_cast<double>(at[0]), static_cast<double>(at[1]) });
+    }
   }
-  this->Gap.assign(nodes, {});
-  for (int k = 0; k < nodes; ++k)
+  if (largest > WideGap * weight * patch.Radius)
   {
-    const Wide* row = rule.GetWideTransform(k);
-    std::array<double, 4>& to = this->Gap[k];
-    for (int c = 0; c < 4; ++c)
-    {
-      Wide sum = 0;
-      for (int i = 0; i < nodes; ++i)
-      {
-        sum += row[i] * samples[i][c];
-      }
-      to[c] = static_cast<double>(sum);
-    }
-    if (k > 0 && std::abs(to[3]) <= 16.0 * UnitRoundoff * this->Gap[0][3])
-    {
-      to[3] = 0.0;
-    }
+    this->TransformSamples<Wide>(samples, largest);
+    this->ExpandEdge<Wide>(ribbon, start, end);
   }
-  // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant. Coefficients are sums
-  // of n terms; the values of a row add up to 2 at most.
-  this->Noise = this->GetSampleNoise(ribbon, weight) * (1.0 + std::log(static_cast<double>(nodes))) +
-    std::sqrt(3.0) * WideRoundoff * 2.0 * nodes * (nodes + 6.0) * largest;
+  else
+  {
+    this->TransformSamples<double>(samples, largest);
+  }
+  // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant.
+  this->Noise += this->GetSampleNoise(ribbon, weight) * (1.0 + std::log(static_cast<double>(nodes)));
 }
 
 double GapSeries::GetSampleNoise(const Ribbon& ribbon, double weight) const
@@ -380,10 +476,14 @@ double GapSeries::GetSampleNoise(const Ribbon& ribbon, double weight) const
       coefficients[3 * i + 1] - patch.Center[1], coefficients[3 * i + 2] - patch.Center[2] };
     edge = std::max(edge, Norm(offset));
   }
+  const bool together = MayRaiseDegree(ribbon);
+  const int raised = std::max(ribbon.TrimDegree, ribbon.EdgeDegree);
+  const int trimRaised = together ? raised : ribbon.TrimDegree;
+  const int edgeRaised = together ? raised : ribbon.EdgeDegree;
   return WideRoundoff * weight *
     (3.0 * (p + q + 3) * (patch.Radius + edge) +
-      GetCurveRoundings(ribbon.EdgeDegree, ribbon.EdgeStart, ribbon.EdgeEnd) * edge +
-      GetCurveRoundings(ribbon.TrimDegree, ribbon.Start, ribbon.End) *
+      GetCurveRoundings(ribbon.EdgeDegree, edgeRaised, ribbon.EdgeStart, ribbon.EdgeEnd) * edge +
+      GetCurveRoundings(ribbon.TrimDegree, trimRaised, ribbon.Start, ribbon.End) *
         (local[0] * this->Stretch[0] + local[1] * this->Stretch[1]));
 }
 
@@ -399,20 +499,31 @@ GapSeries::Remainder GapSeries::GetRemainder(const Majorants& real) const
     (gapSlope + gap * real.WeightSlope) / real.Weight };
 }
 
-void GapSeries::SampleTangents(const Ribbon& ribbon, double x)
+bool GapSeries::BoundTangents(const Patch& patch)
 {
-  const std::array<double, 2> at = this->Trim.Evaluate(x);
-  const std::array<double, 2> slope = this->Trim.EvaluateDerivative(x);
+  const bool onPatch = this->Trim.IsOnPatch(patch);
+  const double growth = onPatch ? TrimSeries::OnPatchGrowth : 0.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    this->Stretch[d] = growth * patch.Stretch[d];
+    this->TrimSlope[d] = this->Trim.GetLargestSlope(Ellipse::FromRadius(1.0), d);
+  }
+  this->NormalLength = growth * growth * Norm(patch.Normal);
+  return onPatch;
+}
+
+void GapSeries::SampleTangents(const Ribbon& ribbon, const std::array<double, 2>& at)
+{
   double position[3];
   double tangent[2][3];
   EvaluatePatch(this->Panels.Patches[ribbon.Patch], this->GetPoints(ribbon), at[0], at[1], position,
     tangent[0], tangent[1]);
   for (int d = 0; d < 2; ++d)
   {
-    this->Stretch[d] = std::max(this->Stretch[d], Norm(tangent[d]));
-    this->TrimSlope[d] = std::max(this->TrimSlope[d], std::abs(slope[d]));
+    this->Stretch[d] = std::max(this->Stretch[d], 2.0 * Norm(tangent[d]));
   }
-  this->NormalLength = std::max(this->NormalLength, Norm(Cross(tangent[0], tangent[1]).data()));
+  this->NormalLength =
+    std::max(this->NormalLength, 2.0 * Norm(Cross(tangent[0], tangent[1]).data()));
 }
 
 void GapSeries::Summarize()
@@ -468,7 +579,7 @@ void GapSeries::Expand(const Ribbon& ribbon, double start, double end)
   const double width = ribbon.End - ribbon.Start;
   this->Trim.Expand(this->Panels.Coefficients.data() + ribbon.Trim, ribbon.TrimDegree, patch,
     ribbon.Start + width * start, ribbon.Start + width * end);
-  this->ExpandEdge(ribbon, start, end);
+  this->ExpandEdge<double>(ribbon, start, end);
   if (!this->ExpandOnPlane(ribbon, start, end))
   {
     const int nodes = this->ChooseNodes(ribbon);

@@ -51,23 +51,29 @@ public:
   /// The series leave more of U than rounding does.
   bool IsRough() const { return this->Rough; }
 
-  /// Largest values at nodes: |Ss|, |Sr|; |Ss x Sr|; |ds/dt|, |dr/dt|.
+  /// No less than |Ss|, |Sr|; |Ss x Sr|; |ds/dt|, |dr/dt| along the part: bounds, but for a trim curve that leaves its patch.
   const std::array<double, 2>& GetStretch() const { return this->Stretch; }
   double GetNormalLength() const { return this->NormalLength; }
   const std::array<double, 2>& GetTrimSlope() const { return this->TrimSlope; }
 
 private:
   const std::array<double, 4>* GetPoints(const Ribbon& ribbon) const;
+  template <class Real>
   void ExpandEdge(const Ribbon& ribbon, double start, double end);
   /// The closed form: on a parallelogram, for curves that share their parameter. Returns false elsewhere.
   bool ExpandOnPlane(const Ribbon& ribbon, double start, double end);
   /// Nodes that determine U and w, but for a Tail.
   int ChooseNodes(const Ribbon& ribbon);
   void Sample(const Ribbon& ribbon, double start, double end, int nodes);
+  /// Gap and Noise from samples of U, the largest of which is `largest`, and w.
+  template <class Real>
+  void TransformSamples(const std::vector<std::array<Wide, 4>>& samples, double largest);
   /// Bound of the rounding of the samples of U, the weights of which are at most `weight`; Stretch is known.
   double GetSampleNoise(const Ribbon& ribbon, double weight) const;
-  /// Stretch, TrimSlope and NormalLength at x in [-1,1].
-  void SampleTangents(const Ribbon& ribbon, double x);
+  /// Sets TrimSlope, and Stretch and NormalLength from the patch's. Returns false, with these 0, where the trim curve leaves the patch.
+  bool BoundTangents(const Patch& patch);
+  /// Raises Stretch and NormalLength to twice the values at a sample: a guess of the largest.
+  void SampleTangents(const Ribbon& ribbon, const std::array<double, 2>& at);
   /// The sums of Evaluate().
   void Summarize();
 

@@ -22,11 +22,6 @@ constexpr double Margin = 1e-6;
 // room for it, and those that always are.
 constexpr double NearlyCollapsed = 1e-9;
 constexpr double CertainlyCollapsed = 1e-15;
-// A part that leaves its patch by d, relative to it, has the patch's bounds of positions and derivatives, and of what was moved, times
-// OnPatchGrowth, as long as n r d <= OnPatch, n = p + q, r: ratio of neighbours' weights. For the Bernstein polynomials' negative terms sum
-// to at most (1 + r d)^n - 1 times the positive ones.
-constexpr double OnPatch = 1e-3;
-constexpr double OnPatchGrowth = 1.01;
 // The part of a panel's tolerance that what was moved may take.
 constexpr double LargestChange = 0.25;
 
@@ -65,14 +60,6 @@ double GetIntegrandChange(const BoundClass& c, double moved, double turned, doub
     : c.Kind == BoundClass::AreaMoment    ? moment(k)
     : c.Kind == BoundClass::HeightMoment  ? moment(k + 1)
                                           : moment(k + 1) / (3 + k);
-}
-
-bool PanelBounds::IsOnPatch(const Patch& patch) const
-{
-  const double factor = (patch.Degree[0] + patch.Degree[1]) * patch.WeightRatio;
-  const auto isNear = [factor](double beyond) { return factor * beyond <= OnPatch; };
-  return isNear(-this->Trim.GetLow(0)) && isNear(-this->Trim.GetLow(1)) &&
-    isNear(this->Trim.GetHigh(0) - 1.0) && isNear(this->Trim.GetHigh(1) - 1.0);
 }
 
 void PanelBounds::FillChange(const Patch& patch, double moved, const double slope[2], double radius,
@@ -115,7 +102,7 @@ void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector
 const std::vector<double>& PanelBounds::GetChange()
 {
   const PatchSeries& series = *this->PartSeries;
-  if (series.Change.empty() || this->IsOnPatch(*this->PartPatch))
+  if (series.Change.empty() || this->Trim.IsOnPatch(*this->PartPatch))
   {
     return series.Change;
   }
@@ -131,6 +118,8 @@ void PanelBounds::MakeSeries(const Patch& patch, double size, PatchSeries& serie
   series.Points.assign(points, points + (p + 1) * (q + 1));
   CollapseEdges(series.Points, p, q, size);
   series.Traits = FindPatchTraits(series.Points.data(), p, q);
+  series.Whole.ExpandPatch(
+    series.Points.data(), p, q, series.Traits, GetPatchBox(series.Traits), this->GetOrigin(patch));
   // The difference is a rational patch with the same weights.
   std::vector<std::array<double, 4>> moved = series.Points;
   for (std::size_t i = 0; i < moved.size(); ++i)
@@ -145,7 +134,7 @@ void PanelBounds::MakeSeries(const Patch& patch, double size, PatchSeries& serie
   series.Moved = difference.Radius;
   if (series.Moved > 0.0)
   {
-    const auto grown = [](double x) { return OnPatchGrowth * x; };
+    const auto grown = [](double x) { return TrimSeries::OnPatchGrowth * x; };
     const double slope[2] = { grown(difference.Stretch[0]), grown(difference.Stretch[1]) };
     const double stretch[2] = { grown(patch.Stretch[0]), grown(patch.Stretch[1]) };
     this->FillChange(patch, grown(series.Moved), slope, grown(patch.Radius), stretch, series.Change);
@@ -181,7 +170,7 @@ PanelBounds::PatchSeries& PanelBounds::GetSeries(const Panel& panel, const Panel
   };
   PatchSeries& nearly = get(0, NearlyCollapsed);
   const bool certain = nearly.Moved <= CertainlyCollapsed * patch.Radius;
-  const bool chosen = certain || (this->IsOnPatch(patch) && this->Fits(nearly, part));
+  const bool chosen = certain || (this->Trim.IsOnPatch(patch) && this->Fits(nearly, part));
   this->PartPatch = &patch;
   PatchSeries& found = chosen ? nearly : get(1, CertainlyCollapsed);
   this->PartSeries = &found;
@@ -208,20 +197,9 @@ void PanelBounds::ExpandTrim(const Panel& panel, const PanelPart& part)
 bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part)
 {
   this->ExpandTrim(panel, part);
-  PatchSeries& series = this->GetSeries(panel, part);
+  const PatchSeries& series = this->GetSeries(panel, part);
   const ParameterBox box = GetPatchBox(series.Traits);
-  if (!IsInside(this->Box, box))
-  {
-    return false;
-  }
-  if (!series.IsExpanded)
-  {
-    const Patch& patch = this->Panels.Patches[panel.Patch];
-    series.Whole.Expand(
-      series.Points.data(), patch.Degree[0], patch.Degree[1], series.Traits, box, this->GetOrigin(patch));
-    series.IsExpanded = true;
-  }
-  if (!series.Whole.HasLength())
+  if (!IsInside(this->Box, box) || !series.Whole.HasLength())
   {
     return false;
   }
@@ -310,46 +288,40 @@ void PanelBounds::BoundAcross(const Panel& panel)
     return;
   }
   const Ellipse real = Ellipse::FromRadius(1.0);
-  for (const EllipseRadius& radius : Radii)
-  {
-    const Ellipse s = this->Embed(Ellipse::FromRadius(radius.GetValue()), 0);
-    if (!this->Majorants->Evaluate(s, real, this->Request.Classes, this->Bounds))
+  SearchEllipses(Radii,
+    [&](const EllipseRadius& radius)
     {
-      return;
-    }
-    for (double& bound : this->Bounds)
-    {
-      bound *= this->Jacobian;
-    }
-    if (!this->AcrossXi.AddEllipse(radius, this->Bounds))
-    {
-      return;
-    }
-  }
+      const Ellipse s = this->Embed(Ellipse::FromRadius(radius.GetValue()), 0);
+      return this->AddEllipse(s, real, this->Jacobian, radius, this->AcrossXi);
+    });
 }
 
 void PanelBounds::BoundAlong(const PanelPart& part)
 {
-  for (const EllipseRadius& radius : Radii)
+  SearchEllipses(Radii,
+    [&](const EllipseRadius& radius)
+    {
+      const Ellipse t = Ellipse::FromRadius(radius.GetValue());
+      const Ellipse s = this->Trim.Map(t, 0, this->MajorantsBox, part.XiStart, part.XiEnd);
+      const Ellipse r = this->Trim.Map(t, 1, this->MajorantsBox, part.XiStart, part.XiEnd);
+      const double factor =
+        this->Trim.GetLargestS(t) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(t);
+      return this->AddEllipse(s, r, factor, radius, this->AlongT);
+    });
+}
+
+EllipseGain PanelBounds::AddEllipse(
+  const Ellipse& s, const Ellipse& r, double factor, const EllipseRadius& radius, DirectionBound& direction)
+{
+  if (!this->Majorants->Evaluate(s, r, this->Request.Classes, this->Bounds))
   {
-    const Ellipse t = Ellipse::FromRadius(radius.GetValue());
-    const Ellipse s = this->Trim.Map(t, 0, this->MajorantsBox, part.XiStart, part.XiEnd);
-    const Ellipse r = this->Trim.Map(t, 1, this->MajorantsBox, part.XiStart, part.XiEnd);
-    if (!this->Majorants->Evaluate(s, r, this->Request.Classes, this->Bounds))
-    {
-      return;
-    }
-    const double factor =
-      this->Trim.GetLargestS(t) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(t);
-    for (double& bound : this->Bounds)
-    {
-      bound *= factor;
-    }
-    if (!this->AlongT.AddEllipse(radius, this->Bounds))
-    {
-      return;
-    }
+    return EllipseGain::None;
   }
+  for (double& bound : this->Bounds)
+  {
+    bound *= factor;
+  }
+  return direction.AddEllipse(radius, this->Bounds) ? EllipseGain::Useful : EllipseGain::Worse;
 }
 
 void PanelBounds::SetPolynomialOrders(const Patch& patch)

@@ -70,16 +70,12 @@ private:
     double Moved = 0.0;
     std::vector<double> Change;
     PatchTraits Traits;
-    /// Series of the whole patch, made when they are asked for.
     PatchMajorants Whole;
-    bool IsExpanded = false;
   };
   PatchSeries& GetSeries(const Panel& panel, const PanelPart& part);
   void MakeSeries(const Patch& patch, double size, PatchSeries& series) const;
   /// The tolerances have room for the change.
   bool Fits(const PatchSeries& series, const PanelPart& part) const;
-  /// The part is on its patch, but for rounding.
-  bool IsOnPatch(const Patch& patch) const;
   /// The changes of the integrands where points move by `moved` and derivatives by `slope`, if the patch has the radius and derivatives of
   /// at most `stretch`; and where the part leaves the patch.
   void FillChange(const Patch& patch, double moved, const double slope[2], double radius,
@@ -89,6 +85,9 @@ private:
   void ExpandTrim(const Panel& panel, const PanelPart& part);
   void Bound(const Panel& panel, const PanelPart& part);
   void BoundAcross(const Panel& panel);
+  /// Adds the bounds on the ellipses `s` and `r`, times `factor`, as those on the ellipse of a radius along a direction.
+  EllipseGain AddEllipse(const Ellipse& s, const Ellipse& r, double factor, const EllipseRadius& radius,
+    DirectionBound& direction);
   void BoundAlong(const PanelPart& part);
   void SetPolynomialOrders(const Patch& patch);
   /// An ellipse around the majorants' box that holds one around this part's.

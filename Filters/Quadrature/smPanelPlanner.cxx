@@ -12,9 +12,11 @@ namespace sm
 namespace
 {
 // Halvings of a panel, and parts of it, before the area is compared instead of bounded. An isolated point without a
-// normal needs some 12 halvings in both directions until what is left is below its share.
+// normal needs some 12 halvings in both directions until what is left is below its share, with a few parts of each depth. Along a line
+// without normals they double with every other halving, and no depth is enough.
 constexpr int LargestDepth = 30;
 constexpr std::size_t MostParts = 128;
+constexpr std::size_t MostAbreast = 16;
 // The same where moments, too, want more points than one part may have: weights that differ a lot.
 constexpr std::size_t MostPartsOfMoments = 8192;
 // A higher exact order costs more than the one that a bound asks for.
@@ -339,8 +341,10 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
     this->Keep(index, part, along, across, false, noise);
     return;
   }
-  const std::size_t most = this->FindOrders(share, false, along, across) ? MostParts : MostPartsOfMoments;
-  if (part.Depth < LargestDepth && this->Pending.size() + this->Parts < most)
+  const bool canCompare = this->FindOrders(share, false, along, across);
+  if (part.Depth < LargestDepth &&
+    this->Pending.size() + this->Parts < (canCompare ? MostParts : MostPartsOfMoments) &&
+    (!canCompare || this->Abreast <= MostAbreast))
   {
     const bool inXi = found ? kinks[0] >= kinks[1] : this->ChooseDirection(part) == 1;
     PanelPart halves[2] = { part, part };
@@ -374,6 +378,10 @@ void PanelPlanner::Plan(std::uint32_t index)
   for (std::size_t next = 0; next < this->Pending.size(); ++next)
   {
     const PanelPart part = this->Pending[next];
+    if (next == 0 || part.Depth != this->Pending[next - 1].Depth)
+    {
+      this->Abreast = this->Pending.size() - next;
+    }
     const std::size_t before = this->Pending.size();
     this->PlanPart(index, part);
     this->Parts += this->Pending.size() == before ? 1 : 0;

@@ -47,6 +47,8 @@ private:
   PanelBounds Bounds;
   std::vector<PanelPart> Pending;
   std::size_t Parts = 0;
+  /// Number of the parts of the present depth.
+  std::size_t Abreast = 0;
   std::vector<double> Dropped;
 };
 }

@@ -16,6 +16,21 @@ namespace
 constexpr int MostKept = 12;
 constexpr double NoiseSize = 2e-16; // times the number of coefficients in both directions
 
+/// The sum of `count` factors times points of four numbers, which lie `stride` numbers apart.
+inline void SumFours(const double* factors, const double* points, int count, int stride, double* sum)
+{
+  // In registers: the compiler cannot know that `sum` lies apart.
+  double value[4] = {};
+  for (int i = 0; i < count; ++i)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      value[c] += factors[i] * points[stride * i + c];
+    }
+  }
+  std::copy_n(value, 4, sum);
+}
+
 /// Chebyshev coefficients k of the Bernstein polynomials j of a degree on [middle - half, middle + half]: row k.
 void MakeConversion(int degree, double middle, double half, std::vector<double>& conversion)
 {
@@ -46,35 +61,22 @@ void PatchMajorants::ExpandNet(const double* net, int countS, int countR, std::v
   MakeConversion(countS - 1, this->Box.Middle[0], this->Box.Half[0], toS);
   MakeConversion(countR - 1, this->Box.Middle[1], this->Box.Half[1], toR);
   const int columns = this->P + 1;
-  this->Scratch.assign(4 * static_cast<std::size_t>(countS) * countR, 0.0);
+  this->Scratch.resize(4 * static_cast<std::size_t>(countS) * countR);
   for (int j = 0; j < countR; ++j)
   {
     for (int k = 0; k < countS; ++k)
     {
-      double* to = this->Scratch.data() + 4 * (k + countS * j);
-      for (int i = 0; i < countS; ++i)
-      {
-        const double factor = toS[k * countS + i];
-        const double* point = net + 4 * (i + countS * j);
-        for (int c = 0; c < 4; ++c)
-        {
-          to[c] += factor * point[c];
-        }
-      }
+      SumFours(toS.data() + k * countS, net + 4 * countS * j, countS, 4,
+        this->Scratch.data() + 4 * (k + countS * j));
     }
   }
   series.assign(4 * static_cast<std::size_t>(columns) * (this->Q + 1), 0.0);
   for (int l = 0; l < countR; ++l)
   {
-    for (int j = 0; j < countR; ++j)
+    for (int k = 0; k < countS; ++k)
     {
-      const double factor = toR[l * countR + j];
-      const double* from = this->Scratch.data() + 4 * countS * j;
-      double* to = series.data() + 4 * columns * l;
-      for (int e = 0; e < 4 * countS; ++e)
-      {
-        to[e] += factor * from[e];
-      }
+      SumFours(toR.data() + l * countR, this->Scratch.data() + 4 * k, countR, 4 * countS,
+        series.data() + 4 * (k + columns * l));
     }
   }
 }
@@ -129,36 +131,21 @@ void PatchMajorants::SampleNumerators(const Vector3& origin)
   {
     // The three series at this s: a line of rows each.
     const double* t = ruleS.GetValues(a);
-    std::fill(lines.begin(), lines.end(), 0.0);
     for (int f = 0; f < 3; ++f)
     {
       for (int l = 0; l < rows; ++l)
       {
-        const double* from = this->Series[f].data() + 4 * columns * l;
-        double* to = lines.data() + 4 * (rows * f + l);
-        for (int k = 0; k < columns; ++k)
-        {
-          for (int c = 0; c < 4; ++c)
-          {
-            to[c] += t[k] * from[4 * k + c];
-          }
-        }
+        SumFours(t, this->Series[f].data() + 4 * columns * l, columns, 4, lines.data() + 4 * (rows * f + l));
       }
     }
     const double s = this->Box.Middle[0] + this->Box.Half[0] * ruleS.GetNode(a);
     for (int b = 0; b < countR; ++b)
     {
       const double* tr = ruleR.GetValues(b);
-      double h[3][4] = {};
+      double h[3][4];
       for (int f = 0; f < 3; ++f)
       {
-        for (int l = 0; l < rows; ++l)
-        {
-          for (int c = 0; c < 4; ++c)
-          {
-            h[f][c] += tr[l] * lines[4 * (rows * f + l) + c];
-          }
-        }
+        SumFours(tr, lines.data() + 4 * rows * f, rows, 4, h[f]);
       }
       const Vector3 sr = Cross(h[1], h[2]);
       const Vector3 rp = Cross(h[2], h[0]);
@@ -324,8 +311,8 @@ void PatchMajorants::ExpandWithoutNormal(
   }
 }
 
-void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
-  const ParameterBox& box, const Vector3& origin)
+void PatchMajorants::ExpandSamples(const std::array<double, 4>* points, int p, int q,
+  const PatchTraits& traits, const ParameterBox& box, const Vector3& origin)
 {
   this->ExpandWithoutNormal(points, p, q, traits, box);
   this->ExpandDerivatives(points);
@@ -334,6 +321,12 @@ void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, c
     origin[2] + series[2] / series[3] };
   this->CenterDistance = Norm(fromOrigin);
   this->SampleNumerators(origin);
+}
+
+void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
+  const ParameterBox& box, const Vector3& origin)
+{
+  this->ExpandSamples(points, p, q, traits, box, origin);
   if (traits.PolynomialLength)
   {
     this->Transform<Components>(3 * p - 1, 3 * q - 1);

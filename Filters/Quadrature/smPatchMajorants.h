@@ -62,6 +62,9 @@ public:
   /// x = origin + P / w.
   void Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
     const ParameterBox& box, const std::array<double, 3>& origin);
+  /// The same of a whole patch; also finds the traits of its normals. `traits` has those of FindPatchTraits().
+  void ExpandPatch(const std::array<double, 4>* points, int p, int q, PatchTraits& traits,
+    const ParameterBox& box, const std::array<double, 3>& origin);
   /// Only what EvaluatePosition() needs.
   void ExpandWithoutNormal(
     const std::array<double, 4>* points, int p, int q, const PatchTraits& traits, const ParameterBox& box);
@@ -93,8 +96,6 @@ public:
   int GetVaryingDirection() const;
 
 private:
-  friend PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q);
-
   struct Table
   {
     int CountS = 0;
@@ -119,6 +120,9 @@ private:
   bool MeasureLengthDeviation(double allowed, double largest, double& square) const;
   /// |m~| is a polynomial on the box.
   bool IsPolynomialLength() const;
+  /// Expand() up to the samples of the numerators.
+  void ExpandSamples(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
+    const ParameterBox& box, const std::array<double, 3>& origin);
   void ExpandNet(const double* net, int countS, int countR, std::vector<double>& series);
   void ExpandDerivatives(const std::array<double, 4>* points);
   void SampleNumerators(const std::array<double, 3>& origin);

@@ -143,37 +143,42 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
   {
     traits.Collapsed[edge] = IsCollapsed(points, p, q, edge, CollapsedSize * GetSize(points, count));
   }
+  return traits;
+}
 
-  PatchMajorants patch;
-  patch.P = p;
-  patch.Q = q;
-  patch.Box = { { 0.5, 0.5 }, { 0.5, 0.5 } };
-  patch.Traits = traits;
-  patch.ExpandNet(points->data(), p + 1, q + 1, patch.Series[0]);
-  patch.ExpandDerivatives(points);
-  patch.SampleNumerators({ 0.0, 0.0, 0.0 });
+void PatchMajorants::ExpandPatch(const std::array<double, 4>* points, int p, int q, PatchTraits& traits,
+  const ParameterBox& box, const Vector3& origin)
+{
+  this->ExpandSamples(points, p, q, traits, box, origin);
+  const int countS = 3 * p - 1;
+  const int countR = 3 * q - 1;
   const double tolerance = LengthTolerance * (p + q);
   const double* longest = nullptr;
-  const double largest = patch.FindLongestSample(longest);
+  const double largest = this->FindLongestSample(longest);
   double acrossBound = 0.0;
-  const double across = patch.MeasureAcross(longest, acrossBound);
+  const double across = this->MeasureAcross(longest, acrossBound);
   if (across <= tolerance * largest)
   {
     traits.ConstantDirection = true;
     // Across the mean direction of a box on which |m~| varies by less than 2 it is at most three times as much as across the
     // longest sample's.
     traits.SquareDeviation = 9.0 * acrossBound * acrossBound;
-    return traits;
   }
-  if (!MayBePolynomialLength(patch.Samples.data(), 3 * p - 1, 3 * q - 1,
-        [&](double x, double y) { return tolerance * largest * patch.EvaluateCube(x, y); }))
+  const bool mayBePolynomial = !traits.ConstantDirection &&
+    MayBePolynomialLength(this->Samples.data(), countS, countR,
+      [&](double x, double y) { return tolerance * largest * this->EvaluateCube(x, y); });
+  if (mayBePolynomial)
   {
-    return traits;
+    this->Transform<Components>(countS, countR);
+    traits.PolynomialLength =
+      this->MeasureLengthDeviation(tolerance * largest, largest, traits.SquareDeviation);
   }
-  patch.Transform<PatchMajorants::Components>(3 * p - 1, 3 * q - 1);
-  traits.PolynomialLength =
-    patch.MeasureLengthDeviation(tolerance * largest, largest, traits.SquareDeviation);
-  return traits;
+  else
+  {
+    this->Transform<Components - 1>(countS, countR);
+  }
+  this->Traits = traits;
+  this->MakeTables(countS, countR);
 }
 
 double PatchMajorants::EvaluateCube(double x, double y) const

@@ -27,7 +27,8 @@ struct PatchTraits
   double SquareDeviation = 0.0;
 };
 
-/// Points are those of the patch: (p+1) x (q+1), s fastest, homogeneous relative to its centre.
+/// Polynomial and Collapsed; PatchMajorants::ExpandPatch() finds the others. Points are those of the patch: (p+1) x (q+1), s fastest,
+/// homogeneous relative to its centre.
 SMFILTERSQUADRATURE_EXPORT PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q);
 
 /// Moves the control points of every edge that are within `size` times the patch's of one another to one point: a pole whose

@@ -54,6 +54,26 @@ bool DirectionBound::AddEllipse(const EllipseRadius& radius, const std::vector<d
   return may;
 }
 
+bool DirectionBound::IsLastBest(int points) const
+{
+  const std::size_t count = this->Shares.size();
+  const std::size_t last = this->Radii.size() - 1;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double error = this->Factors[last * count + i] * this->Radii[last]->GetPower(points);
+    bool isBest = true;
+    for (std::size_t k = 0; isBest && k < last; ++k)
+    {
+      isBest = error < this->Factors[k * count + i] * this->Radii[k]->GetPower(points);
+    }
+    if (isBest)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void DirectionBound::SetExactOrder(std::size_t integrand, int order)
 {
   this->ExactOrders[integrand] = std::min(this->ExactOrders[integrand], order);

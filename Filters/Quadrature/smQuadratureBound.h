@@ -35,6 +35,28 @@ private:
   double Powers[MostPoints + 1];
 };
 
+/// Whether the bounds on an ellipse ask for no more points than those of ellipses before it; None: there may be no bounds on it.
+enum class EllipseGain
+{
+  None,
+  Worse,
+  Useful
+};
+
+/// Tries ellipses from a middle one outwards and inwards, as long as they are useful: errors fall with the radius until the bounds rise
+/// faster. `add` takes an EllipseRadius and returns an EllipseGain.
+template <std::size_t Count, class Add>
+void SearchEllipses(const EllipseRadius (&radii)[Count], const Add& add)
+{
+  constexpr std::size_t first = Count / 2;
+  for (std::size_t i = first; i < Count && add(radii[i]) == EllipseGain::Useful; ++i)
+  {
+  }
+  for (std::size_t i = first; i-- > 0 && add(radii[i]) != EllipseGain::Worse;)
+  {
+  }
+}
+
 /// Bounds of several integrands along one direction, on a number of ellipses, and the orders that they allow.
 class DirectionBound
 {
@@ -46,6 +68,8 @@ public:
   /// be analytic. Returns false if the ellipse asks for more points of every integrand than one before it, so that larger ones
   /// will not ask for fewer: orders fall with the radius until the bounds rise faster.
   bool AddEllipse(const EllipseRadius& radius, const std::vector<double>& bounds);
+  /// Returns whether the last ellipse has a smaller error of `points` points for some integrand than all before it.
+  bool IsLastBest(int points) const;
   /// States that this integrand is a polynomial that `order` points integrate exactly.
   void SetExactOrder(std::size_t integrand, int order);
 

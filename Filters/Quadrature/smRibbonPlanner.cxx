@@ -114,12 +114,11 @@ void RibbonPlanner::AddResidualError(const Ribbon& ribbon, const Majorants& real
     return;
   }
   // The faces' boundary moves by Ss ds + Sr dr, and sweeps |Ss x Sr| |ds r' - dr s'| of their area. The chain stays closed, and its
-  // volume changes by what the ribbon sweeps: a triangle of the gap and the displacement along the length. 2: these are
-  // known at nodes only.
+  // volume changes by what the ribbon sweeps: a triangle of the gap and the displacement along the length.
   const double area =
-    2.0 * this->Gap.GetNormalLength() * (ds * this->Gap.GetTrimSlope()[1] + dr * this->Gap.GetTrimSlope()[0]);
+    this->Gap.GetNormalLength() * (ds * this->Gap.GetTrimSlope()[1] + dr * this->Gap.GetTrimSlope()[0]);
   const double moved =
-    2.0 * (ds * this->Gap.GetStretch()[0] + dr * this->Gap.GetStretch()[1]) + residual.Edge;
+    ds * this->Gap.GetStretch()[0] + dr * this->Gap.GetStretch()[1] + residual.Edge;
   const double length = real.CurveSlope + real.GapSlope;
   const double reach = real.Curve + real.Gap;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
@@ -151,16 +150,23 @@ void RibbonPlanner::BoundAlong(bool sound, const Majorants& real, double share)
       : tolerance;
   }
   this->AlongT.Reset(this->Shares, LargestOrder);
-  for (std::size_t i = 0; sound && i < std::size(Radii); ++i)
+  if (!sound)
   {
-    Majorants majorants;
-    if (!this->Gap.Evaluate(Ellipse::FromRadius(Radii[i].GetValue()), majorants))
-    {
-      break;
-    }
-    this->Bound(majorants, this->Bounds);
-    this->AlongT.AddEllipse(Radii[i], this->Bounds);
+    return;
   }
+  SearchEllipses(Radii,
+    [&](const EllipseRadius& radius)
+    {
+      Majorants majorants;
+      if (!this->Gap.Evaluate(Ellipse::FromRadius(radius.GetValue()), majorants))
+      {
+        return EllipseGain::None;
+      }
+      this->Bound(majorants, this->Bounds);
+      return this->AlongT.AddEllipse(radius, this->Bounds) || this->AlongT.IsLastBest(LeastGapPoints)
+        ? EllipseGain::Useful
+        : EllipseGain::Worse;
+    });
 }
 
 int RibbonPlanner::ChooseOrder() const

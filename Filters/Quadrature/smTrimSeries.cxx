@@ -9,20 +9,6 @@ namespace
 {
 // A box must have an inside. Wider than need be is right, too.
 constexpr double SmallestHalfWidth = 5e-7;
-
-double SumSeries(const std::vector<double>& series, double x)
-{
-  // Clenshaw's recurrence.
-  double b1 = 0.0;
-  double b2 = 0.0;
-  for (std::size_t k = series.size(); k-- > 1;)
-  {
-    const double b = series[k] + 2.0 * x * b1 - b2;
-    b2 = b1;
-    b1 = b;
-  }
-  return series[0] + x * b1 - b2;
-}
 }
 
 void TrimSeries::Expand(const double* coefficients, int degree, const Patch& patch, double start, double end)
@@ -76,14 +62,12 @@ bool TrimSeries::IsConstantInS() const
   return this->Low[0] == this->High[0];
 }
 
-std::array<double, 2> TrimSeries::Evaluate(double x) const
+bool TrimSeries::IsOnPatch(const Patch& patch) const
 {
-  return { SumSeries(this->Series[0], x), SumSeries(this->Series[1], x) };
-}
-
-std::array<double, 2> TrimSeries::EvaluateDerivative(double x) const
-{
-  return { SumSeries(this->Derivative[0], x), SumSeries(this->Derivative[1], x) };
+  const double factor = (patch.Degree[0] + patch.Degree[1]) * patch.WeightRatio;
+  const double beyond =
+    std::max({ -this->Low[0], -this->Low[1], this->High[0] - 1.0, this->High[1] - 1.0 });
+  return factor * beyond <= 1e-3;
 }
 
 ParameterBox TrimSeries::GetBox(double xiStart, double xiEnd) const

@@ -28,9 +28,12 @@ public:
   /// Interval of s (0) or r (1): contains the piece, and hardly more.
   double GetLow(int direction) const { return this->Low[direction]; }
   double GetHigh(int direction) const { return this->High[direction]; }
-  /// s (0) or r (1), and its derivative in t mapped to [0,1], at x in [-1,1].
-  std::array<double, 2> Evaluate(double x) const;
-  std::array<double, 2> EvaluateDerivative(double x) const;
+
+  /// A piece that leaves its patch by d, relative to it, has the patch's bounds of positions and derivatives times OnPatchGrowth, as long
+  /// as n r d <= 1e-3, n = p + q, r: ratio of neighbours' weights. For the Bernstein polynomials' negative terms sum to at most
+  /// (1 + r d)^n - 1 times the positive ones.
+  bool IsOnPatch(const Patch& patch) const;
+  static constexpr double OnPatchGrowth = 1.01;
 
   /// The box of {(xi s(t), r(t))} for xi in [xiStart, xiEnd], not thinner than 1e-6.
   ParameterBox GetBox(double xiStart, double xiEnd) const;
