@@ -47,53 +47,6 @@ double GetSeriesRoundings(int n)
   return 30.0 * n * n;
 }
 
-/// i / n.
-Wide GetRatio(int i, int n)
-{
-  static const std::vector<Wide> ratios = []()
-  {
-    std::vector<Wide> table((MaximumDegree + 1) * (MaximumDegree + 1));
-    for (std::size_t at = MaximumDegree + 1; at < table.size(); ++at)
-    {
-      table[at] = static_cast<Wide>(at % (MaximumDegree + 1)) / (at / (MaximumDegree + 1));
-    }
-    return table;
-  }();
-  return ratios[n * (MaximumDegree + 1) + i];
-}
-
-template <int Dimension>
-void RaiseDegree(Wide coefficients[][Dimension], int from, int to)
-{
-  for (int n = from + 1; n <= to; ++n)
-  {
-    std::copy_n(coefficients[n - 1], Dimension, coefficients[n]);
-    for (int i = n - 1; i > 0; --i)
-    {
-      const Wide x = GetRatio(i, n);
-      for (int d = 0; d < Dimension; ++d)
-      {
-        coefficients[i][d] = x * coefficients[i - 1][d] + (1 - x) * coefficients[i][d];
-      }
-    }
-  }
-}
-
-template <int Dimension>
-void SumBasis(const Wide* basis, const Wide coefficients[][Dimension], int degree, Wide* sums)
-{
-  for (int d = 0; d < Dimension; ++d)
-  {
-    // In a register: storing a wide number costs more than adding one.
-    Wide sum = 0;
-    for (int i = 0; i <= degree; ++i)
-    {
-      sum += basis[i] * coefficients[i][d];
-    }
-    sums[d] = sum;
-  }
-}
-
 bool ShareInterval(const Ribbon& ribbon)
 {
   return ribbon.Start == ribbon.EdgeStart && ribbon.End == ribbon.EdgeEnd;
@@ -105,49 +58,6 @@ bool MayRaiseDegree(const Ribbon& ribbon)
   return ShareInterval(ribbon) &&
     (ribbon.TrimDegree == ribbon.EdgeDegree || std::min(ribbon.TrimDegree, ribbon.EdgeDegree) >= LeastRaised);
 }
-
-/// The trim and edge pieces of a ribbon in extended precision: the trim's in the parameters of the patch, the edge's about its centre.
-struct WideCurves
-{
-  Wide Trim[MaximumDegree + 1][2];
-  Wide Edge[MaximumDegree + 1][3];
-  int TrimDegree;
-  int EdgeDegree;
-  bool Constant[2] = { true, true };
-
-  /// `raised`: both have the higher of their degrees.
-  WideCurves(const FacePanels& panels, const Ribbon& ribbon, bool raised)
-    : TrimDegree(ribbon.TrimDegree)
-    , EdgeDegree(ribbon.EdgeDegree)
-  {
-    const Patch& patch = panels.Patches[ribbon.Patch];
-    const double* trim = panels.Coefficients.data() + ribbon.Trim;
-    const double* edge = panels.Coefficients.data() + ribbon.Edge;
-    const Wide scale[2] = { 1 / static_cast<Wide>(patch.Width[0]), 1 / static_cast<Wide>(patch.Width[1]) };
-    for (int i = 0; i <= this->TrimDegree; ++i)
-    {
-      for (int d = 0; d < 2; ++d)
-      {
-        this->Trim[i][d] = (static_cast<Wide>(trim[2 * i + d]) - patch.Start[d]) * scale[d];
-        this->Constant[d] = this->Constant[d] && trim[2 * i + d] == trim[d];
-      }
-    }
-    for (int i = 0; i <= this->EdgeDegree; ++i)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        this->Edge[i][c] = static_cast<Wide>(edge[3 * i + c]) - patch.Center[c];
-      }
-    }
-    if (raised)
-    {
-      const int degree = std::max(this->TrimDegree, this->EdgeDegree);
-      RaiseDegree<2>(this->Trim, this->TrimDegree, degree);
-      RaiseDegree<3>(this->Edge, this->EdgeDegree, degree);
-      this->TrimDegree = this->EdgeDegree = degree;
-    }
-  }
-};
 
 bool IsPolynomial(const std::array<double, 4>* points, int count)
 {
@@ -522,8 +432,7 @@ void GapSeries::SampleTangents(const Ribbon& ribbon, const std::array<double, 2>
   {
     this->Stretch[d] = std::max(this->Stretch[d], 2.0 * Norm(tangent[d]));
   }
-  this->NormalLength =
-    std::max(this->NormalLength, 2.0 * Norm(Cross(tangent[0], tangent[1]).data()));
+  this->NormalLength = std::max(this->NormalLength, 2.0 * Norm(Cross(tangent[0], tangent[1]).data()));
 }
 
 void GapSeries::Summarize()

@@ -20,6 +20,38 @@ const std::array<std::array<double, MaximumDegree + 1>, MaximumDegree + 1> Binom
   }
   return rows;
 }();
+
+/// i / n.
+Wide GetRatio(int i, int n)
+{
+  static const std::vector<Wide> ratios = []()
+  {
+    std::vector<Wide> table((MaximumDegree + 1) * (MaximumDegree + 1));
+    for (std::size_t at = MaximumDegree + 1; at < table.size(); ++at)
+    {
+      table[at] = static_cast<Wide>(at % (MaximumDegree + 1)) / (at / (MaximumDegree + 1));
+    }
+    return table;
+  }();
+  return ratios[n * (MaximumDegree + 1) + i];
+}
+
+template <int Dimension>
+void RaiseDegree(Wide coefficients[][Dimension], int from, int to)
+{
+  for (int n = from + 1; n <= to; ++n)
+  {
+    std::copy_n(coefficients[n - 1], Dimension, coefficients[n]);
+    for (int i = n - 1; i > 0; --i)
+    {
+      const Wide x = GetRatio(i, n);
+      for (int d = 0; d < Dimension; ++d)
+      {
+        coefficients[i][d] = x * coefficients[i - 1][d] + (1 - x) * coefficients[i][d];
+      }
+    }
+  }
+}
 }
 
 void FillWideBasis(int degree, Wide t, Wide* basis)
@@ -35,6 +67,38 @@ void FillWideBasis(int degree, Wide t, Wide* basis)
   {
     power *= 1 - t;
     basis[i] *= power;
+  }
+}
+
+WideCurves::WideCurves(const FacePanels& panels, const Ribbon& ribbon, bool raised)
+  : TrimDegree(ribbon.TrimDegree)
+  , EdgeDegree(ribbon.EdgeDegree)
+{
+  const Patch& patch = panels.Patches[ribbon.Patch];
+  const double* trim = panels.Coefficients.data() + ribbon.Trim;
+  const double* edge = panels.Coefficients.data() + ribbon.Edge;
+  const Wide scale[2] = { 1 / static_cast<Wide>(patch.Width[0]), 1 / static_cast<Wide>(patch.Width[1]) };
+  for (int i = 0; i <= this->TrimDegree; ++i)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      this->Trim[i][d] = (static_cast<Wide>(trim[2 * i + d]) - patch.Start[d]) * scale[d];
+      this->Constant[d] = this->Constant[d] && trim[2 * i + d] == trim[d];
+    }
+  }
+  for (int i = 0; i <= this->EdgeDegree; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Edge[i][c] = static_cast<Wide>(edge[3 * i + c]) - patch.Center[c];
+    }
+  }
+  if (raised)
+  {
+    const int degree = std::max(this->TrimDegree, this->EdgeDegree);
+    RaiseDegree<2>(this->Trim, this->TrimDegree, degree);
+    RaiseDegree<3>(this->Edge, this->EdgeDegree, degree);
+    this->TrimDegree = this->EdgeDegree = degree;
   }
 }
 
@@ -74,15 +138,7 @@ void WidePatch::Evaluate(Wide s, Wide r, Wide h[4]) const
   {
     const int degree = this->Degree[this->Constant[0] ? 1 : 0];
     FillWideBasis(degree, this->Constant[0] ? r : s, basis[0]);
-    for (int c = 0; c < 4; ++c)
-    {
-      Wide value = 0;
-      for (int i = 0; i <= degree; ++i)
-      {
-        value += basis[0][i] * this->Curve[i][c];
-      }
-      h[c] = value;
-    }
+    SumBasis<4>(basis[0], this->Curve, degree, h);
     return;
   }
   const auto [p, q] = this->Degree;

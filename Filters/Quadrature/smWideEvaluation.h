@@ -5,7 +5,7 @@
 #ifndef smWideEvaluation_h
 #define smWideEvaluation_h
 
-#include "smBezierPatch.h"
+#include "smFacePanels.h"
 
 #include <array>
 
@@ -15,6 +15,36 @@ using Wide = long double;
 
 /// B_i^degree(t), i = 0 .. degree: products of powers, each with at most 2 degree + 2 roundings.
 void FillWideBasis(int degree, Wide t, Wide* basis);
+
+/// Sums of a basis times coefficients.
+template <int Dimension>
+void SumBasis(const Wide* basis, const Wide coefficients[][Dimension], int degree, Wide* sums)
+{
+  for (int d = 0; d < Dimension; ++d)
+  {
+    // In a register: storing a wide number costs more than adding one.
+    Wide sum = 0;
+    for (int i = 0; i <= degree; ++i)
+    {
+      sum += basis[i] * coefficients[i][d];
+    }
+    sums[d] = sum;
+  }
+}
+
+/// The trim and edge pieces of a ribbon: the trim's in the parameters of the patch, the edge's about its centre.
+struct WideCurves
+{
+  Wide Trim[MaximumDegree + 1][2];
+  Wide Edge[MaximumDegree + 1][3];
+  int TrimDegree;
+  int EdgeDegree;
+  /// The trim does not change in s, in r.
+  bool Constant[2] = { true, true };
+
+  /// `raised`: both get the higher of their degrees.
+  WideCurves(const FacePanels& panels, const Ribbon& ribbon, bool raised);
+};
 
 /// A patch of degrees p and q, or the curve on it where a parameter is constant.
 class WidePatch
