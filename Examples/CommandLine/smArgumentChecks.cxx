@@ -2,6 +2,7 @@
 
 #include "smFileJob.h"
 #include "smMaterialFile.h"
+#include "smOptionValues.h"
 #include "smText.h"
 #include "smUserIntegrals.h"
 

@@ -1,6 +1,7 @@
 #include "smArgumentOptions.h"
 
 #include "smArgumentChecks.h"
+#include "smOptionValues.h"
 
 #include <algorithm>
 #include <iterator>

@@ -5,6 +5,7 @@
 #include "smInputFile.h"
 #include "smMaterialFile.h"
 #include "smMeshFile.h"
+#include "smOptionValues.h"
 #include "smOutputFiles.h"
 #include "smReport.h"
 #include "smUserExpression.h"

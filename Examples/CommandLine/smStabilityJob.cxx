@@ -3,6 +3,7 @@
 #include "smBodyBox.h"
 #include "smMassPropertyNames.h"
 #include "smMessageList.h"
+#include "smOptionValues.h"
 #include "smQuantities.h"
 #include "smStabilityNames.h"
 #include "smText.h"

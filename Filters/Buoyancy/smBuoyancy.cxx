@@ -1,4 +1,5 @@
 #include "smBuoyancy.h"
+#include "smBodyScales.h"
 #include "smChainExtent.h"
 #include "smParallelFor.h"
 #include "smSubmergedStrips.h"

@@ -1,4 +1,5 @@
 #include "smWaterlineFrame.h"
+#include "smBodyScales.h"
 #include "smPlacementError.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"

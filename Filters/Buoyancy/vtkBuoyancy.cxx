@@ -1,6 +1,7 @@
 #include "vtkBuoyancy.h"
 
 #include "smBodyMeshes.h"
+#include "smBodyScales.h"
 #include "smBuoyancy.h"
 #include "smBuoyancyNames.h"
 #include "smColumns.h"

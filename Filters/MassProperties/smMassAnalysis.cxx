@@ -1,5 +1,6 @@
 #include "smMassAnalysis.h"
 
+#include "smBodyScales.h"
 #include "smFormat.h"
 #include "smMassIntegrands.h"
 #include "smMoments.h"

@@ -1,5 +1,6 @@
 #include "smMassGlyphs.h"
 
+#include "smBodyScales.h"
 #include "smMassPropertyNames.h"
 
 #include "vtkAppendPolyData.h"

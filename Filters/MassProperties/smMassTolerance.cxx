@@ -1,6 +1,7 @@
 #include "smMassTolerance.h"
 
 #include "smBodyIntegrals.h"
+#include "smBodyScales.h"
 #include "smFormat.h"
 #include "smMassPropertyNames.h"
 

@@ -1,5 +1,6 @@
 #include "smPartShape.h"
 
+#include "smBodyScales.h"
 #include "smIntegralEngine.h"
 #include "smVector.h"
 

@@ -1,5 +1,6 @@
 #include "smSelfCrossing.h"
 
+#include "smBodyScales.h"
 #include "smFormat.h"
 #include "smMassIntegrands.h"
 #include "smMeshTriangles.h"

@@ -1,5 +1,6 @@
 #include "smSchemeRun.h"
 
+#include "smBodyScales.h"
 #include "smCPUSchemeRunner.h"
 #include "smColumns.h"
 #include "smGPUSchemeRunner.h"

@@ -1,6 +1,7 @@
 #include "vtkSolidSection.h"
 
 #include "smBodyMeshes.h"
+#include "smBodyScales.h"
 #include "smColumns.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"

@@ -1,6 +1,7 @@
 #include "smBodyBox.h"
 
 #include "smBodyIntegrals.h"
+#include "smBodyScales.h"
 #include "smGroundContact.h"
 #include "smSupportedBody.h"
 

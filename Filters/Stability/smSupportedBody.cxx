@@ -1,5 +1,6 @@
 #include "smSupportedBody.h"
 
+#include "smBodyScales.h"
 #include "smStabilityNames.h"
 
 #include "vtkBoundingBox.h"

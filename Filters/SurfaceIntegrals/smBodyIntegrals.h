@@ -22,7 +22,6 @@
 #include <string>
 #include <vector>
 
-class vtkBoundingBox;
 class vtkDataObject;
 
 namespace sm
@@ -135,18 +134,6 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void ReverseShells(
 
 /// Sets the values of a body for which nothing was computed to NaN, one per integrand, and adds a message.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SetUnknown(BodyIntegrals& body, std::size_t integrands);
-
-/// Returns xmin, xmax, ymin … about the model's origin; computed from the control points if the model has no box.
-SMFILTERSSURFACEINTEGRALS_EXPORT std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model);
-/// Adds the eight corners of a body's box, in the body's placement, to `box`.
-SMFILTERSSURFACEINTEGRALS_EXPORT void AddPlacedBox(const BodyIntegrals& body, vtkBoundingBox& box);
-/// Returns half the diagonal of the model's box.
-SMFILTERSSURFACEINTEGRALS_EXPORT double GetRadius(vtkTrimmedNURBSModel& model);
-/// Returns the approximate largest distance of a placed body from the world origin.
-SMFILTERSSURFACEINTEGRALS_EXPORT double GetReach(const BodyIntegrals& body);
-/// Return the scales of relative tolerances; computed from the bounding box if the reader sets none.
-SMFILTERSSURFACEINTEGRALS_EXPORT double GetVolumeScale(vtkTrimmedNURBSModel& model);
-SMFILTERSSURFACEINTEGRALS_EXPORT double GetAreaScale(vtkTrimmedNURBSModel& model);
 }
 
 #endif

@@ -1,5 +1,6 @@
 #include "smFlaggedPlaces.h"
 
+#include "smBodyScales.h"
 #include "smFormat.h"
 #include "smIntegralNames.h"
 #include "smMeshTriangles.h"

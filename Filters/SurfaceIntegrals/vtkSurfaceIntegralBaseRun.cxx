@@ -2,6 +2,7 @@
 #include "vtkSurfaceIntegralBase.h"
 
 #include "smBodyMeshes.h"
+#include "smBodyScales.h"
 #include "smBodySelection.h"
 #include "smColumns.h"
 #include "smFailureReason.h"

@@ -68,13 +68,15 @@ private:
   void AddShapes(Index i);
   void AddItems(Index representation);
   void AddPlacedShapes();
+  void MarkStructure();
+  void ReportDamagedStructure();
+
+  // smSTEPInstances.cxx: how often products and shapes occur
   void CountAll();
   void PassDensity(Index from, Index to);
   void FindSolidsBelow();
   void ReportCycles(const std::vector<std::uint32_t>& open);
   void SetInstances();
-  void MarkStructure();
-  void ReportDamagedStructure();
 
   // smSTEPBodies.cxx: bodies, shells, faces
   void AddBodies();

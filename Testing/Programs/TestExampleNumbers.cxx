@@ -1,6 +1,7 @@
 // TestExampleNumbers [commas]: the command line prints and reads numbers with a decimal point, in the locale "C" or, with `commas`, in
 // de_DE.UTF-8 of LOCPATH.
 #include "smArguments.h"
+#include "smOptionValues.h"
 #include "smReport.h"
 #include "smStabilityJob.h"
 #include "smTesting.h"

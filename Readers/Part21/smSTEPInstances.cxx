@@ -1,0 +1,204 @@
+// How often the products and shapes of a census occur, and with what density.
+#include "smSTEPCensusTaker.h"
+#include "smSTEPDensities.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+/// A density that nothing has been said of.
+constexpr double Unknown = -1.0;
+
+/// The density of something in two places: theirs where they agree, else NaN.
+void JoinDensity(double passed, double& density)
+{
+  density = density == Unknown || density == passed ? passed : std::numeric_limits<double>::quiet_NaN();
+}
+}
+
+/// A product's own density goes before those of the assemblies that it is in.
+void STEPCensusTaker::PassDensity(Index from, Index to)
+{
+  const std::vector<STEPDensity>& stated = this->Census.Densities;
+  const std::uint64_t product = this->File.GetId(from);
+  const auto own = std::lower_bound(stated.begin(), stated.end(), product,
+    [](const STEPDensity& density, std::uint64_t id) { return density.Product < id; });
+  const bool hasOwn = own != stated.end() && own->Product == product && own->Density > 0.0;
+  // NaN stays NaN.
+  const double passed = hasOwn ? own->Density : std::max(this->DensitiesOfEntities[from], 0.0);
+  JoinDensity(passed, this->DensitiesOfEntities[to]);
+}
+
+void STEPCensusTaker::CountAll()
+{
+  const Index count = this->File.GetNumberOfInstances();
+  std::vector<std::uint32_t> incoming(count, 0);
+  for (const Arc& arc : this->Arcs)
+  {
+    ++incoming[arc.To];
+  }
+  this->Counts.assign(count, 0);
+  this->Census.Densities = ReadSTEPDensities(this->Entities);
+  this->DensitiesOfEntities.assign(count, Unknown);
+  this->Census.WithoutProducts = this->ShapesOfProducts.empty();
+  std::vector<Index> open;
+  for (Index i = 0; i < count; ++i)
+  {
+    const bool product = this->Entities.Has(i, STEPRole::ProductDefinition);
+    const bool shape = this->Groups[i] == i && this->Entities.Has(i, STEPRole::Representation) &&
+      !this->Entities.Has(i, STEPRole::DefinitionalRepresentation);
+    if ((product || shape) && incoming[i] == 0)
+    {
+      this->Counts[i] = product || this->Census.WithoutProducts ? 1 : 0;
+      open.push_back(i);
+    }
+  }
+  while (!open.empty())
+  {
+    const Index from = open.back();
+    open.pop_back();
+    for (auto arc = std::lower_bound(this->Arcs.begin(), this->Arcs.end(), Arc{ from, 0, 0 });
+         arc != this->Arcs.end() && arc->From == from; ++arc)
+    {
+      this->Counts[arc->To] = AddCounts(this->Counts[arc->To], this->Counts[from]);
+      // A representation that no product uses is not an assembly without a density.
+      if (this->Counts[from] > 0)
+      {
+        this->PassDensity(from, arc->To);
+      }
+      if (--incoming[arc->To] == 0)
+      {
+        open.push_back(arc->To);
+      }
+    }
+  }
+  this->ReportCycles(incoming);
+}
+
+/// `open`: arcs that lead to an entity from entities whose count is not known.
+void STEPCensusTaker::ReportCycles(const std::vector<std::uint32_t>& open)
+{
+  // Everything below a cycle is open, too; it has no way back. Taken off from below, the cycles remain.
+  std::vector<Arc> back;
+  std::vector<std::uint32_t> outgoing(open.size(), 0);
+  for (const Arc& arc : this->Arcs)
+  {
+    if (open[arc.From] > 0 && open[arc.To] > 0)
+    {
+      back.push_back({ arc.To, arc.From, arc.By });
+      ++outgoing[arc.From];
+    }
+  }
+  std::sort(back.begin(), back.end());
+  std::vector<Index> ends;
+  for (std::size_t k = 0; k < back.size(); ++k)
+  {
+    if (outgoing[back[k].From] == 0 && (k == 0 || back[k - 1].From != back[k].From))
+    {
+      ends.push_back(back[k].From);
+    }
+  }
+  while (!ends.empty())
+  {
+    const Index end = ends.back();
+    ends.pop_back();
+    for (auto arc = std::lower_bound(back.begin(), back.end(), Arc{ end, 0, 0 });
+         arc != back.end() && arc->From == end; ++arc)
+    {
+      if (--outgoing[arc->To] == 0)
+      {
+        ends.push_back(arc->To);
+      }
+    }
+  }
+  for (const Arc& arc : back)
+  {
+    if (outgoing[arc.From] > 0 && outgoing[arc.To] > 0 && arc.By != None)
+    {
+      this->Add(CensusDefect::AssemblyCycle, arc.By, this->File.GetId(arc.From), "contains itself");
+    }
+  }
+}
+
+void STEPCensusTaker::FindSolidsBelow()
+{
+  std::vector<Arc> back;
+  for (const Arc& arc : this->Arcs)
+  {
+    back.push_back({ arc.To, arc.From, arc.By });
+  }
+  std::sort(back.begin(), back.end());
+  this->SolidsBelow.assign(this->File.GetNumberOfInstances(), false);
+  std::vector<Index> open;
+  for (const auto& [group, body] : this->BodiesOfGroups)
+  {
+    if (this->Census.Bodies[body].Kind == CensusBodyKind::Solid && !this->SolidsBelow[group])
+    {
+      this->SolidsBelow[group] = true;
+      open.push_back(group);
+    }
+  }
+  while (!open.empty())
+  {
+    const Index end = open.back();
+    open.pop_back();
+    for (auto arc = std::lower_bound(back.begin(), back.end(), Arc{ end, 0, 0 });
+         arc != back.end() && arc->From == end; ++arc)
+    {
+      if (!this->SolidsBelow[arc->To])
+      {
+        this->SolidsBelow[arc->To] = true;
+        open.push_back(arc->To);
+      }
+    }
+  }
+}
+
+void STEPCensusTaker::SetInstances()
+{
+  std::vector<double> densities(this->Census.Bodies.size(), Unknown);
+  for (const auto& [group, body] : this->BodiesOfGroups)
+  {
+    CensusCount& instances = this->Census.Bodies[body].Instances;
+    instances = AddCounts(instances, this->Counts[group]);
+    // Also an item of a representation that no product uses, which describes an aspect of the shape, for example.
+    if (this->Counts[group] > 0)
+    {
+      JoinDensity(std::max(this->DensitiesOfEntities[group], 0.0), densities[body]);
+    }
+  }
+  for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
+  {
+    CensusBody& body = this->Census.Bodies[k];
+    body.Density = densities[k] > 0.0 ? densities[k] : 0.0;
+    body.DensitiesDiffer = std::isnan(densities[k]);
+    if (body.Instances == 0 && body.Kind == CensusBodyKind::Solid)
+    {
+      this->Add(CensusDefect::UnreachedBody, this->BodyEntities[k]);
+    }
+  }
+  for (std::size_t k = 0; k < this->Census.Occurrences.size(); ++k)
+  {
+    CensusOccurrence& occurrence = this->Census.Occurrences[k];
+    const Index i = this->OccurrenceEntities[k];
+    if (occurrence.Parent != 0 && occurrence.Child != 0)
+    {
+      occurrence.Instances = this->Counts[this->File.Find(occurrence.Parent)];
+      occurrence.HasSolids = this->SolidsBelow[this->File.Find(occurrence.Child)];
+    }
+    if (occurrence.HasSolids && occurrence.Placement == 0)
+    {
+      this->Add(CensusDefect::MissingPlacement, i, 0, "no placement");
+    }
+  }
+  for (const auto& [from, item] : this->MappedFrom)
+  {
+    CensusMappedItem& mapped = this->Census.MappedItems[item];
+    mapped.Instances = this->Counts[this->FindGroup(from)];
+    mapped.HasSolids = this->SolidsBelow[this->FindGroup(this->File.Find(mapped.Child))];
+  }
+}
+}
