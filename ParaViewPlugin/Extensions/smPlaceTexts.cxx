@@ -110,7 +110,13 @@ std::string ListRows(
   const std::size_t shown = std::min(rows.size(), MostPlaces);
   for (std::size_t i = 0; i < shown; ++i)
   {
-    list += WrapText(describe(rows[i]), LengthOfLines);
+    // Later lines of a text stand out from the next one.
+    std::string lines = WrapText(describe(rows[i]), LengthOfLines);
+    for (std::size_t at = lines.find('\n'); at + 1 < lines.size(); at = lines.find('\n', at + 1))
+    {
+      lines.insert(at + 1, "   ");
+    }
+    list += lines;
   }
   return list +
     (rows.size() > shown ? "and " + std::to_string(rows.size() - shown) + " more " + kind + "\n" : "");

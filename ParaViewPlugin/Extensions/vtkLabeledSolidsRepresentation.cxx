@@ -145,12 +145,11 @@ void vtkLabeledSolidsRepresentation::ClearSelectedEdges()
   this->LastLine = -1.0;
 }
 
-bool vtkLabeledSolidsRepresentation::IsHidden(vtkDataObject* block)
+vtkCompositeDataDisplayAttributes* vtkLabeledSolidsRepresentation::GetBlockAttributes()
 {
   auto* geometry = vtkGeometryRepresentation::SafeDownCast(this->GetActiveRepresentation());
   auto* mapper = geometry ? sm::CompositeMapper::SafeDownCast(geometry->GetActor()->GetMapper()) : nullptr;
-  vtkCompositeDataDisplayAttributes* blocks = mapper ? mapper->GetCompositeDataDisplayAttributes() : nullptr;
-  return blocks && blocks->HasBlockVisibility(block) && !blocks->GetBlockVisibility(block);
+  return mapper ? mapper->GetCompositeDataDisplayAttributes() : nullptr;
 }
 
 int vtkLabeledSolidsRepresentation::ProcessViewRequest(
@@ -178,10 +177,10 @@ int vtkLabeledSolidsRepresentation::ProcessViewRequest(
 void vtkLabeledSolidsRepresentation::PlaceLabels(vtkDataObject* data)
 {
   std::vector<Label> labels;
-  sm::VisitMeshes(data,
+  sm::VisitMeshes(data, this->GetBlockAttributes(),
     [this, &labels](vtkPolyData* mesh, const std::string& name)
     {
-      if (mesh->GetNumberOfCells() == 0 || this->IsHidden(mesh))
+      if (mesh->GetNumberOfCells() == 0)
       {
         return;
       }

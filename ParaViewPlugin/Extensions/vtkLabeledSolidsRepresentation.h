@@ -15,6 +15,7 @@
 
 class vtkActor;
 class vtkActor2D;
+class vtkCompositeDataDisplayAttributes;
 class vtkDataObject;
 class vtkLabelPlacementMapper;
 class vtkPolyData;
@@ -74,8 +75,8 @@ private:
   void operator=(const vtkLabeledSolidsRepresentation&) = delete;
 
   void PlaceLabels(vtkDataObject* data);
-  /// True for a block that the user has hidden.
-  bool IsHidden(vtkDataObject* block);
+  /// Which blocks the user has hidden; may be null.
+  vtkCompositeDataDisplayAttributes* GetBlockAttributes();
 
   int PartLabels = NoLabels;
   double LabelColor[3] = { 1.0, 1.0, 1.0 };

@@ -5,9 +5,9 @@
  * The array Color of the reader's meshes is drawn as it is, without a colour map; other arrays are mapped as ever. ParaView's property
  * MapScalars follows the array that colours. A colour bar of Color is never shown; the title of another has the unit of its array.
  *
- * Solids without colours in their file have one colour: Apply in ParaView's window colours what has no array to colour by with vtkBlockColors, and would add
- * a legend. Until the first drawing GetUsingScalarColoring() is therefore true, and Apply leaves these solids alone; who wants the
- * colours of blocks chooses them.
+ * What has no array to colour by has one colour. Apply in ParaView's window would colour it as its input, or with vtkBlockColors, and add a
+ * legend. Until the first drawing GetUsingScalarColoring() is therefore true, and Apply leaves such a representation alone; who wants other
+ * colours chooses them.
  */
 #ifndef vtkSMSolidsRepresentationProxy_h
 #define vtkSMSolidsRepresentationProxy_h

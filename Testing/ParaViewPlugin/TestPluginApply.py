@@ -247,6 +247,12 @@ def is_white(red, green, blue):
 check_equal("no labels", (0, 0), (count_pixels(is_white), shown.SMProxy.GetProperty("PartLabels").GetElement(0)))
 shown.PartLabels = "Name"
 short = count_pixels(is_white)
+blocks = list(shown.BlockSelectors)
+shown.BlockSelectors = ["/Root/*[250]"]
+alone = count_pixels(is_white)
+check_true("hidden solids have no label", 20 < alone < short // 3, f"{alone} of {short} pixels")
+shown.BlockSelectors = blocks
+check_equal("labels are back with the solids", short, count_pixels(is_white))
 shown.PartLabels = "Name and mass"
 both = count_pixels(is_white)
 check_true("labels with names, and others with masses", 100 < short != both > 100, f"{short} {both} pixels")
