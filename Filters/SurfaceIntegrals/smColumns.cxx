@@ -99,6 +99,32 @@ void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
   solids->AddColumn(faces);
 }
 
+void AppendTotalRow(vtkFieldData* totals, const std::string& name, vtkTable* solids)
+{
+  const vtkIdType row = solids->GetNumberOfRows();
+  for (vtkIdType i = 0; i < solids->GetNumberOfColumns(); ++i)
+  {
+    vtkAbstractArray* column = solids->GetColumn(i);
+    vtkAbstractArray* total = totals->GetAbstractArray(column->GetName());
+    const bool hasTotal = total && total->GetNumberOfTuples() > 0 &&
+      total->GetNumberOfComponents() == column->GetNumberOfComponents();
+    if (auto* texts = vtkStringArray::SafeDownCast(column))
+    {
+      auto* text = vtkStringArray::SafeDownCast(total);
+      const bool isName = texts->GetName() == std::string(names::Name);
+      texts->InsertNextValue(isName ? name : hasTotal && text ? text->GetValue(0) : vtkStdString());
+      continue;
+    }
+    auto* numbers = vtkDataArray::SafeDownCast(column);
+    auto* sum = vtkDataArray::SafeDownCast(total);
+    for (int k = 0; numbers && k < numbers->GetNumberOfComponents(); ++k)
+    {
+      const double missing = vtkDoubleArray::SafeDownCast(numbers) ? vtkMath::Nan() : 0.0;
+      numbers->InsertComponent(row, k, hasTotal && sum ? sum->GetComponent(0, k) : missing);
+    }
+  }
+}
+
 void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands,
   vtkTable* faces, const std::vector<int>& wanted)
 {
@@ -110,6 +136,7 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
   index->SetName(vtkNURBSDataSet::FaceIndexArrayName());
   id->SetName(names::FaceId);
   estimated->SetName(names::BoundsEstimated);
+  Column widest(names::MaxGap, 1);
   std::vector<Column> values;
   for (const int k : wanted)
   {
@@ -127,6 +154,8 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
       const FaceIntegrals* result = bodies[row].Faces ? &(*bodies[row].Faces)[i] : nullptr;
       const bool known = result && result->Error.empty();
       estimated->InsertNextValue(known && result->Estimated ? 1 : 0);
+      const double gap = known ? result->MaxGap : vtkMath::Nan();
+      widest.Append(&gap);
       for (std::size_t column = 0; column < wanted.size(); ++column)
       {
         const int k = wanted[column];
@@ -146,6 +175,7 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
   {
     column.AddTo(faces->GetRowData());
   }
+  widest.AddTo(faces->GetRowData());
   faces->AddColumn(estimated);
 }
 
@@ -165,11 +195,13 @@ void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges)
   std::stable_sort(
     rows.begin(), rows.end(), [](const auto& a, const auto& b) { return IsWider(*a.second, *b.second); });
   vtkNew<vtkIntArray> solid;
+  vtkNew<vtkIntArray> index;
   vtkNew<vtkIntArray> id;
   vtkNew<vtkStringArray> name;
   vtkNew<vtkIntArray> uses;
   vtkNew<vtkIntArray> open;
   solid->SetName(names::Solid);
+  index->SetName(names::EdgeIndex);
   id->SetName(names::EdgeId);
   name->SetName(names::Name);
   uses->SetName(names::Uses);
@@ -180,6 +212,7 @@ void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges)
   for (const auto& [row, edge] : rows)
   {
     solid->InsertNextValue(row);
+    index->InsertNextValue(edge->Index);
     id->InsertNextValue(edge->Source->FileId);
     name->InsertNextValue(edge->Source->Name);
     uses->InsertNextValue(edge->Uses);
@@ -189,6 +222,7 @@ void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges)
     squared.Append(&edge->GapSquared);
   }
   edges->AddColumn(solid);
+  edges->AddColumn(index);
   edges->AddColumn(id);
   edges->AddColumn(name);
   edges->AddColumn(uses);

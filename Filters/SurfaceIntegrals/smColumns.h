@@ -46,12 +46,17 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void SetString(
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddBodyColumns(
   const std::vector<BodyIntegrals>& bodies, vtkTable* solids);
 
-/// Adds a row per face and instance: Solid, FaceId, the integrands with indices `wanted` over face, ribbons and caps, and their
-/// bounds. Fluxes of a shell or body that is inside out are reversed.
+/// Adds a row with the values of `totals` that have the name of a column, and an empty Id. Values without a total are NaN, empty or 0.
+SMFILTERSSURFACEINTEGRALS_EXPORT void AppendTotalRow(
+  vtkFieldData* totals, const std::string& name, vtkTable* solids);
+
+/// Adds a row per face and instance: Solid, FaceIndex, FaceId, the integrands with indices `wanted` over face, ribbons and caps, their
+/// bounds, and MaxGap. Fluxes of a shell or body that is inside out are reversed.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddFaceRows(const std::vector<BodyIntegrals>& bodies,
   const std::vector<Integrand>& integrands, vtkTable* faces, const std::vector<int>& wanted);
 
-/// Adds a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap, GapArea, GapSquared.
+/// Adds a row per edge and instance, the widest gap first: Solid, EdgeIndex, EdgeId, Name, Uses, Open, MaxGap,
+/// GapArea, GapSquared.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges);
 }
 }

@@ -48,6 +48,7 @@ std::vector<EdgeGap> CollectEdgeGaps(
         {
           edges.emplace_back();
           edges.back().Source = coedge.Use.get();
+          edges.back().Index = static_cast<int>(edges.size()) - 1;
           measured.push_back(0);
         }
         placeOf[l].push_back(entry->second);

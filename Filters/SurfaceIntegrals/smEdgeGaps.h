@@ -19,6 +19,8 @@ namespace sm
 struct EdgeGap
 {
   const Edge* Source = nullptr;
+  /// Number of the edge in its model, from 0, in the order in which the faces use it.
+  int Index = 0;
   /// Number of coedges that use the edge, and the sum of their signs, which is 0 if their directions cancel.
   int Uses = 0;
   int SignedUses = 0;

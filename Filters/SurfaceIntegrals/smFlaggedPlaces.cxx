@@ -1,6 +1,7 @@
 #include "smFlaggedPlaces.h"
 
 #include "smBodyScales.h"
+#include "smEdgeLines.h"
 #include "smFormat.h"
 #include "smIntegralNames.h"
 #include "smMeshTriangles.h"
@@ -25,47 +26,15 @@ namespace sm
 {
 namespace
 {
-/// Least number of chords of a curved edge.
-constexpr int LeastChords = 32;
 /// Largest number of edges that a text names.
 constexpr std::size_t MostNames = 5;
 /// Largest number of characters of the lines of a list.
 constexpr std::size_t LengthOfLines = 64;
 
-/// Returns points along an edge from vertex to vertex, in stored coordinates.
-std::vector<Vector3> SampleEdge(const Edge& edge)
-{
-  std::vector<Vector3> points{ edge.StartVertex };
-  const auto add = [&points](const Vector3& p)
-  {
-    if (p != points.back())
-    {
-      points.push_back(p);
-    }
-  };
-  const int pieces = edge.Curve.GetNumberOfPieces();
-  for (int i = 0; i < pieces; ++i)
-  {
-    const BernsteinPiece<3> piece = edge.Curve.GetPiece(i);
-    // A straight edge has a point in its middle, where its number is drawn.
-    const int chords = 1 + ((piece.Degree <= 1 ? 2 : LeastChords) - 1) / pieces;
-    for (int k = 0; k <= chords; ++k)
-    {
-      add(piece.Evaluate(static_cast<double>(k) / chords));
-    }
-  }
-  add(edge.EndVertex);
-  return points;
-}
-
 /// Returns the world coordinates of a point in stored coordinates.
 Vector3 PlacePoint(const BodyIntegrals& body, const Vector3& stored)
 {
-  const double* origin = body.Model->GetOrigin();
-  const std::array<double, 16>& m = body.Placement;
-  const Vector3 p{ origin[0] + stored[0], origin[1] + stored[1], origin[2] + stored[2] };
-  return { Dot(m.data(), p.data()) + m[3], Dot(m.data() + 4, p.data()) + m[7],
-    Dot(m.data() + 8, p.data()) + m[11] };
+  return sm::PlacePoint(*body.Model, body.Placement.data(), stored);
 }
 
 /// Returns the length of the vector area of closed chains of edges, in their signed directions; NaN if they do not close.

@@ -34,13 +34,14 @@ constexpr const char* Faces = "Faces";             // 1 (int)
 constexpr const char* Ranks = "Ranks";             // 1 (int), processes that integrated faces
 
 // Columns of the tables only.
-constexpr const char* Name = "Name";     // string
-constexpr const char* Id = "Id";         // string: instance id, unique in the file
-constexpr const char* Solid = "Solid";   // int: row of the solid in the table on port 1
-constexpr const char* FaceId = "FaceId"; // int: entity number in the file
-constexpr const char* EdgeId = "EdgeId"; // int: entity number in the file, 0 without one
-constexpr const char* Uses = "Uses";     // int: coedges that use the edge
-constexpr const char* Open = "Open";     // int: 1 when its signed uses do not cancel
+constexpr const char* Name = "Name";           // string
+constexpr const char* Id = "Id";               // string: instance id, unique in the file
+constexpr const char* Solid = "Solid";         // int: row of the solid in the table on port 1
+constexpr const char* FaceId = "FaceId";       // int: entity number in the file
+constexpr const char* EdgeId = "EdgeId";       // int: entity number in the file, 0 without one
+constexpr const char* EdgeIndex = "EdgeIndex"; // int: number of the edge in its solid, from 0
+constexpr const char* Uses = "Uses";           // int: coedges that use the edge
+constexpr const char* Open = "Open";           // int: 1 when its signed uses do not cancel
 constexpr const char* Text = "Text"; // string, the one cell of the text table; of a flagged place: what it is
 
 // Cell data of the flagged places on port 6, in addition to Solid, Name, FaceId, EdgeId, MaxGap and Text.

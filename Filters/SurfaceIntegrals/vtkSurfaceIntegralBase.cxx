@@ -54,6 +54,7 @@ void vtkSurfaceIntegralBase::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "MaximumSeconds: " << this->MaximumSeconds << "\n"
      << indent << "GapLimit: " << this->GapLimit << "\n"
      << indent << "Selectors: " << this->Selectors.size() << "\n"
+     << indent << "TotalRow: " << this->TotalRow << "\n"
      << indent << "AssemblyName: " << this->AssemblyName << "\n"
      << indent << "Status: " << this->GetStatus() << "\n"
      << indent << "BackendName: " << this->GetBackendName() << "\n"

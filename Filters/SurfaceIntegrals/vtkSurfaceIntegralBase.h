@@ -18,9 +18,9 @@
  * | 1    | table    | a row per solid instance: Name, Id, Status, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated,   |
  * |      |          | Faces, and its values with their Bounds                                                             |
  * | 2    | table    | 1x1, column Text: a readable summary                                                                |
- * | 3    | table    | a row per face and instance: Solid, FaceId, values and bounds                                       |
- * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeId, Name, Uses, Open, MaxGap,         |
- * |      |          | GapArea, GapSquared                                                                                 |
+ * | 3    | table    | a row per face and instance: Solid, FaceIndex (in the solid), FaceId, values and bounds, MaxGap     |
+ * | 4    | table    | a row per edge and instance, the widest gap first: Solid, EdgeIndex (in the solid), EdgeId, Name,   |
+ * |      |          | Uses, Open, MaxGap, GapArea, GapSquared                                                             |
  * | 5    | partitioned dataset collection | meshes of the bodies in the order of port 1, points and cells shared with     |
  * |      |          | the input, with cell arrays for colouring                                                           |
  * | 6    | polydata | flagged places of suspect and open bodies: open edges and edges with wide gaps as lines, faces as  |
@@ -45,6 +45,7 @@
 #include "smFiltersSurfaceIntegralsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <cstddef>   // for std::size_t
 #include <exception> // for std::exception_ptr
 #include <memory>    // for std::unique_ptr
 #include <string>    // for std::string
@@ -83,6 +84,14 @@ public:
   int GetNumberOfSelectors() const;
   void SetAssemblyName(const std::string& name);
   std::string GetAssemblyName() const;
+  ///@}
+
+  ///@{
+  /** Ends the table of port 1 with a row of the totals of port 0, where it has several rows: its Name is "Total", with selectors for
+   * example "Total of 3 of 7 solids", and its Id is empty. Off by default, on in ParaView. */
+  vtkSetMacro(TotalRow, bool);
+  vtkGetMacro(TotalRow, bool);
+  vtkBooleanMacro(TotalRow, bool);
   ///@}
 
   ///@{
@@ -266,6 +275,7 @@ protected:
   ///@}
   /** Option of subclasses that can keep results of faces. */
   bool CacheFaceResults = true;
+  bool TotalRow = false;
   int Backend = AUTOMATIC;
   vtkTypeInt64 MaximumEvaluations = 2000000000;
   double MaximumSeconds = 0.0;
@@ -296,6 +306,8 @@ private:
   int RejectInput(bool isWithheld);
   /** Removes the bodies that no selector matches, and adds messages about unmatched selectors. */
   void ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies);
+  /** Adds the row of TotalRow to the table of port 1; `all` is the number of bodies of the input. */
+  void WriteTotalRow(std::size_t bodies, std::size_t all, vtkInformationVector* outputVector) const;
   /** Adds the messages of the bodies to the report, and issues at most one warning. */
   void AddMessages(const std::vector<sm::BodyIntegrals>& bodies);
   /** Handles an exception that ended the run: writes outputs without values, and a status with the reason. */

@@ -176,13 +176,22 @@ void vtkSurfaceIntegralBase::Write(
   this->Engine->GetReport().FillFieldData(outputs.Totals->GetFieldData());
 }
 
+void vtkSurfaceIntegralBase::WriteTotalRow(
+  std::size_t bodies, std::size_t all, vtkInformationVector* outputVector) const
+{
+  const std::string part =
+    bodies < all ? " of " + std::to_string(bodies) + " of " + std::to_string(all) + " solids" : std::string();
+  sm::columns::AppendTotalRow(vtkPolyData::GetData(outputVector, 0)->GetFieldData(), "Total" + part,
+    vtkTable::GetData(outputVector, 1));
+}
+
 /// The bodies and the state of a run's input.
 struct vtkSurfaceIntegralBase::Input
 {
   /// The bodies to integrate.
   std::vector<sm::BodyIntegrals> Bodies;
-  /// True if the input has bodies, selected or not.
-  bool HasBodies = false;
+  /// Number of bodies, selected or not.
+  std::size_t AllBodies = 0;
   sm::RejectedInput Rejected;
   int GetNumberOfMeshes() const { return this->Rejected.Plain + this->Rejected.Withheld; }
   sm::FileState File;
@@ -193,8 +202,8 @@ void vtkSurfaceIntegralBase::FindBodies(vtkDataObject* input, Input& found)
   this->ResetResults();
   found.File = sm::GetFileState(input);
   found.Bodies = sm::CollectBodies(input, found.Rejected);
-  found.HasBodies = !found.Bodies.empty();
-  if (found.HasBodies)
+  found.AllBodies = found.Bodies.size();
+  if (found.AllBodies > 0)
   {
     this->ChooseBodies(input, found.Bodies);
   }
@@ -218,7 +227,7 @@ int vtkSurfaceIntegralBase::Run(
     failure = std::current_exception();
     found.Bodies.clear();
   }
-  const bool hasInput = failure || found.HasBodies || found.GetNumberOfMeshes() > 0;
+  const bool hasInput = failure || found.AllBodies > 0 || found.GetNumberOfMeshes() > 0;
   const sm::IntegralEngine::Role role =
     this->Engine->ChooseRole(this->CanShareFaces(), pieces, hasInput, !found.Bodies.empty());
   if (failure)
@@ -239,17 +248,21 @@ int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkIn
 {
   sm::RunReport& report = this->Engine->GetReport();
   std::vector<sm::BodyIntegrals>& bodies = found.Bodies;
-  if (!found.HasBodies && found.GetNumberOfMeshes() > 0)
+  if (found.AllBodies == 0 && found.GetNumberOfMeshes() > 0)
   {
     return this->RejectInput(found.Rejected.Withheld > 0);
   }
   report.AddBodies(bodies, found.Rejected);
-  report.AddFile(found.File, found.HasBodies, !bodies.empty());
+  report.AddFile(found.File, found.AllBodies > 0, !bodies.empty());
   const sm::IntegralRequest wanted = this->MakeRequest();
   const bool computed = !bodies.empty() && this->IntegrateBodies(wanted, bodies);
   this->Engine->FinishSharing();
   this->Analyze(wanted, computed, bodies);
   this->Write(bodies, input, outputVector);
+  if (this->TotalRow && bodies.size() > 1)
+  {
+    this->WriteTotalRow(bodies.size(), found.AllBodies, outputVector);
+  }
   this->AddMessages(bodies);
   return 1;
 }

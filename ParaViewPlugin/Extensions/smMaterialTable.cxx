@@ -19,6 +19,7 @@ using Cells = std::array<std::string, MaterialTableColumns>;
 /// Short: the panel is narrow.
 const Cells Titles = { "Part", "Material", "kg/m^3", "Mass kg" };
 constexpr const char* TotalName = "Total";
+constexpr const char* TickedTotalName = "Total of ticked solids";
 constexpr const char* FromFile = " (file)";
 constexpr const char* FromDensity = " (Density)";
 constexpr const char* FromRowBelow = " (below)";
@@ -144,7 +145,8 @@ Cells GetRow(const std::vector<std::string>& cells, std::size_t row)
 }
 
 std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& parts,
-  const std::vector<PartMaterial>& masses, const std::vector<MaterialRow>& rules, double density)
+  const std::vector<PartMaterial>& masses, const std::vector<MaterialRow>& rules, double density,
+  bool isSomeSolids)
 {
   if (parts.empty() && rules.empty())
   {
@@ -182,7 +184,7 @@ std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& part
       cells.insert(cells.end(), { rules[i][0], rules[i][1], GetDensity(rules[i]), "" });
     }
   }
-  cells.insert(cells.end(), { TotalName, "", "", FormatMass(total) });
+  cells.insert(cells.end(), { isSomeSolids ? TickedTotalName : TotalName, "", "", FormatMass(total) });
   return cells;
 }
 
@@ -208,7 +210,7 @@ std::vector<MaterialRow> ReadMaterialTable(
   {
     const Cells row = GetRow(cells, i);
     const bool isTitle = row[1] == Titles[1] && row[2] == Titles[2];
-    const bool isTotal = i + 1 == rows && row[0] == TotalName;
+    const bool isTotal = i + 1 == rows && (row[0] == TotalName || row[0] == TickedTotalName);
     const bool isKnown = std::any_of(
       result.begin(), result.end(), [&row](const MaterialRow& other) { return other[0] == row[0]; });
     if (isTitle || isTotal || isKnown || row[0].empty() || !(IsTyped(row[1]) || IsTyped(row[2])))

@@ -40,17 +40,18 @@ using MaterialRow = std::array<std::string, 3>;
 constexpr int MaterialTableColumns = 4;
 
 /// Returns the cells, row by row; none without parts and rules. `parts` are those of the input, `masses` those of the last run (may be
-/// empty), `density` is that of all solids, or 0.
+/// empty), `density` is that of all solids, or 0. The total of some solids only says so.
 std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& parts,
-  const std::vector<PartMaterial>& masses, const std::vector<MaterialRow>& rules, double density);
+  const std::vector<PartMaterial>& masses, const std::vector<MaterialRow>& rules, double density,
+  bool isSomeSolids);
 
 /// Where one cell alone differs from the table before, it was edited: without its ending it is what was typed.
 void TakeEditedCell(const std::vector<std::string>& before, std::vector<std::string>& cells);
 
 /**
  * Returns the rules that a table has, each pattern once, in the order of its rows. A common material gives a row without a density its density,
- * and so it does where the material was changed (`rules` are those before) and the density left as it was. The row of titles, the last row if its
- * part is "Total", and the masses are ignored.
+ * and so it does where the material was changed (`rules` are those before) and the density left as it was. The row of titles, the last row if it
+ * is a total, and the masses are ignored.
  */
 std::vector<MaterialRow> ReadMaterialTable(
   const std::vector<std::string>& cells, const std::vector<MaterialRow>& rules);

@@ -1,58 +1,61 @@
 #include "smSolidHighlight.h"
 
-#include "vtkFaceRowsInformation.h"
-#include "vtkNURBSDataSet.h"
+#include "smSelectionSources.h"
+#include "vtkSelectedPlacesInformation.h"
 
 #include "vtkCommand.h"
-#include "vtkDataAssembly.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMOutputPort.h"
-#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
-#include "vtkSMSelectionHelper.h"
+#include "vtkSMRepresentationProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
-#include "vtkSelectionNode.h"
-#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
+#include <array>
+#include <functional>
 #include <map>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace sm
 {
 namespace
 {
-/// Copies selections between the table's port and the meshes' port; owned by the proxy that it observes.
+using Places = vtkSelectedPlacesInformation;
+
+constexpr unsigned int SummaryPort = 2;
+constexpr Places::Port Tables[] = { Places::SolidsPort, Places::FacesPort, Places::EdgesPort };
+
+/// Copies selections between the tables' ports and the meshes' port; owned by the proxy that it observes.
 class HighlightCommand : public vtkCommand
 {
 public:
   static HighlightCommand* New() { return new HighlightCommand; }
   vtkTypeMacro(HighlightCommand, vtkCommand);
 
-  unsigned int TablePort = 1;
-  unsigned int MeshesPort = 5;
-  /// Negative without a table of faces.
-  int FacesPort = -1;
-
-  void Execute(vtkObject* caller, unsigned long, void* data) override
+  void Execute(vtkObject* caller, unsigned long event, void* data) override
   {
     auto* filter = vtkSMSourceProxy::SafeDownCast(caller);
-    const unsigned int port = data ? *static_cast<unsigned int*>(data) : this->TablePort;
-    const bool isFaces = static_cast<int>(port) == this->FacesPort;
-    if (!filter || this->Busy || (port != this->TablePort && port != this->MeshesPort && !isFaces))
+    if (filter && event == vtkCommand::UpdateDataEvent)
+    {
+      this->DescribeAgain(filter);
+      return;
+    }
+    const unsigned int port =
+      data ? *static_cast<unsigned int*>(data) : static_cast<unsigned int>(Places::SolidsPort);
+    const bool isTable = std::find(std::begin(Tables), std::end(Tables), port) != std::end(Tables);
+    if (!filter || this->Busy || (port != Places::MeshesPort && !isTable))
     {
       return;
     }
     this->Busy = true;
-    const bool isChanged = isFaces ? this->FollowFaces(filter)
-      : port == this->TablePort    ? this->FollowRows(filter)
-                                   : this->FollowMeshes(filter);
+    const bool isChanged =
+      isTable ? this->FollowRows(filter, static_cast<Places::Port>(port)) : this->FollowMeshes(filter);
     this->Busy = false;
     if (isChanged)
     {
@@ -61,271 +64,242 @@ public:
   }
 
 private:
-  /// The rows have changed. Returns whether anything else has.
-  bool FollowRows(vtkSMSourceProxy* filter)
+  /// True for a selection on a port that this object made.
+  bool IsOwn(vtkSMSourceProxy* selection, unsigned int port) const
   {
-    const std::set<vtkIdType> rows = GetSelectedRows(filter->GetSelectionInput(this->TablePort));
-    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
+    const auto found = this->Own.find(port);
+    return selection && found != this->Own.end() && found->second == selection;
+  }
+
+  void Select(vtkSMSourceProxy* filter, unsigned int port, vtkSMSourceProxy* selection)
+  {
+    filter->SetSelectionInput(port, selection, 0);
+    this->Own[port] = selection;
+  }
+
+  void Clear(vtkSMSourceProxy* filter, unsigned int port)
+  {
+    if (this->IsOwn(filter->GetSelectionInput(port), port))
+    {
+      filter->CleanSelectionInputs(port);
+    }
+  }
+
+  /// The rows of a table have changed. Returns whether anything else has.
+  bool FollowRows(vtkSMSourceProxy* filter, Places::Port table)
+  {
+    const std::vector<vtkIdType> rows = GetSelectedRows(filter->GetSelectionInput(table));
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(Places::MeshesPort);
+    vtkNew<Places> places;
     if (!rows.empty())
     {
-      this->Highlight(filter, rows);
+      places->SelectRows(table, rows);
+      filter->GatherInformation(places);
+    }
+    if (!places->GetText().empty())
+    {
+      for (const Places::Port other : Tables)
+      {
+        if (other != table)
+        {
+          this->Clear(filter, other);
+        }
+      }
+      this->Shown = table;
+      this->Show(filter, *places);
       return true;
     }
-    if (shown && shown == this->OwnFaces)
+    if (shown && !this->IsOwn(shown, Places::MeshesPort))
+    {
+      // After a selection in a view ParaView clears the rows; those of the user's selection come back.
+      return this->FollowMeshes(filter);
+    }
+    if (this->Shown != table)
     {
       return false;
     }
-    if (shown && shown != this->OwnMeshes)
-    {
-      // After a selection in a view ParaView clears the rows; those of the user's selection come back.
-      return this->SelectRows(filter, FindSolids(filter, this->MeshesPort));
-    }
-    filter->CleanSelectionInputs(this->MeshesPort);
-    return shown != nullptr;
+    this->Show(filter, *places);
+    return true;
   }
 
-  /// The rows of faces have changed. Returns whether anything else has.
-  bool FollowFaces(vtkSMSourceProxy* filter)
+  /// Highlights what the rows of a table stand for, and says what it is.
+  void Show(vtkSMSourceProxy* filter, Places& places)
   {
-    const std::set<vtkIdType> rows =
-      GetSelectedRows(filter->GetSelectionInput(static_cast<unsigned int>(this->FacesPort)));
-    vtkNew<vtkFaceRowsInformation> information;
-    information->SetPortNumber(this->FacesPort);
-    information->SetRows({ rows.begin(), rows.end() });
-    if (!rows.empty())
+    vtkSMSessionProxyManager* manager = filter->GetSessionProxyManager();
+    if (!places.GetFaceCells().empty())
     {
-      filter->GatherInformation(information);
+      this->Select(filter, Places::MeshesPort, MakeCellSelection(manager, places.GetFaceCells()));
     }
-    if (!information->GetFaces().empty())
+    else if (!places.GetSolids().empty())
     {
-      this->HighlightFaces(filter, information->GetFaces());
-      return true;
+      this->Select(filter, Places::MeshesPort, MakeSolidSelection(manager, places.GetSolids()));
     }
-    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
-    if (shown && shown == this->OwnFaces)
+    else
     {
-      filter->CleanSelectionInputs(this->MeshesPort);
-      return true;
+      filter->CleanSelectionInputs(Places::MeshesPort);
     }
-    return false;
+    Describe(filter, places);
   }
 
   /// The user has selected or cleared something in a view, or another tool has. Returns whether anything else has changed.
   bool FollowMeshes(vtkSMSourceProxy* filter)
   {
-    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->MeshesPort);
-    if (shown)
-    {
-      return shown != this->OwnMeshes && shown != this->OwnFaces &&
-        this->SelectRows(filter, FindSolids(filter, this->MeshesPort));
-    }
-    vtkSMSourceProxy* selected = filter->GetSelectionInput(this->TablePort);
-    if (selected && selected == this->OwnRows)
-    {
-      filter->CleanSelectionInputs(this->TablePort);
-      return true;
-    }
-    const std::set<vtkIdType> rows = GetSelectedRows(selected);
-    if (!rows.empty())
-    {
-      this->Highlight(filter, rows);
-    }
-    return !rows.empty();
-  }
-
-  static std::set<vtkIdType> GetSelectedRows(vtkSMSourceProxy* selection)
-  {
-    std::set<vtkIdType> rows;
-    vtkSMProperty* sources = selection ? selection->GetProperty("Input") : nullptr;
-    for (unsigned int i = 0; sources && i < vtkSMPropertyHelper(sources).GetNumberOfElements(); ++i)
-    {
-      vtkSMProxy* source = vtkSMPropertyHelper(sources).GetAsProxy(i);
-      vtkSMProperty* ids = source ? source->GetProperty("IDs") : nullptr;
-      // Pairs of process and index; the table is on one process.
-      for (unsigned int k = 1; ids && k < vtkSMPropertyHelper(ids).GetNumberOfElements(); k += 2)
-      {
-        rows.insert(vtkSMPropertyHelper(ids).GetAsIdType(k));
-      }
-    }
-    return rows;
-  }
-
-  /// The partitioned dataset of a solid in the hierarchy, counted from 1.
-  static std::string GetSelector(vtkIdType solid)
-  {
-    return "/Root/*[@number_of_partitions][" + std::to_string(solid + 1) + "]";
-  }
-
-  /// Selects the cells of faces: those that are in the block of the solid and have the index of the face.
-  void HighlightFaces(vtkSMSourceProxy* filter, const std::map<int, std::set<int>>& facesOfSolids)
-  {
-    vtkSMSessionProxyManager* manager = filter->GetSessionProxyManager();
-    const auto make = [manager](const char* group, const char* name)
-    {
-      return vtkSmartPointer<vtkSMSourceProxy>::Take(
-        vtkSMSourceProxy::SafeDownCast(manager->NewProxy(group, name)));
-    };
-    const auto selection = make("filters", "AppendSelections");
-    unsigned int next = 0;
-    std::string expression;
-    const auto append = [&](vtkSMSourceProxy* source)
-    {
-      const std::string name = "S" + std::to_string(next);
-      source->UpdateVTKObjects();
-      vtkSMPropertyHelper(selection, "Input").Add(source);
-      vtkSMPropertyHelper(selection, "SelectionNames").Set(next++, name.c_str());
-      return name;
-    };
-    for (const auto& [solid, faces] : facesOfSolids)
-    {
-      const auto block = make("sources", "BlockSelectorsSelectionSource");
-      vtkSMPropertyHelper(block, "FieldType").Set(vtkSelectionNode::CELL);
-      vtkSMPropertyHelper(block, "BlockSelectors").Set(0, GetSelector(solid).c_str());
-      const auto values = make("sources", "ThresholdSelectionSource");
-      vtkSMPropertyHelper(values, "FieldType").Set(vtkSelectionNode::CELL);
-      vtkSMPropertyHelper(values, "ArrayName").Set(vtkNURBSDataSet::FaceIndexArrayName());
-      std::vector<double> ranges;
-      for (const int face : faces)
-      {
-        ranges.insert(ranges.end(), 2, face);
-      }
-      vtkSMPropertyHelper(values, "Thresholds").Set(ranges.data(), static_cast<unsigned int>(ranges.size()));
-      expression += (expression.empty() ? "(" : "|(") + append(block) + "&";
-      expression += append(values) + ")";
-    }
-    vtkSMPropertyHelper(selection, "Expression").Set(expression.c_str());
-    selection->UpdateVTKObjects();
-    filter->SetSelectionInput(this->MeshesPort, selection, 0);
-    this->OwnFaces = selection;
-  }
-
-  void Highlight(vtkSMSourceProxy* filter, const std::set<vtkIdType>& rows)
-  {
-    vtkSMSessionProxyManager* manager = filter->GetSessionProxyManager();
-    const auto source = vtkSmartPointer<vtkSMSourceProxy>::Take(
-      vtkSMSourceProxy::SafeDownCast(manager->NewProxy("sources", "BlockSelectorsSelectionSource")));
-    vtkSMPropertyHelper selectors(source, "BlockSelectors");
-    unsigned int next = 0;
-    for (const vtkIdType row : rows)
-    {
-      selectors.Set(next++, GetSelector(row).c_str());
-    }
-    source->UpdateVTKObjects();
-    const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(
-      vtkSMSourceProxy::SafeDownCast(vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
-    filter->SetSelectionInput(this->MeshesPort, selection, 0);
-    this->OwnMeshes = selection;
-  }
-
-  /// The numbers of the solids of which the user has selected blocks or cells on a port; empty for other kinds of selections.
-  static std::set<vtkIdType> FindSolids(vtkSMSourceProxy* filter, unsigned int port)
-  {
-    std::set<vtkIdType> solids;
-    vtkSMProperty* sources = filter->GetSelectionInput(port)->GetProperty("Input");
-    vtkDataAssembly* hierarchy =
-      filter->GetOutputPort(port)->GetDataInformation()->GetHierarchy(); // of partitioned datasets
-    for (unsigned int i = 0; sources && i < vtkSMPropertyHelper(sources).GetNumberOfElements(); ++i)
-    {
-      vtkSMProxy* source = vtkSMPropertyHelper(sources).GetAsProxy(i);
-      const std::string kind = source ? source->GetXMLName() : "";
-      // The composite index counts the collection, and each partitioned dataset before its only partition.
-      const auto add = [&solids](vtkIdType index)
-      {
-        if (index > 0)
-        {
-          solids.insert((index - 1) / 2);
-        }
-      };
-      const auto addIndices = [&add, source](const char* name, unsigned int step)
-      {
-        vtkSMPropertyHelper ids(source, name);
-        for (unsigned int k = 0; k < ids.GetNumberOfElements(); k += step)
-        {
-          add(ids.GetAsIdType(k));
-        }
-      };
-      if (kind == "CompositeDataIDSelectionSource")
-      {
-        addIndices("IDs", 3);
-      }
-      else if (kind == "BlockSelectionSource")
-      {
-        addIndices("Blocks", 1);
-      }
-      else if (kind == "BlockSelectorsSelectionSource" && hierarchy)
-      {
-        vtkSMPropertyHelper texts(source, "BlockSelectors");
-        std::vector<std::string> selectors;
-        for (unsigned int k = 0; k < texts.GetNumberOfElements(); ++k)
-        {
-          selectors.emplace_back(texts.GetAsString(k));
-        }
-        for (const unsigned int index : hierarchy->GetDataSetIndices(hierarchy->SelectNodes(selectors)))
-        {
-          add(index);
-        }
-      }
-    }
-    return solids;
-  }
-
-  /// Selects rows of the table, and says whether there are any.
-  bool SelectRows(vtkSMSourceProxy* filter, const std::set<vtkIdType>& rows)
-  {
-    if (rows.empty())
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(Places::MeshesPort);
+    if (this->IsOwn(shown, Places::MeshesPort))
     {
       return false;
     }
-    vtkSMSessionProxyManager* manager = filter->GetSessionProxyManager();
-    const auto source = vtkSmartPointer<vtkSMSourceProxy>::Take(
-      vtkSMSourceProxy::SafeDownCast(manager->NewProxy("sources", "IDSelectionSource")));
-    std::vector<vtkIdType> ids;
-    for (const vtkIdType row : rows)
+    vtkNew<Places> places;
+    if (shown)
     {
-      ids.insert(ids.end(), { 0, row }); // process and index
+      if (!GatherMeshes(filter, *places))
+      {
+        return false;
+      }
+      std::set<vtkIdType> solids = places->GetSolids();
+      for (const auto& faces : places->GetFaces())
+      {
+        solids.insert(faces.first);
+      }
+      this->SelectRows(filter, Places::SolidsPort, { solids.begin(), solids.end() });
+      this->SelectRows(filter, Places::FacesPort, places->GetFaceRows());
+      this->SelectRows(filter, Places::EdgesPort, {});
+      Describe(filter, *places);
+      return true;
     }
-    vtkSMPropertyHelper(source, "FieldType").Set(vtkSelectionNode::ROW);
-    vtkSMPropertyHelper(source, "IDs").Set(ids.data(), static_cast<unsigned int>(ids.size()));
-    source->UpdateVTKObjects();
-    const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(
-      vtkSMSourceProxy::SafeDownCast(vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
-    filter->SetSelectionInput(this->TablePort, selection, 0);
-    this->OwnRows = selection;
+    // Rows that the user has selected are highlighted again.
+    for (const Places::Port table : Tables)
+    {
+      vtkSMSourceProxy* selected = filter->GetSelectionInput(table);
+      if (selected && !this->IsOwn(selected, table))
+      {
+        return this->FollowRows(filter, table);
+      }
+    }
+    for (const Places::Port table : Tables)
+    {
+      this->Clear(filter, table);
+    }
+    Describe(filter, *places);
     return true;
   }
 
-  void RenderViews(vtkSMSourceProxy* filter) const
+  /// Returns false for a selection by other means than blocks and cells.
+  static bool GatherMeshes(vtkSMSourceProxy* filter, Places& places)
+  {
+    const SelectedMeshes meshes = GetSelectedMeshes(filter->GetSelectionInput(Places::MeshesPort),
+      filter->GetOutputPort(Places::MeshesPort)->GetDataInformation()->GetHierarchy());
+    if (meshes.IsEmpty())
+    {
+      return false;
+    }
+    places.SelectMeshes(meshes.Solids, meshes.Cells);
+    filter->GatherInformation(&places);
+    return true;
+  }
+
+  /// After a run: what is selected has other figures.
+  void DescribeAgain(vtkSMSourceProxy* filter)
+  {
+    vtkNew<Places> places;
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(Places::MeshesPort);
+    if (shown && !this->IsOwn(shown, Places::MeshesPort))
+    {
+      if (GatherMeshes(filter, *places))
+      {
+        Describe(filter, *places);
+      }
+      return;
+    }
+    const std::vector<vtkIdType> rows = GetSelectedRows(filter->GetSelectionInput(this->Shown));
+    if (!rows.empty())
+    {
+      places->SelectRows(this->Shown, rows);
+      filter->GatherInformation(places);
+      Describe(filter, *places);
+    }
+  }
+
+  void SelectRows(vtkSMSourceProxy* filter, Places::Port table, const std::vector<vtkIdType>& rows)
+  {
+    if (rows.empty())
+    {
+      filter->CleanSelectionInputs(table);
+    }
+    else
+    {
+      this->Select(filter, table, MakeRowSelection(filter->GetSessionProxyManager(), rows));
+    }
+  }
+
+  static void VisitViews(vtkSMSourceProxy* filter, const std::function<void(vtkSMViewProxy*)>& visit)
   {
     vtkNew<vtkSMProxyIterator> iterator;
     iterator->SetSessionProxyManager(filter->GetSessionProxyManager());
     for (iterator->Begin("views"); !iterator->IsAtEnd(); iterator->Next())
     {
-      auto* view = vtkSMViewProxy::SafeDownCast(iterator->GetProxy());
-      if (view &&
-        (view->FindRepresentation(filter, static_cast<int>(this->MeshesPort)) ||
-          view->FindRepresentation(filter, static_cast<int>(this->TablePort)) ||
-          (this->FacesPort >= 0 && view->FindRepresentation(filter, this->FacesPort))))
+      if (auto* view = vtkSMViewProxy::SafeDownCast(iterator->GetProxy()))
       {
-        view->StillRender();
+        visit(view);
       }
     }
   }
 
+  /// Gives the summaries the text of what is selected, and the meshes the lines of edges.
+  static void Describe(vtkSMSourceProxy* filter, Places& places)
+  {
+    std::vector<double> lines;
+    for (const std::array<double, 4>& point : places.GetLines())
+    {
+      lines.insert(lines.end(), point.begin(), point.end());
+    }
+    VisitViews(filter,
+      [filter, &places, &lines](vtkSMViewProxy* view)
+      {
+        vtkSMProxy* summary = view->FindRepresentation(filter, SummaryPort);
+        if (summary && summary->GetProperty("SelectedText"))
+        {
+          vtkSMPropertyHelper(summary, "SelectedText").Set(places.GetText().c_str());
+          summary->UpdateVTKObjects();
+        }
+        vtkSMProxy* meshes = view->FindRepresentation(filter, Places::MeshesPort);
+        if (meshes && meshes->GetProperty("SelectedEdges"))
+        {
+          vtkSMPropertyHelper edges(meshes, "SelectedEdges");
+          edges.SetNumberOfElements(0);
+          edges.Set(lines.data(), static_cast<unsigned int>(lines.size()));
+          meshes->UpdateVTKObjects();
+        }
+      });
+  }
+
+  static void RenderViews(vtkSMSourceProxy* filter)
+  {
+    VisitViews(filter,
+      [filter](vtkSMViewProxy* view)
+      {
+        const auto shows = [view, filter](unsigned int port)
+        { return view->FindRepresentation(filter, static_cast<int>(port)) != nullptr; };
+        if (shows(Places::MeshesPort) || shows(SummaryPort) ||
+          std::any_of(std::begin(Tables), std::end(Tables), shows))
+        {
+          view->StillRender();
+        }
+      });
+  }
+
   bool Busy = false;
-  /// The selections that Highlight(), HighlightFaces() and SelectRows() made last.
-  vtkWeakPointer<vtkSMSourceProxy> OwnMeshes;
-  vtkWeakPointer<vtkSMSourceProxy> OwnFaces;
-  vtkWeakPointer<vtkSMSourceProxy> OwnRows;
+  /// The table whose rows were highlighted last.
+  Places::Port Shown = Places::SolidsPort;
+  /// The selections that this object made last, by their ports.
+  std::map<unsigned int, vtkWeakPointer<vtkSMSourceProxy>> Own;
 };
 }
 
-void HighlightSolidsOfRows(
-  vtkSMSourceProxy* filter, unsigned int tablePort, unsigned int meshesPort, int facesPort)
+void HighlightSelectedPlaces(vtkSMSourceProxy* filter)
 {
   vtkNew<HighlightCommand> command;
-  command->TablePort = tablePort;
-  command->MeshesPort = meshesPort;
-  command->FacesPort = facesPort;
   filter->AddObserver(vtkCommand::SelectionChangedEvent, command);
+  filter->AddObserver(vtkCommand::UpdateDataEvent, command);
 }
 }

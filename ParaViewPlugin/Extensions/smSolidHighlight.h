@@ -1,11 +1,11 @@
 /**
  * @file smSolidHighlight.h
- * @brief Highlights the solids or faces whose rows are selected in the tables of a filter, and selects the rows of solids that are picked in a view
+ * @brief Keeps what is selected in the tables of a filter and in its views the same: solids, faces, edges
  *
- * After the call, a selection of rows by index, as a spreadsheet makes it, selects the blocks of these rows, or the cells of these faces; a selection of cells or
- * blocks, as a click in a view makes it, selects the rows of their solids. The views that show them are rendered again. An empty
- * selection, or one by other means, clears what was selected in this way and leaves a selection that the user made. Works on the
- * client without Qt, so also in scripts.
+ * After the call, a selection of rows by index, as a spreadsheet makes it, highlights the solids, faces or edges of these rows; a selection of cells or
+ * blocks, as a click in a view makes it, selects the rows of their solids and faces. The summary in a view says what is selected. The views that show the
+ * filter are rendered again. An empty selection, or one by other means, clears what was selected in this way and leaves a selection that
+ * the user made. Works on the client without Qt, so also in scripts.
  */
 #ifndef smSolidHighlight_h
 #define smSolidHighlight_h
@@ -14,10 +14,8 @@ class vtkSMSourceProxy;
 
 namespace sm
 {
-/** Installs the observer: `tablePort` has a table of solids, `meshesPort` partitioned datasets in the order of its rows, and `facesPort` a table
- * of faces (vtkFaceRowsInformation.h) or, where it is negative, none. Call it once per filter. */
-void HighlightSolidsOfRows(
-  vtkSMSourceProxy* filter, unsigned int tablePort, unsigned int meshesPort, int facesPort);
+/** Installs the observer on a filter with the ports of vtkSurfaceIntegralBase. Call it once per filter. */
+void HighlightSelectedPlaces(vtkSMSourceProxy* filter);
 }
 
 #endif

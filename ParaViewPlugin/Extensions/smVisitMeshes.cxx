@@ -1,5 +1,6 @@
 #include "smVisitMeshes.h"
 
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -11,12 +12,20 @@ namespace sm
 {
 namespace
 {
-void Visit(vtkDataObject* data, const std::string& name,
+void Visit(vtkDataObject* data, const std::string& name, bool isShown,
+  vtkCompositeDataDisplayAttributes* attributes,
   const std::function<void(vtkPolyData*, const std::string&)>& visit)
 {
+  if (attributes && data && attributes->HasBlockVisibility(data))
+  {
+    isShown = attributes->GetBlockVisibility(data);
+  }
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
-    visit(mesh, name);
+    if (isShown)
+    {
+      visit(mesh, name);
+    }
   }
   else if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
   {
@@ -28,15 +37,15 @@ void Visit(vtkDataObject* data, const std::string& name,
       const char* own = blocks->HasCurrentMetaData()
         ? blocks->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
         : nullptr;
-      Visit(blocks->GetCurrentDataObject(), own && *own ? own : name, visit);
+      Visit(blocks->GetCurrentDataObject(), own && *own ? own : name, isShown, attributes, visit);
     }
   }
 }
 }
 
-void VisitMeshes(
-  vtkDataObject* data, const std::function<void(vtkPolyData* mesh, const std::string& name)>& visit)
+void VisitMeshes(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes,
+  const std::function<void(vtkPolyData* mesh, const std::string& name)>& visit)
 {
-  Visit(data, {}, visit);
+  Visit(data, {}, true, attributes, visit);
 }
 }

@@ -8,14 +8,16 @@
 #include <functional>
 #include <string>
 
+class vtkCompositeDataDisplayAttributes;
 class vtkDataObject;
 class vtkPolyData;
 
 namespace sm
 {
-/// Calls `visit` with every mesh and the name of the nearest block around it that has one.
-void VisitMeshes(
-  vtkDataObject* data, const std::function<void(vtkPolyData* mesh, const std::string& name)>& visit);
+/// Calls `visit` with every mesh that is not hidden and the name of the nearest block around it that has one. `attributes` tell which blocks
+/// are hidden, with what is in them; null: none is.
+void VisitMeshes(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes,
+  const std::function<void(vtkPolyData* mesh, const std::string& name)>& visit);
 }
 
 #endif

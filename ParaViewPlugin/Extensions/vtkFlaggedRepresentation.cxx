@@ -95,7 +95,7 @@ int vtkFlaggedRepresentation::ProcessViewRequest(
   vtkAlgorithmOutput* piece = vtkPVRenderView::GetPieceProducer(inInfo, this->GetActiveRepresentation());
   vtkDataObject* data = piece ? piece->GetProducer()->GetOutputDataObject(piece->GetIndex()) : nullptr;
   std::set<int> shown;
-  sm::VisitMeshes(data,
+  sm::VisitMeshes(data, nullptr,
     [this, &shown](vtkPolyData* mesh, const std::string&)
     {
       vtkDataArray* flags = mesh->GetCellData()->GetArray(sm::names::Flag);

@@ -2,22 +2,30 @@
 
 #include "smFormat.h"
 #include "smMassPropertyNames.h"
+#include "smVTKCompatibility.h"
 #include "smVisitMeshes.h"
 
+#include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkGeometryRepresentation.h"
 #include "vtkInformation.h"
 #include "vtkLabelPlacementMapper.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPointSetToLabelHierarchy.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
 #include "vtkTextProperty.h"
@@ -34,6 +42,9 @@ namespace
 {
 constexpr std::size_t MostLabels = 50;
 constexpr int MassDigits = 4;
+/// As ParaView draws selections.
+constexpr double SelectionColor[3] = { 1.0, 0.0, 1.0 };
+constexpr float SelectionLineWidth = 4.0f;
 constexpr const char* TextArray = "Label";
 constexpr const char* PriorityArray = "Priority";
 
@@ -59,6 +70,14 @@ vtkLabeledSolidsRepresentation::vtkLabeledSolidsRepresentation()
   this->Labels->SetMapper(this->Mapper);
   this->Labels->SetVisibility(false);
   this->Labels->SetPickable(false);
+  this->ClearSelectedEdges();
+  vtkNew<vtkPolyDataMapper> lines;
+  lines->SetInputData(this->SelectedEdges);
+  this->SelectedEdgesActor->SetMapper(lines);
+  this->SelectedEdgesActor->GetProperty()->SetColor(SelectionColor[0], SelectionColor[1], SelectionColor[2]);
+  this->SelectedEdgesActor->GetProperty()->SetLineWidth(SelectionLineWidth);
+  this->SelectedEdgesActor->GetProperty()->LightingOff();
+  this->SelectedEdgesActor->SetPickable(false);
 }
 
 vtkLabeledSolidsRepresentation::~vtkLabeledSolidsRepresentation() = default;
@@ -76,7 +95,9 @@ bool vtkLabeledSolidsRepresentation::AddToView(vtkView* view)
 {
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
   {
-    renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER)->AddViewProp(this->Labels);
+    vtkRenderer* front = renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER);
+    front->AddViewProp(this->Labels);
+    front->AddViewProp(this->SelectedEdgesActor);
   }
   return this->Superclass::AddToView(view);
 }
@@ -85,7 +106,9 @@ bool vtkLabeledSolidsRepresentation::RemoveFromView(vtkView* view)
 {
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
   {
-    renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER)->RemoveViewProp(this->Labels);
+    vtkRenderer* front = renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER);
+    front->RemoveViewProp(this->Labels);
+    front->RemoveViewProp(this->SelectedEdgesActor);
   }
   return this->Superclass::RemoveFromView(view);
 }
@@ -95,6 +118,38 @@ void vtkLabeledSolidsRepresentation::SetVisibility(bool visible)
   this->Superclass::SetVisibility(visible);
   // The next rendering shows them.
   this->Labels->SetVisibility(false);
+  this->SelectedEdgesActor->SetVisibility(visible);
+}
+
+void vtkLabeledSolidsRepresentation::AddSelectedEdgePoint(double x, double y, double z, double line)
+{
+  vtkCellArray* lines = this->SelectedEdges->GetLines();
+  const vtkIdType point = this->SelectedEdges->GetPoints()->InsertNextPoint(x, y, z);
+  if (point > 0 && line == this->LastLine)
+  {
+    lines->InsertNextCell({ point - 1, point });
+  }
+  this->LastLine = line;
+  this->SelectedEdges->GetPoints()->Modified();
+  lines->Modified();
+  this->SelectedEdges->Modified();
+}
+
+void vtkLabeledSolidsRepresentation::ClearSelectedEdges()
+{
+  this->SelectedEdges->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  this->SelectedEdges->SetPoints(points);
+  this->SelectedEdges->SetLines(vtkNew<vtkCellArray>());
+  this->LastLine = -1.0;
+}
+
+vtkCompositeDataDisplayAttributes* vtkLabeledSolidsRepresentation::GetBlockAttributes()
+{
+  auto* geometry = vtkGeometryRepresentation::SafeDownCast(this->GetActiveRepresentation());
+  auto* mapper = geometry ? sm::CompositeMapper::SafeDownCast(geometry->GetActor()->GetMapper()) : nullptr;
+  return mapper ? mapper->GetCompositeDataDisplayAttributes() : nullptr;
 }
 
 int vtkLabeledSolidsRepresentation::ProcessViewRequest(
@@ -122,7 +177,7 @@ int vtkLabeledSolidsRepresentation::ProcessViewRequest(
 void vtkLabeledSolidsRepresentation::PlaceLabels(vtkDataObject* data)
 {
   std::vector<Label> labels;
-  sm::VisitMeshes(data,
+  sm::VisitMeshes(data, this->GetBlockAttributes(),
     [this, &labels](vtkPolyData* mesh, const std::string& name)
     {
       if (mesh->GetNumberOfCells() == 0)

@@ -1,9 +1,9 @@
 /**
  * @class   vtkLabeledSolidsRepresentation
- * @brief   draws solids, with their names or names and masses as labels
+ * @brief   draws solids, with their names or names and masses as labels, and edges that are selected
  *
- * A label begins in the middle of its solid's box. The 50 largest solids have labels, those of hidden blocks, too; where two would overlap, the larger solid keeps its own.
- * The mass is that of the cell array Mass, with four digits. Labels are in front of everything, drawn by the process with the window, and not
+ * A label begins in the middle of its solid's box. The 50 largest solids that are not hidden have labels; where two would overlap, the larger solid keeps its own.
+ * The mass is that of the cell array Mass, with four digits. Labels and selected edges are in front of everything, drawn by the process with the window, and not
  * at all while a server renders for it.
  */
 #ifndef vtkLabeledSolidsRepresentation_h
@@ -13,7 +13,10 @@
 #include "vtkNew.h"                     // for the labels
 #include "vtkPVCompositeRepresentation.h"
 
+class vtkActor;
 class vtkActor2D;
+class vtkCompositeDataDisplayAttributes;
+class vtkDataObject;
 class vtkLabelPlacementMapper;
 class vtkPolyData;
 class vtkTextProperty;
@@ -50,6 +53,12 @@ public:
   vtkGetMacro(LabelFontSize, int);
   ///@}
 
+  ///@{
+  /** Points of the edges that are drawn as selected: world coordinates, and the number of the line that a point continues. Default: none. */
+  void AddSelectedEdgePoint(double x, double y, double z, double line);
+  void ClearSelectedEdges();
+  ///@}
+
   void SetVisibility(bool visible) override;
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
@@ -66,6 +75,8 @@ private:
   void operator=(const vtkLabeledSolidsRepresentation&) = delete;
 
   void PlaceLabels(vtkDataObject* data);
+  /// Which blocks the user has hidden; may be null.
+  vtkCompositeDataDisplayAttributes* GetBlockAttributes();
 
   int PartLabels = NoLabels;
   double LabelColor[3] = { 1.0, 1.0, 1.0 };
@@ -75,6 +86,10 @@ private:
   vtkNew<vtkTextProperty> Text;
   vtkNew<vtkLabelPlacementMapper> Mapper;
   vtkNew<vtkActor2D> Labels;
+  /// The number of the last line of SelectedEdges; negative without one.
+  double LastLine = -1.0;
+  vtkNew<vtkPolyData> SelectedEdges;
+  vtkNew<vtkActor> SelectedEdgesActor;
 };
 
 #endif

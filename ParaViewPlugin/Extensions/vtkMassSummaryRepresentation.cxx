@@ -39,7 +39,22 @@ void vtkMassSummaryRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FlaggedColor: " << this->FlaggedColor[0] << " " << this->FlaggedColor[1] << " "
-     << this->FlaggedColor[2] << "\n";
+     << this->FlaggedColor[2] << "\n"
+     << indent << "SelectedText: " << this->SelectedText << "\n";
+}
+
+void vtkMassSummaryRepresentation::SetSelectedText(const std::string& text)
+{
+  if (this->SelectedText != text)
+  {
+    this->SelectedText = text;
+    this->Modified();
+  }
+}
+
+std::string vtkMassSummaryRepresentation::GetSelectedText() const
+{
+  return this->SelectedText;
 }
 
 int vtkMassSummaryRepresentation::RequestData(
@@ -101,7 +116,12 @@ int vtkMassSummaryRepresentation::ProcessViewRequest(
     const bool flagged = data && IsFlagged(data->GetFieldData());
     text->SetColor(flagged ? this->FlaggedColor : this->OrdinaryColor);
     // Several summaries in the corner stand below each other.
-    const std::string written = widget->GetText() ? widget->GetText() : "";
+    std::string written = widget->GetText() ? widget->GetText() : "";
+    if (!this->SelectedText.empty())
+    {
+      written += (written.empty() || written.back() == '\n' ? "\n" : "\n\n") + this->SelectedText;
+      widget->SetText(written.c_str());
+    }
     this->LineHeight = text->GetFontSize();
     this->Lines = 0;
     if (widget->GetWindowLocation() == vtkTextRepresentation::UpperLeftCorner && this->LineHeight > 0.0)

@@ -11,6 +11,8 @@
 #include "smParaViewExtensionsModule.h" // for the export macro
 #include "vtkTextSourceRepresentation.h"
 
+#include <string> // for the text
+
 class SMPARAVIEWEXTENSIONS_EXPORT vtkMassSummaryRepresentation : public vtkTextSourceRepresentation
 {
 public:
@@ -22,6 +24,12 @@ public:
   /** Colour of the text when the status is not ok: red, green and blue, each from 0 to 1. Default: 1 0.4 0.35. */
   vtkSetVector3Macro(FlaggedColor, double);
   vtkGetVector3Macro(FlaggedColor, double);
+  ///@}
+
+  ///@{
+  /** What is selected, in lines; stands below the summary. Empty by default: nothing is. */
+  void SetSelectedText(const std::string& text);
+  std::string GetSelectedText() const;
   ///@}
 
   int ProcessViewRequest(
@@ -41,6 +49,7 @@ private:
   vtkMassSummaryRepresentation(const vtkMassSummaryRepresentation&) = delete;
   void operator=(const vtkMassSummaryRepresentation&) = delete;
 
+  std::string SelectedText;
   double FlaggedColor[3] = { 1.0, 0.4, 0.35 };
   /// The colour of the text property when it is not overridden.
   double OrdinaryColor[3] = { 1.0, 1.0, 1.0 };

@@ -98,10 +98,16 @@ void AddModels(vtkDataObject* data, const std::string& name, PartCollector& part
 void AddRows(vtkTable* table, PartCollector& parts)
 {
   auto* names = vtkStringArray::SafeDownCast(table->GetColumnByName(sm::names::Name));
+  auto* ids = vtkStringArray::SafeDownCast(table->GetColumnByName(sm::names::Id));
   auto* volumes = vtkDataArray::SafeDownCast(table->GetColumnByName(sm::names::Volume));
   auto* masses = vtkDataArray::SafeDownCast(table->GetColumnByName(sm::names::Mass));
-  for (vtkIdType row = 0; names && volumes && row < table->GetNumberOfRows(); ++row)
+  for (vtkIdType row = 0; names && ids && volumes && row < table->GetNumberOfRows(); ++row)
   {
+    // The total has no number of a solid.
+    if (ids->GetValue(row).empty())
+    {
+      continue;
+    }
     sm::PartMaterial part;
     part.Name = names->GetValue(row);
     part.Solids = std::isfinite(volumes->GetComponent(row, 0)) ? 1 : 0;

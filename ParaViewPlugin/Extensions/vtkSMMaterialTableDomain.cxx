@@ -89,8 +89,8 @@ void vtkSMMaterialTableDomain::FollowCells()
   std::vector<std::string> cells = table->GetElements();
   sm::TakeEditedCell(this->Filled, cells);
   const std::vector<sm::MaterialRow> read = sm::ReadMaterialTable(cells, rules);
-  const std::vector<std::string> filled =
-    sm::MakeMaterialTable(this->Parts->GetParts(), this->Masses->GetParts(), rules, this->GetDensity());
+  const std::vector<std::string> filled = sm::MakeMaterialTable(
+    this->Parts->GetParts(), this->Masses->GetParts(), rules, this->GetDensity(), this->IsSomeSolids());
   if (read == sm::ReadMaterialTable(filled, rules))
   {
     this->FillCells();
@@ -127,11 +127,17 @@ double vtkSMMaterialTableDomain::GetDensity()
   return density ? vtkSMPropertyHelper(density).GetAsDouble() : 0.0;
 }
 
+bool vtkSMMaterialTableDomain::IsSomeSolids()
+{
+  vtkSMProperty* selectors = this->GetRequiredProperty("Selectors");
+  return selectors && vtkSMPropertyHelper(selectors).GetNumberOfElements() > 0;
+}
+
 void vtkSMMaterialTableDomain::FillCells()
 {
   auto* table = vtkSMStringVectorProperty::SafeDownCast(this->GetProperty());
-  const std::vector<std::string> cells = sm::MakeMaterialTable(
-    this->Parts->GetParts(), this->Masses->GetParts(), this->GetRules(), this->GetDensity());
+  const std::vector<std::string> cells = sm::MakeMaterialTable(this->Parts->GetParts(),
+    this->Masses->GetParts(), this->GetRules(), this->GetDensity(), this->IsSomeSolids());
   this->Filled = cells;
   if (table && table->GetElements() != cells)
   {

@@ -10,6 +10,7 @@
  *     <Property name="Input" function="Input"/>
  *     <Property name="Materials" function="Rules"/>
  *     <Property name="Density" function="Density"/>
+ *     <Property name="Selectors" function="Selectors"/>
  *   </RequiredProperties>
  * </MaterialTableDomain>
  * @endcode
@@ -47,6 +48,8 @@ private:
 #ifndef __VTK_WRAP__
   std::vector<sm::MaterialRow> GetRules();
   double GetDensity();
+  /// Only solids that are ticked are computed.
+  bool IsSomeSolids();
   void GatherParts();
   void FollowCells();
   void FollowRun();

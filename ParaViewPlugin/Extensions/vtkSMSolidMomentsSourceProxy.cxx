@@ -130,16 +130,9 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
   {
     return;
   }
-  vtkPVXMLElement* hint =
-    this->GetHints() ? this->GetHints()->FindNestedElementByName("HighlightRows") : nullptr;
-  int table = 0;
-  int meshes = 0;
-  if (hint && hint->GetScalarAttribute("table", &table) && hint->GetScalarAttribute("meshes", &meshes))
+  if (this->GetHints() && this->GetHints()->FindNestedElementByName("HighlightRows"))
   {
-    int faces = -1;
-    hint->GetScalarAttribute("faces", &faces);
-    sm::HighlightSolidsOfRows(
-      this, static_cast<unsigned int>(table), static_cast<unsigned int>(meshes), faces);
+    sm::HighlightSelectedPlaces(this);
   }
   // The text of the status bar, also for a run on a server; the default is the name of the class.
   vtkClientServerStream stream;

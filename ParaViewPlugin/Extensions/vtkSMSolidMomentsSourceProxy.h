@@ -4,10 +4,8 @@
  *
  * The plugin's XML uses `<SolidMomentsSourceProxy>` in place of ParaView's `<SourceProxy>`. An InitializationHelper in the hints runs
  * only for proxies made by Apply or a script; this class also serves those of a loaded state. It adds
- * - highlighting of the solids and faces whose rows are selected in tables (smSolidHighlight.h), where the hints ask for it:
- * @code{xml}
- * <HighlightRows table="1" meshes="5" faces="3"/>
- * @endcode
+ * - highlighting of the solids, faces and edges whose rows are selected in tables, and rows of what is picked (smSolidHighlight.h), where
+ *   the hints have `<HighlightRows/>`;
  * - the key Esc in ParaView's window, which stops a run in this process (smEscapeKey.h); ParaView 5.11 never enables its own button
  *   beside the progress bar. During such a run the status bar shows "Mass Properties, Esc stops it". A run on a server cannot
  *   be stopped by the client: limit it by the property MaximumSeconds.

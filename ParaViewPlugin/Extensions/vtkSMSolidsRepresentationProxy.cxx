@@ -45,6 +45,26 @@ void vtkSMSolidsRepresentationProxy::CreateVTKObjects()
   }
 }
 
+bool vtkSMSolidsRepresentationProxy::GetUsingScalarColoring()
+{
+  return this->Superclass::GetUsingScalarColoring() || (!this->IsDrawn && GetArrayName(this).empty());
+}
+
+void vtkSMSolidsRepresentationProxy::ViewUpdated(vtkSMProxy* view)
+{
+  this->Superclass::ViewUpdated(view);
+  if (!this->IsDrawn && !this->IsWaiting && view)
+  {
+    this->IsWaiting = true;
+    view->AddObserver(vtkCommand::EndEvent, this, &vtkSMSolidsRepresentationProxy::EndFirstDrawing);
+  }
+}
+
+void vtkSMSolidsRepresentationProxy::EndFirstDrawing()
+{
+  this->IsDrawn = true;
+}
+
 void vtkSMSolidsRepresentationProxy::FollowArray()
 {
   if (vtkSMProperty* map = this->GetProperty("MapScalars"))
@@ -56,8 +76,8 @@ void vtkSMSolidsRepresentationProxy::FollowArray()
 bool vtkSMSolidsRepresentationProxy::SetScalarBarVisibility(vtkSMProxy* view, bool visible)
 {
   const std::string array = GetArrayName(this);
-  // The superclass would make a bar to hide it.
-  if (array == sm::names::Color && (visible || !this->IsScalarBarVisible(view)))
+  // Without an array there is no bar. That of the file's colours the superclass would make to hide it.
+  if (array.empty() || (array == sm::names::Color && (visible || !this->IsScalarBarVisible(view))))
   {
     return false;
   }

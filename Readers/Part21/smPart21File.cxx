@@ -2,6 +2,7 @@
 
 #include "smPart21Cursor.h"
 #include "smPart21Parser.h"
+#include "smTextEncoding.h"
 
 #include <algorithm>
 #include <cstring>
@@ -87,7 +88,7 @@ bool Part21File::Read(const std::string& path)
 bool Part21File::Parse(std::string text)
 {
   this->Clear();
-  this->Text = std::move(text);
+  this->Text = ToUTF8(std::move(text));
   const std::size_t start = std::string_view(this->Text).substr(0, HeaderSearch).find(Magic);
   if (this->Text.empty() || start == std::string_view::npos || this->Text.size() > UINT32_MAX)
   {

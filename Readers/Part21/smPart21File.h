@@ -84,7 +84,7 @@ public:
   /// Bytes at the start of a file in which its header is searched; what stands before it is ignored.
   static constexpr std::size_t HeaderSearch = 1 << 16;
 
-  /// Reads a whole file. False when nothing can be read; the problem says why.
+  /// Reads a whole file, as UTF-8 (smTextEncoding.h). False when nothing can be read; the problem says why.
   bool Read(const std::string& path);
   /// The same for text in memory.
   bool Parse(std::string text);

@@ -156,8 +156,27 @@ def pick(kind, name, values):
 pick("CompositeDataIDSelectionSource", "IDs", [6, 0, 1, 6, 0, 2, 20, 0, 0])
 check_equal("rows of picked faces", [2, 9], get_selected_rows(many, 1))
 check_equal("the picked cells stay", 3, count_selected_cells(many, 5))
+faces = servermanager.Fetch(many, idx=3)
+picked = get_selected_rows(many, 3)
+check_equal("rows of their faces", [2, 9], sorted({faces.GetValueByName(row, "Solid").ToInt() for row in picked}))
+summary = display(many, 2).SMProxy.GetProperty("SelectedText")
+
+
+def get_text():
+    """What the view says of the selection, in one line."""
+    return " ".join(summary.GetElement(0).split())
+
+
+solids = servermanager.Fetch(many, idx=1)
+for words in ("face #", "frustum (solid 3)", "frustum (solid 10)", "mass 0.0002686", "volume 99.48", "mm^2", "widest gap ", "2 solids: mass 0.000537"):
+    check_true(f"the view says '{words}'", words in get_text(), get_text())
+many.Density = 5400.0
+many.UpdatePipeline()
+check_true("another density: another mass", "2 solids: mass 0.00107" in get_text(), get_text())
+many.Density = 2700.0
 many.SMProxy.CleanSelectionInputs(5)
-check_equal("rows are cleared with the pick", [], get_selected_rows(many, 1))
+check_equal("rows are cleared with the pick", [], get_selected_rows(many, 1) + get_selected_rows(many, 3))
+check_equal("and the text", "", get_text())
 pick("BlockSelectionSource", "Blocks", [8])
 check_equal("row of a picked block", [3], get_selected_rows(many, 1))
 select_rows(many, 1, [7])
@@ -190,6 +209,32 @@ select_rows(many, 3, rows)
 many.SMProxy.CleanSelectionInputs(3)
 check_equal("cleared with the rows of faces", 0, count_pixels(is_magenta))
 
+# Rows of edges draw these edges.
+edges = servermanager.Fetch(many, idx=4)
+select_rows(many, 4, [0])
+edge = count_pixels(is_magenta)
+check_true("magenta pixels of an edge", edge > 3, str(edge))
+check_true("the view names the edge", "edge #" in get_text() and "2 uses by faces" in get_text(), get_text())
+select_rows(many, 4, range(edges.GetNumberOfRows()))
+check_true("those of all edges", count_pixels(is_magenta) > 50 * edge, str(count_pixels(is_magenta)))
+check_true("lines of the edges alone: no cells", not many.SMProxy.GetSelectionInput(5))
+many.SMProxy.CleanSelectionInputs(4)
+check_equal("edges cleared with the rows", (0, ""), (count_pixels(is_magenta), get_text()))
+
+# The row of the total stands for all solids.
+check_equal("the total row", ("Total", "", 501), (solids.GetValueByName(500, "Name").ToString(), solids.GetValueByName(500, "Id").ToString(),
+                                                  solids.GetNumberOfRows()))
+totals = servermanager.Fetch(many, idx=0).GetFieldData()
+for name in ("Volume", "VolumeBound", "Mass", "MaxGap"):
+    check_equal(f"total of {name}", totals.GetArray(name).GetValue(0), solids.GetValueByName(500, name).ToDouble())
+check_equal("status of the total", "ok", solids.GetValueByName(500, "Status").ToString())
+select_rows(many, 1, [500])
+check_equal("its row highlights all solids", total, count_selected_cells(many, 5))
+many.SMProxy.CleanSelectionInputs(1)
+many.TotalRow = 0
+check_equal("without it", 500, servermanager.Fetch(many, idx=1).GetNumberOfRows())
+many.TotalRow = 1
+
 # Labels are white, and there are none at first.
 shown = simple.GetRepresentation(servermanager.OutputPort(many, 5), view)
 simple.Hide(servermanager.OutputPort(many, 2), view)
@@ -202,6 +247,12 @@ def is_white(red, green, blue):
 check_equal("no labels", (0, 0), (count_pixels(is_white), shown.SMProxy.GetProperty("PartLabels").GetElement(0)))
 shown.PartLabels = "Name"
 short = count_pixels(is_white)
+blocks = list(shown.BlockSelectors)
+shown.BlockSelectors = ["/Root/*[250]"]
+alone = count_pixels(is_white)
+check_true("hidden solids have no label", 20 < alone < short // 3, f"{alone} of {short} pixels")
+shown.BlockSelectors = blocks
+check_equal("labels are back with the solids", short, count_pixels(is_white))
 shown.PartLabels = "Name and mass"
 both = count_pixels(is_white)
 check_true("labels with names, and others with masses", 100 < short != both > 100, f"{short} {both} pixels")

@@ -192,6 +192,31 @@ mass.UpdatePipeline()
 check_equal("another input: the rule stays", ["rail", "steel", "7850"], list(mass.Materials))
 check_equal("another input: rows", ["nut", "rail", "Total"], list(get_rows(mass)))
 
+# Ticked solids only: both totals say so.
+some = MassProperties(Input=reader, Density=1000.0)  # noqa: F821
+some.UpdatePipeline()
+everything = servermanager.Fetch(some, idx=1)
+check_equal("total row", "Total", everything.GetValueByName(everything.GetNumberOfRows() - 1, "Name").ToString())
+domain = some.SMProxy.GetProperty("Selectors").FindDomain("vtkSMDataAssemblyDomain")
+some.Assembly = "Hierarchy"
+domain.Update(None)
+hierarchy = domain.GetDataAssembly()
+some.Selectors = [hierarchy.GetNodePath(hierarchy.GetChildNodes(0, False)[0])]  # and others of that name
+some.UpdatePipeline()
+ticked = servermanager.Fetch(some, idx=1)
+solids, chosen = everything.GetNumberOfRows() - 1, ticked.GetNumberOfRows() - 1
+check_true("several solids are ticked, not all", 1 < chosen < solids, f"{chosen} of {solids}")
+check_equal("total row of ticked solids", f"Total of {chosen} of {solids} solids", ticked.GetValueByName(chosen, "Name").ToString())
+check_equal("material table of ticked solids", "Total of ticked solids", list(some.MaterialTable)[-4])
+expected = sum(ticked.GetValueByName(row, "Mass").ToDouble() for row in range(chosen))
+check("mass in the total row", expected, ticked.GetValueByName(chosen, "Mass").ToDouble(), 1e-14 * expected, "rounding")
+check("mass in the material table", expected, float(list(some.MaterialTable)[-1]), 5.1e-6 * expected, "six digits")
+some.MaterialTable = list(some.MaterialTable)[:-4] + ["Total of ticked solids", "lead", "", ""]
+check_equal("no rule of a total", [], list(some.Materials))
+some.Selectors = []
+some.UpdatePipeline()
+check_equal("all again", "Total", list(some.MaterialTable)[-4])
+
 # Parts have a total: the product that is all, or a row of its own.
 def get_parts(filter_proxy):
     table = servermanager.Fetch(filter_proxy, idx=7)

@@ -17,7 +17,7 @@ from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smproduct import Assembly, Part, expand, get_properties, write_product  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["masses", "materials", "frames", "lists", "scripts", "robots", "validation", "systems", "inputs", "help"])
+parser.add_argument("mode", choices=["masses", "materials", "frames", "lists", "encodings", "scripts", "robots", "validation", "systems", "inputs", "help"])
 for name in ("--program", "--output"):
     parser.add_argument(name, required=True)
 parser.add_argument("--models", help="folder with real files, for systems")
@@ -300,6 +300,18 @@ def lists():
     check_equal("entries", [("part", 1), ("part", 2), ("twin", 1)], sorted((entry["name"], entry["count"]) for entry in root["children"]))
 
 
+def encodings():
+    """Letters beyond ASCII: by the escapes of Part 21, in UTF-8, in ISO 8859-1."""
+    path = write_product(os.path.join(folder, "encodings.step"), Part("HOUSING", [((0, 0, 0), (1, 2, 3))]))
+    with open(path, "rb") as file:
+        text = file.read()
+    for name in (b"Geh\\X2\\00E4\\X0\\use", b"Geh\\X\\E4use", b"Geh\\S\\duse", "Geh\xe4use".encode("utf-8"), b"Geh\xe4use"):
+        with open(path, "wb") as file:
+            file.write(text.replace(b"HOUSING", name))
+        read = run_json(path)
+        check_equal(f"the name {name}", ("ok", "Geh\xe4use"), (read["status"], read["solids"][0]["name"]))
+
+
 def scripts():
     path = write_product(os.path.join(folder, "scripts.step"), make_machine())
     partial = write_product(os.path.join(folder, "scripts-partial.step"), make_machine(plate_density=None))
@@ -557,6 +569,6 @@ def systems():
             check(f"volume of the {key}", volume, other[key][1], bound + 1e-5 * volume, "rounding of the files")
 
 
-{"masses": masses, "materials": materials, "frames": frames, "lists": lists, "scripts": scripts, "robots": robots,
+{"masses": masses, "materials": materials, "frames": frames, "lists": lists, "encodings": encodings, "scripts": scripts, "robots": robots,
  "validation": validation, "systems": systems, "inputs": inputs, "help": help_pages}[options.mode]()
 finish()

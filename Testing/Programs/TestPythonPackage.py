@@ -157,6 +157,10 @@ def check_failures():
 def check_texts():
     result, _ = quietly(sample, density=7850.0)
     check_equal("version", version, solidmoments.__version__)
+    # The interpreter of display_mesh() has its version in its name, where there is such a name.
+    python = solidmoments._version.PYTHON
+    versioned = os.path.join(os.path.dirname(python), f"python{sys.version_info.major}.{sys.version_info.minor}")
+    check_true("the interpreter", python == versioned or not os.path.exists(versioned), python)
     check_true("docstrings", all(getattr(solidmoments, name).__doc__ for name in solidmoments.__all__ if name != "__version__"))
     check_equal("units", ("mm^3", "mm^2", "mm", "mm^5", "kg", "kg mm^2", "1"),
                 tuple(result.units[name] for name in ("volume", "area", "center_of_mass", "inertia", "mass", "mass_inertia", "principal_axes")))

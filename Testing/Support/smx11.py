@@ -1,4 +1,4 @@
-"""Keys pressed on an X display as by a user, by the extension XTEST over the plain protocol: no library and no program is needed."""
+"""An X display over its plain protocol, without a library or a program: keys pressed as by a user (the extension XTEST), and pictures of the screen."""
 import os
 import socket
 import struct
@@ -39,6 +39,7 @@ class Display:
         self.socket.sendall(struct.pack("<BxHHHHxx", ord("l"), 11, 0, len(name), len(data)) + _pad(name) + _pad(data))
         head = self._receive(8)
         rest = self._receive(4 * struct.unpack("<H", head[6:8])[0])
+        self.setup = rest
         if head[0] != 1:
             raise OSError(f"the display refuses: {rest!r}")
         extension = b"XTEST"
@@ -64,3 +65,18 @@ class Display:
         # A request with a reply, so that both are done.
         self.socket.sendall(struct.pack("<BxH", 43, 1))
         self._receive(32)
+
+    def grab(self):
+        """The screen: width, height, and its pixels from the upper left corner, each as blue, green, red and a byte without meaning."""
+        vendor, formats = struct.unpack("<H", self.setup[16:18])[0], self.setup[21]
+        screen = self.setup[32 + vendor + -vendor % 4 + 8 * formats:]
+        root, (width, height) = struct.unpack("<I", screen[:4])[0], struct.unpack("<HH", screen[20:24])
+        self.socket.sendall(struct.pack("<BBHIHHHHI", 73, 2, 5, root, 0, 0, width, height, 0xffffffff))
+        size = 4 * struct.unpack("<I", self._receive(32)[4:8])[0]
+        chunks = []
+        while size > 0:
+            chunks.append(self.socket.recv(min(size, 1 << 20)))
+            if not chunks[-1]:
+                raise OSError("the display closed the connection")
+            size -= len(chunks[-1])
+        return width, height, b"".join(chunks)

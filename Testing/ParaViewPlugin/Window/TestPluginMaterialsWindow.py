@@ -1,4 +1,5 @@
-"""TestPluginMaterialsWindow.py PARAVIEW PLUGIN.so OUTPUT: plays TestPluginMaterialsWindow.xml back; its checks read the table in the panel."""
+"""TestPluginMaterialsWindow.py PARAVIEW PLUGIN.so OUTPUT: plays TestPluginMaterialsWindow.xml back; its checks read the table in the panel,
+and the state that it saves has the rules, and no colours of blocks."""
 import os
 import re
 import subprocess
@@ -29,6 +30,11 @@ status = subprocess.call([
 check_equal("the playback ends with", 0, status)
 if check_true("the state was saved", os.path.exists(state), state):
     with open(state, encoding="utf-8") as file:
-        materials = re.search(r'<Property name="Materials".*?</Property>', file.read(), re.DOTALL).group()
+        text = file.read()
+    materials = re.search(r'<Property name="Materials".*?</Property>', text, re.DOTALL).group()
+    colors = re.findall(r'<Property name="ColorArrayName".*?</Property>', text, re.DOTALL)
+    check_equal("solids without colours in their file are not coloured by their block", (True, []), (
+        len(colors) >= 3, [color for color in colors if 'value="vtkBlockColors"' in color]))
+    check_equal("and there is no legend", 0, text.count('type="ScalarBarWidgetRepresentation"'))
     check_equal("rules of the state", ["rail", "Steel", "7850"], re.findall(r'<Element index="\d+" value="([^"]*)"', materials))
 finish()

@@ -23,6 +23,7 @@ def check_pipeline(what, mass, view):
             actual = getattr(shown, name)
             check_equal(f"{what}: {name} of port {port}", value, list(actual) if isinstance(value, list) else type(value)(actual))
     check_equal(f"{what}: density", 2700.0, float(mass.Density))
+    check_equal(f"{what}: materials", ["*", "aluminium", "2700"], list(mass.Materials))
     simple.Render(view)
     fields = servermanager.Fetch(mass, idx=0).GetFieldData()
     check_equal(f"{what}: status", "ok", fields.GetAbstractArray("Status").GetValue(0))
@@ -48,12 +49,15 @@ for port, values in VALUES.items():
     shown = simple.GetRepresentation(servermanager.OutputPort(mass, port), view)
     for name, value in values.items():
         setattr(shown, name, value)
+mass.Materials = ["*", "aluminium", "2700"]
 volume = check_pipeline("made", mass, view)
 states = [os.path.join(folder, "PluginState." + end) for end in ("pvsm", "py")]
 simple.SaveState(states[0])
 with open(states[1], "w", encoding="utf-8") as file:
     # As File > Save State does for Python; SaveState() of 5.11 writes XML whatever the name.
-    file.write(smstate.get_state())
+    text = smstate.get_state()
+    file.write(text)
+check_true("a state in Python has the rules of materials, not the table", "Materials" in text and "MaterialTable" not in text)
 del reader, shown
 for state in states:
     what = os.path.splitext(state)[1][1:]

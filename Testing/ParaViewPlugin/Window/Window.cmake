@@ -13,6 +13,12 @@ if (SOLIDMOMENTS_PVSERVER AND TARGET SolidMoments::FiltersMomentSchemes)
       "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginProgress.py" "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_SAMPLE_PART}"
       "${window_assembly}")
 endif ()
+# A first session, and the pictures of it that the user guide shows.
+if (SOLIDMOMENTS_PARAVIEW AND TARGET SolidMoments::FiltersSection AND TARGET SolidMoments::FiltersNURBSEdit)
+  solidmoments_add_test(NAME PluginWalk LABELS plugin image XVFB
+    COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginWalk.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
+      "${SOLIDMOMENTS_TEST_OUTPUT}")
+endif ()
 # The run that Esc stops is one of the paper's schemes.
 if (SOLIDMOMENTS_PARAVIEW AND TARGET SolidMoments::FiltersMomentSchemes)
   solidmoments_add_test(NAME PluginEscape LABELS plugin robust XVFB

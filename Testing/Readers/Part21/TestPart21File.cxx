@@ -4,6 +4,7 @@
  */
 #include "smPart21File.h"
 #include "smSTEPTessellations.h"
+#include "smTextEncoding.h"
 
 #include "smTesting.h"
 
@@ -287,7 +288,7 @@ void CheckEveryByte()
         wrong += values.IsMalformed() && !file.IsDamaged(i) ? 1 : 0;
       }
     }
-    wrong += end > text.size() ? 1 : 0;
+    wrong += end > file.GetText().size() ? 1 : 0;
   };
   for (std::size_t k = 0; k <= whole.size(); ++k)
   {
@@ -372,6 +373,28 @@ void CheckTessellations()
   CheckEqual("nothing to remove", "", sm::RemoveTessellations(file));
 }
 
+void CheckEncodings()
+{
+  const std::string umlaut = "Geh\xc3\xa4use";
+  CheckEqual("ASCII", "a;b\n", sm::ToUTF8("a;b\n"));
+  CheckEqual("nothing", "", sm::ToUTF8(""));
+  CheckEqual("UTF-8 of two, three and four bytes", "\xc3\xa4\xe2\x82\xac\xf0\x9f\x94\xa9",
+    sm::ToUTF8("\xc3\xa4\xe2\x82\xac\xf0\x9f\x94\xa9"));
+  CheckEqual("ISO 8859-1", umlaut, sm::ToUTF8("Geh\xe4use"));
+  CheckEqual("both", umlaut + "\xc3\x98" + umlaut, sm::ToUTF8(umlaut + "\xd8" + "Geh\xe4use"));
+  CheckEqual("at the end", "a\xc3\xbf", sm::ToUTF8("a\xff"));
+  CheckEqual("an unfinished letter", "\xc3\xa2\xc2\x82", sm::ToUTF8("\xe2\x82"));
+  // Not UTF-8: a longer form than needed, a half of a pair, beyond the last letter.
+  CheckEqual("overlong", "\xc3\x80\xc2\xaf", sm::ToUTF8("\xc0\xaf"));
+  CheckEqual("overlong, three bytes", "\xc3\xa0\xc2\x80\xc2\xaf", sm::ToUTF8("\xe0\x80\xaf"));
+  CheckEqual("surrogate", "\xc3\xad\xc2\xa0\xc2\x80", sm::ToUTF8("\xed\xa0\x80"));
+  CheckEqual("beyond", "\xc3\xb4\xc2\x90\xc2\x80\xc2\x80", sm::ToUTF8("\xf4\x90\x80\x80"));
+  const sm::Part21File file = Parse("#1=A('Geh\xe4use');\n#2=B('" + umlaut + "');\n");
+  CheckEqual("in a file: ISO 8859-1", "'" + umlaut + "'", std::string(file.GetParameters(0)));
+  CheckEqual("in a file: UTF-8", "'" + umlaut + "'", std::string(file.GetParameters(1)));
+  CheckEqual("in a file: problems", "", GetProblems(file));
+}
+
 void CheckFromDisk(const std::string& folder)
 {
   const std::string path = folder + "/part21_file.step";
@@ -406,6 +429,7 @@ int TestPart21File(int argc, char* argv[])
   CheckDepth();
   CheckSparse();
   CheckTessellations();
+  CheckEncodings();
   CheckFromDisk(argv[1]);
   return smtest::Finish();
 }

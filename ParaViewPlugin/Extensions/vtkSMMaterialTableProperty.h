@@ -1,0 +1,35 @@
+/**
+ * @class   vtkSMMaterialTableProperty
+ * @brief   the cells of the table of materials in the panel of Mass Properties
+ *
+ * vtkSMMaterialTableDomain fills the cells from input, rules and results, so that they are no setting of their own: IsValueDefault() is always true, and
+ * states in Python have the rules (the property Materials) only.
+ */
+#ifndef vtkSMMaterialTableProperty_h
+#define vtkSMMaterialTableProperty_h
+
+#include "smParaViewExtensionsModule.h" // for the export macro
+#include "vtkSMStringVectorProperty.h"
+
+class SMPARAVIEWEXTENSIONS_EXPORT vtkSMMaterialTableProperty : public vtkSMStringVectorProperty
+{
+public:
+  static vtkSMMaterialTableProperty* New();
+  vtkTypeMacro(vtkSMMaterialTableProperty, vtkSMStringVectorProperty);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  bool IsValueDefault() override
+  {
+    return true;
+  }
+
+protected:
+  vtkSMMaterialTableProperty();
+  ~vtkSMMaterialTableProperty() override;
+
+private:
+  vtkSMMaterialTableProperty(const vtkSMMaterialTableProperty&) = delete;
+  void operator=(const vtkSMMaterialTableProperty&) = delete;
+};
+
+#endif
