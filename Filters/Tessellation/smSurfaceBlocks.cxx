@@ -115,40 +115,26 @@ namespace
 /// Sets the bounds of a block, for parameters of the net's own.
 void BoundBlock(const PatchNet& net, bool rational, SurfaceBlocks::Block& block)
 {
-  block.Full = BoundSecondDerivatives(net, rational);
-  block.Along = block.Full;
-  // Circular arcs are even enough.
-  if (rational && net.P <= 2 && net.Q <= 2)
-  {
-    return;
-  }
-  const Homogeneous h = Evaluate(net, 0.5, 0.5);
-  const Vector3 c = Project(h);
-  const Vector3 du = ProjectDerivative(Evaluate(Derive(net, 0), 0.5, 0.5), c, h[3]);
-  const Vector3 dv = ProjectDerivative(Evaluate(Derive(net, 1), 0.5, 0.5), c, h[3]);
-  const Vector3 cross = Cross(du, dv);
+  // Circular arcs are even enough to do without a normal.
+  const bool isArc = rational && net.P <= 2 && net.Q <= 2;
+  const NetMiddle middle = isArc ? NetMiddle{} : EvaluateMiddle(net);
+  const Vector3 cross = Cross(middle.First[0], middle.First[1]);
   const double area = Norm(cross);
+  const Vector3 normal = area > 0.0 ? Normalized(cross) : Vector3{ 0.0, 0.0, 0.0 };
+  const CurvatureBounds bounds = BoundSecondDerivatives(net, rational, normal);
+  block.Full = bounds.Full;
+  block.Along = bounds.Full;
   // |S_u - du| and |S_v - dv| on the net; their cross product turns by no more than this.
   const double u = 0.5 * (block.Full[0] + block.Full[1]);
   const double v = 0.5 * (block.Full[1] + block.Full[2]);
-  const double sine = (u * Norm(dv) + v * Norm(du) + u * v) / area;
+  const double sine = (u * Norm(middle.First[1]) + v * Norm(middle.First[0]) + u * v) / area;
   if (!(sine < MostSine))
   {
     return;
   }
-  block.Normal = Normalized(cross);
+  block.Normal = normal;
   block.Tilt = std::asin(sine);
-  if (sine == 0.0)
-  {
-    return;
-  }
-  PatchNet along = net;
-  for (Homogeneous& b : along.B)
-  {
-    const Vector3 p{ b[0] - b[3] * c[0], b[1] - b[3] * c[1], b[2] - b[3] * c[2] };
-    b = { Dot(p, block.Normal), 0.0, 0.0, b[3] };
-  }
-  block.Along = BoundSecondDerivatives(along, rational);
+  block.Along = bounds.Along;
 }
 }
 
