@@ -120,7 +120,7 @@ double MeasureEdges(const std::vector<sm::FacePointer>& faces, const sm::MeshLim
   }
   for (const auto& edge : uses)
   {
-    for (const double t : sm::SampleEdge(*edge.first, edge.second, limits, 1))
+    for (const double t : sm::SampleEdge(*edge.first, edge.second, limits, 1).T)
     {
       edge.first->Curve.Evaluate(t);
     }
