@@ -220,7 +220,7 @@ private:
       box = { { face.Surface.GetDomainStart(0), face.Surface.GetDomainStart(1) },
         { face.Surface.GetDomainEnd(0), face.Surface.GetDomainEnd(1) } };
     }
-    this->Blocks[index] = std::make_unique<SurfaceBlocks>(face.Surface, box);
+    this->Blocks[index] = std::make_unique<SurfaceBlocks>(face.Surface, box, this->Limits);
   }
 
   void SampleEdges()

@@ -60,6 +60,20 @@ struct CurvatureBounds
   }
 };
 
+/// Steps in the parameters with which a bound of the error need not be sharper.
+struct EnoughBound
+{
+  std::array<double, 2> Step{};
+  /// No bound is enough where this is 0.
+  double Sum = 0.0;
+
+  bool IsMet(const std::array<double, 3>& b) const
+  {
+    const std::array<double, 2>& h = this->Step;
+    return b[0] * h[0] * h[0] + 2.0 * b[1] * h[0] * h[1] + b[2] * h[1] * h[1] < this->Sum;
+  }
+};
+
 /// Largest length of vectors, and of their components along a unit vector.
 class LargestVector
 {

@@ -8,20 +8,13 @@
 #include "smFiltersTessellationModule.h"
 
 #include "smFace.h"
+#include "smMeshLimits.h"
 #include "smSurfaceBlocks.h"
 
 #include <vector>
 
 namespace sm
 {
-struct MeshLimits
-{
-  /// Largest distance of a triangle from its surface and of a segment from its edge, in model units.
-  double Deflection = 0.0;
-  /// Wanted angle between neighbouring triangles and segments, in radians.
-  double Angle = 0.35;
-};
-
 /// A face beside an edge.
 struct EdgeUse
 {

@@ -13,6 +13,8 @@ namespace
 /// How often a part is halved where its weights differ too much for a bound, and where a bound is too coarse.
 constexpr int MostHalvings = 10;
 constexpr int SharpHalvings = 4;
+/// Bounds are not tried where weights change by more than this, relative to them.
+constexpr double LargestSlope = 0.5;
 /// Parts of a rational curve on which its second derivative is bounded.
 constexpr int CurveParts = 4;
 
@@ -250,9 +252,9 @@ bool IsStraight(const Homogeneous* line, int degree)
 /**
  * With w_ij = a_i b_j the surface is sum R_i(u) R_j(v) S_ij with rational bases of one direction each. R_j(v) >= 0 sum to 1, so
  * |S_uu| is at most that of the curves whose points are S_ij of one j; and BoundMixed() holds, because |C'| <= p (w_max / w_min)^2
- * max |S_i+1 - S_i| for a rational curve. False where the weights differ too much.
+ * max |S_i+1 - S_i| for a rational curve. Curves are bounded in `curveParts` parts. False where the weights differ too much.
  */
-bool BoundSeparable(const PatchNet& net, const Vector3& normal, CurvatureBounds& bound)
+bool BoundSeparable(const PatchNet& net, const Vector3& normal, int curveParts, CurvatureBounds& bound)
 {
   bound = {};
   const auto raise = [&bound](int k, double factor, const std::array<double, 2>& by)
@@ -272,11 +274,11 @@ bool BoundSeparable(const PatchNet& net, const Vector3& normal, CurvatureBounds&
       {
         whole[i] = direction == 0 ? net.At(i, row) : net.At(row, i);
       }
-      for (int part = 0; part < CurveParts && !IsStraight(whole, degree); ++part)
+      for (int part = 0; part < curveParts && !IsStraight(whole, degree); ++part)
       {
         std::copy(whole, whole + degree + 1, line);
-        RestrictBernstein(line, degree, 1, static_cast<double>(part) / CurveParts, (part + 1.0) / CurveParts);
-        raise(2 * direction, CurveParts * CurveParts, BoundCurve(line, degree, normal));
+        RestrictBernstein(line, degree, 1, static_cast<double>(part) / curveParts, (part + 1.0) / curveParts);
+        raise(2 * direction, curveParts * curveParts, BoundCurve(line, degree, normal));
       }
     }
   }
@@ -301,48 +303,94 @@ bool BoundSeparable(const PatchNet& net, const Vector3& normal, CurvatureBounds&
   return std::isfinite(bound.Full[0] + bound.Full[1] + bound.Full[2]);
 }
 
-/// Bounds of a rational net, halved where there are none or where they are not sharp beside what is `reached`.
-CurvatureBounds BoundParts(const PatchNet& net, const Vector3& normal, int halvings, CurvatureBounds& reached)
+/// Bounds of a rational net on parts of it.
+class RationalParts
 {
-  CurvatureBounds bound;
-  const bool isSeparable = IsSeparable(net);
-  if (isSeparable && BoundSeparable(net, normal, bound))
+public:
+  RationalParts(const Vector3& normal, const EnoughBound& enough)
+    : Normal(normal)
+    , Enough(enough)
   {
-    return bound;
   }
-  RationalBound rational(net, normal);
-  const bool isBounded = !isSeparable && rational.Run(bound, reached);
-  if (isBounded && (halvings >= SharpHalvings || bound.IsSharp(reached)))
+
+  /// `density`: the length of the whole in units of the part.
+  CurvatureBounds Run(const PatchNet& net, const std::array<double, 2>& density, int halvings)
   {
-    return bound;
+    CurvatureBounds bound;
+    const bool isSeparable = IsSeparable(net);
+    if (isSeparable && this->BoundProduct(net, density, bound))
+    {
+      return bound;
+    }
+    RationalBound rational(net, this->Normal);
+    const std::array<double, 2>& slope = rational.GetSlope();
+    CurvatureBounds reached;
+    const bool isBounded =
+      !isSeparable && std::max(slope[0], slope[1]) < LargestSlope && rational.Run(bound, reached);
+    if (isBounded)
+    {
+      Refine(density, bound);
+      Refine(density, reached);
+      this->Reached.Raise(reached);
+      if (halvings >= SharpHalvings || this->Enough.IsMet(bound.Full) || bound.IsSharp(this->Reached))
+      {
+        return bound;
+      }
+    }
+    if (halvings == MostHalvings)
+    {
+      bound = BoundCoarsely(net);
+      Refine(density, bound);
+      return bound;
+    }
+    const int direction = slope[0] > slope[1] ? 0 : 1;
+    std::array<double, 2> finer = density;
+    finer[direction] *= 2.0;
+    CurvatureBounds largest;
+    PatchNet parts[2] = { net, PatchNet() };
+    SplitInMiddle(parts[0], direction, parts[1]);
+    for (const PatchNet& part : parts)
+    {
+      largest.Raise(this->Run(part, finer, halvings + 1));
+    }
+    if (isBounded)
+    {
+      largest.Lower(bound);
+    }
+    return largest;
   }
-  if (halvings == MostHalvings)
+
+private:
+  static void Refine(const std::array<double, 2>& density, CurvatureBounds& bound)
   {
-    return BoundCoarsely(net);
+    bound.Refine(0, density[0]);
+    bound.Refine(1, density[1]);
   }
-  const int direction = rational.GetUnevenDirection();
-  CurvatureBounds largest;
-  // Derivatives of a part are by half as long a unit.
-  reached.Refine(direction, 0.5);
-  PatchNet parts[2] = { net, PatchNet() };
-  SplitInMiddle(parts[0], direction, parts[1]);
-  for (const PatchNet& part : parts)
+
+  bool BoundProduct(const PatchNet& net, const std::array<double, 2>& density, CurvatureBounds& bound) const
   {
-    largest.Raise(BoundParts(part, normal, halvings + 1, reached));
+    for (const int parts : { 1, CurveParts })
+    {
+      const bool isBounded = BoundSeparable(net, this->Normal, parts, bound);
+      Refine(density, bound);
+      if (isBounded && (parts == CurveParts || this->Enough.IsMet(bound.Full)))
+      {
+        return true;
+      }
+    }
+    return false;
   }
-  reached.Refine(direction, 2.0);
-  largest.Refine(direction, 2.0);
-  if (isBounded)
-  {
-    largest.Lower(bound);
-  }
-  return largest;
-}
+
+  const Vector3& Normal;
+  const EnoughBound& Enough;
+  /// About what the derivatives are somewhere.
+  CurvatureBounds Reached;
+};
 }
 
-CurvatureBounds BoundSecondDerivatives(const PatchNet& net, bool rational, const Vector3& normal)
+CurvatureBounds BoundSecondDerivatives(
+  const PatchNet& net, bool rational, const Vector3& normal, const EnoughBound& enough)
 {
-  CurvatureBounds reached;
-  return rational ? BoundParts(net, normal, 0, reached) : BoundPolynomial(net, normal);
+  return rational ? RationalParts(normal, enough).Run(net, { 1.0, 1.0 }, 0) : BoundPolynomial(net, normal);
 }
 }

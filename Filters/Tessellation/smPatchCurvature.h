@@ -10,8 +10,9 @@
 
 namespace sm
 {
-/// Bounds on the net, by its own parameters. `rational`: the weights differ. `normal`: a unit vector or 0.
-CurvatureBounds BoundSecondDerivatives(const PatchNet& net, bool rational, const Vector3& normal);
+/// Bounds on the net, by its own parameters. `rational`: the weights differ. `normal`: a unit vector or 0. `enough`: bounds that are good enough.
+CurvatureBounds BoundSecondDerivatives(
+  const PatchNet& net, bool rational, const Vector3& normal, const EnoughBound& enough);
 }
 
 #endif

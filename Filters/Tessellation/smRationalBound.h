@@ -31,8 +31,8 @@ public:
   /// False where there is no bound. Raises `reached` to what derivatives reach at the corners, about.
   bool Run(CurvatureBounds& bound, CurvatureBounds& reached);
 
-  /// The direction in which the weights change more.
-  int GetUnevenDirection() const { return this->Slope[0] > this->Slope[1] ? 0 : 1; }
+  /// Largest change of the weights in each direction, relative to them.
+  const std::array<double, 2>& GetSlope() const { return this->Slope; }
 
 private:
   /// A bracket's coefficients, and those of the weight's derivative.

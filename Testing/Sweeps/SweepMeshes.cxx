@@ -106,7 +106,7 @@ double MeasureEdges(const std::vector<sm::FacePointer>& faces, const sm::MeshLim
     {
       continue;
     }
-    blocks.push_back(std::make_unique<sm::SurfaceBlocks>(face->Surface, box));
+    blocks.push_back(std::make_unique<sm::SurfaceBlocks>(face->Surface, box, limits));
     for (const sm::Loop& loop : face->Loops)
     {
       for (const sm::Coedge& coedge : loop.Coedges)
