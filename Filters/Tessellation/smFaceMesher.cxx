@@ -34,11 +34,15 @@ constexpr double TurnShare = 1e-2;
 constexpr double LargestGapShare = 0.5;
 /// |S_u x S_v| has no direction below this part of the largest |S_u| |S_v|.
 constexpr double LeastNormal = 1e-10;
+/// Shapes of triangles that are tried where some are turned over.
+constexpr std::size_t MostMetrics = 3;
+
 class Mesher
 {
 public:
+  /// `metric`: densities in u and v, relative to each other, in which triangles are to be well shaped; 0: those of the whole face.
   Mesher(const Face& face, const SurfaceBlocks& blocks, const std::vector<BoundaryLoop>& loops,
-    const MeshLimits& limits)
+    const MeshLimits& limits, const Parameters& metric)
     : Source(face)
     , Blocks(blocks)
     , Loops(loops)
@@ -47,7 +51,7 @@ public:
     , Box(FindBox(loops))
     , Size{ Box.High[0] - Box.Low[0], Box.High[1] - Box.Low[1] }
     , Steps(blocks, Box, limits)
-    , Mesh(this->GetGridMetric(), CountPoints(loops))
+    , Mesh(this->GetGridMetric(metric), CountPoints(loops))
     , Judge(blocks, Vertices, Walker)
   {
   }
@@ -94,11 +98,14 @@ public:
     return result;
   }
 
+  /// |S_u| and |S_v| in the middle of the triangles that are turned over after Run().
+  const std::vector<Parameters>& GetTurnedSpeeds() const { return this->TurnedSpeeds; }
+
 private:
   /// Lengths of a grid step in which triangles are to be well shaped.
-  Parameters GetGridMetric() const
+  Parameters GetGridMetric(const Parameters& wanted) const
   {
-    const Parameters metric = this->Steps.GetMetric();
+    const Parameters metric = wanted[0] > 0.0 && wanted[1] > 0.0 ? wanted : this->Steps.GetMetric();
     return { metric[0] * this->Size[0] / GridWidth, metric[1] * this->Size[1] / GridWidth };
   }
 
@@ -368,6 +375,20 @@ private:
       }
     }
     result.TurnedOver = static_cast<int>(left.size());
+    for (const Corners& t : left)
+    {
+      Parameters at{ 0.0, 0.0 };
+      for (const int corner : t)
+      {
+        at[0] += this->Vertices[corner].At[0] / 3.0;
+        at[1] += this->Vertices[corner].At[1] / 3.0;
+      }
+      Vector3 position;
+      Vector3 du;
+      Vector3 dv;
+      this->Walker.Evaluate(at[0], at[1], position.data(), du.data(), dv.data());
+      this->TurnedSpeeds.push_back({ Norm(du), Norm(dv) });
+    }
     if (!left.empty() && result.Reason.empty())
     {
       const bool isFolded =
@@ -474,6 +495,7 @@ private:
   Triangulation Mesh;
   std::vector<MeshVertex> Vertices;
   TriangleJudge Judge;
+  std::vector<Parameters> TurnedSpeeds;
   /// The point at which each segment starts.
   std::vector<const BoundaryPoint*> Starts;
 };
@@ -482,6 +504,28 @@ private:
 FaceMesh MeshFace(const Face& face, const SurfaceBlocks& blocks, const std::vector<BoundaryLoop>& loops,
   const MeshLimits& limits, std::vector<std::pair<int, int>>* halve)
 {
-  return Mesher(face, blocks, loops, limits).Run(halve);
+  std::vector<std::pair<int, int>> asked;
+  Mesher mesher(face, blocks, loops, limits, {});
+  FaceMesh best = mesher.Run(halve ? &asked : nullptr);
+  // A neck may need other shapes of triangles than the rest of the face.
+  const std::vector<Parameters>& speeds = mesher.GetTurnedSpeeds();
+  for (std::size_t i = 0; i < MostMetrics && i < speeds.size() && best.TurnedOver > 0; ++i)
+  {
+    std::vector<std::pair<int, int>> askedNow;
+    const std::size_t k =
+      i * (speeds.size() - 1) / std::max(std::min(MostMetrics, speeds.size()) - 1, std::size_t(1));
+    FaceMesh other = Mesher(face, blocks, loops, limits, speeds[k]).Run(halve ? &askedNow : nullptr);
+    if (!other.Triangles.empty() && other.TurnedOver < best.TurnedOver &&
+      other.Deviation <= std::max(best.Deviation, limits.Deflection))
+    {
+      best = std::move(other);
+      asked = std::move(askedNow);
+    }
+  }
+  if (halve)
+  {
+    halve->insert(halve->end(), asked.begin(), asked.end());
+  }
+  return best;
 }
 }
