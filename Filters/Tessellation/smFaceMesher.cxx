@@ -34,8 +34,9 @@ constexpr double TurnShare = 1e-2;
 constexpr double LargestGapShare = 0.5;
 /// |S_u x S_v| has no direction below this part of the largest |S_u| |S_v|.
 constexpr double LeastNormal = 1e-10;
-/// Shapes of triangles that are tried where some are turned over.
+/// Shapes of triangles that are tried where some are turned over, on faces of no more than so many triangles.
 constexpr std::size_t MostMetrics = 3;
+constexpr std::size_t MostTriangles = 3000;
 
 class Mesher
 {
@@ -98,7 +99,7 @@ public:
     return result;
   }
 
-  /// |S_u| and |S_v| in the middle of the triangles that are turned over after Run().
+  /// |S_u| and |S_v| in the middle of the triangles that are turned over after Run(), less those that edges off the surface turn.
   const std::vector<Parameters>& GetTurnedSpeeds() const { return this->TurnedSpeeds; }
 
 private:
@@ -377,22 +378,14 @@ private:
     result.TurnedOver = static_cast<int>(left.size());
     for (const Corners& t : left)
     {
-      Parameters at{ 0.0, 0.0 };
-      for (const int corner : t)
+      if (this->Judge.IsFolded(t))
       {
-        at[0] += this->Vertices[corner].At[0] / 3.0;
-        at[1] += this->Vertices[corner].At[1] / 3.0;
+        this->TurnedSpeeds.push_back(this->Judge.GetSpeeds(t));
       }
-      Vector3 position;
-      Vector3 du;
-      Vector3 dv;
-      this->Walker.Evaluate(at[0], at[1], position.data(), du.data(), dv.data());
-      this->TurnedSpeeds.push_back({ Norm(du), Norm(dv) });
     }
+    const bool isFolded = this->TurnedSpeeds.size() == left.size();
     if (!left.empty() && result.Reason.empty())
     {
-      const bool isFolded =
-        std::all_of(left.begin(), left.end(), [this](const Corners& t) { return this->Judge.IsFolded(t); });
       result.Reason = isFolded
         ? "Triangles are turned over, because the face is too narrow for its bent parameter lines."
         : "Triangles are turned over, because edges lie off the surface.";
@@ -509,11 +502,12 @@ FaceMesh MeshFace(const Face& face, const SurfaceBlocks& blocks, const std::vect
   FaceMesh best = mesher.Run(halve ? &asked : nullptr);
   // A neck may need other shapes of triangles than the rest of the face.
   const std::vector<Parameters>& speeds = mesher.GetTurnedSpeeds();
-  for (std::size_t i = 0; i < MostMetrics && i < speeds.size() && best.TurnedOver > 0; ++i)
+  const std::size_t metrics =
+    best.Triangles.size() > MostTriangles ? 0 : std::min(MostMetrics, speeds.size());
+  for (std::size_t i = 0; i < metrics && best.TurnedOver > 0; ++i)
   {
     std::vector<std::pair<int, int>> askedNow;
-    const std::size_t k =
-      i * (speeds.size() - 1) / std::max(std::min(MostMetrics, speeds.size()) - 1, std::size_t(1));
+    const std::size_t k = i * (speeds.size() - 1) / std::max(metrics - 1, std::size_t(1));
     FaceMesh other = Mesher(face, blocks, loops, limits, speeds[k]).Run(halve ? &askedNow : nullptr);
     if (!other.Triangles.empty() && other.TurnedOver < best.TurnedOver &&
       other.Deviation <= std::max(best.Deviation, limits.Deflection))
