@@ -133,6 +133,11 @@ public:
         this->Uses.push_back({ use, HUGE_VAL, {}, {} });
       }
     }
+    const auto pieces = static_cast<std::size_t>(this->Curve.GetNumberOfPieces());
+    this->Bends.reserve(pieces);
+    this->Ends.reserve(PieceIntervals * pieces + 1);
+    this->Corners.reserve(PieceIntervals * pieces);
+    this->Counts.reserve(PieceIntervals * pieces);
     for (int k = 0; k < this->Curve.GetNumberOfPieces(); ++k)
     {
       this->Bends.push_back(BoundBend(this->Curve, k));
@@ -335,6 +340,11 @@ private:
   std::vector<double> Refine(const std::vector<double>& coarse)
   {
     std::vector<double> result;
+    result.reserve(2 * coarse.size());
+    for (Use& use : this->Uses)
+    {
+      use.Samples.reserve(2 * coarse.size());
+    }
     const auto accept = [&](double t)
     {
       result.push_back(t);

@@ -270,6 +270,7 @@ private:
   void Refine()
   {
     std::vector<int> open;
+    open.reserve(2 * this->Mesh.GetTriangles().size());
     for (std::size_t i = this->Mesh.GetTriangles().size(); i-- > 0;)
     {
       open.push_back(static_cast<int>(i));
@@ -340,6 +341,7 @@ private:
   std::vector<Corners> Repair(std::vector<std::pair<int, int>>* halve, FaceMesh& result)
   {
     std::vector<Corners> triangles;
+    triangles.reserve(this->Mesh.GetTriangles().size());
     bool any = false;
     for (const Triangulation::Triangle& t : this->Mesh.GetTriangles())
     {
@@ -415,6 +417,10 @@ private:
   void Write(const std::vector<Corners>& triangles, FaceMesh& result)
   {
     std::vector<int> place(this->Vertices.size(), -1);
+    result.Points.reserve(this->Vertices.size());
+    result.Parameters.reserve(this->Vertices.size());
+    result.Normals.reserve(this->Vertices.size());
+    result.Triangles.reserve(triangles.size());
     double farthest = 0.0;
     for (const Corners& t : triangles)
     {
