@@ -8,7 +8,8 @@
 //     --alone          without OpenCASCADE
 //     --repeat N       meshes each body N times and counts the least seconds
 //     --quick          the same without measures: only seconds, triangles and the bits of the mesh
-//     --picture PREFIX ID,ID...   writes PREFIX-ID.png of these faces: OpenCASCADE's triangles on the left, ours on the right
+//     --picture FILE.png ID,ID...   draws these faces of the next file, OpenCASCADE's triangles on the left, ours on the right
+//     --tile N         pixels along a side of its tiles, 700 by default
 //     --verbose        says so of every face
 #include "smKernelMesh.h"
 #include "smMeshMeasures.h"
@@ -26,6 +27,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -43,6 +45,8 @@ bool Quick = false;
 bool Verbose = false;
 std::string Picture;
 std::set<int> PictureIds;
+int Tile = 700;
+std::map<std::string, smtest::MeshSheet> Sheets;
 
 double GetSeconds()
 {
@@ -203,8 +207,7 @@ protected:
         All.Unexplained += ours[f].Triangles.empty() && ours[f].Reason.empty() ? 1 : 0;
         if (PictureIds.count(faces[f]->FileId) > 0)
         {
-          smtest::WriteMeshPicture(
-            *faces[f], { &theirs[f], &ours[f] }, Picture + "-" + std::to_string(faces[f]->FileId) + ".png");
+          Sheets.emplace(Picture, Tile).first->second.Add(*faces[f], { &theirs[f], &ours[f] });
         }
         ReportTurned(*faces[f], ours[f], theirs[f]);
         if (!Verbose)
@@ -292,6 +295,11 @@ int main(int argc, char* argv[])
       vtkSMPTools::Initialize(Threads);
       continue;
     }
+    if (std::strcmp(argv[i], "--tile") == 0 && i + 1 < argc)
+    {
+      Tile = std::max(std::atoi(argv[++i]), 16);
+      continue;
+    }
     if (std::strcmp(argv[i], "--picture") == 0 && i + 2 < argc)
     {
       Picture = argv[++i];
@@ -314,6 +322,8 @@ int main(int argc, char* argv[])
     const Totals before = All;
     vtkNew<MeshReader> reader;
     reader->SetLinearDeflection(0.1);
+    // OpenCASCADE's mesher needs the parameter curves that its repair makes.
+    reader->SetRepair(Alone || Quick ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
     reader->SetFileName(argv[i]);
     reader->Update();
     std::printf("%-40s %8lld triangles (OpenCASCADE %8lld)  %.3f s (%.3f s)\n",
@@ -321,6 +331,15 @@ int main(int argc, char* argv[])
       All.Mesh[0].Triangles - before.Mesh[0].Triangles, All.Mesh[1].Triangles - before.Mesh[1].Triangles,
       All.Seconds[0] - before.Seconds[0], All.Seconds[1] - before.Seconds[1]);
     std::fflush(stdout);
+    PictureIds.clear();
+  }
+  for (const auto& [name, sheet] : Sheets)
+  {
+    if (!sheet.Write(name))
+    {
+      std::fprintf(stderr, "%s cannot be written.\n", name.c_str());
+      return 1;
+    }
   }
   std::printf("bits %016llx\n", static_cast<unsigned long long>(Bits));
   const char* names[2] = { "ours", "OpenCASCADE" };
