@@ -20,6 +20,10 @@ constexpr int ManyPieces = 64;
 constexpr double CornerAngle = 0.02;
 /// Part of the deflection that a chord may take in a face: triangles along it need more.
 constexpr double ChordShare = 0.6;
+/// Points nearer to the end of an interval than this part of it are there.
+constexpr double SnapShare = 1e-6;
+/// No chord is halved below this part of the edge: points of a face that are nearer than a step of its grid would be one.
+constexpr double LeastChord = 1e-7;
 /// Share of the deflection that a coarse bound must be below for the sharp one to be so for certain.
 constexpr double CertainShare = 0.999;
 
@@ -299,9 +303,11 @@ private:
         before += this->Counts[at++];
       }
       const double share = this->Counts[at] > 0.0 ? (target - before) / this->Counts[at] : 0.0;
-      const double t = total > 0.0
-        ? this->Ends[at] + std::min(share, 1.0) * (this->Ends[at + 1] - this->Ends[at])
-        : start + (end - start) * i / chords;
+      // Not beside the end of an interval, which may be the end of a piece.
+      const double t = !(total > 0.0) ? start + (end - start) * i / chords
+        : share < SnapShare           ? this->Ends[at]
+        : share > 1.0 - SnapShare     ? this->Ends[at + 1]
+                                      : this->Ends[at] + share * (this->Ends[at + 1] - this->Ends[at]);
       if (t > result.back() && t < end)
       {
         result.push_back(t);
@@ -361,7 +367,7 @@ private:
       const double low = result.back();
       const double high = ends.back();
       const double middle = 0.5 * (low + high);
-      const double least = 1e-9 * (coarse.back() - coarse.front());
+      const double least = LeastChord * (coarse.back() - coarse.front());
       if (result.size() + ends.size() < MostSamples && high - low > least && !this->IsGood(low, high))
       {
         ends.push_back(middle);

@@ -91,6 +91,31 @@ void CheckConvergence(const Expected& solid)
     2.5 / 16.0 * coarse, "linear, and a factor 2.5");
 }
 
+/// Points that equal steps put beside the end of a piece of an edge, by rounding, are at the end: else chords were halved there until points
+/// of a face fell together.
+void CheckManyDeflections(const Expected& solid)
+{
+  const std::vector<sm::FacePointer> faces = ReadFaces(solid.Path);
+  int open = 0;
+  double shortest = HUGE_VAL;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double deflection = 1e-3 * std::pow(1.05, i) * solid.Size;
+    const std::vector<sm::FaceMesh> meshes = sm::MeshFaces(faces, { deflection, 0.35 });
+    open += MeasureMesh(faces, meshes, 1 << 20).OpenSides;
+    for (const sm::FaceMesh& mesh : meshes)
+    {
+      for (const auto& t : mesh.Triangles)
+      {
+        shortest =
+          std::min(shortest, sm::Norm(sm::Subtract(mesh.Points[t[0]], mesh.Points[t[1]])) / deflection);
+      }
+    }
+  }
+  CheckEqual(solid.Solid + " at 60 deflections: open sides", 0, open);
+  CheckRange(solid.Solid + " at 60 deflections: shortest side / deflection", 0.1, shortest, 100.0);
+}
+
 void CheckThreads(const Expected& solid)
 {
   const std::vector<sm::FacePointer> faces = ReadFaces(solid.Path);
@@ -285,6 +310,10 @@ int TestBodyMesh(int argc, char* argv[])
   {
     CheckSolid(solid);
     CheckConvergence(solid);
+    if (solid.Solid == "sphere" || solid.Solid == "bicylinder" || solid.Solid == "slanted_hole")
+    {
+      CheckManyDeflections(solid);
+    }
   }
   CheckThreads(manifest.GetVariant("plain").front());
   CheckLoops();
