@@ -107,8 +107,11 @@ void CheckManyDeflections(const Expected& solid)
     {
       for (const auto& t : mesh.Triangles)
       {
-        shortest =
-          std::min(shortest, sm::Norm(sm::Subtract(mesh.Points[t[0]], mesh.Points[t[1]])) / deflection);
+        for (int k = 0; k < 3; ++k)
+        {
+          const sm::Vector3 side = sm::Subtract(mesh.Points[t[k]], mesh.Points[t[(k + 1) % 3]]);
+          shortest = std::min(shortest, sm::Norm(side) / deflection);
+        }
       }
     }
   }
