@@ -57,9 +57,17 @@ std::array<double, Dimension> EvaluateByBasis(const PolynomialCurve<Dimension>& 
   const int k = curve.FindPiece(t);
   const BernsteinPiece<Dimension> piece = curve.GetPiece(k);
   const double x = (t - curve.Breaks[k]) / (curve.Breaks[k + 1] - curve.Breaks[k]);
+  std::array<double, Dimension> point{};
+  if (piece.Degree == 1)
+  {
+    for (int d = 0; d < Dimension; ++d)
+    {
+      point[d] = (1.0 - x) * piece.Coefficients[0][d] + x * piece.Coefficients[1][d];
+    }
+    return point;
+  }
   double basis[MaximumDegree + 1];
   EvaluateBasis(x, piece.Degree, basis);
-  std::array<double, Dimension> point{};
   for (int i = 0; i <= piece.Degree; ++i)
   {
     for (int d = 0; d < Dimension; ++d)
