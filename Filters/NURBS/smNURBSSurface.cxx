@@ -33,44 +33,76 @@ struct Lines
   int LineStride;
 };
 
+/// (argument - low knot) / (high knot - low knot) for de Boor point j of a level on span k.
+template <class Number>
+Number GetBlend(const std::vector<double>& knots, int degree, int k, int level, int j, Number argument)
+{
+  const Number low = knots[k - degree + j];
+  const Number high = knots[k + 1 + j - level];
+  return (argument - low) / (high - low);
+}
+
+/// True where span k is [a,b] and its knots have full multiplicity: de Boor points are Bézier coefficients then.
+bool IsBezierSpan(const std::vector<double>& knots, int degree, int k, double a, double b)
+{
+  return a == knots[k] && b == knots[k + 1] && knots[k - degree + 1] == a && knots[k + degree] == b;
+}
+
 /// Bézier coefficients on [a,b] of the polynomials that B-splines have on span k: coefficient i is the blossom (polar form) at
 /// (a, .., a, b, .., b) with i times b. `points` holds the degree+1 active de Boor points of each line. The lines share the
-/// factors, whose divisions cost more than the rest.
+/// factors, whose divisions cost more than the rest, and the coefficients the levels that they have in common.
 template <class Number>
 void Blossom(const std::vector<double>& knots, int degree, int k, double a, double b,
   const std::array<Number, 4>* points, std::array<Number, 4>* result, const Lines& lines)
 {
-  std::array<Number, 4> d[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  for (int i = 0; i <= degree; ++i)
+  if (IsBezierSpan(knots, degree, k, a, b))
   {
-    for (int j = 0; j <= degree; ++j)
+    std::copy(points, points + (degree + 1) * lines.Count, result);
+    return;
+  }
+  std::array<Number, 4> common[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  std::array<Number, 4> own[(MaximumDegree + 1) * (MaximumDegree + 1)];
+  Number blends[MaximumDegree + 1][MaximumDegree + 1];
+  for (int j = 0; j <= degree; ++j)
+  {
+    for (int line = 0; line < lines.Count; ++line)
     {
-      for (int line = 0; line < lines.Count; ++line)
+      common[j * lines.Count + line] = points[j * lines.Stride + line * lines.LineStride];
+    }
+    for (int level = 1; level <= j; ++level)
+    {
+      blends[level][j] = GetBlend<Number>(knots, degree, k, level, j, b);
+    }
+  }
+  const auto advance = [&lines](std::array<Number, 4>* d, int j, Number alpha)
+  {
+    std::array<Number, 4>* to = d + j * lines.Count;
+    for (int line = 0; line < lines.Count; ++line)
+    {
+      for (int c = 0; c < 4; ++c)
       {
-        d[j * lines.Count + line] = points[j * lines.Stride + line * lines.LineStride];
+        to[line][c] = (1 - alpha) * to[line - lines.Count][c] + alpha * to[line][c];
       }
     }
-    for (int level = 1; level <= degree; ++level)
+  };
+  for (int i = degree; i >= 0; --i)
+  {
+    const int levels = degree - i;
+    for (int j = degree; levels > 0 && j >= levels; --j)
     {
-      const Number argument = level <= degree - i ? a : b;
+      advance(common, j, GetBlend<Number>(knots, degree, k, levels, j, a));
+    }
+    std::copy(common + levels * lines.Count, common + (degree + 1) * lines.Count, own + levels * lines.Count);
+    for (int level = levels + 1; level <= degree; ++level)
+    {
       for (int j = degree; j >= level; --j)
       {
-        const Number low = knots[k - degree + j];
-        const Number high = knots[k + 1 + j - level];
-        const Number alpha = (argument - low) / (high - low);
-        std::array<Number, 4>* to = d + j * lines.Count;
-        for (int line = 0; line < lines.Count; ++line)
-        {
-          for (int c = 0; c < 4; ++c)
-          {
-            to[line][c] = (1 - alpha) * to[line - lines.Count][c] + alpha * to[line][c];
-          }
-        }
+        advance(own, j, blends[level][j]);
       }
     }
     for (int line = 0; line < lines.Count; ++line)
     {
-      result[i * lines.Stride + line * lines.LineStride] = d[degree * lines.Count + line];
+      result[i * lines.Stride + line * lines.LineStride] = own[degree * lines.Count + line];
     }
   }
 }

@@ -22,6 +22,11 @@ void RestrictBernstein(
 {
   const auto split = [&](double x, bool keepLeft)
   {
+    // All of it is kept.
+    if (x == (keepLeft ? 1.0 : 0.0))
+    {
+      return;
+    }
     for (int level = 1; level <= degree; ++level)
     {
       // In place: what is kept grows from one end.

@@ -1,5 +1,6 @@
 #include "smBodyMesh.h"
 
+#include "smBernsteinBasis.h"
 #include "smParallelFor.h"
 #include "smVector.h"
 
@@ -70,7 +71,8 @@ private:
     const Edge* Source;
     std::vector<EdgeUse> Uses;
     std::vector<std::size_t> Faces;
-    std::vector<double> T;
+    EdgeSamples Samples;
+    /// At Samples.T.
     std::vector<Vector3> Points;
     /// Index of the first inner point among all shared points.
     int First = 0;
@@ -78,12 +80,24 @@ private:
     int Vertices[2];
   };
 
+  /// A coedge that can be used, its edge, its number among the edge's uses, and its loop.
+  struct SharedCoedge
+  {
+    const Coedge* Source;
+    int Edge;
+    int Use;
+    int Loop;
+  };
+
   bool Report(double share) const { return !this->Progress || this->Progress(share); }
 
   void GatherEdges()
   {
+    std::unordered_map<const Edge*, int> numbers;
+    this->Coedges.resize(this->Faces.size());
     for (std::size_t f = 0; f < this->Faces.size(); ++f)
     {
+      int number = 0;
       for (const Loop& loop : this->Faces[f]->Loops)
       {
         for (const Coedge& coedge : loop.Coedges)
@@ -92,16 +106,31 @@ private:
           {
             continue;
           }
-          const auto entry = this->Index.emplace(coedge.Use.get(), this->Edges.size());
+          const auto entry = numbers.emplace(coedge.Use.get(), static_cast<int>(this->Edges.size()));
           if (entry.second)
           {
             this->Edges.emplace_back();
             this->Edges.back().Source = coedge.Use.get();
           }
-          this->Edges[entry.first->second].Faces.push_back(f);
+          SharedEdge& edge = this->Edges[entry.first->second];
+          this->Coedges[f].push_back(
+            { &coedge, entry.first->second, static_cast<int>(edge.Faces.size()), number });
+          edge.Faces.push_back(f);
         }
+        ++number;
       }
     }
+  }
+
+  /// One past the last coedge of a face that is in the loop of coedge `first`.
+  static std::size_t FindLoopEnd(const std::vector<SharedCoedge>& coedges, std::size_t first)
+  {
+    std::size_t last = first;
+    while (last < coedges.size() && coedges[last].Loop == coedges[first].Loop)
+    {
+      ++last;
+    }
+    return last;
   }
 
   int Find(int vertex)
@@ -136,31 +165,15 @@ private:
         this->Parent.back() = this->Parent.back() - 1;
       }
     }
-    for (const FacePointer& face : this->Faces)
+    for (const std::vector<SharedCoedge>& coedges : this->Coedges)
     {
-      for (const Loop& loop : face->Loops)
+      std::size_t last = 0;
+      for (std::size_t first = 0; first < coedges.size(); first = last)
       {
-        std::vector<const Coedge*> used;
-        for (const Coedge& coedge : loop.Coedges)
+        last = FindLoopEnd(coedges, first);
+        for (std::size_t i = first; i < last; ++i)
         {
-          if (IsUsable(coedge))
-          {
-            used.push_back(&coedge);
-          }
-        }
-        for (std::size_t i = 0; i < used.size(); ++i)
-        {
-          const Coedge& a = *used[i];
-          const Coedge& b = *used[(i + 1) % used.size()];
-          int from = 2 * static_cast<int>(this->Index[a.Use.get()]) + (a.Reversed ? 0 : 1);
-          int to = 2 * static_cast<int>(this->Index[b.Use.get()]) + (b.Reversed ? 1 : 0);
-          const double limit = std::max(2.0 * (a.Use->Tolerance + b.Use->Tolerance), this->Limits.Deflection);
-          if (Norm(Subtract(this->Vertices[from], this->Vertices[to])) <= limit)
-          {
-            from = this->Find(from);
-            to = this->Find(to);
-            this->Parent[std::max(from, to)] = std::min(from, to);
-          }
+          this->JoinEnds(coedges[i], coedges[i + 1 < last ? i + 1 : first]);
         }
       }
     }
@@ -173,25 +186,33 @@ private:
     }
   }
 
+  /// Makes the end of a coedge and the start of the next one vertex, where they are near.
+  void JoinEnds(const SharedCoedge& a, const SharedCoedge& b)
+  {
+    int from = 2 * a.Edge + (a.Source->Reversed ? 0 : 1);
+    int to = 2 * b.Edge + (b.Source->Reversed ? 1 : 0);
+    const double limit =
+      std::max(2.0 * (a.Source->Use->Tolerance + b.Source->Use->Tolerance), this->Limits.Deflection);
+    if (Norm(Subtract(this->Vertices[from], this->Vertices[to])) <= limit)
+    {
+      from = this->Find(from);
+      to = this->Find(to);
+      this->Parent[std::max(from, to)] = std::min(from, to);
+    }
+  }
+
   void MakeBlocks(std::size_t index)
   {
     const Face& face = *this->Faces[index];
     ParameterBox box;
     bool any = false;
-    for (const Loop& loop : face.Loops)
+    for (const SharedCoedge& coedge : this->Coedges[index])
     {
-      for (const Coedge& coedge : loop.Coedges)
+      for (const auto& c : coedge.Source->Curve.Coefficients)
       {
-        if (!IsUsable(coedge))
-        {
-          continue;
-        }
-        for (const auto& c : coedge.Curve.Coefficients)
-        {
-          box = any ? box : ParameterBox{ c, c };
-          box.Add(c);
-          any = true;
-        }
+        box = any ? box : ParameterBox{ c, c };
+        box.Add(c);
+        any = true;
       }
     }
     if (!any)
@@ -199,23 +220,16 @@ private:
       box = { { face.Surface.GetDomainStart(0), face.Surface.GetDomainStart(1) },
         { face.Surface.GetDomainEnd(0), face.Surface.GetDomainEnd(1) } };
     }
-    this->Blocks[index] = std::make_unique<SurfaceBlocks>(face.Surface, box);
+    this->Blocks[index] = std::make_unique<SurfaceBlocks>(face.Surface, box, this->Limits);
   }
 
   void SampleEdges()
   {
     for (std::size_t f = 0; f < this->Faces.size(); ++f)
     {
-      for (const Loop& loop : this->Faces[f]->Loops)
+      for (const SharedCoedge& coedge : this->Coedges[f])
       {
-        for (const Coedge& coedge : loop.Coedges)
-        {
-          if (IsUsable(coedge))
-          {
-            this->Edges[this->Index[coedge.Use.get()]].Uses.push_back(
-              { this->Blocks[f].get(), &coedge.Curve });
-          }
-        }
+        this->Edges[coedge.Edge].Uses.push_back({ this->Blocks[f].get(), &coedge.Source->Curve });
       }
     }
     ParallelFor(this->Edges.size(), 16,
@@ -225,7 +239,7 @@ private:
         {
           SharedEdge& edge = this->Edges[e];
           const bool closed = edge.Vertices[0] == edge.Vertices[1] && !edge.Source->Degenerate;
-          edge.T = SampleEdge(*edge.Source, edge.Uses, this->Limits, closed ? 3 : 1);
+          edge.Samples = SampleEdge(*edge.Source, edge.Uses, this->Limits, closed ? 3 : 1);
           this->PlacePoints(edge);
         }
       });
@@ -235,10 +249,11 @@ private:
   void PlacePoints(SharedEdge& edge) const
   {
     edge.Points.clear();
-    for (const double t : edge.T)
+    edge.Points.reserve(edge.Samples.T.size());
+    for (const double t : edge.Samples.T)
     {
       edge.Points.push_back(
-        edge.Source->Degenerate ? this->Vertices[edge.Vertices[0]] : edge.Source->Curve.Evaluate(t));
+        edge.Source->Degenerate ? this->Vertices[edge.Vertices[0]] : EvaluateByBasis(edge.Source->Curve, t));
     }
     edge.Points.front() = this->Vertices[edge.Vertices[0]];
     edge.Points.back() = this->Vertices[edge.Vertices[1]];
@@ -250,29 +265,30 @@ private:
     for (SharedEdge& edge : this->Edges)
     {
       edge.First = next;
-      next += static_cast<int>(edge.T.size()) - 2;
+      next += static_cast<int>(edge.Samples.T.size()) - 2;
     }
   }
 
   /// The points of a coedge in loop direction.
-  void AppendCoedge(const Coedge& coedge, BoundaryLoop& loop) const
+  void AppendCoedge(const SharedCoedge& coedge, BoundaryLoop& loop) const
   {
-    const int index = static_cast<int>(this->Index.at(coedge.Use.get()));
-    const SharedEdge& edge = this->Edges[index];
-    const int count = static_cast<int>(edge.T.size());
-    loop.reserve(loop.size() + count);
+    const SharedEdge& edge = this->Edges[coedge.Edge];
+    const bool reversed = coedge.Source->Reversed;
+    const int count = static_cast<int>(edge.Samples.T.size());
+    const std::array<double, 2>* const at =
+      edge.Samples.At.data() + static_cast<std::size_t>(coedge.Use) * count;
     for (int i = 0; i < count; ++i)
     {
-      const int k = coedge.Reversed ? count - 1 - i : i;
+      const int k = reversed ? count - 1 - i : i;
       BoundaryPoint p;
-      p.Parameters = coedge.Curve.Evaluate(edge.T[k]);
+      p.Parameters = at[k];
       p.Position = edge.Points[k];
       p.Shared = edge.Source->Degenerate || k == 0 ? edge.Vertices[0]
                                                    : (k + 1 == count ? edge.Vertices[1] : edge.First + k - 1);
       if (i + 1 < count)
       {
-        p.Edge = index;
-        p.Chord = coedge.Reversed ? k - 1 : k;
+        p.Edge = coedge.Edge;
+        p.Chord = reversed ? k - 1 : k;
       }
       loop.push_back(p);
     }
@@ -294,12 +310,12 @@ private:
       edge.Degenerate = true;
       edge.Curve.Breaks.push_back(0.0);
       edge.Curve.AppendPiece(1.0, &edge.StartVertex, 0);
-      const std::vector<double> t =
+      const EdgeSamples samples =
         SampleEdge(edge, { { this->Blocks[f].get(), &coedge.Curve } }, this->Limits, 1);
-      for (std::size_t i = 0; i + 1 < t.size(); ++i)
+      for (std::size_t i = 0; i + 1 < samples.T.size(); ++i)
       {
         BoundaryPoint p;
-        p.Parameters = coedge.Curve.Evaluate(t[i]);
+        p.Parameters = samples.At[i];
         this->Faces[f]->Surface.Evaluate(p.Parameters[0], p.Parameters[1], p.Position.data());
         loop.push_back(p);
       }
@@ -310,15 +326,16 @@ private:
   std::vector<BoundaryLoop> MakeLoops(std::size_t f) const
   {
     std::vector<BoundaryLoop> loops;
-    for (const Loop& from : this->Faces[f]->Loops)
+    const std::vector<SharedCoedge>& coedges = this->Coedges[f];
+    BoundaryLoop all;
+    std::size_t last = 0;
+    for (std::size_t first = 0; first < coedges.size(); first = last)
     {
-      BoundaryLoop all;
-      for (const Coedge& coedge : from.Coedges)
+      last = FindLoopEnd(coedges, first);
+      all.clear();
+      for (std::size_t i = first; i < last; ++i)
       {
-        if (IsUsable(coedge))
-        {
-          this->AppendCoedge(coedge, all);
-        }
+        this->AppendCoedge(coedges[i], all);
       }
       // Where coedges meet, one point is enough.
       const ParameterBox& box = this->Blocks[f]->GetCovered();
@@ -390,12 +407,18 @@ private:
     for (auto it = chords.rbegin(); it != chords.rend(); ++it)
     {
       SharedEdge& edge = this->Edges[it->first];
-      edge.T.insert(edge.T.begin() + it->second + 1, 0.5 * (edge.T[it->second] + edge.T[it->second + 1]));
+      std::vector<double>& t = edge.Samples.T;
+      t.insert(t.begin() + it->second + 1, 0.5 * (t[it->second] + t[it->second + 1]));
       again.insert(again.end(), edge.Faces.begin(), edge.Faces.end());
     }
-    for (const auto& chord : chords)
+    for (std::size_t i = 0; i < chords.size(); ++i)
     {
-      this->PlacePoints(this->Edges[chord.first]);
+      SharedEdge& edge = this->Edges[chords[i].first];
+      if (i == 0 || chords[i].first != chords[i - 1].first)
+      {
+        EvaluateTrims(edge.Uses, edge.Samples);
+        this->PlacePoints(edge);
+      }
     }
     this->CountPoints();
     std::sort(again.begin(), again.end());
@@ -406,8 +429,9 @@ private:
   const std::vector<FacePointer>& Faces;
   MeshLimits Limits;
   const ProgressCallback& Progress;
-  std::unordered_map<const Edge*, std::size_t> Index;
   std::vector<SharedEdge> Edges;
+  /// The coedges of every face.
+  std::vector<std::vector<SharedCoedge>> Coedges;
   /// Ends of edges, two for each, and the union of those that are one.
   std::vector<Vector3> Vertices;
   std::vector<int> Parent;

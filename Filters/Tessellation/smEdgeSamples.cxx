@@ -1,5 +1,6 @@
 #include "smEdgeSamples.h"
 
+#include "smBernsteinBasis.h"
 #include "smPatchParts.h"
 #include "smVector.h"
 
@@ -19,6 +20,10 @@ constexpr int ManyPieces = 64;
 constexpr double CornerAngle = 0.02;
 /// Part of the deflection that a chord may take in a face: triangles along it need more.
 constexpr double ChordShare = 0.6;
+/// Points nearer to the end of an interval than this part of it are there.
+constexpr double SnapShare = 1e-6;
+/// No chord is halved below this part of the edge: points of a face that are nearer than a step of its grid would be one.
+constexpr double LeastChord = 1e-7;
 /// Share of the deflection that a coarse bound must be below for the sharp one to be so for certain.
 constexpr double CertainShare = 0.999;
 
@@ -75,11 +80,46 @@ double BoundBend(const EdgeCurve& curve, int k)
     const Vector3 second{ b.Coefficients[i + 2][0] - 2.0 * b.Coefficients[i + 1][0] + b.Coefficients[i][0],
       b.Coefficients[i + 2][1] - 2.0 * b.Coefficients[i + 1][1] + b.Coefficients[i][1],
       b.Coefficients[i + 2][2] - 2.0 * b.Coefficients[i + 1][2] + b.Coefficients[i][2] };
-    largest = std::max(largest, Norm(second));
+    largest = std::max(largest, Dot(second, second));
   }
   const double n = b.Degree;
-  return n < 2 ? 0.0 : 0.125 * n * (n - 1.0) * std::hypot(1.0, n / (n - 1.0)) * largest / (width * width);
+  const double off = n / std::max(n - 1.0, 1.0);
+  return 0.125 * n * (n - 1.0) * std::sqrt((1.0 + off * off) * largest) / (width * width);
 }
+
+void AppendPoints(const TrimCurve& trim, EdgeSamples& samples)
+{
+  for (const double t : samples.T)
+  {
+    samples.At.push_back(EvaluateByBasis(trim, t));
+  }
+}
+
+/// Values of the Bernstein polynomials of every degree where tangents are compared: at the ends and in the middle of the intervals of a piece.
+class TangentBasis
+{
+public:
+  static constexpr int Steps = 2 * PieceIntervals;
+
+  static const double* Get(int degree, int step)
+  {
+    static const TangentBasis basis;
+    return basis.Values[degree][step];
+  }
+
+private:
+  TangentBasis()
+  {
+    for (int degree = 0; degree <= MaximumDegree; ++degree)
+    {
+      for (int step = 0; step <= Steps; ++step)
+      {
+        EvaluateBasis(static_cast<double>(step) / Steps, degree, this->Values[degree][step]);
+      }
+    }
+  }
+  double Values[MaximumDegree + 1][Steps + 1][MaximumDegree + 1];
+};
 
 class Sampler
 {
@@ -94,9 +134,14 @@ public:
       // On a plane nothing depends on the points.
       if (!use.Blocks->IsFlat(limits.Deflection, limits.Angle))
       {
-        this->Uses.push_back({ use, HUGE_VAL, {} });
+        this->Uses.push_back({ use, HUGE_VAL, {}, {} });
       }
     }
+    const auto pieces = static_cast<std::size_t>(this->Curve.GetNumberOfPieces());
+    this->Bends.reserve(pieces);
+    this->Ends.reserve(PieceIntervals * pieces + 1);
+    this->Corners.reserve(PieceIntervals * pieces);
+    this->Counts.reserve(PieceIntervals * pieces);
     for (int k = 0; k < this->Curve.GetNumberOfPieces(); ++k)
     {
       this->Bends.push_back(BoundBend(this->Curve, k));
@@ -105,7 +150,7 @@ public:
       std::none_of(uses.begin(), uses.end(), [](const EdgeUse& use) { return IsBent(*use.Trim); });
   }
 
-  std::vector<double> Run(int least)
+  EdgeSamples Run(const std::vector<EdgeUse>& uses, int least)
   {
     this->MakeIntervals();
     std::vector<double> result{ this->Curve.GetStart() };
@@ -118,7 +163,21 @@ public:
         first = i + 1;
       }
     }
-    return this->Refine(result);
+    EdgeSamples samples;
+    samples.T = this->Refine(result);
+    samples.At.reserve(uses.size() * samples.T.size());
+    auto known = this->Uses.cbegin();
+    for (const EdgeUse& use : uses)
+    {
+      if (known != this->Uses.cend() && known->Source.Trim == use.Trim)
+      {
+        samples.At.insert(samples.At.end(), known->Samples.begin(), known->Samples.end());
+        ++known;
+        continue;
+      }
+      AppendPoints(*use.Trim, samples);
+    }
+    return samples;
   }
 
 private:
@@ -137,45 +196,60 @@ private:
         corner = GetAngle(GetEndTangent(this->Curve, k - 1, true), GetEndTangent(this->Curve, k, false)) >
           CornerAngle;
       }
+      this->FindTangents(k, parts);
       for (int i = 0; i < parts; ++i)
       {
         const double from = low + (high - low) * i / parts;
         const double to = i + 1 == parts ? high : low + (high - low) * (i + 1) / parts;
         this->Ends.push_back(from);
         this->Corners.push_back(i == 0 && corner);
-        this->Counts.push_back(std::max(this->CountByCurve(k, from, to), this->CountByFaces(from, to)));
+        this->Counts.push_back(std::max(this->CountByCurve(i, to - from), this->CountByFaces(from, to)));
       }
     }
     this->Ends.push_back(this->Curve.GetEnd());
   }
 
-  /// Chords that the curve wants between two parameters of one piece.
-  double CountByCurve(int piece, double from, double to)
+  /// Sets Tangents at the ends and in the middle of the intervals of piece k, of which there are `parts`.
+  void FindTangents(int k, int parts)
   {
-    if (this->IsPoint || this->Curve.GetDegree(piece) <= 1)
+    this->Tangents.clear();
+    const BernsteinPiece<3> piece = this->Curve.GetPiece(k);
+    if (this->IsPoint || piece.Degree <= 1)
+    {
+      return;
+    }
+    const double factor = piece.Degree / (this->Curve.Breaks[k + 1] - this->Curve.Breaks[k]);
+    Vector3 slopes[MaximumDegree];
+    for (int i = 0; i < piece.Degree; ++i)
+    {
+      slopes[i] = Subtract(piece.Coefficients[i + 1], piece.Coefficients[i]);
+    }
+    for (int step = 0; step <= 2 * parts; ++step)
+    {
+      const double* const basis = TangentBasis::Get(piece.Degree - 1, step * PieceIntervals / parts);
+      Vector3 tangent{ 0.0, 0.0, 0.0 };
+      for (int i = 0; i < piece.Degree; ++i)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          tangent[c] += factor * basis[i] * slopes[i][c];
+        }
+      }
+      this->Tangents.push_back(tangent);
+    }
+    this->Tangents.back() = GetEndTangent(this->Curve, k, true);
+  }
+
+  /// Chords that the curve wants in an interval of the piece of Tangents.
+  double CountByCurve(int interval, double width) const
+  {
+    if (this->Tangents.empty())
     {
       return 0.0;
     }
-    Vector3 tangent[3] = { this->Tangent };
-    if (from != this->TangentAt)
-    {
-      this->Curve.Evaluate(from, &tangent[0]);
-    }
-    this->Curve.Evaluate(from + 0.5 * (to - from), &tangent[1]);
-    if (to == this->Curve.Breaks[piece + 1])
-    {
-      // Evaluate() at a break belongs to the next piece.
-      tangent[2] = GetEndTangent(this->Curve, piece, true);
-      this->TangentAt = HUGE_VAL;
-    }
-    else
-    {
-      this->TangentAt = from + (to - from);
-      this->Curve.Evaluate(this->TangentAt, &tangent[2]);
-      this->Tangent = tangent[2];
-    }
+    const Vector3* const tangent = this->Tangents.data() + 2 * interval;
     const double angle = GetAngle(tangent[0], tangent[1]) + GetAngle(tangent[1], tangent[2]);
-    const double length = (to - from) * Norm(tangent[1]);
+    const double length = width * Norm(tangent[1]);
     // A circular arc of n chords deviates by length * angle / (8 n^2).
     return std::max(angle / this->Limits.Angle, std::sqrt(0.125 * length * angle / this->Limits.Deflection));
   }
@@ -229,9 +303,11 @@ private:
         before += this->Counts[at++];
       }
       const double share = this->Counts[at] > 0.0 ? (target - before) / this->Counts[at] : 0.0;
-      const double t = total > 0.0
-        ? this->Ends[at] + std::min(share, 1.0) * (this->Ends[at + 1] - this->Ends[at])
-        : start + (end - start) * i / chords;
+      // Not beside the end of an interval, which may be the end of a piece.
+      const double t = !(total > 0.0) ? start + (end - start) * i / chords
+        : share < SnapShare           ? this->Ends[at]
+        : share > 1.0 - SnapShare     ? this->Ends[at + 1]
+                                      : this->Ends[at] + share * (this->Ends[at + 1] - this->Ends[at]);
       if (t > result.back() && t < end)
       {
         result.push_back(t);
@@ -269,7 +345,21 @@ private:
 
   std::vector<double> Refine(const std::vector<double>& coarse)
   {
-    std::vector<double> result{ coarse.front() };
+    std::vector<double> result;
+    result.reserve(2 * coarse.size());
+    for (Use& use : this->Uses)
+    {
+      use.Samples.reserve(2 * coarse.size());
+    }
+    const auto accept = [&](double t)
+    {
+      result.push_back(t);
+      for (Use& use : this->Uses)
+      {
+        use.Samples.push_back(use.Evaluate(t));
+      }
+    };
+    accept(coarse.front());
     // Chords that are still to be judged, the next one last.
     std::vector<double> ends(coarse.rbegin(), coarse.rend() - 1);
     while (!ends.empty())
@@ -277,28 +367,29 @@ private:
       const double low = result.back();
       const double high = ends.back();
       const double middle = 0.5 * (low + high);
-      const double least = 1e-9 * (coarse.back() - coarse.front());
+      const double least = LeastChord * (coarse.back() - coarse.front());
       if (result.size() + ends.size() < MostSamples && high - low > least && !this->IsGood(low, high))
       {
         ends.push_back(middle);
         continue;
       }
-      result.push_back(high);
+      accept(high);
       ends.pop_back();
     }
     return result;
   }
 
-  /// A face beside the edge, and the last point that was asked for: intervals and chords meet there.
+  /// A face beside the edge, and the last point that was asked for: intervals and chords meet there. Samples: the points of all chords.
   struct Use
   {
     EdgeUse Source;
     double T;
     std::array<double, 2> Point;
+    std::vector<std::array<double, 2>> Samples;
 
     std::array<double, 2> Evaluate(double t)
     {
-      this->Point = t == this->T ? this->Point : this->Source.Trim->Evaluate(t);
+      this->Point = t == this->T ? this->Point : EvaluateByBasis(*this->Source.Trim, t);
       this->T = t;
       return this->Point;
     }
@@ -312,9 +403,7 @@ private:
   const MeshLimits& Limits;
   /// BoundBend() of the pieces.
   std::vector<double> Bends;
-  /// The curve's derivative at a parameter.
-  Vector3 Tangent{};
-  double TangentAt = HUGE_VAL;
+  std::vector<Vector3> Tangents;
   /// Where intervals begin, and where the last one ends.
   std::vector<double> Ends;
   /// True where an interval begins at a corner.
@@ -369,9 +458,18 @@ double BoundSagitta(const EdgeCurve& curve, double low, double high)
   return std::hypot(largest, excess);
 }
 
-std::vector<double> SampleEdge(
+EdgeSamples SampleEdge(
   const Edge& edge, const std::vector<EdgeUse>& uses, const MeshLimits& limits, int least)
 {
-  return Sampler(edge, uses, limits).Run(least);
+  return Sampler(edge, uses, limits).Run(uses, least);
+}
+
+void EvaluateTrims(const std::vector<EdgeUse>& uses, EdgeSamples& samples)
+{
+  samples.At.clear();
+  for (const EdgeUse& use : uses)
+  {
+    AppendPoints(*use.Trim, samples);
+  }
 }
 }

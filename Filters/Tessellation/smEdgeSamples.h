@@ -8,20 +8,13 @@
 #include "smFiltersTessellationModule.h"
 
 #include "smFace.h"
+#include "smMeshLimits.h"
 #include "smSurfaceBlocks.h"
 
 #include <vector>
 
 namespace sm
 {
-struct MeshLimits
-{
-  /// Largest distance of a triangle from its surface and of a segment from its edge, in model units.
-  double Deflection = 0.0;
-  /// Wanted angle between neighbouring triangles and segments, in radians.
-  double Angle = 0.35;
-};
-
 /// A face beside an edge.
 struct EdgeUse
 {
@@ -29,13 +22,25 @@ struct EdgeUse
   const TrimCurve* Trim;
 };
 
+/// Points of an edge.
+struct EdgeSamples
+{
+  /// Parameters from the start of the edge to its end, increasing.
+  std::vector<double> T;
+  /// In (u,v) of the faces beside the edge: T.size() points of the first use, then of the next.
+  std::vector<std::array<double, 2>> At;
+};
+
 /**
- * Parameters from the start of the edge to its end, increasing, such that every chord is within the deflection of the edge's curve:
- * proved by the coefficients of the curve; and such that along every chord the surfaces of its faces leave room for triangles
- * (SurfaceBlocks::GetError()). At least `least` chords; no more than 20,000, whatever that leaves.
+ * Chords are within the deflection of the edge's curve: proved by the coefficients of the curve; and such that along every chord the
+ * surfaces of its faces leave room for triangles (SurfaceBlocks::GetError()). At least `least` chords; no more than 20,000, whatever
+ * that leaves.
  */
-SMFILTERSTESSELLATION_EXPORT std::vector<double> SampleEdge(
+SMFILTERSTESSELLATION_EXPORT EdgeSamples SampleEdge(
   const Edge& edge, const std::vector<EdgeUse>& uses, const MeshLimits& limits, int least);
+
+/// Sets EdgeSamples::At for its T.
+void EvaluateTrims(const std::vector<EdgeUse>& uses, EdgeSamples& samples);
 
 /// No less than the distance of the curve from the chord between parameters `low` and `high`.
 SMFILTERSTESSELLATION_EXPORT double BoundSagitta(const EdgeCurve& curve, double low, double high);

@@ -34,11 +34,16 @@ constexpr double TurnShare = 1e-2;
 constexpr double LargestGapShare = 0.5;
 /// |S_u x S_v| has no direction below this part of the largest |S_u| |S_v|.
 constexpr double LeastNormal = 1e-10;
+/// Shapes of triangles that are tried where some are turned over, on faces of no more than so many triangles.
+constexpr std::size_t MostMetrics = 3;
+constexpr std::size_t MostTriangles = 3000;
+
 class Mesher
 {
 public:
+  /// `metric`: densities in u and v, relative to each other, in which triangles are to be well shaped; 0: those of the whole face.
   Mesher(const Face& face, const SurfaceBlocks& blocks, const std::vector<BoundaryLoop>& loops,
-    const MeshLimits& limits)
+    const MeshLimits& limits, const Parameters& metric)
     : Source(face)
     , Blocks(blocks)
     , Loops(loops)
@@ -47,7 +52,7 @@ public:
     , Box(FindBox(loops))
     , Size{ Box.High[0] - Box.Low[0], Box.High[1] - Box.Low[1] }
     , Steps(blocks, Box, limits)
-    , Mesh(this->GetGridMetric(), CountPoints(loops))
+    , Mesh(this->GetGridMetric(metric), CountPoints(loops))
     , Judge(blocks, Vertices, Walker)
   {
   }
@@ -94,11 +99,14 @@ public:
     return result;
   }
 
+  /// |S_u| and |S_v| in the middle of the triangles that are turned over after Run(), less those that edges off the surface turn.
+  const std::vector<Parameters>& GetTurnedSpeeds() const { return this->TurnedSpeeds; }
+
 private:
   /// Lengths of a grid step in which triangles are to be well shaped.
-  Parameters GetGridMetric() const
+  Parameters GetGridMetric(const Parameters& wanted) const
   {
-    const Parameters metric = this->Steps.GetMetric();
+    const Parameters metric = wanted[0] > 0.0 && wanted[1] > 0.0 ? wanted : this->Steps.GetMetric();
     return { metric[0] * this->Size[0] / GridWidth, metric[1] * this->Size[1] / GridWidth };
   }
 
@@ -262,6 +270,7 @@ private:
   void Refine()
   {
     std::vector<int> open;
+    open.reserve(2 * this->Mesh.GetTriangles().size());
     for (std::size_t i = this->Mesh.GetTriangles().size(); i-- > 0;)
     {
       open.push_back(static_cast<int>(i));
@@ -332,6 +341,7 @@ private:
   std::vector<Corners> Repair(std::vector<std::pair<int, int>>* halve, FaceMesh& result)
   {
     std::vector<Corners> triangles;
+    triangles.reserve(this->Mesh.GetTriangles().size());
     bool any = false;
     for (const Triangulation::Triangle& t : this->Mesh.GetTriangles())
     {
@@ -368,10 +378,16 @@ private:
       }
     }
     result.TurnedOver = static_cast<int>(left.size());
+    for (const Corners& t : left)
+    {
+      if (this->Judge.IsFolded(t))
+      {
+        this->TurnedSpeeds.push_back(this->Judge.GetSpeeds(t));
+      }
+    }
+    const bool isFolded = this->TurnedSpeeds.size() == left.size();
     if (!left.empty() && result.Reason.empty())
     {
-      const bool isFolded =
-        std::all_of(left.begin(), left.end(), [this](const Corners& t) { return this->Judge.IsFolded(t); });
       result.Reason = isFolded
         ? "Triangles are turned over, because the face is too narrow for its bent parameter lines."
         : "Triangles are turned over, because edges lie off the surface.";
@@ -401,6 +417,10 @@ private:
   void Write(const std::vector<Corners>& triangles, FaceMesh& result)
   {
     std::vector<int> place(this->Vertices.size(), -1);
+    result.Points.reserve(this->Vertices.size());
+    result.Parameters.reserve(this->Vertices.size());
+    result.Normals.reserve(this->Vertices.size());
+    result.Triangles.reserve(triangles.size());
     double farthest = 0.0;
     for (const Corners& t : triangles)
     {
@@ -474,6 +494,7 @@ private:
   Triangulation Mesh;
   std::vector<MeshVertex> Vertices;
   TriangleJudge Judge;
+  std::vector<Parameters> TurnedSpeeds;
   /// The point at which each segment starts.
   std::vector<const BoundaryPoint*> Starts;
 };
@@ -482,6 +503,29 @@ private:
 FaceMesh MeshFace(const Face& face, const SurfaceBlocks& blocks, const std::vector<BoundaryLoop>& loops,
   const MeshLimits& limits, std::vector<std::pair<int, int>>* halve)
 {
-  return Mesher(face, blocks, loops, limits).Run(halve);
+  std::vector<std::pair<int, int>> asked;
+  Mesher mesher(face, blocks, loops, limits, {});
+  FaceMesh best = mesher.Run(halve ? &asked : nullptr);
+  // A neck may need other shapes of triangles than the rest of the face.
+  const std::vector<Parameters>& speeds = mesher.GetTurnedSpeeds();
+  const std::size_t metrics =
+    best.Triangles.size() > MostTriangles ? 0 : std::min(MostMetrics, speeds.size());
+  for (std::size_t i = 0; i < metrics && best.TurnedOver > 0; ++i)
+  {
+    std::vector<std::pair<int, int>> askedNow;
+    const std::size_t k = i * (speeds.size() - 1) / std::max(metrics - 1, std::size_t(1));
+    FaceMesh other = Mesher(face, blocks, loops, limits, speeds[k]).Run(halve ? &askedNow : nullptr);
+    if (!other.Triangles.empty() && other.TurnedOver < best.TurnedOver &&
+      other.Deviation <= std::max(best.Deviation, limits.Deflection))
+    {
+      best = std::move(other);
+      asked = std::move(askedNow);
+    }
+  }
+  if (halve)
+  {
+    halve->insert(halve->end(), asked.begin(), asked.end());
+  }
+  return best;
 }
 }

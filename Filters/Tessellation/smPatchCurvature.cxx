@@ -1,6 +1,7 @@
 #include "smPatchCurvature.h"
 
 #include "smPatchParts.h"
+#include "smRationalBound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,25 +10,13 @@ namespace sm
 {
 namespace
 {
-/// Beyond the borders of a rational surface's domain a weight may vanish: bounds are immense then, not negative.
-constexpr double LeastWeight = 1e-100;
-
-/// How often a part is halved in both directions where its weights differ too much for a bound.
-constexpr int MostHalvings = 5;
-/// The same where weights are no products: the bound is too coarse before.
-constexpr int LeastHalvings = 2;
+/// How often a part is halved where its weights differ too much for a bound, and where a bound is too coarse.
+constexpr int MostHalvings = 10;
+constexpr int SharpHalvings = 4;
+/// Bounds are not tried where weights change by more than this, relative to them.
+constexpr double LargestSlope = 0.5;
 /// Parts of a rational curve on which its second derivative is bounded.
 constexpr int CurveParts = 4;
-
-double GetLargestNorm(const PatchNet& net)
-{
-  double largest = 0.0;
-  for (const Homogeneous& h : net.B)
-  {
-    largest = std::max(largest, Dot(h.data(), h.data()));
-  }
-  return std::sqrt(largest);
-}
 
 double GetLargestWeight(const PatchNet& net)
 {
@@ -39,116 +28,105 @@ double GetLargestWeight(const PatchNet& net)
   return largest;
 }
 
-/**
- * With c, d_u, d_v: position and derivatives in the middle, H = (P, w):
- *     w S_uu = (P_uu - w_uu c - 2 w_u d_u)             - w_uu (S - c) - 2 w_u (S_u - d_u)
- *     w S_uv = (P_uv - w_uv c - w_u d_v - w_v d_u)     - w_uv (S - c) - w_u (S_v - d_v) - w_v (S_u - d_u)
- * The brackets are polynomials, bounded by their coefficients; |S_u - d_u| <= (M_uu + M_uv) / 2 and so on on [0,1]^2. That is
- * M <= g + A M with A, g >= 0; any M with M >= g + A M and g > 0 bounds the true one, for then the spectral radius of A is below 1.
- */
-bool BoundRational(const PatchNet& net, const PatchNet& u, const PatchNet& v, std::array<double, 3>& bound)
+/// Second difference in one direction, or mixed: `i` and `j` are those of the first point.
+template <class Points>
+double GetSecond(const Points& net, int k, int i, int j, int c)
 {
-  const PatchNet second[3] = { Derive(u, 0), Derive(u, 1), Derive(v, 1) };
-  const Homogeneous h = Evaluate(net, 0.5, 0.5);
-  const Vector3 c = Project(h);
-  const Vector3 middle[2] = { ProjectDerivative(Evaluate(u, 0.5, 0.5), c, h[3]),
-    ProjectDerivative(Evaluate(v, 0.5, 0.5), c, h[3]) };
-  double lightest = std::max(net.B[0][3], LeastWeight);
-  for (const Homogeneous& b : net.B)
+  return k == 0 ? net.At(i + 2, j)[c] - 2.0 * net.At(i + 1, j)[c] + net.At(i, j)[c]
+    : k == 2    ? net.At(i, j + 2)[c] - 2.0 * net.At(i, j + 1)[c] + net.At(i, j)[c]
+                : net.At(i + 1, j + 1)[c] - net.At(i + 1, j)[c] - net.At(i, j + 1)[c] + net.At(i, j)[c];
+}
+
+/// Number of second differences in u and v of kind k: uu, uv, vv; and the factor that makes them derivatives.
+struct SecondKind
+{
+  SecondKind(const PatchNet& net, int k)
+    : Columns(std::max(net.P + 1 -
+          (k == 0      ? 2
+              : k == 1 ? 1
+                       : 0),
+        0))
+    , Rows(std::max(net.Q + 1 -
+          (k == 2      ? 2
+              : k == 1 ? 1
+                       : 0),
+        0))
+    , Factor(k == 0 ? net.P * (net.P - 1.0)
+          : k == 1  ? net.P * net.Q
+                    : net.Q * (net.Q - 1.0))
   {
-    lightest = std::min(lightest, std::max(b[3], LeastWeight));
   }
-  const double a[2] = { GetLargestWeight(u) / lightest, GetLargestWeight(v) / lightest };
-  double g[3];
-  double twice[3];
+  int Columns;
+  int Rows;
+  double Factor;
+};
+
+CurvatureBounds BoundPolynomial(const PatchNet& net, const Vector3& normal)
+{
+  CurvatureBounds bound;
   for (int k = 0; k < 3; ++k)
   {
-    PatchNet all = second[k];
-    PatchNet first[2] = { u, v };
-    const int p = k == 1 ? net.P : (k == 0 ? std::max(u.P, all.P) : net.P);
-    const int q = k == 1 ? net.Q : (k == 2 ? std::max(v.Q, all.Q) : net.Q);
-    Elevate(all, p, q);
-    for (std::size_t i = 0; i < all.B.size(); ++i)
+    const SecondKind kind(net, k);
+    LargestVector largest(normal);
+    for (int j = 0; j < kind.Rows; ++j)
     {
-      for (int x = 0; x < 3; ++x)
+      for (int i = 0; i < kind.Columns; ++i)
       {
-        all.B[i][x] -= all.B[i][3] * c[x];
+        const Vector3 second{ GetSecond(net, k, i, j, 0), GetSecond(net, k, i, j, 1),
+          GetSecond(net, k, i, j, 2) };
+        largest.Add(second);
       }
     }
-    // w_u with d_u for S_uu; w_u with d_v and w_v with d_u for S_uv.
-    for (int d = 0; d < 2; ++d)
-    {
-      if ((k == 0 && d == 1) || (k == 2 && d == 0))
-      {
-        continue;
-      }
-      Elevate(first[d], p, q);
-      const Vector3& with = k == 1 ? middle[1 - d] : middle[d];
-      for (std::size_t i = 0; i < all.B.size(); ++i)
-      {
-        for (int x = 0; x < 3; ++x)
-        {
-          all.B[i][x] -= (k == 1 ? 1.0 : 2.0) * first[d].B[i][3] * with[x];
-        }
-      }
-    }
-    g[k] = GetLargestNorm(all) / lightest;
-    twice[k] = GetLargestWeight(second[k]) / lightest;
+    const double factor = kind.Factor / net.B[0][3];
+    bound.Full[k] = factor * largest.GetLength();
+    bound.Along[k] = factor * largest.GetComponent();
   }
-  const double far = 0.5 * (Norm(middle[0]) + Norm(middle[1]));
-  const double least = 1e-14 * (Norm(middle[0]) + Norm(middle[1])) + 1e-300;
-  std::array<double, 3> m{};
-  for (int step = 0; step < 60; ++step)
-  {
-    const double r = far + 0.125 * (m[0] + 2.0 * m[1] + m[2]);
-    const double ends[2] = { 0.5 * (m[0] + m[1]), 0.5 * (m[1] + m[2]) };
-    const std::array<double, 3> next{ g[0] + twice[0] * r + 2.0 * a[0] * ends[0] + least,
-      g[1] + twice[1] * r + a[0] * ends[1] + a[1] * ends[0] + least,
-      g[2] + twice[2] * r + 2.0 * a[1] * ends[1] + least };
-    if (next[0] <= m[0] && next[1] <= m[1] && next[2] <= m[2])
-    {
-      bound = m;
-      return true;
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      m[k] = 1.02 * next[k];
-    }
-  }
-  return false;
+  return bound;
 }
 
 /// Second derivatives of a rational patch of any weights, coarse: |S_u| <= p (w_max / w_min)^2 max |S_i - S_j|.
-std::array<double, 3> BoundCoarsely(const PatchNet& net, const PatchNet& u, const PatchNet& v)
+CurvatureBounds BoundCoarsely(const PatchNet& net)
 {
-  const Vector3 c = Project(net.B[0]);
+  const Vector3 center = Project(net.B[0]);
   double size = 0.0;
-  double lightest = std::max(net.B[0][3], LeastWeight);
-  for (const Homogeneous& h : net.B)
+  double lightest = HUGE_VAL;
+  PatchNet moved = net;
+  for (Homogeneous& h : moved.B)
   {
-    size = std::max(size, Norm(Subtract(Project(h), c)));
+    size = std::max(size, Norm(Subtract(Project(h), center)));
     lightest = std::min(lightest, std::max(h[3], LeastWeight));
+    for (int x = 0; x < 3; ++x)
+    {
+      h[x] -= h[3] * center[x];
+    }
   }
   const double ratio = GetLargestWeight(net) / lightest;
   const double slope[2] = { 2.0 * net.P * ratio * ratio * size, 2.0 * net.Q * ratio * ratio * size };
-  const double a[2] = { GetLargestWeight(u) / lightest, GetLargestWeight(v) / lightest };
-  const PatchNet second[3] = { Derive(u, 0), Derive(u, 1), Derive(v, 1) };
-  std::array<double, 3> bound;
+  const double a[2] = { GetLargestWeight(Derive(net, 0)) / lightest,
+    GetLargestWeight(Derive(net, 1)) / lightest };
+  CurvatureBounds bound;
   for (int k = 0; k < 3; ++k)
   {
-    PatchNet moved = second[k];
-    for (Homogeneous& h : moved.B)
+    const SecondKind kind(net, k);
+    const Vector3 none{};
+    LargestVector largest(none);
+    double weight = 0.0;
+    for (int j = 0; j < kind.Rows; ++j)
     {
-      for (int x = 0; x < 3; ++x)
+      for (int i = 0; i < kind.Columns; ++i)
       {
-        h[x] -= h[3] * c[x];
+        const Vector3 second{ GetSecond(moved, k, i, j, 0), GetSecond(moved, k, i, j, 1),
+          GetSecond(moved, k, i, j, 2) };
+        largest.Add(second);
+        weight = std::max(weight, std::abs(GetSecond(moved, k, i, j, 3)));
       }
     }
-    bound[k] = (GetLargestNorm(moved) + GetLargestWeight(moved) * size) / lightest;
+    bound.Full[k] = kind.Factor * (largest.GetLength() + weight * size) / lightest;
   }
-  bound[0] += 2.0 * a[0] * slope[0];
-  bound[1] += a[0] * slope[1] + a[1] * slope[0];
-  bound[2] += 2.0 * a[1] * slope[1];
+  bound.Full[0] += 2.0 * a[0] * slope[0];
+  bound.Full[1] += a[0] * slope[1] + a[1] * slope[0];
+  bound.Full[2] += 2.0 * a[1] * slope[1];
+  bound.Along = bound.Full;
   return bound;
 }
 
@@ -170,8 +148,9 @@ bool IsSeparable(const PatchNet& net)
   return true;
 }
 
-/// Bound of the second derivative of a rational curve on [0,1], as in BoundRational() with one direction; infinite where there is none.
-double BoundCurve(const Homogeneous* b, int degree)
+/// Bounds of the second derivative of a rational curve on [0,1] and of its component along a unit vector, as RationalBound with one
+/// direction; infinite where there are none.
+std::array<double, 2> BoundCurve(const Homogeneous* b, int degree, const Vector3& normal)
 {
   const BernsteinPiece<4> curve{ b, degree };
   Homogeneous derivative;
@@ -187,7 +166,7 @@ double BoundCurve(const Homogeneous* b, int degree)
     slope = std::max(slope, degree * std::abs(b[i + 1][3] - b[i][3]));
   }
   // P'' - w'' c - 2 w' d, of degree - 1: the second differences have one degree less.
-  double largest = 0.0;
+  LargestVector largest(normal);
   for (int i = 0; i < degree; ++i)
   {
     Homogeneous second{};
@@ -207,14 +186,19 @@ double BoundCurve(const Homogeneous* b, int degree)
     {
       g[x] = second[x] - second[3] * c[x] - 2.0 * w * d[x];
     }
-    largest = std::max(largest, Norm(g));
+    largest.Add(g);
   }
   for (int i = 0; i + 2 <= degree; ++i)
   {
     bend = std::max(bend, degree * (degree - 1.0) * std::abs(b[i + 2][3] - 2.0 * b[i + 1][3] + b[i][3]));
   }
   const double rest = 1.0 - slope / lightest - 0.125 * bend / lightest;
-  return rest > 0.0 ? (largest + 0.5 * bend * Norm(d)) / lightest / rest : HUGE_VAL;
+  if (!(rest > 0.0))
+  {
+    return { HUGE_VAL, HUGE_VAL };
+  }
+  return { (largest.GetLength() + 0.5 * bend * Norm(d)) / lightest / rest,
+    (largest.GetComponent() + 0.5 * bend * std::abs(Dot(d, normal))) / lightest / rest };
 }
 
 /// The mixed derivative is bounded on parts whose weights in one direction are in about this ratio at most, on no more than so many.
@@ -240,48 +224,61 @@ std::array<double, 2> GetWeightRatios(const PatchNet& net)
   return ratios;
 }
 
-/// |S_uv| <= p q (ratios of weights)^2 max |second difference of S_ij in both directions|, for separable weights.
-double BoundMixed(const PatchNet& net)
+/// |S_uv| <= p q (ratios of weights)^2 max |second difference of S_ij in both directions|, for separable weights; and so its component.
+std::array<double, 2> BoundMixed(const PatchNet& net, const Vector3& normal)
 {
   const std::array<double, 2> ratios = GetWeightRatios(net);
   const double ratio = ratios[0] * ratios[1];
-  double largest = 0.0;
+  LargestVector largest(normal);
   for (int j = 0; j < net.Q; ++j)
   {
     for (int i = 0; i < net.P; ++i)
     {
       const Vector3 a = Subtract(Project(net.At(i + 1, j + 1)), Project(net.At(i, j + 1)));
       const Vector3 b = Subtract(Project(net.At(i + 1, j)), Project(net.At(i, j)));
-      largest = std::max(largest, Norm(Subtract(a, b)));
+      largest.Add(Subtract(a, b));
     }
   }
-  return net.P * net.Q * ratio * ratio * largest;
+  const double factor = net.P * net.Q * ratio * ratio;
+  return { factor * largest.GetLength(), factor * largest.GetComponent() };
+}
+
+/// True where all weights along a line are equal and it has no second derivative.
+bool IsStraight(const Homogeneous* line, int degree)
+{
+  return degree == 1 && line[0][3] == line[1][3];
 }
 
 /**
  * With w_ij = a_i b_j the surface is sum R_i(u) R_j(v) S_ij with rational bases of one direction each. R_j(v) >= 0 sum to 1, so
  * |S_uu| is at most that of the curves whose points are S_ij of one j; and BoundMixed() holds, because |C'| <= p (w_max / w_min)^2
- * max |S_i+1 - S_i| for a rational curve. False where the weights differ too much.
+ * max |S_i+1 - S_i| for a rational curve. Curves are bounded in `curveParts` parts. False where the weights differ too much.
  */
-bool BoundSeparable(const PatchNet& net, std::array<double, 3>& bound)
+bool BoundSeparable(const PatchNet& net, const Vector3& normal, int curveParts, CurvatureBounds& bound)
 {
   bound = {};
+  const auto raise = [&bound](int k, double factor, const std::array<double, 2>& by)
+  {
+    bound.Full[k] = std::max(bound.Full[k], factor * by[0]);
+    bound.Along[k] = std::max(bound.Along[k], factor * by[1]);
+  };
   for (int direction = 0; direction < 2; ++direction)
   {
     const int degree = direction == 0 ? net.P : net.Q;
     const int rows = direction == 0 ? net.Q : net.P;
+    Homogeneous whole[MaximumDegree + 1];
     Homogeneous line[MaximumDegree + 1];
     for (int row = 0; row <= rows; ++row)
     {
-      for (int part = 0; part < CurveParts; ++part)
+      for (int i = 0; i <= degree; ++i)
       {
-        for (int i = 0; i <= degree; ++i)
-        {
-          line[i] = direction == 0 ? net.At(i, row) : net.At(row, i);
-        }
-        RestrictBernstein(line, degree, 1, static_cast<double>(part) / CurveParts, (part + 1.0) / CurveParts);
-        const double b = CurveParts * CurveParts * BoundCurve(line, degree);
-        bound[2 * direction] = std::max(bound[2 * direction], b);
+        whole[i] = direction == 0 ? net.At(i, row) : net.At(row, i);
+      }
+      for (int part = 0; part < curveParts && !IsStraight(whole, degree); ++part)
+      {
+        std::copy(whole, whole + degree + 1, line);
+        RestrictBernstein(line, degree, 1, static_cast<double>(part) / curveParts, (part + 1.0) / curveParts);
+        raise(2 * direction, curveParts * curveParts, BoundCurve(line, degree, normal));
       }
     }
   }
@@ -301,55 +298,99 @@ bool BoundSeparable(const PatchNet& net, std::array<double, 3>& bound)
     const int at[2] = { part % parts[0], part / parts[0] };
     const PatchNet piece = Restrict(net, static_cast<double>(at[0]) / parts[0], (at[0] + 1.0) / parts[0],
       static_cast<double>(at[1]) / parts[1], (at[1] + 1.0) / parts[1]);
-    bound[1] = std::max(bound[1], parts[0] * parts[1] * BoundMixed(piece));
+    raise(1, parts[0] * parts[1], BoundMixed(piece, normal));
   }
-  return std::isfinite(bound[0] + bound[1] + bound[2]);
+  return std::isfinite(bound.Full[0] + bound.Full[1] + bound.Full[2]);
 }
 
-std::array<double, 3> BoundParts(const PatchNet& net, bool rational, int halvings)
+/// Bounds of a rational net on parts of it.
+class RationalParts
 {
-  const PatchNet u = Derive(net, 0);
-  const PatchNet v = Derive(net, 1);
-  std::array<double, 3> bound{};
-  if (!rational)
+public:
+  RationalParts(const Vector3& normal, const EnoughBound& enough)
+    : Normal(normal)
+    , Enough(enough)
   {
-    const double w = net.B[0][3];
-    return { GetLargestNorm(Derive(u, 0)) / w, GetLargestNorm(Derive(u, 1)) / w,
-      GetLargestNorm(Derive(v, 1)) / w };
   }
-  if (IsSeparable(net))
+
+  /// `density`: the length of the whole in units of the part.
+  CurvatureBounds Run(const PatchNet& net, const std::array<double, 2>& density, int halvings)
   {
-    if (BoundSeparable(net, bound))
+    CurvatureBounds bound;
+    const bool isSeparable = IsSeparable(net);
+    if (isSeparable && this->BoundProduct(net, density, bound))
     {
       return bound;
     }
-  }
-  else if (halvings <= MostHalvings - LeastHalvings && BoundRational(net, u, v, bound))
-  {
-    return bound;
-  }
-  if (halvings == 0)
-  {
-    return BoundCoarsely(net, u, v);
-  }
-  bound = {};
-  for (int part = 0; part < 4; ++part)
-  {
-    const double s = 0.5 * (part % 2);
-    const double r = 0.5 * (part / 2);
-    const std::array<double, 3> b = BoundParts(Restrict(net, s, s + 0.5, r, r + 0.5), rational, halvings - 1);
-    for (int k = 0; k < 3; ++k)
+    RationalBound rational(net, this->Normal);
+    const std::array<double, 2>& slope = rational.GetSlope();
+    CurvatureBounds reached;
+    const bool isBounded =
+      !isSeparable && std::max(slope[0], slope[1]) < LargestSlope && rational.Run(bound, reached);
+    if (isBounded)
     {
-      // Derivatives of the part are by half as long a unit.
-      bound[k] = std::max(bound[k], 4.0 * b[k]);
+      Refine(density, bound);
+      Refine(density, reached);
+      this->Reached.Raise(reached);
+      if (halvings >= SharpHalvings || this->Enough.IsMet(bound.Full) || bound.IsSharp(this->Reached))
+      {
+        return bound;
+      }
     }
+    if (halvings == MostHalvings)
+    {
+      bound = BoundCoarsely(net);
+      Refine(density, bound);
+      return bound;
+    }
+    const int direction = slope[0] > slope[1] ? 0 : 1;
+    std::array<double, 2> finer = density;
+    finer[direction] *= 2.0;
+    CurvatureBounds largest;
+    PatchNet parts[2] = { net, PatchNet() };
+    SplitInMiddle(parts[0], direction, parts[1]);
+    for (const PatchNet& part : parts)
+    {
+      largest.Raise(this->Run(part, finer, halvings + 1));
+    }
+    if (isBounded)
+    {
+      largest.Lower(bound);
+    }
+    return largest;
   }
-  return bound;
-}
+
+private:
+  static void Refine(const std::array<double, 2>& density, CurvatureBounds& bound)
+  {
+    bound.Refine(0, density[0]);
+    bound.Refine(1, density[1]);
+  }
+
+  bool BoundProduct(const PatchNet& net, const std::array<double, 2>& density, CurvatureBounds& bound) const
+  {
+    for (const int parts : { 1, CurveParts })
+    {
+      const bool isBounded = BoundSeparable(net, this->Normal, parts, bound);
+      Refine(density, bound);
+      if (isBounded && (parts == CurveParts || this->Enough.IsMet(bound.Full)))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Vector3& Normal;
+  const EnoughBound& Enough;
+  /// About what the derivatives are somewhere.
+  CurvatureBounds Reached;
+};
 }
 
-std::array<double, 3> BoundSecondDerivatives(const PatchNet& net, bool rational)
+CurvatureBounds BoundSecondDerivatives(
+  const PatchNet& net, bool rational, const Vector3& normal, const EnoughBound& enough)
 {
-  return BoundParts(net, rational, MostHalvings);
+  return rational ? RationalParts(normal, enough).Run(net, { 1.0, 1.0 }, 0) : BoundPolynomial(net, normal);
 }
 }

@@ -5,14 +5,14 @@
 #ifndef smPatchCurvature_h
 #define smPatchCurvature_h
 
+#include "smCurvatureBounds.h"
 #include "smPatchNet.h"
-
-#include <array>
 
 namespace sm
 {
-/// Bounds of |S_uu|, |S_uv| and |S_vv| on the net, by its own parameters. `rational`: the weights differ.
-std::array<double, 3> BoundSecondDerivatives(const PatchNet& net, bool rational);
+/// Bounds on the net, by its own parameters. `rational`: the weights differ. `normal`: a unit vector or 0. `enough`: bounds that are good enough.
+CurvatureBounds BoundSecondDerivatives(
+  const PatchNet& net, bool rational, const Vector3& normal, const EnoughBound& enough);
 }
 
 #endif

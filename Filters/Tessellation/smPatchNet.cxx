@@ -25,39 +25,48 @@ PatchNet Derive(const PatchNet& from, int direction)
   return to;
 }
 
-void Elevate(PatchNet& net, int p, int q)
+NetMiddle EvaluateMiddle(const PatchNet& net)
 {
-  while (net.P < p || net.Q < q)
-  {
-    const bool alongU = net.P < p;
-    const PatchNet from = net;
-    const int n = (alongU ? from.P : from.Q) + 1;
-    net.Resize(from.P + (alongU ? 1 : 0), from.Q + (alongU ? 0 : 1));
-    for (int j = 0; j <= net.Q; ++j)
-    {
-      for (int i = 0; i <= net.P; ++i)
-      {
-        const int k = alongU ? i : j;
-        const double share = static_cast<double>(k) / n;
-        for (int c = 0; c < 4; ++c)
-        {
-          const double before = k > 0 ? (alongU ? from.At(i - 1, j) : from.At(i, j - 1))[c] : 0.0;
-          const double here = k < n ? from.At(i, j)[c] : 0.0;
-          net.At(i, j)[c] = share * before + (1.0 - share) * here;
-        }
-      }
-    }
-  }
-}
-
-Homogeneous Evaluate(const PatchNet& net, double s, double r)
-{
-  Homogeneous column[MaximumDegree + 1] = {};
+  Homogeneous column[MaximumDegree + 1];
+  Homogeneous slopes[MaximumDegree + 1];
+  // For compilers that do not see that there is a row.
+  column[0] = slopes[0] = {};
   for (int j = 0; j <= net.Q; ++j)
   {
-    column[j] = BernsteinPiece<4>{ &net.At(0, j), net.P }.Evaluate(s);
+    column[j] = BernsteinPiece<4>{ &net.At(0, j), net.P }.Evaluate(0.5, &slopes[j]);
   }
-  return BernsteinPiece<4>{ column, net.Q }.Evaluate(r);
+  Homogeneous hv;
+  const Homogeneous h = BernsteinPiece<4>{ column, net.Q }.Evaluate(0.5, &hv);
+  const Homogeneous hu = BernsteinPiece<4>{ slopes, net.Q }.Evaluate(0.5);
+  NetMiddle middle;
+  middle.Position = Project(h);
+  middle.First[0] = ProjectDerivative(hu, middle.Position, h[3]);
+  middle.First[1] = ProjectDerivative(hv, middle.Position, h[3]);
+  return middle;
+}
+
+void SplitInMiddle(PatchNet& net, int direction, PatchNet& rest)
+{
+  rest = net;
+  const int degree = direction == 0 ? net.P : net.Q;
+  const int lines = direction == 0 ? net.Q : net.P;
+  const int stride = direction == 0 ? 1 : net.P + 1;
+  for (int line = 0; line <= lines; ++line)
+  {
+    Homogeneous* const low = net.B.data() + line * (direction == 0 ? net.P + 1 : 1);
+    Homogeneous* const high = rest.B.data() + (low - net.B.data());
+    for (int level = 1; level <= degree; ++level)
+    {
+      for (int i = 0; i <= degree - level; ++i)
+      {
+        for (int c = 0; c < 4; ++c)
+        {
+          high[i * stride][c] = 0.5 * (high[i * stride][c] + high[(i + 1) * stride][c]);
+        }
+      }
+      low[level * stride] = high[0];
+    }
+  }
 }
 
 PatchNet Restrict(const PatchNet& net, double s0, double s1, double r0, double r1)

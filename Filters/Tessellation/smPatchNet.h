@@ -79,10 +79,8 @@ struct PatchNet
 /// The derivative in one direction; a constant 0 for degree 0.
 PatchNet Derive(const PatchNet& from, int direction);
 
-/// The same polynomial with one degree more in u until it has degree p, and so in v.
-void Elevate(PatchNet& net, int p, int q);
-
-Homogeneous Evaluate(const PatchNet& net, double s, double r);
+/// `net` becomes its first half in a direction, `rest` the second.
+void SplitInMiddle(PatchNet& net, int direction, PatchNet& rest);
 
 /// The part on [s0,s1] x [r0,r1] as a net of its own.
 PatchNet Restrict(const PatchNet& net, double s0, double s1, double r0, double r1);
@@ -91,6 +89,14 @@ inline Vector3 Project(const Homogeneous& h)
 {
   return { h[0] / h[3], h[1] / h[3], h[2] / h[3] };
 }
+
+/// Position and first derivatives in the middle, by the net's own parameters.
+struct NetMiddle
+{
+  Vector3 Position;
+  Vector3 First[2];
+};
+NetMiddle EvaluateMiddle(const PatchNet& net);
 
 /// (H' - S w') / w: the derivative of the quotient.
 inline Vector3 ProjectDerivative(const Homogeneous& h, const Vector3& s, double w)

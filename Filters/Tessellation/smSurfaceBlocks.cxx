@@ -31,6 +31,9 @@ constexpr double ThinShare = 1e-4;
 /// Errors below this part of the deflection are nothing.
 constexpr double FlatShare = 1e-9;
 
+/// Part of the deflection that a bound may leave to the error of a regular triangle without being made sharper.
+constexpr double EnoughShare = 0.4;
+
 /// Jump of a derivative, relative to it, that is rounding.
 constexpr double SmoothJump = 1e-8;
 
@@ -113,42 +116,28 @@ void MeasureCorners(const PatchNet& net, SurfaceBlocks::Block& block)
 namespace
 {
 /// Sets the bounds of a block, for parameters of the net's own.
-void BoundBlock(const PatchNet& net, bool rational, SurfaceBlocks::Block& block)
+void BoundBlock(const PatchNet& net, bool rational, const EnoughBound& enough, SurfaceBlocks::Block& block)
 {
-  block.Full = BoundSecondDerivatives(net, rational);
-  block.Along = block.Full;
-  // Circular arcs are even enough.
-  if (rational && net.P <= 2 && net.Q <= 2)
-  {
-    return;
-  }
-  const Homogeneous h = Evaluate(net, 0.5, 0.5);
-  const Vector3 c = Project(h);
-  const Vector3 du = ProjectDerivative(Evaluate(Derive(net, 0), 0.5, 0.5), c, h[3]);
-  const Vector3 dv = ProjectDerivative(Evaluate(Derive(net, 1), 0.5, 0.5), c, h[3]);
-  const Vector3 cross = Cross(du, dv);
+  // Circular arcs are even enough to do without a normal.
+  const bool isArc = rational && net.P <= 2 && net.Q <= 2;
+  const NetMiddle middle = isArc ? NetMiddle{} : EvaluateMiddle(net);
+  const Vector3 cross = Cross(middle.First[0], middle.First[1]);
   const double area = Norm(cross);
+  const Vector3 normal = area > 0.0 ? Normalized(cross) : Vector3{ 0.0, 0.0, 0.0 };
+  const CurvatureBounds bounds = BoundSecondDerivatives(net, rational, normal, enough);
+  block.Full = bounds.Full;
+  block.Along = bounds.Full;
   // |S_u - du| and |S_v - dv| on the net; their cross product turns by no more than this.
   const double u = 0.5 * (block.Full[0] + block.Full[1]);
   const double v = 0.5 * (block.Full[1] + block.Full[2]);
-  const double sine = (u * Norm(dv) + v * Norm(du) + u * v) / area;
+  const double sine = (u * Norm(middle.First[1]) + v * Norm(middle.First[0]) + u * v) / area;
   if (!(sine < MostSine))
   {
     return;
   }
-  block.Normal = Normalized(cross);
+  block.Normal = normal;
   block.Tilt = std::asin(sine);
-  if (sine == 0.0)
-  {
-    return;
-  }
-  PatchNet along = net;
-  for (Homogeneous& b : along.B)
-  {
-    const Vector3 p{ b[0] - b[3] * c[0], b[1] - b[3] * c[1], b[2] - b[3] * c[2] };
-    b = { Dot(p, block.Normal), 0.0, 0.0, b[3] };
-  }
-  block.Along = BoundSecondDerivatives(along, rational);
+  block.Along = bounds.Along;
 }
 }
 
@@ -169,7 +158,8 @@ void SurfaceBlocks::Block::Choose(double tilt)
   this->JumpFactor = sum[0] <= sum[1] ? 1.0 : std::hypot(1.0, slope);
 }
 
-SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& covered)
+SurfaceBlocks::SurfaceBlocks(
+  const NURBSSurface& surface, const ParameterBox& covered, const MeshLimits& limits)
   : Covered(covered)
 {
   std::vector<double> spans[2];
@@ -249,14 +239,22 @@ SurfaceBlocks::SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& co
         }
         const PatchNet piece = Restrict(net, from[0], to[0], from[1], to[1]);
         Block& block = this->Blocks[at[0] + at[1] * columns];
-        BoundBlock(piece, surface.Rational, block);
+        MeasureCorners(piece, block);
+        // Rows are nowhere farther from each other than the angle and the face allow.
+        EnoughBound enough;
+        enough.Sum = 8.0 * EnoughShare * limits.Deflection;
+        for (int d = 0; d < 2; ++d)
+        {
+          const double all = (covered.High[d] - covered.Low[d]) / size[d];
+          enough.Step[d] = block.Turn[d] * all > limits.Angle ? limits.Angle / block.Turn[d] : all;
+        }
+        BoundBlock(piece, surface.Rational, enough, block);
         const double unit[3] = { size[0] * size[0], size[0] * size[1], size[1] * size[1] };
         for (int k = 0; k < 3; ++k)
         {
           block.Full[k] /= unit[k];
           block.Along[k] /= unit[k];
         }
-        MeasureCorners(piece, block);
         for (int d = 0; d < 2; ++d)
         {
           block.Turn[d] /= size[d];

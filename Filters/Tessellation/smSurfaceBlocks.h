@@ -28,6 +28,7 @@
 
 #include "smFiltersTessellationModule.h"
 
+#include "smMeshLimits.h"
 #include "smNURBSSurface.h"
 
 #include <algorithm>
@@ -74,8 +75,9 @@ public:
     void Choose(double tilt);
   };
 
-  /// For parameters in `covered`, which may reach a little beyond the surface's domain. Several blocks to a span where it is curved.
-  SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& covered);
+  /// For parameters in `covered`, which may reach a little beyond the surface's domain. Several blocks to a span where it is curved. With a
+  /// deflection, bounds are sharp only where that changes a mesh within the limits.
+  SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& covered, const MeshLimits& limits = {});
 
   /// Error of any triangle by jumps of derivatives that are rounding, or little more; they are no creases.
   double GetSmallJumps() const;

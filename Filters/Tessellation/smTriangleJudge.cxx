@@ -111,11 +111,28 @@ bool TriangleJudge::IsAgainst(const std::array<Vector3, 3>& corners, const Corne
   {
     return false;
   }
-  Vector3 position;
   Vector3 du;
   Vector3 dv;
-  this->Walker.Evaluate((v[0]->At[0] + v[1]->At[0] + v[2]->At[0]) / 3.0,
-    (v[0]->At[1] + v[1]->At[1] + v[2]->At[1]) / 3.0, position.data(), du.data(), dv.data());
+  this->EvaluateMiddle(t, du, dv);
   return Dot(normal, Cross(du, dv)) < 0.0;
+}
+
+std::array<double, 2> TriangleJudge::GetSpeeds(const Corners& t) const
+{
+  Vector3 du;
+  Vector3 dv;
+  this->EvaluateMiddle(t, du, dv);
+  return { Norm(du), Norm(dv) };
+}
+
+void TriangleJudge::EvaluateMiddle(const Corners& t, Vector3& du, Vector3& dv) const
+{
+  double at[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    at[d] = (this->Vertices[t[0]].At[d] + this->Vertices[t[1]].At[d] + this->Vertices[t[2]].At[d]) / 3.0;
+  }
+  Vector3 position;
+  this->Walker.Evaluate(at[0], at[1], position.data(), du.data(), dv.data());
 }
 }

@@ -36,8 +36,12 @@ public:
   bool IsTurned(const Corners& t) const;
   /// The same of the triangle whose corners are moved to the surface, where edges lie off it.
   bool IsFolded(const Corners& t) const;
+  /// |S_u| and |S_v| at its middle.
+  std::array<double, 2> GetSpeeds(const Corners& t) const;
 
 private:
+  /// The surface's derivatives at the middle of a triangle.
+  void EvaluateMiddle(const Corners& t, Vector3& du, Vector3& dv) const;
   bool IsAgainst(const std::array<Vector3, 3>& corners, const Corners& t) const;
 
   const SurfaceBlocks& Blocks;

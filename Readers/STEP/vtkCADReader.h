@@ -44,6 +44,9 @@
  * that a closed solid has a closed mesh; the field array MeshDeviation holds a proved bound for each face of the distance of its
  * triangles from the surface, across it (vtkNURBSDataSet). A body whose faces are not complete has GetNumberOfMissingFaces() or
  * GetNumberOfDefects() above 0 in its model.
+ *
+ * No switch leaves the mesh out: the scales of all tolerances are those of a mesh, and by it filters judge whether shells cross themselves
+ * and enclose each other. It takes 5 to 14 % of the seconds of a run without a picture (Documentation/Performance.md).
  */
 #ifndef vtkCADReader_h
 #define vtkCADReader_h

@@ -2,7 +2,6 @@
 
 #include "smMeshMeasures.h"
 
-#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 
@@ -14,8 +13,9 @@ namespace
 {
 using sm::Vector3;
 
-constexpr int Tile = 700;
-constexpr int Margin = 20;
+/// Part of a tile that is left free on every side.
+constexpr double Margin = 0.03;
+constexpr std::size_t FacesInRow = 2;
 /// A mean normal shorter than this part of the area has no face to look at.
 constexpr double LeastMean = 0.2;
 
@@ -58,13 +58,13 @@ struct View
       }
     }
   }
-  /// Each direction has a scale of its own where the face is much longer than wide.
-  int GetPixel(const Vector3& p, int d) const
+  /// Of a tile with so many pixels. Each direction has a scale of its own where the face is much longer than wide.
+  int GetPixel(const Vector3& p, int d, int tile) const
   {
     const double sizes[2] = { this->High[0] - this->Low[0], this->High[1] - this->Low[1] };
     const double size = std::max(sizes[d], 0.1 * sizes[1 - d]);
     const double x = sm::Dot(p, this->Axes[d]) - this->Low[d];
-    return Margin + static_cast<int>(std::lround((Tile - 2 * Margin) * x / std::max(size, 1e-300)));
+    return static_cast<int>(std::lround(tile * (Margin + (1.0 - 2.0 * Margin) * x / std::max(size, 1e-300))));
   }
 };
 
@@ -104,7 +104,8 @@ void DrawLine(vtkImageData* image, const Pixel& a, const Pixel& b, const Color& 
   }
 }
 
-void Draw(const sm::Face& face, const sm::FaceMesh& mesh, const View& view, int left, vtkImageData* image)
+void Draw(
+  const sm::Face& face, const sm::FaceMesh& mesh, const View& view, int left, int tile, vtkImageData* image)
 {
   // From the farthest triangle to the nearest.
   std::vector<double> depth;
@@ -123,7 +124,8 @@ void Draw(const sm::Face& face, const sm::FaceMesh& mesh, const View& view, int 
     Pixel corners[3];
     for (int k = 0; k < 3; ++k)
     {
-      corners[k] = { left + view.GetPixel(mesh.Points[t[k]], 0), view.GetPixel(mesh.Points[t[k]], 1) };
+      corners[k] = { left + view.GetPixel(mesh.Points[t[k]], 0, tile),
+        view.GetPixel(mesh.Points[t[k]], 1, tile) };
     }
     const bool turned = IsTurnedOver(face, walker, mesh, t);
     FillTriangle(image, corners, turned ? Color{ 240, 90, 80 } : Color{ 190, 210, 230 });
@@ -133,28 +135,57 @@ void Draw(const sm::Face& face, const sm::FaceMesh& mesh, const View& view, int 
     }
   }
 }
+
+vtkSmartPointer<vtkImageData> MakeImage(int width, int height)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 3 * width * height, 255);
+  return image;
+}
 }
 
-bool WriteMeshPicture(
-  const sm::Face& face, const std::vector<const sm::FaceMesh*>& meshes, const std::string& fileName)
+void MeshSheet::Add(const sm::Face& face, const std::vector<const sm::FaceMesh*>& meshes)
 {
   View view(*meshes.back());
   for (const sm::FaceMesh* mesh : meshes)
   {
     view.Include(*mesh);
   }
-  const int width = Tile * static_cast<int>(meshes.size());
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(width, Tile, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 3 * width * Tile, 255);
+  this->Faces.push_back(MakeImage(this->Tile * static_cast<int>(meshes.size()), this->Tile));
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
-    Draw(face, *meshes[i], view, Tile * static_cast<int>(i), image);
+    Draw(face, *meshes[i], view, this->Tile * static_cast<int>(i), this->Tile, this->Faces.back());
+  }
+}
+
+bool MeshSheet::Write(const std::string& fileName) const
+{
+  if (this->Faces.empty())
+  {
+    return false;
+  }
+  const std::size_t columns = std::min(FacesInRow, this->Faces.size());
+  const std::size_t rows = (this->Faces.size() + columns - 1) / columns;
+  const int width = this->Faces[0]->GetDimensions()[0];
+  const auto sheet = MakeImage(width * static_cast<int>(columns), this->Tile * static_cast<int>(rows));
+  for (std::size_t i = 0; i < this->Faces.size(); ++i)
+  {
+    // Rows of an image run from the bottom.
+    const int left = width * static_cast<int>(i % columns);
+    const int bottom = this->Tile * static_cast<int>(rows - 1 - i / columns);
+    for (int y = 0; y < this->Tile; ++y)
+    {
+      const auto* from = static_cast<const unsigned char*>(this->Faces[i]->GetScalarPointer(0, y, 0));
+      std::copy(
+        from, from + 3 * width, static_cast<unsigned char*>(sheet->GetScalarPointer(left, bottom + y, 0)));
+    }
   }
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName(fileName.c_str());
-  writer->SetInputData(image);
+  writer->SetInputData(sheet);
+  writer->SetCompressionLevel(9);
   writer->Write();
   return writer->GetErrorCode() == 0;
 }
