@@ -216,6 +216,7 @@ void CheckMeshes(const Manifest& manifest)
 
   // The meshes are an input like any other, of the same bits.
   vtkNew<vtkMassPropertiesGPU> again;
+  again->SetBackend(pipeline.Mass->GetBackend());
   again->SetInputConnection(pipeline.Mass->GetOutputPort(5));
   again->Update();
   Check("volume of the meshes", volume, again->GetVolume(), 0.0);
