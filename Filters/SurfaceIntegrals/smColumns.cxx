@@ -154,7 +154,7 @@ void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Int
       const FaceIntegrals* result = bodies[row].Faces ? &(*bodies[row].Faces)[i] : nullptr;
       const bool known = result && result->Error.empty();
       estimated->InsertNextValue(known && result->Estimated ? 1 : 0);
-      const double gap = known ? result->MaxGap : vtkMath::Nan();
+      const double gap = known && !result->Skipped ? result->MaxGap : vtkMath::Nan();
       widest.Append(&gap);
       for (std::size_t column = 0; column < wanted.size(); ++column)
       {

@@ -435,10 +435,12 @@ double BoundSagitta(const EdgeCurve& curve, double low, double high)
     const double width = curve.Breaks[k + 1] - curve.Breaks[k];
     const double from = std::max((low - curve.Breaks[k]) / width, 0.0);
     const double to = std::min((high - curve.Breaks[k]) / width, 1.0);
-    if (piece.Degree > 0 && to > from)
+    // A chord that begins a rounding step before the end of a piece has no part of it.
+    if (!(to > from))
     {
-      RestrictBernstein(b, piece.Degree, 1, from, to);
+      continue;
     }
+    RestrictBernstein(b, piece.Degree, 1, from, to);
     for (int i = 0; i <= piece.Degree; ++i)
     {
       const double x = Dot(Subtract(b[i], start), along);

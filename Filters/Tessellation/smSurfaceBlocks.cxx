@@ -435,7 +435,7 @@ double SurfaceBlocks::GetError(const ParameterBox& box) const
       // A hinge leaves its chord by the jump times the distance from the nearer border at most, and by a quarter of the width.
       const double inside =
         std::min(crease.At + crease.Half - box.Low[d], box.High[d] - crease.At + crease.Half);
-      const double slack = 1e-12 * std::abs(crease.At);
+      const double slack = 1e-12 * std::max(std::abs(crease.At), w[d]);
       jumps += inside > 0.0 ? crease.Jump * (inside > slack ? 0.25 * w[d] : inside) : 0.0;
     }
   }

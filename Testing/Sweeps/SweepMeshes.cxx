@@ -1,8 +1,8 @@
 // SweepMeshes [options] FILE.step...: the display mesh of every body beside that of OpenCASCADE's mesher, in one run on one
 // core: seconds, triangles, faces without triangles, open sides of closed solids, inverted triangles, and the largest distance from the
 // surface, all at the same deflection. Beside ours, the seconds of bounds of surfaces and points of edges alone; beside both, triangles times
-// distance: at equal distance, the ratio of triangles. Exit status 1 where ours breaks its promise, or has faces without triangles or
-// triangles turned over that it gives no reason for.
+// distance: at equal distance, the ratio of triangles. Exit status 1 where ours breaks its promise, or has faces without triangles,
+// triangles turned over, or open sides of closed bodies that it gives no reason for.
 //     --deflection X   a part of the diagonal, 0.001 by default
 //     --threads N      meshes on N threads; seconds are those of the clock on the wall then
 //     --alone          without OpenCASCADE
@@ -59,7 +59,7 @@ struct Totals
   double EdgeSeconds = 0.0;
   /// Sums of triangles times the largest distance as a part of the deflection, over bodies that are not flat.
   double Effort[2] = { 0, 0 };
-  /// Faces without triangles and without a reason.
+  /// Faces without triangles and without a reason, and open sides of closed bodies whose faces have no reason.
   int Unexplained = 0;
   smtest::MeshMeasures Mesh[2];
 };
@@ -86,6 +86,23 @@ void AddBits(const void* data, std::size_t size)
   {
     Bits = (Bits ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211u;
   }
+}
+
+/// True if the directions in which faces use each edge cancel.
+bool IsClosed(const std::vector<sm::FacePointer>& faces)
+{
+  std::unordered_map<const sm::Edge*, int> directions;
+  for (const sm::FacePointer& face : faces)
+  {
+    for (const sm::Loop& loop : face->Loops)
+    {
+      for (const sm::Coedge& coedge : loop.Coedges)
+      {
+        directions[coedge.Use.get()] += coedge.Reversed ? -1 : 1;
+      }
+    }
+  }
+  return std::all_of(directions.begin(), directions.end(), [](const auto& d) { return d.second == 0; });
 }
 
 /// Seconds of what comes before the first triangle: bounds of the surfaces, and points of edges that suit them.
@@ -201,6 +218,13 @@ protected:
       {
         All.Effort[0] += static_cast<double>(a.Triangles) * a.Deviation / limits.Deflection;
         All.Effort[1] += static_cast<double>(b.Triangles) * b.Deviation / limits.Deflection;
+      }
+      const bool explained =
+        std::any_of(ours.begin(), ours.end(), [](const sm::FaceMesh& m) { return !m.Reason.empty(); });
+      if (!explained && a.OpenSides > 0 && IsClosed(faces))
+      {
+        All.Unexplained += a.OpenSides;
+        std::printf("    closed but for its mesh\n");
       }
       for (std::size_t f = 0; f < faces.size(); ++f)
       {

@@ -288,6 +288,60 @@ void CheckNarrowFaces()
   CheckTrue("a lens that is thinner than the deflection has triangles", !meshes[0].Triangles.empty());
 }
 
+/// (500 + t, 500 + height (1 - t^2), 0) for t from -1 to 1, of two pieces, in the plane of MakeSquare(1000.0, 1).
+sm::Coedge MakeParabola(double height)
+{
+  const double c = 500.0;
+  const double y = c + height;
+  const Coefficients3 pieces[2] = { { { c - 1.0, c, 0 }, { c - 0.5, y, 0 }, { c, y, 0 } },
+    { { c, y, 0 }, { c + 0.5, y, 0 }, { c + 1.0, c, 0 } } };
+  auto edge = std::make_shared<sm::Edge>();
+  edge->StartVertex = pieces[0].front();
+  edge->EndVertex = pieces[1].back();
+  edge->Curve.Breaks.push_back(-1.0);
+  sm::Coedge coedge;
+  coedge.Use = edge;
+  coedge.Curve.Breaks.push_back(-1.0);
+  for (int k = 0; k < 2; ++k)
+  {
+    Coefficients2 trim;
+    for (const auto& p : pieces[k])
+    {
+      trim.push_back({ 1e-3 * p[0], 1e-3 * p[1] });
+    }
+    edge->Curve.AppendPiece(k, pieces[k].data(), 2);
+    coedge.Curve.AppendPiece(k, trim.data(), 2);
+  }
+  return coedge;
+}
+
+/// Chords that begin a rounding step before a break at 0: the piece that they only touch is no part of them.
+void CheckBreaksAtZero()
+{
+  const sm::Coedge upper = MakeParabola(1.0);
+  const sm::Coedge lower = MakeParabola(-1.0);
+  auto plate = std::make_shared<sm::Face>(*MakeSquare(1000.0, 1));
+  auto fill = std::make_shared<sm::Face>(*plate);
+  plate->Loops.emplace_back();
+  const Coefficients2 corners{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+  for (int i = 0; i < 4; ++i)
+  {
+    const auto& [u, v] = corners[i];
+    const auto& [s, t] = corners[(i + 1) % 4];
+    plate->Loops[0].Coedges.push_back(
+      MakeCoedge({ { 1e3 * u, 1e3 * v, 0 }, { 1e3 * s, 1e3 * t, 0 } }, { { u, v }, { s, t } }));
+  }
+  plate->Loops.push_back({ { upper, MakeReversed(lower) } });
+  fill->Loops = { { { lower, MakeReversed(upper) } } };
+  int open = 0;
+  for (int i = 0; i < 300; ++i)
+  {
+    const std::vector<sm::FacePointer> faces{ plate, fill };
+    open += MeasureMesh(faces, sm::MeshFaces(faces, { 1e-4 * std::pow(1.02, i), 1.2 }), 1 << 20).OpenSides;
+  }
+  CheckEqual("breaks at zero: open sides, those of the border", 4 * 300, open);
+}
+
 /// A roof so flat that its ridge is no crease: the stated deviation holds all the same.
 void CheckFlatRidge()
 {
@@ -322,5 +376,6 @@ int TestBodyMesh(int argc, char* argv[])
   CheckLoops();
   CheckNarrowFaces();
   CheckFlatRidge();
+  CheckBreaksAtZero();
   return Finish();
 }
