@@ -99,7 +99,8 @@ void GapSeries::ExpandEdge(const Ribbon& ribbon, double start, double end)
 }
 
 template <class Real>
-void GapSeries::TransformSamples(const std::vector<std::array<Wide, 4>>& samples, double largest)
+void GapSeries::TransformSamples(
+  const std::vector<std::array<Wide, 4>>& samples, double largest, double largestWeight)
 {
   const int nodes = static_cast<int>(samples.size());
   const ChebyshevRule& rule = ChebyshevRule::Get(nodes);
@@ -110,6 +111,7 @@ void GapSeries::TransformSamples(const std::vector<std::array<Wide, 4>>& samples
     std::copy_n(samples[i].begin(), 4, values[i].begin());
   }
   this->Gap.resize(nodes);
+  SeriesNoise dropped;
   for (int k = 0; k < nodes; ++k)
   {
     const Real* row = rule.GetTransform<Real>(k);
@@ -125,11 +127,15 @@ void GapSeries::TransformSamples(const std::vector<std::array<Wide, 4>>& samples
     double& weight = this->Gap[k][3];
     if (k > 0 && std::abs(weight) <= 16.0 * UnitRoundoff * this->Gap[0][3])
     {
+      dropped.Add(k, std::abs(weight));
       weight = 0.0;
     }
   }
   // Coefficients are sums of n terms; the values of a row add up to 2 at most.
-  this->Noise = std::sqrt(3.0) * GetRoundoff<Real>() * 2.0 * nodes * (nodes + 6.0) * largest;
+  const double roundings = GetRoundoff<Real>() * 2.0 * nodes * (nodes + 6.0);
+  this->Noise = std::sqrt(3.0) * roundings * largest;
+  this->WeightNoise = SeriesNoise::OfPolynomial(roundings * largestWeight, nodes - 1);
+  this->WeightNoise.Add(dropped);
 }
 
 bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
@@ -213,6 +219,7 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   }
   this->Rough = false;
   this->Tail = 0.0;
+  this->WeightNoise = {};
   // Roundings of every coordinate: 20 of the terms and their sum, 4 in each of three terms to raise the degree by one. The series of the
   // gap and of the trim are doubles: the one is small, the other matters to d alone.
   const int raised = std::abs(ribbon.TrimDegree - ribbon.EdgeDegree);
@@ -224,11 +231,11 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
 
   for (int k = 0; k < 2; ++k)
   {
-    this->Stretch[k] = Norm(tangent[k]) + corner / w;
+    this->Stretch[k] = Norm(tangent[k]) + farthest * corner / w;
     this->TrimSlope[k] = this->Trim.GetLargestSlope(Ellipse::FromRadius(1.0), k);
   }
   this->NormalLength = Norm(Cross(tangent[0], tangent[1]).data()) +
-    corner / w * (this->Stretch[0] + this->Stretch[1] + corner / w);
+    farthest * corner / w * (this->Stretch[0] + this->Stretch[1]);
   return true;
 }
 
@@ -340,12 +347,12 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
   }
   if (largest > WideGap * weight * patch.Radius)
   {
-    this->TransformSamples<Wide>(samples, largest);
+    this->TransformSamples<Wide>(samples, largest, weight);
     this->ExpandEdge<Wide>(ribbon, start, end);
   }
   else
   {
-    this->TransformSamples<double>(samples, largest);
+    this->TransformSamples<double>(samples, largest, weight);
   }
   // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant.
   this->Noise += this->GetSampleNoise(ribbon, weight) * (1.0 + std::log(static_cast<double>(nodes)));
@@ -399,14 +406,27 @@ double GapSeries::GetSampleNoise(const Ribbon& ribbon, double weight) const
 
 GapSeries::Remainder GapSeries::GetRemainder(const Majorants& real) const
 {
-  // A polynomial of degree n below e on [0,1] has a derivative below 2 n^2 e (Markov). With U off by e w, G = U/w is off by e and
-  // G' = (U' - G w') / w by the derivative's part and by e |w'| / w.
-  const auto bound = [](double noise, double degree) { return 2.0 * degree * degree * noise; };
-  const double gap = (this->Noise + this->Tail) / real.Weight;
-  const double gapSlope =
-    bound(this->Noise, static_cast<double>(this->Gap.size() - 1)) + bound(this->Tail, this->GapDegree);
-  return { this->CurveNoise, bound(this->CurveNoise, static_cast<double>(this->Curve.size() - 1)), gap,
-    (gapSlope + gap * real.WeightSlope) / real.Weight };
+  // Coefficients are rounded to doubles.
+  SeriesNoise curve =
+    SeriesNoise::OfPolynomial(this->CurveNoise, static_cast<double>(this->Curve.size()) - 1.0);
+  for (std::size_t k = 0; k < this->Curve.size(); ++k)
+  {
+    curve.Add(k, UnitRoundoff * Norm(this->Curve[k].data()));
+  }
+  SeriesNoise gap = SeriesNoise::OfPolynomial(this->Noise, static_cast<double>(this->Gap.size()) - 1.0);
+  gap.Add(SeriesNoise::OfPolynomial(this->Tail, this->GapDegree));
+  SeriesNoise weight = this->WeightNoise;
+  for (std::size_t k = 0; k < this->Gap.size(); ++k)
+  {
+    gap.Add(k, UnitRoundoff * Norm(this->Gap[k].data()));
+    weight.Add(k, UnitRoundoff * std::abs(this->Gap[k][3]));
+  }
+  // With U and w off by e and f, G = U/w is off by d = (e + f |G|) / w, and G' = (U' - G w') / w by (e' + f' |G| + d |w'| + f |G'|) / w,
+  // but for products of these.
+  const double off = (gap.Value + weight.Value * real.Gap) / real.Weight;
+  return { curve.Value, curve.Slope, off,
+    (gap.Slope + weight.Slope * (real.Gap + off) + off * real.WeightSlope + weight.Value * real.GapSlope) /
+      real.Weight };
 }
 
 bool GapSeries::BoundTangents(const Patch& patch)

@@ -21,6 +21,26 @@
 
 namespace sm
 {
+/// Bounds, on [0,1], of an error of a Chebyshev series and of its derivative.
+struct SeriesNoise
+{
+  double Value = 0.0;
+  double Slope = 0.0;
+
+  /// A polynomial of degree n below e has a derivative below 2 n^2 e (Markov).
+  static SeriesNoise OfPolynomial(double error, double degree)
+  {
+    return { error, 2.0 * degree * degree * error };
+  }
+  void Add(const SeriesNoise& other)
+  {
+    this->Value += other.Value;
+    this->Slope += other.Slope;
+  }
+  /// The error of coefficient k.
+  void Add(std::size_t k, double error) { this->Add(OfPolynomial(error, static_cast<double>(k))); }
+};
+
 class GapSeries
 {
 public:
@@ -65,9 +85,10 @@ private:
   /// Nodes that determine U and w, but for a Tail.
   int ChooseNodes(const Ribbon& ribbon);
   void Sample(const Ribbon& ribbon, double start, double end, int nodes);
-  /// Gap and Noise from samples of U, the largest of which is `largest`, and w.
+  /// Gap and its noise from samples of U and w, the largest of which are `largest` and `largestWeight`.
   template <class Real>
-  void TransformSamples(const std::vector<std::array<Wide, 4>>& samples, double largest);
+  void TransformSamples(
+    const std::vector<std::array<Wide, 4>>& samples, double largest, double largestWeight);
   /// Bound of the rounding of the samples of U, the weights of which are at most `weight`; Stretch is known.
   double GetSampleNoise(const Ribbon& ribbon, double weight) const;
   /// Sets TrimSlope, and Stretch and NormalLength from the patch's. Returns false, with these 0, where the trim curve leaves the patch.
@@ -85,9 +106,10 @@ private:
   /// U and w.
   std::vector<std::array<double, 4>> Gap;
   double CurveDistance = 0.0;
-  /// Bounds, at real t, of the rounding of the series of C and U, and of what these lack of a U that has a higher degree.
+  /// Bounds, at real t, of the rounding of the series of C, U and w, and of what these lack of a U that has a higher degree.
   double CurveNoise = 0.0;
   double Noise = 0.0;
+  SeriesNoise WeightNoise;
   double Tail = 0.0;
   int GapDegree = 0;
   bool Rough = false;

@@ -13,10 +13,12 @@ namespace
 {
 // Halvings of a panel, and parts of it, before the area is compared instead of bounded. An isolated point without a
 // normal needs some 12 halvings in both directions until what is left is below its share, with a few parts of each depth. Along a line
-// without normals they double with every other halving, and no depth is enough.
+// without normals they double with every other halving, and no depth is enough: it is told by many parts of a depth at which
+// panels without such a line have none left.
 constexpr int LargestDepth = 30;
 constexpr std::size_t MostParts = 128;
 constexpr std::size_t MostAbreast = 16;
+constexpr int DepthOfLines = 6;
 // The same where moments, too, want more points than one part may have: weights that differ a lot.
 constexpr std::size_t MostPartsOfMoments = 8192;
 // A higher exact order costs more than the one that a bound asks for.
@@ -344,7 +346,7 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
   const bool canCompare = this->FindOrders(share, false, along, across);
   if (part.Depth < LargestDepth &&
     this->Pending.size() + this->Parts < (canCompare ? MostParts : MostPartsOfMoments) &&
-    (!canCompare || this->Abreast <= MostAbreast))
+    (!canCompare || part.Depth < DepthOfLines || this->Abreast <= MostAbreast))
   {
     const bool inXi = found ? kinks[0] >= kinks[1] : this->ChooseDirection(part) == 1;
     PanelPart halves[2] = { part, part };

@@ -117,8 +117,7 @@ void RibbonPlanner::AddResidualError(const Ribbon& ribbon, const Majorants& real
   // volume changes by what the ribbon sweeps: a triangle of the gap and the displacement along the length.
   const double area =
     this->Gap.GetNormalLength() * (ds * this->Gap.GetTrimSlope()[1] + dr * this->Gap.GetTrimSlope()[0]);
-  const double moved =
-    ds * this->Gap.GetStretch()[0] + dr * this->Gap.GetStretch()[1] + residual.Edge;
+  const double moved = ds * this->Gap.GetStretch()[0] + dr * this->Gap.GetStretch()[1] + residual.Edge;
   const double length = real.CurveSlope + real.GapSlope;
   const double reach = real.Curve + real.Gap;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)

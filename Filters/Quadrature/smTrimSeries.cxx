@@ -65,8 +65,7 @@ bool TrimSeries::IsConstantInS() const
 bool TrimSeries::IsOnPatch(const Patch& patch) const
 {
   const double factor = (patch.Degree[0] + patch.Degree[1]) * patch.WeightRatio;
-  const double beyond =
-    std::max({ -this->Low[0], -this->Low[1], this->High[0] - 1.0, this->High[1] - 1.0 });
+  const double beyond = std::max({ -this->Low[0], -this->Low[1], this->High[0] - 1.0, this->High[1] - 1.0 });
   return factor * beyond <= 1e-3;
 }
 

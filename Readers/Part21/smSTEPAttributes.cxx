@@ -22,7 +22,7 @@ STEPAttributes::STEPAttributes(const Part21File& file)
 
 bool STEPAttributes::FindRecord(Index i, std::string_view record, std::string_view& parameters) const
 {
-  for (std::size_t k = 0; k < this->File.GetNumberOfRecords(i); ++k)
+  for (std::size_t k = 0; i != None && k < this->File.GetNumberOfRecords(i); ++k)
   {
     if (this->File.GetTypeNames()[this->File.GetType(i, k)] == record)
     {
@@ -35,6 +35,10 @@ bool STEPAttributes::FindRecord(Index i, std::string_view record, std::string_vi
 
 Part21Value STEPAttributes::Get(Index i, const STEPAttribute& attribute) const
 {
+  if (i == None)
+  {
+    return Part21Value();
+  }
   if (!this->File.IsComplex(i))
   {
     return GetPart21Value(this->File.GetParameters(i), attribute.Simple);

@@ -43,9 +43,9 @@ public:
   /// The type of the entity is one of those that the census knows.
   bool IsKnown(Index i) const { return i != None && this->Roles[i] != 0; }
 
-  /// The parameters of the record with this name, or of a simple instance; false without one.
+  /// The parameters of the record with this name, or of a simple instance; false without one, or for None.
   bool FindRecord(Index i, std::string_view record, std::string_view& parameters) const;
-  /// Malformed when there is none.
+  /// Malformed when there is none, or for None.
   Part21Value Get(Index i, const STEPAttribute& attribute) const;
   /// The entity that a reference names, None for other values and undefined ones.
   Index Follow(const Part21Value& value) const

@@ -23,19 +23,20 @@ constexpr STEPAttribute MeasureUnit = { "MEASURE_WITH_UNIT", 1, 1, "unit" };
 
 /// Units that convert into units that convert …; inch to millimetre is one.
 constexpr int LongestConversion = 8;
-/// The unit of SI, what it is in the unit of the result, the smallest and largest that is no damage, and the relative accuracy with which
+/// The record of a complex unit, the unit of SI, what it is in the unit of the result, the smallest and largest that is no damage, and the relative accuracy with which
 /// factors are written: 0.01745 for a degree is off by 1.9e-4, 0.4536 for a pound by 2e-5; of lengths, which are exact, the foot of American
 /// surveyors by 2e-6.
 struct SIKind
 {
+  std::string_view Record;
   std::string_view Name;
   double Factor;
   double Smallest;
   double Largest;
   double Accuracy;
 };
-const SIKind SIKinds[] = { { "METRE", 1e3, 1e-6, 1e6, 3e-6 }, { "RADIAN", 1.0, 1e-6, 6.4, 2e-4 },
-  { "GRAM", 1e-3, 1e-15, 1e6, 1e-3 } };
+const SIKind SIKinds[] = { { "LENGTH_UNIT", "METRE", 1e3, 1e-6, 1e6, 3e-6 },
+  { "PLANE_ANGLE_UNIT", "RADIAN", 1.0, 1e-6, 6.4, 2e-4 }, { "MASS_UNIT", "GRAM", 1e-3, 1e-15, 1e6, 1e-3 } };
 
 struct NamedFactor
 {
@@ -115,6 +116,15 @@ bool HasWrongCount(const Part21File& file, Part21File::Index unit)
   return false;
 }
 
+/// OpenCASCADE knows a complex unit by its three records, and takes another for one that has others.
+bool HasWrongRecords(const STEPAttributes& entities, Part21File::Index unit, const SIKind& kind)
+{
+  std::string_view record;
+  return entities.File.IsComplex(unit) &&
+    (entities.File.GetNumberOfRecords(unit) != 3 || !entities.FindRecord(unit, "NAMED_UNIT", record) ||
+      !entities.FindRecord(unit, kind.Record, record));
+}
+
 bool IsSame(double a, double b, double accuracy)
 {
   return std::fabs(a - b) <= accuracy * std::fabs(b);
@@ -133,7 +143,8 @@ CensusUnit ReadSTEPUnit(const STEPAttributes& entities, Part21File::Index unit, 
   for (int k = 0; k < LongestConversion; ++k)
   {
     std::string_view record;
-    if (entities.File.IsDamaged(unit) || HasWrongCount(entities.File, unit))
+    if (entities.File.IsDamaged(unit) || HasWrongCount(entities.File, unit) ||
+      HasWrongRecords(entities, unit, si))
     {
       return result;
     }

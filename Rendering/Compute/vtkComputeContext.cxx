@@ -82,6 +82,12 @@ void vtkComputeContext::SetMaximumVersion(int major, int minor)
 
 int vtkComputeContext::Start()
 {
+  // A GPU that EGL has is better than an X display without one.
+  if (this->Status != READY && !this->Internals->Given && this->Source == AUTOMATIC &&
+    vtkEGLSurfacelessRenderWindow::MayHaveGPU())
+  {
+    this->StartOnGPU();
+  }
   return this->Status == READY ? READY : this->Internals->Search(false);
 }
 

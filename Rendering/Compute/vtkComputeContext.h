@@ -45,8 +45,8 @@ public:
   vtkTypeMacro(vtkComputeContext, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The source of the context. AUTOMATIC tries the given window, then an own context on the X display, then surfaceless EGL, and
-   * uses the first that has OpenGL 4.3 with double precision. If none has, the status is that of the attempt that came farthest. */
+  /** The source of the context. AUTOMATIC tries the given window, then an own context on the X display, then surfaceless EGL, of
+   * a GPU before a software renderer's, and uses the first that has OpenGL 4.3 with double precision. If none has, the status is that of the attempt that came farthest. */
   enum SourceType
   {
     AUTOMATIC = 0,

@@ -7,6 +7,8 @@
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <cstring>
 #include <optional>
@@ -224,9 +226,12 @@ std::string vtkEGLSurfacelessRenderWindow::GetReason()
 
 bool vtkEGLSurfacelessRenderWindow::IsSoftware(const std::string& renderer)
 {
-  for (const char* name : { "llvmpipe", "softpipe", "swrast", "Software Rasterizer" })
+  std::string text = renderer;
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  for (const char* name :
+    { "llvmpipe", "softpipe", "swrast", "swiftshader", "software rasterizer", "basic render" })
   {
-    if (renderer.find(name) != std::string::npos)
+    if (text.find(name) != std::string::npos)
     {
       return true;
     }

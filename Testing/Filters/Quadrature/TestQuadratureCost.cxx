@@ -1,6 +1,7 @@
 // TestQuadratureCost FOLDER [FILE...]: how many points the plans of exact solids take at a tolerance of 1e-9, against the
 // fewest that would do: for each panel the cheapest pair of orders whose true error, known in extended precision, is within
-// the panel's share. With volume and moments alone, and with the area.
+// the panel's share. With volume and moments alone, and with the area. Bent patches that have normals everywhere get bounds, not
+// comparisons, however many halvings they take.
 #include "smReferencePanels.h"
 #include "smTestManifest.h"
 #include "smTesting.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <random>
 
 namespace
 {
@@ -99,6 +101,41 @@ Cost Measure(vtkTrimmedNURBSModel* model, const Expected& solid, bool withArea)
   }
   return cost;
 }
+
+/// Bicubic patches near the unit square: halved some five times in both directions until their normals are told from zero.
+void CheckBentPatches()
+{
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> spread(-0.13, 0.13);
+  int estimated = 0;
+  std::size_t items = 0;
+  for (int n = 0; n < 40; ++n)
+  {
+    sm::Face face;
+    sm::NURBSSurface& s = face.Surface;
+    for (int d = 0; d < 2; ++d)
+    {
+      s.Degree[d] = 3;
+      s.Knots[d] = { 0, 0, 0, 0, 1, 1, 1, 1 };
+      s.NumberOfControlPoints[d] = 4;
+    }
+    for (int k = 0; k < 16; ++k)
+    {
+      const double x = k % 4 / 3.0 + spread(random);
+      const double y = k / 4 / 3.0 + spread(random);
+      s.ControlPoints.push_back({ x, y, 3.0 * spread(random), 1.0 });
+    }
+    const sm::FacePanels panels = sm::BuildFacePanels(face);
+    sm::PlanRequest request;
+    request.Classes = Classes;
+    request.Tolerances.assign(Count, 1e-6);
+    const sm::FacePlan plan = sm::PlanFace(face, panels, request);
+    estimated += plan.Estimated ? 1 : 0;
+    items = std::max(items, plan.Items.size());
+  }
+  CheckEqual("bent patches whose area is estimated", 0, estimated);
+  CheckRange("items of the one that takes most", 30.0, static_cast<double>(items), 100.0);
+}
 }
 
 int TestQuadratureCost(int argc, char* argv[])
@@ -141,5 +178,6 @@ int TestQuadratureCost(int argc, char* argv[])
       withArea ? "points over the least, with the area" : "points over the least, volume and moments", 1.0,
       static_cast<double>(sums[withArea].Planned) / sums[withArea].Least, withArea ? 6.0 : 3.0);
   }
+  CheckBentPatches();
   return Finish();
 }
