@@ -52,5 +52,6 @@ constexpr double operator"" LF(long double value)
 #define SM_ARRAY(type, name, size) const type* name
 #define SM_CONSTANT static constexpr
 #define SM_SELECT(condition, yes, no) ((condition) ? (yes) : (no))
+#define SM_ANY(condition) (condition)
 
 #endif

@@ -4,7 +4,8 @@
  *
  * As smPortableCxx.h, but what the chunks call double is a class template's Number: sm::Lanes, or double itself. Every lane does
  * the operations of one double in the same order, so that its bits do not depend on the number of lanes. Numbers of loops and
- * conditions of if must be the same for all lanes; where a condition compares Numbers the chunk uses SM_SELECT. In a
+ * conditions of if must be the same for all lanes; where a condition compares Numbers the chunk uses
+ * SM_SELECT, or SM_ANY, which holds for all lanes if it does for one. In a
  * class template, put between `#define double Number` and `#undef double`:
  *
  *     using dvec2 = sm::LaneVector2<Number>; (and so dvec3, dvec4), using uvec4 = sm::LaneIndices;
@@ -34,6 +35,11 @@ static constexpr double operator"" LF(long double value)
 #define SM_ARRAY(type, name, size) const type* name
 #define SM_CONSTANT static constexpr
 #define SM_SELECT(condition, yes, no) SelectLanes((condition), Number(yes), Number(no))
+#define SM_ANY(condition) IsAnyLane(condition)
+
+#ifdef __FMA__
+#define SM_FUSED(a, b, c) MultiplyAdd(a, b, c)
+#endif
 
 #define SM_ALWAYS_INLINE inline __attribute__((always_inline))
 
@@ -101,6 +107,21 @@ struct Lanes
     __builtin_memcpy(&root.All, each, sizeof(each));
     return root;
   }
+  /// a b + c, rounded once.
+  friend SM_ALWAYS_INLINE Lanes MultiplyAdd(const Lanes& a, const Lanes& b, const Lanes& c)
+  {
+    double each[3][Count];
+    __builtin_memcpy(each[0], &a.All, sizeof(each[0]));
+    __builtin_memcpy(each[1], &b.All, sizeof(each[1]));
+    __builtin_memcpy(each[2], &c.All, sizeof(each[2]));
+    for (int i = 0; i < Count; ++i)
+    {
+      each[0][i] = __builtin_fma(each[0][i], each[1][i], each[2][i]);
+    }
+    Lanes result;
+    __builtin_memcpy(&result.All, each[0], sizeof(each[0]));
+    return result;
+  }
   friend SM_ALWAYS_INLINE Lanes clamp(const Lanes& a, const Lanes& low, const Lanes& high)
   {
     return min(max(a, low), high);
@@ -111,8 +132,26 @@ struct Lanes
   }
 };
 
+/// True if a comparison holds for a lane.
+template <class Mask>
+SM_ALWAYS_INLINE bool IsAnyLane(const Mask& mask)
+{
+  long long each[sizeof(mask) / sizeof(long long)];
+  __builtin_memcpy(each, &mask, sizeof(mask));
+  long long any = 0;
+  for (const long long lane : each)
+  {
+    any |= lane;
+  }
+  return any != 0;
+}
+
 ///@{
 /// The same for a single lane.
+static SM_ALWAYS_INLINE bool IsAnyLane(bool comparison)
+{
+  return comparison;
+}
 static SM_ALWAYS_INLINE double min(double a, double b)
 {
   return b < a ? b : a;

@@ -259,11 +259,12 @@ const std::vector<int>& GetLaneCounts()
   {
     std::vector<int> found = { 1, 2 };
 #ifdef SM_WIDE_LANES
-    if (__builtin_cpu_supports("avx2"))
+    const bool isFused = __builtin_cpu_supports("fma") != 0;
+    if (isFused && __builtin_cpu_supports("avx2"))
     {
       found.push_back(4);
     }
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
+    if (isFused && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
     {
       found.push_back(8);
     }

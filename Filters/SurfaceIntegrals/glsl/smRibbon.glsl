@@ -5,22 +5,28 @@
 // Needs: as smPanel, with smAccumulateChain in place of smAccumulateFace; SM_STRIP_POINTS; smGapSteps, the number of steps to the
 // foot point of a gap (not a constant, so that the compiler does not unroll the loop).
 
-// Returns the distance of a point, relative to `origin`, from the edge piece near parameter x, by Gauss-Newton steps for
-// (C - A).C' = 0.
-double smGap(uint edge, int degree, double x, dvec3 origin, dvec3 point)
+// Returns the distance of a point, relative to `origin`, from the edge piece near parameter x, where the piece and its derivative are
+// `foot` and `tangent`: Gauss-Newton steps for (C - A).C' = 0, while one moves the foot by more than a thousandth of the distance, which
+// then is off by less than a millionth.
+double smGap(uint edge, int degree, double x, dvec3 origin, dvec3 point, dvec3 foot, dvec3 tangent)
 {
-  double best = 0.0LF;
-  for (int i = 0; i <= smGapSteps; ++i)
+  dvec3 gap = foot - point;
+  double best = length(gap);
+  for (int i = 0; i < smGapSteps; ++i)
   {
-    dvec3 foot;
-    dvec3 tangent;
-    smEdgeEvaluate(edge, degree, x, origin, foot, tangent);
-    dvec3 gap = foot - point;
-    best = i == 0 ? length(gap) : min(best, length(gap));
     double squared = dot(tangent, tangent);
-    x -= SM_SELECT(squared > 0.0LF, dot(gap, tangent) / squared, 0.0LF);
+    double along = dot(gap, tangent);
+    double excess = along * along - 1e-6LF * squared * dot(gap, gap);
+    if (!SM_ANY(excess > 0.0LF))
+    {
+      break;
+    }
+    x -= SM_SELECT(excess > 0.0LF, along / squared, 0.0LF);
     // Slightly beyond the piece, its polynomial still approximates the curve.
     x = clamp(x, -0.25LF, 1.25LF);
+    smEdgeEvaluate(edge, degree, x, origin, foot, tangent);
+    gap = foot - point;
+    best = min(best, length(gap));
   }
   return best;
 }
@@ -76,6 +82,14 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
     dvec3 c;
     dvec3 dc;
     smEdgeEvaluate(edge, edgeDegree, e, center, c, dc);
+    if (alongEdge)
+    {
+      double distance = smGap(edge, edgeDegree, e, center, a, c, dc);
+      double arc = ruleT.y * length(da);
+      largestGap = max(largestGap, distance);
+      squaredGap += arc * distance * distance;
+      gapArea += arc * distance;
+    }
     dc *= edgeWidth;
 
     // Bounds of the rounding of both curves, including that of the trim curve, and of the rounding of their derivatives.
@@ -97,14 +111,6 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
       double weight = SM_PERTURBATION * ruleT.y * ruleL.y;
       smPlace(work.item.w, position, normal);
       smAccumulateChain(weight, noise, position, normal);
-    }
-    if (alongEdge)
-    {
-      double distance = smGap(edge, edgeDegree, e, center, a);
-      double arc = ruleT.y * length(da);
-      largestGap = max(largestGap, distance);
-      squaredGap += arc * distance * distance;
-      gapArea += arc * distance;
     }
   }
   gaps = dvec3(largestGap, squaredGap, gapArea);

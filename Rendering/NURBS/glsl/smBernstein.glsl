@@ -24,18 +24,27 @@ void smBernsteinBasis(int degree, double x, SM_OUT_ARRAY(double, basis, SM_BASIS
 // (c_i - c_{i-1}), nested in (1-x): each coefficient is read once.
 
 // sum = y sum + factor (a - b), each with what it lacks: the roundings are carried along.
-void smNest(dvec2 y, dvec2 yLow, dvec2 factor, dvec2 factorLow, dvec2 a, dvec2 b, SM_INOUT(dvec2) sum,
-  SM_INOUT(dvec2) sumLow)
+void smNest(double y, double yLow, double factor, double factorLow, double a, double b, SM_INOUT(double) sum,
+  SM_INOUT(double) sumLow)
 {
-  precise dvec2 value = a - b;
-  precise dvec2 valueLow = smSumError(a, -b, value);
-  precise dvec2 term = factor * value;
-  precise dvec2 termLow = smProductError(factor, value, term) + (factorLow * value + factor * valueLow);
-  precise dvec2 carried = y * sum;
-  precise dvec2 carriedLow = smProductError(y, sum, carried) + (yLow * sum + y * sumLow);
-  precise dvec2 next = carried + term;
+  precise double value = a - b;
+  precise double valueLow = smSumError(a, -b, value);
+  precise double term = factor * value;
+  precise double termLow = smProductError(factor, value, term) + (factorLow * value + factor * valueLow);
+  precise double carried = y * sum;
+  precise double carriedLow = smProductError(y, sum, carried) + (yLow * sum + y * sumLow);
+  precise double next = carried + term;
   sumLow = smSumError(carried, term, next) + (carriedLow + termLow);
   sum = next;
+}
+
+// product = a b with a double b, each with what it lacks.
+void smScale(double a, double aLow, double b, SM_OUT(double) product, SM_OUT(double) productLow)
+{
+  precise double scaled = a * b;
+  precise double scaledLow = smProductError(a, b, scaled) + aLow * b;
+  product = scaled;
+  productLow = scaledLow;
 }
 
 // Roundings of a trim piece's point in units of u and its reach: the compensated sum, the cell's width, the division by it.
@@ -46,14 +55,14 @@ SM_CONSTANT double smTrimRoundings = 3.0LF;
 void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2) point, SM_OUT(dvec2) derivative,
   SM_OUT(dvec2) reach)
 {
-  precise dvec2 y = dvec2(1.0LF - x);
-  dvec2 yLow = smSumError(dvec2(1.0LF), dvec2(-x), y);
-  // C(n,i), i C(n,i), and x^i and x^(i-1) with what they lack.
+  precise double y = 1.0LF - x;
+  double yLow = smSumError(1.0LF, -x, y);
+  // C(n,i), x^i, i C(n,i) x^(i-1).
   double binomial = 1.0LF;
-  dvec2 power = dvec2(1.0LF);
-  dvec2 powerLow = dvec2(0.0LF);
-  dvec2 slopeFactor = dvec2(0.0LF);
-  dvec2 slopeFactorLow = dvec2(0.0LF);
+  double power = 1.0LF;
+  double powerLow = 0.0LF;
+  double slopeFactor = 0.0LF;
+  double slopeFactorLow = 0.0LF;
   dvec2 before = dvec2(0.0LF);
   dvec2 pointLow = dvec2(0.0LF);
   dvec2 derivativeLow = dvec2(0.0LF);
@@ -65,19 +74,18 @@ void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2
     uint at = first + 2u * uint(i);
     dvec2 c = dvec2(smCoefficient(at), smCoefficient(at + 1u));
     reach = max(reach, abs(c - origin));
-    precise dvec2 factor = binomial * power;
-    dvec2 factorLow = smProductError(dvec2(binomial), power, factor) + binomial * powerLow;
-    smNest(y, yLow, factor, factorLow, c, origin, point, pointLow);
-    smNest(y, yLow, slopeFactor, slopeFactorLow, c, before, derivative, derivativeLow);
+    double factor;
+    double factorLow;
+    smScale(power, powerLow, binomial, factor, factorLow);
+    smNest(y, yLow, factor, factorLow, c.x, origin.x, point.x, pointLow.x);
+    smNest(y, yLow, factor, factorLow, c.y, origin.y, point.y, pointLow.y);
+    smNest(y, yLow, slopeFactor, slopeFactorLow, c.x, before.x, derivative.x, derivativeLow.x);
+    smNest(y, yLow, slopeFactor, slopeFactorLow, c.y, before.y, derivative.y, derivativeLow.y);
     before = c;
     // (i+1) C(n,i+1) x^i = (n-i) C(n,i) x^i.
-    precise dvec2 slope = double(degree - i) * factor;
-    slopeFactorLow = smProductError(dvec2(double(degree - i)), factor, slope) + double(degree - i) * factorLow;
-    slopeFactor = slope;
+    smScale(factor, factorLow, double(degree - i), slopeFactor, slopeFactorLow);
     binomial = binomial * double(degree - i) / double(i + 1);
-    precise dvec2 next = power * x;
-    powerLow = smProductError(power, dvec2(x), next) + powerLow * x;
-    power = next;
+    smScale(power, powerLow, x, power, powerLow);
   }
   point += pointLow;
   derivative += derivativeLow;
@@ -87,33 +95,31 @@ void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2
 void smEdgeEvaluate(
   uint first, int degree, double x, dvec3 origin, SM_OUT(dvec3) point, SM_OUT(dvec3) derivative)
 {
-  precise dvec2 y = dvec2(1.0LF - x);
-  dvec2 yLow = smSumError(dvec2(1.0LF), dvec2(-x), y);
+  precise double y = 1.0LF - x;
+  double yLow = smSumError(1.0LF, -x, y);
   double binomial = 1.0LF;
-  dvec2 power = dvec2(1.0LF);
-  dvec2 powerLow = dvec2(0.0LF);
+  double power = 1.0LF;
+  double powerLow = 0.0LF;
   double slopeFactor = 0.0LF;
   dvec3 before = dvec3(0.0LF);
-  dvec2 xy = dvec2(0.0LF);
-  dvec2 xyLow = dvec2(0.0LF);
-  dvec2 z = dvec2(0.0LF);
-  dvec2 zLow = dvec2(0.0LF);
+  dvec3 pointLow = dvec3(0.0LF);
+  point = dvec3(0.0LF);
   derivative = dvec3(0.0LF);
   for (int i = 0; i <= degree; ++i)
   {
     uint at = first + 3u * uint(i);
     dvec3 c = dvec3(smCoefficient(at), smCoefficient(at + 1u), smCoefficient(at + 2u));
-    precise dvec2 factor = binomial * power;
-    dvec2 factorLow = smProductError(dvec2(binomial), power, factor) + binomial * powerLow;
-    smNest(y, yLow, factor, factorLow, dvec2(c.x, c.y), dvec2(origin.x, origin.y), xy, xyLow);
-    smNest(y, yLow, factor, factorLow, dvec2(c.z), dvec2(origin.z), z, zLow);
-    derivative = y.x * derivative + slopeFactor * (c - before);
+    double factor;
+    double factorLow;
+    smScale(power, powerLow, binomial, factor, factorLow);
+    smNest(y, yLow, factor, factorLow, c.x, origin.x, point.x, pointLow.x);
+    smNest(y, yLow, factor, factorLow, c.y, origin.y, point.y, pointLow.y);
+    smNest(y, yLow, factor, factorLow, c.z, origin.z, point.z, pointLow.z);
+    derivative = y * derivative + slopeFactor * (c - before);
     before = c;
-    slopeFactor = double(degree - i) * factor.x;
+    slopeFactor = double(degree - i) * factor;
     binomial = binomial * double(degree - i) / double(i + 1);
-    precise dvec2 next = power * x;
-    powerLow = smProductError(power, dvec2(x), next) + powerLow * x;
-    power = next;
+    smScale(power, powerLow, x, power, powerLow);
   }
-  point = dvec3(xy + xyLow, z.x + zLow.x);
+  point = point + pointLow;
 }

@@ -7,3 +7,4 @@
 #define SM_CONSTANT const
 // Both are evaluated where several items are evaluated side by side.
 #define SM_SELECT(condition, yes, no) ((condition) ? (yes) : (no))
+#define SM_ANY(condition) (condition)

@@ -69,14 +69,11 @@ void CheckErrorFree()
     const double a = static_cast<double>(m);
     const double b = std::ldexp(static_cast<double>(n), static_cast<int>(random() % 10));
     const dvec2 sum = smTwoSum(a, b);
-    const dvec2 sums = smSumError(dvec2(a, b), dvec2(b, a), dvec2(sum.x));
     const bool sumIsRight = static_cast<long double>(sum.x) + sum.y == static_cast<long double>(a) + b;
-    wrongSums += sum.x != a + b || !sumIsRight || sums != dvec2(sum.y);
+    wrongSums += sum.x != a + b || !sumIsRight;
     const double product = a * static_cast<double>(n);
-    const dvec2 errors =
-      smProductError(dvec2(a, static_cast<double>(n)), dvec2(static_cast<double>(n), a), dvec2(product));
     const Wide lack = static_cast<Wide>(m) * n - static_cast<Wide>(product);
-    wrongProducts += errors != dvec2(static_cast<double>(lack));
+    wrongProducts += smProductError(a, static_cast<double>(n), product) != static_cast<double>(lack);
   }
   smtest::Check("error-free sums", 0.0, wrongSums, 0.0, "exact");
   smtest::Check("error-free products", 0.0, wrongProducts, 0.0, "exact");
