@@ -132,7 +132,7 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
   }
   if (this->GetHints() && this->GetHints()->FindNestedElementByName("HighlightRows"))
   {
-    sm::HighlightSelectedPlaces(this);
+    sm::HighlightSelectedEntities(this);
   }
   // The text of the status bar, also for a run on a server; the default is the name of the class.
   vtkClientServerStream stream;

@@ -4,7 +4,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
-from smselection import count_selected_cells, get_selected_rows, select_rows  # noqa: E402
+from smselection import count_selected_cells, get_selected_rows, pick, select_rows  # noqa: E402
 
 from paraview import servermanager, simple  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
@@ -111,8 +111,6 @@ bodies.Opacity = 1.0
 check_true("coloured by share: red and blue faces", count_pixels(is_red) > 1000, str(count_pixels(is_red)))
 
 # Rows that are selected in the table highlight their solids.
-manager = servermanager.ProxyManager().SMProxyManager
-
 simple.Delete(mass)
 simple.Delete(reader)
 assembly = manifest.special("assembly")
@@ -133,27 +131,14 @@ many.SMProxy.CleanSelectionInputs(1)
 check_equal("cleared with the rows", 0, count_pixels(is_magenta))
 # A selection in the view stays when ParaView clears the rows.
 select_rows(many, 1, [499])
-block = manager.NewProxy("sources", "BlockSelectorsSelectionSource")
-block.GetProperty("BlockSelectors").SetElement(0, "/Root")
-block.UpdateVTKObjects()
-many.SMProxy.SetSelectionInput(5, servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(block), 0)
+many.SMProxy.SetSelectionInput(5, pick("BlockSelectorsSelectionSource", "BlockSelectors", ["/Root"]), 0)
 check_equal("all are selected in the view", total, count_selected_cells(many, 5))
 many.SMProxy.CleanSelectionInputs(1)
 check_equal("and stay selected", total, count_selected_cells(many, 5))
 check_equal("with the rows of all solids", list(range(500)), get_selected_rows(many, 1))
 
-
-def pick(kind, name, values):
-    """Selects as a click in the view does."""
-    source = manager.NewProxy("sources", kind)
-    for i, value in enumerate(values):
-        source.GetProperty(name).SetElement(i, value)
-    source.UpdateVTKObjects()
-    many.SMProxy.SetSelectionInput(5, servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(source), 0)
-
-
 # Two cells of the third solid and one of the tenth; composite indices count every partitioned dataset before its partition.
-pick("CompositeDataIDSelectionSource", "IDs", [6, 0, 1, 6, 0, 2, 20, 0, 0])
+many.SMProxy.SetSelectionInput(5, pick("CompositeDataIDSelectionSource", "IDs", [6, 0, 1, 6, 0, 2, 20, 0, 0]), 0)
 check_equal("rows of picked faces", [2, 9], get_selected_rows(many, 1))
 check_equal("the picked cells stay", 3, count_selected_cells(many, 5))
 faces = servermanager.Fetch(many, idx=3)
@@ -177,7 +162,7 @@ many.Density = 2700.0
 many.SMProxy.CleanSelectionInputs(5)
 check_equal("rows are cleared with the pick", [], get_selected_rows(many, 1) + get_selected_rows(many, 3))
 check_equal("and the text", "", get_text())
-pick("BlockSelectionSource", "Blocks", [8])
+many.SMProxy.SetSelectionInput(5, pick("BlockSelectionSource", "Blocks", [8]), 0)
 check_equal("row of a picked block", [3], get_selected_rows(many, 1))
 select_rows(many, 1, [7])
 check_equal("rows that the user selects replace a pick", one, count_selected_cells(many, 5))
