@@ -10,16 +10,32 @@
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSelectionNode.h"
 
+#include <iterator>
 #include <string>
 
 namespace sm
 {
 namespace
 {
-/// The partitioned dataset of a solid in the hierarchy, counted from 1.
-std::string GetSelector(vtkIdType solid)
+/// Selectors of partitioned datasets in the hierarchy, one for each run of solids with successive numbers: ParaView looks through the whole tree
+/// for each selector.
+std::vector<std::string> GetSelectors(const std::set<vtkIdType>& solids)
 {
-  return "/Root/*[@number_of_partitions][" + std::to_string(solid + 1) + "]";
+  std::vector<std::string> selectors;
+  for (auto first = solids.begin(); first != solids.end();)
+  {
+    vtkIdType last = *first;
+    auto next = std::next(first);
+    for (; next != solids.end() && *next == last + 1; ++next)
+    {
+      last = *next;
+    }
+    // Positions count from 1.
+    selectors.push_back("/Root/*[@number_of_partitions][position()>=" + std::to_string(*first + 1) +
+      " and position()<=" + std::to_string(last + 1) + "]");
+    first = next;
+  }
+  return selectors;
 }
 
 vtkSmartPointer<vtkSMSourceProxy> MakeSource(
@@ -174,12 +190,8 @@ vtkSmartPointer<vtkSMSourceProxy> MakeSolidSelection(
   vtkSMSessionProxyManager* manager, const std::set<vtkIdType>& solids)
 {
   const auto source = MakeSource(manager, "sources", "BlockSelectorsSelectionSource");
-  std::vector<std::string> selectors;
-  for (const vtkIdType solid : solids)
-  {
-    selectors.push_back(GetSelector(solid));
-  }
-  vtkSMStringVectorProperty::SafeDownCast(source->GetProperty("BlockSelectors"))->SetElements(selectors);
+  vtkSMStringVectorProperty::SafeDownCast(source->GetProperty("BlockSelectors"))
+    ->SetElements(GetSelectors(solids));
   return MakeSelection(source);
 }
 

@@ -29,9 +29,9 @@ namespace
 namespace names = sm::names;
 
 /// ParaView's time for single cells grows with their number, and with the cube of the number of their solids.
-constexpr std::size_t MostHighlightedCells = 20000;
+constexpr std::size_t MostHighlightedCells = 50000;
 constexpr std::size_t MostSolidsWithHighlightedCells = 50;
-constexpr std::size_t MostDrawnEdges = 2000;
+constexpr std::size_t MostDrawnEdges = 1000;
 
 vtkNURBSDataSet* GetMesh(vtkPartitionedDataSetCollection* meshes, vtkIdType solid)
 {

@@ -11,13 +11,15 @@ from paraview import servermanager, simple  # noqa: E402
 plugin, folder = sys.argv[1:3]
 simple.LoadPlugin(plugin, ns=globals())
 view = simple.CreateRenderView()
-mass = MassProperties(Input=simple.OpenDataFile(Manifest(folder).special("assembly")["path"]), Density=2700.0)  # noqa: F821
+reader = simple.OpenDataFile(Manifest(folder).special("assembly")["path"])
+mass = MassProperties(Input=reader, Density=2700.0)  # noqa: F821
 for port in (2, 5):
     servermanager.vtkSMParaViewPipelineControllerWithRendering().ShowInPreferredView(mass.SMProxy, port, view.SMProxy)
 simple.Render(view)
 SOLIDS = servermanager.OutputPort(mass, 5).GetDataInformation().GetNumberOfCells()
 ONE = SOLIDS // 500
-FACES = servermanager.Fetch(mass, idx=3).GetNumberOfRows()
+faces = servermanager.Fetch(mass, idx=3)
+SOLID_OF = [faces.GetValueByName(row, "Solid").ToInt() for row in range(faces.GetNumberOfRows())]
 summary = simple.GetRepresentation(servermanager.OutputPort(mass, 2), view).SMProxy.GetProperty("SelectedText")
 
 
@@ -101,4 +103,61 @@ check_equal("toggled rows: cells", 3 * ONE, count_selected_cells(mass, 5))
 check_true("toggled rows: the text", "(solid 10)" in get_text() and "(solid 3)" not in get_text(), get_text())
 mass.SMProxy.CleanSelectionInputs(1)
 check_equal("toggled rows: cleared", "", get_text())
+
+
+def get_sources():
+    """The kinds of what is highlighted."""
+    sources = mass.SMProxy.GetSelectionInput(5).GetProperty("Input")
+    return sorted(sources.GetProxy(i).GetXMLName() for i in range(sources.GetNumberOfProxies()))
+
+
+# Many faces: ParaView takes minutes for thousands of cells in hundreds of solids.
+select_rows(mass, 3, [row for row, solid in enumerate(SOLID_OF) if solid in (4, 5)] + [SOLID_OF.index(499)])
+check_equal("faces of whole solids, and another", ["BlockSelectorsSelectionSource", "CompositeDataIDSelectionSource"], get_sources())
+some = count_selected_cells(mass, 5)
+check_true("faces of whole solids, and another: cells", 2 * ONE < some < 3 * ONE, str(some))
+select_rows(mass, 3, range(len(SOLID_OF)))
+check_equal("all faces: whole solids", (["BlockSelectorsSelectionSource"], SOLIDS), (get_sources(), count_selected_cells(mass, 5)))
+check_true("all faces: no word of it", "whole solids" not in get_text(), get_text())
+select_rows(mass, 3, [SOLID_OF.index(solid) for solid in range(400)])
+check_equal("a face of 400 solids: whole solids", (["BlockSelectorsSelectionSource"], 400 * ONE), (get_sources(), count_selected_cells(mass, 5)))
+check_true("a face of 400 solids: the text says so", "their whole solids are highlighted" in get_text(), get_text())
+select_rows(mass, 4, range(1200))
+check_true("many edges: the text says what is drawn", "The first 1000 edges are drawn" in get_text(), get_text())
+mass.SMProxy.CleanSelectionInputs(4)
+
+# After a run faces have other cells.
+row = SOLID_OF.index(3) + 1
+select_rows(mass, 3, [row])
+fine = count_selected_cells(mass, 5)
+chosen = mass.SMProxy.GetSelectionInput(5)
+mass.Density = 2800.0
+mass.UpdatePipeline()
+check_true("another density: the same highlight", mass.SMProxy.GetSelectionInput(5) == chosen)
+
+
+def mesh_again(deflection):
+    """The number of cells of a solid in the new mesh."""
+    reader.LinearDeflection = deflection
+    mass.UpdatePipeline()
+    return servermanager.OutputPort(mass, 5).GetDataInformation().GetNumberOfCells() // 500
+
+
+coarse = mesh_again(0.1)
+renewed = count_selected_cells(mass, 5)
+select_rows(mass, 3, [row + 1])
+select_rows(mass, 3, [row])
+check_equal("a coarser mesh: the cells of the same face", count_selected_cells(mass, 5), renewed)
+check_true("a coarser mesh: other cells", renewed != fine, f"{renewed} {fine}")
+mass.SMProxy.CleanSelectionInputs(3)
+check_equal("the fine mesh again", ONE, mesh_again(0.001))
+select(cells((3, ONE - 1)))
+before = get_selected_rows(mass, 3), get_text()
+check_true("the last cell: its face", len(before[0]) == 1 and "face #" in before[1], str(before))
+check_true("a coarser mesh: the last cell is gone", mesh_again(0.1) == coarse < ONE)
+check_equal("a coarser mesh: the same face", before, (get_selected_rows(mass, 3), get_text()))
+check_true("a coarser mesh: cells of the face", 0 < count_selected_cells(mass, 5) < coarse)
+mass.Selectors = ["//*[dataset[@id='5']]"]
+mass.UpdatePipeline()
+check_equal("another solid: the pick is gone", (True, [], ""), (mass.SMProxy.GetSelectionInput(5) is None, get_selected_rows(mass, 3), get_text()))
 finish()
