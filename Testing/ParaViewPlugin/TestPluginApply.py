@@ -207,6 +207,9 @@ many.SMProxy.CleanSelectionInputs(4)
 check_equal("edges cleared with the rows", (0, ""), (count_pixels(is_magenta), get_text()))
 
 # The row of the total stands for all solids.
+check_equal("no row of a total by default", 500, solids.GetNumberOfRows())
+many.TotalRow = 1
+solids = servermanager.Fetch(many, idx=1)
 check_equal("the total row", ("Total", "", 501), (solids.GetValueByName(500, "Name").ToString(), solids.GetValueByName(500, "Id").ToString(),
                                                   solids.GetNumberOfRows()))
 totals = servermanager.Fetch(many, idx=0).GetFieldData()
@@ -217,8 +220,6 @@ select_rows(many, 1, [500])
 check_equal("its row highlights all solids", total, count_selected_cells(many, 5))
 many.SMProxy.CleanSelectionInputs(1)
 many.TotalRow = 0
-check_equal("without it", 500, servermanager.Fetch(many, idx=1).GetNumberOfRows())
-many.TotalRow = 1
 
 # Labels are white, and there are none at first.
 shown = simple.GetRepresentation(servermanager.OutputPort(many, 5), view)
