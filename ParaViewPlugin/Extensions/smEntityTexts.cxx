@@ -158,8 +158,8 @@ std::string DescribeEdges(vtkTable* solids, vtkTable* edges, const std::vector<v
       const std::string unit = GetText(solids, names::LengthUnit, GetIndex(edges, names::Solid, row));
       const std::string figures = ListFigures(edges, row, FiguresOfEdges, unit);
       return NameEntity("edge", names::EdgeId, edges, solids, row) + ": " + figures +
-        (figures.empty() ? "" : ", ") + FormatDigits(GetNumber(edges, names::Uses, row), 9) +
-        " uses by faces" + (GetNumber(edges, names::Open, row) > 0.0 ? ", open" : "");
+        (figures.empty() ? "" : ", ") + "used " + FormatDigits(GetNumber(edges, names::Uses, row), 9) +
+        " times by faces" + (GetNumber(edges, names::Open, row) > 0.0 ? ", open" : "");
     });
 }
 }

@@ -25,7 +25,7 @@ def text(data, name):
 part = manifest.solid("slanted_hole", "moved")
 reader = simple.OpenDataFile(part["path"])
 check_equal("OpenDataFile chooses our reader", "STEPReader", reader.GetXMLName())
-mass = MassProperties(Input=reader, Backend="OpenGL")  # noqa: F821
+mass = MassProperties(Input=reader, Device="OpenGL")  # noqa: F821
 view = simple.CreateRenderView()
 simple.Show(reader, view)
 display = simple.Show(servermanager.OutputPort(mass, 0), view)

@@ -10,7 +10,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smproduct import Assembly, Part, write_product  # noqa: E402
 
-from paraview import servermanager, simple, smstate  # noqa: E402
+from paraview import servermanager, simple, smtrace, smstate  # noqa: E402
 
 plugin, folder, program = sys.argv[1:4]
 folder = os.path.join(folder, "materials_server" if len(sys.argv) > 4 else "materials")
@@ -216,6 +216,16 @@ check_equal("no rule of a total", [], list(some.Materials))
 some.Selectors = []
 some.UpdatePipeline()
 check_equal("all again", "Total", list(some.MaterialTable)[-4])
+
+# A trace has what was typed as rules, and not the cells of the table, which hold results.
+smtrace.start_trace()
+typed = smtrace.PropertiesModified(some.SMProxy)
+some.MaterialTable = [list(some.MaterialTable)[0], "lead", "", ""] + list(some.MaterialTable)[4:]
+typed.finalize()
+trace = smtrace.stop_trace()
+check_true("a trace has the rules", "Materials = [" in trace and "lead" in trace, trace)
+check_true("a trace does not have the table", "MaterialTable" not in trace, trace)
+some.Materials = []
 
 # Sums downstream do not count a total that nobody asked for, and what was not computed has none.
 some.TotalRow = 0

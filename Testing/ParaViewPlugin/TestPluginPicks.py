@@ -138,7 +138,7 @@ check_true("another density: the same highlight", mass.SMProxy.GetSelectionInput
 
 def mesh_again(deflection):
     """The number of cells of a solid in the new mesh."""
-    reader.LinearDeflection = deflection
+    reader.MeshDeviation = deflection
     mass.UpdatePipeline()
     return servermanager.OutputPort(mass, 5).GetDataInformation().GetNumberOfCells() // 500
 
