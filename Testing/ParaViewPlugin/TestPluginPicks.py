@@ -11,6 +11,7 @@ from paraview import servermanager, simple  # noqa: E402
 plugin, folder = sys.argv[1:3]
 simple.LoadPlugin(plugin, ns=globals())
 view = simple.CreateRenderView()
+view.ViewSize = [200, 150]
 reader = simple.OpenDataFile(Manifest(folder).special("assembly")["path"])
 mass = MassProperties(Input=reader, Density=2700.0)  # noqa: F821
 for port in (2, 5):
