@@ -12,6 +12,7 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
+#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -39,6 +40,29 @@ SelectionTerms MakeRowTerms(const std::vector<vtkIdType>& rows)
   terms.Sets[0].Elements[0] = rows;
   return terms;
 }
+
+/// Draws a view again after its next drawing; owned by the view.
+class DrawAgainCommand : public vtkCommand
+{
+public:
+  static DrawAgainCommand* New() { return new DrawAgainCommand; }
+  vtkTypeMacro(DrawAgainCommand, vtkCommand);
+
+  vtkWeakPointer<vtkSMSourceProxy> Filter;
+
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    const vtkSmartPointer<vtkSMSourceProxy> filter = this->Filter.GetPointer();
+    caller->RemoveObserver(this); // deletes this object
+    auto* view = vtkSMViewProxy::SafeDownCast(caller);
+    vtkSMSourceProxy* highlighted = filter ? filter->GetSelectionOutput(Entities::MeshesPort) : nullptr;
+    if (view && highlighted)
+    {
+      highlighted->MarkDirty(highlighted);
+      view->StillRender();
+    }
+  }
+};
 
 /// Copies selections between the tables' ports and the meshes' port; owned by the proxy that it observes.
 class HighlightCommand : public vtkCommand
@@ -240,6 +264,7 @@ private:
     else
     {
       this->Show(filter, *entities);
+      DrawAgain(filter);
     }
   }
 
@@ -272,8 +297,24 @@ private:
         filter->GatherInformation(now);
       }
       this->Picked.Remember(*now);
+      DrawAgain(filter);
     }
     Describe(filter, *now);
+  }
+
+  /// A drawing that runs the filter takes what was highlighted before the run, and then regards it as up to date.
+  static void DrawAgain(vtkSMSourceProxy* filter)
+  {
+    VisitViews(filter,
+      [filter](vtkSMViewProxy* view)
+      {
+        if (view->FindRepresentation(filter, Entities::MeshesPort))
+        {
+          vtkNew<DrawAgainCommand> command;
+          command->Filter = filter;
+          view->AddObserver(vtkCommand::EndEvent, command);
+        }
+      });
   }
 
   void SelectRows(vtkSMSourceProxy* filter, Entities::Port table, const std::vector<vtkIdType>& rows)

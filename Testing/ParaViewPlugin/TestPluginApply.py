@@ -98,6 +98,18 @@ mass.RelativeTolerance = 1e-9
 check_equal("red pixels when the status is ok again", 0, count_pixels(is_red))
 check_true("and white ones", count_pixels(is_white) > 300, str(count_pixels(is_white)))
 
+# A drawing that runs the filter highlights the same face by the cells of the new mesh.
+select_rows(mass, 3, [6])
+fine = count_pixels(is_magenta), count_selected_cells(mass, 5)
+reader.MeshDeviation, reader.MeshAngle = 0.2, 1.5
+renewed = count_pixels(is_magenta), count_selected_cells(mass, 5)
+mass.SMProxy.CleanSelectionInputs(3)
+select_rows(mass, 3, [6])
+check_equal("a face in a new mesh: pixels and cells", (count_pixels(is_magenta), count_selected_cells(mass, 5)), renewed)
+check_true("a face in a new mesh: it is highlighted, by fewer cells", renewed[0] > 100 and 0 < renewed[1] < fine[1], f"{renewed} {fine}")
+mass.SMProxy.CleanSelectionInputs(3)
+reader.MeshDeviation, reader.MeshAngle = 0.001, 0.35
+
 # Cell data of the bodies, and colouring by them.
 arrays = servermanager.OutputPort(mass, 5).CellData
 check("the solid's volume", part["volume"], arrays["Volume"].GetRange()[0], 1e-6 * part["volume"], "(float)")
