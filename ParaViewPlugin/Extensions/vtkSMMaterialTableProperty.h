@@ -18,14 +18,8 @@ public:
   vtkTypeMacro(vtkSMMaterialTableProperty, vtkSMStringVectorProperty);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  bool IsValueDefault() override
-  {
-    return true;
-  }
-  vtkMTimeType GetMTime() override
-  {
-    return 0;
-  }
+  bool IsValueDefault() override { return true; }
+  vtkMTimeType GetMTime() override { return 0; }
 
 protected:
   vtkSMMaterialTableProperty();
