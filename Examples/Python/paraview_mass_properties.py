@@ -31,7 +31,7 @@ def can_draw():
 
 def make_pipeline(file, arguments):
     reader = simple.STEPReader(FileName=file, OutputUnit=arguments.unit)
-    return simple.MassProperties(Input=reader, Density=arguments.density, TotalRow=0)
+    return simple.MassProperties(Input=reader, Density=arguments.density)
 
 
 def draw(mass, path):

@@ -125,6 +125,12 @@ void AppendTotalRow(vtkFieldData* totals, const std::string& name, vtkTable* sol
   }
 }
 
+bool IsTotalRow(vtkTable* solids, vtkIdType row)
+{
+  auto* ids = solids ? vtkStringArray::SafeDownCast(solids->GetColumnByName(names::Id)) : nullptr;
+  return ids && row >= 0 && row < ids->GetNumberOfValues() && ids->GetValue(row).empty();
+}
+
 void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands,
   vtkTable* faces, const std::vector<int>& wanted)
 {

@@ -50,6 +50,9 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void AddBodyColumns(
 SMFILTERSSURFACEINTEGRALS_EXPORT void AppendTotalRow(
   vtkFieldData* totals, const std::string& name, vtkTable* solids);
 
+/// True for a row that AppendTotalRow() added to a table with the columns of AddBodyColumns().
+SMFILTERSSURFACEINTEGRALS_EXPORT bool IsTotalRow(vtkTable* solids, vtkIdType row);
+
 /// Adds a row per face and instance: Solid, FaceIndex, FaceId, the integrands with indices `wanted` over face, ribbons and caps, their
 /// bounds, and MaxGap. Fluxes of a shell or body that is inside out are reversed.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddFaceRows(const std::vector<BodyIntegrals>& bodies,

@@ -87,8 +87,8 @@ public:
   ///@}
 
   ///@{
-  /** Ends the table of port 1 with a row of the totals of port 0, where it has several rows: its Name is "Total", with selectors for
-   * example "Total of 3 of 7 solids", and its Id is empty. Off by default, on in ParaView. */
+  /** Ends the table of port 1 with a row of the totals of port 0, where it has several rows and they were computed: its Name is
+   * "Total", with selectors for example "Total of 3 of 7 solids", and its Id is empty. Sums downstream count it, too. Default: off. */
   vtkSetMacro(TotalRow, bool);
   vtkGetMacro(TotalRow, bool);
   vtkBooleanMacro(TotalRow, bool);

@@ -259,7 +259,7 @@ int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkIn
   this->Engine->FinishSharing();
   this->Analyze(wanted, computed, bodies);
   this->Write(bodies, input, outputVector);
-  if (this->TotalRow && bodies.size() > 1)
+  if (this->TotalRow && computed && bodies.size() > 1)
   {
     this->WriteTotalRow(bodies.size(), found.AllBodies, outputVector);
   }

@@ -1,23 +1,41 @@
 #include "smSelectionSources.h"
 
 #include "vtkDataAssembly.h"
+#include "vtkDataAssemblyUtilities.h"
+#include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSelectionHelper.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMStringVectorProperty.h"
 #include "vtkSelectionNode.h"
 
-#include <functional>
+#include <iterator>
 #include <string>
 
 namespace sm
 {
 namespace
 {
-/// The partitioned dataset of a solid in the hierarchy, counted from 1.
-std::string GetSelector(vtkIdType solid)
+/// Selectors of partitioned datasets in the hierarchy, one for each run of solids with successive numbers: ParaView looks through the whole tree
+/// for each selector.
+std::vector<std::string> GetSelectors(const std::set<vtkIdType>& solids)
 {
-  return "/Root/*[@number_of_partitions][" + std::to_string(solid + 1) + "]";
+  std::vector<std::string> selectors;
+  for (auto first = solids.begin(); first != solids.end();)
+  {
+    vtkIdType last = *first;
+    auto next = std::next(first);
+    for (; next != solids.end() && *next == last + 1; ++next)
+    {
+      last = *next;
+    }
+    // Positions count from 1.
+    selectors.push_back("/Root/*[@number_of_partitions][position()>=" + std::to_string(*first + 1) +
+      " and position()<=" + std::to_string(last + 1) + "]");
+    first = next;
+  }
+  return selectors;
 }
 
 vtkSmartPointer<vtkSMSourceProxy> MakeSource(
@@ -34,18 +52,6 @@ vtkSmartPointer<vtkSMSourceProxy> MakeSelection(vtkSMSourceProxy* source)
     vtkSMSourceProxy::SafeDownCast(vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
 }
 
-void VisitSources(vtkSMSourceProxy* selection, const std::function<void(vtkSMProxy*)>& visit)
-{
-  vtkSMProperty* sources = selection ? selection->GetProperty("Input") : nullptr;
-  for (unsigned int i = 0; sources && i < vtkSMPropertyHelper(sources).GetNumberOfElements(); ++i)
-  {
-    if (vtkSMProxy* source = vtkSMPropertyHelper(sources).GetAsProxy(i))
-    {
-      visit(source);
-    }
-  }
-}
-
 /// The number of the solid of a composite index, which counts the collection, and each partitioned dataset before its only partition;
 /// negative for the collection.
 vtkIdType GetSolid(vtkIdType compositeIndex)
@@ -59,75 +65,163 @@ vtkIdType GetPartition(vtkIdType solid)
   return 2 * solid + 2;
 }
 
-void AddMeshes(vtkSMProxy* source, vtkDataAssembly* hierarchy, SelectedMeshes& meshes)
+bool IsSet(vtkSMProxy* source, const char* property)
+{
+  return source->GetProperty(property) && vtkSMPropertyHelper(source, property).GetAsInt() != 0;
+}
+
+/// False for a selection of points, and for conditions on the elements that a source names.
+bool SelectsElements(vtkSMProxy* source, int fieldType)
+{
+  return source->GetProperty("FieldType") &&
+    vtkSMPropertyHelper(source, "FieldType").GetAsInt() == fieldType && !IsSet(source, "InsideOut") &&
+    !IsSet(source, "ContainingCells") && !IsSet(source, "NumberOfLayers");
+}
+
+/// Finds the blocks of selectors; false for a tree that the data do not have.
+bool ReadSelectors(vtkSMProxy* source, vtkPVDataInformation* data, SelectionSet& set)
+{
+  vtkSMPropertyHelper texts(source, "BlockSelectors");
+  std::vector<std::string> selectors;
+  for (unsigned int k = 0; k < texts.GetNumberOfElements(); ++k)
+  {
+    selectors.emplace_back(texts.GetAsString(k));
+  }
+  const std::string hierarchy = vtkDataAssemblyUtilities::HierarchyName();
+  const std::string name = source->GetProperty("BlockSelectorsAssemblyName")
+    ? vtkSMPropertyHelper(source, "BlockSelectorsAssemblyName").GetAsString()
+    : hierarchy;
+  const bool isHierarchy = name == hierarchy;
+  vtkDataAssembly* tree = isHierarchy ? data->GetHierarchy() : data->GetDataAssembly(name.c_str());
+  if (!tree)
+  {
+    return false;
+  }
+  for (const unsigned int index : tree->GetDataSetIndices(tree->SelectNodes(selectors)))
+  {
+    // The hierarchy has composite indices, another tree the numbers of partitioned datasets.
+    const vtkIdType solid = isHierarchy ? GetSolid(index) : static_cast<vtkIdType>(index);
+    if (solid >= 0)
+    {
+      set.Blocks.insert(solid);
+    }
+  }
+  return true;
+}
+
+/// Reads rows of a table, or cells and blocks of meshes; `data` is null for a table. Returns false for other sources.
+bool ReadSource(vtkSMProxy* source, vtkPVDataInformation* data, SelectionSet& set)
 {
   const std::string kind = source->GetXMLName();
-  if (kind == "CompositeDataIDSelectionSource")
+  if (!data && kind == "IDSelectionSource" && SelectsElements(source, vtkSelectionNode::ROW))
+  {
+    // Pairs of process and row; the table is on one process.
+    vtkSMPropertyHelper ids(source, "IDs");
+    for (unsigned int k = 1; k < ids.GetNumberOfElements(); k += 2)
+    {
+      set.Elements[0].push_back(ids.GetAsIdType(k));
+    }
+    return true;
+  }
+  if (data && kind == "CompositeDataIDSelectionSource" && SelectsElements(source, vtkSelectionNode::CELL))
   {
     // Composite index, process, cell.
     vtkSMPropertyHelper ids(source, "IDs");
     for (unsigned int k = 0; k + 2 < ids.GetNumberOfElements(); k += 3)
     {
-      const vtkIdType solid = GetSolid(ids.GetAsIdType(k));
-      if (solid >= 0)
-      {
-        meshes.Cells.emplace_back(solid, ids.GetAsIdType(k + 2));
-      }
+      set.Elements[GetSolid(ids.GetAsIdType(k))].push_back(ids.GetAsIdType(k + 2));
     }
+    return true;
   }
-  else if (kind == "BlockSelectionSource")
+  if (data && kind == "BlockSelectionSource" && SelectsElements(source, vtkSelectionNode::CELL))
   {
     vtkSMPropertyHelper blocks(source, "Blocks");
     for (unsigned int k = 0; k < blocks.GetNumberOfElements(); ++k)
     {
       const vtkIdType solid = GetSolid(blocks.GetAsIdType(k));
-      if (solid >= 0)
+      if (solid < 0)
       {
-        meshes.Solids.insert(solid);
+        return false;
       }
+      set.Blocks.insert(solid);
     }
+    return true;
   }
-  else if (kind == "BlockSelectorsSelectionSource" && hierarchy)
+  return data && kind == "BlockSelectorsSelectionSource" && SelectsElements(source, vtkSelectionNode::CELL) &&
+    ReadSelectors(source, data, set);
+}
+
+std::optional<SelectionTerms> ReadSelection(vtkSMSourceProxy* selection, vtkPVDataInformation* data)
+{
+  SelectionTerms terms;
+  if (!selection)
   {
-    vtkSMPropertyHelper texts(source, "BlockSelectors");
-    std::vector<std::string> selectors;
-    for (unsigned int k = 0; k < texts.GetNumberOfElements(); ++k)
+    return terms;
+  }
+  if (!selection->GetProperty("Expression") || !selection->GetProperty("SelectionNames"))
+  {
+    return {};
+  }
+  vtkSMPropertyHelper sources(selection, "Input");
+  vtkSMPropertyHelper names(selection, "SelectionNames");
+  const char* expression = vtkSMPropertyHelper(selection, "Expression").GetAsString();
+  terms.Expression = expression ? expression : "";
+  terms.IsInverse = IsSet(selection, "InsideOut");
+  const unsigned int count = sources.GetNumberOfElements();
+  if (!terms.Expression.empty() && names.GetNumberOfElements() != count)
+  {
+    return {};
+  }
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    SelectionSet set;
+    set.Name = terms.Expression.empty() ? "s" + std::to_string(i) : names.GetAsString(i);
+    vtkSMProxy* source = sources.GetAsProxy(i);
+    if (!source || !ReadSource(source, data, set))
     {
-      selectors.emplace_back(texts.GetAsString(k));
+      return {};
     }
-    // Composite indices.
-    for (const unsigned int index : hierarchy->GetDataSetIndices(hierarchy->SelectNodes(selectors)))
+    terms.Sets.push_back(set);
+  }
+  return IsValid(terms) ? std::optional<SelectionTerms>(terms) : std::nullopt;
+}
+
+vtkSmartPointer<vtkSMSourceProxy> MakeSolidSelection(
+  vtkSMSessionProxyManager* manager, const std::set<vtkIdType>& solids)
+{
+  const auto source = MakeSource(manager, "sources", "BlockSelectorsSelectionSource");
+  vtkSMStringVectorProperty::SafeDownCast(source->GetProperty("BlockSelectors"))
+    ->SetElements(GetSelectors(solids));
+  return MakeSelection(source);
+}
+
+/// One condition per solid instead makes ParaView's extraction take time with the cube of their number.
+vtkSmartPointer<vtkSMSourceProxy> MakeCellSelection(
+  vtkSMSessionProxyManager* manager, const std::map<vtkIdType, std::vector<vtkIdType>>& cellsOfSolids)
+{
+  const auto source = MakeSource(manager, "sources", "CompositeDataIDSelectionSource");
+  std::vector<vtkIdType> ids;
+  for (const auto& [solid, cells] : cellsOfSolids)
+  {
+    for (const vtkIdType cell : cells)
     {
-      if (index > 0)
-      {
-        meshes.Solids.insert(GetSolid(index));
-      }
+      ids.insert(ids.end(), { GetPartition(solid), 0, cell }); // composite index, process, cell
     }
   }
+  vtkSMPropertyHelper(source, "FieldType").Set(vtkSelectionNode::CELL);
+  vtkSMPropertyHelper(source, "IDs").Set(ids.data(), static_cast<unsigned int>(ids.size()));
+  return MakeSelection(source);
 }
 }
 
-std::vector<vtkIdType> GetSelectedRows(vtkSMSourceProxy* selection)
+std::optional<SelectionTerms> ReadRowSelection(vtkSMSourceProxy* selection)
 {
-  std::set<vtkIdType> rows;
-  VisitSources(selection,
-    [&rows](vtkSMProxy* source)
-    {
-      vtkSMProperty* ids = source->GetProperty("IDs");
-      // Pairs of process and index; the table is on one process.
-      for (unsigned int k = 1; ids && k < vtkSMPropertyHelper(ids).GetNumberOfElements(); k += 2)
-      {
-        rows.insert(vtkSMPropertyHelper(ids).GetAsIdType(k));
-      }
-    });
-  return { rows.begin(), rows.end() };
+  return ReadSelection(selection, nullptr);
 }
 
-SelectedMeshes GetSelectedMeshes(vtkSMSourceProxy* selection, vtkDataAssembly* hierarchy)
+std::optional<SelectionTerms> ReadMeshSelection(vtkSMSourceProxy* selection, vtkPVDataInformation* data)
 {
-  SelectedMeshes meshes;
-  VisitSources(selection, [&meshes, hierarchy](vtkSMProxy* source) { AddMeshes(source, hierarchy, meshes); });
-  return meshes;
+  return ReadSelection(selection, data);
 }
 
 vtkSmartPointer<vtkSMSourceProxy> MakeRowSelection(
@@ -144,31 +238,18 @@ vtkSmartPointer<vtkSMSourceProxy> MakeRowSelection(
   return MakeSelection(source);
 }
 
-vtkSmartPointer<vtkSMSourceProxy> MakeSolidSelection(
-  vtkSMSessionProxyManager* manager, const std::set<vtkIdType>& solids)
+vtkSmartPointer<vtkSMSourceProxy> MakeMeshSelection(vtkSMSessionProxyManager* manager,
+  const std::set<vtkIdType>& solids, const std::map<vtkIdType, std::vector<vtkIdType>>& cells)
 {
-  const auto source = MakeSource(manager, "sources", "BlockSelectorsSelectionSource");
-  vtkSMPropertyHelper selectors(source, "BlockSelectors");
-  unsigned int next = 0;
-  for (const vtkIdType solid : solids)
+  if (cells.empty())
   {
-    selectors.Set(next++, GetSelector(solid).c_str());
+    return MakeSolidSelection(manager, solids);
   }
-  return MakeSelection(source);
-}
-
-vtkSmartPointer<vtkSMSourceProxy> MakeCellSelection(
-  vtkSMSessionProxyManager* manager, const std::vector<std::pair<vtkIdType, vtkIdType>>& cells)
-{
-  const auto source = MakeSource(manager, "sources", "CompositeDataIDSelectionSource");
-  std::vector<vtkIdType> ids;
-  ids.reserve(3 * cells.size());
-  for (const auto& [solid, cell] : cells)
+  auto selection = MakeCellSelection(manager, cells);
+  if (!solids.empty())
   {
-    ids.insert(ids.end(), { GetPartition(solid), 0, cell }); // composite index, process, cell
+    vtkSMSelectionHelper::AddSelection(MakeSolidSelection(manager, solids), selection);
   }
-  vtkSMPropertyHelper(source, "FieldType").Set(vtkSelectionNode::CELL);
-  vtkSMPropertyHelper(source, "IDs").Set(ids.data(), static_cast<unsigned int>(ids.size()));
-  return MakeSelection(source);
+  return selection;
 }
 }

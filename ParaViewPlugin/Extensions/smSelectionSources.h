@@ -7,40 +7,34 @@
 #ifndef smSelectionSources_h
 #define smSelectionSources_h
 
+#include "smSelectionTerms.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <map>
+#include <optional>
 #include <set>
-#include <utility>
 #include <vector>
 
-class vtkDataAssembly;
+class vtkPVDataInformation;
 class vtkSMSessionProxyManager;
 class vtkSMSourceProxy;
 
 namespace sm
 {
-/// What is selected in a view: whole solids, and cells by the number of their solid.
-struct SelectedMeshes
-{
-  std::set<vtkIdType> Solids;
-  std::vector<std::pair<vtkIdType, vtkIdType>> Cells;
-  bool IsEmpty() const { return this->Solids.empty() && this->Cells.empty(); }
-};
-
-/// The rows that a selection has by their index, as a spreadsheet makes it; none for other selections and null.
-std::vector<vtkIdType> GetSelectedRows(vtkSMSourceProxy* selection);
-/// The blocks and cells of a selection as a click in a view makes it; none for other selections and null. `hierarchy` names the blocks.
-SelectedMeshes GetSelectedMeshes(vtkSMSourceProxy* selection, vtkDataAssembly* hierarchy);
+///@{
+/// The terms of a selection of a table or of meshes; those of an empty one for null. Nothing for a selection that names neither rows by
+/// index, nor cells, nor blocks, such as one by a frustum or a query: what it selects is not known on the client. `data` is of the meshes.
+std::optional<SelectionTerms> ReadRowSelection(vtkSMSourceProxy* selection);
+std::optional<SelectionTerms> ReadMeshSelection(vtkSMSourceProxy* selection, vtkPVDataInformation* data);
+///@}
 
 vtkSmartPointer<vtkSMSourceProxy> MakeRowSelection(
   vtkSMSessionProxyManager* manager, const std::vector<vtkIdType>& rows);
-vtkSmartPointer<vtkSMSourceProxy> MakeSolidSelection(
-  vtkSMSessionProxyManager* manager, const std::set<vtkIdType>& solids);
-/// Cells by the number of their solid, as a click in a view selects them. One condition per solid instead makes ParaView's extraction take
-/// time with the cube of their number.
-vtkSmartPointer<vtkSMSourceProxy> MakeCellSelection(
-  vtkSMSessionProxyManager* manager, const std::vector<std::pair<vtkIdType, vtkIdType>>& cells);
+/// Whole solids and single cells of others, as clicks in a view select them.
+vtkSmartPointer<vtkSMSourceProxy> MakeMeshSelection(vtkSMSessionProxyManager* manager,
+  const std::set<vtkIdType>& solids, const std::map<vtkIdType, std::vector<vtkIdType>>& cells);
 }
 
 #endif

@@ -1,11 +1,10 @@
 #include "smSolidHighlight.h"
 
 #include "smSelectionSources.h"
-#include "vtkSelectedPlacesInformation.h"
+#include "vtkSelectedEntitiesInformation.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMOutputPort.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
@@ -13,23 +12,57 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
+#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace sm
 {
 namespace
 {
-using Places = vtkSelectedPlacesInformation;
+using Entities = vtkSelectedEntitiesInformation;
 
 constexpr unsigned int SummaryPort = 2;
-constexpr Places::Port Tables[] = { Places::SolidsPort, Places::FacesPort, Places::EdgesPort };
+constexpr Entities::Port Tables[] = { Entities::SolidsPort, Entities::FacesPort, Entities::EdgesPort };
+
+SelectionTerms MakeRowTerms(const std::vector<vtkIdType>& rows)
+{
+  SelectionTerms terms;
+  terms.Sets.resize(1);
+  terms.Sets[0].Name = "rows";
+  terms.Sets[0].Elements[0] = rows;
+  return terms;
+}
+
+/// Draws a view again after its next drawing; owned by the view.
+class DrawAgainCommand : public vtkCommand
+{
+public:
+  static DrawAgainCommand* New() { return new DrawAgainCommand; }
+  vtkTypeMacro(DrawAgainCommand, vtkCommand);
+
+  vtkWeakPointer<vtkSMSourceProxy> Filter;
+
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    const vtkSmartPointer<vtkSMSourceProxy> filter = this->Filter.GetPointer();
+    caller->RemoveObserver(this); // deletes this object
+    auto* view = vtkSMViewProxy::SafeDownCast(caller);
+    vtkSMSourceProxy* highlighted = filter ? filter->GetSelectionOutput(Entities::MeshesPort) : nullptr;
+    if (view && highlighted)
+    {
+      highlighted->MarkDirty(highlighted);
+      view->StillRender();
+    }
+  }
+};
 
 /// Copies selections between the tables' ports and the meshes' port; owned by the proxy that it observes.
 class HighlightCommand : public vtkCommand
@@ -41,21 +74,27 @@ public:
   void Execute(vtkObject* caller, unsigned long event, void* data) override
   {
     auto* filter = vtkSMSourceProxy::SafeDownCast(caller);
-    if (filter && event == vtkCommand::UpdateDataEvent)
+    if (!filter || this->Busy)
     {
-      this->DescribeAgain(filter);
+      return;
+    }
+    if (event == vtkCommand::UpdateDataEvent)
+    {
+      this->Busy = true;
+      this->FollowRun(filter);
+      this->Busy = false;
       return;
     }
     const unsigned int port =
-      data ? *static_cast<unsigned int*>(data) : static_cast<unsigned int>(Places::SolidsPort);
+      data ? *static_cast<unsigned int*>(data) : static_cast<unsigned int>(Entities::SolidsPort);
     const bool isTable = std::find(std::begin(Tables), std::end(Tables), port) != std::end(Tables);
-    if (!filter || this->Busy || (port != Places::MeshesPort && !isTable))
+    if (port != Entities::MeshesPort && !isTable)
     {
       return;
     }
     this->Busy = true;
     const bool isChanged =
-      isTable ? this->FollowRows(filter, static_cast<Places::Port>(port)) : this->FollowMeshes(filter);
+      isTable ? this->FollowRows(filter, static_cast<Entities::Port>(port)) : this->FollowMeshes(filter);
     this->Busy = false;
     if (isChanged)
     {
@@ -86,19 +125,23 @@ private:
   }
 
   /// The rows of a table have changed. Returns whether anything else has.
-  bool FollowRows(vtkSMSourceProxy* filter, Places::Port table)
+  bool FollowRows(vtkSMSourceProxy* filter, Entities::Port table)
   {
-    const std::vector<vtkIdType> rows = GetSelectedRows(filter->GetSelectionInput(table));
-    vtkSMSourceProxy* shown = filter->GetSelectionInput(Places::MeshesPort);
-    vtkNew<Places> places;
-    if (!rows.empty())
+    const std::optional<SelectionTerms> rows = ReadRowSelection(filter->GetSelectionInput(table));
+    if (!rows)
     {
-      places->SelectRows(table, rows);
-      filter->GatherInformation(places);
+      return false;
     }
-    if (!places->GetText().empty())
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(Entities::MeshesPort);
+    vtkNew<Entities> entities;
+    if (!rows->Sets.empty())
     {
-      for (const Places::Port other : Tables)
+      entities->Select(table, *rows);
+      filter->GatherInformation(entities);
+    }
+    if (!entities->GetText().empty())
+    {
+      for (const Entities::Port other : Tables)
       {
         if (other != table)
         {
@@ -106,10 +149,10 @@ private:
         }
       }
       this->Shown = table;
-      this->Show(filter, *places);
+      this->Show(filter, *entities);
       return true;
     }
-    if (shown && !this->IsOwn(shown, Places::MeshesPort))
+    if (shown && !this->IsOwn(shown, Entities::MeshesPort))
     {
       // After a selection in a view ParaView clears the rows; those of the user's selection come back.
       return this->FollowMeshes(filter);
@@ -118,57 +161,56 @@ private:
     {
       return false;
     }
-    this->Show(filter, *places);
+    this->Show(filter, *entities);
     return true;
   }
 
   /// Highlights what the rows of a table stand for, and says what it is.
-  void Show(vtkSMSourceProxy* filter, Places& places)
+  void Show(vtkSMSourceProxy* filter, Entities& entities)
   {
-    vtkSMSessionProxyManager* manager = filter->GetSessionProxyManager();
-    if (!places.GetFaceCells().empty())
+    const Entities::Highlight& highlight = entities.GetHighlight();
+    if (highlight == Entities::Highlight())
     {
-      this->Select(filter, Places::MeshesPort, MakeCellSelection(manager, places.GetFaceCells()));
-    }
-    else if (!places.GetSolids().empty())
-    {
-      this->Select(filter, Places::MeshesPort, MakeSolidSelection(manager, places.GetSolids()));
+      filter->CleanSelectionInputs(Entities::MeshesPort);
     }
     else
     {
-      filter->CleanSelectionInputs(Places::MeshesPort);
+      this->Select(filter, Entities::MeshesPort,
+        MakeMeshSelection(filter->GetSessionProxyManager(), highlight.Solids, highlight.Cells));
     }
-    Describe(filter, places);
+    this->Highlighted = highlight;
+    Describe(filter, entities);
   }
 
   /// The user has selected or cleared something in a view, or another tool has. Returns whether anything else has changed.
   bool FollowMeshes(vtkSMSourceProxy* filter)
   {
-    vtkSMSourceProxy* shown = filter->GetSelectionInput(Places::MeshesPort);
-    if (this->IsOwn(shown, Places::MeshesPort))
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(Entities::MeshesPort);
+    if (this->IsOwn(shown, Entities::MeshesPort))
     {
       return false;
     }
-    vtkNew<Places> places;
+    vtkNew<Entities> entities;
     if (shown)
     {
-      if (!GatherMeshes(filter, *places))
+      if (!GatherMeshes(filter, *entities))
       {
         return false;
       }
-      std::set<vtkIdType> solids = places->GetSolids();
-      for (const auto& faces : places->GetFaces())
+      this->Picked.Remember(*entities);
+      std::set<vtkIdType> solids = entities->GetSolids();
+      for (const auto& faces : entities->GetFaces())
       {
         solids.insert(faces.first);
       }
-      this->SelectRows(filter, Places::SolidsPort, { solids.begin(), solids.end() });
-      this->SelectRows(filter, Places::FacesPort, places->GetFaceRows());
-      this->SelectRows(filter, Places::EdgesPort, {});
-      Describe(filter, *places);
+      this->SelectRows(filter, Entities::SolidsPort, { solids.begin(), solids.end() });
+      this->SelectRows(filter, Entities::FacesPort, entities->GetFaceRows());
+      this->SelectRows(filter, Entities::EdgesPort, {});
+      Describe(filter, *entities);
       return true;
     }
     // Rows that the user has selected are highlighted again.
-    for (const Places::Port table : Tables)
+    for (const Entities::Port table : Tables)
     {
       vtkSMSourceProxy* selected = filter->GetSelectionInput(table);
       if (selected && !this->IsOwn(selected, table))
@@ -176,51 +218,106 @@ private:
         return this->FollowRows(filter, table);
       }
     }
-    for (const Places::Port table : Tables)
+    for (const Entities::Port table : Tables)
     {
       this->Clear(filter, table);
     }
-    Describe(filter, *places);
+    Describe(filter, *entities);
     return true;
   }
 
-  /// Returns false for a selection by other means than blocks and cells.
-  static bool GatherMeshes(vtkSMSourceProxy* filter, Places& places)
+  /// Returns false for a selection whose cells and blocks are not known.
+  static bool GatherMeshes(vtkSMSourceProxy* filter, Entities& entities)
   {
-    const SelectedMeshes meshes = GetSelectedMeshes(filter->GetSelectionInput(Places::MeshesPort),
-      filter->GetOutputPort(Places::MeshesPort)->GetDataInformation()->GetHierarchy());
-    if (meshes.IsEmpty())
+    const std::optional<SelectionTerms> terms =
+      ReadMeshSelection(filter->GetSelectionInput(Entities::MeshesPort),
+        filter->GetOutputPort(Entities::MeshesPort)->GetDataInformation());
+    if (terms)
     {
-      return false;
+      entities.Select(Entities::MeshesPort, *terms);
+      filter->GatherInformation(&entities);
     }
-    places.SelectMeshes(meshes.Solids, meshes.Cells);
-    filter->GatherInformation(&places);
-    return true;
+    return terms.has_value();
   }
 
-  /// After a run: what is selected has other figures.
-  void DescribeAgain(vtkSMSourceProxy* filter)
+  /// After a run what is selected has other figures, and faces may have other cells.
+  void FollowRun(vtkSMSourceProxy* filter)
   {
-    vtkNew<Places> places;
-    vtkSMSourceProxy* shown = filter->GetSelectionInput(Places::MeshesPort);
-    if (shown && !this->IsOwn(shown, Places::MeshesPort))
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(Entities::MeshesPort);
+    if (shown && !this->IsOwn(shown, Entities::MeshesPort))
     {
-      if (GatherMeshes(filter, *places))
-      {
-        Describe(filter, *places);
-      }
+      this->RenewPick(filter);
       return;
     }
-    const std::vector<vtkIdType> rows = GetSelectedRows(filter->GetSelectionInput(this->Shown));
-    if (!rows.empty())
+    const std::optional<SelectionTerms> rows = ReadRowSelection(filter->GetSelectionInput(this->Shown));
+    if (!rows || rows->Sets.empty())
     {
-      places->SelectRows(this->Shown, rows);
-      filter->GatherInformation(places);
-      Describe(filter, *places);
+      return;
+    }
+    vtkNew<Entities> entities;
+    entities->Select(this->Shown, *rows);
+    filter->GatherInformation(entities);
+    if (entities->GetHighlight() == this->Highlighted)
+    {
+      Describe(filter, *entities);
+    }
+    else
+    {
+      this->Show(filter, *entities);
+      DrawAgain(filter);
     }
   }
 
-  void SelectRows(vtkSMSourceProxy* filter, Places::Port table, const std::vector<vtkIdType>& rows)
+  /// The cells that the user has picked may belong to other faces now. Then the same faces are selected by their new cells, or nothing
+  /// where their solids are no longer these rows.
+  void RenewPick(vtkSMSourceProxy* filter)
+  {
+    vtkNew<Entities> now;
+    if (!GatherMeshes(filter, *now))
+    {
+      return;
+    }
+    if (!this->Picked.IsSame(*now))
+    {
+      vtkNew<Entities> before;
+      before->Select(Entities::FacesPort, MakeRowTerms(this->Picked.FaceRows));
+      filter->GatherInformation(before);
+      Entities::Highlight highlight = before->GetHighlight();
+      highlight.Solids.insert(this->Picked.Solids.begin(), this->Picked.Solids.end());
+      filter->SetSelectionInput(Entities::MeshesPort,
+        MakeMeshSelection(filter->GetSessionProxyManager(), highlight.Solids, highlight.Cells), 0);
+      if (!GatherMeshes(filter, *now) || now->GetSolidIds() != this->Picked.SolidIds)
+      {
+        filter->CleanSelectionInputs(Entities::MeshesPort);
+        for (const Entities::Port table : Tables)
+        {
+          this->Clear(filter, table);
+        }
+        now->Select(Entities::MeshesPort, {});
+        filter->GatherInformation(now);
+      }
+      this->Picked.Remember(*now);
+      DrawAgain(filter);
+    }
+    Describe(filter, *now);
+  }
+
+  /// A drawing that runs the filter takes what was highlighted before the run, and then regards it as up to date.
+  static void DrawAgain(vtkSMSourceProxy* filter)
+  {
+    VisitViews(filter,
+      [filter](vtkSMViewProxy* view)
+      {
+        if (view->FindRepresentation(filter, Entities::MeshesPort))
+        {
+          vtkNew<DrawAgainCommand> command;
+          command->Filter = filter;
+          view->AddObserver(vtkCommand::EndEvent, command);
+        }
+      });
+  }
+
+  void SelectRows(vtkSMSourceProxy* filter, Entities::Port table, const std::vector<vtkIdType>& rows)
   {
     if (rows.empty())
     {
@@ -246,28 +343,21 @@ private:
   }
 
   /// Gives the summaries the text of what is selected, and the meshes the lines of edges.
-  static void Describe(vtkSMSourceProxy* filter, Places& places)
+  static void Describe(vtkSMSourceProxy* filter, Entities& entities)
   {
-    std::vector<double> lines;
-    for (const std::array<double, 4>& point : places.GetLines())
-    {
-      lines.insert(lines.end(), point.begin(), point.end());
-    }
     VisitViews(filter,
-      [filter, &places, &lines](vtkSMViewProxy* view)
+      [filter, &entities](vtkSMViewProxy* view)
       {
         vtkSMProxy* summary = view->FindRepresentation(filter, SummaryPort);
         if (summary && summary->GetProperty("SelectedText"))
         {
-          vtkSMPropertyHelper(summary, "SelectedText").Set(places.GetText().c_str());
+          vtkSMPropertyHelper(summary, "SelectedText").Set(entities.GetText().c_str());
           summary->UpdateVTKObjects();
         }
-        vtkSMProxy* meshes = view->FindRepresentation(filter, Places::MeshesPort);
+        vtkSMProxy* meshes = view->FindRepresentation(filter, Entities::MeshesPort);
         if (meshes && meshes->GetProperty("SelectedEdges"))
         {
-          vtkSMPropertyHelper edges(meshes, "SelectedEdges");
-          edges.SetNumberOfElements(0);
-          edges.Set(lines.data(), static_cast<unsigned int>(lines.size()));
+          vtkSMPropertyHelper(meshes, "SelectedEdges").Set(entities.GetEdgeLines().c_str());
           meshes->UpdateVTKObjects();
         }
       });
@@ -280,7 +370,7 @@ private:
       {
         const auto shows = [view, filter](unsigned int port)
         { return view->FindRepresentation(filter, static_cast<int>(port)) != nullptr; };
-        if (shows(Places::MeshesPort) || shows(SummaryPort) ||
+        if (shows(Entities::MeshesPort) || shows(SummaryPort) ||
           std::any_of(std::begin(Tables), std::end(Tables), shows))
         {
           view->StillRender();
@@ -288,15 +378,37 @@ private:
       });
   }
 
+  /// What the user has picked in a view, as it was found last.
+  struct Pick
+  {
+    std::set<vtkIdType> Solids;
+    std::map<vtkIdType, std::set<vtkIdType>> Faces;
+    std::vector<vtkIdType> FaceRows;
+    std::vector<std::string> SolidIds;
+
+    void Remember(const Entities& entities)
+    {
+      *this = { entities.GetSolids(), entities.GetFaces(), entities.GetFaceRows(), entities.GetSolidIds() };
+    }
+    bool IsSame(const Entities& entities) const
+    {
+      return this->Solids == entities.GetSolids() && this->Faces == entities.GetFaces() &&
+        this->SolidIds == entities.GetSolidIds();
+    }
+  };
+
   bool Busy = false;
   /// The table whose rows were highlighted last.
-  Places::Port Shown = Places::SolidsPort;
+  Entities::Port Shown = Entities::SolidsPort;
+  /// What shows these rows in the views.
+  Entities::Highlight Highlighted;
+  Pick Picked;
   /// The selections that this object made last, by their ports.
   std::map<unsigned int, vtkWeakPointer<vtkSMSourceProxy>> Own;
 };
 }
 
-void HighlightSelectedPlaces(vtkSMSourceProxy* filter)
+void HighlightSelectedEntities(vtkSMSourceProxy* filter)
 {
   vtkNew<HighlightCommand> command;
   filter->AddObserver(vtkCommand::SelectionChangedEvent, command);

@@ -4,8 +4,8 @@
  *
  * After the call, a selection of rows by index, as a spreadsheet makes it, highlights the solids, faces or edges of these rows; a selection of cells or
  * blocks, as a click in a view makes it, selects the rows of their solids and faces. The summary in a view says what is selected. The views that show the
- * filter are rendered again. An empty selection, or one by other means, clears what was selected in this way and leaves a selection that
- * the user made. Works on the client without Qt, so also in scripts.
+ * filter are rendered again. An empty selection clears what was selected in this way and leaves a selection that
+ * the user made; one by other means, such as a query, changes nothing. Works on the client without Qt, so also in scripts.
  */
 #ifndef smSolidHighlight_h
 #define smSolidHighlight_h
@@ -15,7 +15,7 @@ class vtkSMSourceProxy;
 namespace sm
 {
 /** Installs the observer on a filter with the ports of vtkSurfaceIntegralBase. Call it once per filter. */
-void HighlightSelectedPlaces(vtkSMSourceProxy* filter);
+void HighlightSelectedEntities(vtkSMSourceProxy* filter);
 }
 
 #endif

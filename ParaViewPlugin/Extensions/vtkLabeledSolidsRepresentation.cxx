@@ -2,6 +2,7 @@
 
 #include "smFormat.h"
 #include "smMassPropertyNames.h"
+#include "smPolylineText.h"
 #include "smVTKCompatibility.h"
 #include "smVisitMeshes.h"
 
@@ -61,7 +62,7 @@ vtkLabeledSolidsRepresentation::vtkLabeledSolidsRepresentation()
   this->Text->SetBold(true);
   this->Text->SetShadow(true);
   vtkNew<vtkPointSetToLabelHierarchy> hierarchy;
-  hierarchy->SetInputData(this->Places);
+  hierarchy->SetInputData(this->LabelPoints);
   hierarchy->SetLabelArrayName(TextArray);
   hierarchy->SetPriorityArrayName(PriorityArray);
   hierarchy->SetTextProperty(this->Text);
@@ -70,7 +71,6 @@ vtkLabeledSolidsRepresentation::vtkLabeledSolidsRepresentation()
   this->Labels->SetMapper(this->Mapper);
   this->Labels->SetVisibility(false);
   this->Labels->SetPickable(false);
-  this->ClearSelectedEdges();
   vtkNew<vtkPolyDataMapper> lines;
   lines->SetInputData(this->SelectedEdges);
   this->SelectedEdgesActor->SetMapper(lines);
@@ -121,28 +121,21 @@ void vtkLabeledSolidsRepresentation::SetVisibility(bool visible)
   this->SelectedEdgesActor->SetVisibility(visible);
 }
 
-void vtkLabeledSolidsRepresentation::AddSelectedEdgePoint(double x, double y, double z, double line)
+void vtkLabeledSolidsRepresentation::SetSelectedEdges(const char* polylines)
 {
-  vtkCellArray* lines = this->SelectedEdges->GetLines();
-  const vtkIdType point = this->SelectedEdges->GetPoints()->InsertNextPoint(x, y, z);
-  if (point > 0 && line == this->LastLine)
-  {
-    lines->InsertNextCell({ point - 1, point });
-  }
-  this->LastLine = line;
-  this->SelectedEdges->GetPoints()->Modified();
-  lines->Modified();
-  this->SelectedEdges->Modified();
-}
-
-void vtkLabeledSolidsRepresentation::ClearSelectedEdges()
-{
-  this->SelectedEdges->Initialize();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (const std::vector<sm::Vector3>& polyline : sm::ParsePolylines(polylines ? polylines : ""))
+  {
+    lines->InsertNextCell(static_cast<int>(polyline.size()));
+    for (const sm::Vector3& point : polyline)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(point[0], point[1], point[2]));
+    }
+  }
   this->SelectedEdges->SetPoints(points);
-  this->SelectedEdges->SetLines(vtkNew<vtkCellArray>());
-  this->LastLine = -1.0;
+  this->SelectedEdges->SetLines(lines);
 }
 
 vtkCompositeDataDisplayAttributes* vtkLabeledSolidsRepresentation::GetBlockAttributes()
@@ -168,13 +161,13 @@ int vtkLabeledSolidsRepresentation::ProcessViewRequest(
   {
     // The labels are drawn where the geometry is.
     vtkAlgorithmOutput* piece = vtkPVRenderView::GetPieceProducer(inInfo, this->GetActiveRepresentation());
-    this->PlaceLabels(piece ? piece->GetProducer()->GetOutputDataObject(piece->GetIndex()) : nullptr);
+    this->MakeLabels(piece ? piece->GetProducer()->GetOutputDataObject(piece->GetIndex()) : nullptr);
   }
-  this->Labels->SetVisibility(isShown && this->Places->GetNumberOfPoints() > 0);
+  this->Labels->SetVisibility(isShown && this->LabelPoints->GetNumberOfPoints() > 0);
   return 1;
 }
 
-void vtkLabeledSolidsRepresentation::PlaceLabels(vtkDataObject* data)
+void vtkLabeledSolidsRepresentation::MakeLabels(vtkDataObject* data)
 {
   std::vector<Label> labels;
   sm::VisitMeshes(data, this->GetBlockAttributes(),
@@ -213,9 +206,9 @@ void vtkLabeledSolidsRepresentation::PlaceLabels(vtkDataObject* data)
   }
   this->Text->SetColor(this->LabelColor);
   this->Text->SetFontSize(this->LabelFontSize);
-  this->Places->Initialize();
-  this->Places->SetPoints(points);
-  this->Places->GetPointData()->AddArray(texts);
-  this->Places->GetPointData()->AddArray(priorities);
-  this->Places->Modified();
+  this->LabelPoints->Initialize();
+  this->LabelPoints->SetPoints(points);
+  this->LabelPoints->GetPointData()->AddArray(texts);
+  this->LabelPoints->GetPointData()->AddArray(priorities);
+  this->LabelPoints->Modified();
 }

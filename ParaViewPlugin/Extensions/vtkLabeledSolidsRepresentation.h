@@ -53,11 +53,9 @@ public:
   vtkGetMacro(LabelFontSize, int);
   ///@}
 
-  ///@{
-  /** Points of the edges that are drawn as selected: world coordinates, and the number of the line that a point continues. Default: none. */
-  void AddSelectedEdgePoint(double x, double y, double z, double line);
-  void ClearSelectedEdges();
-  ///@}
+  /** The lines of the edges that are drawn as selected, in world coordinates, as FormatPolylines() of smPolylineText.h writes them. Default:
+   * none. */
+  void SetSelectedEdges(const char* polylines);
 
   void SetVisibility(bool visible) override;
   int ProcessViewRequest(
@@ -74,7 +72,7 @@ private:
   vtkLabeledSolidsRepresentation(const vtkLabeledSolidsRepresentation&) = delete;
   void operator=(const vtkLabeledSolidsRepresentation&) = delete;
 
-  void PlaceLabels(vtkDataObject* data);
+  void MakeLabels(vtkDataObject* data);
   /// Which blocks the user has hidden; may be null.
   vtkCompositeDataDisplayAttributes* GetBlockAttributes();
 
@@ -82,12 +80,10 @@ private:
   double LabelColor[3] = { 1.0, 1.0, 1.0 };
   int LabelFontSize = 14;
   /// A point for each label, with its text and its priority.
-  vtkNew<vtkPolyData> Places;
+  vtkNew<vtkPolyData> LabelPoints;
   vtkNew<vtkTextProperty> Text;
   vtkNew<vtkLabelPlacementMapper> Mapper;
   vtkNew<vtkActor2D> Labels;
-  /// The number of the last line of SelectedEdges; negative without one.
-  double LastLine = -1.0;
   vtkNew<vtkPolyData> SelectedEdges;
   vtkNew<vtkActor> SelectedEdgesActor;
 };

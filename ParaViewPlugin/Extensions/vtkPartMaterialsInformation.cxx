@@ -1,19 +1,18 @@
 #include "vtkPartMaterialsInformation.h"
 
+#include "smColumns.h"
 #include "smMassPropertyNames.h"
 #include "smOutputData.h"
+#include "smTableCells.h"
 
 #include "vtkClientServerStream.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
 #include "vtkInformation.h"
-#include "vtkMath.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTrimmedNURBSModel.h"
 
@@ -97,21 +96,16 @@ void AddModels(vtkDataObject* data, const std::string& name, PartCollector& part
 
 void AddRows(vtkTable* table, PartCollector& parts)
 {
-  auto* names = vtkStringArray::SafeDownCast(table->GetColumnByName(sm::names::Name));
-  auto* ids = vtkStringArray::SafeDownCast(table->GetColumnByName(sm::names::Id));
-  auto* volumes = vtkDataArray::SafeDownCast(table->GetColumnByName(sm::names::Volume));
-  auto* masses = vtkDataArray::SafeDownCast(table->GetColumnByName(sm::names::Mass));
-  for (vtkIdType row = 0; names && ids && volumes && row < table->GetNumberOfRows(); ++row)
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    // The total has no number of a solid.
-    if (ids->GetValue(row).empty())
+    if (sm::columns::IsTotalRow(table, row))
     {
       continue;
     }
     sm::PartMaterial part;
-    part.Name = names->GetValue(row);
-    part.Solids = std::isfinite(volumes->GetComponent(row, 0)) ? 1 : 0;
-    const double mass = masses ? masses->GetComponent(row, 0) : vtkMath::Nan();
+    part.Name = sm::GetText(table, sm::names::Name, row);
+    part.Solids = std::isfinite(sm::GetNumber(table, sm::names::Volume, row)) ? 1 : 0;
+    const double mass = sm::GetNumber(table, sm::names::Mass, row);
     part.Weighed = std::isfinite(mass) ? 1 : 0;
     part.Mass = part.Weighed ? mass : 0.0;
     parts.Add(part);

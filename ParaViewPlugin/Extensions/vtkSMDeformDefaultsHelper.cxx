@@ -1,10 +1,11 @@
 #include "vtkSMDeformDefaultsHelper.h"
 
+#include "smInputBounds.h"
+
 #include "vtkObjectFactory.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMSourceProxy.h"
+#include "vtkSMProxy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,16 +37,14 @@ double TakeTenth(double length)
 void vtkSMDeformDefaultsHelper::PostInitializeProxy(
   vtkSMProxy* proxy, vtkPVXMLElement*, vtkMTimeType initializationTimeStamp)
 {
-  vtkSMPropertyHelper input(proxy, "Input");
-  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  if (!source)
+  double lengths[3] = { 0.0, 0.0, 0.0 };
+  const vtkBoundingBox box = sm::ComputeInputBounds(proxy);
+  if (box.IsValid())
   {
-    return;
+    box.GetLengths(lengths);
   }
-  double bounds[6];
-  source->GetDataInformation(input.GetOutputPort())->GetBounds(bounds);
-  const double along = TakeTenth(bounds[1] - bounds[0]);
-  const double up = TakeTenth(bounds[5] - bounds[4]);
+  const double along = TakeTenth(lengths[0]);
+  const double up = TakeTenth(lengths[2]);
   const auto isUntouched = [proxy, initializationTimeStamp](const char* name)
   { return proxy->GetProperty(name)->GetMTime() <= initializationTimeStamp; };
   if (isUntouched("Displacement"))

@@ -2,8 +2,8 @@
  * @class   vtkSMMaterialTableProperty
  * @brief   the cells of the table of materials in the panel of Mass Properties
  *
- * vtkSMMaterialTableDomain fills the cells from input, rules and results, so that they are no setting of their own: IsValueDefault() is always true, and
- * states in Python have the rules (the property Materials) only.
+ * vtkSMMaterialTableDomain fills the cells from input, rules and results, so that they are no setting of their own: for states and traces in
+ * Python they have the default and are never modified, and the rules (the property Materials) are recorded alone.
  */
 #ifndef vtkSMMaterialTableProperty_h
 #define vtkSMMaterialTableProperty_h
@@ -18,10 +18,8 @@ public:
   vtkTypeMacro(vtkSMMaterialTableProperty, vtkSMStringVectorProperty);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  bool IsValueDefault() override
-  {
-    return true;
-  }
+  bool IsValueDefault() override { return true; }
+  vtkMTimeType GetMTime() override { return 0; }
 
 protected:
   vtkSMMaterialTableProperty();

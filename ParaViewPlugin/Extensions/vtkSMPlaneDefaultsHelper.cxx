@@ -1,11 +1,11 @@
 #include "vtkSMPlaneDefaultsHelper.h"
 
-#include "vtkBoundingBox.h"
+#include "smInputBounds.h"
+
 #include "vtkObjectFactory.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMSourceProxy.h"
+#include "vtkSMProxy.h"
 
 vtkStandardNewMacro(vtkSMPlaneDefaultsHelper);
 
@@ -20,15 +20,11 @@ void vtkSMPlaneDefaultsHelper::PrintSelf(ostream& os, vtkIndent indent)
 void vtkSMPlaneDefaultsHelper::PostInitializeProxy(
   vtkSMProxy* proxy, vtkPVXMLElement*, vtkMTimeType initializationTimeStamp)
 {
-  vtkSMPropertyHelper input(proxy, "Input");
-  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  if (!source || proxy->GetProperty("Point")->GetMTime() > initializationTimeStamp)
+  if (proxy->GetProperty("Point")->GetMTime() > initializationTimeStamp)
   {
     return;
   }
-  double bounds[6];
-  source->GetDataInformation(input.GetOutputPort())->GetBounds(bounds);
-  const vtkBoundingBox box(bounds);
+  const vtkBoundingBox box = sm::ComputeInputBounds(proxy);
   if (box.IsValid())
   {
     double middle[3];

@@ -1,6 +1,7 @@
 #include "vtkSMSolidMomentsSourceProxy.h"
 
 #include "smEscapeKey.h"
+#include "smPlotSeries.h"
 #include "smSolidHighlight.h"
 
 #include "vtkAlgorithm.h"
@@ -132,7 +133,8 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
   }
   if (this->GetHints() && this->GetHints()->FindNestedElementByName("HighlightRows"))
   {
-    sm::HighlightSelectedPlaces(this);
+    sm::HighlightSelectedEntities(this);
+    sm::ChoosePlotSeries();
   }
   // The text of the status bar, also for a run on a server; the default is the name of the class.
   vtkClientServerStream stream;

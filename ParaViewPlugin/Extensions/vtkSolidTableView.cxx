@@ -40,7 +40,8 @@ constexpr const char* RowNumber = "vtkOriginalIndices";
 
 /// Columns before the integrals that the user named: identity and status of the row, then the main results.
 const char* const Leading[] = { RowNumber, names::Solid, vtkNURBSDataSet::FaceIndexArrayName(), names::FaceId,
-  names::EdgeIndex, names::EdgeId, names::Name, names::Id, names::Status, names::Kind, names::Count, names::CountInAll,
+  names::EdgeIndex, names::EdgeId, names::Name, names::Id, names::Status, names::Kind, names::Count,
+  names::CountInAll,
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
   names::Stability, names::Support, names::DecidedBy, names::SideFrom, names::SideTo, names::StabilityMargin,
   names::TipAngle, names::CenterOfMassRise, names::TipEnergy,
@@ -135,9 +136,9 @@ vtkSmartPointer<vtkAbstractArray> FormatColumn(vtkAbstractArray* column)
 }
 
 /// The key that columns are sorted by.
-std::tuple<std::size_t, int, std::string> GetPlace(const std::string& column)
+std::tuple<std::size_t, int, std::string> GetSortKey(const std::string& column)
 {
-  std::size_t place = 0;
+  std::size_t position = 0;
   std::size_t unknown = 0;
   for (const auto& list : { std::vector<const char*>(std::begin(Leading), std::end(Leading)),
          std::vector<const char*>(std::begin(Trailing), std::end(Trailing)) })
@@ -147,11 +148,11 @@ std::tuple<std::size_t, int, std::string> GetPlace(const std::string& column)
       const int match = Match(column, quantity);
       if (match >= 0)
       {
-        return { place, match, column };
+        return { position, match, column };
       }
-      ++place;
+      ++position;
     }
-    unknown = unknown ? unknown : place++;
+    unknown = unknown ? unknown : position++;
   }
   return { unknown, 0, column };
 }
@@ -168,18 +169,18 @@ void vtkSolidTableView::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkSolidTableView::Arrange(const std::vector<std::string>& sorted)
 {
-  std::vector<std::tuple<std::size_t, int, std::string>> places;
-  places.reserve(sorted.size());
+  std::vector<std::tuple<std::size_t, int, std::string>> keys;
+  keys.reserve(sorted.size());
   for (const std::string& column : sorted)
   {
-    places.push_back(GetPlace(column));
+    keys.push_back(GetSortKey(column));
   }
-  std::sort(places.begin(), places.end());
+  std::sort(keys.begin(), keys.end());
   this->SortedColumns = sorted;
   this->ShownColumns.clear();
-  for (const auto& place : places)
+  for (const auto& key : keys)
   {
-    this->ShownColumns.push_back(std::get<2>(place));
+    this->ShownColumns.push_back(std::get<2>(key));
   }
 }
 
@@ -235,12 +236,12 @@ vtkTable* vtkSolidTableView::FetchBlock(vtkIdType blockindex)
 const char* vtkSolidTableView::GetColumnName(vtkIdType index)
 {
   const char* sorted = this->Superclass::GetColumnName(index);
-  const auto place = static_cast<std::size_t>(index);
+  const auto column = static_cast<std::size_t>(index);
   // False for a table of another origin, and for a new table until one of its blocks is fetched.
   const bool arranged = sorted &&
     this->SortedColumns.size() == static_cast<std::size_t>(this->GetNumberOfColumns()) &&
-    this->SortedColumns[place] == sorted;
-  return arranged ? this->ShownColumns[place].c_str() : sorted;
+    this->SortedColumns[column] == sorted;
+  return arranged ? this->ShownColumns[column].c_str() : sorted;
 }
 
 std::string vtkSolidTableView::GetColumnLabel(const char* columnName)

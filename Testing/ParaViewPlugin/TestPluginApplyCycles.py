@@ -35,7 +35,7 @@ before = capture()
 check_true("a picture", len(set(before)) > 50, f"{len(set(before))} values of {len(before)}")
 check_true("is repeated", capture() == before)
 bend = NURBSDeform(Input=reader)  # noqa: F821
-mass = MassProperties(Input=bend, Backend="OpenGL")  # noqa: F821
+mass = MassProperties(Input=bend, Device="OpenGL")  # noqa: F821
 mass.UpdatePipeline()
 check_true("nothing changed after the filter ran", capture() == before)
 mass.RelativeTolerance = 1e-7

@@ -142,6 +142,20 @@ if has("SolidSection"):
     check_true("the summary has it", "Section area: " in servermanager.Fetch(cut, idx=2).GetValueByName(0, "Text").ToString())
     check_equal("and the volume of the input stays", total(MassProperties(Input=source), "Volume"), plain_volume)  # noqa: F821
 
+# A value that a script gives stays, 0 0 0 too, whether the input has run or not; without one there is the same value in both cases.
+for name, property_name in (("Buoyancy", "Point"), ("Section", "Point"), ("NURBSDeform", "Displacement")):
+    make = globals().get(name)
+    values = []
+    for has_run in (False, True) if make else ():
+        input_of_both = simple.OpenDataFile(sphere["path"])
+        if has_run:
+            input_of_both.UpdatePipeline()
+        given = make(Input=input_of_both, **{property_name: [0.0, 0.0, 0.0]})
+        check_equal(f"{name}, input has run: {has_run}: 0 0 0 is kept", [0.0, 0.0, 0.0], list(getattr(given, property_name)))
+        check_equal(f"{name}: and is in traces and states", 0, given.SMProxy.GetProperty(property_name).IsValueDefault())
+        values.append(list(getattr(make(Input=input_of_both), property_name)))
+    check_true(f"{name}: the same default", not make or (values[0] == values[1] != [0.0, 0.0, 0.0]), str(values))
+
 # ParaView's filters call Modified() on the points that they read (Clip does): their input stays what it is.
 for name in ("Clip", "Cut", "Threshold", "PolyDataNormals", "CleanPolyData", "ExtractEdges", "FeatureEdges", "ElevationFilter",
              "CellSize", "DecimatePro", "QuadricClustering", "MeshQuality", "GenerateIdScalars", "OutlineFilter", "ConvertToPointCloud"):

@@ -10,7 +10,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smproduct import Assembly, Part, write_product  # noqa: E402
 
-from paraview import servermanager, simple, smstate  # noqa: E402
+from paraview import servermanager, simple, smtrace, smstate  # noqa: E402
 
 plugin, folder, program = sys.argv[1:4]
 folder = os.path.join(folder, "materials_server" if len(sys.argv) > 4 else "materials")
@@ -193,7 +193,7 @@ check_equal("another input: the rule stays", ["rail", "steel", "7850"], list(mas
 check_equal("another input: rows", ["nut", "rail", "Total"], list(get_rows(mass)))
 
 # Ticked solids only: both totals say so.
-some = MassProperties(Input=reader, Density=1000.0)  # noqa: F821
+some = MassProperties(Input=reader, Density=1000.0, TotalRow=1)  # noqa: F821
 some.UpdatePipeline()
 everything = servermanager.Fetch(some, idx=1)
 check_equal("total row", "Total", everything.GetValueByName(everything.GetNumberOfRows() - 1, "Name").ToString())
@@ -216,6 +216,23 @@ check_equal("no rule of a total", [], list(some.Materials))
 some.Selectors = []
 some.UpdatePipeline()
 check_equal("all again", "Total", list(some.MaterialTable)[-4])
+
+# A trace has what was typed as rules, and not the cells of the table, which hold results.
+smtrace.start_trace()
+typed = smtrace.PropertiesModified(some.SMProxy)
+some.MaterialTable = [list(some.MaterialTable)[0], "lead", "", ""] + list(some.MaterialTable)[4:]
+typed.finalize()
+trace = smtrace.stop_trace()
+check_true("a trace has the rules", "Materials = [" in trace and "lead" in trace, trace)
+check_true("a trace does not have the table", "MaterialTable" not in trace, trace)
+some.Materials = []
+
+# Sums downstream do not count a total that nobody asked for, and what was not computed has none.
+some.TotalRow = 0
+check_equal("no total row", solids, servermanager.Fetch(some, idx=1).GetNumberOfRows())
+check_true("the summary keeps the total", "Mass: " in servermanager.Fetch(some, idx=2).GetValueByName(0, "Text").ToString())
+limited = MassProperties(Input=reader, TotalRow=1, MaximumSeconds=1e-9)  # noqa: F821
+check_equal("nothing computed: no total row", solids, servermanager.Fetch(limited, idx=1).GetNumberOfRows())
 
 # Parts have a total: the product that is all, or a row of its own.
 def get_parts(filter_proxy):

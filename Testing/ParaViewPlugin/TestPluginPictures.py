@@ -61,7 +61,7 @@ def color_by(mass, array, low, high):
 if mode == "part":
     mass = apply(os.path.join(models, "free_form_part.step"), Density=7850.0)
 elif mode == "assembly":
-    mass = apply(os.path.join(parts, "gear_train.step"), GlyphPerSolid=1)
+    mass = apply(os.path.join(parts, "gear_train.step"), SolidMarkers=1)
 elif mode == "flagged":
     mass = apply(Manifest(solids).special("open_solid")["path"])
 elif mode == "share":
@@ -81,7 +81,7 @@ check_picture(mode, expected, draw(name + ".png"))
 if mode == "part":
     mass.ShowPrincipalAxes = 0
 elif mode == "assembly":
-    mass.GlyphPerSolid = 0
+    mass.SolidMarkers = 0
 elif mode == "flagged":
     # The same text, not red.
     simple.GetRepresentation(servermanager.OutputPort(mass, 2), view).FlaggedColor = [1.0, 1.0, 1.0]

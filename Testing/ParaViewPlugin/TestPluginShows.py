@@ -176,6 +176,11 @@ for source, count, step in ((moved, 5, 2.0), (sheared, 3, None)):
     centers = [table.GetColumnByName("CenterOfMass").GetComponent(i, 0) for i in range(table.GetNumberOfRows())]
     volumes = [table.GetColumnByName("Volume").GetComponent(i, 0) for i in range(table.GetNumberOfRows())]
     check_equal("rows of Plot Data Over Time", count, len(centers))
+    chart = simple.CreateView("QuartileChartView")
+    shown = simple.Show(plot, chart, "QuartileChartRepresentation")
+    check_equal("series that are shown at first", [f"{name} (id=0)" for name in (
+        "CenterOfMassBound", "CenterOfMass_X", "CenterOfMass_Y", "CenterOfMass_Z", "Volume", "VolumeBound")], sorted(shown.SeriesVisibility))
+    simple.Delete(chart)
     for i, (volume, center) in enumerate(zip(volumes, centers)):
         check(f"volume at step {i}", box["volume"], volume, 1e-9 * box["volume"])
         # The shear moves the centre by half of what the top moves, 3 at the end.

@@ -4,16 +4,27 @@ from paraview import servermanager
 
 def select_rows(filter, port, rows):
     """Selects rows, by number, of the table on a port of a filter of simple.*, instead of what was selected there."""
-    source = servermanager.ProxyManager().SMProxyManager.NewProxy("sources", "IDSelectionSource")
-    source.GetProperty("FieldType").SetElement(0, 5)  # rows
-    ids = source.GetProperty("IDs")
-    ids.SetNumberOfElements(2 * len(rows))
-    for i, row in enumerate(rows):
-        ids.SetElement(2 * i, 0)
-        ids.SetElement(2 * i + 1, row)
-    source.UpdateVTKObjects()
-    selection = servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(source)
+    # Pairs of process and row; the field type is that of rows.
+    selection = pick("IDSelectionSource", "IDs", [number for row in rows for number in (0, row)], 5)
     filter.SMProxy.SetSelectionInput(port, selection, 0)
+
+
+def pick(kind, name, values, field_type=0):
+    """A selection with one source of a kind, whose property has these values."""
+    source = servermanager.ProxyManager().SMProxyManager.NewProxy("sources", kind)
+    source.GetProperty("FieldType").SetElement(0, field_type)
+    elements = source.GetProperty(name)
+    elements.SetNumberOfElements(len(values))
+    for i, value in enumerate(values):
+        elements.SetElement(i, value)
+    source.UpdateVTKObjects()
+    return servermanager.vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(source)
+
+
+def combine_picks(first, operation, second):
+    """Two selections as ParaView's window combines them: Add, Subtract or Toggle."""
+    getattr(servermanager.vtkSMSelectionHelper, operation + "Selection")(first, second)
+    return second
 
 
 def get_selected_rows(filter, port):

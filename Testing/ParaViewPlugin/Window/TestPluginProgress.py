@@ -111,7 +111,7 @@ if not server:
     # OpenCASCADE asks now and then.
     check_true("reader: stopped at the report 20, it ends", len(stopped.values) <= 32, str(len(stopped.values)))
     check_equal("reader: nothing then", 0, broken.GetDataInformation().GetNumberOfCells())
-    broken.LinearDeflection = 0.002
+    broken.MeshDeviation = 0.002
     run(broken)
     check_true("reader: all of it in the next run", broken.GetDataInformation().GetNumberOfCells() > 0)
 
@@ -120,15 +120,15 @@ if not server:
 
     def make_mass(**options):
         # Without the cache, so that every run evaluates all faces.
-        return lambda: MassProperties(Input=reader, RelativeTolerance=1e-11, CacheFaceResults=0, **options)  # noqa: F821
+        return lambda: MassProperties(Input=reader, RelativeTolerance=1e-11, ReuseFaceResults=0, **options)  # noqa: F821
 
     def larger_marker(proxy):
-        proxy.GlyphScale = 0.03
+        proxy.MarkerSize = 0.03
 
-    check_filter("mass properties", "Mass Properties", make_mass(Backend="OpenGL"), larger_marker, mass_result, 3)
-    check_filter("mass properties on the CPU", "Mass Properties", make_mass(Backend="CPU"), larger_marker, mass_result, 3)
+    check_filter("mass properties", "Mass Properties", make_mass(Device="OpenGL"), larger_marker, mass_result, 3)
+    check_filter("mass properties on the CPU", "Mass Properties", make_mass(Device="CPU"), larger_marker, mass_result, 3)
     # A filter builds its shaders in its first run, which takes seconds where the driver has not kept them.
-    compiling = make_mass(Backend="OpenGL")()
+    compiling = make_mass(Device="OpenGL")()
     handler = servermanager.ActiveConnection.Session.GetProgressHandler()
     interval = handler.GetProgressInterval()
     shown = []
@@ -139,7 +139,7 @@ if not server:
     check_equal("ParaView's interval is as before", interval, handler.GetProgressInterval())
     larger_marker(compiling)
     check_equal("the next one does not", {"Mass Properties"}, run(compiling).texts)
-    check_equal("nor the CPU", {"Mass Properties"}, run(make_mass(Backend="CPU")()).texts)
+    check_equal("nor the CPU", {"Mass Properties"}, run(make_mass(Device="CPU")()).texts)
     if has("SchemeMassProperties"):
         check_filter("the paper's scheme", "Mass Properties by Paper Schemes", lambda: MassPropertiesbyPaperSchemes(  # noqa: F821
             Input=reader, Scheme="3-point Gauss", SubPatchFactor=12), larger_marker,

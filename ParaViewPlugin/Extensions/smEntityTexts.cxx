@@ -1,8 +1,9 @@
-#include "smPlaceTexts.h"
+#include "smEntityTexts.h"
 
 #include "smColumnUnits.h"
 #include "smFormat.h"
 #include "smMassPropertyNames.h"
+#include "smTableCells.h"
 #include "smUnitRoundoff.h"
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersBuoyancy
 #include "smBuoyancyNames.h"
@@ -10,10 +11,6 @@
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersSection
 #include "smSectionNames.h"
 #endif
-
-#include "vtkDataArray.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +23,7 @@ namespace sm
 namespace
 {
 /// Largest number of solids, faces or edges that a text has.
-constexpr std::size_t MostPlaces = 4;
+constexpr std::size_t MostEntities = 4;
 /// Largest number of characters of a line.
 constexpr std::size_t LengthOfLines = 64;
 /// Digits of a gap, which has no bound.
@@ -53,20 +50,6 @@ const Figure FiguresOfSolids[] = {
 const Figure FiguresOfFaces[] = { { "area", names::SurfaceArea }, { "widest gap", names::MaxGap } };
 const Figure FiguresOfEdges[] = { { "widest gap", names::MaxGap } };
 
-double GetNumber(vtkTable* table, const std::string& column, vtkIdType row)
-{
-  auto* numbers = table ? vtkDataArray::SafeDownCast(table->GetColumnByName(column.c_str())) : nullptr;
-  return numbers && row >= 0 && row < numbers->GetNumberOfTuples() ? numbers->GetComponent(row, 0)
-                                                                   : std::nan("");
-}
-
-std::string GetWord(vtkTable* table, const char* column, vtkIdType row)
-{
-  auto* texts = table ? vtkStringArray::SafeDownCast(table->GetColumnByName(column)) : nullptr;
-  return texts && row >= 0 && row < texts->GetNumberOfValues() ? std::string(texts->GetValue(row))
-                                                               : std::string();
-}
-
 /// "mass 0.5 kg (+- 1e-9), area 12 mm^2 (+- 2e-9)": the figures that are known.
 template <std::size_t Count>
 std::string ListFigures(
@@ -90,8 +73,8 @@ std::string ListFigures(
 
 std::string NameSolid(vtkTable* solids, vtkIdType row)
 {
-  const std::string name = GetWord(solids, names::Name, row);
-  const std::string number = "solid " + GetWord(solids, names::Id, row);
+  const std::string name = GetText(solids, names::Name, row);
+  const std::string number = "solid " + GetText(solids, names::Id, row);
   return name.empty() ? number : name + " (" + number + ")";
 }
 
@@ -99,7 +82,7 @@ std::string NameEntity(const char* kind, const char* column, vtkTable* table, vt
 {
   const double id = GetNumber(table, column, row);
   return kind + (id > 0.0 ? " #" + FormatDigits(id, 12) : std::string()) + " of " +
-    NameSolid(solids, static_cast<vtkIdType>(GetNumber(table, names::Solid, row)));
+    NameSolid(solids, GetIndex(table, names::Solid, row));
 }
 
 /// A line or two for each of the first rows, and how many more there are.
@@ -107,7 +90,7 @@ std::string ListRows(
   const std::vector<vtkIdType>& rows, const char* kind, const std::function<std::string(vtkIdType)>& describe)
 {
   std::string list;
-  const std::size_t shown = std::min(rows.size(), MostPlaces);
+  const std::size_t shown = std::min(rows.size(), MostEntities);
   for (std::size_t i = 0; i < shown; ++i)
   {
     // Later lines of a text stand out from the next one.
@@ -128,7 +111,7 @@ std::string DescribeSolids(vtkTable* solids, const std::vector<vtkIdType>& rows)
     [solids](vtkIdType row)
     {
       return NameSolid(solids, row) + ": " +
-        ListFigures(solids, row, FiguresOfSolids, GetWord(solids, names::LengthUnit, row));
+        ListFigures(solids, row, FiguresOfSolids, GetText(solids, names::LengthUnit, row));
     });
   double mass = 0.0;
   double bound = 0.0;
@@ -149,19 +132,18 @@ std::string DescribeSolids(vtkTable* solids, const std::vector<vtkIdType>& rows)
 }
 }
 
-std::string DescribePlaces(vtkTable* solids, const std::vector<vtkIdType>& solidRows, vtkTable* faces,
+std::string DescribeSolidsAndFaces(vtkTable* solids, const std::vector<vtkIdType>& solidRows, vtkTable* faces,
   const std::vector<vtkIdType>& faceRows)
 {
   std::set<vtkIdType> all(solidRows.begin(), solidRows.end());
   for (const vtkIdType row : faceRows)
   {
-    all.insert(static_cast<vtkIdType>(GetNumber(faces, names::Solid, row)));
+    all.insert(GetIndex(faces, names::Solid, row));
   }
   const std::string ofFaces = ListRows(faceRows, "faces",
     [solids, faces](vtkIdType row)
     {
-      const std::string unit =
-        GetWord(solids, names::LengthUnit, static_cast<vtkIdType>(GetNumber(faces, names::Solid, row)));
+      const std::string unit = GetText(solids, names::LengthUnit, GetIndex(faces, names::Solid, row));
       return NameEntity("face", names::FaceId, faces, solids, row) + ": " +
         ListFigures(faces, row, FiguresOfFaces, unit);
     });
@@ -173,12 +155,11 @@ std::string DescribeEdges(vtkTable* solids, vtkTable* edges, const std::vector<v
   return ListRows(edgeRows, "edges",
     [solids, edges](vtkIdType row)
     {
-      const std::string unit =
-        GetWord(solids, names::LengthUnit, static_cast<vtkIdType>(GetNumber(edges, names::Solid, row)));
+      const std::string unit = GetText(solids, names::LengthUnit, GetIndex(edges, names::Solid, row));
       const std::string figures = ListFigures(edges, row, FiguresOfEdges, unit);
       return NameEntity("edge", names::EdgeId, edges, solids, row) + ": " + figures +
-        (figures.empty() ? "" : ", ") + FormatDigits(GetNumber(edges, names::Uses, row), 9) +
-        " uses by faces" + (GetNumber(edges, names::Open, row) > 0.0 ? ", open" : "");
+        (figures.empty() ? "" : ", ") + "used " + FormatDigits(GetNumber(edges, names::Uses, row), 9) +
+        " times by faces" + (GetNumber(edges, names::Open, row) > 0.0 ? ", open" : "");
     });
 }
 }

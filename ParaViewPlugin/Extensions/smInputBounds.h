@@ -1,0 +1,18 @@
+/**
+ * @file smInputBounds.h
+ * @brief The bounds of a new filter's input, for defaults that depend on them
+ */
+#ifndef smInputBounds_h
+#define smInputBounds_h
+
+#include "vtkBoundingBox.h"
+
+class vtkSMProxy;
+
+namespace sm
+{
+/// Runs the input first, so that a script gets the same defaults as the window, where the input has run. Not valid without input or data.
+vtkBoundingBox ComputeInputBounds(vtkSMProxy* filter);
+}
+
+#endif

@@ -1,0 +1,27 @@
+/**
+ * @file smTableCells.h
+ * @brief Cells of a table by the name of their column
+ *
+ * A table may be null, and may lack the column or the row.
+ */
+#ifndef smTableCells_h
+#define smTableCells_h
+
+#include "vtkType.h"
+
+#include <string>
+
+class vtkTable;
+
+namespace sm
+{
+/// NaN where there is no number.
+double GetNumber(vtkTable* table, const std::string& column, vtkIdType row);
+/// A whole number, such as that of a solid; -1 where there is none.
+vtkIdType GetIndex(vtkTable* table, const std::string& column, vtkIdType row);
+/// Empty where there is no text.
+std::string GetText(vtkTable* table, const std::string& column, vtkIdType row);
+vtkIdType CountRows(vtkTable* table);
+}
+
+#endif

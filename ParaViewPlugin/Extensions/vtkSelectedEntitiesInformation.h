@@ -1,0 +1,135 @@
+/**
+ * @class   vtkSelectedEntitiesInformation
+ * @brief   tells a client which solids, faces and edges are selected in the tables and meshes of a filter on the server
+ *
+ * The filter has the outputs of vtkSurfaceIntegralBase. A selection of rows of its tables, or of cells of its meshes, gives the numbers of solids and faces, the
+ * rows of those faces, what to highlight in a view, the lines of the edges, and a text with names, masses, areas and gaps. Runs no pipeline.
+ */
+#ifndef vtkSelectedEntitiesInformation_h
+#define vtkSelectedEntitiesInformation_h
+
+#include "smParaViewExtensionsModule.h" // for the export macro
+#include "vtkPVInformation.h"
+
+#ifndef __VTK_WRAP__
+#include "smSelectionTerms.h"
+#endif
+
+#include <map>    // for the faces
+#include <set>    // for the solids
+#include <string> // for the text
+#include <vector> // for the rows
+
+class vtkPartitionedDataSetCollection;
+class vtkTable;
+
+class SMPARAVIEWEXTENSIONS_EXPORT vtkSelectedEntitiesInformation : public vtkPVInformation
+{
+public:
+  static vtkSelectedEntitiesInformation* New();
+  vtkTypeMacro(vtkSelectedEntitiesInformation, vtkPVInformation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The ports of vtkSurfaceIntegralBase with the tables and the meshes. */
+  enum Port
+  {
+    SolidsPort = 1,
+    FacesPort = 3,
+    EdgesPort = 4,
+    MeshesPort = 5
+  };
+
+#ifndef __VTK_WRAP__
+  /// What a view highlights: whole solids, and cells by the number of their solid.
+  struct Highlight
+  {
+    std::set<vtkIdType> Solids;
+    std::map<vtkIdType, std::vector<vtkIdType>> Cells;
+    bool operator==(const Highlight& other) const
+    {
+      return this->Solids == other.Solids && this->Cells == other.Cells;
+    }
+  };
+
+  /** What is selected on a port: rows of its table, or cells of its meshes. The row of the total stands for all solids. Default:
+   * nothing. */
+  void Select(Port port, const sm::SelectionTerms& terms);
+
+  /** The numbers of the solids that are selected themselves, not by faces or edges. */
+  const std::set<vtkIdType>& GetSolids() const
+  {
+    return this->Solids;
+  }
+  /** The indices of the faces that are selected, by the number of their solid. */
+  const std::map<vtkIdType, std::set<vtkIdType>>& GetFaces() const
+  {
+    return this->Faces;
+  }
+  /** The rows of these faces in the table of faces. */
+  const std::vector<vtkIdType>& GetFaceRows() const
+  {
+    return this->FaceRows;
+  }
+  /** The column Id of all solids that are selected or have selected faces. */
+  const std::vector<std::string>& GetSolidIds() const
+  {
+    return this->SolidIds;
+  }
+  /** What shows the rows that are selected in a view. A solid with all its faces is one; so are all solids where there are too many
+   * cells for ParaView. Empty for edges. */
+  const Highlight& GetHighlight() const
+  {
+    return this->Shown;
+  }
+  /** The lines of the edges that are selected, as FormatPolylines() of smPolylineText.h writes them. */
+  const std::string& GetEdgeLines() const
+  {
+    return this->EdgeLines;
+  }
+  /** Names, masses, areas and gaps of what is selected, in lines; empty if nothing is. */
+  const std::string& GetText() const
+  {
+    return this->Text;
+  }
+#endif
+
+  void CopyFromObject(vtkObject* object) override;
+  void AddInformation(vtkPVInformation* other) override;
+  void CopyToStream(vtkClientServerStream* stream) override;
+  void CopyFromStream(const vtkClientServerStream* stream) override;
+  void CopyParametersToStream(vtkMultiProcessStream& stream) override;
+  void CopyParametersFromStream(vtkMultiProcessStream& stream) override;
+
+protected:
+  vtkSelectedEntitiesInformation();
+  ~vtkSelectedEntitiesInformation() override;
+
+private:
+  vtkSelectedEntitiesInformation(const vtkSelectedEntitiesInformation&) = delete;
+  void operator=(const vtkSelectedEntitiesInformation&) = delete;
+
+#ifndef __VTK_WRAP__
+  void Clear();
+  std::vector<vtkIdType> FindRows(vtkTable* table) const;
+  void FindSolidsOfRows(vtkTable* solids);
+  void FindFacesOfRows(vtkTable* faces);
+  void FindSolidsAndFacesOfCells(vtkPartitionedDataSetCollection* meshes, vtkTable* faces);
+  void FindHighlight(vtkPartitionedDataSetCollection* meshes);
+  void FindEdges(vtkTable* solids, vtkTable* edges, vtkPartitionedDataSetCollection* meshes);
+  void FindSolidIds(vtkTable* solids);
+
+  /// What to look at.
+  Port Selected = MeshesPort;
+  sm::SelectionTerms Terms;
+  /// What was found.
+  std::set<vtkIdType> Solids;
+  std::map<vtkIdType, std::set<vtkIdType>> Faces;
+  std::vector<vtkIdType> FaceRows;
+  std::vector<std::string> SolidIds;
+  Highlight Shown;
+  std::string EdgeLines;
+  std::string Text;
+#endif
+};
+
+#endif
