@@ -125,6 +125,23 @@ bool HasWrongRecords(const STEPAttributes& entities, Part21File::Index unit, con
       !entities.FindRecord(unit, kind.Record, record));
 }
 
+/// The same of a context.
+bool HasWrongContextRecords(const STEPAttributes& entities, Part21File::Index context)
+{
+  static constexpr std::string_view known[] = { "GEOMETRIC_REPRESENTATION_CONTEXT", "REPRESENTATION_CONTEXT",
+    "GLOBAL_UNIT_ASSIGNED_CONTEXT", "GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT",
+    "PARAMETRIC_REPRESENTATION_CONTEXT" };
+  std::size_t found = 0;
+  std::string_view record;
+  for (const std::string_view& name : known)
+  {
+    found += entities.FindRecord(context, name, record) ? 1 : 0;
+  }
+  return entities.File.IsComplex(context) && !entities.File.IsDamaged(context) &&
+    (found != entities.File.GetNumberOfRecords(context) || !entities.FindRecord(context, known[0], record) ||
+      !entities.FindRecord(context, known[1], record));
+}
+
 bool IsSame(double a, double b, double accuracy)
 {
   return std::fabs(a - b) <= accuracy * std::fabs(b);
@@ -226,6 +243,12 @@ int STEPCensusTaker::AddContext(Index representation)
 
 void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
 {
+  if (HasWrongContextRecords(this->Entities, context))
+  {
+    result.Length.Status = result.Angle.Status = CensusUnit::State::Wrong;
+    result.Length.Id = result.Angle.Id = result.Id;
+    return;
+  }
   Part21Values units(this->Entities.Get(context, UnitsOfContext).Text);
   for (Part21Value value; units.Next(value);)
   {

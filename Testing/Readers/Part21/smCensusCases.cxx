@@ -438,6 +438,11 @@ std::vector<CensusCase> GetUnitCases()
       "angle unit)" },
     { "no context", ChangeBall("(#23,#31),#6)", "(#23,#31),$)"), OneBall,
       "missing unit: 1 (#31 MANIFOLD_SOLID_BREP context)" },
+    { "a context with a record of another entity",
+      ChangeBall("REPRESENTATION_CONTEXT('','')", "LENGTH_UNIT('','')"), OneBall,
+      "wrong unit: 2 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #6, #6 "
+      "GEOMETRIC_REPRESENTATION_CONTEXT "
+      "angle unit #6)" },
     { "an undefined unit", ChangeBall("((#2,#3,#4))", "((#99,#3,#4))"), OneBall,
       "damaged entity: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT context); missing unit: 1 (#6 "
       "GEOMETRIC_REPRESENTATION_CONTEXT length unit)" },
