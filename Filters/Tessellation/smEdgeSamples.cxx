@@ -11,6 +11,7 @@ namespace sm
 {
 namespace
 {
+/// Points of an edge. A face that wants more chords than that keeps no promise, and has no say in where the points lie.
 constexpr std::size_t MostSamples = 20000;
 /// Intervals of a curved piece on which the wanted density of points is constant.
 constexpr int PieceIntervals = 4;
@@ -134,7 +135,7 @@ public:
       // On a plane nothing depends on the points.
       if (!use.Blocks->IsFlat(limits.Deflection, limits.Angle))
       {
-        this->Uses.push_back({ use, HUGE_VAL, {}, {} });
+        this->Uses.push_back({ use, HUGE_VAL, {}, 0.0, {} });
       }
     }
     const auto pieces = static_cast<std::size_t>(this->Curve.GetNumberOfPieces());
@@ -153,6 +154,13 @@ public:
   EdgeSamples Run(const std::vector<EdgeUse>& uses, int least)
   {
     this->MakeIntervals();
+    const auto bad = std::remove_if(
+      this->Uses.begin(), this->Uses.end(), [](const Use& use) { return !(use.Wanted < MostSamples); });
+    if (bad != this->Uses.end())
+    {
+      this->Uses.erase(bad, this->Uses.end());
+      this->MakeIntervals();
+    }
     std::vector<double> result{ this->Curve.GetStart() };
     std::size_t first = 0;
     for (std::size_t i = 0; i < this->Counts.size(); ++i)
@@ -183,6 +191,9 @@ public:
 private:
   void MakeIntervals()
   {
+    this->Ends.clear();
+    this->Corners.clear();
+    this->Counts.clear();
     const int pieces = this->Curve.GetNumberOfPieces();
     for (int k = 0; k < pieces; ++k)
     {
@@ -274,8 +285,10 @@ private:
       const SurfaceBlocks::Block m = use.Source.Blocks->GetLargest(box);
       const double w[2] = { std::abs(a[0] - b[0]), std::abs(a[1] - b[1]) };
       const double error = 0.125 * (m.Uu * w[0] * w[0] + 2.0 * m.Uv * w[0] * w[1] + m.Vv * w[1] * w[1]);
-      count = std::max({ count, std::sqrt(error / (ChordShare * this->Limits.Deflection)),
-        std::hypot(m.Turn[0] * w[0], m.Turn[1] * w[1]) / this->Limits.Angle });
+      const double wanted = std::max(std::sqrt(error / (ChordShare * this->Limits.Deflection)),
+        std::hypot(m.Turn[0] * w[0], m.Turn[1] * w[1]) / this->Limits.Angle);
+      use.Wanted += wanted;
+      count = std::max(count, wanted);
     }
     return count;
   }
@@ -379,12 +392,14 @@ private:
     return result;
   }
 
-  /// A face beside the edge, and the last point that was asked for: intervals and chords meet there. Samples: the points of all chords.
+  /// A face beside the edge, and the last point that was asked for: intervals and chords meet there. Wanted: chords. Samples: the points of
+  /// all chords.
   struct Use
   {
     EdgeUse Source;
     double T;
     std::array<double, 2> Point;
+    double Wanted;
     std::vector<std::array<double, 2>> Samples;
 
     std::array<double, 2> Evaluate(double t)

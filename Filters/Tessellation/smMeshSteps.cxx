@@ -13,8 +13,9 @@ using Parameters = MeshSteps::Parameters;
 constexpr double RegularShare = 0.8;
 /// Largest ratio of the sides of triangles that are to be well shaped, where the surface is straight one way.
 constexpr double LongestShape = 10.0;
-/// Points that rows may have in all.
+/// Points that rows may have in all. Faces that want a thousand times as many have bounds that no mesh keeps: they get none.
 constexpr double MostRowPoints = 2e6;
+constexpr double HopelessRatio = 1e3;
 constexpr double MostRows = 1e4;
 
 /// Distances between points in u and v that the deflection, the angle and the size of the face allow.
@@ -172,6 +173,26 @@ double MeshSteps::GetDensity(int d, std::size_t i, std::size_t first, std::size_
   return largest;
 }
 
+double MeshSteps::CountWanted() const
+{
+  double wanted = 0.0;
+  for (std::size_t j = 0; j + 1 < this->Blocks.GetBreaks(1).size(); ++j)
+  {
+    for (std::size_t i = 0; i + 1 < this->Blocks.GetBreaks(0).size(); ++i)
+    {
+      double count = 1.0;
+      for (int d = 0; d < 2; ++d)
+      {
+        const double* const ends = this->Blocks.GetBreaks(d).data() + (d == 0 ? i : j);
+        const double width = std::min(ends[1], this->Box.High[d]) - std::max(ends[0], this->Box.Low[d]);
+        count = width > 0.0 ? count * width / this->GetStep(i, j)[d] : 0.0;
+      }
+      wanted += count;
+    }
+  }
+  return wanted;
+}
+
 int MeshSteps::ChooseRows() const
 {
   double spread[2];
@@ -199,13 +220,19 @@ int MeshSteps::ChooseRows() const
 
 void MeshSteps::LayRows(const std::function<void(const Parameters& at, const Parameters& scale)>& add) const
 {
+  const double ratio = this->CountWanted() / MostRowPoints;
+  if (!(ratio < HopelessRatio))
+  {
+    return;
+  }
+  const double thinning = ratio > 1.0 ? 1.0 / std::sqrt(ratio) : 1.0;
   const int d = this->ChooseRows();
   const std::vector<double>& breaks = this->Blocks.GetBreaks(d);
   const std::vector<double>& across = this->Blocks.GetBreaks(1 - d);
   std::vector<double> values;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
   {
-    values.push_back(this->GetDensity(d, i, 0, across.size() - 2));
+    values.push_back(thinning * this->GetDensity(d, i, 0, across.size() - 2));
   }
   Density rows(breaks, values, this->Box.Low[d], this->Box.High[d]);
   const int count = rows.GetSteps();
@@ -228,7 +255,7 @@ void MeshSteps::LayRows(const std::function<void(const Parameters& at, const Par
     std::vector<double> along;
     for (std::size_t i = 0; i + 1 < across.size(); ++i)
     {
-      along.push_back(this->GetDensity(1 - d, i, first, last));
+      along.push_back(thinning * this->GetDensity(1 - d, i, first, last));
     }
     Density points(across, along, this->Box.Low[1 - d], this->Box.High[1 - d]);
     const int steps = points.GetSteps();

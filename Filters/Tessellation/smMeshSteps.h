@@ -28,13 +28,16 @@ public:
   /// Largest |S_u| and |S_v|.
   const Parameters& GetSpeed() const { return this->Speed; }
 
-  /// Calls `add` for all points inside the box, row by row; `scale`: points per unit of u and v.
+  /// Calls `add` for all points inside the box, row by row; `scale`: points per unit of u and v. Lays fewer than wanted where that would be
+  /// millions, and none where no number would do.
   void LayRows(const std::function<void(const Parameters& at, const Parameters& scale)>& add) const;
 
 private:
   const Parameters& GetStep(std::size_t i, std::size_t j) const;
   /// Largest density in direction d in strip `i` of that direction, over strips [first, last] of the other.
   double GetDensity(int d, std::size_t i, std::size_t first, std::size_t last) const;
+  /// Points of steps of the wanted lengths.
+  double CountWanted() const;
   /// The direction that is constant on a row: rows have different numbers of points.
   int ChooseRows() const;
 

@@ -95,7 +95,7 @@ private:
   void CheckLoops();
   void CheckLoop(Index face, Index loop);
   /// The coordinates of a vertex; false where they cannot be read.
-  bool ReadVertex(Index vertex, Point3& point) const;
+  bool ReadVertex(Index vertex, Point3& point);
   bool IsStraight(Index curve) const;
   void CheckBounds();
 

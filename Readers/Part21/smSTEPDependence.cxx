@@ -340,7 +340,12 @@ bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
       const Index to = this->Entities.Follow(value);
       if (value.IsReference() && to == None)
       {
-        // The damage of the instance itself has been said.
+        // The damage of the instance itself has been said. OpenCASCADE would follow a trim curve that is undefined.
+        if (this->Entities.Has(i, STEPRole::DefinitionalRepresentation))
+        {
+          this->Census.Perils.push_back(
+            { CensusDefect::UndefinedReference, this->File.GetId(i), value.Id, "" });
+        }
         return false;
       }
       valid = this->Entities.Has(to, GetRoleOfLetter(kind));

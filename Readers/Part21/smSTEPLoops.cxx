@@ -71,14 +71,20 @@ bool IsChained(const std::vector<LoopEdge>& edges, double tolerance)
 }
 }
 
-bool STEPCensusTaker::ReadVertex(Index vertex, Point3& point) const
+bool STEPCensusTaker::ReadVertex(Index vertex, Point3& point)
 {
-  const Part21Value list =
-    this->Entities.Get(this->Entities.Follow(this->Entities.Get(vertex, PointOfVertex)), Coordinates);
+  const Part21Value reference = this->Entities.Get(vertex, PointOfVertex);
+  const Part21Value list = this->Entities.Get(this->Entities.Follow(reference), Coordinates);
   Part21Values values(list.Text);
   Part21Value value;
-  return list.IsList() && values.Next(value) && value.GetNumber(point[0]) && values.Next(value) &&
-    value.GetNumber(point[1]) && values.Next(value) && value.GetNumber(point[2]);
+  const bool isKnown = list.IsList() && values.Next(value) && value.GetNumber(point[0]) &&
+    values.Next(value) && value.GetNumber(point[1]) && values.Next(value) && value.GetNumber(point[2]);
+  if (list.IsList() && !isKnown && !this->GeometricDamage[vertex])
+  {
+    // OpenCASCADE would follow a point that it cannot make.
+    this->AddPeril(CensusDefect::ValueOutOfRange, vertex, reference.Id, "point without three coordinates");
+  }
+  return isKnown;
 }
 
 bool STEPCensusTaker::IsStraight(Index curve) const

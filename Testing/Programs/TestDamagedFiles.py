@@ -78,6 +78,7 @@ def check_solids():
     for name, target in (("nothing", "#99999"), ("point", "#30")):
         damage("hollow_sphere-plain.step", f"oriented_shell_of_{name}", [(r"(ORIENTED_CLOSED_SHELL\('',\*,)#\d+", r"\g<1>" + target)],
                {"unreadable"}, ["oriented shell #27 has no shell", "export it again"])
+    damage(box, "undefined_trim_curve", [(r"(DEFINITIONAL_REPRESENTATION\('',\()#\d+", r"\g<1>#9999")], FLAGGED, ["undefined reference", "left out"])
     damage(box, "face_in_parameters", [(r"(DEFINITIONAL_REPRESENTATION\('',\()#\d+", r"\1#17")], FLAGGED, ["wrong type", "left out"])
     damage("moebius_1000-plain.step", "huge_vector", [(r"(VECTOR\('',(#\d+),)1\.0+E\+00(\);\s*\2 = DIRECTION\('',\([^,]*,[^,]*\)\))",
                                                       r"\g<1>1.E300\3")], FLAGGED, ["too large a number", "left out"])

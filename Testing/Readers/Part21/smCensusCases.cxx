@@ -238,6 +238,14 @@ std::vector<CensusCase> GetBodyCases()
       "value out of range: 1 (#26 CARTESIAN_POINT too large a number)" },
     { "a coordinate that is too large", ChangeBall("(0.,0.,5.)", "(0.,0.,5.E400)"), OneBall,
       "value out of range: 1 (#26 CARTESIAN_POINT too large a number)" },
+    { "a vertex in the plane",
+      ChangeBall(loop,
+        Replace(curve, "#71=EDGE_CURVE('',#25,#25",
+          "#83=CARTESIAN_POINT('',(0.,5.));\n#82=VERTEX_POINT('',#83);\n#71=EDGE_CURVE('',#82,#82")),
+      OneBall,
+      "value out of range: 2 (#83 CARTESIAN_POINT number of coordinates, #82 VERTEX_POINT point without "
+      "three "
+      "coordinates #83)" },
     { "an edge with an undefined vertex",
       ChangeBall(loop, Replace(curve, "EDGE_CURVE('',#25", "EDGE_CURVE('',#99")), OneBall,
       "undefined reference: 1 (#71 EDGE_CURVE)" },
