@@ -12,30 +12,34 @@ target_include_directories(smPaperSolids PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
 target_link_libraries(smPaperSolids PUBLIC SolidMoments::FiltersNURBS)
 solidmoments_warnings(smPaperSolids)
 
+# Figures by VTK's charts.
+add_library(smFigures STATIC smFigure.cxx smFigureText.cxx)
+target_include_directories(smFigures PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
+target_link_libraries(smFigures PUBLIC
+  smExampleCommon
+  VTK::ChartsCore
+  VTK::IOExport
+  VTK::ImagingCore
+  VTK::RenderingContextOpenGL2
+  VTK::RenderingFreeType
+  VTK::RenderingOpenGL2
+  VTK::ViewsContext2D)
+vtk_module_autoinit(TARGETS smFigures
+  MODULES VTK::RenderingContextOpenGL2 VTK::RenderingFreeType VTK::RenderingOpenGL2)
+solidmoments_warnings(smFigures)
+
 add_executable(paper_figures
   paper_figures.cxx
-  smFigure.cxx
-  smFigureText.cxx
   smGraphFigures.cxx
   smModelPictures.cxx
   smPaperRun.cxx
   smPointFigures.cxx)
 target_link_libraries(paper_figures PRIVATE
-  smExampleCommon
+  smFigures
   smPaperSolids
   CLI11::CLI11
   SolidMoments::FiltersMomentSchemes
   SolidMoments::ReadersSTEP
   SolidMoments::RenderingCompute
-  VTK::ChartsCore
-  VTK::IOExport
-  VTK::IOImage
-  VTK::ImagingCore
-  VTK::RenderingContextOpenGL2
-  VTK::RenderingFreeType
-  VTK::RenderingOpenGL2
-  VTK::ViewsContext2D
   VTK::vtksys)
-vtk_module_autoinit(TARGETS paper_figures
-  MODULES VTK::RenderingContextOpenGL2 VTK::RenderingFreeType VTK::RenderingOpenGL2)
 solidmoments_warnings(paper_figures)

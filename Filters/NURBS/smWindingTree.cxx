@@ -13,8 +13,11 @@ namespace
 {
 /// Largest number of triangles of a leaf.
 constexpr std::size_t LeafSize = 8;
-/// Halving reaches leaves of any mesh that fits into memory.
-constexpr int MaximumStack = 96;
+/// Triangles that are larger than this part of a cluster are clusters of their own, where both are at least a 16th of the triangles.
+constexpr double LargeShare = 0.5;
+constexpr std::ptrdiff_t LeastShare = 16;
+/// Parts of 15/16 reach leaves of any mesh that fits into memory.
+constexpr int MaximumStack = 512;
 
 Vector3 GetAreaVector(const std::array<Vector3, 3>& t)
 {
@@ -30,6 +33,18 @@ Vector3 GetCentroid(const std::array<Vector3, 3>& t)
     c[d] = (t[0][d] + t[1][d] + t[2][d]) / 3.0;
   }
   return c;
+}
+
+/// The longest side of the box.
+double GetExtent(const std::array<Vector3, 3>& t)
+{
+  double extent = 0.0;
+  for (int d = 0; d < 3; ++d)
+  {
+    const auto [low, high] = std::minmax({ t[0][d], t[1][d], t[2][d] });
+    extent = std::max(extent, high - low);
+  }
+  return extent;
 }
 
 double GetDistanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b)
@@ -50,6 +65,28 @@ double EvaluateExpansion(const Vector3& r, const Vector3& area, const std::array
     2.0 * (m[3] * r[0] * r[1] + m[4] * r[1] * r[2] + m[5] * r[0] * r[2]);
   return (Dot(area, r) + m[0] + m[1] + m[2] - 3.0 * quadratic / squared) / (squared * std::sqrt(squared));
 }
+
+/// Half the solid angle of a triangle seen from p is the argument of Below + i Above.
+struct HalfAngle
+{
+  double Above;
+  double Below;
+  double Lengths[3];
+
+  HalfAngle(const Vector3& p, const std::array<Vector3, 3>& t)
+  {
+    const Vector3 a = Subtract(t[0], p);
+    const Vector3 b = Subtract(t[1], p);
+    const Vector3 c = Subtract(t[2], p);
+    const double la = this->Lengths[0] = Norm(a);
+    const double lb = this->Lengths[1] = Norm(b);
+    const double lc = this->Lengths[2] = Norm(c);
+    this->Above = Dot(a, Cross(b, c));
+    this->Below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
+  }
+  /// No less than a quarter of |Below + i Above|; 0 in a corner.
+  double GetScale() const { return this->Lengths[0] * this->Lengths[1] * this->Lengths[2]; }
+};
 }
 
 double EstimateDeviation(const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>& normals)
@@ -70,14 +107,8 @@ double EstimateDeviation(const std::array<Vector3, 3>& corners, const std::array
 
 double GetSolidAngle(const Vector3& p, const std::array<Vector3, 3>& t)
 {
-  const Vector3 a = Subtract(t[0], p);
-  const Vector3 b = Subtract(t[1], p);
-  const Vector3 c = Subtract(t[2], p);
-  const double la = Norm(a);
-  const double lb = Norm(b);
-  const double lc = Norm(c);
-  const double below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
-  return 2.0 * std::atan2(Dot(a, Cross(b, c)), below);
+  const HalfAngle angle(p, t);
+  return 2.0 * std::atan2(angle.Above, angle.Below);
 }
 
 double GetDistance(const Vector3& p, const std::array<Vector3, 3>& t)
@@ -105,66 +136,90 @@ WindingTree::WindingTree(const std::vector<MeshTriangle>& triangles)
   {
     return;
   }
+  std::vector<Vector3> centroids;
+  centroids.reserve(triangles.size());
+  for (const MeshTriangle& triangle : triangles)
+  {
+    centroids.push_back(GetCentroid(triangle.Corners));
+  }
   this->Nodes.reserve(4 * triangles.size() / LeafSize + 1);
   // Build() orders the indices, and takes its sums of the triangles as they are given.
-  this->Build(0, triangles.size());
+  this->Build(centroids, 0, triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     this->Triangles[i] = triangles[this->Order[i]];
   }
 }
 
-std::size_t WindingTree::Build(std::size_t begin, std::size_t end)
+std::size_t WindingTree::Build(const std::vector<Vector3>& centroids, std::size_t begin, std::size_t end)
 {
   const std::size_t index = this->Nodes.size();
   this->Nodes.emplace_back();
   Node node;
   node.Begin = begin;
   node.End = end;
-  this->Summarize(node);
-  if (end - begin > LeafSize)
+  if (end - begin <= LeafSize)
   {
+    this->SumTriangles(centroids, node);
+  }
+  else
+  {
+    Vector3 low = centroids[this->Order[begin]];
+    Vector3 high = low;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const Vector3& c = centroids[this->Order[i]];
+      for (int d = 0; d < 3; ++d)
+      {
+        low[d] = std::min(low[d], c[d]);
+        high[d] = std::max(high[d], c[d]);
+      }
+    }
     int axis = 0;
     for (int d = 1; d < 3; ++d)
     {
-      axis = node.High[d] - node.Low[d] > node.High[axis] - node.Low[axis] ? d : axis;
+      axis = high[d] - low[d] > high[axis] - low[axis] ? d : axis;
     }
-    const auto getPlace = [this, axis](std::size_t i)
-    {
-      const std::array<Vector3, 3>& t = this->Triangles[i].Corners;
-      return t[0][axis] + t[1][axis] + t[2][axis];
-    };
     const auto first = this->Order.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto last = this->Order.begin() + static_cast<std::ptrdiff_t>(end);
-    const std::size_t middle = (begin + end) / 2;
-    std::nth_element(first, this->Order.begin() + static_cast<std::ptrdiff_t>(middle), last,
-      [&getPlace](std::size_t a, std::size_t b)
-      {
-        const double x = getPlace(a);
-        const double y = getPlace(b);
-        return x < y || (x == y && a < b);
-      });
-    this->Build(begin, middle);
-    node.Second = this->Build(middle, end);
+    // Among large triangles no part of the cluster would be far away from anything.
+    auto middle = std::stable_partition(first, last,
+      [this, extent = LargeShare * (high[axis] - low[axis])](std::size_t i)
+      { return GetExtent(this->Triangles[i].Corners) > extent; });
+    if (std::min(middle - first, last - middle) <= (last - first) / LeastShare)
+    {
+      middle = first + (last - first) / 2;
+      std::nth_element(first, middle, last,
+        [&centroids, axis](std::size_t a, std::size_t b)
+        {
+          const double x = centroids[a][axis];
+          const double y = centroids[b][axis];
+          return x < y || (x == y && a < b);
+        });
+    }
+    const std::size_t second = begin + static_cast<std::size_t>(middle - first);
+    this->Build(centroids, begin, second);
+    node.Second = this->Build(centroids, second, end);
+    this->SumChildren(this->Nodes[index + 1], this->Nodes[node.Second], node);
   }
   this->Nodes[index] = node;
   return index;
 }
 
-void WindingTree::Summarize(Node& node) const
+void WindingTree::SumTriangles(const std::vector<Vector3>& centroids, Node& node) const
 {
   const double largest = std::numeric_limits<double>::max();
   node.Low.fill(largest);
   node.High.fill(-largest);
-  double weight = 0.0;
+  std::array<Vector3, LeafSize> areas;
   Vector3 mean{};
   for (std::size_t i = node.Begin; i < node.End; ++i)
   {
     const MeshTriangle& triangle = this->Triangles[this->Order[i]];
-    const Vector3 centroid = GetCentroid(triangle.Corners);
     const Vector3 vector = GetAreaVector(triangle.Corners);
+    areas[i - node.Begin] = vector;
     const double area = Norm(vector);
-    weight += area;
+    node.Weight += area;
     node.Deviation = std::max(node.Deviation, triangle.Deviation);
     for (int d = 0; d < 3; ++d)
     {
@@ -173,27 +228,93 @@ void WindingTree::Summarize(Node& node) const
         node.Low[d] = std::min(node.Low[d], corner[d]);
         node.High[d] = std::max(node.High[d], corner[d]);
       }
-      mean[d] += area * centroid[d];
+      mean[d] += area * centroids[this->Order[i]][d];
       node.Area[d] += vector[d];
     }
   }
-  for (int d = 0; d < 3; ++d)
-  {
-    node.Center[d] = weight > 0.0 ? mean[d] / weight : 0.5 * (node.Low[d] + node.High[d]);
-  }
+  node.SetCenter(mean);
   for (std::size_t i = node.Begin; i < node.End; ++i)
   {
-    const std::array<Vector3, 3>& corners = this->Triangles[this->Order[i]].Corners;
-    const Vector3 c = Subtract(GetCentroid(corners), node.Center);
-    const Vector3 a = GetAreaVector(corners);
-    for (int d = 0; d < 3; ++d)
+    node.AddMoment(areas[i - node.Begin], centroids[this->Order[i]]);
+    for (const Vector3& corner : this->Triangles[this->Order[i]].Corners)
     {
-      const int e = (d + 1) % 3;
-      node.Moment[d] += a[d] * c[d];
-      node.Moment[3 + d] += 0.5 * (a[d] * c[e] + a[e] * c[d]);
-      node.Radius = std::max(node.Radius, Norm(Subtract(corners[d], node.Center)));
+      node.Radius = std::max(node.Radius, Norm(Subtract(corner, node.Center)));
     }
   }
+}
+
+void WindingTree::SumChildren(const Node& first, const Node& second, Node& node)
+{
+  Vector3 mean{};
+  Vector3 far{};
+  node.Weight = first.Weight + second.Weight;
+  node.Deviation = std::max(first.Deviation, second.Deviation);
+  for (int d = 0; d < 3; ++d)
+  {
+    node.Low[d] = std::min(first.Low[d], second.Low[d]);
+    node.High[d] = std::max(first.High[d], second.High[d]);
+    node.Area[d] = first.Area[d] + second.Area[d];
+    mean[d] = first.Weight * first.Center[d] + second.Weight * second.Center[d];
+  }
+  node.SetCenter(mean);
+  for (int i = 0; i < 6; ++i)
+  {
+    node.Moment[i] = first.Moment[i] + second.Moment[i];
+  }
+  node.AddMoment(first.Area, first.Center);
+  node.AddMoment(second.Area, second.Center);
+  for (int d = 0; d < 3; ++d)
+  {
+    far[d] = std::max(node.High[d] - node.Center[d], node.Center[d] - node.Low[d]);
+  }
+  // No corner is farther away than that of the box, nor than those of the children.
+  node.Radius = std::min(Norm(far),
+    std::max(Norm(Subtract(first.Center, node.Center)) + first.Radius,
+      Norm(Subtract(second.Center, node.Center)) + second.Radius));
+}
+
+void WindingTree::Node::SetCenter(const Vector3& mean)
+{
+  for (int d = 0; d < 3; ++d)
+  {
+    this->Center[d] = this->Weight > 0.0 ? mean[d] / this->Weight : 0.5 * (this->Low[d] + this->High[d]);
+  }
+}
+
+void WindingTree::Node::AddMoment(const Vector3& area, const Vector3& at)
+{
+  const Vector3 c = Subtract(at, this->Center);
+  for (int d = 0; d < 3; ++d)
+  {
+    const int e = (d + 1) % 3;
+    this->Moment[d] += area[d] * c[d];
+    this->Moment[3 + d] += 0.5 * (area[d] * c[e] + area[e] * c[d]);
+  }
+}
+
+/// The sum of the solid angles of a leaf's triangles, by the argument of a product of complex numbers.
+double WindingTree::SumAngles(const Vector3& p, const Node& leaf, std::size_t without) const
+{
+  double re = 1.0;
+  double im = 0.0;
+  double turns = 0.0;
+  for (std::size_t i = leaf.Begin; i < leaf.End; ++i)
+  {
+    const HalfAngle angle(p, this->Triangles[i].Corners);
+    const double scale = angle.GetScale();
+    if (this->Order[i] == without || !(scale > 0.0))
+    {
+      continue;
+    }
+    const double x = angle.Below / scale;
+    const double y = angle.Above / scale;
+    const double before = im;
+    im = re * y + im * x;
+    re = re * x - before * y;
+    // Two angles of one sign whose sum is of the other one have passed pi.
+    turns += before >= 0.0 && y >= 0.0 && im < 0.0 ? 1.0 : before < 0.0 && y < 0.0 && im >= 0.0 ? -1.0 : 0.0;
+  }
+  return 2.0 * (std::atan2(im, re) + turns * 2.0 * vtkMath::Pi());
 }
 
 double WindingTree::EvaluateExactWindingNumber(const Vector3& p, std::size_t without) const
@@ -226,10 +347,7 @@ double WindingTree::Evaluate(const Vector3& p, std::size_t without, double farRa
     }
     else
     {
-      for (std::size_t i = node.Begin; i < node.End; ++i)
-      {
-        sum += this->Order[i] == without ? 0.0 : GetSolidAngle(p, this->Triangles[i].Corners);
-      }
+      sum += this->SumAngles(p, node, without);
     }
   }
   return sum / (4.0 * vtkMath::Pi());

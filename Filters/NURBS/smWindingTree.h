@@ -67,7 +67,9 @@ private:
   {
     Vector3 Low, High;
     double Deviation = 0.0;
-    /// Point of the expansion, and the largest distance of a corner from it.
+    /// Sum of the areas.
+    double Weight = 0.0;
+    /// Point of the expansion, the mean of the centroids by area, and a distance from it that no corner exceeds.
     Vector3 Center{};
     double Radius = 0.0;
     /// Sum of area vectors, and of the products of each with its centroid relative to Center: xx yy zz xy yz xz, symmetrised.
@@ -77,13 +79,19 @@ private:
     std::size_t End = 0;
     /// Index of the second child; 0: a leaf.
     std::size_t Second = 0;
+
+    void SetCenter(const Vector3& mean);
+    /// Adds an area vector at a point to Moment.
+    void AddMoment(const Vector3& area, const Vector3& at);
   };
 
   /// Distance of a cluster, in its radii, from which on its expansion is used.
   static constexpr double FarRatio = 2.0;
 
-  std::size_t Build(std::size_t begin, std::size_t end);
-  void Summarize(Node& node) const;
+  std::size_t Build(const std::vector<Vector3>& centroids, std::size_t begin, std::size_t end);
+  void SumTriangles(const std::vector<Vector3>& centroids, Node& node) const;
+  static void SumChildren(const Node& first, const Node& second, Node& node);
+  double SumAngles(const Vector3& p, const Node& leaf, std::size_t without) const;
   double Evaluate(const Vector3& p, std::size_t without, double farRatio) const;
 
   std::vector<Node> Nodes;

@@ -9,6 +9,7 @@
 #include "Items/smBatchParameters.h"
 #include "Items/smItemKernels.h"
 #include "smJson.h"
+#include "smProcessorTime.h"
 
 #include <vtkMassPropertiesGPU.h>
 #include <vtkNURBSDataSet.h>
@@ -33,7 +34,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -41,15 +41,7 @@
 namespace
 {
 using sm::Json;
-
-class Stopwatch
-{
-public:
-  double GetSeconds() const { return static_cast<double>(std::clock() - this->Start) / CLOCKS_PER_SEC; }
-
-private:
-  std::clock_t Start = std::clock();
-};
+using smtest::ProcessorTime;
 
 /// The columns of the table.
 const std::vector<std::string> Columns = { "occt_parse", "occt_transfer", "occt_gprop", "occt_gprop_1e-6",
@@ -58,7 +50,7 @@ const std::vector<std::string> Columns = { "occt_parse", "occt_transfer", "occt_
 void MeasureKernel(const TopoDS_Shape& shape, bool adaptive, Json& seconds, Json& result)
 {
   const char* name = adaptive ? "occt_gprop_1e-6" : "occt_gprop";
-  const Stopwatch watch;
+  const ProcessorTime watch;
   GProp_GProps volume;
   GProp_GProps area;
   if (adaptive)
@@ -78,13 +70,13 @@ void MeasureKernel(const TopoDS_Shape& shape, bool adaptive, Json& seconds, Json
 void MeasureOpenCASCADE(const std::string& path, bool onlyRead, Json& seconds, Json& result)
 {
   STEPControl_Reader reader;
-  const Stopwatch parse;
+  const ProcessorTime parse;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
   {
     return;
   }
   seconds["occt_parse"] = parse.GetSeconds();
-  const Stopwatch transfer;
+  const ProcessorTime transfer;
   reader.TransferRoots();
   const TopoDS_Shape shape = reader.OneShape();
   seconds["occt_transfer"] = transfer.GetSeconds();
@@ -108,7 +100,7 @@ public:
   double GetRest(double clock) const { return this->GetShare(this->Clock - clock); }
 
 private:
-  Stopwatch Watch;
+  ProcessorTime Watch;
   double Start = vtkTimerLog::GetUniversalTime();
   double Processor = 0.0;
   double Clock = 1.0;
@@ -215,7 +207,7 @@ double MeasureArithmetic()
   const std::vector<sm::KernelItem> together(lanes, { &cut.Panels, &items[0] });
   std::vector<sm::KernelResult> results(lanes);
   sm::KernelScratch scratch(layout);
-  const Stopwatch watch;
+  const ProcessorTime watch;
   double evaluations = 0.0;
   while (watch.GetSeconds() < 0.5)
   {
