@@ -119,7 +119,7 @@ std::string FormatTotal(
   return TrimEnd("  " + Pad(label + " " + unit, 28) + Pad(show(difference["old"]), 20, true) +
            Pad(show(difference["new"]), 20, true) +
            Pad(value.is_null() ? "-" : FormatNumber(size, bound), 20, true) +
-           (std::isfinite(bound) ? "  +/- " + FormatBound(bound) : std::string())) +
+           (std::isfinite(bound) ? "  +/- " + FormatBoundOfShown(bound) : std::string())) +
     "\n";
 }
 

@@ -35,20 +35,7 @@ std::string Short(const Json& value)
 /// The bound with two digits, rounded up.
 std::string ShortBound(const Json& value)
 {
-  if (!value.is_number())
-  {
-    return "-";
-  }
-  const double bound = value.get<double>();
-  double shown = bound;
-  std::string text = sm::FormatDigits(shown, 2);
-  while (sm::ParseNumber(text) < bound)
-  {
-    // Half a unit of the second digit is at most a twentieth of the number.
-    shown *= 1.01;
-    text = sm::FormatDigits(shown, 2);
-  }
-  return text;
+  return value.is_number() ? sm::FormatBound(value.get<double>(), 2) : "-";
 }
 
 // --- the table ---------------------------------------------------------------------------------
@@ -63,7 +50,7 @@ std::string Row(
   }
   if (bound.is_number())
   {
-    line = sm::Pad(line, 80) + "  +/- " + ShortBound(bound);
+    line = sm::Pad(line, 80) + "  +/- " + sm::FormatBoundOfShown(bound.get<double>(), 2);
   }
   return line + "\n";
 }

@@ -61,16 +61,9 @@ std::string FormatValue(const Json& value, const Json& bound, int digits)
   {
     return "-";
   }
-  double number = value.get<double>();
-  const double limit = bound.is_number() ? bound.get<double>() : 0.0;
-  if (limit > 0.0 && std::isfinite(limit))
-  {
-    // Entries of a tensor that are 0 within its bound are shown as 0 and not as rounding errors.
-    const double unit = std::pow(10.0, std::floor(std::log10(limit)));
-    number = std::round(number / unit) * unit;
-  }
-  const std::string text = FormatDigits(number, digits);
-  return text == "-0" ? "0" : text;
+  const auto number = value.get<double>();
+  return bound.is_number() && std::isfinite(bound.get<double>()) ? FormatNumber(number, bound.get<double>())
+                                                                 : FormatDigits(number, digits);
 }
 
 std::string FormatVector(const Json& values, const Json& bound)
@@ -93,7 +86,7 @@ std::string FormatBrief(const Json& value, const Json& bound)
   double limit = bound.is_number() ? bound.get<double>() : 0.0;
   for (const Json& number : value.is_array() ? value : Json::array({ value }))
   {
-    limit = std::max(limit, 1e-9 * std::abs(number.get<double>()));
+    limit = std::max(limit, 1e-8 * std::abs(number.get<double>()));
   }
   return (bound.is_number() ? "" : "~") +
     (value.is_array() ? FormatVector(value, limit) : FormatValue(value, limit));

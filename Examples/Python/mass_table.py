@@ -114,19 +114,24 @@ def read_rows(file, totals, solids):
 
 
 def format_value(value, bound, digits=10):
-    """The number with the digits that its bound leaves."""
+    """The number with the digits that its bound leaves: rounded by at most a twentieth of it."""
     if value is None:
         return "-"
-    if bound:
-        value = round(value, -math.floor(math.log10(bound)))
-    return f"{value + 0.0:.{digits}g}"
+    if bound is None:
+        return f"{value:.{digits}g}"
+    if abs(value) <= 0.05 * bound:
+        return "0"
+    if bound == 0:
+        return repr(value)
+    digits = math.ceil(math.floor(math.log10(abs(value))) + 1 - math.log10(0.1 * bound))
+    return f"{value:.{min(max(digits, 1), 17)}g}"
 
 
 def format_bound(bound):
-    """The bound with two digits, rounded up, so that it still holds."""
+    """The bound of what format_value() shows, with two digits, rounded up."""
     if bound is None:
         return "-"
-    return f"{decimal.Context(prec=2, rounding=decimal.ROUND_CEILING).create_decimal_from_float(bound):.1e}"
+    return f"{decimal.Context(prec=2, rounding=decimal.ROUND_CEILING).create_decimal_from_float(1.05 * bound):.1e}"
 
 
 def format_table(rows):

@@ -202,6 +202,7 @@ void vtkBuoyancy::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
     {
       body.Flag(sm::Status::Suspect, "the displaced volume is negative: the solid is inside out in the file");
     }
+    sm::CheckShells(body);
     const sm::DisplacedMoments* own = self.Results.empty() ? nullptr : &self.Results[b].Total;
     const Row row = MakeRow(body, own);
     self.Rows.push_back(row);

@@ -11,6 +11,9 @@ namespace sm
 {
 namespace
 {
+/// Part of a mass above which a summary tells its uncertainty.
+constexpr double NotableDoubt = 1e-6;
+
 struct Quantity
 {
   const char* Name;
@@ -171,8 +174,8 @@ void MassColumns::AddTo(vtkFieldData* data) const
   }
 }
 
-std::string FormatSummary(const MassRow& total, const std::string& status, const std::string& reason,
-  const std::string& unit, int solids, int weighed, int weighable)
+std::string FormatSummary(
+  const MassRow& total, const std::string& unit, int solids, int weighed, int weighable)
 {
   const MassProperties& p = total.Properties;
   const auto triple = [](const std::array<double, 3>& values, double bound, const std::string& inUnit)
@@ -184,10 +187,6 @@ std::string FormatSummary(const MassRow& total, const std::string& status, const
       "\n";
   };
   std::string text;
-  if (status != names::StatusOk)
-  {
-    text += "Status: " + status + "\n" + WrapText(reason, 64);
-  }
   if (solids > 1)
   {
     text += "Solids: " + std::to_string(solids) + "\n";
@@ -203,6 +202,10 @@ std::string FormatSummary(const MassRow& total, const std::string& status, const
   if (std::isfinite(total.Mass))
   {
     text += "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg") + "\n";
+    const double doubt = total.MassUncertainty[0];
+    text += doubt > std::max(2.0 * total.MassBound, NotableDoubt * std::abs(total.Mass))
+      ? "Mass in doubt by about " + FormatBound(doubt) + " kg, for its density and gaps\n"
+      : "";
     const MassProperties& w = total.Weighted;
     text += isMixed ? "Centre of mass: " + triple(w.Center, w.CenterBound, unit) : std::string();
     text += "Principal moments: " + triple(w.Principal, w.PrincipalBound, "kg " + unit + "^2");

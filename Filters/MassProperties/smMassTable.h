@@ -70,10 +70,10 @@ private:
   bool WithFrame;
 };
 
-/// Returns a summary in a few lines: the status with its reason, unless the status is ok, in lines of at most 64 characters; the
-/// number of solids, volume, area, centre, principal moments and mass, which may be that of some solids only: `weighed` of `weighable`.
-SMFILTERSMASSPROPERTIES_EXPORT std::string FormatSummary(const MassRow& total, const std::string& status,
-  const std::string& reason, const std::string& unit, int solids, int weighed, int weighable);
+/// Returns a summary in a few lines: the number of solids, volume, area, centre, principal moments and mass, which may be that of some
+/// solids only: `weighed` of `weighable`.
+SMFILTERSMASSPROPERTIES_EXPORT std::string FormatSummary(
+  const MassRow& total, const std::string& unit, int solids, int weighed, int weighable);
 }
 
 #endif

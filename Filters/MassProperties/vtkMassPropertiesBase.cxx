@@ -311,8 +311,9 @@ void vtkMassPropertiesBase::WriteOutputs(
   }
   sm::FillPartsTable(analysis.Parts, analysis.Unit, hasMaterial, outputs.Parts);
   const sm::Status status = this->GetEngine().GetReport().Status;
-  std::string summary = sm::FormatSummary(analysis.Total, sm::GetText(status), this->FindReason(bodies),
-    analysis.Unit, static_cast<int>(bodies.size()), analysis.Weighed, analysis.Weighable);
+  std::string summary = this->FormatStatus(bodies) +
+    sm::FormatSummary(
+      analysis.Total, analysis.Unit, static_cast<int>(bodies.size()), analysis.Weighed, analysis.Weighable);
   this->WriteMoreOutputs(bodies, outputs, summary);
   sm::columns::AddBodyColumns(bodies, outputs.Solids);
   sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, summary);

@@ -16,6 +16,17 @@ std::string Convert(double value, std::chars_format format, int digits)
   const auto end = std::to_chars(text, text + sizeof(text), value, format, digits);
   return std::string(text, end.ptr);
 }
+
+/// The fewest digits that read back to the bit.
+std::string FormatExactly(double value)
+{
+  char text[400];
+  const auto end = std::to_chars(text, text + sizeof(text), value, std::chars_format::general);
+  return std::string(text, end.ptr);
+}
+
+/// The part of a bound by which a value is rounded at most.
+constexpr double RoundingShare = 0.05;
 }
 
 std::string FormatDigits(double value, int digits)
@@ -38,25 +49,22 @@ std::string FormatDistance(double distance)
   return std::isfinite(distance) ? FormatDigits(distance, 3) : std::string("an unknown distance");
 }
 
-std::string FormatBound(double bound)
+std::string FormatBound(double bound, int digits)
 {
-  if (!std::isfinite(bound))
+  if (!std::isfinite(bound) || bound <= 0.0)
   {
-    return "not known";
+    return std::isfinite(bound) ? FormatDigits(bound, 6) : "not known";
   }
-  if (bound <= 0.0)
+  const double unit = std::pow(10.0, std::floor(std::log10(bound)) + 1 - digits);
+  double steps = std::ceil(bound / unit);
+  std::string text = FormatDigits(steps * unit, digits);
+  // The power of ten and the product are rounded.
+  for (double shown = 0.0;
+       std::from_chars(text.data(), text.data() + text.size(), shown).ec == std::errc() && shown < bound;)
   {
-    return FormatDigits(bound, 6);
+    text = FormatDigits(++steps * unit, digits);
   }
-  int exponent = static_cast<int>(std::floor(std::log10(bound)));
-  double digit = std::ceil(bound / std::pow(10.0, exponent));
-  if (digit > 9.0)
-  {
-    digit = 1.0;
-    ++exponent;
-  }
-  const std::string power = std::to_string(std::abs(exponent));
-  return FormatFixed(digit, 0) + (exponent < 0 ? "e-" : "e+") + (power.size() < 2 ? "0" : "") + power;
+  return text;
 }
 
 std::string FormatNumber(double value, double bound)
@@ -69,17 +77,27 @@ std::string FormatNumber(double value, double bound)
   {
     return FormatDigits(value, 6);
   }
-  if (std::abs(value) <= bound)
+  if (std::abs(value) <= RoundingShare * bound)
   {
     return "0";
   }
-  const double ratio = bound > 0.0 ? std::log10(std::abs(value) / bound) : 12.0;
-  return FormatDigits(value, std::clamp(static_cast<int>(std::floor(ratio)) + 1, 1, 12));
+  if (bound == 0.0)
+  {
+    return FormatExactly(value);
+  }
+  const double last = std::log10(2.0 * RoundingShare * bound);
+  const double digits = std::ceil(std::floor(std::log10(std::abs(value))) + 1.0 - last);
+  return FormatDigits(value, static_cast<int>(std::clamp(digits, 1.0, 17.0)));
+}
+
+std::string FormatBoundOfShown(double bound, int digits)
+{
+  return FormatBound((1.0 + RoundingShare) * bound, digits);
 }
 
 std::string FormatBoundNote(double bound)
 {
-  return std::isfinite(bound) ? " (+- " + FormatBound(bound) + ")" : std::string(" (bound not known)");
+  return std::isfinite(bound) ? " (+- " + FormatBoundOfShown(bound) + ")" : std::string(" (bound not known)");
 }
 
 std::string FormatWithBound(double value, double bound, const std::string& unit)

@@ -22,11 +22,13 @@ SMFILTERSNURBS_EXPORT std::string FormatTriple(double x, double y, double z);
 /// A distance for a message, with three digits; "an unknown distance" for what is not finite.
 SMFILTERSNURBS_EXPORT std::string FormatDistance(double distance);
 
-/// A bound with one digit, rounded up; "not known" for what is not finite, here and below.
-SMFILTERSNURBS_EXPORT std::string FormatBound(double bound);
-/// A value with no more digits than its bound leaves; 0 within its bound.
+/// A bound with `digits` digits, rounded up; "not known" for what is not finite, here and below.
+SMFILTERSNURBS_EXPORT std::string FormatBound(double bound, int digits = 1);
+/// A value with as many digits as its bound leaves: rounded by at most a twentieth of it, all digits where it is 0.
 SMFILTERSNURBS_EXPORT std::string FormatNumber(double value, double bound);
-/// " (+- bound)", to stand behind a value and its unit.
+/// The bound of what FormatNumber() shows: its rounding is included.
+SMFILTERSNURBS_EXPORT std::string FormatBoundOfShown(double bound, int digits = 1);
+/// " (+- bound)", to stand behind what FormatNumber() shows and its unit.
 SMFILTERSNURBS_EXPORT std::string FormatBoundNote(double bound);
 /// Value, unit and bound.
 SMFILTERSNURBS_EXPORT std::string FormatWithBound(double value, double bound, const std::string& unit);

@@ -92,7 +92,13 @@ void CheckShells(
   }
   whole.Faces = std::make_shared<const std::vector<sm::FaceIntegrals>>(std::move(faces));
   sm::SumValues(whole, integrands);
+  const std::size_t known = whole.FaceDefects.size();
   sm::ReverseShells(whole, integrands, 0);
+  if (whole.FaceDefects.size() > known)
+  {
+    body.Flag(sm::Status::Suspect, whole.Messages.back());
+    body.FaceDefects.push_back(whole.FaceDefects.back());
+  }
   if (whole.FlippedShells > 0)
   {
     body.Flag(sm::Status::Suspect,

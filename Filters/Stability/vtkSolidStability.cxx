@@ -7,6 +7,7 @@
 #include "smFormat.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
+#include "smRunReport.h"
 #include "smStabilityNames.h"
 #include "vtkSolidStabilityInternals.h"
 
@@ -445,6 +446,7 @@ void vtkSolidStability::FillOutputs(const sm::GroundDirections& ground,
   Internals::AddColumns(
     supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 1)->GetRowData());
   sm::columns::SetString(vtkTable::GetData(outputVector, 2)->GetRowData(), names::Text,
-    Internals::GetSummary(supported, this->GravityStrength));
+    sm::FormatStatus(self.Status, self.Messages.empty() ? "" : self.Messages.front(), self.Messages) +
+      Internals::GetSummary(supported, this->GravityStrength));
   Internals::AddSides(supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 3));
 }

@@ -4,10 +4,13 @@
 #include "smBodyScales.h"
 #include "smCompensatedSum.h"
 #include "smFormat.h"
+#include "smMeshTriangles.h"
 #include "smShellOrientation.h"
+#include "smVector.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
+#include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkPartitionedDataSet.h"
@@ -353,6 +356,15 @@ void FlagOverhangs(BodyIntegrals& body, double excused)
     }
   }
 }
+
+void FlagUncertainty(const ShellOrientation& found, BodyIntegrals& body)
+{
+  if (!found.Uncertainty.empty())
+  {
+    body.Flag(Status::Suspect, found.Uncertainty + "; its shells are taken as the file orients them");
+    body.FaceDefects.push_back({ found.Uncertain, found.Uncertainty, true });
+  }
+}
 }
 
 void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)
@@ -394,6 +406,39 @@ void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)
   }
 }
 
+void CheckShells(BodyIntegrals& body)
+{
+  const std::size_t faces = body.Model->GetFaces().size();
+  if (body.OpenEdges > 0 || body.Model->GetShells().size() < 2)
+  {
+    return;
+  }
+  std::vector<double> volumes(faces, 0.0);
+  const double* const origin = body.Model->GetOrigin();
+  const std::array<double, 16>& m = body.Placement;
+  Vector3 center;
+  for (int d = 0; d < 3; ++d)
+  {
+    center[d] = m[4 * d] * origin[0] + m[4 * d + 1] * origin[1] + m[4 * d + 2] * origin[2] + m[4 * d + 3];
+  }
+  const double side = vtkMatrix4x4::Determinant(m.data()) < 0.0 ? -1.0 : 1.0;
+  VisitTriangles(body.Mesh, faces,
+    [&](std::size_t face, const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>&)
+    {
+      const Vector3 twice = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
+      volumes[face] += side * Dot(Subtract(corners[0], center), twice) / 6.0;
+    });
+  const ShellOrientation found =
+    OrientShells(*body.Model, body.Mesh, volumes, std::vector<double>(faces, 0.0));
+  FlagUncertainty(found, body);
+  if (!found.Sides.empty())
+  {
+    body.Flag(Status::Suspect,
+      std::to_string(found.Flipped) + " of " + std::to_string(found.Shells) +
+        " shells are inside out in the file, and are taken so: correct the file");
+  }
+}
+
 void ReverseShells(BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume)
 {
   std::vector<double> volumes;
@@ -415,11 +460,7 @@ void ReverseShells(BodyIntegrals& body, const std::vector<Integrand>& integrands
   {
     found = OrientShells(*body.Model, body.Mesh, volumes, bounds);
   }
-  if (!found.Uncertainty.empty())
-  {
-    body.Flag(Status::Suspect, found.Uncertainty + "; its shells are taken as the file orients them");
-    body.FaceDefects.push_back({ found.Uncertain, found.Uncertainty, true });
-  }
+  FlagUncertainty(found, body);
   if (!found.Sides.empty())
   {
     body.Sides = found.Sides;

@@ -132,6 +132,10 @@ SMFILTERSSURFACEINTEGRALS_EXPORT double GetExcused(double limit, double size, do
 SMFILTERSSURFACEINTEGRALS_EXPORT void ReverseShells(
   BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume);
 
+/// Flags a closed body as suspect if its shells are not nested, or not oriented, as a solid's are, by the volumes of its display mesh:
+/// for integrals over a part of the body, which do not tell it.
+SMFILTERSSURFACEINTEGRALS_EXPORT void CheckShells(BodyIntegrals& body);
+
 /// Sets the values of a body for which nothing was computed to NaN, one per integrand, and adds a message.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SetUnknown(BodyIntegrals& body, std::size_t integrands);
 }

@@ -1,6 +1,7 @@
 #include "smRunReport.h"
 
 #include "smColumns.h"
+#include "smFormat.h"
 
 #include "vtkTrimmedNURBSModel.h"
 
@@ -8,6 +9,25 @@
 
 namespace sm
 {
+std::string FormatStatus(
+  const std::string& status, const std::string& reason, const std::vector<std::string>& messages)
+{
+  if (status == names::StatusOk)
+  {
+    return "";
+  }
+  const auto others = std::count_if(messages.begin(), messages.end(),
+    [&reason](const std::string& message) { return reason.find(message) == std::string::npos; });
+  std::string text = "Status: " + status + "\n" + WrapText(reason, 64);
+  if (others > 0)
+  {
+    text += "and " + std::to_string(others) + (others == 1 ? " more message\n" : " more messages\n");
+  }
+  return status == GetText(Status::Suspect) || status == GetText(Status::Open)
+    ? text + "Bounds are those of the computation: the model is in doubt.\n"
+    : text;
+}
+
 void RunReport::SetReason(const std::string& message)
 {
   this->Messages.push_back(message);

@@ -65,6 +65,11 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   /// Adds the arrays Status, Backend, Renderer, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated.
   void FillFieldData(vtkFieldData* data) const;
 };
+
+/// The first lines of a summary: the status, its reason in lines of at most 64 characters, the number of the messages that do not repeat
+/// it, and what bounds are worth where the model is in doubt. Empty if the status is `ok`.
+SMFILTERSSURFACEINTEGRALS_EXPORT std::string FormatStatus(
+  const std::string& status, const std::string& reason, const std::vector<std::string>& messages);
 }
 
 #endif

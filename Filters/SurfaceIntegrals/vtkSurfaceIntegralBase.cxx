@@ -286,9 +286,9 @@ std::string vtkSurfaceIntegralBase::FindReason(const std::vector<sm::BodyIntegra
 
 std::string vtkSurfaceIntegralBase::FormatStatus(const std::vector<sm::BodyIntegrals>& bodies) const
 {
-  return this->Engine->GetReport().Status == sm::Status::Ok
-    ? ""
-    : "Status: " + this->GetStatus() + "\n" + this->FindReason(bodies) + "\n";
+  const sm::RunReport& report = this->Engine->GetReport();
+  return sm::FormatStatus(this->GetStatus(), this->FindReason(bodies), report.Messages) +
+    (report.Estimated ? "Some bounds are estimates.\n" : "");
 }
 
 sm::IntegralEngine& vtkSurfaceIntegralBase::GetEngine()

@@ -256,7 +256,7 @@ protected:
   /** Returns a sentence with the reason for the status of these bodies; empty if none is known. */
   std::string FindReason(const std::vector<sm::BodyIntegrals>& bodies) const;
 
-  /** Returns the first lines of a summary: the status and its reason; empty if the status is `ok`. */
+  /** Returns the first lines of a summary: sm::FormatStatus(), and that bounds are estimated where they are. */
   std::string FormatStatus(const std::vector<sm::BodyIntegrals>& bodies) const;
 
   /** Releases data that a subclass keeps for later runs in addition to the engine's data. */

@@ -131,20 +131,24 @@ def _components(name, value):
 
 
 def _format(value, bound):
-    """The number with the digits that its bound leaves."""
+    """The number with the digits that its bound leaves: rounded by at most a twentieth of it."""
     if value is None:
         return "-"
-    if bound and value:
-        digits = math.ceil(math.log10(abs(value) / bound)) if abs(value) > bound else 1
-        return f"{value:.{min(max(digits, 1), 15)}g}"
-    return f"{value:.15g}"
+    if bound is None:
+        return f"{value:.15g}"
+    if abs(value) <= 0.05 * bound:
+        return "0"
+    if bound == 0:
+        return repr(value)
+    digits = math.ceil(math.floor(math.log10(abs(value))) + 1 - math.log10(0.1 * bound))
+    return f"{value:.{min(max(digits, 1), 17)}g}"
 
 
 def _format_bound(bound):
-    """Two digits, rounded up, so that the bound still holds."""
+    """The bound of what _format() shows, with two digits, rounded up."""
     if bound is None:
         return "-"
-    return f"{decimal.Context(prec=2, rounding=decimal.ROUND_CEILING).create_decimal_from_float(bound):.1e}"
+    return f"{decimal.Context(prec=2, rounding=decimal.ROUND_CEILING).create_decimal_from_float(1.05 * bound):.1e}"
 
 
 def _table(head, rows):

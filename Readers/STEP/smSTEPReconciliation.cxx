@@ -56,7 +56,6 @@ public:
 
   void Run()
   {
-    this->ReportProblems();
     this->ReportDensities();
     for (const CensusBody& body : this->Census.Bodies)
     {
@@ -83,6 +82,8 @@ public:
           ", which has no faces: it is left out. Export it as a boundary representation.");
       }
     }
+    // What is missing comes first.
+    this->ReportProblems();
   }
 
 private:

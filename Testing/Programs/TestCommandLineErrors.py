@@ -217,7 +217,7 @@ def outputs():
     check_equal("exit status of a table on a closed stream", 1, result.returncode)
     check_true("it says so", "standard output" in result.stderr, result.stderr)
 
-    # Bounds are shown with two digits, and never below what they bound; units in any case.
+    # Bounds are shown with two digits, and never below what they bound and its rounding, a twentieth; units in any case.
     target = os.path.join(folder, "bounds.json")
     result = run("--unit", "INCH", "--json", target, manifest.solid("slanted_hole", "moved")["path"])
     check_equal("exit status with INCH", 0, result.returncode)
@@ -229,7 +229,7 @@ def outputs():
     keys = ("volume", "area", "center_of_mass", "inertia", "inertia", "radii_of_gyration")
     check_equal("bounds in the table", len(keys), len(shown))
     for key, number in zip(keys, shown):
-        check_true(f"bound of {key}", bounds[key] <= number <= 1.1 * bounds[key], f"{bounds[key]} shown as {number}")
+        check_true(f"bound of {key}", 1.05 * bounds[key] <= number <= 1.16 * bounds[key], f"{bounds[key]} shown as {number}")
 
 
 def errors():

@@ -37,6 +37,8 @@ def expect(name, path, statuses, words, volume=None):
     text = "\n".join(entry["messages"])
     for word in words:
         check_true(f"{name}: says {word!r}", word in text, text)
+    if "was lost" in words:
+        check_true(name + ": says it before what is damaged", text.index(" was lost") < (text + "\nEntity #").index("\nEntity #"), text)
     if volume is not None:
         check(name + ": volume", volume, entry["total"]["volume"], 3e-12 * volume)
 

@@ -40,5 +40,5 @@ match = re.search(r"^volume (\S+) mm\^3 \(\+- (\S+)\)$", result.stdout, re.MULTI
 if check_true("pipeline: volume and bound", match, result.stdout):
     digit = decimal.Decimal(1).scaleb(decimal.Decimal(match.group(1)).as_tuple().exponent)
     bound = decimal.Decimal(match.group(2))
-    check_true("the last digit is that of the bound", bound / 10 <= digit <= 10 * bound, f"{digit} and {bound}")
+    check_true("the last digit is below that of the bound", bound / 1000 <= digit <= bound / 10, f"{digit} and {bound}")
 finish()

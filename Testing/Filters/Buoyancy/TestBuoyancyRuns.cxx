@@ -44,6 +44,29 @@ void CheckInsideOut(const Manifest& manifest)
   CheckEqual("inside out: status", "suspect", scene.Filter->GetStatus());
 }
 
+/// A solid whose void lies outside its outer shell, by the file's own word, must not pass.
+void CheckVoids(const Manifest& manifest)
+{
+  Scene scene(manifest.GetSolid("hollow_sphere", "plain")[0].Path);
+  scene.Reader->Update();
+  scene.Filter->Update();
+  CheckEqual("a hollow ball: status", "ok", scene.Filter->GetStatus());
+  auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(scene.Reader->GetOutputDataObject(0));
+  auto* leaf = vtkNURBSDataSet::SafeDownCast(parts->GetPartition(0, 0));
+  vtkNew<vtkTrimmedNURBSModel> model;
+  model->ShallowCopy(leaf->GetModel());
+  model->SetNumberOfOuterShells(2);
+  vtkNew<vtkNURBSDataSet> copy;
+  copy->ShallowCopy(leaf);
+  copy->SetModel(model);
+  scene.Filter->SetInputData(copy);
+  scene.Filter->Update();
+  CheckEqual("a void outside: status", "suspect", scene.Filter->GetStatus());
+  CheckTrue("a void outside: said",
+    std::string(scene.Filter->GetMessage(0)).find("a void lies outside the outer shell") !=
+      std::string::npos);
+}
+
 /// Planes along the top of a rotated box of 30 x 20 x `thickness`, by less than what rounding leaves of a point far away in them: whether the
 /// box is below as a whole, or with all but a sheet, is beyond what can be told, and the bound has to say so.
 void CheckTop(const std::string& what, Scene& scene, double thickness)
@@ -347,7 +370,8 @@ int TestBuoyancyRuns(int argc, char* argv[])
   SetBackend(argv[3]);
   const Manifest manifest(argv[1]);
   RunMode(argv[2], manifest,
-    { { "inside_out", CheckInsideOut }, { "touching", CheckTouching }, { "tables", CheckTables },
-      { "aborts", CheckAborts }, { "wide_ribbons", CheckWideRibbons }, { "placed", CheckPlaced } });
+    { { "inside_out", CheckInsideOut }, { "voids", CheckVoids }, { "touching", CheckTouching },
+      { "tables", CheckTables }, { "aborts", CheckAborts }, { "wide_ribbons", CheckWideRibbons },
+      { "placed", CheckPlaced } });
   return Finish();
 }

@@ -279,6 +279,17 @@ void CheckShells(const Manifest& manifest)
     CheckEqual("a shell inside out, status", "suspect", scene.Filter->GetStatus());
     CheckTrue("a shell inside out, said", Says(scene.Filter, "point inwards"), GetMessages(scene.Filter));
   }
+  vtkNew<vtkTrimmedNURBSModel> model;
+  model->ShallowCopy(leaf->GetModel());
+  model->SetNumberOfOuterShells(2);
+  vtkNew<vtkNURBSDataSet> copy;
+  copy->ShallowCopy(leaf);
+  copy->SetModel(model);
+  scene.Filter->SetInputData(copy);
+  scene.Filter->Update();
+  CheckEqual("a void outside, status", "suspect", scene.Filter->GetStatus());
+  CheckTrue("a void outside, said", Says(scene.Filter, "a void lies outside the outer shell"),
+    GetMessages(scene.Filter));
 }
 
 /// A centroid that is known lies on the plane within its bound.
