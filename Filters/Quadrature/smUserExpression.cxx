@@ -353,9 +353,19 @@ std::string UserExpression::MakeFunction(const std::string& name, bool forMessag
     }
     text += std::string(divisorsEnd[i], ')') + "\n";
   }
+  // With the area element twice as large the value is, too; derivatives belong to the parameters, and do not grow with it.
+  const bool hasDerivatives = std::any_of(std::begin(SampleNames), std::end(SampleNames),
+    [this](const SampleName& sample)
+    {
+      return std::string(sample.Definition).rfind("smSampleDerivatives", 0) == 0 &&
+        std::find(this->Names.begin(), this->Names.end(), sample.Name) != this->Names.end();
+    });
+  const std::string check = hasDerivatives
+    ? ""
+    : "smRequire(abs(" + name + "Value(position, 2.0LF * normal) - 2.0LF * value) <= 1e-6LF * abs(value));\n";
   return text + ");\n}\ndouble " + name +
     "(const dvec3 position, const dvec3 normal)\n{\nsmIsDefined = true;\nconst double value = " + name +
-    "Value(position, normal);\nreturn smIsDefined ? value : smNotANumber();\n}\n";
+    "Value(position, normal);\n" + check + "return smIsDefined ? value : smNotANumber();\n}\n";
 }
 
 std::string UserExpression::Explain(const std::string& log) const

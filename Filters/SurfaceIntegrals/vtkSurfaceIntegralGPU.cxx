@@ -119,7 +119,10 @@ void vtkSurfaceIntegralGPU::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
       else if (body.Faces && !std::isfinite(body.Value[k]))
       {
         body.Value[k] = body.Bound[k] = vtkMath::Nan();
-        body.Flag(sm::Status::Suspect, name + " is undefined or infinite somewhere on the faces");
+        body.Flag(sm::Status::Suspect,
+          name +
+            " is undefined or infinite somewhere on the faces, or dA, or normal, is not a factor of it just "
+            "once");
       }
       else if (body.Faces && !(body.Bound[k] <= this->RelativeTolerance * GetScale(integrands[k], body)))
       {

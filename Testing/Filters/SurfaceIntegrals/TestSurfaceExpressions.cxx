@@ -262,7 +262,8 @@ void CheckMistakes(const char* folder)
   Check("and moments are computed", box.Part.Volume, filter->GetIntegral("volume"), 1e-9 * box.Part.Volume);
 }
 
-/// An expression that is undefined or infinite at some point, whatever its rest makes of it, is no number and not ok.
+/// An expression that is undefined or infinite at some point, whatever its rest makes of it, or whose value depends on the parameters
+/// because the area element is no factor, is no number and not ok.
 void CheckUndefined(const char* folder)
 {
   const char* undefined[] = { "dA / (u - u)", "dA / 0", "dA / (0 * u)", "dA / (1 / (u - u))",
@@ -270,7 +271,8 @@ void CheckUndefined(const char* folder)
     "dA * double(int(u) % int(0.5))", "max(sqrt(-1 - u * u), 0) * dA", "dA * log(u - u)",
     "clamp(log(-1 - u * u), 0, 1) * dA", "dA * pow(-1 - u * u, 0.5)", "min(dA * pow(u - u, -1), 1)",
     "dA * inversesqrt(u - u)", "dA * normalize(dvec3(u - u)).x", "min(tan(2e6 + u), 0) * dA", "dA * exp(1e5)",
-    "isinf(dA / (v - v)) ? dA : 2 * dA", "dA / (position.x - 15)" };
+    "isinf(dA / (v - v)) ? dA : 2 * dA", "dA / (position.x - 15)", "dA * dA", "sqrt(dA) + u", "normal.x + 1",
+    "meanCurvature * meanCurvature * dA + dA * dA", "normal.x * normal.x" };
   Body box(folder, "box");
   vtkSurfaceIntegralGPU* filter = box.Filter;
   for (const char* text : undefined)
