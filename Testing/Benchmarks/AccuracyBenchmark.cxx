@@ -293,6 +293,7 @@ smfigure::Figure MakeFigure(const std::vector<Column>& columns)
   Figure figure;
   figure.Name = "accuracy_over_time";
   figure.LegendColumns = 2;
+  figure.AboveAndBelow = 100.0f;
   figure.X = { "Seconds of the processor, all files", 1.0, 1.0, {}, true, true, 228, {} };
   figure.Y = { "Relative error of the volume", LeastError, 1.0, MakeDecadeTicks(-16, 0, 2), true, true, 228,
     {} };
@@ -319,7 +320,7 @@ smfigure::Figure MakeFigure(const std::vector<Column>& columns)
   add("largest", Program::Ours, 1.0, colors::Blue, Marker::Circle);
   add("BRepGProp, median", Program::Kernel, 0.5, colors::Orange, Marker::Square);
   add("largest", Program::Kernel, 1.0, colors::Orange, Marker::Square);
-  add("BRepMesh and vtkMassProperties, median", Program::Mesh, 0.5, colors::Green, Marker::Diamond);
+  add("triangles of BRepMesh, median", Program::Mesh, 0.5, colors::Green, Marker::Diamond);
   add("largest", Program::Mesh, 1.0, colors::Green, Marker::Diamond);
   double least = HUGE_VAL;
   double most = 0.0;

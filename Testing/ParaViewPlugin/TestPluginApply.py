@@ -127,6 +127,7 @@ simple.Delete(mass)
 simple.Delete(reader)
 assembly = manifest.special("assembly")
 reader = simple.OpenDataFile(assembly["path"])
+reader.MeshDeviation, reader.MeshAngle = 0.05, 1.0  # drawing takes most of the time
 simple.Show(reader, view)
 many = MassProperties(Input=reader, Density=2700.0)  # noqa: F821
 apply(many, everything)
