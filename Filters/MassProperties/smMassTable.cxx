@@ -11,6 +11,8 @@ namespace sm
 {
 namespace
 {
+/// Solids are heavier, in kg/m^3: less is likely to be in g/cm^3.
+constexpr double LeastDensity = 25.0;
 /// Part of a mass above which a summary tells its uncertainty.
 constexpr double NotableDoubt = 1e-6;
 
@@ -202,6 +204,9 @@ std::string FormatSummary(
   if (std::isfinite(total.Mass))
   {
     text += "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg") + "\n";
+    text += total.Density < LeastDensity
+      ? "A density of " + FormatDigits(total.Density, 6) + " kg/m^3 is that of foam: steel has 7850\n"
+      : "";
     const double doubt = total.MassUncertainty[0];
     text += doubt > std::max(2.0 * total.MassBound, NotableDoubt * std::abs(total.Mass))
       ? "Mass in doubt by about " + FormatBound(doubt) + " kg, for its density and gaps\n"
@@ -218,7 +223,8 @@ std::string FormatSummary(
     text += std::isfinite(total.KnownMass)
       ? "Mass of " + std::to_string(weighed) + " of " + std::to_string(weighable) +
         " solids: " + FormatWithBound(total.KnownMass, total.KnownMassBound, "kg") + "\n"
-      : std::string();
+      : weighable > 0 ? "Mass: not known, for there is no density\n"
+                      : "";
   }
   return text;
 }

@@ -54,8 +54,9 @@ void vtkMassPropertiesBase::SetDensity(double density)
 {
   if (!std::isfinite(density) || density < 0.0)
   {
-    vtkErrorMacro("SetDensity: " << sm::FormatDigits(density, 6)
-                                 << " is no density; give kg/m^3, for example 7850 for steel, or 0.");
+    vtkErrorMacro("The density " << sm::FormatDigits(density, 6) << " is not used, "
+                                 << sm::FormatDigits(this->Density, 6)
+                                 << " is kept: give kg/m^3, for example 7850 for steel, or 0.");
     return;
   }
   if (this->Density != density)
@@ -69,9 +70,9 @@ void vtkMassPropertiesBase::SetDensityTolerance(double tolerance)
 {
   if (!(tolerance >= 0.0 && tolerance <= 1.0))
   {
-    vtkErrorMacro("SetDensityTolerance: " << sm::FormatDigits(tolerance, 6)
-                                          << " is no relative tolerance; give 0 to 1, for example "
-                                             "0.01 for one per cent.");
+    vtkErrorMacro("The density tolerance " << sm::FormatDigits(tolerance, 6) << " is not used, "
+                                           << sm::FormatDigits(this->DensityTolerance, 6)
+                                           << " is kept: give 0 to 1, for example 0.01 for one per cent.");
     return;
   }
   if (this->DensityTolerance != tolerance)
@@ -93,9 +94,10 @@ void vtkMassPropertiesBase::AppendMaterial(const sm::MaterialRule& rule)
   }
   if (!(rule.Material.Density > 0.0) || !std::isfinite(rule.Material.Density))
   {
-    vtkErrorMacro("There is no density above 0 for the solids "
-      << rule.Pattern << ", material \"" << rule.Material.Name
-      << "\"; give kg/m^3, for example 7850, or one of the common materials.");
+    vtkErrorMacro(
+      "The solids " << rule.Pattern << ", material \"" << rule.Material.Name
+                    << "\", have no density above 0; give kg/m^3, for example 7850, or one of the "
+                       "common materials.");
     return;
   }
   this->Materials.push_back(rule);
@@ -122,7 +124,13 @@ void vtkMassPropertiesBase::AddMaterial(const char* pattern, const char* materia
   {
     // Has a decimal point in every locale.
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    value = error == std::errc() && end == text.data() + text.size() ? value : 0.0;
+    if (error != std::errc() || end != text.data() + text.size())
+    {
+      vtkErrorMacro(
+        "The density \"" << text << "\" of the solids " << (pattern ? pattern : "")
+                         << " is no number; give kg/m^3 with a decimal point, for example 7850.5.");
+      return;
+    }
   }
   this->AddMaterial(pattern, name.c_str(), value);
 }

@@ -157,7 +157,9 @@ void vtkSchemeMassPropertiesGPU::WriteMoreOutputs(
     "k = " + std::to_string(this->SubPatchFactor) + ", " + texels + " x " + texels +
     " texels a sub-patch, chords of planes to " + sm::FormatDigits(this->ChordTolerance, 3) +
     " of the size, deviations " + (this->Deviation == BOUNDED ? "bounded" : "sampled") + "\n" +
-    "The paper's error estimate: " + sm::FormatNumber(total.Estimate, vtkMath::Nan()) + "\n";
+    "The paper's error estimate of the volume, not a bound: " +
+    sm::FormatNumber(total.Estimate, vtkMath::Nan()) + " " +
+    (bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit()) + "^3\n";
 }
 
 double vtkSchemeMassPropertiesGPU::GetPaperErrorEstimate() const

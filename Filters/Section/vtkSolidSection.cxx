@@ -121,9 +121,9 @@ void CheckResults(
   if (!(row.AreaBound <= tolerance * sm::GetAreaScale(*body.Model)))
   {
     body.Flag(sm::Status::ToleranceNotMet,
-      "the bound of the section's area is above the tolerance: where the plane runs along a face or a gap, "
-      "or touches a face, by no "
-      "more than the numbers are accurate to, the area is not determined. Move the plane");
+      "the bound of the section's area is above the tolerance: where the plane lies in a face, touches one, "
+      "or "
+      "runs along a gap, the area is not determined. Move the plane");
   }
   if (row.Below.Volume < -row.Below.VolumeBound || row.Above.Volume < -row.Above.VolumeBound)
   {
@@ -167,8 +167,9 @@ void vtkSolidSection::SetDensity(double density)
 {
   if (!std::isfinite(density) || density < 0.0)
   {
-    vtkErrorMacro("SetDensity: " << sm::FormatDigits(density, 6)
-                                 << " is no density; give kg/m^3, for example 7850 for steel, or 0.");
+    vtkErrorMacro("The density " << sm::FormatDigits(density, 6) << " is not used, "
+                                 << sm::FormatDigits(this->Density, 6)
+                                 << " is kept: give kg/m^3, for example 7850 for steel, or 0.");
     return;
   }
   if (this->Density != density)
@@ -401,6 +402,7 @@ std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& 
   const sm::SectionRow& total = self.Total;
   const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
   std::string text = this->FormatStatus(bodies) +
+    (total.Area == 0.0 && total.AreaBound == 0.0 ? "The plane does not meet the solids.\n" : "") +
     "Section area: " + sm::FormatWithBound(total.Area, total.AreaBound, unit + "^2") + "\n";
   const auto addPoint = [&text, &unit](const char* label, const std::array<double, 3>& point, double bound)
   {

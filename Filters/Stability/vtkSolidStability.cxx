@@ -350,8 +350,8 @@ int vtkSolidStability::Evaluate(vtkDataObject* input, int piece, vtkInformationV
   {
     this->Implementation->Status = names::StatusEmpty;
     vtkErrorMacro(
-      "No exact geometry in the input. Connect the output of vtkSTEPReader directly: filters that move or "
-      "rebuild points drop the NURBS model. vtkNURBSTransform moves a part and keeps it.");
+      "No exact geometry in the input. Connect the output of the STEP reader directly: filters that move or "
+      "rebuild points drop the NURBS model. NURBS Transform moves a part and keeps it.");
     return 0;
   }
   // One of several ranks has the bodies, and reports when there are none.
@@ -362,9 +362,8 @@ int vtkSolidStability::Evaluate(vtkDataObject* input, int piece, vtkInformationV
   sm::GroundDirections ground;
   if (!sm::GroundDirections::Make(this->GravityDirection, this->GroundNormal, ground))
   {
-    vtkErrorMacro(
-      "The ground stands upright: its normal is at right angles to gravity. Give SetGroundNormal a vector "
-      "that is not, or 0, 0, 0 for a level ground.");
+    vtkErrorMacro("The ground stands upright: its normal is at right angles to gravity. Give a ground normal "
+                  "that is not, or 0, 0, 0 for a level ground.");
     return 0;
   }
   this->UpdateMassProperties(input);

@@ -329,7 +329,13 @@ std::string vtkSolidStability::Internals::GetSummary(
     text += (bodies.size() > 1 ? body.Name + ": " : std::string()) + sm::GetName(r.Decision);
     if (r.Support == sm::SupportKind::None)
     {
-      text += "\n";
+      const double height = 0.5 * (body.Clearance.Low + body.Clearance.High);
+      const std::string distance = sm::FormatDistance(std::abs(height)) + " " + unit;
+      text +=
+        (r.Decision == sm::Verdict::NoContact ? ": its lowest point is " + distance + " above the ground"
+            : r.Decision == sm::Verdict::BelowGround ? ": it reaches " + distance + " below the ground"
+                                                     : std::string()) +
+        "\n";
       continue;
     }
     text += std::string(", rests on ") +
@@ -346,8 +352,8 @@ std::string vtkSolidStability::Internals::GetSummary(
     {
       text +=
         "tip angle " + sm::FormatWithBound(r.TipAngle * Degrees, r.TipAngleBound * Degrees, "deg") + "\n";
-      text +=
-        "centre rises by " + sm::FormatWithBound(r.CenterOfMassRise, r.CenterOfMassRiseBound, unit) + "\n";
+      text += "to tip, the centre must rise by " +
+        sm::FormatWithBound(r.CenterOfMassRise, r.CenterOfMassRiseBound, unit) + "\n";
     }
     const double energy = GetEnergy(body, r.CenterOfMassRise, strength);
     if (std::isfinite(energy) && !r.ByRolling)

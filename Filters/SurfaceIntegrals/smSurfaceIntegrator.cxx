@@ -408,7 +408,7 @@ bool SurfaceIntegrator::Integrate(
   if (tasks.empty() || self.Chosen.empty())
   {
     this->FinishSharing("");
-    return !self.Integrands.empty() || self.Fail("there is nothing to integrate: add an integrand");
+    return !self.Integrands.empty() || self.Fail("there is no integrand: add one, for example area = dA");
   }
   const bool ok = self.Sharing.IsOpen() ? self.IntegrateShared(tasks, results) : self.Run(tasks, results);
   if (ok)

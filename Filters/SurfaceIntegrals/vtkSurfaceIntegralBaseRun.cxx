@@ -143,9 +143,9 @@ int vtkSurfaceIntegralBase::RejectInput(bool isWithheld)
   report.RejectInput(isWithheld);
   vtkErrorMacro(
     "No exact geometry in the input: " << report.Messages.back()
-                                       << ". Connect the output of vtkSTEPReader directly: filters "
+                                       << ". Connect the output of the STEP reader directly: filters "
                                           "that move or rebuild points drop the NURBS model. "
-                                          "vtkNURBSTransform moves a part and keeps it.");
+                                          "NURBS Transform moves a part and keeps it.");
   return 0;
 }
 

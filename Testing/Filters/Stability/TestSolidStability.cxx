@@ -316,10 +316,17 @@ void TestGround(const std::string& folder)
     plane.Filter->Update();
     CheckVerdict("plane below", plane.Filter, "no-contact", "none", "none");
     CheckBounded(plane.Filter, names::Clearance, 5.0, 1e-9);
+    const auto says = [&plane](const std::string& words)
+    {
+      auto* text = vtkTable::SafeDownCast(plane.Filter->GetOutputDataObject(2));
+      return text->GetValueByName(0, names::Text).ToString().find(words) != std::string::npos;
+    };
+    CheckTrue("how far above, in words", says("no-contact: its lowest point is 5 mm above the ground"));
     CheckTrue("no margin", std::isnan(plane.Filter->GetStabilityMargin()));
     plane.Filter->SetGroundOrigin(7, 7, 5);
     plane.Filter->Update();
     CheckVerdict("plane through the box", plane.Filter, "below-ground", "none", "none");
+    CheckTrue("how far below, in words", says("below-ground: it reaches 5 mm below the ground"));
     // Within the tolerance of 1e-6 of the diagonal, 37.4.
     plane.Filter->SetGroundOrigin(0, 0, -3e-5);
     plane.Filter->Update();

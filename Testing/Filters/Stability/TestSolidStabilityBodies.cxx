@@ -166,7 +166,7 @@ void TestErrors(const std::string& folder)
   MessageTrap pipeline(box.Filter->GetExecutive());
   box.Filter->Update();
   CheckEqual("an upright ground", 7, trap.NumberOfErrors);
-  CheckTrue("its remedy", trap.Errors.find("SetGroundNormal") != std::string::npos);
+  CheckTrue("its remedy", trap.Errors.find("ground normal") != std::string::npos);
   box.Filter->SetGroundNormal(0, 0, 0);
   box.Filter->Update();
   CheckEqual("and level again", "stable", box.Filter->GetStability());
