@@ -117,7 +117,7 @@ bool vtkPlaneCutBase::IntegrateSide(const sm::IntegralRequest& request,
   {
     results.clear();
     report.SetReason(!cutError.empty()        ? "nothing was computed: " + cutError
-        : isTimeOver                          ? "nothing was computed: MaximumSeconds were over"
+        : isTimeOver                          ? "nothing was computed: the maximum seconds were over"
         : this->Integrator->WasAbortedInCut() ? "the run was aborted while faces were cut at the plane"
         : integrator.WasAborted()             ? "the run was aborted"
                                               : "nothing was computed: " + integrator.GetError());
@@ -126,13 +126,13 @@ bool vtkPlaneCutBase::IntegrateSide(const sm::IntegralRequest& request,
   if (integrator.WasAborted())
   {
     report.SetReason(isTimeOver
-        ? "MaximumSeconds were over before all faces were integrated on one side of the plane"
+        ? "the maximum seconds were over before all faces were integrated on one side of the plane"
         : "the run was stopped before all faces were integrated on one side of the plane");
   }
   if (integrator.WasLoosened())
   {
     report.Messages.push_back(
-      "MaximumEvaluations is too small for the tolerance on one side of the plane, which was "
+      "the maximum evaluations are too few for the tolerance on one side of the plane, which was "
       "loosened; the bounds show the accuracy reached");
   }
   return true;

@@ -13,6 +13,8 @@ namespace
 {
 /// Solids are heavier, in kg/m^3: less is likely to be in g/cm^3.
 constexpr double LeastDensity = 25.0;
+/// Characters of a line of a summary: longer ones are broken, for narrow views cut them.
+constexpr std::size_t LongestLine = 66;
 /// Part of a mass above which a summary tells its uncertainty.
 constexpr double NotableDoubt = 1e-6;
 
@@ -180,13 +182,14 @@ std::string FormatSummary(
   const MassRow& total, const std::string& unit, int solids, int weighed, int weighable)
 {
   const MassProperties& p = total.Properties;
-  const auto triple = [](const std::array<double, 3>& values, double bound, const std::string& inUnit)
+  const auto triple =
+    [](const std::string& label, const std::array<double, 3>& values, double bound, const std::string& inUnit)
   {
     const bool known = std::isfinite(values[0] + values[1] + values[2]);
-    return (known ? FormatNumber(values[0], bound) + "  " + FormatNumber(values[1], bound) + "  " +
-                 FormatNumber(values[2], bound) + " " + inUnit + FormatBoundNote(bound)
-                  : std::string("not known")) +
-      "\n";
+    const std::string line = known ? FormatNumber(values[0], bound) + "  " + FormatNumber(values[1], bound) +
+        "  " + FormatNumber(values[2], bound) + " " + inUnit + FormatBoundNote(bound)
+                                   : std::string("not known");
+    return label + (label.size() + line.size() < LongestLine ? " " : "\n  ") + line + "\n";
   };
   std::string text;
   if (solids > 1)
@@ -199,7 +202,7 @@ std::string FormatSummary(
   const bool isMixed = std::isfinite(total.KnownMass) && !std::isfinite(total.Density);
   if (std::isfinite(p.Center[0]))
   {
-    text += (isMixed ? "Centre of volume: " : "Centre of mass: ") + triple(p.Center, p.CenterBound, unit);
+    text += triple(isMixed ? "Centre of volume:" : "Centre of mass:", p.Center, p.CenterBound, unit);
   }
   if (std::isfinite(total.Mass))
   {
@@ -212,13 +215,13 @@ std::string FormatSummary(
       ? "Mass in doubt by about " + FormatBound(doubt) + " kg, for its density and gaps\n"
       : "";
     const MassProperties& w = total.Weighted;
-    text += isMixed ? "Centre of mass: " + triple(w.Center, w.CenterBound, unit) : std::string();
-    text += "Principal moments: " + triple(w.Principal, w.PrincipalBound, "kg " + unit + "^2");
+    text += isMixed ? triple("Centre of mass:", w.Center, w.CenterBound, unit) : std::string();
+    text += triple("Principal moments:", w.Principal, w.PrincipalBound, "kg " + unit + "^2");
   }
   else
   {
     text += std::isfinite(p.Center[0])
-      ? "Principal moments: " + triple(p.Principal, p.PrincipalBound, unit + "^5")
+      ? triple("Principal moments:", p.Principal, p.PrincipalBound, unit + "^5")
       : std::string();
     text += std::isfinite(total.KnownMass)
       ? "Mass of " + std::to_string(weighed) + " of " + std::to_string(weighable) +

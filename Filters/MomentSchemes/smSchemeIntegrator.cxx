@@ -136,7 +136,7 @@ bool SchemeIntegrator::Internals::CheckCost(const std::vector<SchemeTask>& tasks
   if (evaluations > static_cast<double>(this->Chosen.MaximumEvaluations))
   {
     return this->Fail("the scheme takes " + FormatDigits(evaluations, 3) +
-      " evaluations and MaximumEvaluations is " +
+      " evaluations, and the maximum is " +
       FormatDigits(static_cast<double>(this->Chosen.MaximumEvaluations), 3) +
       ": divide into fewer sub-patches");
   }

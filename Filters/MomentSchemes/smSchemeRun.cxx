@@ -116,7 +116,7 @@ void SchemeRun::KeepTextures(const BodyIntegrals& body, std::vector<SchemeResult
 
 std::string SchemeRun::GetMessage() const
 {
-  return this->Integrator->WasTimedOut() ? "nothing was computed: MaximumSeconds were over"
+  return this->Integrator->WasTimedOut() ? "nothing was computed: the maximum seconds were over"
     : this->Integrator->WasAborted()     ? "the run was aborted"
                                          : "nothing was computed: " + this->Integrator->GetError();
 }

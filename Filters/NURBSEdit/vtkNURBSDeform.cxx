@@ -395,7 +395,7 @@ bool vtkNURBSDeform::DeformInput(vtkDataObject* input, int piece, double share, 
   {
     done = false;
     vtkErrorMacro("There is no exact geometry to deform: the input has "
-      << run.Solids << " solids with it, and Solid is " << this->Solid << " (-1: all).");
+      << run.Solids << " solids with it, and the solid index is " << this->Solid << " (-1: all).");
   }
   else if (this->Mode == DISPLACE && worst != this->Faces.end() && *worst >= run.MostFaces)
   {

@@ -148,20 +148,21 @@ bool IntegralEngine::RunTasks(
   const bool timedOut = this->Integrator.WasTimedOut();
   if (!done)
   {
-    this->Report.SetReason(timedOut     ? "nothing was computed: MaximumSeconds were over"
+    this->Report.SetReason(timedOut     ? "nothing was computed: the maximum seconds were over"
         : this->Integrator.WasAborted() ? "the run was aborted"
                                         : "nothing was computed: " + this->Integrator.GetError());
     return false;
   }
   if (this->Integrator.WasAborted())
   {
-    this->Report.SetReason(timedOut ? "MaximumSeconds were over before all faces were integrated"
+    this->Report.SetReason(timedOut ? "the maximum seconds were over before all faces were integrated"
                                     : "the run was aborted before all faces were integrated");
   }
   if (this->Integrator.WasLoosened())
   {
-    this->Report.Messages.push_back("MaximumEvaluations is too small for the tolerance, which was loosened; "
-                                    "the bounds show the accuracy reached");
+    this->Report.Messages.push_back(
+      "the maximum evaluations are too few for the tolerance, which was loosened; "
+      "the bounds show the accuracy reached");
   }
   return true;
 }

@@ -178,7 +178,7 @@ void vtkCADReader::Stop()
 {
   this->Status = ABORTED;
   this->Last->Problem = std::string("Reading ") + (this->FileName ? this->FileName : "the content") +
-    " was stopped" + (this->IsTimeOver ? ": MaximumSeconds were over." : ".");
+    " was stopped" + (this->IsTimeOver ? ": the maximum seconds were over." : ".");
   if (this->IsTimeOver)
   {
     this->Last->Messages.push_back(this->Last->Problem);

@@ -79,7 +79,7 @@ check_equal("red pixels", 0, count_pixels(is_red))
 white = count_pixels(is_white)
 check_true("white pixels of the text", white > 300, str(white))
 summary = servermanager.Fetch(mass, idx=2).GetValueByName(0, "Text").ToString()
-for word in ("Volume: 13789.20", "mm^3", "Centre of mass: ", "Area: ", "(+- "):
+for word in ("Volume: 13789.20", "mm^3", "Centre of mass:", "Area: ", "(+- "):
     check_true(f"the summary says '{word}'", word in summary, summary)
 mass.Density = 7850.0
 check_true("and the mass once there is a density", "Mass: 0.10824524" in servermanager.Fetch(mass, idx=2).GetValueByName(

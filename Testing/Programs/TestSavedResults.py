@@ -314,7 +314,7 @@ def check_no_time():
     entry = json.loads(done.stdout)["files"][0]
     check_equal("no time: exit status", 3, done.returncode)
     check_equal("no time: status", "not-computed", entry["status"])
-    check_true("no time: why", any("MaximumSeconds" in text for text in entry["messages"]), str(entry["messages"]))
+    check_true("no time: why", any("maximum seconds" in text for text in entry["messages"]), str(entry["messages"]))
 
 
 def check_memory():

@@ -310,7 +310,7 @@ void CheckAborts(const Manifest& manifest)
   slow.Filter->SetMaximumSeconds(1e-9);
   slow.Filter->Update();
   CheckEqual("no time, status", sm::names::StatusNotComputed, slow.Filter->GetStatus());
-  CheckTrue("no time, said", Says(slow.Filter, "MaximumSeconds were over"), GetMessages(slow.Filter));
+  CheckTrue("no time, said", Says(slow.Filter, "the maximum seconds were over"), GetMessages(slow.Filter));
   CheckTrue("no time, nothing evaluated", slow.Filter->GetEvaluations() == 0);
   // The executive's own report before the run, those of both kinds of cutting, and then those of the integration.
   CheckEqual("stops while faces are cut", 3, inCut);

@@ -213,7 +213,7 @@ void CheckFilters(int backend)
   withheld->SetInputData(leaf);
   withheld->Update();
   CheckTrue("moved points: the message names the filter",
-    trap.Errors.find("vtkNURBSTransform") != std::string::npos, trap.Errors);
+    trap.Errors.find("NURBS Transform") != std::string::npos, trap.Errors);
 }
 }
 

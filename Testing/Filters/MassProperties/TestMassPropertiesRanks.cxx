@@ -222,7 +222,7 @@ void TestLimits(const std::string& file)
     Pair pair(file, vtkSurfaceIntegralGPU::AUTOMATIC);
     pair.Shared.Mass->SetMaximumSeconds(1e-9);
     UpdateTogether(pair.Shared.Mass);
-    CheckTrue("no time: said", rank != 0 || Says(pair.Shared.Mass, "MaximumSeconds were over"),
+    CheckTrue("no time: said", rank != 0 || Says(pair.Shared.Mass, "the maximum seconds were over"),
       GetMessages(pair.Shared.Mass));
     CheckTrue("no time: nothing computed", rank != 0 || std::isnan(pair.Shared.Mass->GetVolume()));
     pair.Shared.Mass->SetMaximumSeconds(0.0);
@@ -333,7 +333,7 @@ void TestNothing(const std::string& file)
   integral->SetController(controller);
   integral->SetBackend(vtkSurfaceIntegralGPU::CPU);
   UpdateTogether(integral);
-  CheckTrue("no integrand: said", rank != 0 || Says(integral, "add an integrand"), GetMessages(integral));
+  CheckTrue("no integrand: said", rank != 0 || Says(integral, "there is no integrand"), GetMessages(integral));
   integral->AddIntegrand("wave", "sin(position.x) * dA");
   UpdateTogether(integral);
   CheckTrue("an expression on the CPU: said", rank != 0 || Says(integral, "wave was not computed"),

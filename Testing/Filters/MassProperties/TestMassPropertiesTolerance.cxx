@@ -104,7 +104,7 @@ void CheckSeconds(const Expected& solid)
   mass->Update();
   CheckEqual("no time", names::StatusNotComputed, mass->GetStatus());
   CheckTrue(
-    "and it says so", mass->GetMessage(0).find("MaximumSeconds") != std::string::npos, mass->GetMessage(0));
+    "and it says so", mass->GetMessage(0).find("maximum seconds") != std::string::npos, mass->GetMessage(0));
   mass->SetMaximumSeconds(0.0);
   mass->Update();
   CheckEqual("all the time", names::StatusOk, mass->GetStatus());

@@ -401,7 +401,7 @@ void CheckBudgets(const Manifest& manifest)
   mass->Update();
   CheckTrue("out of time: nothing", isNothing());
   CheckTrue(
-    "and it says so", GetMessages(mass).find("MaximumSeconds") != std::string::npos, GetMessages(mass));
+    "and it says so", GetMessages(mass).find("maximum seconds") != std::string::npos, GetMessages(mass));
   mass->SetMaximumSeconds(0.0);
   mass->Update();
   CheckTrue("then everything", std::isfinite(mass->GetVolume()));

@@ -232,7 +232,7 @@ void CheckLimits(const Manifest& manifest)
     slow.Filter->Update();
     CheckEqual("no time, status", sm::names::StatusNotComputed, slow.Filter->GetStatus());
     CheckTrue("no time, no area", std::isnan(slow.Filter->GetSectionArea()));
-    CheckTrue("no time, said", Says(slow.Filter, "MaximumSeconds were over"), GetMessages(slow.Filter));
+    CheckTrue("no time, said", Says(slow.Filter, "the maximum seconds were over"), GetMessages(slow.Filter));
     CheckTrue("no time, but the picture, which needs no integral",
       vtkPolyData::SafeDownCast(slow.Filter->GetOutputDataObject(7))->GetNumberOfPolys() > 0);
     slow.Filter->SetMaximumSeconds(0.0);

@@ -211,7 +211,7 @@ elif has("SchemeMassProperties"):
     check("server: seconds", seconds, passed, 25.0, "(the run would take hours)")
     check_true("server: stopped by MaximumSeconds", passed >= seconds, f"{passed:.1f} s")
     check_equal("server: status", "not-computed", fields_of(mass).GetAbstractArray("Status").GetValue(0))
-    check_true("server: the summary says why", "MaximumSeconds" in summary_of(mass), summary_of(mass))
+    check_true("server: the summary says why", "maximum seconds" in summary_of(mass), summary_of(mass))
     mass.SubPatchFactor, mass.MaximumSeconds = 1, 0.0
     mass.UpdatePipeline()
     check_true("server: the next run", fields_of(mass).GetArray("Volume").GetValue(0) > 1000.0)

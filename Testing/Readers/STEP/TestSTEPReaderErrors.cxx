@@ -230,7 +230,7 @@ void CheckTimeLimit(const std::string& path)
   CheckEqual("too slow", "aborted", reader->GetStatusAsString());
   CheckTrue("and says so",
     reader->GetNumberOfMessages() > 0 &&
-      reader->GetMessage(reader->GetNumberOfMessages() - 1).find("MaximumSeconds") != std::string::npos);
+      reader->GetMessage(reader->GetNumberOfMessages() - 1).find("maximum seconds") != std::string::npos);
   CheckEqual("without an error", 0, log.Count);
   CheckEqual("and empty", 0, reader->GetOutput()->GetNumberOfPartitionedDataSets());
   reader->SetMaximumSeconds(0.0);
