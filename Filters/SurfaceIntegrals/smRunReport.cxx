@@ -12,13 +12,17 @@ namespace sm
 std::string FormatStatus(
   const std::string& status, const std::string& reason, const std::vector<std::string>& messages)
 {
-  if (status == names::StatusOk)
+  // Messages beside the status ok are notes, such as a unit that was assumed.
+  const bool isNote = status == names::StatusOk;
+  if (isNote && messages.empty())
   {
     return "";
   }
+  const std::string& first = isNote ? messages.front() : reason;
   const auto others = std::count_if(messages.begin(), messages.end(),
-    [&reason](const std::string& message) { return reason.find(message) == std::string::npos; });
-  std::string text = "Status: " + status + "\n" + WrapText(reason, 64);
+    [&first](const std::string& message) { return first.find(message) == std::string::npos; });
+  std::string text =
+    isNote ? WrapText("Note: " + first, 64) : "Status: " + status + "\n" + WrapText(first, 64);
   if (others > 0)
   {
     text += "and " + std::to_string(others) + (others == 1 ? " more message\n" : " more messages\n");

@@ -67,7 +67,7 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
 };
 
 /// The first lines of a summary: the status, its reason in lines of at most 64 characters, the number of the messages that do not repeat
-/// it, and what bounds are worth where the model is in doubt. Empty if the status is `ok`.
+/// it, and what bounds are worth where the model is in doubt. With the status `ok` the first message as a note, or nothing.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::string FormatStatus(
   const std::string& status, const std::string& reason, const std::vector<std::string>& messages);
 }

@@ -122,7 +122,7 @@ struct SMREADERSPART21_EXPORT Part21Cursor
     }
     return { start, static_cast<std::size_t>(this->At - start) };
   }
-  /// An opening bracket to its closing one.
+  /// An opening bracket to its closing one. False at a semicolon between them.
   bool SkipBrackets();
 };
 }

@@ -172,6 +172,9 @@ bool Part21Cursor::SkipBrackets()
           return true;
         }
         break;
+      case ';':
+        // Ends the record: its brackets do not balance.
+        return false;
       default:
         break;
     }

@@ -232,6 +232,8 @@ private:
         }
       }
     }
+    // The reason must not depend on the order of the table.
+    bool isContrary = false;
     for (const auto& [edge, use] : uses)
     {
       if (isSolid && use.Sum != 0 && use.Count == 1)
@@ -239,10 +241,11 @@ private:
         return "a shell is open";
       }
       // Parts of a solid that touch along an edge use it two times in either direction.
-      if ((use.Count > 2 && !isSolid) || (use.Count > 1 && use.Sum != 0))
-      {
-        return "its faces do not agree about their sides";
-      }
+      isContrary = isContrary || (use.Count > 2 && !isSolid) || (use.Count > 1 && use.Sum != 0);
+    }
+    if (isContrary)
+    {
+      return "its faces do not agree about their sides";
     }
     const std::vector<std::size_t> groups = GroupFaces(faces);
     const bool isOne =

@@ -57,6 +57,7 @@ public:
   void Run()
   {
     this->ReportDensities();
+    this->CheckDeclared();
     for (const CensusBody& body : this->Census.Bodies)
     {
       for (const std::size_t i : this->Read[body.Id])
@@ -154,6 +155,32 @@ private:
       (isAngle ? "angles" : "lengths") + " (context #" + std::to_string(problem.Id) +
       "): " + (isAngle ? "radians are" : "mm is") + " assumed.";
     this->Result.Messages.push_back(message);
+  }
+
+  /// OpenCASCADE reads some files that the census cannot follow: what it has not seen, it cannot vouch for.
+  void CheckDeclared()
+  {
+    std::set<std::uint64_t> declared;
+    for (const CensusBody& body : this->Census.Bodies)
+    {
+      declared.insert(body.Id);
+    }
+    std::vector<std::uint64_t> unknown;
+    for (const auto& [id, parts] : this->Read)
+    {
+      const bool hasSolid = std::any_of(
+        parts.begin(), parts.end(), [this](std::size_t i) { return this->Result.Bodies[i].Solid; });
+      if (hasSolid && declared.count(id) == 0)
+      {
+        unknown.push_back(id);
+      }
+    }
+    if (!unknown.empty())
+    {
+      this->Result.Defects.push_back(
+        "The file's text is damaged so that its entities cannot be counted: of the solids " +
+        ListIds(unknown) + " it is not known whether they are complete. Export the file again.");
+    }
   }
 
   void CheckSolid(const CensusBody& body)

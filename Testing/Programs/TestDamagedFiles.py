@@ -90,6 +90,11 @@ def check_solids():
     check_equal("gaps that are accepted", (0, "ok"), (code, entry["status"]))
     check_true("every gap has its edge", entry["solids"][0]["worst_edges"][0]["max_gap"] == entry["total"]["max_gap"])
     damage(box, "no_unit", [(r"LENGTH_UNIT\(\)", "MASS_UNIT()")], FLAGGED | {"ok"}, ["unit"])
+    # OpenCASCADE reads sections that the census does not know.
+    damage(box, "section_in_small_letters", [(r"DATA;", "data;")], FLAGGED, ["entities cannot be counted"])
+    # Brackets that the header opens and a context closes.
+    damage(box, "lines_swapped", [(r"(HEADER;\s*FILE_DESCRIPTION\(\('[^']*')\)", r"\1,(("), (r"(GEOMETRIC_REPRESENTATION_CONTEXT\(3\))", r"\1 ')'))")],
+           FLAGGED, ["damaged entity (context)"])
     # OpenCASCADE ignores a unit with a parameter too many: metres for millimetres.
     damage(box, "unit_with_another_star", [(r"(LENGTH_UNIT\(\) NAMED_UNIT\(\*)\)", r"\1,*)")], FLAGGED, ["wrong unit", "#346"])
     damage("box-inch.step", "inch_with_another_factor", [(r"(CONVERSION_BASED_UNIT\('INCH',)(#\d+)", r"\1\2,\2")], FLAGGED, ["wrong unit"])

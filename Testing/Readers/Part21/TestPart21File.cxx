@@ -152,6 +152,13 @@ void CheckSections()
   CheckEqual("sections: instances", 2, file.GetNumberOfInstances());
   CheckTrue("sections: across", file.GetReferences(1)[0] == 0);
 
+  // Brackets that the header opens and the data closes.
+  CheckTrue("open header: read",
+    file.Parse("ISO-10303-21;HEADER;FILE_NAME('',((A('b')\n;ENDSEC;DATA;\n#1=A(2)));\n#2=A();\nENDSEC;\nEND-"
+               "ISO-10303-21;"));
+  CheckEqual("open header: problems", "syntax error 2", GetProblems(file));
+  CheckEqual("open header: instances", 2, file.GetNumberOfInstances());
+
   CheckTrue("junk: read", file.Parse("x" + Wrap("#1=A();\n")));
   CheckEqual("junk: problems", "junk before the header 1", GetProblems(file));
   CheckTrue("junk: too much", !file.Parse(std::string(1 << 16, 'x') + Wrap("")));
