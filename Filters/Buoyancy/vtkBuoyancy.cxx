@@ -9,6 +9,7 @@
 #include "smIntegralEngine.h"
 #include "smUnitRoundoff.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkBuoyancy);
 
@@ -78,6 +80,38 @@ private:
 double GetScale(const sm::BodyIntegrals& body, int degree)
 {
   return std::pow(sm::GetReach(body), degree) * sm::GetVolumeScale(*body.Model);
+}
+
+/// Returns a line that says on which side of the plane all bodies lie; empty where their box, with a hundredth of its diagonal about it, meets
+/// the plane.
+std::string DescribeSide(
+  const std::vector<sm::BodyIntegrals>& bodies, const double point[3], const double normal[3])
+{
+  vtkBoundingBox box;
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    sm::AddPlacedBox(body, box);
+  }
+  if (!box.IsValid())
+  {
+    return "";
+  }
+  const double margin = 0.01 * box.GetDiagonalLength();
+  double lowest = std::numeric_limits<double>::max();
+  double highest = -lowest;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double p[3];
+    box.GetCorner(corner, p);
+    const double height =
+      ((p[0] - point[0]) * normal[0] + (p[1] - point[1]) * normal[1] + (p[2] - point[2]) * normal[2]) /
+      vtkMath::Norm(normal);
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
+  }
+  return highest < -margin ? "The solids lie wholly below the plane.\n"
+    : lowest > margin      ? "The solids lie wholly above the plane.\n"
+                           : "";
 }
 
 /// Makes a row of the sums over a body's faces and of the centre, which is computed about a point near the body.
@@ -242,7 +276,7 @@ void vtkBuoyancy::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, con
   }
   solids.AddTo(outputs.Solids->GetRowData());
   const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
-  std::string summary = this->FormatStatus(bodies) +
+  std::string summary = this->FormatStatus(bodies) + DescribeSide(bodies, this->Point, this->Normal) +
     "Displaced volume: " + sm::FormatWithBound(self.Total.Volume, self.Total.VolumeBound, unit + "^3") + "\n";
   if (std::isfinite(self.Total.CenterBound))
   {

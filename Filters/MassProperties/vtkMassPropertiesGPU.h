@@ -27,8 +27,8 @@ public:
 
   ///@{
   /**
-   * Tolerance of every quantity, relative to its scale as below. Range (0, 1], clamped to [1e-15, 1]; NaN is reported as an error
-   * and changes nothing. Default 1e-9. If it cannot be met, Status is tolerance-not-met, and the values are kept with their true
+   * Tolerance of every quantity, relative to its scale as below. Range (0, 1], at least 1e-15 is used; others are reported as an error
+   * and change nothing. Default 1e-9. If it cannot be met, Status is tolerance-not-met, and the values are kept with their true
    * bounds.
    */
   void SetRelativeTolerance(double tolerance) { this->ChangeRelativeTolerance(tolerance); }

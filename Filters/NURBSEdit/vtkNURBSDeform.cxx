@@ -53,6 +53,13 @@ struct vtkNURBSDeform::Run
   sm::ModelEdit Edit(vtkTrimmedNURBSModel* model, const sm::PointMap& map) const;
   bool Change(vtkNURBSDataSet* source, vtkNURBSDataSet* copy);
   void Count(const sm::ModelEdit& edit);
+  /// Returns true if something ought to move.
+  bool HasDisplacement() const
+  {
+    const double* displacement = this->Self->Displacement;
+    return this->Self->Mode == DISPLACE && this->Share != 0.0 &&
+      std::any_of(displacement, displacement + 3, [](double d) { return d != 0.0; });
+  }
 };
 
 sm::PointMap vtkNURBSDeform::Run::MakeDisplacement(vtkNURBSDataSet* leaf) const
@@ -403,12 +410,19 @@ bool vtkNURBSDeform::DeformInput(vtkDataObject* input, int piece, double share, 
     vtkErrorMacro(
       "There is no face " << *worst << ": the solid has " << run.MostFaces << ", counted from 0.");
   }
+  else if (this->NumberOfChangedFaces == 0 && run.HasDisplacement())
+  {
+    vtkWarningMacro("The deformation moves nothing: no control point of the chosen faces lies within the "
+                    "radius of the centre. Remedy: "
+                    "another centre, or a larger radius.");
+  }
   else if (run.TornEdges > 0)
   {
     vtkWarningMacro("The deformation tears faces from their edges at "
       << run.TornEdges << " places, by up to " << sm::FormatDistance(this->LargestGap)
       << ": their control points lie too far from each other. Mass properties close such gaps "
-      << "and are suspect. Remedy: a smaller displacement, a larger radius, or a part whose faces have more "
+      << "and are suspect. Remedy: " << (this->KeepClosed ? "" : "Keep Closed, ")
+      << "a smaller displacement, a larger radius, or a part whose faces have more "
          "control points.");
   }
   return done;

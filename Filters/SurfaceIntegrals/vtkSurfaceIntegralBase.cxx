@@ -1,6 +1,7 @@
 #include "vtkSurfaceIntegralBase.h"
 
 #include "smAbortFlag.h"
+#include "smFormat.h"
 #include "smIntegralEngine.h"
 
 #include "vtkAutoInit.h"
@@ -83,12 +84,14 @@ int vtkSurfaceIntegralBase::FillOutputPortInformation(int port, vtkInformation* 
 
 void vtkSurfaceIntegralBase::ChangeRelativeTolerance(double tolerance)
 {
-  if (std::isnan(tolerance))
+  if (!(tolerance > 0.0 && tolerance <= 1.0))
   {
-    vtkErrorMacro("SetRelativeTolerance: not a number; give a value in (0, 1], for example 1e-9.");
+    vtkErrorMacro("The relative tolerance " << sm::FormatDigits(tolerance, 6) << " is not used, "
+                                            << sm::FormatDigits(this->RelativeTolerance, 6)
+                                            << " is kept: give 1e-15 to 1, for example 1e-9.");
     return;
   }
-  const double clamped = std::clamp(tolerance, 1e-15, 1.0);
+  const double clamped = std::max(tolerance, 1e-15);
   if (this->RelativeTolerance != clamped)
   {
     this->RelativeTolerance = clamped;

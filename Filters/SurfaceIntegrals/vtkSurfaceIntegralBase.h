@@ -268,7 +268,7 @@ protected:
 #endif
 
   ///@{
-  /** Sets the relative tolerance, for subclasses that have one: clamped to [1e-15, 1]; NaN is reported as an error and changes
+  /** Sets the relative tolerance, for subclasses that have one, in (0, 1]; at least 1e-15 is used. Others are reported as an error and change
    * nothing. */
   void ChangeRelativeTolerance(double tolerance);
   double RelativeTolerance = 1e-9;

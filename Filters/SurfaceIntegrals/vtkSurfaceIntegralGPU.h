@@ -137,7 +137,7 @@ public:
   ///@{
   /**
    * Tolerance of every integral relative to the scale of its solid (volume or area times the matching power of its size). Range
-   * (0, 1], clamped to [1e-15, 1]; NaN is reported as an error and changes nothing. Default 1e-9. If it cannot be met, Status is
+   * (0, 1], at least 1e-15 is used; others are reported as an error and change nothing. Default 1e-9. If it cannot be met, Status is
    * tolerance-not-met, and the value is kept with its true bound.
    */
   void SetRelativeTolerance(double tolerance) { this->ChangeRelativeTolerance(tolerance); }

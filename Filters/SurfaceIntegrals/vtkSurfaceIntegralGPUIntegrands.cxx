@@ -135,8 +135,11 @@ void vtkSurfaceIntegralGPU::Add(const sm::Integrand& integrand, std::vector<sm::
     name == vtkNURBSDataSet::FaceIndexArrayName();
   if (name.empty() || isReserved || HasClash(this->Implementation->GetIntegrands(), name))
   {
-    vtkErrorMacro(
-      "The name '" << name << "' of an integrand is empty, or it is used by a column of the outputs.");
+    vtkErrorMacro("The integrand " << (name.empty() ? "without a name is not used: give it one."
+                                                    : "'" + name + "' is not used: " +
+                        (isReserved ? "a column of the outputs has this name"
+                                    : "another integrand has this name, or names its bound") +
+                        ". Give it another one."));
     return;
   }
   integrands.push_back(integrand);

@@ -16,8 +16,7 @@ namespace
 {
 using Cells = std::array<std::string, MaterialTableColumns>;
 
-/// Short: the panel is narrow.
-const Cells Titles = { "Part", "Material", "kg/m^3", "Mass kg" };
+const Cells Titles = { "Part", "Material", "Density (kg/m^3)", "Mass (kg)" };
 constexpr const char* TotalName = "Total";
 constexpr const char* TickedTotalName = "Total of ticked solids";
 constexpr const char* FromFile = " (file)";
@@ -27,6 +26,8 @@ constexpr const char* FromRowBelow = " (below)";
 constexpr const char* Several = "several";
 /// In place of a mass: the filter refuses the rule, and has computed the solids without it.
 constexpr const char* NoDensity = "no density";
+/// In place of a mass: the rule's pattern fits no part of the input.
+constexpr const char* NoPart = "fits no part";
 constexpr int MassDigits = 6;
 
 /// The shortest text that reads back to the bit.
@@ -181,7 +182,10 @@ std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& part
   {
     if (!isShown[i])
     {
-      cells.insert(cells.end(), { rules[i][0], rules[i][1], GetDensity(rules[i]), "" });
+      const bool fits = parts.empty() ||
+        std::any_of(parts.begin(), parts.end(),
+          [&pattern = rules[i][0]](const PartMaterial& part) { return MatchesPattern(pattern, part.Name); });
+      cells.insert(cells.end(), { rules[i][0], rules[i][1], GetDensity(rules[i]), fits ? "" : NoPart });
     }
   }
   cells.insert(cells.end(), { isSomeSolids ? TickedTotalName : TotalName, "", "", FormatMass(total) });

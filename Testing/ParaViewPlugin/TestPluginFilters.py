@@ -121,6 +121,11 @@ if has("Buoyancy"):
         check(f"displaced first moment, axis {axis}", half * lowered[axis], vector(afloat, "DisplacedFirstMoments")[axis],
               1e-8 * half * (radius + max(abs(each) for each in center)))
     check_true("the summary has it", "Displaced volume: " in servermanager.Fetch(afloat, idx=2).GetValueByName(0, "Text").ToString())
+    for side, sign in (("below", 1.0), ("above", -1.0)):
+        afloat.Point = [center[0], center[1], center[2] + sign * 2.0 * radius]
+        text = servermanager.Fetch(afloat, idx=2).GetValueByName(0, "Text").ToString()
+        check_true(f"wholly {side}", f"The solids lie wholly {side} the plane.\n" in text, text)
+    afloat.Point = center
     afloat.Normal = [0.0, 0.0, -1.0]
     check("the half above", half, total(afloat, "DisplacedVolume"), 1e-9 * sphere["volume"])
     check("its centre", center[2] + 0.375 * radius, vector(afloat, "CenterOfBuoyancy")[2], 1e-8 * radius)

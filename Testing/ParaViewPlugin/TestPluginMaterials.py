@@ -76,7 +76,7 @@ reader = simple.OpenDataFile(write("materials_machine.step"))
 reader.UpdatePipeline()
 mass = MassProperties(Input=reader)  # noqa: F821
 FILE = {"plate": ("", "2700 (file)", 2700.0), "bolt": ("", "7850 (file)", 7850.0), "rail": ("", "", None)}
-check_equal("before the first run: titles", ["Part", "Material", "kg/m^3", "Mass kg"], list(mass.MaterialTable)[:4])
+check_equal("before the first run: titles", ["Part", "Material", "Density (kg/m^3)", "Mass (kg)"], list(mass.MaterialTable)[:4])
 check_equal("before the first run: densities of the file", [[cells[1], ""] for cells in FILE.values()],
             [get_rows(mass)[part][1:] for part in FILE])
 mass.UpdatePipeline()
@@ -149,6 +149,12 @@ check_equal("an unknown material: the row", ["unobtainium", "", "no density"], g
 check_equal("an unknown material: the others have theirs", ["Lead", "11340"], get_rows(mass)["plate"][:2])
 edit(mass, "rail", density="123.5")
 check("an unknown material and a density", VOLUMES["rail"] * 123.5e-9, float(get_rows(mass)["rail"][2]), 1.3e-8, "six digits")
+
+# A rule for no part of the input.
+mass.Materials = ["nut*", "steel", "", "b*", "lead", ""]
+mass.UpdatePipeline()
+check_equal("a rule that fits no part", ["steel", "7850", "fits no part"], get_rows(mass)["nut*"])
+check_equal("a rule that fits one", ["lead", "11340", ""], get_rows(mass)["b*"])
 
 # Rules of a script stay as they are.
 rules = ["b*", "lead", "", "plate", "", "1000", "bol?", "zinc", ""]

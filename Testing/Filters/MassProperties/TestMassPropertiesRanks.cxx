@@ -45,6 +45,13 @@ bool IsOfRanks(const std::string& name)
     (countsDiffer && name == sm::names::Evaluations);
 }
 
+/// A run of ranks may begin its summary with a note about them.
+bool IsSameText(const std::string& alone, const std::string& shared)
+{
+  const bool hasNote = shared.rfind("Note: rank ", 0) == 0 && shared.size() > alone.size();
+  return alone == (hasNote ? shared.substr(shared.size() - alone.size()) : shared);
+}
+
 std::string CompareArrays(vtkAbstractArray* a, vtkAbstractArray* b)
 {
   if (!a || !b || a->GetNumberOfValues() != b->GetNumberOfValues())
@@ -56,8 +63,8 @@ std::string CompareArrays(vtkAbstractArray* a, vtkAbstractArray* b)
     const vtkVariant x = a->GetVariantValue(i);
     const vtkVariant y = b->GetVariantValue(i);
     const double values[2] = { x.ToDouble(), y.ToDouble() };
-    const bool same =
-      x.IsString() ? x.ToString() == y.ToString() : !std::memcmp(values, values + 1, sizeof(double));
+    const bool same = x.IsString() ? IsSameText(x.ToString(), y.ToString())
+                                   : !std::memcmp(values, values + 1, sizeof(double));
     if (!same)
     {
       return "value " + std::to_string(i) + ": " + x.ToString() + " and " + y.ToString();
@@ -333,7 +340,8 @@ void TestNothing(const std::string& file)
   integral->SetController(controller);
   integral->SetBackend(vtkSurfaceIntegralGPU::CPU);
   UpdateTogether(integral);
-  CheckTrue("no integrand: said", rank != 0 || Says(integral, "there is no integrand"), GetMessages(integral));
+  CheckTrue(
+    "no integrand: said", rank != 0 || Says(integral, "there is no integrand"), GetMessages(integral));
   integral->AddIntegrand("wave", "sin(position.x) * dA");
   UpdateTogether(integral);
   CheckTrue("an expression on the CPU: said", rank != 0 || Says(integral, "wave was not computed"),

@@ -2,6 +2,7 @@
 // numbers of the run before, never `ok` for what is not.
 #include "smTestPipeline.h"
 
+#include <smRunReport.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNURBSDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -242,6 +243,19 @@ void CheckIntegrands(const std::string& box)
   integral->Update();
   CheckEqual("a tolerance below rounding", names::StatusToleranceNotMet, integral->GetStatus());
 }
+
+/// The first lines of a summary.
+void CheckStatusLines()
+{
+  std::printf("--- status lines\n");
+  const std::string unit = "mm is assumed";
+  CheckEqual("ok", "", sm::FormatStatus("ok", "", {}));
+  CheckEqual("ok with a note", "Note: mm is assumed\n", sm::FormatStatus("ok", "", { unit }));
+  CheckEqual("and another", "Note: mm is assumed\nand 1 more message\n",
+    sm::FormatStatus("ok", "", { unit, "second" }));
+  CheckEqual("a reason first", "Status: tolerance-not-met\nsecond\nand 1 more message\n",
+    sm::FormatStatus("tolerance-not-met", "second", { unit, "second" }));
+}
 }
 
 int TestMassPropertiesRuns(int argc, char* argv[])
@@ -257,5 +271,6 @@ int TestMassPropertiesRuns(int argc, char* argv[])
   CheckEdit(folder + "/box-plain.step");
   CheckUnits(folder + "/box-plain.step");
   CheckIntegrands(folder + "/box-plain.step");
+  CheckStatusLines();
   return Finish();
 }

@@ -10,6 +10,7 @@
 #include <vtkTrimmedNURBSModel.h>
 
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,16 @@ void CheckSingleTolerances(const Expected& solid)
   vtkMassPropertiesGPU* mass = pipeline.Mass;
   MessageTrap trap(mass);
   const double scales[] = { solid.Volume, solid.Area, std::cbrt(solid.Volume), solid.GetInertiaTrace() };
+  for (const double wrong : { 2.0, 0.0, -1e-9, std::numeric_limits<double>::quiet_NaN() })
+  {
+    mass->SetRelativeTolerance(wrong);
+    Check("a tolerance that is refused", 1e-9, mass->GetRelativeTolerance(), 0.0);
+  }
+  CheckEqual("errors", 4, trap.NumberOfErrors);
+  trap.NumberOfErrors = 0;
+  mass->SetRelativeTolerance(1e-20);
+  Check("the smallest", 1e-15, mass->GetRelativeTolerance(), 0.0);
+  mass->SetRelativeTolerance(1e-9);
   mass->Update();
   const vtkTypeInt64 all = mass->GetEvaluations();
 

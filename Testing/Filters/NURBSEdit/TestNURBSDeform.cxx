@@ -195,6 +195,27 @@ void CheckGap()
   run(1e-3, 0);
 }
 
+/// What would move lies elsewhere.
+void CheckNothingMoved()
+{
+  std::printf("--- a region without control points\n");
+  LatticeBody body;
+  vtkNew<vtkNURBSDeform> filter;
+  filter->SetInputData(body.Make());
+  filter->SetCenter(1e3, 0.0, 0.0);
+  filter->SetRadius(1.0);
+  MessageTrap trap(filter);
+  filter->Update();
+  CheckEqual("nothing is asked: warnings", 0, trap.NumberOfWarnings);
+  filter->SetDisplacement(0.0, 0.0, 1.0);
+  filter->Update();
+  CheckEqual("nothing moved: warnings", 1, trap.NumberOfWarnings);
+  CheckEqual("faces", 0, filter->GetNumberOfChangedFaces());
+  filter->SetRadius(1e4);
+  filter->Update();
+  CheckEqual("something moved: no more of them", 1, trap.NumberOfWarnings);
+}
+
 /// Without FaceIndex and Parameters, points are mapped.
 void CheckPlainPoints()
 {
@@ -255,6 +276,7 @@ int TestNURBSDeform(int, char*[])
   CheckDisplacement();
   CheckLattice();
   CheckGap();
+  CheckNothingMoved();
   CheckPlainPoints();
   CheckOutOfMemory();
   return Finish();
