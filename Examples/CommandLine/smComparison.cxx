@@ -113,7 +113,7 @@ struct Body
   bool HasShape() const { return this->Shape.Shape && this->Shape.Shape->Problem.empty(); }
 };
 
-std::vector<Body> ListBodies(const Json& file)
+std::vector<Body> ListEntries(const Json& file)
 {
   std::map<std::string, SolidShape> shapes = ReadShapes(file[ShapesKey]);
   std::vector<Body> bodies;
@@ -146,8 +146,8 @@ class Comparison
 public:
   Comparison(const Json& oldFile, const Json& newFile, double limit, std::function<bool()> shouldContinue)
     : ShouldContinue(std::move(shouldContinue))
-    , Old(ListBodies(oldFile))
-    , New(ListBodies(newFile))
+    , Old(ListEntries(oldFile))
+    , New(ListEntries(newFile))
     , Limit(limit)
     , Diagonal(std::max(GetLargest(oldFile["diagonal"]), GetLargest(newFile["diagonal"])))
   {

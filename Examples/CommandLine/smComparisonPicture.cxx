@@ -81,7 +81,7 @@ vtkSmartPointer<vtkPolyData> JoinState(
   return JoinParts(chosen);
 }
 
-void SetUpScene(vtkCADReader* before, vtkCADReader* after, const JobOptions& options,
+void SetUpComparison(vtkCADReader* before, vtkCADReader* after, const JobOptions& options,
   vtkOpenGLRenderWindow* window, vtkRenderer* body, vtkRenderer* front)
 {
   const auto oldStates = ListStates(options.Comparison, "old_id");
@@ -113,7 +113,7 @@ void SetUpScene(vtkCADReader* before, vtkCADReader* after, const JobOptions& opt
 }
 
 /// Returns an error message, empty when the picture is written.
-std::string WritePicture(vtkCADReader* before, vtkCADReader* after, const JobOptions& options)
+std::string WriteComparison(vtkCADReader* before, vtkCADReader* after, const JobOptions& options)
 {
   vtkNew<vtkMassPropertiesGPU> filter;
   SetUpFilter(filter, options);
@@ -128,7 +128,7 @@ std::string WritePicture(vtkCADReader* before, vtkCADReader* after, const JobOpt
   vtkNew<vtkRenderer> front;
   window->SetOffScreenRendering(1);
   window->SetSize(Width, Height);
-  SetUpScene(before, after, options, window, body, front);
+  SetUpComparison(before, after, options, window, body, front);
   window->Render();
   std::string error = WriteImage(GrabImage(window), options.PictureName);
   window->RemoveRenderer(front);
@@ -153,6 +153,6 @@ void DrawComparison(const JobOptions& options, const JobListener& send)
   send({ { "result", file }, { "complete", true } });
   send({ { "progress", { stages::Draw, 0.0 } } });
   send({ { "picture",
-    areRead ? WritePicture(before, after, options) : std::string("the files could not be read again") } });
+    areRead ? WriteComparison(before, after, options) : std::string("the files could not be read again") } });
 }
 }

@@ -19,7 +19,7 @@ namespace
 constexpr size_t MostParts = 40;
 constexpr size_t NameWidth = 32;
 
-double GetNumber(const Json& value)
+double ToNumber(const Json& value)
 {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
@@ -32,9 +32,9 @@ double GetSize(const Json& value)
   {
     for (const Json& number : entry.is_array() ? entry : Json::array())
     {
-      size = std::max(size, std::abs(GetNumber(number)));
+      size = std::max(size, std::abs(ToNumber(number)));
     }
-    size = entry.is_array() ? size : std::hypot(size, GetNumber(entry));
+    size = entry.is_array() ? size : std::hypot(size, ToNumber(entry));
   }
   return size;
 }
@@ -45,7 +45,7 @@ std::string FormatDifference(
 {
   const Json& difference = differences[quantity];
   const Json& value = difference["difference"];
-  const double bound = GetNumber(difference["bound"]);
+  const double bound = ToNumber(difference["bound"]);
   return value.is_null() ? std::string()
                          : ", " + label + " " +
       FormatWithBound(value.is_array() ? GetSize(value) : value.get<double>(), bound, unit);
@@ -58,7 +58,7 @@ std::string FormatRange(const Json& part, const char* key, const std::string& un
   double largest = 0.0;
   for (const Json& body : part["bodies"])
   {
-    const double value = GetNumber(body[key]);
+    const double value = ToNumber(body[key]);
     least = std::min(least, value);
     largest = std::max(largest, value);
   }
@@ -114,8 +114,8 @@ std::string FormatTotal(
   }
   const auto show = [](const Json& number)
   { return number.is_array() ? std::string() : FormatValue(number, nullptr); };
-  const double bound = GetNumber(difference["bound"]);
-  const double size = value.is_array() ? GetSize(value) : GetNumber(value);
+  const double bound = ToNumber(difference["bound"]);
+  const double size = value.is_array() ? GetSize(value) : ToNumber(value);
   return TrimEnd("  " + Pad(label + " " + unit, 28) + Pad(show(difference["old"]), 20, true) +
            Pad(show(difference["new"]), 20, true) +
            Pad(value.is_null() ? "-" : FormatNumber(size, bound), 20, true) +

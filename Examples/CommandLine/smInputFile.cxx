@@ -37,7 +37,7 @@ bool IsCADName(const std::string& name)
   return IsSTEPName(name) || extension == ".brep" || extension == ".brp";
 }
 
-std::uint32_t GetNumber(const std::string& bytes, size_t at, size_t count)
+std::uint32_t ReadNumber(const std::string& bytes, size_t at, size_t count)
 {
   std::uint32_t value = 0;
   for (size_t i = 0; i < count && at + i < bytes.size(); ++i)
@@ -218,16 +218,16 @@ void InputFile::Extract(const std::string& name)
   {
     return;
   }
-  const std::uint32_t size = GetNumber(bytes, end + 12, 4);
+  const std::uint32_t size = ReadNumber(bytes, end + 12, 4);
   std::string directory(std::min<size_t>(size, 1 << 26), '\0');
   file.clear();
-  file.seekg(GetNumber(bytes, end + 16, 4));
+  file.seekg(ReadNumber(bytes, end + 16, 4));
   file.read(directory.data(), static_cast<std::streamsize>(directory.size()));
   std::vector<size_t> found; ///< STEP files before BREP files
   size_t stepFiles = 0;
   for (size_t at = 0; at + 46 <= directory.size() && directory.compare(at, 4, "PK\x01\x02") == 0;)
   {
-    const size_t length = GetNumber(directory, at + 28, 2);
+    const size_t length = ReadNumber(directory, at + 28, 2);
     const std::string member = directory.substr(at + 46, length);
     if (IsSTEPName(member))
     {
@@ -237,7 +237,7 @@ void InputFile::Extract(const std::string& name)
     {
       found.push_back(at);
     }
-    at += 46 + length + GetNumber(directory, at + 30, 2) + GetNumber(directory, at + 32, 2);
+    at += 46 + length + ReadNumber(directory, at + 30, 2) + ReadNumber(directory, at + 32, 2);
   }
   if (found.empty() || (stepFiles != 1 && found.size() != 1))
   {
@@ -246,19 +246,19 @@ void InputFile::Extract(const std::string& name)
     return;
   }
   const size_t at = found.front();
-  const std::uint32_t method = GetNumber(directory, at + 10, 2);
-  const bool isEncrypted = (GetNumber(directory, at + 8, 2) & 1) != 0;
-  const std::uint32_t stored = GetNumber(directory, at + 20, 4);
+  const std::uint32_t method = ReadNumber(directory, at + 10, 2);
+  const bool isEncrypted = (ReadNumber(directory, at + 8, 2) & 1) != 0;
+  const std::uint32_t stored = ReadNumber(directory, at + 20, 4);
   std::string header(30, '\0');
   file.clear();
-  file.seekg(GetNumber(directory, at + 42, 4));
+  file.seekg(ReadNumber(directory, at + 42, 4));
   file.read(header.data(), 30);
   if (!file || header.compare(0, 4, "PK\x03\x04") != 0 ||
-    !this->MakeFolder(GetFileName(directory.substr(at + 46, GetNumber(directory, at + 28, 2)))))
+    !this->MakeFolder(GetFileName(directory.substr(at + 46, ReadNumber(directory, at + 28, 2)))))
   {
     return;
   }
-  file.seekg(GetNumber(header, 26, 2) + GetNumber(header, 28, 2), std::ios::cur);
+  file.seekg(ReadNumber(header, 26, 2) + ReadNumber(header, 28, 2), std::ios::cur);
   std::ofstream copy(this->Path, std::ios::binary);
   if (isEncrypted || (method != 0 && method != 8))
   {

@@ -69,7 +69,7 @@ vtkSmartPointer<vtkPolyData> Join(vtkPartitionedDataSetCollection* bodies, const
 }
 
 template <class Writer>
-bool Write(Writer* writer, vtkPolyData* mesh, const std::string& fileName)
+bool WriteWith(Writer* writer, vtkPolyData* mesh, const std::string& fileName)
 {
   writer->SetInputData(mesh);
   writer->SetFileName(fileName.c_str());
@@ -85,17 +85,17 @@ bool WriteAs(
     writer->SetFileTypeToBinary();
     // Readers take a file that begins with "solid" for text.
     writer->SetHeader(("Triangles by SolidMoments, lengths in " + unit).c_str());
-    return Write(writer.Get(), mesh, fileName);
+    return WriteWith(writer.Get(), mesh, fileName);
   }
   if (extension == ".obj")
   {
-    return Write(vtkNew<vtkOBJWriter>().Get(), mesh, fileName);
+    return WriteWith(vtkNew<vtkOBJWriter>().Get(), mesh, fileName);
   }
   if (extension == ".ply")
   {
-    return Write(vtkNew<vtkPLYWriter>().Get(), mesh, fileName);
+    return WriteWith(vtkNew<vtkPLYWriter>().Get(), mesh, fileName);
   }
-  return Write(vtkNew<vtkXMLPolyDataWriter>().Get(), mesh, fileName);
+  return WriteWith(vtkNew<vtkXMLPolyDataWriter>().Get(), mesh, fileName);
 }
 
 /// Returns an error message, also for no bytes at all.

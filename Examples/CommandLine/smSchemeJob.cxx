@@ -27,7 +27,7 @@ std::string MakeFileName(const std::string& name)
   return plain;
 }
 
-std::string Write(vtkImageData* image, const std::string& fileName)
+std::string WriteTexture(vtkImageData* image, const std::string& fileName)
 {
   if (sm::IsModelFile(fileName))
   {
@@ -92,7 +92,7 @@ std::string WriteTrimPictures(vtkMassPropertiesBase* filter, const std::string& 
     {
       name = plain + "-" + std::to_string(count);
     }
-    const std::string error = Write(scheme->GetTrimTexture(i), name + ".png");
+    const std::string error = WriteTexture(scheme->GetTrimTexture(i), name + ".png");
     if (!error.empty())
     {
       return error;

@@ -166,10 +166,10 @@ void ListNodes(const Json& node, bool isTop, Nodes& nodes)
   }
 }
 
-class Comparison
+class ProductComparison
 {
 public:
-  Comparison(const std::string& fileName, const Json& tree, const Json& file)
+  ProductComparison(const std::string& fileName, const Json& tree, const Json& file)
     : Millimetres(
         GetUnitInMillimetres(file["length_unit"].is_string() ? file["length_unit"].get<std::string>() : ""))
   {
@@ -256,7 +256,7 @@ void AddEntry(const STEPProduct& product, const char* quantity, const std::vecto
 
 Json CompareValidation(const std::string& fileName, const Json& tree, const Json& file, double limit)
 {
-  const Comparison comparison(fileName, tree, file);
+  const ProductComparison comparison(fileName, tree, file);
   const double unit = comparison.Millimetres > 0.0 ? comparison.Millimetres : 1.0;
   Json list = Json::array();
   for (const STEPProduct& product : comparison.Products)
@@ -293,7 +293,7 @@ Json CompareValidation(const std::string& fileName, const Json& tree, const Json
 std::string WriteValidation(
   const std::string& fileName, const Json& tree, const Json& file, const std::string& target)
 {
-  const Comparison comparison(fileName, tree, file);
+  const ProductComparison comparison(fileName, tree, file);
   if (!comparison.IsRead)
   {
     return fileName + " is no STEP file that can be written again with validation properties";

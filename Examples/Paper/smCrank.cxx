@@ -10,7 +10,7 @@ namespace smpaper
 namespace
 {
 // The shaft rotates about x. A throw is journal, web, pin, web.
-const gp_Ax1 Axis(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0));
+const gp_Ax1 CrankAxis(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0));
 const double JournalRadius = 17.0;
 const double JournalLength = 20.0;
 const double PinRadius = 14.0;
@@ -55,7 +55,7 @@ TopoDS_Shape Throw(double x, double angle)
   body = Cut(body,
     { Disk(firstWeb - 1.0, Stroke + 2.0, 5.0, ThrowLength),
       Cylinder(gp_Pnt(pin + PinLength / 2.0, Stroke, 0), gp_Dir(0.1, 1, 0.4), 2.2, 30.0) });
-  return Rotated(body, Axis, angle);
+  return Rotated(body, CrankAxis, angle);
 }
 
 /// An oil hole from the middle of a journal's surface through the web into the pin's bore.
@@ -64,7 +64,7 @@ TopoDS_Shape OilDrilling(double x, double angle)
   const gp_Pnt from(x + JournalLength / 2.0, -JournalRadius - 2.0, 0);
   const gp_Pnt to(x + JournalLength + WebThickness + PinLength / 2.0, Stroke, 0);
   const gp_Vec along(from, to);
-  return Rotated(Cylinder(from, gp_Dir(along), 2.4, along.Magnitude()), Axis, angle);
+  return Rotated(Cylinder(from, gp_Dir(along), 2.4, along.Magnitude()), CrankAxis, angle);
 }
 }
 
@@ -87,12 +87,12 @@ PaperPart MakeCrank()
   {
     if (i > 0)
     {
-      body = Fillet(body, FilletRadius, OnCircle(Axis, JournalRadius, i * ThrowLength));
+      body = Fillet(body, FilletRadius, OnCircle(CrankAxis, JournalRadius, i * ThrowLength));
     }
-    body = Fillet(body, FilletRadius, OnCircle(Axis, JournalRadius, i * ThrowLength + JournalLength));
+    body = Fillet(body, FilletRadius, OnCircle(CrankAxis, JournalRadius, i * ThrowLength + JournalLength));
   }
-  body = Chamfer(body, 1.5, OnCircle(Axis, 38.0, end + 14.0));
-  body = Chamfer(body, 1.5, OnCircle(Axis, 13.0, -34.0));
+  body = Chamfer(body, 1.5, OnCircle(CrankAxis, 38.0, end + 14.0));
+  body = Chamfer(body, 1.5, OnCircle(CrankAxis, 13.0, -34.0));
 
   std::vector<TopoDS_Shape> tools = { Disk(end + 6.0, 0, 15.0, 20.0),
     Box(gp_Pnt(-30, 9.0, -3), gp_Pnt(-8, 20, 3)), Cylinder(gp_Pnt(-8, 8.99, 0), gp_Dir(0, 1, 0), 3.0, 20.0),

@@ -18,7 +18,7 @@ namespace smpaper
 namespace
 {
 const gp_Dir Up(0, 0, 1);
-const gp_Ax1 Axis(gp_Pnt(0, 0, 0), Up);
+const gp_Ax1 GearAxis(gp_Pnt(0, 0, 0), Up);
 const double BoltRadius = 3.0;
 const double ShaftRadius = 8.0;
 const double SeatRadius = 15.0;
@@ -101,8 +101,8 @@ TopoDS_Shape ChamferRims(
     { gp_Pnt(0, 0, low), gp_Pnt(rim - run, 0, low), gp_Pnt(rim + 1.0, 0, low + rise + std::tan(Pi / 6.0)),
       gp_Pnt(rim + 1.0, 0, high - rise - std::tan(Pi / 6.0)), gp_Pnt(rim - run, 0, high),
       gp_Pnt(0, 0, high) },
-    Axis);
-  return BRepAlgoAPI_Common(body, Rotated(envelope, Axis, seam)).Shape();
+    GearAxis);
+  return BRepAlgoAPI_Common(body, Rotated(envelope, GearAxis, seam)).Shape();
 }
 }
 
@@ -135,8 +135,8 @@ TopoDS_Shape MakeGear(int teeth, double width)
   {
     for (const double z : { 3.0, width - 3.0 })
     {
-      body = Fillet(body, 1.2, OnCircle(Axis, root - 4.0, z));
-      body = Fillet(body, 1.2, OnCircle(Axis, 13.0, z));
+      body = Fillet(body, 1.2, OnCircle(GearAxis, root - 4.0, z));
+      body = Fillet(body, 1.2, OnCircle(GearAxis, 13.0, z));
     }
   }
   return OneSolid(body);
@@ -149,13 +149,13 @@ TopoDS_Shape MakeShaft(double length)
   TopoDS_Shape body = Revolution(
     { gp_Pnt(0, 0, low), gp_Pnt(7.0, 0, low), gp_Pnt(7.0, 0, 0), gp_Pnt(ShaftRadius, 0, 0),
       gp_Pnt(ShaftRadius, 0, length), gp_Pnt(7.0, 0, length), gp_Pnt(7.0, 0, high), gp_Pnt(0, 0, high) },
-    Axis);
+    GearAxis);
   for (const double z : { low, high })
   {
-    body = Chamfer(body, 0.8, OnCircle(Axis, 7.0, z));
+    body = Chamfer(body, 0.8, OnCircle(GearAxis, 7.0, z));
   }
-  body = Fillet(body, 0.4, OnCircle(Axis, 7.0, 0.0));
-  body = Fillet(body, 0.4, OnCircle(Axis, 7.0, length));
+  body = Fillet(body, 0.4, OnCircle(GearAxis, 7.0, 0.0));
+  body = Fillet(body, 0.4, OnCircle(GearAxis, 7.0, length));
   // Keyways, one with round ends, and a cross hole.
   const TopoDS_Shape groove = Fuse({ Box(gp_Pnt(6.2, -1.5, 4), gp_Pnt(10, 1.5, length - 4.0)),
     Cylinder(gp_Pnt(6.2, 0, 4), gp_Dir(1, 0, 0), 1.5, 3.8),
@@ -169,10 +169,10 @@ TopoDS_Shape MakeBearingRing(bool outer)
   const double rim = outer ? SeatRadius : 10.1;
   TopoDS_Shape body = Revolution({ gp_Pnt(inner, 0, 0), gp_Pnt(rim, 0, 0), gp_Pnt(rim, 0, PlateThickness),
                                    gp_Pnt(inner, 0, PlateThickness) },
-    Axis);
+    GearAxis);
   for (const double z : { 0.0, PlateThickness })
   {
-    body = Fillet(body, 0.5, OnCircle(Axis, outer ? rim : inner, z));
+    body = Fillet(body, 0.5, OnCircle(GearAxis, outer ? rim : inner, z));
   }
   const TopoDS_Shape race =
     BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(0, 0, PlateThickness / 2.0), Up), BallCircle, 2.5).Shape();
@@ -248,9 +248,9 @@ TopoDS_Shape MakeSpacer(double length)
   TopoDS_Shape body = Revolution({ gp_Pnt(BoltRadius + 0.2, 0, 0), gp_Pnt(8, 0, 0), gp_Pnt(8, 0, 6),
                                    gp_Pnt(6, 0, 9), gp_Pnt(6, 0, length - 9.0), gp_Pnt(8, 0, length - 6.0),
                                    gp_Pnt(8, 0, length), gp_Pnt(BoltRadius + 0.2, 0, length) },
-    Axis);
-  body = Fillet(body, 2.0, OnCircle(Axis, 6.0, 9.0));
-  body = Fillet(body, 2.0, OnCircle(Axis, 6.0, length - 9.0));
+    GearAxis);
+  body = Fillet(body, 2.0, OnCircle(GearAxis, 6.0, 9.0));
+  body = Fillet(body, 2.0, OnCircle(GearAxis, 6.0, length - 9.0));
   return OneSolid(Cut(body, { Cylinder(gp_Pnt(-12, 0.8, length / 2.0), gp_Dir(1, 0, 0.3), 1.8, 26.0) }));
 }
 
@@ -259,10 +259,10 @@ TopoDS_Shape MakeBolt(double gap)
   const double end = gap + 2.0 * PlateThickness + 9.0;
   TopoDS_Shape body = Revolution({ gp_Pnt(0, 0, -6), gp_Pnt(5, 0, -6), gp_Pnt(5, 0, 0),
                                    gp_Pnt(BoltRadius, 0, 0), gp_Pnt(BoltRadius, 0, end), gp_Pnt(0, 0, end) },
-    Axis);
-  body = Fillet(body, 0.6, OnCircle(Axis, 5.0, -6.0));
-  body = Fillet(body, 0.3, OnCircle(Axis, BoltRadius, 0.0));
-  body = Chamfer(body, 0.6, OnCircle(Axis, BoltRadius, end));
+    GearAxis);
+  body = Fillet(body, 0.6, OnCircle(GearAxis, 5.0, -6.0));
+  body = Fillet(body, 0.3, OnCircle(GearAxis, BoltRadius, 0.0));
+  body = Chamfer(body, 0.6, OnCircle(GearAxis, BoltRadius, end));
   const TopoDS_Shape socket = Prism(Hexagon(5.0, -7.0), gp_Vec(0, 0, 4.0));
   const TopoDS_Shape drillEnd = Cone(gp_Pnt(0, 0, -3.0), Up, 2.4, 0.0, 1.4);
   const TopoDS_Shape mouth = Cone(gp_Pnt(0, 0, -6.2), Up, 3.1, 2.3, 0.8);

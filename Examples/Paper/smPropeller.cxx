@@ -9,7 +9,7 @@ namespace smpaper
 {
 namespace
 {
-const gp_Ax1 Axis(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
+const gp_Ax1 PropellerAxis(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
 
 /// The section of a blade in the plane x = radius: thicker at the leading edge, cambered, pitched as a screw, and swept.
 TopoDS_Wire BladeSection(double radius, double chord, double thickness, double pitch, double sweep)
@@ -55,13 +55,13 @@ PaperPart MakePropeller()
   std::vector<TopoDS_Shape> shapes = { Revolution(
     { gp_Pnt(0, 0, -34), gp_Pnt(hubRadius, 0, -34), gp_Pnt(hubRadius, 0, 32), gp_Pnt(17, 0, 52),
       gp_Pnt(0, 0, 52) },
-    Axis) };
-  shapes[0] = Fillet(shapes[0], 8.0, OnCircle(Axis, hubRadius, 32.0));
-  shapes[0] = Fillet(shapes[0], 4.0, OnCircle(Axis, 17.0, 52.0));
+    PropellerAxis) };
+  shapes[0] = Fillet(shapes[0], 8.0, OnCircle(PropellerAxis, hubRadius, 32.0));
+  shapes[0] = Fillet(shapes[0], 4.0, OnCircle(PropellerAxis, 17.0, 52.0));
   const TopoDS_Shape blade = Blade();
   for (int i = 0; i < bladeCount; ++i)
   {
-    shapes.push_back(Rotated(blade, Axis, 2.0 * Pi * i / bladeCount));
+    shapes.push_back(Rotated(blade, PropellerAxis, 2.0 * Pi * i / bladeCount));
   }
   TopoDS_Shape body = Fuse(shapes);
   // The edges between blades and hub.
@@ -75,7 +75,7 @@ PaperPart MakePropeller()
   {
     // Slanted screw holes for a spinner in the cone of the nose.
     tools.push_back(
-      Rotated(Cylinder(gp_Pnt(26, 0, 47), gp_Dir(-0.6, 0, -1), 2.1, 20.0), Axis, Pi / 4.0 + Pi * i / 2.0));
+      Rotated(Cylinder(gp_Pnt(26, 0, 47), gp_Dir(-0.6, 0, -1), 2.1, 20.0), PropellerAxis, Pi / 4.0 + Pi * i / 2.0));
   }
   PaperPart part;
   part.Name = "propeller";

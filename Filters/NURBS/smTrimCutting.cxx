@@ -8,7 +8,7 @@ namespace
 {
 // Below this width of the parameter a pair of sign changes counts as a touch: the excursion between them
 // is smaller than rounding.
-constexpr int MaximumDepth = 48;
+constexpr int MaximumCuts = 48;
 
 int CountVariations(const double* b, int degree)
 {
@@ -96,7 +96,7 @@ void Isolate(const double* b, int degree, double start, double width, int depth,
     roots.push_back(start + width * BracketedRoot(b, degree));
     return;
   }
-  if (depth == MaximumDepth)
+  if (depth == MaximumCuts)
   {
     return;
   }

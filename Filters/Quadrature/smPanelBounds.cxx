@@ -11,8 +11,8 @@ namespace sm
 {
 namespace
 {
-// Radii of the ellipses tried: the least bound counts.
-const EllipseRadius Radii[] = { EllipseRadius(1.3), EllipseRadius(1.5), EllipseRadius(1.75),
+// PanelRadii of the ellipses tried: the least bound counts.
+const EllipseRadius PanelRadii[] = { EllipseRadius(1.3), EllipseRadius(1.5), EllipseRadius(1.75),
   EllipseRadius(2.05), EllipseRadius(2.4), EllipseRadius(2.8), EllipseRadius(3.3), EllipseRadius(4.0),
   EllipseRadius(5.0), EllipseRadius(6.5), EllipseRadius(9.0), EllipseRadius(13.0), EllipseRadius(20.0),
   EllipseRadius(40.0), EllipseRadius(100.0) };
@@ -288,7 +288,7 @@ void PanelBounds::BoundAcross(const Panel& panel)
     return;
   }
   const Ellipse real = Ellipse::FromRadius(1.0);
-  SearchEllipses(Radii,
+  SearchEllipses(PanelRadii,
     [&](const EllipseRadius& radius)
     {
       const Ellipse s = this->Embed(Ellipse::FromRadius(radius.GetValue()), 0);
@@ -298,7 +298,7 @@ void PanelBounds::BoundAcross(const Panel& panel)
 
 void PanelBounds::BoundAlong(const PanelPart& part)
 {
-  SearchEllipses(Radii,
+  SearchEllipses(PanelRadii,
     [&](const EllipseRadius& radius)
     {
       const Ellipse t = Ellipse::FromRadius(radius.GetValue());

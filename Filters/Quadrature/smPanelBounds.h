@@ -19,9 +19,6 @@
 
 namespace sm
 {
-/// More points than this cost more than bisecting.
-constexpr int LargestOrder = 20;
-
 /// Ranges of t and xi as fractions of the panel's; the depth is the number of halvings.
 struct PanelPart
 {

@@ -22,7 +22,7 @@ constexpr int DepthOfLines = 6;
 // The same where moments, too, want more points than one part may have: weights that differ a lot.
 constexpr std::size_t MostPartsOfMoments = 8192;
 // A higher exact order costs more than the one that a bound asks for.
-constexpr int LargestExactOrder = 10;
+constexpr int LargestFlatOrder = 10;
 // Rounding of a crossing's parameter, in units of u times its largest coordinate: 2 (degree + 2) for trim pieces up to degree 25.
 constexpr double EndRounding = 54.0;
 // An end this close to a patch's corner is that corner: cuts at knots are the knots themselves.
@@ -91,7 +91,7 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   const Panel& panel = this->Panels.Panels[index];
   const int trimDegree = std::max<int>(panel.TrimDegree, 1);
   const int along = ((this->Degree + 2) * trimDegree + 1) / 2;
-  if (panel.Shape != PanelShape::Flat || along > LargestExactOrder)
+  if (panel.Shape != PanelShape::Flat || along > LargestFlatOrder)
   {
     return false;
   }

@@ -21,6 +21,9 @@
 
 namespace sm
 {
+/// More points than this cost more than bisecting.
+constexpr int LargestOrder = 20;
+
 enum class ItemKind
 {
   Panel = 0,

@@ -11,11 +11,10 @@ namespace sm
 {
 namespace
 {
-const EllipseRadius Radii[] = { EllipseRadius(1.3), EllipseRadius(1.6), EllipseRadius(2.0),
+const EllipseRadius RibbonRadii[] = { EllipseRadius(1.3), EllipseRadius(1.6), EllipseRadius(2.0),
   EllipseRadius(2.5), EllipseRadius(3.2), EllipseRadius(4.2), EllipseRadius(6.0), EllipseRadius(9.0),
   EllipseRadius(15.0), EllipseRadius(30.0), EllipseRadius(100.0) };
-constexpr int LargestOrder = 20;
-constexpr int LargestDepth = 12;
+constexpr int LargestRibbonDepth = 12;
 // Points along a ribbon that also measures the gap between coedge and edge.
 constexpr int LeastGapPoints = 3;
 
@@ -153,7 +152,7 @@ void RibbonPlanner::BoundAlong(bool sound, const Majorants& real, double share)
   {
     return;
   }
-  SearchEllipses(Radii,
+  SearchEllipses(RibbonRadii,
     [&](const EllipseRadius& radius)
     {
       Majorants majorants;
@@ -203,7 +202,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   const double share = std::exp2(-depth);
   this->BoundAlong(sound, real, share);
   const int along = this->ChooseOrder();
-  if ((along > LargestOrder || this->Gap.IsRough()) && depth < LargestDepth)
+  if ((along > LargestOrder || this->Gap.IsRough()) && depth < LargestRibbonDepth)
   {
     const double middle = 0.5 * (start + end);
     this->PlanPart(index, start, middle, depth + 1);

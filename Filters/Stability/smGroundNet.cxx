@@ -71,23 +71,13 @@ bool KeepsSign(const Points& steps, const HeightRange& heights, double slack)
   return low > slack || high < -slack;
 }
 
-double Combination(int n, int k)
-{
-  double result = 1.0;
-  for (int i = 1; i <= k; ++i)
-  {
-    result *= static_cast<double>(n - k + i) / i;
-  }
-  return result;
-}
-
 using Vector = Vector3;
 
 /// Values, first and second derivatives of the Bernstein polynomials of a degree.
 void EvaluateBasis(int degree, double x, std::vector<double> (&basis)[3])
 {
   const auto value = [x](int n, int i)
-  { return i < 0 || i > n || n < 0 ? 0.0 : Combination(n, i) * std::pow(x, i) * std::pow(1.0 - x, n - i); };
+  { return i < 0 || i > n || n < 0 ? 0.0 : GetBinomial(n, i) * std::pow(x, i) * std::pow(1.0 - x, n - i); };
   for (std::vector<double>& b : basis)
   {
     b.assign(degree + 1, 0.0);
@@ -100,6 +90,16 @@ void EvaluateBasis(int degree, double x, std::vector<double> (&basis)[3])
       (value(degree - 2, i - 2) - 2.0 * value(degree - 2, i - 1) + value(degree - 2, i));
   }
 }
+}
+
+double GetBinomial(int n, int k)
+{
+  double result = 1.0;
+  for (int i = 1; i <= k; ++i)
+  {
+    result *= static_cast<double>(n - k + i) / i;
+  }
+  return result;
 }
 
 GroundPoint GroundFrame::Transform(const std::array<double, 4>& homogeneous, const double center[3]) const

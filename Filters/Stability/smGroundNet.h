@@ -20,6 +20,9 @@
 
 namespace sm
 {
+/// n over k.
+double GetBinomial(int n, int k);
+
 /// Homogeneous: w a, w b, w h, w.
 using GroundPoint = std::array<double, 4>;
 

@@ -8,16 +8,6 @@ namespace
 {
 using Points = std::vector<GroundPoint>;
 
-double Combination(int n, int k)
-{
-  double result = 1.0;
-  for (int i = 1; i <= k; ++i)
-  {
-    result *= static_cast<double>(n - k + i) / i;
-  }
-  return result;
-}
-
 /// A scalar polynomial and a point-valued one with their Bernstein coefficients multiplied by the binomials: products are
 /// convolutions of positive terms, so that nothing cancels.
 using Scaled = std::vector<double>;
@@ -104,7 +94,7 @@ void GetCoordinate(const std::vector<std::array<double, 2>>& local, int d, Scale
   rest.resize(degree + 1);
   for (int i = 0; i <= degree; ++i)
   {
-    const double binomial = Combination(degree, i);
+    const double binomial = GetBinomial(degree, i);
     x[i] = binomial * local[i][d];
     rest[i] = binomial * (1.0 - local[i][d]);
   }
@@ -137,7 +127,7 @@ GroundCurve ComposeTrim(
   {
     for (double& x : points[i])
     {
-      x /= Combination(last, i);
+      x /= GetBinomial(last, i);
     }
   }
   return GroundCurve::FromPoints(std::move(points));

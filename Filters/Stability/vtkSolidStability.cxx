@@ -31,7 +31,6 @@ vtkStandardNewMacro(vtkSolidStability);
 namespace
 {
 namespace names = sm::names;
-const double Degrees = sm::DegreesPerRadian;
 
 /// Part of a run that the mass properties take, as its progress has it.
 constexpr double MassShare = 0.8;
@@ -250,12 +249,12 @@ double vtkSolidStability::GetStabilityMarginBound() const
 
 double vtkSolidStability::GetTipAngle() const
 {
-  return this->Implementation->Worst.Result.TipAngle * Degrees;
+  return this->Implementation->Worst.Result.TipAngle * sm::DegreesPerRadian;
 }
 
 double vtkSolidStability::GetTipAngleBound() const
 {
-  return this->Implementation->Worst.Result.TipAngleBound * Degrees;
+  return this->Implementation->Worst.Result.TipAngleBound * sm::DegreesPerRadian;
 }
 
 double vtkSolidStability::GetCenterOfMassRise() const

@@ -13,7 +13,7 @@ namespace
 using Vector3 = std::array<double, 3>;
 
 /// Ends of coedges farther apart than that part of the body's size have no vertex in common; as the reader judges loops.
-constexpr double VertexTolerance = 1e-5;
+constexpr double SameVertex = 1e-5;
 
 /// A jump between coedges of that part of the surface's domain is no rounding: OpenCASCADE's check allows 0.01.
 constexpr double JumpFraction = 0.005;
@@ -127,7 +127,7 @@ void ExportTopology::JoinVertices()
         const int end = this->GetNode(loop.Coedges[i], true);
         const int start = this->GetNode(loop.Coedges[(i + 1) % loop.Coedges.size()], false);
         const double gap = GetDistance(this->Vertices[end].Position, this->Vertices[start].Position);
-        if (gap <= VertexTolerance * this->Size)
+        if (gap <= SameVertex * this->Size)
         {
           this->Join(end, start);
         }
@@ -227,7 +227,7 @@ void ExportTopology::FindJumps(const Face& face, const Loop& loop)
       face.Surface.Evaluate(a[0] + x * (b[0] - a[0]), a[1] + x * (b[1] - a[1]), p.data());
       extent = std::max(extent, GetDistance(p, this->Vertices[node].Position));
     }
-    if (jumps && extent <= VertexTolerance * this->Size && node == this->GetNode(next, false))
+    if (jumps && extent <= SameVertex * this->Size && node == this->GetNode(next, false))
     {
       this->Vertices[node].Reach = std::max(this->Vertices[node].Reach, extent);
       this->Jumps.insert({ &loop, i });

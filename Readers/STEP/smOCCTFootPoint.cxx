@@ -2,6 +2,8 @@
 
 #include "smUnitRoundoff.h"
 
+#include <vtkMath.h>
+
 #include <ElSLib.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -25,8 +27,6 @@ namespace sm
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// Part of the domain's width by which feet may lie beyond its border.
 constexpr double Margin = 0.01;
 
@@ -50,7 +50,7 @@ public:
     }
     else if (!this->Sphere.IsNull())
     {
-      this->Poles = { { 1, -0.5 * Pi }, { 1, 0.5 * Pi } };
+      this->Poles = { { 1, -0.5 * vtkMath::Pi() }, { 1, 0.5 * vtkMath::Pi() } };
     }
   }
 

@@ -2,6 +2,8 @@
 
 #include "smChebyshevFit.h"
 
+#include <vtkMath.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -10,8 +12,6 @@ namespace sm
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 double SnapToZero(double value)
 {
   return std::abs(value) < 4.0 * UnitRoundoff ? 0.0 : value;
@@ -72,15 +72,15 @@ ParameterMap ParameterMap::MakeCircular(double low, double high)
   map.Type = Kind::Circular;
   map.Start = low;
   double turn = high - low;
-  if (!(std::max(std::abs(low), std::abs(high)) <= MaximumTurns * 2.0 * Pi))
+  if (!(std::max(std::abs(low), std::abs(high)) <= MaximumTurns * 2.0 * vtkMath::Pi()))
   {
     throw std::runtime_error("it covers an angle that no face has");
   }
-  if (std::abs(turn - 2.0 * Pi) < 1e-9)
+  if (std::abs(turn - 2.0 * vtkMath::Pi()) < 1e-9)
   {
-    turn = 2.0 * Pi;
+    turn = 2.0 * vtkMath::Pi();
   }
-  map.Count = std::max(1, static_cast<int>(std::ceil(turn / (0.5 * Pi) - 1e-9)));
+  map.Count = std::max(1, static_cast<int>(std::ceil(turn / (0.5 * vtkMath::Pi()) - 1e-9)));
   map.Width = turn / map.Count;
   return map;
 }

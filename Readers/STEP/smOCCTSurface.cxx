@@ -5,6 +5,8 @@
 #include "smOCCTProfile.h"
 #include "smOCCTSpline.h"
 
+#include <vtkMath.h>
+
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
@@ -23,8 +25,6 @@ namespace sm
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// A pole of a surface of revolution: w * position = w * Center + cos(u) X + sin(u) Y, all homogeneous.
 struct RevolvedPole
 {
@@ -376,8 +376,8 @@ bool ConvertExactly(
   {
     SetArcs(result, 0, box.Low[0], box.High[0]);
     const double near = PoleDistance * (box.High[1] - box.Low[1]);
-    SetArcs(result, 1, box.Low[1] < near - 0.5 * Pi ? -0.5 * Pi : box.Low[1],
-      box.High[1] > 0.5 * Pi - near ? 0.5 * Pi : box.High[1]);
+    SetArcs(result, 1, box.Low[1] < near - 0.5 * vtkMath::Pi() ? -0.5 * vtkMath::Pi() : box.Low[1],
+      box.High[1] > 0.5 * vtkMath::Pi() - near ? 0.5 * vtkMath::Pi() : box.High[1]);
     RevolveElementary(sphere->Position(), CircularProfile(result.Map[1], 0.0, sphere->Radius()), map, result);
   }
   else if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface))

@@ -16,7 +16,7 @@ namespace sm
 namespace
 {
 // Largest number of rows at a time: 512 KiB for each column.
-constexpr std::size_t RowsAtMost = 65536;
+constexpr std::size_t RowsOfChunk = 65536;
 // Estimated cost between two calls of shouldContinue: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
 // Number of items per task of a thread.
@@ -155,7 +155,7 @@ int CPUItemRunner::GetGroup(std::size_t) const
 
 std::size_t CPUItemRunner::GetRowLimit() const
 {
-  return RowsAtMost;
+  return RowsOfChunk;
 }
 
 bool CPUItemRunner::BeginBatch(const std::vector<BatchFace>& faces)

@@ -24,7 +24,7 @@ constexpr unsigned int LocalSize = 32;
 // aborted between dispatches and the driver's watchdog does not interrupt it.
 constexpr std::int64_t CostPerDispatch = 4000000;
 // Largest number of rows at a time, which limits the memory of rows and lists.
-constexpr std::size_t RowsAtMost = 262144;
+constexpr std::size_t RowsOfBlock = 262144;
 
 ProgramKey ChooseProgram(const WorkItem& item)
 {
@@ -208,7 +208,7 @@ std::size_t GPUItemRunner::GetRowLimit() const
 {
   const std::size_t bytes = std::max(this->Layout.GetStride() * sizeof(double), sizeof(WorkRecord));
   const auto block = static_cast<std::size_t>(this->Implementation->Context->GetMaximumStorageBlockSize());
-  return std::clamp<std::size_t>(block / bytes, 1, RowsAtMost);
+  return std::clamp<std::size_t>(block / bytes, 1, RowsOfBlock);
 }
 
 bool GPUItemRunner::BeginBatch(const std::vector<BatchFace>& faces)

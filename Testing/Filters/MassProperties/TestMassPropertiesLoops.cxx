@@ -3,6 +3,8 @@
 #include "smStepText.h"
 #include "smTestPipeline.h"
 
+#include <vtkMath.h>
+
 #include <cstdio>
 
 namespace
@@ -13,8 +15,6 @@ using Corner = StepPrism::Corner;
 using Polygon = StepPrism::Polygon;
 
 std::string Folder;
-const double Pi = 3.14159265358979323846;
-
 void CheckVolume(const std::string& name, double volume, double relative, const char* reason,
   const std::string& status = names::StatusOk)
 {
@@ -129,7 +129,7 @@ void CheckCone()
                    text.AddBound(text.AddVertexLoop(text.AddVertex({ 0, 0, height })), false) },
       surface);
   text.Write(Folder + "/loops_cone.step", { base, side });
-  CheckVolume("cone", Pi * radius * radius * height / 3.0, 1e-9, "the tolerance");
+  CheckVolume("cone", vtkMath::Pi() * radius * radius * height / 3.0, 1e-9, "the tolerance");
 }
 
 /// A sphere and a torus, each one face bounded by a vertex.
@@ -141,7 +141,7 @@ void CheckRound()
     sphere.AddFace({ sphere.AddBound(sphere.AddVertexLoop(sphere.AddVertex({ 1, 2, -2 })), true) },
       sphere.Add("SPHERICAL_SURFACE(''," + frame + ",5.)"));
   sphere.Write(Folder + "/loops_sphere.step", { ball });
-  CheckVolume("sphere", 4.0 / 3.0 * Pi * 125.0, 1e-9, "the tolerance");
+  CheckVolume("sphere", 4.0 / 3.0 * vtkMath::Pi() * 125.0, 1e-9, "the tolerance");
 
   StepText torus;
   const std::string axis = torus.AddFrame({ 1, 2, 3 }, { 0, 0, 1 }, { 1, 0, 0 });
@@ -149,7 +149,7 @@ void CheckRound()
     torus.AddFace({ torus.AddBound(torus.AddVertexLoop(torus.AddVertex({ 9, 2, 3 })), true) },
       torus.Add("TOROIDAL_SURFACE(''," + axis + ",6.,2.)"));
   torus.Write(Folder + "/loops_torus.step", { ring });
-  CheckVolume("torus", 2.0 * Pi * Pi * 6.0 * 4.0, 1e-9, "the tolerance");
+  CheckVolume("torus", 2.0 * vtkMath::Pi() * vtkMath::Pi() * 6.0 * 4.0, 1e-9, "the tolerance");
 }
 }
 

@@ -36,7 +36,7 @@ struct SchemePipeline
 };
 
 /// Every value that exists, for a comparison bit for bit.
-std::vector<double> GetAll(vtkMassPropertiesBase* mass)
+std::vector<double> ListValues(vtkMassPropertiesBase* mass)
 {
   std::vector<double> all;
   for (const char* name : { names::Volume, names::SurfaceArea, names::CenterOfMass, names::FirstMoments,
@@ -146,8 +146,8 @@ void CheckSolid(const Expected& expected, double near)
       Check("inertia", expected.GetInertiaTrace(), inertia[0] + inertia[4] + inertia[8],
         10.0 * coarse * expected.GetInertiaTrace());
     }
-    const std::vector<double> a = GetAll(pipeline.Mass);
-    const std::vector<double> b = GetAll(cpu);
+    const std::vector<double> a = ListValues(pipeline.Mass);
+    const std::vector<double> b = ListValues(cpu);
     CheckTrue("both have everything", a.size() == b.size() && a.size() == 30);
     Check("volume of GPU and CPU", a[0], b[0], 1e-13 * a[0]);
     Check("area of GPU and CPU", a[1], b[1], 1e-13 * a[1]);
@@ -161,7 +161,7 @@ void CheckSolid(const Expected& expected, double near)
     CheckTrue("dispatches", pipeline.Mass->GetDispatches() > 0 && cpu->GetDispatches() == 0);
     pipeline.Mass->Modified();
     pipeline.Mass->Update();
-    CheckTrue("the next run has the same bits", GetAll(pipeline.Mass) == a);
+    CheckTrue("the next run has the same bits", ListValues(pipeline.Mass) == a);
   }
 }
 
@@ -184,7 +184,7 @@ void CheckOptions(const Manifest& manifest)
   adaptive->SetInputConnection(pipeline.Reader->GetOutputPort());
   adaptive->CacheFaceResultsOff();
   adaptive->Update();
-  const std::vector<double> before = GetAll(adaptive);
+  const std::vector<double> before = ListValues(adaptive);
   vtkFieldData* fields = adaptive->GetOutput()->GetFieldData();
   CheckTrue("the filter with bounds has none of it",
     !fields->HasArray(names::Scheme) && !fields->HasArray(names::PaperErrorEstimate) &&
@@ -244,7 +244,7 @@ void CheckOptions(const Manifest& manifest)
   adaptive->Modified();
   adaptive->Update();
   CheckTrue("the filter with bounds has its bits again",
-    GetAll(adaptive) == before && adaptive->GetStatus() == names::StatusOk);
+    ListValues(adaptive) == before && adaptive->GetStatus() == names::StatusOk);
   mass->SetKeepTrimTextures(false);
   mass->Update();
   CheckTrue("no textures any more", mass->GetNumberOfTrimTextures() == 0);
@@ -332,7 +332,7 @@ void CheckEdit(const Manifest& manifest)
   mass->SetInputData(leaf);
   mass->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS3);
   mass->Update();
-  const std::vector<double> before = GetAll(mass);
+  const std::vector<double> before = ListValues(mass);
   const sm::FacePointer old = model->GetFaces()[0];
   auto moved = std::make_shared<sm::Face>(*old);
   moved->Id = sm::NewId();
@@ -344,17 +344,17 @@ void CheckEdit(const Manifest& manifest)
   leaf->Modified();
   mass->Modified();
   mass->Update();
-  CheckTrue("an edit is seen", GetAll(mass) != before);
+  CheckTrue("an edit is seen", ListValues(mass) != before);
   vtkNew<vtkSchemeMassPropertiesGPU> fresh;
   MessageTrap freshTrap(fresh);
   fresh->SetInputData(leaf);
   fresh->SetScheme(vtkSchemeMassPropertiesGPU::GAUSS3);
   fresh->Update();
-  CheckTrue("as by a new filter, to the bit", GetAll(mass) == GetAll(fresh));
+  CheckTrue("as by a new filter, to the bit", ListValues(mass) == ListValues(fresh));
   model->SetFace(0, old);
   mass->Modified();
   mass->Update();
-  CheckTrue("undone: the same bits", GetAll(mass) == before);
+  CheckTrue("undone: the same bits", ListValues(mass) == before);
 }
 
 void CheckBudgets(const Manifest& manifest)

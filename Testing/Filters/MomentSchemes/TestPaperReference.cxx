@@ -5,19 +5,19 @@
 #include "smSubPatches.h"
 #include "smTesting.h"
 
+#include <vtkMath.h>
+
 #include <cmath>
 
 namespace
 {
 using namespace smtest;
-constexpr double Pi = 3.14159265358979323846;
-
 double GetBinomial(int n, int k)
 {
   return k == 0 ? 1.0 : GetBinomial(n - 1, k - 1) * n / k;
 }
 
-PaperResult Integrate(
+PaperResult IntegrateReference(
   const sm::FacePointer& face, int points, int factor, const PaperDeviation& deviation = {})
 {
   PaperOptions options;
@@ -48,7 +48,7 @@ void CheckDegrees()
       {
         const std::string name =
           std::to_string(points) + " points, u^" + std::to_string(i) + " v^" + std::to_string(j);
-        const PaperResult result = Integrate(MakeFace(surface, {}), points, 1);
+        const PaperResult result = IntegrateReference(MakeFace(surface, {}), points, 1);
         const double error = std::abs(result.Integrals[0] - 1.0 / ((i + 1) * (j + 1)));
         const bool exact = i <= 2 * points - 1 && j <= 2 * points - 1;
         CheckRange(
@@ -87,13 +87,13 @@ void CheckEstimateOfParaboloid()
     {
       const auto deviation = [mode](const sm::NURBSSurface& s, double u0, double u1, double v0, double v1)
       { return sm::ComputeDeviation(s, u0, u1, v0, v1, mode); };
-      const PaperResult result = Integrate(face, points, 2, deviation);
+      const PaperResult result = IntegrateReference(face, points, 2, deviation);
       Check("estimate, " + std::to_string(points) + " points", 13.25, result.Estimate, 1e-12, "rounding");
       CheckTrue(
         "nothing is on a boundary", result.Estimate == result.EstimateWithBoundary && result.SubPatches == 8);
     }
   }
-  Check("the reference's own K", 13.25, Integrate(face, 2, 2).Estimate, 1e-12, "rounding");
+  Check("the reference's own K", 13.25, IntegrateReference(face, 2, 2).Estimate, 1e-12, "rounding");
 }
 
 /**
@@ -113,26 +113,26 @@ void CheckEstimateOfArc()
   { return sm::ComputeDeviation(s, u0, u1, v0, v1, sm::DeviationMode::Sampled); };
   const auto bounded = [](const sm::NURBSSurface& s, double u0, double u1, double v0, double v1)
   { return sm::ComputeDeviation(s, u0, u1, v0, v1, sm::DeviationMode::Bounded); };
-  Check("sampled, k = 1", 15.36, Integrate(face, 1, 1, sampled).Estimate, 1e-14 * 16, "rounding");
-  Check("sampled, k = 2", halves, Integrate(face, 1, 2, sampled).Estimate, 1e-14 * 4, "rounding");
-  Check("the reference's own K, k = 1", 15.36, Integrate(face, 1, 1).Estimate, 1e-14 * 16, "rounding");
-  Check("the reference's own K, k = 2", halves, Integrate(face, 1, 2).Estimate, 1e-14 * 4, "rounding");
+  Check("sampled, k = 1", 15.36, IntegrateReference(face, 1, 1, sampled).Estimate, 1e-14 * 16, "rounding");
+  Check("sampled, k = 2", halves, IntegrateReference(face, 1, 2, sampled).Estimate, 1e-14 * 4, "rounding");
+  Check("the reference's own K, k = 1", 15.36, IntegrateReference(face, 1, 1).Estimate, 1e-14 * 16, "rounding");
+  Check("the reference's own K, k = 2", halves, IntegrateReference(face, 1, 2).Estimate, 1e-14 * 4, "rounding");
   // Never below what it bounds, and of degree 2 hardly above.
-  CheckRange("bounded, k = 1", 15.36 * (1.0 - 1e-14), Integrate(face, 1, 1, bounded).Estimate, 1.05 * 15.36);
+  CheckRange("bounded, k = 1", 15.36 * (1.0 - 1e-14), IntegrateReference(face, 1, 1, bounded).Estimate, 1.05 * 15.36);
   CheckRange(
-    "bounded, k = 2", halves * (1.0 - 1e-14), Integrate(face, 1, 2, bounded).Estimate, 1.05 * halves);
-  const double fine = Integrate(face, 1, 32, sampled).Estimate;
-  CheckRange("bounded, k = 32", fine, Integrate(face, 1, 32, bounded).Estimate, 1.001 * fine);
+    "bounded, k = 2", halves * (1.0 - 1e-14), IntegrateReference(face, 1, 2, bounded).Estimate, 1.05 * halves);
+  const double fine = IntegrateReference(face, 1, 32, sampled).Estimate;
+  CheckRange("bounded, k = 32", fine, IntegrateReference(face, 1, 32, bounded).Estimate, 1.001 * fine);
 }
 
 /// A half of the square u + v < 1.05 of one patch: of 4 x 4 texel centres (i + 1/2, j + 1/2)/4 it holds those
 /// of i + j <= 3, that is 10.
-void CheckTexture()
+void CheckReferenceTexture()
 {
   const sm::NURBSSurface surface = MakeParaboloid(1.0, 1.0, 1.0, { 0.0, 1.0 }, { 0.0, 1.0 });
   const sm::Loop loop = MakePolygonLoop({ { 0.0, 0.0 }, { 1.05, 0.0 }, { 0.0, 1.05 } });
-  const PaperResult whole = Integrate(MakeFace(surface, {}), 2, 1);
-  const PaperResult part = Integrate(MakeFace(surface, { loop }), 2, 1);
+  const PaperResult whole = IntegrateReference(MakeFace(surface, {}), 2, 1);
+  const PaperResult part = IntegrateReference(MakeFace(surface, { loop }), 2, 1);
   for (int i = 0; i < 14; ++i)
   {
     Check("10/16 of integral " + std::to_string(i), whole.Integrals[i] * 10.0 / 16.0, part.Integrals[i],
@@ -144,7 +144,7 @@ void CheckTexture()
     "the paper counts sub-patches outside the trimmed region");
   Check("on a boundary, counted whole", 1.5, part.EstimateWithBoundary, 1e-14, "by hand");
   // k = 2: one sub-patch whole, two half, and the last with its corner texels within: 1.05 > (4.5 + 4.5) / 8 is false.
-  const PaperResult four = Integrate(MakeFace(surface, { loop }), 2, 2);
+  const PaperResult four = IntegrateReference(MakeFace(surface, { loop }), 2, 2);
   Check("k = 2, strictly", 1.5 / 16.0, four.Estimate, 1e-14, "K/4, a quarter of the square");
   Check("k = 2, counted whole", 3.0 * 1.5 / 16.0, four.EstimateWithBoundary, 1e-14, "three quarters");
 }
@@ -153,9 +153,9 @@ void CheckTexture()
 void CheckConvergence()
 {
   const sm::FacePointer face = MakeFace(MakeSymmetricQuarterCylinder(2.0, 3.0), {}, true);
-  const double exact = 0.25 * Pi * 4.0 * 3.0;
+  const double exact = 0.25 * vtkMath::Pi() * 4.0 * 3.0;
   const auto error = [&face, exact](int points, int k)
-  { return std::abs(std::abs(Integrate(face, points, k).Integrals[0]) / exact - 1.0); };
+  { return std::abs(std::abs(IntegrateReference(face, points, k).Integrals[0]) / exact - 1.0); };
   CheckRange("GAUSS3, 2 sub-patches across", 1e-9, error(3, 2), 1e-6, "the paper's Fig. 7a");
   CheckRange("GAUSS2, 8", 1e-9, error(2, 8), 1e-6, "the paper's Fig. 7a");
   CheckRange("MIDPOINT, 64", 1e-6, error(1, 64), 1e-3, "the paper's Fig. 7a");
@@ -172,7 +172,7 @@ void CheckConvergence()
   for (int k = 2; k <= 16; k *= 2)
   {
     // A border of length 2.5 crosses at most 2 * 2.5 * 4 k texels, each wrong by half of itself at most.
-    Check("area of a leaf, k = " + std::to_string(k), area, Integrate(trimmed, 2, k).Integrals[12],
+    Check("area of a leaf, k = " + std::to_string(k), area, IntegrateReference(trimmed, 2, k).Integrals[12],
       2.5 / (4.0 * k), "first order in the texel");
   }
 }
@@ -183,7 +183,7 @@ int TestPaperReference(int, char*[])
   CheckDegrees();
   CheckEstimateOfParaboloid();
   CheckEstimateOfArc();
-  CheckTexture();
+  CheckReferenceTexture();
   CheckConvergence();
   return Finish();
 }

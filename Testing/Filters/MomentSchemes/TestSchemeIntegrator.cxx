@@ -10,8 +10,6 @@ namespace
 {
 using namespace smtest;
 
-constexpr double Unit = sm::UnitRoundoff;
-
 // Chords of a trim piece in the reference, so many that no texel's centre here is between a curve and its chord (1e-7 or so).
 constexpr int ReferenceChords = 1024;
 
@@ -210,8 +208,8 @@ void CheckExactness()
             " times x^" + std::to_string(power);
           if (degree + power <= 2 * points - 1)
           {
-            Check(name, exact, once, 64 * Unit, "roundings of values below 2");
-            Check(name + ", k = 4", exact, finer, 64 * Unit);
+            Check(name, exact, once, 64 * sm::UnitRoundoff, "roundings of values below 2");
+            Check(name + ", k = 4", exact, finer, 64 * sm::UnitRoundoff);
           }
           else
           {
@@ -256,10 +254,10 @@ void CheckTextureByHand()
       }
       CheckEqual("row " + std::to_string(row), rows[row], text);
     }
-    Check("first centre", 1.0 / 16.0, texture.Origin[0], Unit);
-    Check("spacing", 1.0 / 8.0, texture.Spacing[1], Unit);
+    Check("first centre", 1.0 / 16.0, texture.Origin[0], sm::UnitRoundoff);
+    Check("spacing", 1.0 / 8.0, texture.Spacing[1], sm::UnitRoundoff);
     // The integral of 1 + u v is 5/4; a bilinear integrand is exact on every sub-patch.
-    Check("volume of three quarters", 0.75 * 1.25, result.Integrals.Face[sm::MassVolume], 16 * Unit);
+    Check("volume of three quarters", 0.75 * 1.25, result.Integrals.Face[sm::MassVolume], 16 * sm::UnitRoundoff);
     // K = (K1 + 2 K2 + K3) / 8 with K2 = 1/4 on a half by half: 1/16. 2 K |nz| over four quarters: 1/8, all on the boundary.
     Check("no sub-patch is whole", 0.0, result.Estimate, 0.0);
     Check(

@@ -183,7 +183,7 @@ void CheckPrepared()
 }
 
 /// A trim that leaves its surface is measured by the surface's size.
-void CheckOutside()
+void CheckPatchOutside()
 {
   // x = u and y = v from 0 to 1 in patches of 1/2 by 1; z is below 1/4, so that a patch's radius is between 0.55 and 0.6.
   const sm::NURBSSurface surface = MakeParaboloid(0.1, 0.0, 0.1, { 0.0, 0.5, 1.0 }, { 0.0, 1.0 });
@@ -268,7 +268,7 @@ int TestSubPatches(int, char*[])
   CheckBounds(6, 8, 10, 0.2, 30.0);
   CheckInvariance();
   CheckPrepared();
-  CheckOutside();
+  CheckPatchOutside();
   CheckPlanar();
   CheckErrors();
   return Finish();

@@ -79,7 +79,7 @@ sm::Loop MakePolygon(const std::vector<Point2>& corners)
   return loop;
 }
 
-double Shoelace(const std::vector<Point2>& p)
+double GetPolygonArea(const std::vector<Point2>& p)
 {
   long double sum = 0.0L;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -125,7 +125,7 @@ void CheckLoops(const std::string& name, const sm::NURBSSurface& surface,
   for (const std::vector<Point2>& polygon : polygons)
   {
     face.Loops.push_back(MakePolygon(polygon));
-    expected += Shoelace(polygon);
+    expected += GetPolygonArea(polygon);
   }
   const sm::FacePanels panels = sm::BuildFacePanels(face);
   const double scale = std::abs(surface.GetDomainEnd(0) * surface.GetDomainEnd(1)) + 1.0;

@@ -11,7 +11,7 @@ using Point2 = std::array<double, 2>;
 using Polygon = std::vector<Point2>;
 
 /// A plane with 10 mm per unit of u and v, and with loops of straight coedges.
-sm::Face MakeFace(const std::vector<Polygon>& polygons, double tolerance = 0.0)
+sm::Face MakePolygonFace(const std::vector<Polygon>& polygons, double tolerance = 0.0)
 {
   sm::Face face;
   face.Surface.Knots[0] = face.Surface.Knots[1] = { -10.0, -10.0, 10.0, 10.0 };
@@ -55,7 +55,7 @@ Polygon MakeCircle(double x, double y, double radius, int n)
 void CheckLoops(const char* name, bool crosses, const std::vector<Polygon>& polygons, double tolerance = 0.0)
 {
   CheckEqual(name, crosses ? "crosses" : "does not cross",
-    sm::HasCrossingLoops(MakeFace(polygons, tolerance)) ? "crosses" : "does not cross");
+    sm::HasCrossingLoops(MakePolygonFace(polygons, tolerance)) ? "crosses" : "does not cross");
 }
 
 void CheckCurves()
@@ -63,7 +63,7 @@ void CheckCurves()
   // Between two parabolas whose tops are at 0.1 and at half of `height`.
   for (const double height : { 0.4, 0.3 })
   {
-    sm::Face face = MakeFace({ { { 0, 0 }, { 1, 0 } } });
+    sm::Face face = MakePolygonFace({ { { 0, 0 }, { 1, 0 } } });
     for (int i = 0; i < 2; ++i)
     {
       const Point2 parabola[3] = { { 0.0, 0.0 }, { 0.5, i == 0 ? 0.2 : height }, { 1.0, 0.0 } };
@@ -74,7 +74,7 @@ void CheckCurves()
       coedge.Curve.AppendPiece(1.0, parabola, 2);
     }
     CheckTrue("a lens is no crossing", !sm::HasCrossingLoops(face));
-    const sm::Loop hole = MakeFace({ MakeCircle(0.5, 0.15, -0.03, 12) }).Loops[0];
+    const sm::Loop hole = MakePolygonFace({ MakeCircle(0.5, 0.15, -0.03, 12) }).Loops[0];
     face.Loops.push_back(hole);
     CheckTrue("its hole crosses its border, or not", sm::HasCrossingLoops(face) == (height < 0.4));
   }

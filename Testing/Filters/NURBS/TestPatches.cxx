@@ -98,7 +98,7 @@ double Norm(const RealPoint& a)
   return static_cast<double>(std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]));
 }
 
-sm::Face MakeFace(int p, int q, int spans, double weights, std::mt19937& random)
+sm::Face MakeRandomFace(int p, int q, int spans, double weights, std::mt19937& random)
 {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   sm::Face face;
@@ -140,7 +140,7 @@ void CheckFace(int p, int q, int spans, double weights, std::mt19937& random)
 {
   const std::string name = "degrees " + std::to_string(p) + "," + std::to_string(q) + ", " +
     std::to_string(spans) + " spans, weights up to " + std::to_string(static_cast<int>(weights)) + ": ";
-  const sm::Face face = MakeFace(p, q, spans, weights, random);
+  const sm::Face face = MakeRandomFace(p, q, spans, weights, random);
   const sm::FacePanels panels = sm::BuildFacePanels(face);
   smtest::Check(
     name + "patches", spans * spans, static_cast<double>(panels.Patches.size()), 0.0, "one a cell");

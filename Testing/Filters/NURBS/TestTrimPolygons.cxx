@@ -122,7 +122,7 @@ void CheckRandomCurves()
   CheckRange("chords / those of equal ones where |c''| is largest", 0.0, mostChords, 1.6);
 }
 
-void CheckLeaf()
+void CheckLeafPolygons()
 {
   const sm::Loop outer = MakeLeaf(3.0, 2.0, 2.0, 0.2, false);
   const sm::Loop hole = MakeLeaf(3.0, 2.0, 0.5, 0.1, true);
@@ -195,7 +195,7 @@ void CheckLimits()
 int TestTrimPolygons(int, char*[])
 {
   CheckRandomCurves();
-  CheckLeaf();
+  CheckLeafPolygons();
   CheckClosing();
   CheckLimits();
   return Finish();

@@ -60,7 +60,7 @@ struct Block
   }
 };
 
-double Uniform(Random& random, double low, double high)
+double Draw(Random& random, double low, double high)
 {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
@@ -71,10 +71,10 @@ Block MakeBlock(Random& random, double bend, double weights)
   block.ForEach(
     [&](const std::array<int, 3>& i, std::array<double, 4>& h)
     {
-      h[3] = std::pow(weights, Uniform(random, 0.0, 1.0));
+      h[3] = std::pow(weights, Draw(random, 0.0, 1.0));
       for (int c = 0; c < 3; ++c)
       {
-        h[c] = h[3] * (i[c] + 1 + bend * Uniform(random, -0.5, 0.5));
+        h[c] = h[3] * (i[c] + 1 + bend * Draw(random, -0.5, 0.5));
       }
     });
   return block;
@@ -130,7 +130,7 @@ void CheckBlocks(double bend, double weights, bool outwards, double least)
       {
         for (int c = 0; c < 3; ++c)
         {
-          h[c] += h[3] * Rounding[c] * (outwards ? i[c] - 1 : Uniform(random, -1.0, 1.0));
+          h[c] += h[3] * Rounding[c] * (outwards ? i[c] - 1 : Draw(random, -1.0, 1.0));
         }
       });
     const Result after = Integrate(block);

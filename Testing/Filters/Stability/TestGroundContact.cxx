@@ -4,6 +4,8 @@
 #include "smTesting.h"
 #include "smTrimClassifier.h"
 
+#include <vtkMath.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -11,8 +13,6 @@
 
 namespace
 {
-const double Pi = 3.14159265358979323846;
-
 /// A face of 2 x 2 spans of degree 2 and 3 with random points and weights; trimmed by a blob of four arcs, or not at all.
 sm::FacePointer MakeFace(std::mt19937& random, bool trimmed)
 {
@@ -49,7 +49,7 @@ sm::FacePointer MakeFace(std::mt19937& random, bool trimmed)
   {
     const auto at = [&](int index, double scale)
     {
-      const double angle = 0.5 * Pi * index + 0.3;
+      const double angle = 0.5 * vtkMath::Pi() * index + 0.3;
       return std::array<double, 2>{ 0.5 + scale * std::cos(angle), 0.5 + scale * std::sin(angle) };
     };
     const std::array<double, 2> from = at(k, radius[k]);
@@ -193,7 +193,7 @@ void TestPolygons()
   const int count = 100000;
   for (int i = 0; i < count; ++i)
   {
-    const double angle = 2.0 * Pi * i / count;
+    const double angle = 2.0 * vtkMath::Pi() * i / count;
     circle.push_back({ std::cos(angle), std::sin(angle) });
   }
   const double merge = 1e-6;

@@ -6,6 +6,7 @@
 
 #include "smStepFile.h"
 
+#include <vtkMath.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkMassPropertiesGPU.h>
 #include <vtkNURBSTransform.h>
@@ -17,8 +18,6 @@ namespace
 {
 using namespace smtest;
 namespace names = sm::names;
-const double Pi = 3.14159265358979323846;
-
 // --- shapes ------------------------------------------------------------------------------------
 
 void TestShapes(const std::string& folder)
@@ -73,11 +72,11 @@ void TestShapes(const std::string& folder)
     Case half(WriteStanding(folder, "half_cylinder", MakeLyingHalfCylinder(r, 30.0)));
     half.Filter->Update();
     CheckVerdict("half a cylinder on its round side", half.Filter, "stable", "line", "rolling");
-    CheckBounded(half.Filter, names::RollingMargin, 4.0 * r / (3.0 * Pi), 1e-6 * r);
+    CheckBounded(half.Filter, names::RollingMargin, 4.0 * r / (3.0 * vtkMath::Pi()), 1e-6 * r);
     half.Filter->SetGravityDirection(0, 0, 1);
     half.Filter->Update();
     CheckVerdict("half a cylinder on its flat side", half.Filter, "stable", "area", "margin");
-    CheckStanding(half.Filter, r, 4.0 * r / (3.0 * Pi), r);
+    CheckStanding(half.Filter, r, 4.0 * r / (3.0 * vtkMath::Pi()), r);
   }
   {
     Case tripod(WriteStanding(folder, "tripod", MakeTripod(10.0)));
@@ -145,22 +144,22 @@ void TestDomeOnSlopes(const std::string& folder)
 /// On nearly vertical ground the rounding of its directions moves the projected centre of mass far.
 void TestSteepGround(const Manifest& manifest)
 {
-  using Real = long double;
+  using Wide = long double;
   const Expected expected = manifest.GetSolid("sphere", "plain")[0];
-  const Real radius = std::cbrt(3 * static_cast<Real>(expected.Volume) / (4 * 3.14159265358979323846L));
+  const Wide radius = std::cbrt(3 * static_cast<Wide>(expected.Volume) / (4 * 3.14159265358979323846L));
   Case ball(expected.Path);
   ball.Filter->SetRelativeTolerance(1e-13);
   for (const double steep : { 1.0, 30.0, 1e3, 3e4, 9e5 })
   {
     const double n[3] = { 0.31, 0.57, -0.76 };
     const double up[3] = { n[0] + steep * 0.57, n[1] - steep * 0.31, n[2] };
-    const Real dot =
-      static_cast<Real>(n[0]) * up[0] + static_cast<Real>(n[1]) * up[1] + static_cast<Real>(n[2]) * up[2];
-    Real squared = 0;
+    const Wide dot =
+      static_cast<Wide>(n[0]) * up[0] + static_cast<Wide>(n[1]) * up[1] + static_cast<Wide>(n[2]) * up[2];
+    Wide squared = 0;
     for (int i = 0; i < 3; ++i)
     {
       const int j = (i + 1) % 3;
-      const Real cross = static_cast<Real>(n[i]) * up[j] - static_cast<Real>(n[j]) * up[i];
+      const Wide cross = static_cast<Wide>(n[i]) * up[j] - static_cast<Wide>(n[j]) * up[i];
       squared += cross * cross;
     }
     ball.Filter->SetGravityDirection(-up[0], -up[1], -up[2]);

@@ -2,6 +2,8 @@
 
 #include "smStepFile.h"
 
+#include <vtkMath.h>
+
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -26,7 +28,6 @@ namespace smtest
 {
 namespace
 {
-const double Pi = 3.14159265358979323846;
 }
 
 TopoDS_Shape MakeLeaningPrism(double a, double b, double height, double lean)
@@ -38,8 +39,8 @@ TopoDS_Shape MakeLeaningPrism(double a, double b, double height, double lean)
 
 TopoDS_Shape MakeHemisphere(double radius, bool below)
 {
-  return below ? BRepPrimAPI_MakeSphere(radius, -Pi / 2, 0.0).Shape()
-               : BRepPrimAPI_MakeSphere(radius, 0.0, Pi / 2).Shape();
+  return below ? BRepPrimAPI_MakeSphere(radius, -vtkMath::Pi() / 2, 0.0).Shape()
+               : BRepPrimAPI_MakeSphere(radius, 0.0, vtkMath::Pi() / 2).Shape();
 }
 
 TopoDS_Shape MakeLyingCylinder(double radius, double length)
@@ -52,7 +53,7 @@ TopoDS_Shape MakeLyingHalfCylinder(double radius, double length)
 {
   // From angle 0 in direction y over -z: with x as the axis, y x (-z)... the axis is -x for that.
   return BRepPrimAPI_MakeCylinder(
-    gp_Ax2(gp_Pnt(length, 0, 0), gp_Dir(-1, 0, 0), gp_Dir(0, 1, 0)), radius, length, Pi)
+    gp_Ax2(gp_Pnt(length, 0, 0), gp_Dir(-1, 0, 0), gp_Dir(0, 1, 0)), radius, length, vtkMath::Pi())
     .Shape();
 }
 
@@ -61,7 +62,7 @@ TopoDS_Shape MakeTripod(double distance)
   TopoDS_Shape body = BRepPrimAPI_MakeCylinder(distance + 2.0, 2.0).Shape();
   for (int i = 0; i < 3; ++i)
   {
-    const double angle = 2.0 * Pi * i / 3.0 + 0.3;
+    const double angle = 2.0 * vtkMath::Pi() * i / 3.0 + 0.3;
     const gp_Pnt foot(distance * std::cos(angle), distance * std::sin(angle), 0.0);
     body = BRepAlgoAPI_Fuse(body, BRepPrimAPI_MakeSphere(foot, 1.0).Shape()).Shape();
   }
@@ -103,8 +104,8 @@ TopoDS_Shape MakeHalfBall()
   const double r = 10.0;
   const double width = 10.0;
   const double height = 10.0;
-  const double thickness = std::sqrt(0.5 * Pi * r * r * r * r / (width * height));
-  const TopoDS_Shape half = BRepPrimAPI_MakeSphere(r, Pi).Shape();
+  const double thickness = std::sqrt(0.5 * vtkMath::Pi() * r * r * r * r / (width * height));
+  const TopoDS_Shape half = BRepPrimAPI_MakeSphere(r, vtkMath::Pi()).Shape();
   const gp_Pnt corner(-0.5 * width, -thickness, -8.0);
   return BRepAlgoAPI_Fuse(half, BRepPrimAPI_MakeBox(corner, width, thickness, height).Shape()).Shape();
 }

@@ -18,7 +18,6 @@ namespace
 using namespace smtest;
 using sm::ItemRunner;
 
-constexpr double Unit = sm::UnitRoundoff;
 constexpr int Caps = 5000;
 
 /// A face of nothing but caps.
@@ -154,7 +153,7 @@ void CheckRowsAndThreads(const std::vector<sm::CutFacePointer>& faces)
       worst = std::max(worst, std::abs(values[layout.GetValue(0)] - GetVolume(cap)));
     }
   }
-  Check("volumes over the caps", 0.0, worst, 64 * Unit, "coordinates up to 1, 9 samples");
+  Check("volumes over the caps", 0.0, worst, 64 * sm::UnitRoundoff, "coordinates up to 1, 9 samples");
   CheckTrue("they are not all zero", scale > 0.1);
 }
 
@@ -185,7 +184,7 @@ void CheckSegments(const std::vector<sm::CutFacePointer>& faces)
         static_cast<double>(std::abs(sums[i * stride + column] - expected)) /
           std::max(1e-300, static_cast<double>(std::abs(expected))));
     }
-    Check("segment " + std::to_string(i), 0.0, worst, 4 * Unit, "a compensated sum, relative to itself");
+    Check("segment " + std::to_string(i), 0.0, worst, 4 * sm::UnitRoundoff, "a compensated sum, relative to itself");
   }
   Check("an empty segment has no gap", 0.0, largest[4], 0.0);
   CheckTrue("a segment outside is refused", !job.Runner.Sum({ { 4999u, 5001u } }, sums, largest));

@@ -4,15 +4,14 @@
 #include "smTesting.h"
 #include "smUnitRoundoff.h"
 
+#include <vtkMath.h>
+
 #include <algorithm>
 #include <random>
 
 namespace
 {
 using namespace smtest;
-
-constexpr double Unit = sm::UnitRoundoff;
-constexpr double Pi = 3.14159265358979323846;
 
 double GetErrorOverRounding(const Sum& expected, const Evaluation& actual)
 {
@@ -34,7 +33,7 @@ void CheckSum(const std::string& what, const Sum& expected, const Evaluation& ac
   {
     const double rounding = actual.GetRounding(static_cast<int>(k));
     largest = std::max(
-      largest, expected.Sizes[k] > 0.0L ? rounding / (Unit * static_cast<double>(expected.Sizes[k])) : 0.0);
+      largest, expected.Sizes[k] > 0.0L ? rounding / (sm::UnitRoundoff * static_cast<double>(expected.Sizes[k])) : 0.0);
   }
   CheckRange(what + ": error over stated rounding", 0.0, GetErrorOverRounding(expected, actual), 1.0);
   // Positions of size up to 2, degrees up to 25 and the factors of Bounds.md: 8 (stretch / |Ss| + stretch / |Sr|).
@@ -160,7 +159,7 @@ void CheckCylinder()
   face.Panels.push_back({ 0, 0, 1, sm::PanelShape::General, false, false, 0.0, 1.0 });
   std::vector<sm::WorkItem> items = MakeItems(face);
   const Evaluation whole(face, items[0], 16, 4);
-  const double area = 0.5 * Pi * radius * height;
+  const double area = 0.5 * vtkMath::Pi() * radius * height;
   const double limit = 1e-14 * area * 5.0;
   Check("quarter cylinder: area", area, whole.GetValue(8), limit, "16 points, rho 4.6");
   Check("vector area x", -radius * height, -std::abs(whole.GetValue(5)), limit);
@@ -209,7 +208,7 @@ void CheckRibbonFormulas()
   face.Ribbons.push_back({ 0, 0, 4, 1, 1, false, true, 0.0, 1.0, 0.0, 1.0, -1 });
   const Evaluation strip(face, MakeItems(face)[0], 3, 1);
   // X_l x X_t = (0, -d, h) x (2, 0, 0) = (0, 2 h, 2 d); the strip's middle is (11, 20 - d/2, 30 + h/2).
-  const double limit = 64 * Unit * 60.0;
+  const double limit = 64 * sm::UnitRoundoff * 60.0;
   const double flux = 20.0 * 2.0 * h + 30.0 * 2.0 * d;
   Check("ribbon: flux / 3", flux / 3.0, strip.GetValue(0), limit);
   Check("moment x", 11.0 * flux / 4.0, strip.GetValue(1), 11 * limit);

@@ -4,6 +4,7 @@
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
+#include <vtkMath.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
@@ -15,8 +16,6 @@
 namespace
 {
 using namespace smtest;
-
-const double Pi = std::acos(-1.0);
 
 /// A solid of the catalogue with a filter for its integrals.
 struct Body
@@ -119,24 +118,24 @@ void CheckCurvatures(const char* folder)
     Body sphere(folder, "sphere", variant);
     const double r = sphere.Part.Size / std::sqrt(12.0);
     addAll(sphere.Filter);
-    sphere.CheckIntegral("mean", 4 * Pi * r, 1e-5);
-    sphere.CheckIntegral("gauss", 4 * Pi, 1e-5);
-    sphere.CheckIntegral("willmore", 4 * Pi, 1e-5);
-    sphere.CheckIntegral("bending", 8 * Pi, 1e-5);
+    sphere.CheckIntegral("mean", 4 * vtkMath::Pi() * r, 1e-5);
+    sphere.CheckIntegral("gauss", 4 * vtkMath::Pi(), 1e-5);
+    sphere.CheckIntegral("willmore", 4 * vtkMath::Pi(), 1e-5);
+    sphere.CheckIntegral("bending", 8 * vtkMath::Pi(), 1e-5);
   }
   Body ellipsoid(folder, "ellipsoid");
   ellipsoid.Filter->AddIntegrand("gauss", "gaussianCurvature * dA");
   ellipsoid.Filter->Update();
-  ellipsoid.CheckIntegral("gauss", 4 * Pi, 1e-5);
+  ellipsoid.CheckIntegral("gauss", 4 * vtkMath::Pi(), 1e-5);
   Body cylinder(folder, "cylinder");
   addAll(cylinder.Filter);
-  cylinder.CheckIntegral("mean", Pi * 25, 1e-5);
+  cylinder.CheckIntegral("mean", vtkMath::Pi() * 25, 1e-5);
   cylinder.CheckIntegral("gauss", 0.0, 1e-5);
-  cylinder.CheckIntegral("bending", 2 * Pi * 25 / 8, 1e-5);
+  cylinder.CheckIntegral("bending", 2 * vtkMath::Pi() * 25 / 8, 1e-5);
   Body torus(folder, "torus");
   addAll(torus.Filter);
-  const double willmore = Pi * Pi * 400 / (6 * std::sqrt(400.0 - 36.0));
-  torus.CheckIntegral("mean", 2 * Pi * Pi * 20, 1e-5);
+  const double willmore = vtkMath::Pi() * vtkMath::Pi() * 400 / (6 * std::sqrt(400.0 - 36.0));
+  torus.CheckIntegral("mean", 2 * vtkMath::Pi() * vtkMath::Pi() * 20, 1e-5);
   torus.CheckIntegral("gauss", 0.0, 1e-5);
   torus.CheckIntegral("willmore", willmore, 1e-5);
   torus.CheckIntegral("bending", 4 * willmore, 1e-5);

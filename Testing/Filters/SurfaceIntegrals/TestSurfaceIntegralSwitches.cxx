@@ -2,6 +2,7 @@
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
+#include <vtkMath.h>
 #include <vtkCellData.h>
 #include <vtkNURBSDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -12,8 +13,6 @@
 namespace
 {
 using namespace smtest;
-constexpr double Pi = 3.14159265358979323846;
-
 /// A name that another column has, or its bound would have, is an error and shifts no value.
 void CheckNames(vtkSTEPReader* reader, const Expected& ball)
 {
@@ -66,7 +65,7 @@ int TestSurfaceIntegralSwitches(int argc, char* argv[])
   }
   const Manifest manifest(argv[1]);
   const Expected ball = manifest.GetSolid("sphere", "plain").front();
-  const double radius = std::cbrt(ball.Volume * 0.75 / Pi);
+  const double radius = std::cbrt(ball.Volume * 0.75 / vtkMath::Pi());
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(ball.Path.c_str());
   vtkNew<vtkSurfaceIntegralGPU> integral;
@@ -83,15 +82,15 @@ int TestSurfaceIntegralSwitches(int argc, char* argv[])
   CheckEqual("with everything", 15, integral->GetNumberOfIntegrands());
   integral->Update();
   CheckEqual("status", sm::names::StatusOk, integral->GetStatus());
-  const double area = 4.0 * Pi * radius * radius;
+  const double area = 4.0 * vtkMath::Pi() * radius * radius;
   const auto check = [&](const std::string& name, double expected)
   { Check(name, expected, integral->GetIntegral(name), 1e-8 * std::fabs(expected)); };
   check("byHand", area);
   check("area", area);
   check("flux", 3.0 * ball.Volume);
   check("moment_0_0_0", ball.Volume);
-  check("BendingEnergy", 8.0 * Pi);
-  check("ProjectedArea", Pi * radius * radius);
+  check("BendingEnergy", 8.0 * vtkMath::Pi());
+  check("ProjectedArea", vtkMath::Pi() * radius * radius);
   auto* bodies = vtkPartitionedDataSetCollection::SafeDownCast(integral->GetOutputDataObject(5));
   auto* mesh = vtkPolyData::SafeDownCast(bodies->GetPartition(0, 0));
   CheckTrue("the mesh has the integrands to colour by",

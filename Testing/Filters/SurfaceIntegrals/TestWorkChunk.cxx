@@ -16,8 +16,6 @@ namespace
 using namespace smtest;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Unit = sm::UnitRoundoff;
-
 #define SM_INTEGRANDS 2
 #define SM_ROUNDINGS 1
 #define SM_PLACEMENT IsPlaced
@@ -110,8 +108,8 @@ void CheckRules()
       power += rule.y * std::pow(rule.x, 2 * count - 1);
     }
     const std::string name = "rule of " + std::to_string(count) + " points: ";
-    Check(name + "weights", 1.0, weights, 2 * count * Unit, "rounding of a sum");
-    Check(name + "highest power", 0.5 / count, power, 4 * count * Unit, "rounding of powers");
+    Check(name + "weights", 1.0, weights, 2 * count * sm::UnitRoundoff, "rounding of a sum");
+    Check(name + "highest power", 0.5 / count, power, 4 * count * sm::UnitRoundoff, "rounding of powers");
   }
 }
 
@@ -132,7 +130,7 @@ void CheckComparison()
   chunk.Rows.assign(20, 7.0);
   CheckTrue("first order: kept", chunk.Finish(3.0, -4.0, 2.0, Chunk::smFlagFirst | Chunk::smFlagFlip));
   CheckTrue("nothing to compare with is converged", chunk.Converged);
-  const std::vector<double> expected = { 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 3, -4, 0, 0, 2 * Unit, -1,
+  const std::vector<double> expected = { 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 3, -4, 0, 0, 2 * sm::UnitRoundoff, -1,
     -1 };
   CheckTrue("its own row is written, but the gaps", chunk.Rows == expected);
 

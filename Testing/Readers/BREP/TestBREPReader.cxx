@@ -4,6 +4,7 @@
 #include "smTestManifest.h"
 #include "smTesting.h"
 
+#include <vtkMath.h>
 #include <vtkBREPReader.h>
 #include <vtkBREPWriter.h>
 #include <vtkDataAssembly.h>
@@ -35,9 +36,8 @@ namespace
 {
 using namespace smtest;
 
-const double Pi = std::acos(-1.0);
-const double PlateVolume = 40.0 * 30.0 * 10.0 - Pi * 25.0 * 10.0;
-const double BallVolume = 4.0 / 3.0 * Pi * 64.0;
+const double PlateVolume = 40.0 * 30.0 * 10.0 - vtkMath::Pi() * 25.0 * 10.0;
+const double BallVolume = 4.0 / 3.0 * vtkMath::Pi() * 64.0;
 std::string Folder;
 
 TopoDS_Compound Join(const std::vector<TopoDS_Shape>& shapes)

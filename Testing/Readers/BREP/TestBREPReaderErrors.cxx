@@ -23,11 +23,11 @@ namespace
 {
 using namespace smtest;
 
-std::string Folder;
+std::string OutputFolder;
 
 std::string Make(const std::string& name, const std::string& content)
 {
-  const std::string path = Folder + "/" + name;
+  const std::string path = OutputFolder + "/" + name;
   std::ofstream(path, std::ios::binary) << content;
   return path;
 }
@@ -88,7 +88,7 @@ void CheckExcess(vtkBREPReader* reader)
 {
   const TopoDS_Shape solid = BRepPrimAPI_MakeCylinder(5.0, 12.0).Shape();
   const TopoDS_Shape face = TopExp_Explorer(solid, TopAbs_FACE).Current();
-  const std::string path = Folder + "/brep_nested.brep";
+  const std::string path = OutputFolder + "/brep_nested.brep";
   reader->SetFileName(path.c_str());
   BRepTools::Write(Nest(solid, 40, 2), path.c_str());
   CheckProblem(reader, "2^40 solids", "more than 100000 instances");
@@ -145,7 +145,7 @@ int TestBREPReaderErrors(int argc, char** argv)
   {
     return 1;
   }
-  Folder = argv[1];
+  OutputFolder = argv[1];
   std::ostringstream stream;
   BRepTools::Write(BRepPrimAPI_MakeCylinder(5.0, 12.0).Shape(), stream);
   const std::string sound = stream.str();

@@ -31,7 +31,7 @@ std::string Wrap(const std::string& data)
     data + "ENDSEC;\nEND-ISO-10303-21;\n";
 }
 
-bool Make(const std::string& text, sm::KernelRecords& records)
+bool MakeRecords(const std::string& text, sm::KernelRecords& records)
 {
   sm::Part21File file;
   file.Parse(text);
@@ -73,7 +73,7 @@ std::string Load(const std::string& text, const sm::KernelRecords* records)
 void CheckSame(const std::string& name, const std::string& text)
 {
   sm::KernelRecords records;
-  CheckTrue(name + ": records", Make(text, records));
+  CheckTrue(name + ": records", MakeRecords(text, records));
   const std::string expected = Load(text, nullptr);
   CheckTrue(name + ": read", expected.size() > 100);
   CheckTrue(name + ": the same model", Load(text, &records) == expected);
@@ -99,7 +99,7 @@ void CheckTokens()
 void CheckStrings()
 {
   sm::KernelRecords records;
-  CheckTrue("apostrophe and comma", Make(Wrap("#1=CARTESIAN_POINT('5'',6''(7'')',(1.,2.,3.));\n"), records));
+  CheckTrue("apostrophe and comma", MakeRecords(Wrap("#1=CARTESIAN_POINT('5'',6''(7'')',(1.,2.,3.));\n"), records));
   const sm::KernelSession kernel;
   STEPControl_Reader reader;
   reader.WS()->SetLibrary(sm::MakeRecordLibrary(records));
@@ -128,7 +128,7 @@ void CheckLeft()
          "#1=A(\x01);", "&SCOPE #1=A(); ENDSCOPE", "" })
   {
     sm::KernelRecords records;
-    CheckTrue(std::string("left to the parser: ") + data, !Make(Wrap(std::string(data) + "\n"), records));
+    CheckTrue(std::string("left to the parser: ") + data, !MakeRecords(Wrap(std::string(data) + "\n"), records));
   }
   const std::string text = Wrap("#1=A();\n");
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
@@ -138,7 +138,7 @@ void CheckLeft()
     sm::KernelRecords records;
     std::string changed = text;
     changed.replace(changed.find(from), from.size(), to);
-    CheckTrue("left to the parser: " + to + " for " + from, !Make(changed, records));
+    CheckTrue("left to the parser: " + to + " for " + from, !MakeRecords(changed, records));
   }
 }
 }

@@ -37,7 +37,7 @@ namespace
 {
 using namespace smtest;
 
-std::string Write(const std::string& name, const TopoDS_Shape& shape, STEPControl_StepModelType type)
+std::string WriteShape(const std::string& name, const TopoDS_Shape& shape, STEPControl_StepModelType type)
 {
   STEPControl_Writer writer;
   writer.Transfer(shape, type);
@@ -98,7 +98,7 @@ void SetTrim(const TopoDS_Shape& bored, double pole, double bump)
 
 /// Trim curves that leave their edges between the ends, where the loops close all the same, and one at another speed. From a file
 /// OpenCASCADE takes none that are off: it projects edges instead.
-void CheckTrims()
+void CheckTrimReasons()
 {
   const TopoDS_Shape bore =
     BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(20.0, 15.0, 0.0), gp_Dir(0, 0, 1)), 5.0, 10.0).Shape();
@@ -143,7 +143,7 @@ void CheckShells()
   {
     builder.Add(shell, face);
   }
-  const std::string path = Write("repair_shells.step", shell, STEPControl_ShellBasedSurfaceModel);
+  const std::string path = WriteShape("repair_shells.step", shell, STEPControl_ShellBasedSurfaceModel);
   for (const int repair : { vtkSTEPReader::ALWAYS, vtkSTEPReader::ON_NEED })
   {
     vtkNew<vtkSTEPReader> reader;
@@ -179,7 +179,7 @@ void CheckVolume(const std::string& name, const std::string& content, int faces,
 std::string WriteEdgesOnly(const TopoDS_Shape& shape)
 {
   Interface_Static::SetIVal("write.surfacecurve.mode", 0);
-  const std::string text = ReadAll(Write("repair_edges.step", shape, STEPControl_AsIs));
+  const std::string text = ReadAll(WriteShape("repair_edges.step", shape, STEPControl_AsIs));
   Interface_Static::SetIVal("write.surfacecurve.mode", 1);
   return text;
 }
@@ -234,7 +234,7 @@ int TestSTEPRepairReasons(int argc, char* argv[])
     return 1;
   }
   Folder = argv[1];
-  CheckTrims();
+  CheckTrimReasons();
   CheckShells();
   CheckTurnedTorus();
   CheckPolesOnEdges();

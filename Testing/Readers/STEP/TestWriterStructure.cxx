@@ -23,15 +23,6 @@ namespace
 {
 using namespace smtest;
 
-/// Folder of the files that are written.
-std::string Output;
-
-vtkSmartPointer<vtkPartitionedDataSetCollection> Save(
-  const std::string& name, vtkDataObject* data, std::string* messages = nullptr)
-{
-  return SaveAndRead(Output + "/" + name + ".step", data, messages);
-}
-
 /// Two boxes and their mirror images in an assembly, with colours, a material and a layer.
 vtkSmartPointer<vtkPartitionedDataSetCollection> MakeStructure(const std::string& folder)
 {

@@ -12,15 +12,6 @@ namespace
 {
 using namespace smtest;
 
-/// Folder of the files that are written.
-std::string Output;
-
-vtkSmartPointer<vtkPartitionedDataSetCollection> Save(
-  const std::string& name, vtkDataObject* data, std::string* messages = nullptr)
-{
-  return SaveAndRead(Output + "/" + name + ".step", data, messages);
-}
-
 void CheckLabels(const std::string& name, vtkDataObject* before, vtkDataObject* after)
 {
   const auto a = GetModels(before);

@@ -5,9 +5,10 @@
 #ifndef smWriterFiles_h
 #define smWriterFiles_h
 
+#include "smRoundTrip.h"
+#include "smReaderTesting.h"
+
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 namespace smtest
@@ -19,10 +20,14 @@ inline std::string MakeFolder(const std::string& parent, const std::string& name
   return folder.string();
 }
 
-inline std::string ReadAll(const std::string& path)
+/// Folder of the files that the writers write.
+inline std::string Output;
+
+/// Writes the data to a STEP file of this name in the folder, and reads it.
+inline vtkSmartPointer<vtkPartitionedDataSetCollection> Save(
+  const std::string& name, vtkDataObject* data, std::string* messages = nullptr)
 {
-  std::ifstream file(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  return SaveAndRead(Output + "/" + name + ".step", data, messages);
 }
 }
 

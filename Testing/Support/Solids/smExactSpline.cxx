@@ -14,7 +14,7 @@ namespace
 {
 using Point = std::array<double, 2>;
 
-struct Sample
+struct SplineSample
 {
   Real Position[2];
   /// With respect to the spline's parameter.
@@ -22,7 +22,7 @@ struct Sample
 };
 
 /// De Boor's scheme in extended precision on the span [knot i, knot i + 1].
-Sample Evaluate(const ClosedSpline& spline, std::size_t span, Real t)
+SplineSample Evaluate(const ClosedSpline& spline, std::size_t span, Real t)
 {
   Real d[4][2];
   for (int j = 0; j < 4; ++j)
@@ -30,7 +30,7 @@ Sample Evaluate(const ClosedSpline& spline, std::size_t span, Real t)
     d[j][0] = spline.Poles[span - 3 + j][0];
     d[j][1] = spline.Poles[span - 3 + j][1];
   }
-  Sample sample{};
+  SplineSample sample{};
   for (int level = 1; level <= 3; ++level)
   {
     if (level == 3)
@@ -142,7 +142,7 @@ Real ClosedSpline::GetRegionMoment(int a, int b) const
   // Green: integral of p^(a+1) q^b / (a+1) dq, a polynomial of degree 3 (a + b + 1) + 2 <= 23 on a span.
   static const GaussRule rule = MakeGaussRule(12);
   return Integrate(*this, rule, 1,
-    [a, b](const Sample& s)
+    [a, b](const SplineSample& s)
     {
       Real f = s.Derivative[1] / (a + 1);
       for (int i = 0; i <= a; ++i)
@@ -161,7 +161,7 @@ Real ClosedSpline::GetLengthMoment(int a) const
 {
   static const GaussRule rule = MakeGaussRule(30);
   return Integrate(*this, rule, 8,
-    [a](const Sample& s)
+    [a](const SplineSample& s)
     { return std::hypot(s.Derivative[0], s.Derivative[1]) * (a == 0 ? Real(1) : s.Position[0]); });
 }
 
