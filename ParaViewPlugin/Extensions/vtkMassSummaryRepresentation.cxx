@@ -10,25 +10,76 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
 #include "vtkTextRepresentation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <string>
 
 vtkStandardNewMacro(vtkMassSummaryRepresentation);
 
 namespace
 {
+/// Part of the view's width that text in a corner may take: ParaView leaves a hundredth beside it.
+constexpr double WidthShare = 0.98;
+
 bool IsFlagged(vtkFieldData* data)
 {
   auto* status = vtkStringArray::SafeDownCast(data->GetAbstractArray(sm::names::Status));
   return status && status->GetNumberOfValues() > 0 && status->GetValue(0) != sm::names::StatusOk;
+}
+
+/// Width in pixels; 0 where there is no font.
+double MeasureWidth(const std::string& line, vtkTextProperty* text, int dpi)
+{
+  int box[4] = { 0, -1, 0, -1 };
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  return renderer && !line.empty() && renderer->GetBoundingBox(text, line, box, dpi)
+    ? std::max(0, box[1] - box[0] + 1)
+    : 0.0;
+}
+
+/// Lines wider than the view go on, indented, below; words are not divided.
+std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi, double width)
+{
+  std::string result;
+  std::istringstream source(lines);
+  for (std::string line; std::getline(source, line);)
+  {
+    std::size_t at = 0;
+    while ((at = line.find_last_not_of(' ')) != std::string::npos && MeasureWidth(line, text, dpi) > width)
+    {
+      // The last blank before which the words fit; of a first word that is too long, the one behind it.
+      const std::size_t begin = line.find_first_not_of(' ');
+      std::size_t blank = at;
+      std::size_t cut = std::string::npos;
+      while ((blank = line.rfind(' ', blank - 1)) != std::string::npos && blank > begin)
+      {
+        cut = blank;
+        if (MeasureWidth(line.substr(0, blank), text, dpi) <= width)
+        {
+          break;
+        }
+      }
+      if (cut == std::string::npos)
+      {
+        break;
+      }
+      result += line.substr(0, cut) + "\n";
+      line = "    " + line.substr(line.find_first_not_of(' ', cut));
+    }
+    result += line + (source.eof() ? "" : "\n");
+  }
+  return result;
 }
 }
 
@@ -120,6 +171,12 @@ int vtkMassSummaryRepresentation::ProcessViewRequest(
     if (!this->SelectedText.empty())
     {
       written += (written.empty() || written.back() == '\n' ? "\n" : "\n\n") + this->SelectedText;
+      widget->SetText(written.c_str());
+    }
+    if (auto* view = vtkPVRenderView::SafeDownCast(this->GetView()))
+    {
+      written = BreakLines(
+        written, text, view->GetRenderWindow()->GetDPI(), WidthShare * view->GetRenderer()->GetSize()[0]);
       widget->SetText(written.c_str());
     }
     this->LineHeight = text->GetFontSize();

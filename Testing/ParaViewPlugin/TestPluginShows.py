@@ -133,6 +133,11 @@ check_equal("nothing but text is lit", 0, count_text(0, 0)[0])
 both, _ = count_text(1, 1)
 one, top_of_one = count_text(1, 0)
 other, top_of_other = count_text(0, 1)
+view.ViewSize = [200, 480]
+narrow, _ = count_text(1, 0)
+beyond = int((picture()[:, -1:] > 120).all(axis=2).sum())
+check_true("lines of a narrow view are broken, not cut", abs(narrow - one) < 0.05 * one and beyond == 0, f"{narrow}, {one}; {beyond} at the border")
+view.ViewSize = [640, 480]
 check_true("two summaries do not overlap", one > 300 and other > 300 and abs(both - one - other) < 0.02 * both, f"{one} + {other}, {both}")
 check_true("the second is at the top when the first is hidden", abs(top_of_other - top_of_one) <= 4, f"{top_of_one} {top_of_other}")
 

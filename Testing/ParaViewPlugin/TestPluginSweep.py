@@ -102,6 +102,7 @@ def read_bits(source):
 
 
 source = simple.OpenDataFile(part)
+source.MeshDeviation, source.MeshAngle = 0.05, 1.0  # filters take time by triangles, which the solids do not depend on
 if task["input"] == "NURBS Transform":
     source = NURBSTransform(Input=source, Translation=[1.0, 2.0, 3.0], Rotation=[10.0, 20.0, 30.0])  # noqa: F821
 elif task["input"] == "NURBS Deform":
