@@ -34,6 +34,8 @@ constexpr double TurnShare = 1e-2;
 constexpr double LargestGapShare = 0.5;
 /// |S_u x S_v| has no direction below this part of the largest |S_u| |S_v|.
 constexpr double LeastNormal = 1e-10;
+/// Loops that are narrower than this part of their parameters, some 50 neighbouring doubles, are lines.
+constexpr double LeastWidth = 1e-14;
 /// Shapes of triangles that are tried where some are turned over, on faces of no more than so many triangles.
 constexpr std::size_t MostMetrics = 3;
 constexpr std::size_t MostTriangles = 3000;
@@ -60,7 +62,7 @@ public:
   FaceMesh Run(std::vector<std::pair<int, int>>* halve)
   {
     FaceMesh result;
-    if (!(this->Size[0] > 0.0) || !(this->Size[1] > 0.0) || !std::isfinite(this->Size[0] + this->Size[1]))
+    if (!this->HasWidth(0) || !this->HasWidth(1))
     {
       // Chords of curves that bend away from each other may lie on one line.
       result.Reason = "Its boundary encloses no area.";
@@ -103,6 +105,13 @@ public:
   const std::vector<Parameters>& GetTurnedSpeeds() const { return this->TurnedSpeeds; }
 
 private:
+  /// The loops take up more than rounding in a direction.
+  bool HasWidth(int d) const
+  {
+    const double largest = std::max(std::abs(this->Box.Low[d]), std::abs(this->Box.High[d]));
+    return std::isfinite(this->Size[d]) && this->Size[d] > LeastWidth * largest;
+  }
+
   /// Lengths of a grid step in which triangles are to be well shaped.
   Parameters GetGridMetric(const Parameters& wanted) const
   {

@@ -106,6 +106,8 @@ def check_solids():
     # All trim curves of a face lie on a knot of its surface: its mesh crashed.
     damage("torus-nurbs.step", "knots_shuffled", [(r"(B_SPLINE_CURVE_WITH_KNOTS\(\(1,2,2,2,2,1\),\()[^)]*", r"\g<1>4.2,2.1,6.3,8.4,0.,-2.1")],
            FLAGGED, ["knots"])
+    # The loop of the cylinder is that of its top: no winding numbers, and points outside of all loops; its mesh crashed.
+    damage("cylinder-plain.step", "loop_of_another_face", [(r"(#18 = FACE_BOUND\('',)#19", r"\1#107")], FLAGGED, ["not bounded in (u,v)", "#17"])
     damage("cylinder-plain.step", "radius_below_zero", [(r"(CYLINDRICAL_SURFACE\('',#\d+,)", r"\1-")], FLAGGED, ["value out of range"])
     damage("two_solids.step", "solid_lost", [(r"(CLOSED_SHELL\('',)\(#\d+[^)]*\)", r"\1()")], FLAGGED, ["shell without faces"])
     damage("assembly.step", "instance_of_nothing", [(r"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\('3','[^']*','',)#\d+", r"\1#1")], FLAGGED,
