@@ -3,6 +3,7 @@
 #include "smAbortFlag.h"
 #include "smFailureReason.h"
 #include "smFileState.h"
+#include "smFormat.h"
 #include "smLengthUnits.h"
 #include "smOCCTDocument.h"
 #include "smOCCTFailure.h"
@@ -326,8 +327,9 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
   this->Last->FreeFaces = document.FreeFaces;
   if (document.FreeFaces > 0)
   {
-    this->Last->Messages.push_back(std::to_string(document.FreeFaces) +
-      " faces lie in the file beside its solids; they belong to no body and are left out.");
+    this->Last->Messages.push_back(sm::FormatCount(document.FreeFaces,
+      "face lies in the file beside its solids; it belongs to no body and is left out.",
+      "faces lie in the file beside its solids; they belong to no body and are left out."));
   }
   this->Last->Defects = document.Defects;
   this->Last->Messages.insert(this->Last->Messages.end(), document.Defects.begin(), document.Defects.end());

@@ -98,6 +98,8 @@ def check_solids():
     # OpenCASCADE ignores a unit with a parameter too many: metres for millimetres.
     damage(box, "unit_with_another_star", [(r"(LENGTH_UNIT\(\) NAMED_UNIT\(\*)\)", r"\1,*)")], FLAGGED, ["wrong unit", "#346"])
     damage("box-inch.step", "inch_with_another_factor", [(r"(CONVERSION_BASED_UNIT\('INCH',)(#\d+)", r"\1\2,\2")], FLAGGED, ["wrong unit"])
+    # The context's unit of lengths cannot be read: no unit is not the same.
+    damage("box-inch.step", "inch_that_is_damaged", [(r"\( (CONVERSION_BASED_UNIT\('INCH')", r"(8\1")], FLAGGED, ["wrong unit", "#346"])
     # A length in steradians beside one in millimetres: OpenCASCADE takes metres.
     damage(box, "two_units_of_length", [(r"SOLID_ANGLE_UNIT\(\)", "LENGTH_UNIT()")], FLAGGED, ["wrong unit"])
     # No finite box is left; the process aborted in its analysis.
