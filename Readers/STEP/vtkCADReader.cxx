@@ -4,6 +4,7 @@
 #include "smFailureReason.h"
 #include "smFileState.h"
 #include "smLengthUnits.h"
+#include "smMeshDemand.h"
 #include "smOCCTDocument.h"
 #include "smOCCTFailure.h"
 #include "smOCCTFile.h"
@@ -29,8 +30,9 @@
 
 namespace
 {
-/// Share of the progress that OpenCASCADE's reading takes.
+/// Share of the progress that OpenCASCADE's reading takes, and progress at which all bodies are converted.
 constexpr double ReadingShare = 0.5;
+constexpr double MeshStart = 0.9;
 
 /**
  * The rank that updates the first piece, when all ranks of `controller` update this reader together, each a piece of its own; -1 when
@@ -122,6 +124,87 @@ int vtkCADReader::FillOutputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+// --- the display mesh --------------------------------------------------------------------------
+
+void vtkCADReader::Update(int port)
+{
+  this->IsMeshRequested = true;
+  this->Superclass::Update(port);
+}
+
+vtkTypeBool vtkCADReader::Update(int port, vtkInformationVector* requests)
+{
+  this->IsMeshRequested = true;
+  return this->Superclass::Update(port, requests);
+}
+
+bool vtkCADReader::IsMeshWanted(vtkInformation* outputInformation) const
+{
+  return this->DisplayMesh == ALWAYS ||
+    (this->DisplayMesh == BY_NEED && (this->IsMeshRequested || sm::IsMeshNeeded(outputInformation)));
+}
+
+int vtkCADReader::ComputePipelineMTime(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector, int, vtkMTimeType* time)
+{
+  if (this->Status == OK && !this->HasMesh && !this->IsMeshDue &&
+    this->IsMeshWanted(outputVector->GetInformationObject(0)))
+  {
+    this->IsMeshDue = true;
+    this->MeshTime.Modified();
+  }
+  *time = std::max(this->GetMTime(), this->MeshTime.GetMTime());
+  return 1;
+}
+
+void vtkCADReader::ModifyMesh()
+{
+  const bool isCurrent = this->GetMTime() <= this->SettledTime;
+  this->Modified();
+  if (isCurrent)
+  {
+    this->SettledTime = this->GetMTime();
+  }
+}
+
+void vtkCADReader::SetDisplayMesh(int when)
+{
+  const int value = std::clamp<int>(when, BY_NEED, NEVER);
+  if (value != this->DisplayMesh)
+  {
+    this->DisplayMesh = value;
+    this->ModifyMesh();
+  }
+}
+
+void vtkCADReader::SetCoarseAbove(vtkIdType triangles)
+{
+  const vtkIdType value = std::max<vtkIdType>(triangles, 0);
+  if (value != this->CoarseAbove)
+  {
+    this->CoarseAbove = value;
+    this->ModifyMesh();
+  }
+}
+
+void vtkCADReader::SetRefined(bool isRefined)
+{
+  if (isRefined != this->Refined)
+  {
+    this->Refined = isRefined;
+    this->ModifyMesh();
+  }
+}
+
+void vtkCADReader::SetRelativeDeflection(bool isRelative)
+{
+  if (isRelative != this->RelativeDeflection)
+  {
+    this->RelativeDeflection = isRelative;
+    this->ModifyMesh();
+  }
+}
+
 int vtkCADReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -136,7 +219,7 @@ void vtkCADReader::SetLinearDeflection(double deflection)
   if (value != this->LinearDeflection)
   {
     this->LinearDeflection = value;
-    this->Modified();
+    this->ModifyMesh();
   }
 }
 
@@ -146,7 +229,7 @@ void vtkCADReader::SetAngularDeflection(double angle)
   if (value != this->AngularDeflection)
   {
     this->AngularDeflection = value;
-    this->Modified();
+    this->ModifyMesh();
   }
 }
 
@@ -189,6 +272,14 @@ int vtkCADReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
   auto* output = vtkPartitionedDataSetCollection::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT()));
+  if (!this->IsReadingCurrent())
+  {
+    this->Kept.reset();
+  }
+  this->SettledTime = this->GetMTime();
+  this->HasMesh = this->IsMeshWanted(info);
+  this->IsMeshDue = false;
+  this->MeshIsCoarse = false;
   *this->Last = Results();
   this->Status = EMPTY;
   this->Start = vtkTimerLog::GetUniversalTime();
@@ -218,12 +309,24 @@ int vtkCADReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
   if (!problem.empty())
   {
     output->Initialize();
+    this->Kept.reset();
     *this->Last = Results();
     this->Fail(UNREADABLE, problem);
     sm::HasMemoryFor([&]() { this->WriteState(output); });
   }
+  if (this->GetReleaseDataFlag() || vtkDataObject::GetGlobalReleaseDataFlag())
+  {
+    this->Kept.reset();
+  }
   // An update that fails would leave the numbers of the previous file in the filters downstream.
   return 1;
+}
+
+bool vtkCADReader::IsReadingCurrent()
+{
+  // A model that the application has edited in place is read again, as the file has it.
+  return this->Kept && this->GetMTime() <= this->SettledTime &&
+    this->Kept->FindModelTime() == this->Kept->ModelTime;
 }
 
 void vtkCADReader::WriteState(vtkPartitionedDataSetCollection* output) const
@@ -240,12 +343,19 @@ void vtkCADReader::ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept
   if (!hasMemory || !problem.empty())
   {
     output->Initialize();
+    this->Kept.reset();
     this->Fail(UNREADABLE, hasMemory ? std::string_view(problem) : sm::InsufficientMemory);
   }
 }
 
 void vtkCADReader::Read(vtkPartitionedDataSetCollection* output)
 {
+  if (this->Kept)
+  {
+    *this->Last = this->Kept->Last;
+    this->FillOutput(output);
+    return;
+  }
   const std::string mistake = this->FindMistake();
   if (!mistake.empty())
   {
@@ -338,21 +448,64 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
     this->Stop();
     return;
   }
-  const double assembling = vtkTimerLog::GetUniversalTime();
-  output->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(document.Instances.size()));
-  for (unsigned int i = 0; i < document.Instances.size(); ++i)
+  auto reading = std::make_unique<Reading>();
+  for (const sm::BodyInstance& instance : document.Instances)
   {
-    const sm::BodyInstance& instance = document.Instances[i];
-    output->SetPartition(i, 0, makers[instance.Body]->MakeLeaf(instance));
-    output->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), instance.Name.c_str());
+    reading->Sources.push_back(makers[instance.Body]->MakeSource(instance));
+    reading->Names.push_back(instance.Name);
   }
-  sm::AddAssembly(document.Root, this->GetFormatName(), this->FileName ? this->FileName : "", output);
+  reading->Assembly =
+    sm::MakeAssembly(document.Root, this->GetFormatName(), this->FileName ? this->FileName : "");
   this->Last->Bodies = static_cast<int>(document.Bodies.size());
   this->Last->Instances = static_cast<int>(document.Instances.size());
-  this->Last->ConversionSeconds += vtkTimerLog::GetUniversalTime() - assembling;
+  reading->Last = *this->Last;
+  reading->ModelTime = reading->FindModelTime();
+  this->Kept = std::move(reading);
+  if (this->FillOutput(output))
+  {
+    this->InspectDocument(document);
+  }
+}
+
+bool vtkCADReader::FillOutput(vtkPartitionedDataSetCollection* output)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  const std::vector<sm::LeafSource>& sources = this->Kept->Sources;
+  sm::LeafMesher mesher(sources,
+    { this->LinearDeflection, this->RelativeDeflection, this->AngularDeflection,
+      this->Refined ? 0 : this->CoarseAbove });
+  output->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(sources.size()));
+  for (unsigned int i = 0; i < sources.size(); ++i)
+  {
+    const auto report = [&](double x)
+    { return this->Report(MeshStart + (1.0 - MeshStart) * (i + x) / sources.size()); };
+    const bool isStopped = !report(0.0);
+    const vtkSmartPointer<vtkNURBSDataSet> leaf = isStopped ? nullptr
+      : this->HasMesh                                       ? mesher.MakeLeaf(sources[i], report)
+                                                            : sm::MakeBareLeaf(sources[i]);
+    if (!leaf)
+    {
+      output->Initialize();
+      this->Stop();
+      return false;
+    }
+    output->SetPartition(i, 0, leaf);
+    output->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), this->Kept->Names[i].c_str());
+  }
+  output->SetDataAssembly(this->Kept->Assembly);
+  this->MeshIsCoarse = this->HasMesh && mesher.IsCoarse();
+  std::vector<std::string>& messages = this->Last->Messages;
+  messages.insert(messages.end(), mesher.GetMessages().begin(), mesher.GetMessages().end());
+  if (this->MeshIsCoarse)
+  {
+    messages.push_back(
+      "The display mesh is coarse, for with the deflection asked for it would have more than " +
+      std::to_string(this->CoarseAbove) + " triangles; Refined makes that one.");
+  }
+  this->Last->MeshSeconds += vtkTimerLog::GetUniversalTime() - start;
   this->Status = OK;
-  this->InspectDocument(document);
   this->UpdateProgress(1.0);
+  return true;
 }
 
 std::string vtkCADReader::FindMistake() const
@@ -391,9 +544,6 @@ sm::LeafOptions vtkCADReader::ChooseOptions(const sm::Document& document)
   options.Unit = document.UnitInMillimetres / millimetres;
   options.UnitName = this->Last->LengthUnit;
   options.FileUnitName = document.FileUnit.empty() ? "" : sm::GetShortUnit(document.FileUnitInMillimetres);
-  options.LinearDeflection = this->LinearDeflection;
-  options.RelativeDeflection = this->RelativeDeflection;
-  options.AngularDeflection = this->AngularDeflection;
   return options;
 }
 
@@ -403,7 +553,7 @@ bool vtkCADReader::MakeBodies(const sm::Document& document, const sm::LeafOption
   for (std::size_t i = 0; i < document.Bodies.size(); ++i)
   {
     const auto report = [this, i, &document](double x)
-    { return this->Report(ReadingShare + (1.0 - ReadingShare) * (i + x) / document.Bodies.size()); };
+    { return this->Report(ReadingShare + (MeshStart - ReadingShare) * (i + x) / document.Bodies.size()); };
     if (!report(0.0))
     {
       return false;
@@ -425,9 +575,10 @@ void vtkCADReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
-     << indent << "LinearDeflection: " << this->LinearDeflection
-     << (this->RelativeDeflection ? " relative\n" : "\n") << indent
-     << "AngularDeflection: " << this->AngularDeflection << "\n"
+     << indent << "DisplayMesh: " << this->DisplayMesh << "\n"
+     << indent << "CoarseAbove: " << this->CoarseAbove << (this->Refined ? ", refined\n" : "\n") << indent
+     << "LinearDeflection: " << this->LinearDeflection << (this->RelativeDeflection ? " relative\n" : "\n")
+     << indent << "AngularDeflection: " << this->AngularDeflection << "\n"
      << indent << "OutputUnit: " << this->OutputUnit << "\n"
      << indent << "Content: " << this->Content.size() << " bytes\n"
      << indent << "Isolated: " << (this->Isolated ? "on\n" : "off\n") << indent
