@@ -31,6 +31,9 @@ struct vtkCADReader::Results
 /// All that outputs with and without display mesh are made of.
 struct vtkCADReader::Reading
 {
+  /// Progress at which all bodies are converted, or have come from another process.
+  static constexpr double MeshStart = 0.9;
+
   /// An entry for each partitioned dataset.
   std::vector<sm::LeafSource> Sources;
   std::vector<std::string> Names;

@@ -22,9 +22,6 @@
 
 namespace
 {
-/// Share of the progress of an isolated reader that its process takes.
-constexpr double ReadProgramShare = 0.9;
-
 void PackStrings(vtkMultiProcessStream& stream, const std::vector<std::string>& strings)
 {
   stream << static_cast<int>(strings.size());
@@ -169,7 +166,7 @@ bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
   const sm::ReadProgramOutcome outcome = program.empty()
     ? sm::ReadProgramOutcome{ {}, "was not found", false, false }
     : sm::RunReadProgram(program, arguments, this->IsContentGiven ? &this->Content : nullptr,
-        [this](double x) { return this->Report(ReadProgramShare * x); });
+        [this](double x) { return this->Report(Reading::MeshStart * x); });
   if (outcome.IsStopped)
   {
     this->Stop();
