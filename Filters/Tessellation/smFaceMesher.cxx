@@ -1,10 +1,10 @@
 #include "smFaceMesher.h"
 
+#include "smFaceMeshWriter.h"
 #include "smMeshRepair.h"
 #include "smMeshSteps.h"
 #include "smTriangleJudge.h"
 #include "smTriangulation.h"
-#include "smUnitRoundoff.h"
 #include "smVector.h"
 
 #include <algorithm>
@@ -88,7 +88,11 @@ public:
         [this](const Parameters& at, const Parameters& scale) { this->AddInner(at, scale); });
       this->Refine();
     }
-    this->Write(this->Repair(halve, result), result);
+    const std::vector<Corners> kept = this->Repair(halve, result);
+    WriteFaceMesh(kept,
+      { this->Source, this->Blocks, this->Box, this->Vertices, this->Judge,
+        [this](const Parameters& at) { return this->FindNormal(at); } },
+      result);
     if (halve && !halve->empty())
     {
       return result;
@@ -421,75 +425,6 @@ private:
       }
     }
     return { 0.0, 0.0, 0.0 };
-  }
-
-  void Write(const std::vector<Corners>& triangles, FaceMesh& result)
-  {
-    std::vector<int> place(this->Vertices.size(), -1);
-    result.Points.reserve(this->Vertices.size());
-    result.Parameters.reserve(this->Vertices.size());
-    result.Normals.reserve(this->Vertices.size());
-    result.Triangles.reserve(triangles.size());
-    double farthest = 0.0;
-    for (const Corners& t : triangles)
-    {
-      std::array<int, 3> corners;
-      for (int k = 0; k < 3; ++k)
-      {
-        MeshVertex& v = this->Vertices[t[k]];
-        int& index = place[t[k]];
-        if (index < 0)
-        {
-          index = static_cast<int>(result.Points.size());
-          result.Points.push_back(v.Position);
-          result.Parameters.push_back(v.At);
-          Vector3 normal = Dot(v.Normal, v.Normal) > 0.0 ? v.Normal : this->FindNormal(v.At);
-          if (this->Source.Reversed)
-          {
-            normal = { -normal[0], -normal[1], -normal[2] };
-          }
-          result.Normals.push_back(normal);
-          farthest =
-            std::max({ farthest, std::abs(v.Position[0]), std::abs(v.Position[1]), std::abs(v.Position[2]) });
-        }
-        corners[k] = index;
-      }
-      if (this->Source.Reversed)
-      {
-        std::swap(corners[1], corners[2]);
-      }
-      result.Triangles.push_back(corners);
-      const double deviation = this->Judge.GetDeviation(t);
-      // Not std::max, which loses a NaN.
-      result.Deviation = deviation <= result.Deviation ? result.Deviation
-        : std::isnan(deviation)                        ? HUGE_VAL
-                                                       : deviation;
-    }
-    // Positions are rounded, and so are parameters.
-    const SurfaceBlocks::Block all = this->Blocks.GetLargest(this->Blocks.GetCovered());
-    for (int d = 0; d < 2; ++d)
-    {
-      farthest += all.Speed[d] * std::max(std::abs(this->Box.Low[d]), std::abs(this->Box.High[d]));
-    }
-    result.Deviation += 64.0 * UnitRoundoff * farthest + this->Blocks.GetSmallJumps();
-    this->FillNormals(result);
-  }
-
-  /// Points without a normal of the surface get that of their triangles.
-  static void FillNormals(FaceMesh& mesh)
-  {
-    for (const std::array<int, 3>& t : mesh.Triangles)
-    {
-      const Vector3 n =
-        Cross(Subtract(mesh.Points[t[1]], mesh.Points[t[0]]), Subtract(mesh.Points[t[2]], mesh.Points[t[0]]));
-      for (const int k : t)
-      {
-        if (Dot(mesh.Normals[k], mesh.Normals[k]) == 0.0 && Dot(n, n) > 0.0)
-        {
-          mesh.Normals[k] = Normalized(n);
-        }
-      }
-    }
   }
 
   const Face& Source;
