@@ -158,6 +158,77 @@ void SurfaceBlocks::Block::Choose(double tilt)
   this->JumpFactor = sum[0] <= sum[1] ? 1.0 : std::hypot(1.0, slope);
 }
 
+int SurfaceBlocks::ListBreaks(const NURBSSurface& surface, int d, std::vector<double>& spans)
+{
+  const std::vector<double> breaks = surface.GetSpanBreaks(d);
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    // The first and the last span answer for what lies beyond the domain; a point on a knot has the span after it.
+    if ((k + 2 == breaks.size() || breaks[k + 1] > this->Covered.Low[d]) &&
+      (k == 0 || breaks[k] < this->Covered.High[d] || spans.empty()))
+    {
+      if (spans.empty())
+      {
+        spans.push_back(breaks[k]);
+      }
+      spans.push_back(breaks[k + 1]);
+    }
+  }
+  const int degree = surface.Degree[d];
+  const int parts = degree == 1 || (degree <= 3 && !surface.Rational) ? PlainParts : CurvedParts;
+  for (std::size_t k = 0; k + 1 < spans.size(); ++k)
+  {
+    for (int i = 0; i < parts; ++i)
+    {
+      const double share = static_cast<double>(i) / parts;
+      this->Breaks[d].push_back((1.0 - share) * spans[k] + share * spans[k + 1]);
+    }
+  }
+  this->Breaks[d].push_back(spans.back());
+  this->Breaks[d].front() = std::min(this->Breaks[d].front(), this->Covered.Low[d]);
+  this->Breaks[d].back() = std::max(this->Breaks[d].back(), this->Covered.High[d]);
+  return parts;
+}
+
+void SurfaceBlocks::MeasureBlock(const PatchNet& net, const std::array<double, 2>& low,
+  const std::array<double, 2>& width, const std::array<std::size_t, 2>& at, bool rational,
+  const MeshLimits& limits)
+{
+  double from[2];
+  double to[2];
+  double size[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    const std::vector<double>& breaks = this->Breaks[d];
+    from[d] = (breaks[at[d]] - low[d]) / width[d];
+    to[d] = (breaks[at[d] + 1] - low[d]) / width[d];
+    size[d] = breaks[at[d] + 1] - breaks[at[d]];
+  }
+  const PatchNet piece = Restrict(net, from[0], to[0], from[1], to[1]);
+  Block& block = this->Blocks[at[0] + at[1] * (this->Breaks[0].size() - 1)];
+  MeasureCorners(piece, block);
+  // Rows are nowhere farther from each other than the angle and the face allow.
+  EnoughBound enough;
+  enough.Sum = 8.0 * EnoughShare * limits.Deflection;
+  for (int d = 0; d < 2; ++d)
+  {
+    const double all = (this->Covered.High[d] - this->Covered.Low[d]) / size[d];
+    enough.Step[d] = block.Turn[d] * all > limits.Angle ? limits.Angle / block.Turn[d] : all;
+  }
+  BoundBlock(piece, rational, enough, block);
+  const double unit[3] = { size[0] * size[0], size[0] * size[1], size[1] * size[1] };
+  for (int k = 0; k < 3; ++k)
+  {
+    block.Full[k] /= unit[k];
+    block.Along[k] /= unit[k];
+  }
+  for (int d = 0; d < 2; ++d)
+  {
+    block.Turn[d] /= size[d];
+    block.Speed[d] /= size[d];
+  }
+}
+
 SurfaceBlocks::SurfaceBlocks(
   const NURBSSurface& surface, const ParameterBox& covered, const MeshLimits& limits)
   : Covered(covered)
@@ -166,36 +237,9 @@ SurfaceBlocks::SurfaceBlocks(
   int parts[2];
   for (int d = 0; d < 2; ++d)
   {
-    const std::vector<double> breaks = surface.GetSpanBreaks(d);
-    for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
-    {
-      // The first and the last span answer for what lies beyond the domain; a point on a knot has the span after it.
-      if ((k + 2 == breaks.size() || breaks[k + 1] > covered.Low[d]) &&
-        (k == 0 || breaks[k] < covered.High[d] || spans[d].empty()))
-      {
-        if (spans[d].empty())
-        {
-          spans[d].push_back(breaks[k]);
-        }
-        spans[d].push_back(breaks[k + 1]);
-      }
-    }
-    const int degree = surface.Degree[d];
-    parts[d] = degree == 1 || (degree <= 3 && !surface.Rational) ? PlainParts : CurvedParts;
-    for (std::size_t k = 0; k + 1 < spans[d].size(); ++k)
-    {
-      for (int i = 0; i < parts[d]; ++i)
-      {
-        const double share = static_cast<double>(i) / parts[d];
-        this->Breaks[d].push_back((1.0 - share) * spans[d][k] + share * spans[d][k + 1]);
-      }
-    }
-    this->Breaks[d].push_back(spans[d].back());
-    this->Breaks[d].front() = std::min(this->Breaks[d].front(), covered.Low[d]);
-    this->Breaks[d].back() = std::max(this->Breaks[d].back(), covered.High[d]);
+    parts[d] = this->ListBreaks(surface, d, spans[d]);
   }
-  const std::size_t columns = this->Breaks[0].size() - 1;
-  this->Blocks.resize(columns * (this->Breaks[1].size() - 1));
+  this->Blocks.resize((this->Breaks[0].size() - 1) * (this->Breaks[1].size() - 1));
   // The net before the current one in u, and those of the row before.
   PatchNet net;
   net.Resize(surface.Degree[0], surface.Degree[1]);
@@ -205,8 +249,8 @@ SurfaceBlocks::SurfaceBlocks(
   {
     for (std::size_t a = 0; a + 1 < spans[0].size(); ++a)
     {
-      const double low[2] = { spans[0][a], spans[1][b] };
-      const double width[2] = { spans[0][a + 1] - low[0], spans[1][b + 1] - low[1] };
+      const std::array<double, 2> low = { spans[0][a], spans[1][b] };
+      const std::array<double, 2> width = { spans[0][a + 1] - low[0], spans[1][b + 1] - low[1] };
       surface.ExtractBezier(low[0], spans[0][a + 1], low[1], spans[1][b + 1], net.B.data());
       const PatchNet* const neighbors[2] = { a > 0 ? &left : nullptr, b > 0 ? &below[a] : nullptr };
       for (int d = 0; d < 2; ++d)
@@ -226,40 +270,8 @@ SurfaceBlocks::SurfaceBlocks(
       left = below[a] = net;
       for (int part = 0; part < parts[0] * parts[1]; ++part)
       {
-        const std::size_t at[2] = { a * parts[0] + part % parts[0], b * parts[1] + part / parts[0] };
-        double from[2];
-        double to[2];
-        double size[2];
-        for (int d = 0; d < 2; ++d)
-        {
-          const std::vector<double>& breaks = this->Breaks[d];
-          from[d] = (breaks[at[d]] - low[d]) / width[d];
-          to[d] = (breaks[at[d] + 1] - low[d]) / width[d];
-          size[d] = breaks[at[d] + 1] - breaks[at[d]];
-        }
-        const PatchNet piece = Restrict(net, from[0], to[0], from[1], to[1]);
-        Block& block = this->Blocks[at[0] + at[1] * columns];
-        MeasureCorners(piece, block);
-        // Rows are nowhere farther from each other than the angle and the face allow.
-        EnoughBound enough;
-        enough.Sum = 8.0 * EnoughShare * limits.Deflection;
-        for (int d = 0; d < 2; ++d)
-        {
-          const double all = (covered.High[d] - covered.Low[d]) / size[d];
-          enough.Step[d] = block.Turn[d] * all > limits.Angle ? limits.Angle / block.Turn[d] : all;
-        }
-        BoundBlock(piece, surface.Rational, enough, block);
-        const double unit[3] = { size[0] * size[0], size[0] * size[1], size[1] * size[1] };
-        for (int k = 0; k < 3; ++k)
-        {
-          block.Full[k] /= unit[k];
-          block.Along[k] /= unit[k];
-        }
-        for (int d = 0; d < 2; ++d)
-        {
-          block.Turn[d] /= size[d];
-          block.Speed[d] /= size[d];
-        }
+        this->MeasureBlock(net, low, width,
+          { a * parts[0] + part % parts[0], b * parts[1] + part / parts[0] }, surface.Rational, limits);
       }
     }
   }

@@ -2,6 +2,7 @@
 panel, which looks for GROUP.NAME.html."""
 import html
 import os
+import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
@@ -17,9 +18,24 @@ def list_bases(element):
     return (list_bases(proxies[base]) if base in proxies else []) + [element]
 
 
-def get_text(element):
+def get_paragraphs(element):
     found = element.find("Documentation")
-    return " ".join(found.text.split()) if found is not None and found.text else ""
+    text = found.text if found is not None and found.text else ""
+    return [" ".join(paragraph.split()) for paragraph in text.strip().split("\n\n") if paragraph.strip()]
+
+
+def get_text(element):
+    return " ".join(get_paragraphs(element))
+
+
+def part_outputs(paragraphs, names):
+    """The paragraphs without what is said of the outputs ("Solids: a table ..."), and that by their names."""
+    texts, rest = {}, []
+    for paragraph in paragraphs:
+        pieces = re.split("(?:(?<=^)|(?<=[.] ))(" + "|".join(re.escape(name) for name in names) + "): ", paragraph) if names else [paragraph]
+        texts.update((name, text.strip()) for name, text in zip(pieces[1::2], pieces[2::2]))
+        rest += [pieces[0].strip()] if pieces[0].strip() else []
+    return rest, texts
 
 
 def get_label(element):
@@ -39,9 +55,12 @@ def make_page(element):
         for port in source.findall("OutputPort"):
             ports[int(port.get("index"))] = port.get("name")
     title = html.escape(get_label(element))
-    lines = [f"<html><head><title>{title}</title></head><body><h2>{title}</h2>", f"<p>{html.escape(get_text(element))}</p>"]
+    paragraphs, outputs = part_outputs(get_paragraphs(element), list(ports.values()))
+    lines = [f"<html><head><title>{title}</title></head><body><h2>{title}</h2>"] + [f"<p>{html.escape(text)}</p>" for text in paragraphs]
     if ports:
-        lines.append("<h3>Outputs</h3><ol start=\"0\">" + "".join(f"<li>{html.escape(ports[i])}</li>" for i in sorted(ports)) + "</ol>")
+        named = [(ports[i], outputs.get(ports[i])) for i in sorted(ports)]
+        lines.append("<h3>Outputs</h3><ol start=\"0\">" + "".join(
+            f"<li><b>{html.escape(name)}</b>{': ' + html.escape(text) if text else ''}</li>" for name, text in named) + "</ol>")
     lines.append("<h3>Properties</h3><table border=\"1\" cellpadding=\"4\"><tr><th>Property</th><th>Description</th></tr>")
     lines += [f"<tr><td>{html.escape(label)}</td><td>{html.escape(text)}</td></tr>" for label, text in rows.values()]
     return "\n".join(lines + ["</table></body></html>", ""])

@@ -1,5 +1,6 @@
 // Bodies, shells and faces of a census.
 #include "smSTEPCensusTaker.h"
+#include "smSTEPPropertyAttributes.h"
 
 #include <algorithm>
 
@@ -7,8 +8,6 @@ namespace sm
 {
 namespace
 {
-constexpr STEPAttribute Items = { "REPRESENTATION", 1, 1, "items" };
-constexpr STEPAttribute ItemName = { "REPRESENTATION_ITEM", 0, 0, "name" };
 constexpr STEPAttribute OuterShell = { "MANIFOLD_SOLID_BREP", 0, 1, "outer shell" };
 constexpr STEPAttribute VoidShells = { "BREP_WITH_VOIDS", 0, 2, "voids" };
 constexpr STEPAttribute ShellsOfModel = { "SHELL_BASED_SURFACE_MODEL", 0, 1, "shells" };
@@ -50,7 +49,7 @@ void STEPCensusTaker::AddBodies()
   for (const Index i : this->Representations)
   {
     items.clear();
-    Part21Values values(this->Entities.Get(i, Items).Text);
+    Part21Values values(this->Entities.Get(i, ItemsOfRepresentation).Text);
     for (Part21Value value; values.Next(value);)
     {
       const Index item = this->Entities.Follow(value);
@@ -65,7 +64,7 @@ void STEPCensusTaker::AddBodies()
     {
       if (k > 0 && items[k] == items[k - 1])
       {
-        this->Add(CensusDefect::RepeatedItem, i, this->File.GetId(items[k]), Items.Name);
+        this->Add(CensusDefect::RepeatedItem, i, this->File.GetId(items[k]), ItemsOfRepresentation.Name);
         continue;
       }
       const std::uint32_t index = this->AddBody(items[k]);
@@ -94,7 +93,7 @@ std::uint32_t STEPCensusTaker::AddBody(Index item)
   const std::uint64_t roles = this->Entities.GetRoles(item);
   body.Kind = GetKind(roles);
   body.Id = this->File.GetId(item);
-  body.Name = this->Entities.Get(item, ItemName).Text;
+  body.Name = this->Entities.Get(item, NameOfItem).Text;
   for (std::size_t k = 0; k < this->File.GetNumberOfRecords(item); ++k)
   {
     const STEPEntityType* type = this->Entities.GetType(item, k);

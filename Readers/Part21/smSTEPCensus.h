@@ -25,7 +25,7 @@ enum class CensusDefect : unsigned char
   InconsistentSpline, ///< multiplicities, knots, poles and degree do not fit together
   CyclicReference,    ///< an oriented shell, face or edge, a boundary or a curve that is part of itself
   SharedBound,        ///< a bound of two faces, or twice of one
-  TurnedEdge,       ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
+  ReversedEdge,     ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
   RepeatedFace,     ///< a face twice in one shell
   RepeatedItem,     ///< a solid twice in one representation; it is counted once
   UnusedEntity,     ///< a face, bound, loop, shell or solid that nothing uses

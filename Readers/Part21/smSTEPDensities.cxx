@@ -1,5 +1,6 @@
 #include "smSTEPDensities.h"
 
+#include "smSTEPPropertyAttributes.h"
 #include "smSTEPUnits.h"
 
 #include <algorithm>
@@ -11,22 +12,6 @@ namespace sm
 namespace
 {
 using Index = Part21File::Index;
-constexpr Index None = Part21File::None;
-
-constexpr STEPAttribute NameOfProperty = { "PROPERTY_DEFINITION", 0, 0, "name" };
-constexpr STEPAttribute DescriptionOfProperty = { "PROPERTY_DEFINITION", 1, 1, "description" };
-constexpr STEPAttribute DefinitionOfProperty = { "PROPERTY_DEFINITION", 2, 2, "definition" };
-constexpr STEPAttribute RepresentedProperty = { "PROPERTY_DEFINITION_REPRESENTATION", 0, 0, "definition" };
-constexpr STEPAttribute UsedRepresentation = { "PROPERTY_DEFINITION_REPRESENTATION", 1, 1,
-  "used representation" };
-constexpr STEPAttribute NameOfRepresentation = { "REPRESENTATION", 0, 0, "name" };
-constexpr STEPAttribute ItemsOfRepresentation = { "REPRESENTATION", 1, 1, "items" };
-constexpr STEPAttribute NameOfItem = { "REPRESENTATION_ITEM", 0, 0, "name" };
-constexpr STEPAttribute ValueOfItem = { "MEASURE_WITH_UNIT", 0, 1, "value" };
-constexpr STEPAttribute UnitOfItem = { "MEASURE_WITH_UNIT", 1, 2, "unit" };
-constexpr STEPAttribute Elements = { "DERIVED_UNIT", 0, 0, "elements" };
-constexpr STEPAttribute UnitOfElement = { "DERIVED_UNIT_ELEMENT", 0, 0, "unit" };
-constexpr STEPAttribute Exponent = { "DERIVED_UNIT_ELEMENT", 1, 1, "exponent" };
 
 bool SaysDensity(std::string_view text)
 {
@@ -75,12 +60,12 @@ private:
   {
     const Index property = this->Entities.Follow(this->Entities.Get(link, RepresentedProperty));
     const Index representation = this->Entities.Follow(this->Entities.Get(link, UsedRepresentation));
-    if (property == None || representation == None)
+    if (property == STEPAttributes::None || representation == STEPAttributes::None)
     {
       return;
     }
     const Index product = this->FindProduct(property);
-    if (product == None)
+    if (product == STEPAttributes::None)
     {
       return;
     }
@@ -93,7 +78,7 @@ private:
     for (Part21Value value; items.Next(value);)
     {
       const Index item = this->Entities.Follow(value);
-      if (item != None && this->Entities.Get(item, ValueOfItem).Kind == Part21Kind::Typed)
+      if (item != STEPAttributes::None && this->Entities.Get(item, ValueOfItem).Kind == Part21Kind::Typed)
       {
         this->ReadItem(
           item, product, recommended, named || SaysDensity(this->Entities.Get(item, NameOfItem).Text));
@@ -109,7 +94,7 @@ private:
     {
       product = this->Entities.Follow(this->Entities.Get(product, DefinitionOfProperty));
     }
-    return this->Entities.Has(product, STEPRole::ProductDefinition) ? product : None;
+    return this->Entities.Has(product, STEPRole::ProductDefinition) ? product : STEPAttributes::None;
   }
 
   void ReadItem(Index item, Index product, bool recommended, bool named)
@@ -156,7 +141,7 @@ private:
   /// kg/m^3 of the unit, 0 for one that is no density.
   double ReadUnit(Index unit) const
   {
-    if (unit == None)
+    if (unit == STEPAttributes::None)
     {
       return 0.0;
     }
@@ -164,15 +149,15 @@ private:
     double length = 0.0;
     double massExponent = 0.0;
     double lengthExponent = 0.0;
-    Part21Values elements(this->Entities.Get(unit, Elements).Text);
+    Part21Values elements(this->Entities.Get(unit, ElementsOfUnit).Text);
     for (Part21Value value; elements.Next(value);)
     {
       const Index element = this->Entities.Follow(value);
       const Index base =
-        element == None ? None : this->Entities.Follow(this->Entities.Get(element, UnitOfElement));
+        element == STEPAttributes::None ? STEPAttributes::None : this->Entities.Follow(this->Entities.Get(element, UnitOfElement));
       std::string_view record;
       double exponent = 0.0;
-      if (base == None || !this->Entities.Get(element, Exponent).GetNumber(exponent))
+      if (base == STEPAttributes::None || !this->Entities.Get(element, ExponentOfElement).GetNumber(exponent))
       {
         return 0.0;
       }

@@ -1,5 +1,6 @@
 // Loops whose edges run against one another.
 #include "smSTEPCensusTaker.h"
+#include "smSTEPPropertyAttributes.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,6 @@ constexpr STEPAttribute EndOfEdge = { "EDGE", 1, 2, "end" };
 constexpr STEPAttribute CurveOfEdge = { "EDGE_CURVE", 0, 3, "geometry" };
 constexpr STEPAttribute CurveInSpace = { "SURFACE_CURVE", 0, 1, "3D curve" };
 constexpr STEPAttribute PointOfVertex = { "VERTEX_POINT", 0, 1, "point" };
-constexpr STEPAttribute Coordinates = { "CARTESIAN_POINT", 0, 1, "coordinates" };
 
 /// Ends that are closer, relative to the extent of the loop's vertices, follow one another; a wider gap is seen by the integrals, too.
 constexpr double LoopTolerance = 1e-3;
@@ -40,41 +40,41 @@ struct LoopEdge
   bool Straight = false;
 };
 
-/// The numbers of the edges that run against the others when the first one is kept, or turned; false when they make no loop in this order.
-bool FindTurned(
-  const std::vector<LoopEdge>& edges, double tolerance, bool isFirstTurned, std::vector<std::size_t>& turned)
+/// The numbers of the edges that run against the others when the first one is kept, or reversed; false when they make no loop in this order.
+bool FindReversed(const std::vector<LoopEdge>& edges, double tolerance, bool isFirstReversed,
+  std::vector<std::size_t>& reversed)
 {
-  turned.clear();
-  const Point& start = isFirstTurned ? edges[0].End : edges[0].Start;
+  reversed.clear();
+  const Point& start = isFirstReversed ? edges[0].End : edges[0].Start;
   Point at = start;
   for (std::size_t k = 0; k < edges.size(); ++k)
   {
     const LoopEdge& edge = edges[k];
-    const bool isTurned = k == 0 ? isFirstTurned : GetDistance(at, edge.Start) > tolerance;
-    if (isTurned && GetDistance(at, edge.End) > tolerance)
+    const bool isReversed = k == 0 ? isFirstReversed : GetDistance(at, edge.Start) > tolerance;
+    if (isReversed && GetDistance(at, edge.End) > tolerance)
     {
       return false;
     }
-    if (isTurned)
+    if (isReversed)
     {
-      turned.push_back(k);
+      reversed.push_back(k);
     }
-    at = isTurned ? edge.Start : edge.End;
+    at = isReversed ? edge.Start : edge.End;
   }
   return GetDistance(at, start) <= tolerance;
 }
 
 bool IsChained(const std::vector<LoopEdge>& edges, double tolerance)
 {
-  std::vector<std::size_t> turned;
-  return FindTurned(edges, tolerance, false, turned) && turned.empty();
+  std::vector<std::size_t> reversed;
+  return FindReversed(edges, tolerance, false, reversed) && reversed.empty();
 }
 }
 
 bool STEPCensusTaker::ReadVertex(Index vertex, Point3& point)
 {
   const Part21Value reference = this->Entities.Get(vertex, PointOfVertex);
-  const Part21Value list = this->Entities.Get(this->Entities.Follow(reference), Coordinates);
+  const Part21Value list = this->Entities.Get(this->Entities.Follow(reference), CoordinatesOfPoint);
   Part21Values values(list.Text);
   Part21Value value;
   const bool isKnown = list.IsList() && values.Next(value) && value.GetNumber(point[0]) &&
@@ -154,16 +154,16 @@ void STEPCensusTaker::CheckLoop(Index face, Index loop)
   {
     return;
   }
-  // Either the first edge is kept or it is turned; what takes fewer turns is meant, and of as many one or the other. Edges in another order
+  // Either the first edge is kept or it is reversed; what reverses fewer edges is meant, and of as many one or the other. Edges in another order
   // make one loop, or a gap that the integrals see.
-  std::vector<std::size_t> turned;
+  std::vector<std::size_t> reversed;
   std::vector<std::size_t> others;
-  const bool isLoop = FindTurned(edges, tolerance, false, turned);
-  const bool isOther = FindTurned(edges, tolerance, true, others);
-  if (isOther && (!isLoop || others.size() <= turned.size()))
+  const bool isLoop = FindReversed(edges, tolerance, false, reversed);
+  const bool isOther = FindReversed(edges, tolerance, true, others);
+  if (isOther && (!isLoop || others.size() <= reversed.size()))
   {
-    turned = isLoop && others.size() == turned.size() ? turned : std::vector<std::size_t>();
-    turned.insert(turned.end(), others.begin(), others.end());
+    reversed = isLoop && others.size() == reversed.size() ? reversed : std::vector<std::size_t>();
+    reversed.insert(reversed.end(), others.begin(), others.end());
   }
   else if (!isLoop)
   {
@@ -171,11 +171,11 @@ void STEPCensusTaker::CheckLoop(Index face, Index loop)
   }
   // A straight edge is the same in both directions, but of a curve through two points the one part or the other is meant.
   const auto curved =
-    std::find_if(turned.begin(), turned.end(), [&edges](std::size_t k) { return !edges[k].Straight; });
-  if (curved != turned.end())
+    std::find_if(reversed.begin(), reversed.end(), [&edges](std::size_t k) { return !edges[k].Straight; });
+  if (curved != reversed.end())
   {
     this->GeometricDamage[face] = true;
-    this->Add(CensusDefect::TurnedEdge, loop, edges[*curved].Id, EdgesOfLoop.Name);
+    this->Add(CensusDefect::ReversedEdge, loop, edges[*curved].Id, EdgesOfLoop.Name);
   }
 }
 

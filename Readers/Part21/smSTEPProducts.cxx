@@ -1,7 +1,7 @@
 #include "smSTEPProducts.h"
 
-#include "smSTEPAttributes.h"
 #include "smSTEPCensus.h"
+#include "smSTEPPropertyAttributes.h"
 #include "smSTEPUnits.h"
 
 #include <algorithm>
@@ -15,27 +15,11 @@ namespace sm
 namespace
 {
 using Index = Part21File::Index;
-constexpr Index None = Part21File::None;
 
 constexpr STEPAttribute FormationOfDefinition = { "PRODUCT_DEFINITION", 2, 2, "formation" };
 constexpr STEPAttribute ProductOfFormation = { "PRODUCT_DEFINITION_FORMATION", 2, 2, "of product" };
 constexpr STEPAttribute IdOfProduct = { "PRODUCT", 0, 0, "id" };
 constexpr STEPAttribute NameOfProduct = { "PRODUCT", 1, 1, "name" };
-constexpr STEPAttribute NameOfProperty = { "PROPERTY_DEFINITION", 0, 0, "name" };
-constexpr STEPAttribute DefinitionOfProperty = { "PROPERTY_DEFINITION", 2, 2, "definition" };
-constexpr STEPAttribute DefinitionOfRepresentation = { "PROPERTY_DEFINITION_REPRESENTATION", 0, 0,
-  "definition" };
-constexpr STEPAttribute UsedRepresentation = { "PROPERTY_DEFINITION_REPRESENTATION", 1, 1,
-  "used representation" };
-constexpr STEPAttribute ItemsOfRepresentation = { "REPRESENTATION", 1, 1, "items" };
-constexpr STEPAttribute ContextOfRepresentation = { "REPRESENTATION", 2, 2, "context" };
-constexpr STEPAttribute NameOfItem = { "REPRESENTATION_ITEM", 0, 0, "name" };
-constexpr STEPAttribute ValueOfItem = { "MEASURE_WITH_UNIT", 0, 1, "value" };
-constexpr STEPAttribute UnitOfItem = { "MEASURE_WITH_UNIT", 1, 2, "unit" };
-constexpr STEPAttribute Coordinates = { "CARTESIAN_POINT", 0, 1, "coordinates" };
-constexpr STEPAttribute Elements = { "DERIVED_UNIT", 0, 0, "elements" };
-constexpr STEPAttribute UnitOfElement = { "DERIVED_UNIT_ELEMENT", 0, 0, "unit" };
-constexpr STEPAttribute Exponent = { "DERIVED_UNIT_ELEMENT", 1, 1, "exponent" };
 
 /// Text of a string with '' as '.
 std::string Unquote(std::string_view text)
@@ -100,9 +84,9 @@ private:
       {
         continue;
       }
-      const Index definition = this->Entities.Follow(this->Entities.Get(i, DefinitionOfRepresentation));
+      const Index definition = this->Entities.Follow(this->Entities.Get(i, RepresentedProperty));
       const Index representation = this->Entities.Follow(this->Entities.Get(i, UsedRepresentation));
-      if (definition != None && representation != None)
+      if (definition != STEPAttributes::None && representation != STEPAttributes::None)
       {
         use(definition, representation);
       }
@@ -113,14 +97,14 @@ private:
   Index FindDefinition(Index shape) const
   {
     const Index definition =
-      shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, DefinitionOfProperty));
-    return this->Entities.Has(definition, STEPRole::ProductDefinition) ? definition : None;
+      shape == STEPAttributes::None ? STEPAttributes::None : this->Entities.Follow(this->Entities.Get(shape, DefinitionOfProperty));
+    return this->Entities.Has(definition, STEPRole::ProductDefinition) ? definition : STEPAttributes::None;
   }
 
   void AddProduct(Index shape, Index representation)
   {
     const Index definition = this->FindDefinition(shape);
-    if (definition == None || this->Products.count(this->File.GetId(definition)))
+    if (definition == STEPAttributes::None || this->Products.count(this->File.GetId(definition)))
     {
       return;
     }
@@ -130,14 +114,14 @@ private:
     product.HasDensity = this->WithDensity.count(product.Definition) > 0;
     const Index formation = this->Entities.Follow(this->Entities.Get(definition, FormationOfDefinition));
     const Index named =
-      formation == None ? None : this->Entities.Follow(this->Entities.Get(formation, ProductOfFormation));
-    if (named != None)
+      formation == STEPAttributes::None ? STEPAttributes::None : this->Entities.Follow(this->Entities.Get(formation, ProductOfFormation));
+    if (named != STEPAttributes::None)
     {
       const std::string_view name = this->Entities.Get(named, NameOfProduct).Text;
       product.Name = Unquote(name.empty() ? this->Entities.Get(named, IdOfProduct).Text : name);
     }
     const Index context = this->Entities.Follow(this->Entities.Get(representation, ContextOfRepresentation));
-    product.Context = context == None ? 0 : this->File.GetId(context);
+    product.Context = context == STEPAttributes::None ? 0 : this->File.GetId(context);
     product.Millimetres = this->GetMillimetres(context);
     this->Products[product.Definition] = product;
   }
@@ -145,7 +129,7 @@ private:
   double GetMillimetres(Index context) const
   {
     const auto found =
-      context == None ? this->Millimetres.end() : this->Millimetres.find(this->File.GetId(context));
+      context == STEPAttributes::None ? this->Millimetres.end() : this->Millimetres.find(this->File.GetId(context));
     return found == this->Millimetres.end() ? std::nan("") : found->second;
   }
 
@@ -154,7 +138,7 @@ private:
     const Index definition =
       this->FindDefinition(this->Entities.Follow(this->Entities.Get(property, DefinitionOfProperty)));
     const auto found =
-      definition == None ? this->Products.end() : this->Products.find(this->File.GetId(definition));
+      definition == STEPAttributes::None ? this->Products.end() : this->Products.find(this->File.GetId(definition));
     if (found == this->Products.end())
     {
       return;
@@ -164,7 +148,7 @@ private:
     for (Part21Value value; items.Next(value);)
     {
       const Index item = this->Entities.Follow(value);
-      const Part21Value measure = item == None ? Part21Value() : this->Entities.Get(item, ValueOfItem);
+      const Part21Value measure = item == STEPAttributes::None ? Part21Value() : this->Entities.Get(item, ValueOfItem);
       if (measure.Kind == Part21Kind::Typed && measure.TypeName == "VOLUME_MEASURE")
       {
         this->Take(item, measure, 3.0, product.Stated.Volume, product);
@@ -173,7 +157,7 @@ private:
       {
         this->Take(item, measure, 2.0, product.Stated.Area, product);
       }
-      else if (item != None && this->File.GetTypeNames()[this->File.GetType(item)] == "CARTESIAN_POINT" &&
+      else if (item != STEPAttributes::None && this->File.GetTypeNames()[this->File.GetType(item)] == "CARTESIAN_POINT" &&
         this->Entities.Get(item, NameOfItem).Text == "centre point")
       {
         this->TakePoint(item,
@@ -218,7 +202,7 @@ private:
 
   void TakePoint(Index item, double millimetres, STEPProduct& product) const
   {
-    const std::string_view list = this->Entities.Get(item, Coordinates).Text;
+    const std::string_view list = this->Entities.Get(item, CoordinatesOfPoint).Text;
     std::array<double, 3> point{};
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -239,15 +223,15 @@ private:
   {
     double factor = 1.0;
     double sum = 0.0;
-    Part21Values elements(unit == None ? std::string_view() : this->Entities.Get(unit, Elements).Text);
+    Part21Values elements(unit == STEPAttributes::None ? std::string_view() : this->Entities.Get(unit, ElementsOfUnit).Text);
     for (Part21Value value; elements.Next(value);)
     {
       const Index element = this->Entities.Follow(value);
       const Index base =
-        element == None ? None : this->Entities.Follow(this->Entities.Get(element, UnitOfElement));
+        element == STEPAttributes::None ? STEPAttributes::None : this->Entities.Follow(this->Entities.Get(element, UnitOfElement));
       std::string_view record;
       double exponent = 0.0;
-      if (base == None || !this->Entities.Get(element, Exponent).GetNumber(exponent) ||
+      if (base == STEPAttributes::None || !this->Entities.Get(element, ExponentOfElement).GetNumber(exponent) ||
         !this->Entities.FindRecord(base, "LENGTH_UNIT", record))
       {
         return 0.0;

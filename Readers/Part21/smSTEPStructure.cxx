@@ -1,5 +1,6 @@
 // Products, occurrences and shapes of a census, and how they are joined.
 #include "smSTEPCensusTaker.h"
+#include "smSTEPPropertyAttributes.h"
 
 #include <algorithm>
 
@@ -16,12 +17,9 @@ constexpr STEPAttribute SecondRepresentation = { "REPRESENTATION_RELATIONSHIP", 
   "second representation" };
 constexpr STEPAttribute Operator = { "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION", 0, 4,
   "transformation" };
-constexpr STEPAttribute Definition = { "PROPERTY_DEFINITION", 2, 2, "definition" };
-constexpr STEPAttribute DefinedShape = { "PROPERTY_DEFINITION_REPRESENTATION", 0, 0, "definition" };
-constexpr STEPAttribute UsedRepresentation = { "PROPERTY_DEFINITION_REPRESENTATION", 1, 1, "representation" };
+constexpr STEPAttribute RepresentationOfShape = { "PROPERTY_DEFINITION_REPRESENTATION", 1, 1, "representation" };
 constexpr STEPAttribute PlacingRelation = { "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", 0, 0, "relationship" };
 constexpr STEPAttribute PlacedShape = { "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", 1, 1, "product shape" };
-constexpr STEPAttribute Items = { "REPRESENTATION", 1, 1, "items" };
 constexpr STEPAttribute MappingSource = { "MAPPED_ITEM", 0, 1, "mapping source" };
 constexpr STEPAttribute MappingTarget = { "MAPPED_ITEM", 1, 2, "mapping target" };
 constexpr STEPAttribute MappingOrigin = { "REPRESENTATION_MAP", 0, 0, "mapping origin" };
@@ -67,10 +65,10 @@ void STEPCensusTaker::FindPlacements()
   {
     const Index relation = this->Follow(i, PlacingRelation, STEPRole::Relationship);
     const Index shape = this->Follow(i, PlacedShape, STEPRole::ProductShape);
-    const Index used = shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, Definition));
+    const Index used = shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, DefinitionOfProperty));
     const bool isOther = this->Entities.Has(used, STEPRole::OtherUsage);
     const Index occurrence =
-      shape == None || isOther ? None : this->Follow(shape, Definition, STEPRole::Occurrence);
+      shape == None || isOther ? None : this->Follow(shape, DefinitionOfProperty, STEPRole::Occurrence);
     if (relation != None)
     {
       this->Placing[relation] = true;
@@ -117,17 +115,17 @@ void STEPCensusTaker::JoinShapes()
 
 void STEPCensusTaker::AddShapes(Index i)
 {
-  const Index shape = this->Follow(i, DefinedShape, STEPRole::ProductShape);
-  const Index product = shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, Definition));
+  const Index shape = this->Follow(i, RepresentedProperty, STEPRole::ProductShape);
+  const Index product = shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, DefinitionOfProperty));
   if (shape == None || (product != None && !this->Entities.Has(product, STEPRole::ProductDefinition)))
   {
     // The shape of a feature or of an occurrence, not of a product.
     return;
   }
-  const Index representation = this->Follow(i, UsedRepresentation, STEPRole::Representation);
+  const Index representation = this->Follow(i, RepresentationOfShape, STEPRole::Representation);
   if (product == None)
   {
-    this->Follow(shape, Definition, STEPRole::ProductDefinition);
+    this->Follow(shape, DefinitionOfProperty, STEPRole::ProductDefinition);
     return;
   }
   this->Use(i, CensusUse::Structure);
@@ -211,7 +209,7 @@ void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placeme
 
 void STEPCensusTaker::AddItems(Index representation)
 {
-  Part21Values items(this->Entities.Get(representation, Items).Text);
+  Part21Values items(this->Entities.Get(representation, ItemsOfRepresentation).Text);
   for (Part21Value value; items.Next(value);)
   {
     const Index item = this->Entities.Follow(value);
@@ -319,15 +317,15 @@ void STEPCensusTaker::MarkStructure()
       continue;
     }
     this->Use(i, CensusUse::Structure);
-    const Part21Value list = this->Entities.Get(i, Items);
+    const Part21Value list = this->Entities.Get(i, ItemsOfRepresentation);
     if (!list.IsList())
     {
-      this->Add(CensusDefect::WrongParameter, i, 0, Items.Name);
+      this->Add(CensusDefect::WrongParameter, i, 0, ItemsOfRepresentation.Name);
     }
     Part21Values items(list.Text);
     for (Part21Value value; items.Next(value);)
     {
-      const Index item = this->Follow(i, value, ~std::uint64_t{ 0 }, Items.Name);
+      const Index item = this->Follow(i, value, ~std::uint64_t{ 0 }, ItemsOfRepresentation.Name);
       if (this->Entities.Has(item, STEPRole::MappedItem))
       {
         this->Use(item, CensusUse::Structure);

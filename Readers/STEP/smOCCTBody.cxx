@@ -2,6 +2,7 @@
 
 #include "smCommonParameter.h"
 #include "smFormat.h"
+#include "smOCCTClosing.h"
 #include "smOCCTCompleteLoops.h"
 #include "smOCCTCurve.h"
 #include "smOCCTFaceTrims.h"
@@ -41,12 +42,6 @@ double GetLargest(const double v[3])
   return std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
 }
 
-/// A gap below that part of the body's size leaves the loop closed, whatever the file's tolerances say.
-constexpr double LoopTolerance = 1e-5;
-
-/// A vertex's tolerance beyond that part of the body's size excuses no gap.
-constexpr double VertexTolerance = 1e-3;
-
 /// An edge that ends farther from its vertex, relative to the body's size, does not belong to it. Real files have
 /// vertices that are 1.3e-3 away.
 constexpr double EndTolerance = 1e-2;
@@ -72,7 +67,7 @@ public:
     this->Edges.resize(this->EdgeShapes.Extent());
     this->Run(
       this->EdgeShapes.Extent(), [this](std::size_t i) { this->ConvertEdgeShape(i); }, "Edge", 0.0);
-    this->MeasureSize();
+    this->Size = MeasureSize(this->Edges);
     this->Faces.resize(this->Drafts.size());
     this->Run(
       this->Drafts.size(), [this](std::size_t i) { this->ConvertFace(i); }, "Face", EdgeShare);
@@ -364,7 +359,7 @@ private:
         coedge.Trim.Samples = {};
       }
     }
-    this->CheckClosing(draft, *face);
+    CheckClosing(this->Unit, this->Size, draft, *face);
     result.Defects = draft.Defects;
     result.Source = draft.Face;
     for (int d = 0; d < 2; ++d)
@@ -418,69 +413,8 @@ private:
     }
   }
 
-  /// Loops are judged in space, against the tolerances the file states.
-  void CheckClosing(DraftFace& draft, Face& face) const
-  {
-    double largest = 0.0;
-    int open = 0;
-    double tolerance = 0.0;
-    for (TopExp_Explorer it(draft.Face, TopAbs_VERTEX); it.More(); it.Next())
-    {
-      tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
-    }
-    // The kernel widens a vertex until it covers whatever the file claims to meet there.
-    tolerance = std::min(tolerance * this->Unit, VertexTolerance * this->Size);
-    for (const Loop& loop : face.Loops)
-    {
-      for (std::size_t i = 0; i < loop.Coedges.size(); ++i)
-      {
-        const Coedge& a = loop.Coedges[i];
-        const Coedge& b = loop.Coedges[(i + 1) % loop.Coedges.size()];
-        const auto from = a.Reversed ? a.Curve.GetStartPoint() : a.Curve.GetEndPoint();
-        const auto to = b.Reversed ? b.Curve.GetEndPoint() : b.Curve.GetStartPoint();
-        Vector3 p;
-        Vector3 q;
-        face.Surface.Evaluate(from[0], from[1], p.data());
-        face.Surface.Evaluate(to[0], to[1], q.data());
-        const double gap = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-        const double beyond = gap - 2.0 * (a.Use->Tolerance + b.Use->Tolerance);
-        // Not std::max, which loses a NaN.
-        largest = beyond <= largest ? largest : beyond;
-        // Also catches what is not a number.
-        open += beyond <= 2.0 * tolerance || gap <= LoopTolerance * this->Size ? 0 : 1;
-      }
-    }
-    draft.Defects += open;
-    if (!(largest <= 2.0 * tolerance) || open > 0)
-    {
-      face.Messages.push_back("A loop does not close: its largest gap is " + FormatDistance(largest) +
-        " beyond the file's tolerances. A straight line in (u,v) closes it.");
-    }
-  }
-
-  /// Diagonal of the box around all edges.
-  void MeasureSize()
-  {
-    Vector3 low{ 1e300, 1e300, 1e300 };
-    Vector3 high{ -1e300, -1e300, -1e300 };
-    for (const auto& edge : this->Edges)
-    {
-      for (std::size_t i = 0; edge && i < edge->Curve.Coefficients.size(); ++i)
-      {
-        for (int c = 0; c < 3; ++c)
-        {
-          low[c] = std::min(low[c], edge->Curve.Coefficients[i][c]);
-          high[c] = std::max(high[c], edge->Curve.Coefficients[i][c]);
-        }
-      }
-    }
-    this->Size = low[0] <= high[0] ? std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) : 0.0;
-  }
-
   void CheckVertices()
   {
-    const auto distance = [](const Vector3& a, const Vector3& b)
-    { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); };
     for (std::size_t i = 0; i < this->Edges.size(); ++i)
     {
       const auto& edge = this->Edges[i];
@@ -488,8 +422,7 @@ private:
       {
         continue;
       }
-      const double gap = std::max(distance(edge->StartVertex, edge->Curve.GetStartPoint()),
-        distance(edge->EndVertex, edge->Curve.GetEndPoint()));
+      const double gap = GetVertexGap(*edge);
       if (!(gap <= EndTolerance * this->Size))
       {
         ++this->Result.Defects;

@@ -1,5 +1,6 @@
 #include "smOCCTRepair.h"
 
+#include "smOCCTClosing.h"
 #include "smOCCTFaceInspection.h"
 #include "smOCCTFailure.h"
 #include "smOCCTShells.h"
@@ -21,10 +22,6 @@ namespace
 {
 /// Reasons that are told.
 constexpr std::size_t MostReasons = 10;
-
-/// A gap of that part of the size leaves a loop closed; a vertex excuses no more than the second.
-constexpr double LoopTolerance = 1e-5;
-constexpr double VertexTolerance = 1e-3;
 
 /// Gaps between edges and surfaces up to that part of the size are not repaired: a quarter of what the integrals excuse, whose bound of how far
 /// an edge leads beyond its surface may be several times too large.

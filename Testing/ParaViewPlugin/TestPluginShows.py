@@ -4,6 +4,7 @@ import os
 import re
 import sqlite3
 import sys
+import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
@@ -191,6 +192,12 @@ check("and starts where the input is", box["center_of_mass"][0], centers[0], 1e-
 if os.path.exists(pages):
     with sqlite3.connect(pages) as help_file:
         names = {os.path.basename(row[0]) for row in help_file.execute("SELECT Name FROM FileNameTable")}
+        contents = {os.path.basename(name): zlib.decompress(data[4:]).decode("utf-8") for name, data in help_file.execute(
+            "SELECT Name, Data FROM FileNameTable JOIN FileDataTable ON FileNameTable.FileId = FileDataTable.Id WHERE Data IS NOT NULL")}
+    for name in ("MassPropertiesGPU", "SolidSection", "SurfaceIntegralGPU", "Buoyancy", "SolidStability"):
+        listed = re.search("<ol.*</ol>", contents.get(f"filters.{name}.html", "")) or [""]
+        check_true(f"{name} says what each of its outputs is", listed[0].count("<li>") > 3 and listed[0].count("<li>") == listed[0].count("</b>: "),
+                   str(listed[0])[:300])
     for name in ("sources.STEPReader", "filters.MassPropertiesGPU", "filters.NURBSDeform", "filters.SolidStability", "writers.STEPWriter"):
         check_true(f"a page for {name}", name + ".html" in names, str(sorted(names)))
     with open(plugin, "rb") as file:

@@ -16,7 +16,7 @@ using smtest::CheckEqual;
 using smtest::CheckTrue;
 
 /// Units of mass and length: #80 to #89.
-const char Units[] = R"(#80=(MASS_UNIT()NAMED_UNIT(*)SI_UNIT(.KILO.,.GRAM.));
+const char DensityUnits[] = R"(#80=(MASS_UNIT()NAMED_UNIT(*)SI_UNIT(.KILO.,.GRAM.));
 #81=(MASS_UNIT()NAMED_UNIT(*)SI_UNIT($,.GRAM.));
 #82=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));
 #83=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.));
@@ -41,7 +41,7 @@ std::string StateDensity(int first, const std::string& value, const std::string&
     ");\n" + id(6) + "=PROPERTY_DEFINITION_REPRESENTATION(" + id(5) + "," + id(4) + ");\n";
 }
 
-sm::STEPCensus Take(const std::string& text)
+sm::STEPCensus TakeDensities(const std::string& text)
 {
   sm::Part21File file;
   file.Parse(text);
@@ -50,7 +50,7 @@ sm::STEPCensus Take(const std::string& text)
 
 sm::STEPCensus TakeBall(const std::string& statements)
 {
-  return Take(smtest::MakeStepText(smtest::GetBallText() + Units + statements));
+  return TakeDensities(smtest::MakeStepText(smtest::GetBallText() + DensityUnits + statements));
 }
 
 void CheckBall(const std::string& what, double density, const std::string& statements)
@@ -111,7 +111,7 @@ void CheckProperties()
 sm::CensusBody TakeBoxed(const std::string& statements)
 {
   const std::string text = smtest::GetAssemblyCases().at(0).Text;
-  return Take(smtest::Replace(text, "#60=NEXT", Units + statements + "#60=NEXT")).Bodies.at(0);
+  return TakeDensities(smtest::Replace(text, "#60=NEXT", DensityUnits + statements + "#60=NEXT")).Bodies.at(0);
 }
 
 void CheckAssemblies()

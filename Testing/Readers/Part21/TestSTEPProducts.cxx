@@ -26,7 +26,7 @@ std::string Describe(int first, const std::string& item, const std::string& desc
 }
 
 /// #90: cubic centimetres; #91: square millimetres.
-const char Units[] = R"(#80=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.));
+const char ProductUnits[] = R"(#80=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.));
 #81=DERIVED_UNIT_ELEMENT(#80,3.);
 #82=DERIVED_UNIT_ELEMENT(#2,2.);
 #90=DERIVED_UNIT((#81));
@@ -35,7 +35,7 @@ const char Units[] = R"(#80=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.))
 
 std::string MakeText(const std::string& statements)
 {
-  return smtest::MakeStepText(smtest::GetBallText() + Units + statements);
+  return smtest::MakeStepText(smtest::GetBallText() + ProductUnits + statements);
 }
 
 sm::STEPProduct Read(const std::string& statements)

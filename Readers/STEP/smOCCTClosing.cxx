@@ -1,0 +1,78 @@
+#include "smOCCTClosing.h"
+
+#include "smFormat.h"
+
+#include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+double MeasureSize(const std::vector<std::shared_ptr<const Edge>>& edges)
+{
+  Vector3 low{ 1e300, 1e300, 1e300 };
+  Vector3 high{ -1e300, -1e300, -1e300 };
+  for (const auto& edge : edges)
+  {
+    for (std::size_t i = 0; edge && i < edge->Curve.Coefficients.size(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        low[c] = std::min(low[c], edge->Curve.Coefficients[i][c]);
+        high[c] = std::max(high[c], edge->Curve.Coefficients[i][c]);
+      }
+    }
+  }
+  return low[0] <= high[0] ? std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) : 0.0;
+}
+
+double GetVertexGap(const Edge& edge)
+{
+  const auto distance = [](const Vector3& a, const Vector3& b)
+  { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); };
+  return std::max(distance(edge.StartVertex, edge.Curve.GetStartPoint()),
+    distance(edge.EndVertex, edge.Curve.GetEndPoint()));
+}
+
+void CheckClosing(double unit, double size, DraftFace& draft, Face& face)
+{
+  double largest = 0.0;
+  int open = 0;
+  double tolerance = 0.0;
+  for (TopExp_Explorer it(draft.Face, TopAbs_VERTEX); it.More(); it.Next())
+  {
+    tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
+  }
+  // The kernel widens a vertex until it covers whatever the file claims to meet there.
+  tolerance = std::min(tolerance * unit, VertexTolerance * size);
+  for (const Loop& loop : face.Loops)
+  {
+    for (std::size_t i = 0; i < loop.Coedges.size(); ++i)
+    {
+      const Coedge& a = loop.Coedges[i];
+      const Coedge& b = loop.Coedges[(i + 1) % loop.Coedges.size()];
+      const auto from = a.Reversed ? a.Curve.GetStartPoint() : a.Curve.GetEndPoint();
+      const auto to = b.Reversed ? b.Curve.GetEndPoint() : b.Curve.GetStartPoint();
+      Vector3 p;
+      Vector3 q;
+      face.Surface.Evaluate(from[0], from[1], p.data());
+      face.Surface.Evaluate(to[0], to[1], q.data());
+      const double gap = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+      const double beyond = gap - 2.0 * (a.Use->Tolerance + b.Use->Tolerance);
+      // Not std::max, which loses a NaN.
+      largest = beyond <= largest ? largest : beyond;
+      // Also catches what is not a number.
+      open += beyond <= 2.0 * tolerance || gap <= LoopTolerance * size ? 0 : 1;
+    }
+  }
+  draft.Defects += open;
+  if (!(largest <= 2.0 * tolerance) || open > 0)
+  {
+    face.Messages.push_back("A loop does not close: its largest gap is " + FormatDistance(largest) +
+      " beyond the file's tolerances. A straight line in (u,v) closes it.");
+  }
+}
+}

@@ -1,0 +1,103 @@
+#include "smSeamWay.h"
+
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+using Point2 = std::array<double, 2>;
+
+/// Segments that stand for a coedge's trim.
+constexpr int TrimSegments = 8;
+
+/// Twice the signed area of a triangle, relative to its size.
+double GetSide(const Point2& a, const Point2& b, const Point2& p)
+{
+  const double area = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+  const double size = std::hypot(b[0] - a[0], b[1] - a[1]) * std::hypot(p[0] - a[0], p[1] - a[1]);
+  return size > 0.0 ? area / size : 0.0;
+}
+
+/// The segment from c to d crosses that from a to b inside the latter; a point on it counts as left of it.
+bool Cross(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
+{
+  constexpr double least = 1e-9;
+  const double start = GetSide(c, d, a);
+  const double end = GetSide(c, d, b);
+  return (GetSide(a, b, c) > -least) != (GetSide(a, b, d) > -least) &&
+    ((start > least && end < -least) || (start < -least && end > least));
+}
+
+/// No loop crosses the line, whatever its period.
+bool IsFree(const DraftFace& face, const Point2& a, const Point2& b, int direction)
+{
+  const double period = face.Period[direction];
+  for (const DraftLoop& loop : face.Loops)
+  {
+    for (const DraftCoedge& coedge : loop)
+    {
+      Point2 last{};
+      for (int i = 0; i <= TrimSegments; ++i)
+      {
+        const double x = static_cast<double>(i) / TrimSegments;
+        const Point2 p = coedge.Trim.Evaluate((1.0 - x) * coedge.Trim.First + x * coedge.Trim.Last);
+        for (double k = -2.0; i > 0 && k <= 2.0; ++k)
+        {
+          Point2 from = last;
+          Point2 to = p;
+          from[direction] += k * period;
+          to[direction] += k * period;
+          if (Cross(a, b, from, to))
+          {
+            return false;
+          }
+        }
+        last = p;
+      }
+    }
+  }
+  return true;
+}
+}
+
+std::vector<Point2> FindSeamWay(
+  const DraftFace& face, const Point2& a, const Point2& b, int direction, bool isStraight)
+{
+  constexpr int turns = 8;
+  std::vector<std::vector<Point2>> ways;
+  if (isStraight)
+  {
+    ways.push_back({ a, b });
+  }
+  for (const double share : { 0.3, 0.1, 0.03 })
+  {
+    for (int k = 1; k < 2 * turns && !isStraight; ++k)
+    {
+      // To one side and to the other, nearer ones first.
+      const double aside = (k % 2 == 1 ? 0.5 : -0.5) * (k / 2 + k % 2) / turns * face.Period[direction];
+      Point2 way[2];
+      for (int i = 0; i < 2; ++i)
+      {
+        const double x = i == 0 ? share : 1.0 - share;
+        way[i][1 - direction] = (1.0 - x) * a[1 - direction] + x * b[1 - direction];
+        way[i][direction] = (1.0 - x) * a[direction] + x * b[direction] + aside;
+      }
+      ways.push_back({ a, way[0], way[1], b });
+    }
+  }
+  for (const std::vector<Point2>& way : ways)
+  {
+    bool isFree = true;
+    for (std::size_t i = 0; isFree && i + 1 < way.size(); ++i)
+    {
+      isFree = IsFree(face, way[i], way[i + 1], direction);
+    }
+    if (isFree)
+    {
+      return way;
+    }
+  }
+  return {};
+}
+}
