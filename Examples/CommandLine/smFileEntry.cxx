@@ -7,9 +7,9 @@
 #endif
 
 #include "vtkBoundingBox.h"
-#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
+#include "vtkNURBSDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkTable.h"
@@ -133,10 +133,11 @@ Json GetDiagonal(vtkDataObject* input)
   {
     for (unsigned int j = 0; j < parts->GetNumberOfPartitions(i); ++j)
     {
-      auto* mesh = vtkDataSet::SafeDownCast(parts->GetPartitionAsDataObject(i, j));
-      if (mesh && mesh->GetNumberOfPoints() > 0)
+      auto* solid = vtkNURBSDataSet::SafeDownCast(parts->GetPartitionAsDataObject(i, j));
+      double bounds[6];
+      if (solid && solid->GetBodyBounds(bounds))
       {
-        box.AddBounds(mesh->GetBounds());
+        box.AddBounds(bounds);
       }
     }
   }

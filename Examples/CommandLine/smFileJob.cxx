@@ -107,6 +107,8 @@ bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobList
   sm::MessageList& messages)
 {
   sm::SetUpReader(reader, GetSource(options), options);
+  const bool isShown = !options.MeshName.empty() || !options.PictureName.empty();
+  reader->SetDisplayMesh(isShown ? vtkCADReader::ALWAYS : vtkCADReader::NEVER);
   {
     ProgressScope progress(reader, sm::stages::Read, send);
     reader->Update();

@@ -107,6 +107,11 @@ std::string FormatWithBound(double value, double bound, const std::string& unit)
     : std::string("not known");
 }
 
+std::string FormatCount(std::size_t count, const char* one, const char* many)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 std::string WrapText(const std::string& text, std::size_t width)
 {
   std::string result;

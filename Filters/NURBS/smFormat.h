@@ -33,6 +33,9 @@ SMFILTERSNURBS_EXPORT std::string FormatBoundNote(double bound);
 /// Value, unit and bound.
 SMFILTERSNURBS_EXPORT std::string FormatWithBound(double value, double bound, const std::string& unit);
 
+/// A count and what is counted: "1 face", "3 faces".
+SMFILTERSNURBS_EXPORT std::string FormatCount(std::size_t count, const char* one, const char* many);
+
 /// Breaks text between words into lines of at most `width` characters (more for a longer word), each with a newline.
 SMFILTERSNURBS_EXPORT std::string WrapText(const std::string& text, std::size_t width);
 

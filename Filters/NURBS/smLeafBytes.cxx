@@ -12,6 +12,7 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -90,6 +91,7 @@ private:
   void Put(vtkDataArray* array);
   void Put(vtkFieldData* fields, vtkDataSetAttributes* attributes);
   void Put(vtkTrimmedNURBSModel* model);
+  void PutMesh(vtkPolyData* mesh);
 
   ByteWriter& To;
   FaceWriter Faces;
@@ -164,19 +166,29 @@ void LeafWriter::Put(vtkTrimmedNURBSModel* model)
     this->To.PutAll(shell);
   }
   this->To.PutTexts(model->GetMessages());
+  this->To.Put(model->GetScaleMesh() != nullptr);
+  if (model->GetScaleMesh())
+  {
+    this->PutMesh(model->GetScaleMesh());
+  }
+}
+
+void LeafWriter::PutMesh(vtkPolyData* mesh)
+{
+  this->Put(mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr);
+  if (this->Cells.Put(mesh->GetPolys(), this->To))
+  {
+    this->Put(mesh->GetPolys()->GetOffsetsArray());
+    this->Put(mesh->GetPolys()->GetConnectivityArray());
+  }
+  this->Put(mesh->GetPointData(), mesh->GetPointData());
+  this->Put(mesh->GetCellData(), mesh->GetCellData());
+  this->Put(mesh->GetFieldData(), nullptr);
 }
 
 void LeafWriter::Put(vtkNURBSDataSet* leaf)
 {
-  this->Put(leaf->GetPoints() ? leaf->GetPoints()->GetData() : nullptr);
-  if (this->Cells.Put(leaf->GetPolys(), this->To))
-  {
-    this->Put(leaf->GetPolys()->GetOffsetsArray());
-    this->Put(leaf->GetPolys()->GetConnectivityArray());
-  }
-  this->Put(leaf->GetPointData(), leaf->GetPointData());
-  this->Put(leaf->GetCellData(), leaf->GetCellData());
-  this->Put(leaf->GetFieldData(), nullptr);
+  this->PutMesh(leaf);
   this->To.PutBlock(leaf->GetPlacementData(), 16 * sizeof(double));
   this->Put(leaf->GetModel());
 }
@@ -197,6 +209,7 @@ private:
   void GetArrays(vtkFieldData* fields, vtkDataSetAttributes* attributes);
   vtkSmartPointer<vtkCellArray> ReadCells();
   vtkSmartPointer<vtkTrimmedNURBSModel> ReadModel();
+  void GetMesh(vtkPolyData* mesh);
 
   ByteReader& From;
   FaceReader Faces;
@@ -300,22 +313,33 @@ vtkSmartPointer<vtkTrimmedNURBSModel> LeafReader::ReadModel()
   }
   model->SetShells(std::move(shells));
   model->SetMessages(this->From.GetTexts());
+  if (this->From.Get<bool>())
+  {
+    vtkNew<vtkPolyData> mesh;
+    this->GetMesh(mesh);
+    model->SetScaleMesh(mesh);
+  }
   return model;
+}
+
+void LeafReader::GetMesh(vtkPolyData* mesh)
+{
+  if (vtkDataArray* coordinates = this->GetArray())
+  {
+    vtkNew<vtkPoints> points;
+    points->SetData(coordinates);
+    mesh->SetPoints(points);
+  }
+  mesh->SetPolys(this->Cells.Get(this->From, [this]() { return this->ReadCells(); }));
+  this->GetArrays(mesh->GetPointData(), mesh->GetPointData());
+  this->GetArrays(mesh->GetCellData(), mesh->GetCellData());
+  this->GetArrays(mesh->GetFieldData(), nullptr);
 }
 
 vtkSmartPointer<vtkNURBSDataSet> LeafReader::Get()
 {
   auto leaf = vtkSmartPointer<vtkNURBSDataSet>::New();
-  if (vtkDataArray* coordinates = this->GetArray())
-  {
-    vtkNew<vtkPoints> points;
-    points->SetData(coordinates);
-    leaf->SetPoints(points);
-  }
-  leaf->SetPolys(this->Cells.Get(this->From, [this]() { return this->ReadCells(); }));
-  this->GetArrays(leaf->GetPointData(), leaf->GetPointData());
-  this->GetArrays(leaf->GetCellData(), leaf->GetCellData());
-  this->GetArrays(leaf->GetFieldData(), nullptr);
+  this->GetMesh(leaf);
   vtkNew<vtkMatrix4x4> placement;
   this->From.GetBlock(placement->GetData(), 16 * sizeof(double));
   leaf->SetPlacement(placement);

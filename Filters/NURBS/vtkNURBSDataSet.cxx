@@ -1,8 +1,11 @@
 #include "vtkNURBSDataSet.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
@@ -40,6 +43,9 @@ std::uint64_t HashCoordinates(vtkPoints* points)
 
 vtkStandardNewMacro(vtkNURBSDataSet);
 vtkStandardExtendedNewMacro(vtkNURBSDataSet);
+vtkInformationKeyMacro(vtkNURBSDataSet, EXACT_INPUT, Integer);
+vtkInformationKeyMacro(vtkNURBSDataSet, MESH_OUTPUT, Integer);
+vtkInformationKeyMacro(vtkNURBSDataSet, MESH_REQUESTED, Integer);
 
 vtkNURBSDataSet::vtkNURBSDataSet()
 {
@@ -154,6 +160,50 @@ void vtkNURBSDataSet::CopyStructure(vtkDataSet* source)
 unsigned long vtkNURBSDataSet::GetActualMemorySize()
 {
   return this->Superclass::GetActualMemorySize() + (this->Model ? this->Model->GetActualMemorySize() : 0);
+}
+
+bool vtkNURBSDataSet::GetBodyBounds(double bounds[6])
+{
+  vtkTrimmedNURBSModel* model = this->GetModel();
+  vtkPolyData* mesh = model ? model->GetScaleMesh() : nullptr;
+  if (!mesh || mesh->GetNumberOfPoints() == 0)
+  {
+    if (this->GetNumberOfPoints() > 0)
+    {
+      this->Superclass::ComputeBounds();
+      std::copy_n(this->Bounds, 6, bounds);
+    }
+    return this->GetNumberOfPoints() > 0;
+  }
+  vtkBoundingBox box;
+  const double* m = this->Placement;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    double q[3];
+    mesh->GetPoint(i, p);
+    for (int r = 0; r < 3; ++r)
+    {
+      q[r] = m[4 * r] * p[0] + m[4 * r + 1] * p[1] + m[4 * r + 2] * p[2] + m[4 * r + 3];
+    }
+    box.AddPoint(q);
+  }
+  box.GetBounds(bounds);
+  return true;
+}
+
+void vtkNURBSDataSet::ComputeBounds()
+{
+  if (this->GetNumberOfPoints() > 0 || !this->GetModel())
+  {
+    this->Superclass::ComputeBounds();
+  }
+  else if (this->GetMTime() > this->ComputeTime)
+  {
+    vtkMath::UninitializeBounds(this->Bounds);
+    this->GetBodyBounds(this->Bounds);
+    this->ComputeTime.Modified();
+  }
 }
 
 vtkMTimeType vtkNURBSDataSet::GetMTime()

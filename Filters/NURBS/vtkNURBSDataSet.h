@@ -20,6 +20,9 @@
  * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it. GetModel() returns null if
  * the points were replaced or their coordinates changed after SetModel(), because the model no longer describes them: such a mesh is an
  * ordinary polydata from then on. Points with a new MTime and the same coordinates are still those of the model.
+ *
+ * An instance may have no points and no triangles: a reader makes them only where something downstream shows or uses them (vtkCADReader::
+ * SetDisplayMesh). All exact results are the same without. Its bounds are those of the model's scale mesh then.
  */
 #ifndef vtkNURBSDataSet_h
 #define vtkNURBSDataSet_h
@@ -30,6 +33,7 @@
 
 #include <cstdint>
 
+class vtkInformationIntegerKey;
 class vtkMatrix4x4;
 class vtkTrimmedNURBSModel;
 
@@ -67,6 +71,20 @@ public:
   unsigned long GetActualMemorySize() override;
   /** Includes the time of the model, so that exchanging a face of the model executes the pipeline. */
   vtkMTimeType GetMTime() override;
+
+  ///@{
+  /** Keys of filters that do without the display mesh of their input, see smMeshDemand.h: in the information of an input port; of an output port;
+   * of a filter. */
+  static vtkInformationIntegerKey* EXACT_INPUT();
+  static vtkInformationIntegerKey* MESH_OUTPUT();
+  static vtkInformationIntegerKey* MESH_REQUESTED();
+  ///@}
+
+  /** The box of the instance by the model's scale mesh, which does not depend on what is shown; by its points where there is no such
+   * mesh. False, and `bounds` unchanged, where there is neither. */
+  bool GetBodyBounds(double bounds[6]);
+
+  void ComputeBounds() override;
 
   static vtkNURBSDataSet* GetData(vtkInformation* info);
   static vtkNURBSDataSet* GetData(vtkInformationVector* vector, int index = 0);

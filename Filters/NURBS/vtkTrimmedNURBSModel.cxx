@@ -4,6 +4,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
@@ -159,7 +160,22 @@ vtkIdType vtkTrimmedNURBSModel::GetNumberOfEdges() const
 void vtkTrimmedNURBSModel::SetFaces(std::vector<sm::FacePointer> faces)
 {
   this->Faces = std::move(faces);
+  this->ScaleMesh = nullptr;
   this->Modified();
+}
+
+void vtkTrimmedNURBSModel::SetScaleMesh(vtkPolyData* mesh)
+{
+  if (this->ScaleMesh != mesh)
+  {
+    this->ScaleMesh = mesh;
+    this->Modified();
+  }
+}
+
+vtkPolyData* vtkTrimmedNURBSModel::GetScaleMesh() const
+{
+  return this->ScaleMesh;
 }
 
 void vtkTrimmedNURBSModel::SetFace(vtkIdType index, sm::FacePointer face)
@@ -171,6 +187,7 @@ void vtkTrimmedNURBSModel::SetFace(vtkIdType index, sm::FacePointer face)
     return;
   }
   this->Faces[index] = std::move(face);
+  this->ScaleMesh = nullptr;
   this->Modified();
 }
 
@@ -245,6 +262,7 @@ int vtkTrimmedNURBSModel::AddFace(int degreeU, vtkDataArray* knotsU, int degreeV
   face->Id = sm::NewId();
   face->Reversed = reversed;
   this->Faces.push_back(face);
+  this->ScaleMesh = nullptr;
   this->Modified();
   return static_cast<int>(this->Faces.size()) - 1;
 }
@@ -299,6 +317,7 @@ bool vtkTrimmedNURBSModel::AddCoedge(int face, int loop, int edge, bool reversed
   changed.Id = sm::NewId();
   changed.Loops.resize(std::max(changed.Loops.size(), static_cast<std::size_t>(loop) + 1));
   changed.Loops[loop].Coedges.push_back(std::move(coedge));
+  this->ScaleMesh = nullptr;
   this->Modified();
   return true;
 }
@@ -332,6 +351,7 @@ void vtkTrimmedNURBSModel::ShallowCopy(vtkTrimmedNURBSModel* source)
   }
   this->VolumeScale = source->VolumeScale;
   this->AreaScale = source->AreaScale;
+  this->ScaleMesh = source->ScaleMesh;
   this->Faces = source->Faces;
   this->Shells = source->Shells;
   this->Messages = source->Messages;
@@ -357,5 +377,6 @@ unsigned long vtkTrimmedNURBSModel::GetActualMemorySize() const
       }
     }
   }
-  return static_cast<unsigned long>(bytes / 1024 + 1);
+  const unsigned long mesh = this->ScaleMesh ? this->ScaleMesh->GetActualMemorySize() : 0;
+  return static_cast<unsigned long>(bytes / 1024 + 1) + mesh;
 }

@@ -16,6 +16,7 @@
 
 #include "smFiltersNURBSModule.h"
 #include "vtkObject.h"
+#include "vtkSmartPointer.h" // for the scale mesh
 
 #include "smFace.h" // for FacePointer
 
@@ -24,6 +25,7 @@
 #include <vector> // for std::vector
 
 class vtkDataArray;
+class vtkPolyData;
 
 class SMFILTERSNURBS_EXPORT vtkTrimmedNURBSModel : public vtkObject
 {
@@ -107,6 +109,16 @@ public:
   vtkSetMacro(AreaScale, double);
   vtkGetMacro(AreaScale, double);
 
+  ///@{
+  /**
+   * The mesh that the scales were taken from, in part coordinates, with the arrays of vtkNURBSDataSet; all instances share it. Filters judge
+   * by it whether shells enclose each other or cross themselves, so that their results do not depend on what is shown. Null, the default:
+   * there is none, and the display mesh takes its place. Setting, exchanging or adding faces drops it. Set the faces first.
+   */
+  void SetScaleMesh(vtkPolyData* mesh);
+  vtkPolyData* GetScaleMesh() const;
+  ///@}
+
   vtkIdType GetNumberOfFaces() const { return static_cast<vtkIdType>(this->Faces.size()); }
   /** Number of distinct edges that the faces use. */
   vtkIdType GetNumberOfEdges() const;
@@ -179,7 +191,7 @@ public:
   /** Shares all faces of `source` and copies the rest. */
   void ShallowCopy(vtkTrimmedNURBSModel* source);
 
-  /** Memory of faces and edges in kibibytes. Shared faces count in every model that uses them. */
+  /** Memory of faces, edges and the scale mesh in kibibytes. Shared faces count in every model that uses them. */
   unsigned long GetActualMemorySize() const;
 
 protected:
@@ -207,6 +219,7 @@ private:
   double LocalBounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   double VolumeScale = 0.0;
   double AreaScale = 0.0;
+  vtkSmartPointer<vtkPolyData> ScaleMesh;
   std::vector<sm::FacePointer> Faces;
   std::vector<std::vector<int>> Shells;
   std::vector<std::string> Messages;

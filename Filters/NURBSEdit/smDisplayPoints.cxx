@@ -10,6 +10,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTrimmedNURBSModel.h"
 
 namespace sm
 {
@@ -53,6 +55,23 @@ void MapPoints(vtkNURBSDataSet* leaf, const double origin[3], const PointMap& ma
     });
   leaf->SetPoints(points);
 }
+
+/// Gives `edited` the scale mesh of `before`, its points on the faces of `edited`.
+bool MoveScaleMesh(
+  vtkTrimmedNURBSModel* before, vtkTrimmedNURBSModel* edited, vtkNURBSPointEvaluator* evaluator)
+{
+  vtkNew<vtkNURBSDataSet> mesh;
+  mesh->ShallowCopy(before->GetScaleMesh());
+  mesh->SetModel(before);
+  if (!evaluator->UpdatePoints(mesh, edited))
+  {
+    return false;
+  }
+  vtkNew<vtkPolyData> moved;
+  moved->ShallowCopy(mesh);
+  edited->SetScaleMesh(moved);
+  return true;
+}
 }
 
 bool SetEditedModel(vtkNURBSDataSet* leaf, vtkTrimmedNURBSModel* edited, const PointMap& map,
@@ -70,6 +89,15 @@ bool SetEditedModel(vtkNURBSDataSet* leaf, vtkTrimmedNURBSModel* edited, const P
   if (leaf->GetPoints())
   {
     MapPoints(leaf, edited->GetOrigin(), map);
+  }
+  vtkTrimmedNURBSModel* before = leaf->GetModel();
+  const bool hasScaleMesh =
+    before && before->GetScaleMesh() && before->GetScaleMesh()->GetNumberOfPoints() > 0;
+  if (hasScaleMesh && !leaf->GetPoints() && !edited->GetScaleMesh() &&
+    !MoveScaleMesh(before, edited, evaluator))
+  {
+    error = evaluator->GetMessage();
+    return false;
   }
   leaf->SetModel(edited);
   return true;

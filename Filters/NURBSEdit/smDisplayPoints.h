@@ -18,7 +18,7 @@ namespace sm
 /**
  * Gives `leaf`, a shallow copy of a leaf with another model, the model `edited`: by `evaluator`, see there, where the leaf has
  * FaceIndex and Parameters. Where it lacks these arrays, all points are moved by `map`, in the coordinates of the stored
- * faces. False with `error` where the evaluator fails.
+ * faces. A leaf without points gets its scale mesh moved instead, once for all instances of `edited`. False with `error` where the evaluator fails.
  */
 bool SetEditedModel(vtkNURBSDataSet* leaf, vtkTrimmedNURBSModel* edited, const PointMap& map,
   vtkNURBSPointEvaluator* evaluator, std::string& error);

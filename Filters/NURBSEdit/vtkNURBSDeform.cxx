@@ -5,6 +5,7 @@
 #include "smFailureReason.h"
 #include "smFormat.h"
 #include "smLeaves.h"
+#include "smMeshDemand.h"
 #include "smModelEdit.h"
 #include "smTimeSteps.h"
 
@@ -331,7 +332,26 @@ int vtkNURBSDeform::FillInputPortInformation(int, vtkInformation* info)
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  sm::DeclareExactInput(info);
   return 1;
+}
+
+int vtkNURBSDeform::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  sm::DeclareMeshOutput(info);
+  return this->Superclass::FillOutputPortInformation(port, info);
+}
+
+void vtkNURBSDeform::Update(int port)
+{
+  sm::RequestMeshOutput(this, port);
+  this->Superclass::Update(port);
+}
+
+vtkTypeBool vtkNURBSDeform::Update(int port, vtkInformationVector* requests)
+{
+  sm::RequestMeshOutput(this, port);
+  return this->Superclass::Update(port, requests);
 }
 
 int vtkNURBSDeform::RequestInformation(

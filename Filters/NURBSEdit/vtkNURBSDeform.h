@@ -152,11 +152,19 @@ public:
   vtkGetMacro(TimeSteps, int);
   ///@}
 
+  ///@{
+  /** Also asks for the input's display mesh, as a view connected here does. */
+  using vtkPassInputTypeAlgorithm::Update;
+  void Update(int port) override;
+  vtkTypeBool Update(int port, vtkInformationVector* requests) override;
+  ///@}
+
 protected:
   vtkNURBSDeform();
   ~vtkNURBSDeform() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -4,6 +4,7 @@
 #include "smFailureReason.h"
 #include "smFormat.h"
 #include "smLeaves.h"
+#include "smMeshDemand.h"
 #include "smTimeSteps.h"
 
 #include "vtkCellArray.h"
@@ -173,7 +174,26 @@ int vtkNURBSTransform::FillInputPortInformation(int, vtkInformation* info)
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  sm::DeclareExactInput(info);
   return 1;
+}
+
+int vtkNURBSTransform::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  sm::DeclareMeshOutput(info);
+  return this->Superclass::FillOutputPortInformation(port, info);
+}
+
+void vtkNURBSTransform::Update(int port)
+{
+  sm::RequestMeshOutput(this, port);
+  this->Superclass::Update(port);
+}
+
+vtkTypeBool vtkNURBSTransform::Update(int port, vtkInformationVector* requests)
+{
+  sm::RequestMeshOutput(this, port);
+  return this->Superclass::Update(port, requests);
 }
 
 int vtkNURBSTransform::RequestInformation(

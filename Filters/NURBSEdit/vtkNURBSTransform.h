@@ -79,11 +79,19 @@ public:
 
   vtkMTimeType GetMTime() override;
 
+  ///@{
+  /** Also asks for the input's display mesh, as a view connected here does. */
+  using vtkPassInputTypeAlgorithm::Update;
+  void Update(int port) override;
+  vtkTypeBool Update(int port, vtkInformationVector* requests) override;
+  ///@}
+
 protected:
   vtkNURBSTransform();
   ~vtkNURBSTransform() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -6,6 +6,7 @@
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smLengthUnits.h"
+#include "smMeshDemand.h"
 #include "smSectionMesh.h"
 #include "smSectionNames.h"
 #include "smSectionRow.h"
@@ -184,6 +185,7 @@ int vtkSolidSection::FillOutputPortInformation(int port, vtkInformation* info)
   if (port == MeshPort)
   {
     info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+    sm::DeclareMeshOutput(info);
     return 1;
   }
   return this->Superclass::FillOutputPortInformation(port, info);

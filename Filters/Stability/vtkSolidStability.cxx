@@ -7,6 +7,7 @@
 #include "smFormat.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
+#include "smMeshDemand.h"
 #include "smRunReport.h"
 #include "smStabilityNames.h"
 #include "vtkSolidStabilityInternals.h"
@@ -298,6 +299,7 @@ int vtkSolidStability::FillInputPortInformation(int, vtkInformation* info)
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  sm::DeclareExactInput(info);
   return 1;
 }
 

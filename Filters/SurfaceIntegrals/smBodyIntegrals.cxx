@@ -148,7 +148,7 @@ void CountOpenEdges(BodyIntegrals& body)
   }
   std::sort(open.begin(), open.end());
   body.Flag(Status::Open,
-    std::to_string(open.size()) + " edges are not shared by two faces (" + ListIds(open) +
+    FormatCount(open.size(), "edge is", "edges are") + " not shared by two faces (" + ListIds(open) +
       "): the volume depends on the origin, see the closure residual");
 }
 }
@@ -183,12 +183,14 @@ void CheckTopology(BodyIntegrals& body)
   if (body.Model->GetNumberOfMissingFaces() > 0)
   {
     body.Flag(Status::Suspect,
-      std::to_string(body.Model->GetNumberOfMissingFaces()) + " faces of the file could not be carried over");
+      FormatCount(body.Model->GetNumberOfMissingFaces(), "face", "faces") +
+        " of the file could not be carried over");
   }
   if (body.Model->GetNumberOfDefects() > 0)
   {
     body.Flag(Status::Suspect,
-      std::to_string(body.Model->GetNumberOfDefects()) + " defects in the file's loops, edges or instances");
+      FormatCount(body.Model->GetNumberOfDefects(), "defect", "defects") +
+        " in the file's loops, edges or instances");
   }
   if (!IsRigid(body.Placement))
   {
@@ -296,7 +298,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
   else if (body.IsEstimated())
   {
     body.Messages.push_back("the bound of the area is estimated on " +
-      std::to_string(body.EstimatedFaces.size()) + " faces (" + ListIds(body.EstimatedFaces) +
+      FormatCount(body.EstimatedFaces.size(), "face", "faces") + " (" + ListIds(body.EstimatedFaces) +
       "), whose normals nearly vanish somewhere or are those of a fitted surface");
   }
 }

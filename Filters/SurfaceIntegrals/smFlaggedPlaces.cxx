@@ -358,7 +358,9 @@ void DrawFlaggedPlaces(
   {
     const BodyIntegrals& body = bodies[index];
     const std::vector<FacePointer>& sources = body.Model->GetFaces();
-    VisitTriangles(body.Mesh, sources.size(),
+    // On the triangles of a picture, where there is one.
+    const auto& visitFaces = body.Mesh->GetNumberOfPolys() > 0 ? VisitShownTriangles : VisitTriangles;
+    visitFaces(body.Mesh, sources.size(),
       [&, placeOfFace = std::cref(placeOfFace)](std::size_t face, const auto& corners, const auto&)
       {
         const auto found = placeOfFace.get().find(face);

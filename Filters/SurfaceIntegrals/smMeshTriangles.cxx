@@ -4,19 +4,33 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTrimmedNURBSModel.h"
 
 #include <cstdint>
+#include <utility>
 
 namespace sm
 {
-void VisitTriangles(vtkPolyData* mesh, std::size_t faces, const TriangleVisitor& visit)
+namespace
 {
-  using Point = std::array<double, 3>;
+using Point = std::array<double, 3>;
+
+/// The scale mesh of an instance of a model; null without one.
+vtkPolyData* FindScaleMesh(vtkNURBSDataSet* instance)
+{
+  vtkTrimmedNURBSModel* model = instance ? instance->GetModel() : nullptr;
+  return model ? model->GetScaleMesh() : nullptr;
+}
+}
+
+void VisitShownTriangles(vtkPolyData* mesh, std::size_t faces, const TriangleVisitor& visit)
+{
   vtkDataArray* faceOfCell =
     mesh ? mesh->GetCellData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName()) : nullptr;
   if (!faceOfCell || !mesh->GetPolys() || faceOfCell->GetNumberOfTuples() != mesh->GetNumberOfCells())
@@ -59,5 +73,41 @@ void VisitTriangles(vtkPolyData* mesh, std::size_t faces, const TriangleVisitor&
         { normal(ids[0]), normal(ids[i - 1]), normal(ids[i]) });
     }
   }
+}
+void VisitTriangles(vtkPolyData* instance, std::size_t faces, const TriangleVisitor& visit)
+{
+  auto* leaf = vtkNURBSDataSet::SafeDownCast(instance);
+  vtkPolyData* mesh = FindScaleMesh(leaf);
+  if (!mesh)
+  {
+    VisitShownTriangles(instance, faces, visit);
+    return;
+  }
+  const double* const m = leaf->GetPlacementData();
+  const bool isMirrored = vtkMatrix4x4::Determinant(m) < 0.0;
+  const auto place = [m](Point& p, double translation)
+  {
+    const Point from = p;
+    for (int r = 0; r < 3; ++r)
+    {
+      p[r] =
+        m[4 * r] * from[0] + m[4 * r + 1] * from[1] + m[4 * r + 2] * from[2] + translation * m[4 * r + 3];
+    }
+  };
+  VisitShownTriangles(mesh, faces,
+    [&](std::size_t face, std::array<Point, 3> corners, std::array<Point, 3> normals)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        place(corners[i], 1.0);
+        place(normals[i], 0.0);
+      }
+      if (isMirrored)
+      {
+        std::swap(corners[1], corners[2]);
+        std::swap(normals[1], normals[2]);
+      }
+      visit(face, corners, normals);
+    });
 }
 }

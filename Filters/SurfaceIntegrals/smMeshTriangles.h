@@ -21,8 +21,13 @@ using TriangleVisitor = std::function<void(std::size_t face,
 
 /// Visits the polygons of a mesh with the cell array FaceIndex, divided into triangles, in the order of the mesh. Cells of no face below
 /// `faces` are passed over, and so is a mesh that is null or has no such array.
-SMFILTERSSURFACEINTEGRALS_EXPORT void VisitTriangles(
+SMFILTERSSURFACEINTEGRALS_EXPORT void VisitShownTriangles(
   vtkPolyData* mesh, std::size_t faces, const TriangleVisitor& visit);
+
+/// The same for the scale mesh of the instance's model in its place, so that nothing depends on what is shown; without a scale mesh for the
+/// triangles that are shown.
+SMFILTERSSURFACEINTEGRALS_EXPORT void VisitTriangles(
+  vtkPolyData* instance, std::size_t faces, const TriangleVisitor& visit);
 }
 
 #endif

@@ -25,7 +25,7 @@ std::string FormatStatus(
     isNote ? WrapText("Note: " + first, 64) : "Status: " + status + "\n" + WrapText(first, 64);
   if (others > 0)
   {
-    text += "and " + std::to_string(others) + (others == 1 ? " more message\n" : " more messages\n");
+    text += "and " + FormatCount(others, "more message\n", "more messages\n");
   }
   return status == GetText(Status::Suspect) || status == GetText(Status::Open)
     ? text + "Bounds are those of the computation: the model is in doubt.\n"
@@ -74,7 +74,8 @@ void RunReport::AddBodies(const std::vector<BodyIntegrals>& bodies, const Reject
   const int meshes = rejected.Plain + rejected.Withheld;
   if (meshes > 0)
   {
-    this->Messages.push_back(std::to_string(meshes) + " meshes without exact geometry were left out");
+    this->Messages.push_back(FormatCount(
+      meshes, "mesh without exact geometry was left out", "meshes without exact geometry were left out"));
   }
   this->Solids = static_cast<int>(bodies.size());
   for (const BodyIntegrals& body : bodies)

@@ -3,6 +3,7 @@
 #include "smAbortFlag.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
+#include "smMeshDemand.h"
 
 #include "vtkAutoInit.h"
 #include "vtkInformation.h"
@@ -68,6 +69,7 @@ int vtkSurfaceIntegralBase::FillInputPortInformation(int, vtkInformation* info)
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  sm::DeclareExactInput(info);
   return 1;
 }
 
@@ -77,7 +79,23 @@ int vtkSurfaceIntegralBase::FillOutputPortInformation(int port, vtkInformation* 
     port == 0 || port == 6 ? "vtkPolyData"
       : port == 5          ? "vtkPartitionedDataSetCollection"
                            : "vtkTable");
+  if (port == 5)
+  {
+    sm::DeclareMeshOutput(info);
+  }
   return 1;
+}
+
+void vtkSurfaceIntegralBase::Update(int port)
+{
+  sm::RequestMeshOutput(this, port);
+  this->Superclass::Update(port);
+}
+
+vtkTypeBool vtkSurfaceIntegralBase::Update(int port, vtkInformationVector* requests)
+{
+  sm::RequestMeshOutput(this, port);
+  return this->Superclass::Update(port, requests);
 }
 
 // --- settings ----------------------------------------------------------------------------------

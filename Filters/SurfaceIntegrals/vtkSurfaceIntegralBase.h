@@ -27,6 +27,8 @@
  * |      |          | triangles; cell arrays Flag (number of the place, the worst first), Solid, Name, FaceId, EdgeId,    |
  * |      |          | MaxGap, AreaInDoubt, VolumeInDoubt, Text. The figures are estimates for the place as a whole       |
  * |      |          | (smFlaggedPlaces.h), repeated on each of its cells                                                  |
+ * Ports 5 and 6 show the display mesh of the input. A reader makes it only where one is needed: by a view or filter that is connected to
+ * port 5 or to the reader, or by Update(5). Otherwise the meshes of port 5 are empty; values are the same.
  * The names are in smIntegralNames.h. A value that could not be computed is NaN, never 0, and Status gives the reason.
  *
  * Status is the worst status of all solids and of the file. In ascending order: ok; tolerance-not-met (a bound is above the
@@ -204,6 +206,13 @@ public:
    * them. Not clamped. Default 1. */
   vtkSetMacro(ShaderPerturbation, double);
   vtkGetMacro(ShaderPerturbation, double);
+
+  ///@{
+  /** Of a port with meshes also asks for these, as a connected view does: the input's display mesh is made where it has none yet. */
+  using vtkPolyDataAlgorithm::Update;
+  void Update(int port) override;
+  vtkTypeBool Update(int port, vtkInformationVector* requests) override;
+  ///@}
 
 protected:
   vtkSurfaceIntegralBase();

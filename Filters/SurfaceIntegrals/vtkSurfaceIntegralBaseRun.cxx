@@ -21,6 +21,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+#include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
 #include <exception>
@@ -86,6 +87,14 @@ void AppendText(const std::string& text, vtkTable* table)
   }
 }
 
+/// The triangles of flagged faces are those that are shown, or those of the scale mesh.
+std::size_t GetNumberOfTriangles(const sm::BodyIntegrals& body)
+{
+  vtkPolyData* const scales = body.Model->GetScaleMesh();
+  return static_cast<std::size_t>(
+    std::max(body.Mesh->GetNumberOfCells(), scales ? scales->GetNumberOfCells() : 0));
+}
+
 /// Throws std::bad_alloc unless there is memory for the outputs: VTK's arrays end the process where they find none.
 void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t arrays)
 {
@@ -106,9 +115,7 @@ void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t
     bytes += BytesOfValue * (Columns + faces * (arrays + 3) + edges * 8) + cells * arrays * sizeof(float);
     // At most: every edge and every face is drawn as a flagged one.
     bytes += body.Status >= sm::Status::Suspect ? edges * BytesOfFlaggedEdge : 0;
-    bytes += body.FaceDefects.empty()
-      ? 0
-      : static_cast<std::size_t>(body.Mesh->GetNumberOfCells()) * BytesOfFlaggedTriangle;
+    bytes += body.FaceDefects.empty() ? 0 : GetNumberOfTriangles(body) * BytesOfFlaggedTriangle;
   }
   ::operator delete(::operator new(bytes));
 }

@@ -1,10 +1,10 @@
 #include "smFaceMesher.h"
 
+#include "smFaceMeshWriter.h"
 #include "smMeshRepair.h"
 #include "smMeshSteps.h"
 #include "smTriangleJudge.h"
 #include "smTriangulation.h"
-#include "smUnitRoundoff.h"
 #include "smVector.h"
 
 #include <algorithm>
@@ -34,6 +34,8 @@ constexpr double TurnShare = 1e-2;
 constexpr double LargestGapShare = 0.5;
 /// |S_u x S_v| has no direction below this part of the largest |S_u| |S_v|.
 constexpr double LeastNormal = 1e-10;
+/// Loops that are narrower than this part of their parameters, some 50 neighbouring doubles, are lines.
+constexpr double LeastWidth = 1e-14;
 /// Shapes of triangles that are tried where some are turned over, on faces of no more than so many triangles.
 constexpr std::size_t MostMetrics = 3;
 constexpr std::size_t MostTriangles = 3000;
@@ -60,7 +62,7 @@ public:
   FaceMesh Run(std::vector<std::pair<int, int>>* halve)
   {
     FaceMesh result;
-    if (!(this->Size[0] > 0.0) || !(this->Size[1] > 0.0) || !std::isfinite(this->Size[0] + this->Size[1]))
+    if (!this->HasWidth(0) || !this->HasWidth(1))
     {
       // Chords of curves that bend away from each other may lie on one line.
       result.Reason = "Its boundary encloses no area.";
@@ -86,7 +88,11 @@ public:
         [this](const Parameters& at, const Parameters& scale) { this->AddInner(at, scale); });
       this->Refine();
     }
-    this->Write(this->Repair(halve, result), result);
+    const std::vector<Corners> kept = this->Repair(halve, result);
+    WriteFaceMesh(kept,
+      { this->Source, this->Blocks, this->Box, this->Vertices, this->Judge,
+        [this](const Parameters& at) { return this->FindNormal(at); } },
+      result);
     if (halve && !halve->empty())
     {
       return result;
@@ -103,6 +109,13 @@ public:
   const std::vector<Parameters>& GetTurnedSpeeds() const { return this->TurnedSpeeds; }
 
 private:
+  /// The loops take up more than rounding in a direction.
+  bool HasWidth(int d) const
+  {
+    const double largest = std::max(std::abs(this->Box.Low[d]), std::abs(this->Box.High[d]));
+    return std::isfinite(this->Size[d]) && this->Size[d] > LeastWidth * largest;
+  }
+
   /// Lengths of a grid step in which triangles are to be well shaped.
   Parameters GetGridMetric(const Parameters& wanted) const
   {
@@ -412,75 +425,6 @@ private:
       }
     }
     return { 0.0, 0.0, 0.0 };
-  }
-
-  void Write(const std::vector<Corners>& triangles, FaceMesh& result)
-  {
-    std::vector<int> place(this->Vertices.size(), -1);
-    result.Points.reserve(this->Vertices.size());
-    result.Parameters.reserve(this->Vertices.size());
-    result.Normals.reserve(this->Vertices.size());
-    result.Triangles.reserve(triangles.size());
-    double farthest = 0.0;
-    for (const Corners& t : triangles)
-    {
-      std::array<int, 3> corners;
-      for (int k = 0; k < 3; ++k)
-      {
-        MeshVertex& v = this->Vertices[t[k]];
-        int& index = place[t[k]];
-        if (index < 0)
-        {
-          index = static_cast<int>(result.Points.size());
-          result.Points.push_back(v.Position);
-          result.Parameters.push_back(v.At);
-          Vector3 normal = Dot(v.Normal, v.Normal) > 0.0 ? v.Normal : this->FindNormal(v.At);
-          if (this->Source.Reversed)
-          {
-            normal = { -normal[0], -normal[1], -normal[2] };
-          }
-          result.Normals.push_back(normal);
-          farthest =
-            std::max({ farthest, std::abs(v.Position[0]), std::abs(v.Position[1]), std::abs(v.Position[2]) });
-        }
-        corners[k] = index;
-      }
-      if (this->Source.Reversed)
-      {
-        std::swap(corners[1], corners[2]);
-      }
-      result.Triangles.push_back(corners);
-      const double deviation = this->Judge.GetDeviation(t);
-      // Not std::max, which loses a NaN.
-      result.Deviation = deviation <= result.Deviation ? result.Deviation
-        : std::isnan(deviation)                        ? HUGE_VAL
-                                                       : deviation;
-    }
-    // Positions are rounded, and so are parameters.
-    const SurfaceBlocks::Block all = this->Blocks.GetLargest(this->Blocks.GetCovered());
-    for (int d = 0; d < 2; ++d)
-    {
-      farthest += all.Speed[d] * std::max(std::abs(this->Box.Low[d]), std::abs(this->Box.High[d]));
-    }
-    result.Deviation += 64.0 * UnitRoundoff * farthest + this->Blocks.GetSmallJumps();
-    this->FillNormals(result);
-  }
-
-  /// Points without a normal of the surface get that of their triangles.
-  static void FillNormals(FaceMesh& mesh)
-  {
-    for (const std::array<int, 3>& t : mesh.Triangles)
-    {
-      const Vector3 n =
-        Cross(Subtract(mesh.Points[t[1]], mesh.Points[t[0]]), Subtract(mesh.Points[t[2]], mesh.Points[t[0]]));
-      for (const int k : t)
-      {
-        if (Dot(mesh.Normals[k], mesh.Normals[k]) == 0.0 && Dot(n, n) > 0.0)
-        {
-          mesh.Normals[k] = Normalized(n);
-        }
-      }
-    }
   }
 
   const Face& Source;

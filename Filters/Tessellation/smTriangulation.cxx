@@ -302,7 +302,10 @@ void Triangulation::MarkInside()
   }
   for (std::size_t i = 0; i < this->Triangles.size(); ++i)
   {
-    this->Triangles[i].Inside = anyPositive ? winding[i] > 0 : winding[i] < 0;
+    Triangle& t = this->Triangles[i];
+    // Where a segment could not be inserted, winding numbers depend on the way, also of what lies outside all loops.
+    const bool isOutside = *std::min_element(t.Vertex.begin(), t.Vertex.end()) < 4;
+    t.Inside = !isOutside && (anyPositive ? winding[i] > 0 : winding[i] < 0);
   }
   this->Improve();
 }

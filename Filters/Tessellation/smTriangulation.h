@@ -70,7 +70,8 @@ public:
    */
   SMFILTERSTESSELLATION_EXPORT int InsertSegment(int a, int b, int segment, bool split);
 
-  /// Sets Inside of all triangles whose winding number is positive, or negative where none is positive, and makes them Delaunay.
+  /// Sets Inside of all triangles whose winding number is positive, or negative where none is positive, and makes them Delaunay. A triangle
+  /// at a corner of the square is never inside.
   SMFILTERSTESSELLATION_EXPORT void MarkInside();
 
   const std::vector<GridPoint>& GetPoints() const { return this->Points; }

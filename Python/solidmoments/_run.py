@@ -103,6 +103,7 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
         for event in ("ErrorEvent", "WarningEvent"):
             algorithm.AddObserver(event, lambda *_: None)
     reader.SetFileName(file)
+    reader.SetDisplayMeshToNever()  # nothing shows it
     reader.IsolatedOn()  # a file that crashes OpenCASCADE does not end the interpreter
     reader.SetOutputUnit(unit)
     if content is not None:

@@ -43,6 +43,8 @@ bool ReadAndSend(char** arguments)
   {
     reader = vtkSmartPointer<vtkBREPReader>::New();
   }
+  // The process that asked makes it, when it is needed.
+  reader->SetDisplayMeshToNever();
   reader->UnpackSettings({ arguments + 2, arguments + NumberOfArguments });
   if (arguments[1] == std::string("content"))
   {

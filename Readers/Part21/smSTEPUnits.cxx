@@ -250,12 +250,15 @@ void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
     return;
   }
   Part21Values units(this->Entities.Get(context, UnitsOfContext).Text);
+  // The last one that is damaged, undefined or no unit: it may have been that of lengths.
+  std::uint64_t unknown = 0;
   for (Part21Value value; units.Next(value);)
   {
     const Index unit = this->Entities.Follow(value);
     std::string_view record;
-    if (unit == None)
+    if (unit == None || this->File.IsDamaged(unit) || !this->Entities.FindRecord(unit, "NAMED_UNIT", record))
     {
+      unknown = unit == None ? result.Id : this->File.GetId(unit);
       continue;
     }
     const bool length = this->Entities.FindRecord(unit, "LENGTH_UNIT", record);
@@ -274,6 +277,14 @@ void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
       {
         known.Status = CensusUnit::State::Wrong;
       }
+    }
+  }
+  for (CensusUnit* known : { &result.Length, &result.Angle })
+  {
+    if (unknown != 0 && known->Status == CensusUnit::State::Missing)
+    {
+      known->Status = CensusUnit::State::Wrong;
+      known->Id = unknown;
     }
   }
 }

@@ -155,8 +155,7 @@ public:
     this->PlaceRoots();
     if (this->Mirrored > 0)
     {
-      this->Tree.Notes.push_back(std::to_string(this->Mirrored) +
-        (this->Mirrored == 1 ? " part is saved" : " parts are saved") +
+      this->Tree.Notes.push_back(FormatCount(this->Mirrored, "part is saved", "parts are saved") +
         " mirrored as a part of its own: a file cannot place a part mirrored.");
     }
     return std::move(this->Tree);
@@ -346,8 +345,7 @@ private:
     }
     if (fits > 0)
     {
-      this->Tree.Notes.push_back("\"" + part.Name + "\": " + std::to_string(fits) +
-        (fits == 1 ? " face is" : " faces are") +
+      this->Tree.Notes.push_back("\"" + part.Name + "\": " + FormatCount(fits, "face is", "faces are") +
         " saved as the reader fitted them, offset surfaces having no exact form: good to " +
         FormatDistance(worst) + " " + this->Tree.LengthUnit + ".");
     }

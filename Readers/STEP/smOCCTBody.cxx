@@ -454,8 +454,8 @@ private:
     }
     if (lagging > 0)
     {
-      this->Result.Messages.push_back(std::to_string(lagging) +
-        (lagging == 1 ? " curve of an edge on a face is" : " curves of edges on faces are") +
+      this->Result.Messages.push_back(
+        FormatCount(lagging, "curve of an edge on a face is", "curves of edges on faces are") +
         " parametrised differently from the edge, and no common parameter could be found; gaps there may be "
         "overstated.");
     }

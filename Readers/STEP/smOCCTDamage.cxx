@@ -1,4 +1,5 @@
 #include "smOCCTDamage.h"
+#include "smFormat.h"
 
 #include <Interface_Check.hxx>
 #include <Interface_EntityIterator.hxx>
@@ -268,8 +269,9 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
   }
   if (faces > 0)
   {
-    messages.push_back(
-      count + ". " + std::to_string(faces) + " faces that need them are left out:" + dropped + ".");
+    messages.push_back(count + ". " +
+      FormatCount(faces, "face that needs them is left out:", "faces that need them are left out:") +
+      dropped + ".");
     session->ComputeGraph(true);
   }
   return {};

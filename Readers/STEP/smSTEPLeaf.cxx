@@ -1,23 +1,13 @@
 #include "smSTEPLeaf.h"
 
 #include "smBodyMesh.h"
+#include "smDisplayMesh.h"
 #include "smOCCTBounds.h"
 #include "smOCCTFailure.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIntArray.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNURBSDataSet.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkTimerLog.h"
 #include "vtkTrimmedNURBSModel.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,43 +16,26 @@ namespace sm
 {
 namespace
 {
-/// Grey value of a face without a colour in a body where others have one.
-constexpr double DefaultColor = 0.8;
-
 /// Share of a body's progress that its conversion takes; its triangles take the rest.
 constexpr double ConversionShare = 0.8;
-
-/// Limits of the mesh that a body's scales are taken from, whatever is shown: a part of its box's diagonal, and radians. At the reader's
-/// default settings it is shown, too, because OpenCASCADE's box is seldom a tenth larger than the body.
-constexpr double UsualDeflection = 0.9e-3;
-constexpr double UsualAngle = 0.35;
-/// It is fine enough, and not too fine, where up to so many times its deflection is asked for.
-constexpr double MostDeflectionRatio = 1.5;
 
 /// A unit in mm is a product of up to three numbers that are no doubles (0.0254, 0.001, ...), times the coordinate.
 constexpr int UnitRoundings = 6;
 
-vtkSmartPointer<vtkIntArray> MakeIndexArray(const std::vector<int>& values)
-{
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(vtkNURBSDataSet::FaceIndexArrayName());
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
-}
-
 /// Row-major 4x4 of a rigid or mirrored placement, its translation in output units.
-void FillPlacement(const gp_Trsf& trsf, double unit, vtkMatrix4x4* matrix)
+std::array<double, 16> GetPlacement(const gp_Trsf& trsf, double unit)
 {
-  matrix->Identity();
+  std::array<double, 16> matrix{};
   for (int i = 0; i < 3; ++i)
   {
     for (int j = 0; j < 3; ++j)
     {
-      matrix->SetElement(i, j, trsf.Value(i + 1, j + 1));
+      matrix[4 * i + j] = trsf.Value(i + 1, j + 1);
     }
-    matrix->SetElement(i, 3, unit * trsf.Value(i + 1, 4));
+    matrix[4 * i + 3] = unit * trsf.Value(i + 1, 4);
   }
+  matrix[15] = 1.0;
+  return matrix;
 }
 }
 
@@ -89,7 +62,6 @@ LeafMaker::LeafMaker(
     body.Messages.push_back("An instance of it lost its scale or its mirror.");
   }
   this->MakeModel(part, size, body);
-  this->MakeSharedArrays();
   this->Summarise(part, body.Messages);
   this->ConversionSeconds = vtkTimerLog::GetUniversalTime() - start - this->MeshSeconds;
 }
@@ -137,20 +109,16 @@ void LeafMaker::Triangulate(
   {
     faces.push_back(face.Result);
   }
-  // Each of two meshes takes half of the remaining progress.
-  double done = ConversionShare;
-  const double share = 0.5 * (1.0 - ConversionShare);
   const auto report = [&](double x)
   {
-    this->Aborted = this->Aborted || !progress(done + share * x);
+    this->Aborted = this->Aborted || !progress(ConversionShare + (1.0 - ConversionShare) * x);
     return !this->Aborted;
   };
-  const auto getDiagonal = [](const double* b) { return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]); };
-  const MeshLimits usual{ UsualDeflection * getDiagonal(box), UsualAngle };
+  const MeshLimits limits = GetScaleLimits(std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]));
   std::vector<FaceMesh> meshes;
-  if (usual.Deflection > 0.0 && std::isfinite(usual.Deflection))
+  if (limits.Deflection > 0.0 && std::isfinite(limits.Deflection))
   {
-    meshes = MeshFaces(faces, usual, report);
+    meshes = MeshFaces(faces, limits, report);
   }
   size = MeasureBody(meshes);
   if (!size.IsKnown)
@@ -158,20 +126,11 @@ void LeafMaker::Triangulate(
     std::copy(box, box + 6, size.Bounds.begin());
     return;
   }
-  const double diagonal = getDiagonal(size.Bounds.data());
-  const double wanted = this->Options.LinearDeflection * (this->Options.RelativeDeflection ? diagonal : 1.0);
-  const MeshLimits shown{ LimitDeflection(wanted, diagonal), this->Options.AngularDeflection };
-  if (this->Aborted)
+  if (!this->Aborted)
   {
-    return;
+    this->Mesh =
+      JoinMeshes(faces, std::move(meshes), this->Model->GetOrigin(), limits.Deflection, body.Messages);
   }
-  if (shown.Angle != usual.Angle || shown.Deflection < usual.Deflection ||
-    shown.Deflection > MostDeflectionRatio * usual.Deflection)
-  {
-    done += share;
-    meshes = MeshFaces(faces, shown, report);
-  }
-  this->Mesh = JoinMeshes(faces, std::move(meshes), this->Model->GetOrigin(), body.Messages);
 }
 
 void LeafMaker::Summarise(const PartBody& part, const std::vector<std::string>& messages)
@@ -211,120 +170,17 @@ void LeafMaker::MakeModel(const PartBody& part, const BodySize& size, ConvertedB
     faces.push_back(face.Result);
   }
   model->SetFaces(std::move(faces));
+  model->SetScaleMesh(this->Mesh);
+  // The garbage collector of VTK's datasets needs memory when one of several owners leaves: not at the end of a reading.
+  this->Mesh = nullptr;
   model->SetShells(body.Shells);
   model->SetMessages(body.Messages);
   model->SetNumberOfMissingFaces(body.MissingFaces);
   model->SetNumberOfDefects(body.Defects);
 }
 
-void LeafMaker::MakeSharedArrays()
+LeafSource LeafMaker::MakeSource(const BodyInstance& instance) const
 {
-  this->PointFace = MakeIndexArray(this->Mesh.PointFace);
-  this->CellFace = MakeIndexArray(this->Mesh.TriangleFace);
-  auto parameters = vtkSmartPointer<vtkDoubleArray>::New();
-  parameters->SetName(vtkNURBSDataSet::ParametersArrayName());
-  parameters->SetNumberOfComponents(2);
-  parameters->SetNumberOfTuples(static_cast<vtkIdType>(this->Mesh.Parameters.size()));
-  for (std::size_t i = 0; i < this->Mesh.Parameters.size(); ++i)
-  {
-    parameters->SetTypedTuple(static_cast<vtkIdType>(i), this->Mesh.Parameters[i].data());
-  }
-  this->Parameters = parameters;
-  this->Deviations = vtkSmartPointer<vtkDoubleArray>::New();
-  this->Deviations->SetName(vtkNURBSDataSet::MeshDeviationArrayName());
-  this->Deviations->SetNumberOfTuples(static_cast<vtkIdType>(this->Mesh.Deviations.size()));
-  std::copy(this->Mesh.Deviations.begin(), this->Mesh.Deviations.end(), this->Deviations->Begin());
-}
-
-vtkSmartPointer<vtkCellArray> LeafMaker::GetTriangles(bool mirrored)
-{
-  vtkSmartPointer<vtkCellArray>& cells = this->Triangles[mirrored ? 1 : 0];
-  if (!cells)
-  {
-    cells = vtkSmartPointer<vtkCellArray>::New();
-    cells->AllocateExact(static_cast<vtkIdType>(this->Mesh.Triangles.size()),
-      3 * static_cast<vtkIdType>(this->Mesh.Triangles.size()));
-    for (const std::array<int, 3>& t : this->Mesh.Triangles)
-    {
-      const vtkIdType ids[3] = { t[0], mirrored ? t[2] : t[1], mirrored ? t[1] : t[2] };
-      cells->InsertNextCell(3, ids);
-    }
-  }
-  return cells;
-}
-
-vtkSmartPointer<vtkDataArray> LeafMaker::MakeColors(const BodyInstance& instance) const
-{
-  const std::vector<FacePointer>& faces = this->Model->GetFaces();
-  bool any = instance.Color[0] >= 0.0 || this->Color[0] >= 0.0;
-  for (std::size_t i = 0; i < faces.size() && !any; ++i)
-  {
-    any = faces[i]->Color[0] >= 0.0;
-  }
-  if (!any)
-  {
-    return nullptr;
-  }
-  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  colors->SetName("Color");
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(static_cast<vtkIdType>(this->Mesh.Triangles.size()));
-  for (std::size_t i = 0; i < this->Mesh.Triangles.size(); ++i)
-  {
-    Vector3 rgb = faces[this->Mesh.TriangleFace[i]]->Color;
-    rgb = rgb[0] >= 0.0 ? rgb : this->Color;
-    rgb = instance.Color[0] >= 0.0 ? instance.Color : rgb;
-    for (int c = 0; c < 3; ++c)
-    {
-      const double value = rgb[0] >= 0.0 ? rgb[c] : DefaultColor;
-      colors->SetTypedComponent(
-        static_cast<vtkIdType>(i), c, static_cast<unsigned char>(std::lround(255.0 * value)));
-    }
-  }
-  return colors;
-}
-
-vtkSmartPointer<vtkNURBSDataSet> LeafMaker::MakeLeaf(const BodyInstance& instance)
-{
-  vtkNew<vtkMatrix4x4> placement;
-  FillPlacement(instance.Placement, this->Options.Unit, placement);
-  const auto count = static_cast<vtkIdType>(this->Mesh.Points.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const Vector3& p = this->Mesh.Points[i];
-    const Vector3& n = this->Mesh.Normals[i];
-    double q[3];
-    float m[3];
-    for (int r = 0; r < 3; ++r)
-    {
-      const double* row = placement->GetData() + 4 * r;
-      q[r] = row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
-      m[r] = static_cast<float>(row[0] * n[0] + row[1] * n[1] + row[2] * n[2]);
-    }
-    points->SetPoint(i, q);
-    normals->SetTypedTuple(i, m);
-  }
-  auto leaf = vtkSmartPointer<vtkNURBSDataSet>::New();
-  leaf->SetPoints(points);
-  leaf->SetPolys(this->GetTriangles(placement->Determinant() < 0.0));
-  leaf->GetPointData()->SetNormals(normals);
-  leaf->GetPointData()->AddArray(this->PointFace);
-  leaf->GetPointData()->AddArray(this->Parameters);
-  leaf->GetCellData()->AddArray(this->CellFace);
-  leaf->GetFieldData()->AddArray(this->Deviations);
-  if (const auto colors = this->MakeColors(instance))
-  {
-    leaf->GetCellData()->AddArray(colors);
-  }
-  leaf->SetPlacement(placement);
-  leaf->SetModel(this->Model);
-  return leaf;
+  return { this->Model, GetPlacement(instance.Placement, this->Options.Unit), this->Color, instance.Color };
 }
 }

@@ -1,12 +1,12 @@
 /**
  * @file smSTEPLeaf.h
- * @brief A body's model and display mesh, made once, and its instances as leaves of the output
+ * @brief A body's model and the mesh of its scales, made once, and its instances
  */
 #ifndef smSTEPLeaf_h
 #define smSTEPLeaf_h
 
 #include "smBodySize.h"
-#include "smDisplayMesh.h"
+#include "smLeafMesh.h"
 #include "smOCCTBody.h"
 #include "smOCCTDocument.h"
 #include "smProgressCallback.h"
@@ -16,10 +16,7 @@
 #include <string>
 #include <vector>
 
-class vtkCellArray;
-class vtkDataArray;
-class vtkDoubleArray;
-class vtkNURBSDataSet;
+class vtkPolyData;
 class vtkTrimmedNURBSModel;
 
 namespace sm
@@ -31,21 +28,18 @@ struct LeafOptions
   std::string UnitName = "mm";
   /// The file's own unit, empty when it has no name here.
   std::string FileUnitName;
-  double LinearDeflection = 0.001;
-  bool RelativeDeflection = true;
-  double AngularDeflection = 0.35;
 };
 
 class LeafMaker
 {
 public:
-  /// Converts and triangulates the body. A failure is a message; only std::bad_alloc is thrown. `progress` gets a fraction in
+  /// Converts and measures the body. A failure is a message; only std::bad_alloc is thrown. `progress` gets a fraction in
   /// [0,1] and answers false to stop.
   LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options,
     const ProgressCallback& progress);
 
-  /// One occurrence, in world coordinates; it shares the model, and all arrays that the placement leaves alone.
-  vtkSmartPointer<vtkNURBSDataSet> MakeLeaf(const BodyInstance& instance);
+  /// One occurrence, which shares the model.
+  LeafSource MakeSource(const BodyInstance& instance) const;
 
   /// A sentence with the body's name when its conversion had problems; else empty.
   const std::vector<std::string>& GetMessages() const { return this->Messages; }
@@ -57,25 +51,17 @@ public:
 private:
   void Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
     BodySize& size, ConvertedBody& body);
-  /// Measures the body, whose box is about `box` (relative to the model's origin), and makes the display mesh.
+  /// Measures the body, whose box is about `box` (relative to the model's origin), by the mesh of its scales.
   void Triangulate(
     const double box[6], const ProgressCallback& progress, BodySize& size, ConvertedBody& body);
   void MakeModel(const PartBody& part, const BodySize& size, ConvertedBody& body);
   /// The first message with the body's name, and how many there are.
   void Summarise(const PartBody& part, const std::vector<std::string>& messages);
-  void MakeSharedArrays();
-  vtkSmartPointer<vtkCellArray> GetTriangles(bool mirrored);
-  vtkSmartPointer<vtkDataArray> MakeColors(const BodyInstance& instance) const;
 
   LeafOptions Options;
   Vector3 Color;
-  DisplayMesh Mesh;
+  vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;
-  vtkSmartPointer<vtkCellArray> Triangles[2];
-  vtkSmartPointer<vtkDataArray> PointFace;
-  vtkSmartPointer<vtkDataArray> CellFace;
-  vtkSmartPointer<vtkDataArray> Parameters;
-  vtkSmartPointer<vtkDoubleArray> Deviations;
   std::vector<std::string> Messages;
   bool Aborted = false;
   double MeshSeconds = 0.0;

@@ -62,10 +62,10 @@ std::string GetStem(const std::string& path)
 }
 }
 
-void AddAssembly(const ProductNode& root, const char* format, const std::string& fileName,
-  vtkPartitionedDataSetCollection* output)
+vtkSmartPointer<vtkDataAssembly> MakeAssembly(
+  const ProductNode& root, const char* format, const std::string& fileName)
 {
-  vtkNew<vtkDataAssembly> assembly;
+  auto assembly = vtkSmartPointer<vtkDataAssembly>::New();
   const std::string stem = GetStem(fileName);
   assembly->SetRootNodeName(format);
   assembly->SetAttribute(vtkDataAssembly::GetRootNode(), "label", stem.c_str());
@@ -73,7 +73,7 @@ void AddAssembly(const ProductNode& root, const char* format, const std::string&
   {
     AddProduct(assembly, vtkDataAssembly::GetRootNode(), product);
   }
-  output->SetDataAssembly(assembly);
+  return assembly;
 }
 
 void CheckMemory(std::size_t bytes)

@@ -7,10 +7,13 @@
 
 #include "smOCCTDocument.h"
 
+#include "vtkSmartPointer.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
 
+class vtkDataAssembly;
 class vtkMultiProcessController;
 class vtkMultiProcessStream;
 class vtkPartitionedDataSetCollection;
@@ -19,8 +22,8 @@ namespace sm
 {
 /// Makes the vtkDataAssembly of the products. Its root is named `format`; the attribute "label" of it is the file's name without folder
 /// and extension.
-void AddAssembly(const ProductNode& root, const char* format, const std::string& fileName,
-  vtkPartitionedDataSetCollection* output);
+vtkSmartPointer<vtkDataAssembly> MakeAssembly(
+  const ProductNode& root, const char* format, const std::string& fileName);
 
 /// More than the field data of an output needs.
 constexpr std::size_t SpareMemory = std::size_t{ 1 } << 20;

@@ -3,6 +3,7 @@
 #include "smAbortFlag.h"
 #include "smFailureReason.h"
 #include "smFileState.h"
+#include "smFormat.h"
 #include "smLengthUnits.h"
 #include "smOCCTDocument.h"
 #include "smOCCTFailure.h"
@@ -11,19 +12,16 @@
 #include "smSTEPTree.h"
 
 #include "vtkCommunicator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
-#include "vtkNURBSDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -130,26 +128,6 @@ int vtkCADReader::RequestInformation(
   return 1;
 }
 
-void vtkCADReader::SetLinearDeflection(double deflection)
-{
-  const double value = deflection > 0.0 ? std::min(std::max(deflection, 1e-7), 1e30) : 0.001;
-  if (value != this->LinearDeflection)
-  {
-    this->LinearDeflection = value;
-    this->Modified();
-  }
-}
-
-void vtkCADReader::SetAngularDeflection(double angle)
-{
-  const double value = std::isnan(angle) ? 0.35 : std::min(std::max(angle, 0.01), 3.0);
-  if (value != this->AngularDeflection)
-  {
-    this->AngularDeflection = value;
-    this->Modified();
-  }
-}
-
 bool vtkCADReader::Report(double fraction)
 {
   this->UpdateProgress(fraction);
@@ -189,6 +167,14 @@ int vtkCADReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
   auto* output = vtkPartitionedDataSetCollection::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT()));
+  if (!this->IsReadingCurrent())
+  {
+    this->Kept.reset();
+  }
+  this->SettledTime = this->GetMTime();
+  this->HasMesh = this->IsMeshWanted(info);
+  this->IsMeshDue = false;
+  this->MeshIsCoarse = false;
   *this->Last = Results();
   this->Status = EMPTY;
   this->Start = vtkTimerLog::GetUniversalTime();
@@ -218,12 +204,24 @@ int vtkCADReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
   if (!problem.empty())
   {
     output->Initialize();
+    this->Kept.reset();
     *this->Last = Results();
     this->Fail(UNREADABLE, problem);
     sm::HasMemoryFor([&]() { this->WriteState(output); });
   }
+  if (this->GetReleaseDataFlag() || vtkDataObject::GetGlobalReleaseDataFlag())
+  {
+    this->Kept.reset();
+  }
   // An update that fails would leave the numbers of the previous file in the filters downstream.
   return 1;
+}
+
+bool vtkCADReader::IsReadingCurrent()
+{
+  // A model that the application has edited in place is read again, as the file has it.
+  return this->Kept && this->GetMTime() <= this->SettledTime &&
+    this->Kept->FindModelTime() == this->Kept->ModelTime;
 }
 
 void vtkCADReader::WriteState(vtkPartitionedDataSetCollection* output) const
@@ -240,12 +238,19 @@ void vtkCADReader::ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept
   if (!hasMemory || !problem.empty())
   {
     output->Initialize();
+    this->Kept.reset();
     this->Fail(UNREADABLE, hasMemory ? std::string_view(problem) : sm::InsufficientMemory);
   }
 }
 
 void vtkCADReader::Read(vtkPartitionedDataSetCollection* output)
 {
+  if (this->Kept)
+  {
+    *this->Last = this->Kept->Last;
+    this->FillOutput(output);
+    return;
+  }
   const std::string mistake = this->FindMistake();
   if (!mistake.empty())
   {
@@ -326,8 +331,9 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
   this->Last->FreeFaces = document.FreeFaces;
   if (document.FreeFaces > 0)
   {
-    this->Last->Messages.push_back(std::to_string(document.FreeFaces) +
-      " faces lie in the file beside its solids; they belong to no body and are left out.");
+    this->Last->Messages.push_back(sm::FormatCount(document.FreeFaces,
+      "face lies in the file beside its solids; it belongs to no body and is left out.",
+      "faces lie in the file beside its solids; they belong to no body and are left out."));
   }
   this->Last->Defects = document.Defects;
   this->Last->Messages.insert(this->Last->Messages.end(), document.Defects.begin(), document.Defects.end());
@@ -338,21 +344,23 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
     this->Stop();
     return;
   }
-  const double assembling = vtkTimerLog::GetUniversalTime();
-  output->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(document.Instances.size()));
-  for (unsigned int i = 0; i < document.Instances.size(); ++i)
+  auto reading = std::make_unique<Reading>();
+  for (const sm::BodyInstance& instance : document.Instances)
   {
-    const sm::BodyInstance& instance = document.Instances[i];
-    output->SetPartition(i, 0, makers[instance.Body]->MakeLeaf(instance));
-    output->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), instance.Name.c_str());
+    reading->Sources.push_back(makers[instance.Body]->MakeSource(instance));
+    reading->Names.push_back(instance.Name);
   }
-  sm::AddAssembly(document.Root, this->GetFormatName(), this->FileName ? this->FileName : "", output);
+  reading->Assembly =
+    sm::MakeAssembly(document.Root, this->GetFormatName(), this->FileName ? this->FileName : "");
   this->Last->Bodies = static_cast<int>(document.Bodies.size());
   this->Last->Instances = static_cast<int>(document.Instances.size());
-  this->Last->ConversionSeconds += vtkTimerLog::GetUniversalTime() - assembling;
-  this->Status = OK;
-  this->InspectDocument(document);
-  this->UpdateProgress(1.0);
+  reading->Last = *this->Last;
+  reading->ModelTime = reading->FindModelTime();
+  this->Kept = std::move(reading);
+  if (this->FillOutput(output))
+  {
+    this->InspectDocument(document);
+  }
 }
 
 std::string vtkCADReader::FindMistake() const
@@ -391,9 +399,6 @@ sm::LeafOptions vtkCADReader::ChooseOptions(const sm::Document& document)
   options.Unit = document.UnitInMillimetres / millimetres;
   options.UnitName = this->Last->LengthUnit;
   options.FileUnitName = document.FileUnit.empty() ? "" : sm::GetShortUnit(document.FileUnitInMillimetres);
-  options.LinearDeflection = this->LinearDeflection;
-  options.RelativeDeflection = this->RelativeDeflection;
-  options.AngularDeflection = this->AngularDeflection;
   return options;
 }
 
@@ -403,7 +408,10 @@ bool vtkCADReader::MakeBodies(const sm::Document& document, const sm::LeafOption
   for (std::size_t i = 0; i < document.Bodies.size(); ++i)
   {
     const auto report = [this, i, &document](double x)
-    { return this->Report(ReadingShare + (1.0 - ReadingShare) * (i + x) / document.Bodies.size()); };
+    {
+      return this->Report(
+        ReadingShare + (Reading::MeshStart - ReadingShare) * (i + x) / document.Bodies.size());
+    };
     if (!report(0.0))
     {
       return false;
@@ -425,9 +433,10 @@ void vtkCADReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
-     << indent << "LinearDeflection: " << this->LinearDeflection
-     << (this->RelativeDeflection ? " relative\n" : "\n") << indent
-     << "AngularDeflection: " << this->AngularDeflection << "\n"
+     << indent << "DisplayMesh: " << this->DisplayMesh << "\n"
+     << indent << "CoarseAbove: " << this->CoarseAbove << (this->Refined ? ", refined\n" : "\n") << indent
+     << "LinearDeflection: " << this->LinearDeflection << (this->RelativeDeflection ? " relative\n" : "\n")
+     << indent << "AngularDeflection: " << this->AngularDeflection << "\n"
      << indent << "OutputUnit: " << this->OutputUnit << "\n"
      << indent << "Content: " << this->Content.size() << " bytes\n"
      << indent << "Isolated: " << (this->Isolated ? "on\n" : "off\n") << indent

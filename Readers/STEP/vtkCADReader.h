@@ -45,8 +45,15 @@
  * triangles from the surface, across it (vtkNURBSDataSet). A body whose faces are not complete has GetNumberOfMissingFaces() or
  * GetNumberOfDefects() above 0 in its model.
  *
- * No switch leaves the mesh out: the scales of all tolerances are those of a mesh, and by it filters judge whether shells cross themselves
- * and enclose each other. It takes 5 to 14 % of the seconds of a run without a picture (Documentation/Performance.md).
+ * The mesh is made by need (SetDisplayMesh): while only filters that work with the exact geometry are connected, the leaves have no points and
+ * triangles. A view or another filter that is connected later, here or to a mesh of such a filter, gets it at its next update, without reading
+ * the file again. Update() of the reader itself gives it, too. The scale mesh of each model (vtkTrimmedNURBSModel::GetScaleMesh) is always
+ * made: the scales of all tolerances are its, and filters judge by it whether shells cross themselves and enclose each other, so that their
+ * results have the same bits with and without a display mesh.
+ *
+ * Memory: for each point of the scale mesh 56 bytes and for each triangle 36, once a model; for each point of a display mesh 36 bytes more for
+ * each instance, and for a mesh with other limits than the scale mesh's, a colour, or a mirrored instance, arrays once a model. GetActualMemorySize()
+ * of the output has all of it; of a leaf that of its model, too.
  */
 #ifndef vtkCADReader_h
 #define vtkCADReader_h
@@ -54,6 +61,7 @@
 #include "smProgressCallback.h"
 #include "smReadersSTEPModule.h"
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
+#include "vtkTimeStamp.h" // for the time of the mesh
 
 #include <memory>      // for the messages and results
 #include <string>      // for std::string
@@ -64,6 +72,7 @@ class vtkMultiProcessController;
 
 namespace sm
 {
+class ByteReader;
 class LeafMaker;
 struct Document;
 struct LeafOptions;
@@ -90,6 +99,43 @@ public:
   bool HasContent() const { return this->IsContentGiven; }
   ///@}
 
+  /** When leaves have points and triangles. */
+  enum DisplayMeshType
+  {
+    BY_NEED = 0,
+    ALWAYS = 1,
+    NEVER = 2
+  };
+
+  ///@{
+  /**
+   * When the display mesh is made. BY_NEED: when something connected needs it, or after Update() of the reader (see above). ALWAYS, NEVER:
+   * whatever is connected; without a mesh a view shows nothing. A change of this and of the four settings below does not read the file
+   * again. Range [BY_NEED, NEVER], clamped. Default: BY_NEED; ALWAYS in ParaView, which asks for bounds and arrays before it shows.
+   */
+  void SetDisplayMesh(int when);
+  vtkGetMacro(DisplayMesh, int);
+  void SetDisplayMeshToByNeed() { this->SetDisplayMesh(BY_NEED); }
+  void SetDisplayMeshToAlways() { this->SetDisplayMesh(ALWAYS); }
+  void SetDisplayMeshToNever() { this->SetDisplayMesh(NEVER); }
+  ///@}
+
+  ///@{
+  /**
+   * For large assemblies: if the display mesh of all instances would have more triangles than this (as their scale meshes have, more where the
+   * deflection is finer), a coarser one is made, within 1e-3 of the diagonal of all solids together and with angles of up to 1.2. It is
+   * drawn fast and takes little memory; exact results are the same. With Refined the mesh asked for is made in any case. At least 0,
+   * clamped; 0, the default: no limit; 5 million in ParaView.
+   */
+  void SetCoarseAbove(vtkIdType triangles);
+  vtkGetMacro(CoarseAbove, vtkIdType);
+  void SetRefined(bool isRefined);
+  vtkGetMacro(Refined, bool);
+  vtkBooleanMacro(Refined, bool);
+  /** Whether the last display mesh is coarser than asked for. */
+  bool IsMeshCoarse() const { return this->MeshIsCoarse; }
+  ///@}
+
   ///@{
   /**
    * Largest distance of the display mesh from the surface: a fraction of the part's bounding-box diagonal when
@@ -99,7 +145,7 @@ public:
    */
   void SetLinearDeflection(double deflection);
   vtkGetMacro(LinearDeflection, double);
-  vtkSetMacro(RelativeDeflection, bool);
+  void SetRelativeDeflection(bool isRelative);
   vtkGetMacro(RelativeDeflection, bool);
   vtkBooleanMacro(RelativeDeflection, bool);
   ///@}
@@ -174,21 +220,33 @@ public:
   int GetNumberOfFreeFaces() const;
 
   ///@{
-  /** Wall-clock seconds of the last Update(): OpenCASCADE's reading, the display mesh, and the conversion to
-   * NURBS models (with the making of the output). */
+  /** Wall-clock seconds of the last Update(): OpenCASCADE's reading, the meshes, and the conversion to NURBS models. Where the file was not
+   * read again, those of reading and conversion are of the run that read it. */
   double GetReadSeconds() const;
   double GetMeshSeconds() const;
   double GetConversionSeconds() const;
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** The settings of an isolated reader as words, and a reader's settings made from them: how solidmoments-read is told what to do. */
+  /** The settings of an isolated reader as words, but for those of the display mesh, and a reader's settings made from them: how
+   * solidmoments-read is told what to do. */
   std::vector<std::string> PackSettings() const;
-  static constexpr int NumberOfSettings = 6;
+  static constexpr int NumberOfSettings = 3;
   void UnpackSettings(const std::vector<std::string>& words);
   /** The output, status and messages of the last Update() as bytes, for an isolated reader: what solidmoments-read sends. */
   std::vector<char> PackOutput();
 #endif
+
+  ///@{
+  /** Asks for the display mesh, if it is made by need, and updates the reader. */
+  using vtkPartitionedDataSetCollectionAlgorithm::Update;
+  void Update(int port) override;
+  vtkTypeBool Update(int port, vtkInformationVector* requests) override;
+  ///@}
+
+  /** The reader is newer where a display mesh is needed that it does not have, see smMeshDemand.h. */
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
 
 protected:
   vtkCADReader();
@@ -230,6 +288,13 @@ private:
   void Fail(int status, std::string_view problem) noexcept;
   /// Ends a run that was to stop.
   void Stop();
+  /// Marks the reader as modified in what its display mesh depends on, and not the reading.
+  void ModifyMesh();
+  /// Whether what is kept is what the settings ask for, and unchanged.
+  bool IsReadingCurrent();
+  bool IsMeshWanted(vtkInformation* outputInformation) const;
+  /// Makes the output of what is kept; false when the application asked to stop.
+  bool FillOutput(vtkPartitionedDataSetCollection* output);
   /// Read() that lets no exception out: one is an error, and the output is empty.
   void ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept;
   void Read(vtkPartitionedDataSetCollection* output);
@@ -249,6 +314,8 @@ private:
   void WriteState(vtkPartitionedDataSetCollection* output) const;
   void Pack(vtkPartitionedDataSetCollection* output, std::vector<unsigned char>& bytes) const;
   void Unpack(const std::vector<unsigned char>& bytes, vtkPartitionedDataSetCollection* output);
+  /// Reads the leaves of PackOutput() into `tree`, and keeps what they are made of. False if the message is invalid.
+  bool UnpackReading(sm::ByteReader& from, vtkPartitionedDataSetCollection* tree);
   /// Sends status, messages and the tree of the output from `root` to all other ranks, and completes the output. Every rank makes all
   /// collective calls, even without memory. Returns the reason for a failure, the same on all ranks that are still connected.
   std::string_view ShareTree(
@@ -257,6 +324,9 @@ private:
   char* FileName = nullptr;
   std::string Content;
   bool IsContentGiven = false;
+  int DisplayMesh = BY_NEED;
+  vtkIdType CoarseAbove = 0;
+  bool Refined = false;
   double LinearDeflection = 0.001;
   bool RelativeDeflection = true;
   double AngularDeflection = 0.35;
@@ -270,6 +340,17 @@ private:
 
   struct Results;
   std::unique_ptr<Results> Last;
+  /// What was read; null where nothing was, or another rank has it.
+  struct Reading;
+  std::unique_ptr<Reading> Kept;
+  /// MTime of the settings of which Kept is the reading.
+  vtkMTimeType SettledTime = 0;
+  /// The output has a display mesh; one was asked for by Update(); it is due, since MeshTime.
+  bool HasMesh = false;
+  bool IsMeshRequested = false;
+  bool IsMeshDue = false;
+  bool MeshIsCoarse = false;
+  vtkTimeStamp MeshTime;
 };
 
 #endif

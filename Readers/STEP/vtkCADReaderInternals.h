@@ -1,11 +1,16 @@
 /**
  * @file vtkCADReaderInternals.h
- * @brief The results of a vtkCADReader beside its output
+ * @brief The results of a vtkCADReader beside its output, and what it keeps of a file
  */
 #ifndef vtkCADReaderInternals_h
 #define vtkCADReaderInternals_h
 
+#include "smLeafMesh.h"
 #include "vtkCADReader.h"
+
+#include "vtkDataAssembly.h"
+
+#include <algorithm>
 
 struct vtkCADReader::Results
 {
@@ -21,6 +26,32 @@ struct vtkCADReader::Results
   double ReadSeconds = 0.0;
   double MeshSeconds = 0.0;
   double ConversionSeconds = 0.0;
+};
+
+/// All that outputs with and without display mesh are made of.
+struct vtkCADReader::Reading
+{
+  /// Progress at which all bodies are converted, or have come from another process.
+  static constexpr double MeshStart = 0.9;
+
+  /// An entry for each partitioned dataset.
+  std::vector<sm::LeafSource> Sources;
+  std::vector<std::string> Names;
+  vtkSmartPointer<vtkDataAssembly> Assembly;
+  /// Before messages of display meshes.
+  Results Last;
+  /// The newest model's MTime.
+  vtkMTimeType ModelTime = 0;
+
+  vtkMTimeType FindModelTime() const
+  {
+    vtkMTimeType time = 0;
+    for (const sm::LeafSource& source : this->Sources)
+    {
+      time = std::max(time, source.Model->GetMTime());
+    }
+    return time;
+  }
 };
 
 #endif

@@ -2,19 +2,22 @@
 #include "vtkCADReaderInternals.h"
 
 #include "smFailureReason.h"
-#include "smFormat.h"
 #include "smLeafBytes.h"
 #include "smReadProgram.h"
 #include "smSTEPTree.h"
 
 #include "vtkCommunicator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkErrorCode.h"
+#include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
+#include "vtkNURBSDataSet.h"
+#include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 
+#include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <utility>
 
 namespace
@@ -95,10 +98,7 @@ std::string_view vtkCADReader::ShareTree(
 
 std::vector<std::string> vtkCADReader::PackSettings() const
 {
-  // 17 digits keep the bits.
-  return { this->FileName ? this->FileName : "", this->OutputUnit, this->GetSettingOfFormat(),
-    sm::FormatDigits(this->LinearDeflection, 17), std::to_string(this->RelativeDeflection ? 1 : 0),
-    sm::FormatDigits(this->AngularDeflection, 17) };
+  return { this->FileName ? this->FileName : "", this->OutputUnit, this->GetSettingOfFormat() };
 }
 
 void vtkCADReader::UnpackSettings(const std::vector<std::string>& words)
@@ -106,9 +106,6 @@ void vtkCADReader::UnpackSettings(const std::vector<std::string>& words)
   this->SetFileName(words[0].empty() ? nullptr : words[0].c_str());
   this->SetOutputUnit(words[1]);
   this->SetSettingOfFormat(words[2]);
-  this->SetLinearDeflection(std::strtod(words[3].c_str(), nullptr));
-  this->SetRelativeDeflection(words[4] == "1");
-  this->SetAngularDeflection(std::strtod(words[5].c_str(), nullptr));
 }
 
 std::vector<char> vtkCADReader::PackOutput()
@@ -121,7 +118,41 @@ std::vector<char> vtkCADReader::PackOutput()
   to.Put(
     std::array<double, 3>{ this->Last->ReadSeconds, this->Last->MeshSeconds, this->Last->ConversionSeconds });
   sm::PutLeaves(output, to);
+  for (unsigned int i = 0; this->Kept && i < output->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    to.Put(this->Kept->Sources[i].BodyColor);
+    to.Put(this->Kept->Sources[i].Color);
+  }
   return std::move(to.GetBytes());
+}
+
+bool vtkCADReader::UnpackReading(sm::ByteReader& from, vtkPartitionedDataSetCollection* tree)
+{
+  if (!sm::GetLeaves(from, tree))
+  {
+    return false;
+  }
+  auto reading = std::make_unique<Reading>();
+  for (unsigned int i = 0; i < tree->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    auto* leaf = vtkNURBSDataSet::SafeDownCast(tree->GetPartitionAsDataObject(i, 0));
+    sm::LeafSource source;
+    source.BodyColor = from.Get<sm::Vector3>();
+    source.Color = from.Get<sm::Vector3>();
+    source.Model = leaf ? leaf->GetModel() : nullptr;
+    if (!from.IsGood() || !source.Model)
+    {
+      return false;
+    }
+    std::copy_n(leaf->GetPlacementData(), source.Placement.size(), source.Placement.begin());
+    reading->Sources.push_back(source);
+    reading->Names.emplace_back(tree->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()));
+  }
+  reading->Assembly = tree->GetDataAssembly();
+  reading->Last = *this->Last;
+  reading->ModelTime = reading->FindModelTime();
+  this->Kept = std::move(reading);
+  return true;
 }
 
 bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
@@ -135,7 +166,7 @@ bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
   const sm::ReadProgramOutcome outcome = program.empty()
     ? sm::ReadProgramOutcome{ {}, "was not found", false, false }
     : sm::RunReadProgram(program, arguments, this->IsContentGiven ? &this->Content : nullptr,
-        [this](double x) { return this->Report(x); });
+        [this](double x) { return this->Report(Reading::MeshStart * x); });
   if (outcome.IsStopped)
   {
     this->Stop();
@@ -154,24 +185,24 @@ bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
     return true;
   }
   sm::ByteReader from(outcome.Result);
-  this->Unpack(from.GetAll<unsigned char>(), output);
+  vtkNew<vtkPartitionedDataSetCollection> tree;
+  this->Unpack(from.GetAll<unsigned char>(), tree);
   const auto seconds = from.Get<std::array<double, 3>>();
   this->Last->ReadSeconds = seconds[0];
   this->Last->MeshSeconds = seconds[1];
   this->Last->ConversionSeconds = seconds[2];
-  if (!sm::GetLeaves(from, output))
-  {
-    output->Initialize();
-    this->Fail(UNREADABLE, "the process that read it sent what is not understood here");
-  }
-  else if (this->Status != OK)
+  if (this->Status != OK)
   {
     this->SetErrorCode(vtkErrorCode::FileFormatError);
     vtkErrorMacro(<< this->Last->Problem);
   }
+  else if (!this->UnpackReading(from, tree))
+  {
+    this->Fail(UNREADABLE, "the process that read it sent what is not understood here");
+  }
   else
   {
-    this->UpdateProgress(1.0);
+    this->FillOutput(output);
   }
   return true;
 }

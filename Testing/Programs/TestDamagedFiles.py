@@ -98,6 +98,8 @@ def check_solids():
     # OpenCASCADE ignores a unit with a parameter too many: metres for millimetres.
     damage(box, "unit_with_another_star", [(r"(LENGTH_UNIT\(\) NAMED_UNIT\(\*)\)", r"\1,*)")], FLAGGED, ["wrong unit", "#346"])
     damage("box-inch.step", "inch_with_another_factor", [(r"(CONVERSION_BASED_UNIT\('INCH',)(#\d+)", r"\1\2,\2")], FLAGGED, ["wrong unit"])
+    # The context's unit of lengths cannot be read: no unit is not the same.
+    damage("box-inch.step", "inch_that_is_damaged", [(r"\( (CONVERSION_BASED_UNIT\('INCH')", r"(8\1")], FLAGGED, ["wrong unit", "#346"])
     # A length in steradians beside one in millimetres: OpenCASCADE takes metres.
     damage(box, "two_units_of_length", [(r"SOLID_ANGLE_UNIT\(\)", "LENGTH_UNIT()")], FLAGGED, ["wrong unit"])
     # No finite box is left; the process aborted in its analysis.
@@ -106,6 +108,8 @@ def check_solids():
     # All trim curves of a face lie on a knot of its surface: its mesh crashed.
     damage("torus-nurbs.step", "knots_shuffled", [(r"(B_SPLINE_CURVE_WITH_KNOTS\(\(1,2,2,2,2,1\),\()[^)]*", r"\g<1>4.2,2.1,6.3,8.4,0.,-2.1")],
            FLAGGED, ["knots"])
+    # The loop of the cylinder is that of its top: no winding numbers, and points outside of all loops; its mesh crashed.
+    damage("cylinder-plain.step", "loop_of_another_face", [(r"(#18 = FACE_BOUND\('',)#19", r"\1#107")], FLAGGED, ["not bounded in (u,v)", "#17"])
     damage("cylinder-plain.step", "radius_below_zero", [(r"(CYLINDRICAL_SURFACE\('',#\d+,)", r"\1-")], FLAGGED, ["value out of range"])
     damage("two_solids.step", "solid_lost", [(r"(CLOSED_SHELL\('',)\(#\d+[^)]*\)", r"\1()")], FLAGGED, ["shell without faces"])
     damage("assembly.step", "instance_of_nothing", [(r"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\('3','[^']*','',)#\d+", r"\1#1")], FLAGGED,

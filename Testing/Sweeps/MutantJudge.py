@@ -3,7 +3,9 @@ import math
 import re
 
 from MutantGeometry import polyhedron_volume, worst_corner
+from MutantIntegrals import Integrator
 from MutantOracle import Model
+from MutantShapes import Unknown
 
 SAME = 1e-6
 LARGE = 1e-3
@@ -53,8 +55,28 @@ class Baseline:
         self.counts = self.declared.bodies == len(entry["solids"]) and self.declared.faces == entry["faces"]
         polyhedra = self.declared.polyhedra_volume()
         self.is_polyhedral = polyhedra is not None and near(polyhedra, self.volume)
+        self.integrator = Integrator(self.declared.model)
+        self.no_reference = compare(self.integrator, self.declared, entry)
         worst = worst_corner(self.declared.model, [s for s, _ in self.declared.instances])[0]
         self.is_tight = bool(self.declared.metres()) and worst * 1e3 * self.declared.metres() < LARGE * entry["diagonal"]
+
+
+def compare(integrator, declared, entry):
+    """None where volume and area are those of the file's own geometry, else why not, or why there is nothing to compare with."""
+    try:
+        value = integrator.total(declared)
+    except (Unknown, RecursionError) as error:
+        return Unknown(re.sub(r"#\d+", "#", str(error)))
+    if value.volume_error > LARGE * abs(value.volume):
+        return Unknown("edges off their surfaces")
+    total = entry["total"]
+    # An area depends on the trim curves, which may be off the edge's feet by as much as the edge is off the surface.
+    for name, excuse, share in (("volume", "gap_squared", 1), ("area", "gap_area", 2)):
+        own = getattr(value, name)
+        doubt = share * getattr(value, name + "_error") + (total["bounds"][name] or 0) + (total[excuse] or 0)
+        if not abs(abs(total[name] or 0) - own) <= doubt:
+            return f"{name} {total[name]:.12g}, integrated {own:.12g} +- {doubt:.2g}"
+    return None
 
 
 def plain(message):
@@ -74,8 +96,18 @@ def judge(baseline, text, entry):
         return findings + [("no-number", True, f"volume {volume}")]
     findings += gaps(baseline, entry, said)
     findings += units(baseline, declared, volume, said)
-    findings += geometry(baseline, declared, volume, said, entry)
-    return findings
+    return findings + geometry(baseline, declared, volume, said, entry)
+
+
+def integrals(baseline, text, entry):
+    """(what came of a comparison with the integrals of the file's own geometry, findings)."""
+    if baseline.no_reference is not None:
+        return "no reference: of the file", []
+    result = compare(baseline.integrator, Declared(text), entry)
+    if not isinstance(result, str):
+        return "agrees" if result is None else f"no reference: {result}", []
+    said = any(plain(m) not in baseline.said for m in entry["messages"])
+    return "differs", [("integral", not said, result)]
 
 
 def losses(baseline, declared, entry, said):

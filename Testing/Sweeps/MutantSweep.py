@@ -21,7 +21,7 @@ import sys
 import tempfile
 import time
 
-from MutantJudge import Baseline, judge, judge_other
+from MutantJudge import Baseline, integrals, judge, judge_other
 from MutantKinds import KINDS, Source
 
 SOLIDS = ("bicylinder-plain block_4_3_2-plain box-plain box-inch cone-plain cylinder-plain ellipsoid-plain hollow_sphere-plain "
@@ -114,7 +114,7 @@ class Sweep:
             return None
 
     def batch(self, seeds):
-        """[(seed, file, kind, status, findings)] of some seeds: in one run of the program."""
+        """[(seed, file, kind, status, findings, what the independent integrals say)] of some seeds: in one run of the program."""
         with tempfile.TemporaryDirectory() as folder:
             mutants = [(seed, *self.mutate(seed)) for seed in seeds]
             paths = [os.path.join(folder, f"{seed}.step") for seed in seeds]
@@ -126,24 +126,26 @@ class Sweep:
     def result(self, mutant, path, code, entries):
         seed, name, kind, text = mutant
         if code not in FINE:
-            return seed, name, kind, code.split()[0], [Finding(seed, name, kind, code, True, code.split()[0], code)]
+            return seed, name, kind, code.split()[0], [Finding(seed, name, kind, code, True, code.split()[0], code)], ""
         entry = entries[0]
-        found = []
+        found, compared = [], ""
         signals = [m for m in entry["messages"] if re.search(r"ended by signal", m)]
         if signals and f"signal {int(signal.SIGXCPU)} " in signals[0]:
-            return seed, name, kind, "hang", [Finding(seed, name, kind, "hang", True, "hang", signals[0][-120:])]
+            return seed, name, kind, "hang", [Finding(seed, name, kind, "hang", True, "hang", signals[0][-120:])], ""
         if signals:
             found.append(("child", False, signals[0][-120:] + (self.classify(path) if self.options.classify else "")))
             if "in our code" in found[0][2]:
                 found[0] = ("child", True, found[0][2])
         elif entry["status"] == "ok":
             found = judge(self.baselines[name], text, entry)
+            compared, differing = integrals(self.baselines[name], text, entry)
+            found += differing
             if self.options.occt:
                 found += judge_other(self.baselines[name], entry, self.other_volume(path))
         status = "crashed" if signals else entry["status"]
         if self.options.seed is not None:
             print(json.dumps({k: entry[k] for k in ("status", "messages", "faces", "total")}, indent=1))
-        return seed, name, kind, status, [Finding(seed, name, kind, status, v, c, t) for c, v, t in found]
+        return seed, name, kind, status, [Finding(seed, name, kind, status, v, c, t) for c, v, t in found], compared
 
     def classify(self, path):
         """Whose code a crash of the reading process lies in, by the innermost frames that gdb names."""
@@ -191,6 +193,9 @@ def report(options, results):
     for kind in [*sorted({r[2] for r in results}), "all"]:
         row = [sum(n for (k, s), n in table.items() if s == status and kind in (k, "all")) for status in statuses]
         print(kind.ljust(width) + "".join(str(n).rjust(len(s) + 3) for n, s in zip(row, statuses)) + str(sum(row)).rjust(6))
+    compared = collections.Counter(re.sub(r"[-+.\d]+(e[-+]?\d+)?", "0", r[5]) for r in results if r[5])
+    print(f"\nIndependent integrals: {compared['agrees'] + compared['differs']} of {sum(compared.values())} compared " +
+          str(dict(compared.most_common())))
     known = set(options.known or [])
     findings = [f for r in results for f in r[4]]
     violations = [f for f in findings if f.violation and f.seed not in known]
@@ -203,6 +208,7 @@ def report(options, results):
         with open(options.json, "w", encoding="utf8") as file:
             json.dump({"mutants": len(results), "statuses": dict(collections.Counter(r[3] for r in results)),
                        "table": [[*k, n] for k, n in sorted(table.items())],
+                       "integrals": dict(compared.most_common()),
                        "findings": [f._asdict() for f in findings]}, file, indent=1)
     return len(violations)
 
@@ -256,7 +262,8 @@ def main():
         show_changes(SWEEP.sources[name].text, text, name, kind, options.seed, options.keep)
         options.verbose = True
     uncounted = [n for n in SWEEP.names if not SWEEP.baselines[n].counts]
-    print(f"{len(SWEEP.names)} files; not ok and left out: {', '.join(SWEEP.skipped) or 'none'}; solids and faces not "
+    bare = [f"{n} ({b.no_reference})" for n, b in sorted(SWEEP.baselines.items()) if b.no_reference is not None]
+    print(f"{len(SWEEP.names)} files; without independent integrals: {', '.join(bare) or 'none'}; not ok and left out: {', '.join(SWEEP.skipped) or 'none'}; solids and faces not "
           f"comparable: {', '.join(uncounted) or 'none'}; polyhedra: "
           f"{', '.join(n for n in SWEEP.names if SWEEP.baselines[n].is_polyhedral) or 'none'}")
     seeds = [options.seed] if options.seed is not None else list(range(options.first, options.first + options.count))

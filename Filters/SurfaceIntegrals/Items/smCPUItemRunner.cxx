@@ -1,6 +1,7 @@
 #include "smCPUItemRunner.h"
 
 #include "smBatchParameters.h"
+#include "smFormat.h"
 #include "smItemKernels.h"
 #include "smParallelFor.h"
 #include "smRowSums.h"
@@ -113,7 +114,7 @@ CPUItemRunner::~CPUItemRunner() = default;
 std::string CPUItemRunner::GetDescription()
 {
   const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-  return "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+  return "CPU, " + FormatCount(threads, "thread", "threads");
 }
 
 std::string CPUItemRunner::GetObstacle(const Integrand& integrand) const

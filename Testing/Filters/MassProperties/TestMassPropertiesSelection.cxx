@@ -61,7 +61,7 @@ void CheckChoice(vtkMassPropertiesGPU* mass, const std::string& assembly,
     mass->AddSelector(selector);
     what += " " + selector;
   }
-  mass->Update();
+  mass->Update(5);
   CheckEqual(what + ", solids", solids, mass->GetNumberOfSolids());
   Check(what + ", volume", volume, mass->GetVolume(), 1e-9 * volume);
   CheckEqual(what + ", meshes", solids, GetBodies(mass)->GetNumberOfPartitionedDataSets());
@@ -112,7 +112,7 @@ void CheckSelectors(const Manifest& manifest)
 
   mass->ClearSelectors();
   mass->AddSelector("//Bolt");
-  mass->Update();
+  mass->Update(5);
   CheckEqual("nothing chosen: status", names::StatusEmpty, mass->GetStatus());
   CheckTrue("nothing chosen: no volume, not 0", std::isnan(mass->GetVolume()));
   CheckTrue("nothing chosen: said", HasMessage(mass, "no solid is chosen"));
@@ -121,7 +121,7 @@ void CheckSelectors(const Manifest& manifest)
 
   CheckChoice(mass, "Hierarchy", { "/Root/aball" }, ball.Volume, 1);
   mass->SetAssemblyName("Elsewhere");
-  mass->Update();
+  mass->Update(5);
   CheckTrue("an unknown assembly is told", HasMessage(mass, "no assembly \"Elsewhere\""));
   CheckEqual("an unknown assembly: status", names::StatusEmpty, mass->GetStatus());
 
@@ -157,7 +157,7 @@ void CheckShared(const Manifest& manifest)
   input->SetDataAssembly(assembly);
   vtkNew<vtkMassPropertiesGPU> mass;
   mass->SetInputDataObject(input);
-  mass->Update();
+  mass->Update(5);
   CheckEqual("shared: bodies", 3, mass->GetNumberOfSolids());
   vtkDataAssembly* kept = GetBodies(mass)->GetDataAssembly();
   CheckTrue("shared: two bodies of one partitioned dataset",
@@ -175,7 +175,7 @@ double Get(vtkDataSet* mesh, const char* name, vtkIdType cell)
 void CheckMeshes(const Manifest& manifest)
 {
   Pipeline pipeline(manifest.GetSolid("slanted_hole", "moved").front().Path);
-  pipeline.Mass->Update();
+  pipeline.Mass->Update(5);
   auto* input = vtkPartitionedDataSetCollection::SafeDownCast(pipeline.Reader->GetOutputDataObject(0));
   auto* source = vtkNURBSDataSet::SafeDownCast(input->GetPartition(0, 0));
   auto* mesh = vtkNURBSDataSet::SafeDownCast(GetBodies(pipeline.Mass)->GetPartition(0, 0));
@@ -218,7 +218,7 @@ void CheckMeshes(const Manifest& manifest)
   vtkNew<vtkMassPropertiesGPU> again;
   again->SetBackend(pipeline.Mass->GetBackend());
   again->SetInputConnection(pipeline.Mass->GetOutputPort(5));
-  again->Update();
+  again->Update(5);
   Check("volume of the meshes", volume, again->GetVolume(), 0.0);
 }
 
@@ -226,7 +226,7 @@ void CheckSharedArrays(const Manifest& manifest)
 {
   const Expected expected = manifest.GetSpecial("assembly");
   Pipeline pipeline(expected.Path);
-  pipeline.Mass->Update();
+  pipeline.Mass->Update(5);
   for (const char* name : { names::Volume, names::FaceShare, names::FaceGap, names::FaceBound })
   {
     std::set<vtkDataArray*> arrays;
@@ -250,12 +250,12 @@ void CheckColors(const Manifest& manifest)
     return complete ? colors->GetComponent(0, 0) < colors->GetComponent(0, 1) ? "green" : "red" : "none";
   };
   Pipeline good(manifest.GetSolid("box", "plain").front().Path);
-  good.Mass->Update();
+  good.Mass->Update(5);
   CheckEqual("a good result is", "green", getColor(good.Mass));
   CheckEqual("principal axes by default, lines", 3, good.Mass->GetOutput()->GetNumberOfLines());
   Pipeline open(manifest.GetSpecial("open_solid").Path);
   MessageTrap trap(open.Mass);
-  open.Mass->Update();
+  open.Mass->Update(5);
   CheckEqual("an open solid is", names::StatusOpen, open.Mass->GetStatus());
   CheckEqual("and its marker", "red", getColor(open.Mass));
   const auto getStatus = [](vtkMassPropertiesGPU* mass)

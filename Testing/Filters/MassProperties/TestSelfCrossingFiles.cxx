@@ -216,6 +216,11 @@ int TestSelfCrossingFiles(int argc, char* argv[])
   CheckFile("figure_of_eight", 133.2, loops);
   WritePrism("touching", { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 2, 0.001 }, { 0, 4 } });
   CheckFile("touching", 3.0 * (8.0 + 0.002), "");
+  // One loop of straight edges in each of two faces: the larger part less the smaller one.
+  WritePrism("bow_tie", { { 0, 0 }, { 6, 0 }, { 0, 4 }, { 3, 3 } });
+  CheckFile("bow_tie", 3.0 * 6.0, loops);
+  WritePrism("bow_tie_of_equal_parts", { { 0, 0 }, { 6, 0 }, { 0, 4 }, { 6, 4 } });
+  CheckFile("bow_tie_of_equal_parts", 0.0, loops);
 
   const std::string crosses = "its boundary crosses itself: beside face #";
   const std::string subtracted = "its winding number is -1: the volume there is subtracted";

@@ -104,6 +104,7 @@ void CheckForm(vtkSchemeMassPropertiesGPU* mass, const std::string& scheme)
   CheckTrue("faces have no bound",
     faces->GetNumberOfRows() > 0 && std::isnan(faces->GetValueByName(0, "VolumeBound").ToDouble()) &&
       std::isfinite(faces->GetValueByName(0, "Volume").ToDouble()));
+  mass->Update(5);
   auto* bodies = vtkPartitionedDataSetCollection::SafeDownCast(mass->GetOutputDataObject(5));
   vtkCellData* cells = vtkPolyData::SafeDownCast(bodies->GetPartition(0, 0))->GetCellData();
   const auto getFirst = [cells](const char* name)

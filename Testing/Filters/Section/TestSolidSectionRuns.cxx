@@ -115,7 +115,7 @@ void CheckOutputs(const Manifest& manifest)
   CheckTrue("no area before the first run", std::isnan(filter->GetSectionArea()));
   filter->SetDensity(7850.0);
   scene.Set({ 0, 0, 2.5L }, { 0, 0, 2 });
-  filter->Update();
+  filter->Update(7);
   CheckEqual("status", "ok", filter->GetStatus());
   vtkFieldData* fields = filter->GetOutput()->GetFieldData();
   vtkFieldData* rows = vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData();
@@ -181,7 +181,7 @@ void CheckOutputs(const Manifest& manifest)
   // A void, which the picture has as a hole of the section.
   SectionScene hollow(manifest.GetSolid("hollow_sphere", "plain")[0].Path, false);
   hollow.Set({ 0, 0, -1.5L }, { 0, 0, 1 });
-  hollow.Filter->Update();
+  hollow.Filter->Update(7);
   const double ring = 3.14159265358979323846 * (100.0 - 2.25 - 36.0);
   Check("ring", ring, hollow.Filter->GetSectionArea(), hollow.Filter->GetSectionAreaBound());
   auto* half = vtkPolyData::SafeDownCast(hollow.Filter->GetOutputDataObject(7));
@@ -229,7 +229,7 @@ void CheckLimits(const Manifest& manifest)
     SectionScene slow(path);
     MessageTrap trap(slow.Filter);
     slow.Filter->SetMaximumSeconds(1e-9);
-    slow.Filter->Update();
+    slow.Filter->Update(7);
     CheckEqual("no time, status", sm::names::StatusNotComputed, slow.Filter->GetStatus());
     CheckTrue("no time, no area", std::isnan(slow.Filter->GetSectionArea()));
     CheckTrue("no time, said", Says(slow.Filter, "the maximum seconds were over"), GetMessages(slow.Filter));

@@ -36,7 +36,7 @@ void CheckNames(vtkSTEPReader* reader, const Expected& ball)
     CheckEqual("an integrand called " + name + " is an error", ++errors, trap.NumberOfErrors);
   }
   CheckEqual("integrands that are left", 4, integral->GetNumberOfIntegrands());
-  integral->Update();
+  integral->Update(5);
   CheckEqual("status", sm::names::StatusOk, integral->GetStatus());
   vtkFieldData* fields = integral->GetOutput()->GetFieldData();
   const std::pair<const char*, double> expected[] = { { "Displaced", ball.Area },
@@ -80,7 +80,7 @@ int TestSurfaceIntegralSwitches(int argc, char* argv[])
   integral->SetBendingEnergy(true);
   integral->SetProjectedAreaDirection(0.0, 3.0, 0.0);
   CheckEqual("with everything", 15, integral->GetNumberOfIntegrands());
-  integral->Update();
+  integral->Update(5);
   CheckEqual("status", sm::names::StatusOk, integral->GetStatus());
   const double area = 4.0 * vtkMath::Pi() * radius * radius;
   const auto check = [&](const std::string& name, double expected)

@@ -119,11 +119,39 @@ void CheckCrossing()
   through.MarkInside();
   CheckEqual("a side through a vertex", area, GetInnerArea(through));
 }
+
+/// Sides without the rest of their loop give no winding numbers that hold; whatever these are, nothing outside all points is inside.
+void CheckOpenChains()
+{
+  std::mt19937 random(3);
+  std::uniform_int_distribution<std::int64_t> place(Middle - 400000000, Middle + 400000000);
+  int outside = 0;
+  int inside = 0;
+  for (int chain = 0; chain < 50; ++chain)
+  {
+    sm::Triangulation mesh({ 1.0, 1.0 });
+    for (int i = 0; i < 20; ++i)
+    {
+      const int a = mesh.Insert({ place(random), place(random) }, false);
+      const int b = mesh.Insert({ place(random), place(random) }, false);
+      mesh.InsertSegment(a, b, i, false);
+    }
+    mesh.MarkInside();
+    for (const auto& t : mesh.GetTriangles())
+    {
+      outside += t.Inside && *std::min_element(t.Vertex.begin(), t.Vertex.end()) < 4 ? 1 : 0;
+      inside += t.Inside ? 1 : 0;
+    }
+  }
+  CheckEqual("triangles at corners of the square that are inside", 0, outside);
+  CheckTrue("others are", inside > 0);
+}
 }
 
 int TestTriangulation(int, char*[])
 {
   CheckStars();
   CheckCrossing();
+  CheckOpenChains();
   return Finish();
 }

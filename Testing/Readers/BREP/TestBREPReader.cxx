@@ -151,7 +151,7 @@ void CheckFaces()
   CheckEqual("a face beside a solid: bodies", 1, reader->GetNumberOfBodies());
   CheckEqual("free faces", 1, reader->GetNumberOfFreeFaces());
   CheckEqual("and a message",
-    "1 faces lie in the file beside its solids; they belong to no body and are left out.",
+    "1 face lies in the file beside its solids; it belongs to no body and is left out.",
     reader->GetMessage(0));
   CheckEqual("its result", "ok", Weigh(reader->GetOutput(), 1e-11).Status);
   const TopoDS_Shape shell = TopExp_Explorer(MakePlate(), TopAbs_SHELL).Current();

@@ -452,8 +452,10 @@ std::vector<CensusCase> GetUnitCases()
       "GEOMETRIC_REPRESENTATION_CONTEXT "
       "angle unit #6)" },
     { "an undefined unit", ChangeBall("((#2,#3,#4))", "((#99,#3,#4))"), OneBall,
-      "damaged entity: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT context); missing unit: 1 (#6 "
-      "GEOMETRIC_REPRESENTATION_CONTEXT length unit)" },
+      "damaged entity: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT context); wrong unit: 1 (#6 "
+      "GEOMETRIC_REPRESENTATION_CONTEXT length unit #6)" },
+    { "a unit damaged before its first record", ChangeBall("#2=(LENGTH", "#2=(8LENGTH"), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
     { "a prefix that is none", ChangeBall(".MILLI.", ".MILLY."), OneBall,
       "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
     { "petametres", ChangeBall(".MILLI.", ".PETA."), OneBall,

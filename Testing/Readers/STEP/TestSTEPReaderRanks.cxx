@@ -138,6 +138,25 @@ void CheckTree(const std::string& what, const std::string& path, int piece)
     what + ": balanced leaves", piece == 0 ? expectedLeaves : 0, balanced ? CountLeaves(balanced) : -1);
 }
 
+/// The rank that has read the file adds the mesh of what it keeps; all ranks have the same tree again.
+void CheckLaterMesh(const std::string& path)
+{
+  Reader reader(path);
+  reader.Filter->SetDisplayMeshToNever();
+  reader.Filter->UpdatePiece(rank, ranks, 0);
+  CheckEqual("points without a mesh", 0, reader.Filter->GetOutput()->GetNumberOfPoints());
+  const std::string before = Describe(reader.Filter);
+  const double seconds = reader.Filter->GetReadSeconds();
+  reader.Filter->SetDisplayMeshToByNeed();
+  reader.Filter->UpdatePiece(rank, ranks, 0);
+  CheckTrue("points on the rank that has the leaves",
+    (reader.Filter->GetOutput()->GetNumberOfPoints() > 0) == (rank == 0));
+  CheckSame("with a mesh", Describe(reader.Filter));
+  CheckEqual("with a mesh: as without", before, Describe(reader.Filter));
+  CheckEqual("seconds of the reading", seconds, reader.Filter->GetReadSeconds());
+  CheckEqual("with a mesh: errors", 0, reader.Errors);
+}
+
 void CheckFailure(const std::string& what, Reader& reader, const char* status, int errors)
 {
   reader.Filter->UpdatePiece(rank, ranks, 0);
@@ -261,6 +280,7 @@ int main(int argc, char* argv[])
     CheckTree("first rank", path, rank);
     CheckTree("last rank", path, ranks - 1 - rank);
     CheckAlone(path);
+    CheckLaterMesh(path);
     Reader missing(path + ".missing");
     CheckFailure("no file", missing, "unreadable", 1);
     Reader stopped(path);
