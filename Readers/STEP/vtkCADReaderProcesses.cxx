@@ -118,8 +118,8 @@ std::vector<char> vtkCADReader::PackOutput()
   this->Pack(output, head);
   sm::ByteWriter to;
   to.PutAll(head);
-  to.Put(
-    std::array<double, 3>{ this->Last->ReadSeconds, this->Last->MeshSeconds, this->Last->ConversionSeconds });
+  to.Put(std::array<double, 5>{ this->Last->ReadSeconds, this->Last->MeshSeconds,
+    this->Last->ConversionSeconds, this->Last->ParseSeconds, this->Last->TrimSeconds });
   sm::PutLeaves(output, to);
   return std::move(to.GetBytes());
 }
@@ -155,10 +155,12 @@ bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
   }
   sm::ByteReader from(outcome.Result);
   this->Unpack(from.GetAll<unsigned char>(), output);
-  const auto seconds = from.Get<std::array<double, 3>>();
+  const auto seconds = from.Get<std::array<double, 5>>();
   this->Last->ReadSeconds = seconds[0];
   this->Last->MeshSeconds = seconds[1];
   this->Last->ConversionSeconds = seconds[2];
+  this->Last->ParseSeconds = seconds[3];
+  this->Last->TrimSeconds = seconds[4];
   if (!sm::GetLeaves(from, output))
   {
     output->Initialize();
