@@ -2,6 +2,7 @@
 
 #include "smLengthUnits.h"
 #include "smMemoryBuffer.h"
+#include "smOCCTAssemblies.h"
 #include "smOCCTCompatibility.h"
 #include "smOCCTDamage.h"
 #include "smOCCTFailure.h"
@@ -275,6 +276,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   SkipDamagedAttributes(model, reader, document);
   TurnNegativeTori(model);
+  ShortenAssemblies(reader.Reader().WS());
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   SetMillimetres(xde);
