@@ -119,9 +119,10 @@ Json MakeEmptyFile(const std::string& fileName)
   file["diagonal"] = nullptr;
   file["evaluations"] = nullptr;
   file["dispatches"] = nullptr;
-  file["seconds"] = { { "start", nullptr }, { "read", nullptr }, { "prepare", nullptr }, { "mesh", nullptr },
+  file["seconds"] = { { "start", nullptr }, { "read", nullptr }, { "parse", nullptr },
+    { "transfer", nullptr }, { "trims", nullptr }, { "prepare", nullptr }, { "mesh", nullptr },
     { "convert", nullptr }, { "cut", nullptr }, { "plan", nullptr }, { "upload", nullptr },
-    { "integrate", nullptr } };
+    { "integrate", nullptr }, { "analyse", nullptr } };
   return file;
 }
 

@@ -114,6 +114,9 @@ bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobList
     reader->Update();
   }
   file["seconds"]["read"] = reader->GetReadSeconds();
+  file["seconds"]["parse"] = reader->GetParseSeconds();
+  file["seconds"]["transfer"] = reader->GetTransferSeconds();
+  file["seconds"]["trims"] = reader->GetTrimSeconds();
   // "prepare" begins when OpenCASCADE has the shape in memory, so it includes the display mesh.
   file["seconds"]["prepare"] = reader->GetMeshSeconds() + reader->GetConversionSeconds();
   file["seconds"]["mesh"] = reader->GetMeshSeconds();
@@ -223,6 +226,7 @@ void Integrate(vtkMassPropertiesBase* filter, const sm::JobOptions& options, con
   file["seconds"]["upload"] =
     filter->GetPrepareSeconds() - filter->GetCutSeconds() - filter->GetPlanSeconds();
   file["seconds"]["integrate"] = filter->GetIntegrateSeconds();
+  file["seconds"]["analyse"] = filter->GetAnalyseSeconds();
 }
 
 void SendResult(const sm::JobListener& send, Json& file, const sm::MessageList& messages, bool isComplete)

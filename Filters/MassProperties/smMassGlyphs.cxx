@@ -40,7 +40,6 @@ void Append(vtkAppendPolyData* glyphs, vtkPolyData* glyph, Status status)
   glyphs->AddInputData(colored);
 }
 
-/// Makes a sphere of radius 1 about the origin, whose cells and normals all spheres share.
 vtkSmartPointer<vtkPolyData> MakeUnitSphere()
 {
   vtkNew<vtkSphereSource> source;
@@ -95,11 +94,10 @@ vtkSmartPointer<vtkPolyData> MakeAxes(const MassProperties& properties, double l
 }
 }
 
-void MakeMassGlyphs(const std::vector<BodyIntegrals>& bodies, const MassAnalysis& analysis, Status status,
+void MassGlyphs::Make(const std::vector<BodyIntegrals>& bodies, const MassAnalysis& analysis, Status status,
   const MassGlyphOptions& options, vtkPolyData* output)
 {
   vtkNew<vtkAppendPolyData> glyphs;
-  vtkSmartPointer<vtkPolyData> unitSphere;
   const auto add = [&](const MassProperties& properties, double diagonal, Status result)
   {
     if (!std::isfinite(properties.Center[0]) || !(diagonal > 0.0))
@@ -108,8 +106,8 @@ void MakeMassGlyphs(const std::vector<BodyIntegrals>& bodies, const MassAnalysis
     }
     if (options.Scale > 0.0)
     {
-      unitSphere = unitSphere ? unitSphere : MakeUnitSphere();
-      Append(glyphs, MakeSphere(unitSphere, properties.Center, options.Scale * diagonal), result);
+      this->UnitSphere = this->UnitSphere ? this->UnitSphere : MakeUnitSphere();
+      Append(glyphs, MakeSphere(this->UnitSphere, properties.Center, options.Scale * diagonal), result);
     }
     if (options.ShowPrincipalAxes && !properties.AxesDegenerate)
     {

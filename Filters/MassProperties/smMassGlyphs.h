@@ -8,7 +8,8 @@
 #include "smFiltersMassPropertiesModule.h"
 #include "smMassAnalysis.h"
 
-class vtkPolyData;
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 namespace sm
 {
@@ -23,9 +24,18 @@ struct MassGlyphOptions
   bool PerSolid = false;
 };
 
-/// Sets the points and cells of `output`. The active cell scalars are colours: green, or red for a flagged result.
-void MakeMassGlyphs(const std::vector<BodyIntegrals>& bodies, const MassAnalysis& analysis, Status status,
-  const MassGlyphOptions& options, vtkPolyData* output);
+/// Makes the glyphs of a run after another.
+class MassGlyphs
+{
+public:
+  /// Sets the points and cells of `output`. The active cell scalars are colours: green, or red for a flagged result.
+  void Make(const std::vector<BodyIntegrals>& bodies, const MassAnalysis& analysis, Status status,
+    const MassGlyphOptions& options, vtkPolyData* output);
+
+private:
+  /// A sphere of radius 1 about the origin, whose cells and normals all spheres of all runs share.
+  vtkSmartPointer<vtkPolyData> UnitSphere;
+};
 }
 
 #endif

@@ -30,6 +30,7 @@
 vtkMassPropertiesBase::vtkMassPropertiesBase()
   : Analysis(new sm::MassAnalysis)
   , CrossingCheck(new sm::SelfCrossingCheck)
+  , Glyphs(new sm::MassGlyphs)
   , Frame(new sm::ReferenceFrame)
 {
   this->SetNumberOfOutputPorts(8);
@@ -326,7 +327,7 @@ void vtkMassPropertiesBase::WriteOutputs(
   sm::columns::AddBodyColumns(bodies, outputs.Solids);
   sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, summary);
   sm::columns::AddFaceRows(bodies, sm::MakeMassIntegrands(), outputs.Faces, { sm::MassVolume, sm::MassArea });
-  sm::MakeMassGlyphs(bodies, analysis, status,
+  this->Glyphs->Make(bodies, analysis, status,
     { this->GlyphScale, this->ShowPrincipalAxes, this->GlyphPerSolid }, outputs.Totals);
 }
 

@@ -66,6 +66,7 @@ struct MassAnalysisOptions;
 struct MaterialRule;
 struct PartsListEntry;
 struct ReferenceFrame;
+class MassGlyphs;
 class SelfCrossingCheck;
 }
 
@@ -201,6 +202,7 @@ private:
 #ifndef __VTK_WRAP__
   std::unique_ptr<sm::MassAnalysis> Analysis;
   std::unique_ptr<sm::SelfCrossingCheck> CrossingCheck;
+  std::unique_ptr<sm::MassGlyphs> Glyphs;
   std::vector<sm::MaterialRule> Materials;
   std::unique_ptr<sm::ReferenceFrame> Frame;
 #endif

@@ -122,7 +122,17 @@ void vtkNURBSDataSet::CopyModel(vtkNURBSDataSet* source)
     return;
   }
   std::copy_n(source->Placement, 16, this->Placement);
-  this->SetModel(source->Model);
+  if (this->GetPoints() != source->ModelPoints)
+  {
+    this->SetModel(source->Model);
+    return;
+  }
+  // The points are shared and were just compared with their hash.
+  this->Model = source->Model;
+  this->ModelPoints = source->ModelPoints;
+  this->ModelPointsTime = source->ModelPointsTime;
+  this->ModelPointsHash = source->ModelPointsHash;
+  this->Modified();
 }
 
 void vtkNURBSDataSet::Initialize()

@@ -46,6 +46,7 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   double CutSeconds = 0.0;
   double PlanSeconds = 0.0;
   double IntegrateSeconds = 0.0;
+  double AnalyseSeconds = 0.0;
 
   /// Adds a message; the first one of a run becomes its Reason.
   void SetReason(const std::string& message);

@@ -271,6 +271,11 @@ double vtkSurfaceIntegralBase::GetIntegrateSeconds() const
   return this->Engine->GetReport().IntegrateSeconds;
 }
 
+double vtkSurfaceIntegralBase::GetAnalyseSeconds() const
+{
+  return this->Engine->GetReport().AnalyseSeconds;
+}
+
 // --- for subclasses ----------------------------------------------------------------------------
 
 void vtkSurfaceIntegralBase::ResetResults()

@@ -193,10 +193,12 @@ public:
   int GetNumberOfFaces() const;
   /** Number of processes that integrated faces; 0 if nothing was computed. */
   int GetNumberOfRanks() const;
-  /** Seconds of the last run: context and shaders; cutting into panels, planning and upload; integration. */
+  /** Seconds of the last run: context and shaders; cutting into panels, planning and upload; integration; sums, checks of shells,
+   * plausibility and tables. */
   double GetStartSeconds() const;
   double GetPrepareSeconds() const;
   double GetIntegrateSeconds() const;
+  double GetAnalyseSeconds() const;
   /** Parts of GetPrepareSeconds(): cutting into panels; choosing the orders of the Gauss rules. The rest is mostly upload. */
   double GetCutSeconds() const;
   double GetPlanSeconds() const;

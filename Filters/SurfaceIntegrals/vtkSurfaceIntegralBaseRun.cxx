@@ -21,6 +21,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+#include "vtkTimerLog.h"
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
@@ -264,6 +265,7 @@ int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkIn
   const sm::IntegralRequest wanted = this->MakeRequest();
   const bool computed = !bodies.empty() && this->IntegrateBodies(wanted, bodies);
   this->Engine->FinishSharing();
+  const double start = vtkTimerLog::GetUniversalTime();
   this->Analyze(wanted, computed, bodies);
   this->Write(bodies, input, outputVector);
   if (this->TotalRow && computed && bodies.size() > 1)
@@ -271,6 +273,7 @@ int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkIn
     this->WriteTotalRow(bodies.size(), found.AllBodies, outputVector);
   }
   this->AddMessages(bodies);
+  report.AnalyseSeconds = vtkTimerLog::GetUniversalTime() - start;
   return 1;
 }
 

@@ -2,6 +2,7 @@
 
 #include "smLengthUnits.h"
 #include "smMemoryBuffer.h"
+#include "smOCCTAssemblies.h"
 #include "smOCCTCompatibility.h"
 #include "smOCCTDamage.h"
 #include "smOCCTFailure.h"
@@ -14,6 +15,8 @@
 #include "smPart21File.h"
 #include "smSTEPReconciliation.h"
 #include "smSTEPTessellations.h"
+
+#include "vtkTimerLog.h"
 
 #include <STEPCAFControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
@@ -218,6 +221,7 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
   {
     document.Table[shape].AsInFile = face;
   }
+  document.TrimSeconds = log.Seconds;
   if (log.RepairedBodies > 0)
   {
     document.Messages.push_back(Describe(log));
@@ -228,6 +232,7 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
 void Read(std::string content, const FileCheck& check, RepairMode repair, const ProgressCallback& progress,
   Document& document)
 {
+  const double start = vtkTimerLog::GetUniversalTime();
   const DeclaredContent declared(std::move(content), document);
   const CensusCount instances = CountDeclaredInstances(declared.Census);
   if (instances > MostInstances)
@@ -271,6 +276,8 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   SkipDamagedAttributes(model, reader, document);
   TurnNegativeTori(model);
+  ShortenAssemblies(reader.Reader().WS());
+  document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   SetMillimetres(xde);
   if (!Transfer(reader, xde, repair, progress, document))

@@ -83,6 +83,10 @@ struct Document
   ProductNode Root;
   int FreeFaces = 0;
   ShapeTable Table;
+  /// Wall-clock seconds until the entities are in memory, and those of the inspection of faces, which seeks missing trim curves. The
+  /// rest of the reading makes shapes of entities.
+  double ParseSeconds = 0.0;
+  double TrimSeconds = 0.0;
 };
 
 /// Instances of bodies and sub-assemblies that are read; each becomes a node of the tree, a body's a leaf with points of its own.

@@ -6,6 +6,8 @@
 #include "smOCCTShells.h"
 #include "smParallelFor.h"
 
+#include "vtkTimerLog.h"
+
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -269,8 +271,10 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
   const bool isTold = log.Reasons.size() < MostReasons;
   const ShapeLabel none = [](const TopoDS_Shape&) { return std::string(); };
   std::string problem;
+  const double start = vtkTimerLog::GetUniversalTime();
   const std::string failure =
     CatchFailure([&] { problem = FindShapeDamage(shape, isTold ? label : none, log.SoundFaces); });
+  log.Seconds += vtkTimerLog::GetUniversalTime() - start;
   problem = failure.empty() ? problem : failure;
   if (problem.empty())
   {

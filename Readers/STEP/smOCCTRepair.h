@@ -29,6 +29,8 @@ struct RepairLog
   SoundFaceTable SoundFaces;
   int SoundBodies = 0;
   int RepairedBodies = 0;
+  /// Wall-clock seconds that the inspections took.
+  double Seconds = 0.0;
   /// "solid #12: face #34: a loop does not close", for the first of them.
   std::vector<std::string> Reasons;
 };

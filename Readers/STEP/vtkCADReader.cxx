@@ -104,6 +104,21 @@ double vtkCADReader::GetReadSeconds() const
   return this->Last->ReadSeconds;
 }
 
+double vtkCADReader::GetParseSeconds() const
+{
+  return this->Last->ParseSeconds;
+}
+
+double vtkCADReader::GetTransferSeconds() const
+{
+  return this->Last->ReadSeconds - this->Last->ParseSeconds - this->Last->TrimSeconds;
+}
+
+double vtkCADReader::GetTrimSeconds() const
+{
+  return this->Last->TrimSeconds;
+}
+
 double vtkCADReader::GetMeshSeconds() const
 {
   return this->Last->MeshSeconds;
@@ -310,12 +325,16 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
   this->Start = start;
   sm::Document document;
   std::string content;
-  if (this->Load(document, content))
+  const bool isLoaded = this->Load(document, content);
+  this->Last->ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
+  if (isLoaded)
   {
     document =
       this->ReadDocument(std::move(content), [this](double x) { return this->Report(ReadingShare * x); });
   }
   this->Last->ReadSeconds = vtkTimerLog::GetUniversalTime() - start;
+  this->Last->ParseSeconds += document.ParseSeconds;
+  this->Last->TrimSeconds = document.TrimSeconds;
   this->Last->Messages.insert(this->Last->Messages.end(), document.Messages.begin(), document.Messages.end());
   this->Last->FileUnit = document.FileUnit;
   if (document.Status == sm::ReadStatus::Aborted)

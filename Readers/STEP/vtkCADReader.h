@@ -220,9 +220,14 @@ public:
   int GetNumberOfFreeFaces() const;
 
   ///@{
-  /** Wall-clock seconds of the last Update(): OpenCASCADE's reading, the meshes, and the conversion to NURBS models. Where the file was not
-   * read again, those of reading and conversion are of the run that read it. */
+  /** Wall-clock seconds of the last Update(): reading by OpenCASCADE, the meshes, and the conversion to NURBS models (with the making of the
+   * output). Reading is the sum of parsing, until the entities are in memory, the transfer, which makes shapes of them, and trims: the inspection
+   * of faces, which finds the trim curves that the file leaves out. Where the file was not read again, those of reading and conversion are of the
+   * run that read it. */
   double GetReadSeconds() const;
+  double GetParseSeconds() const;
+  double GetTransferSeconds() const;
+  double GetTrimSeconds() const;
   double GetMeshSeconds() const;
   double GetConversionSeconds() const;
   ///@}

@@ -24,6 +24,9 @@ struct vtkCADReader::Results
   int Instances = 0;
   int FreeFaces = 0;
   double ReadSeconds = 0.0;
+  /// Parts of ReadSeconds.
+  double ParseSeconds = 0.0;
+  double TrimSeconds = 0.0;
   double MeshSeconds = 0.0;
   double ConversionSeconds = 0.0;
 };

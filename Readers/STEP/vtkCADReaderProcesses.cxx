@@ -115,8 +115,8 @@ std::vector<char> vtkCADReader::PackOutput()
   this->Pack(output, head);
   sm::ByteWriter to;
   to.PutAll(head);
-  to.Put(
-    std::array<double, 3>{ this->Last->ReadSeconds, this->Last->MeshSeconds, this->Last->ConversionSeconds });
+  to.Put(std::array<double, 5>{ this->Last->ReadSeconds, this->Last->MeshSeconds,
+    this->Last->ConversionSeconds, this->Last->ParseSeconds, this->Last->TrimSeconds });
   sm::PutLeaves(output, to);
   for (unsigned int i = 0; this->Kept && i < output->GetNumberOfPartitionedDataSets(); ++i)
   {
@@ -187,10 +187,12 @@ bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
   sm::ByteReader from(outcome.Result);
   vtkNew<vtkPartitionedDataSetCollection> tree;
   this->Unpack(from.GetAll<unsigned char>(), tree);
-  const auto seconds = from.Get<std::array<double, 3>>();
+  const auto seconds = from.Get<std::array<double, 5>>();
   this->Last->ReadSeconds = seconds[0];
   this->Last->MeshSeconds = seconds[1];
   this->Last->ConversionSeconds = seconds[2];
+  this->Last->ParseSeconds = seconds[3];
+  this->Last->TrimSeconds = seconds[4];
   if (this->Status != OK)
   {
     this->SetErrorCode(vtkErrorCode::FileFormatError);

@@ -10,15 +10,9 @@
 #include "Items/smItemKernels.h"
 #include "smJson.h"
 #include "smProcessorTime.h"
+#include "smStageSeconds.h"
 
-#include <vtkMassPropertiesGPU.h>
-#include <vtkNURBSDataSet.h>
-#include <vtkNew.h>
-#include <vtkPartitionedDataSetCollection.h>
 #include <vtkSMPTools.h>
-#include <vtkSTEPReader.h>
-#include <vtkTimerLog.h>
-#include <vtkTrimmedNURBSModel.h>
 
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
@@ -44,8 +38,12 @@ using sm::Json;
 using smtest::ProcessorTime;
 
 /// The columns of the table.
-const std::vector<std::string> Columns = { "occt_parse", "occt_transfer", "occt_gprop", "occt_gprop_1e-6",
-  "read", "mesh", "convert", "cut", "plan", "upload", "integrate", "analyse" };
+const std::vector<std::string> Columns = []
+{
+  std::vector<std::string> columns = { "occt_parse", "occt_transfer", "occt_gprop", "occt_gprop_1e-6" };
+  columns.insert(columns.end(), smtest::GetStageNames().begin(), smtest::GetStageNames().end());
+  return columns;
+}();
 
 void MeasureKernel(const TopoDS_Shape& shape, bool adaptive, Json& seconds, Json& result)
 {
@@ -85,73 +83,6 @@ void MeasureOpenCASCADE(const std::string& path, bool onlyRead, Json& seconds, J
     MeasureKernel(shape, false, seconds, result);
     MeasureKernel(shape, true, seconds, result);
   }
-}
-
-/// Processor time of an update. Its stages are known in seconds of a clock: they get their share of the processor's, and so does the rest.
-class UpdateCost
-{
-public:
-  void Stop()
-  {
-    this->Processor = this->Watch.GetSeconds();
-    this->Clock = vtkTimerLog::GetUniversalTime() - this->Start;
-  }
-  double GetShare(double clock) const { return this->Processor * clock / this->Clock; }
-  double GetRest(double clock) const { return this->GetShare(this->Clock - clock); }
-
-private:
-  ProcessorTime Watch;
-  double Start = vtkTimerLog::GetUniversalTime();
-  double Processor = 0.0;
-  double Clock = 1.0;
-};
-
-int CountFaces(vtkPartitionedDataSetCollection* parts)
-{
-  int faces = 0;
-  for (unsigned int i = 0; i < parts->GetNumberOfPartitionedDataSets(); ++i)
-  {
-    auto* leaf = vtkNURBSDataSet::SafeDownCast(parts->GetPartitionAsDataObject(i, 0));
-    faces += leaf && leaf->GetModel() ? leaf->GetModel()->GetNumberOfFaces() : 0;
-  }
-  return faces;
-}
-
-void MeasureOurs(const std::string& path, bool onlyRead, Json& seconds, Json& result)
-{
-  vtkNew<vtkSTEPReader> reader;
-  reader->SetFileName(path.c_str());
-  UpdateCost read;
-  reader->Update();
-  read.Stop();
-  // The reader's work beside its stages belongs to reading.
-  const double mesh = reader->GetMeshSeconds();
-  const double convert = reader->GetConversionSeconds();
-  seconds["read"] = read.GetRest(mesh + convert);
-  seconds["mesh"] = read.GetShare(mesh);
-  seconds["convert"] = read.GetShare(convert);
-  result["faces"] = CountFaces(reader->GetOutput());
-  if (onlyRead)
-  {
-    return;
-  }
-  vtkNew<vtkMassPropertiesGPU> mass;
-  mass->SetInputConnection(reader->GetOutputPort());
-  mass->SetBackend(vtkMassPropertiesGPU::CPU);
-  UpdateCost compute;
-  mass->Update();
-  compute.Stop();
-  const double cut = mass->GetCutSeconds();
-  const double plan = mass->GetPlanSeconds();
-  seconds["cut"] = compute.GetShare(cut);
-  seconds["plan"] = compute.GetShare(plan);
-  seconds["upload"] = compute.GetShare(mass->GetPrepareSeconds() - cut - plan);
-  seconds["integrate"] = compute.GetShare(mass->GetIntegrateSeconds());
-  // Orientation of shells, plausibility, tables.
-  seconds["analyse"] = compute.GetRest(mass->GetPrepareSeconds() + mass->GetIntegrateSeconds());
-  result["volume"] = mass->GetVolume();
-  result["volume_bound"] = mass->GetVolumeBound();
-  result["evaluations"] = mass->GetEvaluations();
 }
 
 double GetPeakMegabytes()
@@ -255,7 +186,7 @@ Json MeasureFile(const std::string& path, bool onlyRead)
   {
     result["occt_error"] = failure.GetMessageString();
   }
-  MeasureOurs(path, onlyRead, seconds, result);
+  smtest::MeasureStages(path, onlyRead, seconds, result);
   result["seconds"] = seconds;
   result["peak_megabytes"] = GetPeakMegabytes();
   return result;
@@ -264,7 +195,8 @@ Json MeasureFile(const std::string& path, bool onlyRead)
 /// Reading and converting over OpenCASCADE's reader.
 double GetReadRatio(const Json& seconds)
 {
-  return (Get(seconds, "read") + Get(seconds, "convert")) /
+  return (Get(seconds, "parse") + Get(seconds, "transfer") + Get(seconds, "trims") +
+           Get(seconds, "convert")) /
     (Get(seconds, "occt_parse") + Get(seconds, "occt_transfer"));
 }
 

@@ -48,10 +48,14 @@ def run_json(*arguments):
         check_equal("keys of the total", [], sorted(BODY_KEYS - set(file["total"])))
         check_equal("keys of the bounds", [], sorted(BOUND_KEYS - set(file["total"]["bounds"])))
         seconds = file["seconds"]
-        parts = ["convert", "cut", "mesh", "plan", "upload"]
-        check_equal("keys of the seconds", sorted(parts + ["integrate", "prepare", "read", "start"]), sorted(seconds))
+        sums = {"prepare": ["convert", "cut", "mesh", "plan", "upload"], "read": ["parse", "transfer", "trims"]}
+        keys = sum(sums.values(), list(sums)) + ["analyse", "integrate", "start"]
+        check_equal("keys of the seconds", sorted(keys), sorted(seconds))
         if None not in seconds.values():
-            check("parts of prepare", seconds["prepare"], sum(seconds[part] for part in parts), 1e-9, "the same numbers added up")
+            for whole, parts in sums.items():
+                check(f"parts of {whole}", seconds[whole], sum(seconds[part] for part in parts), 1e-9, "the same numbers added up")
+            check_true("every stage takes its time", all(seconds[key] >= 0.0 for key in keys) and
+                       min(seconds["read"], seconds["parse"], seconds["analyse"]) > 0.0, str(seconds))
         for solid in file["solids"]:
             check_equal("keys of a solid", [], sorted((BODY_KEYS | {"name", "id", "worst_edges"}) - set(solid)))
     return result, document["files"]

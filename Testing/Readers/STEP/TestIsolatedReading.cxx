@@ -38,7 +38,7 @@ std::vector<char> GetOutput(vtkSTEPReader* reader)
   std::uint64_t head = 0;
   std::memcpy(&head, bytes.data(), sizeof(head));
   const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(sizeof(head) + head);
-  bytes.erase(first, first + 3 * sizeof(double));
+  bytes.erase(first, first + 5 * sizeof(double));
   return bytes;
 }
 

@@ -1,0 +1,35 @@
+#include "smAllocatedBytes.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace
+{
+std::atomic<long long> Bytes{ 0 };
+}
+
+long long smtest::GetAllocatedBytes()
+{
+  return Bytes;
+}
+
+// They replace those of the standard library, in the program and in all its libraries.
+void* operator new(std::size_t size)
+{
+  Bytes += static_cast<long long>(size);
+  if (void* memory = std::malloc(size > 0 ? size : 1))
+  {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}

@@ -1,0 +1,26 @@
+/**
+ * @file smStageSeconds.h
+ * @brief Seconds of the processor that our stages take, from a STEP file to its mass properties on the CPU backend
+ */
+#ifndef smStageSeconds_h
+#define smStageSeconds_h
+
+#include "smJson.h"
+
+#include <string>
+#include <vector>
+
+namespace smtest
+{
+/// The stages, in their order.
+const std::vector<std::string>& GetStageNames();
+
+/**
+ * Reads a file and, unless `onlyRead`, computes its mass properties at a tolerance of 1e-9, with vtkSMPTools' backend as it is. `seconds`
+ * gets a number per stage; `result` the faces of all parts, the points and triangles of their meshes, the status, volume and centre
+ * with their bounds, and evaluations. Numbers of one thread are processor's seconds; of several, each stage gets its share by the clock.
+ */
+void MeasureStages(const std::string& path, bool onlyRead, sm::Json& seconds, sm::Json& result);
+}
+
+#endif
