@@ -99,12 +99,12 @@ def pack(options):
             else:
                 words.append(word)
         test["command"] = words
-    # Scripts of tests import their neighbours.
-    for path in list(copied):
-        if path.endswith(".py"):
-            for name in os.listdir(os.path.dirname(path)):
-                if name.endswith((".py", ".json")):
-                    place(os.path.join(os.path.dirname(path), name))
+    # Scripts of tests import their neighbours, and those of Support.
+    folders = {os.path.dirname(path) for path in copied if path.endswith(".py")}
+    for near in folders | ({os.path.join(source, "Testing", "Support")} if folders else set()):
+        for name in os.listdir(near):
+            if name.endswith((".py", ".json")):
+                place(os.path.join(near, name))
     for program in sorted(programs):
         shutil.copy2(program, os.path.join(folder, "bin"))
         for library in find_libraries(program):
