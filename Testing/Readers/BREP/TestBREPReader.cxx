@@ -89,7 +89,7 @@ std::vector<char> GetOutput(vtkBREPReader* reader)
   std::uint64_t head = 0;
   std::memcpy(&head, bytes.data(), sizeof(head));
   const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(sizeof(head) + head);
-  bytes.erase(first, first + 3 * sizeof(double)); // the times
+  bytes.erase(first, first + 5 * sizeof(double)); // the times
   return bytes;
 }
 
