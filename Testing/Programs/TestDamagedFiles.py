@@ -98,6 +98,9 @@ def check_solids():
     # OpenCASCADE ignores a unit with a parameter too many: metres for millimetres.
     damage(box, "unit_with_another_star", [(r"(LENGTH_UNIT\(\) NAMED_UNIT\(\*)\)", r"\1,*)")], FLAGGED, ["wrong unit", "#346"])
     damage("box-inch.step", "inch_with_another_factor", [(r"(CONVERSION_BASED_UNIT\('INCH',)(#\d+)", r"\1\2,\2")], FLAGGED, ["wrong unit"])
+    # Not a unit any more, or another entity: millimetres were assumed for inches.
+    damage("box-inch.step", "inch_with_a_digit_before_it", [(r"\( CONVERSION_BASED_UNIT", "(8CONVERSION_BASED_UNIT")], FLAGGED, ["wrong unit", "#346"])
+    damage("box-inch.step", "a_face_for_the_inch", [(r"(GLOBAL_UNIT_ASSIGNED_CONTEXT\s*\(\()#\d+", r"\1#17")], FLAGGED, ["wrong unit", "#17"])
     # A length in steradians beside one in millimetres: OpenCASCADE takes metres.
     damage(box, "two_units_of_length", [(r"SOLID_ANGLE_UNIT\(\)", "LENGTH_UNIT()")], FLAGGED, ["wrong unit"])
     # No finite box is left; the process aborted in its analysis.
