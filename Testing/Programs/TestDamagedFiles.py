@@ -145,6 +145,16 @@ def check_hostile():
     check_equal("the files of the folder", sorted(HOSTILE), names)
     for name, path in zip(names, paths):
         expect(name, path, *HOSTILE[name])
+    # Bodies that lost every face have no values, and what they are a part of has no bound.
+    for name, volume in (("05a_crash_empty_body_then_body", 486.2935001), ("05b_crash", None)):
+        _, entry = run(os.path.join(options.hostile, name + ".step"))
+        lost = [s for s in entry["solids"] if s["status"] == "suspect"]
+        check_true(name + ": lost bodies have no values", lost and all(s["volume"] is s["area"] is s["max_gap"] is None for s in lost))
+        check_equal(name + ": bound of the total", None, entry["total"]["bounds"]["volume"])
+        if volume is None:
+            check_equal(name + ": volume of the total", None, entry["total"]["volume"])
+        else:
+            check(name + ": volume of the total", volume, entry["total"]["volume"], 1e-7)
 
 
 if options.hostile:
