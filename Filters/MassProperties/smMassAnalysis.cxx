@@ -174,6 +174,14 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
   return true;
 }
 
+/// Returns true if a body has no faces, or all of them are left out: its sums are those of nothing.
+bool IsLeftOut(const BodyIntegrals& body)
+{
+  return body.Faces &&
+    std::none_of(
+      body.Faces->begin(), body.Faces->end(), [](const FaceIntegrals& face) { return face.Error.empty(); });
+}
+
 /// Computes the row of a body. `moments` receives its moments in the world if it has a volume.
 MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Moments& moments)
 {
@@ -185,6 +193,14 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   row.GapArea = body.GapArea;
   if (!body.Faces)
   {
+    return row;
+  }
+  if (IsLeftOut(body))
+  {
+    // Nothing, without a bound: what the total lacks.
+    body.Flag(Status::Suspect, "no face of it was integrated: it has no values");
+    moments = GetMoments(body);
+    row.Properties = ComputeMassProperties(moments);
     return row;
   }
   if (body.HasVolume() && !AnalyzeVolume(body, options, row, moments))
@@ -262,6 +278,37 @@ void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& an
     analysis.Messages.push_back((pairs == MostPairs ? "at least " : "") + std::to_string(pairs) +
       " pairs of solids (" + named + (pairs > NamedPairs ? "; ..." : "") +
       ") have the same volume and centre of mass: they overlap, and all are counted");
+  }
+}
+
+/// Takes the values from the rows of bodies of which all faces are left out, and from the total what no other body has.
+void RemoveLeftOut(
+  const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis)
+{
+  bool isComplete = true;
+  bool hasVolume = false;
+  MassRow total;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    if (IsLeftOut(bodies[b]))
+    {
+      isComplete = false;
+      analysis.Rows[b] = MassRow();
+      SetMass(analysis.Rows[b], ChooseMaterial(bodies[b], options), bodies[b].Model->GetLengthUnit());
+    }
+    else
+    {
+      hasVolume = hasVolume || std::isfinite(analysis.Rows[b].Properties.Volume);
+      total.Area = analysis.Total.Area;
+      total.AreaBound = analysis.Total.AreaBound;
+      total.GapSquared = analysis.Total.GapSquared;
+      total.GapArea = analysis.Total.GapArea;
+      total.MaxGap = analysis.Total.MaxGap;
+    }
+  }
+  if (!isComplete && !hasVolume)
+  {
+    analysis.Total = total;
   }
 }
 
@@ -365,6 +412,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
     analysis.FlippedShells += body.FlippedShells;
   }
   AnalyzeTotal(bodies, parts, options, analysis);
+  RemoveLeftOut(bodies, options, analysis);
   NoteUnusedRules(bodies, options, analysis);
   NoteCoincidences(bodies, analysis);
   // Bounds add up but scales need not, for example for parts on opposite sides of the origin.

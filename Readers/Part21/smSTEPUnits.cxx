@@ -142,6 +142,16 @@ bool HasWrongContextRecords(const STEPAttributes& entities, Part21File::Index co
       !entities.FindRecord(context, known[1], record));
 }
 
+/// Returns true for a unit of any kind whose records can be read.
+bool IsSomeUnit(const STEPAttributes& entities, Part21File::Index unit)
+{
+  std::string_view record;
+  const auto has = [&](std::string_view name) { return entities.FindRecord(unit, name, record); };
+  return has("LENGTH_UNIT") || has("PLANE_ANGLE_UNIT") ||
+    (!entities.File.IsDamaged(unit) &&
+      (has("NAMED_UNIT") || has("SI_UNIT") || has("DERIVED_UNIT") || has("CONTEXT_DEPENDENT_UNIT")));
+}
+
 bool IsSame(double a, double b, double accuracy)
 {
   return std::fabs(a - b) <= accuracy * std::fabs(b);
@@ -250,14 +260,16 @@ void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
     return;
   }
   Part21Values units(this->Entities.Get(context, UnitsOfContext).Text);
-  // The last one that is damaged, undefined or no unit: it may have been that of lengths.
+  // A member of which damage has left no kind of unit: it may have been that of lengths or angles.
   std::uint64_t unknown = 0;
+  bool isUnknown = false;
   for (Part21Value value; units.Next(value);)
   {
     const Index unit = this->Entities.Follow(value);
     std::string_view record;
-    if (unit == None || this->File.IsDamaged(unit) || !this->Entities.FindRecord(unit, "NAMED_UNIT", record))
+    if (unit == None || !IsSomeUnit(this->Entities, unit))
     {
+      isUnknown = true;
       unknown = unit == None ? result.Id : this->File.GetId(unit);
       continue;
     }
@@ -279,12 +291,12 @@ void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
       }
     }
   }
-  for (CensusUnit* known : { &result.Length, &result.Angle })
+  for (CensusUnit* kind : { &result.Length, &result.Angle })
   {
-    if (unknown != 0 && known->Status == CensusUnit::State::Missing)
+    if (isUnknown && kind->Status == CensusUnit::State::Missing)
     {
-      known->Status = CensusUnit::State::Wrong;
-      known->Id = unknown;
+      kind->Status = CensusUnit::State::Wrong;
+      kind->Id = unknown;
     }
   }
 }

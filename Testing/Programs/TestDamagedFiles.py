@@ -98,8 +98,9 @@ def check_solids():
     # OpenCASCADE ignores a unit with a parameter too many: metres for millimetres.
     damage(box, "unit_with_another_star", [(r"(LENGTH_UNIT\(\) NAMED_UNIT\(\*)\)", r"\1,*)")], FLAGGED, ["wrong unit", "#346"])
     damage("box-inch.step", "inch_with_another_factor", [(r"(CONVERSION_BASED_UNIT\('INCH',)(#\d+)", r"\1\2,\2")], FLAGGED, ["wrong unit"])
-    # The context's unit of lengths cannot be read: no unit is not the same.
-    damage("box-inch.step", "inch_that_is_damaged", [(r"\( (CONVERSION_BASED_UNIT\('INCH')", r"(8\1")], FLAGGED, ["wrong unit", "#346"])
+    # Not a unit any more, or another entity: millimetres were assumed for inches.
+    damage("box-inch.step", "inch_with_a_digit_before_it", [(r"\( CONVERSION_BASED_UNIT", "(8CONVERSION_BASED_UNIT")], FLAGGED, ["wrong unit", "#346"])
+    damage("box-inch.step", "a_face_for_the_inch", [(r"(GLOBAL_UNIT_ASSIGNED_CONTEXT\s*\(\()#\d+", r"\1#17")], FLAGGED, ["wrong unit", "#17"])
     # A length in steradians beside one in millimetres: OpenCASCADE takes metres.
     damage(box, "two_units_of_length", [(r"SOLID_ANGLE_UNIT\(\)", "LENGTH_UNIT()")], FLAGGED, ["wrong unit"])
     # No finite box is left; the process aborted in its analysis.
@@ -146,6 +147,16 @@ def check_hostile():
     check_equal("the files of the folder", sorted(HOSTILE), names)
     for name, path in zip(names, paths):
         expect(name, path, *HOSTILE[name])
+    # Bodies that lost every face have no values, and what they are a part of has no bound.
+    for name, volume in (("05a_crash_empty_body_then_body", 486.2935001), ("05b_crash", None)):
+        _, entry = run(os.path.join(options.hostile, name + ".step"))
+        lost = [s for s in entry["solids"] if s["status"] == "suspect"]
+        check_true(name + ": lost bodies have no values", lost and all(s["volume"] is s["area"] is s["max_gap"] is None for s in lost))
+        check_equal(name + ": bound of the total", None, entry["total"]["bounds"]["volume"])
+        if volume is None:
+            check_equal(name + ": volume of the total", None, entry["total"]["volume"])
+        else:
+            check(name + ": volume of the total", volume, entry["total"]["volume"], 1e-7)
 
 
 if options.hostile:

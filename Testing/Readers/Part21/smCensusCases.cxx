@@ -437,6 +437,10 @@ std::vector<CensusCase> GetUnitCases()
         "#2=(CONVERSION_BASED_UNIT('INCH',#80)LENGTH_UNIT()NAMED_UNIT($));\n#80=LENGTH_MEASURE_WITH_UNIT("
         "LENGTH_MEASURE(25.4),#81);\n#81=(LENGTH_UNIT()PRODUCT(*)SI_UNIT(.MILLI.,.METRE.));"),
       OneBall, "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "a unit with a digit before it", ChangeBall("#2=(LENGTH_UNIT", "#2=(8LENGTH_UNIT"), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
+    { "a solid for a unit", ChangeBall("((#2,#3,#4))", "((#31,#3,#4))"), OneBall,
+      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #31)" },
     { "no length unit", ChangeBall("((#2,#3,#4))", "((#3,#4))"), OneBall,
       "missing unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit)" },
     { "no angle unit", ChangeBall("((#2,#3,#4))", "((#2,#4))"), OneBall,
@@ -454,8 +458,6 @@ std::vector<CensusCase> GetUnitCases()
     { "an undefined unit", ChangeBall("((#2,#3,#4))", "((#99,#3,#4))"), OneBall,
       "damaged entity: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT context); wrong unit: 1 (#6 "
       "GEOMETRIC_REPRESENTATION_CONTEXT length unit #6)" },
-    { "a unit damaged before its first record", ChangeBall("#2=(LENGTH", "#2=(8LENGTH"), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
     { "a prefix that is none", ChangeBall(".MILLI.", ".MILLY."), OneBall,
       "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
     { "petametres", ChangeBall(".MILLI.", ".PETA."), OneBall,
