@@ -265,6 +265,19 @@ void CheckReadings(const std::string& path, const std::string& other)
   CheckEqual("readings of another file", 4, scene.Reader->Readings);
   CheckTrue("other numbers", Collect(scene.Mass).Numbers != alone.Numbers);
 
+  // Filters that have ended are not asked.
+  Scene after(path);
+  after.Mass->Update();
+  for (int i = 0; i < 20; ++i)
+  {
+    vtkNew<vtkMassPropertiesGPU> ended;
+    ended->SetInputConnection(after.Reader->GetOutputPort());
+    ended->UpdateInformation();
+  }
+  after.Mass->Modified();
+  after.Mass->Update();
+  CheckEqual("points after filters that have ended", 0, after.GetReaderPoints());
+
   Scene released(path);
   released.Reader->ReleaseDataFlagOn();
   released.Mass->Update();
