@@ -219,6 +219,15 @@ void CheckPorts(const std::string& path)
   CheckEqual("points for both", 0, chain.GetReaderPoints());
   CheckEqual("points for a view behind both", points, chain.Show(again->GetOutputPort(5)));
   CheckEqual("readings for the chain", 1, chain.Reader->Readings);
+
+  // A filter of VTK between a reader and one of ours has points to work with.
+  Scene mixed(path);
+  mixed.View->SetInputConnection(mixed.Reader->GetOutputPort());
+  vtkNew<vtkMassPropertiesGPU> behind;
+  const MessageTrap trap(behind);
+  behind->SetInputConnection(mixed.View->GetOutputPort());
+  behind->Update();
+  CheckEqual("points of a filter of VTK between", points, CountPoints(mixed.View->GetOutputDataObject(0)));
 }
 
 /// What asks for the reader itself gets points; what changes other settings reads again.
