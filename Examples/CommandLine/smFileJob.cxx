@@ -108,7 +108,7 @@ bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobList
 {
   sm::SetUpReader(reader, GetSource(options), options);
   const bool isShown = !options.MeshName.empty() || !options.PictureName.empty();
-  reader->SetDisplayMesh(isShown ? vtkCADReader::ALWAYS : vtkCADReader::NEVER);
+  reader->SetDisplayMesh(isShown ? vtkCADReader::MESH_ALWAYS : vtkCADReader::MESH_NEVER);
   {
     ProgressScope progress(reader, sm::stages::Read, send);
     reader->Update();

@@ -3,7 +3,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
-#include "vtkInformationExecutivePortVectorKey.h"
+#include "vtkInformationExecutivePortKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNURBSDataSet.h"
 
@@ -11,57 +11,29 @@ namespace sm
 {
 namespace
 {
-bool IsNeededBy(vtkAlgorithm* consumer, int inputPort);
-
-/// `without`: the answer where nothing is connected.
-bool IsNeeded(vtkInformation* output, bool without)
+/// Marks the output that is connected to this input. ParaView has a filter behind every output, which only converts arrays on demand and passes
+/// questions on: the output before it is meant.
+void LeaveExactMark(vtkInformation* input)
 {
-  vtkInformationExecutivePortVectorKey* key = vtkExecutive::CONSUMERS();
-  const int count = output && output->Has(key) ? key->Length(output) : 0;
-  bool isPassedOn = false;
-  for (int i = 0; i < count; ++i)
+  while (input)
   {
-    vtkExecutive* executive = key->GetExecutives(output)[i];
-    vtkAlgorithm* consumer = executive ? executive->GetAlgorithm() : nullptr;
-    if (!consumer)
+    vtkExecutive* producer = nullptr;
+    int port = 0;
+    vtkExecutive::PRODUCER()->Get(input, producer, port);
+    vtkAlgorithm* algorithm = producer ? producer->GetAlgorithm() : nullptr;
+    if (!algorithm || !algorithm->IsA("vtkPVPostFilter"))
     {
-      continue;
+      break;
     }
-    // ParaView has one behind every output; all that it does is to convert arrays on demand.
-    const bool isPassing = consumer->IsA("vtkPVPostFilter");
-    if (isPassing ? IsNeeded(executive->GetOutputInformation(0), without)
-                  : IsNeededBy(consumer, key->GetPorts(output)[i]))
-    {
-      return true;
-    }
-    isPassedOn = true;
+    vtkInformationVector* before =
+      algorithm->GetNumberOfInputPorts() > 0 ? producer->GetInputInformation()[0] : nullptr;
+    input = before ? before->GetInformationObject(0) : nullptr;
   }
-  return !isPassedOn && without;
-}
-
-bool IsNeededBy(vtkAlgorithm* consumer, int inputPort)
-{
-  vtkInformation* input = consumer->GetInputPortInformation(inputPort);
-  if (!input || !input->Has(vtkNURBSDataSet::EXACT_INPUT()))
+  if (input)
   {
-    return true;
+    input->Set(vtkNURBSDataSet::EXACT_MARK(), 1);
   }
-  for (int port = 0; port < consumer->GetNumberOfOutputPorts(); ++port)
-  {
-    if (consumer->GetOutputPortInformation(port)->Has(vtkNURBSDataSet::MESH_OUTPUT()) &&
-      (consumer->GetInformation()->Has(vtkNURBSDataSet::MESH_REQUESTED()) ||
-        IsNeeded(consumer->GetExecutive()->GetOutputInformation(port), false)))
-    {
-      return true;
-    }
-  }
-  return false;
 }
-}
-
-void DeclareExactInput(vtkInformation* inputPortInformation)
-{
-  inputPortInformation->Set(vtkNURBSDataSet::EXACT_INPUT(), 1);
 }
 
 void DeclareMeshOutput(vtkInformation* outputPortInformation)
@@ -78,8 +50,32 @@ void RequestMeshOutput(vtkAlgorithm* filter, int port)
   }
 }
 
-bool IsMeshNeeded(vtkInformation* outputInformation)
+bool TakeExactMark(vtkInformation* outputInformation)
 {
-  return IsNeeded(outputInformation, true);
+  const bool isMarked = outputInformation && outputInformation->Has(vtkNURBSDataSet::EXACT_MARK());
+  if (isMarked)
+  {
+    outputInformation->Remove(vtkNURBSDataSet::EXACT_MARK());
+  }
+  return isMarked;
+}
+
+void PassMeshDemand(
+  vtkAlgorithm* filter, vtkInformationVector** inputs, vtkInformationVector* outputs, int port)
+{
+  const bool isMarked = port >= 0 && TakeExactMark(outputs->GetInformationObject(port));
+  const bool isMeshOutput =
+    port >= 0 && filter->GetOutputPortInformation(port)->Has(vtkNURBSDataSet::MESH_OUTPUT());
+  if (filter->GetInformation()->Has(vtkNURBSDataSet::MESH_REQUESTED()) || (isMeshOutput && !isMarked))
+  {
+    return;
+  }
+  for (int i = 0; i < filter->GetNumberOfInputPorts(); ++i)
+  {
+    for (int j = 0; j < inputs[i]->GetNumberOfInformationObjects(); ++j)
+    {
+      LeaveExactMark(inputs[i]->GetInformationObject(j));
+    }
+  }
 }
 }

@@ -43,7 +43,7 @@ std::uint64_t HashCoordinates(vtkPoints* points)
 
 vtkStandardNewMacro(vtkNURBSDataSet);
 vtkStandardExtendedNewMacro(vtkNURBSDataSet);
-vtkInformationKeyMacro(vtkNURBSDataSet, EXACT_INPUT, Integer);
+vtkInformationKeyMacro(vtkNURBSDataSet, EXACT_MARK, Integer);
 vtkInformationKeyMacro(vtkNURBSDataSet, MESH_OUTPUT, Integer);
 vtkInformationKeyMacro(vtkNURBSDataSet, MESH_REQUESTED, Integer);
 

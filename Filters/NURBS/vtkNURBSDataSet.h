@@ -73,9 +73,9 @@ public:
   vtkMTimeType GetMTime() override;
 
   ///@{
-  /** Keys of filters that do without the display mesh of their input, see smMeshDemand.h: in the information of an input port; of an output port;
+  /** Keys of filters that do without the display mesh of their input, see smMeshDemand.h: in the information of an output; of an output port;
    * of a filter. */
-  static vtkInformationIntegerKey* EXACT_INPUT();
+  static vtkInformationIntegerKey* EXACT_MARK();
   static vtkInformationIntegerKey* MESH_OUTPUT();
   static vtkInformationIntegerKey* MESH_REQUESTED();
   ///@}

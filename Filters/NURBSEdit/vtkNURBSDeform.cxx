@@ -327,12 +327,18 @@ vtkMTimeType vtkNURBSDeform::GetMTime()
   return std::max(this->Superclass::GetMTime(), this->PointEvaluator->GetMTime());
 }
 
+int vtkNURBSDeform::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, int port, vtkMTimeType* time)
+{
+  sm::PassMeshDemand(this, inputs, outputs, port);
+  return this->Superclass::ComputePipelineMTime(request, inputs, outputs, port, time);
+}
+
 int vtkNURBSDeform::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  sm::DeclareExactInput(info);
   return 1;
 }
 

@@ -64,12 +64,18 @@ void vtkSurfaceIntegralBase::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Controller: " << this->GetController() << "\n";
 }
 
+int vtkSurfaceIntegralBase::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, int port, vtkMTimeType* time)
+{
+  sm::PassMeshDemand(this, inputs, outputs, port);
+  return this->Superclass::ComputePipelineMTime(request, inputs, outputs, port, time);
+}
+
 int vtkSurfaceIntegralBase::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  sm::DeclareExactInput(info);
   return 1;
 }
 

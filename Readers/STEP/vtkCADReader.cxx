@@ -187,7 +187,7 @@ int vtkCADReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
     this->Kept.reset();
   }
   this->SettledTime = this->GetMTime();
-  this->HasMesh = this->IsMeshWanted(info);
+  this->HasMesh = this->IsMeshWanted();
   this->IsMeshDue = false;
   this->MeshIsCoarse = false;
   *this->Last = Results();

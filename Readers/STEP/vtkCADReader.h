@@ -45,7 +45,7 @@
  * triangles from the surface, across it (vtkNURBSDataSet). A body whose faces are not complete has GetNumberOfMissingFaces() or
  * GetNumberOfDefects() above 0 in its model.
  *
- * The mesh is made by need (SetDisplayMesh): while only filters that work with the exact geometry are connected, the leaves have no points and
+ * The mesh is made by need (SetDisplayMesh): while only filters that work with the exact geometry ask for it, the leaves have no points and
  * triangles. A view or another filter that is connected later, here or to a mesh of such a filter, gets it at its next update, without reading
  * the file again. Update() of the reader itself gives it, too. The scale mesh of each model (vtkTrimmedNURBSModel::GetScaleMesh) is always
  * made: the scales of all tolerances are its, and filters judge by it whether shells cross themselves and enclose each other, so that their
@@ -102,22 +102,22 @@ public:
   /** When leaves have points and triangles. */
   enum DisplayMeshType
   {
-    BY_NEED = 0,
-    ALWAYS = 1,
-    NEVER = 2
+    MESH_BY_NEED = 0,
+    MESH_ALWAYS = 1,
+    MESH_NEVER = 2
   };
 
   ///@{
   /**
-   * When the display mesh is made. BY_NEED: when something connected needs it, or after Update() of the reader (see above). ALWAYS, NEVER:
+   * When the display mesh is made. MESH_BY_NEED: when something connected needs it, or after Update() of the reader (see above). MESH_ALWAYS, MESH_NEVER:
    * whatever is connected; without a mesh a view shows nothing. A change of this and of the four settings below does not read the file
-   * again. Range [BY_NEED, NEVER], clamped. Default: BY_NEED; ALWAYS in ParaView, which asks for bounds and arrays before it shows.
+   * again. Range [MESH_BY_NEED, MESH_NEVER], clamped. Default: MESH_BY_NEED; MESH_ALWAYS in ParaView, which asks for bounds and arrays before it shows.
    */
   void SetDisplayMesh(int when);
   vtkGetMacro(DisplayMesh, int);
-  void SetDisplayMeshToByNeed() { this->SetDisplayMesh(BY_NEED); }
-  void SetDisplayMeshToAlways() { this->SetDisplayMesh(ALWAYS); }
-  void SetDisplayMeshToNever() { this->SetDisplayMesh(NEVER); }
+  void SetDisplayMeshToByNeed() { this->SetDisplayMesh(MESH_BY_NEED); }
+  void SetDisplayMeshToAlways() { this->SetDisplayMesh(MESH_ALWAYS); }
+  void SetDisplayMeshToNever() { this->SetDisplayMesh(MESH_NEVER); }
   ///@}
 
   ///@{
@@ -297,7 +297,7 @@ private:
   void ModifyMesh();
   /// Whether what is kept is what the settings ask for, and unchanged.
   bool IsReadingCurrent();
-  bool IsMeshWanted(vtkInformation* outputInformation) const;
+  bool IsMeshWanted() const;
   /// Makes the output of what is kept; false when the application asked to stop.
   bool FillOutput(vtkPartitionedDataSetCollection* output);
   /// Read() that lets no exception out: one is an error, and the output is empty.
@@ -329,7 +329,7 @@ private:
   char* FileName = nullptr;
   std::string Content;
   bool IsContentGiven = false;
-  int DisplayMesh = BY_NEED;
+  int DisplayMesh = MESH_BY_NEED;
   vtkIdType CoarseAbove = 0;
   bool Refined = false;
   double LinearDeflection = 0.001;
@@ -350,7 +350,7 @@ private:
   std::unique_ptr<Reading> Kept;
   /// MTime of the settings of which Kept is the reading.
   vtkMTimeType SettledTime = 0;
-  /// The output has a display mesh; one was asked for by Update(); it is due, since MeshTime.
+  /// The output has a display mesh; one was asked for, by something connected or Update(); it is due, since MeshTime.
   bool HasMesh = false;
   bool IsMeshRequested = false;
   bool IsMeshDue = false;

@@ -25,17 +25,20 @@ vtkTypeBool vtkCADReader::Update(int port, vtkInformationVector* requests)
   return this->Superclass::Update(port, requests);
 }
 
-bool vtkCADReader::IsMeshWanted(vtkInformation* outputInformation) const
+bool vtkCADReader::IsMeshWanted() const
 {
-  return this->DisplayMesh == ALWAYS ||
-    (this->DisplayMesh == BY_NEED && (this->IsMeshRequested || sm::IsMeshNeeded(outputInformation)));
+  return this->DisplayMesh == MESH_ALWAYS || (this->DisplayMesh == MESH_BY_NEED && this->IsMeshRequested);
 }
 
 int vtkCADReader::ComputePipelineMTime(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector, int, vtkMTimeType* time)
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector, int port, vtkMTimeType* time)
 {
-  if (this->Status == OK && !this->HasMesh && !this->IsMeshDue &&
-    this->IsMeshWanted(outputVector->GetInformationObject(0)))
+  // A reader that is updated itself was asked by Update().
+  if (!sm::TakeExactMark(port >= 0 ? outputVector->GetInformationObject(port) : nullptr) && port >= 0)
+  {
+    this->IsMeshRequested = true;
+  }
+  if (this->Status == OK && !this->HasMesh && !this->IsMeshDue && this->IsMeshWanted())
   {
     this->IsMeshDue = true;
     this->MeshTime.Modified();
@@ -56,7 +59,7 @@ void vtkCADReader::ModifyMesh()
 
 void vtkCADReader::SetDisplayMesh(int when)
 {
-  const int value = std::clamp<int>(when, BY_NEED, NEVER);
+  const int value = std::clamp<int>(when, MESH_BY_NEED, MESH_NEVER);
   if (value != this->DisplayMesh)
   {
     this->DisplayMesh = value;

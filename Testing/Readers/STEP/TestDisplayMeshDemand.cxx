@@ -219,6 +219,15 @@ void CheckPorts(const std::string& path)
   CheckEqual("points for both", 0, chain.GetReaderPoints());
   CheckEqual("points for a view behind both", points, chain.Show(again->GetOutputPort(5)));
   CheckEqual("readings for the chain", 1, chain.Reader->Readings);
+
+  // A filter of VTK between a reader and one of ours has points to work with.
+  Scene mixed(path);
+  mixed.View->SetInputConnection(mixed.Reader->GetOutputPort());
+  vtkNew<vtkMassPropertiesGPU> behind;
+  const MessageTrap trap(behind);
+  behind->SetInputConnection(mixed.View->GetOutputPort());
+  behind->Update();
+  CheckEqual("points of a filter of VTK between", points, CountPoints(mixed.View->GetOutputDataObject(0)));
 }
 
 /// What asks for the reader itself gets points; what changes other settings reads again.
@@ -264,6 +273,19 @@ void CheckReadings(const std::string& path, const std::string& other)
   scene.Mass->Update();
   CheckEqual("readings of another file", 4, scene.Reader->Readings);
   CheckTrue("other numbers", Collect(scene.Mass).Numbers != alone.Numbers);
+
+  // Filters that have ended are not asked.
+  Scene after(path);
+  after.Mass->Update();
+  for (int i = 0; i < 20; ++i)
+  {
+    vtkNew<vtkMassPropertiesGPU> ended;
+    ended->SetInputConnection(after.Reader->GetOutputPort());
+    ended->UpdateInformation();
+  }
+  after.Mass->Modified();
+  after.Mass->Update();
+  CheckEqual("points after filters that have ended", 0, after.GetReaderPoints());
 
   Scene released(path);
   released.Reader->ReleaseDataFlagOn();
