@@ -111,7 +111,7 @@ public:
   /**
    * When the display mesh is made. MESH_BY_NEED: when something connected needs it, or after Update() of the reader (see above). MESH_ALWAYS, MESH_NEVER:
    * whatever is connected; without a mesh a view shows nothing. A change of this and of the four settings below does not read the file
-   * again. Range [MESH_BY_NEED, MESH_NEVER], clamped. Default: MESH_BY_NEED; MESH_ALWAYS in ParaView, which asks for bounds and arrays before it shows.
+   * again. Range [MESH_BY_NEED, MESH_NEVER], clamped. Default: MESH_BY_NEED; MESH_ALWAYS in ParaView, which asks for every output before it shows.
    */
   void SetDisplayMesh(int when);
   vtkGetMacro(DisplayMesh, int);

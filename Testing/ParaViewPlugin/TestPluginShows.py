@@ -207,19 +207,20 @@ if os.path.exists(pages):
         check_true(f"a page for {name}", name + ".html" in names, str(sorted(names)))
     with open(plugin, "rb") as file:
         check_true("the plugin brings them", file.read().count(b"SolidMoments_qch") > 0)
-# --- a display mesh by need, and a coarse one of an assembly
+# --- a display mesh that is switched on, and a coarse one of an assembly
 for port in (None, 5):
     lazy = simple.OpenDataFile(paint_red(manifest.solid("box")["path"]))
-    lazy.DisplayMesh = "By need"
+    lazy.DisplayMesh = "Never"
     weighed = MassProperties(Input=lazy)  # noqa: F821
     weighed.UpdatePipeline()
     check_equal("no cells without a view", 0, lazy.GetDataInformation().GetNumberOfCells())
     simple.HideAll(view)
+    lazy.DisplayMesh = "Always"
     shown = simple.Show(lazy if port is None else servermanager.OutputPort(weighed, port), view)
     simple.ResetCamera(view)
     simple.Render(view)
     simple.ColorBy(shown, ("CELLS", "Color"))
-    check_true("red pixels by need", count_red() > 5000, str(count_red()))
+    check_true("red pixels with a mesh", count_red() > 5000, str(count_red()))
     lazy.SMProxy.GetOutputPort(0).InvalidateDataInformation()
     check_true("cells with a view", lazy.GetDataInformation().GetNumberOfCells() > 0)
     simple.Delete(weighed)
