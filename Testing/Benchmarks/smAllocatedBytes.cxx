@@ -15,8 +15,8 @@ long long smtest::GetAllocatedBytes()
   return Bytes;
 }
 
-// They replace those of the standard library, in the program and in all its libraries.
-void* operator new(std::size_t size)
+// They replace those of the standard library, in the program and in all its libraries. Where only one of a pair is inlined, GCC sees a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size)
 {
   Bytes += static_cast<long long>(size);
   if (void* memory = std::malloc(size > 0 ? size : 1))
@@ -25,11 +25,11 @@ void* operator new(std::size_t size)
   }
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept
+[[gnu::noinline]] void operator delete(void* memory) noexcept
 {
   std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
 {
   std::free(memory);
 }
