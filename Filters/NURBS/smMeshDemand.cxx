@@ -4,6 +4,7 @@
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationExecutivePortKey.h"
+#include "vtkInformationExecutivePortVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNURBSDataSet.h"
 
@@ -33,6 +34,22 @@ void LeaveExactMark(vtkInformation* input)
   {
     input->Set(vtkNURBSDataSet::EXACT_MARK(), 1);
   }
+}
+
+/// Something is connected to a port that holds the mesh, other than the one that is asked: mappers that draw one port call Update() of
+/// their filter, which asks for port 0. A consumer that has ended without being disconnected still counts, which costs a mesh.
+bool IsOtherMeshOutputConnected(vtkAlgorithm* filter, vtkInformationVector* outputs, int port)
+{
+  for (int i = 0; i < filter->GetNumberOfOutputPorts(); ++i)
+  {
+    vtkInformation* output = outputs->GetInformationObject(i);
+    if (i != port && output && filter->GetOutputPortInformation(i)->Has(vtkNURBSDataSet::MESH_OUTPUT()) &&
+      vtkExecutive::CONSUMERS()->Length(output) > 0)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 }
 
@@ -66,7 +83,8 @@ void PassMeshDemand(
   const bool isMarked = port >= 0 && TakeExactMark(outputs->GetInformationObject(port));
   const bool isMeshOutput =
     port >= 0 && filter->GetOutputPortInformation(port)->Has(vtkNURBSDataSet::MESH_OUTPUT());
-  if (filter->GetInformation()->Has(vtkNURBSDataSet::MESH_REQUESTED()) || (isMeshOutput && !isMarked))
+  if (filter->GetInformation()->Has(vtkNURBSDataSet::MESH_REQUESTED()) || (isMeshOutput && !isMarked) ||
+    IsOtherMeshOutputConnected(filter, outputs, port))
   {
     return;
   }

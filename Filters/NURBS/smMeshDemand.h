@@ -30,7 +30,7 @@ SMFILTERSNURBS_EXPORT void DeclareMeshOutput(vtkInformation* outputPortInformati
 SMFILTERSNURBS_EXPORT void RequestMeshOutput(vtkAlgorithm* filter, int port);
 
 /// For ComputePipelineMTime() of a filter that works with the exact geometry of its inputs: leaves marks at their producers unless the question
-/// comes from something that needs the mesh in a DeclareMeshOutput(), or that was requested.
+/// comes from something that needs the mesh in a DeclareMeshOutput(), another such output is connected, or one was requested.
 SMFILTERSNURBS_EXPORT void PassMeshDemand(
   vtkAlgorithm* filter, vtkInformationVector** inputs, vtkInformationVector* outputs, int port);
 

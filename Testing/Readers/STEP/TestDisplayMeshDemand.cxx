@@ -207,6 +207,12 @@ void CheckPorts(const std::string& path)
   CheckEqual("points for a table", 0, table.GetReaderPoints());
   table.Mass->Update(5);
   CheckEqual("points for Update(5)", points, CountPoints(table.Mass->GetOutputDataObject(5)));
+  // Mappers call Update() of the filter whose port 5 they draw.
+  Scene drawn(path);
+  drawn.View->SetInputConnection(drawn.Mass->GetOutputPort(5));
+  drawn.Mass->Update();
+  CheckEqual(
+    "points for Update() with a view behind port 5", points, CountPoints(drawn.Mass->GetOutputDataObject(5)));
   CheckEqual("readings for both", 1, table.Reader->Readings);
 
   // A second mass filter behind the first.
