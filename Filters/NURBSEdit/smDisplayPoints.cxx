@@ -78,6 +78,15 @@ bool SetEditedModel(vtkNURBSDataSet* leaf, vtkTrimmedNURBSModel* edited, const P
   vtkNURBSPointEvaluator* evaluator, std::string& error)
 {
   vtkDataArray* parameters = leaf->GetPointData()->GetArray(vtkNURBSDataSet::ParametersArrayName());
+  // Checks of shells go by the scale mesh, whatever is shown.
+  const vtkSmartPointer<vtkTrimmedNURBSModel> before = leaf->GetModel();
+  const bool hasScaleMesh =
+    before && before->GetScaleMesh() && before->GetScaleMesh()->GetNumberOfPoints() > 0;
+  if (hasScaleMesh && !edited->GetScaleMesh() && !MoveScaleMesh(before, edited, evaluator))
+  {
+    error = evaluator->GetMessage();
+    return false;
+  }
   const bool known = leaf->GetPointData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName()) && parameters &&
     parameters->GetNumberOfComponents() == 2;
   if (known && leaf->GetPoints())
@@ -89,15 +98,6 @@ bool SetEditedModel(vtkNURBSDataSet* leaf, vtkTrimmedNURBSModel* edited, const P
   if (leaf->GetPoints())
   {
     MapPoints(leaf, edited->GetOrigin(), map);
-  }
-  vtkTrimmedNURBSModel* before = leaf->GetModel();
-  const bool hasScaleMesh =
-    before && before->GetScaleMesh() && before->GetScaleMesh()->GetNumberOfPoints() > 0;
-  if (hasScaleMesh && !leaf->GetPoints() && !edited->GetScaleMesh() &&
-    !MoveScaleMesh(before, edited, evaluator))
-  {
-    error = evaluator->GetMessage();
-    return false;
   }
   leaf->SetModel(edited);
   return true;

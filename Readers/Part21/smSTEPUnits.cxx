@@ -145,11 +145,18 @@ bool HasWrongContextRecords(const STEPAttributes& entities, Part21File::Index co
 /// Returns true for a unit of any kind whose records can be read.
 bool IsSomeUnit(const STEPAttributes& entities, Part21File::Index unit)
 {
-  std::string_view record;
-  const auto has = [&](std::string_view name) { return entities.FindRecord(unit, name, record); };
-  return has("LENGTH_UNIT") || has("PLANE_ANGLE_UNIT") ||
-    (!entities.File.IsDamaged(unit) &&
-      (has("NAMED_UNIT") || has("SI_UNIT") || has("DERIVED_UNIT") || has("CONTEXT_DEPENDENT_UNIT")));
+  const Part21File& file = entities.File;
+  std::string_view parameters;
+  bool isSome = entities.FindRecord(unit, "LENGTH_UNIT", parameters) ||
+    entities.FindRecord(unit, "PLANE_ANGLE_UNIT", parameters);
+  for (std::size_t r = 0; !file.IsDamaged(unit) && r < file.GetNumberOfRecords(unit); ++r)
+  {
+    // All types of units are called so, derived ones such as AREA_UNIT, too.
+    const std::string_view type = file.GetTypeNames()[file.GetType(unit, r)];
+    constexpr std::string_view ending = "_UNIT";
+    isSome = isSome || (type.size() > ending.size() && type.substr(type.size() - ending.size()) == ending);
+  }
+  return isSome;
 }
 
 bool IsSame(double a, double b, double accuracy)

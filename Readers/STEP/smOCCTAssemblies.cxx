@@ -116,11 +116,27 @@ void ShortenItems(const Interface_InterfaceModel& model)
   ItemSets items;
   std::unordered_map<const StepRepr_Representation*, ItemSet> targets;
   std::vector<Handle(StepRepr_Representation)> assemblies;
+  // Placements that the transfer has to find: all origins, and both of a relationship that is not in order.
+  ItemSet sought;
   for (int i = 1; i <= model.NbEntities(); ++i)
   {
     const auto relationship = Handle(Relationship)::DownCast(model.Value(i));
-    if (relationship.IsNull() || relationship->Rep1().IsNull() ||
-      CountItems(relationship->Rep2()) <= ShortList)
+    if (relationship.IsNull())
+    {
+      continue;
+    }
+    const Handle(StepRepr_ItemDefinedTransformation) transformation =
+      relationship->TransformationOperator().ItemDefinedTransformation();
+    const Handle(StepGeom_Axis2Placement3d) target = FindTarget(relationship, items);
+    if (!transformation.IsNull())
+    {
+      sought.insert(transformation->TransformItem1().get());
+      if (target.IsNull())
+      {
+        sought.insert(transformation->TransformItem2().get());
+      }
+    }
+    if (relationship->Rep1().IsNull() || CountItems(relationship->Rep2()) <= ShortList)
     {
       continue;
     }
@@ -129,7 +145,6 @@ void ShortenItems(const Interface_InterfaceModel& model)
     {
       assemblies.push_back(relationship->Rep2());
     }
-    const Handle(StepGeom_Axis2Placement3d) target = FindTarget(relationship, items);
     if (!target.IsNull())
     {
       own->second.insert(target.get());
@@ -141,7 +156,8 @@ void ShortenItems(const Interface_InterfaceModel& model)
     std::vector<Handle(StepRepr_RepresentationItem)> kept;
     for (int i = 1; i <= assembly->NbItems(); ++i)
     {
-      if (own.count(assembly->ItemsValue(i).get()) == 0)
+      const StepRepr_RepresentationItem* item = assembly->ItemsValue(i).get();
+      if (own.count(item) == 0 || sought.count(item) > 0)
       {
         kept.push_back(assembly->ItemsValue(i));
       }

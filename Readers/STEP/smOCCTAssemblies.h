@@ -17,7 +17,7 @@ namespace sm
  *   the transfer looks for the definition of the shape and for relationships without a placement; of the others it takes the last,
  *   where it finds no shape. Of those all but the last are taken out.
  * - The items of the assembly's representation, among which the transfer looks for the placement, so as to tell an origin from a target that
- *   are interchanged. Placements that are not interchanged are taken out.
+ *   are interchanged. Placements that are not interchanged in any relationship, and no origin of one, are taken out.
  */
 void ShortenAssemblies(const Handle(XSControl_WorkSession) & session);
 }

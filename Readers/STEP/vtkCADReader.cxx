@@ -235,8 +235,16 @@ int vtkCADReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
 bool vtkCADReader::IsReadingCurrent()
 {
   // A model that the application has edited in place is read again, as the file has it.
-  return this->Kept && this->GetMTime() <= this->SettledTime &&
-    this->Kept->FindModelTime() == this->Kept->ModelTime;
+  if (!this->Kept || this->GetMTime() > this->SettledTime)
+  {
+    return false;
+  }
+  const bool isAsRead = this->Kept->FindModelTime() == this->Kept->ModelTime;
+  if (!isAsRead)
+  {
+    vtkWarningMacro("The file is read again: models of the output were edited in place, which is lost.");
+  }
+  return isAsRead;
 }
 
 void vtkCADReader::WriteState(vtkPartitionedDataSetCollection* output) const

@@ -243,10 +243,12 @@ public:
 #endif
 
   ///@{
-  /** Asks for the display mesh, if it is made by need, and updates the reader. */
+  /** Asks for the display mesh, if it is made by need, and updates the reader. A model of the output that was edited in place is as the file
+   * has it afterwards, where the mesh is made only now: edit a copy. */
   using vtkPartitionedDataSetCollectionAlgorithm::Update;
   void Update(int port) override;
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;
+  void UpdateWholeExtent() override;
   ///@}
 
   /** The reader is newer where a display mesh is needed that it does not have, see smMeshDemand.h. */

@@ -25,6 +25,12 @@ vtkTypeBool vtkCADReader::Update(int port, vtkInformationVector* requests)
   return this->Superclass::Update(port, requests);
 }
 
+void vtkCADReader::UpdateWholeExtent()
+{
+  this->IsMeshRequested = true;
+  this->Superclass::UpdateWholeExtent();
+}
+
 bool vtkCADReader::IsMeshWanted() const
 {
   return this->DisplayMesh == MESH_ALWAYS || (this->DisplayMesh == MESH_BY_NEED && this->IsMeshRequested);

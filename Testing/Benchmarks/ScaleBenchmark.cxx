@@ -58,10 +58,15 @@ const std::vector<Family>& GetFamilies()
   static const std::vector<Family> families = {
     { "plate", "face", smtest::MakePlate, { 900, 3600, 10000 }, { 36, 144, 576 }, CountFaces },
     { "lattice", "face", smtest::MakeLattice, { 10, 16, 23 }, { 4, 6, 9 }, CountFaces },
-    { "assembly", "instance", [](int instances) { return smtest::MakeAssembly(instances); },
+    { "assembly", "instance",
+      [](int instances) { return smtest::MakeAssembly(instances, smtest::Placing::InOrder); },
       { 900, 3600, 10000 }, { 30, 120, 480 }, CountInstances },
     // Only small ones.
-    { "swapped", "instance", [](int instances) { return smtest::MakeAssembly(instances, true); }, {},
+    { "swapped", "instance",
+      [](int instances) { return smtest::MakeAssembly(instances, smtest::Placing::Swapped); }, {},
+      { 30, 120, 480 }, CountInstances },
+    { "alternating", "instance",
+      [](int instances) { return smtest::MakeAssembly(instances, smtest::Placing::Alternating); }, {},
       { 30, 120, 480 }, CountInstances },
   };
   return families;

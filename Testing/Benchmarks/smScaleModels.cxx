@@ -422,7 +422,7 @@ ScaleModel MakeLattice(int side)
   return model;
 }
 
-ScaleModel MakeAssembly(int instances, bool isSwapped)
+ScaleModel MakeAssembly(int instances, Placing placing)
 {
   ScaleModel model;
   Writer writer(model.Text);
@@ -434,27 +434,35 @@ ScaleModel MakeAssembly(int instances, bool isSwapped)
   const Product part(writer, context, "plate");
   const int origin = writer.AddPlacement({ 0.0, 0.0, 0.0 }, Axes[2], Axes[0]);
   const int shape = part.Represent(writer, context, "ADVANCED_BREP_SHAPE_REPRESENTATION", { origin, solid });
-  std::vector<int> placements = { origin };
+  std::vector<int> items = { origin };
+  std::vector<int> placements;
   model.Volume = 0.0;
   model.Center = {};
   const int side = static_cast<int>(std::ceil(std::sqrt(instances)));
   for (int i = 0; i < instances; ++i)
   {
-    const double angle = 2.0 * Pi * Spread(i);
+    const bool isSecond = placing == Placing::Alternating && i % 2 == 1;
+    const int k = isSecond ? i - 1 : i;
+    const double angle = 2.0 * Pi * Spread(k);
     const Vector x = { std::cos(angle), std::sin(angle), 0.0 };
-    const Vector at = { 40.0 * (i % side), 40.0 * (i / side), 10.0 * Spread(2 * i) };
-    placements.push_back(writer.AddPlacement(at, Axes[2], x));
+    const Vector at = { 40.0 * (k % side), 40.0 * (k / side), 10.0 * Spread(2 * k) };
+    placements.push_back(isSecond ? placements.back() : writer.AddPlacement(at, Axes[2], x));
+    if (!isSecond)
+    {
+      items.push_back(placements.back());
+    }
     AddBody(volume,
       { at[0] + (x[0] * moments[0] - x[1] * moments[1]) / volume,
         at[1] + (x[1] * moments[0] + x[0] * moments[1]) / volume, at[2] + moments[2] / volume },
       model);
   }
   const Product assembly(writer, context, "assembly");
-  const int whole = assembly.Represent(writer, context, "SHAPE_REPRESENTATION", placements);
+  const int whole = assembly.Represent(writer, context, "SHAPE_REPRESENTATION", items);
   for (int i = 0; i < instances; ++i)
   {
+    const bool isSwapped = placing == Placing::Swapped || (placing == Placing::Alternating && i % 2 == 1);
     const int transformation = writer.Format("ITEM_DEFINED_TRANSFORMATION('','',#%d,#%d)",
-      isSwapped ? placements[i + 1] : origin, isSwapped ? origin : placements[i + 1]);
+      isSwapped ? placements[i] : origin, isSwapped ? origin : placements[i]);
     const int relation = writer.Format(
       "(REPRESENTATION_RELATIONSHIP('','',#%d,#%d)"
       "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#%d)SHAPE_REPRESENTATION_RELATIONSHIP())",

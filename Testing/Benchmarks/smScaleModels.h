@@ -30,9 +30,17 @@ ScaleModel MakePlate(int holes);
 /// struts differ in size; a face of a block has a loop round its strut. About 9 side^3 faces.
 ScaleModel MakeLattice(int side);
 
-/// `instances` copies of a plate with four holes, each with a placement of its own, in one assembly. `isSwapped`: origin and target of the
-/// placements are interchanged, an error of some CAD systems that OpenCASCADE corrects.
-ScaleModel MakeAssembly(int instances, bool isSwapped = false);
+/// Which of the two placements of an instance is its origin: the one of the part; that of the assembly, an error of some CAD systems that
+/// OpenCASCADE corrects; or by turns, two instances in one place with the same placements.
+enum class Placing
+{
+  InOrder,
+  Swapped,
+  Alternating
+};
+
+/// `instances` copies of a plate with four holes in one assembly.
+ScaleModel MakeAssembly(int instances, Placing placing);
 }
 
 #endif

@@ -151,6 +151,7 @@ int main(int argc, char* argv[])
     result["runs"].push_back(RunJob(argv[1], tolerance, reader));
   }
   result["kernel"] = reader->Kernel;
+  reader->Update();
   result["mesh"] = InspectMesh(reader->GetOutput());
   RunStages({ argv + 4, argv + argc }, reader, argv[3]);
   result["checks"] = { { "number", GetCounts().Checks }, { "failures", GetCounts().Failures } };

@@ -441,6 +441,10 @@ std::vector<CensusCase> GetUnitCases()
       "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
     { "a solid for a unit", ChangeBall("((#2,#3,#4))", "((#31,#3,#4))"), OneBall,
       "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #31)" },
+    { "an area unit in the place of the angle unit",
+      ExtendBall(
+        "((#2,#3,#4))", "((#2,#70,#4))", "#70=AREA_UNIT((#71));\n#71=DERIVED_UNIT_ELEMENT(#2,2.);\n"),
+      OneBall, "missing unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT angle unit)" },
     { "no length unit", ChangeBall("((#2,#3,#4))", "((#3,#4))"), OneBall,
       "missing unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit)" },
     { "no angle unit", ChangeBall("((#2,#3,#4))", "((#2,#4))"), OneBall,
