@@ -40,7 +40,8 @@ class Sweep:
     def __init__(self, options):
         self.options = options
         self.sources, self.baselines, self.skipped = {}, {}, []
-        paths = [os.path.join(options.solids, s + ".step") for s in SOLIDS] if options.solids else []
+        solids = [s for s in SOLIDS if s not in (options.without or [])] if options.solids else []
+        paths = [os.path.join(options.solids, s + ".step") for s in solids]
         for folder in options.models or []:
             paths += sorted(os.path.join(folder, n) for n in os.listdir(folder) if n.endswith((".step", ".stp"))
                             and os.path.getsize(os.path.join(folder, n)) <= options.max_bytes)
@@ -232,6 +233,7 @@ def read_options():
     parser.add_argument("--occt", help="occt_mass_properties, for a second value of what changed")
     parser.add_argument("--solids", help="folder of the test solids")
     parser.add_argument("--models", action="append", help="folder of real files, unpacked; may be given several times")
+    parser.add_argument("--without", nargs="*", choices=SOLIDS, help="test solids to leave out; a seed means another mutant then")
     parser.add_argument("--max-bytes", type=int, default=300000, help="largest real file (default 300000)")
     parser.add_argument("--first", type=int, default=1, help="first seed")
     parser.add_argument("--count", type=int, default=1000, help="number of mutants")
