@@ -354,6 +354,27 @@ void CheckCoarse(const std::string& path)
   CheckEqual("points below the limit", points, scene.Show());
   CheckEqual("readings", 1, scene.Reader->Readings);
 }
+
+/// Checks of shells go by the mesh of the scales after an edit, too, and not by the coarse one that is shown.
+void CheckEditOfCoarse(const std::string& path, const MakeBetween& make)
+{
+  Scene scene(path, make());
+  scene.Reader->SetCoarseAbove(1000);
+  const vtkIdType shown = scene.Show();
+  CheckTrue("coarse before the edit", scene.Reader->IsMeshCoarse());
+  vtkIdType points = 0;
+  double bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  if (vtkNURBSDataSet* leaf = GetLeaf(scene.Between, 0))
+  {
+    vtkPolyData* mesh = leaf->GetModel()->GetScaleMesh();
+    points = mesh ? mesh->GetNumberOfPoints() : 0;
+    mesh ? mesh->GetBounds(bounds) : void();
+  }
+  CheckTrue("the mesh of the scales is finer", points > shown, std::to_string(points) + " points");
+  double before[6];
+  GetLeaf(scene.Reader, 0)->GetModel()->GetScaleMesh()->GetBounds(before);
+  CheckRange("it was moved with the edit, in x", 1e-3, std::abs(bounds[1] - before[1]), 1.0);
+}
 }
 
 int TestDisplayMeshDemand(int argc, char** argv)
@@ -391,5 +412,6 @@ int TestDisplayMeshDemand(int argc, char** argv)
   CheckReadings(assembly, hollow);
   CheckIsolated(assembly);
   CheckCoarse(assembly);
+  CheckEditOfCoarse(hollow, deform);
   return Finish();
 }
