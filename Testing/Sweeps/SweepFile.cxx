@@ -151,6 +151,8 @@ int main(int argc, char* argv[])
     result["runs"].push_back(RunJob(argv[1], tolerance, reader));
   }
   result["kernel"] = reader->Kernel;
+  // The jobs have switched the display mesh off.
+  reader->SetDisplayMesh(vtkCADReader::MESH_ALWAYS);
   reader->Update();
   result["mesh"] = InspectMesh(reader->GetOutput());
   RunStages({ argv + 4, argv + argc }, reader, argv[3]);
