@@ -70,10 +70,9 @@ def compare(integrator, declared, entry):
     if value.volume_error > LARGE * abs(value.volume):
         return Unknown("edges off their surfaces")
     total = entry["total"]
-    # An area depends on the trim curves, which may be off the edge's feet by as much as the edge is off the surface.
-    for name, excuse, share in (("volume", "gap_squared", 1), ("area", "gap_area", 2)):
+    for name, excuse in (("volume", "gap_squared"), ("area", "gap_area")):
         own = getattr(value, name)
-        doubt = share * getattr(value, name + "_error") + (total["bounds"][name] or 0) + (total[excuse] or 0)
+        doubt = getattr(value, name + "_error") + (total["bounds"][name] or 0) + (total[excuse] or 0)
         if not abs(abs(total[name] or 0) - own) <= doubt:
             return f"{name} {total[name]:.12g}, integrated {own:.12g} +- {doubt:.2g}"
     return None
