@@ -12,10 +12,12 @@
  * | FaceIndex     | cell, point | 1 (int)    | index of the face in the model                      |
  * | Parameters    | point       | 2          | (u,v) of the point on that face's surface           |
  * | MeshDeviation | field       | 1          | no triangle of face i is farther from its surface, across it (see below) |
+ * | MeshAngle     | field       | 1          | radians: within no triangle of face i does the surface's normal turn more, from one of its corners on |
  *
  * MeshDeviation bounds the distance from the surface whether trimmed or not, and where the surface is nearly flat beside a triangle, its distance
  * across the surface as continued beyond the part under the triangle: sideways a triangle may reach beyond that part, as chords do beyond
- * the edges of a face. See Documentation/Numerics.md.
+ * the edges of a face. MeshAngle bounds what the normals at the corners do not show; pi says that there is no bound, as at a pole. See
+ * Documentation/Numerics.md.
  *
  * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it. GetModel() returns null if
  * the points were replaced or their coordinates changed after SetModel(), because the model no longer describes them: such a mesh is an
@@ -49,6 +51,7 @@ public:
   static const char* FaceIndexArrayName() { return "FaceIndex"; }
   static const char* ParametersArrayName() { return "Parameters"; }
   static const char* MeshDeviationArrayName() { return "MeshDeviation"; }
+  static const char* MeshAngleArrayName() { return "MeshAngle"; }
 
   /** Sets the exact geometry of the points that are there now. Set the points first. */
   void SetModel(vtkTrimmedNURBSModel* model);

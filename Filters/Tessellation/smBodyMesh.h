@@ -18,8 +18,8 @@ namespace sm
  * the ends of edges that meet in a loop. So the triangles of a closed body have no open sides.
  *
  * Each face is within its FaceMesh::Deviation of its surface, and that is at most the deflection unless the gap between face and
- * edges, or the limits on the number of points, forbid it. Edges are within the deflection of their chords. The angle is aimed at, not
- * proved.
+ * edges, or the limits on the number of points, forbid it. Edges are within the deflection of their chords. The angle is aimed at;
+ * FaceMesh::NormalTurn is a proved bound of what was reached.
  *
  * Runs on the threads of vtkSMPTools, with the same result for any number of them. `progress`, where there is one, is called on the
  * calling thread; when it answers false, faces that were not reached have no triangles.

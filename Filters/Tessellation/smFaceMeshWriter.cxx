@@ -72,6 +72,7 @@ void WriteFaceMesh(
     }
     result.Triangles.push_back(corners);
     const double deviation = face.Judge.GetDeviation(t);
+    result.NormalTurn = std::max(result.NormalTurn, face.Judge.GetNormalTurn(t, result.NormalTurn));
     // Not std::max, which loses a NaN.
     result.Deviation = deviation <= result.Deviation ? result.Deviation
       : std::isnan(deviation)                        ? HUGE_VAL

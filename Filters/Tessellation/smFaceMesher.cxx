@@ -134,8 +134,7 @@ private:
   {
     MeshVertex v;
     v.At = at;
-    Vector3 du;
-    Vector3 dv;
+    auto& [du, dv] = v.Derivatives;
     this->Walker.Evaluate(at[0], at[1], v.Position.data(), du.data(), dv.data());
     // At a pole a derivative is rounding, and so would be the normal.
     const Vector3 normal = Cross(du, dv);

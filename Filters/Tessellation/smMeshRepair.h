@@ -27,6 +27,8 @@ struct MeshVertex
   Vector3 Position{};
   /// Along Su x Sv; 0 where that vanishes.
   Vector3 Normal{};
+  /// Su and Sv.
+  std::array<Vector3, 2> Derivatives{};
   /// The point of the body, see BoundaryPoint; -1: none.
   int Shared = -1;
   /// Distance from the surface.

@@ -3,7 +3,7 @@
 #include "smPatchCurvature.h"
 #include "smPatchJump.h"
 #include "smPatchNet.h"
-#include "smVector.h"
+#include "smUnitRoundoff.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +139,21 @@ void BoundBlock(const PatchNet& net, bool rational, const EnoughBound& enough, S
   block.Tilt = std::asin(sine);
   block.Along = bounds.Along;
 }
+
+/// Rounding of the derivative in direction d: some operations for each degree, on coordinates and weights.
+double BoundRounding(const PatchNet& net, int d)
+{
+  double farthest = 0.0;
+  double heaviest = 0.0;
+  double lightest = HUGE_VAL;
+  for (const Homogeneous& h : net.B)
+  {
+    farthest = std::max(farthest, Norm(Project(h)));
+    heaviest = std::max(heaviest, h[3]);
+    lightest = std::min(lightest, h[3]);
+  }
+  return 64.0 * UnitRoundoff * (d == 0 ? net.P : net.Q) * farthest * heaviest / lightest;
+}
 }
 
 void SurfaceBlocks::Block::Choose(double tilt)
@@ -224,6 +239,7 @@ void SurfaceBlocks::MeasureBlock(const PatchNet& net, const std::array<double, 2
   }
   for (int d = 0; d < 2; ++d)
   {
+    block.Rounding[d] = BoundRounding(piece, d) / size[d];
     block.Turn[d] /= size[d];
     block.Speed[d] /= size[d];
   }
@@ -389,6 +405,7 @@ SurfaceBlocks::Block SurfaceBlocks::GetLargest(const ParameterBox& box) const
       }
       for (int d = 0; d < 2; ++d)
       {
+        largest.Rounding[d] = std::max(largest.Rounding[d], b.Rounding[d]);
         largest.Turn[d] = std::max(largest.Turn[d], b.Turn[d]);
         largest.Speed[d] = std::max(largest.Speed[d], b.Speed[d]);
       }
@@ -428,6 +445,37 @@ bool SurfaceBlocks::IsFlat(double deflection, double angle) const
       return square * (b.Full[0] + b.Full[1] + b.Full[2]) <= FlatShare * deflection &&
         std::hypot(b.Turn[0] * w[0], b.Turn[1] * w[1]) <= FlatShare * angle;
     });
+}
+
+SurfaceBlocks::DerivativeChanges SurfaceBlocks::GetDerivativeChanges(
+  const ParameterBox& box, double share, const Vector3& normal) const
+{
+  const Block* const single = this->FindSingle(box);
+  const Block several = single ? Block() : this->GetLargest(box);
+  const Block& m = single ? *single : several;
+  const double distance = Norm(Subtract(normal, m.Normal));
+  const double w[2] = { share * (box.High[0] - box.Low[0]), share * (box.High[1] - box.Low[1]) };
+  DerivativeChanges changes{ m.Rounding, m.Rounding };
+  for (int d = 0; d < 2; ++d)
+  {
+    for (int e = 0; e < 2; ++e)
+    {
+      changes.Full[d] += m.Full[d + e] * w[e];
+      changes.Along[d] += std::min(m.Full[d + e], m.Along[d + e] + distance * m.Full[d + e]) * w[e];
+    }
+    for (const std::vector<Crease>* const creases : { &this->Creases[d], &this->SmallJumps[d] })
+    {
+      for (const Crease& crease : *creases)
+      {
+        if (crease.At + crease.Half >= box.Low[d] && crease.At - crease.Half <= box.High[d])
+        {
+          changes.Full[d] += crease.Jump;
+          changes.Along[d] += crease.Jump;
+        }
+      }
+    }
+  }
+  return changes;
 }
 
 double SurfaceBlocks::GetError(const ParameterBox& box) const

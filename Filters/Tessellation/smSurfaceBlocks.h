@@ -22,6 +22,9 @@
  * That form bounds the distance across the surface. Where one leaves the part on the box before the triangle's point is
  * reached, the surface is thought of as continued with slopes of at most tan(theta): a triangle may reach sideways beyond that part, at
  * most by the whole error.
+ *
+ * Between two points of the box S_u differs by at most M_uu W_u + M_uv W_v plus the jumps J of the creases between them, S_v likewise;
+ * and so do their components along a unit vector. What that says about normals is in smTriangleJudge.h.
  */
 #ifndef smSurfaceBlocks_h
 #define smSurfaceBlocks_h
@@ -30,6 +33,7 @@
 
 #include "smMeshLimits.h"
 #include "smNURBSSurface.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <array>
@@ -73,6 +77,8 @@ public:
     double Tilt = 4.0;
     /// Factor of a jump of the first derivative in Uu, Uv and Vv: 1 / cos of the tilt where they are those along Normal, else 1.
     double JumpFactor = 1.0;
+    /// Rounding of the derivatives S_u and S_v as they are evaluated.
+    std::array<double, 2> Rounding{};
     /// Sets Uu, Uv, Vv for normals within `tilt` of Normal.
     void Choose(double tilt);
   };
@@ -86,6 +92,14 @@ public:
 
   /// The bound above, without GetSmallJumps().
   double GetError(const ParameterBox& box) const;
+  /// Bounds of the differences of S_u and of S_v between points of the box that are no farther from each other than this share of its widths,
+  /// and of their components along `normal`, a unit vector; with their rounding.
+  struct DerivativeChanges
+  {
+    std::array<double, 2> Full{};
+    std::array<double, 2> Along{};
+  };
+  DerivativeChanges GetDerivativeChanges(const ParameterBox& box, double share, const Vector3& normal) const;
   /// The largest of all blocks that the box touches.
   Block GetLargest(const ParameterBox& box) const;
   /// True where GetError() of every box and the turn of the normal across all are nothing beside the deflection and the angle.

@@ -1,5 +1,7 @@
 #include "smTriangleJudge.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +13,8 @@ namespace
 constexpr double LineShare = 1e-7;
 /// A triangle is not turned over where the cosines to the normals of its corners are above this.
 constexpr double PlainCosine = 0.5;
+/// |S_u x S_v| has no direction below this part of |S_u| |S_v|.
+constexpr double LeastCrossSine = 1e-10;
 }
 
 TriangleJudge::TriangleJudge(
@@ -34,12 +38,58 @@ bool TriangleJudge::IsCollapsed(const Corners& t) const
   return false;
 }
 
-double TriangleJudge::GetError(const Corners& t) const
+ParameterBox TriangleJudge::GetBox(const Corners& t) const
 {
   ParameterBox box{ this->Vertices[t[0]].At, this->Vertices[t[0]].At };
   box.Add(this->Vertices[t[1]].At);
   box.Add(this->Vertices[t[2]].At);
-  return this->Blocks.GetError(box);
+  return box;
+}
+
+double TriangleJudge::GetError(const Corners& t) const
+{
+  return this->Blocks.GetError(this->GetBox(t));
+}
+
+double TriangleJudge::GetNormalTurn(const Corners& t, double enough) const
+{
+  const ParameterBox box = this->GetBox(t);
+  double least = vtkMath::Pi();
+  for (const int corner : t)
+  {
+    const MeshVertex& v = this->Vertices[corner];
+    least = std::min(least, this->BoundTurn(box, 1.0, v.Derivatives[0], v.Derivatives[1]));
+  }
+  if (least > enough)
+  {
+    Vector3 position;
+    Vector3 du;
+    Vector3 dv;
+    this->Walker.Evaluate(0.5 * (box.Low[0] + box.High[0]), 0.5 * (box.Low[1] + box.High[1]), position.data(),
+      du.data(), dv.data());
+    least = std::min(least, this->BoundTurn(box, 0.5, du, dv));
+  }
+  return least;
+}
+
+double TriangleJudge::BoundTurn(
+  const ParameterBox& box, double share, const Vector3& du, const Vector3& dv) const
+{
+  const double speed[2] = { Norm(du), Norm(dv) };
+  const Vector3 cross = Cross(du, dv);
+  const double area = Norm(cross);
+  // What is not above rounding has no direction.
+  if (!(area > LeastCrossSine * speed[0] * speed[1]))
+  {
+    return vtkMath::Pi();
+  }
+  const SurfaceBlocks::DerivativeChanges change =
+    this->Blocks.GetDerivativeChanges(box, share, { cross[0] / area, cross[1] / area, cross[2] / area });
+  const double along =
+    area - change.Full[0] * speed[1] - change.Full[1] * speed[0] - change.Full[0] * change.Full[1];
+  const double across =
+    change.Along[1] * (speed[0] + change.Full[0]) + change.Along[0] * (speed[1] + change.Full[1]);
+  return along > 0.0 ? std::atan2(across, along) : vtkMath::Pi();
 }
 
 double TriangleJudge::GetGap(const Corners& t) const

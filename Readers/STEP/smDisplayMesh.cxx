@@ -136,6 +136,8 @@ vtkSmartPointer<vtkPolyData> JoinMeshes(const std::vector<FacePointer>& faces, s
   cells->AllocateExact(numberOfTriangles, 3 * numberOfTriangles);
   vtkNew<vtkDoubleArray> deviations;
   deviations->SetName(vtkNURBSDataSet::MeshDeviationArrayName());
+  vtkNew<vtkDoubleArray> angles;
+  angles->SetName(vtkNURBSDataSet::MeshAngleArrayName());
   MeshNotes notes;
   vtkIdType first = 0;
   vtkIdType cell = 0;
@@ -160,6 +162,7 @@ vtkSmartPointer<vtkPolyData> JoinMeshes(const std::vector<FacePointer>& faces, s
       cellFace->SetValue(cell++, index);
     }
     deviations->InsertNextValue(mesh.Deviation);
+    angles->InsertNextValue(mesh.NormalTurn);
     notes.Add(faces[f].get(), mesh);
     first += static_cast<vtkIdType>(mesh.Points.size());
     // The memory of a large face is not needed twice.
@@ -177,6 +180,7 @@ vtkSmartPointer<vtkPolyData> JoinMeshes(const std::vector<FacePointer>& faces, s
   result->GetPointData()->AddArray(parameters);
   result->GetCellData()->AddArray(cellFace);
   result->GetFieldData()->AddArray(deviations);
+  result->GetFieldData()->AddArray(angles);
   result->GetFieldData()->AddArray(limit);
   return result;
 }

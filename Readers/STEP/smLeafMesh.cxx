@@ -256,7 +256,11 @@ vtkSmartPointer<vtkNURBSDataSet> LeafMesher::MakeLeaf(
     leaf->GetPointData()->AddArray(mesh->GetPointData()->GetArray(name));
   }
   leaf->GetCellData()->AddArray(mesh->GetCellData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName()));
-  leaf->GetFieldData()->AddArray(mesh->GetFieldData()->GetArray(vtkNURBSDataSet::MeshDeviationArrayName()));
+  for (const char* name :
+    { vtkNURBSDataSet::MeshDeviationArrayName(), vtkNURBSDataSet::MeshAngleArrayName() })
+  {
+    leaf->GetFieldData()->AddArray(mesh->GetFieldData()->GetArray(name));
+  }
   const auto [colors, isNew] = shared.Colors.emplace(
     std::array<Vector3, 2>{ source.BodyColor, source.Color }, vtkSmartPointer<vtkUnsignedCharArray>());
   if (isNew)

@@ -29,16 +29,18 @@ struct MeshMeasures
   /// Largest distance of a sample from the surface, also as a part of the face's promise.
   double Deviation = 0.0;
   double WorstShare = 0.0;
+  /// Largest angle of a sample's normal from that of the nearest corner in this sense, as a part of what the face states.
+  double WorstTurnShare = 0.0;
   double Volume = 0.0;
   double Area = 0.0;
 };
 
-/// Distance of a point from a surface, near the parameters (u,v); an upper bound, for the foot point is sought.
+/// Distance of a point from a surface, near the parameters (u,v); an upper bound, for the foot point is sought, until a distance is `enough`.
 inline double FindDistance(sm::NURBSSurface::Walker& walker, const sm::NURBSSurface& surface,
-  const sm::Vector3& point, double u, double v)
+  const sm::Vector3& point, double u, double v, double enough = 0.0)
 {
   double best = 1e300;
-  for (int step = 0; step < 4; ++step)
+  for (int step = 0; step < 4 && best > enough; ++step)
   {
     sm::Vector3 s, du, dv;
     walker.Evaluate(u, v, s.data(), du.data(), dv.data());
@@ -83,6 +85,42 @@ inline bool IsTurnedOver(const sm::Face& face, sm::NURBSSurface::Walker& walker,
     (sm::Dot(normal, sm::Cross(du, dv)) < 0.0) != face.Reversed;
 }
 
+/// The largest angle of the surface's normals at samples of a triangle from the normal at one of them, the one for which it is least.
+inline double MeasureTurn(
+  sm::NURBSSurface::Walker& walker, const sm::FaceMesh& mesh, const std::array<int, 3>& t)
+{
+  constexpr double Samples[10][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, .5, 0 }, { 0, .5, .5 },
+    { .5, 0, .5 }, { 1. / 3, 1. / 3, 1. / 3 }, { .8, .1, .1 }, { .1, .8, .1 }, { .1, .1, .8 } };
+  std::vector<sm::Vector3> normals;
+  for (const auto& w : Samples)
+  {
+    double uv[2] = { 0, 0 };
+    for (int k = 0; k < 3; ++k)
+    {
+      uv[0] += w[k] * mesh.Parameters[t[k]][0];
+      uv[1] += w[k] * mesh.Parameters[t[k]][1];
+    }
+    sm::Vector3 s, du, dv;
+    walker.Evaluate(uv[0], uv[1], s.data(), du.data(), dv.data());
+    const sm::Vector3 normal = sm::Cross(du, dv);
+    if (sm::Norm(normal) > 1e-9 * sm::Norm(du) * sm::Norm(dv))
+    {
+      normals.push_back(sm::Normalized(normal));
+    }
+  }
+  double least = normals.empty() ? 0.0 : HUGE_VAL;
+  for (const sm::Vector3& from : normals)
+  {
+    double most = 0.0;
+    for (const sm::Vector3& n : normals)
+    {
+      most = std::max(most, std::atan2(sm::Norm(sm::Cross(n, from)), sm::Dot(n, from)));
+    }
+    least = std::min(least, most);
+  }
+  return least;
+}
+
 /// `skip`: one of so many triangles is sampled for its deviation.
 inline MeshMeasures MeasureMesh(
   const std::vector<sm::FacePointer>& faces, const std::vector<sm::FaceMesh>& meshes, int skip = 1)
@@ -122,6 +160,7 @@ inline MeshMeasures MeasureMesh(
       {
         continue;
       }
+      result.WorstTurnShare = std::max(result.WorstTurnShare, MeasureTurn(walker, mesh, t) / mesh.NormalTurn);
       result.Inverted += IsTurnedOver(*faces[f], walker, mesh, t) ? 1 : 0;
       constexpr double Samples[7][3] = { { 1. / 3, 1. / 3, 1. / 3 }, { .5, .5, 0 }, { 0, .5, .5 },
         { .5, 0, .5 }, { .6, .2, .2 }, { .2, .6, .2 }, { .2, .2, .6 } };
@@ -138,7 +177,9 @@ inline MeshMeasures MeasureMesh(
           uv[0] += w[k] * mesh.Parameters[t[k]][0];
           uv[1] += w[k] * mesh.Parameters[t[k]][1];
         }
-        const double distance = FindDistance(walker, surface, p, uv[0], uv[1]);
+        // A distance that raises neither of the results need not be sharp.
+        const double distance = FindDistance(
+          walker, surface, p, uv[0], uv[1], std::min(result.Deviation, result.WorstShare * mesh.Deviation));
         result.Deviation = std::max(result.Deviation, distance);
         result.WorstShare = std::max(result.WorstShare, distance / mesh.Deviation);
       }

@@ -69,6 +69,8 @@ struct Totals
   int ClosedBodies = 0;
   int BodiesWithBoundary = 0;
   int BoundaryEdges = 0;
+  /// Faces on which the normal turns within a triangle by at most the wanted angle, by more, and without a bound.
+  int Turns[3] = { 0, 0, 0 };
   smtest::MeshMeasures Mesh[2];
 };
 
@@ -82,6 +84,7 @@ void Add(const smtest::MeshMeasures& from, double deflection, smtest::MeshMeasur
   to.Named += from.Named;
   to.Deviation = std::max(to.Deviation, from.Deviation / deflection);
   to.WorstShare = std::max(to.WorstShare, from.WorstShare);
+  to.WorstTurnShare = std::max(to.WorstTurnShare, from.WorstTurnShare);
 }
 
 Totals All;
@@ -298,7 +301,7 @@ protected:
           faces[f]->Surface.Rational ? " rational" : "", faces[f]->Surface.GetSpanBreaks(0).size() - 1,
           faces[f]->Surface.GetSpanBreaks(1).size() - 1, faces[f]->Loops.size());
       }
-      this->Report(ours, faces, part, a, b, limits.Deflection);
+      this->Report(ours, faces, part, a, b, limits);
     }
   }
 
@@ -320,12 +323,16 @@ protected:
   }
 
   void Report(const std::vector<sm::FaceMesh>& ours, const std::vector<sm::FacePointer>& faces,
-    const sm::PartBody& part, const smtest::MeshMeasures& a, const smtest::MeshMeasures& b, double deflection)
+    const sm::PartBody& part, const smtest::MeshMeasures& a, const smtest::MeshMeasures& b,
+    const sm::MeshLimits& limits)
   {
+    const double deflection = limits.Deflection;
     double promised = 0.0;
     for (std::size_t f = 0; f < ours.size(); ++f)
     {
       promised = std::max(promised, ours[f].Deviation);
+      const double turn = ours[f].NormalTurn;
+      ++All.Turns[turn <= limits.Angle ? 0 : turn < vtkMath::Pi() ? 1 : 2];
       if (!ours[f].Reason.empty() || ours[f].Triangles.empty())
       {
         std::printf("    face #%d: %s\n", faces[f]->FileId, ours[f].Reason.c_str());
@@ -337,14 +344,14 @@ protected:
       }
     }
     if (Verbose || a.EmptyFaces + a.OpenSides + a.Inverted > 0 || promised > 1.0001 * deflection ||
-      a.WorstShare > 1.0)
+      std::max(a.WorstShare, a.WorstTurnShare) > 1.0)
     {
       std::printf("  %s #%d: %zu faces, %lld triangles (OpenCASCADE %lld), empty %d (%d), open sides %d "
                   "(%d), inverted %d (%d), "
-                  "deviation %.3g (%.3g), promise %.3g of the deflection, reached %.3g of it\n",
+                  "deviation %.3g (%.3g), promise %.3g of the deflection, reached %.3g of it, normals %.3g\n",
         part.Name.c_str(), part.FileId, faces.size(), a.Triangles, b.Triangles, a.EmptyFaces, b.EmptyFaces,
         a.OpenSides, b.OpenSides, a.Inverted, b.Inverted, a.Deviation / deflection, b.Deviation / deflection,
-        promised / deflection, a.WorstShare);
+        promised / deflection, a.WorstShare, a.WorstTurnShare);
     }
   }
 };
@@ -423,12 +430,13 @@ int main(int argc, char* argv[])
   for (int k = 0; k < (Alone || Quick ? 1 : 2); ++k)
   {
     const smtest::MeshMeasures& m = All.Mesh[k];
-    std::printf("%-12s %.3f s, %lld points, %lld triangles, %.3g million a second; faces without triangles "
-                "%d, open sides %d, inverted "
-                "%d (%d named); deviation %.3g of the deflection, %.3g of what is stated\n",
+    std::printf(
+      "%-12s %.3f s, %lld points, %lld triangles, %.3g million a second; faces without triangles "
+      "%d, open sides %d, inverted "
+      "%d (%d named); deviation %.3g of the deflection, %.3g of what is stated, normals %.3g of that\n",
       names[k], All.Seconds[k], m.Points, m.Triangles,
       1e-6 * static_cast<double>(m.Triangles) / All.Seconds[k], m.EmptyFaces, m.OpenSides, m.Inverted,
-      m.Named, m.Deviation, m.WorstShare);
+      m.Named, m.Deviation, m.WorstShare, m.WorstTurnShare);
   }
   if (!Quick)
   {
@@ -436,10 +444,14 @@ int main(int argc, char* argv[])
       "%d closed bodies: %d boundary edges (vtkFeatureEdges), besides those of %d bodies with a reason\n",
       All.ClosedBodies, All.BoundaryEdges, All.BodiesWithBoundary);
   }
+  std::printf(
+    "turn of the normal in a triangle: within the angle on %d faces, more on %d, not bounded on %d\n",
+    All.Turns[0], All.Turns[1], All.Turns[2]);
   std::printf("bounds of surfaces and points of edges alone: %.3f s; triangles times distance, ours to "
               "OpenCASCADE's: %.3g\n",
     All.EdgeSeconds, All.Effort[0] / All.Effort[1]);
-  return All.Mesh[0].WorstShare <= 1.0 && All.Unexplained == 0 && All.Mesh[0].Inverted <= All.Mesh[0].Named
+  return std::max(All.Mesh[0].WorstShare, All.Mesh[0].WorstTurnShare) <= 1.0 && All.Unexplained == 0 &&
+      All.Mesh[0].Inverted <= All.Mesh[0].Named
     ? 0
     : 1;
 }

@@ -3,6 +3,8 @@
 #include "smOCCTSurface.h"
 #include "smVector.h"
 
+#include "vtkMath.h"
+
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
@@ -80,6 +82,7 @@ std::vector<sm::FaceMesh> GetKernelMeshes(
   {
     const ConvertedFace& face = body.Faces[f];
     meshes[f].Deviation = deflection;
+    meshes[f].NormalTurn = vtkMath::Pi();
     TopLoc_Location location;
     const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face.Source, location);
     if (triangles.IsNull() || !triangles->HasUVNodes())

@@ -25,6 +25,23 @@ std::vector<sm::FacePointer> ReadFaces(const std::string& path)
   return leaf && leaf->GetModel() ? leaf->GetModel()->GetFaces() : std::vector<sm::FacePointer>();
 }
 
+bool IsPolyhedron(const std::vector<sm::FacePointer>& faces)
+{
+  return std::all_of(faces.begin(), faces.end(),
+    [](const sm::FacePointer& face)
+    {
+      const auto isStraight = [](const sm::Coedge& c)
+      { return c.Use->Curve.Coefficients.size() == 2 && c.Curve.Coefficients.size() == 2; };
+      return face->Surface.ControlPoints.size() == 4 && !face->Surface.Rational &&
+        std::all_of(face->Loops.begin(), face->Loops.end(),
+          [&](const sm::Loop& loop)
+          { return std::all_of(loop.Coedges.begin(), loop.Coedges.end(), isStraight); });
+    });
+}
+
+/// Largest part of a stated turn of the normal that was measured, over all solids.
+double LargestTurnShare = 0.0;
+
 void CheckSolid(const Expected& solid)
 {
   const std::vector<sm::FacePointer> faces = ReadFaces(solid.Path);
@@ -40,30 +57,21 @@ void CheckSolid(const Expected& solid)
     CheckEqual(solid.Solid + ": open sides", 0, m.OpenSides);
     CheckEqual(solid.Solid + ": triangles turned over", 0, m.Inverted);
     CheckRange(solid.Solid + ": distance / stated", 0.0, m.WorstShare, 1.0);
+    CheckRange(solid.Solid + ": turn of the normal / stated", 0.0, m.WorstTurnShare, 1.0);
+    LargestTurnShare = std::max(LargestTurnShare, m.WorstTurnShare);
     double stated = 0.0;
+    double turn = 0.0;
     for (const sm::FaceMesh& mesh : meshes)
     {
       stated = std::max(stated, mesh.Deviation);
+      turn = std::max(turn, mesh.NormalTurn);
     }
+    CheckRange(solid.Solid + ": stated turn", 0.0, turn, IsPolyhedron(faces) ? 1e-9 : 3.1416);
     CheckRange(solid.Solid + ": stated / deflection", 0.0, stated / limits.Deflection, 1.0);
     // The closed mesh lies within the stated distance of the surface; rounding of 1e5 triangles, where the solid is a polyhedron.
     CheckRange(solid.Solid + ": error of the volume", 0.0, std::abs(m.Volume - solid.Volume),
       1.1 * m.Area * stated + 1e-12 * solid.Volume, "linear in the deflection");
   }
-}
-
-bool IsPolyhedron(const std::vector<sm::FacePointer>& faces)
-{
-  return std::all_of(faces.begin(), faces.end(),
-    [](const sm::FacePointer& face)
-    {
-      const auto isStraight = [](const sm::Coedge& c)
-      { return c.Use->Curve.Coefficients.size() == 2 && c.Curve.Coefficients.size() == 2; };
-      return face->Surface.ControlPoints.size() == 4 && !face->Surface.Rational &&
-        std::all_of(face->Loops.begin(), face->Loops.end(),
-          [&](const sm::Loop& loop)
-          { return std::all_of(loop.Coedges.begin(), loop.Coedges.end(), isStraight); });
-    });
 }
 
 /// The error of the volume falls at least linearly with the deflection; that of a polyhedron is rounding.
@@ -372,6 +380,7 @@ int TestBodyMesh(int argc, char* argv[])
       CheckManyDeflections(solid);
     }
   }
+  CheckRange("largest turn of a normal / stated, all solids", 0.5, LargestTurnShare, 1.0);
   CheckThreads(manifest.GetVariant("plain").front());
   CheckLoops();
   CheckNarrowFaces();
