@@ -89,8 +89,8 @@ inline bool IsTurnedOver(const sm::Face& face, sm::NURBSSurface::Walker& walker,
 inline double MeasureTurn(
   sm::NURBSSurface::Walker& walker, const sm::FaceMesh& mesh, const std::array<int, 3>& t)
 {
-  constexpr double Samples[10][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, .5, 0 }, { 0, .5, .5 },
-    { .5, 0, .5 }, { 1. / 3, 1. / 3, 1. / 3 }, { .8, .1, .1 }, { .1, .8, .1 }, { .1, .1, .8 } };
+  constexpr double Samples[7][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, .5, 0 }, { 0, .5, .5 },
+    { .5, 0, .5 }, { 1. / 3, 1. / 3, 1. / 3 } };
   std::vector<sm::Vector3> normals;
   for (const auto& w : Samples)
   {
@@ -108,17 +108,19 @@ inline double MeasureTurn(
       normals.push_back(sm::Normalized(normal));
     }
   }
-  double least = normals.empty() ? 0.0 : HUGE_VAL;
+  // The square of the distance of the ends of two unit vectors.
+  double least = normals.empty() ? 0.0 : 4.0;
   for (const sm::Vector3& from : normals)
   {
     double most = 0.0;
     for (const sm::Vector3& n : normals)
     {
-      most = std::max(most, std::atan2(sm::Norm(sm::Cross(n, from)), sm::Dot(n, from)));
+      const sm::Vector3 d = sm::Subtract(n, from);
+      most = std::max(most, sm::Dot(d, d));
     }
     least = std::min(least, most);
   }
-  return least;
+  return 2.0 * std::asin(std::min(0.5 * std::sqrt(least), 1.0));
 }
 
 /// `skip`: one of so many triangles is sampled for its deviation.
