@@ -16,6 +16,7 @@ using Point2 = std::array<double, 2>;
 
 // Degrees of the polynomials that approximate graphs.
 constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
+constexpr int MostNodes = 10;
 // Share of the room beside a box by which a crossing of the waterline may be off, so that the graph still finds it there.
 constexpr double CrossingRoom = 0.05;
 // More than the roundings of a part's stretch, relative to it.
@@ -25,13 +26,14 @@ constexpr int MostUncertainHalvings = 16;
 // Largest number of subdivisions of a piece whose degree is too high for a Chebyshev series of its height.
 constexpr std::size_t MostParts = 4096;
 
-/// Returns the Bernstein coefficients of the polynomial with these values at the Chebyshev nodes of [0,1].
-std::vector<double> ToBernstein(const std::vector<double>& values)
+using Matrix = std::vector<std::vector<long double>>;
+
+/// The inverse of the matrix whose row i holds the n Bernstein polynomials at node i of the Chebyshev rule on [0,1].
+Matrix InvertBernstein(int n)
 {
   // Degrees are 9 at most, so that elimination in extended precision is accurate to rounding.
-  const int n = static_cast<int>(values.size());
   const ChebyshevRule& rule = ChebyshevRule::Get(n);
-  std::vector<std::vector<long double>> rows(n, std::vector<long double>(n + 1));
+  Matrix rows(n, std::vector<long double>(2 * n, 0.0L));
   for (int i = 0; i < n; ++i)
   {
     const long double x = 0.5L * (1.0L + rule.GetNode(i));
@@ -41,7 +43,7 @@ std::vector<double> ToBernstein(const std::vector<double>& values)
       rows[i][j] = binomial * std::pow(x, j) * std::pow(1.0L - x, n - 1 - j);
       binomial = binomial * (n - 1 - j) / (j + 1);
     }
-    rows[i][n] = values[i];
+    rows[i][n + i] = 1.0L;
   }
   for (int k = 0; k < n; ++k)
   {
@@ -51,16 +53,46 @@ std::vector<double> ToBernstein(const std::vector<double>& values)
     for (int i = 0; i < n; ++i)
     {
       const long double factor = i == k ? 0.0L : rows[i][k] / rows[k][k];
-      for (int j = k; j <= n && i != k; ++j)
+      for (int j = k; j < 2 * n && i != k; ++j)
       {
         rows[i][j] -= factor * rows[k][j];
       }
     }
   }
-  std::vector<double> coefficients(n);
   for (int k = 0; k < n; ++k)
   {
-    coefficients[k] = static_cast<double>(rows[k][n] / rows[k][k]);
+    const long double pivot = rows[k][k];
+    rows[k].erase(rows[k].begin(), rows[k].begin() + n);
+    for (long double& value : rows[k])
+    {
+      value /= pivot;
+    }
+  }
+  return rows;
+}
+
+/// Returns the Bernstein coefficients of the polynomial with these values at the Chebyshev nodes of [0,1].
+std::vector<double> ToBernstein(const std::vector<double>& values)
+{
+  static const std::vector<Matrix> inverses = []
+  {
+    std::vector<Matrix> all;
+    for (int n = 0; n <= MostNodes; ++n)
+    {
+      all.push_back(n > 0 ? InvertBernstein(n) : Matrix());
+    }
+    return all;
+  }();
+  const Matrix& inverse = inverses.at(values.size());
+  std::vector<double> coefficients(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+  {
+    long double sum = 0.0L;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      sum += inverse[k][i] * values[i];
+    }
+    coefficients[k] = static_cast<double>(sum);
   }
   return coefficients;
 }

@@ -104,7 +104,7 @@ void CheckDamage(const std::string& sound)
   vtkNew<vtkBREPReader> reader;
   const MessageTrap trap(reader);
   reader->IsolatedOn();
-  reader->SetMaximumSeconds(5.0);
+  reader->SetMaximumSeconds(2.0);
   std::mt19937 random(7);
   int counts[4] = { 0, 0, 0, 0 };
   for (int i = 0; i < 12; ++i)
