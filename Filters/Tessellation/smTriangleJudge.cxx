@@ -55,9 +55,9 @@ double TriangleJudge::GetNormalTurn(const Corners& t, double enough) const
 {
   const ParameterBox box = this->GetBox(t);
   double least = vtkMath::Pi();
-  for (const int corner : t)
+  for (int k = 0; k < 3 && least > enough; ++k)
   {
-    const MeshVertex& v = this->Vertices[corner];
+    const MeshVertex& v = this->Vertices[t[k]];
     least = std::min(least, this->BoundTurn(box, 1.0, v.Derivatives[0], v.Derivatives[1]));
   }
   if (least > enough)
