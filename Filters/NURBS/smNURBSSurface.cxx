@@ -13,7 +13,7 @@ namespace
 {
 using Homogeneous = std::array<double, 4>;
 
-// Patches are extracted in wider numbers than they are stored in: they meet to the rounding of their own points.
+// Patches are extracted in extended precision and stored in double, so that neighbours differ by the rounding of their stored points only.
 using Wide = long double;
 
 /// Index k with knots[k] <= (a+b)/2 < knots[k+1]: the span that [a,b] lies in, clamped to the domain.
@@ -24,7 +24,7 @@ int FindSpan(const std::vector<double>& knots, int degree, double middle)
   return std::clamp(static_cast<int>(after - knots.begin()) - 1, degree, last);
 }
 
-/// Points of several lines of control points.
+/// Several rows or columns of control points, each a curve of its own.
 struct Lines
 {
   int Count;

@@ -22,7 +22,7 @@
  * ordinary polydata from then on. Points with a new MTime and the same coordinates are still those of the model.
  *
  * An instance may have no points and no triangles: a reader makes them only where something downstream shows or uses them (vtkCADReader::
- * SetDisplayMesh). All exact results are the same without. Its bounds are those of the model's scale mesh then.
+ * SetDisplayMesh). Exact results do not depend on the mesh. The bounds of an instance without points are those of the model's scale mesh.
  */
 #ifndef vtkNURBSDataSet_h
 #define vtkNURBSDataSet_h

@@ -73,7 +73,7 @@ public:
   vtkGetMacro(FileArea, double);
 
   /** Accuracy of coordinates that the file states for the body (UNCERTAINTY_MEASURE_WITH_UNIT), in LengthUnit; 0 when it states
-   * none. It excuses gaps; see vtkSurfaceIntegralBase::SetGapLimit(). */
+   * none. Gaps up to this width do not make a result suspect; see vtkSurfaceIntegralBase::SetGapLimit(). */
   vtkSetMacro(FileUncertainty, double);
   vtkGetMacro(FileUncertainty, double);
 
