@@ -210,7 +210,10 @@ public:
   vtkGetMacro(ShaderPerturbation, double);
 
   ///@{
-  /** Of a port with meshes also asks for these, as a connected view does: the input's display mesh is made where it has none yet. */
+  /**
+   * Updates a port. For a port with meshes this also requests them, as a connected view does: the reader makes the display mesh if there is
+   * none yet.
+   */
   using vtkPolyDataAlgorithm::Update;
   void Update(int port) override;
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;
