@@ -1,6 +1,6 @@
 /**
  * @file smProducts.h
- * @brief The product structure of an input as its assembly has it
+ * @brief The product structure of an input, from its vtkDataAssembly
  */
 #ifndef smProducts_h
 #define smProducts_h
@@ -26,7 +26,7 @@ struct ProductTreeNode
     const double* Placement = nullptr;
   };
   std::string Name;
-  /// Empty where the file states none.
+  /// Layer of the product; empty where the file states none.
   std::string Layer;
   std::vector<Body> Bodies;
   std::vector<ProductTreeNode> Children;
