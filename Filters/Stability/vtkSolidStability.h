@@ -81,8 +81,10 @@ public:
   ///@}
 
   ///@{
-  /** Normal of the ground, of any length; 0 0 0 (default): against gravity. Another one makes a slope; at right angles to
-   * gravity it is no ground, and the run fails. Its sense does not matter. Not finite: an error, and nothing changes. */
+  /**
+   * Normal of the ground, of any length; 0 0 0 (default): against gravity. Any other direction makes a slope; with a normal perpendicular
+   * to gravity the run fails. The sign of the normal does not matter. Not finite: an error, and nothing changes.
+   */
   void SetGroundNormal(double x, double y, double z);
   void SetGroundNormal(const double normal[3]);
   vtkGetVector3Macro(GroundNormal, double);
