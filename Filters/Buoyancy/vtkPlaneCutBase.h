@@ -1,6 +1,6 @@
 /**
  * @class   vtkPlaneCutBase
- * @brief   base of the filters that compute what lies below a plane, and the section of the solids with it
+ * @brief base of the filters that compute volumes below a plane and the section of the solids with it
  *
  * Abstract; vtkBuoyancy and vtkSolidSection are below it. It has the plane and the tolerance, and integrates over the parts of the
  * faces below the plane, which are cut there so that the bounds are proved (smBuoyancy.h). In a parallel run only the rank that has
@@ -60,7 +60,7 @@ protected:
     return false;
   }
   void ReleaseKept() override;
-  /** Returns the integrals that a run asks for. */
+  /** Returns the integrands of a run. */
   std::vector<sm::Integrand> MakeIntegrands() const;
   /** Computes one entry of `results` per body for the side that Normal points away from, or for the opposite side, with
    * progress between the fractions `begin` and `end`. Returns false if nothing was computed; the report then has a reason. */
