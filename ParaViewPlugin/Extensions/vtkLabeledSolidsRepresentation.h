@@ -36,7 +36,7 @@ public:
   };
 
   ///@{
-  /** What labels have, a LabelKind. A name alone where there is no mass. Default: NoLabels. */
+  /** Content of the labels, a LabelKind, clamped. A solid without a mass has its name only. Default: NoLabels. */
   vtkSetClampMacro(PartLabels, int, NoLabels, NamesAndMasses);
   vtkGetMacro(PartLabels, int);
   ///@}
@@ -73,7 +73,7 @@ private:
   void operator=(const vtkLabeledSolidsRepresentation&) = delete;
 
   void MakeLabels(vtkDataObject* data);
-  /// Which blocks the user has hidden; may be null.
+  /// Returns the attributes with the blocks that the user has hidden; may be null.
   vtkCompositeDataDisplayAttributes* GetBlockAttributes();
 
   int PartLabels = NoLabels;

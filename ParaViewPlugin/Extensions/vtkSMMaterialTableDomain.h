@@ -48,7 +48,7 @@ private:
 #ifndef __VTK_WRAP__
   std::vector<sm::MaterialRow> GetRules();
   double GetDensity();
-  /// Only solids that are ticked are computed.
+  /// Returns true if only selected solids are computed.
   bool IsSomeSolids();
   void GatherParts();
   void FollowCells();
@@ -56,7 +56,7 @@ private:
   void FillCells();
 
   vtkNew<vtkPartMaterialsInformation> Parts;
-  /// Of the last run, unless something has changed since.
+  /// Masses of the last run, unless something has changed since.
   vtkNew<vtkPartMaterialsInformation> Masses;
   /// The table as it was filled last.
   std::vector<std::string> Filled;

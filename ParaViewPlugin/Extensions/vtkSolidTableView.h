@@ -30,8 +30,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * 0 while the first block of a table with other columns is fetched. ParaView 5.11 then asks for the number of columns within a reset of its
-   * model, and would fit the widths to columns that its header does not have yet; now it fits them afterwards, to their contents.
+   * Returns 0 while the first block of a table with other columns is fetched. ParaView 5.11 then queries the number of columns within a
+   * reset of its model, and would fit the widths of columns that its header does not have yet; with 0 it fits them afterwards, to their
+   * contents.
    */
   vtkIdType GetNumberOfColumns() override;
   const char* GetColumnName(vtkIdType index) override;
@@ -63,9 +64,9 @@ private:
   void Arrange(const std::vector<std::string>& sorted);
 
   bool IsFetching = false;
-  /// Columns of the last block, as the superclass sorts them.
+  /// Columns of the last block, in the order of the superclass.
   std::vector<std::string> KnownColumns;
-  /// Columns of the last table of this project, as the superclass sorts them and as they are shown.
+  /// Columns of the last table of this project, in the order of the superclass, and in the order in which they are shown.
   std::vector<std::string> SortedColumns;
   std::vector<std::string> ShownColumns;
   std::map<vtkIdType, Block> Blocks;
