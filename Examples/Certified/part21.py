@@ -45,7 +45,7 @@ def subtract(a, b):
 
 
 def shorten(direction):
-    """The same direction in the smallest whole numbers, which are decimals in every frame."""
+    """Returns the same direction with the smallest whole numbers, which are exact decimals in every frame."""
     common = lcm(*(Fraction(x).denominator for x in direction))
     whole = [int(x * common) for x in direction]
     divisor = gcd(*whole)
@@ -53,7 +53,7 @@ def shorten(direction):
 
 
 class Frame:
-    """Where a solid is: x -> size * turn x + shift, with a rational rotation."""
+    """The placement of a solid, x -> size * turn x + shift, where `turn` is a rational rotation."""
 
     def __init__(self, size=1, turn=IDENTITY, shift=(0, 0, 0)):
         self.size, self.turn, self.shift = Fraction(size), turn, shift
@@ -69,7 +69,7 @@ class Frame:
 
 
 class Part21:
-    """Entities, each written once. Points, directions and lengths are given in the frame and written as they are placed by it."""
+    """Collects entities, each written once. Points, directions and lengths are given in the frame and written after its transform."""
 
     def __init__(self, frame=None):
         self.frame = frame or Frame()
@@ -155,7 +155,7 @@ class Part21:
         return self.add(f"SURFACE_OF_REVOLUTION('',{curve},{axis})")
 
     def bspline_surface(self, rows, knots=(None, None), weights=None):
-        """rows[i][j]: i runs with u, j with v."""
+        """Writes a B-spline surface with control points rows[i][j], where i is the index in u and j that in v."""
         names = ",".join("(" + ",".join(self.point(p) for p in row) + ")" for row in rows)
         p, mu, u = self._describe_knots(knots[0], len(rows))
         q, mv, v = self._describe_knots(knots[1], len(rows[0]))
@@ -169,7 +169,7 @@ class Part21:
 
     # --- topology --------------------------------------------------------------------------------
     def edge(self, p, q, curve=None):
-        """From p to q along a curve, by default a line."""
+        """Writes an edge from p to q along a curve, by default a line."""
         return self.add(f"EDGE_CURVE('',{self.vertex(p)},{self.vertex(q)},{curve or self.line(p, q)},.T.)")
 
     def face(self, surface, loops, forward=True):

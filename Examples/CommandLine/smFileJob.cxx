@@ -102,7 +102,7 @@ const std::string& GetSource(const sm::JobOptions& options)
   return options.SourceName.empty() ? options.FileName : options.SourceName;
 }
 
-/// Reads the file; false when there is nothing to integrate, for the reason that status and messages of the entry give.
+/// Reads the file. Returns false if there is nothing to integrate; status and messages of the entry then have the reason.
 bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
   sm::MessageList& messages)
 {
@@ -117,7 +117,7 @@ bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobList
   file["seconds"]["parse"] = reader->GetParseSeconds();
   file["seconds"]["transfer"] = reader->GetTransferSeconds();
   file["seconds"]["trims"] = reader->GetTrimSeconds();
-  // "prepare" begins when OpenCASCADE has the shape in memory, so it includes the display mesh.
+  // The time of "prepare" begins when OpenCASCADE has the shape in memory, so it includes the display mesh.
   file["seconds"]["prepare"] = reader->GetMeshSeconds() + reader->GetConversionSeconds();
   file["seconds"]["mesh"] = reader->GetMeshSeconds();
   file["seconds"]["convert"] = reader->GetConversionSeconds();
@@ -298,7 +298,7 @@ vtkSmartPointer<vtkPolyData> IntegrateMore(vtkCADReader* reader, const sm::JobOp
     sm::IntegrateSections(reader, options, makeUpdate(sm::stages::Section), file, messages);
   }
 #endif
-  // Last: an expression can crash a shader compiler.
+  // Expressions come last, because they may crash a shader compiler.
   if (!options.Integrals.empty() || options.MomentDegree >= 0)
   {
     SendResult(send, file, messages, false);
@@ -425,8 +425,8 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
       std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(std::min(options.MaximumSeconds, 1e9)));
   }
-  Json sent;           ///< results that are not complete
-  std::string waiting; ///< the output beside the results that is being made
+  Json sent;           ///< last results, while they are not complete
+  std::string waiting; ///< the output other than results that is being made
   bool isComplete = false;
   const auto listener = [&](const Json& message)
   {

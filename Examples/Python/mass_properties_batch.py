@@ -130,7 +130,7 @@ def divide(files, count):
 
 
 def run(job=None):
-    """Called on all ranks. Rank 0 passes the job and gets the rows of all files, in the order of the files."""
+    """Computes a job; must be called on all ranks. Rank 0 passes the job and gets the rows of all files, in the order of the files."""
     ranks = Ranks()
     job = ranks.broadcast(job)
     files, folder, options = job["files"], job["folder"], job["options"]
@@ -163,7 +163,7 @@ def get_status(rows):
 
 
 def run_on_satellites(job):
-    """As run(), where this script runs on rank 0 alone: all ranks execute a programmable source that calls run()."""
+    """Does the same as run() if this script runs on rank 0 only: all ranks execute a programmable source that calls run()."""
     from paraview import simple
 
     run_as_source.job = job
