@@ -117,7 +117,6 @@ def check(command, options, certificates):
     return outcomes
 
 
-# --- tables ----------------------------------------------------------------------------------------
 def short(value):
     return "-" if value is None else "0" if value == 0 else f"{value:.0e}"
 

@@ -100,7 +100,6 @@ class Part21:
     def vertex(self, p):
         return self.add(f"VERTEX_POINT('',{self.point(p)})")
 
-    # --- curves ----------------------------------------------------------------------------------
     def line(self, p, q):
         return self.add(f"LINE('',{self.point(p)},{self.vector(subtract(q, p))})")
 
@@ -131,7 +130,6 @@ class Part21:
         multiplicities = ",".join(str(knots.count(k)) for k in values)
         return len(knots) - count - 1, f"({multiplicities})", "(" + ",".join(format_number(k) for k in values) + ")"
 
-    # --- surfaces --------------------------------------------------------------------------------
     def plane(self, origin, z, x):
         return self.add(f"PLANE('',{self.axes(origin, z, x)})")
 
@@ -167,7 +165,6 @@ class Part21:
                         f"B_SPLINE_SURFACE_WITH_KNOTS({mu},{mv},{u},{v},.UNSPECIFIED.)GEOMETRIC_REPRESENTATION_ITEM()"
                         f"RATIONAL_B_SPLINE_SURFACE(({weights}))REPRESENTATION_ITEM('')SURFACE())")
 
-    # --- topology --------------------------------------------------------------------------------
     def edge(self, p, q, curve=None):
         """Writes an edge from p to q along a curve, by default a line."""
         return self.add(f"EDGE_CURVE('',{self.vertex(p)},{self.vertex(q)},{curve or self.line(p, q)},.T.)")
@@ -191,7 +188,6 @@ class Part21:
         turned = ",".join(self.add(f"ORIENTED_CLOSED_SHELL('',*,{void},.F.)") for void in shells)
         self.solids.append(self.add(f"BREP_WITH_VOIDS('',{shell},({turned}))"))
 
-    # --- products --------------------------------------------------------------------------------
     def write(self, name, description, unit, instances=None):
         """The text of the file. `instances`: frames at which an assembly has the product; otherwise the product is the file."""
         context = self._add_context(unit)

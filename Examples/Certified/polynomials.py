@@ -70,7 +70,6 @@ def make_basis(knots, degree):
     return result
 
 
-# --- the square root -------------------------------------------------------------------------------
 PLACES = 256  # binary places of fixed-point numbers
 ORDER = 20
 REACH = 3  # of the polydisc, in half widths of a cell

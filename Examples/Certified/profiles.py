@@ -113,7 +113,6 @@ def get_plane_moment(profiles):
     return measure
 
 
-# --- prisms ----------------------------------------------------------------------------------------
 def get_prism_moments(profiles, height):
     plane = get_plane_moment(profiles)
     sides = sum((segment.get_length() for profile in profiles for segment in profile), Interval(0))
@@ -183,7 +182,6 @@ def _write_side(file, s, height, side, loops):
     return file.bspline_surface(rows, weights=weights and [[w, w] for w in weights]), loops
 
 
-# --- solids of revolution --------------------------------------------------------------------------
 def get_revolved_moments(profile):
     """Moments of a solid of revolution; the profile's (x, y) are (radius, z)."""
     plane = get_plane_moment([profile])

@@ -23,7 +23,6 @@
 
 namespace
 {
-// --- progress ----------------------------------------------------------------------------------
 
 /// A line that is rewritten on a terminal; prints nothing to a file or a pipe.
 class ProgressLine
@@ -56,8 +55,6 @@ public:
 private:
   bool Active;
 };
-
-// --- output ------------------------------------------------------------------------------------
 
 /// Opens /dev/null, in the wrong direction, for every standard stream that the caller closed. Files and pipes cannot get its descriptor
 /// then, and writing to a closed standard output fails as it should.

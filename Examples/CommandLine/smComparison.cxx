@@ -23,8 +23,6 @@ using namespace states;
 /// The states in the order of the list.
 constexpr const char* States[] = { Changed, Moved, Added, Removed, Unchanged };
 
-// --- differences -------------------------------------------------------------------------------
-
 /// Returns new - old of numbers, or of nested arrays of them; null where one is missing.
 Json Subtract(const Json& before, const Json& after)
 {
@@ -98,8 +96,6 @@ bool HasOtherMaterial(const Json& before, const Json& after, double limit)
     (a.is_number() && !(GetLargest(Subtract(a, b)) <= limit * GetLargest(a))) ||
     IsOther(before, after, "mass", limit);
 }
-
-// --- solids ------------------------------------------------------------------------------------
 
 /// A solid of one of the files.
 struct Body
@@ -311,8 +307,6 @@ private:
   std::map<std::tuple<std::size_t, bool, std::size_t, bool>, bool> Congruent;
   std::vector<Outcome> Outcomes;
 };
-
-// --- parts -------------------------------------------------------------------------------------
 
 /// Returns notes on a solid that is in both files: the changes other than that of its place.
 Json MakeNotes(const Outcome& outcome)

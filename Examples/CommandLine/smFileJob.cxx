@@ -55,8 +55,6 @@ namespace
 using sm::Json;
 namespace names = sm::names;
 
-// --- progress ----------------------------------------------------------------------------------
-
 /// Sends the progress of an algorithm to the listener, from construction to destruction.
 class ProgressScope
 {
@@ -94,8 +92,6 @@ private:
   unsigned long Tag = 0;
   double Last = -1.0;
 };
-
-// --- the job -----------------------------------------------------------------------------------
 
 const std::string& GetSource(const sm::JobOptions& options)
 {

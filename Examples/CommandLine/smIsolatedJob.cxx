@@ -53,8 +53,6 @@ void WriteLine(int descriptor, const sm::Json& message)
   }
 }
 
-// --- out of memory -----------------------------------------------------------------------------
-
 /// Set to 1 when a child has no memory left; shared with the process that started it.
 volatile std::sig_atomic_t* OutOfMemory = nullptr;
 

@@ -198,8 +198,6 @@ std::string SolidRows(const Json& file)
   return text;
 }
 
-// --- JSON and CSV ------------------------------------------------------------------------------
-
 bool IsFlat(const Json& value)
 {
   return std::none_of(value.begin(), value.end(), [](const Json& item) { return item.is_object(); });

@@ -23,7 +23,6 @@ SCHEMES = ("MIDPOINT", "GAUSS2", "GAUSS3")
 LARGE_FACTOR = 32
 
 
-# --- the figures ---------------------------------------------------------------------------------
 def read_runs(path):
     """{scheme: its rows by k} of a figure's CSV, numbers as numbers."""
     runs = {}
@@ -90,7 +89,6 @@ def describe_figures(folder):
             "Figure8": describe_figure8(read_runs(folder / "fig8.csv"))}
 
 
-# --- the page ------------------------------------------------------------------------------------
 def split_sections(text):
     """Caption, then {title: (table, sentences)} of table.md."""
     head, *parts = re.split(r"^## ", text, flags=re.MULTILINE)

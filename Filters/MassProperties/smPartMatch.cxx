@@ -128,8 +128,6 @@ bool Carries(const Matrix3& rotation, const PartShape& a, const SortedShape& b, 
   return true;
 }
 
-// --- rotations ---------------------------------------------------------------------------------
-
 /// A direction that a face defines: 0: to its centre, 1: its vector area, 2 to 4: a principal axis, of either sign.
 struct Direction
 {

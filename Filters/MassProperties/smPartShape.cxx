@@ -16,8 +16,6 @@ namespace
 {
 using Matrix3 = std::array<double, 9>;
 
-// --- integration -------------------------------------------------------------------------------
-
 enum ShapeIntegrand
 {
   ShapeArea = 0,
@@ -139,8 +137,6 @@ PartShape MakeShape(const BodyIntegrals& body)
   }
   return shape;
 }
-
-// --- transformation ----------------------------------------------------------------------------
 
 std::array<double, 3> Apply(const Matrix3& m, const std::array<double, 3>& v)
 {

@@ -53,8 +53,6 @@ double ContactSearch::GetResolution() const
   return this->Implementation->GetResolution();
 }
 
-// --- the least height --------------------------------------------------------------------------
-
 HeightRange ContactSearch::FindLowest()
 {
   Internals& self = *this->Implementation;
@@ -219,8 +217,6 @@ bool ContactSearch::Internals::StepPatch(
   }
   return true;
 }
-
-// --- contacts ----------------------------------------------------------------------------------
 
 GroundContacts ContactSearch::FindContacts(double limit)
 {

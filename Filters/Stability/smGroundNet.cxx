@@ -121,8 +121,6 @@ GroundPoint GroundFrame::Transform(const std::array<double, 4>& homogeneous, con
   return result;
 }
 
-// --- curves ------------------------------------------------------------------------------------
-
 GroundCurve GroundCurve::FromPoints(std::vector<GroundPoint> points)
 {
   GroundCurve curve;
@@ -176,8 +174,6 @@ std::pair<GroundCurve, GroundCurve> GroundCurve::Split() const
   halves.second.End = this->End;
   return halves;
 }
-
-// --- patches -----------------------------------------------------------------------------------
 
 GroundPatch::GroundPatch(const FacePanels& panels, const Patch& patch, const GroundFrame& frame)
 {

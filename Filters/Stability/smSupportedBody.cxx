@@ -183,8 +183,6 @@ void EvaluateStability(SupportedBody& body, const GroundDirections& ground, cons
   body.Result = ComputeStability(stabilityCase, std::move(contacts));
 }
 
-// --- the drawing -------------------------------------------------------------------------------
-
 namespace
 {
 const unsigned char* GetColor(Verdict verdict)

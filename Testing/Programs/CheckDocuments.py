@@ -72,7 +72,6 @@ class Checker:
             file.write(text)
 
 
-# --- files ---------------------------------------------------------------------------------------
 def list_anchors(text):
     """As GitHub makes them of headings."""
     headings = re.findall(r"^#+ +(.*)$", re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE), re.MULTILINE)
@@ -153,7 +152,6 @@ def check_files(checker):
     check_accuracy(checker, "Documentation/Numerics.md")
 
 
-# --- the program ---------------------------------------------------------------------------------
 def run(checker, *arguments):
     result = subprocess.run([checker.program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
                             cwd=checker.root, timeout=200, check=False)

@@ -23,7 +23,6 @@ def run(*command):
     return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
 
 
-# --- the set ---------------------------------------------------------------------------------------
 def test_made(options):
     made, committed = os.path.join(options.output, "certified_set"), os.path.join(options.folder, "solids")
     shutil.rmtree(made, ignore_errors=True)
@@ -43,7 +42,6 @@ def test_made(options):
     check_true("size", size < 500000, f"{size} bytes")
 
 
-# --- other ways to compute the intervals -----------------------------------------------------------
 def contains(what, interval, value, limit):
     """`value` is a double or a limit of polygons, near the interval's middle."""
     check(what, float((interval.lo + interval.hi) / 2), value, limit * max(1.0, abs(value)))
@@ -289,7 +287,6 @@ def test_formulas(options):
     test_blocks()
 
 
-# --- the script that runs programs -----------------------------------------------------------------
 def run_checker(options, *arguments):
     return run(sys.executable, "-B", os.path.join(options.folder, "check_program.py"), *arguments)
 
@@ -338,7 +335,6 @@ def test_checker(options):
     check_equal("no file: exit status", 1, run_checker(options, "--only", "nothing", "true").returncode)
 
 
-# --- our program -----------------------------------------------------------------------------------
 def measure_program(options, backend, *arguments):
     command = f"ours={options.program} --quiet --backend {backend} --unit file --json - {{file}}"
     done = run_checker(options, *arguments, "--json", "-", command)

@@ -70,8 +70,6 @@ def leftovers(folder):
     return [name for name in os.listdir(folder) if "saving" in name]
 
 
-# --- outputs -------------------------------------------------------------------------------------
-
 def check_signal(number, tables):
     """The signal comes when so many tables are there."""
     folder = make_folder("saved")
@@ -237,8 +235,6 @@ def outputs():
     check_streams()
 
 
-# --- stages --------------------------------------------------------------------------------------
-
 def run_and_kill(stage, number, *arguments):
     """Kills the child when the progress on the terminal names the stage. Returns the exit status and what the terminal showed."""
     terminal, end = pty.openpty()
@@ -288,8 +284,6 @@ def stages():
     check("draw: volume", box["volume"], entry["total"]["volume"], 1e-9 * box["volume"])
     check_true("draw: why", "no picture" in text and "signal 9" in text and "malformed" not in text, text)
 
-
-# --- limits --------------------------------------------------------------------------------------
 
 def check_job_without_end():
     """A job that hangs, here because it is stopped as soon as it is there, is ended; the next file is computed."""
