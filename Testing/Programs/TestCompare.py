@@ -58,7 +58,7 @@ def find(comparison, state, part):
 
 
 def check_difference(what, expected, entry):
-    """Within the bound, which is not vacuous."""
+    """Checks that a difference is within its bound, and that the bound is small."""
     check(what, float(expected), entry["difference"], entry["bound"])
     check(f"{what}: bound", 0.0, entry["bound"], 1e-8 * max(abs(entry["old"]), abs(entry["new"])))
 
@@ -297,7 +297,7 @@ def read_png(path):
 
 
 def picture():
-    """Each state has its colour."""
+    """Checks that every state of a part has its colour in the picture."""
     old = write("before", make_product(bracket=Part("angle", [((0, 0, 0), (30, 8, 9))], "2700.")))
     new = write("after", make_product(make_plate([((20, 15), (20, 35), (40, 35), (40, 15))]), bolts=((10, 10), (110, 10), (90, 40), (60, 40))))
     path = os.path.join(folder, "picture.png")

@@ -115,7 +115,7 @@ def masses():
     check_equal("one density", 1000.0, file["total"]["density"])
     check_true("one centre", re.search(r"\n  centre of mass +\d.*\n  mass .*\n  mass inertia", run("--density", "1000", path).stdout))
 
-    # What is in doubt of the mass, each share named.
+    # The uncertainty of the mass, and its shares by cause.
     total = run_json("--density", "1000", "--density-tolerance", "2%", path)["total"]
     doubt = total["mass_uncertainty"]
     check("in doubt by the density", 0.02 * total["mass"], doubt["density"], 1e-15)
@@ -176,7 +176,7 @@ def materials():
     file = run_json("--materials", table, path)
     check_mass(file["total"], boxes, [2 if b[0] == "bolt" else 7850 for b in boxes])
 
-    # What cannot be used is wrong usage, before any file is read.
+    # A table of materials that cannot be used is wrong usage, reported before any file is read.
     for text, said in (("a\n", "line 1: write NAME"), ("a,unobtainium\n", "line 1: unobtainium is none"), ("a,b,-1", "-1 is no density"),
                        (",steel", "the name is empty"), ("[{]", "no JSON"), ('[{"name":"a"}]', "entry 1"), ('{"a":1}', "no list")):
         with open(table, "w", encoding="utf-8") as file:

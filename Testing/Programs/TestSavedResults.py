@@ -199,7 +199,7 @@ def check_several_at_a_time():
         while not child_of(process):
             pass
         os.kill(child_of(process), signal.SIGSTOP)
-        # The others pass it: at last it is the only child.
+        # The other files are read meanwhile: at last the stopped child is the only one.
         others = set()
         while len(others) < 4 or len(children_of(process)) > 1:
             others.update(children_of(process))
@@ -210,7 +210,7 @@ def check_several_at_a_time():
     check_true("interrupted: how many", "3 of 4 files" in complaint, complaint)
     check_equal("wrong number: exit status", 1, run("-j", "-1", GOOD).returncode)
 
-    # What is finished is told before the next file, which may come late, is read.
+    # The result of a file is written before the next file, which may come late, is read.
     target = os.path.join(folder, "early.csv")
     with subprocess.Popen([options.program, "-q", "--backend", "cpu", "--csv", target, GOOD, "-"], stdin=subprocess.PIPE) as process:
         deadline = time.monotonic() + 100

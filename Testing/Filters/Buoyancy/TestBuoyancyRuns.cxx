@@ -278,7 +278,7 @@ void CheckAborts(const Manifest& manifest)
   int stops = 0;
   for (bool stopped = true; stopped && stops < 100; stops += stopped ? 1 : 0)
   {
-    // Without anything kept from runs before.
+    // A new scene has nothing from earlier runs.
     Scene scene(path);
     scene.Filter->SetPoint(0, 0, 2.5);
     scene.Filter->SetNormal(1, 2, 3);

@@ -27,7 +27,7 @@ void CheckNothingLives(const std::string& what)
   CheckEqual(what + ": programs", 0, sm::ComputeProgram::GetLiveCount());
 }
 
-/// Runs the filter once more, without what it knows from earlier runs.
+/// Runs the filter once more, without results of earlier runs.
 void CheckRuns(const std::string& what, vtkMassPropertiesGPU* mass, const Expected& part)
 {
   mass->CacheFaceResultsOff();
