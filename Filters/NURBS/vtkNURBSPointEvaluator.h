@@ -65,8 +65,8 @@ public:
 
   ///@{
   /**
-   * Of the last UpdatePoints(): the number of points evaluated; the device, "opengl", "cpu", or "none" when it failed or nothing had to be
-   * evaluated; the reason why it failed, or why the CPU evaluated where OpenGL would have been preferred, else an empty text.
+   * Results of the last UpdatePoints(): the number of points evaluated; the device, "opengl", "cpu", or "none" when it failed or nothing
+   * had to be evaluated; the reason why it failed, or why the CPU evaluated where OpenGL would have been preferred, else an empty text.
    */
   vtkGetMacro(NumberOfEvaluations, vtkTypeInt64);
   std::string GetBackendName() const { return this->BackendName; }

@@ -133,14 +133,14 @@ public:
 
   ///@{
   /**
-   * Of the last run: the number of edges from which a face moved away, by more than 1e-12 of the solid's size, and the widest such gap, a
-   * length. 0 where every solid is as closed as before.
+   * Results of the last run: the number of edges from which a face moved away, by more than 1e-12 of the solid's size, and the widest such
+   * gap, a length. 0 where every solid is as closed as before.
    */
   vtkGetMacro(NumberOfOpenedEdges, int);
   vtkGetMacro(LargestGap, double);
   ///@}
   ///@{
-  /** Of the last run: the number of new faces; those of a shared model count once. */
+  /** Returns the number of new faces of the last run; those of a shared model count once. */
   vtkGetMacro(NumberOfChangedFaces, int);
   ///@}
 
