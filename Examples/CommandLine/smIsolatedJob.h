@@ -80,7 +80,8 @@ private:
   volatile std::sig_atomic_t* OutOfMemory = nullptr; ///< shared with the child, which sets it
 };
 
-/// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set IsInterrupted(), instead of ending this process at once.
+/// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set IsInterrupted(), instead of ending this
+/// process at once.
 void CatchInterrupt();
 bool IsInterrupted();
 /// Ends this process by the signal that was caught, so that the shell sees that signal.

@@ -15,8 +15,8 @@ namespace sm
 {
 /**
  * Returns the entries for the JSON:
- *   name, kind ("part" or "assembly"), count (in the product above), count_in_all (in the file), solids (of one), status (the worst of the solids), layer, material, density, each
- *   and in_all ({volume, area, mass, known_mass, solids_with_mass, bounds}), children.
+ *   name, kind ("part" or "assembly"), count (in the product above), count_in_all (in the file), solids (of one), status (the worst of the
+ *   solids), layer, material, density, each and in_all ({volume, area, mass, known_mass, solids_with_mass, bounds}), children.
  * Products more than `depth` levels down are left out of the list, but not out of the sums; 0 keeps all.
  */
 Json MakePartsJson(const std::vector<PartsListEntry>& entries, int depth);

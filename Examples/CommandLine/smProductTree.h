@@ -22,8 +22,8 @@ namespace sm
 /// world. Nodes more than 100 levels deep are missing, and their bodies are in the node above.
 Json GetProductTree(vtkCADReader* reader);
 
-/// A solid or free shell of the file: its id in the table of solids, its model, its display mesh, and the first three rows of the matrix from the part to the
-/// world.
+/// A solid or free shell of the file: its id in the table of solids, its model, its display mesh, and the first three rows of the matrix
+/// from the part to the world.
 struct ProductBody
 {
   std::string Id;

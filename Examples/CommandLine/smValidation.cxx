@@ -123,7 +123,8 @@ Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double m
   sum.VolumeBound += 1e-15 * sum.Volume;
   sum.AreaBound += 1e-15 * sum.Area;
   sum.NoCenter = isPart || isRoot ? "" : "the place of a sub-assembly is not known";
-  // c = sum V_i c_i / sum V_i, with bounds e_i of V_i and d_i of c_i, is off by at most (sum V_i d_i + e_i (|c_i - c| + d_i)) / (sum V_i - e_i).
+  // c = sum V_i c_i / sum V_i, with bounds e_i of V_i and d_i of c_i, is off by at most (sum V_i d_i + e_i (|c_i - c| + d_i)) / (sum V_i -
+  // e_i).
   double error = 0.0;
   for (size_t i = 0; i < 3; ++i)
   {

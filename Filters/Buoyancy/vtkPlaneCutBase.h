@@ -45,8 +45,8 @@ public:
 
   ///@{
   /** Tolerance of a volume relative to the scale of its solid's volume, of its first moments relative to volume times distance from
-   * the origin, and of the section's moments relative to the scale of the solid's area and powers of its size. Range (0, 1], at least 1e-15 is used;
-   * others are reported as an error and change nothing. Default 1e-9. If it cannot be met, Status is
+   * the origin, and of the section's moments relative to the scale of the solid's area and powers of its size. Range (0, 1], at least 1e-15
+   * is used; others are reported as an error and change nothing. Default 1e-9. If it cannot be met, Status is
    * tolerance-not-met, and the values are kept with their true bounds. */
   void SetRelativeTolerance(double tolerance) { this->ChangeRelativeTolerance(tolerance); }
   vtkGetMacro(RelativeTolerance, double);

@@ -108,8 +108,8 @@ struct MassPropertiesResult
 
 /**
  * Computes the mass properties of `model`: a vtkNURBSDataSet with a model, or a composite dataset with any number of them, for
- * example the output of vtkSTEPReader. Instances of one vtkTrimmedNURBSModel are integrated once. Failure is a status, never an exception: an
- * option out of its range, a run that was stopped, a lack of memory and an exception of the callback are "not-computed", null and an
+ * example the output of vtkSTEPReader. Instances of one vtkTrimmedNURBSModel are integrated once. Failure is a status, never an exception:
+ * an option out of its range, a run that was stopped, a lack of memory and an exception of the callback are "not-computed", null and an
  * input without exact geometry are "empty"; Reason has a sentence.
  */
 SMFILTERSMASSPROPERTIES_EXPORT MassPropertiesResult ComputeMassProperties(

@@ -33,8 +33,8 @@ struct ProductTreeNode
 };
 
 /// The tree of the vtkDataAssembly of a vtkPartitionedDataSetCollection, without products that have no bodies; without an assembly a
-/// product for each body. Nodes more than 100 levels deep are missing, and their bodies are in the node above. Pointers are valid as long as
-/// the input.
+/// product for each body. Nodes more than 100 levels deep are missing, and their bodies are in the node above. Pointers are valid as long
+/// as the input.
 SMFILTERSMASSPROPERTIES_EXPORT ProductTreeNode MakeProductTree(vtkDataObject* input);
 }
 

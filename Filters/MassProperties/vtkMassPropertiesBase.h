@@ -105,9 +105,9 @@ public:
 
   ///@{
   /**
-   * Frame of reference for CenterOfMassInFrame, VolumeInertiaInFrame and those with MassCenter and MassInertia: a point in world coordinates
-   * and length unit, the direction of its z axis, and a direction whose part perpendicular to that is its x axis (of any length). Parallel
-   * directions, and what is not finite, are reported as an error and change nothing. Default: no frame.
+   * Frame of reference for CenterOfMassInFrame, VolumeInertiaInFrame and those with MassCenter and MassInertia: a point in world
+   * coordinates and length unit, the direction of its z axis, and a direction whose part perpendicular to that is its x axis (of any
+   * length). Parallel directions, and what is not finite, are reported as an error and change nothing. Default: no frame.
    */
   void SetReferenceFrame(const double origin[3], const double zAxis[3], const double xAxis[3]);
   void ClearReferenceFrame();

@@ -26,8 +26,8 @@ namespace sm
 /// For FillOutputPortInformation(): the output holds the display mesh of the input, where that has one.
 SMFILTERSNURBS_EXPORT void DeclareMeshOutput(vtkInformation* outputPortInformation);
 
-/// For Update(port) of a filter with DeclareMeshOutput(), which only an application calls: if the port holds a mesh, the application is to have
-/// it from now on, also with nothing connected to the port.
+/// For Update(port) of a filter with DeclareMeshOutput(), which only an application calls: if the port holds a mesh, the application is to
+/// have it from now on, also with nothing connected to the port.
 SMFILTERSNURBS_EXPORT void RequestMeshOutput(vtkAlgorithm* filter, int port);
 
 /// For ComputePipelineMTime() of a filter that works with the exact geometry of its inputs: sets marks at their producers, unless the call

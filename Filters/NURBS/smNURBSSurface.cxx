@@ -135,8 +135,8 @@ void ExtractCell(const NURBSSurface& surface, int ku, int kv, const double (&u)[
   Blossom(surface.Knots[1], q, kv, v[0], v[1], partial, cell, { p + 1, p + 1, 1 });
 }
 
-/// Point and derivatives of a cell at local parameters. P, Q: its degrees where these are known to the compiler, else 0; every sum runs in the
-/// same order.
+/// Point and derivatives of a cell at local parameters. P, Q: its degrees where these are known to the compiler, else 0; every sum runs in
+/// the same order.
 template <int P, int Q>
 void EvaluateCell(const Homogeneous* cell, const std::array<int, 2>& degrees, double s, double r,
   Homogeneous& h, Homogeneous& hs, Homogeneous& hr)

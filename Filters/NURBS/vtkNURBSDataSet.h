@@ -13,9 +13,9 @@
  * | Parameters    | point       | 2          | (u,v) of the point on that face's surface           |
  * | MeshDeviation | field       | 1          | no triangle of face i is farther from its surface, across it (see below) |
  *
- * MeshDeviation bounds the distance from the surface whether trimmed or not, and where the surface is nearly flat beside a triangle, its distance
- * across the surface as continued beyond the part under the triangle: sideways a triangle may reach beyond that part, as chords do beyond
- * the edges of a face. See Documentation/Numerics.md.
+ * MeshDeviation bounds the distance from the surface whether trimmed or not, and where the surface is nearly flat beside a triangle, its
+ * distance across the surface as continued beyond the part under the triangle: sideways a triangle may reach beyond that part, as chords do
+ * beyond the edges of a face. See Documentation/Numerics.md.
  *
  * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it. GetModel() returns null if
  * the points were replaced or their coordinates changed after SetModel(), because the model no longer describes them: such a mesh is an

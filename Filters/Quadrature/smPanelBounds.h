@@ -26,8 +26,8 @@ struct PanelPart
   int Depth = 0;
 };
 
-/// The largest change of an integrand where points move by `moved` and normals by `turned`; normals are at most `normal` long, and points no
-/// farther than `reach`.
+/// The largest change of an integrand where points move by `moved` and normals by `turned`; normals are at most `normal` long, and points
+/// no farther than `reach`.
 double GetIntegrandChange(const BoundClass& c, double moved, double turned, double normal, double reach);
 
 class PanelBounds

@@ -65,9 +65,9 @@ public:
   /// Removes all ellipses. `shares` holds the error allowed in this direction for every integrand; a value that is not positive, or
   /// infinite, allows any error. Orders are at most `largest`.
   void Reset(const std::vector<double>& shares, int largest);
-  /// Adds an ellipse of this radius (> 1), which stays where it is. `bounds` holds the bound of |f| on it for every integrand; infinite where f may not
-  /// be analytic. Returns false if the ellipse asks for more points of every integrand than one before it, so that larger ones
-  /// will not ask for fewer: orders fall with the radius until the bounds rise faster.
+  /// Adds an ellipse of this radius (> 1), which stays where it is. `bounds` holds the bound of |f| on it for every integrand; infinite
+  /// where f may not be analytic. Returns false if the ellipse asks for more points of every integrand than one before it, so that larger
+  /// ones will not ask for fewer: orders fall with the radius until the bounds rise faster.
   bool AddEllipse(const EllipseRadius& radius, const std::vector<double>& bounds);
   /// Returns whether the last ellipse has a smaller error of `points` points for some integrand than all before it.
   bool IsLastBest(int points) const;

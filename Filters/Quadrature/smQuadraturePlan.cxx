@@ -193,8 +193,9 @@ FacePlan MakePlan(std::size_t classes)
   return plan;
 }
 
-/// The rest of the areas' tolerances that the bounds leave, at least the share of one panel, is for the items that are compared, in equal shares, since
-/// a line on which normals vanish needs the same of all its parts. Half of it: each of the four parts of an item gets half of its share.
+/// The rest of the areas' tolerances that the bounds leave, at least the share of one panel, is for the items that are compared, in equal
+/// shares, since a line on which normals vanish needs the same of all its parts. Half of it: each of the four parts of an item gets half of
+/// its share.
 void ShareOut(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
 {
   const auto compared = std::count_if(

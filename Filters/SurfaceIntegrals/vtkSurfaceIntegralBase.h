@@ -162,9 +162,9 @@ public:
    *
    * Outputs and getters of the other ranks are empty, so that no result exists twice. Properties must be the same on all ranks; a
    * rank with other integrands takes no part, with a message. A rank without OpenGL computes on the CPU. If a rank fails, by
-   * an exception or otherwise, the rank with the bodies computes its share, with a message; if that one fails, nothing is computed. An abort on any rank stops all ranks, at the end of a batch of some
-   * 2e7 evaluations. Every rank may spend the part of MaximumEvaluations that corresponds to its faces' part of the plan.
-   * Evaluations and Dispatches count all ranks. vtkBuoyancy, vtkSolidSection and
+   * an exception or otherwise, the rank with the bodies computes its share, with a message; if that one fails, nothing is computed. An
+   * abort on any rank stops all ranks, at the end of a batch of some 2e7 evaluations. Every rank may spend the part of MaximumEvaluations
+   * that corresponds to its faces' part of the plan. Evaluations and Dispatches count all ranks. vtkBuoyancy, vtkSolidSection and
    * vtkSchemeMassPropertiesGPU run on the rank that has the bodies.
    * If several ranks have bodies, each integrates its own. A plain Update() involves only the calling process.
    *

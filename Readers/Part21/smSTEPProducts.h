@@ -47,8 +47,8 @@ struct STEPProduct
  * Returns the products, sorted by their numbers.
  *
  * A validation property is an item of a representation of a PROPERTY_DEFINITION with the name "geometric validation property" of the
- * product's shape (CAx-IF recommended practice): a VOLUME_MEASURE, an AREA_MEASURE (surface area, which some systems call wetted), each with
- * a DERIVED_UNIT of a length, or a CARTESIAN_POINT "centre point" in the unit of its representation's context.
+ * product's shape (CAx-IF recommended practice): a VOLUME_MEASURE, an AREA_MEASURE (surface area, which some systems call wetted), each
+ * with a DERIVED_UNIT of a length, or a CARTESIAN_POINT "centre point" in the unit of its representation's context.
  */
 SMREADERSPART21_EXPORT std::vector<STEPProduct> ReadSTEPProducts(const Part21File& file);
 

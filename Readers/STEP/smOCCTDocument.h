@@ -71,7 +71,8 @@ struct Document
   /// The reason why Status is not Ok: a sentence without the file's name.
   std::string Problem;
   std::vector<std::string> Messages;
-  /// Solids, faces and instances that the file declares and the document lacks, and contradictions that belong to no single body; a sentence each.
+  /// Solids, faces and instances that the file declares and the document lacks, and contradictions that belong to no single body; a
+  /// sentence each.
   std::vector<std::string> Defects;
   /// The length unit of the file, in its spelling ("millimetre"), and its size in mm; empty and 1 if it states none.
   std::string FileUnit;

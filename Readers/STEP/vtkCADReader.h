@@ -51,8 +51,8 @@
  * (vtkTrimmedNURBSModel::GetScaleMesh) is always made: the scales of all tolerances are computed from it, and filters use it to decide if
  * shells cross themselves or enclose each other, so that their results have the same bits with and without a display mesh.
  *
- * Memory: for each point of the scale mesh 56 bytes and for each triangle 36, once a model; for each point of a display mesh 36 bytes more for
- * each instance, and for a mesh with other limits than the scale mesh's, a colour, or a mirrored instance, arrays once a model.
+ * Memory: for each point of the scale mesh 56 bytes and for each triangle 36, once a model; for each point of a display mesh 36 bytes more
+ * for each instance, and for a mesh with other limits than the scale mesh's, a colour, or a mirrored instance, arrays once a model.
  * GetActualMemorySize() of the output includes all of it; that of a leaf includes its model.
  */
 #ifndef vtkCADReader_h
@@ -123,8 +123,8 @@ public:
 
   ///@{
   /**
-   * For large assemblies: if the display mesh of all instances would have more triangles than this (as their scale meshes have, more where the
-   * deflection is finer), a coarser one is made, within 1e-3 of the diagonal of all solids together and with angles of up to 1.2. It is
+   * For large assemblies: if the display mesh of all instances would have more triangles than this (as their scale meshes have, more where
+   * the deflection is finer), a coarser one is made, within 1e-3 of the diagonal of all solids together and with angles of up to 1.2. It is
    * drawn fast and takes little memory; exact results are the same. With Refined the mesh asked for is made in any case. At least 0,
    * clamped; 0, the default: no limit; 5 million in ParaView.
    */
@@ -222,9 +222,9 @@ public:
 
   ///@{
   /** Wall-clock seconds of the last Update(): reading by OpenCASCADE, the meshes, and the conversion to NURBS models (with the making of the
-   * output). Reading is the sum of parsing, until the entities are in memory, the transfer, which makes shapes of them, and trims: the inspection
-   * of faces, which finds the trim curves that the file leaves out. Where the file was not read again, those of reading and conversion are of the
-   * run that read it. */
+   * output). Reading is the sum of parsing, until the entities are in memory, the transfer, which makes shapes of them, and trims: the
+   * inspection of faces, which finds the trim curves that the file leaves out. Where the file was not read again, those of reading and
+   * conversion are of the run that read it. */
   double GetReadSeconds() const;
   double GetParseSeconds() const;
   double GetTransferSeconds() const;

@@ -31,8 +31,8 @@
  * No exception leaves Write().
  *
  * One file is written or read at a time in a process, and others wait, because OpenCASCADE's settings are global. Under MPI call Write() in
- * every process with SetNumberOfPieces() and SetPiece(), as ParaView does: each updates its own piece of the input, and the first one, where
- * vtkSTEPReader and our filters have all solids, writes the file. No OpenGL context is needed.
+ * every process with SetNumberOfPieces() and SetPiece(), as ParaView does: each updates its own piece of the input, and the first one,
+ * where vtkSTEPReader and our filters have all solids, writes the file. No OpenGL context is needed.
  */
 #ifndef vtkNURBSModelWriter_h
 #define vtkNURBSModelWriter_h
@@ -69,7 +69,8 @@ public:
   ///@{
   /**
    * The piece of the input to update, from 0, of how many: rank and number of MPI processes. If Piece is
-   * not 0, the input is updated, nothing is written, and Write() returns 1, unless FileName or the input is missing. Values are clamped, the number to 1 or more, the piece to 0 or more. Default: 0 of 1.
+   * not 0, the input is updated, nothing is written, and Write() returns 1, unless FileName or the input is missing. Values are clamped,
+   * the number to 1 or more, the piece to 0 or more. Default: 0 of 1.
    */
   vtkSetClampMacro(Piece, int, 0, VTK_INT_MAX);
   vtkGetMacro(Piece, int);

@@ -14,8 +14,8 @@ constexpr double Tolerances[] = { 1e-6, 1e-9, 1e-12 };
 /// Factor of the error of the file's numbers that a bound may have: reading rounds every coordinate more than once, and the area of a ball
 /// is more than the square of its size.
 constexpr double ReadingRoundings = 40.0;
-/// The same for a placement, whose translation may be off by 32 u (PlacementError); the area of the patches of the torus, as the bound takes
-/// it, is less than four times the square of its size.
+/// The same for a placement, whose translation may be off by 32 u (PlacementError); the area of the patches of the torus, as the bound
+/// takes it, is less than four times the square of its size.
 constexpr double PlacementRoundings = 4.0 * 32.0;
 
 /// `size`: the diameter of the body. `given`: how far the rounded numbers of the plane or of the file are from the exact ones, a length.

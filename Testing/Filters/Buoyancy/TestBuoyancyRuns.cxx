@@ -67,8 +67,8 @@ void CheckVoids(const Manifest& manifest)
       std::string::npos);
 }
 
-/// Planes along the top of a rotated box of 30 x 20 x `thickness`, by less than what rounding leaves of a point far away in them: whether the
-/// box is below as a whole, or with all but a sheet, is beyond what can be told, and the bound has to say so.
+/// Planes along the top of a rotated box of 30 x 20 x `thickness`, by less than what rounding leaves of a point far away in them: whether
+/// the box is below as a whole, or with all but a sheet, is beyond what can be told, and the bound has to say so.
 void CheckTop(const std::string& what, Scene& scene, double thickness)
 {
   const Real volume = 600 * static_cast<Real>(thickness);

@@ -39,8 +39,8 @@ void CheckSection(
     std::printf("     %s: error / bound %.2g, bound / area %.2g\n", name.c_str(),
       std::abs(filter->GetSectionArea() - number(exact.Area)) / bound, bound / number(exact.Area));
   }
-  // Twice: the scale of the area is rounded to a power of two. 3e-12: heights are rounded to some 1e-14, and slopes and lengths at the plane
-  // are known within some factors.
+  // Twice: the scale of the area is rounded to a power of two. 3e-12: heights are rounded to some 1e-14, and slopes and lengths at the
+  // plane are known within some factors.
   const double widest = 2.0 * tolerance * number(body.Area) +
     100.0 * number(body.Given * (cut.Slope + 4 * body.Size)) + 3e-12 * size * (size + number(cut.Slope));
   CheckRange(name + ", bound", 0.0, bound, widest);

@@ -1,5 +1,5 @@
-// TestDisplayMeshDemand SOLIDS: a reader makes points and triangles when something downstream needs them, later without reading the file again,
-// and exact results have the same bits whenever that is.
+// TestDisplayMeshDemand SOLIDS: a reader makes points and triangles when something downstream needs them, later without reading the file
+// again, and exact results have the same bits whenever that is.
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 

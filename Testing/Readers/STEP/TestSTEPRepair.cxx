@@ -1,5 +1,5 @@
-// TestSTEPRepair SOLIDS VARIANT: what vtkSTEPReader takes from the file as it is has the properties that formulas give, also where the file has
-// no trim curves; what has to be repaired is repaired, and said.
+// TestSTEPRepair SOLIDS VARIANT: what vtkSTEPReader takes from the file as it is has the properties that formulas give, also where the file
+// has no trim curves; what has to be repaired is repaired, and said.
 #include "smReaderTesting.h"
 #include "smRoundTrip.h"
 #include "smTestManifest.h"
