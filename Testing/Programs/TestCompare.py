@@ -1,16 +1,17 @@
 """TestCompare.py MODE --program P --output DIR [--solids DIR]: solidmoments --compare of products and of exact solids."""
 import argparse
+import functools
 import json
 import math
 import os
 import shutil
 import struct
-import subprocess
 import sys
 import zlib
 from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+import smprogram  # noqa: E402
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smproduct import Assembly, Part, write_product  # noqa: E402
 from polyhedra import make_prism  # noqa: E402
@@ -28,12 +29,7 @@ QUARTER = ((0, -1, 0), (1, 0, 0), (0, 0, 1))
 STATES = ("unchanged", "moved", "changed", "added", "removed")
 BRACKET = ((0, 0), (40, 0), (40, 10), (10, 10), (10, 30), (0, 30))
 
-
-def run(*arguments):
-    result = subprocess.run([options.program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
-                            timeout=200, check=False)
-    print("$ solidmoments", " ".join(arguments), "->", result.returncode)
-    return result
+run = functools.partial(smprogram.run, options.program)
 
 
 def compare(old, new, *arguments, status, counts=None):
