@@ -40,9 +40,10 @@ struct MassPropertiesOptions
   double Density = 0.0;
   /// In [0, 1].
   double DensityTolerance = 0.0;
-  /// Materials by the names of solids, before Density. Their densities are above 0 and finite, their tolerances at most 1.
+  /// Materials by the names of solids; they take precedence over Density. Their densities are above 0 and finite, their tolerances at most
+  /// 1.
   std::vector<MaterialRule> Materials;
-  /// Gaps that make a result suspect. In [0, 1].
+  /// Gaps between faces and edges above this fraction of the diagonal of a body make its result suspect. In [0, 1].
   double GapLimit = 1e-3;
   /// At least 1.
   std::int64_t MaximumEvaluations = 2000000000;

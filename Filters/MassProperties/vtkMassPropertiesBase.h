@@ -90,12 +90,12 @@ public:
 
   ///@{
   /**
-   * Materials of solids by their names, before Density and what the file states. In a pattern * stands for any characters and ? for one;
-   * letters of ASCII match in either case. The first pattern, in the order of the calls, that is equal to the name of a solid, else the
-   * first that matches it, gives the solid its material and density in kg/m^3. The density as text may be empty: then the material is one
-   * of the common ones (smMaterials.h). A density that is not above 0 and finite, and a material that is not known, is reported as an error
-   * and changes nothing; a pattern that gives no solid its material gets a message. `tolerance` is relative, negative for that of
-   * DensityTolerance. Default: none.
+   * Materials of solids by their names. They take precedence over Density, and Density over the density that the file states. In a pattern,
+   * `*` stands for any characters and `?` for one; letters of ASCII match in either case. The first pattern, in the order of the calls,
+   * that is equal to the name of a solid, else the first that matches it, gives the solid its material and density in kg/m^3. The density
+   * as text may be empty: then the material is one of the common ones (smMaterials.h). A density that is not above 0 and finite, and a
+   * material that is not known, is reported as an error and changes nothing; a pattern that gives no solid its material gets a message.
+   * `tolerance` is relative, negative for that of DensityTolerance. Default: none.
    */
   void AddMaterial(const char* pattern, const char* material, double density, double tolerance = -1.0);
   void AddMaterial(const char* pattern, const char* material, const char* density);

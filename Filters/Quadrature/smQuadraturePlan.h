@@ -52,7 +52,8 @@ struct PlannedItem
 struct FacePlan
 {
   std::vector<PlannedItem> Items;
-  /// Per class: bound of the quadrature error of all items; where items are compared the area's is not in it.
+  /// One number for each class of integrands (BoundClass): bound of the quadrature error of all items; where items are compared the area's
+  /// is not in it.
   std::vector<double> QuadratureBound;
   /// Per class: bound of the error from residuals of trim curves, edge curves and surface, and rounding of control points.
   std::vector<double> ConversionBound;

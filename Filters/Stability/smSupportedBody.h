@@ -52,6 +52,7 @@ struct SupportedBody
   HeightRange Clearance{ 0.0, 0.0 };
   int ContactFaces = 0;
   int ContactEdges = 0;
+  /// True if the search of contacts was stopped at a limit of work, see GroundContacts::Coarse; bounds hold, but are wider.
   bool Coarse = false;
   StabilityResult Result;
   /// Height of the ground in the frame.

@@ -2,7 +2,7 @@
  * @class   vtkBREPReader
  * @brief   reads OpenCASCADE's BREP files, text and binary, into exact trimmed NURBS models with a display mesh
  *
- * vtkCADReader documents the output, errors, and how it is read in a process of its own or from memory. The format has no names, units,
+ * vtkCADReader documents the output, errors, and how a file is read in a process of its own or from memory. The format has no names, units,
  * colours, materials or tolerances of coordinates: bodies are called "Solid" or "Shell", and InputUnit is the unit of the numbers. Nested
  * compounds become the product structure, and a shape that occurs several times is one model with several instances.
  *
