@@ -1,4 +1,4 @@
-# What SolidMoments is built and tested with on Debian 12 and 13, and how it gets there. Sourced, POSIX sh:
+# The packages with which SolidMoments is built and tested on Debian 12 and 13, and their installation. To be sourced, POSIX sh:
 #   solidmoments_packages                      prints the names
 #   solidmoments_library_packages              prints those that a program that links SolidMoments needs, too
 #   solidmoments_install LOG                   installs those that are missing; says what it does
@@ -59,7 +59,7 @@ solidmoments_install() {
   _missing=
   for _package in $(solidmoments_packages); do
     case $(dpkg-query -W -f='${db:Status-Abbrev}' "$_package" 2>/dev/null) in
-      # Held packages are "hi": what counts is the second letter, installed.
+      # The second letter means installed; the first one is "h" for held packages.
       ?i*) ;;
       *) _missing="$_missing $_package" ;;
     esac

@@ -16,7 +16,7 @@ set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 set(SOLIDMOMENTS_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/SolidMoments")
 
 # Several sources of a target are compiled as one, since headers and templates take more than half of the time. A file with macros of its
-# own is left out (SKIP_UNITY_BUILD_INCLUSION); names in anonymous namespaces are unique in their room.
+# own is left out (SKIP_UNITY_BUILD_INCLUSION); names in anonymous namespaces are unique in their module.
 option(SOLIDMOMENTS_UNITY_BUILD "Compile several sources together: half the time for the whole tree, more for one changed file" ON)
 mark_as_advanced(SOLIDMOMENTS_UNITY_BUILD)
 set(CMAKE_UNITY_BUILD ${SOLIDMOMENTS_UNITY_BUILD})

@@ -6,7 +6,7 @@ set(_vtk_components
   ViewsContext2D vtksys zlib)
 if (SOLIDMOMENTS_WRAP_PYTHON)
   if (NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
-    # VTK's wrappers are built for the system's Python, whatever comes first on PATH.
+    # VTK's wrappers are built for the system's Python, which need not be the first one on PATH.
     set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that VTK was built for")
   endif ()
   list(APPEND _vtk_components Python WrappingPythonCore)
@@ -15,7 +15,7 @@ endif ()
 include(SolidMomentsPythonModules)
 if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
   solidmoments_accept_python_modules(ParaView)
-  # Without COMPONENTS ParaView asks for everything it was built with (Qt, GDAL, FFmpeg).
+  # Without COMPONENTS ParaView requires everything it was built with (Qt, GDAL, FFmpeg).
   find_package(ParaView 5.11 QUIET
     COMPONENTS RemotingCore RemotingServerManager RemotingViews VTKExtensionsFiltersRendering)
   if (NOT ParaView_FOUND)
@@ -26,8 +26,9 @@ if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
   set(VTK_DIR "${ParaView_DIR}/vtk" CACHE PATH "ParaView's own VTK" FORCE)
 endif ()
 solidmoments_accept_python_modules(VTK)
-# The loader of OpenGL is GLEW, and glad from 9.4 on. Only tests need MPI itself, and a filter that talks to other ranks. JSON is VTK's
-# own where it has some: the example programs cannot use another beside it.
+# The loader of OpenGL is GLEW before VTK 9.4, and glad from then on. Only tests need MPI itself (ParallelMPI) and a filter that
+# communicates between ranks (FiltersParallel). If VTK has its own JSON library, the example programs must use it, because another one
+# cannot be loaded beside it.
 find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components} OPTIONAL_COMPONENTS ParallelMPI FiltersParallel nlohmannjson
   glad glew opengl)
 if (NOT VTK_FOUND)

@@ -11,7 +11,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
-# Which Debian a package is for: each has another ParaView and another OpenCASCADE.
+# The Debian release of a package is part of its version, because each release has its own ParaView and OpenCASCADE.
 set(release 1)
 if (EXISTS /etc/os-release)
   file(STRINGS /etc/os-release line REGEX "^VERSION_ID=")
@@ -36,7 +36,7 @@ macro(solidmoments_package component package summary depends)
     COMPONENT ${component} EXCLUDE_FROM_ALL)
 endmacro ()
 
-# Users of the libraries need the packages that these were built with, but for the tools.
+# Users of the libraries need the packages with which the libraries were built, except the tools.
 execute_process(COMMAND sh -c ". \"$0\"; solidmoments_library_packages" "${PROJECT_SOURCE_DIR}/Examples/install-packages.sh"
   OUTPUT_VARIABLE development OUTPUT_STRIP_TRAILING_WHITESPACE)
 string(REGEX REPLACE "[ \n]+" ", " development "${development}")

@@ -1,5 +1,5 @@
-# Precompiled headers of the modules, one for those that are mostly mathematics and one for those that are mostly VTK. A header of a
-# module's own would cost more than it saves. Every file includes what it uses and compiles without them, too
+# Precompiled headers of the modules, one for those that are mostly mathematics and one for those that are mostly VTK. A precompiled header
+# for each module would take longer than it saves. Every file includes the headers it uses and compiles without precompiled ones, too
 # (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
 set(solidmoments_standard_headers
   <algorithm> <array> <cmath> <functional> <limits> <map> <memory> <string> <utility> <vector>)

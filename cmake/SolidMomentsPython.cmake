@@ -20,9 +20,9 @@ vtk_module_wrap_python(
   WRAPPED_MODULES     solidmoments_python_modules
   TARGET              SolidMoments::Python)
 set(CMAKE_INSTALL_RPATH "${solidmoments_install_rpath}")
-# mass_properties() and what goes with it, on those modules.
+# The pure Python part of the package: mass_properties() and others, which use those modules.
 set(solidmoments_vtk_folder "${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
-# With its version in its name, where it has one: the name without it may stand for another Python one day.
+# The name of the interpreter with its version is used if it exists, because the name without it may be another Python later.
 set(solidmoments_python "${Python3_EXECUTABLE}")
 get_filename_component(solidmoments_python_bin "${Python3_EXECUTABLE}" DIRECTORY)
 set(solidmoments_versioned_python "${solidmoments_python_bin}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}")
@@ -43,7 +43,7 @@ set(solidmoments_distribution "solidmoments-${PROJECT_VERSION}.dist-info")
 set(solidmoments_distribution_folder "${CMAKE_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}/${solidmoments_distribution}")
 configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Python/METADATA.in" "${solidmoments_distribution_folder}/METADATA" @ONLY)
 configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Python/entry_points.txt" "${solidmoments_distribution_folder}/entry_points.txt" COPYONLY)
-# Those of other versions would be found, too.
+# Removes the entry points of other versions, which would be found, too.
 install(CODE "file(GLOB others \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${SOLIDMOMENTS_PYTHON_DESTINATION}/solidmoments-*.dist-info\")
   list(FILTER others EXCLUDE REGEX \"/${solidmoments_distribution}\\$\")
   if (others)

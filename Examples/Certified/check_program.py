@@ -39,7 +39,7 @@ def flatten(value):
 
 
 def run(command, path, seconds):
-    """What a program printed for a file, as one dictionary, and what went wrong, or an empty string."""
+    """Runs a program for a file. Returns its JSON as one dictionary, and an error message or an empty string."""
     words = [word.replace("{file}", path) for word in shlex.split(command)]
     try:
         done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=seconds, check=False)
@@ -57,12 +57,12 @@ def run(command, path, seconds):
 
 
 def read_number(text):
-    """Exact; a number that no double could hold is none."""
+    """The number of a text, exactly; None for one that exceeds the range of double."""
     return Fraction(text) if abs(float(text)) < float("inf") else None
 
 
 def get_stated(result, quantity):
-    """The program's own word on the error of a quantity, None where it has none."""
+    """The error that the program states for a quantity; None if it states none."""
     stated = (result.get("bounds") or {}).get(quantity)
     if stated is None and quantity == "volume" and result.get("claimed") is not None:
         stated = abs(result["claimed"] * result["volume"])
@@ -70,7 +70,8 @@ def get_stated(result, quantity):
 
 
 def get_gaps(result, quantity, scale):
-    """What gaps between faces may add, by the program's own figures. `scale`: a length of the solid, in its unit."""
+    """The error that gaps between faces may cause, from the figures that the program states. `scale`: a length of the solid, in its
+    unit."""
     gaps, volume = result.get("gap_squared") or 0, abs(result.get("volume") or 0)
     if quantity == "area":
         return result.get("gap_area") or 0
@@ -78,7 +79,7 @@ def get_gaps(result, quantity, scale):
 
 
 def judge(certificate, result):
-    """Of every quantity: error and stated error relative to the scale, and a verdict."""
+    """Returns for every quantity the error and the stated error relative to the scale, and a verdict."""
     unit = UNITS[result.get("length_unit") or "mm"] / UNITS[certificate["length_unit"]]
     area, volume = (Fraction(certificate[name][0]) for name in ("area", "volume"))
     length = Fraction(float(area) ** 0.5)
@@ -106,7 +107,7 @@ def judge(certificate, result):
 
 
 def check(command, options, certificates):
-    """The outcome for every file."""
+    """Runs a program over all files; returns the outcome for every file."""
     outcomes = []
     for certificate in certificates:
         result, trouble = run(command, os.path.join(options.set, certificate["file"]), options.seconds)
@@ -116,7 +117,6 @@ def check(command, options, certificates):
     return outcomes
 
 
-# --- tables ----------------------------------------------------------------------------------------
 def short(value):
     return "-" if value is None else "0" if value == 0 else f"{value:.0e}"
 
@@ -133,7 +133,7 @@ def make_file_table(outcomes):
 
 
 def count(outcomes, quantity):
-    """Errors and verdicts."""
+    """Collects the errors, and counts the verdicts, of a quantity."""
     cells = [outcome["quantities"][quantity] for outcome in outcomes]
     errors = sorted(cell["error"] for cell in cells if cell["error"] is not None)
     return {"results": len(errors), "median": errors[len(errors) // 2] if errors else None, "worst": errors[-1] if errors else None,

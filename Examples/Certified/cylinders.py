@@ -9,7 +9,7 @@ X, Y, Z, DOWN = (1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 0, -1)
 
 
 def _write_tube(file, surface, rings, caps):
-    """A tube and two plane caps. A ring is its curve, counter-clockwise from above, and two points on it."""
+    """Writes a tube and two plane caps. A ring is a curve, counter-clockwise from above, and two points on it."""
     halves = [[file.edge(p, q, curve), file.edge(q, p, curve)] for curve, p, q in rings]
     walls = [file.edge(low, high) for low, high in zip(rings[0][1:], rings[1][1:])]
     faces = [file.face(surface, [[(halves[0][k], True), (walls[1 - k], True), (halves[1][k], False), (walls[k], False)]])
@@ -19,7 +19,8 @@ def _write_tube(file, surface, rings, caps):
 
 
 def write_cut_cylinder(file, r, h):
-    """Radius r about z, from z = 0 to the plane z = h + 3/4 x, which cuts it in an ellipse with the half axes 5/4 r and r."""
+    """Writes a cylinder of radius r about z, from z = 0 to the plane z = h + 3/4 x, which cuts it in an ellipse with the half axes 5/4 r
+    and r."""
     up = (Fraction(-3, 5), 0, Fraction(4, 5))
     along = (Fraction(4, 5), 0, Fraction(3, 5))
     rise = Fraction(3, 4) * r
@@ -30,7 +31,7 @@ def write_cut_cylinder(file, r, h):
 
 
 def get_cut_cylinder_moments(r, h):
-    """Integrals of z^k over each vertical line, then over the disc; x is odd around the circle, so the side is 2 pi r h."""
+    """Integrates z^k over each vertical line, then over the disc. The area of the side is 2 pi r h, since x is odd around the circle."""
     plane, s = get_plane_moment([make_circle((0, 0), r)]), Fraction(3, 4)
 
     def measure(a, b, k):
@@ -53,14 +54,15 @@ def get_elliptic_cylinder_moments(a, b, h):
 
 
 def write_oblique_cylinder(file, r, s, h):
-    """Over a circle of radius r at z = 0, along (s, 0, h): s^2 + h^2 must be a square."""
+    """Writes a cylinder over a circle of radius r at z = 0, along (s, 0, h), where s^2 + h^2 must be a square."""
     rings = [(file.circle((x, 0, z), Z, X, r), (x + r, 0, z), (x - r, 0, z)) for x, z in ((0, 0), (s, h))]
     return _write_tube(file, file.extrusion(rings[0][0], (s, 0, h)), rings,
                        (file.plane((0, 0, 0), DOWN, Y), file.plane((s, 0, h), Z, X)))
 
 
 def get_oblique_cylinder_moments(r, s, h):
-    """A shear of the upright one. Its side is r times an ellipse's length: |C' x D| = r sqrt(h^2 + s^2 cos^2 t)."""
+    """Moments of the upright cylinder after a shear. The area of the side is r times the length of an ellipse: |C' x D| = r sqrt(h^2 + s^2
+    cos^2 t)."""
     upright = get_prism_moments([make_circle((0, 0), r)], h)
     shear = ((1, 0, Fraction(s, h)), (0, 1, 0), (0, 0, 1))
     first = [sum(shear[i][k] * upright.first[k] for k in AXES) for i in AXES]
@@ -69,7 +71,7 @@ def get_oblique_cylinder_moments(r, s, h):
 
 
 def write_bicylinder(file, r):
-    """What two cylinders of radius r about x and y have in common; their edges are ellipses in the planes x = y and x = -y."""
+    """Writes the intersection of two cylinders of radius r about x and y; its edges are ellipses in the planes x = y and x = -y."""
     half, pole, foot = round_to_decimal(r * sqrt(2)), (0, 0, r), (0, 0, -r)
     # Half ellipses from the upper pole to the lower one, at the corners (1,1), (-1,1), (-1,-1), (1,-1) of the square.
     corners = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
@@ -83,6 +85,6 @@ def write_bicylinder(file, r):
 
 
 def get_bicylinder_moments(r):
-    """16 r^3 / 3, 16 r^2 (Archimedes): the section at height z is a square with the side 2 sqrt(r^2 - z^2)."""
+    """Volume 16 r^3 / 3 and area 16 r^2 (Archimedes): the section at height z is a square with the side 2 sqrt(r^2 - z^2)."""
     xx, zz = Fraction(64, 45) * r ** 5, Fraction(16, 15) * r ** 5
     return Moments(Fraction(16, 3) * r ** 3, 16 * r ** 2, [0, 0, 0], [[xx, 0, 0], [0, xx, 0], [0, 0, zz]])

@@ -10,7 +10,7 @@ BITS = 320
 
 
 def _trim(x, up):
-    """x itself while it is short, otherwise the next number of BITS bits below or above it."""
+    """Returns x if it has at most BITS bits, otherwise the next number of BITS bits below or above it."""
     if x.denominator.bit_length() <= 4 * BITS:
         return x
     shift = max(0, BITS + x.denominator.bit_length() - x.numerator.bit_length())
@@ -84,7 +84,7 @@ def sqrt(x):
 
 
 def _arctangent(t):
-    """Of a rational t, 0 <= t < 1: the sums of the alternating series enclose it."""
+    """Encloses the arctangent of a rational t, 0 <= t < 1, by sums of the alternating series."""
     total, power, k = Fraction(0), Fraction(t), 0
     while power > Fraction(1, 1 << BITS):
         total += power / (2 * k + 1) * (-1) ** k
@@ -94,7 +94,7 @@ def _arctangent(t):
 
 
 def arctangent(t):
-    """Of a positive rational."""
+    """Encloses the arctangent of a positive rational."""
     return PI / 4 if t == 1 else _arctangent(t) if t < 1 else PI / 2 - _arctangent(1 / Fraction(t))
 
 
@@ -128,7 +128,7 @@ def get_ellipse_length(a, b):
 
 
 def round_to_decimal(interval, places=40):
-    """A decimal that is as near as its places allow."""
+    """Rounds the lower end of a narrow interval to a decimal with this number of places."""
     return Fraction(round(interval.lo * 10 ** places), 10 ** places)
 
 

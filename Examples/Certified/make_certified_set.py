@@ -35,7 +35,7 @@ TURNED = Frame(1, ABOUT_TWO, (10, -20, 30))
 
 
 class Shape:
-    """How to write a solid into a file, and its moments before it is placed. `rounded`: the file has rounded numbers."""
+    """A solid: the function that writes it into a file, and its moments before it is placed. `rounded`: the file has rounded numbers."""
 
     def __init__(self, write, moments, formula, rounded=False):
         self.write, self.moments, self.formula, self.rounded = write, moments, formula, rounded

@@ -45,7 +45,7 @@ def subtract(a, b):
 
 
 def shorten(direction):
-    """The same direction in the smallest whole numbers, which are decimals in every frame."""
+    """Returns the same direction with the smallest whole numbers, which are exact decimals in every frame."""
     common = lcm(*(Fraction(x).denominator for x in direction))
     whole = [int(x * common) for x in direction]
     divisor = gcd(*whole)
@@ -53,7 +53,7 @@ def shorten(direction):
 
 
 class Frame:
-    """Where a solid is: x -> size * turn x + shift, with a rational rotation."""
+    """The placement of a solid, x -> size * turn x + shift, where `turn` is a rational rotation."""
 
     def __init__(self, size=1, turn=IDENTITY, shift=(0, 0, 0)):
         self.size, self.turn, self.shift = Fraction(size), turn, shift
@@ -69,7 +69,7 @@ class Frame:
 
 
 class Part21:
-    """Entities, each written once. Points, directions and lengths are given in the frame and written as they are placed by it."""
+    """Collects entities, each written once. Points, directions and lengths are given in the frame and written after its transform."""
 
     def __init__(self, frame=None):
         self.frame = frame or Frame()
@@ -100,7 +100,6 @@ class Part21:
     def vertex(self, p):
         return self.add(f"VERTEX_POINT('',{self.point(p)})")
 
-    # --- curves ----------------------------------------------------------------------------------
     def line(self, p, q):
         return self.add(f"LINE('',{self.point(p)},{self.vector(subtract(q, p))})")
 
@@ -131,7 +130,6 @@ class Part21:
         multiplicities = ",".join(str(knots.count(k)) for k in values)
         return len(knots) - count - 1, f"({multiplicities})", "(" + ",".join(format_number(k) for k in values) + ")"
 
-    # --- surfaces --------------------------------------------------------------------------------
     def plane(self, origin, z, x):
         return self.add(f"PLANE('',{self.axes(origin, z, x)})")
 
@@ -155,7 +153,7 @@ class Part21:
         return self.add(f"SURFACE_OF_REVOLUTION('',{curve},{axis})")
 
     def bspline_surface(self, rows, knots=(None, None), weights=None):
-        """rows[i][j]: i runs with u, j with v."""
+        """Writes a B-spline surface with control points rows[i][j], where i is the index in u and j that in v."""
         names = ",".join("(" + ",".join(self.point(p) for p in row) + ")" for row in rows)
         p, mu, u = self._describe_knots(knots[0], len(rows))
         q, mv, v = self._describe_knots(knots[1], len(rows[0]))
@@ -167,9 +165,8 @@ class Part21:
                         f"B_SPLINE_SURFACE_WITH_KNOTS({mu},{mv},{u},{v},.UNSPECIFIED.)GEOMETRIC_REPRESENTATION_ITEM()"
                         f"RATIONAL_B_SPLINE_SURFACE(({weights}))REPRESENTATION_ITEM('')SURFACE())")
 
-    # --- topology --------------------------------------------------------------------------------
     def edge(self, p, q, curve=None):
-        """From p to q along a curve, by default a line."""
+        """Writes an edge from p to q along a curve, by default a line."""
         return self.add(f"EDGE_CURVE('',{self.vertex(p)},{self.vertex(q)},{curve or self.line(p, q)},.T.)")
 
     def face(self, surface, loops, forward=True):
@@ -191,7 +188,6 @@ class Part21:
         turned = ",".join(self.add(f"ORIENTED_CLOSED_SHELL('',*,{void},.F.)") for void in shells)
         self.solids.append(self.add(f"BREP_WITH_VOIDS('',{shell},({turned}))"))
 
-    # --- products --------------------------------------------------------------------------------
     def write(self, name, description, unit, instances=None):
         """The text of the file. `instances`: frames at which an assembly has the product; otherwise the product is the file."""
         context = self._add_context(unit)

@@ -12,7 +12,7 @@ def make_box(x, y, z, corner=(0, 0, 0)):
 
 
 def make_prism(polygon, height, corner=(0, 0, 0), holes=()):
-    """Over a polygon, counter-clockwise, with holes, which are clockwise."""
+    """Makes a prism over a counter-clockwise polygon with clockwise holes; returns points and faces."""
     points, bottom, top, sides = [], [], [], []
     for loop in (polygon, *holes):
         first, n = len(points), len(loop)

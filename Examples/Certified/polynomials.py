@@ -33,7 +33,7 @@ def differentiate(p, variable):
 
 
 def integrate(p):
-    """Over the unit square."""
+    """Integrates a polynomial over the unit square."""
     return sum((value / ((i + 1) * (j + 1)) for (i, j), value in p.items()), Fraction(0))
 
 
@@ -70,7 +70,6 @@ def make_basis(knots, degree):
     return result
 
 
-# --- the square root -------------------------------------------------------------------------------
 PLACES = 256  # binary places of fixed-point numbers
 ORDER = 20
 REACH = 3  # of the polydisc, in half widths of a cell
@@ -180,7 +179,7 @@ class _Scaled:
 
 
 def _integrate_cell(root, weight, largest):
-    """The rule over [-1, 1]^2 with its remainder. `largest`: of the radicand on the polydisc."""
+    """Returns the rule's value over [-1, 1]^2 with its remainder. `largest`: a bound of the radicand on the polydisc."""
     nodes, weights, error = _RULE[0]
     used = [ORDER if any(key[d] for p in (root, weight) for key in p) else 1 for d in range(2)]
     rules = [(nodes, weights) if n > 1 else ([Fraction(0)], [Fraction(2)]) for n in used]

@@ -12,7 +12,7 @@ from polynomials import add, differentiate, integrate, integrate_root, make_basi
 
 
 class Bezier:
-    """A polynomial curve; with two control points a line. `bspline`: write a line as a spline, too."""
+    """A polynomial curve, with two control points a line. `bspline`: a line is written as a spline, too."""
 
     def __init__(self, *points):
         self.points = [tuple(Fraction(x) for x in p) for p in points]
@@ -31,7 +31,7 @@ class Bezier:
         return Interval(integrate(product) / (a + 1))
 
     def get_length(self, weight=None):
-        """Of the curve, each piece times the polynomial `weight`."""
+        """Returns the length of the curve, or the integral of the polynomial `weight` along it."""
         dx, dy = differentiate(self.x, 0), differentiate(self.y, 0)
         square = add(multiply(dx, dx), multiply(dy, dy))
         if self.straight:
@@ -48,7 +48,8 @@ def line(p, q):
 
 
 class Arc:
-    """Of a circle, counter-clockwise (or clockwise, `turn` -1) between two rational points of the unit circle about its centre."""
+    """An arc of a circle, counter-clockwise (or clockwise, `turn` -1), between two directions from its centre that are rational points of
+    the unit circle."""
 
     def __init__(self, center, radius, first, last, turn=1):
         self.center = tuple(Fraction(x) for x in center)
@@ -96,7 +97,7 @@ def make_polygon(*points):
 
 
 def make_circle(center, radius, turn=1):
-    """In two halves, so that no edge is closed."""
+    """Returns a circle as two halves, so that no edge is closed."""
     ends = [((1, 0), (-1, 0)), ((-1, 0), (1, 0))]
     return [Arc(center, radius, first, last, turn) for first, last in ends]
 
@@ -112,7 +113,6 @@ def get_plane_moment(profiles):
     return measure
 
 
-# --- prisms ----------------------------------------------------------------------------------------
 def get_prism_moments(profiles, height):
     plane = get_plane_moment(profiles)
     sides = sum((segment.get_length() for profile in profiles for segment in profile), Interval(0))
@@ -120,7 +120,7 @@ def get_prism_moments(profiles, height):
 
 
 def write_prism(file, profiles, height, side="elementary"):
-    """Along z. `side`: how curved sides are written: elementary surfaces, "extrusion", or "bspline"."""
+    """Writes a prism along z. `side`: the type of curved sides: "elementary" surfaces, "extrusion", or "bspline"."""
     def lift(p, z):
         return (p[0], p[1], Fraction(z))
     loops, faces = {0: [], height: []}, []
@@ -151,11 +151,11 @@ def _write_curve(file, s, lift, side):
 
 
 def get_control_points(s):
-    """Of a segment as one Bezier curve, with weights for an arc of less than half a turn."""
+    """Returns the control points of a segment as one Bezier curve, with weights for an arc of less than half a circle."""
     if not isinstance(s, Arc):
         return s.points, None
     (a, b), (c, d) = s.first, s.last
-    square = (1 + a * c + b * d) / 2  # of the cosine of half the angle
+    square = (1 + a * c + b * d) / 2  # square of the cosine of half the angle
     weight = sqrt(square)
     if weight.lo != weight.hi:
         raise ValueError("the weight of the arc is not rational")
@@ -182,9 +182,8 @@ def _write_side(file, s, height, side, loops):
     return file.bspline_surface(rows, weights=weights and [[w, w] for w in weights]), loops
 
 
-# --- solids of revolution --------------------------------------------------------------------------
 def get_revolved_moments(profile):
-    """Of the profile's (x, y) as (radius, z)."""
+    """Moments of a solid of revolution; the profile's (x, y) are (radius, z)."""
     plane = get_plane_moment([profile])
     area = 2 * PI * sum((segment.get_swept_length() for segment in profile), Interval(0))
     xx, zz, zero = PI * plane(3, 0), 2 * PI * plane(1, 2), Interval(0)

@@ -13,7 +13,8 @@ SIDES = [(0, 1, 1, 2), (0, 0, 2, 1), (1, 1, 2, 0), (1, 0, 0, 2), (2, 1, 0, 1), (
 
 
 class Block:
-    """points[i, j, k]: the control points, i with u, j with v, k with w. knots[d]: of a direction, None where it has one span."""
+    """A map of the unit cube. points[i, j, k]: control points with the indices i in u, j in v, k in w. knots[d]: knots of a direction; None
+    for one span."""
 
     def __init__(self, counts, get_point, knots=(None, None, None)):
         self.counts = counts
@@ -50,7 +51,7 @@ def get_normal(patch):
 
 
 def get_plane(patches):
-    """The area vector of a face whose normals all have its direction and sense; None for any other face."""
+    """Returns the area vector of a plane face, whose normals all have its direction and sign; None for any other face."""
     normals = [get_normal(patch) for patch in patches]
     total = tuple(sum(integrate(n[d]) for n in normals) for d in AXES)
     for n in normals:
@@ -64,7 +65,7 @@ def get_plane(patches):
 
 
 def get_block_moments(block):
-    """By the divergence theorem: the flux of r/3, r x_i/4 and r x_i x_j/5."""
+    """Moments by the divergence theorem: fluxes of r/3, r x_i/4 and r x_i x_j/5."""
     volume, area = Fraction(0), Interval(0)
     first = [Fraction(0)] * 3
     second = [[Fraction(0)] * 3 for _ in AXES]
@@ -90,7 +91,7 @@ def get_block_moments(block):
 
 
 def write_block(file, block, flat="plane"):
-    """`flat`: how plane faces are written, "plane" or "bspline"."""
+    """Writes a block. `flat`: the type of plane faces, "plane" or "bspline"."""
     def get_edge(key, direction, forward):
         key = list(key)
         ends, points = [], []

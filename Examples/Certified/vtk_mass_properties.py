@@ -5,7 +5,7 @@ The VTK way, for comparison: the solids of a STEP file as triangles, then vtkMas
   PYTHONPATH=PREFIX/lib/python3.11/site-packages python3 vtk_mass_properties.py [--deflection REL] part.step
 
 The triangles are vtkSTEPReader's display mesh, whose chords are within the deflection, relative to the diagonal of each body (default:
-that of the reader). vtkMassProperties has volume and area alone, and no word on their error.
+that of the reader). vtkMassProperties computes volume and area only, and states no error.
 Exit status: 0; 1 wrong usage; 2 a file that cannot be read.
 """
 import argparse

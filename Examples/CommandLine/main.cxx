@@ -23,7 +23,6 @@
 
 namespace
 {
-// --- progress ----------------------------------------------------------------------------------
 
 /// A line that is rewritten on a terminal; prints nothing to a file or a pipe.
 class ProgressLine
@@ -57,10 +56,8 @@ private:
   bool Active;
 };
 
-// --- output ------------------------------------------------------------------------------------
-
-/// Opens /dev/null, in the wrong direction, for every standard stream that the caller closed. Results and a child's pipe can then not
-/// take its descriptor, and writing to a closed standard output fails as it should.
+/// Opens /dev/null, in the wrong direction, for every standard stream that the caller closed. Files and pipes cannot get its descriptor
+/// then, and writing to a closed standard output fails as it should.
 void OccupyStandardStreams()
 {
   for (const auto& [stream, mode] : { std::pair(STDIN_FILENO, O_RDONLY), std::pair(STDOUT_FILENO, O_RDONLY),
@@ -73,13 +70,13 @@ void OccupyStandardStreams()
   }
 }
 
-/// The exit status of two results.
+/// Combines the exit statuses of two results.
 int Combine(int a, int b)
 {
   return a == sm::AllOk ? b : b == sm::AllOk ? a : std::min(a, b);
 }
 
-/// The message that says why nothing was computed, otherwise the last message.
+/// Returns the message with the reason why nothing was computed, otherwise the last message.
 std::string FindReason(const sm::Json& file)
 {
   std::string reason;
@@ -94,7 +91,7 @@ std::string FindReason(const sm::Json& file)
   return reason;
 }
 
-/// The exit status of a finished file by what the user takes for a failure.
+/// Returns the exit status of a finished file, by the statuses that the user counts as failures.
 int Judge(const sm::Json& file, const sm::Arguments& arguments)
 {
   const std::string status = file["status"].get<std::string>();
@@ -110,7 +107,7 @@ int Judge(const sm::Json& file, const sm::Arguments& arguments)
   return byStatus == sm::Unreadable ? byStatus : fails ? sm::Flagged : sm::AllOk;
 }
 
-/// The table with the status in green, or in red where it is not ok, for a terminal unless NO_COLOR is set.
+/// Colours the status in a table green, or red if it is not ok, for a terminal unless NO_COLOR is set.
 std::string ColorStatus(std::string table, const sm::Json& file)
 {
   const char* const off = std::getenv("NO_COLOR");
@@ -124,7 +121,7 @@ std::string ColorStatus(std::string table, const sm::Json& file)
   return table.replace(at - status.size(), status.size(), color + status + "\033[0m");
 }
 
-/// Prints the table of a finished file, or, without tables, why the file has no results.
+/// Prints the table of a finished file or, without tables, the reason why the file has no results.
 void Print(const sm::Json& file, bool showTable, bool isFirst)
 {
   if (showTable)
@@ -146,7 +143,7 @@ void ReportFailure(const std::string& message, sm::Json& file, int& exitStatus)
   exitStatus = Combine(exitStatus, sm::Complain(message));
 }
 
-/// The entry of a finished file, with what is missing of the outputs that were asked for.
+/// Returns the entry of a finished file, with messages about missing outputs.
 sm::Json TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& exitStatus)
 {
   if (!outcome.TextureError.empty())
@@ -182,8 +179,8 @@ std::vector<sm::JobOptions> MakeJobs(const sm::Arguments& arguments)
   return jobs;
 }
 
-/// Errors of writing instead of the end of this process: a file above the limit of the shell (ulimit -f), and, when there are other
-/// outputs than the table, a reader of the table that has gone.
+/// Ignores signals that would end this process, so that writing fails with an error instead: for a file above the limit of the shell
+/// (ulimit -f) and, if there are other outputs than the table, for a reader of the table that has ended.
 void IgnoreWriteSignals(const sm::Arguments& arguments)
 {
   std::signal(SIGXFSZ, SIG_IGN);
@@ -268,7 +265,7 @@ int Run(const sm::Arguments& arguments)
     progress.Clear();
     if (outcome.File.is_null())
     {
-      // It was interrupted; of those after it some may be finished.
+      // This job was interrupted; later ones may be finished.
       continue;
     }
     sm::Json file = TakeFile(std::move(outcome), jobs[i], exitStatus);

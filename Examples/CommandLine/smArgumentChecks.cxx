@@ -80,7 +80,7 @@ std::string CheckQuantityTolerance(const std::string& text)
     : text + " is not the tolerance of a quantity; write for example volume=1e-6 or center=0,1e-3";
 }
 
-/// The text must be a whole number from 1 to `most`.
+/// Checks that a text is a whole number from 1 to `most`.
 std::string CheckFactor(const std::string& what, int most, const std::string& text)
 {
   const double value = ParseNumber(text);
@@ -177,7 +177,7 @@ std::vector<std::string> Split(const std::string& text)
   return words;
 }
 
-/// An error message when the text is not a list of the words.
+/// Returns an error message if the text is not a list of known words.
 static std::string CheckWords(const std::string& text, const std::set<std::string>& known)
 {
   std::string all;

@@ -8,7 +8,7 @@
 
 namespace
 {
-/// An option that takes words, separated by commas.
+/// Adds an option that takes words, separated by commas.
 CLI::Option* AddListOption(CLI::App& app, const std::string& option, std::vector<std::string>& words,
   const std::string& type, const std::string& help)
 {
@@ -124,7 +124,7 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->check(sm::CheckBackend);
 }
 
-/// Densities, and where the results refer to.
+/// Declares the options of densities and of the frame of reference.
 void DeclareMass(CLI::App& app, sm::Arguments& arguments)
 {
   app.option_defaults()->group("Materials and frame");
@@ -157,7 +157,7 @@ void DeclareMass(CLI::App& app, sm::Arguments& arguments)
     ->check(sm::CheckFrame);
 }
 
-/// The product structure.
+/// Declares the options of the product structure.
 void DeclareProducts(CLI::App& app, sm::Arguments& arguments)
 {
   app.option_defaults()->group("Products");
@@ -178,7 +178,7 @@ void DeclareProducts(CLI::App& app, sm::Arguments& arguments)
     ->allow_extra_args(false);
 }
 
-/// Two versions of a product.
+/// Declares the options of the comparison of two versions of a product.
 void DeclareComparison(CLI::App& app, sm::Arguments& arguments)
 {
   app.option_defaults()->group("Comparison");
@@ -193,7 +193,7 @@ void DeclareComparison(CLI::App& app, sm::Arguments& arguments)
     ->check(sm::CheckValidationLimit);
 }
 
-/// The validation properties that a file states.
+/// Declares the options of validation properties in a file.
 void DeclareValidation(CLI::App& app, sm::Arguments& arguments)
 {
   app.option_defaults()->group("Validation properties");
@@ -210,7 +210,7 @@ void DeclareValidation(CLI::App& app, sm::Arguments& arguments)
     "products, where it does not state them; all other bytes stay as they are");
 }
 
-/// Integrals beside the mass properties.
+/// Declares the options of further integrals.
 void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
 {
   app.option_defaults()->group("Other integrals");
@@ -290,7 +290,7 @@ void DeclareStability(CLI::App& app, sm::Arguments& arguments)
     ->expected(1);
 }
 
-/// The schemes of the paper and their own options.
+/// Declares the schemes of the paper and their options.
 void DeclareSchemes(CLI::App& app, sm::Arguments& arguments)
 {
   app.option_defaults()->group("Schemes of the paper");

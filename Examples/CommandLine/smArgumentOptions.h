@@ -9,7 +9,7 @@
 
 namespace sm
 {
-/// Declares all options; values that they are given go to `arguments`.
+/// Declares all options, whose values are stored in `arguments`.
 void DeclareOptions(CLI::App& app, Arguments& arguments);
 }
 

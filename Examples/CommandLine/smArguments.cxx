@@ -46,7 +46,7 @@ Exit status:
 The first of 1, 2, 3, 4 that applies. 130 after Ctrl-C, 143 when told to end (SIGTERM), 129 when the terminal
 has gone (SIGHUP): then the outputs hold the files finished before.)";
 
-/// An error message when a file name is empty; empty otherwise.
+/// Returns an error message if a file name is empty; empty otherwise.
 std::string FindEmptyName(const CLI::App& app, const sm::Arguments& arguments)
 {
   if (std::count(arguments.Files.begin(), arguments.Files.end(), "") > 0)
@@ -68,7 +68,7 @@ std::string FindEmptyName(const CLI::App& app, const sm::Arguments& arguments)
   return {};
 }
 
-/// An option whose module this program was built without, in a sentence; empty when there is none.
+/// Returns an error message about an option whose module is not built into this program; empty otherwise.
 std::string FindMissingModule(const CLI::App& app, const sm::Arguments& arguments)
 {
   const auto say = [](const char* option, const char* module)
@@ -107,7 +107,7 @@ std::string FindMissingModule(const CLI::App& app, const sm::Arguments& argument
   return {};
 }
 
-/// An error message when an option does not belong to the scheme; empty otherwise.
+/// Returns an error message if an option does not belong to the scheme; empty otherwise.
 std::string FindForeignOption(const CLI::App& app, const sm::Arguments& arguments)
 {
   for (const char* option : { "--subpatches", "--trim-texture", "--chord", "--deviation", "--trim-textures" })
@@ -127,7 +127,7 @@ std::string FindForeignOption(const CLI::App& app, const sm::Arguments& argument
   return {};
 }
 
-/// An error message when two products cannot be compared in this way; empty otherwise.
+/// Returns an error message if two products cannot be compared with these options; empty otherwise.
 std::string FindWrongComparison(const CLI::App& app, const sm::Arguments& arguments)
 {
   if (!arguments.Compare)
@@ -157,7 +157,7 @@ std::string FindWrongComparison(const CLI::App& app, const sm::Arguments& argume
   return {};
 }
 
-/// An error message for a column or an expression that cannot be, or for something required that is not computed; empty otherwise.
+/// Returns an error message for an invalid column or expression, or for a required result that is not computed; empty otherwise.
 std::string FindWrongRequest(const CLI::App& app, const sm::Arguments& arguments)
 {
   const sm::Json file = sm::UnreadableFile(arguments.Job, "");
@@ -227,7 +227,7 @@ std::string FindWrongRequest(const CLI::App& app, const sm::Arguments& arguments
     : "";
 }
 
-/// An error message when outputs exclude each other or have a wrong name; empty otherwise.
+/// Returns an error message if outputs exclude each other or have a wrong name; empty otherwise.
 std::string FindWrongOutput(const sm::Arguments& arguments)
 {
   if (arguments.Json == "-" && arguments.Csv == "-")
@@ -261,7 +261,7 @@ void PrintMaterials()
   }
 }
 
-/// Takes over densities and frame. Returns an error message when the materials cannot be read, otherwise an empty text.
+/// Parses densities and frame into the job. Returns an error message if the materials cannot be read; empty otherwise.
 std::string TakeMass(sm::Arguments& arguments)
 {
   sm::JobOptions& job = arguments.Job;
@@ -292,7 +292,7 @@ std::string TakeMass(sm::Arguments& arguments)
   return {};
 }
 
-/// An error message when arguments that are well-formed one by one do not fit together; empty otherwise.
+/// Returns an error message if arguments contradict each other; empty otherwise.
 std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
 {
   for (const std::string& problem : { FindEmptyName(app, arguments), FindMissingModule(app, arguments),

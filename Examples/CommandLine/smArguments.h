@@ -35,11 +35,11 @@ struct Arguments
   std::vector<std::string>
     Print; ///< columns of each file's total to print instead of the table; empty: the table
   std::vector<std::string> Fields; ///< columns of the CSV; empty: all
-  /// Statuses of a file that make the exit status 3; unreadable files have their own.
+  /// Statuses of a file that make the exit status 3; unreadable files have another exit status.
   std::vector<std::string> FailOn = { "open", "tolerance-not-met", "suspect", "not-computed", "empty" };
   std::vector<std::string> Require; ///< "stable", "mass": without it the exit status is 3
   JobOptions Job;                   ///< the options that all files share
-  int JobsAtOnce = 1;               ///< files that are worked on at a time
+  int JobsAtOnce = 1;               ///< files that are processed at the same time
   bool Quiet = false;
 };
 

@@ -22,7 +22,7 @@ namespace
 using sm::Json;
 namespace names = sm::names;
 
-/// A row of field data or of a table.
+/// Returns the results in a row of field data or of a table.
 Json Describe(vtkFieldData* data, vtkIdType row)
 {
   const std::string bound = names::BoundSuffix;

@@ -1,6 +1,6 @@
 /**
  * @file smBuoyancyJob.h
- * @brief Buoyancy below the waterlines that a user asked for, as JSON
+ * @brief Buoyancy below the waterlines of the options, as JSON
  */
 #ifndef smBuoyancyJob_h
 #define smBuoyancyJob_h
@@ -23,8 +23,8 @@ class MessageList;
 /// Writes a row of field data or of a table into the entry of the file or of a solid.
 using RowWriter = std::function<void(vtkFieldData* data, vtkIdType row, Json& entry)>;
 
-/// Runs a filter that cuts the solids by the plane that it is given, and adds its results to the file and to each solid. A flag of theirs
-/// becomes the file's when that was ok. `update` runs a filter.
+/// Runs a filter that cuts the solids by the plane that it is given, and adds its results to the file and to each solid. If the file was
+/// ok, it gets the status of the filter. `update` runs a filter.
 void RunPlaneCut(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, vtkPlaneCutBase* filter, const RowWriter& write,
   Json& file, MessageList& messages);

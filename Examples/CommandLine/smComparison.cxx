@@ -16,16 +16,14 @@ namespace sm
 {
 namespace
 {
-/// 2^-53: one operation, rounded to nearest, errs by at most that times its result.
+/// Unit roundoff 2^-53: bound of the relative error of one operation, rounded to nearest.
 constexpr double Roundoff = 1.1102230246251565e-16;
 
 using namespace states;
-/// In the order of the list.
+/// The states in the order of the list.
 constexpr const char* States[] = { Changed, Moved, Added, Removed, Unchanged };
 
-// --- differences -------------------------------------------------------------------------------
-
-/// new - old of numbers, or of arrays of them at any depth; null where one is missing.
+/// Returns new - old of numbers, or of nested arrays of them; null where one is missing.
 Json Subtract(const Json& before, const Json& after)
 {
   if (before.is_number() && after.is_number())
@@ -50,7 +48,7 @@ double GetLargest(const Json& value)
   return largest;
 }
 
-/// The difference of a quantity. Its bound is the sum of both bounds and of the rounding of the subtraction.
+/// Returns the difference of a quantity. Its bound is the sum of both bounds and of the rounding of the subtraction.
 Json MakeDifference(const Json& before, const Json& after, const char* quantity)
 {
   const Json& a = before["bounds"][quantity];
@@ -76,7 +74,7 @@ Json MakeDifferences(const Json& before, const Json& after)
   return differences;
 }
 
-/// True if a quantity differs by more than the bounds and the limit.
+/// Returns true if a quantity differs by more than the bounds and the limit.
 bool IsOther(const Json& before, const Json& after, const char* quantity, double limit)
 {
   const Json difference = MakeDifference(before, after, quantity);
@@ -89,7 +87,7 @@ bool IsOther(const Json& before, const Json& after, const char* quantity, double
   return !(GetLargest(difference["difference"]) <= bound + limit * scale);
 }
 
-/// True if a shape that is the same has another material, density or mass; densities are no results and have no bounds.
+/// Returns true if material, density or mass of two equal shapes differ. Densities are no results and have no bounds.
 bool HasOtherMaterial(const Json& before, const Json& after, double limit)
 {
   const Json& a = before["density"];
@@ -98,8 +96,6 @@ bool HasOtherMaterial(const Json& before, const Json& after, double limit)
     (a.is_number() && !(GetLargest(Subtract(a, b)) <= limit * GetLargest(a))) ||
     IsOther(before, after, "mass", limit);
 }
-
-// --- solids ------------------------------------------------------------------------------------
 
 /// A solid of one of the files.
 struct Body
@@ -131,7 +127,7 @@ double GetDistance(const Body& a, const Body& b)
   return std::sqrt(vtkMath::Distance2BetweenPoints(a.Center.data(), b.Center.data()));
 }
 
-/// The state of a pair of solids; one of both may be null.
+/// The state of a pair of solids, one of which may be null.
 struct Outcome
 {
   const Body* Old;
@@ -191,7 +187,7 @@ private:
     this->Outcomes.push_back({ &before, &after, isOther ? Changed : state, hasSameShape, rotation });
   }
 
-  /// The same shapes in the same places.
+  /// Matches equal shapes at the same place.
   void MatchPlaces(bool sameName)
   {
     std::vector<Body*> sorted;
@@ -228,7 +224,7 @@ private:
     }
   }
 
-  /// True if one shape is the other one, rotated; found once for all instances of two models.
+  /// Returns true if one shape is the other one, rotated; determined once for all instances of two models.
   bool AreCongruent(const Body& before, const Body& after)
   {
     const auto key = std::make_tuple(
@@ -243,7 +239,7 @@ private:
     return known->second;
   }
 
-  /// The nearest solid of the new file that fits and is not taken; null if there is none.
+  /// Returns the nearest solid of the new file for which `fits` is true and that has no match yet; null if there is none.
   template <typename Fits>
   Body* FindNearest(const Body& before, const Fits& fits)
   {
@@ -261,7 +257,7 @@ private:
     return nearest;
   }
 
-  /// The same shapes in other places.
+  /// Matches equal shapes at different places.
   void MatchShapes(bool sameName)
   {
     for (Body& before : this->Old)
@@ -278,7 +274,7 @@ private:
         });
       if (after)
       {
-        // The rotation between instances of two congruent models may be missed among too many.
+        // FindRotation() tries a limited number of rotations, so that it may find none although the models are congruent.
         const Rotation rotation =
           FindRotation(before.Shape.GetPlaced(), after->Shape.GetPlaced(), this->Limit);
         this->Add(before, *after, rotation.IsFound ? Moved : Changed, rotation.IsFound, rotation);
@@ -286,7 +282,7 @@ private:
     }
   }
 
-  /// Other shapes of the same name, or the only ones.
+  /// Matches different shapes of the same name, or the only solids of both files.
   void MatchNames()
   {
     for (Body& before : this->Old)
@@ -312,9 +308,7 @@ private:
   std::vector<Outcome> Outcomes;
 };
 
-// --- parts -------------------------------------------------------------------------------------
-
-/// The notes on a solid that is in both files: what changed beside its place.
+/// Returns notes on a solid that is in both files: the changes other than that of its place.
 Json MakeNotes(const Outcome& outcome)
 {
   Json notes = Json::array();
@@ -363,7 +357,7 @@ Json MakeBody(const Outcome& outcome)
   return entry;
 }
 
-/// Number of solids of that name in one of the files.
+/// Returns the number of solids of that name in one of the files.
 std::size_t CountInstances(
   const std::vector<Outcome>& outcomes, const std::string& name, const Body* Outcome::*side)
 {

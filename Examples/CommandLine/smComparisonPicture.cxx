@@ -47,7 +47,7 @@ const Style Styles[] = { { states::Unchanged, { 0.62, 0.64, 0.67 }, 0.3, false }
   { states::Added, { 0.13, 0.62, 0.25 }, 0.9, false },
   { states::Removed, { 0.85, 0.12, 0.10 }, 0.35, true } };
 
-/// The states of solids by their ids in the old or the new file.
+/// Returns the states of solids by their ids in the old or the new file.
 std::map<std::string, std::string> ListStates(const Json& comparison, const char* id)
 {
   std::map<std::string, std::string> states;
@@ -64,7 +64,7 @@ std::map<std::string, std::string> ListStates(const Json& comparison, const char
   return states;
 }
 
-/// One mesh of the solids of a file that have the state.
+/// Returns one mesh of all solids of a file with this state.
 vtkSmartPointer<vtkPolyData> JoinState(
   vtkCADReader* reader, const std::map<std::string, std::string>& states, const std::string& state)
 {

@@ -1,6 +1,6 @@
 /**
  * @file smComparisonPicture.h
- * @brief Draws the new product of a comparison, and what is gone from the old one
+ * @brief Draws the new product of a comparison, and the removed solids of the old one
  */
 #ifndef smComparisonPicture_h
 #define smComparisonPicture_h

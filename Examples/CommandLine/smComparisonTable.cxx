@@ -24,7 +24,7 @@ double ToNumber(const Json& value)
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Length of a vector, largest entry of a matrix.
+/// Returns the length of a vector, or the largest entry of a matrix.
 double GetSize(const Json& value)
 {
   double size = 0.0;
@@ -39,7 +39,7 @@ double GetSize(const Json& value)
   return size;
 }
 
-/// "volume -7.85 mm^3 (+- 1e-9)"; empty where there is no difference.
+/// Returns "volume -7.85 mm^3 (+- 1e-9)"; empty without a difference.
 std::string FormatDifference(
   const Json& differences, const char* quantity, const std::string& label, const std::string& unit)
 {
@@ -51,7 +51,7 @@ std::string FormatDifference(
       FormatWithBound(value.is_array() ? GetSize(value) : value.get<double>(), bound, unit);
 }
 
-/// "by 12.5 mm", or "by 3 to 12.5 mm"; empty where nothing is larger than what is shown as 0.
+/// Returns "by 12.5 mm", or "by 3 to 12.5 mm"; empty if all values would be shown as 0.
 std::string FormatRange(const Json& part, const char* key, const std::string& unit)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -79,7 +79,7 @@ std::string FormatMotion(const Json& part, const std::string& unit)
   return (distance.empty() ? "" : ", by " + distance) + (angle.empty() ? "" : ", rotated by " + angle);
 }
 
-/// The differences and notes of a part.
+/// Returns a text with the differences and notes of a part.
 std::string Describe(const Json& part, const Json& newFile)
 {
   std::string text;
@@ -90,7 +90,7 @@ std::string Describe(const Json& part, const Json& newFile)
       FormatDifference(part["difference"], "area", "area", FormatUnit(newFile, 2)) +
       FormatDifference(part["difference"], "mass", "mass", "kg");
   }
-  // The motion of an unchanged part would be noise.
+  // The distance of an unchanged part is only rounding.
   if (state != states::Unchanged && part["bodies"][0]["distance"].is_number())
   {
     text += FormatMotion(part, FormatUnit(newFile, 1));
@@ -102,7 +102,7 @@ std::string Describe(const Json& part, const Json& newFile)
   return text.empty() ? "" : text.substr(2);
 }
 
-/// A row of the totals: old, new, difference; of vectors and tensors the size of the difference.
+/// Returns a row of the totals: old, new, difference; for vectors and tensors the size of the difference.
 std::string FormatTotal(
   const Json& differences, const char* quantity, const std::string& label, const std::string& unit)
 {

@@ -11,7 +11,7 @@
 
 namespace sm
 {
-/// The statuses of both files, a row for each part that is not unchanged and for those that are, the differences of the totals, and the
+/// Returns the statuses of both files, a row for each changed part and one for all unchanged parts, the differences of the totals, and the
 /// result. `comparison`: of CompareProducts(); null where there is none.
 std::string FormatComparison(const Json& oldFile, const Json& newFile, const Json& comparison);
 }

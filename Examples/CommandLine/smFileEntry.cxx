@@ -20,11 +20,11 @@ namespace sm
 {
 namespace
 {
-/// The quantities of a row of field data or of a table.
+/// Returns the quantities in a row of field data or of a table.
 Json GetRow(vtkFieldData* data, vtkIdType row)
 {
   Json quantities = GetQuantities(data, row);
-  // A build without the schemes has the same keys.
+  // A build without the schemes has the same keys, with null values.
   quantities.update({ { "paper_error_estimate", nullptr }, { "paper_error_estimate_with_boundary", nullptr },
     { "sub_patches", nullptr } });
 #ifdef SM_HAS_MOMENT_SCHEMES
@@ -35,7 +35,8 @@ Json GetRow(vtkFieldData* data, vtkIdType row)
   return quantities;
 }
 
-/// For each solid the edges with the widest gaps, at most five, without those that have no gap. The table has the widest first.
+/// Returns for each solid the edges with the widest gaps, at most five, without edges that have no gap. In the table the widest gap is
+/// first.
 std::vector<Json> WorstEdges(vtkTable* table, vtkIdType solids)
 {
   const size_t most = 5;

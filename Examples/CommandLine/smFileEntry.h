@@ -15,13 +15,13 @@ class vtkTable;
 
 namespace sm
 {
-/// The quantities of all solids together, from the field data of port 0.
+/// Returns the quantities of all solids together, from the field data of port 0.
 Json GetTotal(vtkFieldData* fields);
-/// An entry for every row of port 1; `edges` is port 4.
+/// Returns an entry for every row of port 1; `edges` is port 4.
 Json GetSolids(vtkTable* table, vtkTable* edges);
-/// The diagonal of the bounding box of all display meshes; null where there are none.
+/// Returns the diagonal of the bounding box of all display meshes; null if there are none.
 Json GetDiagonal(vtkDataObject* input);
-/// The entry of a file before it is read: it has every key, and the values are null.
+/// Returns the entry of a file before it is read: it has every key, and all values are null.
 Json MakeEmptyFile(const std::string& fileName);
 }
 

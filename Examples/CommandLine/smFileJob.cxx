@@ -55,8 +55,6 @@ namespace
 using sm::Json;
 namespace names = sm::names;
 
-// --- progress ----------------------------------------------------------------------------------
-
 /// Sends the progress of an algorithm to the listener, from construction to destruction.
 class ProgressScope
 {
@@ -95,14 +93,12 @@ private:
   double Last = -1.0;
 };
 
-// --- the job -----------------------------------------------------------------------------------
-
 const std::string& GetSource(const sm::JobOptions& options)
 {
   return options.SourceName.empty() ? options.FileName : options.SourceName;
 }
 
-/// Reads the file; false when there is nothing to integrate, for the reason that status and messages of the entry give.
+/// Reads the file. Returns false if there is nothing to integrate; status and messages of the entry then have the reason.
 bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
   sm::MessageList& messages)
 {
@@ -117,7 +113,7 @@ bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobList
   file["seconds"]["parse"] = reader->GetParseSeconds();
   file["seconds"]["transfer"] = reader->GetTransferSeconds();
   file["seconds"]["trims"] = reader->GetTrimSeconds();
-  // "prepare" begins when OpenCASCADE has the shape in memory, so it includes the display mesh.
+  // The time of "prepare" begins when OpenCASCADE has the shape in memory, so it includes the display mesh.
   file["seconds"]["prepare"] = reader->GetMeshSeconds() + reader->GetConversionSeconds();
   file["seconds"]["mesh"] = reader->GetMeshSeconds();
   file["seconds"]["convert"] = reader->GetConversionSeconds();
@@ -298,7 +294,7 @@ vtkSmartPointer<vtkPolyData> IntegrateMore(vtkCADReader* reader, const sm::JobOp
     sm::IntegrateSections(reader, options, makeUpdate(sm::stages::Section), file, messages);
   }
 #endif
-  // Last: an expression can crash a shader compiler.
+  // Expressions come last, because they may crash a shader compiler.
   if (!options.Integrals.empty() || options.MomentDegree >= 0)
   {
     SendResult(send, file, messages, false);
@@ -425,8 +421,8 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
       std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(std::min(options.MaximumSeconds, 1e9)));
   }
-  Json sent;           ///< results that are not complete
-  std::string waiting; ///< the output beside the results that is being made
+  Json sent;           ///< last results, while they are not complete
+  std::string waiting; ///< the output other than results that is being made
   bool isComplete = false;
   const auto listener = [&](const Json& message)
   {

@@ -1,6 +1,6 @@
 /**
  * @file smFileJob.h
- * @brief Reads one file, integrates and draws it; the results are sent as JSON
+ * @brief Reads one file, integrates and draws it, and sends the results as JSON
  */
 #ifndef smFileJob_h
 #define smFileJob_h
@@ -21,7 +21,8 @@ namespace sm
 struct JobOptions
 {
   std::string FileName;
-  std::string SourceName;       ///< plain file with the content of FileName (InputFile); empty: that is one
+  std::string
+    SourceName; ///< plain file with the content of FileName (InputFile); empty: FileName itself is one
   std::string PictureName;      ///< PNG file to draw; empty: none
   std::string MeshName;         ///< file of triangles to write, see WriteMesh(); empty: none
   double Deflection = 0.0;      ///< of the triangles, in Unit; 0: the reader's default
@@ -44,7 +45,7 @@ struct JobOptions
   int Threads = 0; ///< 0: one for each processor
   double MaximumEvaluations = 2e9;
   double MaximumSeconds = 0.0; ///< for the whole job; 0: no limit
-  /// When these are over; RunFileJob() sets it.
+  /// Time at which they have elapsed; RunFileJob() sets it.
   std::chrono::steady_clock::time_point Deadline = std::chrono::steady_clock::time_point::max();
   double GapLimit = 1e-3; ///< see vtkSurfaceIntegralBase::SetGapLimit
   /// "adaptive", or a scheme of the paper: "midpoint", "gauss2", "gauss3". The next four options are for these.
@@ -74,7 +75,7 @@ struct JobOptions
   std::vector<double> About; ///< a frame of reference, see ParseFrame(); empty: none
 };
 
-/// Stages of a job, in their order: reading; mass properties; then what else was asked for.
+/// Stages of a job, in their order: reading; mass properties; then the other results.
 namespace stages
 {
 constexpr const char* Start = "start";
@@ -91,7 +92,7 @@ constexpr const char* Draw = "draw";
 
 /// Receives the messages of a job, each one of
 ///   {"progress": [stage, fraction]}
-///   {"result": the entry of "files" in the JSON document, "complete": whether nothing is missing}; it comes several times, each time with
+/// {"result": the entry of "files" in the JSON document, "complete": true if nothing is missing}; it is sent several times, each time with
 ///     more in it, so that a crash in a later stage does not cost the results of those before
 ///   {"textures": an error message when a trim texture was not written, otherwise ""}
 ///   {"mesh": an error message when the triangles were not written, otherwise ""}
@@ -102,13 +103,13 @@ using JobListener = std::function<void(const Json&)>;
 /// `reader` one after the other read their file once.
 void RunFileJob(const JobOptions& options, const JobListener& send, vtkCADReader* reader = nullptr);
 
-/// Adds why results are missing that were asked for: a status that was ok is not-computed.
+/// Adds the reason why requested results are missing; the status becomes not-computed if it was ok.
 void MarkIncomplete(Json& file, const std::string& reason);
 
-/// Exit status of the program for one file, from its entry in the JSON document: see ExitStatus in smOptions.h.
+/// Returns the exit status of the program for one file (ExitStatus in smOptions.h), from its entry in the JSON document.
 int GetExitStatus(const Json& file);
 
-/// The entry of a file that could not be read: it has every key, also of what the options ask for, and the values are null.
+/// Returns the entry of a file that could not be read: it has every key, including those of all requested results, and all values are null.
 Json UnreadableFile(const JobOptions& options, const std::string& message);
 }
 

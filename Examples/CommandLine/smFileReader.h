@@ -1,6 +1,6 @@
 /**
  * @file smFileReader.h
- * @brief The reader of a file's format, with what the options say about reading
+ * @brief Makes the reader for a file's format, with the settings of the options
  */
 #ifndef smFileReader_h
 #define smFileReader_h
@@ -15,10 +15,10 @@ namespace sm
 {
 struct JobOptions;
 
-/// The reader that fits the file's first bytes; one of STEP files where none does.
+/// Returns the reader for the format that the file's first bytes show; one of STEP files if they show none.
 vtkSmartPointer<vtkCADReader> MakeReader(const std::string& path);
 
-/// Sets the reader's file and what the options say about reading.
+/// Sets the reader's file and the settings of the options.
 void SetUpReader(vtkCADReader* reader, const std::string& path, const JobOptions& options);
 }
 

@@ -33,10 +33,10 @@ constexpr std::uint32_t JsonChunk = 0x4E4F534A;
 constexpr std::uint32_t BinaryChunk = 0x004E4942;
 
 using Rgb = std::array<unsigned char, 3>;
-/// The colour of a face without one.
+/// The colour of faces without a colour in the file.
 constexpr Rgb Grey{ 204, 204, 204 };
 
-/// An sRGB component as the linear one that glTF asks for.
+/// Converts an sRGB component to the linear one that glTF requires.
 double GetLinear(unsigned char component)
 {
   const double x = component / 255.0;
@@ -51,7 +51,7 @@ void AppendNumber(std::uint32_t x, std::string& bytes)
   }
 }
 
-/// A chunk has a multiple of four bytes.
+/// Appends a chunk, padded to a multiple of four bytes.
 void AppendChunk(std::uint32_t type, std::string content, char filler, std::string& bytes)
 {
   content.append((4 - content.size() % 4) % 4, filler);
@@ -123,7 +123,7 @@ public:
   }
 
 private:
-  /// Corners of the triangles, by colour.
+  /// Returns the corners of the triangles, by colour.
   static std::map<Rgb, std::vector<std::uint32_t>> GetParts(vtkPolyData* body)
   {
     std::map<Rgb, std::vector<std::uint32_t>> parts;

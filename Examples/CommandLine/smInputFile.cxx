@@ -47,8 +47,8 @@ std::uint32_t ReadNumber(const std::string& bytes, size_t at, size_t count)
   return value;
 }
 
-/// Writes the inflated stream; `windowBits` as zlib has it: 31 for gzip, -15 for a bare stream. Returns an error message; empty if the
-/// stream came to its end. Several streams of gzip, one behind the other, are one file.
+/// Writes the inflated stream. `windowBits` is that of zlib: 31 for gzip, -15 for a raw stream. Returns an error message; empty if the
+/// stream is complete. Several concatenated gzip streams are one file.
 std::string InflateTo(std::istream& input, std::ostream& output, int windowBits)
 {
   z_stream stream = {};
@@ -146,7 +146,7 @@ bool InputFile::MakeFolder(const std::string& name)
     return false;
   }
   this->Folder = folder;
-  // "bracket.step.gz" becomes bracket.step.
+  // The stem of "bracket.step.gz" is bracket.step.
   const std::string stem = GetStem(name);
   this->Path = folder + "/" + (IsCADName(stem) ? stem : stem + ".step");
   return true;
@@ -173,7 +173,7 @@ void InputFile::CopyStandardInput()
   {
     return;
   }
-  // It may be compressed.
+  // The file in the archive may be compressed itself.
   InputFile inner(this->Path);
   if (!inner.GetError().empty() || inner.GetPath() == this->Path)
   {
@@ -203,7 +203,7 @@ void InputFile::Extract(const std::string& name)
   std::ifstream file(name, std::ios::binary);
   const std::string bytes = [&file]()
   {
-    // The directory is at the end: its last record is at most 64 kB from it.
+    // The directory of a ZIP archive is at the end of the file: its last record begins within the last 64 kB.
     file.seekg(0, std::ios::end);
     const std::streamoff size = file.tellg();
     const std::streamoff count = std::min<std::streamoff>(size, 65557);

@@ -1,6 +1,6 @@
 /**
  * @file smInputFile.h
- * @brief Input that is not a plain file: compressed files and the standard input
+ * @brief Makes plain files of compressed files and of the standard input
  */
 #ifndef smInputFile_h
 #define smInputFile_h
@@ -11,9 +11,10 @@
 namespace sm
 {
 /**
- * The content behind a name as a plain file: the file itself; for "-" a copy of the standard input; the content of a file that gzip has
- * compressed (.step.gz, .stpz); and the only STEP file in a ZIP archive, or its only BREP file where it has none (.stpz, .zip). The first bytes of a file tell its kind. Copies are in a
- * folder below TMPDIR (/tmp without it) that the destructor removes, under the stem of the name, and have no more than 4 GB.
+ * Provides the content that a name refers to as a plain file: the file itself; for "-" a copy of the standard input; the content of a file
+ * that gzip has compressed (.step.gz, .stpz); and the only STEP file in a ZIP archive, or its only BREP file where it has none (.stpz,
+ * .zip). The kind is determined by the first bytes. Copies are in a folder below TMPDIR (/tmp without it) that the destructor removes,
+ * under the stem of the name, and have no more than 4 GB.
  */
 class InputFile
 {
@@ -23,9 +24,9 @@ public:
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// The plain file; the name that was given where there is an error.
+  /// Returns the path of the plain file; the given name if there is an error.
   const std::string& GetPath() const { return this->Path; }
-  /// Why there is none; empty if there is.
+  /// Returns the reason why there is no plain file; empty if there is one.
   const std::string& GetError() const { return this->Error; }
 
 private:
@@ -39,7 +40,7 @@ private:
   std::string Folder;
 };
 
-/// The names, with the STEP and BREP files in it, by their extension and in the order of their names, in place of every folder that has some.
+/// Returns the names, where every folder is replaced by the STEP and BREP files in it (by extension, sorted by name), if it has some.
 std::vector<std::string> ExpandFolders(const std::vector<std::string>& names);
 }
 

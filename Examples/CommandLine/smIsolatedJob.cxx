@@ -53,9 +53,7 @@ void WriteLine(int descriptor, const sm::Json& message)
   }
 }
 
-// --- out of memory -----------------------------------------------------------------------------
-
-/// 1 when a child has no memory left; it shares this flag with the process that started it.
+/// Set to 1 when a child has no memory left; shared with the process that started it.
 volatile std::sig_atomic_t* OutOfMemory = nullptr;
 
 void OnNoMemory()
@@ -64,7 +62,8 @@ void OnNoMemory()
   throw std::bad_alloc();
 }
 
-/// A driver that gets no memory ends the process or uses a null pointer. Then so little of the limit is left that this fails.
+/// Handles a fatal signal: a driver without memory aborts or uses a null pointer. The cause is taken to be memory if an allocation fails
+/// here.
 void OnFatalSignal(int number)
 {
   constexpr size_t little = size_t(64) << 20;
@@ -76,7 +75,7 @@ void OnFatalSignal(int number)
   raise(number);
 }
 
-/// Lets the child say that it has no memory for more. Signal handlers only where its memory is limited (ulimit -v).
+/// Lets the child report that it has run out of memory. Signal handlers are installed only if its memory is limited (ulimit -v).
 void WatchMemory()
 {
   if (!OutOfMemory)
@@ -108,7 +107,7 @@ void WatchMemory()
     _exit(1); // the parent has ended already
   }
   WatchMemory();
-  // The standard output is for the results only, so the output of libraries goes to /dev/null.
+  // The standard output is reserved for the results, so the output of libraries is sent to /dev/null.
   const int null = open("/dev/null", O_WRONLY);
   if (null >= 0)
   {
@@ -122,13 +121,14 @@ void WatchMemory()
     setenv("LP_NUM_THREADS", std::to_string(options.Threads).c_str(), 0);
   }
   sm::RunFileJob(options, [descriptor](const sm::Json& message) { WriteLine(descriptor, message); });
-  // Without the destructors of static objects in third-party libraries, which could only fail.
+  // _exit() skips the destructors of static objects in third-party libraries, which might fail.
   _exit(0);
 }
 
 using Clock = std::chrono::steady_clock;
 
-/// The end of a job that does not end by itself. What computes ends at the limit; a reader or a compiler that hangs does not.
+/// Returns the seconds after which a job is killed. Computations stop at the time limit by themselves; a hanging reader or compiler does
+/// not.
 double GetSecondsLeft(const sm::JobOptions& options)
 {
   return options.MaximumSeconds > 0.0 ? options.MaximumSeconds + std::max(2.0, 0.25 * options.MaximumSeconds)
@@ -140,7 +140,7 @@ bool IsOverProcessorLimit(int status)
   return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
 }
 
-/// How a child ended, with its process as the subject; empty if it ended normally.
+/// Returns a sentence about the process of a child and how it ended; empty if it ended normally.
 std::string DescribeEnd(int status, bool isTimeOver, bool isOutOfMemory, const sm::JobOptions& options)
 {
   if (isTimeOver)
@@ -166,7 +166,7 @@ std::string DescribeEnd(int status, bool isTimeOver, bool isOutOfMemory, const s
   return !end.empty() && isOutOfMemory ? "ran out of memory and " + end : end;
 }
 
-/// Adds to the results that a child sent before it failed why there are no more; `isExplained` is true when `end` is the whole reason.
+/// Adds the reason for missing results to those that a child sent before it failed; `isExplained` is true if `end` is the whole reason.
 void AddFailure(const sm::JobOptions& options, const std::string& stage, const std::string& end,
   bool isExplained, sm::Json& file)
 {
@@ -188,11 +188,11 @@ void AddFailure(const sm::JobOptions& options, const std::string& stage, const s
   sm::MarkIncomplete(file, reason + (isComputed ? "; what was computed before is kept" : ""));
 }
 
-/// Adds the reasons why pictures and meshes are missing that were asked for. `end` is that of DescribeEnd().
+/// Adds the reasons why requested pictures and meshes are missing. `end`: result of DescribeEnd().
 void FindOutputErrors(
   const sm::JobOptions& options, const sm::JobMessages& said, const std::string& end, sm::JobOutcome& outcome)
 {
-  // The status already tells why an unreadable or empty file has no pictures.
+  // The status already explains why an unreadable or empty file has no pictures.
   const sm::Json& status = outcome.File["status"];
   if (!options.TexturePrefix.empty() && status != "unreadable")
   {
@@ -328,7 +328,7 @@ void IsolatedJob::Append(const char* bytes, std::size_t count)
 
 void IsolatedJob::Wait(const std::vector<IsolatedJob*>& jobs)
 {
-  // A signal that comes just before poll() is seen a second later.
+  // A signal that arrives just before poll() is noticed a second later.
   double seconds = 1.0;
   std::vector<struct pollfd> waiting;
   for (IsolatedJob* job : jobs)
@@ -388,7 +388,7 @@ JobOutcome IsolatedJob::GetOutcome()
   }
   if (Interrupted)
   {
-    // Results that are not complete are those of no finished file.
+    // After an interrupt only complete results count as those of a finished file.
     return this->Said.IsComplete ? outcome : JobOutcome();
   }
   const bool isOutOfMemory = this->OutOfMemory && *this->OutOfMemory;
@@ -414,7 +414,7 @@ void CatchInterrupt()
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   struct sigaction before = {};
-  // nohup ignores it for this program.
+  // If nohup has set SIGHUP to be ignored, it stays ignored.
   if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
   {
     sigaction(SIGHUP, &action, nullptr);

@@ -1,9 +1,9 @@
 /**
  * @file smIsolatedJob.h
- * @brief Runs the jobs of files in child processes, so that a crash of the CAD kernel ends that file's job only
+ * @brief Runs the jobs of files in child processes, so that a crash of the CAD kernel affects only the job of that file
  *
  * Children are forked while this process has neither threads nor an OpenGL context; results come back as lines of
- * JSON through a pipe. Signal handlers are installed in the child only where its memory is limited (ulimit -v), to say that it ran out.
+ * JSON through a pipe. Signal handlers are installed in the child only if its memory is limited (ulimit -v), to report that it ran out.
  */
 #ifndef smIsolatedJob_h
 #define smIsolatedJob_h
@@ -42,8 +42,8 @@ struct JobMessages
   void Take(Json& message, const ProgressListener& progress);
 };
 
-/// The job of one file in a child process. A child is killed when it was waited for longer than MaximumSeconds and a quarter, at least
-/// 2 seconds, more.
+/// The job of one file in a child process. A child is killed if it takes longer than 1.25 times MaximumSeconds, and at least 2 seconds
+/// longer.
 class IsolatedJob
 {
 public:
@@ -55,10 +55,10 @@ public:
   IsolatedJob& operator=(const IsolatedJob&) = delete;
 
   bool IsRunning() const { return this->Pipe >= 0; }
-  /// Waits, a second at most, for one of the jobs, which all run, to say something or end, and kills those whose time is over, or all
-  /// after an interrupt.
+  /// Waits at most one second until one of the jobs, all of which must be running, sends a message or ends. Kills those whose time has
+  /// elapsed, and all of them after an interrupt.
   static void Wait(const std::vector<IsolatedJob*>& jobs);
-  /// The outcome of a job that has ended, once.
+  /// Returns the outcome of a job that has ended; call it once.
   JobOutcome GetOutcome();
 
 private:
@@ -68,7 +68,7 @@ private:
   JobOptions Options;
   ProgressListener Progress;
   double
-    SecondsLeft; ///< of waiting for the child; other time does not count, as a pipe that nobody reads stops it
+    SecondsLeft; ///< of waiting for the child; other time does not count, because a full pipe stops the child
   JobMessages Said;
   std::string Pending;
   std::string Error; ///< why there is no child; empty: there is one
@@ -80,7 +80,8 @@ private:
   volatile std::sig_atomic_t* OutOfMemory = nullptr; ///< shared with the child, which sets it
 };
 
-/// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set IsInterrupted(), instead of ending this process at once.
+/// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set IsInterrupted(), instead of ending this
+/// process at once.
 void CatchInterrupt();
 bool IsInterrupted();
 /// Ends this process by the signal that was caught, so that the shell sees that signal.

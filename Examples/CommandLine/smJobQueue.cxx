@@ -8,7 +8,7 @@ namespace sm
 {
 namespace
 {
-/// The messages with the name that the user gave in place of that of a copy.
+/// Replaces the name of a copy in the messages by the name that the user gave.
 void RestoreName(const JobOptions& job, Json& file)
 {
   for (Json& message : file["messages"])
@@ -67,7 +67,7 @@ void JobQueue::StartJobs()
 
 JobOutcome JobQueue::Next()
 {
-  // An outcome that is there is handed out before anything is started: that may take long, as input may come through a pipe.
+  // A finished outcome is returned before another job is started, which may take long if its input comes through a pipe.
   while (this->Started.empty() || IsRunning(this->Started.front()))
   {
     this->StartJobs();

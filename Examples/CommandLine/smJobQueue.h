@@ -1,6 +1,6 @@
 /**
  * @file smJobQueue.h
- * @brief Runs the jobs of several files at a time and hands out their outcomes in the order of the files
+ * @brief Runs the jobs of several files at the same time and returns their outcomes in the order of the files
  */
 #ifndef smJobQueue_h
 #define smJobQueue_h
@@ -25,7 +25,7 @@ public:
   /// `atOnce` is the number of jobs that run at a time, which share the processors; 0: as many as there are processors.
   JobQueue(std::vector<JobOptions> jobs, std::size_t atOnce, Listener progress);
 
-  /// Waits for the outcome of the next job. Its File is null when it was interrupted before there was one. Jobs after it run on.
+  /// Waits for the outcome of the next job. Its File is null if it was interrupted before there was one. Later jobs continue to run.
   JobOutcome Next();
 
 private:
@@ -41,7 +41,7 @@ private:
   std::vector<JobOptions> Jobs;
   std::size_t AtOnce = 1;
   Listener Progress;
-  std::deque<Entry> Started; ///< and not handed out
+  std::deque<Entry> Started; ///< jobs whose outcomes have not been returned
   std::size_t NextOut = 0;
 };
 }

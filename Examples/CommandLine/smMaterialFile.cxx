@@ -22,7 +22,7 @@ std::string Trim(const std::string& text)
   return first == std::string::npos ? std::string() : TrimEnd(text.substr(first));
 }
 
-/// The values of a line of CSV; a quote inside quotes is doubled.
+/// Returns the values of a line of CSV; a quote inside quotes is doubled.
 std::vector<std::string> SplitLine(const std::string& line)
 {
   std::vector<std::string> values(1);
@@ -53,7 +53,7 @@ std::vector<std::string> SplitLine(const std::string& line)
   return values;
 }
 
-/// Adds a rule. Returns what is wrong with it; empty if nothing is.
+/// Adds a rule. Returns an error message; empty if the rule is valid.
 std::string AddRule(const std::string& pattern, const std::string& material, const std::string& density,
   const std::string& tolerance, std::vector<MaterialRule>& rules)
 {

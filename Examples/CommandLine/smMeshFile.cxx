@@ -45,7 +45,7 @@ vtkSmartPointer<vtkPolyData> Join(vtkPartitionedDataSetCollection* bodies, const
     {
       if (auto* body = vtkPolyData::SafeDownCast(bodies->GetPartitionAsDataObject(i, k)))
       {
-        // A plain copy: the exact model is not for this file, and points of two faces have two normals.
+        // A plain copy without the exact model and without normals: points at edges have one for each face, and are merged.
         vtkNew<vtkPolyData> triangles;
         triangles->SetPoints(body->GetPoints());
         triangles->SetPolys(body->GetPolys());
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPolyData> Join(vtkPartitionedDataSetCollection* bodies, const
   merge->SetTolerance(0.0);
   merge->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   merge->Update();
-  // A triangle of which two corners are one is a line there.
+  // vtkCleanPolyData turns a triangle with two equal corners into a line.
   merge->GetOutput()->SetLines(nullptr);
   merge->GetOutput()->SetVerts(nullptr);
   vtkNew<vtkStringArray> name;
@@ -83,7 +83,7 @@ bool WriteAs(
   {
     vtkNew<vtkSTLWriter> writer;
     writer->SetFileTypeToBinary();
-    // Readers take a file that begins with "solid" for text.
+    // The header must not begin with "solid", which readers take for the text format.
     writer->SetHeader(("Triangles by SolidMoments, lengths in " + unit).c_str());
     return WriteWith(writer.Get(), mesh, fileName);
   }
@@ -133,7 +133,7 @@ std::string WriteMesh(
   {
     return Save(fileName, {});
   }
-  // VTK's writers open a file of their own; SaveFile() replaces the user's when all is there.
+  // VTK's writers write to a temporary file; SaveFile() then replaces the user's file when all bytes are there.
   std::error_code error;
   std::string folder = (fs::temp_directory_path(error) / "solidmoments-XXXXXX").string();
   if (error || !mkdtemp(folder.data()))

@@ -10,7 +10,7 @@ vtkStandardNewMacro(smMessageCollector);
 
 namespace
 {
-/// The text for the user in VTK's "ERROR: In file.cxx, line 12\nvtkFoo (0x55d0): text\n\n".
+/// Returns the part `text` of VTK's "ERROR: In file.cxx, line 12\nvtkFoo (0x55d0): text\n\n".
 std::string Sentence(const char* raw)
 {
   std::string text = raw ? raw : "";

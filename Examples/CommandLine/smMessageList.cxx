@@ -12,7 +12,7 @@
 
 namespace
 {
-/// True for the reader's summary of a model's messages: the first one, under the body's name.
+/// Returns true for the reader's summary of a model's messages: the first one, with the body's name.
 bool IsSummary(const std::string& message, vtkTrimmedNURBSModel* model)
 {
   if (model->GetMessages().empty())
@@ -24,7 +24,7 @@ bool IsSummary(const std::string& message, vtkTrimmedNURBSModel* model)
   return message == start || message.rfind(start + " (and ", 0) == 0;
 }
 
-/// True when a message of the filter is that of a face, which the model has as a message of its own.
+/// Returns true if a message of the filter is that of a face, which the model has among its own messages.
 bool IsOfFace(const std::string& fact, const std::vector<std::string>& said)
 {
   const size_t colon = fact.find(": ");

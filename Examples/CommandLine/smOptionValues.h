@@ -1,6 +1,6 @@
 /**
  * @file smOptionValues.h
- * @brief Directions, planes, frames and tolerances in the text of options
+ * @brief Parses directions, planes, frames and tolerances in the text of options
  */
 #ifndef smOptionValues_h
 #define smOptionValues_h

@@ -16,7 +16,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// Keys of a file: its device and inode when it exists, and its path without links. Two names of one file share a key.
+/// Returns the keys of a file: device and inode if it exists, and its path without links. Two names of one file share a key.
 std::set<std::string> Identities(const std::string& name)
 {
   std::set<std::string> identities;
@@ -25,7 +25,7 @@ std::set<std::string> Identities(const std::string& name)
   {
     if (S_ISCHR(info.st_mode))
     {
-      return identities; // /dev/null takes everything
+      return identities; // any number of outputs may be written to /dev/null
     }
     identities.insert(std::to_string(info.st_dev) + ":" + std::to_string(info.st_ino));
   }
@@ -40,7 +40,7 @@ std::set<std::string> Identities(const std::string& name)
   return identities;
 }
 
-/// The names with -2, -3, ... appended to the second, third, ... of equal ones.
+/// Appends -2, -3, ... to the second, third, ... of equal names.
 std::vector<std::string> MakeDistinct(std::vector<std::string> names)
 {
   std::set<std::string> taken;
@@ -171,7 +171,7 @@ std::string CheckOutputs(const Arguments& arguments)
         return option + " would overwrite " + name + ", which is " + found->second;
       }
     }
-    // Only this one is meant to be a STEP file.
+    // Only the output of --write-validation may replace a STEP file.
     if (IsModelFile(name) && option != "--write-validation")
     {
       return option + " would overwrite " + name + ", which is a CAD file; name another file";

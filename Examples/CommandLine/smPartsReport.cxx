@@ -63,7 +63,7 @@ void ForEachEntry(const Json& entries, int level, const Use& use)
   }
 }
 
-/// A mass with as many digits as its bound leaves; of some solids only in the form "1.5 of 2/3".
+/// Formats a mass with as many digits as its bound leaves; if only some solids have one, in the form "1.5 of 2/3".
 std::string FormatMass(const Json& sums)
 {
   return sums["mass"].is_number() || sums["known_mass"].is_null()

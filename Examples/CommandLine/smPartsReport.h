@@ -14,17 +14,17 @@
 namespace sm
 {
 /**
- * The entries as the JSON has them:
- *   name, kind ("part" or "assembly"), count (in the product above), count_in_all (in the file), solids (of one), status (the worst of the solids), layer, material, density, each
- *   and in_all ({volume, area, mass, known_mass, solids_with_mass, bounds}), children.
+ * Returns the entries for the JSON:
+ *   name, kind ("part" or "assembly"), count (in the product above), count_in_all (in the file), solids (of one), status (the worst of the
+ *   solids), layer, material, density, each and in_all ({volume, area, mass, known_mass, solids_with_mass, bounds}), children.
  * Products more than `depth` levels down are left out of the list, but not out of the sums; 0 keeps all.
  */
 Json MakePartsJson(const std::vector<PartsListEntry>& entries, int depth);
 
-/// A table of the entry "parts" of a file; empty without one.
+/// Returns a table of the entry "parts" of a file; empty without one.
 std::string FormatPartsList(const Json& file);
 
-/// The parts lists of all files as CSV, a row per entry with its level.
+/// Returns the parts lists of all files as CSV, a row per entry with its level.
 std::string FormatPartsCsv(const Json& files);
 }
 

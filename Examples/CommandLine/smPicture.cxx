@@ -37,7 +37,7 @@ const double SignalColor[3] = { 0.90, 0.05, 0.12 };
 const int MostNumbers = 5;      // of flagged places
 const size_t LongestLine = 100; // characters across the picture
 
-/// The values that exist, and the status when it is not ok.
+/// Returns the caption: the values that exist, and the status if it is not ok.
 std::string Caption(const sm::Json& file)
 {
   const sm::Json& total = file["total"];

@@ -15,7 +15,7 @@ namespace sm
 {
 namespace
 {
-/// Relative, of the integrals of shapes. Their bounds are mostly the rounding of the sums.
+/// Relative tolerance of the integrals of shapes. Their bounds are mostly the rounding of the sums.
 constexpr double ShapeTolerance = 1e-12;
 
 Json WriteFace(const FaceShape& face)

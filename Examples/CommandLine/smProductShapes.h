@@ -1,6 +1,6 @@
 /**
  * @file smProductShapes.h
- * @brief The shapes of the solids of a file, as JSON from the process that reads it to the one that compares
+ * @brief The shapes of the solids of a file as JSON, which the process that reads the file sends to the one that compares
  */
 #ifndef smProductShapes_h
 #define smProductShapes_h
@@ -16,13 +16,13 @@
 
 namespace sm
 {
-/// The key of the entry of a file that has its shapes until they are compared.
+/// Key of the shapes in the entry of a file, until they are compared.
 constexpr const char* ShapesKey = "shapes";
 
-/// The shape of each model that one of the solids is an instance of, and the model and the placement of each solid.
+/// Returns the shape of each model, and the model and the placement of each solid.
 Json MeasureProduct(vtkCADReader* reader, const JobOptions& options, const Json& solids);
 
-/// A solid as the comparison sees it.
+/// The data of a solid for the comparison.
 struct SolidShape
 {
   /// Index of the model, and its shape in its own coordinates, centred. Null if the solid has none.
@@ -31,13 +31,13 @@ struct SolidShape
   std::array<double, 12> Placement{};
 
   bool IsMirrored() const;
-  /// Where the centre of the area is placed.
+  /// Returns the placed centre of the area.
   std::array<double, 3> GetCenter() const;
-  /// The shape as it is placed.
+  /// Returns the placed shape.
   PartShape GetPlaced() const;
 };
 
-/// The shapes of solids by their ids, from MeasureProduct().
+/// Returns the shapes of solids by their ids, from the result of MeasureProduct().
 std::map<std::string, SolidShape> ReadShapes(const Json& shapes);
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file smProductTree.h
- * @brief The product structure of a file as the reader's assembly has it
+ * @brief The product structure of a file, from the reader's assembly
  */
 #ifndef smProductTree_h
 #define smProductTree_h
@@ -17,12 +17,13 @@ class vtkTrimmedNURBSModel;
 
 namespace sm
 {
-/// The root of the products: {"name", "bodies": [{"id", "model", "placement"}], "children": [...]}. "id" is that of the table of solids, and
-/// bodies with the same "model" are instances of one; "placement" has the first three rows of the matrix from the part to the world. Nodes more than 100 levels deep are missing, and their bodies are in the node above.
+/// Returns the root of the products: {"name", "bodies": [{"id", "model", "placement"}], "children": [...]}. "id" is that of the table of
+/// solids, and bodies with the same "model" are instances of one; "placement" has the first three rows of the matrix from the part to the
+/// world. Nodes more than 100 levels deep are missing, and their bodies are in the node above.
 Json GetProductTree(vtkCADReader* reader);
 
-/// A solid or free shell of the file: its id in the table of solids, its model, its display mesh, and the first three rows of the matrix from the part to the
-/// world.
+/// A solid or free shell of the file: its id in the table of solids, its model, its display mesh, and the first three rows of the matrix
+/// from the part to the world.
 struct ProductBody
 {
   std::string Id;
@@ -30,11 +31,11 @@ struct ProductBody
   vtkPolyData* Mesh;
   std::array<double, 12> Placement;
 };
-/// All of them, in the order of their ids.
+/// Returns all bodies in the order of their ids.
 std::vector<ProductBody> ListBodies(vtkCADReader* reader);
 
-/// A selector (vtkSurfaceIntegralBase::AddSelector) for every product whose name matches the pattern (MatchesPattern); one that
-/// selects nothing and names the pattern when there is none.
+/// Returns a selector (vtkSurfaceIntegralBase::AddSelector) for every product whose name matches the pattern (MatchesPattern); if there is
+/// none, a selector that contains the pattern and selects nothing.
 std::vector<std::string> FindProducts(vtkCADReader* reader, const std::string& pattern);
 }
 

@@ -17,7 +17,7 @@ using sm::Json;
 const size_t MaximumSolids = 20;
 const size_t MaximumMessages = 12;
 
-/// Defects of the model, which are not part of the bounds: open edges and gaps.
+/// Returns the rows of defects of the model, which are not part of the bounds: open edges and gaps.
 std::string DefectRows(const Json& total, const Json& file)
 {
   std::string text;
@@ -37,7 +37,8 @@ std::string DefectRows(const Json& total, const Json& file)
   return text;
 }
 
-/// Mass, and what the densities are the weight of; of the solids that have a density where not all have one.
+/// Returns the rows of mass, and of centre and inertia with the densities as weight. If only some solids have a density, the mass is that
+/// of these.
 std::string MassRows(const Json& total, const Json& file)
 {
   const Json& bounds = total["bounds"];
@@ -70,7 +71,7 @@ std::string MassRows(const Json& total, const Json& file)
       "mass inertia", total["mass_inertia"], bounds["mass_inertia"], "kg " + sm::FormatUnit(file, 2), true);
 }
 
-/// How many of the file's validation properties are right, and those that are not.
+/// Returns the rows of validation properties: the number of those that agree, and each one that does not.
 std::string ValidationRows(const Json& file)
 {
   if (!file.contains("validation"))
@@ -104,7 +105,7 @@ std::string ValidationRows(const Json& file)
   return text;
 }
 
-/// All rows of a file that the filter ran on.
+/// Returns all rows of a file on which the filter ran.
 std::string Results(const Json& file)
 {
   const Json& total = file["total"];
@@ -196,8 +197,6 @@ std::string SolidRows(const Json& file)
   }
   return text;
 }
-
-// --- JSON and CSV ------------------------------------------------------------------------------
 
 bool IsFlat(const Json& value)
 {

@@ -1,4 +1,4 @@
-// The rows of the table for what was asked for beside the mass properties.
+// Rows of the table for results other than the mass properties.
 #include "smReport.h"
 #include "smReportRows.h"
 
@@ -9,7 +9,7 @@ namespace sm
 {
 namespace
 {
-/// Scheme, sub-patches and error estimate of a run with one of the paper's schemes.
+/// Returns scheme, sub-patches and error estimate of a run with one of the paper's schemes.
 std::string SchemeRows(const Json& total, const Json& file)
 {
   if (!total["sub_patches"].is_number())
@@ -30,7 +30,7 @@ std::string SchemeRows(const Json& total, const Json& file)
       "", nullptr);
 }
 
-/// The integrals that the user asked for.
+/// Returns the rows of the integrals of the options.
 std::string IntegralRows(const Json& file)
 {
   const size_t most = 40;
@@ -47,7 +47,7 @@ std::string IntegralRows(const Json& file)
                                  : text;
 }
 
-/// Static stability, where the user asked for it.
+/// Returns the rows of static stability, if it was requested.
 std::string StabilityRows(const Json& total, const Json& file)
 {
   const Json& found = total["stability"];
@@ -83,7 +83,7 @@ std::string StabilityRows(const Json& total, const Json& file)
     : text + Row("energy to tip", FormatValue(found["tip_energy"], nullptr, 9), "J", nullptr);
 }
 
-/// Volume and centre of buoyancy below each waterline.
+/// Returns volume and centre of buoyancy below each waterline.
 std::string WaterlineRows(const Json& file)
 {
   std::string text;
@@ -98,7 +98,7 @@ std::string WaterlineRows(const Json& file)
   return text;
 }
 
-/// Moments of each section, and what lies on its sides.
+/// Returns the moments of each section, and volumes and centres on its sides.
 std::string SectionRows(const Json& file)
 {
   std::string text;
@@ -134,7 +134,7 @@ std::string SectionRows(const Json& file)
   return text;
 }
 
-/// Centre and inertia in the frame that the user asked for.
+/// Returns centre and inertia in the frame of reference of the options.
 std::string FrameRows(const Json& total, const Json& file)
 {
   const Json& about = total["about"];

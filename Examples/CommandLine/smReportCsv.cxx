@@ -10,7 +10,7 @@ namespace
 using sm::Dump;
 using sm::Json;
 
-/// Heads and values of a row.
+/// Column names and values of a row.
 struct Columns
 {
   std::vector<std::pair<std::string, Json>> Cells;
@@ -28,7 +28,7 @@ struct Columns
       this->Add(stem + "_" + suffixes[i], values.is_null() ? Json() : values[i]);
     }
   }
-  /// The six different entries of a symmetric matrix.
+  /// Adds the six different entries of a symmetric matrix.
   void AddMatrix(const std::string& stem, const Json& matrix)
   {
     Json six;
@@ -67,7 +67,7 @@ Extras FindExtras(const Json& files)
   return extras;
 }
 
-/// Columns of one section; empty where it is null.
+/// Adds the columns of one section; empty cells if it is null.
 void AddSection(const std::string& stem, const Json& section, Columns& columns)
 {
   const Json nothing;
@@ -110,7 +110,7 @@ void AddExtras(const Json& row, const Extras& extras, Columns& columns)
   {
     const bool known = row.contains("integrals") && row["integrals"].contains(name);
     const Json& integral = known ? row["integrals"][name] : nothing;
-    // An integral of the user's may be called as a column is.
+    // An integral of the user may have the name of a column.
     const bool isTaken = columns.Has(name) || columns.Has(name + "_bound");
     const std::string stem = (isTaken ? "integral_" : "") + name;
     columns.Add(stem, known ? integral["value"] : nothing);
@@ -149,7 +149,7 @@ void AddMassColumns(const Json& row, Columns& columns)
   columns.Add("mass_center_bound", bounds["mass_center"]);
   columns.AddMatrix("mass_inertia", row["mass_inertia"]);
   columns.Add("mass_inertia_bound", bounds["mass_inertia"]);
-  // Only a total has them.
+  // Only a total has these columns.
   const bool isTotal = row.contains("known_mass");
   columns.Add("known_mass", isTotal ? row["known_mass"] : nothing);
   columns.Add("known_mass_bound", isTotal ? bounds["known_mass"] : nothing);
@@ -170,7 +170,7 @@ void AddBoxColumns(const Json& row, Columns& columns)
   columns.Add("box_bound", row["bounds"]["bounding_box"]);
 }
 
-/// Columns of the frame of reference, empty without one.
+/// Adds the columns of the frame of reference; empty cells without one.
 void AddFrameColumns(const Json& about, Columns& columns)
 {
   const Json nothing;
@@ -226,7 +226,7 @@ Columns CsvRow(const Json& file, const Json& row, bool isTotal, const Extras& ex
   return columns;
 }
 
-/// The cells of these names, in their order; all cells without names.
+/// Returns the cells with these names, in their order; all cells if there are no names.
 std::vector<std::pair<std::string, Json>> Select(
   const Columns& columns, const std::vector<std::string>& fields)
 {

@@ -1,6 +1,6 @@
 /**
  * @file smReportFiles.h
- * @brief The JSON and CSV of a run, which hold the finished files at any moment
+ * @brief Writes the JSON and CSV of a run, which contain all finished files at any time
  */
 #ifndef smReportFiles_h
 #define smReportFiles_h
@@ -15,9 +15,9 @@
 namespace sm
 {
 /**
- * The documents are written again after every file, whole each time (SaveFile), so that a process that is killed leaves what it had
- * computed. After 256 MB they are written whenever they have a twentieth more files: all versions together are then not much longer than
- * twenty times the last. Standard output, devices and pipes get their document once, by Finish().
+ * The documents are written completely after every file (SaveFile), so that the results of a process that is killed are not lost. Above 256
+ * MB they are written only when they have a twentieth more files: all versions together are then not much longer than twenty times the last
+ * one. Standard output, devices and pipes get their document once, by Finish().
  */
 class ReportFiles
 {
@@ -36,7 +36,7 @@ public:
   /// Adds the comparison of the files to the JSON.
   void SetComparison(Json comparison) { this->Comparison = std::move(comparison); }
   size_t GetNumberOfFiles() const { return this->Files.size(); }
-  /// Writes what is not yet written. Returns an exit status, after a sentence about every output that could not be written.
+  /// Writes the final documents. Returns an exit status, and prints a message about every output that could not be written.
   int Finish();
 
 private:
@@ -55,7 +55,7 @@ private:
   size_t InCsv = 0;
   size_t InParts = 0;
   size_t InUrdf = 0;
-  /// Bytes of all versions, and number of files when the last was due.
+  /// Bytes of all versions so far, and number of files in the last one.
   size_t Written = 0;
   size_t Due = 0;
 };

@@ -11,29 +11,29 @@
 
 namespace sm
 {
-/// "1 face", "2 faces".
+/// Returns "1 face", "2 faces".
 std::string Count(const Json& number, const std::string& one, const std::string& more);
-/// Text without quotation marks; "-" for null.
+/// Returns a text without quotation marks; "-" for null.
 std::string Plain(const Json& value);
-/// A number with two digits.
+/// Returns a number with two digits.
 std::string Short(const Json& value);
-/// The bound with two digits, rounded up.
+/// Returns a bound with two digits, rounded up.
 std::string ShortBound(const Json& value);
 
 std::string Row(
   const std::string& label, const std::string& value, const std::string& unit, const Json& bound);
-/// A row of a value that has a bound, or says that it has none.
+/// Returns a row of a value with its bound, or with a note that it has none.
 std::string BoundedRow(
   const std::string& label, const std::string& value, const std::string& unit, const Json& bound);
-/// Three rows for a matrix whose entries are known to within `limit`, with the bound in the first; `hasBound` says that there should be one.
+/// Returns three rows for a matrix whose entries have the bound `limit`, which is in the first row; `hasBound`: there should be one.
 std::string Rows(
   const std::string& label, const Json& matrix, const Json& limit, const std::string& unit, bool hasBound);
 
-/// True if all densities are known and not all the same.
+/// Returns true if all densities are known and not all equal.
 bool HasMixedDensities(const Json& total);
 
-/// What the user asked for beside the mass properties; nothing where he did not.
-/// Centre and inertia in a frame, static stability, integrals, volumes below waterlines, sections, and the scheme of the paper.
+/// Returns the rows of requested results other than the mass properties: centre and inertia in a frame, static stability, integrals,
+/// volumes below waterlines, sections, and the scheme of the paper.
 std::string AnalysisRows(const Json& total, const Json& file);
 }
 

@@ -17,13 +17,13 @@ class vtkMassPropertiesBase;
 
 namespace sm
 {
-/// A filter for the scheme of the options, which is none but "midpoint", "gauss2" and "gauss3".
+/// Makes a filter for the scheme of the options, which must be "midpoint", "gauss2" or "gauss3".
 vtkSmartPointer<vtkMassPropertiesBase> MakeSchemeFilter(const JobOptions& options);
 
 /// Returns the scheme of such a filter; null for any other filter.
 Json GetSchemeOptions(vtkMassPropertiesBase* filter);
 
-/// The paper's estimates of the error and the number of sub-patches in a row of field data or of a table; null where they are not.
+/// Returns the paper's estimates of the error and the number of sub-patches in a row of field data or of a table; null if they are missing.
 Json GetSchemeQuantities(vtkFieldData* data, vtkIdType row);
 
 /// Writes the textures that the last run kept, v upwards, white inside the face, as PREFIX-NAME.png. NAME is the texture's name with a

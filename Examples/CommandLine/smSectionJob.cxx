@@ -16,7 +16,7 @@ namespace
 using sm::Json;
 namespace names = sm::names;
 
-/// The components of a value as a list, null where it is not known.
+/// Returns the components of a value as a list; null if it is not known.
 Json GetList(vtkFieldData* data, vtkIdType row, const char* name)
 {
   vtkDataArray* array = data->GetArray(name);
@@ -32,7 +32,7 @@ Json GetList(vtkFieldData* data, vtkIdType row, const char* name)
   return list.empty() ? Json() : list;
 }
 
-/// xx, yy, zz, xy, yz, xz as a symmetric matrix.
+/// Makes a symmetric matrix from xx, yy, zz, xy, yz, xz.
 Json MakeMatrix(const Json& six)
 {
   return six.is_null()
@@ -40,7 +40,7 @@ Json MakeMatrix(const Json& six)
     : Json{ { six[0], six[3], six[5] }, { six[3], six[1], six[4] }, { six[5], six[4], six[2] } };
 }
 
-/// A row of field data or of a table. The density of the filter is not that of materials by name: no mass then.
+/// Returns the results in a row of field data or of a table. `hasMass`: false with materials by name, which the filter does not know.
 Json Describe(vtkFieldData* data, vtkIdType row, bool hasMass)
 {
   Json found;

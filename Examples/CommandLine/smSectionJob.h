@@ -1,6 +1,6 @@
 /**
  * @file smSectionJob.h
- * @brief Sections with the planes that a user asked for, as JSON
+ * @brief Sections with the planes of the options, as JSON
  */
 #ifndef smSectionJob_h
 #define smSectionJob_h
@@ -16,8 +16,8 @@ namespace sm
 {
 class MessageList;
 
-/// Fills `sections` of the file and of each solid, null where a value is not known (AddPlaceholders() has the keys). A flag of theirs
-/// becomes the file's when that was ok. `update` runs a filter.
+/// Fills `sections` of the file and of each solid, null where a value is not known (AddPlaceholders() has the keys). If the file was ok, it
+/// gets the status of the filter. `update` runs a filter.
 void IntegrateSections(vtkCADReader* reader, const JobOptions& options,
   const std::function<void(vtkAlgorithm*)>& update, Json& file, MessageList& messages);
 }

@@ -93,7 +93,7 @@ vtkSmartPointer<vtkPolyData> FindStability(vtkCADReader* reader, const JobOption
   SetUpFilter(filter->GetMassProperties(), options);
   SetUpMass(filter->GetMassProperties(), options);
   filter->GetMassProperties()->SetRelativeTolerance(options.Tolerance);
-  // It integrates again, in what is left of the time: its own status may be worse, and its messages say why.
+  // The filter integrates again in the remaining time, so that its status may be worse than that of the file; its messages have the reason.
   const auto run = [&]()
   {
     update(filter);
@@ -154,7 +154,7 @@ void AddBoxes(vtkCADReader* reader, Json& file)
       total.Bounds[i] = std::min(total.Bounds[i], box.Bounds[i]);
       total.Bounds[i + 1] = std::max(total.Bounds[i + 1], box.Bounds[i + 1]);
     }
-    // A NaN stays: a box without a body is not that of all.
+    // A NaN is kept: without the box of one body the box of all is not known.
     total.Bound = box.Bound <= total.Bound ? total.Bound : box.Bound;
     if (std::isnan(box.Bound))
     {

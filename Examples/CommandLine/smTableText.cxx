@@ -9,13 +9,13 @@ namespace sm
 {
 namespace
 {
-/// True for every byte but those that continue a character of UTF-8.
+/// Returns true for a byte that begins a UTF-8 character.
 bool StartsCharacter(char byte)
 {
   return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
 }
 
-/// Where the character of that number begins; the size of the text behind the last one.
+/// Returns the position of a character by its number; the size of the text behind the last one.
 size_t FindCharacter(const std::string& text, size_t number)
 {
   size_t at = 0;

@@ -1,6 +1,6 @@
 /**
  * @file smTableText.h
- * @brief Cells of tables and of CSV as text
+ * @brief Formats cells of tables and of CSV
  */
 #ifndef smTableText_h
 #define smTableText_h
@@ -12,21 +12,21 @@
 
 namespace sm
 {
-/// Number of characters of UTF-8.
+/// Returns the number of UTF-8 characters.
 size_t GetWidth(const std::string& text);
-/// The text with blanks up to a width, before it if it stands on the right.
+/// Pads a text with blanks to a width; the blanks come first if it is right-aligned.
 std::string Pad(const std::string& text, size_t width, bool right = false);
-/// A text that is too long loses its middle: names of parts often differ at their ends.
+/// Removes the middle of a text that is too long, because names of parts often differ at their ends.
 std::string Shorten(const std::string& text, size_t width);
 
-/// A number rounded to the first digit that the bound reaches, with at most `digits` digits; "-" for null.
+/// Formats a number, rounded to the first digit that the bound affects, with at most `digits` digits; "-" for null.
 std::string FormatValue(const Json& value, const Json& bound, int digits = 12);
-/// Three numbers of at most 10 digits, separated by two blanks; "-" for null.
+/// Formats three numbers of at most 10 digits, separated by two blanks; "-" for null.
 std::string FormatVector(const Json& values, const Json& bound);
-/// At most 9 digits of a number, or of the largest of three numbers; with a ~ when they have no bound.
+/// Formats a number, or the largest of three numbers, with at most 9 digits, and with a ~ if it has no bound.
 std::string FormatBrief(const Json& value, const Json& bound);
 
-/// A value in CSV, in quotes where it needs them; empty for null.
+/// Formats a value for CSV, in quotes if necessary; empty for null.
 std::string FormatCell(const Json& value);
 }
 

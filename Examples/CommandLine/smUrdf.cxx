@@ -25,7 +25,7 @@ std::string Escape(const std::string& text)
   return result;
 }
 
-/// Centre and inertia about it, with the axes of the frame of --about if there is one.
+/// Returns centre and central inertia, with the axes of the frame of --about if there is one.
 const Json& GetPlaced(const Json& file)
 {
   const Json& total = file["total"];
@@ -55,7 +55,7 @@ std::string FindUrdfProblem(const Json& file)
   {
     return "its inertia is not positive definite";
   }
-  // Thin plates have equality, to rounding.
+  // For thin plates the two sides are equal up to rounding.
   return get(2) > (get(0) + get(1)) * (1.0 + 1e-12)
     ? "its largest principal moment is more than the sum of the others"
     : "";

@@ -75,7 +75,8 @@ void Report(vtkSurfaceIntegralGPU* filter, Json& file, sm::MessageList& messages
   sm::AddEffort(filter, file, messages);
 }
 
-/// Filters with the integrands of the options. Moments have filters of their own: beside an expression their bounds would be estimated.
+/// Makes filters with the integrands of the options. Moments get filters without expressions, because an expression would make their bounds
+/// estimates.
 std::vector<vtkSmartPointer<vtkSurfaceIntegralGPU>> MakeFilters(const sm::JobOptions& options)
 {
   std::vector<vtkSmartPointer<vtkSurfaceIntegralGPU>> filters;

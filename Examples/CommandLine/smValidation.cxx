@@ -15,18 +15,18 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-/// A product of the tree as it was computed, in millimetres; NaN for what is not known.
+/// The computed values of a product of the tree, in millimetres; NaN if not known.
 struct Computed
 {
-  /// Why nothing is known.
+  /// The reason why no value is known.
   std::string Reason;
   double Volume = 0.0, VolumeBound = 0.0;
   double Area = 0.0, AreaBound = 0.0;
   Vector Center{ std::nan(""), std::nan(""), std::nan("") };
   double CenterBound = std::nan("");
-  /// Why the centre is not comparable; empty if it is.
+  /// The reason why the centre cannot be compared; empty if it can.
   std::string NoCenter;
-  /// Null for an assembly.
+  /// Material and density; null for an assembly.
   Json Material, Density;
 };
 
@@ -45,7 +45,7 @@ bool IsKnown(const Json& solid)
     bounds["volume"].is_number() && bounds["area"].is_number() && bounds["center_of_mass"].is_number();
 }
 
-/// Solids below a node; false if one of them was not computed.
+/// Collects the solids below a node; returns false if one of them was not computed.
 bool Collect(const Json& node, const SolidsById& byId, std::vector<Solid>& solids)
 {
   for (const Json& body : node["bodies"])
@@ -72,7 +72,7 @@ Vector GetVector(const Json& values)
   return { values[0].get<double>(), values[1].get<double>(), values[2].get<double>() };
 }
 
-/// The centre in the coordinates of the part: R^T (c - t) of a rigid placement.
+/// Returns the centre in the coordinates of the part: R^T (c - t) for a rigid placement.
 Vector PlaceBack(const Vector& c, const Json& placement)
 {
   Vector result{};
@@ -86,7 +86,7 @@ Vector PlaceBack(const Vector& c, const Json& placement)
   return result;
 }
 
-/// Sums of the solids below a node, in the coordinates of its first solid's part if it is one, otherwise of the world.
+/// Returns the sums of the solids below a node: in the coordinates of the part if there is a single part, otherwise in world coordinates.
 Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double millimetres)
 {
   Computed sum;
@@ -123,7 +123,8 @@ Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double m
   sum.VolumeBound += 1e-15 * sum.Volume;
   sum.AreaBound += 1e-15 * sum.Area;
   sum.NoCenter = isPart || isRoot ? "" : "the place of a sub-assembly is not known";
-  // c = sum V_i c_i / sum V_i, with bounds e_i of V_i and d_i of c_i, is off by at most (sum V_i d_i + e_i (|c_i - c| + d_i)) / (sum V_i - e_i).
+  // c = sum V_i c_i / sum V_i, with bounds e_i of V_i and d_i of c_i, is off by at most (sum V_i d_i + e_i (|c_i - c| + d_i)) / (sum V_i -
+  // e_i).
   double error = 0.0;
   for (size_t i = 0; i < 3; ++i)
   {
@@ -143,7 +144,7 @@ Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double m
   {
     return sum;
   }
-  // A material for all of it, or none.
+  // One material for all solids, or none.
   sum.Material = (*solids.front().Values)["material"];
   sum.Density = (*solids.front().Values)["density"];
   for (const Solid& solid : solids)
@@ -156,7 +157,7 @@ Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double m
 
 using Nodes = std::map<std::string, std::pair<const Json*, bool>>;
 
-/// The first node of each name, and whether it is at the top.
+/// Collects the first node of each name, and if it is at the top level.
 void ListNodes(const Json& node, bool isTop, Nodes& nodes)
 {
   for (const Json& child : node["children"])
@@ -309,7 +310,7 @@ std::string WriteValidation(
     }
     STEPStatement statement;
     statement.Product = product;
-    // One property twice would contradict itself.
+    // A property that the file states already is not written a second time.
     statement.Values.Volume = std::isfinite(stated.Volume) ? std::nan("") : computed.Volume;
     statement.Values.Area = std::isfinite(stated.Area) ? std::nan("") : computed.Area;
     if (computed.NoCenter.empty() && !std::isfinite(stated.Centroid[0]))

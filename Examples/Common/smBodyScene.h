@@ -27,10 +27,11 @@ extern const double GreenColor[3];
 
 /// Makes the faces' colours the active cell scalars of `part`; steel blue where the file has none.
 void AddColors(vtkPolyData* part);
-/// One mesh of all parts, coloured by AddColors(). Faces share no points, so the shading is not smooth across their edges.
+/// Returns one mesh of all parts, coloured by AddColors(). Faces share no points, so the shading is not smooth across their edges.
 vtkSmartPointer<vtkPolyData> JoinParts(vtkPartitionedDataSetCollection* parts);
 
-/// The borders of all faces, which are open borders of the mesh since faces share no points. Its points are those of `mesh`.
+/// Returns the borders of all faces as lines; they are open borders of the mesh, since faces share no points. The points are those of
+/// `mesh`.
 vtkSmartPointer<vtkPolyData> MakeOutlines(vtkPolyData* mesh);
 
 /// Adds an actor of one colour; with a null `color` the cells have their own, see AddColors().

@@ -13,7 +13,7 @@
 
 namespace sm
 {
-/// When several of them apply, the smallest but 0 is the exit status.
+/// Exit statuses. If several of them apply, the smallest one above 0 is used.
 enum ExitStatus
 {
   AllOk = 0,
@@ -23,7 +23,7 @@ enum ExitStatus
   Different = 4
 };
 
-/// An error message when the value of an option that names a file looks like another option; empty otherwise. "-" is a file name.
+/// Returns an error message if the value of an option that names a file looks like another option; empty otherwise. "-" is a file name.
 inline std::string CheckFileName(const std::string& name)
 {
   return name.size() > 1 && name[0] == '-' ? "a file name is missing: " + name +

@@ -14,7 +14,7 @@ namespace sm
 {
 namespace
 {
-/// Components of a row as JSON numbers; null when the array is missing or any component is not a number.
+/// Returns the components of a row as JSON numbers; null if the array is missing or a component is not finite.
 Json GetVector(vtkFieldData* data, vtkIdType row, const std::string& name, int components)
 {
   vtkDataArray* array = data->GetArray(name.c_str());
@@ -76,7 +76,7 @@ std::string GetText(vtkFieldData* data, vtkIdType row, const char* name)
 
 namespace
 {
-/// The centre of mass and the inertia in the frame of reference; null without one.
+/// Returns the centre of mass and the inertia in the frame of reference; null without one.
 Json GetInFrame(vtkFieldData* data, vtkIdType row)
 {
   if (!data->HasArray(names::VolumeInertiaInFrame))
@@ -100,7 +100,7 @@ Json GetInFrame(vtkFieldData* data, vtkIdType row)
   return about;
 }
 
-/// Adds what depends on the density, radii of gyration, and the inertia about the origin and in the frame of reference.
+/// Adds the quantities that depend on the density, radii of gyration, and the inertia about the origin and in the frame of reference.
 void AddMassQuantities(vtkFieldData* data, vtkIdType row, Json& q)
 {
   const std::string bound = names::BoundSuffix;

@@ -18,14 +18,14 @@ class vtkFieldData;
 namespace sm
 {
 Json GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name);
-/// Three numbers; null unless all are.
+/// Returns three numbers; null unless all are finite.
 Json GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name);
-/// A number without a fraction.
+/// Returns a whole number.
 Json GetCount(vtkFieldData* data, vtkIdType row, const std::string& name);
-/// Text; empty when the array is missing.
+/// Returns a text; empty if the array is missing.
 std::string GetText(vtkFieldData* data, vtkIdType row, const char* name);
 
-/// The quantities of all solids together (field data of port 0) or of one solid (a row of port 1): volume, area, center_of_mass,
+/// Returns the quantities of all solids together (field data of port 0) or of one solid (a row of port 1): volume, area, center_of_mass,
 /// inertia, principal_moments, principal_axes, principal_axes_degenerate, mass; bounds of volume, area, center_of_mass, inertia and
 /// mass; closure_correction, gap_squared, max_gap, gap_area, open_edges, closure_residual and flipped_shells; the error estimates of the
 /// paper's schemes; stability, null here; bounds_estimated; density, material, mass_center, mass_inertia, mass_principal_moments,

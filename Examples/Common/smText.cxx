@@ -13,7 +13,7 @@ namespace sm
 double ParseNumber(const std::string& text)
 {
   const char* end = text.data() + text.size();
-  // std::from_chars takes no plus sign.
+  // std::from_chars does not accept a plus sign.
   const bool hasPlus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   double value = 0.0;
   const auto [stop, error] = std::from_chars(text.data() + (hasPlus ? 1 : 0), end, value);

@@ -10,24 +10,24 @@
 
 namespace sm
 {
-/// The number that the text consists of, with a decimal point in every locale and an optional sign; NaN when the text is no number.
+/// Returns the number of a text, with a decimal point in every locale and an optional sign; NaN if the text is not a number.
 double ParseNumber(const std::string& text);
-/// The numbers of a list such as "1,2.5,-3"; empty when one of them is no number.
+/// Returns the numbers of a list such as "1,2.5,-3"; empty if one of them is not a number.
 std::vector<double> ParseNumbers(const std::string& text);
 
-/// The text in lower case; letters beyond ASCII stay as they are.
+/// Returns the text in lower case; letters beyond ASCII are not changed.
 std::string LowerCase(std::string text);
-/// The text without the blanks and line ends behind it.
+/// Returns the text without blanks and line ends at its end.
 std::string TrimEnd(std::string text);
 
-/// "bracket.step" from "parts/bracket.step".
+/// Returns "bracket.step" for "parts/bracket.step".
 std::string GetFileName(const std::string& path);
-/// "bracket" from "parts/bracket.step".
+/// Returns "bracket" for "parts/bracket.step".
 std::string GetStem(const std::string& path);
 
-/// The text with U+FFFD in the place of every byte that is not UTF-8.
+/// Replaces every byte that is not UTF-8 by U+FFFD.
 std::string MakeUtf8(const std::string& text);
-/// Letters, digits and -._~/ as they are, every other byte as %XX: URL unquoting gives the bytes back.
+/// Writes every byte other than letters, digits and -._~/ as %XX; URL decoding restores the bytes.
 std::string PercentEncode(const std::string& text);
 }
 

@@ -51,7 +51,7 @@ Exit status:
   2  the file is unreadable, or has no solid or surface
   3  the last result is flagged: open, tolerance-not-met, suspect)";
 
-/// The sample part: beside the installed program, otherwise that of the sources.
+/// Returns the path of the sample part: that of the installation, otherwise that of the sources.
 std::string GetDefaultPart()
 {
   namespace fs = std::filesystem;
@@ -81,7 +81,7 @@ int Complain(const std::string& message)
   return sm::UsageOrOutput;
 }
 
-/// Reads the arguments. False when there is nothing more to do, with the exit status.
+/// Reads the arguments. Returns false, with the exit status, if the program must end.
 bool Parse(int argc, char** argv, Arguments& arguments, int& exitStatus)
 {
   CLI::App app(
@@ -121,7 +121,7 @@ bool Parse(int argc, char** argv, Arguments& arguments, int& exitStatus)
   return true;
 }
 
-/// Least, median and largest of one part of the times of all updates but the first, which is not that of an edit.
+/// Returns the minimum, median and maximum of one part of the times of all updates except the first one, which is not that of an edit.
 Json Summarize(const std::vector<sm::UpdateTimes>& times, double (*get)(const sm::UpdateTimes&))
 {
   std::vector<double> values;
@@ -207,7 +207,8 @@ int WriteOutputs(const Arguments& arguments, const Json& first, vtkImageData* be
   return exitStatus;
 }
 
-/// The window's picture when the user ends the event loop: afterwards the interactor renders no more, and the frame buffer is undefined.
+/// Keeps the window's picture of the moment when the user ends the event loop: afterwards the interactor does not render any more, and the
+/// frame buffer is undefined.
 class LastPicture
 {
 public:
@@ -229,7 +230,7 @@ public:
 private:
   void OnExit()
   {
-    // Keys that were pressed meanwhile come here, too.
+    // Other keys that were pressed meanwhile also invoke this callback.
     this->Picture = this->Get();
     this->Interactor->TerminateApp();
   }

@@ -26,7 +26,7 @@ public:
   ControlNet(const ControlNet&) = delete;
   ControlNet& operator=(const ControlNet&) = delete;
 
-  /// Shows the net of a face, without highlight and selection; body -1 hides it.
+  /// Shows the net of a face, without highlight and selection; hides it for body -1.
   void Show(const EditedPart& part, int body, int face);
   /// Updates the points of the same face after an edit.
   void Follow(const EditedPart& part);
@@ -35,7 +35,7 @@ public:
   int GetBody() const { return this->Body; }
   int GetFace() const { return this->Face; }
 
-  /// The control point nearest to a pixel, at most `radius` pixels away; where points cover each other, the one in front. -1: none.
+  /// Returns the control point nearest to a pixel, at most `radius` pixels away; if points cover each other, the one in front. -1: none.
   int FindNear(double x, double y, double radius) const;
   Grip GetGrip(int point) const;
 

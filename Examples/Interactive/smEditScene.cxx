@@ -255,7 +255,7 @@ void EditScene::Update()
 void EditScene::Draw()
 {
   this->ShowNumbers();
-  // In every drawing, so that a picture does not depend on the ones before.
+  // Reset at every drawing, so that a picture does not depend on earlier ones.
   this->Body->ResetCameraClippingRange();
   this->Window->Render();
 }

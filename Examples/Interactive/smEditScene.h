@@ -34,7 +34,7 @@ struct UpdateTimes
   double Moments = 0.0; ///< all integrals and their bounds
   double Draw = 0.0;    ///< the picture
 
-  /// All but the picture: the time from the mouse event to the results.
+  /// Returns the time from the mouse event to the results, without the picture.
   double GetComputing() const { return this->Edit + this->Display + this->Moments; }
 };
 

@@ -1,6 +1,6 @@
 /**
  * @file smEditedPart.h
- * @brief A part whose control points are moved: its current bodies and those of earlier steps
+ * @brief A part with movable control points: its current bodies and those of earlier steps
  *
  * Every change gives new bodies that share all unchanged faces; bodies that were returned do not change. An undo takes the earlier bodies,
  * so that it has their bits. Positions are world coordinates; the stored faces have coordinates of their own.
@@ -40,39 +40,39 @@ public:
   EditedPart(const EditedPart&) = delete;
   EditedPart& operator=(const EditedPart&) = delete;
 
-  /// The current bodies, a partition each; always the same object.
+  /// Returns the current bodies, a partition each; always the same object.
   vtkPartitionedDataSetCollection* GetBodies() const;
   int GetNumberOfBodies() const;
   vtkNURBSDataSet* GetBody(int body) const;
   const FacePointer& GetFace(int body, int face) const;
 
-  /// Edges of the body that edits have opened, the widest first, with their gaps. Their curves are those of the current model.
+  /// Returns the edges of the body that edits have opened, the widest first, with their gaps. Their curves are those of the current model.
   const std::vector<OpenedEdge>& GetOpened(int body) const;
 
-  /// False when the control point does not exist; the result is then unchanged.
+  /// Gets the position of a control point. Returns false, without a change of `world`, if it does not exist.
   bool GetPosition(const Grip& grip, std::array<double, 3>& world) const;
   bool GetWeight(const Grip& grip, double& weight) const;
-  /// Outward unit normal of the face where the control point has most influence, in world coordinates; zero where there is none.
+  /// Returns the outward unit normal of the face where the control point has most influence, in world coordinates; zero if there is none.
   std::array<double, 3> GetNormal(const Grip& grip) const;
 
   ///@{
-  /// Moves a control point by a displacement from its position at the last Commit(), or sets its weight: calls do not add up. False
-  /// when the edit is refused, for the reason in GetMessage(); the bodies are then unchanged.
+  /// Move a control point by a displacement from its position at the last Commit(), or set its weight; several calls do not add up. Return
+  /// false, with GetMessage() and unchanged bodies, if the edit is refused.
   bool Move(const Grip& grip, const std::array<double, 3>& displacement, EditRule rule);
   bool SetWeight(const Grip& grip, double weight, EditRule rule);
   ///@}
   const std::string& GetMessage() const { return this->Message; }
 
-  /// Makes the changes since the last Commit() a step that Undo() takes back. False when there are none.
+  /// Makes the changes since the last Commit() a step that Undo() reverts. Returns false if there are none.
   bool Commit();
   /// Discards the changes since the last Commit().
   void Cancel();
   ///@{
-  /// False when there is nothing to undo or redo. Changes that were not committed are discarded.
+  /// Return false if there is nothing to undo or redo. Changes that were not committed are discarded.
   bool Undo();
   bool Redo();
   ///@}
-  /// Resets the part to the file, as a step that can be undone. False when nothing differs.
+  /// Resets the part to the file, as a step that can be undone. Returns false if nothing differs.
   bool Reset();
 
   ///@{
@@ -104,9 +104,9 @@ private:
   double DisplaySeconds = 0.0;
 };
 
-/// World position of a homogeneous control point of a body's model.
+/// Returns the world position of a homogeneous control point of a body's model.
 std::array<double, 3> ToWorld(vtkNURBSDataSet* body, const std::array<double, 4>& point);
-/// World to model and back, for vectors: without origin and translation.
+/// Transform vectors from world to model and back: without origin and translation.
 std::array<double, 3> ToModelVector(vtkNURBSDataSet* body, const std::array<double, 3>& world);
 std::array<double, 3> ToWorldVector(vtkNURBSDataSet* body, const std::array<double, 3>& model);
 }

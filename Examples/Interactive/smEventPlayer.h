@@ -20,7 +20,7 @@ class vtkRenderWindowInteractor;
 
 namespace sm
 {
-/// The window size that a recording states; nothing when it states none or cannot be read.
+/// Returns the window size that a recording states; no value if it states none or cannot be read.
 std::optional<std::array<int, 2>> ReadWindowSize(const std::string& fileName);
 
 /// Plays a file to the end; the interactor must be initialized. Returns an error message and plays nothing when the file is wrong or

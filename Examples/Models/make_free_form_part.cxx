@@ -31,7 +31,7 @@ const int PatchesAround = 5;
 const int Spans = 2; // of a patch, in each direction
 const int Degree = 3;
 
-/// Control point (i, j) of the periodic lattice: i along the handle, j around its section, from outside over the top.
+/// Returns control point (i, j) of the periodic lattice: i along the handle, j around its section, from outside over the top.
 gp_Pnt LatticePoint(int i, int j)
 {
   const double along = 2.0 * Pi * i / (PatchesAlong * Spans);
@@ -61,8 +61,8 @@ gp_Pnt Mean(double a, const gp_Pnt& p, double b, const gp_Pnt& q)
   return gp_Pnt((a * p.XYZ() + b * q.XYZ()) / (a + b));
 }
 
-/// Control point k of the spline over uniform knots whose control points are `row`, after every second knot got the
-/// multiplicity 3: its blossoms at (0,0,0), (0,0,1), (0,1,2), (1,2,2) for k = 0 to 3, and so on for every two knots.
+/// Returns control point k of the spline over uniform knots with the control points `row`, after the insertion of every second knot up to
+/// the multiplicity 3: its blossoms at (0,0,0), (0,0,1), (0,1,2), (1,2,2) for k = 0 to 3, and so on for every two knots.
 gp_Pnt Refine(const Row& row, int k)
 {
   const int first = k / 4 * Spans;

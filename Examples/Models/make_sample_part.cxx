@@ -30,7 +30,7 @@ namespace
 {
 const double Pi = std::acos(-1.0);
 
-/// A closed C2 spline around the arm's path at x: a super-ellipse, higher at the back than at the front.
+/// Makes a closed C2 spline around the arm's path at x: a super-ellipse, higher at the back than at the front.
 TopoDS_Wire Section(double x, double y, double z, double halfWidth, double halfHeight, double yaw)
 {
   const int n = 12;
@@ -68,7 +68,7 @@ TopoDS_Shape Cylinder(const gp_Pnt& start, const gp_Dir& axis, double radius, do
   return BRepPrimAPI_MakeCylinder(gp_Ax2(start, axis), radius, length).Shape();
 }
 
-/// All edges whose middle point meets a condition.
+/// Returns all edges whose middle point meets a condition.
 TopTools_IndexedMapOfShape EdgesWhere(
   const TopoDS_Shape& shape, const std::function<bool(const gp_Pnt&)>& holds)
 {

@@ -6,7 +6,7 @@ foreach (component IN ITEMS ChartsCore IOExport RenderingContext2D RenderingCont
   endif ()
 endforeach ()
 
-# The solids of the figures, which a test integrates, too.
+# The solids of the figures, which are also integrated by a test.
 add_library(smPaperSolids STATIC smPaperSolid.cxx smSolidBuilder.cxx)
 target_include_directories(smPaperSolids PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
 target_link_libraries(smPaperSolids PUBLIC SolidMoments::FiltersNURBS)

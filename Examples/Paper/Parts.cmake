@@ -1,4 +1,4 @@
-# The parts of Table 1 and what OpenCASCADE itself says of a file.
+# The programs that make the parts of Table 1, and that compute mass properties by OpenCASCADE.
 include(SolidMomentsFindOCCT)
 if (NOT TARGET TKFillet OR NOT TARGET TKOffset)
   message(FATAL_ERROR "OpenCASCADE with fillets was not found. Install libocct-data-exchange-dev and "

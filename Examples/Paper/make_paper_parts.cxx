@@ -58,7 +58,7 @@ void Complain(const std::string& message)
   std::cerr << "make_paper_parts: " << message << "\n";
 }
 
-/// Makes a part and adds its entry to `parts`; false when it failed, which is reported.
+/// Makes a part and adds its entry to `parts`. Returns false, after a message, if it failed.
 bool TryPart(const Recipe& recipe, const std::filesystem::path& folder, Json& parts)
 {
   try

@@ -1,4 +1,4 @@
-// The results of OpenCASCADE's own BRepGProp for the solids in a STEP file, for comparison.
+// Computes the mass properties of the solids in a STEP file by OpenCASCADE's BRepGProp, for comparison.
 #include "smJson.h"
 #include "smOptions.h"
 
@@ -39,7 +39,7 @@ private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
-/// A compound of every placement of every solid, without the faces beside the solids, which belong to no body.
+/// Returns a compound of every placement of every solid, without faces outside of solids, which belong to no body.
 TopoDS_Compound ReadSolids(const std::string& path, int& count)
 {
   STEPControl_Reader reader;

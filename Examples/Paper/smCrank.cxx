@@ -25,7 +25,7 @@ TopoDS_Shape Disk(double x, double y, double radius, double length)
   return Cylinder(gp_Pnt(x, y, 0), gp_Dir(1, 0, 0), radius, length);
 }
 
-/// A web that starts at x, with its pin towards +y and its counterweight towards -y.
+/// Makes a web that starts at x, with its pin towards +y and its counterweight towards -y.
 TopoDS_Shape Web(double x)
 {
   const gp_Vec thickness(WebThickness, 0, 0);
@@ -39,7 +39,7 @@ TopoDS_Shape Web(double x)
   return Fillet(web, 2.5, [](const gp_Pnt& p) { return std::abs(std::hypot(p.Y(), p.Z()) - 46.0) < 1e-4; });
 }
 
-/// A throw that starts at x, with its pin rotated by an angle about the shaft.
+/// Makes a throw that starts at x, with its pin rotated by an angle about the shaft.
 TopoDS_Shape Throw(double x, double angle)
 {
   const double firstWeb = x + JournalLength;
@@ -58,7 +58,7 @@ TopoDS_Shape Throw(double x, double angle)
   return Rotated(body, CrankAxis, angle);
 }
 
-/// An oil hole from the middle of a journal's surface through the web into the pin's bore.
+/// Makes an oil hole from the middle of a journal's surface through the web into the pin's bore.
 TopoDS_Shape OilDrilling(double x, double angle)
 {
   const gp_Pnt from(x + JournalLength / 2.0, -JournalRadius - 2.0, 0);

@@ -16,7 +16,7 @@ const double DeckHeight = 112.0;
 const double SkirtSide = 56.0;
 const double SkirtBottom = -42.0;
 
-/// A point of a bank, side +1 or -1: `up` along the bores, `out` across them, away from the valley.
+/// Returns a point of a bank, side +1 or -1: `up` along the bores, `out` across them, away from the valley.
 gp_Pnt InBank(double side, double x, double up, double out)
 {
   const double r = std::sqrt(0.5);

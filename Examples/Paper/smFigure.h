@@ -16,7 +16,7 @@ namespace smfigure
 {
 using Color = std::array<unsigned char, 3>;
 
-/// Okabe and Ito's palette, which colour-blind readers can tell apart; in grey, lightness and markers differ.
+/// The palette of Okabe and Ito, which colour-blind readers can distinguish; in grey, lightness and markers differ.
 namespace colors
 {
 constexpr Color Black{ 0, 0, 0 };
@@ -48,7 +48,7 @@ struct Series
   Color Hue = colors::Black;
   Marker Symbol = Marker::None;
   float MarkerSize = 9.0f;
-  /// 0: no line.
+  /// Width of the line in pixels; 0: no line.
   float LineWidth = 0.0f;
   bool Dashed = false;
 };
@@ -94,7 +94,7 @@ struct Figure
   int LegendColumns = 0;
   FigureTable Table;
 
-  /// The left and bottom border, width and height of the plot.
+  /// Returns the left and bottom border, width and height of the plot, in pixels.
   std::array<float, 4> GetPlot() const
   {
     return { this->Left, this->AboveAndBelow, this->Width - this->Left - this->Right,
@@ -102,10 +102,10 @@ struct Figure
   }
 };
 
-/// The number with 17 digits, which identify a double.
+/// Returns a number with 17 digits, which identify a double.
 std::string FormatNumber(double value);
 
-/// Ticks at the powers of ten from 10^low to 10^high, every `step`-th of them.
+/// Makes ticks at every `step`-th power of ten from 10^low to 10^high.
 std::vector<std::pair<double, std::string>> MakeDecadeTicks(int low, int high, int step);
 
 /// Writes CSV. Returns an error message, empty when it is written.

@@ -19,7 +19,7 @@ namespace smpaper
 {
 namespace
 {
-/// A closed spline in a plane of constant x, wider at the side of the palm.
+/// Makes a closed spline in a plane of constant x, wider at the side of the palm.
 TopoDS_Wire Section(double x, double y, double z, double halfWidth, double halfHeight, double lean)
 {
   const int count = 14;
@@ -46,7 +46,7 @@ TopoDS_Shape Loft(const std::vector<TopoDS_Wire>& sections)
   return loft.Shape();
 }
 
-/// The solid above a wavy B-spline sheet over [x0,x1] x [y0,y1].
+/// Makes the solid above a wavy B-spline sheet over [x0,x1] x [y0,y1].
 TopoDS_Shape AboveSheet(double x0, double x1, double y0, double y1, double level, double wave, double height)
 {
   const int columns = 9;
@@ -73,7 +73,7 @@ TopoDS_Shape Common(const TopoDS_Shape& a, const TopoDS_Shape& b)
   return BRepAlgoAPI_Common(a, b).Shape();
 }
 
-/// A ring-like spline tube that presses a finger's groove into the handle.
+/// Makes a ring-shaped spline tube, which is cut from the handle as the groove of a finger.
 TopoDS_Shape Groove(double x, double y, double z, double across, double up, double radius)
 {
   const int count = 16;
@@ -87,7 +87,7 @@ TopoDS_Shape Groove(double x, double y, double z, double across, double up, doub
   return ClosedTube(points, radius, 4, [](const gp_Pnt&) { return gp_Vec(1.0, 0.0, 0.0); });
 }
 
-/// A free-form duct along y.
+/// Makes a free-form duct along y.
 TopoDS_Shape Duct(double x, double z, double halfWidth, double halfHeight, double sway)
 {
   std::vector<TopoDS_Wire> sections;

@@ -28,7 +28,7 @@ gp_Pnt Polar(double radius, double angle, double z = 0.0)
   return { radius * std::cos(angle), radius * std::sin(angle), z };
 }
 
-/// Half the angle that a tooth takes at a radius.
+/// Returns half the angle of a tooth at a radius.
 double HalfTooth(int teeth, double radius)
 {
   const double pressure = Pi / 9.0;
@@ -91,8 +91,8 @@ TopoDS_Wire Hexagon(double acrossFlats, double z)
   return wire.Wire();
 }
 
-/// A body between z = low and high without the parts outside cones of 30 degrees, which shorten its ends by `rise` at radius `rim`. The
-/// cones' seam is at an angle where the body has no edge, because OpenCASCADE straightens short curves that end at a seam.
+/// Removes the parts of a body between z = low and high that are outside cones of 30 degrees, which shorten its ends by `rise` at radius
+/// `rim`. The seam of the cones is at an angle where the body has no edge, because OpenCASCADE straightens short curves that end at a seam.
 TopoDS_Shape ChamferRims(
   const TopoDS_Shape& body, double rim, double rise, double low, double high, double seam)
 {

@@ -21,7 +21,7 @@ const Scheme PaperSchemes[3] = { Scheme::Midpoint, Scheme::Gauss2, Scheme::Gauss
 
 struct Study
 {
-  /// The volume that the errors refer to.
+  /// The reference volume of the errors.
   double Reference;
   PaperRun Adaptive;
   /// The runs, ordered by scheme, then by factor.
@@ -75,7 +75,7 @@ Series MakeStyle(Scheme scheme)
   Series series;
   series.Label = GetName(scheme);
   series.LineWidth = LineWidth;
-  // In this order each of several equal values is visible.
+  // The order of drawing makes each one of several equal values visible.
   switch (scheme)
   {
     case Scheme::Midpoint:
@@ -99,7 +99,7 @@ Series MakeStyle(Scheme scheme)
   return series;
 }
 
-/// A value of every run against its factor.
+/// Makes a series of a value of every run against its factor.
 template <class Value>
 Series MakeSeries(const std::vector<PaperRun>& runs, const Value& value)
 {
@@ -112,7 +112,7 @@ Series MakeSeries(const std::vector<PaperRun>& runs, const Value& value)
   return series;
 }
 
-/// A value that does not depend on k.
+/// Makes a horizontal line for a value that does not depend on k.
 Series MakeLevel(const std::string& label, double value, const std::vector<int>& factors, bool dashed)
 {
   Series series;
@@ -195,7 +195,7 @@ Figure MakeVolumeFigure(const std::string& name, const Study& study, const std::
   figure.Y.Title = yTitle;
   SetFactorAxis(figure.X, xTitle, factors);
   figure.Content.push_back(MakeLevel("ADAPTIVE", study.Adaptive.Volume / study.Reference, factors, false));
-  // Wider, because the other lines are drawn on top of it.
+  // This line is wider, because the others are drawn on top of it.
   figure.Content.back().LineWidth = 1.8f * LineWidth;
   for (const auto& runs : study.Runs)
   {
@@ -208,7 +208,7 @@ Figure MakeVolumeFigure(const std::string& name, const Study& study, const std::
   return figure;
 }
 
-/// Errors of the schemes.
+/// Makes a figure of the errors of the schemes.
 Figure MakeErrorFigure(
   const std::string& name, const Study& study, const std::vector<int>& factors, const std::string& xTitle)
 {
@@ -223,8 +223,8 @@ Figure MakeErrorFigure(
   return figure;
 }
 
-/// The estimate of GAUSS2, as in the paper; the estimates of the other rules are nearly equal. One of 0, where no sub-patch lies wholly
-/// in its face, has no logarithm and is left out.
+/// Adds the estimate of GAUSS2, as in the paper; the estimates of the other rules are nearly equal. A value of 0, if no sub-patch lies
+/// entirely in its face, has no logarithm and is left out.
 void AddEstimate(Figure& errors, const Study& study, const char* label, double PaperRun::*estimate)
 {
   Series series = MakeStyle(study.Runs[1].front().Used);
@@ -242,7 +242,8 @@ void AddEstimate(Figure& errors, const Study& study, const char* label, double P
   errors.Content.push_back(series);
 }
 
-/// The paper's estimate over the sub-patches that are whole, wholly in their faces, which is how the paper reads, and over all.
+/// Adds the paper's estimate over the sub-patches that lie entirely in their faces, which is how the paper reads, and that over all
+/// sub-patches.
 void AddBothEstimates(Figure& errors, const Study& study)
 {
   AddEstimate(errors, study, "Eq. 36, whole", &PaperRun::Estimate);
@@ -250,7 +251,7 @@ void AddBothEstimates(Figure& errors, const Study& study)
   AddEstimate(errors, study, "Eq. 36, all", &PaperRun::EstimateWithBoundary);
 }
 
-/// Where the exact volume is known: errors of the schemes and of ADAPTIVE.
+/// Makes a figure of the errors of the schemes and of ADAPTIVE, for a known exact volume.
 Figure MakeExactErrorFigure(
   const std::string& name, const Study& study, const std::vector<int>& factors, const std::string& xTitle)
 {
@@ -275,7 +276,7 @@ std::vector<Figure> MakeFigure7a()
   std::vector<Figure> figures;
   figures.push_back(MakeVolumeFigure("fig7a", study, factors, xTitle, "volume / exact volume"));
   figures.push_back(MakeExactErrorFigure("fig7a_error", study, factors, xTitle));
-  // Nothing is trimmed: both estimates are the same.
+  // Without trimmed faces both estimates are equal.
   AddEstimate(figures.back(), study, "paper's estimate", &PaperRun::EstimateWithBoundary);
   SetErrorAxis(figures.back(), ErrorTitle);
   return figures;

@@ -58,7 +58,7 @@ std::string Integrate(const std::string& file, vtkRenderWindow* window, Model& m
                                          : file + " has no volume to show: " + model.Mass->GetStatus();
 }
 
-/// The volume with eight significant digits.
+/// Returns the caption: the volume with eight significant digits.
 std::string MakeCaption(Model& model)
 {
   const double volume = model.Mass->GetVolume();

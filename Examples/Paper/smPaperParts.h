@@ -44,7 +44,7 @@ struct PaperPart
 PaperPart MakeQuarterCylinder();
 /// A block with a slanted cylindrical hole, after the paper's Figure 1(i).
 PaperPart MakeSlantedBlock();
-/// A tube round a trefoil knot: one face, closed both ways.
+/// A tube around a trefoil knot: one face, closed in both directions.
 PaperPart MakeTrefoilTube();
 /// A handle that has only B-spline faces, with grooves and a duct.
 PaperPart MakeFreeForm();

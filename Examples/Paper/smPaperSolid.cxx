@@ -13,7 +13,7 @@ namespace
 {
 const double Pi = std::acos(-1.0);
 const double HalfSqrt2 = std::sqrt(0.5);
-/// Polynomial pieces for a quarter of a circle: the fit is good to rounding.
+/// Number of polynomial pieces for a quarter of a circle; the error of the fit is of the size of rounding.
 constexpr int PiecesPerQuarter = 8;
 
 /// (cos, sin) on the unit circle as rational quarter arcs, u in [0,4], a quarter for each unit of u.
@@ -94,7 +94,7 @@ struct SlantedHole
     const double v = this->GetHeight(end, u);
     return { v * this->Sine + this->R * q[0] * this->Cosine, this->R * q[1], end ? this->C : -this->C };
   }
-  /// The rim in the parameters of the plane that it is on; those of the bottom are along x and -y.
+  /// Returns the rim in the parameters of its plane; those of the bottom are along x and -y.
   Point2 GetRimOnPlane(int end, double u) const
   {
     const Point3 q = this->GetRim(end, u);

@@ -40,7 +40,7 @@ namespace smpaper
 {
 namespace
 {
-/// True when a trim curve is a line of constant parameter.
+/// Returns true if a trim curve is a line of constant parameter.
 bool IsIsoLine(const TopoDS_Edge& edge, const TopoDS_Face& face)
 {
   double first = 0.0;

@@ -20,7 +20,7 @@ constexpr unsigned char GridGrey = 165;
 
 using Ticks = std::vector<std::pair<double, std::string>>;
 
-/// Borders of sub-patches as ticks with grid lines; every `step`-th has a label.
+/// Makes ticks with grid lines at the borders of sub-patches; every `step`-th has a label.
 Ticks MakeBorderTicks(const std::vector<double>& borders, int step)
 {
   Ticks ticks;
@@ -42,7 +42,7 @@ FigureTable MakePointTable(const std::vector<double>& weights, const Series& poi
   return table;
 }
 
-/// The n x n points of every sub-patch of the grid.
+/// Makes a series of the n x n points of every sub-patch of the grid.
 Series MakeQuadraturePoints(const sm::SubPatchGrid& grid, int n)
 {
   std::vector<double> nodes;
@@ -65,8 +65,8 @@ Series MakeQuadraturePoints(const sm::SubPatchGrid& grid, int n)
   return points;
 }
 
-/// A square sub-patch with the points' positions below and to the left, and the intervals between them above and to the
-/// right.
+/// Makes a figure of a square sub-patch, with the positions of the points below and to the left, and the intervals between them above and
+/// to the right.
 Figure MakeSubPatchFigure(const std::string& name, int n)
 {
   Figure figure;
@@ -106,7 +106,7 @@ sm::SubPatchGrid MakeUnitGrid()
   return grid;
 }
 
-/// A flat bicubic patch with the given numbers of equal knot intervals over [0,1] x [0,1].
+/// Makes a flat bicubic patch with the given numbers of equal knot intervals over [0,1] x [0,1].
 sm::NURBSSurface MakeUniformPatch(int columns, int rows)
 {
   sm::NURBSSurface surface;

@@ -120,8 +120,8 @@ class Row:
         return self.fraction(self.chord * self.gauss2.diagonal * self.gauss2.area)
 
     def doubt(self):
-        """The part of GAUSS2's difference that is not its own error on curved faces: the uncertainty of the reference, the
-        volume change by closing the model's gaps, and the chords of planes."""
+        """The part of GAUSS2's difference that is not its error on curved faces: the uncertainty of the reference, the volume change by
+        closing the model's gaps, and the chords of planes."""
         return ((self.uncertainty or 0.0) + abs(self.fraction(self.adaptive.closure_correction) or 0.0)
                 + abs(self.chords_doubt() or 0.0))
 

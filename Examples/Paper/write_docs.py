@@ -3,7 +3,8 @@
 
 Pictures go to images/; in README.md the numbers of Figures 7b and 8 between <!-- Figure7b --> and <!-- /Figure7b --> and so on, the
 table between <!-- Table --> and <!-- /Table -->, and, where OUTDIR's table has a section "Real files", its end between
-<!-- RealFiles --> and <!-- /RealFiles --> and the whole of it in real_files.md. Sentences around these are people's: read them again.
+<!-- RealFiles --> and <!-- /RealFiles --> and the whole of it in real_files.md. Sentences around these marks are written by hand: read them
+again.
 
 --check compares the numbers of the figures in a folder that paper_figures wrote with those on the page. Exit status 1 where they differ.
 """
@@ -18,11 +19,10 @@ import textwrap
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCHEMES = ("MIDPOINT", "GAUSS2", "GAUSS3")
-# From this k on what is left of the error is the texture's alone.
+# From this k on only the error of the trim texture is left.
 LARGE_FACTOR = 32
 
 
-# --- the figures ---------------------------------------------------------------------------------
 def read_runs(path):
     """{scheme: its rows by k} of a figure's CSV, numbers as numbers."""
     runs = {}
@@ -33,7 +33,7 @@ def read_runs(path):
 
 
 def fit_order(rows):
-    """Of the error in 1/k: the slope of its logarithm against that of k, by least squares."""
+    """The order of convergence in 1/k: minus the slope of the error's logarithm against that of k, by least squares."""
     x = [math.log(row["k"]) for row in rows]
     y = [math.log(row["relative_error"]) for row in rows]
     n = len(rows)
@@ -45,7 +45,7 @@ def name_factors(rows):
 
 
 def describe_estimates(rows):
-    """At which k GAUSS2's error is above the paper's estimate."""
+    """A sentence with the k at which GAUSS2's error is above the paper's estimate."""
     below = {key: [row for row in rows if row[key] < row["relative_error"]] for key in ("estimate", "estimate_with_boundary")}
     whole, every = below["estimate"], below["estimate_with_boundary"]
     return (f"Eq. 36 as the paper reads it (whole sub-patches) is below the error of GAUSS2 at {len(whole)} of {len(rows)} values of k "
@@ -84,12 +84,11 @@ def describe_figure8(runs):
 
 
 def describe_figures(folder):
-    """{mark: text} of what the page says between marks about the figures in a folder."""
+    """{mark: text}: the texts about the figures in a folder, which the page has between marks."""
     return {"Figure7b": describe_figure7b(read_runs(folder / "fig7b.csv")),
             "Figure8": describe_figure8(read_runs(folder / "fig8.csv"))}
 
 
-# --- the page ------------------------------------------------------------------------------------
 def split_sections(text):
     """Caption, then {title: (table, sentences)} of table.md."""
     head, *parts = re.split(r"^## ", text, flags=re.MULTILINE)

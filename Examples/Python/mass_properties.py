@@ -29,7 +29,7 @@ try:
     from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLBatchedPolyDataMapper  # noqa: F401  (from VTK 9.3 on)
     from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as CompositeMapper
 except ImportError:
-    # Until VTK 9.2 the class without the 2 is another one, which draws other pictures.
+    # Until VTK 9.2 the class without the 2 is a different one, whose pictures differ.
     from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as CompositeMapper
 
 SIZE = (900, 700)

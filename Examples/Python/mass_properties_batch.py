@@ -36,7 +36,6 @@ STATUS_UNREADABLE = "unreadable"
 HEAD = mass_table.HEAD + ["faces", "evaluations", "message"]
 
 
-# --- messages between ranks ------------------------------------------------------------------------
 class Ranks:
     """JSON between the ranks of the global controller; one rank where there is none."""
 
@@ -70,7 +69,6 @@ class Ranks:
         return [value] + [self._receive(rank) for rank in range(1, self.count)]
 
 
-# --- one file ------------------------------------------------------------------------------------
 def compute(path, name, options, ranks, together):
     """The rows of a file; with `together` on all ranks at once, and rows on rank 0 alone."""
     from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU
@@ -115,7 +113,6 @@ def compute_safely(path, name, options, ranks, together):
         return [{"file": name, "row": "total", "status": STATUS_UNREADABLE, "message": str(error)}]
 
 
-# --- all files -----------------------------------------------------------------------------------
 def divide(files, count):
     """Indices of files whose faces are to be divided, and of whole files for each rank; (name, bytes) each."""
     total = sum(size for _, size in files)
@@ -130,7 +127,7 @@ def divide(files, count):
 
 
 def run(job=None):
-    """Called on all ranks. Rank 0 passes the job and gets the rows of all files, in the order of the files."""
+    """Computes a job; must be called on all ranks. Rank 0 passes the job and gets the rows of all files, in the order of the files."""
     ranks = Ranks()
     job = ranks.broadcast(job)
     files, folder, options = job["files"], job["folder"], job["options"]
@@ -163,7 +160,7 @@ def get_status(rows):
 
 
 def run_on_satellites(job):
-    """As run(), where this script runs on rank 0 alone: all ranks execute a programmable source that calls run()."""
+    """Does the same as run() if this script runs on rank 0 only: all ranks execute a programmable source that calls run()."""
     from paraview import simple
 
     run_as_source.job = job

@@ -1,4 +1,4 @@
-"""Shared by the scripts of this folder: arguments, exit status, and the filter's outputs as a table and as CSV."""
+"""Functions that the scripts of this folder share: arguments, exit status, and the filter's outputs as a table and as CSV."""
 import argparse
 import csv
 import decimal
@@ -76,7 +76,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def complain(message):
-    """Returns USAGE_OR_OUTPUT."""
+    """Prints a message on the standard error and returns USAGE_OR_OUTPUT."""
     print(f"{os.path.basename(sys.argv[0])}: {message}", file=sys.stderr, flush=True)
     return USAGE_OR_OUTPUT
 
@@ -128,7 +128,7 @@ def format_value(value, bound, digits=10):
 
 
 def format_bound(bound):
-    """The bound of what format_value() shows, with two digits, rounded up."""
+    """The bound of the number that format_value() prints, which includes its rounding, with two digits, rounded up."""
     if bound is None:
         return "-"
     return f"{decimal.Context(prec=2, rounding=decimal.ROUND_CEILING).create_decimal_from_float(1.05 * bound):.1e}"
@@ -174,7 +174,7 @@ def add_picture(status, path, draw):
 
 
 def save_file(path, data):
-    """Replaces a regular file by one of these bytes, so that it is there whole or as it was. Raises OSError."""
+    """Replaces a regular file by one of these bytes; if that fails, the old file is unchanged. Raises OSError."""
     target = os.path.realpath(path)
     if os.path.exists(target) and not os.path.isfile(target):
         with open(target, "wb") as file:  # a device or a pipe

@@ -25,7 +25,7 @@ using Point3 = std::array<double, 3>;
 // bounds by at most sqrt(3), and a face may be twice as far from the frame's origin as the radius.
 constexpr double CutShare = 0.125;
 constexpr double QuadratureShare = 0.4;
-/// Quantities of the submerged part, and degrees of the moments of the section behind them.
+/// Number of quantities of the submerged part, and degrees of the moments of the section, which follow them in the list of integrands.
 constexpr std::size_t Quantities = 4;
 constexpr int SectionDegrees[] = { 0, 1, 1, 2, 2, 2 };
 // Share of the progress for cutting all faces, and faces cut at the waterline between two reports of progress.
@@ -187,7 +187,7 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
   const Tolerance& tolerance, const ProgressCallback& progress, CutBody& cut)
 {
   const std::vector<FacePointer>& sources = body.Model->GetFaces();
-  // The two halves of the progress: faces into panels, panels at the waterline.
+  // Progress: the first half is cutting faces into panels, the second half cutting panels at the waterline.
   const auto firstHalf = [&progress](double fraction) { return progress(0.5 * fraction); };
   const auto secondHalf = [&progress](double fraction) { return progress(0.5 + 0.5 * fraction); };
   if (!this->Cuts.Acquire(sources, cut.Faces, firstHalf))
@@ -216,8 +216,8 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
     cut.IsCrossed = cut.IsCrossed || below.AreaError > 0.0 || !cut.Faces[i]->Error.empty() ||
       (!isWhole && (below.Parts[0] || below.Parts[1]));
   }
-  // Faces below or above the plane by no more than the rounding error of the plane and of their own numbers: a body found to be
-  // entirely on one side may have a thin sheet on the other side.
+  // Adds the error of faces that are below or above the plane by no more than the rounding error of the plane and of their own numbers: a
+  // body found to be entirely on one side may have a thin sheet on the other side.
   const double planeBound = frame.PlaneBound + 2.0 * UnitRoundoff * frame.Reach;
   cut.VolumeErrors.assign(sources.size(), 0.0);
   cut.Errors.resize(sources.size());

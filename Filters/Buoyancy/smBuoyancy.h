@@ -10,8 +10,8 @@
  * a list of panels, ribbons and caps (smSubmergedFace.h).
  *
  * The section with the plane closes that part: its area is the flux of -up through the submerged part, and its moments are those of
- * -up times x, y, xx, yy and xy (Integrand::SectionMoment), provided that the chain is closed: what is missing below the plane would
- * count as section. These do not vanish on the plane: smSubmergedFace.h has their bound.
+ * -up times x, y, xx, yy and xy (Integrand::SectionMoment), provided that the chain is closed: openings of the surface below the plane
+ * would count as section. These do not vanish on the plane: smSubmergedFace.h has their bound.
  */
 #ifndef smBuoyancy_h
 #define smBuoyancy_h
@@ -55,7 +55,7 @@ struct BodyBuoyancy
   /// Volume and first moments in x, y and z about the world's origin, for each face of the model.
   std::vector<FaceIntegrals> Faces;
   DisplacedMoments Total;
-  /// Zero if not wanted, and exactly so if the plane certainly misses the body.
+  /// Moments of the section; zero if they are not wanted, and zero with bounds 0 if the plane certainly misses the body.
   SectionMoments Section;
 };
 
@@ -161,7 +161,7 @@ private:
   double CutSeconds = 0.0;
   std::string CutError;
   bool WasCutAborted = false;
-  /// Two runs: a section is computed from either side.
+  /// Entries are kept for two runs, because a section is computed from either side.
   FaceCache<CutKey, SubmergedFace> Below{ CacheBudget::GetProcessBudget(), 2 };
 };
 }

@@ -1,6 +1,6 @@
 /**
  * @file smChainExtent.h
- * @brief How far the closed chain of a cut face reaches: patches, ribbons and caps
+ * @brief Bounds of the extent and area of the closed chain of a cut face: patches, ribbons and caps
  */
 #ifndef smChainExtent_h
 #define smChainExtent_h

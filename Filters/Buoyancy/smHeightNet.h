@@ -84,7 +84,7 @@ public:
 
   /// Returns a bound of the error of N by the rounding of its coefficients and of its evaluation on the patch.
   double GetRounding() const;
-  /// Returns a bound of the error of N where no point is further than `displacement` from where it should be against the plane.
+  /// Returns a bound of the error of N if every point is displaced by at most `displacement` relative to the plane.
   double GetNoise(double displacement) const
   {
     return this->GetRounding() + 1.001 * this->LargestWeight * displacement;

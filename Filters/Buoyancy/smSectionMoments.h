@@ -1,6 +1,7 @@
 /**
  * @file smSectionMoments.h
- * @brief Area, first and second moments of the section of bodies with a plane, and what follows from them, with bounds
+ * @brief Area, first and second moments of the section of bodies with a plane, and the centroid and central moments that follow, with
+ * bounds
  */
 #ifndef smSectionMoments_h
 #define smSectionMoments_h
@@ -14,7 +15,7 @@ namespace sm
 /// Centroid, and second moments about it, of a section. NaN where the area may be 0 by its bound.
 struct SectionProperties
 {
-  /// In the world.
+  /// World coordinates.
   std::array<double, 3> Centroid{};
   double CentroidBound = 0.0;
   /// Integrals of xx, yy, zz, xy, yz and xz about the centroid, along the world's axes; the bound is that of each.

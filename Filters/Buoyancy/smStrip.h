@@ -1,6 +1,6 @@
 /**
  * @file smStrip.h
- * @brief The two curves of a ribbon over a common parameter, and how far they are from each other
+ * @brief The two curves of a ribbon over a common parameter, and bounds of their distance
  */
 #ifndef smStrip_h
 #define smStrip_h

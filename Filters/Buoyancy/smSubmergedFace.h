@@ -20,7 +20,8 @@
  * chain of the body must be closed: every edge is shared, so that only the graphs bound R.
  * 1. w over X'(R) less w over X(R) is, by Stokes' theorem, w over what the border of R sweeps from X to X': at most max|g| d times the
  *    length of that border, which is the graphs alone, since patches, ribbons and caps share all others.
- * 2. What is in R and not below the true plane, or the reverse, has max|g| times its area: a point left of a graph p(r) has
+ * 2. Points of R above the true plane, and points outside R below it, contribute at most max|g| times their area: a point left of a graph
+ * p(r) has
  *    N <= e = max |N(p(r), r)|, and if it is above the true plane N >= -n, n the noise of N by d and by rounding; as N is monotone the
  *    sliver is at most (e + n) / |dN/ds| wide. The same holds with the other sign, and where a trim piece is cut.
  * 3. Boxes, strips and caps whose heights have no certain sign beyond n count with their whole area, and d times their border.
@@ -47,7 +48,7 @@ struct CutLimits
   double Volume = 0.0;
   /// Limit of SubmergedFace::AreaError; infinite if all fluxes vanish on the plane, and AreaError is not wanted.
   double Area = std::numeric_limits<double>::infinity();
-  /// Bound d of the distance of the chain's points from where they should be against the plane; for AreaError.
+  /// Bound d of the displacement of the chain's points relative to the plane by reading, placement and rounding; for AreaError.
   double Displacement = 0.0;
 
   bool HasArea() const { return std::isfinite(this->Area); }

@@ -17,9 +17,9 @@ using Point2 = std::array<double, 2>;
 // Degrees of the polynomials that approximate graphs.
 constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
 constexpr int MostNodes = 10;
-// Share of the room beside a box by which a crossing of the waterline may be off, so that the graph still finds it there.
+// Largest error of a crossing of the waterline, relative to the room beside a box, so that the graph still contains the crossing.
 constexpr double CrossingRoom = 0.05;
-// More than the roundings of a part's stretch, relative to it.
+// This factor makes up for the rounding of the stretch of a part.
 constexpr double StretchRounding = 1.001;
 // Halvings of a part around a point where it crosses the waterline.
 constexpr int MostUncertainHalvings = 16;

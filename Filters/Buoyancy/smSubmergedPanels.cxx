@@ -13,7 +13,7 @@ using Point2 = std::array<double, 2>;
 
 // Shares of the tolerance for all boxes that remain unresolved together, and for a single cut or fit.
 constexpr double LeftoverShare = 0.25;
-// Boxes are not halved any more when they have less than this share of what no halving can resolve.
+// Boxes are not halved any more when their errors are below this fraction of the errors that halving cannot reduce.
 constexpr double FinalShare = 1.0 / 64.0;
 constexpr double PieceShare = 1.0 / 4096.0;
 // Largest number of boxes per face in addition to its patches, and smallest width of a box relative to its patch.

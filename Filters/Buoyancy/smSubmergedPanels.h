@@ -85,7 +85,7 @@ private:
   }
   /// Returns an upper bound of |n| on a part of a patch of the source: surface area per area in the parameters of the trim pieces.
   double GetLargestNormal(std::uint32_t patch, const ParameterRange& range) const;
-  /// Returns true if no halving of the box decides on which side it is.
+  /// Returns true if halving the box further cannot decide on which side of the plane it is.
   bool IsFinal(const Box& box) const;
   void AddLeftover(const Box& box);
   /// Returns true if an error is so small that a cut or fit may cause it. `largest` is its |N|.
@@ -106,16 +106,16 @@ private:
   void Halve(const Box& box);
   int ChooseDirection(const Box& box) const;
   void CutMonotone(const Source& source, Monotone& box, const Region& region);
-  /// Returns the integrals over a sliver with |N| at most `largest` along a length in the second parameter, and for the area also
-  /// what is not certain beside it.
+  /// Returns bounds of the integrals over a sliver with |N| at most `largest` along a length in the second parameter; the bound of the area
+  /// includes the uncertain area beside it.
   CutErrors GetCost(const Monotone& box, double largest, double length) const;
-  /// Returns the area that is not certain beside a part, with |N| at most `largest` along a length in the second parameter, by bounds
-  /// near the part; those of the box are used where they are smaller.
+  /// Returns the area beside a part whose side of the plane is uncertain, with |N| at most `largest` along a length in the second
+  /// parameter, by bounds near the part; those of the box are used where they are smaller.
   double GetAreaBeside(const Monotone& box, const RegionPart& part, double largest, double length) const;
   /// Returns the variation of the second parameter along the interval of a part where |N| may be at most `most`.
   double GetUncertainVariation(
     const Monotone& box, const RegionPart& part, double start, double end, double most, int depth) const;
-  /// Find the ranges of a part on which N has one sign; FindRanges() adds the area that is not certain beside it.
+  /// Find the ranges of a part on which N has one sign; FindRanges() adds the uncertain area beside it to the errors.
   std::vector<struct SignedRange> FindRanges(const Monotone& box, const RegionPart& part);
   std::vector<struct SignedRange> FindSigns(const Monotone& box, const RegionPart& part);
   void AddGraph(Monotone& box, double start, double end, int sign);

@@ -95,8 +95,8 @@ public:
   CutErrors Errors;
 
 private:
-  /// Height of a curve of the strip over an interval: that in the middle, how far the others may be from it, and the bound of their
-  /// error.
+  /// Heights of a curve of the strip over an interval: the height in the middle, the largest difference of other heights from it, and the
+  /// bound of their error.
   struct Heights
   {
     double Middle, Spread, Noise;
@@ -112,7 +112,7 @@ private:
     const Ribbon& Source;
     const Strip& Curves;
     const HeightNet& Net;
-    /// Bound of the distance of the strip's points from where they should be.
+    /// Bound of the displacement of the strip's points relative to the plane.
     double Moved;
     double EdgeNoise;
     int Parts = 0;
@@ -133,9 +133,9 @@ private:
   const HeightPlane& Plane;
   CutLimits Limits;
   FacePanels& To;
-  /// Of all coedges, see ListResiduals().
+  /// Residuals of the curves of all coedges, see ListResiduals().
   std::vector<std::array<double, 3>> Residuals;
-  /// Bound of the distance of all points of the border from where they should be.
+  /// Bound of the displacement of all points of the border relative to the plane.
   double LargestMoved;
   std::map<std::uint32_t, HeightNet> Nets;
   std::map<std::uint32_t, std::uint32_t> Patches;

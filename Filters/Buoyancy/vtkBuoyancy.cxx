@@ -82,7 +82,7 @@ double GetScale(const sm::BodyIntegrals& body, int degree)
   return std::pow(sm::GetReach(body), degree) * sm::GetVolumeScale(*body.Model);
 }
 
-/// Returns a line that says on which side of the plane all bodies lie; empty where their box, with a hundredth of its diagonal about it, meets
+/// Returns a line that states on which side of the plane all bodies lie; empty if their box, enlarged by a hundredth of its diagonal, meets
 /// the plane.
 std::string DescribeSide(
   const std::vector<sm::BodyIntegrals>& bodies, const double point[3], const double normal[3])

@@ -6,7 +6,7 @@
  * coordinates and lengths are in the model's unit L. Faces are cut at the waterline, so that the bounds are proved although the
  * submerged part has an edge there (smBuoyancy.h). A body above the waterline displaces 0, one below it displaces its volume. The
  * integrals are those of a flux that vanishes on the plane, so that the waterplane contributes nothing. The filter runs on the
- * GPU or on the CPU, see vtkSurfaceIntegralBase, and needs no GLSL code of the user. In a parallel run only the rank that has the
+ * GPU or on the CPU, see vtkSurfaceIntegralBase. In a parallel run only the rank that has the
  * bodies computes.
  *
  * Field data of port 0 and columns of port 1, each with `<name>Bound` (smBuoyancyNames.h):

@@ -94,7 +94,7 @@ bool vtkPlaneCutBase::IntegrateSide(const sm::IntegralRequest& request,
   const sm::Waterline waterline{ { this->Point[0], this->Point[1], this->Point[2] },
     { sign * this->Normal[0], sign * this->Normal[1], sign * this->Normal[2] } };
   const vtkTypeUInt64 dispatches = engine.GetContext()->GetNumberOfDispatches();
-  // The limit counts from here: the integrator's own starts when the faces are cut.
+  // The time limit counts from here; the integrator starts to count only after the faces are cut.
   const double start = vtkTimerLog::GetUniversalTime();
   bool isTimeOver = false;
   const auto progress = [&limits, &isTimeOver, start](double fraction)

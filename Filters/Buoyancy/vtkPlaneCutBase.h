@@ -1,6 +1,6 @@
 /**
  * @class   vtkPlaneCutBase
- * @brief   base of the filters that compute what lies below a plane, and the section of the solids with it
+ * @brief base of the filters that compute volumes below a plane and the section of the solids with it
  *
  * Abstract; vtkBuoyancy and vtkSolidSection are below it. It has the plane and the tolerance, and integrates over the parts of the
  * faces below the plane, which are cut there so that the bounds are proved (smBuoyancy.h). In a parallel run only the rank that has
@@ -45,8 +45,8 @@ public:
 
   ///@{
   /** Tolerance of a volume relative to the scale of its solid's volume, of its first moments relative to volume times distance from
-   * the origin, and of the section's moments relative to the scale of the solid's area and powers of its size. Range (0, 1], at least 1e-15 is used;
-   * others are reported as an error and change nothing. Default 1e-9. If it cannot be met, Status is
+   * the origin, and of the section's moments relative to the scale of the solid's area and powers of its size. Range (0, 1], at least 1e-15
+   * is used; others are reported as an error and change nothing. Default 1e-9. If it cannot be met, Status is
    * tolerance-not-met, and the values are kept with their true bounds. */
   void SetRelativeTolerance(double tolerance) { this->ChangeRelativeTolerance(tolerance); }
   vtkGetMacro(RelativeTolerance, double);
@@ -60,7 +60,7 @@ protected:
     return false;
   }
   void ReleaseKept() override;
-  /** Returns the integrals that a run asks for. */
+  /** Returns the integrands of a run. */
   std::vector<sm::Integrand> MakeIntegrands() const;
   /** Computes one entry of `results` per body for the side that Normal points away from, or for the opposite side, with
    * progress between the fractions `begin` and `end`. Returns false if nothing was computed; the report then has a reason. */

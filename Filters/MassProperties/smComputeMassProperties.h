@@ -40,9 +40,10 @@ struct MassPropertiesOptions
   double Density = 0.0;
   /// In [0, 1].
   double DensityTolerance = 0.0;
-  /// Materials by the names of solids, before Density. Their densities are above 0 and finite, their tolerances at most 1.
+  /// Materials by the names of solids; they take precedence over Density. Their densities are above 0 and finite, their tolerances at most
+  /// 1.
   std::vector<MaterialRule> Materials;
-  /// Gaps that make a result suspect. In [0, 1].
+  /// Gaps between faces and edges above this fraction of the diagonal of a body make its result suspect. In [0, 1].
   double GapLimit = 1e-3;
   /// At least 1.
   std::int64_t MaximumEvaluations = 2000000000;
@@ -55,11 +56,11 @@ struct MassPropertiesOptions
 /// Mass properties of one instance of a solid or of a free shell, or of all together.
 struct BodyMassProperties
 {
-  /// Empty for all together. Id counts the instances from 1 in the order of the input.
+  /// Name of the solid, and number of the instance, from 1 in the order of the input; both are empty in the total.
   std::string Name, Id;
-  /// As vtkSurfaceIntegralBase has it: "ok", "open", "suspect", ...
+  /// The status, with the names of vtkSurfaceIntegralBase: "ok", "open", "suspect", ...
   std::string Status;
-  /// Sentences about this body; those of all together are about the input and the sums.
+  /// Messages about this body; in the total, those about the input and the sums.
   std::vector<std::string> Messages;
 
   Bounded<double> Volume;                 ///< L^3
@@ -73,7 +74,7 @@ struct BodyMassProperties
   bool PrincipalAxesDegenerate = false;
   Bounded<std::array<double, 3>> RadiiOfGyration; ///< L
 
-  /// kg/m^3 and name of the material. NaN and empty where there is none, or where bodies differ.
+  /// Density in kg/m^3, and name of the material. NaN and empty where there is none, or where bodies differ.
   double Density = std::numeric_limits<double>::quiet_NaN();
   std::string Material;
   Bounded<double> Mass;                       ///< kg
@@ -92,10 +93,10 @@ struct BodyMassProperties
 struct MassPropertiesResult
 {
   std::vector<BodyMassProperties> Solids;
-  /// Its status is the worst of all bodies and of the file that the input was read from. Where the bodies differ in their length units,
-  /// there are no sums.
+  /// All bodies together. The status is the worst of all bodies and of the file that the input was read from. Where the bodies differ in
+  /// their length units, there are no sums.
   BodyMassProperties Total;
-  /// Why the status is not "ok"; empty otherwise.
+  /// The reason why the status is not "ok"; empty if it is.
   std::string Reason;
   std::string LengthUnit;
   /// Mass of the solids that have a density, and the numbers of these and of those that have a volume.
@@ -108,8 +109,8 @@ struct MassPropertiesResult
 
 /**
  * Computes the mass properties of `model`: a vtkNURBSDataSet with a model, or a composite dataset with any number of them, for
- * example the output of vtkSTEPReader. Instances of one vtkTrimmedNURBSModel are integrated once. Failure is a status, never an exception: an
- * option out of its range, a run that was stopped, a lack of memory and an exception of the callback are "not-computed", null and an
+ * example the output of vtkSTEPReader. Instances of one vtkTrimmedNURBSModel are integrated once. Failure is a status, never an exception:
+ * an option out of its range, a run that was stopped, a lack of memory and an exception of the callback are "not-computed", null and an
  * input without exact geometry are "empty"; Reason has a sentence.
  */
 SMFILTERSMASSPROPERTIES_EXPORT MassPropertiesResult ComputeMassProperties(

@@ -27,8 +27,8 @@ constexpr double CoincidenceLimit = 1e-9;
 constexpr std::size_t NamedPairs = 5;
 constexpr std::size_t MostPairs = 100000;
 
-/// Adds what rounding of a placement that was read may do: its translation is off by some u of itself, and its rotation stretches and
-/// turns the body, and the arm to its origin, by as much.
+/// Adds to the bounds the effect of the rounding of a placement that was read (smPlacementError.h): an error of the translation by some u
+/// of its length, and of the rotation, which deforms and rotates the body and the vector to its origin by as much.
 void AddPlacementError(const BodyIntegrals& body, Moments& moments)
 {
   if (!PlacementError::IsRounded(body))
@@ -174,7 +174,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
   return true;
 }
 
-/// Returns true if a body has no faces, or all of them are left out: its sums are those of nothing.
+/// Returns true if a body has no faces, or all of them are left out, so that its sums are empty.
 bool IsLeftOut(const BodyIntegrals& body)
 {
   return body.Faces &&
@@ -197,7 +197,7 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   }
   if (IsLeftOut(body))
   {
-    // Nothing, without a bound: what the total lacks.
+    // The values are 0 with infinite bounds, so that the total is not taken for complete.
     body.Flag(Status::Suspect, "no face of it was integrated: it has no values");
     moments = GetMoments(body);
     row.Properties = ComputeMassProperties(moments);
@@ -218,7 +218,7 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   if (!options.HasBounds)
   {
     body.Degrade(Status::ToleranceNotMet);
-    // The residual would be that of the texels.
+    // The schemes leave a residual of the size of their texels, which says nothing about the model.
     row.ClosureResidual = vtkMath::Nan();
     return row;
   }
@@ -281,7 +281,7 @@ void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& an
   }
 }
 
-/// Takes the values from the rows of bodies of which all faces are left out, and from the total what no other body has.
+/// Sets the rows of bodies of which all faces are left out to NaN, and those quantities of the total that no other body has.
 void RemoveLeftOut(
   const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis)
 {

@@ -32,7 +32,7 @@ struct MassAnalysisOptions
   double DensityTolerance = 0.0;
   /// Materials by the names of the bodies. The first rule that a name matches comes before Density.
   std::vector<MaterialRule> Materials;
-  /// A frame to give centre of mass and inertia in as well. Valid if it is given.
+  /// The frame of reference of InFrame in MassRow, which must be valid if Frame.IsGiven is true.
   ReferenceFrame Frame;
   /// False if the integrals have no bounds and belong to no closed chain (the paper's schemes). Then every bound, the closure
   /// correction and the closure residual are NaN, and the status of every body is at least tolerance-not-met.
@@ -40,7 +40,7 @@ struct MassAnalysisOptions
   /// Largest closure residual at which a surface without open edges counts as closed. If there are bounds, a larger residual of a
   /// solid indicates a broken loop.
   double LargestClosureResidual = 1e-9;
-  /// As vtkSurfaceIntegralBase::SetGapLimit().
+  /// See vtkSurfaceIntegralBase::SetGapLimit().
   double GapLimit = 1e-3;
 };
 
@@ -73,7 +73,8 @@ struct MassAnalysis
 SMFILTERSMASSPROPERTIES_EXPORT MassAnalysis AnalyzeMass(
   std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options);
 
-/// Returns what is integrated for mass properties: once for each part, about its origin, to tolerances that depend on the part alone.
+/// Returns the request of the integrals for mass properties: once for each part, about its origin, to tolerances that depend on the part
+/// alone.
 SMFILTERSMASSPROPERTIES_EXPORT IntegralRequest MakeMassRequest(const MassTolerance& tolerance);
 
 /// Calls AnalyzeMass(), looks for bodies that cross themselves if the integrals have bounds, as long as the limits of the run allow, and

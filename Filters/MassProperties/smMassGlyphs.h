@@ -24,7 +24,7 @@ struct MassGlyphOptions
   bool PerSolid = false;
 };
 
-/// Makes the glyphs of a run after another.
+/// Makes the glyphs of every run, and keeps the sphere that they share.
 class MassGlyphs
 {
 public:

@@ -40,7 +40,7 @@ constexpr const char* KnownMass = "KnownMass";               // 1, kg, of those
 constexpr const char* SolidsWithVolume = "SolidsWithVolume"; // 1 (int)
 constexpr const char* SolidsWithMass = "SolidsWithMass";     // 1 (int)
 
-// The parts list, port 7 of the filters of mass properties: those of one product have the names above.
+// Columns of the parts list on port 7 of the filters of mass properties. Quantities of one product have the names above.
 constexpr const char* Kind = "Kind";                     // string: part, assembly, or total
 constexpr const char* Level = "Level";                   // 1 (int), 1 for the products of the root
 constexpr const char* Count = "Count";                   // 1 (int), equal products in the product above
@@ -50,12 +50,12 @@ constexpr const char* Layer = "Layer";                   // string; where a prod
 constexpr const char* MassInAll = "MassInAll";           // 1, kg, of all
 constexpr const char* KnownMassInAll = "KnownMassInAll"; // 1, kg, of those of all that have a density
 
-// In the coordinates of the frame of reference, about its origin.
+// Quantities in the coordinates of the frame of reference, about its origin.
 constexpr const char* CenterOfMassInFrame = "CenterOfMassInFrame";   // 3, L
 constexpr const char* VolumeInertiaInFrame = "VolumeInertiaInFrame"; // 9, L^5
 constexpr const char* MassCenterInFrame = "MassCenterInFrame";       // 3, L
 constexpr const char* MassInertiaInFrame = "MassInertiaInFrame";     // 9, kg L^2
-// With the axes of the frame, about the centres of volume and mass.
+// Inertia with the axes of the frame, about the centres of volume and of mass.
 constexpr const char* CentralInertiaInFrame = "CentralInertiaInFrame";         // 9, L^5
 constexpr const char* MassCentralInertiaInFrame = "MassCentralInertiaInFrame"; // 9, kg L^2
 

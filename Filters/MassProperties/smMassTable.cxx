@@ -11,11 +11,11 @@ namespace sm
 {
 namespace
 {
-/// Solids are heavier, in kg/m^3: less is likely to be in g/cm^3.
+/// Least plausible density of a solid in kg/m^3. A smaller number was probably given in g/cm^3.
 constexpr double LeastDensity = 25.0;
-/// Characters of a line of a summary: longer ones are broken, for narrow views cut them.
+/// Largest number of characters of a line of a summary; longer lines are broken, because narrow views would cut them off.
 constexpr std::size_t LongestLine = 66;
-/// Part of a mass above which a summary tells its uncertainty.
+/// Relative uncertainty of a mass from which the summary states it.
 constexpr double NotableDoubt = 1e-6;
 
 struct Quantity
@@ -90,7 +90,7 @@ const Quantity MassFrameQuantities[] = {
     [](Row r) { return &r.WeightedInFrame.CentralInertiaBound; } },
 };
 
-/// Calls `use` with each quantity, in the order of the columns.
+/// Calls `use` for each quantity, in the order of the columns.
 template <typename Use>
 void ForEachQuantity(bool withMass, bool withFrame, const Use& use)
 {

@@ -29,9 +29,9 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   double MassBound;
   std::array<double, 9> MassInertia;
   double MassInertiaBound;
-  /// The uncertainty of the mass, in kg: in all; by the tolerance of the density; by the gaps of the model, by what closing them moved and
-  /// GapSquared; numerically, by the bound. NaN without a mass. The share of gaps is an estimate and no bound of the distance to
-  /// the designer's part.
+  /// The uncertainty of the mass, in kg: their sum; by the tolerance of the density; by the gaps of the model (ClosureCorrection and
+  /// GapSquared); by the numerical bound. NaN without a mass. The share of gaps is an estimate and no bound of the distance to the
+  /// designer's part.
   std::array<double, 4> MassUncertainty;
   /// Properties with the density as weight: kg, kg L, kg L^2. Of all bodies together only if each has a density.
   MassProperties Weighted;
@@ -41,7 +41,7 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   /// Mass of those bodies that have a density. Only of the total.
   double KnownMass;
   double KnownMassBound;
-  /// In the frame that was asked for, at density 1 and with the densities as weight.
+  /// Properties in the frame of reference, at density 1 and with the densities as weight.
   FrameProperties InFrame;
   FrameProperties WeightedInFrame;
   double ClosureCorrection;
@@ -70,8 +70,8 @@ private:
   bool WithFrame;
 };
 
-/// Returns a summary in a few lines: the number of solids, volume, area, centre, principal moments and mass, which may be that of some
-/// solids only: `weighed` of `weighable`.
+/// Returns a summary in a few lines: the number of solids, volume, area, centre, principal moments and mass. `weighed` of the `weighable`
+/// solids with a volume have a density.
 SMFILTERSMASSPROPERTIES_EXPORT std::string FormatSummary(
   const MassRow& total, const std::string& unit, int solids, int weighed, int weighable);
 }

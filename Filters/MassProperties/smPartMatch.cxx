@@ -108,7 +108,7 @@ struct SortedShape
   }
 };
 
-/// True if the rotation carries the faces of `a` to those of `b`, each to one of its own.
+/// Returns true if the rotation maps the faces of `a` to those of `b`, one to one.
 bool Carries(const Matrix3& rotation, const PartShape& a, const SortedShape& b, double tolerance)
 {
   std::vector<bool> used(b.Order.size());
@@ -128,19 +128,17 @@ bool Carries(const Matrix3& rotation, const PartShape& a, const SortedShape& b, 
   return true;
 }
 
-// --- rotations ---------------------------------------------------------------------------------
-
 /// A direction that a face defines: 0: to its centre, 1: its vector area, 2 to 4: a principal axis, of either sign.
 struct Direction
 {
   std::size_t Face;
   int Kind;
   std::array<double, 3> Vector;
-  /// How well it is determined, 0 to 1: noise is 1e-12.
+  /// Reliability of the direction, 0 to 1; rounding alone gives about 1e-12.
   double Weight;
 };
 
-/// Directions below this weight are noise, or mean no more than noise.
+/// Directions with a weight below this are determined by rounding.
 constexpr double LeastWeight = 1e-9;
 constexpr int MostRotations = 2000;
 
@@ -183,7 +181,7 @@ std::array<double, 3> GetAcross(const Direction& a, const Direction& b)
   return Cross(a.Vector, b.Vector);
 }
 
-/// The rotation that carries the first pair of directions to the second pair, which includes the same angle.
+/// Returns the rotation that maps the first pair of directions to the second pair; the angles between them are equal.
 Matrix3 MakeRotation(const std::array<double, 3>& a, const std::array<double, 3>& acrossA,
   const std::array<double, 3>& b, const std::array<double, 3>& acrossB)
 {
@@ -212,7 +210,7 @@ std::array<double, 3> GetPerpendicular(const std::array<double, 3>& v)
   return Normalized(Cross(v, axis));
 }
 
-/// The smallest rotation of one direction into another.
+/// Returns the rotation by the smallest angle that maps one direction to another.
 Matrix3 MakeSmallestRotation(const std::array<double, 3>& a, const std::array<double, 3>& b)
 {
   std::array<double, 3> across = Cross(a, b);
@@ -234,7 +232,7 @@ void SetAngle(Rotation& rotation)
   }
   else if (cosine < 0.0)
   {
-    // Half a turn: m + 1 is twice the projection on the axis.
+    // A rotation by pi: m + 1 is twice the projection on the axis.
     int k = 0;
     for (int i = 1; i < 3; ++i)
     {
@@ -246,7 +244,7 @@ void SetAngle(Rotation& rotation)
   }
 }
 
-/// Tries rotations, and keeps the one by the smallest angle.
+/// Tests candidates, and keeps the one with the smallest angle.
 class RotationSearch
 {
 public:
@@ -268,7 +266,7 @@ public:
     }
     if (all.empty() || this->Result.IsFound)
     {
-      // Round about every axis, or nothing is rotated.
+      // The shape is symmetric about every axis, or the identity maps it.
       return this->Result;
     }
     std::vector<std::size_t> counts(this->A.Faces.size());
@@ -305,7 +303,7 @@ public:
   }
 
 private:
-  /// Faces of B that the face of A may be carried to.
+  /// Returns the faces of B to which the face of A may be mapped.
   std::vector<std::size_t> FindFaces(std::size_t face) const
   {
     std::vector<std::size_t> found;
@@ -317,7 +315,7 @@ private:
     return found;
   }
 
-  /// Directions of B that a direction of A may be carried to.
+  /// Returns the directions of B to which a direction of A may be mapped.
   std::vector<Direction> FindImages(const Direction& direction) const
   {
     std::vector<Direction> images;
@@ -343,7 +341,7 @@ private:
   {
     const std::array<double, 3> across = GetAcross(first, second);
     const double cosine = Dot(first.Vector, second.Vector);
-    // Directions are as good as their weights; what is wrong fails on the faces.
+    // The error of a direction is inversely proportional to its weight. Wrong candidates fail the test of the faces.
     const double slack = 10.0 * this->Tolerance / std::min(first.Weight, second.Weight) + 1e-6;
     for (const Direction& image : this->FindImages(second))
     {

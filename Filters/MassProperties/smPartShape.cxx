@@ -16,8 +16,6 @@ namespace
 {
 using Matrix3 = std::array<double, 9>;
 
-// --- integration -------------------------------------------------------------------------------
-
 enum ShapeIntegrand
 {
   ShapeArea = 0,
@@ -93,8 +91,8 @@ bool IsFinite(const FaceShape& face)
   return std::isfinite(sum) && face.Area > 0.0;
 }
 
-/// Largest bounds of a face that others are compared with: relative to the face, or to the part if that is more. Within wider ones
-/// different faces would count as equal.
+/// Largest bounds of the integrals of a face that can be compared, relative to the face or, for small faces, to the part. With larger
+/// bounds different faces would count as equal.
 constexpr double LargestFaceBound = 1e-6;
 constexpr double LargestPartBound = 1e-9;
 
@@ -139,8 +137,6 @@ PartShape MakeShape(const BodyIntegrals& body)
   }
   return shape;
 }
-
-// --- transformation ----------------------------------------------------------------------------
 
 std::array<double, 3> Apply(const Matrix3& m, const std::array<double, 3>& v)
 {
@@ -230,7 +226,7 @@ void PartShape::Center()
     MoveReference(shift, face);
     bound += face.FirstBound / area;
   }
-  // The centre of an equal shape is off by as much.
+  // The centre of an equal shape has an error of the same size.
   for (FaceShape& face : this->Faces)
   {
     face.SecondBound += 2.0 * bound * Norm(face.First);

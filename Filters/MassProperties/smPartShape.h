@@ -22,16 +22,17 @@ struct SMFILTERSMASSPROPERTIES_EXPORT FaceShape
   std::array<double, 3> First{};
   std::array<double, 6> Second{};
   std::array<double, 3> VectorArea{};
-  /// Bounds of the four, the largest of their components.
+  /// Bounds of the area, of first and second moments, and of the normal's integral; each is the largest of its components.
   double AreaBound = 0.0;
   double FirstBound = 0.0;
   double SecondBound = 0.0;
   double VectorAreaBound = 0.0;
 
-  /// Index in Second of the moment of x_i x_j.
+  /// Index in Second of the integral of x_i x_j.
   static constexpr int Pair[3][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 } };
   double GetTrace() const { return this->Second[0] + this->Second[1] + this->Second[2]; }
-  /// Applies a row-major rotation or reflection about the point. The bounds stay those of the components before.
+  /// Applies a row-major rotation or reflection about the point. The bounds are not changed: they are those of the components before the
+  /// rotation.
   void Rotate(const std::array<double, 9>& matrix);
 };
 
@@ -43,7 +44,7 @@ struct SMFILTERSMASSPROPERTIES_EXPORT PartShape
   std::vector<FaceShape> Faces;
   /// False for a free shell.
   bool IsSolid = true;
-  /// Why the shape is not known, so that it equals none; empty otherwise.
+  /// The reason why the shape is not known; empty if it is. An unknown shape is equal to no other.
   std::string Problem;
 
   double GetArea() const;
@@ -56,7 +57,8 @@ struct SMFILTERSMASSPROPERTIES_EXPORT PartShape
 };
 
 /// Returns the shapes of models, integrated on the CPU. `relativeTolerance`: of the integrals, relative to the part; the bounds are mostly
-/// far smaller. `maximumSeconds`: 0 for no limit; what is not integrated by then has a Problem, and so has a part with faces whose bounds exceed 1e-6 of them.
+/// far smaller. `maximumSeconds`: 0 for no limit. A part that is not integrated by then has a Problem, and so has one with a face whose
+/// bounds exceed 1e-6 of its integrals.
 SMFILTERSMASSPROPERTIES_EXPORT std::vector<PartShape> MeasureShapes(
   const std::vector<vtkTrimmedNURBSModel*>& models, double relativeTolerance, double maximumSeconds = 0.0);
 }

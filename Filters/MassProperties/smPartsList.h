@@ -14,7 +14,7 @@
 
 namespace sm
 {
-/// The sum of a quantity over solids that have it, with its bound; values without a bound make the sum one without.
+/// The sum of a quantity over the solids that have it, and its bound. If one of the values has no bound (NaN), neither has the sum.
 struct SMFILTERSMASSPROPERTIES_EXPORT PartsSum
 {
   double Value = 0.0;
@@ -38,22 +38,22 @@ struct SMFILTERSMASSPROPERTIES_EXPORT PartsSums
   bool HasWholeMass() const { return this->Mass.Terms == this->Volume.Terms; }
 };
 
-/// All equal products in one place. Products are equal if they have the same name and consist of the same models and equal products.
+/// All equal products below one product. Products are equal if they have the same name and consist of the same models and equal products.
 struct PartsListEntry
 {
   std::string Name;
   /// Layer of the first product; empty where the file states none.
   std::string Layer;
   bool IsAssembly = false;
-  /// In the product above, and in the input.
+  /// Numbers of these products in the product above, and in the whole input.
   int Count = 1;
   int CountInAll = 1;
   /// Number of solids of one product.
   int Solids = 0;
-  /// Empty and NaN where the solids differ or have none. Density in kg/m^3.
+  /// Material, and density in kg/m^3; empty and NaN where the solids differ or have none.
   std::string Material;
   double Density = std::numeric_limits<double>::quiet_NaN();
-  /// The worst of the solids of all.
+  /// The worst status of all solids of these products.
   sm::Status Status = sm::Status::None;
   /// Sums over the first product, and over all. Solids whose volume was not computed, and surfaces, add nothing.
   PartsSums Each, InAll;

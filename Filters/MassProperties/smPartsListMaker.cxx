@@ -24,11 +24,11 @@ namespace sm
 {
 namespace
 {
-/// A product with what tells it from others.
+/// A product with its signature.
 struct Product
 {
   PartsListEntry Entry;
-  /// Equal for equal products.
+  /// A text that is the same for equal products, and for no others.
   std::string Signature;
   bool HasMaterial = false;
   std::vector<Product> Children;
@@ -203,7 +203,7 @@ void AddColumn(const Lines& lines, const std::string& name, const Get& get, vtkT
   table->AddColumn(array);
 }
 
-/// The mass of all solids; a sum without terms where some have none.
+/// Returns the mass of all solids; a sum without terms if some solids have no mass.
 PartsSum GetWholeMass(const PartsSums& sums)
 {
   return sums.HasWholeMass() ? sums.Mass : PartsSum();

@@ -26,7 +26,7 @@ SMFILTERSMASSPROPERTIES_EXPORT std::array<double, 6> GetHullBox(const vtkTrimmed
 
 /**
  * Returns one sentence for each of these facts that the result violates by more than its bounds allow:
- * - the volume is positive: above its bound, unless the bound is too large for a decision;
+ * - the volume is positive: larger than its bound, unless the bound is too large for a decision;
  * - the centre of mass, `center` in the frame of the box, lies in the box, within the length `slack` and its bound;
  * - the inertia is positive definite: no principal moment is below 0 by more than its bound;
  * - no principal moment exceeds the sum of the two others by more than their three bounds.

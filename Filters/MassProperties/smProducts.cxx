@@ -70,7 +70,7 @@ void AddNode(
       product.Children.push_back(std::move(below));
     }
   }
-  // Some systems relate the shape of a product to another one, which has the bodies and no name: it is the same product.
+  // Some CAD systems relate the shape of a product to an unnamed one, which has the bodies. Both are taken for one product.
   if (level > 0 && isUnnamed && product.Bodies.empty() && product.Children.size() == 1 &&
     product.Children[0].Children.empty())
   {
@@ -79,7 +79,7 @@ void AddNode(
   }
 }
 
-/// A product for each body, by the names of their models.
+/// Adds a product for each body, with the name of its model.
 void AddBodies(vtkDataObject* input, ProductTreeNode& root)
 {
   const auto add = [&root](vtkDataObject* object, std::size_t number)

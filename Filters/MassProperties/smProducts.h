@@ -1,6 +1,6 @@
 /**
  * @file smProducts.h
- * @brief The product structure of an input as its assembly has it
+ * @brief The product structure of an input, from its vtkDataAssembly
  */
 #ifndef smProducts_h
 #define smProducts_h
@@ -26,15 +26,15 @@ struct ProductTreeNode
     const double* Placement = nullptr;
   };
   std::string Name;
-  /// Empty where the file states none.
+  /// Layer of the product; empty where the file states none.
   std::string Layer;
   std::vector<Body> Bodies;
   std::vector<ProductTreeNode> Children;
 };
 
 /// The tree of the vtkDataAssembly of a vtkPartitionedDataSetCollection, without products that have no bodies; without an assembly a
-/// product for each body. Nodes more than 100 levels deep are missing, and their bodies are in the node above. Pointers are valid as long as
-/// the input.
+/// product for each body. Nodes more than 100 levels deep are missing, and their bodies are in the node above. Pointers are valid as long
+/// as the input.
 SMFILTERSMASSPROPERTIES_EXPORT ProductTreeNode MakeProductTree(vtkDataObject* input);
 }
 

@@ -113,7 +113,7 @@ FrameProperties ComputeInFrame(Moments moments, const ReferenceFrame& frame)
   {
     bound += (2.0 * e + e * e) * second;
   }
-  // About the reference, which is the origin of the frame, so that these are the properties "at origin".
+  // The moments are about the origin of the frame, so that these are the properties "at origin".
   const MassProperties properties = ComputeMassProperties(moments);
   result.Center = properties.Center;
   result.CenterBound = properties.CenterBound;

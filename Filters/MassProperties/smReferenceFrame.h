@@ -24,14 +24,14 @@ struct SMFILTERSMASSPROPERTIES_EXPORT ReferenceFrame
   bool IsValid() const;
 };
 
-/// Properties of moments in the coordinates of a frame, about its origin; NaN for what does not exist.
+/// Mass properties in the coordinates of a frame, about its origin; a quantity that does not exist is NaN.
 struct SMFILTERSMASSPROPERTIES_EXPORT FrameProperties
 {
   std::array<double, 3> Center;
   double CenterBound;
   std::array<double, 9> Inertia;
   double InertiaBound;
-  /// About the centre, with the axes of the frame.
+  /// Inertia about the centre, with the axes of the frame.
   std::array<double, 9> CentralInertia;
   double CentralInertiaBound;
 

@@ -26,7 +26,7 @@ constexpr std::size_t TrianglesPerSample = 8;
 /// Distance from an integer above which a winding number indicates a hole in the mesh, or a point on another part of it.
 constexpr double WholeNumber = 0.25;
 
-/// Share of the points where nothing can be decided, above which the check means nothing.
+/// Fraction of undecided points above which the check is given up.
 constexpr double LargestUndecided = 0.25;
 
 /// Largest difference of area and vector area between mesh and face, relative to the area, and area of a face, relative to the body's,
@@ -370,8 +370,8 @@ bool IsCheckable(const BodyIntegrals& body)
     body.Status < Status::Suspect && !body.Faces->empty();
 }
 
-/// Returns true if a body is a part of the same solid of a file as the one before it: OpenCASCADE makes a solid of each connected part
-/// of a shell. Solids of two files may have one number, and are told by those of their faces.
+/// Returns true if a body is a part of the same solid of a file as the one before it, because OpenCASCADE makes a solid of each connected
+/// part of a shell. Solids of two files may have the same entity number; the numbers of their faces distinguish them.
 bool IsSameSolid(const BodyIntegrals& first, const BodyIntegrals& body, const std::set<int>& faceIds)
 {
   const std::vector<FacePointer>& faces = body.Model->GetFaces();
@@ -406,7 +406,7 @@ SelfCrossingCheck::EntryPointer SelfCrossingCheck::Find(const std::vector<std::u
     }
     original = original || known == this->Known.end() ? original : known->second;
   }
-  // An edit may have mended what was found.
+  // An edit may have removed a crossing that was found, so only a sound original decides.
   return !checkEdits && original && original->Result.Winding == 0 ? original : nullptr;
 }
 

@@ -27,7 +27,7 @@ struct SelfCrossing
   /// Entity number of the face beside the point, and the point in coordinates of the part.
   int Face = 0;
   std::array<double, 3> Point{};
-  /// Number of points on the boundary, and of those of them where nothing can be decided.
+  /// Number of points that were tested, and of the undecided ones among them.
   std::size_t Samples = 0;
   std::size_t Undecided = 0;
   /// Reason why nothing was checked; empty otherwise.
@@ -41,8 +41,8 @@ struct SelfCrossing
  * are oriented as its exact vector area and volume are, with the reversals of ReverseShells().
  *
  * Another winding number counts only if it is found again at a point off the mesh that is farther from every triangle than
- * the triangle may be from its surface (smWindingTree.h), plus the widest gap of the body: about such a point mesh and surface wind
- * alike. What is narrower than that, or lies between the points, is not found.
+ * the triangle may be from its surface (smWindingTree.h), plus the widest gap of the body: about such a point mesh and surface have the
+ * same winding number. Crossings that are narrower than that, or lie between the points, are not found.
  *
  * The bodies are closed, and have the integrals of MakeMassIntegrands(). Unchecked has a reason if the mesh lacks a face, or the area or
  * vector area of a face on it differs from the exact one by more than a quarter of the area. Runs on the threads of vtkSMPTools, with
@@ -73,7 +73,8 @@ private:
     SelfCrossing Result;
   };
   using EntryPointer = std::shared_ptr<const Entry>;
-  /// The result of a body with these faces, or with some of them where edits are not checked; null: it is to be checked.
+  /// Returns the known result for a body with these faces, or with some of them where edits are not checked; null if the body must be
+  /// checked.
   EntryPointer Find(const std::vector<std::uint64_t>& faces, bool checkEdits,
     const std::unordered_map<std::uint64_t, EntryPointer>& current) const;
 

@@ -12,7 +12,7 @@ namespace sm
 {
 namespace
 {
-/// Names that a message lists.
+/// Largest number of names that a message lists.
 constexpr std::size_t NamedSolids = 5;
 
 /// Bound of the relative rounding error of a product of a density, the third power of a unit in metres, which is itself rounded, and a
@@ -57,8 +57,8 @@ void ScaleMoments(Moments& moments, double factor)
   }
 }
 
-/// The uncertainty of a mass: in all, by the density, by gaps, by the numerical bound. A density that is larger by its tolerance makes the
-/// others larger, too; rounding of these shares is within a millionth.
+/// Returns the uncertainty of a mass: sum, by the density, by gaps, by the numerical bound. The shares of gaps and bound are those at the
+/// largest density; a factor of 1 + 1e-6 includes the rounding of the shares.
 std::array<double, 4> GetMassUncertainty(const MassRow& row, double tolerance, double factor)
 {
   const double density = tolerance * std::abs(row.Mass);
@@ -67,7 +67,7 @@ std::array<double, 4> GetMassUncertainty(const MassRow& row, double tolerance, d
   return { (1.0 + 1e-6) * (density + gaps + numerical), density, gaps, numerical };
 }
 
-/// Sets what follows from moments that are weighted with the densities.
+/// Sets the properties that follow from moments with the densities as weight.
 void SetWeighted(MassRow& total, const Moments& weighted, const MassAnalysisOptions& options)
 {
   total.Weighted = ComputeMassProperties(weighted);

@@ -123,7 +123,7 @@ void vtkMassPropertiesBase::AddMaterial(const char* pattern, const char* materia
   }
   else
   {
-    // Has a decimal point in every locale.
+    // std::from_chars expects a decimal point in every locale.
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
     {
@@ -275,7 +275,7 @@ void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   options.Frame = *this->Frame;
   *this->Analysis = sm::AnalyzeRun(bodies, options, this->CheckEditedSolids, this->MakeLimits(),
     *this->CrossingCheck, this->GetEngine().GetReport());
-  // Sums of lengths in different units would have none.
+  // Volumes in different units have no sum.
   if (this->Analysis->HasOneUnit)
   {
     this->Analysis->Parts =

@@ -90,11 +90,12 @@ public:
 
   ///@{
   /**
-   * Materials of solids by their names, before Density and what the file states. In a pattern * stands for any characters and ? for one;
-   * letters of ASCII match in either case. The first pattern in the order of the calls that is the name of a solid to the letter, else the
-   * first that it matches, gives it material and density in kg/m^3. The density as text may be empty: then the material is one of the common ones (smMaterials.h). A density that
-   * is not above 0 and finite, and a material that is not known, is reported as an error and changes nothing; a pattern that gives no solid
-   * its material gets a message. `tolerance` is relative, negative for that of DensityTolerance. Default: none.
+   * Materials of solids by their names. They take precedence over Density, and Density over the density that the file states. In a pattern,
+   * `*` stands for any characters and `?` for one; letters of ASCII match in either case. The first pattern, in the order of the calls,
+   * that is equal to the name of a solid, else the first that matches it, gives the solid its material and density in kg/m^3. The density
+   * as text may be empty: then the material is one of the common ones (smMaterials.h). A density that is not above 0 and finite, and a
+   * material that is not known, is reported as an error and changes nothing; a pattern that gives no solid its material gets a message.
+   * `tolerance` is relative, negative for that of DensityTolerance. Default: none.
    */
   void AddMaterial(const char* pattern, const char* material, double density, double tolerance = -1.0);
   void AddMaterial(const char* pattern, const char* material, const char* density);
@@ -104,9 +105,9 @@ public:
 
   ///@{
   /**
-   * Frame of reference for CenterOfMassInFrame, VolumeInertiaInFrame and those with MassCenter and MassInertia: a point in world coordinates
-   * and length unit, the direction of its z axis, and a direction whose part perpendicular to that is its x axis (of any length). Parallel
-   * directions, and what is not finite, are reported as an error and change nothing. Default: no frame.
+   * Frame of reference for CenterOfMassInFrame, VolumeInertiaInFrame and those with MassCenter and MassInertia: a point in world
+   * coordinates and length unit, the direction of its z axis, and a direction whose part perpendicular to that is its x axis (of any
+   * length). Parallel directions, and what is not finite, are reported as an error and change nothing. Default: no frame.
    */
   void SetReferenceFrame(const double origin[3], const double zAxis[3], const double xAxis[3]);
   void ClearReferenceFrame();
@@ -181,7 +182,7 @@ protected:
   virtual void WriteMoreOutputs(
     const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs, std::string& summary) const;
 
-  /** Adds a material and says that the filter is modified. */
+  /** Adds a material and calls Modified(). */
   void AppendMaterial(const sm::MaterialRule& rule);
 
   /** Returns the mass properties of the last run. */

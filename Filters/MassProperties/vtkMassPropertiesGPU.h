@@ -38,9 +38,9 @@ public:
   ///@{
   /**
    * Tolerances of single quantities. `relative` refers to the quantity's scale (the volume, the area, the larger of half the
-   * body's diagonal and the cube root of the volume for the centre, the trace of the inertia), range [0, 1]; 0 stands for RelativeTolerance. `absolute` is in the unit of the
-   * quantity, not negative; 0 for none. The larger of the two applies. Any other value is reported as an error and changes
-   * nothing. Default 0 0.
+   * body's diagonal and the cube root of the volume for the centre, the trace of the inertia), range [0, 1]; 0 stands for
+   * RelativeTolerance. `absolute` is in the unit of the quantity, not negative; 0 for none. The larger of the two applies. Any other value
+   * is reported as an error and changes nothing. Default 0 0.
    */
   void SetVolumeTolerance(double relative, double absolute);
   vtkGetVector2Macro(VolumeTolerance, double);

@@ -7,7 +7,7 @@ namespace sm
 {
 CacheBudget& CacheBudget::GetProcessBudget()
 {
-  // Never destroyed: filters may outlive static objects.
+  // The object is never destroyed, because filters may outlive static objects.
   static auto* const budget = new CacheBudget(std::size_t{ 1 } << 30);
   return *budget;
 }

@@ -48,7 +48,7 @@ public:
   FaceCache(const FaceCache&) = delete;
   FaceCache& operator=(const FaceCache&) = delete;
 
-  /// Null when it is not known. Good until the cache changes.
+  /// Returns the value of the entry, or null if there is none. The pointer is valid until the cache changes.
   const Value* Find(std::uint64_t face, const Key& key)
   {
     const Lock lock(this->Budget.GetMutex());
@@ -68,12 +68,12 @@ public:
     return nullptr;
   }
 
-  /// Adds an entry, or replaces the one with this key; `bytes` is what it takes beside its key.
+  /// Adds an entry, or replaces the one with this key; `bytes` is the size of the value.
   void Store(std::uint64_t face, const Key& key, Value value, std::size_t bytes)
   {
     const Lock lock(this->Budget.GetMutex());
     this->Erase(face, key);
-    // Reserved first, so that no entry lacks its place if memory is short.
+    // The place is reserved first: an exception for lack of memory leaves no entry without one.
     std::vector<Position>& places = this->Places[face];
     places.reserve(places.size() + 1);
     this->Entries.push_back({ face, key, std::move(value), bytes + sizeof(Entry), 0, 0 });
@@ -101,7 +101,7 @@ public:
     }
   }
 
-  /// Ends a run: its entries may go, and those go that were not used for RunsKept runs.
+  /// Ends a run: from now on the budget may remove the entries that the run used. Entries that RunsKept runs have not used are removed.
   void EndRun()
   {
     const Lock lock(this->Budget.GetMutex());

@@ -18,8 +18,8 @@ namespace
 using Point2 = std::array<double, 2>;
 using Point3 = Vector3;
 
-// Corners and ribbons whose gap is below this fraction of the coordinates' size hold less than the square of
-// it: far below rounding.
+// Corners and ribbons whose gap is below this fraction of the coordinates' size are left out: their integrals are of the order of its
+// square, far below rounding.
 constexpr double NegligibleGap = 1e-14;
 
 class Builder
@@ -55,7 +55,7 @@ private:
   std::map<std::pair<int, int>, std::uint32_t> PatchOfCell;
   std::vector<PanelShape> ShapeOfPatch;
   std::map<const void*, std::uint32_t> EdgePieces;
-  /// The coedge in hand, counted through all loops.
+  /// Index of the coedge that is cut now, counted through all loops.
   int CoedgeIndex = 0;
   FacePanels Result;
 };

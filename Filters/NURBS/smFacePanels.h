@@ -5,9 +5,11 @@
  * A **panel** is the part {(xi s(t), r(t)) : 0 <= xi <= 1} of one rational Bézier patch, left of one piece
  * (s(t), r(t)) of a trim curve, in the patch's own parameters (s,r) in [0,1]^2. A **ribbon** is the ruled strip
  * (1-l) S(c(t)) + l C(t) that leads a face's boundary to its edge's curve. A **cap** is a flat triangle at a
- * corner of a loop. Together they are the closed chain of the face: the rest of its boundary are the
- * edge curves and the stubs between vertices and the ends of the edge curves, which cancel between faces. In the field's terms a
- * panel is a strip of Green's theorem, a ribbon a gap strip and a cap a corner cone; Documentation/Numerics.md has a drawing.
+ * corner of a loop. Along a loop, pieces that run upwards in r add the part left of them and pieces that run downwards subtract it (Green's
+ * theorem), so that the panels of all loops add up to the integral over the trimmed face. Together they are the closed chain of the face:
+ * the rest of its boundary are the edge curves and the stubs between vertices and the ends of the edge curves, which cancel between faces.
+ * In the field's terms a panel is a strip of Green's theorem, a ribbon a gap strip and a cap a corner cone; Documentation/Numerics.md has a
+ * drawing.
  *
  * Everything is local to the face: the items of a face depend on nothing but the face. Where the degree in
  * u is the higher one, u and v are exchanged, so that the inner direction s is the one of lower degree.

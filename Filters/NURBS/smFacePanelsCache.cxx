@@ -53,8 +53,8 @@ std::size_t CountBytes(const CutFace& face)
     GetBytesOf(panels.Caps);
 }
 
-/// Owns a cut face. Every cache has its own, and each keeps the source alive: these owners are counted, as a source without any other
-/// is no part of a model.
+/// Owns a cut face and, with it, a reference to the face itself. Every cache has an owner of its own. The owners of each face are counted
+/// in the process: a face with no other references than theirs belongs to no model any more.
 class FacePanelsCache::Kept
 {
 public:
@@ -105,7 +105,7 @@ private:
 };
 
 FacePanelsCache::FacePanelsCache(CacheBudget& budget)
-  // No face goes by its age alone.
+  // RunsKept has no effect with this value: only the budget, and IsDead(), remove faces.
   : Faces(budget, std::uint64_t{ 1 } << 62)
 {
 }
@@ -151,7 +151,7 @@ bool FacePanelsCache::Acquire(
   }
   if (!missing.empty())
   {
-    // No model has such a face any more, and nobody what it was cut into.
+    // Removes faces that no model holds any more and whose panels nobody uses.
     this->Faces.RemoveIf([](const std::shared_ptr<const Kept>& face) { return face->IsDead(); });
   }
   for (std::size_t begin = 0; begin < missing.size(); begin += CutsPerReport)

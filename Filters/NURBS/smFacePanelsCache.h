@@ -19,7 +19,7 @@
 
 namespace sm
 {
-/// A face and what it was cut into. Never changes once it is made.
+/// A face with the panels, ribbons and caps it was cut into. Immutable once it is made.
 struct CutFace
 {
   FacePointer Source;
@@ -27,7 +27,7 @@ struct CutFace
   FacePanels Panels;
   /// Degrees of all patches of the face, in s and r.
   int Degree[2] = { 1, 1 };
-  /// Not empty: the face could not be cut; it says why and names the face.
+  /// The reason why the face could not be cut, with the name of the face; empty when it was cut.
   std::string Error;
 
   /// Panels, ribbons and caps.
@@ -38,14 +38,14 @@ struct CutFace
 };
 using CutFacePointer = std::shared_ptr<const CutFace>;
 
-/// Bytes of what a face was cut into.
+/// Bytes that a cut face takes in memory, without the face itself.
 SMFILTERSNURBS_EXPORT std::size_t CountBytes(const CutFace& face);
 
 /**
- * Cuts faces (BuildFacePanels) in parallel, by vtkSMPTools, and keeps them by their ids, so that a face is cut once. Faces that
- * nobody has any more but caches of the process, as after an edit, are forgotten before others are cut. When the budget is spent, the faces asked for
- * longest ago are forgotten; whoever holds a pointer keeps its face alive. What a face is cut into depends on the face alone: forgotten
- * and cut again, it is the same.
+ * Cuts faces (BuildFacePanels) in parallel, by vtkSMPTools, and keeps them by their ids, so that a face is cut once. Faces that only caches
+ * of the process still hold, as after an edit, are removed before others are cut. When the budget is spent, the faces that were requested
+ * longest ago are removed; a pointer to a cut face stays valid. Panels, ribbons and caps depend on the face alone: a face that was removed
+ * and is cut again has the same ones, bit for bit.
  *
  * Not thread safe: one thread at a time calls Acquire().
  */
@@ -56,16 +56,16 @@ public:
   ~FacePanelsCache();
 
   /// `cut` gets one entry per face, never null. `progress` (may be empty) gets the fraction done, between cuts, and
-  /// returns false to stop. False, with GetError() and an empty `cut`, when stopped or when two different faces have one id;
-  /// what was cut until then is kept. One request may exceed the budget while it is used.
+  /// returns false to stop. Returns false, with GetError() and an empty `cut`, when stopped or when two different faces have one id; faces
+  /// cut until then stay in the cache. A single request may exceed the budget while Acquire() runs.
   bool Acquire(const std::vector<FacePointer>& faces, std::vector<CutFacePointer>& cut,
     const ProgressCallback& progress);
 
-  /// Forgets all faces.
+  /// Removes all faces.
   void Clear() { this->Faces.Clear(); }
 
   ///@{
-  /// Counters: faces and bytes kept now; faces cut and faces forgotten, for either reason, since construction.
+  /// Counters: faces and bytes in the cache now; faces cut and faces removed, for either reason, since construction.
   std::size_t GetNumberOfFaces() const { return this->Faces.GetNumberOfFaces(); }
   std::size_t GetBytes() const { return this->Faces.GetBytes(); }
   std::uint64_t GetNumberOfCuts() const { return this->Cuts; }

@@ -1,6 +1,6 @@
 /**
  * @file smFailureReason.h
- * @brief Reasons for exceptions, as users read them, and work that has to go on without memory
+ * @brief Exceptions as reasons that users read, and calls that report a lack of memory instead of throwing
  */
 #ifndef smFailureReason_h
 #define smFailureReason_h

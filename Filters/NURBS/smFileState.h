@@ -32,7 +32,8 @@ constexpr const char* FileDefectsArrayName = "FileDefects";
 
 SMFILTERSNURBS_EXPORT void SetFileState(vtkDataObject* data, const FileState& state);
 SMFILTERSNURBS_EXPORT FileState GetFileState(vtkDataObject* data);
-/// Removes what the pipeline passes from the input of a filter to its output, where it is not about the data.
+/// Removes the three arrays. The pipeline copies the field data of a filter's input to its outputs, also to those that are not the file's
+/// data.
 SMFILTERSNURBS_EXPORT void RemoveFileState(vtkDataObject* data);
 }
 

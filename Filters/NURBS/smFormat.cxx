@@ -11,13 +11,13 @@ namespace
 {
 std::string Convert(double value, std::chars_format format, int digits)
 {
-  // The longest: a sign, 309 digits before the point and 17 behind it.
+  // The longest number has a sign, 309 digits before the point and 17 behind it.
   char text[400];
   const auto end = std::to_chars(text, text + sizeof(text), value, format, digits);
   return std::string(text, end.ptr);
 }
 
-/// The fewest digits that read back to the bit.
+/// Writes a double with the fewest digits that read back as the same bits.
 std::string FormatExactly(double value)
 {
   char text[400];

@@ -19,21 +19,21 @@ SMFILTERSNURBS_EXPORT std::string FormatFixed(double value, int digits);
 
 /// Three numbers for a message, with at most six digits each: "(1.5, 0, -2)".
 SMFILTERSNURBS_EXPORT std::string FormatTriple(double x, double y, double z);
-/// A distance for a message, with three digits; "an unknown distance" for what is not finite.
+/// A distance for a message, with three digits; "an unknown distance" if it is not finite.
 SMFILTERSNURBS_EXPORT std::string FormatDistance(double distance);
 
-/// A bound with `digits` digits, rounded up; "not known" for what is not finite, here and below.
+/// A bound with `digits` digits, rounded up; "not known" if it is not finite, here and below.
 SMFILTERSNURBS_EXPORT std::string FormatBound(double bound, int digits = 1);
 /// A value with as many digits as its bound leaves: rounded by at most a twentieth of it, all digits where it is 0.
 SMFILTERSNURBS_EXPORT std::string FormatNumber(double value, double bound);
-/// The bound of what FormatNumber() shows: its rounding is included.
+/// The bound of the number that FormatNumber() prints: includes the rounding of the printed digits.
 SMFILTERSNURBS_EXPORT std::string FormatBoundOfShown(double bound, int digits = 1);
-/// " (+- bound)", to stand behind what FormatNumber() shows and its unit.
+/// " (+- bound)", to follow the number of FormatNumber() and its unit.
 SMFILTERSNURBS_EXPORT std::string FormatBoundNote(double bound);
 /// Value, unit and bound.
 SMFILTERSNURBS_EXPORT std::string FormatWithBound(double value, double bound, const std::string& unit);
 
-/// A count and what is counted: "1 face", "3 faces".
+/// A count with the noun in the right number: "1 face", "3 faces".
 SMFILTERSNURBS_EXPORT std::string FormatCount(std::size_t count, const char* one, const char* many);
 
 /// Breaks text between words into lines of at most `width` characters (more for a longer word), each with a newline.

@@ -27,10 +27,10 @@ namespace sm
 {
 namespace
 {
-/// The number in the place of an object that is not there.
+/// The number that stands for a null pointer.
 constexpr std::uint32_t Nothing = std::numeric_limits<std::uint32_t>::max();
 
-/// Numbers objects in the order in which they are written. One that occurs again has only its number in the message.
+/// Numbers objects in the order in which they are written. For an object that occurs again the message has only its number.
 template <typename Object>
 class SharedWriter
 {
@@ -57,7 +57,8 @@ template <typename Object>
 class SharedReader
 {
 public:
-  /// The object of the next number; `read` reads the content of a new one. Null for none, and after invalid bytes.
+  /// Reads a number and returns its object, whose content `read` reads when the number is new. Returns null for a null pointer and for
+  /// invalid bytes.
   template <typename Function>
   Object* Get(ByteReader& from, const Function& read)
   {

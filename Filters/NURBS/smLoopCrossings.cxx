@@ -43,7 +43,7 @@ struct Chord
   double GetHigh(int d) const { return std::max(this->From[d], this->To[d]); }
 };
 
-/// The loops in coordinates in which they fill the unit square.
+/// The loops as chords, in coordinates in which their bounding box is the unit square.
 class FlatLoops
 {
 public:
@@ -61,7 +61,7 @@ private:
   Point2 Low{ std::numeric_limits<double>::max(), std::numeric_limits<double>::max() };
   Point2 Size{};
   std::vector<Chord> Chords;
-  /// Distance from a chord up to which a point proves nothing.
+  /// Within this distance of a chord, in u and in v, the winding number of a point proves no overlap.
   Point2 Slack{};
   bool HasTolerances = false;
 };

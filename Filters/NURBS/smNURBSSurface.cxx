@@ -13,7 +13,7 @@ namespace
 {
 using Homogeneous = std::array<double, 4>;
 
-// Patches are extracted in wider numbers than they are stored in: they meet to the rounding of their own points.
+// Patches are extracted in extended precision and stored in double, so that neighbours differ by the rounding of their stored points only.
 using Wide = long double;
 
 /// Index k with knots[k] <= (a+b)/2 < knots[k+1]: the span that [a,b] lies in, clamped to the domain.
@@ -24,7 +24,7 @@ int FindSpan(const std::vector<double>& knots, int degree, double middle)
   return std::clamp(static_cast<int>(after - knots.begin()) - 1, degree, last);
 }
 
-/// Points of several lines of control points.
+/// Several rows or columns of control points, each a curve of its own.
 struct Lines
 {
   int Count;
@@ -135,8 +135,8 @@ void ExtractCell(const NURBSSurface& surface, int ku, int kv, const double (&u)[
   Blossom(surface.Knots[1], q, kv, v[0], v[1], partial, cell, { p + 1, p + 1, 1 });
 }
 
-/// Point and derivatives of a cell at local parameters. P, Q: its degrees where these are known to the compiler, else 0; every sum runs in the
-/// same order.
+/// Point and derivatives of a cell at local parameters. P, Q: its degrees where these are known to the compiler, else 0; every sum runs in
+/// the same order.
 template <int P, int Q>
 void EvaluateCell(const Homogeneous* cell, const std::array<int, 2>& degrees, double s, double r,
   Homogeneous& h, Homogeneous& hs, Homogeneous& hr)

@@ -11,10 +11,10 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
-// Parts of a curve of which the control points are taken for its extent.
+// A curve is divided into so many parts, whose control points bound its extent.
 constexpr int Parts = 16;
 
-/// Distance of a value from an interval.
+/// Distance of x from the interval [low, high]; 0 inside.
 double GetBeyond(double x, double low, double high)
 {
   return std::max({ low - x, x - high, 0.0 });

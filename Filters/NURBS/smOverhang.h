@@ -6,8 +6,8 @@
  * as elsewhere. But the file's surface ends at its domain: the strip between is a gap of the model, up to the given distance wide.
  *
  * With the parameters of the patch in [-a,1+a] x [-b,1+b], a Bernstein polynomial of degrees p, q is at most its largest coefficient times
- * (1+2a)^p (1+2b)^q, and so are its derivatives with theirs. That bounds |P|, |P_s|, |P_r| of the numerator P and |w_s|, |w_r| from above, w
- * from below, and the surface's derivatives by |S_s| <= (|P_s| + |P| |w_s| / w) / w. Where weights differ much that is far too large; but
+ * (1+2a)^p (1+2b)^q, and so are its derivatives with theirs. That bounds |P|, |P_s|, |P_r| of the numerator P and |w_s|, |w_r| from above,
+ * w from below, and the surface's derivatives by |S_s| <= (|P_s| + |P| |w_s| / w) / w. Where weights differ much that is far too large; but
  * within the domain |S_s| is at most the patch's Stretch, and beyond it grows by no more than the second derivatives, which are bounded
  * likewise, times a + b. A point's distance from the domain's border is at most the overhangs in s and r times these.
  */

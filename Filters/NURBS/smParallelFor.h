@@ -18,7 +18,7 @@ namespace sm
  * Calls work(begin, end) for disjoint parts of [0, count) on the threads of vtkSMPTools, and returns when all of them are done. A
  * part has about `grain` indices; 0 leaves the choice to VTK.
  *
- * An exception that leaves a thread of vtkSMPTools ends the process. Here the first one is kept and rethrown in the calling
+ * With vtkSMPTools alone an exception that leaves `work` ends the process. Here the first exception is stored and rethrown in the calling
  * thread; parts that have not begun by then are skipped, so the results of the loop are incomplete.
  */
 template <class F>

@@ -38,7 +38,7 @@ std::uint32_t AppendPatchPart(const FacePanels& from, std::uint32_t index, const
       least = std::min(least, source[i][3]);
       most = std::max(most, source[i][3]);
     }
-    // Every step of de Casteljau's scheme, p + q of them twice, rounds a convex sum, of the weights, too.
+    // De Casteljau's scheme runs twice in either direction, 2 (p + q) steps. Each rounds a convex combination of points and of weights.
     const Point3 reach = GetReach(source, count);
     for (int d = 0; d < 2; ++d)
     {
@@ -62,7 +62,7 @@ std::uint32_t AppendPatchPart(const FacePanels& from, std::uint32_t index, const
         lowest = std::min(lowest, point[c] / point[3]);
         highest = std::max(highest, point[c] / point[3]);
       }
-      // A double; the step to it is exact, or rounded as a length of the patch's.
+      // The centre is rounded to a double; the translation to it is exact, or rounded as a length of the patch.
       patch.Center[c] = whole.Center[c] + 0.5 * (lowest + highest);
       const double step = patch.Center[c] - whole.Center[c];
       for (std::array<double, 4>& point : points)

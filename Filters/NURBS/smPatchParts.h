@@ -14,22 +14,22 @@
 
 namespace sm
 {
-/// Bernstein coefficients, `stride` apart, of a polynomial on [0,1] become those on [low, high], low < high. A little beyond
-/// [0,1] is right, too.
+/// Bernstein coefficients, `stride` apart, of a polynomial on [0,1] become those on [low, high], low < high. The interval may extend a
+/// little beyond [0,1].
 template <std::size_t Dimension>
 void RestrictBernstein(
   std::array<double, Dimension>* coefficients, int degree, int stride, double low, double high)
 {
   const auto split = [&](double x, bool keepLeft)
   {
-    // All of it is kept.
+    // The whole interval is kept.
     if (x == (keepLeft ? 1.0 : 0.0))
     {
       return;
     }
     for (int level = 1; level <= degree; ++level)
     {
-      // In place: what is kept grows from one end.
+      // In place: the finished coefficients fill the array from one end.
       for (int step = 0; step <= degree - level; ++step)
       {
         const int i = keepLeft ? degree - step : step;

@@ -29,8 +29,8 @@ struct LocalPoint
 
 /**
  * Points are sorted by face, those of a face by patch. The points of a face are located when the face is first asked for, and
- * again when its knots change. Patches are those that have points, in order, u fastest; a parameter outside the surface's
- * domain belongs to the nearest.
+ * again when its knots change. Only patches with points are listed, u fastest; a point outside the surface's domain belongs to the nearest
+ * patch.
  */
 class SMFILTERSNURBS_EXPORT PointLayout
 {
@@ -48,7 +48,7 @@ public:
   /// Thread safe for different indices.
   CutFacePointer MakePatches(const FacePointer& face, std::size_t index);
 
-  /// Indices of the points in the mesh, and where they lie; good for faces that patches were made of.
+  /// Indices of the points in the mesh, and their patches and parameters; valid for faces for which MakePatches() was called.
   const std::vector<std::int64_t>& GetIds() const { return this->Ids; }
   const std::vector<LocalPoint>& GetPoints() const { return this->Points; }
   /// Counts how often the points of a face were located.

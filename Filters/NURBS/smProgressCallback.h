@@ -1,6 +1,6 @@
 /**
  * @file smProgressCallback.h
- * @brief How long work reports its progress and learns that it is to stop
+ * @brief Callbacks by which long computations report progress and learn that they should stop
  */
 #ifndef smProgressCallback_h
 #define smProgressCallback_h

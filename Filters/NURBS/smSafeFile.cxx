@@ -18,12 +18,13 @@ namespace sm
 {
 namespace
 {
-/// Links that lead to each other; a ring of them ends there.
+/// Symbolic links are followed so many times at most, so that a cycle of links ends.
 constexpr int LongestChain = 40;
-/// Seconds.
+/// Age in seconds from which a temporary file that is not locked counts as left over by a process that was killed.
 constexpr std::time_t LeastAgeOfLeft = 60;
 
-/// The file that a link leads to, by hand: it may not be there yet.
+/// Returns the path and the targets of its symbolic links, one after another. std::filesystem::canonical() does not serve: the last target
+/// may not exist yet.
 std::vector<fs::path> FollowLinks(const std::string& path)
 {
   std::vector<fs::path> chain = { path };
@@ -35,7 +36,7 @@ std::vector<fs::path> FollowLinks(const std::string& path)
   return chain;
 }
 
-/// Removes a temporary file that nobody writes any more: whoever does has it locked, as soon as it is made.
+/// Removes a temporary file left over by a process that was killed. A process that still writes it holds a lock on it from its creation on.
 void RemoveLeft(const std::string& path)
 {
   const int file = open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
@@ -104,7 +105,7 @@ SafeFile::SafeFile(const std::string& path)
 
 bool SafeFile::Make()
 {
-  // A name that nobody has, also not another process that writes the same file.
+  // Looks for a name that no file has, not even the temporary file of another process that writes the same file.
   for (int attempt = 0; this->Lock < 0 && (attempt == 0 || errno == EEXIST); ++attempt)
   {
     this->Temporary = this->Target + ".saving" + std::to_string(attempt);
@@ -149,7 +150,7 @@ bool SafeFile::Close()
   }
   catch (const std::exception&)
   {
-    // libstdc++ closes the file and throws, when what it still holds cannot be written.
+    // libstdc++ closes the file and throws when its buffer cannot be written.
     return false;
   }
 }
@@ -160,7 +161,7 @@ bool SafeFile::Keep()
   {
     return false;
   }
-  // A stream that failed before keeps the reason of then.
+  // errno keeps the reason of an earlier failure of the stream.
   errno = this->Stream ? 0 : errno;
   this->Stream.flush();
   const bool whole = static_cast<bool>(this->Stream);
@@ -172,7 +173,8 @@ bool SafeFile::Keep()
     return this->Fail("not all of it could be written" + DescribeError(reason) +
       "; make room on the disk or choose another folder");
   }
-  // A name that leads to bytes which are not on the disk yet could be an empty file after a power cut. Some file systems know no such call.
+  // Without this call the file could be empty after a power cut, because its new name may reach the disk before its bytes. Some file
+  // systems do not support the call.
   errno = 0;
   if (fsync(this->Lock) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT))
   {

@@ -1,6 +1,6 @@
 /**
  * @file smSafeFile.h
- * @brief A file that is there whole or not at all
+ * @brief Saves a file completely or not at all
  */
 #ifndef smSafeFile_h
 #define smSafeFile_h
@@ -13,10 +13,10 @@
 namespace sm
 {
 /**
- * Writes to a temporary file in the same folder, which replaces the file when Keep() is called: until then a file that was there
- * before stays. Without Keep() the temporary file is removed. A link is followed, also to a file that is not there yet; the permissions
- * of a file that is replaced are kept. The bytes are on the disk before the file is replaced. A temporary file that a process left which was
- * killed is removed by the next that saves the same file, a minute later. A folder, a device or a pipe is a problem.
+ * Writes to a temporary file in the same folder, which replaces the file when Keep() is called: until then an existing file stays
+ * unchanged. Without Keep() the temporary file is removed. A link is followed, also to a file that is not there yet; the permissions of a
+ * file that is replaced are kept. The bytes are on the disk before the file is replaced. A temporary file of a process that was killed is
+ * removed when the same file is saved again, a minute later or more. A path of a folder, a device or a pipe is refused, see GetProblem().
  */
 class SMFILTERSNURBS_EXPORT SafeFile
 {
@@ -26,12 +26,13 @@ public:
   SafeFile(const SafeFile&) = delete;
   void operator=(const SafeFile&) = delete;
 
-  /// Why the file cannot be written, and what to do about it; empty so far.
+  /// The reason why the file cannot be written, and a remedy; empty as long as nothing failed.
   const std::string& GetProblem() const { return this->Problem; }
-  /// The problem is that the disk, or the user's share of it, is full.
+  /// True if the problem is a full disk or an exceeded quota.
   bool IsDiskFull() const { return this->DiskFull; }
   std::ostream& GetStream() { return this->Stream; }
-  /// False when not everything could be written, and GetProblem() says why.
+  /// Replaces the file by the temporary one. Returns false, with GetProblem(), when not everything could be written; an existing file stays
+  /// then.
   bool Keep();
 
 private:
@@ -54,10 +55,10 @@ private:
  */
 SMFILTERSNURBS_EXPORT std::string SaveFile(const std::string& path, const std::string& bytes);
 
-/// Why SaveFile() would fail: makes the temporary file and removes it. Empty when it would not.
+/// Returns the reason for which SaveFile() would fail, or an empty text; makes a temporary file and removes it.
 SMFILTERSNURBS_EXPORT std::string FindSaveProblem(const std::string& path);
 
-/// True for what SaveFile() writes directly. Such a file takes no second version of a document.
+/// True for paths that SaveFile() writes directly. A document written there cannot be replaced by a later version.
 SMFILTERSNURBS_EXPORT bool IsStream(const std::string& path);
 }
 

@@ -29,7 +29,7 @@ private:
   void AddPart(const Point2* b, int degree, int depth);
   void AddPoint(const Point2& point)
   {
-    // Coedges that meet share a point, and a chord of no length is none.
+    // Coedges that meet share a point, which is added once; so chords of length 0 are left out.
     if (this->Points.empty() || this->Points.back() != point)
     {
       this->Points.push_back(point);

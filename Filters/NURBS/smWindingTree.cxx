@@ -13,10 +13,11 @@ namespace
 {
 /// Largest number of triangles of a leaf.
 constexpr std::size_t LeafSize = 8;
-/// Triangles that are larger than this part of a cluster are clusters of their own, where both are at least a 16th of the triangles.
+/// A cluster is first parted into triangles that are larger than this fraction of its extent and the others, if either part has at least a
+/// 16th of the triangles.
 constexpr double LargeShare = 0.5;
 constexpr std::ptrdiff_t LeastShare = 16;
-/// Parts of 15/16 reach leaves of any mesh that fits into memory.
+/// Each child has at most 15/16 of the triangles of its parent, so this depth reaches the leaves of any mesh that fits into memory.
 constexpr int MaximumStack = 512;
 
 Vector3 GetAreaVector(const std::array<Vector3, 3>& t)

@@ -12,19 +12,19 @@
  * | FaceIndex     | cell, point | 1 (int)    | index of the face in the model                      |
  * | Parameters    | point       | 2          | (u,v) of the point on that face's surface           |
  * | MeshDeviation | field       | 1          | no triangle of face i is farther from its surface, across it (see below) |
- * | MeshAngle     | field       | 1          | radians: within no triangle of face i does the surface's normal turn more, from one of its corners on |
+ * | MeshAngle     | field       | 1          | bound in radians of the turn of the surface's normal in a triangle of face i |
  *
- * MeshDeviation bounds the distance from the surface whether trimmed or not, and where the surface is nearly flat beside a triangle, its distance
- * across the surface as continued beyond the part under the triangle: sideways a triangle may reach beyond that part, as chords do beyond
- * the edges of a face. MeshAngle bounds what the normals at the corners do not show; pi says that there is no bound, as at a pole. See
- * Documentation/Numerics.md.
+ * MeshDeviation bounds the distance from the surface whether trimmed or not, and where the surface is nearly flat beside a triangle, its
+ * distance across the surface as continued beyond the part under the triangle: sideways a triangle may reach beyond that part, as chords do
+ * beyond the edges of a face. MeshAngle bounds what the normals at the corners do not show; pi says that there is no bound, as at a pole.
+ * See Documentation/Numerics.md.
  *
  * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it. GetModel() returns null if
  * the points were replaced or their coordinates changed after SetModel(), because the model no longer describes them: such a mesh is an
  * ordinary polydata from then on. Points with a new MTime and the same coordinates are still those of the model.
  *
  * An instance may have no points and no triangles: a reader makes them only where something downstream shows or uses them (vtkCADReader::
- * SetDisplayMesh). All exact results are the same without. Its bounds are those of the model's scale mesh then.
+ * SetDisplayMesh). Exact results do not depend on the mesh. The bounds of an instance without points are those of the model's scale mesh.
  */
 #ifndef vtkNURBSDataSet_h
 #define vtkNURBSDataSet_h

@@ -64,8 +64,10 @@ public:
   bool UpdatePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBSModel* edited);
 
   ///@{
-  /** The last UpdatePoints(): points evaluated; "opengl", "cpu", or "none" when it failed or nothing had to be evaluated; why it
-   * failed, or why the CPU evaluated where OpenGL would have been preferred, else empty. */
+  /**
+   * Results of the last UpdatePoints(): the number of points evaluated; the device, "opengl", "cpu", or "none" when it failed or nothing
+   * had to be evaluated; the reason why it failed, or why the CPU evaluated where OpenGL would have been preferred, else an empty text.
+   */
   vtkGetMacro(NumberOfEvaluations, vtkTypeInt64);
   std::string GetBackendName() const { return this->BackendName; }
   std::string GetMessage() const { return this->Message; }
@@ -86,7 +88,8 @@ protected:
     std::size_t NumberOfPoints = 0;
   };
 
-  /// Evaluates `work` into one entry per point, face by face, in the layout's order. False, with `reason`, when OpenGL cannot.
+  /// Evaluates `work` into one entry per point, face by face, in the layout's order. Returns false, with `reason`, when OpenGL cannot do
+  /// so.
   virtual bool EvaluateByOpenGL(
     const Work& work, std::vector<sm::PointAndNormal>& results, std::string& reason);
 #endif

@@ -73,7 +73,7 @@ public:
   vtkGetMacro(FileArea, double);
 
   /** Accuracy of coordinates that the file states for the body (UNCERTAINTY_MEASURE_WITH_UNIT), in LengthUnit; 0 when it states
-   * none. It excuses gaps; see vtkSurfaceIntegralBase::SetGapLimit(). */
+   * none. Gaps up to this width do not make a result suspect; see vtkSurfaceIntegralBase::SetGapLimit(). */
   vtkSetMacro(FileUncertainty, double);
   vtkGetMacro(FileUncertainty, double);
 
@@ -103,7 +103,8 @@ public:
   vtkGetVector6Macro(LocalBounds, double);
 
   /** Fixed scales that tolerances are relative to: about the volume and the area of the body, from a coarse
-   * mesh that does not depend on the one that is shown. They set the accuracy asked of each face, not the result. 0: not known, use LocalBounds. */
+   * mesh that does not depend on the one that is shown. They set the accuracy asked of each face, not the result. 0: not known, use
+   * LocalBounds. */
   vtkSetMacro(VolumeScale, double);
   vtkGetMacro(VolumeScale, double);
   vtkSetMacro(AreaScale, double);
@@ -111,8 +112,9 @@ public:
 
   ///@{
   /**
-   * The mesh that the scales were taken from, in part coordinates, with the arrays of vtkNURBSDataSet; all instances share it. Filters judge
-   * by it whether shells enclose each other or cross themselves, so that their results do not depend on what is shown. Null, the default:
+   * The mesh that the scales were taken from, in part coordinates, with the arrays of vtkNURBSDataSet; all instances share it. Filters
+   * judge by it whether shells enclose each other or cross themselves, so that their results do not depend on what is shown. Null, the
+   * default:
    * there is none, and the display mesh takes its place. Setting, exchanging or adding faces drops it. Set the faces first.
    */
   void SetScaleMesh(vtkPolyData* mesh);

@@ -26,14 +26,14 @@ bool IsClamped(const NURBSSurface& surface, int direction)
   return knots[1] == knots[degree] && knots[last - 1] == knots[last - degree];
 }
 
-/// Coordinate `d` of every coefficient lies at `value`.
+/// Returns true if coordinate `d` of every coefficient is `value` within the tolerance.
 bool LiesAt(const TrimCurve& trim, int d, double value, double tolerance)
 {
   return std::all_of(trim.Coefficients.begin(), trim.Coefficients.end(),
     [=](const TrimCurve::Point& point) { return std::abs(point[d] - value) <= tolerance; });
 }
 
-/// Fraction of the row done at parameter t of the edge.
+/// Returns the parameter in the row, from 0 to 1, that corresponds to parameter t of the edge.
 Wide GetRowParameter(const NURBSSurface& surface, const BoundaryRow& row, const TrimCurve& trim, double t)
 {
   const Wide start = surface.GetDomainStart(row.Direction);
@@ -42,7 +42,7 @@ Wide GetRowParameter(const NURBSSurface& surface, const BoundaryRow& row, const 
   return std::clamp(row.Falling ? 1 - x : x, Wide(0), Wide(1));
 }
 
-/// Where x(t), which does not fall, reaches `knot`.
+/// Returns the t at which x(t), which does not decrease, reaches `knot`.
 template <typename Function>
 double FindParameter(const Function& x, double start, double end, double knot)
 {
@@ -55,17 +55,17 @@ double FindParameter(const Function& x, double start, double end, double knot)
     }
     (x(middle) < knot ? start : end) = middle;
   }
-  // The nearer of the two neighbours: a parameter that is a double itself is found exactly.
+  // The closer one of two adjacent doubles, so that a parameter that is a double itself is found exactly.
   return std::abs(x(start) - knot) < std::abs(x(end) - knot) ? start : end;
 }
 
-/// Bernstein coefficients of degree n that interpolate `values` at the local parameters `nodes`.
+/// Replaces `values` at the local parameters `nodes` by the Bernstein coefficients of degree n that interpolate them.
 void SolveBernstein(int n, const std::vector<Wide>& nodes, std::vector<WidePoint>& values)
 {
   std::vector<std::vector<Wide>> matrix(n + 1, std::vector<Wide>(n + 1));
   for (int i = 0; i <= n; ++i)
   {
-    // Row i: the Bernstein polynomials at node i, degree by degree.
+    // Row i has the Bernstein polynomials at node i, computed degree by degree.
     std::vector<Wide>& b = matrix[i];
     b[0] = 1;
     for (int degree = 1; degree <= n; ++degree)
@@ -123,7 +123,7 @@ WidePoint EvaluateBernstein(std::vector<WidePoint> points, Wide x)
   return points[0];
 }
 
-/// The displaced curve piece by piece.
+/// Computes the displaced curve of an edge, piece by piece.
 class Displacer
 {
 public:
@@ -241,7 +241,7 @@ private:
         residual[c] = std::max(residual[c], static_cast<double>(std::abs(fitted[c] - exact[c])));
       }
     }
-    // The remainder is rounding of the samples: trim curves are evaluated in double.
+    // Halving stops at a residual of FitTolerance: the rest is rounding of the samples, because trim curves are evaluated in double.
     if (*std::max_element(residual.begin(), residual.end()) > FitTolerance * this->Scale && halvings > 1)
     {
       const double middle = 0.5 * (start + end);
@@ -258,7 +258,7 @@ private:
     this->Result.AppendPiece(end, points.data(), degree);
     for (int c = 0; c < 3; ++c)
     {
-      // Sampled between the nodes, where it is largest: doubled to be on the safe side.
+      // The residual was sampled between the nodes, where it is largest. It is doubled because samples may miss its maximum.
       this->Result.RaiseResidual(c, this->Origin.Source->Curve.Residual[c] + 2.0 * residual[c]);
     }
   }
@@ -305,7 +305,7 @@ bool FindBoundaryRow(const NURBSSurface& surface, const TrimCurve& trim, Boundar
     const double end = surface.GetDomainEnd(d);
     const bool falling = trim.GetStartPoint()[d] > trim.GetEndPoint()[d];
     const double slack = SideTolerance * (end - start);
-    // Coefficients that do not turn back make a curve that does not.
+    // If the coefficients are monotone, so is the curve.
     for (std::size_t i = 1; i < trim.Coefficients.size(); ++i)
     {
       const double step = trim.Coefficients[i][d] - trim.Coefficients[i - 1][d];

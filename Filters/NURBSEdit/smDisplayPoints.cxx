@@ -56,7 +56,7 @@ void MapPoints(vtkNURBSDataSet* leaf, const double origin[3], const PointMap& ma
   leaf->SetPoints(points);
 }
 
-/// Gives `edited` the scale mesh of `before`, its points on the faces of `edited`.
+/// Gives `edited` the scale mesh of `before`, with its points moved to the faces of `edited`.
 bool MoveScaleMesh(
   vtkTrimmedNURBSModel* before, vtkTrimmedNURBSModel* edited, vtkNURBSPointEvaluator* evaluator)
 {
@@ -78,7 +78,7 @@ bool SetEditedModel(vtkNURBSDataSet* leaf, vtkTrimmedNURBSModel* edited, const P
   vtkNURBSPointEvaluator* evaluator, std::string& error)
 {
   vtkDataArray* parameters = leaf->GetPointData()->GetArray(vtkNURBSDataSet::ParametersArrayName());
-  // Checks of shells go by the scale mesh, whatever is shown.
+  // The scale mesh is moved even if no mesh is shown, because the checks of shells use it.
   const vtkSmartPointer<vtkTrimmedNURBSModel> before = leaf->GetModel();
   const bool hasScaleMesh =
     before && before->GetScaleMesh() && before->GetScaleMesh()->GetNumberOfPoints() > 0;

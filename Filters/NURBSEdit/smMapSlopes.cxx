@@ -10,7 +10,7 @@ namespace sm
 {
 namespace
 {
-// Deviation of a difference quotient from 1 or 0 that is its rounding.
+// A difference quotient that deviates from 1 or 0 by no more than this is set to 1 or 0: the deviation is rounding.
 constexpr double SlopeNoise = 1e-9;
 }
 
@@ -52,7 +52,7 @@ std::array<double, 3> MapSlopes::Apply(const std::array<double, 3>& bounds) cons
   {
     for (int k = 0; k < 3; ++k)
     {
-      // An exact component stays exact, whatever the derivative.
+      // An exact component (bound 0) contributes 0 even if the derivative is infinite.
       result[c] += bounds[k] > 0.0 ? this->Entries[c][k] * bounds[k] : 0.0;
     }
   }

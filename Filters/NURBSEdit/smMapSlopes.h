@@ -11,15 +11,15 @@
 
 namespace sm
 {
-/// Derivatives of a map, by differences over a length `step`: the largest of their sizes at the points, entry by entry, and the largest
-/// factor by which it lengthens a vector. A map that only translates has exactly 1 and 0.
+/// Derivatives of a map, by differences over a length `step`: the largest absolute value of every entry of the Jacobian over the points,
+/// and the largest factor by which the map lengthens a vector. A map that only translates has exactly 1 and 0.
 struct MapSlopes
 {
   std::array<std::array<double, 3>, 3> Entries{};
   double Lengthening = 0.0;
 
   void Add(const PointMap& map, const std::array<double, 3>& point, double step);
-  /// Bound of what becomes of a vector whose components have these bounds.
+  /// Returns bounds of the components of the mapped vector, from bounds of the components of a vector.
   std::array<double, 3> Apply(const std::array<double, 3>& bounds) const;
 };
 }

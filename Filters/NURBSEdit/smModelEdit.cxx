@@ -19,7 +19,7 @@ ModelEdit Fail(EditStatus status, const std::string& message)
   return edit;
 }
 
-/// Ok, or why the face of the model cannot be edited.
+/// Returns Ok, or the reason why the face of the model cannot be edited.
 ModelEdit CheckFace(vtkTrimmedNURBSModel* model, int face)
 {
   if (!model)
@@ -48,7 +48,7 @@ ModelEdit CheckIndex(const NURBSSurface& surface, ControlPointIndex index)
   return {};
 }
 
-/// Ok, or why control points of the face, which exists, cannot be moved.
+/// Returns Ok, or the reason why control points of an existing face cannot be moved.
 ModelEdit CheckSurface(vtkTrimmedNURBSModel* model, int face)
 {
   const std::string wrong = model->GetFaces()[face]->Surface.Check();
@@ -93,7 +93,7 @@ ModelEdit CheckPoint(const std::array<double, 4>& point)
   return {};
 }
 
-/// Ok, or why the face cannot stand in the model.
+/// Returns Ok, or the reason why the face cannot become a face of the model.
 ModelEdit CheckReplacement(vtkTrimmedNURBSModel* model, int index, const FacePointer& face)
 {
   if (!face || face->Id == 0)
@@ -337,7 +337,7 @@ ModelEdit MapControlPoints(
       const std::array<double, 4>& point = points[i];
       const std::array<double, 3> from{ point[0] / point[3], point[1] / point[3], point[2] / point[3] };
       const std::array<double, 3> to = map(from);
-      // A point that the map leaves alone keeps its bits.
+      // A point that the map does not move keeps its bits.
       const std::array<double, 4> mapped = to == from
         ? point
         : std::array<double, 4>{ to[0] * point[3], to[1] * point[3], to[2] * point[3], point[3] };

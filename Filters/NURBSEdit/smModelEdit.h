@@ -8,9 +8,8 @@
  *
  * Setting a control point back gives the bits from before, of faces, edges and vertices (ids are new): an edge that moved along
  * with its faces remembers where it was before the first move, and is a function of that and of the row of control points as it
- * is now. Where the rows of two faces agree to rounding but not bit for bit, the neighbour's comes back to rounding only, and
- * so does a vertex at the end of a row that other edges had moved without it;
- * ModelEdit::Replaced holds the faces from before in any case.
+ * is now. Where the rows of two faces agree to rounding but not bit for bit, the neighbour's row is restored to rounding only, and so is a
+ * vertex at the end of a row that was moved by other edges; ModelEdit::Replaced holds the previous faces in any case.
  *
  * Thread safe as long as nobody changes the model.
  */
@@ -48,7 +47,7 @@ SMFILTERSNURBSEDIT_EXPORT const char* GetName(EditStatus status);
 /// The faces that an edit of control points moves.
 enum class EditRule
 {
-  /// The face alone, its edges stay: where a boundary row moved, the solid opens.
+  /// Only the face is changed, its edges are not: where a boundary row moved, the solid opens.
   OneFace,
   /// Where a control point lies on a boundary row that coincides with those of all faces at the edge (the same control points
   /// and knots, in either direction, to 1e-9 of the body's size), these move alike, with the edge's curve and vertices.
@@ -61,11 +60,12 @@ struct ControlPointIndex
   int V = 0;
 };
 
-/// A face's boundary that an edit moved away from its edge, or an edge that lost a face.
+/// A boundary of a face that an edit moved away from its edge, or an edge that lost a face.
 struct OpenedEdge
 {
   std::shared_ptr<const Edge> Source;
-  /// Indices of the face in the new model, and of the coedge in it. Face is -1 for an edge whose uses do not cancel any more.
+  /// Index of the face in the new model, and indices of loop and coedge in it. Face is -1 for an edge whose signed uses do not cancel any
+  /// more.
   int Face = -1;
   int Loop = 0;
   int Coedge = 0;
@@ -78,7 +78,7 @@ struct OpenedEdge
 struct ModelEdit
 {
   EditStatus Status = EditStatus::Ok;
-  /// The mistake and its remedy; empty when Status is Ok.
+  /// The reason of the failure and a remedy; empty when Status is Ok.
   std::string Message;
   /// The edited model; null when Status is not Ok.
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;
@@ -89,11 +89,13 @@ struct ModelEdit
   std::vector<OpenedEdge> Opened;
 };
 
-/// Homogeneous (w x, w y, w z, w), exactly as stored. False when the face or the control point does not exist.
+/// Returns a homogeneous control point (w x, w y, w z, w), exactly as stored. Returns false if the face or the control point does not
+/// exist.
 SMFILTERSNURBSEDIT_EXPORT bool GetControlPoint(
   vtkTrimmedNURBSModel* model, int face, ControlPointIndex index, std::array<double, 4>& point);
 
-/// Sets homogeneous control points (w x, w y, w z, w): finite, with a weight above 0. Of one that is named twice the last counts.
+/// Sets homogeneous control points (w x, w y, w z, w): finite, with a weight above 0. If a control point occurs twice, the last value
+/// counts.
 SMFILTERSNURBSEDIT_EXPORT ModelEdit SetControlPoints(vtkTrimmedNURBSModel* model, int face,
   const std::vector<std::pair<ControlPointIndex, std::array<double, 4>>>& points, EditRule rule);
 
@@ -106,9 +108,9 @@ SMFILTERSNURBSEDIT_EXPORT ModelEdit SetWeights(vtkTrimmedNURBSModel* model, int 
   const std::vector<ControlPointIndex>& indices, double weight, EditRule rule);
 
 /**
- * Exchanges a whole face. It keeps its id, which must not be 0, nor that of another face of the model. With
- * MoveSharedBoundary, and the degrees and knots of the face before, its neighbours' boundary rows and its edges follow; it
- * then gets a new id.
+ * Exchanges a whole face. The replacement keeps its id, which must be neither 0 nor that of another face of the model. With
+ * MoveSharedBoundary, and if it has the degrees and knots of the previous face, boundary rows of neighbours and edges follow; the
+ * replacement then gets a new id.
  */
 SMFILTERSNURBSEDIT_EXPORT ModelEdit ReplaceFace(
   vtkTrimmedNURBSModel* model, int face, FacePointer replacement, EditRule rule = EditRule::OneFace);
@@ -121,10 +123,10 @@ SMFILTERSNURBSEDIT_EXPORT ModelEdit ReplaceFaces(
 using PointMap = std::function<std::array<double, 3>(const std::array<double, 3>&)>;
 
 /**
- * Maps the control points of the faces (all when `faces` is empty), weights stay. An edge whose faces are all among them follows:
- * its vertices are mapped, and its curve goes with the boundary rows where they coincide, exactly; elsewhere the coefficients of
- * its curve are mapped, and since mapping control points is not mapping points a gap arises, in the order of the map's
- * second derivatives times the squared distance of the control points, which ribbons close. It is in Opened. The other
+ * Maps the control points of the faces (all when `faces` is empty), weights stay. An edge whose faces are all among them follows. Its
+ * vertices are mapped. Where the boundary rows of its faces coincide, its curve follows them exactly; elsewhere the coefficients of its
+ * curve are mapped. Mapping control points differs from mapping points by the order of the map's second derivatives times the squared
+ * distance of the control points, which is the width of the gap that arises there. Ribbons close this gap, and Opened lists it. The other
  * faces at an edge follow as `rule` says.
  */
 SMFILTERSNURBSEDIT_EXPORT ModelEdit MapControlPoints(

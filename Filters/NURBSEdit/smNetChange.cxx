@@ -9,12 +9,12 @@ namespace sm
 {
 namespace
 {
-// Relative to the size of the body: rows nearer than this are one.
+// Rows whose points are closer than this, relative to the size of the body, coincide.
 constexpr double RowTolerance = 1e-9;
-// The same for the steps of difference quotients.
+// Step of difference quotients, relative to the size of the body.
 constexpr double SlopeStep = 1e-4;
 
-/// The point moved as a control point was.
+/// Returns a point, displaced as a control point was from `from` to `to`.
 std::array<double, 3> Move(
   const std::array<double, 3>& point, const std::array<double, 4>& from, const std::array<double, 4>& to)
 {
@@ -64,7 +64,7 @@ NetChange::NetChange(vtkTrimmedNURBSModel* model, EditRule rule)
 
 void NetChange::SetTemplate(int face, const FacePointer& face_)
 {
-  // The net stays the old one, for the rows to be compared with the neighbours'.
+  // The control net remains the old one, because its rows are compared with those of the neighbours.
   auto copy = std::make_shared<Face>(*face_);
   copy->Surface.ControlPoints = this->Faces[face]->Surface.ControlPoints;
   this->Faces[face] = copy;
@@ -211,7 +211,7 @@ void NetChange::JoinEnds()
   std::iota(this->SameVertex.begin(), this->SameVertex.end(), std::size_t{ 0 });
   for (std::size_t f = 0; f < this->Faces.size(); ++f)
   {
-    // The edges of a face come in the order of its coedges.
+    // The edges of a face are in the order of its coedges.
     std::size_t first = 0;
     for (const Loop& loop : this->Faces[f]->Loops)
     {
@@ -332,7 +332,8 @@ void NetChange::CarryEdge(std::size_t index)
     { return end % 2 == 0 ? row.Points.front() : row.Points.back(); };
     if (get(now) != get(before))
     {
-      // From where it was before the first edit, for the same bits; where others moved it since, from where it is.
+      // The vertex is displaced from its position before the first edit, so that an undo restores its bits; if other edges moved it since,
+      // from its present position.
       const Point& vertex = GetVertex(*edge.Source, end);
       const Point& source = GetVertex(*origin->Source, end);
       const bool followed = Move(source, get(origin->Row), get(before)) == vertex;
@@ -360,7 +361,7 @@ void NetChange::MapEdge(std::size_t index)
   }
   const Point ends[2] = { this->Map(edge.Source->StartVertex), this->Map(edge.Source->EndVertex) };
   const bool moves = curve.Coefficients != edge.Source->Curve.Coefficients;
-  // Coincident rows that are not touched stay where they are, whatever the map does between their control points.
+  // An edge with coincident rows whose control points do not move is not changed, even if the map moves points between them.
   if ((!moves && ends[0] == edge.Source->StartVertex && ends[1] == edge.Source->EndVertex) ||
     this->FindRows(edge))
   {

@@ -19,7 +19,7 @@
 
 namespace sm
 {
-/// The diagonal of the model's LocalBounds, or of its control points where there are none.
+/// Returns the diagonal of the model's LocalBounds, or of the box of its control points if LocalBounds are not set.
 double GetBodySize(vtkTrimmedNURBSModel* model);
 
 /// Collects new control points of faces, and then moves the neighbours' boundary rows, the edges and the vertices that belong to
@@ -29,13 +29,13 @@ class NetChange
 public:
   NetChange(vtkTrimmedNURBSModel* model, EditRule rule);
 
-  /// Sets all of a face but its control points, before these are set.
+  /// Sets everything of a face except its control points; must be called before these are set.
   void SetTemplate(int face, const FacePointer& face_);
   /// Length of difference quotients, see MapSlopes.
   double GetStep() const { return this->Step; }
-  /// Lets Residual and Rounding of a face grow with its control points. Where the map shrinks they stay: edges follow their rows.
+  /// Scales Residual and Rounding of a face by the derivatives of the map. They are never reduced, because edges follow their rows.
   void RaiseErrors(int face, const MapSlopes& slopes);
-  /// Faces whose common edges follow regardless of the rule; the map moves edges without rows.
+  /// Sets the faces whose common edges follow regardless of the rule, and the map that moves edges without rows.
   void SetMap(const std::vector<bool>& faces, const PointMap& map);
   void SetPoint(int face, std::size_t entry, const std::array<double, 4>& point);
 
@@ -60,10 +60,10 @@ private:
   {
     std::shared_ptr<const Edge> Source;
     std::vector<Use> Uses;
-    /// Rows were looked for: all uses are rows, and the rows coincide.
+    /// Result of FindRows(): all uses are along rows, and the rows coincide.
     bool HasRows = false;
     bool Coincident = false;
-    /// The map moves it.
+    /// True if the map moves the edge.
     bool Mapped = false;
   };
 
@@ -74,13 +74,13 @@ private:
   }
   const std::vector<Homogeneous>& GetNet(int face) const;
   void CollectEdges();
-  /// Looks for the rows of an edge's uses, once: an edit costs what it touches.
+  /// Searches the rows of an edge's uses, when they are first needed, so that the cost of an edit depends on the edges that it changes.
   bool FindRows(EdgeUses& edge);
-  /// Some control points of a face at the edge were set.
+  /// Returns true if control points of a face at the edge were set.
   bool IsTouched(const EdgeUses& edge) const;
   void Propagate();
   void Follow(const EdgeUses& edge, const Use& use, std::size_t entry);
-  /// A row that follows another is off by what both are.
+  /// Adds the errors of face `from` to those of face `to`, whose row follows that of `from`.
   void FollowErrors(int from, int to);
   static std::shared_ptr<const EdgeOrigin> GetOrigin(const EdgeUses& edge, const RowCurve& row);
   void JoinEnds();
@@ -103,15 +103,16 @@ private:
   double Tolerance = 0.0;
   double Step = 0.0;
   std::vector<EdgeUses> Edges;
-  /// For each face: index of the edge and of the use in it.
+  /// For each coedge of each face: index of the edge, and of the use in it.
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> EdgesOfFace;
   std::map<const Edge*, std::shared_ptr<const Edge>> NewEdges;
-  /// The map's results for edges are numbers.
+  /// True if all results of the map for edges are finite.
   bool Finite = true;
-  /// Ends of edges, 2 index + (0: start, 1: end), lead to another end of the same vertex, or to themselves. Ends that follow one
-  /// another in a loop are one vertex where they are the same numbers; elsewhere numbers may meet and part again.
+  /// Union-find over ends of edges, numbered 2 index + (0: start, 1: end): entry i is another end at the same vertex, or i itself. Two ends
+  /// are the same vertex if they follow one another in a loop and have bitwise equal coordinates. Equal coordinates elsewhere may be a
+  /// coincidence of one edit.
   std::vector<std::size_t> SameVertex;
-  /// Where a vertex is now, by its first end.
+  /// Present position of each vertex, by its representative end.
   std::map<std::size_t, Point> Vertices;
 };
 }

@@ -12,13 +12,15 @@ namespace sm
 {
 namespace
 {
-// Parameters of a coedge where gaps are measured, at least; spread over the pieces of its curves, one in each at least.
+// Least number of parameters of a coedge at which gaps are measured. They are distributed over the pieces of its curves, at least one in
+// each.
 constexpr std::size_t Samples = 32;
-// Relative to the size of the body: rounding of what is compared, many times over.
+// Increase of a gap, relative to the size of the body, above which an edge counts as opened; many times the rounding of the points that are
+// compared.
 constexpr double OpeningTolerance = 1e-12;
 constexpr int FootSteps = 3;
 
-/// Distance of a point from a curve near parameter t, by Newton's method for the foot point; never more than at t itself.
+/// Returns the distance of a point from a curve near parameter t, by Newton's method for the foot point; at most the distance at t itself.
 double GetDistance(const EdgeCurve& curve, double t, const double point[3])
 {
   double least = std::numeric_limits<double>::max();
@@ -60,7 +62,8 @@ double MeasureGap(const Face& face, const Coedge& coedge)
   NURBSSurface::Walker surface(face.Surface);
   for (std::size_t i = 0; i < breaks.size(); ++i)
   {
-    // A break, then the piece from there to the next: at the breaks alone a fitted curve looks better than it is.
+    // Samples at a break, and inside the piece from there to the next: a fitted curve interpolates at the breaks, so that its error is
+    // larger between them.
     const double width = i + 1 < breaks.size() ? breaks[i + 1] - breaks[i] : 0.0;
     for (std::size_t k = 0; k <= (width > 0.0 ? each : 0); ++k)
     {
@@ -75,7 +78,7 @@ double MeasureGap(const Face& face, const Coedge& coedge)
   return gap;
 }
 
-/// Where control points of a surface differ from those of another of the same layout.
+/// The region of the parameter domain in which two surfaces with the same degrees and knots may differ.
 class Difference
 {
 public:
@@ -105,14 +108,14 @@ public:
       this->End[d] = after.GetDomainEnd(d);
       this->Low[d] = after.Knots[d][first[d]];
       this->High[d] = after.Knots[d][last[d] + after.Degree[d] + 1];
-      // Functions that do not vanish at an end of the domain.
+      // Basis functions that do not vanish at an end of the domain: the region includes that end.
       this->Low[d] -= first[d] == 0 ? this->End[d] - this->Start[d] : 0.0;
       this->High[d] += last[d] + 1 == after.NumberOfControlPoints[d] ? this->End[d] - this->Start[d] : 0.0;
     }
   }
 
-  /// A curve that lies where no control point that differs has a say, by its control polygon. One that leaves the domain, where
-  /// the polynomials of the last spans go on, is not spared.
+  /// Returns true if the control polygon of a curve lies outside the region, so that both surfaces agree along it. A curve that leaves the
+  /// domain, where the polynomials of the last spans are continued, gives false.
   bool Spares(const TrimCurve& trim) const
   {
     if (!this->SameLayout || !this->Some || trim.Coefficients.empty())
@@ -138,7 +141,7 @@ private:
   bool Some = false;
   double Start[2] = { 0.0, 0.0 };
   double End[2] = { 0.0, 0.0 };
-  /// The open box of parameters where the surfaces may differ.
+  /// The open box of parameters in which the surfaces may differ.
   double Low[2] = { 0.0, 0.0 };
   double High[2] = { 0.0, 0.0 };
 };
@@ -151,7 +154,7 @@ bool IsSame(const TrimCurve& a, const TrimCurve& b)
 std::vector<OpenedEdge> CompareFace(const Face& before, const Face& after, int index, double tolerance)
 {
   std::vector<OpenedEdge> opened;
-  // Only where all of them are valid.
+  // Gaps can be measured on valid surfaces only.
   if (!before.Surface.Check().empty() || !after.Surface.Check().empty())
   {
     return opened;
@@ -175,7 +178,7 @@ std::vector<OpenedEdge> CompareFace(const Face& before, const Face& after, int i
       {
         continue;
       }
-      // A loop that became another has no past: all of its gap is new.
+      // A loop with another number of coedges has no predecessor: its whole gap is new.
       const double past = old.size() == coedges.size() ? MeasureGap(before, old[c]) : 0.0;
       if (!(gap <= past + tolerance))
       {
@@ -186,7 +189,7 @@ std::vector<OpenedEdge> CompareFace(const Face& before, const Face& after, int i
   return opened;
 }
 
-/// The uses of the face's edges add up to what they did.
+/// Returns true if two faces use the same edges with the same signed sums.
 bool UsesSameEdges(const Face& a, const Face& b)
 {
   bool same = a.Reversed == b.Reversed && a.Loops.size() == b.Loops.size();
@@ -199,7 +202,7 @@ bool UsesSameEdges(const Face& a, const Face& b)
   return same;
 }
 
-/// Signed sum of the uses of every edge that is no point.
+/// Returns the signed sum of the uses of every edge that is not degenerate.
 std::unordered_map<const Edge*, int> CountUses(
   vtkTrimmedNURBSModel* model, std::vector<std::shared_ptr<const Edge>>& edges)
 {
@@ -225,7 +228,7 @@ std::unordered_map<const Edge*, int> CountUses(
   return uses;
 }
 
-/// Edges that both models have and whose uses cancelled.
+/// Appends the edges whose signed uses cancelled before the edit and do not any more.
 void FindLostUses(vtkTrimmedNURBSModel* before, vtkTrimmedNURBSModel* after, std::vector<OpenedEdge>& opened)
 {
   std::vector<std::shared_ptr<const Edge>> oldEdges;
@@ -276,7 +279,7 @@ std::vector<OpenedEdge> FindOpenedEdges(vtkTrimmedNURBSModel* before, vtkTrimmed
   {
     FindLostUses(before, after, opened);
   }
-  // The widest first, what is no number among them; in the order of the edges' ids, where these are equal, for the map has none.
+  // Sorted by width, NaN first; edges of equal width by their ids, because the order of the map is not determined.
   const auto width = [](const OpenedEdge& edge)
   { return std::isnan(edge.Gap) ? std::numeric_limits<double>::infinity() : edge.Gap; };
   std::sort(opened.begin(), opened.end(),

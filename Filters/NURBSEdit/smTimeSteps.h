@@ -1,6 +1,6 @@
 /**
  * @file smTimeSteps.h
- * @brief Time steps of an edit: how much of it is applied at which time
+ * @brief Time steps of an edit, which is applied in proportion to the time
  */
 #ifndef smTimeSteps_h
 #define smTimeSteps_h
@@ -13,8 +13,8 @@ namespace sm
 void DeclareTimeSteps(int steps, vtkInformation* outputInformation);
 
 /**
- * Returns the share of the edit, from 0 to 1, at the time that is asked for, and marks the data with that time. 1 with fewer than 2 steps, and
- * where no time is asked for.
+ * Returns the fraction of the edit, from 0 to 1, at the requested time, and sets DATA_TIME_STEP of the output. Returns 1 with fewer than 2
+ * steps, or if no time is requested.
  */
 double TakeTimeShare(int steps, vtkInformation* outputInformation);
 }

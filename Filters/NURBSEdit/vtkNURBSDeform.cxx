@@ -37,13 +37,13 @@ constexpr double TornShare = 1e-3;
 struct vtkNURBSDeform::Run
 {
   vtkNURBSDeform* Self;
-  /// The share of the displacements at the time of this run.
+  /// Factor of the displacements at the time of this run.
   double Share;
-  /// Results of LATTICE by model: one that several leaves share is deformed once.
+  /// Results of LATTICE by model, so that a model that several leaves share is deformed once.
   std::map<vtkTrimmedNURBSModel*, sm::ModelEdit> Known;
   int Solids = 0;
   int Deformed = 0;
-  /// Faces of the largest solid that was chosen.
+  /// Largest number of faces of a chosen solid.
   int MostFaces = 0;
   /// Uses of edges with a gap above TornShare.
   int TornEdges = 0;
@@ -54,7 +54,7 @@ struct vtkNURBSDeform::Run
   sm::ModelEdit Edit(vtkTrimmedNURBSModel* model, const sm::PointMap& map) const;
   bool Change(vtkNURBSDataSet* source, vtkNURBSDataSet* copy);
   void Count(const sm::ModelEdit& edit);
-  /// Returns true if something ought to move.
+  /// Returns true if a displacement is not 0.
   bool HasDisplacement() const
   {
     const double* displacement = this->Self->Displacement;
@@ -87,7 +87,7 @@ sm::PointMap vtkNURBSDeform::Run::MakeDisplacement(vtkNURBSDataSet* leaf) const
     {
       return p;
     }
-    // NaN in a parameter gives NaN everywhere.
+    // A NaN in a parameter gives NaN for every point.
     const double q = radius == 0.0 ? 1.0 : 1.0 - (distance / radius) * (distance / radius);
     const double factor = q * q * q;
     return std::array<double, 3>{ p[0] + factor * displacement[0], p[1] + factor * displacement[1],
@@ -208,7 +208,7 @@ bool vtkNURBSDeform::Run::Change(vtkNURBSDataSet* source, vtkNURBSDataSet* copy)
     this->Error = edit.Message + "; displacements, centre and radius must be finite";
     return false;
   }
-  // A leaf that nothing moved keeps its model, and instances keep sharing theirs.
+  // A leaf without a moved point keeps its model, and instances keep sharing theirs.
   return edit.Replaced.empty() ||
     sm::SetEditedModel(copy, edit.Model, map, this->Self->GetPointEvaluator(), this->Error);
 }

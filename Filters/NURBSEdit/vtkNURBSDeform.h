@@ -24,9 +24,9 @@
  *
  * Display points that have FaceIndex and Parameters are evaluated again on the new faces, with their normals, by a
  * vtkNURBSPointEvaluator: on the GPU where the module RenderingNURBS is loaded and there is OpenGL 4.3 with doubles, else on the CPU
- * by vtkSMPTools. Points without are mapped like control points, which is near the faces and not on them.
- * LocalBounds and scales of a model stay, and so do the tolerances that faces are integrated to.
- * Asked for one of several pieces (ranks of a parallel run), pieces without solids pass, and an error leaves an empty output.
+ * by vtkSMPTools. Points without these arrays are mapped like control points, which places them near the faces but not on them. LocalBounds
+ * and scales of a model do not change, nor do the tolerances to which faces are integrated. In a parallel run a piece without solids is no
+ * error, and an error leaves an empty output.
  *
  * Not thread safe.
  */
@@ -91,7 +91,7 @@ public:
   ///@}
 
   ///@{
-  /** The solid to deform, counted from 0 over the leaves with exact geometry; -1: all. One that is not there is an error.
+  /** The solid to deform, counted from 0 over the leaves with exact geometry; -1: all. A solid that does not exist is an error.
    * Clamped to >= -1. Default: -1. */
   vtkSetClampMacro(Solid, int, -1, VTK_INT_MAX);
   vtkGetMacro(Solid, int);
@@ -117,7 +117,7 @@ public:
   /** With LATTICE: displacement of point i, j, k, counted from 0, in the model's length unit. Default: none, all are 0. */
   void SetLatticeDisplacement(int i, int j, int k, double x, double y, double z);
   void ClearLatticeDisplacements();
-  /** The same for callers that have nothing but doubles; i, j and k are rounded. */
+  /** The same for callers that pass all arguments as doubles, such as server manager properties; i, j and k are rounded. */
   void AddLatticeDisplacement(double i, double j, double k, double x, double y, double z);
   ///@}
 
@@ -128,17 +128,19 @@ public:
   vtkNURBSPointEvaluator* GetPointEvaluator();
   ///@}
 
-  /** Follows the evaluator: another backend runs the filter. */
+  /** Includes the modification time of the evaluator, so that a change of its backend executes the filter. */
   vtkMTimeType GetMTime() override;
 
   ///@{
-  /** The last run: edges of faces that parted from their curve, by more than 1e-12 of the solid's size, and the widest such
-   * gap, a length. 0 where every solid is as closed as before. */
+  /**
+   * Results of the last run: the number of edges from which a face moved away, by more than 1e-12 of the solid's size, and the widest such
+   * gap, a length. 0 where every solid is as closed as before.
+   */
   vtkGetMacro(NumberOfOpenedEdges, int);
   vtkGetMacro(LargestGap, double);
   ///@}
   ///@{
-  /** The last run: faces that are new, those of a shared model counted once. */
+  /** Returns the number of new faces of the last run; those of a shared model count once. */
   vtkGetMacro(NumberOfChangedFaces, int);
   ///@}
 
@@ -153,7 +155,7 @@ public:
   ///@}
 
   ///@{
-  /** Also asks for the input's display mesh, as a view connected here does. */
+  /** Updates the filter, and also requests the input's display mesh, as a connected view does. */
   using vtkPassInputTypeAlgorithm::Update;
   void Update(int port) override;
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;

@@ -43,7 +43,7 @@ public:
   vtkGetVector3Macro(Rotation, double);
   ///@}
 
-  /** The coordinate that a reflection changes the sign of. */
+  /** The coordinate whose sign a reflection changes. */
   enum MirrorType
   {
     NONE = 0,
@@ -80,7 +80,7 @@ public:
   vtkMTimeType GetMTime() override;
 
   ///@{
-  /** Also asks for the input's display mesh, as a view connected here does. */
+  /** Updates the filter, and also requests the input's display mesh, as a connected view does. */
   using vtkPassInputTypeAlgorithm::Update;
   void Update(int port) override;
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;

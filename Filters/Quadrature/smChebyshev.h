@@ -1,6 +1,6 @@
 /**
  * @file smChebyshev.h
- * @brief Chebyshev series on [-1,1]: nodes, transforms, and what bounds a series on an ellipse
+ * @brief Chebyshev series on [-1,1]: nodes, transforms, and majorants of a series on an ellipse
  */
 #ifndef smChebyshev_h
 #define smChebyshev_h
@@ -51,12 +51,12 @@ private:
   std::tuple<std::vector<double>, std::vector<long double>> FromBernstein;
 };
 
-/// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form: degree + 1 coefficients of
-/// `size` numbers each, and so the series. 0 <= start < end <= 1.
+/// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form. Both have degree + 1 coefficients of
+/// `size` numbers each. 0 <= start < end <= 1.
 template <class Real>
 void ExpandBernstein(const Real* coefficients, int size, int degree, Real start, Real end, Real* series)
 {
-  // De Casteljau's scheme leaves the part up to `end`, then that from `start`.
+  // De Casteljau's scheme restricts the polynomial to [0, end], then to [start, end].
   static thread_local std::vector<Real> part;
   const int count = size * (degree + 1);
   part.assign(coefficients, coefficients + count);

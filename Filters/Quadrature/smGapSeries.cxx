@@ -14,16 +14,16 @@ namespace sm
 namespace
 {
 constexpr double GapRadii[] = { 1.6, 2.5, 4.2, 9.0, 30.0 };
-// Nodes that cost less than to ask whether fewer would do, the least that are taken then, and the most.
+// Numbers of sampling nodes: up to which a search for fewer nodes costs more than it saves; the least of a search; the most.
 constexpr int AffordableNodes = 16;
 constexpr int FewNodes = 10;
 constexpr int MostNodes = 128;
-// The part of a plane's patch that is bilinear is known in double: rounding, relative to the steps of its corners.
+// Largest bilinear term of a parallelogram's patch, relative to the differences of its corners: rounding, which is computed in double.
 constexpr double LargestCorner = 1e-6;
-// Degrees from which on raising one saves time.
+// Least degree from which raising the lower of two degrees saves time.
 constexpr int LeastRaised = 4;
-// Gaps wider than this, relative to the patch, are kept in extended precision throughout: where they are narrower the rounding of doubles is
-// that of a small number.
+// Gaps wider than this, relative to the patch, are transformed in extended precision. For narrower ones double suffices, because its
+// rounding is relative to the small gap.
 constexpr double WideGap = 1e-6;
 
 template <class Real>
@@ -40,8 +40,8 @@ double GetCurveRoundings(int degree, int raised, double start, double end)
   return 3.0 * raised + (start == 0.0 && end == 1.0 ? 0.0 : 6.0) * degree + 6.0 + 4.0 * (raised - degree);
 }
 
-/// The same of the n coefficients of ExpandBernstein(): its scheme rounds 6 times a degree; rows, the absolute values of which add up to
-/// 2 at most, are within 8 n roundings; products and sums round n + 1 times.
+/// Roundings of the n coefficients of ExpandBernstein(), likewise: its scheme rounds 6 times a degree; the entries of the transform, whose
+/// absolute values add up to at most 2 in a row, are within 8 n roundings; products and sums round n + 1 times.
 double GetSeriesRoundings(int n)
 {
   return 30.0 * n * n;
@@ -52,7 +52,7 @@ bool ShareInterval(const Ribbon& ribbon)
   return ribbon.Start == ribbon.EdgeStart && ribbon.End == ribbon.EdgeEnd;
 }
 
-/// Returns whether a basis for both curves of a ribbon costs less than one for each.
+/// Returns true if one basis for both curves of a ribbon costs less than one for each.
 bool MayRaiseDegree(const Ribbon& ribbon)
 {
   return ShareInterval(ribbon) &&
@@ -201,7 +201,7 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
     std::copy_n(series[k], 3, this->Gap[k].begin());
   }
   this->Gap[0][3] = w;
-  // T_k T_l = (T_(k+l) + T_|k-l|) / 2.
+  // The product of two series: T_k T_l = (T_(k+l) + T_|k-l|) / 2.
   const std::vector<double>& s = this->Trim.GetSeries(0);
   const std::vector<double>& r = this->Trim.GetSeries(1);
   for (int k = 0; corner > 0.0 && k <= trim; ++k)
@@ -221,7 +221,7 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   this->Tail = 0.0;
   this->WeightNoise = {};
   // Roundings of every coordinate: 20 of the terms and their sum, 4 in each of three terms to raise the degree by one. The series of the
-  // gap and of the trim are doubles: the one is small, the other matters to d alone.
+  // gap and of the trim are doubles: the gap is small, and the trim enters only through d.
   const int raised = std::abs(ribbon.TrimDegree - ribbon.EdgeDegree);
   this->Noise = std::sqrt(3.0) *
     (WideRoundoff * (20.0 + 12.0 * raised) * size +
@@ -258,7 +258,7 @@ int GapSeries::ChooseNodes(const Ribbon& ribbon)
   {
     return exact;
   }
-  // Interpolation in n nodes misses at most 4 M rho^(1-n) / (rho - 1) of a function below M in the ellipse.
+  // Interpolation in n nodes errs by at most 4 M rho^(1-n) / (rho - 1) for a function with modulus below M in the ellipse.
   PatchTraits traits;
   traits.Polynomial = false;
   const ParameterBox box = this->Trim.GetBox(1.0, 1.0);
@@ -354,16 +354,15 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
   {
     this->TransformSamples<double>(samples, largest, weight);
   }
-  // The series interpolates samples that are off by rounding; between the nodes, by that times Lebesgue's constant.
+  // The series interpolates rounded samples; between the nodes their rounding is multiplied by at most Lebesgue's constant.
   this->Noise += this->GetSampleNoise(ribbon, weight) * (1.0 + std::log(static_cast<double>(nodes)));
 }
 
 double GapSeries::GetSampleNoise(const Ribbon& ribbon, double weight) const
 {
   // P is a sum of the control points times 2p + 2 and 2q + 2 roundings of the polynomials, and p + q + 2 of sums and products; their
-  // absolute values add up to the radius times the weight. Where the trim point is off by d in s, U is by w |Ss| d, but for a rounding of
-  // the gap. C's coefficients and those of the trim piece count over the whole piece, which may be longer than the ribbon, and leave the
-  // patch.
+  // absolute values add up to the radius times the weight. An error d of the trim point in s changes U by w |Ss| d, up to a rounding of the
+  // gap. C's coefficients and those of the trim piece count over the whole piece, which may be longer than the ribbon, and leave the patch.
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
   const std::array<double, 4>* points = this->GetPoints(ribbon);
   const int p = patch.Degree[0];
@@ -382,7 +381,7 @@ double GapSeries::GetSampleNoise(const Ribbon& ribbon, double weight) const
   }
   for (int i = 0; growth > 1.0 && i < (p + 1) * (q + 1); ++i)
   {
-    // Beyond the patch polynomials have both signs.
+    // Beyond the patch the Bernstein polynomials have both signs.
     weight = std::max(weight, growth * points[i][3]);
   }
   double edge = 0.0;

@@ -62,16 +62,18 @@ public:
   /// Returns false when the weight may vanish.
   bool Evaluate(const Ellipse& t, Majorants& majorants) const;
 
-  /// By how much C, C', G and G' may differ from their series at real t; infinite if there is no bound. `real`: those of t in [0,1].
+  /// Bounds of the differences of C, C', G and G' from their series at real t; infinite if there is no bound. `real`: the majorants for t
+  /// in [0,1].
   struct Remainder
   {
     double Curve, CurveSlope, Gap, GapSlope;
   };
   Remainder GetRemainder(const Majorants& real) const;
-  /// The series leave more of U than rounding does.
+  /// True if the truncation error of the series of U is larger than its rounding error.
   bool IsRough() const { return this->Rough; }
 
-  /// No less than |Ss|, |Sr|; |Ss x Sr|; |ds/dt|, |dr/dt| along the part: bounds, but for a trim curve that leaves its patch.
+  /// Upper bounds along the part: of |Ss| and |Sr|; of |Ss x Sr|; of |ds/dt| and |dr/dt|. They are estimates where the trim curve leaves
+  /// its patch.
   const std::array<double, 2>& GetStretch() const { return this->Stretch; }
   double GetNormalLength() const { return this->NormalLength; }
   const std::array<double, 2>& GetTrimSlope() const { return this->TrimSlope; }
@@ -80,22 +82,22 @@ private:
   const std::array<double, 4>* GetPoints(const Ribbon& ribbon) const;
   template <class Real>
   void ExpandEdge(const Ribbon& ribbon, double start, double end);
-  /// The closed form: on a parallelogram, for curves that share their parameter. Returns false elsewhere.
+  /// Expands in closed form on a parallelogram, for curves that share their parameter. Returns false for any other ribbon.
   bool ExpandOnPlane(const Ribbon& ribbon, double start, double end);
-  /// Nodes that determine U and w, but for a Tail.
+  /// Returns the number of nodes that determine U and w up to the truncation error Tail.
   int ChooseNodes(const Ribbon& ribbon);
   void Sample(const Ribbon& ribbon, double start, double end, int nodes);
-  /// Gap and its noise from samples of U and w, the largest of which are `largest` and `largestWeight`.
+  /// Computes Gap and its noise from samples of U and w, whose largest values are `largest` and `largestWeight`.
   template <class Real>
   void TransformSamples(
     const std::vector<std::array<Wide, 4>>& samples, double largest, double largestWeight);
-  /// Bound of the rounding of the samples of U, the weights of which are at most `weight`; Stretch is known.
+  /// Returns a bound of the rounding of the samples of U; `weight` is their largest weight. Needs Stretch.
   double GetSampleNoise(const Ribbon& ribbon, double weight) const;
   /// Sets TrimSlope, and Stretch and NormalLength from the patch's. Returns false, with these 0, where the trim curve leaves the patch.
   bool BoundTangents(const Patch& patch);
   /// Raises Stretch and NormalLength to twice the values at a sample: a guess of the largest.
   void SampleTangents(const Ribbon& ribbon, const std::array<double, 2>& at);
-  /// The sums of Evaluate().
+  /// Computes Sums, which Evaluate() uses.
   void Summarize();
 
   const FacePanels& Panels;
@@ -103,10 +105,11 @@ private:
   TrimSeries Trim;
   PatchMajorants Crude;
   std::vector<std::array<double, 3>> Curve;
-  /// U and w.
+  /// Series coefficients of U (3 components) and w.
   std::vector<std::array<double, 4>> Gap;
   double CurveDistance = 0.0;
-  /// Bounds, at real t, of the rounding of the series of C, U and w, and of what these lack of a U that has a higher degree.
+  /// Bounds, at real t, of the rounding of the series of C, U and w, and of the truncation error of U where its degree is higher than that
+  /// of the series.
   double CurveNoise = 0.0;
   double Noise = 0.0;
   SeriesNoise WeightNoise;

@@ -1,4 +1,4 @@
-// What follows from the series of a ribbon: by how much its curves may differ from them, tangents of the patch, and majorants on ellipses.
+// Bounds that follow from the series of a ribbon: their differences from the curves, tangents of the patch, and majorants on ellipses.
 #include "smGapSeries.h"
 
 #include "smUnitRoundoff.h"

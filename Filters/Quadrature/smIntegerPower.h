@@ -1,6 +1,6 @@
 /**
  * @file smIntegerPower.h
- * @brief x^n
+ * @brief Powers with whole exponents
  */
 #ifndef smIntegerPower_h
 #define smIntegerPower_h

@@ -72,7 +72,7 @@ Integrand Integrand::SectionMoment(const std::string& name, int i, int j)
   {
     return VectorArea(name, 2);
   }
-  // Of one coordinate times n_z the bounds are those of the height z times n_z.
+  // The bounds of x n_z and y n_z are those of the height z times n_z.
   return { name, "normal.z" + Monomial(i, j, 0), true, power - 1, MakeLiteral(1.0) + SizePower(power),
     Kind::HeightMoment, 1.0, { i, j, 0 }, 1.0, power };
 }
@@ -80,7 +80,7 @@ Integrand Integrand::SectionMoment(const std::string& name, int i, int j)
 Integrand Integrand::User(const std::string& name, const std::string& expression, bool closedChain,
   const UserExpression::Constants& constants)
 {
-  // The magnitude is the integrand itself, see smIntegrationPrograms; none is shared but by the same integrand.
+  // The magnitude is the integrand itself (see smIntegrationPrograms), so only equal integrands share one.
   Integrand result{ name, expression, closedChain, -1,
     expression + (closedChain ? " on the chain" : " on faces") };
   result.Source = std::make_shared<const UserExpression>(expression, constants);

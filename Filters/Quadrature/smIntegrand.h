@@ -37,7 +37,7 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   bool ClosedChain = false;
   /// Total degree of the polynomial g in x.n g(x), n g(x), |n| g(x) or x_i n_z g(x); -1: not such a polynomial.
   int Degree = -1;
-  /// GLSL expression of `size` = |position|: what multiplies a sample's relative rounding, see Bounds.md.
+  /// GLSL expression in `size` = |position|: the factor of a sample's relative rounding error, see Bounds.md.
   std::string Magnitude;
 
   /// The same formulas as structure, to be evaluated in the order of operations of the texts: factors from left to right, x
@@ -48,9 +48,9 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   double MagnitudeFactor = 1.0;
   int MagnitudePower = 0;
 
-  /// A User's: what it is translated to.
+  /// The checked and translated expression; null unless Form is User.
   std::shared_ptr<const UserExpression> Source{};
-  /// The integral grows with this power of the body's size beyond area; tolerances of a User's are relative to that.
+  /// The integral scales as size^(2 + ScalePower); tolerances of a User integrand are relative to area * size^ScalePower.
   int ScalePower = 0;
 
   /// Flux of x g(x) / (3 + i + j + k) with g = x^i y^j z^k: the volume integral of g.
@@ -59,10 +59,11 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   static Integrand AreaMoment(const std::string& name, int i, int j, int k);
   /// A component of the vector area, 0 on a closed surface.
   static Integrand VectorArea(const std::string& name, int component);
-  /// Flux of (0, 0, z) g(x) / (k + 1) with g = x^i y^j z^k: the volume integral of g, too, with nothing to add where z = 0.
+  /// Flux of (0, 0, z) g(x) / (k + 1) with g = x^i y^j z^k: the volume integral of g, too. It vanishes on the plane z = 0, so a section
+  /// there adds nothing.
   static Integrand HeightMoment(const std::string& name, int i, int j, int k);
-  /// Flux of (0, 0, 1) x^i y^j, a field without divergence: of the part of a closed surface below z = 0 it is minus the moment of the
-  /// section at z = 0. At most degree 2.
+  /// Flux of the divergence-free field (0, 0, 1) x^i y^j: through the part of a closed surface below z = 0 it is minus the moment of the
+  /// section at z = 0. i + j is at most 2.
   static Integrand SectionMoment(const std::string& name, int i, int j);
   static Integrand User(const std::string& name, const std::string& expression, bool closedChain,
     const UserExpression::Constants& constants = {});

@@ -10,7 +10,7 @@ namespace
 // Steps wide enough that two orders do not agree by chance, the first of them a doubling: N against N+1 was wrong by
 // up to 1700 times where N against 2N never was (Bounds.md).
 constexpr std::array<int, 6> Ladder = { 3, 6, 9, 14, 20, 30 };
-// A higher exact order costs more than climbing to convergence.
+// Where an exact rule needs more points than this, increasing the order until two agree costs less.
 constexpr int LargestExactOrder = 10;
 }
 

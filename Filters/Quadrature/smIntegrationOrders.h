@@ -13,18 +13,18 @@
 
 namespace sm
 {
-/// Points along t and across (xi of a panel; the shader knows a ribbon's).
+/// Numbers of Gauss points along t and across. Across is the xi of a panel; the shader has the fixed number of a ribbon.
 struct Orders
 {
   int Along = 1;
   int Across = 1;
-  /// Exact for all integrands: nothing to compare with.
+  /// The rule is exact for all integrands, so that no second order is compared.
   bool Exact = false;
-  /// No higher order follows.
+  /// This is the highest order of the ladder.
   bool Last = false;
 };
 
-/// The ladder of orders for a list of integrands.
+/// The increasing orders at which items are evaluated until two orders agree, for a list of integrands.
 class SMFILTERSQUADRATURE_EXPORT OrderLadder
 {
 public:

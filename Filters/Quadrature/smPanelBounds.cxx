@@ -16,13 +16,13 @@ const EllipseRadius PanelRadii[] = { EllipseRadius(1.3), EllipseRadius(1.5), Ell
   EllipseRadius(2.05), EllipseRadius(2.4), EllipseRadius(2.8), EllipseRadius(3.3), EllipseRadius(4.0),
   EllipseRadius(5.0), EllipseRadius(6.5), EllipseRadius(9.0), EllipseRadius(13.0), EllipseRadius(20.0),
   EllipseRadius(40.0), EllipseRadius(100.0) };
-// The box of a patch's series is larger by this, so that it holds trim curves that leave the patch by rounding.
+// The box of a patch's series is larger than the patch by this, so that it contains trim curves that leave the patch by rounding.
 constexpr double Margin = 1e-6;
-// Edges whose control points are this close together, relative to the patch: those that may be taken for a point where the tolerance has
-// room for it, and those that always are.
+// An edge whose control points are this close together, relative to the patch, is taken for a point: below the first value where the
+// tolerance allows the change, below the second one always.
 constexpr double NearlyCollapsed = 1e-9;
 constexpr double CertainlyCollapsed = 1e-15;
-// The part of a panel's tolerance that what was moved may take.
+// The fraction of a panel's tolerance that may be spent on the change by making edges points.
 constexpr double LargestChange = 0.25;
 
 bool IsInside(const ParameterBox& box, const ParameterBox& outer)
@@ -233,7 +233,7 @@ bool PanelBounds::IsPatch() const
 
 Ellipse PanelBounds::Embed(const Ellipse& ellipse, int direction) const
 {
-  // The box is in that of the majorants: distances to the ends of a larger interval are longer by what is between the ends.
+  // The box lies within that of the majorants: distances to the ends of the larger interval are longer by the distances between the ends.
   const double ratio = this->Box.Half[direction] / this->MajorantsBox.Half[direction];
   return Ellipse::FromHalfAxis(1.0 + ratio * (ellipse.GetHalfAxis() - 1.0));
 }
@@ -254,7 +254,7 @@ void PanelBounds::Bound(const Panel& panel, const PanelPart& part)
   {
     this->Supremum.assign(count, std::numeric_limits<double>::infinity());
   }
-  // Half of the tolerance for each direction; nothing where that is more than the integral.
+  // Each direction gets half of the tolerance. An integral that is smaller than its tolerance needs no order of its own (share 0).
   this->Shares.resize(count);
   for (std::size_t i = 0; i < count; ++i)
   {

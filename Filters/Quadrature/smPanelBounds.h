@@ -2,8 +2,8 @@
  * @file smPanelBounds.h
  * @brief Bounds of the integrands on a part of a panel, along its trim curve and across, see Bounds.md
  *
- * A part has two sets of series: those of its patch, which all its panels share and which cost nothing more, and those of its own box, which
- * are sharper.
+ * A part can be bounded by two sets of series: those of its patch, which all panels of the patch share at no further cost, and those of its
+ * own box, which give smaller bounds.
  */
 #ifndef smPanelBounds_h
 #define smPanelBounds_h
@@ -26,8 +26,8 @@ struct PanelPart
   int Depth = 0;
 };
 
-/// The largest change of an integrand where points move by `moved` and normals by `turned`; normals are at most `normal` long, and points no
-/// farther than `reach`.
+/// The largest change of an integrand where points move by `moved` and normals by `turned`; normals are at most `normal` long, and points
+/// no farther than `reach`.
 double GetIntegrandChange(const BoundClass& c, double moved, double turned, double normal, double reach);
 
 class PanelBounds
@@ -40,7 +40,7 @@ public:
   bool ExpandByPatch(const Panel& panel, const PanelPart& part);
   /// Bounds a part by series of its own. `withForm`: |n| may be taken for a polynomial.
   void ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm = true);
-  /// The part is its patch: series of its own would be the same.
+  /// True if the part covers its whole patch, so that series of its own would be those of the patch.
   bool IsPatch() const;
 
   const TrimSeries& GetTrim() const { return this->Trim; }
@@ -48,21 +48,22 @@ public:
   const ParameterBox& GetBox() const { return this->Box; }
   const DirectionBound& GetAlongT() const { return this->AlongT; }
   const DirectionBound& GetAcrossXi() const { return this->AcrossXi; }
-  /// Largest size of each integrand's integral over the part, and |s r'| there.
+  /// Bounds of the modulus of each integrand's integral over the part, and of the Jacobian |s r'| there.
   double GetSupremum(std::size_t integrand) const { return this->Supremum[integrand]; }
   double GetJacobian() const { return this->Jacobian; }
   /// Bound of the error of a rule.
   double GetError(std::size_t integrand, int along, int across) const;
   /// Largest distance from the point that moments are about, over all parts so far.
   double GetReach() const { return this->Reach; }
-  /// By how much the integrands of the part differ from those that are bounded, as poles were made points; without the Jacobian. Empty
-  /// where they do not.
+  /// Bounds of the differences of the integrands from those whose error is bounded, because edges that are nearly points were made points;
+  /// without the Jacobian. Empty where nothing was changed.
   const std::vector<double>& GetChange();
 
 private:
   struct PatchSeries
   {
-    /// Those of the patch, poles made points; by how much at most; and what that changes of the integrands on the patch.
+    /// Control points of the patch with poles made points; bounds of the change of points and derivatives; and bounds of the change of the
+    /// integrands on the patch.
     std::vector<std::array<double, 4>> Points;
     double Moved = 0.0;
     std::vector<double> Change;
@@ -71,7 +72,7 @@ private:
   };
   PatchSeries& GetSeries(const Panel& panel, const PanelPart& part);
   void MakeSeries(const Patch& patch, double size, PatchSeries& series) const;
-  /// The tolerances have room for the change.
+  /// True if the change of the integrands is within the part's share of the tolerances.
   bool Fits(const PatchSeries& series, const PanelPart& part) const;
   /// The changes of the integrands where points move by `moved` and derivatives by `slope`, if the patch has the radius and derivatives of
   /// at most `stretch`; and where the part leaves the patch.

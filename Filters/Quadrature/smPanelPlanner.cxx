@@ -12,16 +12,16 @@ namespace sm
 namespace
 {
 // Halvings of a panel, and parts of it, before the area is compared instead of bounded. An isolated point without a
-// normal needs some 12 halvings in both directions until what is left is below its share, with a few parts of each depth. Along a line
-// without normals they double with every other halving, and no depth is enough: it is told by many parts of a depth at which
-// panels without such a line have none left.
+// normal needs some 12 halvings in both directions until what is left is below its share, with a few parts of each depth. Along a line on
+// which normals vanish the parts double with every other halving, and no depth is enough. Such a line is recognised by many parts at a
+// depth at which other panels have no part left.
 constexpr int LargestDepth = 30;
 constexpr std::size_t MostParts = 128;
 constexpr std::size_t MostAbreast = 16;
 constexpr int DepthOfLines = 6;
-// The same where moments, too, want more points than one part may have: weights that differ a lot.
+// The limit of parts where the moments, too, need more points than one part may have, because weights differ much.
 constexpr std::size_t MostPartsOfMoments = 8192;
-// A higher exact order costs more than the one that a bound asks for.
+// Where an exact rule needs more points than this, the order that a bound gives costs less.
 constexpr int LargestFlatOrder = 10;
 // Rounding of a crossing's parameter, in units of u times its largest coordinate: 2 (degree + 2) for trim pieces up to degree 25.
 constexpr double EndRounding = 54.0;
@@ -29,7 +29,7 @@ constexpr double EndRounding = 54.0;
 constexpr double RowBorder = 1e-15;
 constexpr int LeastCompared = 4;
 constexpr int MostCompared = 15;
-// Points that cost less than series of a part's own, which would ask for fewer.
+// Up to this number of points, evaluating them costs less than series of the part's own, which might need fewer points.
 constexpr int EvaluationsOfSeries = 150;
 
 /// Largest change of the normal of a prismatic panel along its straight lines, relative to the largest normal: 1e-14 at the samples of
@@ -144,7 +144,7 @@ bool PanelPlanner::FindOrders(double share, bool withArea, int& along, int& acro
   {
     return false;
   }
-  // One direction may leave the other more than half.
+  // A direction that errs by less than half of the tolerance leaves the rest to the other one.
   const auto enough = [&](int t, int xi)
   {
     for (std::size_t i = 0; i < count; ++i)
@@ -331,7 +331,7 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
   double noise = this->GetNoise(panel, kink);
   if (!this->IsSmall(2.0 * this->GetNoise(panel, 0.0), share))
   {
-    // That |n| is a polynomial may be true and its deviation not be known well enough.
+    // |n| may be a polynomial whose bound of the deviation is too large for the tolerance: tried again without this form.
     this->Bounds.ExpandByPart(panel, part, false);
     noise = this->GetNoise(panel, kink);
   }
@@ -359,7 +359,7 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
     }
     return;
   }
-  // Points for the moments; along a kink of the length few points on many parts do best.
+  // The orders are those of the moments; where |n| has a kink, few points on many parts are most accurate.
   this->Keep(index, part, std::clamp(along, LeastCompared, MostCompared),
     std::clamp(across, LeastCompared, MostCompared), true, noise);
 }
@@ -376,7 +376,7 @@ void PanelPlanner::Plan(std::uint32_t index)
   }
   this->Pending.assign(1, {});
   this->Parts = 0;
-  // The shallowest first, so that the limit of parts cuts off the deepest.
+  // Parts of small depth come first, so that the limit of parts affects the deepest ones.
   for (std::size_t next = 0; next < this->Pending.size(); ++next)
   {
     const PanelPart part = this->Pending[next];

@@ -28,10 +28,12 @@ private:
   bool PlanExactly(std::uint32_t index);
   /// Adds the error of exact orders for what a flat patch deviates from a parallelogram.
   void AddFlatError(const Patch& patch, double reach);
-  /// Plans a panel by the series of its patch. Returns false if they are not enough, or others may ask for far fewer points.
+  /// Plans a panel by the series of its patch. Returns false if their bounds do not suffice, or if series of the panel's own may need far
+  /// fewer points.
   bool PlanByPatch(std::uint32_t index, const PanelPart& part);
   void PlanPart(std::uint32_t index, const PanelPart& part);
-  /// Bound of the area that the series lack: rounding, the kinks of collapsed edges, and a normal that is not quite constant.
+  /// Bound of the errors of the area that the series do not contain: rounding, the kinks of collapsed edges, and the deviation of a nearly
+  /// constant normal.
   double GetNoise(const Panel& panel, double kink) const;
   bool FindOrders(double share, bool withArea, int& along, int& across) const;
   bool IsSmall(double kink, double share) const;
@@ -47,7 +49,7 @@ private:
   PanelBounds Bounds;
   std::vector<PanelPart> Pending;
   std::size_t Parts = 0;
-  /// Number of the parts of the present depth.
+  /// Number of the parts at the depth that is planned now.
   std::size_t Abreast = 0;
   std::vector<double> Dropped;
 };

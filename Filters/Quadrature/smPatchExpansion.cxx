@@ -1,4 +1,4 @@
-// The series of PatchMajorants: the expansion of a patch on a box of it.
+// Computes the series of PatchMajorants: expands a patch on a box of its parameters.
 #include "smBezierPatch.h"
 #include "smChebyshev.h"
 #include "smPatchMajorants.h"
@@ -19,7 +19,7 @@ constexpr double NoiseSize = 2e-16; // times the number of coefficients in both 
 /// The sum of `count` factors times points of four numbers, which lie `stride` numbers apart.
 inline void SumFours(const double* factors, const double* points, int count, int stride, double* sum)
 {
-  // In registers: the compiler cannot know that `sum` lies apart.
+  // Summed in local variables, which stay in registers: the compiler cannot know that `sum` does not overlap `points`.
   double value[4] = {};
   for (int i = 0; i < count; ++i)
   {
@@ -129,7 +129,7 @@ void PatchMajorants::SampleNumerators(const Vector3& origin)
   lines.resize(12 * rows);
   for (int a = 0; a < countS; ++a)
   {
-    // The three series at this s: a line of rows each.
+    // The three series at this s, as polynomials in r.
     const double* t = ruleS.GetValues(a);
     for (int f = 0; f < 3; ++f)
     {
@@ -174,7 +174,7 @@ void PatchMajorants::Transform(int countS, int countR)
   const ChebyshevRule& ruleS = ChebyshevRule::Get(countS);
   const ChebyshevRule& ruleR = ChebyshevRule::Get(countR);
   this->Scratch.resize(line * countR);
-  // Sums in registers, always in the order of the nodes.
+  // Sums stay in registers; their order is always that of the nodes.
   for (int b = 0; b < countR; ++b)
   {
     const double* from = this->Samples.data() + static_cast<std::size_t>(Components) * countS * b;

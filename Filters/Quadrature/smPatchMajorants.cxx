@@ -130,7 +130,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   s.GetMajorants(std::max(this->P + 1, 3 * this->P - 1), this->MajorantS);
   r.GetMajorants(std::max(this->Q + 1, 3 * this->Q - 1), this->MajorantR);
   const auto sum = [this](const Table& table) { return table.Sum(this->MajorantS, this->MajorantR); };
-  // 1e-9: so close to a pole of the integrand nothing is gained, and rounding cannot turn the sign.
+  // A bound so close to a pole of the integrand is useless, and above 1e-9 rounding cannot change the sign.
   const double weight = this->FirstWeight - (this->Traits.Polynomial ? 0.0 : sum(this->Weight));
   if (!(weight > 1e-9 * this->FirstWeight))
   {
@@ -158,7 +158,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
     }
     else if (s.GetHalfAxis() == 1.0 && r.GetHalfAxis() == 1.0)
     {
-      // For real parameters it needs not to be analytic.
+      // For real parameters the length need not be analytic.
       length = normal;
     }
   }

@@ -65,12 +65,12 @@ public:
   /// The same of a whole patch; also finds the traits of its normals. `traits` has those of FindPatchTraits().
   void ExpandPatch(const std::array<double, 4>* points, int p, int q, PatchTraits& traits,
     const ParameterBox& box, const std::array<double, 3>& origin);
-  /// Only what EvaluatePosition() needs.
+  /// Computes only the series that EvaluatePosition() needs.
   void ExpandWithoutNormal(
     const std::array<double, 4>* points, int p, int q, const PatchTraits& traits, const ParameterBox& box);
 
   /// Bounds of the integrands of each class, without the Jacobian of the panel, for s and r (scaled to [-1,1] on the
-  /// box) in the two ellipses. False when the weight may vanish there; an area's bound is infinite where |m| may.
+  /// box) in the two ellipses. Returns false when the weight may vanish there; the bound of an area is infinite where |m| may vanish.
   bool Evaluate(const Ellipse& s, const Ellipse& r, const std::vector<BoundClass>& classes,
     std::vector<double>& bounds) const;
   /// Largest distance from the point that moments are about.
@@ -78,15 +78,15 @@ public:
   /// A lower bound of w on the box, which may be negative.
   double GetLowestWeight() const;
 
-  /// Upper bound of the part of |n| that is not in the series of a polynomial length; real parameters.
+  /// Upper bound, for real parameters, of the difference between |n| and its series where |n| is taken for a polynomial.
   double GetLengthDeviation() const;
 
   /// |n| has no zero on the box, but at collapsed edges.
   bool HasLength() const;
   /// Bounds, for real parameters, of the terms that the series omit as rounding; without the Jacobian.
   void GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const;
-  /// Where the box sticks out beyond a collapsed edge, |n| has a kink there that the factor has not: twice how far it does,
-  /// relative to the factor's largest value, in s (0) or r (1).
+  /// Where the box extends beyond a collapsed edge, |n| has a kink at the edge, but its factor (s, for example) has none. Returns twice the
+  /// length by which the box extends, relative to the factor's largest value, in s (0) or r (1).
   double GetKink(int direction) const;
 
   /// Upper bounds in the ellipses of |w x| relative to the patch's centre, and of w.
@@ -120,7 +120,7 @@ private:
   bool MeasureLengthDeviation(double allowed, double largest, double& square) const;
   /// |m~| is a polynomial on the box.
   bool IsPolynomialLength() const;
-  /// Expand() up to the samples of the numerators.
+  /// The first part of Expand(): samples the numerators.
   void ExpandSamples(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
     const ParameterBox& box, const std::array<double, 3>& origin);
   void ExpandNet(const double* net, int countS, int countR, std::vector<double>& series);
@@ -131,7 +131,7 @@ private:
   void Transform(int countS, int countR);
   void MakeTables(int countS, int countR);
   void DropNoise(std::size_t count, double noise);
-  /// The product of the collapsed edges' factors at a point, and its largest modulus in the ellipses.
+  /// The product of the factors of collapsed edges (s, 1-s, r, 1-r): at a point; its largest modulus in the ellipses.
   double GetFactor(double s, double r) const;
   double GetFactorMajorant(const Ellipse& s, const Ellipse& r) const;
 
@@ -142,7 +142,7 @@ private:
   /// |w_00|, and |m~_00| or |h_00|.
   double FirstWeight = 1.0;
   double FirstLength = 0.0;
-  /// A lower bound of it on the box, where it is positive.
+  /// A lower bound of |m~| or |h| on the box, where that is positive.
   double LeastLength = 0.0;
   /// h, or m~ . e with its direction e at the middle, is positive on the box; and |m~| is.
   bool Positive = false;

@@ -12,8 +12,8 @@ namespace sm
 {
 namespace
 {
-// A row of control points this close together, relative to the patch, is one point; a length this close to a
-// polynomial is one. Both leave what rounding leaves.
+// A row of control points this close together, relative to the patch, is taken for one point, and a length this close to a polynomial for a
+// polynomial. Both differences are of the size of rounding.
 constexpr double CollapsedSize = 1e-15;
 constexpr double LengthTolerance = 3e-15; // times the degrees, whose rounding adds up
 
@@ -61,7 +61,8 @@ bool IsCollapsed(const std::array<double, 4>* points, int p, int q, int edge, do
   return true;
 }
 
-/// The interpolation of |m~| may be |m~|: it is at one point between the nodes, to what `getAllowed` returns for the point.
+/// Returns false if |m~| is not a polynomial: its interpolation differs from it at a point between the nodes by more than `getAllowed`
+/// returns for this point.
 template <class GetAllowed>
 bool MayBePolynomialLength(const double* samples, int countS, int countR, const GetAllowed& getAllowed)
 {
@@ -97,7 +98,7 @@ bool MayBePolynomialLength(const double* samples, int countS, int countR, const 
       }
     }
   }
-  // Rounding of this interpolation has room, too.
+  // The factor 4 leaves room for the rounding of this interpolation.
   return std::abs(Norm(sum + 1) - sum[4]) <= 4.0 * getAllowed(at[0], at[1]);
 }
 }
@@ -243,7 +244,7 @@ double PatchMajorants::MeasureAcross(const double* longest, double& bound) const
       across = std::max(across, length / cube);
       bound = std::max(bound, length);
     });
-  // One for each of the three components.
+  // The root of 3 is for the three components of a vector.
   bound *= std::sqrt(3.0) * GetLebesgueConstant(3 * this->P - 1) * GetLebesgueConstant(3 * this->Q - 1);
   return across;
 }
@@ -294,7 +295,7 @@ bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, doub
       const double cube = w * w * w;
       const double length = Norm(value + 1);
       const double difference = std::abs(length - value[4]) / cube;
-      // Where the length is small a difference of squares says little of a difference.
+      // Where the length is small, the difference of squares is no good measure of the difference of lengths.
       if (!(difference <= allowed && length > 1e-3 * largest * cube))
       {
         return false;

@@ -21,13 +21,13 @@ struct PatchTraits
   std::array<bool, 4> Collapsed{};
   /// |m| over those factors is itself a polynomial, as on every elementary surface (an arc's speed is rational).
   bool PolynomialLength = false;
-  /// m keeps its direction, as in a plane: |m| is one as long as m does not vanish.
+  /// m has a constant direction, as in a plane: |m| is a polynomial as long as m does not vanish.
   bool ConstantDirection = false;
   /// Bound of the deviation, due to rounding, of m~.m~ from the square of that form on the patch.
   double SquareDeviation = 0.0;
 };
 
-/// Polynomial and Collapsed; PatchMajorants::ExpandPatch() finds the others. Points are those of the patch: (p+1) x (q+1), s fastest,
+/// Finds Polynomial and Collapsed; PatchMajorants::ExpandPatch() finds the others. Points are those of the patch: (p+1) x (q+1), s fastest,
 /// homogeneous relative to its centre.
 SMFILTERSQUADRATURE_EXPORT PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q);
 

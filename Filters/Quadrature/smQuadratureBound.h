@@ -7,9 +7,9 @@
  *     (32/15) M rho^(-2N) / (1 - rho^-2).
  *
  * The Chebyshev coefficients of f are at most 2 M rho^-k, the rule is exact up to degree 2N - 1, odd terms vanish by
- * symmetry, and each even term costs at most 32/15 on [-1,1] (Filters/Quadrature/Bounds.md; Trefethen, Approximation Theory and
- * Approximation Practice, theorem 19.3 is the like). For a product rule the errors of the two directions add up: the
- * weights of a Gauss rule are positive and have the sum 1.
+ * symmetry, and each even term costs at most 32/15 on [-1,1] (Filters/Quadrature/Bounds.md; compare Trefethen, Approximation Theory and
+ * Approximation Practice, theorem 19.3). For a product rule the errors of the two directions add up: the weights of a Gauss rule are
+ * positive and have the sum 1.
  */
 #ifndef smQuadratureBound_h
 #define smQuadratureBound_h
@@ -26,7 +26,7 @@ class EllipseRadius
 public:
   explicit EllipseRadius(double radius);
   double GetValue() const { return this->Value; }
-  /// rho^(-2N), or no less.
+  /// rho^(-2N), or an upper bound of it for large N.
   double GetPower(int points) const { return this->Powers[std::min(points, MostPoints)]; }
 
 private:
@@ -35,7 +35,8 @@ private:
   double Powers[MostPoints + 1];
 };
 
-/// Whether the bounds on an ellipse ask for no more points than those of ellipses before it; None: there may be no bounds on it.
+/// The result of adding an ellipse: its bounds need no more points than those of the ellipses before it, or more points, or it has no
+/// finite bounds (None).
 enum class EllipseGain
 {
   None,
@@ -61,12 +62,12 @@ void SearchEllipses(const EllipseRadius (&radii)[Count], const Add& add)
 class DirectionBound
 {
 public:
-  /// Removes all ellipses. `shares` holds the error that the direction may have for every integrand; not positive or infinite: any.
-  /// Orders are at most `largest`.
+  /// Removes all ellipses. `shares` holds the error allowed in this direction for every integrand; a value that is not positive, or
+  /// infinite, allows any error. Orders are at most `largest`.
   void Reset(const std::vector<double>& shares, int largest);
-  /// Adds an ellipse of this radius (> 1), which stays where it is. `bounds` holds the bound of |f| on it for every integrand; infinite where f may not
-  /// be analytic. Returns false if the ellipse asks for more points of every integrand than one before it, so that larger ones
-  /// will not ask for fewer: orders fall with the radius until the bounds rise faster.
+  /// Adds an ellipse of this radius (> 1), which stays where it is. `bounds` holds the bound of |f| on it for every integrand; infinite
+  /// where f may not be analytic. Returns false if the ellipse asks for more points of every integrand than one before it, so that larger
+  /// ones will not ask for fewer: orders fall with the radius until the bounds rise faster.
   bool AddEllipse(const EllipseRadius& radius, const std::vector<double>& bounds);
   /// Returns whether the last ellipse has a smaller error of `points` points for some integrand than all before it.
   bool IsLastBest(int points) const;
@@ -75,7 +76,7 @@ public:
 
   /// Bound of the error of `order` points.
   double GetError(std::size_t integrand, int order) const;
-  /// Fewest points whose bound is at most the share; more than `largest` when none of so many is.
+  /// The smallest number of points whose bound is at most the share; `largest` + 1 or more if `largest` points do not suffice.
   int GetOrder(std::size_t integrand) const
   {
     return std::min(this->Orders[integrand], this->ExactOrders[integrand]);

@@ -12,14 +12,14 @@ namespace sm
 {
 namespace
 {
-// Panels, or ribbons, of a portion: as few as keep threads busy, but not more portions than this of either.
+// The fewest panels, or ribbons, of a portion, and the most portions of either: enough to keep threads busy.
 constexpr std::size_t LeastOfPortion = 4;
 constexpr std::size_t MostPortions = 32;
 
-// More than a bound loses by rounding of its own terms.
+// This factor makes up for the rounding of the terms that a bound is computed from.
 constexpr double BoundGrowth = 1.0 + 1e-12;
 
-/// Consecutive ones of `count`.
+/// Divides `count` items into portions of consecutive items.
 struct Portions
 {
   std::size_t Size;
@@ -62,7 +62,7 @@ void AddFitError(const Face& face, const FacePanels& panels, const std::vector<B
         plan.Estimated = true;
         break;
       default:
-        // The boundary of the chain stays where it is.
+        // The residual of a fitted surface does not move the boundary of the chain, so its vector area has no such error.
         break;
     }
   }
@@ -100,7 +100,7 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
   {
     const double* moved = patch.Displacement;
     const double d = std::hypot(moved[0], moved[1], moved[2]);
-    // Either alone is enough, and 0 times an infinite area is no number.
+    // Each of the two is a bound by itself. fmin() passes over a NaN, which 0 times an infinite area is.
     const double swept = std::fmin(
       d * area, moved[0] * patch.Normal[0] + moved[1] * patch.Normal[1] + moved[2] * patch.Normal[2]);
     const double rotated = GetTurnedLength(patch);
@@ -166,7 +166,7 @@ void AddCap(const FacePanels& panels, const PlanRequest& request, std::uint32_t 
   }
 }
 
-/// With the area in it, and tolerances of one item: equal shares; ribbons have no area.
+/// The request for one item: with a class for the area, and equal shares of the tolerances; ribbons have no area.
 PlanRequest MakeShares(const FacePanels& panels, const PlanRequest& request)
 {
   PlanRequest all = request;
@@ -193,8 +193,9 @@ FacePlan MakePlan(std::size_t classes)
   return plan;
 }
 
-/// The rest of the areas' tolerances that the bounds leave, at least the share of one panel, is for the items that are compared, in equal shares, since
-/// a line on which normals vanish needs the same of all its parts. Half of it: each of the four parts of an item gets half of its share.
+/// The rest of the areas' tolerances that the bounds leave, at least the share of one panel, is for the items that are compared, in equal
+/// shares, since a line on which normals vanish needs the same of all its parts. Half of it: each of the four parts of an item gets half of
+/// its share.
 void ShareOut(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
 {
   const auto compared = std::count_if(

@@ -1,6 +1,6 @@
 /**
  * @file smQuadraturePlan.h
- * @brief The Gauss orders of a face's panels and ribbons, chosen by theorem before a point is evaluated
+ * @brief The Gauss orders of a face's panels and ribbons, chosen by a proved bound before a point is evaluated
  *
  * See Bounds.md. Every panel and ribbon gets the fewest points whose bound is within its share of the face's tolerances; where
  * more than LargestOrder would be needed it is bisected. The bounds of all items add up to the face's, so nothing has to
@@ -21,7 +21,7 @@
 
 namespace sm
 {
-/// More points than this cost more than bisecting.
+/// Largest number of Gauss points in one direction; where more would be needed, bisecting costs less.
 constexpr int LargestOrder = 20;
 
 enum class ItemKind
@@ -43,16 +43,17 @@ struct PlannedItem
   /// Gauss points along t, and across.
   int Along = 1;
   int Across = 1;
-  /// Fraction of the tolerances of the face, where it is compared.
+  /// The fraction of the face's tolerances that this item may use, if it is compared.
   double Share = 1.0;
-  /// To be evaluated again with twice the points, and compared: the area has no bound.
+  /// True if the item is evaluated again with twice the points and the results are compared, because its area has no bound.
   bool Compared = false;
 };
 
 struct FacePlan
 {
   std::vector<PlannedItem> Items;
-  /// Per class: bound of the quadrature error of all items; where items are compared the area's is not in it.
+  /// One number for each class of integrands (BoundClass): bound of the quadrature error of all items; where items are compared the area's
+  /// is not in it.
   std::vector<double> QuadratureBound;
   /// Per class: bound of the error from residuals of trim curves, edge curves and surface, and rounding of control points.
   std::vector<double> ConversionBound;
@@ -64,7 +65,7 @@ struct FacePlan
   ReadingError Reading;
   /// Points of all items, caps aside.
   std::int64_t Evaluations = 0;
-  /// Some area is compared, or the surface is a fit whose normals are not bounded.
+  /// True if the area of an item is compared, or if the surface is a fit whose normals have no bound: the bounds of areas are estimates.
   bool Estimated = false;
 };
 
@@ -91,8 +92,8 @@ SMFILTERSQUADRATURE_EXPORT FacePlan PlanFace(
   const Face& face, const FacePanels& panels, const PlanRequest& request);
 
 ///@{
-/// The same in parts, for threads: portions in any order, then joined. Where portions begin depends on the panels alone, and so
-/// do the bits of the plan. Thread safe.
+/// PlanFace() in portions, for threads: they are planned in any order, then joined. The division into portions depends on the panels alone,
+/// so the plan has the same bits with any number of threads. Thread safe.
 struct PlanPortion
 {
   FacePlan Plan;

@@ -41,7 +41,7 @@ ReadingError ReadingError::Make(const Face& face, const FacePanels& panels, doub
   {
     return error;
   }
-  // Where the surface is continued beyond its patches.
+  // The part of the face beyond its patches, where the surface is continued.
   error.Swept = error.Moved * panels.Outside.Area;
   double turned = 0.0;
   for (const Patch& patch : panels.Patches)
@@ -51,7 +51,7 @@ ReadingError ReadingError::Make(const Face& face, const FacePanels& panels, doub
     const double spread = GetSpread(patch);
     turned += GetTurnedLength(patch) + error.Moved * spread * spread * patch.Degree[0] * patch.Degree[1];
   }
-  // By the normals as they are on the way.
+  // Second-order term: the change of the normals during the displacement.
   error.Swept += error.Moved * error.Moved * turned;
   for (const Loop& loop : face.Loops)
   {
@@ -80,7 +80,7 @@ double ReadingError::GetBound(const BoundClass& integrand, double area, double g
   {
     case BoundClass::VolumeMoment:
     case BoundClass::HeightMoment:
-      // Either alone is enough. The ribbons move, too, each end by itself, and so widen by as much.
+      // Each of the two is a bound by itself. Both borders of a ribbon move independently, so it may also widen by twice the displacement.
       return power *
         (std::fmin(this->Moved * (area + this->Area), this->Swept) +
           this->Moved * (gaps + 2.0 * this->Moved * this->Border));

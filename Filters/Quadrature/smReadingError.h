@@ -17,7 +17,7 @@ namespace sm
 {
 struct SMFILTERSQUADRATURE_EXPORT ReadingError
 {
-  /// 0: nothing was rounded.
+  /// Largest displacement of a point, a length; 0: nothing was rounded.
   double Moved = 0.0;
   /// Bound of the integral of |d.n| over the whole patches.
   double Swept = 0.0;
@@ -27,9 +27,10 @@ struct SMFILTERSQUADRATURE_EXPORT ReadingError
   /// Largest distance from the point that moments are about.
   double Reach = 0.0;
 
-  /// `reach` as Reach.
+  /// Computes the errors of a face; `reach` is stored in Reach.
   static ReadingError Make(const Face& face, const FacePanels& panels, double reach);
-  /// The bound for an integral of this class over a face whose area is at most `area`, and that of its ribbons `gaps`.
+  /// Returns the bound for an integral of this class over a face; `area` and `gaps` are upper bounds of the areas of its panels and of its
+  /// ribbons.
   double GetBound(const BoundClass& integrand, double area, double gaps) const;
 };
 

@@ -27,11 +27,11 @@ private:
   void PlanPart(std::uint32_t index, double start, double end, int depth);
   /// Fills AlongT and Supremum from real t and from ellipses.
   void BoundAlong(bool sound, const Majorants& real, double share);
-  /// The least order that all tolerances allow; above LargestOrder when none does.
+  /// Returns the lowest order that meets all tolerances; more than LargestOrder when none does.
   int ChooseOrder() const;
   void AddItem(const PlannedItem& item);
-  /// The part is narrower than the rounding bound of its evaluation: its largest size is the better bound, and it
-  /// is left out. Its gap counts as none.
+  /// Returns true if the part is narrower than the rounding bound of its evaluation. It is left out then, with the bound of its magnitude
+  /// as its error, and its gap counts as 0.
   bool IsRounding(const Ribbon& ribbon, const Majorants& real) const;
   void Bound(const Majorants& majorants, std::vector<double>& bounds) const;
   void AddNoiseError(const Majorants& real);

@@ -7,7 +7,7 @@ namespace sm
 {
 namespace
 {
-// A box must have an inside. Wider than need be is right, too.
+// Least half width of a box: it must have an interior, and a wider box gives valid bounds.
 constexpr double SmallestHalfWidth = 5e-7;
 }
 

@@ -25,13 +25,13 @@ public:
   bool IsConstantInS() const;
   /// Coefficients of s (0) or r (1).
   const std::vector<double>& GetSeries(int direction) const { return this->Series[direction]; }
-  /// Interval of s (0) or r (1): contains the piece, and hardly more.
+  /// Ends of an interval that contains s (0) or r (1) along the piece, with little room to spare.
   double GetLow(int direction) const { return this->Low[direction]; }
   double GetHigh(int direction) const { return this->High[direction]; }
 
-  /// A piece that leaves its patch by d, relative to it, has the patch's bounds of positions and derivatives times OnPatchGrowth, as long
-  /// as n r d <= 1e-3, n = p + q, r: ratio of neighbours' weights. For the Bernstein polynomials' negative terms sum to at most
-  /// (1 + r d)^n - 1 times the positive ones.
+  /// Returns true for a piece that stays on its patch or leaves it by little. A piece that leaves its patch by d, relative to it, has the
+  /// patch's bounds of positions and derivatives times OnPatchGrowth, as long as n r d <= 1e-3, n = p + q, r: ratio of neighbours' weights.
+  /// For the Bernstein polynomials' negative terms sum to at most (1 + r d)^n - 1 times the positive ones.
   bool IsOnPatch(const Patch& patch) const;
   static constexpr double OnPatchGrowth = 1.01;
 

@@ -15,13 +15,13 @@ namespace
 {
 // Line of the first of the user's tokens, beyond all others. (Mesa's messages say nothing of source numbers.)
 constexpr int FirstLine = 100001;
-// As many errors as one reads, and as much of each.
+// Limits of the message: number of errors, and characters of each.
 constexpr int ToldAtMost = 3;
 constexpr std::size_t LongestLine = 1000;
 // GLSL's own limit of names is 1024; std::regex's is the stack.
 constexpr std::size_t LongestWord = 1000;
 
-/// A name that stands for something of a sample: its definition in GLSL, and what that needs.
+/// A name for a quantity of a sample: its definition in GLSL, and the quantities that the definition needs.
 struct SampleName
 {
   const char* Name;
@@ -64,7 +64,7 @@ bool IsDigit(char c)
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// The character there, of UTF-8.
+/// Returns the UTF-8 character that begins at byte `at`.
 std::string GetCharacter(const std::string& text, std::size_t at)
 {
   std::size_t end = at + 1;
@@ -75,7 +75,7 @@ std::string GetCharacter(const std::string& text, std::size_t at)
   return text.substr(at, end - at);
 }
 
-/// GLSL turns what is of single precision into doubles without a word, and has functions for single precision alone.
+/// Recognises names of single precision. GLSL converts floats to doubles silently, and has functions for single precision only.
 bool IsSinglePrecision(const std::string& name)
 {
   static const std::set<std::string> names = { "float", "vec2", "vec3", "vec4", "intBitsToFloat",
@@ -188,7 +188,7 @@ bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)
   }
   if (first == ',' && (this->Open.empty() || !this->Open.back().IsCall))
   {
-    // Nor the sequence operator: it would drop what stands before it, and run functions that give nothing.
+    // The sequence operator is refused, too: it would discard the value before it and call functions without a result.
     return this->Fail(
       begin, "',' stands only between the arguments of a function; numbers have a decimal point");
   }
@@ -231,7 +231,7 @@ void UserExpression::AddName(const std::string& name, std::size_t at, const Cons
 {
   std::string glsl = name;
   const bool isComponent = !this->Tokens.empty() && this->Tokens.back().Glsl == ".";
-  // No constant is called, but a function may have its name.
+  // A name with a parenthesis behind it is a function, also where a constant has the same name.
   const std::size_t next = this->Text.find_first_not_of(" \t\r\n", at + name.size());
   const bool isCalled = next != std::string::npos && this->Text[next] == '(';
   const auto constant = isCalled ? constants.end() : constants.find(name);
@@ -353,7 +353,8 @@ std::string UserExpression::MakeFunction(const std::string& name, bool forMessag
     }
     text += std::string(divisorsEnd[i], ')') + "\n";
   }
-  // With the area element twice as large the value is, too; derivatives belong to the parameters, and do not grow with it.
+  // An integrand with an area element doubles when the normal is doubled. The check is left out for expressions with derivatives of the
+  // surface, which do not change with the normal.
   const bool hasDerivatives = std::any_of(std::begin(SampleNames), std::end(SampleNames),
     [this](const SampleName& sample)
     {
@@ -396,7 +397,7 @@ std::string UserExpression::Explain(const std::string& log) const
       ofWhole = ofWhole.empty() ? what.substr(0, what.find(", in function")) : ofWhole;
       continue;
     }
-    // Text behind the last token is ours: the expression ended too early.
+    // A message about text behind the last token is about our own text: the expression ended too early.
     const bool isBeyond = token >= static_cast<long>(this->Tokens.size());
     const std::string message =
       this->GetPlace(isBeyond ? this->Text.size() : this->Tokens[token].At) + ": " + what;

@@ -1,6 +1,6 @@
 /**
  * @file smUserExpression.h
- * @brief An integrand as the user wrote it: checked, translated to the shaders' GLSL, with compilers' messages given in its columns
+ * @brief An integrand as the user wrote it: checked, translated to the shaders' GLSL; compilers' messages are given with its columns
  */
 #ifndef smUserExpression_h
 #define smUserExpression_h
@@ -34,10 +34,10 @@ public:
 
   UserExpression(const std::string& text, const Constants& constants);
 
-  /// Why it cannot be an expression, with its place; empty when it may.
+  /// The reason why the text is refused, with the place; empty when it was accepted.
   const std::string& GetError() const { return this->Error; }
   int GetDetail() const { return this->Detail; }
-  /// It names functions with kinks or steps: abs, min, ?: and their like.
+  /// True if it uses functions with kinks or steps: abs, min, ?: and so on. Gauss rules converge slowly there.
   bool MayHaveKinks() const;
 
   /// A GLSL function `double NAME(dvec3 position, dvec3 normal)`, and one that it calls, with each of the user's tokens on a line of
@@ -46,7 +46,7 @@ public:
   std::string MakeFunction(const std::string& name, bool forMessages) const;
 
   /// The errors of a compiler's log about such a function: "column 8: …; column 30: …", or with lines where the text has
-  /// several. What it says of other lines is about the whole expression, and told where nothing else is.
+  /// several. Messages about other lines concern the whole expression, and are returned only when there is no other.
   std::string Explain(const std::string& log) const;
 
   /// True when a constant may have this name: an identifier without a meaning so far.
@@ -74,7 +74,7 @@ private:
 
   std::string Text;
   std::vector<Token> Tokens;
-  /// Brackets that are open.
+  /// Opening brackets without their closing ones, while the text is read.
   std::vector<Token> Open;
   std::vector<std::string> Names;
   int Detail = PositionAndNormal;

@@ -39,10 +39,10 @@ struct WideCurves
   Wide Edge[MaximumDegree + 1][3];
   int TrimDegree;
   int EdgeDegree;
-  /// The trim does not change in s, in r.
+  /// True where s, and where r, is constant along the trim curve.
   bool Constant[2] = { true, true };
 
-  /// `raised`: both get the higher of their degrees.
+  /// `raised`: the degree of the lower one is raised to that of the other.
   WideCurves(const FacePanels& panels, const Ribbon& ribbon, bool raised);
 };
 

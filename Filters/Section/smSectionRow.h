@@ -14,7 +14,7 @@
 
 namespace sm
 {
-/// Volume, centre and mass of what lies on one side of the plane; NaN where not known.
+/// Volume, centre and mass of the part on one side of the plane; NaN where not known.
 struct SectionSide
 {
   double Volume = std::numeric_limits<double>::quiet_NaN();

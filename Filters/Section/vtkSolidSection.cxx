@@ -78,8 +78,8 @@ double GetDensityPerVolume(const sm::BodyIntegrals& body, double density)
   return own > 0.0 && metres > 0.0 ? own * metres * metres * metres : vtkMath::Nan();
 }
 
-/// Flags a body whose shells do not all have their material inside: of such shells the volumes on the two sides do not add up to what
-/// the body encloses.
+/// Flags a body with a shell that does not have its material inside: the volumes on the two sides of the plane then do not add up to the
+/// volume that the body encloses.
 void CheckShells(
   const std::vector<sm::Integrand>& integrands, const sm::BodyBuoyancy& above, sm::BodyIntegrals& body)
 {

@@ -1,6 +1,6 @@
 /**
  * @class   vtkSolidSection
- * @brief   section of exact CAD solids with a plane: area, centroid, second moments, and what lies on either side, with error bounds
+ * @brief   section of exact CAD solids with a plane: area, centroid, second moments, and the volumes on either side, with error bounds
  *
  * The plane runs through Point; Normal points to the side that is above it. Coordinates are world coordinates and lengths are in
  * the model's unit L. Faces are cut at the plane and integrated (smBuoyancy.h), so that no value depends on a mesh and all bounds are
@@ -20,10 +20,10 @@
  * | VolumeBelow, VolumeAbove   | 1     | L^3  | volume on either side                                                     |
  * | CenterBelow, CenterAbove   | 3     | L    | its centroid                                                              |
  * | MassBelow, MassAbove       | 1     | kg   | Density times volume                                                      |
- * What does not exist is NaN: the centroid of an area or volume that may be 0 by its bound, directions of moments that may be equal,
- * a mass without a density, and every value of a surface or of a solid that is not closed (status open): the values are fluxes through a
- * closed surface. A total over such a solid is NaN too. The second moment that resists bending about an axis of the
- * plane is the one across that axis.
+ * A quantity that does not exist is NaN: the centroid of an area or volume that may be 0 by its bound, directions of moments that may be
+ * equal, a mass without a density, and every value of a surface or of a solid that is not closed (status open): the values are fluxes
+ * through a closed surface. A total over such a solid is NaN too. The second moment that resists bending about an axis of the plane is the
+ * one across that axis.
  *
  * Shells are taken as the file orients them. A solid with a shell that is inside out is `suspect` here (vtkMassPropertiesGPU
  * reverses such shells and reports them).

@@ -1,6 +1,6 @@
 /**
  * @file smBodyBox.h
- * @brief Bounding boxes of trimmed faces, enclosed: of the surfaces within their trim curves, not of control points
+ * @brief Enclosures of the bounding boxes of bodies: of the trimmed surfaces themselves, not of their control points
  */
 #ifndef smBodyBox_h
 #define smBodyBox_h

@@ -1,4 +1,4 @@
-// The contacts of ContactSearch, face by face.
+// Finds the contacts of ContactSearch, face by face.
 #include "smContactSearchInternals.h"
 
 namespace sm
@@ -34,7 +34,7 @@ void ContactSearch::Internals::AddPoint(
   this->Found.Pieces.push_back(std::move(piece));
 }
 
-/// All of the curve touches.
+/// Adds a contact: the whole curve touches.
 void ContactSearch::Internals::AddCurve(
   const FaceContact& face, const Segment& segment, const GroundCurve& curve)
 {
@@ -49,7 +49,7 @@ void ContactSearch::Internals::AddCurve(
     const GroundPoint p = BernsteinPiece<4>{ curve.Points.data(),
       std::min<int>(MaximumDegree, static_cast<int>(curve.Points.size()) - 1) }
                             .Evaluate(t);
-    // A curve of higher degree has only its ends.
+    // A curve of a degree that BernsteinPiece does not evaluate gets a sample at its start only.
     if (static_cast<int>(curve.Points.size()) <= MaximumDegree + 1 || i == 0)
     {
       this->AddSample(face, segment.Patch,
@@ -115,7 +115,7 @@ void ContactSearch::Internals::FindOnTrims(FaceContact& face)
   }
 }
 
-/// Stationary points of a curve that does not touch as a whole.
+/// Adds the stationary points of a curve that does not touch as a whole.
 void ContactSearch::Internals::FindOnCurve(FaceContact& face, const Segment& segment)
 {
   const double slack = this->GetSlack(segment.Curve);
@@ -154,7 +154,7 @@ void ContactSearch::Internals::FindOnCurve(FaceContact& face, const Segment& seg
   this->Found.Spread = std::max(this->Found.Spread, spread);
 }
 
-/// The part of a border of a patch that is inside the loops: all of it touches, or its stationary points do.
+/// Adds the part of a patch's border that is inside the loops: the whole part if it touches, else its stationary points.
 void ContactSearch::Internals::FindOnBorder(
   FaceContact& face, const Segment& segment, const GroundCurve& root, bool whole)
 {
@@ -192,7 +192,7 @@ void ContactSearch::Internals::FindOnBorder(
       this->AddCurve(face, segment, curve);
       continue;
     }
-    // Where a trim curve crosses it, that has a kink.
+    // Where a trim curve crosses the border, the trim curve has a kink, which was found with that curve.
     if (curve.IsMonotone(slack))
     {
       continue;
@@ -218,8 +218,9 @@ void ContactSearch::Internals::FindOnBorder(
   this->Found.Spread = std::max(this->Found.Spread, spread);
 }
 
-/// A patch that touches as a whole. Where the map to the ground's plane keeps its sense, what the loops leave of it is bounded by
-/// trim curves, which were found, and by borders of the patch; not by those where the domain ends, for the loops end there, too.
+/// Adds a patch that touches as a whole. Where the map to the ground's plane keeps its orientation, the image of the trimmed patch is
+/// bounded by the images of trim curves, which were added before, and of borders of the patch. Borders at an end of the domain are not
+/// needed, because the loops end there, too.
 void ContactSearch::Internals::FindArea(FaceContact& face, int patch)
 {
   this->Found.FaceIds.insert(face.Cut->Source->FileId);
@@ -268,7 +269,7 @@ void ContactSearch::Internals::FindArea(FaceContact& face, int patch)
   }
 }
 
-/// A box in which stationary points were enclosed as closely as they can be: a point, or a strip along a line of them.
+/// Adds a box that encloses stationary points as closely as rounding permits: a point, or a strip along a line of them.
 double ContactSearch::Internals::AddLeaf(
   const FaceContact& face, int patch, const GroundPatch& box, bool inside)
 {
@@ -342,7 +343,7 @@ void ContactSearch::Internals::FindOnPatch(FaceContact& face, int patch)
       extents[steeper] <= resolution;
     if (this->IsCovered(box.Points) && (small || level))
     {
-      // No new point of the hull; how it rolls there is worth knowing.
+      // This point does not enlarge the hull, but the curvature there decides about rolling.
       this->AddSample(face, patch, { 0.5 * (box.Low[0] + box.High[0]), 0.5 * (box.Low[1] + box.High[1]) },
         Project(box.Points.front()));
       continue;

@@ -1,4 +1,4 @@
-// The curvature samples of ContactSearch, and the directions in which the body goes on around a contact.
+// Computes the curvature samples of ContactSearch, and the directions in which the body continues around a contact.
 #include "smContactSearchInternals.h"
 
 #include "smUnitRoundoff.h"
@@ -11,8 +11,8 @@ Point2D GetContactDirection(int k)
   return { std::cos(angle), std::sin(angle) };
 }
 
-/// The directions in which the face goes on beside a point that is tangent to the ground: those whose points are inside the loops,
-/// or on a border.
+/// Returns the directions (a bit for each) in which the face continues at a point where it is tangent to the ground: those in which
+/// neighbouring points are inside the loops, or on a border.
 std::uint32_t ContactSearch::Internals::FindDirections(
   const FaceContact& face, int patch, const std::array<double, 2>& sr, const GroundPatch::Shape& shape)
 {
@@ -47,8 +47,8 @@ std::uint32_t ContactSearch::Internals::FindDirections(
   return directions;
 }
 
-/// The same at a pole, where the border sr[across] = 0 or 1 of the patch is one point: lines of constant parameter leave it in the
-/// directions of their tangents. 0 where it is no pole.
+/// Returns the same directions at a pole, where the border sr[across] = 0 or 1 of the patch is one point: lines of constant parameter leave
+/// it in the directions of their tangents. Returns 0 if the border is not a pole.
 std::uint32_t ContactSearch::Internals::FindPoleDirections(
   const FaceContact& face, int patch, std::array<double, 2> sr)
 {
@@ -86,7 +86,7 @@ std::uint32_t ContactSearch::Internals::FindPoleDirections(
     const bool left = side == TrimSide::Outside;
     for (int k = 0; k < ContactDirections && i > 0 && !(left && leftBefore); ++k)
     {
-      // Between the two tangents, which are less than half a turn apart; rounding does not move it out.
+      // Between the two tangents, which include an angle below pi; the tolerance allows for rounding.
       const Point2D e = GetContactDirection(k);
       const auto cross = [](const Point2D& a, const Point2D& b) { return a[0] * b[1] - a[1] * b[0]; };
       const double sense = cross(before, now) < 0.0 ? -1.0 : 1.0;
@@ -101,7 +101,7 @@ std::uint32_t ContactSearch::Internals::FindPoleDirections(
   return directions;
 }
 
-/// Surfaces without a normal (poles) are evaluated a little away from there.
+/// Adds the curvature at a point. Where the surface has no normal (at a pole), it is evaluated at points nearby.
 void ContactSearch::Internals::AddSample(
   const FaceContact& face, int patch, std::array<double, 2> sr, const Point2D& position)
 {
@@ -131,7 +131,7 @@ void ContactSearch::Internals::AddSample(
     };
     const GroundPatch::Shape near = look(1e-3);
     const GroundPatch::Shape far = look(2e-3);
-    // The normal rotates by about the distance.
+    // The normal rotates by an angle of about the parameter distance.
     if (near.Normal >= 1.0 - 1e-4 && far.Normal <= near.Normal + 1e-9)
     {
       sample.Radius = near.Curvature > 0.0 ? 1.0 / near.Curvature : Infinity;

@@ -1,6 +1,7 @@
 /**
  * @file smContactSearchInternals.h
- * @brief State and constants that the parts of ContactSearch share: the search for the least height and that for contacts; not installed
+ * @brief State and constants of ContactSearch, shared by its source files: the searches for the least height and for contacts; not
+ * installed
  */
 #ifndef smContactSearchInternals_h
 #define smContactSearchInternals_h
@@ -17,18 +18,18 @@
 
 namespace sm
 {
-// Compositions have degrees up to some hundred, and every product of theirs rounds.
+// Rounding of a height, in units of u times the size: compositions have degrees up to some hundred, and each of their products is rounded.
 constexpr double RoundingUnits = 512.0;
 // Accuracy, relative to the size, to which contacts are located and corners distinguished.
 constexpr double RelativeResolution = 1e-13;
 constexpr int MaximumNets = 40000;
 inline const double LeastWidth = std::ldexp(1.0, -50);
-// Cosine of a thousandth, from which a surface counts as tangent to the ground.
+// Cosine of an angle of 1e-3 radians between surface and ground, up to which they count as tangent.
 constexpr double TangentCosine = 1.0 - 5e-7;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// A net that waits for its turn, the lowest first.
+/// An entry of the priority queue: a control net that is still to be divided, the lowest first.
 struct Candidate
 {
   double Low;
@@ -43,7 +44,7 @@ struct ContactSearch::Internals
 {
   std::vector<FaceContact> Faces;
   double Size = 0.0;
-  /// The least height reached by a point of a trimmed face.
+  /// The least height that a point of a trimmed face is known to have.
   double Reached = Infinity;
 
   // Results of FindContacts.
@@ -52,7 +53,7 @@ struct ContactSearch::Internals
   /// Hull of the contacts that are certain.
   SupportPolygon Certain;
 
-  /// Rounding of a slope is that of the coefficients, times the degree and the largest weight.
+  /// Returns the factor between the rounding of coefficients and that of slopes: the degree times the largest weight.
   static double GetSlackFactor(const std::vector<GroundPoint>& points, double degree)
   {
     double weight = 0.0;
@@ -71,12 +72,12 @@ struct ContactSearch::Internals
   }
   double GetSlack(const GroundCurve& root) const
   {
-    // Rounding of a composition, whose products round as often as its degree.
+    // A composition of degree n is rounded n times.
     const double degree = static_cast<double>(root.Points.size());
     return 16.0 * degree * UnitRoundoff * this->Size * GetSlackFactor(root.Points, degree);
   }
 
-  /// A coarse test, without composition, that the segment may come down to a height.
+  /// Returns false if the segment is certainly above a height; a coarse test without composition.
   bool MayReach(const FaceContact& face, const Segment& segment, double height) const;
   void Reach(double height) { this->Reached = std::min(this->Reached, height); }
 

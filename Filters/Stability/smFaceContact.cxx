@@ -51,7 +51,7 @@ void FaceContact::Prepare()
   this->AddBorders();
 }
 
-/// The surface may have a crease where a knot is as often there as its degree.
+/// Returns true if the surface may have a crease at a knot, that is, if the multiplicity of the knot is at least the degree.
 bool FaceContact::IsCrease(int direction, double knot) const
 {
   const NURBSSurface& surface = this->Cut->Source->Surface;
@@ -59,7 +59,7 @@ bool FaceContact::IsCrease(int direction, double knot) const
     surface.Degree[direction];
 }
 
-/// Creases; and where there are no loops the ends of the domain.
+/// Adds the creases, and the ends of the domain if the face has no loops.
 void FaceContact::AddBorders()
 {
   const NURBSSurface& surface = this->Cut->Source->Surface;

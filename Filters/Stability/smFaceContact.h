@@ -67,7 +67,7 @@ private:
   bool IsCrease(int direction, double knot) const;
 };
 
-/// The knot at an end of a patch; true when the face's domain ends there.
+/// The knot at an end of a patch, and whether the face's domain ends there.
 struct BorderKnot
 {
   int Direction;

@@ -53,8 +53,6 @@ double ContactSearch::GetResolution() const
   return this->Implementation->GetResolution();
 }
 
-// --- the least height --------------------------------------------------------------------------
-
 HeightRange ContactSearch::FindLowest()
 {
   Internals& self = *this->Implementation;
@@ -75,7 +73,7 @@ HeightRange ContactSearch::FindLowest()
     face.Low = std::max(face.Low, self.BoundFace(face));
     low = std::min(low, face.Low);
   }
-  // Trims that leave the patch's own square can come out lower than the net.
+  // A trim curve that leaves the parameter square of its patch may be lower than the control net.
   for (const FaceContact& face : self.Faces)
   {
     low = std::min(low, face.Low);
@@ -91,14 +89,14 @@ bool ContactSearch::Internals::MayReach(const FaceContact& face, const Segment& 
   {
     return face.Heights[segment.Patch].Low <= height;
   }
-  // Above, unless the trim leaves the square that the net vouches for.
+  // The segment is above the limit if its patch is, unless the trim curve leaves the square for which the net is a bound.
   const FacePanels& panels = face.Cut->Panels;
   const Ribbon& ribbon = panels.Ribbons[segment.Ribbon];
   return !StaysInSquare(panels.Patches[segment.Patch], panels.Coefficients.data() + ribbon.Trim,
     ribbon.TrimDegree, ribbon.Start, ribbon.End);
 }
 
-/// The least height of the face, from below; heights above what was reached elsewhere are not worth knowing.
+/// Returns a lower bound of the least height of the face. The search stops above the height that another face reaches.
 double ContactSearch::Internals::BoundFace(FaceContact& face)
 {
   face.Prepare();
@@ -156,7 +154,7 @@ bool ContactSearch::Internals::StepCurve(
   }
   if (item.Curve.IsMonotone(this->GetSlack(segment.Curve)))
   {
-    // Lowest at an end: where a trim curve crosses it, in the next part of the same curve, or where the whole curve ends.
+    // The lowest point is an end. There a trim curve crosses the border, the next part of the same curve begins, or the whole curve ends.
     const bool falls = GetHeight(last) < GetHeight(first);
     if (side == TrimSide::Undecided && (falls ? item.Curve.End == 1.0 : item.Curve.Start == 0.0))
     {
@@ -220,8 +218,6 @@ bool ContactSearch::Internals::StepPatch(
   return true;
 }
 
-// --- contacts ----------------------------------------------------------------------------------
-
 GroundContacts ContactSearch::FindContacts(double limit)
 {
   Internals& self = *this->Implementation;
@@ -236,7 +232,7 @@ GroundContacts ContactSearch::FindContacts(double limit)
       faces.push_back(&face);
     }
   }
-  // Curves first: what they enclose needs no search.
+  // Curves come first: patches inside the hull of their contacts need no search.
   for (FaceContact* face : faces)
   {
     self.FindOnTrims(*face);

@@ -4,9 +4,9 @@
  *
  * **Least height.** Branch and bound over control nets. On a trimmed face the least height is reached on a trim curve, on a crease
  * (an interior knot line where the surface is only continuous), or at a stationary point inside the loops. Trim curves are
- * composed with their patch, exactly, so a trim is nowhere approximated by a box. A net is dropped when it lies above the least height reached, when its height
- * has a slope of one sign (then it is lower elsewhere), or when it lies outside the loops. Heights reached, at ends of trim curves and
- * points inside the loops, bound the least height from above; the remaining nets bound it from below.
+ * composed with their patch, exactly, so a trim is nowhere approximated by a box. A net is discarded when it lies above the least height
+ * known so far, when its height has a slope of one sign (then it is lower elsewhere), or when it lies outside the loops. The heights at
+ * ends of trim curves and at points inside the loops bound the least height from above; the remaining nets bound it from below.
  *
  * **Contacts** with a height limit, the ground plus the tolerance:
  *   - corners of loops not above the limit, and kinks of trim curves that are lowest locally;
@@ -14,10 +14,11 @@
  *     points below it;
  *   - patches that lie below the limit as a whole, with all their parts inside the loops; of others the stationary points below
  *     the limit inside the loops.
- * So a flat face counts when all of it is within the tolerance, and a dome touches in one point whatever the tolerance: it is no
- * disc of the points that are low enough.
+ * So a flat face is a contact when all of it is within the tolerance. A dome touches in one point for any tolerance, not in the disc of all
+ * points that are low enough.
  *
- * Every contact is a piece with points that certainly are contacts (Inner) and points whose hull encloses it (Outer).
+ * Every contact is stored as a piece with points that certainly are contacts (Inner) and points whose convex hull encloses the contact
+ * (Outer).
  */
 #ifndef smGroundContact_h
 #define smGroundContact_h
@@ -39,7 +40,7 @@ struct ContactPiece
 {
   std::vector<Point2D> Inner;
   std::vector<Point2D> Outer;
-  /// A curve that can be halved to bring Inner and Outer together; without points when there is none.
+  /// The curve of the contact, which can be halved until Inner and Outer are close together; without points when there is none.
   GroundCurve Curve;
 };
 
@@ -49,16 +50,16 @@ struct ContactSample
   Point2D Position;
   /// Least radius of curvature of a surface that is tangent to the ground here; infinite where it is flat; 0 for corners and edges.
   double Radius;
-  /// Estimated error of the radius; no bound.
+  /// Estimate of the error of the radius, not a bound.
   double RadiusError;
-  /// The largest radius there; infinite where it is flat in some direction.
+  /// Largest radius of curvature at the point; infinite where the surface is flat in some direction.
   double Widest;
-  /// Bit k: the surface goes on in direction k (see GetContactDirection). Where it ends the body tips over its border.
+  /// Bit k is set if the surface continues in direction k (see GetContactDirection). Where it ends, the body tips over the border.
   std::uint32_t GoesOn = ~0u;
 };
 
 constexpr int ContactDirections = 32;
-/// Unit vectors in the ground, counter-clockwise from a.
+/// Returns unit vector k in the ground's plane, counter-clockwise from the axis a.
 SMFILTERSSTABILITY_EXPORT Point2D GetContactDirection(int k);
 
 struct GroundContacts
@@ -68,10 +69,10 @@ struct GroundContacts
   /// Entity numbers of the faces that touch with a whole patch, and of the edges that touch with a whole piece.
   std::set<int> FaceIds;
   std::set<int> EdgeIds;
-  /// Stationary points are known to within this, where rounding leaves the sign of a slope open: how far Inner points may be from
-  /// true contacts, and these outside the hull of all Outer points.
+  /// Accuracy of stationary points, a length: rounding leaves the sign of slopes open in a region of this size. Inner points may be so far
+  /// from true contacts, and true contacts so far outside the hull of all Outer points.
   double Spread = 0.0;
-  /// The search stopped early somewhere: contacts there are enclosed by their nets only.
+  /// True if the search was stopped at a limit of work somewhere: contacts there are enclosed by their control nets only.
   bool Coarse = false;
 };
 
@@ -90,7 +91,7 @@ public:
   double GetSize() const;
   /// Bound of the rounding error of a coordinate.
   double GetRounding() const;
-  /// Corners closer than this are one.
+  /// Returns the distance below which two corners count as one.
   double GetResolution() const;
 
   /// Encloses the least height of all faces. NaN without faces.

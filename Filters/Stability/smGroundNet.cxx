@@ -54,7 +54,7 @@ HeightRange RangeOf(const Points& points)
   return range;
 }
 
-/// H' - h W' keeps its sign for both heights, clear of the slack.
+/// Returns true if H' - h W' has one sign for both heights, by more than the slack.
 bool KeepsSign(const Points& steps, const HeightRange& heights, double slack)
 {
   double low = std::numeric_limits<double>::infinity();
@@ -107,7 +107,7 @@ GroundPoint GroundFrame::Transform(const std::array<double, 4>& homogeneous, con
   GroundPoint result;
   for (int i = 0; i < 3; ++i)
   {
-    // The centre of the patch first: what is rounded is the distance from it.
+    // The centre of the patch is moved first, so that rounding is relative to the distances from it.
     double moved = this->Shift[i];
     double local = 0.0;
     for (int j = 0; j < 3; ++j)
@@ -120,8 +120,6 @@ GroundPoint GroundFrame::Transform(const std::array<double, 4>& homogeneous, con
   result[3] = homogeneous[3];
   return result;
 }
-
-// --- curves ------------------------------------------------------------------------------------
 
 GroundCurve GroundCurve::FromPoints(std::vector<GroundPoint> points)
 {
@@ -176,8 +174,6 @@ std::pair<GroundCurve, GroundCurve> GroundCurve::Split() const
   halves.second.End = this->End;
   return halves;
 }
-
-// --- patches -----------------------------------------------------------------------------------
 
 GroundPatch::GroundPatch(const FacePanels& panels, const Patch& patch, const GroundFrame& frame)
 {
@@ -329,7 +325,7 @@ bool GroundPatch::IsRegular() const
   };
   const auto first = product(0, 1);
   const auto second = product(1, 0);
-  // Rounding is far below what separates a net that is not degenerate from 0.
+  // A net that is not degenerate differs from 0 by far more than this rounding.
   const double size = std::max(
     { std::abs(first.first), std::abs(first.second), std::abs(second.first), std::abs(second.second) });
   return first.first - second.second > 1e-12 * size || first.second - second.first < -1e-12 * size;

@@ -20,13 +20,13 @@
 
 namespace sm
 {
-/// n over k.
+/// Binomial coefficient n over k.
 double GetBinomial(int n, int k);
 
-/// Homogeneous: w a, w b, w h, w.
+/// Homogeneous coordinates w a, w b, w h, w.
 using GroundPoint = std::array<double, 4>;
 
-/// From model coordinates to the ground's frame: rotation or reflection, then translation.
+/// Transform from model coordinates to the ground's frame: rotation or reflection, then translation.
 struct SMFILTERSSTABILITY_EXPORT GroundFrame
 {
   std::array<std::array<double, 3>, 3> Rows{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
@@ -41,7 +41,7 @@ struct HeightRange
   double High;
 };
 
-/// A curve over t in [0,1] of its root; halving keeps the root's parameter.
+/// A curve, or a part of one (the root) after halvings. Low and High are its range in the root's parameter t in [0,1].
 struct SMFILTERSSTABILITY_EXPORT GroundCurve
 {
   std::vector<GroundPoint> Points;
@@ -50,24 +50,24 @@ struct SMFILTERSSTABILITY_EXPORT GroundCurve
   double Start = 0.0;
   double End = 1.0;
 
-  /// From its control points.
+  /// Makes a root from its control points.
   static GroundCurve FromPoints(std::vector<GroundPoint> points);
 
   HeightRange GetHeights() const;
-  /// The height rises or falls all along; `slack` bounds the rounding errors of H and W.
+  /// Returns true if the height is strictly monotone; `slack` bounds the rounding errors of H and W.
   bool IsMonotone(double slack) const;
-  /// No slope is larger than its rounding bound.
+  /// Returns true if all slopes of the height are within their rounding bound.
   bool IsLevel(double slack) const;
   std::pair<GroundCurve, GroundCurve> Split() const;
 };
 
-/// A patch over a box of its root's parameters (s, r).
+/// A patch, or a part of one (the root) after halvings: a box of the root's parameters (s, r).
 struct SMFILTERSSTABILITY_EXPORT GroundPatch
 {
   int Degree[2] = { 1, 1 };
-  /// (Degree[0]+1) x (Degree[1]+1), s fastest.
+  /// Control points, (Degree[0]+1) x (Degree[1]+1), s fastest.
   std::vector<GroundPoint> Points;
-  /// Derivatives in the root's s and r.
+  /// Bernstein coefficients of the derivatives in the root's s and r.
   std::vector<GroundPoint> Steps[2];
   double Low[2] = { 0.0, 0.0 };
   double High[2] = { 1.0, 1.0 };
@@ -76,16 +76,18 @@ struct SMFILTERSSTABILITY_EXPORT GroundPatch
   GroundPatch(const FacePanels& panels, const Patch& patch, const GroundFrame& frame);
 
   HeightRange GetHeights() const;
-  /// The height rises or falls all over the box in direction d.
+  /// Returns true if the height is strictly monotone in `direction` on the whole box.
   bool IsMonotone(int direction, double slack) const;
-  /// Variation of the slopes of the height, in the root's parameters, along a direction: the direction with more is halved.
+  /// Returns the variation of the height's slopes along a direction, in the root's parameters. The box is halved in the direction with the
+  /// larger one.
   double GetVariation(int direction) const;
   std::pair<GroundPatch, GroundPatch> Split(int direction) const;
-  /// Border d = `direction`, at its low (0) or high (1) end, as a curve in the other direction.
+  /// Returns the border at the low (0) or high (1) `end` of a direction, as a curve in the other direction.
   GroundCurve GetBorder(int direction, int end) const;
-  /// Largest distance in the plane of control points from their neighbour at the other end of the net, along a direction.
+  /// Returns the largest distance, in the ground's plane, of a control point from the first one of its line in this direction.
   double GetExtent(int direction) const;
-  /// The map to the ground's plane is proved to keep its sense all over the box: its image ends at the image of the border.
+  /// Returns true if the determinant of the map to the ground's plane is proved to have one sign on the box, so that the image of the box
+  /// is bounded by the image of its border.
   bool IsRegular() const;
 
   /// Height and curvature at a point of the root (Low = 0, High = 1).
@@ -94,7 +96,7 @@ struct SMFILTERSSTABILITY_EXPORT GroundPatch
     double Normal; ///< cosine between the surface's normal and the ground's, not negative
     /// Largest principal curvature, positive where the surface bends away from the ground; NaN where there is no normal.
     double Curvature;
-    /// The least one; and the derivatives in s and r, in the ground's plane.
+    /// Least principal curvature; and the derivatives in s and r, projected to the ground's plane.
     double LeastCurvature;
     std::array<double, 2> Tangents[2];
   };

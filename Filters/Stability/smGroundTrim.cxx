@@ -135,7 +135,7 @@ GroundCurve ComposeTrim(
 
 bool StaysInSquare(const Patch& patch, const double* uv, int degree, double start, double end)
 {
-  // The effect of rounding on a trim curve is far below that on a height.
+  // Rounding of a trim curve by this much has far less effect on a height than the rounding of the height itself.
   const double outside = 1e-14;
   const std::vector<std::array<double, 2>> local = RestrictTrim(patch, uv, degree, start, end);
   return std::all_of(local.begin(), local.end(),

@@ -12,7 +12,7 @@ namespace sm
 namespace
 {
 constexpr double HalfPi = 1.5707963267948966;
-// Directions tried at one corner; what is left after them counts with the bound that it has then.
+// Largest number of directions evaluated at one corner. Ranges that are left then enter with their current bounds.
 constexpr int MaximumDirections = 20000;
 
 /// A function of the direction, its derivative, and a bound of its rounding and of the centre's error.
@@ -56,21 +56,21 @@ void SearchDirections(double from, double to, double curvature, const Function& 
   }
 }
 
-/// Angle from one normal to the next, counter-clockwise; that of a single corner is the whole circle.
+/// Returns the angle from one normal to the next, counter-clockwise; 2 pi for a polygon with one corner.
 double GetTurn(double from, double to, std::size_t count)
 {
   const double circle = 4.0 * HalfPi;
   const double turn = to < from ? to - from + circle : to - from;
-  // Sides of nearly one direction, rounded.
+  // The angle between sides of nearly the same direction may be negative by rounding.
   const bool isNone = turn == 0.0 || turn > circle - 1e-9;
   return isNone ? (count > 1 ? 0.0 : circle) : turn;
 }
 
-/// A corner of the polygon as the point over which the body tips.
+/// Tipping over one corner of the polygon, as a function of the direction.
 struct CornerTip
 {
   const TipCase& Body;
-  /// From the centre to the corner.
+  /// Vector from the projected centre to the corner.
   Point2D Offset;
   double Bound;
 
@@ -88,7 +88,7 @@ struct CornerTip
   }
   double GetReach() const { return std::hypot(this->Offset[0], this->Offset[1]); }
   double GetLean() const { return std::hypot(this->Body.Up[0], this->Body.Up[1]); }
-  /// Bound of the angle's error in every direction.
+  /// Returns a bound of the angle's error, valid in every direction.
   double GetAngleError() const { return HalfPi * this->Bound / this->Body.Height + 8.0 * UnitRoundoff; }
 
   /// atan(x) has derivatives of at most 1 and 0.65; the lengths are relative to the heights.
@@ -161,7 +161,7 @@ void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double b
   const std::size_t count = corners.size();
   if (count == 1)
   {
-    // Over a single point there is a way down.
+    // Over a single point the centre can move without rising.
     least.Rise[1] = 0.0;
   }
   std::vector<double> normals(std::max<std::size_t>(count, 1), 0.0);
@@ -175,7 +175,7 @@ void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double b
   {
     if (rise && !(least.Angle[0] > 0.0))
     {
-      // The centre may be beyond the polygon, where nothing has to rise.
+      // The centre may be beyond the polygon, where tipping needs no rise.
       least.Rise[0] = 0.0;
       return;
     }

@@ -2,11 +2,11 @@
  * @file smLeastTip.h
  * @brief Rotation and rise of the centre of mass until a body tips, in one direction and the least over all directions; not installed
  *
- * Formulas and frame: smStability.h. A direction d of the ground's plane has the line that touches the support polygon from outside
- * across d; the body tips over it. The distance of the centre from that line is m(d) = (largest p.d of the polygon) - c.d, and the angle
- * and the rise grow with m. So their least values over all directions grow with the polygon: a polygon of certain contacts gives a
- * lower bound, one that encloses all possible ones an upper bound. That does not hold for the least over the sides alone: a curved
- * contact has its tangents where an inscribed polygon has corners.
+ * Formulas and frame: smStability.h. In a direction d of the ground's plane the body tips over the supporting line of the polygon that is
+ * perpendicular to d. The distance of the centre from that line is m(d) = (largest p.d of the polygon) - c.d, and the angle and the rise
+ * grow with m. So their least values over all directions grow with the polygon: a polygon of certain contacts gives a lower bound, one that
+ * encloses all possible contacts an upper bound. The least values over the sides alone do not grow with the polygon: tangents of a curved
+ * contact correspond to corners of an inscribed polygon.
  */
 #ifndef smLeastTip_h
 #define smLeastTip_h
@@ -25,8 +25,8 @@ struct Tip
   double RiseBound;
 };
 
-/// m: distance of the centre from the side; z: its height; uv, uh: components of the upward direction; m and z may be off by
-/// `bound`, together.
+/// Returns angle and rise for one side. m: distance of the centre from the side; z: its height; uv, uh: components of the upward direction;
+/// `bound`: of the error of (m, z).
 Tip ComputeTip(double m, double z, double uv, double uh, double bound);
 
 /// The centre of mass over the ground, and the direction against gravity.

@@ -17,11 +17,11 @@ constexpr double HalfPi = 1.5707963267948966;
 constexpr double DrawnSagitta = 1e-3;
 // Width of the margin's interval that refinement aims at, relative to the size, and the limit of its cost.
 constexpr double AimedWidth = 1e-10;
-// The same where the sign of the margin is certain, by this factor.
+// The same where the sign of the margin is certain: where the margin exceeds the width of its interval by the factor CertainSign.
 constexpr double RelaxedWidth = 1e-5;
 constexpr double CertainSign = 100.0;
 constexpr std::size_t MaximumPieces = 12000;
-// With more critical directions than these, all are.
+// If there are more critical directions than this, all pieces are refined.
 constexpr std::size_t ManyDirections = 64;
 // Width, relative to the size, below which a hull counts as a line or a point.
 constexpr double LineWidth = 1e-9;
@@ -74,7 +74,7 @@ double GetSagitta(const ContactPiece& piece)
   return sagitta;
 }
 
-/// Halves the pieces for which `wanted` says so; false when there were none.
+/// Halves the pieces for which `wanted` returns true; returns false if there were none.
 template <typename Predicate>
 bool HalvePieces(std::vector<ContactPiece>& pieces, const Predicate& wanted)
 {
@@ -104,7 +104,7 @@ double GetSupport(const ContactPiece& piece, const Point2D& direction)
   return support;
 }
 
-/// Halves curves until the hulls agree on the margin, or there are too many.
+/// Halves curves until the margins of both hulls agree, or there are too many pieces.
 Hulls Refine(std::vector<ContactPiece>& pieces, const Point2D& foot, double size, double merge)
 {
   const double aim = AimedWidth * size;
@@ -162,7 +162,7 @@ struct Frame
   StabilitySide MakeSide(const Point2D& from, const Point2D& to, double slack) const
   {
     const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
-    // Inwards: to the left.
+    // The inward normal is on the left of the side.
     const Point2D v = { (from[1] - to[1]) / length, (to[0] - from[0]) / length };
     const auto distance = [&](const Point2D& p) { return (p[0] - from[0]) * v[0] + (p[1] - from[1]) * v[1]; };
     const Tip tip = ComputeTip(distance(this->Center), this->Height,
@@ -183,7 +183,7 @@ struct Frame
   }
 };
 
-/// The body above the middle of its ground; `heightBound` is the bound of the centre's height.
+/// Makes the frame with the projected centre of mass; `heightBound` is the bound of the centre's height.
 Frame MakeFrame(const StabilityCase& body, double heightBound)
 {
   const double ground = 0.5 * (body.Ground.Low + body.Ground.High);
@@ -201,7 +201,7 @@ Frame MakeFrame(const StabilityCase& body, double heightBound)
   return frame;
 }
 
-/// Middle and half of an interval.
+/// Stores an interval as its middle and half its width.
 void SetInterval(double low, double high, double& value, double& bound)
 {
   value = 0.5 * (low + high);
@@ -224,13 +224,13 @@ LeastTip GetLeastTip(const Frame& frame, const SupportPolygon& polygon, double s
   return least;
 }
 
-/// The sides of the drawn polygon, less certain by what lies beyond them.
+/// Sets the sides of the drawn polygon. Their bounds include the distance by which possible contacts lie beyond them.
 void SetSides(const Frame& frame, const std::vector<StabilitySide>& sides, const SupportPolygon& outer,
   double beyond, StabilityResult& result)
 {
   for (const StabilitySide& side : sides)
   {
-    // Contacts that are possible only lie beyond the side by this.
+    // Contacts that are possible but not certain lie beyond the side by at most this distance.
     const double length = std::hypot(side.To[0] - side.From[0], side.To[1] - side.From[1]);
     const Point2D outward = { (side.To[1] - side.From[1]) / length, (side.From[0] - side.To[0]) / length };
     const double support =
@@ -239,7 +239,7 @@ void SetSides(const Frame& frame, const std::vector<StabilitySide>& sides, const
   }
 }
 
-/// On a single point of level ground.
+/// Sets the tip angle and rise of a body that rests on a single point of level ground.
 void SetTipOverPoint(const Frame& frame, const Point2D& p, double beyond, StabilityResult& result)
 {
   const double offset = std::hypot(frame.ProjectedCenter[0] - p[0], frame.ProjectedCenter[1] - p[1]);
@@ -249,8 +249,8 @@ void SetTipOverPoint(const Frame& frame, const Point2D& p, double beyond, Stabil
   result.CenterOfMassRise = result.CenterOfMassRiseBound = 0.0;
 }
 
-/// Upper concave envelope of the samples along the line of contacts, at the foot, for rolling in a direction: surfaces that end
-/// there count as edges.
+/// Returns the value, at the projected centre of mass, of the upper concave envelope of the radii along the line of contacts, for rolling
+/// in a direction. A surface that ends in that direction has radius 0, as an edge.
 ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& foot, const Point2D& along,
   double reach, int direction)
 {
@@ -315,7 +315,7 @@ void Roll(
     }
   }
   const double reach = std::max(frame.Body.Tolerance, frame.Bound);
-  // The side to which it rolls worst: both sides of a line, any side of a point.
+  // The direction in which the body rolls most easily: one of both sides of a line, any direction for a point.
   const bool isLine = result.Support == SupportKind::Line;
   ContactSample sample{ frame.ProjectedCenter, Infinity, 0.0, Infinity };
   for (int k = 0; k < ContactDirections; ++k)
@@ -332,8 +332,8 @@ void Roll(
   {
     return;
   }
-  // On a slope the balanced centre is z / u_h above the contact, along u. A turn about the axis a carries it 1 - (a.u)^2 of
-  // that, and the contact radius u_h, both as seen from above: so z counts (1 - (a.u)^2) / u_h^2 times.
+  // On a slope the balanced centre is z / u_h above the contact, along u. A rotation about the axis a moves it horizontally by 1 - (a.u)^2
+  // times that, and the contact by u_h times the radius. So z has the factor (1 - (a.u)^2) / u_h^2.
   const std::array<double, 3>& up = frame.Body.Up;
   const double slopeAlong = isLine ? along[0] * up[0] + along[1] * up[1] : 0.0;
   const double factor =
@@ -341,7 +341,7 @@ void Roll(
   result.RollingRadius = sample.Radius;
   result.RollingMargin = sample.Radius - factor * frame.Height;
   result.RollingMarginBound = sample.RadiusError + factor * frame.Bound;
-  // The least radius belongs to one direction: of a point on a slope, or of two points that make a line, not surely to the worst.
+  // The least radius belongs to one direction, which need not be the worst one for a point on a slope, or for two points that form a line.
   if (isLine ? sample.Widest < 1e6 * frame.Body.Size : factor > 1.0)
   {
     result.RollingMarginBound += std::max(0.0, sample.Widest - sample.Radius);
@@ -351,7 +351,7 @@ void Roll(
     return; // not in balance
   }
   result.ByRolling = true;
-  // Along the line it tips over the ends.
+  // Along the line the body tips over the ends.
   double ends[2] = { 0.0, 0.0 };
   for (const Point2D& p : hull.Corners)
   {
@@ -415,7 +415,8 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
                                                                       : SupportKind::Line;
 
   const Hulls fine = Refine(contacts.Pieces, frame.ProjectedCenter, body.Size, merge);
-  // Points this close to certain ones were passed by, and the outer hull leaves out as much again.
+  // The outer hull may leave out contacts by this distance: points close to others are merged, and stationary points have the accuracy
+  // Spread.
   const double beyond = 8.0 * merge + contacts.Spread;
   const double inner = fine.Inner.GetMargin(frame.ProjectedCenter);
   double low = inner - contacts.Spread - frame.Bound;

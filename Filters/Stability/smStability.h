@@ -2,7 +2,7 @@
  * @file smStability.h
  * @brief Static stability of a body on the ground: stability margin, tip angles and rises of the centre of mass, with bounds
  *
- * Everything is in the frame of the ground (smGroundNet.h): a, b in its plane, h along its normal. The body is rigid and does not
+ * All quantities are in the frame of the ground (smGroundNet.h): a, b in its plane, h along its normal. The body is rigid and does not
  * slide. It is stable when its centre of mass, projected along gravity onto the ground, lies inside the support polygon, the convex
  * hull of the contacts.
  *
@@ -22,12 +22,12 @@
  *
  * **Rolling.** Where the contacts are one point, or lie on one line, the margin is not positive, and the curvature decides. The height
  * of the centre over the ground, as a function of the direction of the ground seen from the body, is the support function of the
- * body about the centre; its second derivative in a direction of rolling is (radius of curvature) - z. So a body that is in
- * balance rolls back when the radius of curvature of its surface at the contact, across the line of contacts, exceeds the height of
- * the centre: RollingMargin = radius - z. Corners and edges have radius 0. Between two contacts of a line the radius counts linearly (upper
- * concave envelope: the body lies on both). Where a surface ends at the contact, the body tips over that border: the radius to
- * that side is 0. On a slope z is multiplied by 1 / cos^2 of the slope's angle across the axis of rolling. Radii come from derivatives at the
- * contacts: the bound of the rolling margin is an estimate and not proved.
+ * body about the centre; its second derivative in a direction of rolling is (radius of curvature) - z. So a balanced body returns to its
+ * position when the radius of curvature of its surface at the contact, across the line of contacts, exceeds the height of the centre:
+ * RollingMargin = radius - z. Corners and edges have radius 0. Between two contacts of a line the radius counts linearly (upper concave
+ * envelope: the body lies on both). Where a surface ends at the contact, the body tips over that border: the radius to that side is 0. On a
+ * slope z is multiplied by 1 / cos^2 of the slope's angle across the axis of rolling. Radii come from derivatives at the contacts: the
+ * bound of the rolling margin is an estimate and not proved.
  */
 #ifndef smStability_h
 #define smStability_h
@@ -60,19 +60,20 @@ enum class SupportKind
 
 struct StabilityCase
 {
-  /// In the ground's frame.
+  /// Centre of mass in the ground's frame.
   std::array<double, 3> Center{};
-  /// Largest error of the centre, in any direction; not finite: there is no centre.
+  /// Bound of the distance from the true centre, a length; not finite: there is no centre.
   double CenterBound = 0.0;
   /// Unit vector against gravity; its h component is positive.
   std::array<double, 3> Up{ 0.0, 0.0, 1.0 };
-  /// The ground lies between these heights.
+  /// Enclosure of the height of the ground.
   HeightRange Ground{ 0.0, 0.0 };
-  /// As in ContactSearch.
+  /// See ContactSearch::GetSize(), GetRounding() and GetResolution().
   double Size = 0.0;
   double Rounding = 0.0;
   double Resolution = 0.0;
-  /// Contacts were searched within this distance of the ground, a length: a body that is out of balance by less counts as in balance.
+  /// Contacts were searched within this distance of the ground, a length. A body whose projected centre misses the support by less counts
+  /// as balanced.
   double Tolerance = 0.0;
 };
 
@@ -83,7 +84,7 @@ struct StabilitySide
   /// Signed distance of the projected centre of mass from the side's line, in the ground's plane.
   double StabilityMargin;
   double StabilityMarginBound;
-  /// Radians; negative: the centre is beyond the side already.
+  /// Angle of the rotation until the body tips, in radians; negative: the centre is beyond the side already.
   double TipAngle;
   double TipAngleBound;
   /// Rise of the centre of mass, a length.
@@ -102,7 +103,7 @@ struct StabilityResult
   double HeightBound;
   double StabilityMargin;
   double StabilityMarginBound;
-  /// The smallest of all directions.
+  /// Least tip angle of all directions, in radians.
   double TipAngle;
   double TipAngleBound;
   double CenterOfMassRise;
@@ -111,7 +112,8 @@ struct StabilityResult
   double RollingRadius;
   double RollingMargin;
   double RollingMarginBound;
-  /// Counter-clockwise seen against the ground's normal: certain contacts, curved sides to a thousandth of the size.
+  /// Support polygon of the certain contacts, counter-clockwise seen against the ground's normal; curved sides as chords, to a thousandth
+  /// of the size.
   std::vector<Point2D> Polygon;
   std::vector<StabilitySide> Sides;
 
@@ -119,7 +121,7 @@ struct StabilityResult
   StabilityResult();
 };
 
-/// Refines `contacts` where the result depends on them.
+/// Computes the stability of a body. Refines its copy of `contacts` where the result depends on them.
 StabilityResult ComputeStability(const StabilityCase& body, GroundContacts contacts);
 }
 

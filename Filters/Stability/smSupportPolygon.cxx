@@ -88,7 +88,7 @@ SupportPolygon SupportPolygon::FromPoints(std::vector<Point2D> points, double me
   {
     return polygon;
   }
-  // A sliver is the segment between its tips.
+  // A polygon that is nearly a segment becomes the segment between its tips.
   const auto [one, other] = polygon.GetTips();
   if (std::all_of(corners.begin(), corners.end(),
         [&, a = one, b = other](const Point2D& p) { return GetHeight(a, p, b) <= merge; }))
@@ -96,7 +96,7 @@ SupportPolygon SupportPolygon::FromPoints(std::vector<Point2D> points, double me
     corners = { one, other };
     return polygon;
   }
-  // Corners of nearly no turn, one at a time, so that what is left out stays near the line that is kept.
+  // Corners that are nearly straight are left out one at a time, so that they stay close to the line that is kept.
   std::vector<Point2D> kept;
   // Largest distance outside of the points since the last one that was kept.
   double left = 0.0;
@@ -150,7 +150,7 @@ std::vector<Point2D> SupportPolygon::GetCriticalDirections(const Point2D& point,
   const double margin = this->GetMargin(point);
   if (margin < 0.0 || count < 3)
   {
-    // The normal at the nearest point; where that is the point itself, across the segment.
+    // The direction from the nearest point to the point; where both coincide, the one across the segment.
     for (std::size_t i = 0; i < count; ++i)
     {
       const Point2D& a = this->Corners[i];

@@ -19,7 +19,7 @@ namespace sm
 {
 namespace
 {
-/// Position in the ground's frame of a point of the world, given in parts that are added in wider numbers.
+/// Returns the position of a world point in the ground's frame. The point is given in extended precision.
 Vector3 ToFrame(
   const GroundDirections& ground, const Vector3& origin, const std::array<long double, 3>& world)
 {
@@ -81,7 +81,7 @@ bool GroundDirections::Make(const double gravity[3], const double normal[3], Gro
     n = { -n[0], -n[1], -n[2] };
   }
   directions.Normal = n;
-  // The world axis that lies in the ground most nearly.
+  // The world axis with the smallest angle to the ground's plane.
   int axis = 0;
   for (int i = 1; i < 3; ++i)
   {
@@ -149,7 +149,7 @@ void EvaluateStability(SupportedBody& body, const GroundDirections& ground, cons
   StabilityCase stabilityCase;
   const Vector3 center = ToFrame(ground, body.Origin, { body.Center[0], body.Center[1], body.Center[2] });
   stabilityCase.Center = center;
-  // That of its components.
+  // The bound of the body is that of each component.
   stabilityCase.CenterBound = std::sqrt(3.0) * body.CenterBound;
   stabilityCase.Up = { Dot(ground.Up, ground.A), Dot(ground.Up, ground.B), Dot(ground.Up, ground.Normal) };
   if (ground.Up == ground.Normal)
@@ -164,7 +164,7 @@ void EvaluateStability(SupportedBody& body, const GroundDirections& ground, cons
   if (groundOrigin)
   {
     const double h = ToFrame(ground, body.Origin, { groundOrigin[0], groundOrigin[1], groundOrigin[2] })[2];
-    // The plane's own point is rounded as the body's are.
+    // The point of the given plane is rounded, too.
     const double rounding = stabilityCase.Rounding + 4e-16 * std::abs(h);
     stabilityCase.Ground = { h - rounding, h + rounding };
     body.Clearance = { lowest.Low - stabilityCase.Ground.High, lowest.High - stabilityCase.Ground.Low };
@@ -183,8 +183,6 @@ void EvaluateStability(SupportedBody& body, const GroundDirections& ground, cons
   body.Result = ComputeStability(stabilityCase, std::move(contacts));
 }
 
-// --- the drawing -------------------------------------------------------------------------------
-
 namespace
 {
 const unsigned char* GetColor(Verdict verdict)
@@ -200,7 +198,7 @@ const unsigned char* GetColor(Verdict verdict)
                                       : grey;
 }
 
-/// Cells with a colour each; lines come before polygons in a polydata.
+/// Collects coloured lines and polygons; in the cell data of a polydata lines come before polygons.
 class Pen
 {
 public:

@@ -18,7 +18,7 @@ class vtkPolyData;
 
 namespace sm
 {
-/// Unit vectors; Normal.Up > 0.
+/// Unit vectors against gravity and normal to the ground; Normal.Up > 0.
 struct GroundDirections
 {
   Vector3 Up;
@@ -27,7 +27,8 @@ struct GroundDirections
   Vector3 A;
   Vector3 B;
 
-  /// False when the ground stands upright (cosine below 1e-6). `normal` of length 0: up; neither needs to have length 1.
+  /// Returns false if the ground is vertical (cosine below 1e-6). A `normal` of length 0 stands for the upward direction. Both vectors may
+  /// have any length.
   static bool Make(const double gravity[3], const double normal[3], GroundDirections& directions);
 };
 
@@ -38,10 +39,10 @@ struct SupportedBody
   std::string Id;
   std::string Status;
   std::vector<const BodyIntegrals*> Parts;
-  /// World coordinates; a bound that is not finite: there is no centre.
+  /// Centre of mass in world coordinates; there is none if its bound is not finite.
   Vector3 Center{};
   double CenterBound = 0.0;
-  /// kg and metres per length unit; NaN: not known.
+  /// Mass in kg, and metres per length unit; NaN: not known.
   double Mass;
   double Metres;
 
@@ -51,25 +52,27 @@ struct SupportedBody
   HeightRange Clearance{ 0.0, 0.0 };
   int ContactFaces = 0;
   int ContactEdges = 0;
+  /// True if the search of contacts was stopped at a limit of work, see GroundContacts::Coarse; bounds hold, but are wider.
   bool Coarse = false;
   StabilityResult Result;
   /// Height of the ground in the frame.
   double GroundHeight = 0.0;
 
   SupportedBody();
-  /// From the ground's frame to the world.
+  /// Returns the world coordinates of a point in the ground's frame.
   Vector3 ToWorld(const GroundDirections& ground, const Point2D& ab, double h) const;
 };
 
-/// Returns the frame of the ground for the stored coordinates of a part; `origin` is a point of the world that the frame begins at.
+/// Returns the frame of the ground for the stored coordinates of a part; `origin` is the world position of the frame's origin.
 GroundFrame MakeGroundFrame(const GroundDirections& ground, const Vector3& origin, const BodyIntegrals& part);
 
-/// `groundOrigin` null: resting. `tolerance` relative to the size. Fills everything after Metres.
+/// Computes all members after Metres. `groundOrigin`: a point of the ground; null: the ground is under the lowest point. `tolerance`:
+/// distance up to which points are contacts, relative to Size.
 void EvaluateStability(SupportedBody& body, const GroundDirections& ground, const double* groundOrigin,
   double tolerance, FacePanelsCache& cache);
 
-/// Support polygon, centre of mass, its projection onto the ground and the line between them, in the verdict's colour (cell data
-/// StabilityColor).
+/// Draws the support polygon, the centre of mass, its projection onto the ground and the line between them, in the colour of the verdict
+/// (cell data StabilityColor).
 void DrawSupportedBodies(
   const std::vector<SupportedBody>& bodies, const GroundDirections& ground, vtkPolyData* drawing);
 }

@@ -9,10 +9,10 @@ namespace sm
 {
 namespace
 {
-// Largest distance of chords from their curves, relative to the domain. Boxes nearer than that to a curve stay undecided.
+// Largest distance of chords from their curves, relative to the domain. Boxes closer than that to a curve remain undecided.
 constexpr double ChordTolerance = 1e-6;
 
-/// False when no point of the chord is in the box.
+/// Returns false if no point of the chord is in the box.
 bool MayCross(const std::array<double, 2>& from, const std::array<double, 2>& to,
   const std::array<double, 2>& low, const std::array<double, 2>& high)
 {
@@ -86,7 +86,7 @@ TrimClassifier::TrimClassifier(const Face& face)
   }
 }
 
-/// Curve by curve, so that a straight one keeps its own deviation, which is none.
+/// Adds a loop curve by curve, so that straight curves keep their deviation of 0.
 void TrimClassifier::AddLoop(const Loop& loop, const std::array<double, 2>& tolerance)
 {
   std::vector<std::array<double, 2>> corners;

@@ -25,12 +25,12 @@ enum class TrimSide
 class SMFILTERSSTABILITY_EXPORT TrimClassifier
 {
 public:
-  /// Takes the face's loops; it is not kept.
+  /// Copies the loops of the face, which need not outlive the classifier.
   explicit TrimClassifier(const Face& face);
 
-  /// The closed box in the face's own (u, v). Inside and Outside are proved for the trim curves themselves. A box may
-  /// have no width. Points that loops wind around, in either sense, are inside; everything is where there are no loops.
-  /// `hopeless`, if not null, becomes true when the box is undecided and smaller ones near it would be, too.
+  /// Classifies a closed box in the face's own (u, v), which may have width 0. Inside and Outside are proved for the trim curves
+  /// themselves. Points with a winding number other than 0 are inside; without loops all points are. `hopeless`, if not null, becomes true
+  /// when the box is undecided and smaller ones near it would be, too.
   TrimSide Classify(
     const std::array<double, 2>& low, const std::array<double, 2>& high, bool* hopeless = nullptr) const;
 
@@ -50,7 +50,7 @@ private:
   double RowStart = 0.0;
   double RowHeight = 1.0;
   int GetRow(double v) const;
-  /// By curve: largest distance of its chords from it, in u and in v; and the largest in v.
+  /// Largest distance of the chords of each curve from it, in u and in v; and the largest in v of all.
   std::vector<std::array<double, 2>> Deviations;
   double Largest = 0.0;
   bool Everything = false;

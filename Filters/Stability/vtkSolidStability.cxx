@@ -33,10 +33,10 @@ namespace
 {
 namespace names = sm::names;
 
-/// Part of a run that the mass properties take, as its progress has it.
+/// Fraction of the progress for the mass properties.
 constexpr double MassShare = 0.8;
 
-/// While it lives, passes the progress of a filter inside on to its owner, and the owner's wish to stop to the filter.
+/// During its lifetime, forwards the progress of the internal filter to its owner, and the owner's abort flag to the internal filter.
 class ProgressRelay
 {
 public:
@@ -71,7 +71,7 @@ private:
   unsigned long Tag = 0;
 };
 
-/// The larger the worse.
+/// Returns the order of verdicts: a larger number is worse.
 int GetBadness(sm::Verdict verdict)
 {
   switch (verdict)
@@ -290,7 +290,7 @@ std::string vtkSolidStability::GetMessage(int index) const
 
 vtkMTimeType vtkSolidStability::GetMTime()
 {
-  // The input of the filter inside changes in every run, its options do so by its user.
+  // The input of the internal filter is set by every run; its options may be changed by the user.
   return std::max(this->Superclass::GetMTime(), this->Implementation->Mass->GetMTime());
 }
 
@@ -383,12 +383,12 @@ int vtkSolidStability::Evaluate(vtkDataObject* input, int piece, vtkInformationV
 void vtkSolidStability::UpdateMassProperties(vtkDataObject* input)
 {
   Internals& self = *this->Implementation;
-  // The data alone: the filter inside must not run this one's pipeline.
+  // Only the data object is passed on: the internal filter must not run the pipeline of this one.
   if (self.Mass->GetInputDataObject(0, 0) != input)
   {
     self.Mass->SetInputDataObject(input);
   }
-  // A leaf of a composite may have changed, which this does not show; faces that did not are kept.
+  // A leaf of a composite may have changed although the composite is the same. Results of unchanged faces are reused.
   self.Mass->Modified();
   {
     const ProgressRelay relay(self.Mass, this, MassShare);
@@ -430,7 +430,7 @@ void vtkSolidStability::EvaluateBodies(
     this->UpdateProgress(
       MassShare + (1.0 - MassShare) * static_cast<double>(i + 1) / static_cast<double>(supported.size()));
   }
-  // The parts end with this run.
+  // The parts refer to data of this run and must not outlive it.
   self.Worst.Parts.clear();
 }
 

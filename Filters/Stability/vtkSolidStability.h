@@ -9,8 +9,8 @@
  * Verdicts: `stable` and `unstable` are proved, up to the bounds; `too-close` when the margin is smaller than its bound. A point or
  * line of contact has no positive margin. In this case the curvature decides, and DecidedBy is `rolling`: a hemisphere on its dome
  * is stable; a lying cylinder and a ball are too-close, because every position is in balance; a cone on its tip is unstable.
- * A body whose projected centre of mass misses the contact by no more than the contact tolerance counts as balanced there. Radii of curvature are
- * computed at the contacts, and their bound is an estimate. `no-contact`: the given plane is out of reach; `below-ground`:
+ * A body whose projected centre of mass misses the contact by no more than the contact tolerance counts as balanced there. Radii of
+ * curvature are computed at the contacts, and their bound is an estimate. `no-contact`: the given plane is out of reach; `below-ground`:
  * parts of the body are below it by more than the tolerance; `unknown`: there is no centre of mass (an open
  * surface, see Status), or the run was aborted before this body was evaluated.
  * An open solid has a verdict for the centre that the mass filter states; Status says open.
@@ -81,8 +81,10 @@ public:
   ///@}
 
   ///@{
-  /** Normal of the ground, of any length; 0 0 0 (default): against gravity. Another one makes a slope; at right angles to
-   * gravity it is no ground, and the run fails. Its sense does not matter. Not finite: an error, and nothing changes. */
+  /**
+   * Normal of the ground, of any length; 0 0 0 (default): against gravity. Any other direction makes a slope; with a normal perpendicular
+   * to gravity the run fails. The sign of the normal does not matter. Not finite: an error, and nothing changes.
+   */
   void SetGroundNormal(double x, double y, double z);
   void SetGroundNormal(const double normal[3]);
   vtkGetVector3Macro(GroundNormal, double);

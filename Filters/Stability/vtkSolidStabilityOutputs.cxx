@@ -84,7 +84,7 @@ void SetCommonCenter(sm::SupportedBody& body, vtkFieldData* rows, vtkIdType coun
   body.Mass = mass;
 }
 
-/// True when every solid has a mass and their densities are not all the same.
+/// Returns true if every solid has a mass and their densities are not all equal.
 bool HasDensities(vtkFieldData* rows, vtkIdType count)
 {
   bool differ = false;
@@ -134,7 +134,7 @@ const char* GetName(SupportKind support)
 }
 }
 
-/// Some solids have a mass, and some have none.
+/// Returns true if some solids have a mass and some have none.
 static bool LacksDensities(vtkFieldData* rows, vtkIdType count)
 {
   vtkIdType known = 0;
@@ -145,7 +145,7 @@ static bool LacksDensities(vtkFieldData* rows, vtkIdType count)
   return known > 0 && known < count;
 }
 
-/// The bodies that are evaluated one by one, each with its centre of mass.
+/// Returns the rigid bodies to evaluate, each with its centre of mass.
 std::vector<sm::SupportedBody> vtkSolidStability::Internals::Collect(
   const std::vector<sm::BodyIntegrals>& bodies, bool together)
 {

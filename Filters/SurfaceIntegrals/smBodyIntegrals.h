@@ -122,8 +122,8 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void SumValues(
 /// suspect if that gap, or MaxOverhang, is wider than `limit` times its diagonal and than the file excuses.
 SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit);
 
-/// Returns the largest value that is no contradiction: `limit` times `size`, or up to ten times that what the uncertainty of the file
-/// excuses.
+/// Returns the largest gap or change that does not make a body suspect: `limit` times `size`, or `excuse`, which follows from the
+/// uncertainty of the file, if that is larger, but at most ten times `limit` times `size`; infinity if `limit` is 1.
 SMFILTERSSURFACEINTEGRALS_EXPORT double GetExcused(double limit, double size, double excuse);
 
 /// Reverses the shells whose normals point inwards (smShellOrientation.h), where `volume` is the index of the volume's integrand,
@@ -133,7 +133,7 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void ReverseShells(
   BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume);
 
 /// Flags a closed body as suspect if its shells are not nested, or not oriented, as a solid's are, by the volumes of its display mesh:
-/// for integrals over a part of the body, which do not tell it.
+/// needed for integrals over a part of the body, whose values do not show it.
 SMFILTERSSURFACEINTEGRALS_EXPORT void CheckShells(BodyIntegrals& body);
 
 /// Sets the values of a body for which nothing was computed to NaN, one per integrand, and adds a message.

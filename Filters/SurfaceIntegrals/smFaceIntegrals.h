@@ -70,7 +70,7 @@ struct FaceIntegrals
       values->push_back(value);
     }
   }
-  /// True if the bound of the area, or of an integrand without a theory, is estimated and not proved.
+  /// True if the bound of the area, or of an integrand whose orders cannot be planned (an expression), is estimated and not proved.
   bool Estimated = false;
   /// True if the run was stopped before this face: its integrals are 0, with their largest possible magnitude as error.
   bool Skipped = false;

@@ -24,7 +24,8 @@ struct FaceTask;
 class FacePlans
 {
 public:
-  /// Sets the integrands and removes all plans. Returns false if an integrand has no theory, so that nothing can be planned.
+  /// Sets the integrands and removes all plans. Returns false if an integrand has no a-priori bound (an expression), so that nothing can be
+  /// planned.
   bool SetIntegrands(const std::vector<Integrand>& integrands, int stripPoints);
   /// Removes all plans.
   void Clear();

@@ -220,7 +220,7 @@ std::string Describe(const FlaggedPlace& place, const BodyIntegrals& body)
     (figures.empty() ? "" : ", about " + figures + " in doubt");
 }
 
-/// The cell data.
+/// The columns of the cell data of port 6.
 class CellColumns
 {
 public:
@@ -358,7 +358,7 @@ void DrawFlaggedPlaces(
   {
     const BodyIntegrals& body = bodies[index];
     const std::vector<FacePointer>& sources = body.Model->GetFaces();
-    // On the triangles of a picture, where there is one.
+    // The display mesh is drawn where there is one, else the scale mesh.
     const auto& visitFaces = body.Mesh->GetNumberOfPolys() > 0 ? VisitShownTriangles : VisitTriangles;
     visitFaces(body.Mesh, sources.size(),
       [&, placeOfFace = std::cref(placeOfFace)](std::size_t face, const auto& corners, const auto&)

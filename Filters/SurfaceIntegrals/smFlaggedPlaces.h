@@ -28,7 +28,7 @@ struct FlaggedPlace
   /// The defect in words, without the figures in doubt.
   std::string Reason;
   /**
-   * Estimates of what the place may change in the area and volume of its body, not bounds; NaN where they are not known.
+   * Estimates, not bounds, of the errors that the place may cause in the area and volume of its body; NaN where they are not known.
    * - A gap: its area, and the integral of its square, by which ways of closing it differ. A face in a wrong place may cost more.
    * - An opening of a solid: the length of the vector area of its edges, which is the least area of a surface that closes it, and
    *   that times a third of the largest distance of the body's box from the origin of the model: the flux about that origin through a

@@ -46,7 +46,7 @@ struct IntegralRequest
   /// Entity numbers of the faces to integrate over; empty: all.
   std::set<int> FaceIds;
 
-  /// Returns whether an integrand is an expression in GLSL.
+  /// Returns true if an integrand is an expression in GLSL.
   bool HasExpressions() const;
 };
 

@@ -21,7 +21,7 @@ void Join(std::string& all, const std::string& more, const std::string& separato
 
 void IntegralEngine::SetController(vtkMultiProcessController* controller)
 {
-  // Made here, as a run must not fail before it has told the other ranks.
+  // Allocated here and not in a run, which must not fail before its first collective call.
   this->Exchange = controller ? std::make_unique<ControllerExchange>(controller) : nullptr;
 }
 

@@ -47,8 +47,8 @@ PlacementError PlacementError::Make(const BodyIntegrals& body)
 
 /**
  * With x moved by d and n = Ss x Sr by at most 2 Turned |n|, the map being affine, x^k |n| changes by (k Moved / reach + 2 Turned) of
- * reach^k |n|, and x.n x^k / (3 + k) by ((k + 1) Moved / reach + 2 Turned) of reach^(k+1) |n| / (3 + k). Squares of roundings are
- * far below what `Rounding` has to spare.
+ * reach^k |n|, and x.n x^k / (3 + k) by ((k + 1) Moved / reach + 2 Turned) of reach^(k+1) |n| / (3 + k). Squares of roundings are far below
+ * the margin in `Rounding`.
  */
 double PlacementError::GetBound(const BoundClass& integrand, double area, double gaps, double reach) const
 {

@@ -23,7 +23,7 @@ namespace sm
 struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
 {
   sm::Status Status = sm::Status::None;
-  /// Status of the file as a whole, which the status of the run is not better than.
+  /// Status of the file as a whole; the status of the run is this one or a worse one.
   sm::Status FileStatus = sm::Status::None;
   std::vector<std::string> Messages;
   /// The message that gives the reason why the run stopped or had nothing to compute; empty otherwise.
@@ -67,8 +67,9 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   void FillFieldData(vtkFieldData* data) const;
 };
 
-/// The first lines of a summary: the status, its reason in lines of at most 64 characters, the number of the messages that do not repeat
-/// it, and what bounds are worth where the model is in doubt. With the status `ok` the first message as a note, or nothing.
+/// Returns the first lines of a summary: the status, its reason in lines of at most 64 characters, the number of other messages, and, where
+/// the model is suspect or open, that bounds do not include its defects. With the status `ok`, returns the first message as a note, or
+/// nothing.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::string FormatStatus(
   const std::string& status, const std::string& reason, const std::vector<std::string>& messages);
 }

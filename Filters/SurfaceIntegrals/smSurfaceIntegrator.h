@@ -74,10 +74,10 @@ public:
    * Shares the faces with other ranks. All ranks call BeginSharing() with the number `root` of the one that has the faces. It then
    * calls Integrate() while all others call RunAsWorker(). Every rank ends the run with FinishSharing(), also after an exception and if
    * it has nothing to do: it makes the collective calls that are left, without the need for memory, so that no rank waits for this one.
-   * If this rank failed, `failure` is the reason, else empty. The failure of the root stops the run of all ranks. Shares are chosen by estimated cost, and a face is sent
-   * once. As the result of a face does not depend on other faces, results are bitwise equal to those of a single process if all
-   * ranks have equal devices and no limit ends the run. Every rank may spend its part of the evaluations; the time limit is that
-   * of the rank that has the faces; a rank that is stopped stops all ranks. GetRanks() names a rank that fails, or whose
+   * If this rank failed, `failure` is the reason, else empty. The failure of the root stops the run of all ranks. Shares are chosen by
+   * estimated cost, and a face is sent once. As the result of a face does not depend on other faces, results are bitwise equal to those of
+   * a single process if all ranks have equal devices and no limit ends the run. Every rank may spend its part of the evaluations; the time
+   * limit is that of the rank that has the faces; a rank that is stopped stops all ranks. GetRanks() names a rank that fails, or whose
    * integrands differ, and the rank that has the faces integrates that rank's faces.
    *
    * Without BeginSharing(), a run is that of a single process. The exchange must live until FinishSharing(). `device` describes the

@@ -46,7 +46,7 @@ void SurfaceIntegrator::Internals::AddBounds(const std::vector<FaceTask>& tasks,
     double area = plan.Area;
     for (std::size_t k = 0; k < this->Chosen.size(); ++k)
     {
-      // The rows have the errors of compared items, for the area, and values that are not finite.
+      // In a planned run the rows have errors only for the area of compared items, and for values that are not finite.
       double& error = result.QuadratureError[this->Chosen[k]];
       const bool compared = this->Plans.GetBoundClass(k).Kind == BoundClass::AreaMoment;
       error = compared || !std::isfinite(error) ? error : 0.0;

@@ -24,7 +24,7 @@ struct SurfaceIntegrator::Internals
   FacePlans Plans;
   FaceResultCache Results;
   bool CacheFaceResults = true;
-  /// True if all integrands have a theory.
+  /// True if the orders of all integrands are planned from a-priori bounds; false if one is an expression.
   bool Planned = false;
   std::vector<Integrand> Integrands;
   bool UsePlacements = false;
@@ -56,7 +56,7 @@ struct SurfaceIntegrator::Internals
   ReceivedFaces Received;
   std::vector<RankReport> Ranks;
 
-  /// Callback of the current Integrate() or RunAsWorker().
+  /// Progress callback of the current Integrate() or RunAsWorker().
   ProgressCallback Progress;
   /// MaximumEvaluations of the rank that has the faces, with which all ranks compare their plans.
   std::int64_t RunMaximum = 0;
@@ -90,7 +90,8 @@ struct SurfaceIntegrator::Internals
   void Skip(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& faces,
     std::vector<FaceIntegrals>& results) const;
   bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
-  /// Takes known results, and parts the other faces into batches that have room for their rows and are not too much to lose.
+  /// Takes known results, and divides the other faces into batches whose rows fit into memory and whose results may be lost when the run is
+  /// stopped.
   void MakeBatches(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results,
     std::vector<std::vector<std::size_t>>& batches);
   bool RunBatches(const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& batches,

@@ -104,8 +104,6 @@ vtkTypeBool vtkSurfaceIntegralBase::Update(int port, vtkInformationVector* reque
   return this->Superclass::Update(port, requests);
 }
 
-// --- settings ----------------------------------------------------------------------------------
-
 void vtkSurfaceIntegralBase::ChangeRelativeTolerance(double tolerance)
 {
   if (!(tolerance > 0.0 && tolerance <= 1.0))
@@ -200,8 +198,6 @@ void vtkSurfaceIntegralBase::ReleaseMemory()
   this->ReleaseKept();
 }
 
-// --- the last run ------------------------------------------------------------------------------
-
 std::string vtkSurfaceIntegralBase::GetStatus() const
 {
   return sm::GetText(this->Engine->GetReport().Status);
@@ -281,8 +277,6 @@ double vtkSurfaceIntegralBase::GetAnalyseSeconds() const
 {
   return this->Engine->GetReport().AnalyseSeconds;
 }
-
-// --- for subclasses ----------------------------------------------------------------------------
 
 void vtkSurfaceIntegralBase::ResetResults()
 {

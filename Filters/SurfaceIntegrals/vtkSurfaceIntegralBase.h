@@ -162,9 +162,9 @@ public:
    *
    * Outputs and getters of the other ranks are empty, so that no result exists twice. Properties must be the same on all ranks; a
    * rank with other integrands takes no part, with a message. A rank without OpenGL computes on the CPU. If a rank fails, by
-   * an exception or otherwise, the rank with the bodies computes its share, with a message; if that one fails, nothing is computed. An abort on any rank stops all ranks, at the end of a batch of some
-   * 2e7 evaluations. Every rank may spend the part of MaximumEvaluations that corresponds to its faces' part of the plan.
-   * Evaluations and Dispatches count all ranks. vtkBuoyancy, vtkSolidSection and
+   * an exception or otherwise, the rank with the bodies computes its share, with a message; if that one fails, nothing is computed. An
+   * abort on any rank stops all ranks, at the end of a batch of some 2e7 evaluations. Every rank may spend the part of MaximumEvaluations
+   * that corresponds to its faces' part of the plan. Evaluations and Dispatches count all ranks. vtkBuoyancy, vtkSolidSection and
    * vtkSchemeMassPropertiesGPU run on the rank that has the bodies.
    * If several ranks have bodies, each integrates its own. A plain Update() involves only the calling process.
    *
@@ -210,7 +210,10 @@ public:
   vtkGetMacro(ShaderPerturbation, double);
 
   ///@{
-  /** Of a port with meshes also asks for these, as a connected view does: the input's display mesh is made where it has none yet. */
+  /**
+   * Updates a port. For a port with meshes this also requests them, as a connected view does: the reader makes the display mesh if there is
+   * none yet.
+   */
   using vtkPolyDataAlgorithm::Update;
   void Update(int port) override;
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;

@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkSurfaceIntegralGPU);
 
 namespace
 {
-/// Limit above which the arrays would need more memory than the meshes.
+/// Largest number of integrands that are added to the meshes; more arrays would need more memory than the meshes themselves.
 constexpr std::size_t LargestNumberOfMeshArrays = 16;
 
 /// Returns the scale of relative tolerances of an integrand.

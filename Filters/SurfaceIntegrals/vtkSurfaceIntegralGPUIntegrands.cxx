@@ -243,8 +243,6 @@ std::string vtkSurfaceIntegralGPU::GetIntegrandName(int index) const
   return index >= 0 && index < static_cast<int>(integrands.size()) ? integrands[index].Name : "";
 }
 
-// --- integrands as settings --------------------------------------------------------------------
-
 void vtkSurfaceIntegralGPU::SetIntegrandText(const std::string& text)
 {
   Internals& self = *this->Implementation;
@@ -335,8 +333,6 @@ double* vtkSurfaceIntegralGPU::GetProjectedAreaDirection()
 {
   return this->Implementation->ProjectedAreaDirection;
 }
-
-// --- faces -------------------------------------------------------------------------------------
 
 void vtkSurfaceIntegralGPU::AddFaceId(int id)
 {

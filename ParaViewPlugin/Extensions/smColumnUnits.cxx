@@ -89,7 +89,7 @@ std::string RemoveEnding(const std::string& text)
   {
     return text.substr(0, text.size() - bound.size());
   }
-  // The spreadsheet's names of components.
+  // The suffix by which the spreadsheet names components.
   const std::size_t line = text.rfind('_');
   const bool isComponent =
     line != std::string::npos && line + 2 == text.size() && text[line + 1] >= '0' && text[line + 1] <= '9';

@@ -50,7 +50,7 @@ const Figure FiguresOfSolids[] = {
 const Figure FiguresOfFaces[] = { { "area", names::SurfaceArea }, { "widest gap", names::MaxGap } };
 const Figure FiguresOfEdges[] = { { "widest gap", names::MaxGap } };
 
-/// "mass 0.5 kg (+- 1e-9), area 12 mm^2 (+- 2e-9)": the figures that are known.
+/// Returns the figures that are known, as "mass 0.5 kg (+- 1e-9), area 12 mm^2 (+- 2e-9)".
 template <std::size_t Count>
 std::string ListFigures(
   vtkTable* table, vtkIdType row, const Figure (&figures)[Count], const std::string& unit)
@@ -85,7 +85,7 @@ std::string NameEntity(const char* kind, const char* column, vtkTable* table, vt
     NameSolid(solids, GetIndex(table, names::Solid, row));
 }
 
-/// A line or two for each of the first rows, and how many more there are.
+/// Returns one or two lines for each of the first rows, and the number of the others.
 std::string ListRows(
   const std::vector<vtkIdType>& rows, const char* kind, const std::function<std::string(vtkIdType)>& describe)
 {
@@ -93,7 +93,7 @@ std::string ListRows(
   const std::size_t shown = std::min(rows.size(), MostEntities);
   for (std::size_t i = 0; i < shown; ++i)
   {
-    // Later lines of a text stand out from the next one.
+    // Continuation lines of a text are indented.
     std::string lines = WrapText(describe(rows[i]), LengthOfLines);
     for (std::size_t at = lines.find('\n'); at + 1 < lines.size(); at = lines.find('\n', at + 1))
     {
@@ -124,7 +124,7 @@ std::string DescribeSolids(vtkTable* solids, const std::vector<vtkIdType>& rows)
   }
   if (rows.size() > 1 && std::isfinite(mass))
   {
-    // Each of the additions rounds.
+    // Includes the rounding of each addition.
     bound += 2.0 * static_cast<double>(rows.size()) * UnitRoundoff * (size + bound);
     text += std::to_string(rows.size()) + " solids: mass " + FormatWithBound(mass, bound, "kg") + "\n";
   }

@@ -106,7 +106,7 @@ EscapeKey::EscapeKey(xcb_connection_t* connection)
 
 EscapeKey::~EscapeKey()
 {
-  // The server drops the grabs of a connection that ends.
+  // The X server releases the grabs of a connection that ends.
   xcb_disconnect(this->Connection);
 }
 

@@ -22,15 +22,15 @@ constexpr const char* TickedTotalName = "Total of ticked solids";
 constexpr const char* FromFile = " (file)";
 constexpr const char* FromDensity = " (Density)";
 constexpr const char* FromRowBelow = " (below)";
-/// In place of a material or density where the solids of a name differ.
+/// Text that replaces a material or density if the solids of a name differ.
 constexpr const char* Several = "several";
-/// In place of a mass: the filter refuses the rule, and has computed the solids without it.
+/// Text that replaces a mass if the filter refuses the rule and has computed the solids without it.
 constexpr const char* NoDensity = "no density";
-/// In place of a mass: the rule's pattern fits no part of the input.
+/// Text that replaces a mass if the rule's pattern matches no part of the input.
 constexpr const char* NoPart = "fits no part";
 constexpr int MassDigits = 6;
 
-/// The shortest text that reads back to the bit.
+/// Returns the shortest text that reads back as the same double.
 std::string FormatDensity(double density)
 {
   char text[32];
@@ -43,7 +43,7 @@ std::string GetCommonDensity(const std::string& material)
   return common ? FormatDensity(common->Density) : std::string();
 }
 
-/// The text without the ending that says where it comes from.
+/// Returns the text without the ending that states its origin, such as "(file)".
 std::string RemoveOrigin(const std::string& cell)
 {
   for (const std::string origin : { FromFile, FromDensity, FromRowBelow })
@@ -66,7 +66,7 @@ std::string AddOrigin(const std::string& text, const char* origin)
   return text.empty() ? text : text + origin;
 }
 
-/// The mass, and "(6 of 7 solids)" where only some have one.
+/// Returns the mass, with "(6 of 7 solids)" if only some have one.
 std::string FormatMass(const PartMaterial& part)
 {
   if (part.Weighed == 0)
@@ -84,7 +84,7 @@ std::string GetDensity(const MaterialRow& rule)
   return rule[2].empty() ? GetCommonDensity(rule[1]) : rule[2];
 }
 
-/// A number above 0, with a decimal point, as vtkMassPropertiesBase::AddMaterial() takes it.
+/// Returns true for a number above 0, with a decimal point, which vtkMassPropertiesBase::AddMaterial() accepts.
 bool IsDensity(const std::string& text)
 {
   double value = 0.0;
@@ -92,7 +92,7 @@ bool IsDensity(const std::string& text)
   return error == std::errc() && end == text.data() + text.size() && value > 0.0 && std::isfinite(value);
 }
 
-/// What a rule has of a cell: nothing of one that says that the solids differ.
+/// Returns the text that a rule takes from a cell; empty for a cell that states that the solids differ.
 std::string TakeCell(const std::string& cell)
 {
   const std::string text = RemoveOrigin(cell);

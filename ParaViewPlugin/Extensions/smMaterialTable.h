@@ -24,10 +24,10 @@ struct PartMaterial
   std::string Name;
   /// Number of solids; of those with a volume, where masses are known.
   int Solids = 1;
-  /// What the file states; kg/m^3, 0 without one.
+  /// Material and density that the file states; kg/m^3, 0 without one.
   std::string Material;
   double Density = 0.0;
-  /// The solids differ in material or density.
+  /// True if the solids differ in material or density.
   bool HasSeveral = false;
   /// Number of solids with a mass, and the sum of their masses in kg.
   int Weighed = 0;
@@ -40,18 +40,19 @@ using MaterialRow = std::array<std::string, 3>;
 constexpr int MaterialTableColumns = 4;
 
 /// Returns the cells, row by row; none without parts and rules. `parts` are those of the input, `masses` those of the last run (may be
-/// empty), `density` is that of all solids, or 0. The total of some solids only says so.
+/// empty), `density` is that of all solids, or 0. A total of only some solids is marked as such.
 std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& parts,
   const std::vector<PartMaterial>& masses, const std::vector<MaterialRow>& rules, double density,
   bool isSomeSolids);
 
-/// Where one cell alone differs from the table before, it was edited: without its ending it is what was typed.
+/// If exactly one cell differs from the previous table, it was edited: removes the ending of the cell, so that it has the text that was
+/// typed.
 void TakeEditedCell(const std::vector<std::string>& before, std::vector<std::string>& cells);
 
 /**
- * Returns the rules that a table has, each pattern once, in the order of its rows. A common material gives a row without a density its density,
- * and so it does where the material was changed (`rules` are those before) and the density left as it was. The row of titles, the last row if it
- * is a total, and the masses are ignored.
+ * Returns the rules that a table has, each pattern once, in the order of its rows. A common material gives its density to a row without a
+ * density, and to a row whose material was changed but not its density (`rules` are the previous ones). The row of titles, the last row if
+ * it is a total, and the masses are ignored.
  */
 std::vector<MaterialRow> ReadMaterialTable(
   const std::vector<std::string>& cells, const std::vector<MaterialRow>& rules);

@@ -36,7 +36,7 @@ void ChoosePlotSeries()
   {
     SetVisible("^" + std::string(column) + "(" + names::BoundSuffix + ")?(_[^ ]+)? [(]", false);
   }
-  // Of a vector ParaView would show the magnitude alone, which a position does not have.
+  // For a vector ParaView would show only the magnitude, which has no meaning for a position.
   const std::string center = "^" + std::string(names::CenterOfMass);
   SetVisible(center + "(_| [(])Magnitude", false);
   SetVisible(center + "(_[XYZ]| [(][012][)]) [(]", true);

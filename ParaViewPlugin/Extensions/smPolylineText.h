@@ -1,6 +1,6 @@
 /**
  * @file smPolylineText.h
- * @brief Polylines as one text, since a property with a number for each coordinate sends a message for each
+ * @brief Polylines as one text; a property with a number for each coordinate would send one message for each
  */
 #ifndef smPolylineText_h
 #define smPolylineText_h
@@ -12,9 +12,9 @@
 
 namespace sm
 {
-/// A line of text for each polyline: x y z of its points, with digits that read back to the bit.
+/// Writes a line of text for each polyline: x y z of its points, with digits that read back as the same doubles.
 std::string FormatPolylines(const std::vector<std::vector<Vector3>>& polylines);
-/// Lines end before the first word that is no number.
+/// Reads such a text. A line ends before the first word that is not a number.
 std::vector<std::vector<Vector3>> ParsePolylines(const std::string& text);
 }
 

@@ -17,8 +17,8 @@ namespace sm
 {
 namespace
 {
-/// Selectors of partitioned datasets in the hierarchy, one for each run of solids with successive numbers: ParaView looks through the whole tree
-/// for each selector.
+/// Returns selectors of partitioned datasets in the hierarchy, one for each range of consecutive solids, because ParaView searches the
+/// whole tree for each selector.
 std::vector<std::string> GetSelectors(const std::set<vtkIdType>& solids)
 {
   std::vector<std::string> selectors;
@@ -52,14 +52,14 @@ vtkSmartPointer<vtkSMSourceProxy> MakeSelection(vtkSMSourceProxy* source)
     vtkSMSourceProxy::SafeDownCast(vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
 }
 
-/// The number of the solid of a composite index, which counts the collection, and each partitioned dataset before its only partition;
-/// negative for the collection.
+/// Returns the number of the solid with a composite index. Composite indices count the collection, and each partitioned dataset followed by
+/// its only partition. Negative for the collection.
 vtkIdType GetSolid(vtkIdType compositeIndex)
 {
   return compositeIndex > 0 ? (compositeIndex - 1) / 2 : -1;
 }
 
-/// The composite index of the only partition of a solid.
+/// Returns the composite index of the only partition of a solid.
 vtkIdType GetPartition(vtkIdType solid)
 {
   return 2 * solid + 2;
@@ -70,7 +70,7 @@ bool IsSet(vtkSMProxy* source, const char* property)
   return source->GetProperty(property) && vtkSMPropertyHelper(source, property).GetAsInt() != 0;
 }
 
-/// False for a selection of points, and for conditions on the elements that a source names.
+/// Returns false for a selection of points, and for sources with further conditions on the elements.
 bool SelectsElements(vtkSMProxy* source, int fieldType)
 {
   return source->GetProperty("FieldType") &&
@@ -78,7 +78,7 @@ bool SelectsElements(vtkSMProxy* source, int fieldType)
     !IsSet(source, "ContainingCells") && !IsSet(source, "NumberOfLayers");
 }
 
-/// Finds the blocks of selectors; false for a tree that the data do not have.
+/// Finds the blocks of selectors; returns false for a tree that the data do not have.
 bool ReadSelectors(vtkSMProxy* source, vtkPVDataInformation* data, SelectionSet& set)
 {
   vtkSMPropertyHelper texts(source, "BlockSelectors");
@@ -195,7 +195,7 @@ vtkSmartPointer<vtkSMSourceProxy> MakeSolidSelection(
   return MakeSelection(source);
 }
 
-/// One condition per solid instead makes ParaView's extraction take time with the cube of their number.
+/// With one condition for each solid, the time of ParaView's extraction would grow with the cube of their number.
 vtkSmartPointer<vtkSMSourceProxy> MakeCellSelection(
   vtkSMSessionProxyManager* manager, const std::map<vtkIdType, std::vector<vtkIdType>>& cellsOfSolids)
 {

@@ -24,15 +24,16 @@ class vtkSMSourceProxy;
 namespace sm
 {
 ///@{
-/// The terms of a selection of a table or of meshes; those of an empty one for null. Nothing for a selection that names neither rows by
-/// index, nor cells, nor blocks, such as one by a frustum or a query: what it selects is not known on the client. `data` is of the meshes.
+/// Return the terms of a selection of a table or of meshes; for null those of an empty selection. There is no value for a selection other
+/// than by row indices, cells or blocks, such as one by a frustum or a query, whose result is not known on the client. `data` is the
+/// information of the meshes.
 std::optional<SelectionTerms> ReadRowSelection(vtkSMSourceProxy* selection);
 std::optional<SelectionTerms> ReadMeshSelection(vtkSMSourceProxy* selection, vtkPVDataInformation* data);
 ///@}
 
 vtkSmartPointer<vtkSMSourceProxy> MakeRowSelection(
   vtkSMSessionProxyManager* manager, const std::vector<vtkIdType>& rows);
-/// Whole solids and single cells of others, as clicks in a view select them.
+/// Makes a selection of whole solids, and of single cells of others, like clicks in a view.
 vtkSmartPointer<vtkSMSourceProxy> MakeMeshSelection(vtkSMSessionProxyManager* manager,
   const std::set<vtkIdType>& solids, const std::map<vtkIdType, std::vector<vtkIdType>>& cells);
 }

@@ -13,7 +13,7 @@ namespace sm
 {
 namespace
 {
-/// True if single elements of the block are in a set.
+/// Returns true if single elements of the block are in a set.
 bool HasElements(const SelectionTerms& terms, vtkIdType block)
 {
   return std::any_of(terms.Sets.begin(), terms.Sets.end(),
@@ -45,10 +45,10 @@ vtkSmartPointer<vtkSignedCharArray> MakeMask(const SelectionSet& set, vtkIdType 
   return mask;
 }
 
-/// 1 for each element of a block that is selected; null for an expression that is not valid.
+/// Returns 1 for each selected element of a block; null for an invalid expression.
 vtkSmartPointer<vtkSignedCharArray> Evaluate(const SelectionTerms& terms, vtkIdType block, vtkIdType count)
 {
-  // VTK's own evaluation of such expressions.
+  // The expression is evaluated by vtkSelection.
   vtkNew<vtkSelection> selection;
   std::map<std::string, vtkSmartPointer<vtkSignedCharArray>> masks;
   std::string sum;

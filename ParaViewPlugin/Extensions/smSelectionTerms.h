@@ -1,6 +1,6 @@
 /**
  * @file smSelectionTerms.h
- * @brief A selection as ParaView combines it: sets of elements by name, and a Boolean expression of these names
+ * @brief A combined selection of ParaView: named sets of elements, and a Boolean expression of these names
  *
  * Elements are cells of a mesh or rows of a table, numbered from 0 in their block. Blocks are solids, numbered from 0; a table is block 0.
  */
@@ -32,11 +32,11 @@ struct SelectionTerms
   std::vector<SelectionSet> Sets;
   /// Names of sets with | & ^ ! and parentheses. Empty: the union of all sets.
   std::string Expression;
-  /// What is not in the expression is selected.
+  /// True if the elements that are not in the expression are selected.
   bool IsInverse = false;
 };
 
-/// What is selected of a block.
+/// The selected elements of a block.
 struct SelectedElements
 {
   /// True for a selection of the block as a whole, by block or because nothing of it was excluded. Then Elements is empty.
@@ -44,9 +44,9 @@ struct SelectedElements
   std::vector<vtkIdType> Elements;
 };
 
-/// False for an expression that ParaView refuses, too.
+/// Returns false for an expression that ParaView refuses.
 bool IsValid(const SelectionTerms& terms);
-/// `count` is the number of elements of the block; those that it does not have are left out.
+/// Returns the selected elements of a block with `count` elements; larger indices are left out.
 SelectedElements FindSelectedElements(const SelectionTerms& terms, vtkIdType block, vtkIdType count);
 
 void Write(const SelectionTerms& terms, vtkMultiProcessStream& stream);

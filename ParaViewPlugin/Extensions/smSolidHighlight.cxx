@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  /// True for a selection on a port that this object made.
+  /// Returns true if this object made the selection on a port.
   bool IsOwn(vtkSMSourceProxy* selection, unsigned int port) const
   {
     const auto found = this->Own.find(port);
@@ -124,7 +124,7 @@ private:
     }
   }
 
-  /// The rows of a table have changed. Returns whether anything else has.
+  /// Handles a changed selection of a table's rows. Returns true if the highlighting changed.
   bool FollowRows(vtkSMSourceProxy* filter, Entities::Port table)
   {
     const std::optional<SelectionTerms> rows = ReadRowSelection(filter->GetSelectionInput(table));
@@ -154,7 +154,7 @@ private:
     }
     if (shown && !this->IsOwn(shown, Entities::MeshesPort))
     {
-      // After a selection in a view ParaView clears the rows; those of the user's selection come back.
+      // After a selection in a view ParaView clears the rows; those that belong to the user's selection are selected again.
       return this->FollowMeshes(filter);
     }
     if (this->Shown != table)
@@ -165,7 +165,7 @@ private:
     return true;
   }
 
-  /// Highlights what the rows of a table stand for, and says what it is.
+  /// Highlights the solids, faces or edges of the selected rows of a table, and describes them in the summary.
   void Show(vtkSMSourceProxy* filter, Entities& entities)
   {
     const Entities::Highlight& highlight = entities.GetHighlight();
@@ -182,7 +182,7 @@ private:
     Describe(filter, entities);
   }
 
-  /// The user has selected or cleared something in a view, or another tool has. Returns whether anything else has changed.
+  /// Handles a selection in a view that was changed by the user or by another tool. Returns true if rows or highlighting changed.
   bool FollowMeshes(vtkSMSourceProxy* filter)
   {
     vtkSMSourceProxy* shown = filter->GetSelectionInput(Entities::MeshesPort);
@@ -209,7 +209,7 @@ private:
       Describe(filter, *entities);
       return true;
     }
-    // Rows that the user has selected are highlighted again.
+    // If the user has selected rows, these are highlighted again.
     for (const Entities::Port table : Tables)
     {
       vtkSMSourceProxy* selected = filter->GetSelectionInput(table);
@@ -240,7 +240,7 @@ private:
     return terms.has_value();
   }
 
-  /// After a run what is selected has other figures, and faces may have other cells.
+  /// Updates the selection after a run: figures may have changed, and faces may have other cells.
   void FollowRun(vtkSMSourceProxy* filter)
   {
     vtkSMSourceProxy* shown = filter->GetSelectionInput(Entities::MeshesPort);
@@ -268,8 +268,8 @@ private:
     }
   }
 
-  /// The cells that the user has picked may belong to other faces now. Then the same faces are selected by their new cells, or nothing
-  /// where their solids are no longer these rows.
+  /// Updates the cells that the user has picked, which may belong to other faces now: selects the same faces by their new cells, or nothing
+  /// if the rows belong to other solids now.
   void RenewPick(vtkSMSourceProxy* filter)
   {
     vtkNew<Entities> now;
@@ -302,7 +302,7 @@ private:
     Describe(filter, *now);
   }
 
-  /// A drawing that runs the filter takes what was highlighted before the run, and then regards it as up to date.
+  /// Draws the views again: a drawing that runs the filter uses the highlighting of before the run and then counts as up to date.
   static void DrawAgain(vtkSMSourceProxy* filter)
   {
     VisitViews(filter,
@@ -342,7 +342,7 @@ private:
     }
   }
 
-  /// Gives the summaries the text of what is selected, and the meshes the lines of edges.
+  /// Sets the text of the selection in the summaries, and the lines of selected edges in the representations of the meshes.
   static void Describe(vtkSMSourceProxy* filter, Entities& entities)
   {
     VisitViews(filter,
@@ -378,7 +378,7 @@ private:
       });
   }
 
-  /// What the user has picked in a view, as it was found last.
+  /// The elements that the user picked in a view, by the last information from the server.
   struct Pick
   {
     std::set<vtkIdType> Solids;
@@ -400,7 +400,7 @@ private:
   bool Busy = false;
   /// The table whose rows were highlighted last.
   Entities::Port Shown = Entities::SolidsPort;
-  /// What shows these rows in the views.
+  /// The elements that are highlighted for these rows in the views.
   Entities::Highlight Highlighted;
   Pick Picked;
   /// The selections that this object made last, by their ports.

@@ -15,11 +15,11 @@ class vtkTable;
 
 namespace sm
 {
-/// NaN where there is no number.
+/// Returns a number; NaN if there is none.
 double GetNumber(vtkTable* table, const std::string& column, vtkIdType row);
-/// A whole number, such as that of a solid; -1 where there is none.
+/// Returns a whole number, such as that of a solid; -1 if there is none.
 vtkIdType GetIndex(vtkTable* table, const std::string& column, vtkIdType row);
-/// Empty where there is no text.
+/// Returns a text; empty if there is none.
 std::string GetText(vtkTable* table, const std::string& column, vtkIdType row);
 vtkIdType CountRows(vtkTable* table);
 }

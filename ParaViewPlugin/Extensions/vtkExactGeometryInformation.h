@@ -26,7 +26,7 @@ public:
   vtkGetMacro(PortNumber, int);
   ///@}
 
-  /** True after CopyFromObject() found exact geometry. */
+  /** True if CopyFromObject() found exact geometry. */
   vtkGetMacro(HasExactGeometry, bool);
 
   /** Unit of lengths of all exact leaves; empty where they differ, and without exact geometry. */

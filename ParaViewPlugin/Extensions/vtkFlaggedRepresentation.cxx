@@ -75,7 +75,7 @@ void vtkFlaggedRepresentation::SetVisibility(bool visible)
   this->Superclass::SetVisibility(visible);
   for (auto& number : this->Numbers)
   {
-    // The next rendering shows those that are there.
+    // All numbers are hidden; the next rendering shows those in use.
     number->SetVisibility(false);
   }
 }

@@ -45,7 +45,7 @@ private:
   void operator=(const vtkFlaggedRepresentation&) = delete;
 
   double NumberColor[3] = { 1.0, 0.4, 0.35 };
-  /// As many as the summary names.
+  /// One for each place that the summary names.
   std::array<vtkNew<vtkBillboardTextActor3D>, 5> Numbers;
 };
 

@@ -43,7 +43,7 @@ namespace
 {
 constexpr std::size_t MostLabels = 50;
 constexpr int MassDigits = 4;
-/// As ParaView draws selections.
+/// The colour in which ParaView draws selections.
 constexpr double SelectionColor[3] = { 1.0, 0.0, 1.0 };
 constexpr float SelectionLineWidth = 4.0f;
 constexpr const char* TextArray = "Label";

@@ -2,9 +2,9 @@
  * @class   vtkLabeledSolidsRepresentation
  * @brief   draws solids, with their names or names and masses as labels, and edges that are selected
  *
- * A label begins in the middle of its solid's box. The 50 largest solids that are not hidden have labels; where two would overlap, the larger solid keeps its own.
- * The mass is that of the cell array Mass, with four digits. Labels and selected edges are in front of everything, drawn by the process with the window, and not
- * at all while a server renders for it.
+ * A label begins in the middle of its solid's box. The 50 largest solids that are not hidden have labels; where two would overlap, the
+ * larger solid keeps its own. The mass is that of the cell array Mass, with four digits. Labels and selected edges are in front of
+ * everything, drawn by the process with the window, and not at all while a server renders for it.
  */
 #ifndef vtkLabeledSolidsRepresentation_h
 #define vtkLabeledSolidsRepresentation_h
@@ -36,7 +36,7 @@ public:
   };
 
   ///@{
-  /** What labels have, a LabelKind. A name alone where there is no mass. Default: NoLabels. */
+  /** Content of the labels, a LabelKind, clamped. A solid without a mass has its name only. Default: NoLabels. */
   vtkSetClampMacro(PartLabels, int, NoLabels, NamesAndMasses);
   vtkGetMacro(PartLabels, int);
   ///@}
@@ -73,7 +73,7 @@ private:
   void operator=(const vtkLabeledSolidsRepresentation&) = delete;
 
   void MakeLabels(vtkDataObject* data);
-  /// Which blocks the user has hidden; may be null.
+  /// Returns the attributes with the blocks that the user has hidden; may be null.
   vtkCompositeDataDisplayAttributes* GetBlockAttributes();
 
   int PartLabels = NoLabels;

@@ -29,7 +29,7 @@ vtkStandardNewMacro(vtkMassSummaryRepresentation);
 
 namespace
 {
-/// Part of the view's width that text in a corner may take: ParaView leaves a hundredth beside it.
+/// Fraction of the view's width for text in a corner; ParaView leaves a margin of one per cent.
 constexpr double WidthShare = 0.98;
 
 bool IsFlagged(vtkFieldData* data)
@@ -38,7 +38,7 @@ bool IsFlagged(vtkFieldData* data)
   return status && status->GetNumberOfValues() > 0 && status->GetValue(0) != sm::names::StatusOk;
 }
 
-/// Width in pixels; 0 where there is no font.
+/// Returns the width of a line in pixels; 0 without a font.
 double MeasureWidth(const std::string& line, vtkTextProperty* text, int dpi)
 {
   int box[4] = { 0, -1, 0, -1 };
@@ -48,7 +48,7 @@ double MeasureWidth(const std::string& line, vtkTextProperty* text, int dpi)
     : 0.0;
 }
 
-/// Lines wider than the view go on, indented, below; words are not divided.
+/// Breaks lines that are wider than the view; continuation lines are indented, and words are not divided.
 std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi, double width)
 {
   std::string result;
@@ -58,7 +58,7 @@ std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi,
     std::size_t at = 0;
     while ((at = line.find_last_not_of(' ')) != std::string::npos && MeasureWidth(line, text, dpi) > width)
     {
-      // The last blank before which the words fit; of a first word that is too long, the one behind it.
+      // The last blank before which the words fit; if the first word is too long, the blank behind it.
       const std::size_t begin = line.find_first_not_of(' ');
       std::size_t blank = at;
       std::size_t cut = std::string::npos;
@@ -117,7 +117,7 @@ int vtkMassSummaryRepresentation::RequestData(
   vtkAbstractArray* status = input ? input->GetFieldData()->GetAbstractArray(sm::names::Status) : nullptr;
   if (status && input->GetNumberOfRows() > 0)
   {
-    // After the text: the superclass draws the first array.
+    // Added after the text, because the superclass draws the first array.
     this->DummyPolyData->GetFieldData()->AddArray(status);
   }
   return done;

@@ -27,7 +27,7 @@ public:
   ///@}
 
   ///@{
-  /** What is selected, in lines; stands below the summary. Empty by default: nothing is. */
+  /** Text about the selection, in lines, which is drawn below the summary. Default: empty. */
   void SetSelectedText(const std::string& text);
   std::string GetSelectedText() const;
   ///@}

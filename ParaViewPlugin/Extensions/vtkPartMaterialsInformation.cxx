@@ -25,7 +25,7 @@ vtkStandardNewMacro(vtkPartMaterialsInformation);
 
 namespace
 {
-/// Puts solids of one name together.
+/// Collects solids with the same name as one part.
 class PartCollector
 {
 public:

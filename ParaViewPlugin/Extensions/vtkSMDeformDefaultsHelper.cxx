@@ -22,7 +22,7 @@ void vtkSMDeformDefaultsHelper::PrintSelf(ostream& os, vtkIndent indent)
 
 namespace
 {
-/// A tenth of a length, rounded to one digit.
+/// Returns a tenth of a length, rounded to one digit.
 double TakeTenth(double length)
 {
   if (!(length > 0.0) || !std::isfinite(length))

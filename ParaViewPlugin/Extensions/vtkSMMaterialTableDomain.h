@@ -1,9 +1,10 @@
 /**
  * @class   vtkSMMaterialTableDomain
- * @brief   keeps the table of parts and materials in the panel of Mass Properties in step with input, rules and results
+ * @brief   updates the table of parts and materials in the panel of Mass Properties when the input, the rules or the results change
  *
- * The property has the cells of smMaterialTable.h. The domain fills them when the filter gets its input, after every change of the input's data,
- * of the rules or of Density, and with the masses after every run. When somebody changes the cells, it sets the rules. Required properties:
+ * The property has the cells of smMaterialTable.h. The domain fills them when the filter gets its input, after every change of the input's
+ * data, of the rules or of Density, and with the masses after every run. When somebody changes the cells, it sets the rules. Required
+ * properties:
  * @code{xml}
  * <MaterialTableDomain name="rows">
  *   <RequiredProperties>
@@ -48,7 +49,7 @@ private:
 #ifndef __VTK_WRAP__
   std::vector<sm::MaterialRow> GetRules();
   double GetDensity();
-  /// Only solids that are ticked are computed.
+  /// Returns true if only selected solids are computed.
   bool IsSomeSolids();
   void GatherParts();
   void FollowCells();
@@ -56,7 +57,7 @@ private:
   void FillCells();
 
   vtkNew<vtkPartMaterialsInformation> Parts;
-  /// Of the last run, unless something has changed since.
+  /// Masses of the last run, unless something has changed since.
   vtkNew<vtkPartMaterialsInformation> Masses;
   /// The table as it was filled last.
   std::vector<std::string> Filled;

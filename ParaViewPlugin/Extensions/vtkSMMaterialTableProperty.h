@@ -2,8 +2,8 @@
  * @class   vtkSMMaterialTableProperty
  * @brief   the cells of the table of materials in the panel of Mass Properties
  *
- * vtkSMMaterialTableDomain fills the cells from input, rules and results, so that they are no setting of their own: for states and traces in
- * Python they have the default and are never modified, and the rules (the property Materials) are recorded alone.
+ * vtkSMMaterialTableDomain fills the cells from input, rules and results, so that they are not an independent setting: in states and traces
+ * in Python they always have the default, and only the rules (the property Materials) are recorded.
  */
 #ifndef vtkSMMaterialTableProperty_h
 #define vtkSMMaterialTableProperty_h

@@ -26,7 +26,8 @@ vtkStandardNewMacro(vtkSMSolidMomentsSourceProxy);
 
 namespace
 {
-/// ParaView drops reports of progress that follow another within an interval, at first 0.1 s. This one is the least that it takes.
+/// ParaView ignores reports of progress that follow another one within an interval, 0.1 s by default. This is the shortest interval that it
+/// accepts.
 constexpr double ShortInterval = 0.01;
 
 /// Makes ParaView show the report that shaders are compiled, the only one for some seconds; owned by the compute context.

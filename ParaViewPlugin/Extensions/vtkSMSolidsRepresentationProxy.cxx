@@ -76,7 +76,7 @@ void vtkSMSolidsRepresentationProxy::FollowArray()
 bool vtkSMSolidsRepresentationProxy::SetScalarBarVisibility(vtkSMProxy* view, bool visible)
 {
   const std::string array = GetArrayName(this);
-  // Without an array there is no bar. That of the file's colours the superclass would make to hide it.
+  // Without an array there is no colour bar. For the file's colours the superclass would make a bar in order to hide it.
   if (array.empty() || (array == sm::names::Color && (visible || !this->IsScalarBarVisible(view))))
   {
     return false;
@@ -105,7 +105,7 @@ void vtkSMSolidsRepresentationProxy::AddUnit(vtkSMProxy* view, const char* array
   source->GatherInformation(information);
   const std::string unit = sm::GetColumnUnit(array, information->GetLengthUnit());
   vtkSMPropertyHelper title(bar, "Title");
-  // A title of the user's own stays.
+  // A title that the user has changed is kept.
   if (!unit.empty() && std::string(title.GetAsString()) == array)
   {
     title.Set((std::string(array) + " (" + unit + ")").c_str());

@@ -2,12 +2,13 @@
  * @class   vtkSMSolidsRepresentationProxy
  * @brief   draws solids in the colours of their file, and gives colour bars a unit
  *
- * The array Color of the reader's meshes is drawn as it is, without a colour map; other arrays are mapped as ever. ParaView's property
- * MapScalars follows the array that colours. A colour bar of Color is never shown; the title of another has the unit of its array.
+ * The array Color of the reader's meshes is drawn as it is, without a colour map; other arrays are mapped as usual. ParaView's property
+ * MapScalars is set according to the array by which the solids are coloured. A colour bar of Color is never shown; the title of another has
+ * the unit of its array.
  *
- * What has no array to colour by has one colour. Apply in ParaView's window would colour it as its input, or with vtkBlockColors, and add a
- * legend. Until the first drawing GetUsingScalarColoring() is therefore true, and Apply leaves such a representation alone; who wants other
- * colours chooses them.
+ * Solids without an array of colours have one colour. Apply in ParaView's window would colour them like the input, or with vtkBlockColors,
+ * and add a legend. Therefore GetUsingScalarColoring() is true until the first drawing, so that Apply does not change the colouring; the
+ * user may change it.
  */
 #ifndef vtkSMSolidsRepresentationProxy_h
 #define vtkSMSolidsRepresentationProxy_h

@@ -28,7 +28,8 @@ namespace
 {
 namespace names = sm::names;
 
-/// ParaView's time for single cells grows with their number, and with the cube of the number of their solids.
+/// Largest number of single cells that are highlighted. ParaView's time grows with their number, and with the cube of the number of their
+/// solids.
 constexpr std::size_t MostHighlightedCells = 50000;
 constexpr std::size_t MostSolidsWithHighlightedCells = 50;
 constexpr std::size_t MostDrawnEdges = 1000;
@@ -51,7 +52,7 @@ bool Take(const vtkClientServerStream* stream, int& argument, T* value)
   return stream->GetArgument(0, argument++, value) != 0;
 }
 
-/// Numbers with their count before them, and back.
+/// Write a list of numbers, preceded by its length, to a stream, and read it.
 void Write(vtkClientServerStream* stream, const std::vector<vtkTypeInt64>& numbers)
 {
   *stream << static_cast<int>(numbers.size());
@@ -79,7 +80,7 @@ std::vector<vtkTypeInt64> ToList(const Numbers& numbers)
   return { numbers.begin(), numbers.end() };
 }
 
-/// Pairs of a solid and one of its faces or cells, one after another.
+/// Returns consecutive pairs of a solid and one of its faces or cells.
 template <typename Members>
 std::vector<vtkTypeInt64> ToPairs(const std::map<vtkIdType, Members>& membersOfSolids)
 {
@@ -322,7 +323,7 @@ void vtkSelectedEntitiesInformation::FindSolidIds(vtkTable* solids)
 
 void vtkSelectedEntitiesInformation::AddInformation(vtkPVInformation* other)
 {
-  // One rank has the results, the others have tables without rows.
+  // Only one rank has results; the tables of the others have no rows.
   auto* same = vtkSelectedEntitiesInformation::SafeDownCast(other);
   if (same && this->Text.empty())
   {

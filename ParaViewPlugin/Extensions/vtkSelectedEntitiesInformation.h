@@ -2,8 +2,9 @@
  * @class   vtkSelectedEntitiesInformation
  * @brief   tells a client which solids, faces and edges are selected in the tables and meshes of a filter on the server
  *
- * The filter has the outputs of vtkSurfaceIntegralBase. A selection of rows of its tables, or of cells of its meshes, gives the numbers of solids and faces, the
- * rows of those faces, what to highlight in a view, the lines of the edges, and a text with names, masses, areas and gaps. Runs no pipeline.
+ * The filter has the outputs of vtkSurfaceIntegralBase. A selection of rows of its tables, or of cells of its meshes, gives the numbers of
+ * solids and faces, the rows of those faces, the elements to highlight in a view, the lines of the edges, and a text with names, masses,
+ * areas and gaps. Runs no pipeline.
  */
 #ifndef vtkSelectedEntitiesInformation_h
 #define vtkSelectedEntitiesInformation_h
@@ -40,7 +41,7 @@ public:
   };
 
 #ifndef __VTK_WRAP__
-  /// What a view highlights: whole solids, and cells by the number of their solid.
+  /// The elements that a view highlights: whole solids, and cells by the number of their solid.
   struct Highlight
   {
     std::set<vtkIdType> Solids;
@@ -51,42 +52,45 @@ public:
     }
   };
 
-  /** What is selected on a port: rows of its table, or cells of its meshes. The row of the total stands for all solids. Default:
-   * nothing. */
+  /**
+   * Sets the selection on a port: rows of its table, or cells of its meshes. The row of the total stands for all solids. Default: nothing.
+   */
   void Select(Port port, const sm::SelectionTerms& terms);
 
-  /** The numbers of the solids that are selected themselves, not by faces or edges. */
+  /** Returns the numbers of the solids that are selected themselves, not by faces or edges. */
   const std::set<vtkIdType>& GetSolids() const
   {
     return this->Solids;
   }
-  /** The indices of the faces that are selected, by the number of their solid. */
+  /** Returns the indices of the selected faces, by the number of their solid. */
   const std::map<vtkIdType, std::set<vtkIdType>>& GetFaces() const
   {
     return this->Faces;
   }
-  /** The rows of these faces in the table of faces. */
+  /** Returns the rows of these faces in the table of faces. */
   const std::vector<vtkIdType>& GetFaceRows() const
   {
     return this->FaceRows;
   }
-  /** The column Id of all solids that are selected or have selected faces. */
+  /** Returns the column Id of all solids that are selected or have selected faces. */
   const std::vector<std::string>& GetSolidIds() const
   {
     return this->SolidIds;
   }
-  /** What shows the rows that are selected in a view. A solid with all its faces is one; so are all solids where there are too many
-   * cells for ParaView. Empty for edges. */
+  /**
+   * Returns the elements by which a view shows the selected rows. A solid all of whose faces are selected is highlighted as a whole, and so
+   * are all solids if there are too many cells for ParaView. Empty for edges.
+   */
   const Highlight& GetHighlight() const
   {
     return this->Shown;
   }
-  /** The lines of the edges that are selected, as FormatPolylines() of smPolylineText.h writes them. */
+  /** Returns the lines of the selected edges, in the format of FormatPolylines() (smPolylineText.h). */
   const std::string& GetEdgeLines() const
   {
     return this->EdgeLines;
   }
-  /** Names, masses, areas and gaps of what is selected, in lines; empty if nothing is. */
+  /** Returns a text with names, masses, areas and gaps of the selection, in lines; empty if nothing is selected. */
   const std::string& GetText() const
   {
     return this->Text;
@@ -118,10 +122,10 @@ private:
   void FindEdges(vtkTable* solids, vtkTable* edges, vtkPartitionedDataSetCollection* meshes);
   void FindSolidIds(vtkTable* solids);
 
-  /// What to look at.
+  /// The request: port and selection.
   Port Selected = MeshesPort;
   sm::SelectionTerms Terms;
-  /// What was found.
+  /// The results.
   std::set<vtkIdType> Solids;
   std::map<vtkIdType, std::set<vtkIdType>> Faces;
   std::vector<vtkIdType> FaceRows;

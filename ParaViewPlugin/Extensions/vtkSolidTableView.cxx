@@ -109,14 +109,15 @@ bool EndsWith(const std::string& text, const std::string& end)
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// 0 if the column is the quantity or a component of it, <name>_<i>; 1 if it is its bound; -1 otherwise.
+/// Returns 0 if the column is the quantity or a component of it, <name>_<i>; 1 if it is its bound; -1 otherwise.
 int Match(const std::string& column, const std::string& quantity)
 {
   const bool value = column == quantity || StartsWith(column, quantity + "_");
   return value ? 0 : column == quantity + names::BoundSuffix ? 1 : -1;
 }
 
-/// Numbers as texts that read back to the bit; other columns as they are. ParaView shows and exports six digits of a number.
+/// Returns a column of numbers as texts that read back as the same doubles, because ParaView shows and exports six digits of a number;
+/// returns other columns unchanged.
 vtkSmartPointer<vtkAbstractArray> FormatColumn(vtkAbstractArray* column)
 {
   auto* numbers = vtkDoubleArray::SafeDownCast(column);
@@ -135,7 +136,7 @@ vtkSmartPointer<vtkAbstractArray> FormatColumn(vtkAbstractArray* column)
   return texts;
 }
 
-/// The key that columns are sorted by.
+/// Returns the key by which columns are sorted.
 std::tuple<std::size_t, int, std::string> GetSortKey(const std::string& column)
 {
   std::size_t position = 0;
@@ -218,7 +219,7 @@ vtkTable* vtkSolidTableView::FetchBlock(vtkIdType blockindex)
   {
     this->Arrange(columns);
   }
-  // The superclass keeps 10 blocks, too.
+  // The superclass also keeps 10 blocks.
   if (other || this->Blocks.size() >= 10)
   {
     this->Blocks.clear();
@@ -237,7 +238,7 @@ const char* vtkSolidTableView::GetColumnName(vtkIdType index)
 {
   const char* sorted = this->Superclass::GetColumnName(index);
   const auto column = static_cast<std::size_t>(index);
-  // False for a table of another origin, and for a new table until one of its blocks is fetched.
+  // False for a table that is not of this project, and for a new table until one of its blocks is fetched.
   const bool arranged = sorted &&
     this->SortedColumns.size() == static_cast<std::size_t>(this->GetNumberOfColumns()) &&
     this->SortedColumns[column] == sorted;
@@ -257,7 +258,7 @@ std::string vtkSolidTableView::GetColumnLabel(const char* columnName)
   const auto* units = this->Blocks.empty()
     ? nullptr
     : vtkStringArray::SafeDownCast(this->Blocks.begin()->second.Shown->GetColumnByName(names::LengthUnit));
-  // Rows in several units have a header without one.
+  // The header has no unit if the rows have different ones.
   bool isCommon = units && units->GetNumberOfValues() > 0;
   for (vtkIdType row = 1; isCommon && row < units->GetNumberOfValues(); ++row)
   {
@@ -284,7 +285,7 @@ bool vtkSolidTableView::IsColumnInternal(const char* columnName)
   {
     return false;
   }
-  // A magnitude that the view added, not an integrand of that name.
+  // Excludes magnitudes that the view added, but no integrand of such a name.
   const std::vector<std::string>& shown = this->ShownColumns;
   const auto has = [&shown](const std::string& column)
   { return std::find(shown.begin(), shown.end(), column) != shown.end(); };

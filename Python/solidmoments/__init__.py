@@ -5,9 +5,9 @@
 >>> part.volume, part.volume_bound, part.units["volume"]
 
 `mass_properties` reads one file, `to_dataframe` several into a table of pandas, `display_mesh` gives the triangles as NumPy arrays, and
-`pyvista.read("part.step")` as PyVista's meshes (PyVista 0.48 or later). Numbers are those of the program `solidmoments`, bit for
-bit. The VTK classes behind them are in the extension modules of this package, for example `solidmoments.smFiltersMassProperties`, and
-load with the first call.
+`pyvista.read("part.step")` as PyVista's meshes (PyVista 0.48 or later). Numbers are bitwise equal to those of the program `solidmoments`.
+The VTK classes behind them are in the extension modules of this package, for example `solidmoments.smFiltersMassProperties`, and load with
+the first call.
 """
 from ._mesh import SolidMesh, display_mesh
 from ._results import FlaggedResultWarning, MassProperties, SolidMomentsError

@@ -1,7 +1,7 @@
 """The display mesh of a file as NumPy arrays, read by another process.
 
-That process has the VTK that this package was built with. The VTK of this one may be another, for example that of a wheel below PyVista: two
-VTKs in one process do not work. Only bytes pass between the two.
+That process has the VTK that this package was built with. This process may have loaded another VTK, for example that of PyVista's wheel,
+and two VTKs in one process do not work. Only bytes are passed between the two processes.
 """
 import dataclasses
 import json

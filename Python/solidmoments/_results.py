@@ -1,4 +1,4 @@
-"""What `mass_properties` returns and raises."""
+"""The results, exceptions and warnings of `mass_properties`."""
 import dataclasses
 import decimal
 import html
@@ -8,7 +8,7 @@ from typing import Optional, Tuple
 Vector = Tuple[float, float, float]
 Matrix = Tuple[Vector, Vector, Vector]
 
-# Unit of each quantity: power of the length unit L, and what it is multiplied by. A bound has the unit of its quantity.
+# Unit of each quantity: power of the length unit L, and its other factors. A bound has the unit of its quantity.
 _UNITS = {"volume": (3, ""), "area": (2, ""), "center_of_mass": (1, ""), "inertia": (5, ""), "inertia_at_origin": (5, ""),
           "principal_moments": (5, ""), "principal_axes": (0, ""), "radii_of_gyration": (1, ""), "mass": (0, "kg"), "mass_center": (1, ""),
           "mass_inertia": (2, "kg"), "mass_uncertainty": (0, "kg"), "density": (0, "kg/m^3"), "closure_correction": (3, ""), "gap_squared": (3, ""), "max_gap": (1, ""),
@@ -32,12 +32,12 @@ class FlaggedResultWarning(UserWarning):
 class MassProperties:
     """Mass properties of a file, or of one of its solids (`solids`), in world coordinates.
 
-    Every quantity has its error bound beside it, one number for all its components, in the same unit; `units` has the units. What could
-    not be computed is None. `center_of_mass` and `inertia` are those of unit density: a homogeneous body; tensors have the negative
-    products of inertia off the diagonal and are about the centre unless their name says otherwise. `mass_center` and `mass_inertia` take
-    the densities of the solids as weight. `mass_uncertainty` is what is in doubt of the mass: in all, and of it by the tolerance of the
-    densities, by the gaps of the model and by `mass_bound`. `status` is ok, open, suspect or tolerance-not-met; `closure_correction` and what follows it
-    describe defects of the model, which are part of no bound.
+    Every quantity has its error bound beside it, one number for all its components, in the same unit; `units` has the units. A quantity
+    that could not be computed is None. `center_of_mass` and `inertia` are those of unit density: a homogeneous body; tensors have the
+    negative products of inertia off the diagonal and are about the centre unless their name says otherwise. `mass_center` and
+    `mass_inertia` take the densities of the solids as weight. `mass_uncertainty` has the uncertainty of the mass in kg: the sum, and its
+    shares by the tolerance of the densities, by the gaps of the model and by `mass_bound`. `status` is ok, open, suspect or
+    tolerance-not-met; `closure_correction` and what follows it describe defects of the model, which are part of no bound.
     """
 
     file: str
@@ -145,7 +145,7 @@ def _format(value, bound):
 
 
 def _format_bound(bound):
-    """The bound of what _format() shows, with two digits, rounded up."""
+    """The bound of the number that _format() prints, which includes its rounding, with two digits, rounded up."""
     if bound is None:
         return "-"
     return f"{decimal.Context(prec=2, rounding=decimal.ROUND_CEILING).create_decimal_from_float(1.05 * bound):.1e}"

@@ -5,7 +5,7 @@ import warnings
 
 from ._results import FlaggedResultWarning, MassProperties, SolidMomentsError
 
-# Statuses with numbers: with any other there is no result.
+# Statuses that have results; with any other status there is none.
 _RESULTS = ("ok", "open", "suspect", "tolerance-not-met")
 
 # Field, the filter's array, and components: 1, 3, or 9 for a matrix by rows.
@@ -48,7 +48,7 @@ def _make(file, data, row, **more):
 
 
 def _check(density, tolerance, density_tolerance, backend, max_seconds, unit, input_unit, repair):
-    """Raises ValueError for what the filter would clamp or report on the console."""
+    """Raises ValueError for a setting that the filter would clamp or report on the console."""
     if density is not None and not 0.0 < density < math.inf:
         raise ValueError(f"density is {density}; it has to be above 0 and finite, in kg/m^3, or None for those of the file")
     if not 1e-15 <= tolerance <= 1.0:

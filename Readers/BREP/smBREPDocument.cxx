@@ -31,7 +31,7 @@ namespace
 {
 constexpr std::string_view TextMagic = "CASCADE Topology V";
 constexpr std::string_view BinaryMagic = "Open CASCADE Topology V";
-/// A file that OpenCASCADE's test harness wrote begins with it.
+/// First word of files that OpenCASCADE's test harness (DRAW) wrote.
 constexpr std::string_view HarnessMagic = "DBRep_DrawableShape";
 
 std::string_view SkipBlanks(std::string_view text)
@@ -58,8 +58,8 @@ bool IsText(std::string_view bytes)
   return StartsWith(text, TextMagic);
 }
 
-/// A text ends with the reference to its last shape, "+1 0", behind the asterisk that ends the table of shapes. Without a blank or a line
-/// end behind it, only the location 0 is certainly whole.
+/// Returns true if a text is complete: it ends with the reference to its last shape, "+1 0", behind the asterisk that ends the table of
+/// shapes. If no blank or line end follows, the location may be truncated unless it is 0.
 bool IsWhole(std::string_view text)
 {
   const std::size_t end = text.find_last_not_of(" \t\r\n");
@@ -78,7 +78,7 @@ bool IsWhole(std::string_view text)
     (text.size() > end + 1 || reference.substr(blank) == " 0");
 }
 
-/// Counts what a shape has below it, each time that it occurs.
+/// Counts the sub-shapes of a shape, with repetitions.
 class ShapeCounter
 {
 public:
@@ -102,12 +102,12 @@ public:
     count.Nodes = shape.ShapeType() < TopAbs_FACE ? 1 : 0;
     count.Faces = shape.ShapeType() == TopAbs_FACE ? 1 : 0;
     count.HasSolid = shape.ShapeType() == TopAbs_SOLID;
-    // Without a look below, a deeper shape is as deep as is refused.
+    // The recursion stops at the limit, where the depth is refused anyway.
     for (TopoDS_Iterator it(shape, Standard_False, Standard_False);
          it.More() && shape.ShapeType() < TopAbs_FACE && level <= MostLevels; it.Next())
     {
       const Count& below = this->Get(it.Value(), level + 1);
-      // Above the limits the number does not matter.
+      // Above the limits the exact number does not matter.
       count.Nodes = std::min(count.Nodes + below.Nodes, Endless);
       count.Faces = std::min(count.Faces + below.Faces, Endless);
       count.HasSolid = count.HasSolid || below.HasSolid;
@@ -116,7 +116,7 @@ public:
     return this->Counts.emplace(key, count).first->second;
   }
 
-  /// Why a shape cannot be read: it has more instances, faces or levels than is possible to show; empty when it can.
+  /// Returns the reason why a shape cannot be read: it has more instances, faces or levels than the limits; empty if it can.
   std::string FindExcess(const TopoDS_Shape& shape)
   {
     const Count& count = this->Get(shape);
@@ -136,7 +136,7 @@ private:
   std::unordered_map<const void*, Count> Counts;
 };
 
-/// Makes the products of a shape as an XCAF document has them.
+/// Makes an XCAF document with the products of a shape.
 class ProductMaker
 {
 public:
@@ -161,7 +161,7 @@ public:
   }
 
 private:
-  /// Every member is a solid, or a compound that has some; a group of faces is one part.
+  /// Returns true if every member of a compound is a solid, or a compound with solids. Any other compound is one part.
   bool IsAssembly(const TopoDS_Shape& shape)
   {
     if (shape.ShapeType() > TopAbs_COMPSOLID)
@@ -211,7 +211,7 @@ private:
   std::map<std::pair<const void*, int>, TDF_Label> Products;
 };
 
-/// A closed shell beside the solids of a file is a solid that was not called one: it is left out, and that is said.
+/// Reports closed shells outside of the solids of a file, which are left out although they may be meant as solids.
 void FindLostShells(const TopoDS_Shape& shape, Document& document)
 {
   int shells = 0;

@@ -2,12 +2,12 @@
  * @class   vtkBREPReader
  * @brief   reads OpenCASCADE's BREP files, text and binary, into exact trimmed NURBS models with a display mesh
  *
- * vtkCADReader documents the output, errors, and how it is read in a process of its own or from memory. The format has no names, units,
- * colours, materials or tolerances of coordinates: bodies are called "Solid" or "Shell", and InputUnit says what the numbers are. Nested
+ * vtkCADReader documents the output, errors, and how a file is read in a process of its own or from memory. The format has no names, units,
+ * colours, materials or tolerances of coordinates: bodies are called "Solid" or "Shell", and InputUnit is the unit of the numbers. Nested
  * compounds become the product structure, and a shape that occurs several times is one model with several instances.
  *
- * The shapes are taken as they are, without OpenCASCADE's repairs, and there is no list of what the file should have: a file that was
- * changed by hand is judged by its geometry alone (gaps, open edges, shells that cross). A text that does not end as the format asks is
+ * The shapes are taken as they are, without OpenCASCADE's repairs, and the format has no declarations with which the result could be
+ * compared: damage of a file is detected only by its geometry (gaps, open edges, shells that cross). A text that is not complete is
  * refused.
  */
 #ifndef vtkBREPReader_h

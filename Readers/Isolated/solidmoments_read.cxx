@@ -2,7 +2,8 @@
  * @file solidmoments_read.cxx
  * @brief solidmoments-read: reads a file for a vtkCADReader in another process, which gives it its settings
  *
- * Its arguments are the format, "file" or "content" (of the standard input), and the words of vtkCADReader::PackSettings(). It sends progress and output by the messages of smReadProgram.h to its standard output, and ends with the process that started it.
+ * Its arguments are the format, "file" or "content" (of the standard input), and the words of vtkCADReader::PackSettings(). It sends
+ * progress and output by the messages of smReadProgram.h to its standard output, and ends with the process that started it.
  */
 #include "smReadProgram.h"
 #include "vtkBREPReader.h"
@@ -26,7 +27,7 @@ void OnProgress(vtkObject* caller, unsigned long, void* data, void*)
 {
   if (!sm::SendProgress(*static_cast<int*>(data), static_cast<vtkAlgorithm*>(caller)->GetProgress()))
   {
-    std::_Exit(1); // nobody listens
+    std::_Exit(1); // the other process has ended
   }
 }
 
@@ -43,7 +44,7 @@ bool ReadAndSend(char** arguments)
   {
     reader = vtkSmartPointer<vtkBREPReader>::New();
   }
-  // The process that asked makes it, when it is needed.
+  // The process that started this one makes the mesh, when it is needed.
   reader->SetDisplayMeshToNever();
   reader->UnpackSettings({ arguments + 2, arguments + NumberOfArguments });
   if (arguments[1] == std::string("content"))
@@ -69,7 +70,7 @@ int main(int argc, char** argv)
   }
   try
   {
-    // Without the destructors of static objects in third-party libraries, which could only fail.
+    // _Exit() skips the destructors of static objects in third-party libraries, which might fail.
     std::_Exit(ReadAndSend(argv + 1) ? 0 : 1);
   }
   catch (const std::exception&)

@@ -27,11 +27,11 @@ inline bool IsPart21(char c, unsigned char kinds)
   return (Part21Characters[static_cast<unsigned char>(c)] & kinds) != 0;
 }
 
-/// True when `#<digits> =` begins there: a new instance, whatever stood before.
+/// Returns true if `#<digits> =` begins at this place, that is, a new instance, even if the previous one is not complete.
 bool IsInstanceStart(const char* at, const char* end);
 
-/// A place in the text. Each Skip… begins at the first character of its token and ends behind the last; false when the token is
-/// malformed, then the place is where that shows.
+/// A position in the text. Each Skip… method moves it from the first character of a token to behind the last one. If the token is
+/// malformed, it returns false, and the position is where that was detected.
 struct SMREADERSPART21_EXPORT Part21Cursor
 {
   const char* At;
@@ -40,7 +40,7 @@ struct SMREADERSPART21_EXPORT Part21Cursor
   bool IsAtEnd() const { return this->At == this->End; }
   char Peek() const { return this->At == this->End ? '\0' : *this->At; }
 
-  /// Blanks, control characters and comments. False at a comment without an end, which is not skipped.
+  /// Skips blanks, control characters and comments. Returns false at a comment without an end, which is not skipped.
   bool SkipBlanks()
   {
     for (;;)
@@ -61,12 +61,13 @@ struct SMREADERSPART21_EXPORT Part21Cursor
   }
   bool SkipComment();
 
-  /// An apostrophe to its partner, '' within. A line within it that begins like an instance shows that the partner is missing.
+  /// Skips a string between apostrophes, which may contain ''. If a line within it begins like an instance, the closing apostrophe is
+  /// missing, and it returns false.
   bool SkipString();
   bool SkipBinary();
   bool SkipEnumeration();
   bool SkipResource();
-  /// `real` tells whether it has a point or an exponent.
+  /// Skips a number. `real` is set to true if it has a point or an exponent.
   bool SkipNumber(bool& real)
   {
     this->SkipSign();
@@ -87,7 +88,7 @@ struct SMREADERSPART21_EXPORT Part21Cursor
     }
     return digits;
   }
-  /// # and digits; `fits` is false when the number is beyond 64 bits.
+  /// Skips a reference, # and digits. `fits` is set to false if the number exceeds 64 bits.
   bool SkipReference(std::uint64_t& id, bool& fits)
   {
     const char* start = ++this->At;
@@ -111,7 +112,7 @@ struct SMREADERSPART21_EXPORT Part21Cursor
   void SkipSign() { this->At += this->Peek() == '+' || this->Peek() == '-' ? 1 : 0; }
   static bool IsWithin64Bits(std::string_view digits);
 
-  /// A name of letters, digits and _, with ! before that of a user's own.
+  /// Skips a keyword of letters, digits and _; that of a user-defined entity begins with !.
   std::string_view SkipKeyword()
   {
     const char* start = this->At;
@@ -122,7 +123,7 @@ struct SMREADERSPART21_EXPORT Part21Cursor
     }
     return { start, static_cast<std::size_t>(this->At - start) };
   }
-  /// An opening bracket to its closing one. False at a semicolon between them.
+  /// Skips from an opening bracket behind the closing one. Returns false at a semicolon between them.
   bool SkipBrackets();
 };
 }

@@ -21,7 +21,7 @@ bool IsControl(char c)
   return code < 32 && code != '\n' && code != '\r' && code != '\t' && code != '\f' && code != '\v';
 }
 
-/// The first byte that is a blank to the parser but should not be in a text.
+/// Returns the position of the first control character that the parser reads as a blank but the standard does not allow.
 std::size_t FindControlCharacter(std::string_view text)
 {
   std::size_t i = 0;
@@ -63,7 +63,7 @@ bool Part21File::Read(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
   file.seekg(0, std::ios::end);
-  // A folder opens on some systems and tells a size that nothing can have.
+  // On some systems a folder can be opened, and its size is then a huge number.
   const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
   if (size < 0 || size == std::numeric_limits<std::streamoff>::max())
   {
@@ -80,7 +80,7 @@ bool Part21File::Read(const std::string& path)
   std::string text(static_cast<std::size_t>(size), '\0');
   file.seekg(0);
   file.read(&text[0], size);
-  // A file that shrinks meanwhile is read as far as it goes.
+  // A file may become shorter while it is read.
   text.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   return this->Parse(std::move(text));
 }
@@ -130,7 +130,7 @@ void Part21File::Add(Part21Defect defect, std::size_t offset, std::uint64_t id, 
 void Part21File::IndexIds()
 {
   const Index count = this->GetNumberOfInstances();
-  // Most files number their instances densely; single large numbers among these cost no table of their size.
+  // Most files number their instances densely. A few very large numbers must not enlarge the table to their size.
   const std::uint64_t dense = std::uint64_t{ 4 } * count + 1024;
   std::uint64_t largest = 0;
   for (Index i = 0; i < count; ++i)
@@ -158,7 +158,7 @@ void Part21File::IndexIds()
   {
     if (this->Find(this->Instances[i].Id) != i)
     {
-      // Nobody knows which of them a reference means.
+      // It is ambiguous which of the instances a reference means.
       this->Damaged[i] = 1;
       this->Damaged[this->Find(this->Instances[i].Id)] = 1;
       this->Add(Part21Defect::DuplicateId, this->Instances[i].Begin, this->Instances[i].Id);

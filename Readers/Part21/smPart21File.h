@@ -13,7 +13,7 @@
 
 namespace sm
 {
-/// Defects of a text. Values, never exceptions: a damaged file is read as far as it goes.
+/// Kinds of defects of a text. They are collected, never thrown: a damaged file is read as far as possible.
 enum class Part21Defect : unsigned char
 {
   Unopened,           ///< the file cannot be opened or read
@@ -36,15 +36,15 @@ enum class Part21Defect : unsigned char
 struct Part21Problem
 {
   Part21Defect Defect = Part21Defect::Syntax;
-  /// Instance in which it is; 0: in none.
+  /// Number of the instance that has the defect; 0: none.
   std::uint64_t Id = 0;
-  /// UndefinedReference: the number that is referred to.
+  /// For UndefinedReference: the number that is referred to.
   std::uint64_t Other = 0;
-  /// Byte of the text.
+  /// Position in the text, in bytes.
   std::size_t Offset = 0;
 };
 
-/// Two pointers as a range.
+/// A range of elements for range-based loops.
 template <typename T>
 struct Part21Range
 {
@@ -68,11 +68,11 @@ struct Part21Range
  * Time and memory are linear in the text, and nothing is called recursively, so that nested brackets do no harm. Memory besides the
  * text: 24 bytes an instance, 12 a record, 4 a reference (12 while reading), 4 to 12 for each number. Text of 4 GiB or more is refused.
  *
- * Damage: an instance that breaks the syntax is kept with what stands before the damage, IsDamaged() tells; reading goes on behind
- * its semicolon, or with the next line that begins like an instance. Instances with the same number are all kept, and all damaged.
- * An instance is damaged also by an undefined reference. All defects are counted; the first `ProblemLimit` of each kind are listed.
+ * Damage: an instance with a syntax error is kept up to the error, and IsDamaged() is true for it; parsing continues behind its semicolon,
+ * or with the next line that begins like an instance. Instances with the same number are all kept, and all are damaged. An instance with an
+ * undefined reference is damaged, too. All defects are counted; the first `ProblemLimit` of each kind are listed.
  *
- * No method throws but for want of memory. Const methods may be called by several threads.
+ * Methods throw only std::bad_alloc. Const methods may be called by several threads.
  */
 class SMREADERSPART21_EXPORT Part21File
 {
@@ -81,32 +81,32 @@ public:
   using Index = std::uint32_t;
   static constexpr Index None = 0xffffffffu;
   static constexpr std::size_t ProblemLimit = 100;
-  /// Bytes at the start of a file in which its header is searched; what stands before it is ignored.
+  /// Number of bytes at the start of a file in which its header is searched. Bytes before the header are ignored.
   static constexpr std::size_t HeaderSearch = 1 << 16;
 
-  /// Reads a whole file, as UTF-8 (smTextEncoding.h). False when nothing can be read; the problem says why.
+  /// Reads a whole file, as UTF-8 (smTextEncoding.h). Returns false if nothing can be read; GetProblems() has the reason.
   bool Read(const std::string& path);
   /// The same for text in memory.
   bool Parse(std::string text);
 
   std::string_view GetText() const { return this->Text; }
-  /// Line of a byte of the text, from 1. Takes time in proportion to the offset.
+  /// Returns the line of a position in the text, from 1, in time proportional to the offset.
   std::size_t GetLine(std::size_t offset) const;
 
   ///@{
   /** Instances. */
   Index GetNumberOfInstances() const { return static_cast<Index>(this->Instances.size() - 1); }
   std::uint64_t GetId(Index i) const { return this->Instances[i].Id; }
-  /// Index of the instance with this number, None without one.
+  /// Returns the index of the instance with this number, or None.
   Index Find(std::uint64_t id) const;
-  /// From # to the semicolon.
+  /// Returns the text of an instance from # to the semicolon.
   std::string_view GetText(Index i) const
   {
     return this->Cut(this->Instances[i].Begin, this->Instances[i].End);
   }
   std::size_t GetOffset(Index i) const { return this->Instances[i].Begin; }
   bool IsDamaged(Index i) const { return this->Damaged[i] != 0; }
-  /// Instances that the parameters of `i` refer to, in the order of the text, with None for undefined ones.
+  /// Returns the instances to which the parameters of `i` refer, in the order of the text, with None for undefined ones.
   Part21Range<Index> GetReferences(Index i) const
   {
     const Index* first = this->References.data();
@@ -136,12 +136,12 @@ public:
   const std::vector<std::string>& GetSchemas() const { return this->Schemas; }
 
   const std::vector<Part21Problem>& GetProblems() const { return this->Problems; }
-  /// How many there are, also those that are not listed.
+  /// Returns the number of defects of a kind, including those that are not listed.
   std::size_t GetNumberOfProblems(Part21Defect defect) const
   {
     return this->Counts[static_cast<std::size_t>(defect)];
   }
-  /// A few words for each kind: "undefined reference".
+  /// Returns a short description of a kind: "undefined reference".
   static const char* GetName(Part21Defect defect);
 
 private:
@@ -179,7 +179,7 @@ private:
   void Resolve(const std::vector<std::uint64_t>& ids);
 
   std::string Text;
-  /// One more than there are, so that every instance has a successor.
+  /// The instances, and one more as the end of the last one's records and references.
   std::vector<Instance> Instances = std::vector<Instance>(1);
   std::vector<Record> Records;
   std::vector<Index> References;

@@ -140,7 +140,7 @@ void Part21Parser::ParseHeader()
   this->Cursor.At += this->Cursor.Peek() == ';' ? 1 : 0;
   while (this->SkipBlanks() && !this->Cursor.IsAtEnd())
   {
-    // A header without its end does not hide the data.
+    // If the end of the header is missing, the data are found nevertheless.
     if (BeginsWith(this->Cursor, "DATA") || BeginsWith(this->Cursor, "END-ISO"))
     {
       return;
@@ -193,7 +193,7 @@ void Part21Parser::ParseInstances()
     {
       return;
     }
-    // Text in a row that belongs to no instance is one problem.
+    // Consecutive text that belongs to no instance is one problem.
     if (!lost)
     {
       this->File.Add(Part21Defect::NotAnInstance, this->GetOffset(this->Cursor.At));
@@ -213,7 +213,7 @@ void Part21Parser::ParseInstance()
   {
     this->File.Add(
       numbered && !fits ? Part21Defect::NumberTooLarge : Part21Defect::NotAnInstance, this->GetOffset(begin));
-    // It may begin a line that looks like an instance: no step back.
+    // The cursor must advance even if the text here looks like an instance.
     this->Cursor.At = std::max(this->Cursor.At, begin + 1);
     this->Recover();
     return;
@@ -238,13 +238,13 @@ void Part21Parser::FinishInstance(bool valid)
   }
   this->File.Damaged.back() = 1;
   this->File.Add(Part21Defect::Syntax, this->GetOffset(this->Cursor.At), instance.Id);
-  // Where only the semicolon is missing the next instance is there already.
+  // If only the semicolon is missing, the cursor is at the next instance already.
   if (!IsInstanceStart(this->Cursor.At, this->Cursor.End))
   {
     this->Recover();
   }
   instance.End = this->GetOffset(this->Cursor.At);
-  // Every instance has at least one record; one without a name has a type without one.
+  // Every instance has at least one record. If no record was read, it gets one with an empty type name.
   if (this->File.Records.size() == instance.FirstRecord)
   {
     this->File.Records.push_back({ this->FindType({}), instance.End, instance.End });
@@ -294,7 +294,7 @@ bool Part21Parser::ParseParameters()
 {
   ++this->Cursor.At;
   std::size_t depth = 1;
-  // A list may be empty, but nothing follows a comma without a value.
+  // A list may be empty, but a comma must be followed by a value.
   bool opened = true;
   bool expected = true;
   while (this->SkipBlanks() && !this->Cursor.IsAtEnd())
@@ -333,7 +333,7 @@ bool Part21Parser::ParseParameters()
   return false;
 }
 
-/// `nested` becomes true where a bracket opened and values are to follow.
+/// Parses one value. `nested` is set to true if it is an opening bracket, whose values follow.
 bool Part21Parser::ParseValue(std::size_t& depth, bool& nested)
 {
   Part21Cursor& cursor = this->Cursor;

@@ -19,7 +19,7 @@ class Part21Parser
 public:
   explicit Part21Parser(Part21File& file);
 
-  /// Begins at the header's first byte.
+  /// Parses the text from the first byte of the header.
   void Parse(std::size_t start);
 
   /// Numbers of all references in the order of the text.
@@ -35,13 +35,14 @@ private:
   void ParseInstance();
   bool ParseRecords();
   bool ParseRecord();
-  /// From ( to its ), with every token between checked.
+  /// Parses the parameters of a record from ( to its ), and checks every token between them.
   bool ParseParameters();
   bool ParseValue(std::size_t& depth, bool& nested);
   bool ParseTyped(std::size_t& depth, bool& nested);
   bool ParseReference();
   void FinishInstance(bool valid);
-  /// To where reading goes on after damage: behind the next semicolon, or at a line that begins like an instance or ends the section.
+  /// Moves the cursor to where parsing continues after damage: behind the next semicolon, or to a line that begins like an instance or ends
+  /// the section.
   void Recover();
   void SkipSection();
   std::uint32_t FindType(std::string_view name);
@@ -50,7 +51,7 @@ private:
   Part21File& File;
   const char* Start;
   Part21Cursor Cursor;
-  /// Open addressing: index of a type's name plus one, 0 for free.
+  /// Hash table of type names with open addressing: index of a name plus one; 0 for a free entry.
   std::vector<std::uint32_t> TypeTable = std::vector<std::uint32_t>(1024, 0);
   bool Ended = false;
 };

@@ -10,7 +10,7 @@ namespace sm
 #define SM_B Part21Blank
 #define SM_D Part21Digit
 #define SM_L Part21Letter
-// Control characters are blanks: the standard has a reader ignore them. Bytes above 127 are none of the three.
+// Kinds of all bytes. Control characters are blanks, because the standard requires a reader to ignore them. Bytes above 127 have no kind.
 const unsigned char Part21Characters[256] = { SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B,
   SM_B, SM_B, SM_B, SM_B, SM_B, SM_B,                                                             //
   SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, //
@@ -173,7 +173,7 @@ bool Part21Cursor::SkipBrackets()
         }
         break;
       case ';':
-        // Ends the record: its brackets do not balance.
+        // The brackets of the record do not balance.
         return false;
       default:
         break;
@@ -192,7 +192,7 @@ bool Part21Value::GetNumber(double& number) const
   const char* start = this->Text.data() + (this->Text[0] == '+' ? 1 : 0);
   const char* end = this->Text.data() + this->Text.size();
   const std::from_chars_result result = std::from_chars(start, end, number);
-  // Too small for a double is zero, too large is no number.
+  // A number that is too small for a double becomes 0; one that is too large is refused.
   if (result.ec == std::errc::result_out_of_range && this->Text.find('-', 1) != std::string_view::npos)
   {
     number = 0.0;
@@ -250,7 +250,7 @@ bool ReadNumber(Part21Cursor& cursor, Part21Value& value)
   return true;
 }
 
-/// A token with one character to cut off at each side.
+/// Reads a token that is enclosed by one character on each side, which are removed.
 bool ReadEnclosed(Part21Cursor& cursor, Part21Value& value, Part21Kind kind, bool (Part21Cursor::*skip)())
 {
   const char* start = cursor.At;

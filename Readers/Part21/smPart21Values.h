@@ -19,14 +19,14 @@ enum class Part21Kind : unsigned char
   Derived,     ///< *
   Integer,     ///< 12
   Real,        ///< 1.5E-7
-  String,      ///< 'text'; Text is what stands between the apostrophes, '' and \X2\ as in the file
+  String,      ///< 'text'; Text is without the apostrophes, '' and \X2\ are as in the file
   Binary,      ///< "0FF"
   Enumeration, ///< .MILLI. or .T.; Text has no dots
   Reference,   ///< #12; Id is the number
-  List,        ///< (…); Text is what stands between the brackets
-  Typed, ///< LENGTH_MEASURE(25.4); Text is what stands between the brackets, TypeName what stands before them
-  Resource, ///< <…> of the third edition
-  Malformed ///< none of these
+  List,        ///< (…); Text is without the brackets
+  Typed,       ///< LENGTH_MEASURE(25.4); Text is "25.4", TypeName is "LENGTH_MEASURE"
+  Resource,    ///< <…> of the third edition
+  Malformed    ///< any other text
 };
 
 /// One parameter. The views point into the text of the file.
@@ -40,9 +40,10 @@ struct SMREADERSPART21_EXPORT Part21Value
   bool IsReference() const { return this->Kind == Part21Kind::Reference; }
   bool IsList() const { return this->Kind == Part21Kind::List; }
   bool IsNumber() const { return this->Kind == Part21Kind::Integer || this->Kind == Part21Kind::Real; }
-  /// The number of an Integer or a Real, independent of the locale. False for other kinds and for numbers that no finite double holds.
+  /// Gets the number of an Integer or a Real, independent of the locale. Returns false for other kinds and for numbers that exceed the
+  /// range of double.
   bool GetNumber(double& number) const;
-  /// False for other kinds than Integer and for numbers beyond 64 bits.
+  /// Gets the number of an Integer. Returns false for other kinds and for numbers beyond 64 bits.
   bool GetInteger(std::int64_t& number) const;
 };
 
@@ -64,7 +65,7 @@ public:
   {
   }
 
-  /// False at the end, and at the first thing that is no value: then IsMalformed().
+  /// Reads the next value. Returns false at the end, and at text that is no value, where IsMalformed() becomes true.
   bool Next(Part21Value& value);
   bool IsMalformed() const { return this->Malformed; }
 
@@ -75,7 +76,7 @@ private:
   bool Malformed = false;
 };
 
-/// Value number `index` (from 0); one of kind Malformed when there are fewer.
+/// Returns value number `index` (from 0); one of kind Malformed if there are fewer values.
 SMREADERSPART21_EXPORT Part21Value GetPart21Value(std::string_view text, std::size_t index);
 }
 

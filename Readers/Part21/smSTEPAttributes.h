@@ -1,6 +1,6 @@
 /**
  * @file smSTEPAttributes.h
- * @brief Attributes of entities, wherever a simple or a complex instance has them
+ * @brief Reads attributes of entities by name, from simple and from complex instances
  */
 #ifndef smSTEPAttributes_h
 #define smSTEPAttributes_h
@@ -13,14 +13,14 @@
 
 namespace sm
 {
-/// An attribute of an entity type: its place in a simple instance and in the record of a complex one.
+/// An attribute of an entity type: its position among the parameters of a simple instance, and in the record of a complex one.
 struct STEPAttribute
 {
-  /// The record of a complex instance.
+  /// Name of the record in a complex instance that has the attribute.
   const char* Record;
   std::size_t Own;
   std::size_t Simple;
-  /// For messages.
+  /// Name of the attribute, for messages.
   const char* Name;
 };
 
@@ -32,22 +32,22 @@ public:
 
   explicit STEPAttributes(const Part21File& file);
 
-  /// Null for a type that the table does not have.
+  /// Returns the description of the type of a record (smSTEPSchema.h); null for a type that the table does not have.
   const STEPEntityType* GetType(Index i, std::size_t record = 0) const
   {
     return this->Types[this->File.GetType(i, record)];
   }
-  /// The roles of all records together.
+  /// Returns the roles of all records of an instance.
   std::uint64_t GetRoles(Index i) const { return this->Roles[i]; }
   bool Has(Index i, std::uint64_t roles) const { return i != None && (this->Roles[i] & roles) != 0; }
-  /// The type of the entity is one of those that the census knows.
+  /// Returns true if the type of the entity is known to the census.
   bool IsKnown(Index i) const { return i != None && this->Roles[i] != 0; }
 
-  /// The parameters of the record with this name, or of a simple instance; false without one, or for None.
+  /// Gets the parameters of the record with this name, or of a simple instance of this type. Returns false if there is none, or for None.
   bool FindRecord(Index i, std::string_view record, std::string_view& parameters) const;
-  /// Malformed when there is none, or for None.
+  /// Returns the value of an attribute; Malformed if there is none, or for None.
   Part21Value Get(Index i, const STEPAttribute& attribute) const;
-  /// The entity that a reference names, None for other values and undefined ones.
+  /// Returns the entity that a reference names; None for other values and for undefined references.
   Index Follow(const Part21Value& value) const
   {
     return value.IsReference() ? this->File.Find(value.Id) : None;

@@ -21,7 +21,7 @@ constexpr STEPAttribute OrientedFace = { "ORIENTED_FACE", 0, 2, "face" };
 constexpr std::uint64_t BodyRoles = STEPRole::Solid | STEPRole::OtherSolid | STEPRole::SurfaceModel |
   STEPRole::WireModel | STEPRole::GeometricSet | STEPRole::Tessellated | STEPRole::Shell | STEPRole::Face;
 
-/// Oriented faces or shells of each other; the standard allows one.
+/// Largest length of a chain of oriented faces or shells that refer to each other; the standard allows one.
 constexpr int LongestChain = 16;
 
 CensusBodyKind GetKind(std::uint64_t roles)
@@ -164,7 +164,7 @@ void STEPCensusTaker::AddShellUse(Index user, const Part21Value& value, bool isV
   const Index used = this->Entities.Follow(value);
   if (!this->Entities.Has(used, STEPRole::Shell))
   {
-    // The walk over geometry says so, where a product uses the body.
+    // If a product uses the body, WalkBodies() reports the defect.
     return;
   }
   const Index shell = this->Unwrap(this->Unwrap(used, OrientedClosedShell, place), OrientedOpenShell, place);

@@ -14,12 +14,12 @@
 
 namespace sm
 {
-/// Something in the file that contradicts the schema or itself, at an entity that a solid, its place or its unit depends on.
+/// Kinds of contradictions to the schema or within the file, at entities on which a solid, its placement or its unit depends.
 enum class CensusDefect : unsigned char
 {
   DamagedEntity,      ///< syntax error, or a number used twice
   UndefinedReference, ///< a reference to nothing
-  WrongType,          ///< a reference to an entity of another type than stands there
+  WrongType,          ///< a reference to an entity of a type that the schema does not allow there
   WrongParameter,     ///< too few or too many parameters, or one of the wrong kind
   ValueOutOfRange, ///< a radius or weight that is not positive, a direction without length, a number above 1e100
   InconsistentSpline, ///< multiplicities, knots, poles and degree do not fit together
@@ -43,15 +43,15 @@ enum class CensusDefect : unsigned char
 struct CensusProblem
 {
   CensusDefect Defect = CensusDefect::DamagedEntity;
-  /// The entity in which it is.
+  /// Number of the entity that has the defect.
   std::uint64_t Id = 0;
-  /// The other entity that it concerns: the one referred to, or the second of two; 0: none.
+  /// Number of the other entity involved: the one referred to, or the second of two; 0: none.
   std::uint64_t Other = 0;
-  /// Parameter, or attribute, in which it is; a few words, may be empty.
+  /// Short description of the parameter or attribute that has the defect; may be empty.
   const char* Place = "";
 };
 
-/// A number of instances: sums and products stop at the largest value, which stands for "at least so many".
+/// A number of instances. Sums and products saturate at the largest value, which stands for "at least so many".
 using CensusCount = std::uint64_t;
 constexpr CensusCount CensusMaximum = std::numeric_limits<CensusCount>::max();
 
@@ -59,10 +59,10 @@ struct CensusFace
 {
   /// Entity number of the face itself, not of an ORIENTED_FACE.
   std::uint64_t Id = 0;
-  /// Numbers of its bounds: a part of STEPCensus::Bounds.
+  /// Range of its bounds in STEPCensus::Bounds.
   std::uint32_t FirstBound = 0;
   std::uint32_t NumberOfBounds = 0;
-  /// It depends on a defect.
+  /// True if it depends on an entity with a defect.
   bool Damaged = false;
 };
 
@@ -78,7 +78,7 @@ struct CensusShell
   /// Entity number of the shell itself, not of an ORIENTED_CLOSED_SHELL.
   std::uint64_t Id = 0;
   CensusShellKind Kind = CensusShellKind::Closed;
-  /// Its faces: a part of STEPCensus::FaceUses, without doubles.
+  /// Range of its faces in STEPCensus::FaceUses, each once.
   std::uint32_t FirstFace = 0;
   std::uint32_t NumberOfFaces = 0;
   bool Damaged = false;
@@ -107,28 +107,28 @@ struct CensusBody
 {
   CensusBodyKind Kind = CensusBodyKind::Solid;
   std::uint64_t Id = 0;
-  /// As the file has it, '' and \X2\ included.
+  /// Name as in the file, with '' and \X2\.
   std::string Name;
   std::string Type;
-  /// Its shells: a part of STEPCensus::ShellUses, the outer one first.
+  /// Range of its shells in STEPCensus::ShellUses, the outer one first.
   std::uint32_t FirstShell = 0;
   std::uint32_t NumberOfShells = 0;
-  /// Sum over its shells.
+  /// Number of faces of all its shells.
   std::uint64_t Faces = 0;
-  /// How often it occurs in all products of the file together; 0: no product uses it.
+  /// Number of its instances in all products of the file together; 0: no product uses it.
   CensusCount Instances = 0;
-  /// Representations of which it is an item.
+  /// Number of representations of which it is an item.
   std::uint32_t Representations = 0;
   /// Index into STEPCensus::Contexts of one of these, -1 for none.
   int Context = -1;
   /// kg/m^3, of its product or else of the assemblies that it occurs in; 0: none is stated, or they differ.
   double Density = 0.0;
   bool DensitiesDiffer = false;
-  /// It depends on a defect of geometry.
+  /// True if it depends on an entity with a defect of geometry.
   bool Damaged = false;
 };
 
-/// A product in an assembly: NEXT_ASSEMBLY_USAGE_OCCURRENCE.
+/// An occurrence of a product in an assembly: NEXT_ASSEMBLY_USAGE_OCCURRENCE.
 struct CensusOccurrence
 {
   std::uint64_t Id = 0;
@@ -139,9 +139,9 @@ struct CensusOccurrence
   /// Entity numbers of the CONTEXT_DEPENDENT_SHAPE_REPRESENTATION and its transformation; 0: none.
   std::uint64_t Placement = 0;
   std::uint64_t Transformation = 0;
-  /// How often it occurs: as often as its parent.
+  /// Number of instances, that of its parent.
   CensusCount Instances = 0;
-  /// A solid is below it.
+  /// True if the product or one below it has a solid.
   bool HasSolids = false;
 };
 
@@ -156,7 +156,7 @@ struct CensusMappedItem
   bool HasSolids = false;
 };
 
-/// A unit as a context states it.
+/// A unit that a context states.
 struct CensusUnit
 {
   enum class State : unsigned char
@@ -168,9 +168,9 @@ struct CensusUnit
   };
   State Status = State::Missing;
   std::uint64_t Id = 0;
-  /// "MILLI METRE", "INCH".
+  /// Name of the unit: "MILLI METRE", "INCH".
   std::string Name;
-  /// Lengths in millimetres, angles in radians; NaN when Missing or damaged.
+  /// Size of the unit in millimetres or radians; NaN if it is missing or damaged.
   double Factor = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -182,7 +182,7 @@ struct CensusContext
   /// The largest stated length uncertainty in millimetres, NaN for none, and its entity.
   double Uncertainty = std::numeric_limits<double>::quiet_NaN();
   std::uint64_t UncertaintyId = 0;
-  /// A solid that a product uses is measured in it.
+  /// True if a solid that a product uses has this context.
   bool Used = false;
 };
 
@@ -195,7 +195,7 @@ struct STEPDensity
   std::uint64_t Id = 0;
   /// kg/m^3; 0 when the statement cannot be used.
   double Density = 0.0;
-  /// Why it cannot; empty otherwise.
+  /// The reason why it cannot be used; empty otherwise.
   std::string Problem;
 };
 
@@ -215,25 +215,26 @@ enum Bit : unsigned char
 }
 
 /**
- * The census of a file, made on its entities alone. It says what a reader has to account for:
+ * The census of a file, made from its entities alone. It lists everything for which a reader has to account:
  *
  * - Bodies: items of representations. A product uses a representation by SHAPE_DEFINITION_REPRESENTATION of a
- *   PRODUCT_DEFINITION; representations that a SHAPE_REPRESENTATION_RELATIONSHIP without transformation relates are one shape. A
- *   NEXT_ASSEMBLY_USAGE_OCCURRENCE puts a product into another, a MAPPED_ITEM, and a relationship with a transformation that belongs to
- *   no occurrence, a representation into another. Products that no occurrence has as its child are roots and occur once; a product
+ * PRODUCT_DEFINITION; representations that a SHAPE_REPRESENTATION_RELATIONSHIP without transformation relates are one shape. A
+ * NEXT_ASSEMBLY_USAGE_OCCURRENCE places a product in another one; a MAPPED_ITEM, and a relationship with a transformation that belongs to
+ * no occurrence, place a representation in another one. Products that no occurrence has as its child are roots and occur once; a product
  *   occurs as often as all its parents together. In a file without a SHAPE_DEFINITION_REPRESENTATION representations that no other
  *   uses are the roots.
- * - Problems, only at entities that bodies, structure or units depend on: damage elsewhere (text annotations) is not among them. The
+ * - Problems, only at entities that bodies, structure or units depend on: damage elsewhere, for example in text annotations, is not
+ * reported. The
  *   parameters of all geometric entities below a face are checked against ISO 10303-42: number, kind, type of what they refer to,
- *   ranges, and for splines that knots, multiplicities, poles and degree agree. Not checked: whether curves and points lie where
- *   they should; validation rules of the schemas beyond those named.
+ * ranges, and for splines that knots, multiplicities, poles and degree agree. Not checked are the positions of curves and points relative
+ * to each other, and validation rules of the schemas beyond those named.
  *
- * Time and memory are linear in the file (a file of 2^17 leaves in 17 levels takes no more than its 34 occurrences), nothing is
- * called recursively on the file's depth. Nothing is thrown but for want of memory.
+ * Time and memory are linear in the file (a file of 2^17 leaves in 17 levels takes no more than its 34 occurrences), and there is no
+ * recursion over the depth of the file. Only std::bad_alloc is thrown.
  */
 struct SMREADERSPART21_EXPORT STEPCensus
 {
-  /// At most so many problems of each kind are listed; all are counted.
+  /// Largest number of problems of each kind that are listed; all are counted.
   static constexpr std::size_t ProblemLimit = 100;
 
   std::vector<CensusBody> Bodies;
@@ -249,33 +250,33 @@ struct SMREADERSPART21_EXPORT STEPCensus
   /// At most one for each product, by the product's number.
   std::vector<STEPDensity> Densities;
   std::vector<CensusProblem> Problems;
-  /// Those problems of geometry on which a reader ends that trusts the schema, without limit: an entity that is part of itself, a curve in
-  /// a surface's parameters that is none, a placement with too few parameters, a number above 1e100.
+  /// All problems of geometry that may crash or hang a reader that relies on the schema: an entity that is part of itself, a trim curve of
+  /// a wrong type, a placement with too few parameters, a number above 1e100.
   std::vector<CensusProblem> Perils;
   std::array<std::size_t, static_cast<std::size_t>(CensusDefect::Count)> Counts{};
   /// Bits of CensusUse for every instance of the file.
   std::vector<unsigned char> Uses;
-  /// The file has no product with a shape: roots are representations.
+  /// True if the file has no product with a shape, so that the roots are representations.
   bool WithoutProducts = false;
 
   std::size_t GetNumberOfProblems(CensusDefect defect) const
   {
     return this->Counts[static_cast<std::size_t>(defect)];
   }
-  /// Bodies of one kind that occur at least once.
+  /// Returns the number of bodies of a kind that occur at least once.
   std::size_t CountBodies(CensusBodyKind kind) const;
-  /// Instances of bodies of one kind.
+  /// Returns the number of instances of bodies of a kind.
   CensusCount CountInstances(CensusBodyKind kind) const;
-  /// Faces in shells of such bodies; a face of two shells counts twice.
+  /// Returns the number of faces in the shells of bodies of a kind that occur; a face of two shells counts twice.
   std::uint64_t CountFaces(CensusBodyKind kind) const;
 };
 
 SMREADERSPART21_EXPORT STEPCensus TakeSTEPCensus(const Part21File& file);
 
-/// A few words for each kind: "undefined reference".
+/// Returns a short description of a kind: "undefined reference".
 SMREADERSPART21_EXPORT const char* GetName(CensusDefect defect);
 
-/// a + b, or the largest value.
+/// Returns a + b, or the largest value if the sum exceeds it.
 inline CensusCount AddCounts(CensusCount a, CensusCount b)
 {
   return a > CensusMaximum - b ? CensusMaximum : a + b;

@@ -1,6 +1,6 @@
 /**
  * @file smSTEPCensusTaker.h
- * @brief The steps of a census
+ * @brief The steps by which a census is taken; not installed
  */
 #ifndef smSTEPCensusTaker_h
 #define smSTEPCensusTaker_h
@@ -15,7 +15,7 @@
 
 namespace sm
 {
-/// Takes a census step by step; each step uses what those before it found.
+/// Takes a census step by step; each step uses the results of those before it.
 class STEPCensusTaker
 {
 public:
@@ -31,19 +31,19 @@ public:
   STEPCensus Take();
 
 private:
-  /// From one product or shape to another that it contains.
+  /// An arc of the product structure, from a product or shape to another one that it contains.
   struct Arc
   {
     Index From;
     Index To;
-    /// The occurrence, mapped item or relationship.
+    /// The occurrence, mapped item or relationship that states it.
     Index By;
     bool operator<(const Arc& other) const
     {
       return this->From != other.From ? this->From < other.From : this->To < other.To;
     }
   };
-  /// A step of the walk over geometry; curves in the plane of a surface's parameters are 2D.
+  /// An entry of the stack of WalkBodies(). Entities below a trim curve are two-dimensional.
   struct Step
   {
     Index Entity;
@@ -51,7 +51,7 @@ private:
   };
 
   void Add(CensusDefect defect, Index entity, std::uint64_t other = 0, const char* place = "");
-  /// The entity that an attribute refers to when it has one of the roles; else None and a problem.
+  /// Returns the entity to which an attribute refers, if it has one of the roles; else adds a problem and returns None.
   Index Follow(Index from, const STEPAttribute& attribute, std::uint64_t roles);
   Index Follow(Index from, const Part21Value& value, std::uint64_t roles, const char* place);
   void Use(Index i, unsigned char use) { this->Census.Uses[i] |= use; }
@@ -71,7 +71,7 @@ private:
   void MarkStructure();
   void ReportDamagedStructure();
 
-  // smSTEPInstances.cxx: how often products and shapes occur
+  // smSTEPInstances.cxx: numbers of instances of products and shapes
   void CountAll();
   void PassDensity(Index from, Index to);
   void FindSolidsBelow();
@@ -86,7 +86,7 @@ private:
   void AddShellUse(Index user, const Part21Value& value, bool isVoid, const char* place);
   std::uint32_t AddShell(Index shell);
   std::uint32_t AddFace(Index face);
-  /// The shell or face below oriented ones.
+  /// Returns the shell or face to which a chain of oriented ones refers.
   Index Unwrap(Index i, const STEPAttribute& element, const char* oriented);
   void FindUnused();
 
@@ -94,16 +94,16 @@ private:
   using Point3 = std::array<double, 3>;
   void CheckLoops();
   void CheckLoop(Index face, Index loop);
-  /// The coordinates of a vertex; false where they cannot be read.
+  /// Reads the coordinates of a vertex; returns false if that fails.
   bool ReadVertex(Index vertex, Point3& point);
   bool IsStraight(Index curve) const;
   void CheckBounds();
 
-  // smSTEPDependence.cxx: what bodies depend on, and its damage
+  // smSTEPDependence.cxx: the entities on which bodies depend, and their damage
   void WalkBodies();
   void Walk(std::vector<Step>& open, unsigned char use);
   void FindCycles();
-  /// Adds a problem of geometry that is one of Perils, too.
+  /// Adds a problem of geometry, also to Perils.
   void AddPeril(CensusDefect defect, Index entity, std::uint64_t other, const char* place);
   void Visit(Index i, bool flat);
   void CheckRecord(Index i, std::string_view parameters, const char* signature, bool flat);
@@ -140,9 +140,10 @@ private:
   std::vector<std::pair<Index, Index>> ShapesOfProducts;
   /// Number of instances of each product and, at its group's entity, of each shape.
   std::vector<CensusCount> Counts;
-  /// Density of each product and shape, its own or that of what it is part of; 0: none, NaN: these differ, -1: not known.
+  /// Density of each product and shape: its own, else that of the assemblies that contain it; 0: none, NaN: these differ, -1: not known
+  /// yet.
   std::vector<double> DensitiesOfEntities;
-  /// Placement (OccurrenceShape) of each occurrence, and relationships that are part of one.
+  /// Placement (OccurrenceShape) of each occurrence, and the relationships that belong to one.
   std::unordered_map<Index, Index> Placements;
   std::vector<bool> Placing;
   /// Bodies by shape: (group, body index), and occurrences' and mapped items' entities.

@@ -52,7 +52,8 @@ private:
   struct Candidate
   {
     STEPDensity Density;
-    /// Usable statements before others, the recommended practice's before users' own, then the first.
+    /// Order of several statements: usable ones come before others, those by the recommended practice before user-defined ones; of equal
+    /// rank the first counts.
     int Rank = -1;
   };
 
@@ -86,7 +87,7 @@ private:
     }
   }
 
-  /// The product that the property describes, or whose shape it does.
+  /// Returns the product that the property describes, directly or through its shape.
   Index FindProduct(Index property) const
   {
     Index product = this->Entities.Follow(this->Entities.Get(property, DefinitionOfProperty));
@@ -111,7 +112,7 @@ private:
     const bool isNumber = GetPart21Value(this->Entities.Get(item, ValueOfItem).Text, 0).GetNumber(number);
     if (isNumber && number == 0.0)
     {
-      // So some systems say that a part has no material.
+      // Some CAD systems write a density of 0 for a part without a material.
       return;
     }
     if (!isNumber)
@@ -138,7 +139,7 @@ private:
     }
   }
 
-  /// kg/m^3 of the unit, 0 for one that is no density.
+  /// Returns the size of the unit in kg/m^3; 0 if it is not a unit of density.
   double ReadUnit(Index unit) const
   {
     if (unit == STEPAttributes::None)

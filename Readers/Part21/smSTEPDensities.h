@@ -13,13 +13,13 @@
 namespace sm
 {
 /**
- * One for every product that states a density, by the product's number.
+ * Returns one entry for every product that states a density, sorted by the number of the product.
  *
  * A density is an item with a value and a unit in a representation of a property of the product (PROPERTY_DEFINITION,
- * PROPERTY_DEFINITION_REPRESENTATION) that any of their names calls one ("density", "PTC_MASS_DENSITY"), or whose unit is one. The
- * recommended practice's "material property" goes before users' own properties. The unit is a DERIVED_UNIT of one mass and the third
- * power of one length, whatever they are; many systems leave out the minus of that power. OpenCASCADE writes g/cm^3 as the third power of
- * a gram times the square of a centimetre, which is read as it was meant.
+ * PROPERTY_DEFINITION_REPRESENTATION) one of whose names contains "density" ("PTC_MASS_DENSITY"), or whose unit is one of density. The
+ * "material property" of the recommended practice takes precedence over user-defined properties. The unit is a DERIVED_UNIT of any unit of
+ * mass and the third power of any unit of length; many systems omit the minus sign of that power. OpenCASCADE writes g/cm^3 as the third
+ * power of a gram times the square of a centimetre, which is read as g/cm^3.
  */
 std::vector<STEPDensity> ReadSTEPDensities(const STEPAttributes& entities);
 }

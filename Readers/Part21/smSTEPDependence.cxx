@@ -19,14 +19,14 @@ void STEPCensusTaker::WalkBodies()
   for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
   {
     const CensusBody& body = this->Census.Bodies[k];
-    // Sets of curves and triangles are no bodies that are integrated.
+    // Sets of curves and of triangles are not integrated, so their entities are not examined.
     if (body.Kind == CensusBodyKind::Solid || body.Kind == CensusBodyKind::SurfaceModel)
     {
       (body.Instances > 0 ? used : unused).push_back({ this->BodyEntities[k], false });
     }
   }
   this->Walk(used, CensusUse::Geometry);
-  // Bodies that no product uses are marked only.
+  // Entities of bodies that no product uses are marked but not checked.
   while (!unused.empty())
   {
     const Index i = unused.back().Entity;
@@ -64,7 +64,7 @@ void STEPCensusTaker::Walk(std::vector<Step>& open, unsigned char use)
     const bool flat = step.Flat || this->Entities.Has(step.Entity, STEPRole::DefinitionalRepresentation);
     for (const Index next : this->File.GetReferences(step.Entity))
     {
-      // The context of a curve in parameters says nothing.
+      // The context of a trim curve is not needed.
       if (next != None && !this->Entities.Has(next, STEPRole::Context))
       {
         open.push_back({ next, flat });
@@ -73,7 +73,7 @@ void STEPCensusTaker::Walk(std::vector<Step>& open, unsigned char use)
   }
 }
 
-/// Entities that lead back to themselves, depth first over what bodies depend on; the stack is that of the walk, not of this process.
+/// Finds entities that contain themselves, by a depth-first search over the entities on which bodies depend, with an explicit stack.
 void STEPCensusTaker::FindCycles()
 {
   enum State : unsigned char
@@ -149,7 +149,7 @@ void STEPCensusTaker::Visit(Index i, bool flat)
   }
 }
 
-/// From damaged entities up to all that refer to them, among those that bodies depend on.
+/// Marks all entities that refer to damaged ones, directly or not, among those on which bodies depend.
 void STEPCensusTaker::SpreadDamage()
 {
   std::vector<std::pair<Index, Index>> users;

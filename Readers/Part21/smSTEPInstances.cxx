@@ -1,4 +1,4 @@
-// How often the products and shapes of a census occur, and with what density.
+// Numbers of instances and densities of the products and shapes of a census.
 #include "smSTEPCensusTaker.h"
 #include "smSTEPDensities.h"
 
@@ -9,17 +9,17 @@ namespace sm
 {
 namespace
 {
-/// A density that nothing has been said of.
+/// Marks a density that has not been determined.
 constexpr double Unknown = -1.0;
 
-/// The density of something in two places: theirs where they agree, else NaN.
+/// Joins the densities that an entity gets from two assemblies: the common value, or NaN if they differ.
 void JoinDensity(double passed, double& density)
 {
   density = density == Unknown || density == passed ? passed : std::numeric_limits<double>::quiet_NaN();
 }
 }
 
-/// A product's own density goes before those of the assemblies that it is in.
+/// A product's own density takes precedence over those of the assemblies that contain it.
 void STEPCensusTaker::PassDensity(Index from, Index to)
 {
   const std::vector<STEPDensity>& stated = this->Census.Densities;
@@ -27,7 +27,7 @@ void STEPCensusTaker::PassDensity(Index from, Index to)
   const auto own = std::lower_bound(stated.begin(), stated.end(), product,
     [](const STEPDensity& density, std::uint64_t id) { return density.Product < id; });
   const bool hasOwn = own != stated.end() && own->Product == product && own->Density > 0.0;
-  // NaN stays NaN.
+  // std::max with NaN as its first argument returns NaN.
   const double passed = hasOwn ? own->Density : std::max(this->DensitiesOfEntities[from], 0.0);
   JoinDensity(passed, this->DensitiesOfEntities[to]);
 }
@@ -78,10 +78,10 @@ void STEPCensusTaker::CountAll()
   this->ReportCycles(incoming);
 }
 
-/// `open`: arcs that lead to an entity from entities whose count is not known.
+/// Reports the cycles of the product structure. `open`: for each entity, the number of arcs to it from entities whose count is not known.
 void STEPCensusTaker::ReportCycles(const std::vector<std::uint32_t>& open)
 {
-  // Everything below a cycle is open, too; it has no way back. Taken off from below, the cycles remain.
+  // Entities below a cycle are open, too. Removing entities without outgoing arcs, one after another, leaves the cycles.
   std::vector<Arc> back;
   std::vector<std::uint32_t> outgoing(open.size(), 0);
   for (const Arc& arc : this->Arcs)
@@ -164,7 +164,7 @@ void STEPCensusTaker::SetInstances()
   {
     CensusCount& instances = this->Census.Bodies[body].Instances;
     instances = AddCounts(instances, this->Counts[group]);
-    // Also an item of a representation that no product uses, which describes an aspect of the shape, for example.
+    // A body may also be an item of a representation that no product uses, for example of one that describes an aspect of the shape.
     if (this->Counts[group] > 0)
     {
       JoinDensity(std::max(this->DensitiesOfEntities[group], 0.0), densities[body]);

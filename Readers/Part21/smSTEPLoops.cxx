@@ -1,4 +1,4 @@
-// Loops whose edges run against one another.
+// Finds loops whose edges run against one another.
 #include "smSTEPCensusTaker.h"
 #include "smSTEPPropertyAttributes.h"
 
@@ -21,7 +21,8 @@ constexpr STEPAttribute CurveOfEdge = { "EDGE_CURVE", 0, 3, "geometry" };
 constexpr STEPAttribute CurveInSpace = { "SURFACE_CURVE", 0, 1, "3D curve" };
 constexpr STEPAttribute PointOfVertex = { "VERTEX_POINT", 0, 1, "point" };
 
-/// Ends that are closer, relative to the extent of the loop's vertices, follow one another; a wider gap is seen by the integrals, too.
+/// Ends of edges that are closer than this, relative to the extent of the loop's vertices, are connected. A wider gap is detected by the
+/// integrals, too.
 constexpr double LoopTolerance = 1e-3;
 
 using Point = std::array<double, 3>;
@@ -40,7 +41,8 @@ struct LoopEdge
   bool Straight = false;
 };
 
-/// The numbers of the edges that run against the others when the first one is kept, or reversed; false when they make no loop in this order.
+/// Finds the indices of the edges that run against the others if the first one is kept, or reversed. Returns false if the edges form no
+/// loop in this order.
 bool FindReversed(const std::vector<LoopEdge>& edges, double tolerance, bool isFirstReversed,
   std::vector<std::size_t>& reversed)
 {
@@ -81,7 +83,7 @@ bool STEPCensusTaker::ReadVertex(Index vertex, Point3& point)
     values.Next(value) && value.GetNumber(point[1]) && values.Next(value) && value.GetNumber(point[2]);
   if (list.IsList() && !isKnown && !this->GeometricDamage[vertex])
   {
-    // OpenCASCADE would follow a point that it cannot make.
+    // OpenCASCADE would dereference the null pointer of a point that it cannot make.
     this->AddPeril(CensusDefect::ValueOutOfRange, vertex, reference.Id, "point without three coordinates");
   }
   return isKnown;
@@ -154,8 +156,8 @@ void STEPCensusTaker::CheckLoop(Index face, Index loop)
   {
     return;
   }
-  // Either the first edge is kept or it is reversed; what reverses fewer edges is meant, and of as many one or the other. Edges in another order
-  // make one loop, or a gap that the integrals see.
+  // The first edge is kept or reversed, whichever reverses fewer edges in total; if both reverse equally many, either is possible. Edges in
+  // another order form one loop, or a gap that the integrals detect.
   std::vector<std::size_t> reversed;
   std::vector<std::size_t> others;
   const bool isLoop = FindReversed(edges, tolerance, false, reversed);
@@ -169,7 +171,7 @@ void STEPCensusTaker::CheckLoop(Index face, Index loop)
   {
     return;
   }
-  // A straight edge is the same in both directions, but of a curve through two points the one part or the other is meant.
+  // A straight edge has the same points in both directions, but a closed curve has two different parts between two points.
   const auto curved =
     std::find_if(reversed.begin(), reversed.end(), [&edges](std::size_t k) { return !edges[k].Straight; });
   if (curved != reversed.end())

@@ -1,4 +1,4 @@
-// The parameters of the entities that bodies depend on: their number, types and values, and those of splines together.
+// Checks the parameters of the entities that bodies depend on: their number, types and values, and the consistency of splines.
 #include "smSTEPCensusTaker.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ constexpr STEPAttribute SurfaceKnots[] = { { "B_SPLINE_SURFACE_WITH_KNOTS", 2, 1
 
 constexpr const char* TooFew = "too few parameters";
 
-/// OpenCASCADE's steps along a curve of this size never end.
+/// Numbers above this are refused, because algorithms of OpenCASCADE that step along a curve do not terminate for curves of this size.
 constexpr double LargestNumber = 1e100;
 
 std::int64_t CountValues(std::string_view list)
@@ -38,7 +38,7 @@ std::int64_t CountValues(std::string_view list)
   return count;
 }
 
-/// A number in a few characters with at most two digits of exponent is finite, and no double needs to be made to know it.
+/// Returns true for a short number with at most two digits of exponent, which is finite for certain and need not be converted.
 bool IsPlainNumber(std::string_view text)
 {
   const std::size_t exponent = text.find_first_of("Ee");
@@ -56,7 +56,7 @@ bool IsZero(std::string_view number)
   return number.substr(0, number.find_first_of("Ee")).find_first_of("123456789") == std::string_view::npos;
 }
 
-/// Why knots, multiplicities, degree and number of poles of one direction do not fit; null when they do.
+/// Returns the reason why knots, multiplicities, degree and number of poles of one direction are inconsistent; null if they are consistent.
 const char* FindMismatch(
   std::int64_t degree, std::int64_t poles, std::string_view multiplicities, std::string_view knots)
 {
@@ -78,7 +78,7 @@ const char* FindMismatch(
     {
       return "knots";
     }
-    // Sums stay small: none above the degree plus one.
+    // Multiplicities above the degree plus one are refused, so the sum cannot overflow.
     if (!count.GetInteger(multiplicity) || multiplicity < 1 || multiplicity > degree + 1)
     {
       return "multiplicities";
@@ -108,7 +108,7 @@ void STEPCensusTaker::CheckRecord(Index i, std::string_view parameters, const ch
   }
 }
 
-/// Why the parameters are not those of the signature; null when they are, or when CheckValue() has said so.
+/// Returns the reason why the parameters do not match the signature; null if they do, or if CheckValue() has added a problem.
 const char* STEPCensusTaker::CheckList(Index i, std::string_view text, const char* signature, bool flat)
 {
   Part21Values values(text);
@@ -123,7 +123,7 @@ const char* STEPCensusTaker::CheckList(Index i, std::string_view text, const cha
     }
     if (*at == '(')
     {
-      // The kind of one element; lists of lists have two brackets.
+      // The letter of one element; lists of lists have two brackets.
       const int depth = at[1] == '(' ? 2 : 1;
       const char kind = at[depth];
       at += 2 * depth;
@@ -162,7 +162,7 @@ const char* STEPCensusTaker::CheckList(Index i, std::string_view text, const cha
   return values.Next(value) ? "too many parameters" : nullptr;
 }
 
-/// False, and a problem, when the value is not what its letter says.
+/// Adds a problem and returns false if a value is not of the kind of its letter.
 bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
 {
   CensusDefect defect = CensusDefect::WrongParameter;
@@ -200,7 +200,7 @@ bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
       const Index to = this->Entities.Follow(value);
       if (value.IsReference() && to == None)
       {
-        // The damage of the instance itself has been said. OpenCASCADE would follow a trim curve that is undefined.
+        // The damage of the instance itself has been reported. OpenCASCADE would dereference the null pointer of an undefined trim curve.
         if (this->Entities.Has(i, STEPRole::DefinitionalRepresentation))
         {
           this->Census.Perils.push_back(

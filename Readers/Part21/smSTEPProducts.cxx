@@ -21,7 +21,7 @@ constexpr STEPAttribute ProductOfFormation = { "PRODUCT_DEFINITION_FORMATION", 2
 constexpr STEPAttribute IdOfProduct = { "PRODUCT", 0, 0, "id" };
 constexpr STEPAttribute NameOfProduct = { "PRODUCT", 1, 1, "name" };
 
-/// Text of a string with '' as '.
+/// Returns the text of a string with '' replaced by '.
 std::string Unquote(std::string_view text)
 {
   std::string result;
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  /// Calls `use` with what each sound entity of the type links.
+  /// Calls `use` with the two entities that each undamaged entity of the type relates.
   template <typename Use>
   void ForEach(std::string_view type, const Use& use)
   {
@@ -93,7 +93,7 @@ private:
     }
   }
 
-  /// The product definition whose shape this is.
+  /// Returns the product definition that has this shape.
   Index FindDefinition(Index shape) const
   {
     const Index definition =
@@ -168,7 +168,7 @@ private:
     }
   }
 
-  /// Sets a value unless it is stated before; a different statement is a problem.
+  /// Sets a value if it was not stated before. A different statement is a problem.
   void Set(double value, double& place, STEPProduct& product) const
   {
     if (std::isnan(place))
@@ -218,7 +218,7 @@ private:
     }
   }
 
-  /// Millimetres to that power of a derived unit of lengths, 0 for another unit.
+  /// Returns the size of a derived unit in millimetres to the given power; 0 if it is not such a unit.
   double ReadUnit(Index unit, double power) const
   {
     double factor = 1.0;
@@ -255,7 +255,7 @@ private:
   std::map<std::uint64_t, STEPProduct> Products;
 };
 
-/// A real number of Part 21, which has a point always, with all digits.
+/// Formats a real number of Part 21, which must have a point, with all digits.
 std::string FormatReal(double value)
 {
   std::array<char, 40> digits;
@@ -271,7 +271,7 @@ std::string FormatReal(double value)
   return text;
 }
 
-/// A string of Part 21; bytes beyond ASCII become blanks.
+/// Formats a string of Part 21; bytes beyond ASCII become blanks.
 std::string Quote(const std::string& text)
 {
   std::string result = "'";
@@ -282,7 +282,7 @@ std::string Quote(const std::string& text)
   return result + "'";
 }
 
-/// New entities behind the largest number of a file.
+/// Collects new entities, with numbers above the largest one of a file.
 class EntityWriter
 {
 public:
@@ -333,7 +333,7 @@ private:
   std::map<std::string, std::string> Known;
 };
 
-/// Where the section ends in which the last instance ends at `at`: behind it there are only blanks and comments.
+/// Returns the position of the end of the section whose last instance ends at `at`: only blanks and comments are between them.
 std::size_t FindEndOfSection(std::string_view text, std::size_t at)
 {
   constexpr std::string_view word = "ENDSEC";

@@ -1,6 +1,6 @@
 /**
  * @file smSTEPPropertyAttributes.h
- * @brief Attributes by which properties, their representations and measures with units are found
+ * @brief Attributes of properties, of their representations, and of measures with units
  */
 #ifndef smSTEPPropertyAttributes_h
 #define smSTEPPropertyAttributes_h

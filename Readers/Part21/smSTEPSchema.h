@@ -1,6 +1,6 @@
 /**
  * @file smSTEPSchema.h
- * @brief Entity types of AP203, AP214 and AP242 that a solid, its place in an assembly and its units are made of
+ * @brief Entity types of AP203, AP214 and AP242 on which a solid, its place in an assembly and its units depend
  */
 #ifndef smSTEPSchema_h
 #define smSTEPSchema_h
@@ -75,10 +75,10 @@ struct STEPEntityType
   const char* Own;
 };
 
-/// Null for types that no solid depends on.
+/// Returns the description of a type; null for types on which no solid depends.
 SMREADERSPART21_EXPORT const STEPEntityType* FindSTEPEntityType(std::string_view name);
 
-/// The roles of which a reference with this letter must have one; 0 for letters that are no references.
+/// Returns the roles of which the target of a reference with this letter must have one; 0 for letters that are no references.
 std::uint64_t GetRoleOfLetter(char letter);
 }
 

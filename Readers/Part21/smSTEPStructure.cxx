@@ -1,4 +1,4 @@
-// Products, occurrences and shapes of a census, and how they are joined.
+// Finds the products, occurrences and shapes of a census, and their relations.
 #include "smSTEPCensusTaker.h"
 #include "smSTEPPropertyAttributes.h"
 
@@ -85,7 +85,7 @@ STEPCensusTaker::Index STEPCensusTaker::FindGroup(Index representation)
   Index i = representation;
   while (this->Groups[i] != i)
   {
-    // Every second step is shortened, so that no chain stays long.
+    // Path halving keeps chains short.
     this->Groups[i] = this->Groups[this->Groups[i]];
     i = this->Groups[i];
   }
@@ -106,7 +106,7 @@ void STEPCensusTaker::JoinShapes()
     if (first != None && second != None)
     {
       this->Use(i, CensusUse::Structure);
-      // The smaller index stays: chains remain short, since files relate neighbours.
+      // The smaller index becomes the representative. Chains remain short, since files mostly relate neighbouring entities.
       const std::pair<Index, Index> groups = std::minmax({ this->FindGroup(first), this->FindGroup(second) });
       this->Groups[groups.second] = groups.first;
     }
@@ -164,7 +164,7 @@ bool STEPCensusTaker::IsShapeOf(Index representation, Index product) const
     this->ShapesOfProducts.begin(), this->ShapesOfProducts.end(), std::make_pair(product, Index{ 0 }));
   if (first == this->ShapesOfProducts.end() || first->first != product)
   {
-    // A product without a shape contradicts nothing.
+    // A product without a shape is no contradiction.
     return true;
   }
   return std::binary_search(
@@ -263,7 +263,7 @@ void STEPCensusTaker::AddArcs()
   std::sort(this->Arcs.begin(), this->Arcs.end());
 }
 
-/// Shapes that a relationship puts into others, where no occurrence of their products says so, too.
+/// Adds arcs for shapes that a relationship places in others, unless an occurrence of their products states the same.
 void STEPCensusTaker::AddPlacedShapes()
 {
   const auto findShape = [this](Index product)
@@ -299,7 +299,8 @@ void STEPCensusTaker::AddPlacedShapes()
   }
 }
 
-/// Entities of the structure that products with solids need, and damage in these. Placements join the walk over geometry.
+/// Marks the entities of the structure on which products with solids depend, and reports their damage. Placements are added to the stack of
+/// WalkBodies().
 void STEPCensusTaker::MarkStructure()
 {
   std::vector<Step> placements;

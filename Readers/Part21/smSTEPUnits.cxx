@@ -1,4 +1,4 @@
-// Units and accuracy that the contexts of a census state.
+// Reads the units and accuracies that the contexts of a census state.
 #include "smSTEPUnits.h"
 
 #include "smSTEPCensusTaker.h"
@@ -21,11 +21,11 @@ constexpr STEPAttribute ConversionFactor = { "CONVERSION_BASED_UNIT", 1, 2, "con
 constexpr STEPAttribute MeasureValue = { "MEASURE_WITH_UNIT", 0, 0, "value" };
 constexpr STEPAttribute MeasureUnit = { "MEASURE_WITH_UNIT", 1, 1, "unit" };
 
-/// Units that convert into units that convert …; inch to millimetre is one.
+/// Largest number of conversions from unit to unit; inch to millimetre is one.
 constexpr int LongestConversion = 8;
-/// The record of a complex unit, the unit of SI, what it is in the unit of the result, the smallest and largest that is no damage, and the relative accuracy with which
-/// factors are written: 0.01745 for a degree is off by 1.9e-4, 0.4536 for a pound by 2e-5; of lengths, which are exact, the foot of American
-/// surveyors by 2e-6.
+/// The record of a complex unit, the unit of SI, what it is in the unit of the result, the smallest and largest that is no damage, and the
+/// relative accuracy with which factors are written: 0.01745 for a degree is off by 1.9e-4, 0.4536 for a pound by 2e-5; of lengths, which
+/// are exact, the foot of American surveyors by 2e-6.
 struct SIKind
 {
   std::string_view Record;
@@ -125,7 +125,7 @@ bool HasWrongRecords(const STEPAttributes& entities, Part21File::Index unit, con
       !entities.FindRecord(unit, kind.Record, record));
 }
 
-/// The same of a context.
+/// Returns true for a context with other records than these, likewise.
 bool HasWrongContextRecords(const STEPAttributes& entities, Part21File::Index context)
 {
   static constexpr std::string_view known[] = { "GEOMETRIC_REPRESENTATION_CONTEXT", "REPRESENTATION_CONTEXT",
@@ -151,7 +151,7 @@ bool IsSomeUnit(const STEPAttributes& entities, Part21File::Index unit)
     entities.FindRecord(unit, "PLANE_ANGLE_UNIT", parameters);
   for (std::size_t r = 0; !file.IsDamaged(unit) && r < file.GetNumberOfRecords(unit); ++r)
   {
-    // All types of units are called so, derived ones such as AREA_UNIT, too.
+    // The names of all types of units end in _UNIT, also those of derived ones such as AREA_UNIT.
     const std::string_view type = file.GetTypeNames()[file.GetType(unit, r)];
     constexpr std::string_view ending = "_UNIT";
     isSome = isSome || (type.size() > ending.size() && type.substr(type.size() - ending.size()) == ending);
@@ -267,7 +267,7 @@ void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
     return;
   }
   Part21Values units(this->Entities.Get(context, UnitsOfContext).Text);
-  // A member of which damage has left no kind of unit: it may have been that of lengths or angles.
+  // A damaged member whose kind of unit cannot be read. It may have been the unit of length or of angle.
   std::uint64_t unknown = 0;
   bool isUnknown = false;
   for (Part21Value value; units.Next(value);)
@@ -286,7 +286,7 @@ void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
     {
       CensusUnit& known = length ? result.Length : result.Angle;
       const CensusUnit next = this->ReadUnit(unit, length);
-      // Several units of a kind have to be the same: it is not certain which of them OpenCASCADE takes.
+      // Several units of one kind must be equal, because it is not certain which one OpenCASCADE uses.
       const bool isFirst = known.Status == CensusUnit::State::Missing;
       if (isFirst || (known.Status == CensusUnit::State::Stated && next.Status != known.Status))
       {

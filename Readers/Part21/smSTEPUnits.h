@@ -1,6 +1,6 @@
 /**
  * @file smSTEPUnits.h
- * @brief Lengths, angles and masses that a STEP file's units stand for
+ * @brief Sizes of the units of length, angle and mass of a STEP file
  */
 #ifndef smSTEPUnits_h
 #define smSTEPUnits_h
@@ -23,7 +23,7 @@ enum class STEPUnitKind : unsigned char
 CensusUnit ReadSTEPUnit(const STEPAttributes& entities, Part21File::Index unit, STEPUnitKind kind,
   std::vector<Part21File::Index>& used);
 
-/// Reads an entity with a number and a unit; false when either is missing or damaged.
+/// Reads an entity with a number and a unit; returns false if either is missing or damaged.
 bool ReadSTEPMeasure(
   const STEPAttributes& entities, Part21File::Index measure, double& value, Part21File::Index& unit);
 }

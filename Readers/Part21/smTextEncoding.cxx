@@ -12,7 +12,7 @@ unsigned char GetByte(const std::string& text, std::size_t at)
   return static_cast<unsigned char>(text[at]);
 }
 
-/// Number of bytes of the letter of UTF-8 at a byte from 128 on; 0 where there is none.
+/// Returns the number of bytes of the UTF-8 sequence that begins at a byte above 127; 0 if there is no valid one.
 std::size_t GetLength(const std::string& text, std::size_t at)
 {
   const unsigned char first = GetByte(text, at);
@@ -31,7 +31,7 @@ std::size_t GetLength(const std::string& text, std::size_t at)
       return 0;
     }
   }
-  // Not in the shortest form, a half of a pair of UTF-16, or beyond the last letter.
+  // Refuses overlong forms, surrogates of UTF-16, and code points above U+10FFFF.
   const unsigned char second = GetByte(text, at + 1);
   const bool isWrong = (first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0) ||
     (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90);
@@ -46,7 +46,7 @@ bool IsASCII(char c)
 
 std::string ToUTF8(std::string text)
 {
-  // Files of UTF-8 are not copied.
+  // Text that is UTF-8 throughout is returned without a copy.
   std::size_t at = 0;
   const auto skip = [&text, &at]()
   {

@@ -1,6 +1,6 @@
 /**
  * @file smTextEncoding.h
- * @brief The bytes of a STEP file as UTF-8
+ * @brief Converts the bytes of a STEP file to UTF-8
  */
 #ifndef smTextEncoding_h
 #define smTextEncoding_h
@@ -13,8 +13,8 @@ namespace sm
 {
 /**
  * Part 21 writes letters beyond ASCII with escapes (\X2\00E4\X0\) and leaves other bytes undefined. Files in the wild have them in UTF-8 or
- * ISO 8859-1. Sequences of UTF-8 are kept, every other byte from 128 on becomes the letter that ISO 8859-1 has there. Text without such
- * bytes is returned as it is, in a time that is small beside that of reading it.
+ * ISO 8859-1. Valid UTF-8 sequences are kept; every other byte above 127 becomes the character of ISO 8859-1. Text without such bytes is
+ * returned unchanged, in a time that is small compared with that of reading it.
  */
 SMREADERSPART21_EXPORT std::string ToUTF8(std::string text);
 }

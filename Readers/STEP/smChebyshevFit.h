@@ -30,14 +30,14 @@ SMREADERSSTEP_EXPORT void ComputeChebyshevCoefficients(const FitSamples& samples
 /// Bernstein coefficients, `degree` + 1 of them, of the Chebyshev series cut off after `degree`.
 SMREADERSSTEP_EXPORT void ConvertToBernstein(const FitSamples& chebyshev, int degree, double* bernstein);
 
-/// A smooth function's residual falls by far more than this when its interval is halved, even across a kink;
-/// what does not fall is rounding of the function itself, and no bisection helps.
+/// When an interval is halved, the residual of a smooth function decreases by far more than this ratio, even across a kink. A residual that
+/// does not is the rounding of the function itself, which bisection cannot reduce.
 constexpr double NoiseRatio = 0.3;
-/// A residual that many times the tolerance is no rounding, whatever bisection does to it.
+/// A residual above this many tolerances is not taken for rounding, even if bisection does not reduce it.
 constexpr double MaximumNoise = 1e5;
-/// Bisection ends here in any case.
+/// Largest depth of bisection.
 constexpr int MaximumDepth = 14;
-/// A curve that needs more pieces is not one: std::runtime_error.
+/// Largest number of pieces; if a curve needs more, std::runtime_error is thrown.
 constexpr int MaximumPieces = 50000;
 
 template <int Dimension>
@@ -45,7 +45,7 @@ struct FittedPiece
 {
   int Degree = 0;
   std::array<std::array<double, Dimension>, FitOrder + 1> Coefficients;
-  /// Largest distance from the samples plus the size of what the samples may hide, per coordinate.
+  /// Per coordinate: largest distance from the samples, plus an estimate of the error between the samples.
   std::array<double, Dimension> Residual{};
 };
 
@@ -87,7 +87,7 @@ bool FitPiece(const std::array<std::array<double, Dimension>, FitOrder + 1>& sam
     degree = std::max(degree, std::min(needed, maximumDegree));
     hidden[d] = std::abs(series[d][FitOrder]) + std::abs(series[d][FitOrder - 1]);
   }
-  // One value at both ends makes a constant of degree 0; a piece that moves needs degree 1 to hold its ends.
+  // A piece with equal ends may have degree 0; with different ends it needs degree 1 to interpolate them.
   piece.Degree = degree = std::max(degree, 1);
   for (int d = 0; d < Dimension; ++d)
   {

@@ -18,7 +18,7 @@ constexpr double SmallestLag = 1e-7;
 constexpr double LagOverGap = 3.0;
 constexpr int FittedDegree = 9;
 
-/// Polynomial `k` of a curve at t, beyond its own range too.
+/// Evaluates polynomial `k` of a curve at t, which may lie beyond its range.
 template <int Dimension>
 std::array<double, Dimension> EvaluateIn(const PolynomialCurve<Dimension>& curve, int k, double t,
   std::array<double, Dimension>* derivative = nullptr)
@@ -35,7 +35,7 @@ std::array<double, Dimension> EvaluateIn(const PolynomialCurve<Dimension>& curve
   return point;
 }
 
-/// A surface that keeps the Bézier patch it was last asked for: neighbouring points of a curve share it.
+/// Evaluates a surface, and keeps the Bézier patch of the last point, because neighbouring points of a curve are mostly on the same patch.
 class CellSurface
 {
 public:
@@ -45,7 +45,7 @@ public:
   {
   }
 
-  /// Cell of a coordinate; the nearest one outside the domain.
+  /// Returns the cell of a coordinate; outside the domain the nearest one.
   int FindCell(int direction, double x) const
   {
     const std::vector<double>& breaks = this->Breaks[direction];
@@ -104,7 +104,7 @@ private:
   std::array<double, 4> Points[(MaximumDegree + 1) * (MaximumDegree + 1)];
 };
 
-/// The pieces of one curve with the parameter of its edge.
+/// Fits one trim curve, reparametrised by the parameter of its edge.
 class Restorer
 {
 public:
@@ -151,7 +151,7 @@ public:
         return false;
       }
     }
-    // The ends of the curve are those of its neighbours in the loop, to the last bit.
+    // The ends of the curve remain bitwise those of its neighbours in the loop.
     this->Result.Coefficients.back() = this->Trim.GetEndPoint();
     this->Result.Breaks.back() = this->End;
     for (int d = 0; d < 2; ++d)
@@ -181,8 +181,8 @@ private:
     return offset;
   }
 
-  /// tau with (S(c(tau)) - C(t)) . C'(t) = 0 by Newton from a guess; C is the edge's polynomial `piece`. On a curve
-  /// of uneven speed Newton's steps are kept between the points that are known to lie before and behind.
+  /// Solves (S(c(tau)) - C(t)) . C'(t) = 0 for tau by Newton's method from a guess, where C is the edge's polynomial `piece`. The steps are
+  /// confined to the bracket of points that are known to lie before and behind, because a curve of uneven speed may make them too long.
   bool Solve(double t, int piece, double guess, double& tau) const
   {
     Point3 tangent;
@@ -207,7 +207,7 @@ private:
       const bool isNear = slope > 0.0 && std::abs(next - tau) <= Near * range;
       if (!isNear && (!(slope > 0.0) || !(next > low && next < high) || std::abs(next - tau) > reach))
       {
-        // Half the bracket, or, while there is none, a step that grows.
+        // Bisects the bracket, or, as long as there is none, takes increasing steps.
         const bool bracketed = std::isfinite(low) && std::isfinite(high);
         next = bracketed ? 0.5 * (low + high) : offset > 0.0 ? tau - reach : tau + reach;
         reach *= bracketed ? 1.0 : 2.0;
@@ -218,7 +218,7 @@ private:
         return false;
       }
       tau = next;
-      // Quadratic until rounding stops it.
+      // Convergence is quadratic until rounding stops it.
       if (step <= 4.0 * UnitRoundoff * range || (step <= Near * range && step >= last))
       {
         return true;
@@ -245,7 +245,7 @@ private:
     return tau >= this->Start && tau <= this->End;
   }
 
-  /// Where c is not one polynomial, or crosses a knot line of the surface.
+  /// Returns the parameters between which c is one polynomial and stays in one cell of the surface.
   std::vector<double> FindTrimBreaks() const
   {
     std::vector<double> breaks;
@@ -278,7 +278,7 @@ private:
     return breaks;
   }
 
-  /// t with Map(t) = tau, by the Illinois variant of regula falsi.
+  /// Solves Map(t) = tau for t by the Illinois variant of regula falsi.
   bool Invert(double tau, double& t) const
   {
     double low = this->Start;
@@ -323,7 +323,7 @@ private:
     return true;
   }
 
-  /// Parameters t at which the map or the curve has a knot; ends included.
+  /// Finds the parameters t at which the map or the curve has a knot, including the ends.
   bool FindBreaks(std::vector<double>& breaks) const
   {
     breaks = this->Edge.Breaks;
@@ -395,7 +395,7 @@ private:
       }
       this->Result.RaiseResidual(d, this->Constant[d] ? 0.0 : piece.Residual[d]);
     }
-    // A residual far above the tolerance would move the face's border.
+    // A residual far above the tolerance would move the border of the face too much.
     if (this->Result.GetNumberOfPieces() >= this->Most || !(met || excess < MaximumExcess))
     {
       return false;
@@ -404,9 +404,9 @@ private:
     return true;
   }
 
-  /// Share of the range below which Newton's steps are dominated by rounding.
+  /// Length of Newton's steps, relative to the range, below which rounding dominates them.
   static constexpr double Near = 1e-9;
-  /// Residual that is put up with, in tolerances.
+  /// Largest accepted residual, in tolerances.
   static constexpr double MaximumExcess = 100.0;
 
   CellSurface& Surface;

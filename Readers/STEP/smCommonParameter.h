@@ -27,17 +27,17 @@ enum class StepResult
 {
   InStep,
   Restored,
-  /// The trim curve is as it was.
+  /// The trim curve was not changed.
   Failed
 };
 
 /**
- * A trim curve lags when it is more than 1e-7 of `size` and more than three times its gap behind or ahead of the edge. It is
- * then replaced by c(tau(t)), with (S(c(tau)) - C(t)) . C'(t) = 0: the same points of the face at the parameters of
- * the edge. Its ends stay where they are, bit for bit; what tau would move them by is taken off linearly along the curve.
- * The result is fitted by polynomial pieces, cut where c, C and the surface have their knots, to `tolerance` in u
- * and v, or to the floor that rounding sets; what is left is added to the residual. A coordinate that is constant stays so.
- * It fails where tau does not exist or does not increase, or when the lag does not fall to half.
+ * Replaces a trim curve that is parametrised differently from its edge: one whose points at equal parameter are displaced along the edge by
+ * more than 1e-7 of `size` and more than three times the gap. It is replaced by c(tau(t)), with (S(c(tau)) - C(t)) . C'(t) = 0: the same
+ * points of the face at the parameters of the edge. Its ends are kept bit for bit; the displacement that tau would give them is subtracted
+ * linearly along the curve. The result is fitted by polynomial pieces, cut where c, C and the surface have their knots, to `tolerance` in u
+ * and v, or to the level of rounding; the error of the fit is added to the residual. A constant coordinate remains constant. Fails if tau
+ * does not exist or does not increase, or if the displacement does not decrease to half.
  */
 SMREADERSSTEP_EXPORT StepResult RestoreCommonParameter(const NURBSSurface& surface, const EdgeCurve& edge,
   double size, const std::array<double, 2>& tolerance, TrimCurve& trim);

@@ -12,13 +12,14 @@ class vtkNURBSDataSet;
 namespace sm
 {
 /**
- * Colours of the faces and of the body, from the leaf's cell array Color and the faces' own colours: one that the array
- * shows to 1/255 is kept to all its digits. Where the array shows one colour and a face has another of its own,
- * that one colour is the instance's, and the body gets none.
+ * Reads the colours of the faces and of the body from the leaf's cell array Color and from the faces. A face's own colour, in full
+ * precision, is used if it agrees with the array to 1/255. If the array has a single colour, and a face has a different one of its own, the
+ * single colour is that of the instance, and the body has none.
  */
 void ReadColors(vtkNURBSDataSet* leaf, ExportBody& body, Color& instance);
 
-/// The one colour of all faces of `other` when that is not what `part` has; negative: the same, or more than one.
+/// Returns the single colour of all faces of `other` if the colours of `part` differ from it; negative if they are equal, or if there is
+/// more than one colour.
 Color GetDifference(const std::vector<ExportBody>& part, const std::vector<ExportBody>& other);
 }
 

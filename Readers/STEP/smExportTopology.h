@@ -1,6 +1,6 @@
 /**
  * @file smExportTopology.h
- * @brief Edges and vertices of a body that is saved: which vertices are one, and how far faces lie off both
+ * @brief Edges and vertices of a body that is saved: their identification, and the distances of the faces from them
  */
 #ifndef smExportTopology_h
 #define smExportTopology_h
@@ -18,7 +18,8 @@ class vtkTrimmedNURBSModel;
 
 namespace sm
 {
-/// Lengths are those of the model, before any unit. Needs no OpenCASCADE.
+/// Finds the vertices that edges share, and measures gaps. Lengths are those of the model, before a conversion of units. Does not use
+/// OpenCASCADE.
 class ExportTopology
 {
 public:
@@ -33,7 +34,7 @@ public:
   struct VertexRecord
   {
     std::array<double, 3> Position{};
-    /// Largest distance of what ends there.
+    /// Largest distance of the ends of edges and trim curves from the vertex.
     double Reach = 0.0;
     /// False for a vertex that was joined to another one.
     bool IsUsed = false;
@@ -44,21 +45,21 @@ public:
   const std::vector<EdgeRecord>& GetEdges() const { return this->Edges; }
   const std::vector<VertexRecord>& GetVertices() const { return this->Vertices; }
   std::size_t GetEdge(const Coedge& coedge) const { return this->Index.at(coedge.Use.get()); }
-  /// The vertex of the edge that the coedge leads to, or comes from.
+  /// Returns the vertex at the end (`last`) or at the start of a coedge.
   int GetNode(const Coedge& coedge, bool last) const
   {
     return this->Edges[this->GetEdge(coedge)].Nodes[last != coedge.Reversed ? 1 : 0];
   }
-  /// The end of a coedge in (u,v).
+  /// Returns the end (`last`) or the start of a coedge in (u,v).
   static TrimCurve::Point GetEnd(const Coedge& coedge, bool last)
   {
     return last != coedge.Reversed ? coedge.Curve.GetEndPoint() : coedge.Curve.GetStartPoint();
   }
   /// Returns true if a degenerate edge has to close the loop between this coedge and the next.
   bool IsJump(const Loop& loop, std::size_t coedge) const { return this->Jumps.count({ &loop, coedge }) > 0; }
-  /// Diagonal of the body's box; of that of its edges where it has none.
+  /// Diagonal of the body's box, or of the box of its edges if the body has none.
   double GetSize() const { return this->Size; }
-  /// Corners of loops whose edges end at different vertices.
+  /// Returns the number of corners of loops at which the edges end at different vertices.
   int GetOpenCorners() const { return this->OpenCorners; }
 
 private:
@@ -77,7 +78,7 @@ private:
   std::vector<EdgeRecord> Edges;
   std::unordered_map<const Edge*, std::size_t> Index;
   std::vector<VertexRecord> Vertices;
-  /// The forest of vertices that are joined.
+  /// Union-find forest of the vertices that were joined.
   std::vector<int> Parent;
   std::set<std::pair<const Loop*, std::size_t>> Jumps;
   int OpenCorners = 0;

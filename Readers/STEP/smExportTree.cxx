@@ -22,7 +22,7 @@ const Placement IdentityPlacement{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
 
 namespace
 {
-/// Placements that differ by less, of 1 or of the larger translation, are one.
+/// Placements are equal if their entries differ by no more than this, relative to 1 or, for translations, to the larger one.
 constexpr double SamePlacement = 1e-12;
 
 /// Largest deviation of a rotation's rows from orthonormality.
@@ -61,7 +61,7 @@ Placement Multiply(const Placement& a, const Placement& b)
   return c;
 }
 
-/// Inverse of a rigid placement.
+/// Returns the inverse of a rigid placement.
 Placement Invert(const Placement& a)
 {
   Placement b{};
@@ -119,7 +119,7 @@ bool AreSame(const Placement& a, const Placement& b)
   return true;
 }
 
-/// Models with the same faces, of the same material, are one, whoever copied them.
+/// Returns true if two models have the same faces and the same material, as copies of one model have.
 bool AreSame(vtkTrimmedNURBSModel* a, vtkTrimmedNURBSModel* b)
 {
   return a == b ||
@@ -278,7 +278,7 @@ private:
     }
   }
 
-  /// Where the first leaf stands is the place; the others keep theirs relative to it.
+  /// Adds a part to a node. Its placement is that of the first leaf; the other leaves are placed relative to it.
   void AddPart(const std::vector<Leaf*>& leaves, ExportNode& node)
   {
     ExportPart part;
@@ -298,7 +298,7 @@ private:
     }
     else if (mirrored)
     {
-      // The mirror is its own inverse, and exact.
+      // The mirror x -> -x is exact and its own inverse.
       own[0] = -1.0;
       node.Place = Multiply(node.Place, own);
       part.Name += " (mirrored)";
@@ -330,7 +330,7 @@ private:
     node.InstanceColor = instance;
   }
 
-  /// The reader's bounds hold what such a face was made from; the file holds only what it became.
+  /// Adds notes about fitted surfaces: the bounds of the reader refer to the original surface, but the file contains only the fit.
   void AddFitNotes(const ExportPart& part)
   {
     int fits = 0;
@@ -388,7 +388,7 @@ private:
   }
 
   std::vector<Leaf> Leaves;
-  /// Indices into Leaves, of each partitioned dataset.
+  /// Indices into Leaves for each partitioned dataset.
   std::vector<std::vector<std::size_t>> LeavesOf;
   std::string RootName;
   int Mirrored = 0;

@@ -1,6 +1,6 @@
 /**
  * @file smExportTree.h
- * @brief A dataset with exact geometry as parts, instances and assemblies: what a file of solids holds
+ * @brief Converts a dataset with exact geometry to the parts, instances and assemblies of a CAD file
  */
 #ifndef smExportTree_h
 #define smExportTree_h
@@ -16,7 +16,7 @@ class vtkDataObject;
 
 namespace sm
 {
-/// Row-major, the first three rows of a 4x4.
+/// The first three rows of a 4x4 matrix, row-major.
 using Placement = std::array<double, 12>;
 using Color = std::array<double, 3>;
 
@@ -25,7 +25,7 @@ struct ExportBody
 {
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;
   Placement Own{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
-  /// sRGB in [0,1]; negative: none. Of the body, and of each face that has one of its own.
+  /// Colour of the body, and of each face that has one of its own; sRGB in [0,1], negative: none.
   Color BodyColor{ -1.0, -1.0, -1.0 };
   std::vector<Color> FaceColors;
 };
@@ -37,13 +37,13 @@ struct ExportPart
   std::vector<ExportBody> Bodies;
 };
 
-/// A part (Part >= 0) or an assembly, as it stands in its parent. Assemblies stand where their parents do.
+/// A part (Part >= 0) or an assembly. Place is relative to the parent; assemblies have the identity.
 struct ExportNode
 {
   std::string Name;
   std::string Layer;
   int Part = -1;
-  /// Rigid, in the lengths of the models.
+  /// Rigid placement; the translation is in the unit of the models.
   Placement Place{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
   /// Colour of the instance, which overrides that of its part; negative: none.
   Color InstanceColor{ -1.0, -1.0, -1.0 };
@@ -53,13 +53,13 @@ struct ExportNode
 struct ExportTree
 {
   std::vector<ExportPart> Parts;
-  /// Nameless; its children are the roots of the file.
+  /// A node without a name, whose children are the roots of the file.
   ExportNode Root;
   /// Length unit of the models; all bodies of a tree have the same.
   std::string LengthUnit;
-  /// The unit that the file of the first body was written in; empty when it is not known.
+  /// Length unit of the file from which the first body was read; empty if not known.
   std::string FileUnit;
-  /// Worth knowing, and worth a warning; one sentence each.
+  /// Information for the user, and warnings; one sentence each.
   std::vector<std::string> Notes;
   std::vector<std::string> Warnings;
 };
@@ -67,13 +67,13 @@ struct ExportTree
 extern const Placement IdentityPlacement;
 
 /**
- * Leaves of one model are instances of one part. The assembly of a partitioned dataset collection gives structure, names and
- * layers; leaves that it does not name, and those of other datasets, stand at the root under the names of their blocks. A
- * node's leaves are the bodies of one part.
+ * Makes the tree of a dataset. Leaves of one model are instances of one part. The assembly of a partitioned dataset collection gives
+ * structure, names and layers; leaves that it does not name, and those of other datasets, are children of the root with the names of their
+ * blocks. A node's leaves are the bodies of one part.
  *
- * A mirrored placement becomes a rigid one of a part of its own, whose x is the negative of the part's, exactly; a
- * placement that is not rigid is taken into the geometry. The roots of the tree are parts in their own coordinates, or
- * assemblies: where one is placed otherwise, or twice, all roots get an assembly above them.
+ * A mirrored placement becomes a rigid one of a separate part, whose x coordinates are exactly negated; a placement that is not rigid is
+ * applied to the geometry. The roots of the tree are parts in their own coordinates, or assemblies: if one of them has another placement,
+ * or occurs twice, all roots are put into an additional assembly.
  *
  * Colours come from the cell array Color (per face) where there is one, else from the faces.
  *

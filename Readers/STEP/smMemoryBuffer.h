@@ -10,7 +10,7 @@
 
 namespace sm
 {
-/// A stream buffer that reads `bytes`, which must outlive it. Positions can be asked for and set.
+/// A stream buffer that reads `bytes`, which must outlive it. It supports seeking.
 class MemoryBuffer : public std::streambuf
 {
 public:

@@ -21,7 +21,7 @@ namespace sm
 {
 namespace
 {
-/// Lists that are not longer are left as they are.
+/// Lists up to this length are not shortened.
 constexpr int ShortList = 64;
 
 using Relationship = StepRepr_ShapeRepresentationRelationshipWithTransformation;
@@ -29,7 +29,7 @@ using ItemSet = std::unordered_set<const StepRepr_RepresentationItem*>;
 
 void ShortenSharings(const Interface_InterfaceModel& model, TColStd_HArray1OfListOfInteger& sharings)
 {
-  // True if nothing but instances needs the entity, which places them.
+  // Returns true if the entity only places instances and is needed for nothing else.
   const auto isPlacement = [&](int entity)
   {
     if (model.Value(entity)->DynamicType() != STANDARD_TYPE(Relationship))
@@ -94,7 +94,7 @@ private:
   std::unordered_map<const StepRepr_Representation*, ItemSet> Sets;
 };
 
-/// The placement that the relationship gives an instance, if origin and target are where they should be.
+/// Returns the placement that the relationship gives an instance, if origin and target are not interchanged.
 Handle(StepGeom_Axis2Placement3d) FindTarget(const Handle(Relationship) & relationship, ItemSets& items)
 {
   const Handle(StepRepr_ItemDefinedTransformation) transformation =
@@ -116,7 +116,7 @@ void ShortenItems(const Interface_InterfaceModel& model)
   ItemSets items;
   std::unordered_map<const StepRepr_Representation*, ItemSet> targets;
   std::vector<Handle(StepRepr_Representation)> assemblies;
-  // Placements that the transfer has to find: all origins, and both of a relationship that is not in order.
+  // Placements that the transfer must find: all origins, and both placements of a relationship in which they are interchanged.
   ItemSet sought;
   for (int i = 1; i <= model.NbEntities(); ++i)
   {
@@ -162,7 +162,7 @@ void ShortenItems(const Interface_InterfaceModel& model)
         kept.push_back(assembly->ItemsValue(i));
       }
     }
-    // An empty list is none.
+    // OpenCASCADE does not accept an empty list.
     if (!kept.empty())
     {
       const Handle(StepRepr_HArray1OfRepresentationItem) list =
@@ -179,7 +179,7 @@ void ShortenItems(const Interface_InterfaceModel& model)
 
 void ShortenAssemblies(const Handle(XSControl_WorkSession) & session)
 {
-  // A file without entities has no graph.
+  // For a file without entities OpenCASCADE makes no graph.
   if (!session->ComputeGraph())
   {
     return;

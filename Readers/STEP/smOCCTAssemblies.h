@@ -10,14 +10,14 @@
 namespace sm
 {
 /**
- * For every instance the transfer goes through two lists that are as long as there are instances of the part, or in the assembly. Call this
- * before the transfer; it shortens both where they are long, so that the result is the same:
+ * For every instance the transfer searches two lists, whose lengths are the numbers of instances of the part and of the assembly. This
+ * function, which must be called before the transfer, shortens both if they are long, without a change of the result:
  *
- * - The entities that refer to the part's representation, of which each instance adds one, the relationship that places it. In that list
- *   the transfer looks for the definition of the shape and for relationships without a placement; of the others it takes the last,
- *   where it finds no shape. Of those all but the last are taken out.
- * - The items of the assembly's representation, among which the transfer looks for the placement, so as to tell an origin from a target that
- *   are interchanged. Placements that are not interchanged in any relationship, and no origin of one, are taken out.
+ * - The entities that refer to the part's representation; each instance adds one, the relationship that places it. In that list the
+ * transfer searches the definition of the shape and relationships without a placement. If it finds no shape, it uses the last one of the
+ * others. All of these but the last are removed.
+ * - The items of the assembly's representation, among which the transfer searches the placement, to detect that origin and target are
+ * interchanged. Placements that are not interchanged in any relationship, and that are no origin of one, are removed.
  */
 void ShortenAssemblies(const Handle(XSControl_WorkSession) & session);
 }

@@ -42,8 +42,8 @@ double GetLargest(const double v[3])
   return std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
 }
 
-/// An edge that ends farther from its vertex, relative to the body's size, does not belong to it. Real files have
-/// vertices that are 1.3e-3 away.
+/// Largest distance of the end of an edge from its vertex, relative to the body's size, before it counts as a defect. Real files have
+/// distances of up to 1.3e-3.
 constexpr double EndTolerance = 1e-2;
 
 class BodyConverter
@@ -82,9 +82,9 @@ public:
   }
 
 private:
-  /// Share of the progress that edges take.
+  /// Fraction of the progress for the edges.
   static constexpr double EdgeShare = 0.3;
-  /// Edges or faces between two reports.
+  /// Number of edges or faces between two reports of progress.
   static constexpr std::size_t Chunk = 256;
 
   void Collect()
@@ -234,7 +234,7 @@ private:
     }
     else
     {
-      // No curve of its own: the one its first face draws.
+      // An edge without a 3D curve gets the image of the trim curve of its first face.
       const AffineMap map = this->MakeMap(use.first->Location);
       const NativeTrim& trim = use.second->Trim;
       result->Curve = FitEdge(
@@ -255,7 +255,7 @@ private:
     this->Edges[index] = result;
   }
 
-  /// The trims of coedges without a pcurve of their own: the edge's curve projected on the plane. Others are empty.
+  /// Returns the trim curves of coedges without a pcurve: the edge's curve projected onto the plane. Entries of other coedges are empty.
   std::vector<std::vector<TrimCurve>> ProjectTrims(const DraftFace& draft, const AffineMap& map) const
   {
     std::vector<std::vector<TrimCurve>> trims(draft.Loops.size());

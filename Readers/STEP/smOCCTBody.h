@@ -20,41 +20,41 @@
 
 namespace sm
 {
-/// Data of the file about a shape besides its geometry; a ShapeTable is keyed by the shape's TShape.
+/// Data of the file about a shape other than its geometry; the key of a ShapeTable is the shape's TShape.
 struct ShapeInfo
 {
   int FileId = 0;
   std::string Name;
   Vector3 Color{ -1.0, -1.0, -1.0 };
-  /// A shell that the file calls a solid; OpenCASCADE makes no solid of one that is not closed.
+  /// True for a shell that the file declares as a solid; OpenCASCADE makes no solid of a shell that is not closed.
   bool OpenSolid = false;
-  /// The shape is a face that the file bounds by edges.
+  /// True if the shape is a face for which the file has bounds.
   bool Bounded = false;
-  /// The shape is a face that OpenCASCADE has not repaired: its loops are those of the file, and here they are complete
-  /// (smOCCTCompleteLoops.h).
+  /// The completed loops (smOCCTCompleteLoops.h) of a face that OpenCASCADE has not repaired; null for other shapes.
   std::shared_ptr<const DraftFace> AsInFile;
-  /// Faces that a shell has in the file but not in OpenCASCADE's shape.
+  /// Number of faces that a shell has in the file but not in OpenCASCADE's shape.
   int LostFaces = 0;
-  /// The shape is a solid or shell of which an instance lost its scale or its mirror.
+  /// True for a solid or shell one of whose instances lost its scale or reflection in the transfer.
   bool Misplaced = false;
 };
 using ShapeTable = std::unordered_map<const TopoDS_TShape*, ShapeInfo>;
 
-/// OpenCASCADE has not repaired the faces of a solid or shell.
+/// Returns true if OpenCASCADE has not repaired the faces of a solid or shell.
 SMREADERSSTEP_EXPORT bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table);
 
 struct ConvertedFace
 {
   FacePointer Result;
-  /// The face it was made from, forward, and how its native parameters become ours.
+  /// The OpenCASCADE face, with forward orientation, and the maps from its parameters to ours.
   TopoDS_Face Source;
-  /// The edge behind each coedge, as the loop uses it; null where the file has none.
+  /// The OpenCASCADE edge of each coedge, with its orientation in the loop; null for an added pole or seam.
   std::vector<std::vector<TopoDS_Edge>> SourceEdges;
   ParameterMap Map[2];
   double Period[2] = { 0.0, 0.0 };
-  /// As vtkTrimmedNURBSModel::GetNumberOfDefects, of this face.
+  /// Number of defects of this face, see vtkTrimmedNURBSModel::SetNumberOfDefects().
   int Defects = 0;
-  /// Coedges whose 2D curve was parametrised differently from the edge's 3D curve: corrected, and not corrected (smCommonParameter.h).
+  /// Numbers of coedges whose 2D curve was parametrised differently from the edge's 3D curve: corrected ones, and uncorrected ones
+  /// (smCommonParameter.h).
   int RestoredCoedges = 0;
   int LaggingCoedges = 0;
 };
@@ -65,20 +65,19 @@ struct ConvertedBody
   /// Lists of indices into Faces.
   std::vector<std::vector<int>> Shells;
   std::vector<std::string> Messages;
-  /// Faces left out; Messages names them.
+  /// Number of faces that were left out; Messages names them.
   int MissingFaces = 0;
-  /// As vtkTrimmedNURBSModel::GetNumberOfDefects; Messages names them.
+  /// See vtkTrimmedNURBSModel::SetNumberOfDefects(); Messages names the places.
   int Defects = 0;
-  /// `progress` said to stop; the rest is empty.
+  /// True if `progress` stopped the conversion; all other members are empty then.
   bool Aborted = false;
 };
 
 /**
  * Converts all faces of `shape` (its own location included). `trsf` and then `unit` apply before `origin` is
- * subtracted. A face that fails is reported and left out; nothing else is lost. Edges and faces are converted
- * by vtkSMPTools with whatever backend the application chose. `progress`, where there is one, gets a fraction in
- * [0,1] now and then, on the calling thread, and answers false to stop. `roundings`: how often the kernel rounded a coordinate when it
- * converted the file's length unit to mm.
+ * subtracted. A face whose conversion fails is reported and left out; all others are kept. Edges and faces are converted in parallel by
+ * vtkSMPTools. `progress`, if not empty, gets a fraction in [0,1] on the calling thread, and returns false to stop. `roundings`: number of
+ * roundings of a coordinate in OpenCASCADE's conversion of the file's length unit to mm.
  */
 SMREADERSSTEP_EXPORT ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit,
   const double origin[3], const ShapeTable& table, const ProgressCallback& progress = {}, int roundings = 0);

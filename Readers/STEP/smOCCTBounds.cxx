@@ -16,7 +16,7 @@ namespace sm
 {
 namespace
 {
-/// False when there is no box, or an infinite one.
+/// Gets the bounding box of a shape. Returns false if it has none, or an infinite one.
 bool GetFiniteBox(const TopoDS_Shape& shape, double bounds[6])
 {
   bool finite = false;

@@ -11,13 +11,13 @@
 
 namespace sm
 {
-/// xmin xmax ymin … of the shape in kernel coordinates, wider than the shape where its surfaces are splines. Faces that have no
-/// finite box are left out and counted in `unbounded`; false when none has one.
+/// Gets xmin xmax ymin … of the shape in kernel coordinates; the box may be larger than the shape if surfaces are splines. Faces without a
+/// finite box are left out and counted in `unbounded`. Returns false if no face has a finite box.
 SMREADERSSTEP_EXPORT bool GetShapeBounds(
   const TopoDS_Shape& shape, double bounds[6], int* unbounded = nullptr);
 
-/// The same of the shape's edges alone; false when it has none. For faces whose edges have no curves in their parameters, whose boxes
-/// OpenCASCADE cannot tell.
+/// Gets the box of the shape's edges only; returns false if there are none. It is needed for faces without trim curves, whose boxes
+/// OpenCASCADE cannot compute.
 SMREADERSSTEP_EXPORT bool GetEdgeBounds(const TopoDS_Shape& shape, double bounds[6]);
 }
 

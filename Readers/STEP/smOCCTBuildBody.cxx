@@ -28,7 +28,7 @@ namespace sm
 {
 namespace
 {
-/// A boundary that lies farther from its edge, relative to the body's size, is worth a sentence.
+/// A message states gaps between a face's boundary and its edge above this, relative to the body's size.
 constexpr double GapToTell = 1e-5;
 
 double GetDistance(const Vector3& a, const Vector3& b)
@@ -71,7 +71,7 @@ private:
 
   double GetTolerance(double gap) const
   {
-    // One per cent for what lies between the samples.
+    // One per cent is added for points between the samples.
     return std::max(Precision::Confusion(), 1.01 * this->Scale * gap);
   }
 
@@ -90,7 +90,7 @@ private:
     }
   }
 
-  /// The edge, or the copy of it that this face takes when it has used it in this direction already.
+  /// Returns the edge, or a copy of it if this face has used it in this direction already.
   TopoDS_Edge GetEdge(std::size_t index, std::size_t copy)
   {
     std::vector<TopoDS_Edge>& copies = this->Copies[index];
@@ -154,7 +154,7 @@ private:
       Handle(Geom2d_BSplineCurve) Curves[2];
       std::size_t Edge = 0;
     };
-    // Curves first: a face that fails leaves no trace on its edges.
+    // Curves are built first, so that a face that fails does not change its edges.
     std::map<std::pair<const Edge*, std::size_t>, Use> uses;
     std::vector<std::vector<std::pair<const Edge*, std::size_t>>> keys;
     for (const Loop& loop : source.Loops)
@@ -339,7 +339,7 @@ private:
   const AffineMap& Map;
   double Scale;
   ExportTopology Topology;
-  /// An edge, and the same once more for a face that uses it twice in one direction.
+  /// Each edge, followed by its copies for faces that use it twice in one direction.
   std::vector<std::vector<TopoDS_Edge>> Copies;
   std::vector<TopoDS_Vertex> Vertices;
   int DoubledEdges = 0;

@@ -31,22 +31,22 @@ struct BuiltBody
   /// Largest tolerance of an edge, and the length of the shortest one, kernel units.
   double Tolerance = 0.0;
   double ShortestEdge = 0.0;
-  /// Differences from the model, and properties of the file that a user should know; one sentence each.
+  /// Warnings about differences from the model, and about properties of the file; one sentence each.
   std::vector<std::string> Warnings;
 };
 
 /**
- * Builds the shape of all faces. `map` takes stored coordinates to those of the kernel; a mirror reverses the faces.
+ * Builds the shape of all faces. `map` transforms stored coordinates to those of OpenCASCADE; a reflection reverses the faces.
  *
  * The edge of a face becomes one edge with the curve C_e(t), and each coedge a curve of the same parameter in the face's
  * (u,v); two coedges of one face that run against each other are a seam. Coedges that follow each other in a loop share
  * a vertex when their ends are no farther apart than 1e-5 of the body's size. The tolerance of an edge is the largest distance
- * of S(c(t)) from C_e(t) at equal parameters, measured, that of a vertex what reaches all ends that meet there; neither
- * is below 1e-7 kernel units. A face without loops is bounded by the borders of its domain.
+ * of S(c(t)) from C_e(t) at equal parameters, measured; that of a vertex is the largest distance of the ends that meet there. Neither is
+ * below 1e-7 kernel units. A face without loops is bounded by the borders of its domain.
  *
  * Where a loop jumps in (u,v) and not in space, at a pole, the straight piece that closes it becomes a degenerate edge.
  *
- * A face that the kernel refuses is left out and named. Throws nothing but what memory throws.
+ * A face that OpenCASCADE refuses is left out and named in a warning. Throws only std::bad_alloc.
  */
 BuiltBody BuildBody(vtkTrimmedNURBSModel* model, const AffineMap& map);
 }

@@ -16,7 +16,7 @@ namespace sm
 {
 namespace
 {
-/// Distinct knots with their multiplicities, as OpenCASCADE keeps them.
+/// Distinct knots with their multiplicities, the form that OpenCASCADE uses.
 struct KnotList
 {
   TColStd_Array1OfReal Knots;
@@ -29,7 +29,7 @@ KnotList MakeKnotList(const std::vector<double>& flat, int degree)
   std::vector<int> multiplicities;
   for (const double knot : flat)
   {
-    // The kernel refuses knots that rounding alone keeps apart.
+    // OpenCASCADE refuses knots that differ only by rounding.
     if (!knots.empty() && knot - knots.back() <= Epsilon(std::abs(knots.back())))
     {
       ++multiplicities.back();
@@ -62,7 +62,8 @@ bool IsClamped(const std::vector<double>& knots, int degree)
   return knots[0] == knots[degree] && knots[last] == knots[last - degree];
 }
 
-/// Control point i of the knots `to` is the polar form of the polynomial on any span it bears on at to[i+1] .. to[i+p].
+/// Clamps the knots of one direction. Control point i for the knots `to` is the polar form, at to[i+1] .. to[i+p], of the polynomial on any
+/// span of its support.
 NURBSSurface ClampDirection(const NURBSSurface& surface, int direction)
 {
   using Homogeneous = std::array<double, 4>;
@@ -130,7 +131,7 @@ NURBSSurface ClampDirection(const NURBSSurface& surface, int direction)
   return result;
 }
 
-/// Bernstein coefficients of all pieces, of one degree, neighbours sharing their common one.
+/// Returns the Bernstein coefficients of all pieces, raised to one degree; neighbours share their common coefficient.
 template <int Dimension>
 std::vector<std::array<double, Dimension>> RaiseDegrees(const PolynomialCurve<Dimension>& curve, int& degree)
 {
@@ -151,7 +152,7 @@ std::vector<std::array<double, Dimension>> RaiseDegrees(const PolynomialCurve<Di
       b.push_back(b.back());
       for (std::size_t i = n - 1; i > 0; --i)
       {
-        // In this form what is constant stays so, bit for bit.
+        // In this form constant coefficients remain constant bit for bit.
         const double weight = static_cast<double>(i) / static_cast<double>(n);
         for (int c = 0; c < Dimension; ++c)
         {

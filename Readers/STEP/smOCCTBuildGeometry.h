@@ -2,9 +2,9 @@
  * @file smOCCTBuildGeometry.h
  * @brief NURBS surfaces, edge curves and trim curves as OpenCASCADE's B-splines: the same functions of the same parameters
  *
- * Only the form changes: homogeneous control points are divided by their weights, knots that are not clamped are,
- * and polynomial pieces are raised to the highest degree among them. Each costs a rounding or two of the coordinates.
- * All functions throw std::runtime_error with the reason where OpenCASCADE has no such spline, or Standard_Failure.
+ * Only the representation changes: homogeneous control points are divided by their weights, knots are clamped, and polynomial pieces are
+ * raised to the highest degree among them, each with one or two roundings of the coordinates. All functions throw std::runtime_error, with
+ * the reason, if OpenCASCADE has no such spline, or Standard_Failure.
  */
 #ifndef smOCCTBuildGeometry_h
 #define smOCCTBuildGeometry_h
@@ -20,10 +20,10 @@
 
 namespace sm
 {
-/// The same surface over the same domain with knots that are clamped at both ends of both directions.
+/// Returns the same surface over the same domain, with knots clamped at both ends in both directions.
 NURBSSurface ClampKnots(const NURBSSurface& surface);
 
-/// `map` takes the stored coordinates to those of the kernel.
+/// Builds a surface. `map` transforms stored coordinates to those of OpenCASCADE.
 Handle(Geom_BSplineSurface) BuildSurface(const NURBSSurface& surface, const AffineMap& map);
 
 /// A B-spline of the highest degree of the pieces, at least 1, over the curve's own parameters.

@@ -46,7 +46,7 @@ void CheckClosing(double unit, double size, DraftFace& draft, Face& face)
   {
     tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
   }
-  // The kernel widens a vertex until it covers whatever the file claims to meet there.
+  // OpenCASCADE enlarges the tolerance of a vertex until it contains the ends of all its edges, so it is limited here.
   tolerance = std::min(tolerance * unit, VertexTolerance * size);
   for (const Loop& loop : face.Loops)
   {
@@ -62,9 +62,9 @@ void CheckClosing(double unit, double size, DraftFace& draft, Face& face)
       face.Surface.Evaluate(to[0], to[1], q.data());
       const double gap = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
       const double beyond = gap - 2.0 * (a.Use->Tolerance + b.Use->Tolerance);
-      // Not std::max, which loses a NaN.
+      // std::max is not used, because it may drop a NaN.
       largest = beyond <= largest ? largest : beyond;
-      // Also catches what is not a number.
+      // The condition is written so that a NaN counts as open.
       open += beyond <= 2.0 * tolerance || gap <= LoopTolerance * size ? 0 : 1;
     }
   }

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTClosing.h
- * @brief Whether the edges of a converted body meet: at their vertices, and around the loops of a face
+ * @brief Checks that the edges of a converted body meet: at their vertices, and along the loops of a face
  */
 #ifndef smOCCTClosing_h
 #define smOCCTClosing_h
@@ -13,20 +13,20 @@
 
 namespace sm
 {
-/// A gap below that part of the body's size leaves the loop closed, whatever the file's tolerances say.
+/// A loop with gaps below this, relative to the body's size, is closed for any tolerances of the file.
 constexpr double LoopTolerance = 1e-5;
 
-/// A vertex's tolerance beyond that part of the body's size excuses no gap.
+/// Tolerances of vertices count up to this, relative to the body's size.
 constexpr double VertexTolerance = 1e-3;
 
-/// Diagonal of the box around all edges; null ones do not count.
+/// Returns the diagonal of the box of all edges; null pointers are ignored.
 double MeasureSize(const std::vector<std::shared_ptr<const Edge>>& edges);
 
-/// The larger distance of the curve's ends from the vertices of the edge.
+/// Returns the larger one of the distances of the curve's ends from the vertices of the edge.
 double GetVertexGap(const Edge& edge);
 
-/// Counts the places where loops do not close as defects of the draft, and writes a message. Loops are judged in space, against the
-/// tolerances the file states; `unit` is that of the draft's shape, `size` the body's, in the face's unit.
+/// Adds the number of places where loops are open to the defects of the draft, and writes a message. Gaps are measured in space and
+/// compared with the tolerances of the file. `unit`: model lengths per kernel length; `size`: of the body, in model lengths.
 void CheckClosing(double unit, double size, DraftFace& draft, Face& face);
 }
 

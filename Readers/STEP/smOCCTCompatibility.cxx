@@ -23,7 +23,7 @@ TransferFilter::~TransferFilter() = default;
 #else
 namespace
 {
-/// ProcessShape() has one parameter more from 7.8 on; all that come last are passed on.
+/// From 7.8 on ProcessShape() has an additional parameter. The trailing parameters (`Last`) are forwarded.
 template <typename... Last>
 class FilteringContainer : public XSAlgo_AlgoContainer
 {
@@ -50,7 +50,7 @@ private:
   std::function<bool(TopoDS_Shape&)> IsSound;
 };
 
-/// The container whose ProcessShape() overrides the one that is given.
+/// Makes a container whose ProcessShape() has the parameters of the given method.
 template <typename... Last>
 Handle(XSAlgo_AlgoContainer)
   MakeContainer(TopoDS_Shape (XSAlgo_AlgoContainer::*)(const TopoDS_Shape&, Standard_Real, Standard_Real,

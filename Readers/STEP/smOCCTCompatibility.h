@@ -12,13 +12,14 @@
 
 namespace sm
 {
-/// OpenCASCADE reads the entities of tessellated shapes, from 7.7 on. Before, each takes a time that grows with their number.
+/// True from OpenCASCADE 7.7 on, which reads the entities of tessellated shapes. Earlier versions do not know their types, and take time
+/// quadratic in their number.
 extern const bool KernelReadsTessellations;
 
 /**
- * While this exists, each shape that a transfer from STEP has made is shown to `isSound` before OpenCASCADE repairs it. True keeps the
- * shape, which `isSound` may exchange, as it is. The switch is global: hold a KernelSession. From 7.9 on nothing is shown and all is
- * repaired, since the repair is no virtual function any more.
+ * During the lifetime of this object `isSound` is called for each shape of a STEP transfer before OpenCASCADE repairs it. If it returns
+ * true, the shape, which it may exchange, is not repaired. The hook is global: hold a KernelSession. From OpenCASCADE 7.9 on it is never
+ * called and all shapes are repaired, because the repair is no virtual function any more.
  */
 class TransferFilter
 {

@@ -16,7 +16,7 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
-/// Parameters closer than that part of a period are the same.
+/// Parameters closer than this fraction of a period are equal.
 constexpr double SameParameter = 1e-6;
 
 class LoopCompleter
@@ -53,7 +53,7 @@ public:
 private:
   using Pole = FootPointFinder::Pole;
 
-  /// A loop that goes round the surface.
+  /// A loop that winds around a periodic surface.
   struct WindingLoop
   {
     std::size_t Index;
@@ -92,7 +92,7 @@ private:
     return {};
   }
 
-  /// The pole at which a point is, within the accuracy of a file's numbers; null for none.
+  /// Returns the pole at which a point lies, within the accuracy of a file's numbers; null if there is none.
   const Pole* FindPole(const Point2& uv) const
   {
     if (!this->Finder)
@@ -112,7 +112,7 @@ private:
     return nullptr;
   }
 
-  /// Mean of one coordinate over the ends of a loop's coedges.
+  /// Returns the mean of one coordinate over the ends of a loop's coedges.
   static double GetMean(const DraftLoop& loop, int direction)
   {
     double sum = 0.0;
@@ -123,7 +123,7 @@ private:
     return sum / (2.0 * static_cast<double>(loop.size()));
   }
 
-  /// A straight coedge in (u,v), of an edge that the file does not have.
+  /// Makes a straight coedge in (u,v), for an edge that the file does not have.
   DraftCoedge MakeCoedge(const Point2& from, const Point2& to, int number) const
   {
     DraftCoedge coedge;
@@ -143,8 +143,8 @@ private:
     return coedge;
   }
 
-  /// By how much the coordinate along a pole changes there: the loop runs counter-clockwise, so the surface's side of the pole
-  /// tells the sign.
+  /// Returns the change of the coordinate along a pole from one coedge to the next. Its sign follows from the side of the pole on which the
+  /// surface lies, because the loop runs counter-clockwise.
   double GetPoleStep(
     const Pole& pole, const DraftLoop& loop, const DraftCoedge& from, const DraftCoedge& to) const
   {
@@ -264,7 +264,7 @@ private:
     return isFound ? std::string() : "no seam was found for its loops, which go round it";
   }
 
-  /// The same loop beginning with another coedge.
+  /// Returns the same loop, beginning with coedge `first`.
   DraftLoop Rotate(const WindingLoop& winding, std::size_t first) const
   {
     const DraftLoop& loop = this->Face.Loops[winding.Index];
@@ -285,7 +285,7 @@ private:
     }
   }
 
-  /// The seam along straight lines, forward, and a period away backward. It leads from one vertex to another.
+  /// Makes a seam between two vertices along straight lines: its forward coedges, and its backward ones a period away.
   std::pair<DraftLoop, DraftLoop> MakeSeam(const std::vector<Point2>& path, int direction, double period,
     const TopoDS_Vertex& from, const TopoDS_Vertex& to)
   {
@@ -347,7 +347,7 @@ private:
         Move(b, d, std::round((end[d] - start[d]) / period) * period);
         if (across > 0.0)
         {
-          // The face lies to the left of the loop, less than a period wide.
+          // The face lies to the left of the loop and is less than a period wide.
           const double sign = d == 0 ? 1.0 : -1.0;
           const double width = sign * (start[1 - d] - end[1 - d]) / across;
           Move(b, 1 - d, sign * (1.0 - std::ceil(width)) * across);
@@ -378,7 +378,7 @@ private:
     const int d = winding.Direction;
     const double period = winding.Turns * this->Face.Period[d];
     const double mean = GetMean(this->Face.Loops[winding.Index], 1 - d);
-    // Left of the loop, as for two loops.
+    // The pole is on the left of the loop, as the second loop is for two loops.
     const bool isHigh = (winding.Turns > 0.0) == (d == 0);
     const Pole* target = nullptr;
     for (const Pole& pole : this->Finder->GetPoles())
@@ -422,13 +422,13 @@ private:
     }
   }
 
-  /// mm.
+  /// Tolerance of a pole in mm.
   static constexpr double PoleTolerance = 1e-6;
 
   DraftFace& Face;
   std::shared_ptr<const FootPointFinder> Finder;
   std::vector<WindingLoop> Winding;
-  /// The loops lie side by side.
+  /// True if the loops have been moved into one period.
   bool IsPlaced = false;
 };
 
@@ -447,7 +447,7 @@ bool HasStoredTrims(const DraftFace& face)
   return false;
 }
 
-/// The same sphere, with poles where its x axis (or y axis) leaves it.
+/// Returns the same sphere with its poles on its x axis (or y axis).
 Handle(Geom_Surface) TurnSphere(const Handle(Geom_SphericalSurface) & sphere, bool isX)
 {
   const gp_Ax3& from = sphere->Position();
@@ -470,7 +470,7 @@ std::string CompleteLoops(DraftFace& face)
   const DraftFace before = face;
   std::string problem = LoopCompleter(face).Run();
   const std::string first = problem;
-  // An edge that passes a pole has no feet that move smoothly, and no file says where the poles of a sphere have to be.
+  // The foot point of an edge that passes a pole is not a smooth function of the parameter. The poles of a sphere can be chosen freely.
   for (const bool isX : { true, false })
   {
     if (!problem.empty())

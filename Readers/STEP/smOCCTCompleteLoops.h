@@ -1,6 +1,6 @@
 /**
  * @file smOCCTCompleteLoops.h
- * @brief Loops of a face as the file has them, with the trims, poles and seams that it leaves out
+ * @brief Completes the loops of a face from a STEP file: adds the trim curves, poles and seams that the file omits
  */
 #ifndef smOCCTCompleteLoops_h
 #define smOCCTCompleteLoops_h
@@ -12,12 +12,12 @@
 namespace sm
 {
 /**
- * Gives the coedges that need them the feet of their edges' curves (smOCCTFootCurve.h), orders the loops and moves trims by whole
- * periods so that every loop is continuous. Where a loop passes a pole of the surface, the line in (u,v) that is the pole is
- * added; where loops go round a periodic surface, a seam joins two of them, or one and a pole. Loops are taken to run
- * counter-clockwise about the face, holes clockwise, as the standard demands.
+ * Sets the trim curves of the coedges that need them to the foot points of their edges' curves (smOCCTFootCurve.h), orders the loops, and
+ * moves trim curves by whole periods so that every loop is continuous in (u,v). Where a loop passes a pole of the surface, the line in
+ * (u,v) that is mapped to the pole is added; where loops wind around a periodic surface, a seam joins two of them, or one and a pole. Outer
+ * loops are assumed to run counter-clockwise and holes clockwise, as the standard requires.
  *
- * Returns why the face cannot be taken so, a few words; empty when all is well. Several threads may call this, each for a face of its own.
+ * Returns a short reason if the loops cannot be completed, else an empty text. Thread safe for different faces.
  */
 std::string CompleteLoops(DraftFace& face);
 }

@@ -73,7 +73,7 @@ EdgeCurve FitEdge(
     size = std::max(size, high[c] - low[c]);
     magnitude = std::max({ magnitude, std::abs(low[c]), std::abs(high[c]) });
   }
-  // Evaluating a rational spline costs several roundings of the coordinates it is made of.
+  // The evaluation of a rational spline has several roundings relative to the size of its control points.
   const double floor = std::max(1e-14 * size, 8.0 * UnitRoundoff * magnitude);
   EdgeCurve result;
   result.Breaks.push_back(breaks.front());
@@ -109,7 +109,7 @@ EdgeCurve FitEdge(
 
 EdgeCurve FitEdge(const Handle(Geom_Curve) & curve, double first, double last, const AffineMap& map)
 {
-  // The kernel rounds in its own coordinates, before a translation that may cancel them.
+  // OpenCASCADE rounds in its own coordinates, before a translation that may cancel most of them.
   const Vector3& t = map.Translation;
   return FitEdge([&](double x) { return map.MapPoint(curve->Value(x).XYZ()); },
     GetCurveBreaks(curve, first, last), std::max({ std::abs(t[0]), std::abs(t[1]), std::abs(t[2]) }));

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTCurve.h
- * @brief OpenCASCADE's edge curves as polynomial pieces in their own parameter
+ * @brief Converts OpenCASCADE's edge curves to polynomial pieces, with the same parameter
  */
 #ifndef smOCCTCurve_h
 #define smOCCTCurve_h
@@ -16,19 +16,18 @@
 
 namespace sm
 {
-/// Exact for lines and polynomial splines, else FitEdge.
+/// Converts a curve: exactly for lines and polynomial splines, else by FitEdge().
 SMREADERSSTEP_EXPORT EdgeCurve ConvertEdge(
   const Handle(Geom_Curve) & curve, double first, double last, const AffineMap& map);
 
-/// Polynomial pieces to 1e-14 of the curve's size.
+/// Fits polynomial pieces to 1e-14 of the curve's size.
 EdgeCurve FitEdge(const Handle(Geom_Curve) & curve, double first, double last, const AffineMap& map);
 
-/// The same for any smooth function of the parameter between the breaks; its values carry roundings of
-/// coordinates as large as `magnitude`.
+/// Fits any function that is smooth between the breaks. The rounding of its values is that of coordinates as large as `magnitude`.
 EdgeCurve FitEdge(
   const std::function<Vector3(double)>& position, const std::vector<double>& breaks, double magnitude);
 
-/// Breaks of a 3D curve: first, last and the knots between.
+/// Returns the breaks of a 3D curve: first, last and the knots between.
 std::vector<double> GetCurveBreaks(const Handle(Geom_Curve) & curve, double first, double last);
 }
 

@@ -47,7 +47,7 @@ namespace
 {
 using Entity = const Standard_Transient*;
 
-/// Entities that put a part into its assembly; without one of them the assembly is wrong.
+/// Returns true for entities that place a part in its assembly; without one of them the assembly is wrong.
 bool IsPlacing(const Handle(Standard_Transient) & entity)
 {
   return entity->IsKind(STANDARD_TYPE(StepRepr_ItemDefinedTransformation)) ||
@@ -59,7 +59,7 @@ bool IsPlacing(const Handle(Standard_Transient) & entity)
     entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationMap));
 }
 
-/// Entities that the transfer of shapes follows.
+/// Returns true for entities that the transfer of shapes examines.
 bool IsShapeEntity(const Handle(Standard_Transient) & entity)
 {
   return entity->IsKind(STANDARD_TYPE(StepGeom_GeometricRepresentationItem)) ||
@@ -67,14 +67,14 @@ bool IsShapeEntity(const Handle(Standard_Transient) & entity)
     entity->IsKind(STANDARD_TYPE(StepRepr_DefinitionalRepresentation)) || IsPlacing(entity);
 }
 
-/// A name that is no string, or a value that the parser itself replaced, does no harm.
+/// Returns true for failures that do not matter: a name that is no string, or a value that the parser itself replaced.
 bool IsHarmless(const std::string& failure)
 {
   return failure.find("not a quoted String") != std::string::npos ||
     failure.find("set to") != std::string::npos || failure.find("Set to") != std::string::npos;
 }
 
-/// The first failure that leaves an entity incomplete; empty when there is none.
+/// Returns the first failure that leaves an entity incomplete; empty if there is none.
 std::string FindFailure(const Handle(StepData_StepModel) & model, int number)
 {
   const Handle(Interface_Check) check = model->Check(number, true);
@@ -93,7 +93,7 @@ std::string FindFailure(const Handle(StepData_StepModel) & model, int number)
 struct Damage
 {
   std::unordered_set<Entity> Faces;
-  /// An entity above all faces: nothing can be left out.
+  /// A damaged entity that is not below a face, so that no face can be removed to avoid it.
   Handle(Standard_Transient) Fatal;
 };
 
@@ -116,7 +116,7 @@ Damage FollowUsers(const Interface_Graph& graph, std::vector<Handle(Standard_Tra
     }
     if (entity->IsKind(STANDARD_TYPE(StepShape_ConnectedFaceSet)))
     {
-      // Its missing faces are taken out of the list; it stays.
+      // Its missing faces are removed from its list, and the shell remains.
       continue;
     }
     if (IsPlacing(entity) || entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)))
@@ -131,7 +131,8 @@ Damage FollowUsers(const Interface_Graph& graph, std::vector<Handle(Standard_Tra
   return damage;
 }
 
-/// A validation property with a hole in it. Real files have such holes in other properties, which nobody follows.
+/// Returns true for a validation property with an unresolved reference. Real files have unresolved references in other properties, too,
+/// which the transfer does not examine.
 bool IsBrokenValidation(const Handle(Standard_Transient) & entity)
 {
   const auto property = Handle(StepRepr_PropertyDefinitionRepresentation)::DownCast(entity);
@@ -199,7 +200,7 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
   std::string first;
   for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
   {
-    // OpenCASCADE follows all geometry, also that which no body needs, but no text or other annotation.
+    // OpenCASCADE transfers all geometry, including geometry that no body uses, but no annotations.
     const bool isAnnotation = std::strncmp(model->Value(i)->DynamicType()->Name(), "StepVisual_", 11) == 0;
     const bool isFollowed =
       IsShapeEntity(model->Value(i)) && !(isAnnotation && !matters(model->IdentLabel(model->Value(i))));

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTDamage.h
- * @brief Faces with damaged entities, taken out of their shells before the transfer
+ * @brief Removes faces with damaged entities from their shells before the transfer
  */
 #ifndef smOCCTDamage_h
 #define smOCCTDamage_h
@@ -19,26 +19,26 @@ namespace sm
 /// Number of faces that each entity of the file (a shell) lost.
 using LostFaces = std::unordered_map<const Standard_Transient*, int>;
 
-/// True if geometry or structure of a body depends on the entity with this number in the file.
+/// Returns true if geometry or structure of a body depends on the entity with this number in the file.
 using EntityFilter = std::function<bool(int)>;
 
-/// Why OpenCASCADE cannot follow the entity with this number, though its parser has read it; empty when it can.
+/// Returns the reason why OpenCASCADE cannot process the entity with this number although its parser has read it; empty if it can.
 using EntityPeril = std::function<std::string(int)>;
 
 /**
- * OpenCASCADE 7.6 follows references that its own parser reported as unresolved, and crashes; so it does at a `peril`. This takes every
- * face that leads to such an entity out of its shell, says which and counts them in `lost`. Annotations that do not `matter` are
- * passed over. Returns an empty string, or why the file cannot be transferred at all. Call between parsing and transfer.
+ * Removes every face that refers to a damaged entity, directly or not, from its shell, adds a message, and counts it in `lost`. OpenCASCADE
+ * 7.6 would crash on these entities: it dereferences references that its own parser reported as unresolved, and entities for which `peril`
+ * returns a reason. Annotations for which `matters` returns false are ignored. Returns an empty string, or the reason why the file cannot
+ * be transferred at all. Call it between parsing and transfer.
  */
 std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
   const Handle(StepData_StepModel) & model, const EntityFilter& matters, const EntityPeril& peril,
   std::vector<std::string>& messages, LostFaces& lost);
 
-/// True if the shell has faces to ask for. An oriented shell asks the one that it turns, which a damaged file need not have: OpenCASCADE
-/// crashes then.
+/// Returns true if the list of faces of a shell can be accessed. OpenCASCADE crashes at an oriented shell that refers to no shell.
 bool HasFaceList(Handle(StepShape_ConnectedFaceSet) shell);
 
-/// Colours or properties (volumes, materials) whose entities have dangling references: not to be asked for.
+/// States if entities of colours or of properties (volumes, materials) have unresolved references, so that OpenCASCADE must not read them.
 struct Attributes
 {
   bool Colors = false;

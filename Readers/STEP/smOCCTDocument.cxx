@@ -37,7 +37,7 @@ namespace sm
 {
 namespace
 {
-/// Share of the progress that parsing takes; the rest is the transfer.
+/// Fraction of the progress for parsing; the transfer takes the rest.
 constexpr double ParsingShare = 0.3;
 
 void Configure(STEPCAFControl_Reader& reader)
@@ -52,10 +52,10 @@ void Configure(STEPCAFControl_Reader& reader)
   reader.SetSHUOMode(false);
 }
 
-/// Reads the entities of the file. False, with document.Problem, when OpenCASCADE cannot.
+/// Reads the entities of the file. Returns false, with document.Problem, if OpenCASCADE cannot.
 bool Parse(const FileCheck& check, const Part21File& text, STEPCAFControl_Reader& reader, Document& document)
 {
-  // Where OpenCASCADE knows tessellations, the session tells it to skip them.
+  // If OpenCASCADE knows tessellations, KernelSession has a setting by which it skips them.
   KernelRecords records;
   const bool isPlain = records.Make(text,
     KernelReadsTessellations ? std::vector<bool>(text.GetTypeNames().size()) : FindTessellationTypes(text));
@@ -76,7 +76,7 @@ bool Parse(const FileCheck& check, const Part21File& text, STEPCAFControl_Reader
   return true;
 }
 
-/// Turns off the attributes whose entities are damaged: OpenCASCADE would crash on them.
+/// Switches off the reading of attributes whose entities are damaged, on which OpenCASCADE would crash.
 void SkipDamagedAttributes(
   const Handle(StepData_StepModel) & model, STEPCAFControl_Reader& reader, Document& document)
 {
@@ -95,12 +95,12 @@ void SkipDamagedAttributes(
   }
 }
 
-/// Trimmed surfaces of trimmed surfaces that are followed.
+/// Largest depth of trimmed surfaces of trimmed surfaces that is examined.
 constexpr int MostTrimmedSurfaces = 4;
 
 /**
- * Gives tori of negative major radius the positive one, and their faces the other sense: the same surface with the other normal. Of such a
- * face OpenCASCADE would turn the loops and not the face.
+ * Replaces a negative major radius of a torus by the positive one and reverses its faces: this is the same surface with the opposite
+ * normal. OpenCASCADE would reverse the loops of such a face but not the face.
  */
 void TurnNegativeTori(const Handle(StepData_StepModel) & model)
 {
@@ -109,7 +109,7 @@ void TurnNegativeTori(const Handle(StepData_StepModel) & model)
   {
     const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
     Handle(StepGeom_Surface) surface = face.IsNull() ? nullptr : face->FaceGeometry();
-    // A damaged one may be its own basis; faces that were dropped for this are still entities of the model.
+    // A damaged trimmed surface may be its own basis. Faces that were removed for this reason are still entities of the model.
     for (int depth = 0; depth < MostTrimmedSurfaces; ++depth)
     {
       const auto trimmed = Handle(StepGeom_RectangularTrimmedSurface)::DownCast(surface);
@@ -150,7 +150,7 @@ void Conclude(const Handle(StepData_StepModel) & model, Document& document)
   }
 }
 
-/// The text of the file, and what it declares.
+/// The text of the file, and its census.
 struct DeclaredContent
 {
   Part21File Text;
@@ -171,7 +171,8 @@ struct DeclaredContent
     }
   }
 
-  /// An oriented edge that is part of itself: OpenCASCADE ends on it already when it has parsed the file. Empty when there is none.
+  /// Returns a message about an oriented edge that is part of itself, on which OpenCASCADE crashes right after parsing; empty if there is
+  /// none.
   std::string FindCycle() const
   {
     for (const CensusProblem& peril : this->Census.Perils)
@@ -186,14 +187,14 @@ struct DeclaredContent
     return {};
   }
 
-  /// Why OpenCASCADE cannot follow the entity; empty when it can.
+  /// Returns the reason why OpenCASCADE cannot process the entity; empty if it can.
   std::string GetPeril(int id) const
   {
     const auto found = id > 0 ? this->Perils.find(static_cast<std::uint64_t>(id)) : this->Perils.end();
     return found != this->Perils.end() ? found->second : std::string();
   }
 
-  /// True if a body depends on the entity, its place in the product or its unit.
+  /// Returns true if a body, its placement or its unit depends on the entity.
   bool Matters(int id) const
   {
     const Part21File::Index index =
@@ -202,7 +203,7 @@ struct DeclaredContent
   }
 };
 
-/// Transfers all shapes of the file; false when `progress` said to stop.
+/// Transfers all shapes of the file; returns false if `progress` stopped it.
 bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, RepairMode repair,
   const ProgressCallback& progress, Document& document)
 {

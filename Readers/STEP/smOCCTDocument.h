@@ -15,26 +15,26 @@
 
 namespace sm
 {
-/// One solid or free shell, in the coordinates of its part: its own location is taken off.
+/// One solid or free shell, in the coordinates of its part, without its own location.
 struct PartBody
 {
   TopoDS_Shape Shape;
-  /// Applied to the shape before anything else: a scale that an instance asks for, else the identity.
+  /// Transform that is applied to the shape first: the scale of an instance, else the identity.
   gp_Trsf Scale;
   bool Solid = true;
   int FileId = 0;
   std::string Name;
   std::string Material;
   double Density = 0.0;
-  /// mm^3 and mm^2; NaN when the file has none.
+  /// Volume in mm^3 and area in mm^2 that the file states; NaN if it states none.
   double FileVolume = std::numeric_limits<double>::quiet_NaN();
   double FileArea = std::numeric_limits<double>::quiet_NaN();
   Vector3 Color{ -1.0, -1.0, -1.0 };
-  /// An instance of it lost its scale or mirror.
+  /// True if an instance of it lost its scale or reflection.
   bool Misplaced = false;
-  /// Accuracy of coordinates that the file states for it, mm; 0: none.
+  /// Accuracy of coordinates in mm that the file states for it; 0: none.
   double Uncertainty = 0.0;
-  /// Faces that the file declares and that Shape does not have; Messages names them.
+  /// Number of faces that the file declares and that Shape does not have; Messages names them.
   int LostFaces = 0;
   std::vector<std::string> Messages;
 };
@@ -68,41 +68,43 @@ enum class ReadStatus
 struct Document
 {
   ReadStatus Status = ReadStatus::Unreadable;
-  /// Why Status is not Ok: a sentence without the file's name.
+  /// The reason why Status is not Ok: a sentence without the file's name.
   std::string Problem;
   std::vector<std::string> Messages;
-  /// Solids, faces and instances that the file declares and the document lacks, and contradictions that belong to no single body; a sentence each.
+  /// Solids, faces and instances that the file declares and the document lacks, and contradictions that belong to no single body; a
+  /// sentence each.
   std::vector<std::string> Defects;
-  /// The file's own length unit as it spells it ("millimetre"), and in mm; empty and 1 when it gives none.
+  /// The length unit of the file, in its spelling ("millimetre"), and its size in mm; empty and 1 if it states none.
   std::string FileUnit;
   double FileUnitInMillimetres = 1.0;
-  /// Unit of the lengths of this document, also where mm is said above, in mm.
+  /// Size in mm of the unit of all lengths in this document, also of those that are said to be in mm above.
   double UnitInMillimetres = 1.0;
   std::vector<PartBody> Bodies;
   std::vector<BodyInstance> Instances;
   ProductNode Root;
   int FreeFaces = 0;
   ShapeTable Table;
-  /// Wall-clock seconds until the entities are in memory, and those of the inspection of faces, which seeks missing trim curves. The
-  /// rest of the reading makes shapes of entities.
+  /// Wall-clock seconds until the entities are in memory, and those of the inspection of faces, which finds missing trim curves. The rest
+  /// of the time of reading is the transfer of entities to shapes.
   double ParseSeconds = 0.0;
   double TrimSeconds = 0.0;
 };
 
-/// Instances of bodies and sub-assemblies that are read; each becomes a node of the tree, a body's a leaf with points of its own.
+/// Largest number of instances of bodies and sub-assemblies that are read. Each becomes a node of the tree, and each instance of a body a
+/// leaf with points of its own.
 constexpr std::uint64_t MostInstances = 100000;
 
-/// Which shapes OpenCASCADE repairs before they are converted.
+/// The shapes that OpenCASCADE repairs before they are converted.
 enum class RepairMode
 {
   Always,
-  /// Those that are not sound as the file has them (smOCCTRepair.h).
+  /// Only shapes with defects (smOCCTRepair.h).
   OnNeed
 };
 
 /**
- * Reads the bytes of a STEP file. `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession, so that one
- * thread of the process reads at a time. Throws std::bad_alloc, and nothing else.
+ * Reads the bytes of a STEP file. `progress` gets a fraction in [0,1] and returns false to stop. Holds a KernelSession, so that one thread
+ * of the process reads at a time. Throws only std::bad_alloc.
  */
 Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback& progress);
 }

@@ -36,11 +36,11 @@ namespace sm
 {
 namespace
 {
-/// Shares of the progress.
+/// Fractions of the progress.
 constexpr double BuildingShare = 0.4;
 constexpr double TransferShare = 0.8;
 
-/// The kernel's parameters for writing; what scales lengths is said to the document and the model.
+/// Sets OpenCASCADE's parameters for writing. The scale of lengths is not set here, but in the document and the model.
 void SetForWriting(KernelSettings& settings, const std::string& unit)
 {
   std::string name;
@@ -70,7 +70,7 @@ Quantity_Color ToColor(const Color& rgb)
   return { rgb[0], rgb[1], rgb[2], Quantity_TOC_sRGB };
 }
 
-/// The document that OpenCASCADE writes from.
+/// Makes the XCAF document that OpenCASCADE writes.
 class DocumentMaker
 {
 public:
@@ -134,7 +134,7 @@ private:
         warnings.push_back("\"" + from.Name + "\": its material is saved as \"" + name +
           "\": another part has \"" + wanted + "\" with another density.");
       }
-      // OpenCASCADE keeps g/cm^3.
+      // OpenCASCADE expects densities in g/cm^3.
       XCAFDoc_DocumentTool::MaterialTool(this->Xde->Main())
         ->SetMaterial(label, ToText(name), ToText(""), 0.001 * density, ToText("density measure"),
           ToText("POSITIVE_RATIO_MEASURE"));
@@ -151,7 +151,7 @@ private:
     }
   }
 
-  /// OpenCASCADE writes the density that a material's name came with first, for all parts of that name.
+  /// Returns a name for a material that is unique for its density: OpenCASCADE writes one density for each name, the first one.
   std::string NameMaterial(const std::string& wanted, double density)
   {
     std::string name = wanted;
@@ -187,7 +187,7 @@ private:
     }
   }
 
-  /// The kernel takes a face of a part below the node.
+  /// Returns true if a part below the node has a face that OpenCASCADE accepts.
   bool HasShape(const ExportNode& node) const
   {
     return node.Part >= 0 ? !this->Labels[node.Part].IsNull()
@@ -195,7 +195,7 @@ private:
                               [this](const ExportNode& child) { return this->HasShape(child); });
   }
 
-  /// Null when nothing is left of it.
+  /// Adds an assembly; returns a null label if none of its parts has a face.
   TDF_Label AddAssembly(const ExportNode& node)
   {
     if (node.Part >= 0)
@@ -238,7 +238,7 @@ private:
   Handle(XCAFDoc_ColorTool) Colors;
   Handle(XCAFDoc_LayerTool) Layers;
   std::vector<TDF_Label> Labels;
-  /// By the names of the materials.
+  /// Densities by the names of the materials.
   std::map<std::string, double> Densities;
 };
 
@@ -276,8 +276,8 @@ void Write(const ExportTree& tree, const ExportOptions& options, std::ostream& s
   }
   const Handle(TDocStd_Document) document = DocumentMaker(tree, parts, options.Unit).Make(result.Warnings);
   STEPCAFControl_Writer writer;
-  // The shapes are in the file's unit already: document and file have the same, and nothing is scaled on the way. By itself
-  // OpenCASCADE takes one from the process's settings and, since 7.8, mm for the other whatever the file's unit is.
+  // The shapes are in the unit of the file already, so document and file must have the same unit, and nothing is scaled. Otherwise
+  // OpenCASCADE takes one unit from the settings of the process and, since 7.8, mm for the other one.
   SetMillimetres(document);
   writer.ChangeWriter().Model()->SetWriteLengthUnit(1.0);
   writer.SetColorMode(true);
@@ -321,7 +321,7 @@ void AddInstances(const ExportNode& node, const std::vector<BuiltPart>& parts, d
   }
 }
 
-/// Runs work(result); the reason why it threw an exception becomes the result's problem.
+/// Runs work(result); the reason for an exception becomes the result's problem.
 template <class Work>
 ExportResult Guard(const Work& work)
 {

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTExport.h
- * @brief Parts and instances written as STEP or BREP by OpenCASCADE
+ * @brief Writes parts and instances as STEP or BREP, by OpenCASCADE
  */
 #ifndef smOCCTExport_h
 #define smOCCTExport_h
@@ -17,7 +17,7 @@ namespace sm
 {
 struct ExportOptions
 {
-  /// Unit of the file's lengths, and how many of them one length of the models is.
+  /// Unit of the file's lengths, and the factor from lengths of the models to lengths of the file.
   std::string UnitName = "mm";
   double Unit = 1.0;
   /// Entries of the header: the file's name, and the program with its version.
@@ -27,23 +27,23 @@ struct ExportOptions
 
 struct ExportResult
 {
-  /// Why nothing was written; empty when all went well. The stream's state says whether it took all.
+  /// The reason why nothing was written; empty if it was. The state of the stream has its errors.
   std::string Problem;
   std::vector<std::string> Warnings;
-  /// Faces in the file: those of every part once.
+  /// Number of faces in the file, those of every part once.
   int Faces = 0;
   bool Aborted = false;
 };
 
 /**
- * AP214 (AUTOMOTIVE_DESIGN): products, assemblies, colours, layers, materials; faces with their trim curves, every number with
- * 17 digits. Bodies, faces and edges keep their names, and their entity numbers where no other body took them first.
- * `progress` gets a fraction in [0,1] and answers false to stop. Holds a KernelSession. Throws std::bad_alloc, and nothing else.
+ * Writes AP214 (AUTOMOTIVE_DESIGN): products, assemblies, colours, layers, materials; faces with their trim curves, every number with
+ * 17 digits. Bodies, faces and edges keep their names, and their entity numbers unless an earlier body has the same ones. `progress` gets a
+ * fraction in [0,1] and returns false to stop. Holds a KernelSession. Throws only std::bad_alloc.
  */
 ExportResult WriteSTEP(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
   const ProgressCallback& progress);
 
-/// OpenCASCADE's own text format, one compound of all instances; it has neither units, names nor colours.
+/// Writes OpenCASCADE's own text format, one compound of all instances; it has neither units, names nor colours.
 SMREADERSSTEP_EXPORT ExportResult WriteBREP(const ExportTree& tree, const ExportOptions& options,
   std::ostream& stream, const ProgressCallback& progress);
 }

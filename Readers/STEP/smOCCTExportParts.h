@@ -1,6 +1,6 @@
 /**
  * @file smOCCTExportParts.h
- * @brief The parts of an export tree as shapes
+ * @brief Builds the parts of an export tree as shapes
  */
 #ifndef smOCCTExportParts_h
 #define smOCCTExportParts_h
@@ -19,17 +19,17 @@ namespace sm
 {
 struct BuiltPart
 {
-  /// The body's shape, or a compound of those of several; null when nothing is left of it.
+  /// The shape of the body, or a compound of those of several bodies; null if no face is left.
   TopoDS_Shape Shape;
   std::vector<BuiltBody> Bodies;
 };
 
-/// Builds all parts with `unit` kernel lengths per length of the models, and adds what there is to say, with the part's name.
-/// Stops, with fewer parts than the tree has, when `progress` answers false.
+/// Builds all parts, with `unit` kernel lengths per length of the models, and adds warnings with the name of the part. If `progress`
+/// returns false, it stops and returns fewer parts than the tree has.
 std::vector<BuiltPart> BuildParts(
   const ExportTree& tree, double unit, std::vector<std::string>& warnings, const ProgressCallback& progress);
 
-/// A rigid placement, its translation scaled by `unit`.
+/// Converts a rigid placement; the translation is multiplied by `unit`.
 TopLoc_Location MakeLocation(const Placement& placement, double unit);
 }
 

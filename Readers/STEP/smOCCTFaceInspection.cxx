@@ -20,13 +20,13 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
-/// Segments that stand for a coedge's trim.
+/// Number of segments that approximate a coedge's trim curve.
 constexpr int Samples = 8;
 
-/// An edge beside its surface by more than that part of the face's size may have its feet anywhere.
+/// If an edge is farther from its surface than this, relative to the face's size, its foot points are not meaningful.
 constexpr double LargestShare = 0.02;
 
-/// Distance of a point from a curve on [first,last].
+/// Returns the distance of a point from a curve on [first,last].
 double GetDistance(const Handle(Geom_Curve) & curve, double first, double last, const gp_Pnt& point)
 {
   gp_Pnt foot;
@@ -34,7 +34,7 @@ double GetDistance(const Handle(Geom_Curve) & curve, double first, double last, 
   return ShapeAnalysis_Curve().Project(GeomAdaptor_Curve(curve, first, last), point, 0.0, foot, parameter);
 }
 
-/// Loops as points in (u,v), in their direction, and the box of their edges in space.
+/// Loops as points in (u,v), in the direction of the loops, and the box of their edges in space.
 struct SampledLoops
 {
   std::vector<std::vector<Point2>> Loops;
@@ -42,8 +42,8 @@ struct SampledLoops
   gp_XYZ High{ -1e300, -1e300, -1e300 };
 };
 
-/// Coedges get their EdgeDistance. Trims of the file may be parametrised differently from their edges: only where a point of theirs is
-/// farther than `tolerance` from that of the edge, the distance from its curve counts.
+/// Samples a coedge and sets its EdgeDistance. A trim curve of the file may be parametrised differently from its edge: if points at equal
+/// parameter are farther apart than `tolerance`, the distance from the nearest point of the edge's curve is used.
 void SampleCoedge(const DraftFace& face, double tolerance, DraftCoedge& coedge, SampledLoops& result)
 {
   const auto plane = Handle(Geom_Plane)::DownCast(face.Surface);
@@ -91,7 +91,7 @@ void SampleCoedge(const DraftFace& face, double tolerance, DraftCoedge& coedge, 
   }
 }
 
-/// Largest distance in space between the end of a coedge and the start of the next.
+/// Returns the largest distance in space between the end of a coedge and the start of the next one.
 double GetLargestGap(const DraftFace& face, const std::vector<Point2>& points)
 {
   double gap = 0.0;
@@ -118,7 +118,7 @@ double GetArea(const std::vector<Point2>& points)
   return area;
 }
 
-/// Share of a loop in the integral of r . (Su x Sv) / 3, by Green's theorem from u = `base` on.
+/// Returns the contribution of a loop to the integral of r . (Su x Sv) / 3, by Green's theorem from u = `base` on.
 double GetConeVolume(
   const DraftFace& face, const std::vector<Point2>& points, double area, double base, const gp_Pnt& origin)
 {
@@ -143,7 +143,7 @@ double GetConeVolume(
     const double v = 0.5 * (a[1] + b[1]);
     if (a[1] != b[1])
     {
-      // Four points of Gauss.
+      // Gauss rule with four points.
       for (const auto& [x, w] :
         { std::make_pair(0.0694318442, 0.1739274226), std::make_pair(0.3300094782, 0.3260725774),
           std::make_pair(0.6699905218, 0.3260725774), std::make_pair(0.9305681558, 0.1739274226) })
@@ -155,7 +155,7 @@ double GetConeVolume(
   return volume;
 }
 
-/// Why the edges do not lie on the surface; empty when they do, but for gaps that ribbons close.
+/// Returns the reason why the edges do not lie on the surface; empty if they do, up to gaps that ribbons may close.
 std::string FindWideGap(const DraftFace& face, double tolerance, double largestGap)
 {
   for (const DraftLoop& loop : face.Loops)
@@ -175,7 +175,7 @@ std::string FindWideGap(const DraftFace& face, double tolerance, double largestG
   return {};
 }
 
-/// True if a loop is narrower in space than the gaps that it may have: its direction cannot be told.
+/// Returns true if a loop is narrower in space than the allowed gaps, so that its orientation cannot be determined.
 bool IsSliver(const DraftFace& face, const std::vector<Point2>& points, double area, double tolerance)
 {
   double length = 0.0;

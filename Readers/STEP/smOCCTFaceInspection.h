@@ -1,6 +1,6 @@
 /**
  * @file smOCCTFaceInspection.h
- * @brief Inspection of a face: can it be taken as the file has it?
+ * @brief Inspects if a face can be converted without OpenCASCADE's repair
  */
 #ifndef smOCCTFaceInspection_h
 #define smOCCTFaceInspection_h
@@ -15,16 +15,16 @@ namespace sm
 {
 struct FaceInspection
 {
-  /// Why the face should be repaired; empty when it should not.
+  /// The reason why the face needs a repair; empty if it does not.
   std::string Problem;
-  /// Volume of the cone over the face from the origin, to a few percent, by the normal of the forward face.
+  /// Signed volume of the cone from the origin over the face with forward orientation, to a few per cent.
   double ConeVolume = 0.0;
 };
 
 /**
- * CompleteLoops, and then a look at the loops together. Gaps up to `tolerance` in space leave a loop closed. Edges may lie beside the
- * surface by that, too, and beside it and beyond its border by `largestGap`, but for faces that are small beside it: ribbons close such gaps,
- * and the integrals state them.
+ * Calls CompleteLoops() and then checks the loops together. A loop with gaps up to `tolerance` in space is closed. Edges may be `tolerance`
+ * away from the surface, and up to `largestGap` away from it or beyond its border unless the face is small compared with that: ribbons
+ * close such gaps, and the integrals report them.
  */
 FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance, double largestGap);
 }

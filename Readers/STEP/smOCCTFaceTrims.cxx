@@ -53,7 +53,7 @@ TrimCurve ProjectOnPlane(const DraftFace& face, const AffineMap& map, const Edge
     }
     result.Coefficients.push_back(uv);
   }
-  // In the plane, its distance in space.
+  // Lengths in the plane's parameters are lengths in space.
   const double residual =
     std::hypot(curve.Residual[0], curve.Residual[1], curve.Residual[2]) / map.GetScale();
   result.Residual = { residual, residual };

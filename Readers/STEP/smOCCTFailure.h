@@ -1,6 +1,6 @@
 /**
  * @file smOCCTFailure.h
- * @brief Exceptions of OpenCASCADE and of our own as sentences
+ * @brief Converts exceptions, of OpenCASCADE and others, to sentences
  */
 #ifndef smOCCTFailure_h
 #define smOCCTFailure_h
@@ -18,8 +18,8 @@
 namespace sm
 {
 /**
- * Runs `work`. Returns why it threw an exception, an empty string when it threw none. A lack of memory is no property of the shape in
- * hand and goes on to the caller, as std::bad_alloc also where OpenCASCADE raised Standard_OutOfMemory, or a thread could not be started.
+ * Runs `work`. Returns the reason for an exception, or an empty string. A lack of memory is not a property of the shape that is processed:
+ * std::bad_alloc is thrown, also for OpenCASCADE's Standard_OutOfMemory and if a thread could not be started.
  */
 template <class Work>
 std::string CatchFailure(const Work& work)
@@ -57,7 +57,7 @@ std::string CatchFailure(const Work& work)
   }
 }
 
-/// The same at the edge to VTK, which no exception may cross: a lack of memory is a reason here, and so is an exception of any other type.
+/// The same for methods that VTK calls, which must not throw: a lack of memory, and an exception of any other type, is a reason, too.
 template <class Work>
 std::string CatchEverything(const Work& work)
 {

@@ -30,7 +30,7 @@ std::mutex& GetKernelMutex()
 
 thread_local int SessionDepth = 0;
 
-/// Blanks and comments may stand before the header.
+/// Returns true if a text consists of blanks and comments, which may precede the header.
 bool IsBlank(std::string_view text)
 {
   for (std::size_t i = 0; i < text.size(); ++i)
@@ -59,7 +59,7 @@ bool LoadFile(
   std::ifstream file(name, std::ios::binary);
   file.seekg(0, std::ios::end);
   const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
-  // A folder opens on some systems and tells a size that nothing can have.
+  // On some systems a folder can be opened, and its size is then a huge number.
   if (size < 0 || size == std::numeric_limits<std::streamoff>::max())
   {
     problem = "it cannot be opened; check that it exists and may be read";
@@ -78,7 +78,7 @@ bool LoadFile(
     file.read(bytes.data() + done, std::min(PieceSize, size - done));
     done += std::max<std::streamsize>(file.gcount(), 0);
   }
-  // A file that shrinks meanwhile is read as far as it goes.
+  // A file may become shorter while it is read.
   bytes.resize(static_cast<std::size_t>(done));
   problem = bytes.empty() ? "it is empty; export it again" : "";
   return true;
@@ -143,14 +143,14 @@ KernelSession::KernelSession()
     return;
   }
   this->Lock = std::unique_lock<std::mutex>(GetKernelMutex());
-  // Registers the parameters of the STEP translator, so that the unit exists to be set.
+  // Registers the parameters of the STEP translator, so that the unit can be set.
   STEPControl_Controller::Init();
   this->Printers = Message::DefaultMessenger()->Printers();
   Message::DefaultMessenger()->ChangePrinters().Clear();
   this->Settings.Set("xstep.cascade.unit", "MM");
-  // No face is asked how smoothly it meets its neighbours.
+  // Switches off the computation of the continuity between neighbouring faces, which is not used.
   this->Settings.Set("read.encoderegularity.angle", "0.");
-  // Shapes without surfaces, beside the exact ones.
+  // Switches off the reading of triangulated shapes, which accompany the exact ones.
   this->Settings.Set("read.step.tessellated", "Off");
   SessionDepth = 1;
 }

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTFile.h
- * @brief Bytes of a file and checks before OpenCASCADE reads them; OpenCASCADE's global settings and its progress
+ * @brief Loads files and checks them before OpenCASCADE reads them; OpenCASCADE's global settings and its progress
  */
 #ifndef smOCCTFile_h
 #define smOCCTFile_h
@@ -22,32 +22,32 @@
 
 namespace sm
 {
-/// Reads all bytes of a file, or the problem with its remedy when it cannot be opened or is empty. `progress` is asked now and then; false
-/// when it answers false.
+/// Reads all bytes of a file. Sets `problem`, with a remedy, if it cannot be opened or is empty. Returns false if `progress`, which is
+/// called repeatedly, returned false.
 bool LoadFile(
   const std::string& name, const std::function<bool()>& progress, std::string& bytes, std::string& problem);
 
-/// Result of a look at the first and last bytes of a STEP file.
+/// Result of the check of the first and last bytes of a STEP file.
 struct FileCheck
 {
   bool Readable = false;
-  /// Why it is not readable, and what to do about it.
+  /// The reason why it is not readable, with a remedy; empty if it may be.
   std::string Problem;
   /// Bytes before "ISO-10303-21;" that are neither blanks nor comments.
   std::size_t JunkBytes = 0;
-  /// The file does not end with END-ISO-10303-21.
+  /// True if the file does not end with END-ISO-10303-21.
   bool Truncated = false;
 };
 SMREADERSSTEP_EXPORT FileCheck CheckText(std::string_view text);
 
-/// The first 64 KiB of a file, in which the header of its format stands; fewer where there are no more.
+/// Returns the first 64 KiB of a file, or fewer if it is shorter, in which the header of its format is.
 SMREADERSSTEP_EXPORT std::string LoadHead(const std::string& name);
 
-/// True when the file begins like a STEP file; cheap.
+/// Returns true if the file begins like a STEP file; reads only its beginning.
 bool LooksLikeSTEP(const std::string& name);
 
-/// Sets parameters of OpenCASCADE, which belong to the process, and puts them back when it goes. One that this version does not know
-/// is left out.
+/// Sets parameters of OpenCASCADE, which are global in the process, and restores them in the destructor. Parameters that this version does
+/// not know are ignored.
 class SMREADERSSTEP_EXPORT KernelSettings
 {
 public:
@@ -63,9 +63,8 @@ private:
 };
 
 /**
- * A lock on OpenCASCADE, whose parameters and messenger are global. While a session exists, its messenger prints nothing and
- * lengths arrive in mm, and tessellations are not read. The session of another thread waits; a session inside one of the same thread
- * changes nothing.
+ * A lock on OpenCASCADE, whose parameters and messenger are global. During a session OpenCASCADE prints nothing, lengths are converted to
+ * mm, and tessellations are not read. The session of another thread waits; a nested session of the same thread has no effect.
  */
 class SMREADERSSTEP_EXPORT KernelSession
 {
@@ -75,7 +74,7 @@ public:
   KernelSession(const KernelSession&) = delete;
   void operator=(const KernelSession&) = delete;
 
-  /// This thread has a session: an observer of a reader's progress asks another one to read.
+  /// Returns true if this thread has a session, for example if an observer of a reader's progress updates another reader.
   static bool IsHeldHere();
 
 private:
@@ -84,15 +83,15 @@ private:
   KernelSettings Settings;
 };
 
-/// Lengths of the document are in mm; OpenCASCADE looks at the process's settings only where a document has no unit.
+/// States that the lengths of a document are in mm. OpenCASCADE uses the settings of the process only for a document without a unit.
 SMREADERSSTEP_EXPORT void SetMillimetres(const Handle(TDocStd_Document) & document);
 
-/// CPU time of this thread in seconds. A limit in CPU time does not depend on the load of the machine, so that a file gives the same
-/// bits on a busy one.
+/// Returns the CPU time of this thread in seconds. A limit in CPU time does not depend on the load of the machine, so that results are the
+/// same on a busy one.
 double GetThreadSeconds();
 
-/// OpenCASCADE's progress as a call of `progress` with a fraction in [0,1]; progress answers false to stop. It also
-/// stops after so many seconds of this thread's; 0: never.
+/// Forwards OpenCASCADE's progress to `progress`, as a fraction in [0,1]; if that returns false, OpenCASCADE is asked to stop. It is also
+/// asked to stop after `seconds` of CPU time of this thread; 0: no limit.
 class SMREADERSSTEP_EXPORT KernelProgress : public Message_ProgressIndicator
 {
   DEFINE_STANDARD_RTTI_INLINE(KernelProgress, Message_ProgressIndicator)
@@ -101,8 +100,8 @@ public:
 
   bool IsTimedOut() const { return this->TimedOut; }
 
-  /// Throws what `progress` threw: OpenCASCADE reports from destructors, which no exception may leave, and is stopped instead. Call
-  /// when it has returned.
+  /// Rethrows an exception of `progress`. OpenCASCADE reports progress from destructors, which must not throw, so the exception is stored
+  /// and OpenCASCADE is asked to stop. Call this after OpenCASCADE has returned.
   void Rethrow() const;
 
 protected:

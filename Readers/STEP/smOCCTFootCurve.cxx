@@ -3,7 +3,7 @@
 #include "smOCCTCurve.h"
 #include "smUnitRoundoff.h"
 
-// ShapeConstruct_ProjectCurveOnSurface.hxx of OpenCASCADE 7.9 lacks it.
+// ShapeConstruct_ProjectCurveOnSurface.hxx of OpenCASCADE 7.9 needs this header but does not include it.
 #include <TColStd_HArray1OfReal.hxx>
 
 #include <Geom2d_Line.hxx>
@@ -18,17 +18,17 @@ namespace sm
 {
 namespace
 {
-/// Part of a period that a foot may move from one sample to the next; a full circle has 64.
+/// Largest motion of a foot point between two samples, relative to the period; a full circle has 64 samples.
 constexpr double LargestStep = 0.15;
 
-/// Samples that may be added where feet move fast, beside a pole.
+/// Largest number of samples that are added where foot points move fast, close to a pole.
 constexpr int MostAdded = 64;
 
-/// A curve that ends so near a pole, relative to its size, was meant to end there.
+/// A curve that ends so close to a pole, relative to its size, is taken to end at the pole.
 constexpr double PoleTolerance = 1e-5;
 
-/// A distance that does not count: 1e-9 of the size, or 1e-7 mm, which is nothing to OpenCASCADE and to the systems that write files,
-/// but no more than 1e-6 of the size.
+/// Returns the length below which distances are ignored: 1e-9 of the size or, if larger, 1e-7 mm (the confusion tolerance of OpenCASCADE
+/// and of many CAD systems), but at most 1e-6 of the size.
 double GetSlack(double size, double magnitude)
 {
   return std::max(1e-9 * size, std::min(1e-7, 1e-6 * size)) + 32.0 * UnitRoundoff * magnitude;
@@ -163,7 +163,8 @@ bool FootCurve::IsFar(const Sample& a, const Sample& b) const
   return false;
 }
 
-/// No step from sample to sample is a large part of a period: that is so beside a pole, where no polynomial follows.
+/// Returns true if no step between samples is a large part of a period. Large steps occur close to a pole, where polynomials cannot
+/// approximate the curve.
 bool FootCurve::IsEven() const
 {
   for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
@@ -200,7 +201,7 @@ bool FootCurve::IsBesidePole(const Sample& sample) const
     });
 }
 
-/// The end of a curve beside a pole may lie on the other side of it: it does not count.
+/// The end of a curve close to a pole may lie on the other side of it, so it is not used.
 void FootCurve::Straighten()
 {
   const auto first = this->Samples.begin() + (this->IsBesidePole(this->Samples.front()) ? 1 : 0);
@@ -234,7 +235,7 @@ void FootCurve::Straighten()
   }
 }
 
-/// A foot point moves less smoothly where the surface has a knot.
+/// The foot point is less smooth where the surface has a knot.
 void FootCurve::AddKnotCrossings()
 {
   std::vector<double> crossings;
@@ -283,7 +284,7 @@ void FootCurve::AddKnotCrossings()
 
 Handle(Geom2d_Curve) FootCurve::GetLine() const
 {
-  // Only one slope is 1: the line's parameter is its length.
+  // A Geom2d_Line is parametrised by its length, so one slope must be 1 and the other 0.
   if (std::abs(this->Slope[0]) + std::abs(this->Slope[1]) != 1.0)
   {
     return {};

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTFootCurve.h
- * @brief The curve of an edge in the parameters of a surface that it lies on, where the file gives none
+ * @brief Computes the trim curve of an edge on a surface where the file has none
  */
 #ifndef smOCCTFootCurve_h
 #define smOCCTFootCurve_h
@@ -19,17 +19,17 @@ namespace sm
 {
 /**
  * The foot points of an edge's curve on a surface, in the curve's own parameter: closed forms on cylinders, cones, spheres and tori,
- * Newton's method to rounding elsewhere. A coordinate that is constant, or runs as the parameter does, but for 1e-7 mm (1e-6 of what
- * is small, 1e-9 of what is large) is that exactly: so circles and rulings become straight lines. On periodic surfaces the curve is
- * continuous and may leave the base period; at a pole the coordinate that is undetermined there is continued. Const methods may be
- * called by several threads.
+ * Newton's method to rounding elsewhere. A coordinate that is constant, or equal to the parameter plus a constant, within 1e-7 mm (1e-6 of
+ * the size of small curves, 1e-9 of large ones) is made so exactly: circles and rulings become straight lines. On periodic surfaces the
+ * curve is continuous and may leave the base period; at a pole the undetermined coordinate is continued from its neighbours. Const methods
+ * may be called by several threads.
  */
 class SMREADERSSTEP_EXPORT FootCurve
 {
 public:
   /**
-   * `placement` takes the curve to the surface. Null when the surface is of a kind without an inverse, or when the curve's feet
-   * could not be followed. The surface must not be trimmed (GetBasisSurface).
+   * `placement` transforms the curve to the coordinates of the surface. Returns null if FootPointFinder does not support the surface, or if
+   * foot points could not be found along the whole curve. The surface must not be trimmed (GetBasisSurface).
    */
   static std::shared_ptr<const FootCurve> Make(const std::shared_ptr<const FootPointFinder>& finder,
     const Handle(Geom_Curve) & curve, const gp_Trsf& placement, double first, double last);
@@ -37,11 +37,12 @@ public:
   std::array<double, 2> Evaluate(double t) const;
   /// First, last and the knots of the curve between.
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
-  /// The same as a line when one coordinate is constant and the other runs as the parameter does; else null.
+  /// Returns the same curve as a line if one coordinate is constant and the other one is the parameter plus a constant; else null.
   Handle(Geom2d_Curve) GetLine() const;
-  /// Largest distance of a foot from the border of the surface's domain, beyond which its polynomials go on; 0 inside.
+  /// Returns the largest distance of a foot point beyond the border of the surface's domain, where its polynomials are continued; 0 if all
+  /// are inside.
   double GetOverhang() const;
-  /// OpenCASCADE's approximation of the same curve, good to 1e-7 mm at best; null when it has none.
+  /// Returns OpenCASCADE's approximation of the same curve, to 1e-7 mm at best; null if it fails.
   Handle(Geom2d_Curve) Approximate() const;
   /// Largest distance of a sample from its foot, in the surface's coordinates.
   double GetDistance() const { return this->Distance; }
@@ -62,7 +63,7 @@ private:
   bool IsBesidePole(const Sample& sample) const;
   void Straighten();
   void AddKnotCrossings();
-  /// At a pole the coordinate that is undetermined there becomes that of the neighbour.
+  /// Sets the undetermined coordinate at a pole to that of the neighbouring sample.
   void ContinueAtPole(
     const std::array<double, 2>& neighbour, const double speed[2], std::array<double, 2>& uv) const;
 
@@ -72,9 +73,9 @@ private:
   std::vector<Sample> Samples;
   double Distance = 0.0;
   double Size = 0.0;
-  /// Lengths that do not count.
+  /// Length below which distances are ignored.
   double Slack = 0.0;
-  /// Slope of a coordinate that is Offset + Slope t; NaN: it is none.
+  /// Slope of a coordinate that is Offset + Slope t; NaN if it is not linear.
   double Slope[2] = { 0.0, 0.0 };
   double Offset[2] = { 0.0, 0.0 };
 };

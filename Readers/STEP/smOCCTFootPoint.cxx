@@ -27,13 +27,13 @@ namespace sm
 {
 namespace
 {
-/// Part of the domain's width by which feet may lie beyond its border.
+/// Largest distance of foot points beyond the border of the domain, relative to its width.
 constexpr double Margin = 0.01;
 
-/// Higher degrees of a spline lose too many digits in powers of the parameters.
+/// Largest degree of a spline whose patches are cached as polynomials in powers of the parameters; higher degrees lose too many digits.
 constexpr int LargestCachedDegree = 8;
 
-/// Cylinder, cone, sphere and torus.
+/// Finds foot points on cylinders, cones, spheres and tori in closed form.
 class ElementaryFinder : public FootPointFinder
 {
 public:
@@ -85,14 +85,15 @@ private:
   Handle(Geom_ToroidalSurface) Torus;
 };
 
-/// Any other surface, by Newton's method from a guess or from the nearest of some points.
+/// Finds foot points on any other surface, by Newton's method from a guess or from the nearest one of some points.
 class NewtonFinder : public FootPointFinder
 {
 public:
   explicit NewtonFinder(const Handle(Geom_Surface) & surface)
     : FootPointFinder(surface)
   {
-    // Polynomials of periodic and other surfaces differ from these where parameters leave the domain, those of high degrees by their rounding.
+    // Only splines that are not periodic and have low degrees are cached: otherwise the cached polynomials differ from the surface beyond
+    // the domain, or by rounding.
     const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
     if (!spline.IsNull() && this->Period[0] == 0.0 && this->Period[1] == 0.0 &&
       std::max(spline->UDegree(), spline->VDegree()) <= LargestCachedDegree)
@@ -132,7 +133,7 @@ public:
   }
 
 protected:
-  /// Parameters near the foot.
+  /// Finds parameters near the foot point.
   virtual bool FindSeed(const gp_Pnt& point, double uv[2]) const = 0;
 
   gp_Pnt GetPoint(double u, double v) const
@@ -155,11 +156,12 @@ private:
     }
   }
 
-  /// Polynomials go on beyond the border of the domain: an edge beside it has feet that move smoothly.
+  /// The search continues a little beyond the border of the domain, so that the foot point of an edge there is a smooth function.
   double GetLow(int d) const { return this->Low[d] - Margin * (this->High[d] - this->Low[d]); }
   double GetHigh(int d) const { return this->High[d] + Margin * (this->High[d] - this->Low[d]); }
 
-  /// Gauss and Newton, close to the domain: at the end of what is allowed only along it.
+  /// Solves by Gauss-Newton and Newton steps, in a range a little larger than the domain. At the end of the range steps are taken only
+  /// along it.
   bool Solve(const gp_Pnt& point, double uv[2], double& distance) const
   {
     double last = std::numeric_limits<double>::infinity();
@@ -178,7 +180,7 @@ private:
       {
         return false;
       }
-      // Quadratic until rounding stops it; a foot on a border takes its last step there.
+      // Convergence is quadratic until rounding stops it. If the foot point is on a border, the last step ends there.
       if (length <= rounding || (i > 2 && length <= 1e-6 * (distance + rounding) && length >= 0.5 * last) ||
         (i > 6 && length <= 1e-9 * this->Extent && length >= 0.5 * last))
       {
@@ -228,7 +230,7 @@ private:
     }
   }
 
-  /// The surface with the polynomials of the patch that it was asked for last, which the mutex guards; null without them.
+  /// The surface with cached polynomials of the last patch, guarded by the mutex; null if they are not used.
   std::unique_ptr<GeomAdaptor_Surface> Patches;
   mutable std::mutex Mutex;
 
@@ -236,7 +238,7 @@ protected:
   double Extent = 1.0;
 };
 
-/// A surface with a finite domain: seeds from a grid of points.
+/// Finds seeds on a surface with a finite domain from a grid of points.
 class GridFinder : public NewtonFinder
 {
 public:
@@ -297,7 +299,7 @@ private:
 
   const gp_Pnt& GetGridPoint(int i, int j) const { return this->Points[i * (this->Count[1] + 1) + j]; }
 
-  /// Borders that are one point.
+  /// Finds the borders that are one point.
   void FindPoles()
   {
     for (int d = 0; d < 2; ++d)
@@ -325,7 +327,7 @@ private:
   std::vector<gp_Pnt> Points;
 };
 
-/// A curve that is moved along: revolution and extrusion. Its points give the seeds, with the other coordinate in closed form.
+/// Finds seeds on surfaces of revolution and extrusion, from points of their profile curve; the other coordinate has a closed form.
 class SweptFinder : public NewtonFinder
 {
 public:
@@ -389,7 +391,7 @@ protected:
   }
 
 private:
-  /// From the axis to the point.
+  /// Returns the vector from the axis to the point, perpendicular to the axis.
   gp_XYZ GetRadius(const gp_XYZ& point) const
   {
     const gp_XYZ difference = point - this->Origin;
@@ -402,7 +404,7 @@ private:
   std::vector<std::pair<double, gp_XYZ>> Profile;
 };
 
-/// Interior knots; those of a periodic direction over one more period on both sides.
+/// Returns the interior knots; of a periodic direction also those of one more period on both sides.
 template <class GetKnot>
 std::vector<double> CopyKnots(int count, double period, const GetKnot& knot)
 {
@@ -453,7 +455,7 @@ std::shared_ptr<const FootPointFinder> FootPointFinder::Make(const Handle(Geom_S
   {
     return std::make_shared<ElementaryFinder>(Handle(Geom_ElementarySurface)::DownCast(surface));
   }
-  // The two sides of a closed surface that is not periodic cannot be told apart by position.
+  // A point on the seam of a closed surface that is not periodic has two foot points, which cannot be distinguished by position.
   if ((surface->IsUClosed() && !surface->IsUPeriodic()) || (surface->IsVClosed() && !surface->IsVPeriodic()))
   {
     return nullptr;

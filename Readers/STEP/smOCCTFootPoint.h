@@ -16,42 +16,42 @@
 
 namespace sm
 {
-/// The foot of a point on a surface. One for each face: what it needs of a surface is computed once.
+/// Finds the foot points of points on a surface. Every face has one finder, which computes the data that it needs of the surface once.
 class SMREADERSSTEP_EXPORT FootPointFinder
 {
 public:
-  /// Null for a surface of a kind that has no inverse here.
+  /// Makes a finder for a surface; null for a kind of surface that is not supported.
   static std::shared_ptr<const FootPointFinder> Make(const Handle(Geom_Surface) & surface);
   virtual ~FootPointFinder() = default;
 
-  /// Parameters of the foot. Near `guess` where there is one: whole periods are chosen so. False when it was not found.
+  /// Finds the parameters of the foot point; if there is a `guess`, in the period nearest to it. Returns false if it was not found.
   virtual bool Find(const gp_Pnt& point, const double* guess, double uv[2]) const = 0;
 
   const Handle(Geom_Surface) & GetSurface() const { return this->Surface; }
-  /// 0: not periodic.
+  /// Period of a direction; 0: not periodic.
   double GetPeriod(int direction) const { return this->Period[direction]; }
 
   /// A line of constant parameter that is one point of the surface.
   struct Pole
   {
-    /// The coordinate that is constant, and its value.
+    /// The constant coordinate (0: u, 1: v), and its value.
     int Direction;
     double Value;
   };
   const std::vector<Pole>& GetPoles() const { return this->Poles; }
   /// Interior knots of a spline surface.
   const std::vector<double>& GetKnots(int direction) const { return this->Knots[direction]; }
-  /// By how much the parameter lies beyond the domain; 0 inside and where it is periodic.
+  /// Returns the distance of a parameter beyond the domain; 0 inside, and in a periodic direction.
   double GetExcess(int direction, double value) const
   {
     return std::max({ 0.0, this->Low[direction] - value, value - this->High[direction] });
   }
-  /// The border of the domain, or the pole, that is no farther from the parameter than `slack`; else the parameter.
+  /// Returns the border of the domain, or the pole, if it is within `slack` of the parameter; else the parameter.
   double SnapToBorder(int direction, double value, double slack) const;
 
 protected:
   explicit FootPointFinder(const Handle(Geom_Surface) & surface);
-  /// Moves uv by whole periods next to `guess`.
+  /// Moves uv by whole periods to be nearest to `guess`.
   void Unroll(const double* guess, double uv[2]) const;
 
   Handle(Geom_Surface) Surface;

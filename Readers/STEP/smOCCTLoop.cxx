@@ -22,7 +22,7 @@ namespace sm
 {
 namespace
 {
-/// The pcurve the edge stores for this surface; BRep_Tool would make one up on a plane.
+/// Finds the pcurve that the edge stores for this surface. BRep_Tool is not used, because it makes a pcurve on a plane if there is none.
 bool FindStoredTrim(const TopoDS_Edge& edge, const Handle(Geom_Surface) & surface,
   const TopLoc_Location& faceLocation, NativeTrim& trim)
 {
@@ -42,7 +42,7 @@ bool FindStoredTrim(const TopoDS_Edge& edge, const Handle(Geom_Surface) & surfac
   return false;
 }
 
-/// A pcurve for an edge that came without one on a curved surface.
+/// Computes a pcurve for an edge that has none on a curved surface.
 bool AddMissingTrim(const TopoDS_Edge& edge, const TopoDS_Face& face, NativeTrim& trim)
 {
   const std::string failure = CatchFailure(
@@ -55,7 +55,7 @@ bool AddMissingTrim(const TopoDS_Edge& edge, const TopoDS_Face& face, NativeTrim
   return failure.empty() && !trim.Curve.IsNull();
 }
 
-/// Squared distance in native (u,v), whole periods left out; -1 when a pcurve is not there to ask.
+/// Returns the squared distance in native (u,v), modulo whole periods; -1 if a pcurve is missing.
 double GetGap(const DraftFace& face, const DraftCoedge& from, const DraftCoedge& to)
 {
   if (from.Projected || to.Projected)
@@ -82,7 +82,7 @@ bool Meet(const DraftCoedge& from, const DraftCoedge& to)
   return !from.End.IsNull() && !to.Start.IsNull() && from.End.IsSame(to.Start);
 }
 
-/// The same with periods left in: the side of a seam shows only so.
+/// Returns the squared distance without the reduction modulo periods, which distinguishes the two sides of a seam.
 double GetRawGap(const DraftCoedge& from, const DraftCoedge& to)
 {
   if (from.Projected || to.Projected)
@@ -94,7 +94,7 @@ double GetRawGap(const DraftCoedge& from, const DraftCoedge& to)
   return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
 }
 
-/// Square of the distance between two vertices; infinite when one is missing.
+/// Returns the squared distance between two vertices; infinite if one is missing.
 double GetVertexDistance(const DraftCoedge& from, const DraftCoedge& to)
 {
   if (from.End.IsNull() || to.Start.IsNull())
@@ -104,7 +104,8 @@ double GetVertexDistance(const DraftCoedge& from, const DraftCoedge& to)
   return BRep_Tool::Pnt(from.End).SquareDistance(BRep_Tool::Pnt(to.Start));
 }
 
-/// Whole periods by which the pcurves of the loop jump, signed: a closed loop has none left over.
+/// Returns true if the signed jumps of the loop's pcurves by whole periods do not add up to 0, that is, if the loop winds around the
+/// surface.
 bool Winds(const DraftFace& face, const DraftLoop& loop)
 {
   double turns[2] = { 0.0, 0.0 };
@@ -130,7 +131,7 @@ bool IsChain(const DraftFace& face, const DraftLoop& loop)
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
     const DraftCoedge& next = loop[(i + 1) % loop.size()];
-    // A quarter of a period is beyond any tolerance, and far less than the wrong side of a seam.
+    // A quarter of a period is far above any tolerance, and far below the jump to the other side of a seam.
     double limit = std::numeric_limits<double>::infinity();
     for (const double period : face.Period)
     {
@@ -144,7 +145,7 @@ bool IsChain(const DraftFace& face, const DraftLoop& loop)
   return !Winds(face, loop);
 }
 
-/// Which of the unused coedges follows best: by vertex, then by (u,v), then by distance in space.
+/// Returns the unused coedge that follows best: by common vertex, then by distance in (u,v), then by distance in space.
 std::size_t FindNext(const DraftLoop& loop, const std::vector<bool>& used, const DraftCoedge& last)
 {
   std::size_t best = loop.size();
@@ -180,7 +181,7 @@ double GetTotalGap(const DraftFace& face, const DraftLoop& loop)
   return total;
 }
 
-/// Rebuilds chains from the coedges of one wire.
+/// Orders the coedges of one wire into one or several chains.
 std::vector<DraftLoop> Chain(const DraftLoop& loop)
 {
   std::vector<DraftLoop> chains;
@@ -200,7 +201,7 @@ std::vector<DraftLoop> Chain(const DraftLoop& loop)
       {
         break;
       }
-      // A chain that closes ends here when nothing goes on from its last vertex.
+      // A closed chain ends here unless a coedge continues from its last vertex.
       if (Meet(chain.back(), chain.front()) && !Meet(chain.back(), loop[next]))
       {
         break;
@@ -238,7 +239,7 @@ NativeBox GetBox(const DraftLoop& loop)
   return box;
 }
 
-/// Sets the trim of a coedge. Returns why there is none, a sentence, or an empty string.
+/// Sets the trim curve of a coedge. Returns a sentence with the reason if there is none, else an empty string.
 std::string SetTrim(
   const DraftFace& face, const TopLoc_Location& location, MissingTrim missing, DraftCoedge& coedge)
 {
@@ -289,7 +290,7 @@ void AddLoop(const TopoDS_Shape& wire, const TopLoc_Location& location, MissingT
     if (coedge.Degenerate && missing == MissingTrim::Feet &&
       !FindStoredTrim(edge, face.Stored, location, coedge.Trim))
     {
-      // CompleteLoops makes its own poles.
+      // CompleteLoops() adds poles itself.
       isPole = true;
       continue;
     }

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTLoop.h
- * @brief The loops of a face as OpenCASCADE has them: ordered, continuous in native (u,v), not yet converted
+ * @brief The loops of an OpenCASCADE face: ordered, continuous in native (u,v), before the conversion
  */
 #ifndef smOCCTLoop_h
 #define smOCCTLoop_h
@@ -20,21 +20,21 @@ namespace sm
 struct DraftCoedge
 {
   TopoDS_Edge Edge;
-  /// Index of the edge in the body, from 0; below 0 for a pole or a seam that the file leaves out: -1 - number in its face. Its
-  /// curve is what its trim draws.
+  /// Index of the edge in the body, from 0; below 0 for an added pole or seam: -1 - its number in the face. The curve of such an edge is
+  /// the image of its trim curve.
   int EdgeIndex = -1;
   bool Reversed = false;
   bool Degenerate = false;
-  /// On a plane and without a pcurve of its own: the edge's curve projected.
+  /// True for a coedge without a pcurve on a plane: its trim curve is the projection of the edge's curve.
   bool Projected = false;
-  /// Without a pcurve of its own: to get the feet of the edge's curve.
+  /// True for a coedge without a pcurve on another surface: its trim curve will be computed from foot points of the edge's curve.
   bool NeedsFeet = false;
-  /// Largest distance of samples of the edge from the points of the surface that its trim gives, where that was looked at.
+  /// Largest distance between samples of the edge and of the surface along the trim curve; 0 if not measured.
   double EdgeDistance = 0.0;
-  /// Largest distance of these points from the border of the surface's domain.
+  /// Largest distance of these samples beyond the border of the surface's domain.
   double Overhang = 0.0;
   NativeTrim Trim;
-  /// In loop direction; null when the file gives none.
+  /// Vertices at start and end in loop direction; null if the file has none.
   TopoDS_Vertex Start;
   TopoDS_Vertex End;
 
@@ -53,43 +53,42 @@ struct DraftFace
 {
   /// The face with forward orientation.
   TopoDS_Face Face;
-  /// The face's orientation in its body is reversed.
+  /// True if the face's orientation in its body is reversed.
   bool Reversed = false;
-  /// Its loops are those of the file, for CompleteLoops.
+  /// True if its loops are those of the file, to be completed by CompleteLoops().
   bool AsInFile = false;
-  /// The surface without rectangular trims; a sphere of CompleteLoops may have other poles.
+  /// The surface without rectangular trims. CompleteLoops() may replace a sphere by the same one with other poles.
   Handle(Geom_Surface) Surface;
   /// The surface as the face stores it; its domain is used for a face without loops.
   Handle(Geom_Surface) Stored;
   gp_Trsf Location;
-  /// 0: not periodic.
+  /// Periods in u and v; 0: not periodic.
   double Period[2] = { 0.0, 0.0 };
   std::vector<DraftLoop> Loops;
-  /// Poles and seams that were added to the loops.
+  /// Number of poles and seams that were added to the loops.
   int AddedEdges = 0;
   std::vector<std::string> Messages;
-  /// Edges left out and loops that are not bounded: the face is not what the file says.
+  /// Number of defects: edges that were left out, and loops that do not bound a part of the surface.
   int Defects = 0;
 };
 
 /// The trim curve that a coedge without a pcurve gets on a surface that is no plane.
 enum class MissingTrim
 {
-  /// OpenCASCADE's approximation, at once.
+  /// OpenCASCADE's approximation, computed at once.
   Approximated,
-  /// The feet of its edge's curve, by CompleteLoops.
+  /// Foot points of its edge's curve, computed by CompleteLoops().
   Feet
 };
 
 /**
- * Collects surface, loops and pcurves of one face and adds its edges (forward) to `edges`. Serial: a missing
- * pcurve is added to the shape here. Throws std::runtime_error when the face has no surface, or when nothing is
- * left of the loops it came with.
+ * Collects surface, loops and pcurves of one face and adds its edges (forward) to `edges`. Not thread safe, because a missing pcurve is
+ * added to the shape. Throws std::runtime_error if the face has no surface, or if none of its loops can be used.
  */
 DraftFace CollectFace(const TopoDS_Face& face, TopTools_IndexedMapOfShape& edges,
   MissingTrim missing = MissingTrim::Approximated);
 
-/// Puts coedges into an order in which each ends where the next one starts; splits separate chains.
+/// Orders coedges so that each ends where the next one starts, and separates disconnected chains into loops.
 void OrderLoops(DraftFace& face);
 
 /// Moves pcurves by whole periods so that every loop is continuous and all loops lie side by side.

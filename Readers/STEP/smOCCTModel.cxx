@@ -54,7 +54,7 @@ std::string GetUnitName(const Handle(StepBasic_NamedUnit) & unit)
   }
 }
 
-/// The units of the first context that names a length; OpenCASCADE looks only where a product leads it.
+/// Returns the length unit of the first context that has one. OpenCASCADE only considers contexts that belong to products.
 std::string FindUnitInContexts(const Handle(StepData_StepModel) & model)
 {
   for (int i = 1; i <= model->NbEntities(); ++i)

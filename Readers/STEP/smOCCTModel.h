@@ -1,6 +1,6 @@
 /**
  * @file smOCCTModel.h
- * @brief Data of a STEP file's entities that OpenCASCADE's transfer loses: length unit, scales, mirrors, faces without a product
+ * @brief Reads data of a STEP file's entities that OpenCASCADE's transfer loses: length unit, scales, reflections, faces without a product
  */
 #ifndef smOCCTModel_h
 #define smOCCTModel_h
@@ -13,19 +13,19 @@
 
 namespace sm
 {
-/// The file's own length unit as it spells it ("millimetre", "INCH"); empty when it gives none.
+/// Returns the length unit of the file in its spelling ("millimetre", "INCH"); empty if it states none.
 std::string ReadLengthUnit(
   STEPControl_Reader& reader, const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
 
 /**
- * Transformation operators (CARTESIAN_TRANSFORMATION_OPERATOR_3D): OpenCASCADE 7.6 ignores their scale and their
- * reflection, which is reported in `messages`, and crashes on one without a local origin, which gets the
- * origin here. Returns the operators whose scale or reflection is lost. Call before the transfer.
+ * Checks the transformation operators (CARTESIAN_TRANSFORMATION_OPERATOR_3D). OpenCASCADE 7.6 ignores their scale and their reflection,
+ * which is reported in `messages`, and crashes on one without a local origin, which is therefore set to the origin. Returns the operators
+ * whose scale or reflection is lost. Call before the transfer.
  */
 std::vector<Handle(Standard_Transient)> CheckOperators(
   const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
 
-/// True when the file holds faces, whether or not the transfer makes a shape of them.
+/// Returns true if the file has faces, including faces of which the transfer makes no shape.
 bool HasGeometry(const Handle(StepData_StepModel) & model);
 }
 

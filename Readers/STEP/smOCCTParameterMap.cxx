@@ -106,7 +106,7 @@ double ParameterMap::EvaluateInArc(int arc, double native) const
   const double ratio = this->Type == Kind::Hyperbolic ? std::tanh(0.5 * phi) / std::tanh(0.25 * this->Width)
                                                       : std::tan(0.5 * phi) / std::tan(0.25 * this->Width);
   const double s = 0.5 * (1.0 + ratio);
-  // Within rounding of a border means on it: the cut that made the border is there.
+  // A parameter within rounding of a border counts as on the border, because trim curves are cut there.
   const double rounding = this->GetRounding();
   if (std::abs(s) <= rounding)
   {
@@ -138,7 +138,7 @@ std::vector<Vector3> ParameterMap::GetControlPoints() const
     const double angle = this->Start + k * half;
     if (this->Type == Kind::Hyperbolic)
     {
-      // Middle control point: where the tangents at the ends meet, times cosh of the half opening.
+      // The middle control point is the intersection of the tangents at the ends, times its weight, cosh of the half opening.
       points.push_back({ std::cosh(angle), std::sinh(angle), k % 2 ? std::cosh(half) : 1.0 });
     }
     else

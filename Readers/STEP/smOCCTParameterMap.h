@@ -1,6 +1,6 @@
 /**
  * @file smOCCTParameterMap.h
- * @brief Coordinates and parameters of OpenCASCADE's geometry to those of the model
+ * @brief Maps coordinates and parameters of OpenCASCADE's geometry to those of the model
  */
 #ifndef smOCCTParameterMap_h
 #define smOCCTParameterMap_h
@@ -16,7 +16,7 @@ namespace sm
 {
 using Vector3 = std::array<double, 3>;
 
-/// Coordinates of the kernel's geometry (mm, before a location) to those of the model.
+/// Maps coordinates of OpenCASCADE's geometry (mm, before a location) to those of the model.
 struct SMREADERSSTEP_EXPORT AffineMap
 {
   double Linear[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
@@ -31,12 +31,12 @@ struct SMREADERSSTEP_EXPORT AffineMap
   double GetScale() const;
 };
 
-/// No face goes round its surface that often.
+/// Limit of the number of turns of a face around its surface.
 constexpr double MaximumTurns = 1e4;
 
 /**
- * Native parameter to ours, in one direction. Circular: equal arcs of opening 2a <= 90 degrees, weights
- * (1, cos a, 1); arc k of ours is [k, k+1] and
+ * Maps the native parameter to ours, in one direction. Circular: equal arcs of opening 2a <= 90 degrees, weights
+ * (1, cos a, 1); arc k is the interval [k, k+1] of our parameter, and
  *   s = (1 + tan(phi/2) / tan(a/2)) / 2,  phi measured from the arc's middle.
  * Hyperbolic: one piece, the same with tanh and weights (1, cosh a, 1).
  */
@@ -53,7 +53,7 @@ struct SMREADERSSTEP_EXPORT ParameterMap
   double Width = 1.0;
   int Count = 1;
 
-  /// Arcs that cover [low, high]; a full turn is four of them. Throws std::runtime_error for a range that is not
+  /// Makes a map with arcs that cover [low, high]; a full turn has four arcs. Throws std::runtime_error for a range that is not
   /// finite, or spans or lies beyond MaximumTurns.
   static ParameterMap MakeCircular(double low, double high);
   static ParameterMap MakeHyperbolic(double low, double high);
@@ -65,9 +65,9 @@ struct SMREADERSSTEP_EXPORT ParameterMap
   {
     return this->Type == Kind::Identity ? native : this->EvaluateInArc(this->FindArc(native), native);
   }
-  /// Rounding error of the mapped parameter.
+  /// Returns a bound of the rounding error of the mapped parameter.
   double GetRounding() const;
-  /// Homogeneous control points (c, s, w) of the unit circle (or hyperbola) over all arcs.
+  /// Returns the homogeneous control points (c, s, w) of the unit circle (or hyperbola) over all arcs.
   std::vector<Vector3> GetControlPoints() const;
   std::vector<double> GetKnots() const;
 };

@@ -74,7 +74,8 @@ private:
     return info != this->Result.Table.end() && info->second.OpenSolid;
   }
 
-  /// A shell that the file calls a solid is read as a solid with holes when at least half of its edges are closed.
+  /// Returns true if at least half of the edges of a shell are used twice. A shell that the file declares as a solid is then read as a
+  /// solid with openings.
   static bool IsMostlyClosed(const TopoDS_Shape& shell)
   {
     TopTools_IndexedDataMapOfShapeListOfShape users;
@@ -101,7 +102,7 @@ private:
     return solids;
   }
 
-  /// `label` is a product or one occurrence of it; `parent` is where the occurrence's assembly stands.
+  /// Makes the node of a product or of one occurrence of it (`label`); `parent` is the placement of the assembly.
   ProductNode Visit(const TDF_Label& label, const gp_Trsf& parent, Inherited inherited)
   {
     TDF_Label product = label;
@@ -118,7 +119,7 @@ private:
     node.Layer = GetLabelLayer(this->Xde, product);
     if (XCAFDoc_ShapeTool::IsAssembly(product))
     {
-      // Some systems attach the validation properties and the material of their only solid to the product above it.
+      // Some CAD systems attach the validation properties and the material of a part with one solid to its product.
       const bool single = CountSolids(XCAFDoc_ShapeTool::GetShape(product)) == 1;
       inherited.Volume = single ? inherited.Volume : Nothing;
       inherited.Area = single ? inherited.Area : Nothing;
@@ -204,7 +205,8 @@ private:
     }
   }
 
-  /// The bodies of a shell beside solids: OpenCASCADE's repairs part what is not connected, and what it has not repaired is parted here.
+  /// Returns the bodies of a shell that is no part of a solid. OpenCASCADE's repair divides a shell into connected parts; a shell that was
+  /// not repaired is divided here.
   std::vector<TopoDS_Shape> GetParts(const TopoDS_Shape& shell)
   {
     if (!IsAsInFile(shell, this->Result.Table))
@@ -240,7 +242,7 @@ private:
     part.Material = GetLabelMaterial(product);
     part.Material = part.Material.empty() ? inherited.Material : part.Material;
     GetLabelProperties(product, part.FileVolume, part.FileArea);
-    // A validation property of a part with several bodies is their sum and belongs to none of them.
+    // A validation property of a part with several bodies is their sum, not that of one body.
     if (CountSolids(XCAFDoc_ShapeTool::GetShape(product)) > 1)
     {
       part.FileVolume = part.FileArea = Nothing;
@@ -272,7 +274,7 @@ private:
       if (scaled)
       {
         body.Scale.SetScaleFactor(scale);
-        // The volume and area that the file states hold for the unscaled part.
+        // The volume and area that the file states are those of the unscaled part.
         body.FileVolume *= scale * scale * scale;
         body.FileArea *= scale * scale;
       }
@@ -309,7 +311,7 @@ private:
 
   Document& Result;
   const Handle(TDocStd_Document) & Xde;
-  /// The file has solids: faces outside them are counted and kept apart.
+  /// True if the file has solids; faces outside of them are then counted but not read.
   bool OnlySolids = false;
   std::map<std::tuple<const void*, TopAbs_Orientation, double>, int> Known;
   std::map<const void*, TopoDS_Compound> LooseFaces;

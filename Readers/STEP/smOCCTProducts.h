@@ -1,6 +1,6 @@
 /**
  * @file smOCCTProducts.h
- * @brief The tree of products of an XCAF document, with their bodies and where these are placed
+ * @brief The tree of products of an XCAF document, with their bodies and placements
  */
 #ifndef smOCCTProducts_h
 #define smOCCTProducts_h
@@ -11,8 +11,8 @@
 
 namespace sm
 {
-/// Adds the products of `xde` to the root of the document, whose table has what the file says of their shapes. Faces that no solid has are
-/// bodies only where the file has no solids; else they are counted.
+/// Adds the products of `xde` to the root of the document. The table of the document must have the data of the shapes. Faces outside of
+/// solids become bodies only if the file has no solids; else they are counted.
 SMREADERSSTEP_EXPORT void AddProducts(const Handle(TDocStd_Document) & xde, Document& document);
 }
 

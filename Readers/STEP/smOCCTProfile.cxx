@@ -18,7 +18,7 @@ namespace sm
 {
 namespace
 {
-/// Homogeneous poles of a conic: w * position = w * center + c X + s Y.
+/// Sets the homogeneous poles of a conic: w * position = w * center + c X + s Y.
 void SetConic(Profile& profile, const gp_XYZ& center, const gp_XYZ& x, const gp_XYZ& y)
 {
   profile.Degree = 2;
@@ -37,7 +37,7 @@ void SetBezierKnots(Profile& profile, int degree, double low, double high)
   profile.Knots.insert(profile.Knots.end(), degree + 1, high);
 }
 
-/// A piecewise fit, raised to one degree, with knots as multiple as the degree.
+/// Sets a piecewise fit, raised to one degree, with knots of multiplicity equal to the degree.
 void SetFit(Profile& profile, const Handle(Geom_Curve) & curve, double low, double high)
 {
   const EdgeCurve fit = FitEdge(curve, low, high, AffineMap());

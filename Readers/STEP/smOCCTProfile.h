@@ -1,6 +1,6 @@
 /**
  * @file smOCCTProfile.h
- * @brief The curve that a surface of revolution or extrusion carries along, as a rational B-spline
+ * @brief The profile curve of a surface of revolution or extrusion, as a rational B-spline
  */
 #ifndef smOCCTProfile_h
 #define smOCCTProfile_h

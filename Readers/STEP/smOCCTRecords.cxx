@@ -16,10 +16,10 @@ namespace sm
 {
 namespace
 {
-/// The type that OpenCASCADE's parser gives to a list without one.
+/// The type name that OpenCASCADE's parser gives to a list.
 constexpr const char* ListType = "/* (SUB) */";
 
-/// The number of a record of the header and of a part of a complex instance.
+/// The number of records of the header, and of the parts of complex instances after the first.
 constexpr const char* NoIdent = "#0";
 
 bool HasOnly(std::string_view text, const char* characters)
@@ -27,7 +27,7 @@ bool HasOnly(std::string_view text, const char* characters)
   return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
 }
 
-/// The kind of number that OpenCASCADE's lexer sees; Interface_ParamMisc where it sees none.
+/// Returns the kind that OpenCASCADE's lexer gives to a number; Interface_ParamMisc if it does not accept it as a number.
 Interface_ParamType GetNumberType(std::string_view number, bool real)
 {
   const std::size_t exponent = number.find_first_of("Ee");
@@ -111,7 +111,7 @@ public:
     this->Result.HeaderRecords = this->Result.Records.size();
     for (Part21File::Index i = 0; i < this->File.GetNumberOfInstances(); ++i)
     {
-      // What stands between instances is the end of a section and more.
+      // Other text than blanks between instances, such as the end of a section, is left to OpenCASCADE.
       if (!this->Cursor.SkipBlanks() || this->GetPlace() != this->File.GetOffset(i) ||
         !this->ReadInstance(i, emptied))
       {
@@ -126,7 +126,7 @@ public:
   }
 
 private:
-  /// A list whose bracket is open; the outermost is the record.
+  /// A list whose closing bracket has not been read; the outermost one is the record.
   struct OpenList
   {
     Kind IdentKind;
@@ -155,7 +155,7 @@ private:
     return isThere;
   }
 
-  /// Ends the token that ends here in the copy of the text.
+  /// Writes the zero byte behind the token that ends here, in the copy of the text.
   void EndToken() { this->Result.Bytes[this->GetPlace()] = '\0'; }
 
   bool ReadHeader()
@@ -228,7 +228,8 @@ private:
     return this->Skip(';');
   }
 
-  /// Parameters of a record from its bracket on. A list is recorded when its bracket closes; until then its parameters stand in Waiting.
+  /// Reads the parameters of a record from its bracket on. A list is recorded when its bracket closes; until then its parameters are in
+  /// Waiting.
   bool ReadParameters(OpenList record)
   {
     if (!this->Skip('('))
@@ -306,7 +307,7 @@ private:
     }
   }
 
-  /// # and a number of at most 31 bits that is not 0.
+  /// Reads # and a number of at most 31 bits that is not 0.
   bool ReadReference()
   {
     std::uint64_t id = 0;
@@ -380,7 +381,7 @@ bool KernelRecords::Make(const Part21File& file, const std::vector<bool>& emptie
   const bool isMade = IsPlain(file) && KernelRecordMaker(file, *this).Run(emptied);
   if (!isMade)
   {
-    // OpenCASCADE's own parser needs the memory.
+    // Frees the memory for OpenCASCADE's own parser, which is used instead.
     *this = KernelRecords();
   }
   return isMade;

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTRecords.h
- * @brief The entities of a STEP file as the records of which OpenCASCADE loads its model
+ * @brief Makes the records from which OpenCASCADE loads its model of a STEP file
  */
 #ifndef smOCCTRecords_h
 #define smOCCTRecords_h
@@ -27,12 +27,12 @@ namespace sm
 class SMREADERSSTEP_EXPORT KernelRecords
 {
 public:
-  /// False when OpenCASCADE may read the text in another way: damage, a second DATA section, numbers beyond 31 bits, numbers like 1e5 and
-  /// names of enumerations in small letters. Then it has to read the text itself. Instances of types whose flag in `emptied` is set
-  /// get no parameters.
+  /// Makes the records. Returns false if OpenCASCADE may read the text differently (damage, a second DATA section, numbers beyond 31 bits,
+  /// numbers like 1e5, and enumerations in lower case), so that its own parser must be used. Instances of types whose flag in `emptied` is
+  /// set get no parameters.
   bool Make(const Part21File& file, const std::vector<bool>& emptied);
 
-  /// Refers to texts of this object.
+  /// Makes OpenCASCADE's data object, which refers to texts of this object.
   Handle(StepData_StepReaderData) MakeReaderData(Resource_FormatType codePage) const;
 
 private:
@@ -40,21 +40,21 @@ private:
 
   enum class Kind : unsigned char
   {
-    Instance, ///< Ident is the place of its number in Bytes
-    Part,     ///< an entity of the header, or a record of a complex instance behind its first
+    Instance, ///< Ident is the position of its number in Bytes
+    Part,     ///< an entity of the header, or a record of a complex instance after the first
     List      ///< Ident is its number in the record, from 1
   };
   struct Parameter
   {
     Interface_ParamType Type;
-    /// Place in Bytes; number of a list.
+    /// Position in Bytes, or the number of a list.
     std::uint32_t Text;
   };
   struct Record
   {
     Kind IdentKind;
     std::uint32_t Ident;
-    /// Place in Bytes; 0 for a list without a type.
+    /// Position in Bytes; 0 for a list without a type.
     std::uint32_t Type;
     std::uint32_t FirstParameter;
   };
@@ -64,14 +64,15 @@ private:
   /// The text, with a zero byte behind each token.
   std::string Bytes;
   std::vector<Parameter> Parameters;
-  /// One more than there are, for the end of the last one's parameters.
+  /// The records, and one more as the end of the last one's parameters.
   std::vector<Record> Records;
-  /// "$1" at 1, and so on.
+  /// Names of lists: "$1" at index 1, and so on.
   std::vector<std::string> ListNames;
   std::size_t HeaderRecords = 0;
 };
 
-/// A library for a session's SetLibrary() that makes its model of `records`, which must outlive the reading, and leaves the stream alone.
+/// Makes a library for a session's SetLibrary() that loads the model from `records`, which must outlive the reading, and does not read the
+/// stream.
 SMREADERSSTEP_EXPORT Handle(IFSelect_WorkLibrary) MakeRecordLibrary(const KernelRecords& records);
 }
 

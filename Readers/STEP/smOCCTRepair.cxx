@@ -22,20 +22,21 @@ namespace sm
 {
 namespace
 {
-/// Reasons that are told.
+/// Largest number of reasons that are listed.
 constexpr std::size_t MostReasons = 10;
 
-/// Gaps between edges and surfaces up to that part of the size are not repaired: a quarter of what the integrals excuse, whose bound of how far
-/// an edge leads beyond its surface may be several times too large.
+/// Gaps between edges and surfaces up to this, relative to the size, need no repair. It is a quarter of the limit of the integrals, because
+/// their bound of the distance of an edge beyond its surface may be several times too large.
 constexpr double LargestGap = 2.5e-4;
 
-/// Faces that are inspected before the first look at the results; then it is as many as before, and so many more.
+/// Number of faces of the first group that is inspected in parallel; each further group has as many as all groups before it, and this many
+/// more.
 constexpr std::size_t FirstFaces = 32;
 
-/// A volume that is more than that part of the sum of its faces' cones has the sign of its estimate.
+/// The sign of an estimated volume is certain if it exceeds this fraction of the sum of the absolute volumes of its faces' cones.
 constexpr double LeastShare = 0.2;
 
-/// How faces use an edge.
+/// Number and signed sum of the uses of an edge by faces.
 struct EdgeUses
 {
   int Count = 0;
@@ -129,7 +130,8 @@ public:
       {
         return problem;
       }
-      // A void that is turned outwards is found by exact volumes in the integrals, but it may be no void.
+      // A void with the wrong orientation is detected later by exact volumes, but the shell may also be no void: one outside the outer
+      // shell needs a repair.
       if (sign * outwards > 0.0 && !outer.Contains(ShapeBox(it.Current()), this->Tolerance))
       {
         return "a void may lie outside its shell";
@@ -159,7 +161,7 @@ private:
       LoopTolerance * this->Size + std::min(4.0 * this->Tolerance, VertexTolerance * this->Size);
   }
 
-  /// `outwards` becomes the volume inside, as a part of the sum of the volumes of its faces' cones.
+  /// Inspects a shell. `outwards` is set to its signed volume, relative to the sum of the absolute volumes of its faces' cones.
   std::string InspectShell(const TopoDS_Shape& shell, bool isSolid, double& outwards)
   {
     std::vector<DraftFace> drafts;
@@ -179,7 +181,7 @@ private:
     double volume = 0.0;
     double sum = 0.0;
     std::vector<FaceInspection> results;
-    // The first problem is told: faces far behind it are not looked at.
+    // Only the first problem is reported, so the inspection stops after the group that has it.
     for (std::size_t start = 0; start < drafts.size(); start += results.size())
     {
       results.assign(std::min(start + FirstFaces, drafts.size() - start), {});
@@ -215,7 +217,7 @@ private:
     return {};
   }
 
-  /// Every edge of a solid has two uses, one in each direction; the faces of a shell hang together.
+  /// Checks that every edge of a solid has two uses, one in each direction, and that the faces of a shell are connected.
   static std::string InspectStructure(const std::vector<TopoDS_Shape>& faces, bool isSolid)
   {
     std::unordered_map<const TopoDS_TShape*, EdgeUses> uses;
@@ -231,7 +233,7 @@ private:
         }
       }
     }
-    // The reason must not depend on the order of the table.
+    // The reason must not depend on the order of the hash table.
     bool isContrary = false;
     for (const auto& [edge, use] : uses)
     {
@@ -239,7 +241,7 @@ private:
       {
         return "a shell is open";
       }
-      // Parts of a solid that touch along an edge use it two times in either direction.
+      // An edge along which parts of a solid touch has two uses in either direction.
       isContrary = isContrary || (use.Count > 2 && !isSolid) || (use.Count > 1 && use.Sum != 0);
     }
     if (isContrary)
@@ -260,14 +262,14 @@ private:
   double Tolerance = 0.0;
 };
 
-/// True leaves the body as it is; what was found is written to `log`.
+/// Returns true if the body needs no repair; the result is added to `log`.
 bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
 {
   if (shape.IsNull() || (shape.ShapeType() != TopAbs_SOLID && shape.ShapeType() != TopAbs_SHELL))
   {
     return false;
   }
-  // A label is a search through all that was transferred.
+  // Labels are made for listed reasons only, because each needs a search through all transferred entities.
   const bool isTold = log.Reasons.size() < MostReasons;
   const ShapeLabel none = [](const TopoDS_Shape&) { return std::string(); };
   std::string problem;

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTRepair.h
- * @brief Transfer of a STEP file's shapes without OpenCASCADE's repairs where they are sound as they are
+ * @brief Restricts OpenCASCADE's repairs in the transfer of a STEP file to shapes with defects
  */
 #ifndef smOCCTRepair_h
 #define smOCCTRepair_h
@@ -22,29 +22,29 @@ namespace sm
 {
 using SoundFaceTable = std::unordered_map<const TopoDS_TShape*, std::shared_ptr<const DraftFace>>;
 
-/// Which shapes of a transfer were repaired, and why.
+/// Record of the repairs of a transfer.
 struct RepairLog
 {
-  /// Faces that are as the file has them, with complete loops.
+  /// Faces that were not repaired, with completed loops.
   SoundFaceTable SoundFaces;
   int SoundBodies = 0;
   int RepairedBodies = 0;
   /// Wall-clock seconds that the inspections took.
   double Seconds = 0.0;
-  /// "solid #12: face #34: a loop does not close", for the first of them.
+  /// Reasons of the first repairs, for example "solid #12: face #34: a loop does not close".
   std::vector<std::string> Reasons;
 };
 
-/// A sentence that says how many were repaired, and why.
+/// Returns a sentence with the number of repaired shapes and the reasons.
 std::string Describe(const RepairLog& log);
 
-/// "face #12", or "a face" when it has no number.
+/// Returns "face #12", or "a face" if it has no number.
 using ShapeLabel = std::function<std::string(const TopoDS_Shape&)>;
 
 /**
- * While this exists, OpenCASCADE's transfer leaves solids and shells alone that are sound: edges of a solid are used once in either
- * direction, each shell is connected, and all faces pass InspectFace (smOCCTFaceInspection.h). A solid that is turned inside out is
- * reversed. Others it repairs as ever. The conditions of TransferFilter hold.
+ * During the lifetime of this object OpenCASCADE's transfer does not repair solids and shells that are sound: edges of a solid are used
+ * once in either direction, each shell is connected, and all faces pass InspectFace() (smOCCTFaceInspection.h). A solid that is inside out
+ * is reversed. All others are repaired as usual. The conditions of TransferFilter apply.
  */
 class RepairOnNeed
 {
@@ -55,8 +55,8 @@ private:
   TransferFilter Filter;
 };
 
-/// Why a solid or shell should be repaired; empty when it is sound, and then `faces` gets its faces. A solid that is turned inside out,
-/// clearly, is reversed.
+/// Returns the reason why a solid or shell needs a repair; empty if it is sound, and then its faces are added to `faces`. A solid that is
+/// clearly inside out is reversed.
 SMREADERSSTEP_EXPORT std::string FindShapeDamage(
   TopoDS_Shape& shape, const ShapeLabel& label, SoundFaceTable& faces);
 }

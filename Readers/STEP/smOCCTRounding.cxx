@@ -15,17 +15,18 @@ namespace sm
 {
 namespace
 {
-// Roundings of a coordinate as it stands in the file: its decimals, and the subtraction of the origin.
+// Roundings of every coordinate: conversion of its decimals, and the subtraction of the origin.
 constexpr int Plain = 2;
-// By another output unit, and its factor.
+// Roundings by another output unit: its factor, and the product.
 constexpr int Scaled = 2;
-// By a rotation: entries of the matrix, which come from normalized directions and products of placements, and three products each.
+// Roundings by a rotation: entries of the matrix, which come from normalized directions and products of placements, and three products
+// each.
 constexpr int Rotated = 16;
-// By a profile's distance from its axis, or an offset.
+// Roundings of a profile's distance from its axis, or of an offset.
 constexpr int Profiled = 6;
-// By lengths seen from a frame: directions are normalized, made orthogonal, mapped, and multiplied by sines and cosines.
+// Roundings of lengths in a local frame: directions are normalized, made orthogonal, mapped, and multiplied by sines and cosines.
 constexpr int Framed = 16;
-// By rounded weights, relative to distances between control points.
+// Roundings of weights, relative to distances between control points.
 constexpr int Weighted = 4;
 
 Vector3 GetPoint(const std::array<double, 4>& h)
@@ -33,12 +34,12 @@ Vector3 GetPoint(const std::array<double, 4>& h)
   return { h[0] / h[3], h[1] / h[3], h[2] / h[3] };
 }
 
-/// The frame from which the surface is built, where there is one.
+/// The local frame of an elementary surface, if the surface has one.
 struct Frame
 {
   bool Exists = false;
   Vector3 Location{};
-  /// Its directions are those of the axes, exactly.
+  /// True if its directions are exactly those of the coordinate axes.
   bool Aligned = false;
 };
 
@@ -80,11 +81,11 @@ bool IsRotated(const AffineMap& map)
 }
 
 /**
- * A bound of what rounding of the knots t_j of one direction moves the surface by. The derivative by a knot is a B-spline with t_j once more
- * among its knots, whose coefficients are differences (P_(i+1) - P_i) / (t_(i+p+1) - t_(i+1)) of neighbours, and p knots before and after
- * a point matter to it. With weights they are those of homogeneous points seen from the surface, over the weights between w_i and w_(i+1)
- * that the surface has with t_j once more. No knot moves a point beyond its neighbour, and differences without a part in the box, which
- * the face covers, do not count.
+ * Returns a bound of the displacement of the surface by the rounding of the knots t_j of one direction. The derivative with respect to a
+ * knot is a B-spline whose knots have t_j once more, with coefficients (P_(i+1) - P_i) / (t_(i+p+1) - t_(i+1)); a point depends on p knots
+ * before and after it. With weights these are differences of homogeneous points relative to a point of the surface, divided by weights
+ * between w_i and w_(i+1), which the surface has after the insertion of t_j. A knot moves no control point beyond its neighbour, and
+ * differences whose support does not meet the box, which the face covers, are not counted.
  */
 double GetKnotRounding(const NURBSSurface& surface, int direction, const NativeBox& box, double diameter)
 {
@@ -109,7 +110,7 @@ double GetKnotRounding(const NURBSSurface& surface, int direction, const NativeB
   return 2.0 * p * largest;
 }
 
-/// Largest motion of a spline by the rounding of its weights and knots.
+/// Returns a bound of the displacement of a spline by the rounding of its weights and knots.
 double GetSplineRounding(const NURBSSurface& surface, const NativeBox& box, double diameter)
 {
   return (surface.Rational ? Weighted * UnitRoundoff * diameter : 0.0) +
@@ -148,14 +149,14 @@ std::array<double, 3> GetReadingRounding(const Handle(Geom_Surface) & source, co
       reach[c] = std::max(reach[c], std::abs(frame.Location[c] + origin[c]));
       fromFrame[c] = std::max(frame.Location[c] - low[c], high[c] - frame.Location[c]);
     }
-    // A point may come from the other side of its placement's translation.
+    // Before the placement, a coordinate may have been as large as the translation plus its present value.
     reach[c] += 2.0 * std::abs(map.Translation[c] + origin[c]);
   }
   const double spread = spline ? GetSplineRounding(converted, box, Norm(Subtract(high, low))) : 0.0;
   Vector3 rounding;
   for (int c = 0; c < 3; ++c)
   {
-    // A frame along the axes adds to each coordinate what belongs to it.
+    // With a frame along the axes each coordinate has only its own errors, not those of the others.
     const double near = frame.Aligned && !rotated ? fromFrame[c] : Norm(fromFrame);
     rounding[c] = UnitRoundoff * (steps * (rotated ? Norm(reach) : reach[c]) + Framed * near) + spread;
   }

@@ -12,14 +12,14 @@
 
 namespace sm
 {
-/// The edge bounds the face that uses it: it is no pole, and not inside or outside of it.
+/// Returns true if the edge bounds the face that uses it: it is no pole, and has neither orientation INTERNAL nor EXTERNAL.
 bool IsBoundary(const TopoDS_Shape& edge);
 
-/// Groups of faces that are connected by boundary edges: for each face the index of the first face of its group.
+/// Finds the groups of faces that are connected by boundary edges: returns, for each face, the index of the first face of its group.
 std::vector<std::size_t> GroupFaces(const std::vector<TopoDS_Shape>& faces);
 
-/// The connected parts of a shell as shells, in the order of their first faces, without its placement and orientation; the shell itself,
-/// without them, if it is connected.
+/// Returns the connected parts of a shell as shells, in the order of their first faces, without the placement and orientation of the shell.
+/// If it is connected, returns the shell itself, without these.
 std::vector<TopoDS_Shape> SplitShell(const TopoDS_Shape& shell);
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file smOCCTSpline.h
- * @brief OpenCASCADE's knots with multiplicities as a flat knot vector, periods unrolled; Bézier pieces of it
+ * @brief Converts OpenCASCADE's knots with multiplicities to flat knot vectors, with unrolled periods, and extracts Bézier pieces
  */
 #ifndef smOCCTSpline_h
 #define smOCCTSpline_h
@@ -21,7 +21,7 @@
 
 namespace sm
 {
-/// One direction of a B-spline: control point i is the source's pole Poles[i] (counted from 0).
+/// One direction of a B-spline. Control point i is the pole with index Poles[i], from 0, of the source.
 struct FlatKnots
 {
   int Degree = 1;
@@ -29,7 +29,7 @@ struct FlatKnots
   std::vector<int> Poles;
 
   int GetLastSpan() const { return static_cast<int>(this->Knots.size()) - 2 - this->Degree; }
-  /// The span that holds t, or the nearest one of the domain.
+  /// Returns the span that contains t, or the nearest one of the domain.
   int FindSpan(double t) const
   {
     const auto after =
@@ -39,9 +39,8 @@ struct FlatKnots
 };
 
 /**
- * Flat knots that cover [low, high]. A direction that is not periodic is taken whole. A periodic one is
- * unrolled over as many of its spans as the range needs; its knots are not clamped then. Throws
- * std::runtime_error for a range beyond MaximumTurns periods.
+ * Makes flat knots that cover [low, high]. A direction that is not periodic is converted as a whole. A periodic one is unrolled over as
+ * many spans as the range needs; its knots are not clamped then. Throws std::runtime_error for a range beyond MaximumTurns periods.
  */
 inline FlatKnots MakeFlatKnots(int degree, const TColStd_Array1OfReal& knots,
   const TColStd_Array1OfInteger& multiplicities, bool periodic, double low, double high)
@@ -102,7 +101,7 @@ inline FlatKnots MakeFlatKnots(int degree, const TColStd_Array1OfReal& knots,
 }
 
 /**
- * Bézier coefficients on [a,b] of the polynomial on span k, by blossoming: coefficient i is the polar form at
+ * Computes the Bézier coefficients on [a,b] of the polynomial on span k, by blossoming: coefficient i is the polar form at
  * (a .. a, b .. b) with i times b. `poles` holds all control points of the flat knots.
  */
 template <std::size_t Dimension>
@@ -132,7 +131,7 @@ void ExtractBezierPiece(const FlatKnots& flat, const std::vector<std::array<doub
   }
 }
 
-/// The curve below trims, whose parameter it shares.
+/// Returns the basis curve of trimmed curves, which has the same parameter.
 inline Handle(Geom2d_Curve) GetBasis(Handle(Geom2d_Curve) curve)
 {
   while (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve))
@@ -151,7 +150,7 @@ inline Handle(Geom_Curve) GetBasis(Handle(Geom_Curve) curve)
   return curve;
 }
 
-/// first, last and those knots that lie between by more than rounding.
+/// Returns first, last, and the knots that lie between them by more than rounding.
 inline std::vector<double> MakeBreaks(double first, double last, const std::vector<double>& knots)
 {
   std::vector<double> breaks{ first };
@@ -177,7 +176,7 @@ std::vector<double> GetSplineBreaks(const Handle(Spline) & spline, double first,
       .Knots);
 }
 
-/// Poles of a polynomial spline or Bézier curve together with its knots; false for any other curve.
+/// Gets the poles and knots of a polynomial spline or Bézier curve; returns false for any other curve.
 template <int Dimension, class Spline, class Bezier, class Curve, class MapPole>
 bool GetPolynomial(const Handle(Curve) & curve, double first, double last, FlatKnots& flat,
   std::vector<std::array<double, Dimension>>& poles, const MapPole& mapPole)

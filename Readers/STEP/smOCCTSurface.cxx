@@ -39,7 +39,7 @@ std::vector<double> LinearKnots(double low, double high)
   return { low, low, high, high };
 }
 
-/// Rows of `poles` revolved over the arcs of map.Map[0]; direction v is the profile's.
+/// Sets the control net of `poles` revolved over the arcs of map.Map[0]; direction v is that of the profile.
 void Revolve(const std::vector<RevolvedPole>& poles, ConvertedSurface& result)
 {
   const std::vector<Vector3> arcs = result.Map[0].GetControlPoints();
@@ -64,7 +64,7 @@ void Revolve(const std::vector<RevolvedPole>& poles, ConvertedSurface& result)
   }
 }
 
-/// Cylinder, cone, sphere and torus: profile poles as homogeneous (radius, height, weight).
+/// Revolves the profile of a cylinder, cone, sphere or torus, given by homogeneous poles (radius, height, weight).
 void RevolveElementary(
   const gp_Ax3& frame, const std::vector<Vector3>& profile, const AffineMap& map, ConvertedSurface& result)
 {
@@ -117,11 +117,12 @@ void ConvertPlane(const gp_Ax3& frame, const NativeBox& box, const AffineMap& ma
   }
 }
 
-/// An end of a range this close to a pole, relative to the range, is the pole but for the file's digits. The surface from there on has a row
-/// of control points that are one point. Where no loop cuts it, its area is larger by less than rounding.
+/// An end of a range this close to a pole, relative to the range, is moved to the pole: the difference is the rounding of the file's
+/// digits. The surface then has a row of coincident control points. Even if no loop bounds the face there, its area increases by less than
+/// rounding.
 constexpr double PoleDistance = 1e-8;
 
-/// A straight profile radius(v), height(v) at both ends of v; a radius that is zero but for rounding is zero.
+/// Returns the straight profile (radius, height) at both ends of v; a radius of the size of rounding is set to 0.
 std::vector<Vector3> StraightProfile(
   const NativeBox& box, double radius, double radiusSlope, double heightSlope)
 {
@@ -138,7 +139,7 @@ std::vector<Vector3> StraightProfile(
   return profile;
 }
 
-/// A circular profile around (major, 0) in the (radius, height) plane, over the arcs of v.
+/// Returns a circular profile around (major, 0) in the (radius, height) plane, over the arcs of v.
 std::vector<Vector3> CircularProfile(const ParameterMap& arcs, double major, double minor)
 {
   std::vector<Vector3> profile;
@@ -275,7 +276,7 @@ void ConvertBezier(const Handle(Geom_BezierSurface) & surface, const AffineMap& 
   }
 }
 
-/// Largest distance from the kernel's own evaluation, at a few points of the box.
+/// Returns the largest distance from OpenCASCADE's own evaluation at a few points of the box.
 double MeasureDistance(const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map,
   const ConvertedSurface& converted)
 {
@@ -304,8 +305,8 @@ struct NearSurface
   AffineMap Map;
 };
 
-/// The same surface moved so that the model's origin is the kernel's: evaluated far away, it loses digits that its
-/// poles have.
+/// Returns the same surface, translated so that the model's origin is that of OpenCASCADE. Evaluation far from the origin would lose digits
+/// that the poles have.
 NearSurface MoveToOrigin(const Handle(Geom_Surface) & surface, const AffineMap& map)
 {
   NearSurface near{ surface, map };
@@ -320,7 +321,7 @@ NearSurface MoveToOrigin(const Handle(Geom_Surface) & surface, const AffineMap& 
     }
     origin.SetCoord(j + 1, sum / (scale * scale));
   }
-  // The translation after the rounding of `origin` is subtracted; large terms cancel.
+  // Subtracts the translation that remains after the rounding of `origin`; large terms cancel.
   for (int i = 0; i < 3; ++i)
   {
     long double sum = map.Translation[i];
@@ -344,7 +345,7 @@ double GetSize(const NURBSSurface& surface)
   return size;
 }
 
-/// Dispatch on the surface's type; false when none of the exact conversions applies.
+/// Converts by the surface's type; returns false if there is no exact conversion for it.
 bool ConvertExactly(
   const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map, ConvertedSurface& result)
 {
@@ -430,7 +431,7 @@ ConvertedSurface ConvertSurface(
   if (surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface)))
   {
     const NearSurface near = MoveToOrigin(surface, map);
-    // An offset of an elementary surface may be one itself: taken when it is the same point by point.
+    // An offset of an elementary surface may be an elementary surface itself, which is used if it agrees at sample points.
     const Handle(Geom_Surface) same = Handle(Geom_OffsetSurface)::DownCast(near.Surface)->Surface();
     done = !same.IsNull() && ConvertExactly(GetBasisSurface(same), box, near.Map, result) &&
       MeasureDistance(near.Surface, box, near.Map, result) < 1e-13 * GetSize(result.Surface);

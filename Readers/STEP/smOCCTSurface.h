@@ -1,6 +1,6 @@
 /**
  * @file smOCCTSurface.h
- * @brief OpenCASCADE surfaces as rational B-splines without error, and the map between their parameters
+ * @brief Exact conversion of OpenCASCADE surfaces to rational B-splines, with the map between their parameters
  */
 #ifndef smOCCTSurface_h
 #define smOCCTSurface_h
@@ -20,21 +20,21 @@ struct ConvertedSurface
   ParameterMap Map[2];
 };
 
-/// Native parameters that the trims of a face cover.
+/// Range of native parameters that the trim curves of a face cover.
 struct NativeBox
 {
   double Low[2] = { 0.0, 0.0 };
   double High[2] = { 0.0, 0.0 };
 };
 
-/// The surface below rectangular trims, whose parameters it shares.
+/// Returns the basis surface of rectangular trimmed surfaces, which has the same parameters.
 SMREADERSSTEP_EXPORT Handle(Geom_Surface) GetBasisSurface(Handle(Geom_Surface) surface);
 
-/// Throws std::runtime_error with the reason when the surface cannot be carried over.
+/// Converts a surface. Throws std::runtime_error with the reason if that is not possible.
 SMREADERSSTEP_EXPORT ConvertedSurface ConvertSurface(
   const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map);
 
-/// Tensor Chebyshev fit over the box; the last resort, used for offset surfaces. Residual is stated.
+/// Fits a surface by tensor Chebyshev series over the box, where there is no exact conversion (offset surfaces). Sets Residual.
 NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map);
 }
 

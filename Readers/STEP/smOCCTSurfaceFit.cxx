@@ -15,14 +15,14 @@ namespace
 {
 constexpr int FitDegree = 10;
 constexpr int MaximumIntervals = 64;
-/// Cells of both directions together; a cell takes 7 kB while it is fitted.
+/// Largest number of cells; a cell takes 7 kB while it is fitted.
 constexpr std::size_t MaximumCells = 16384;
-/// Relative to the size of the surface.
+/// Tolerance of a fit, relative to the size of the surface.
 constexpr double FitTolerance = 1e-13;
 
 using Grid = std::array<std::array<Vector3, FitOrder + 1>, FitOrder + 1>;
 
-/// Knots of the surface under an offset inside the box: the fit must not cross them.
+/// Returns the knots inside the box of the basis surface of an offset surface; cells of the fit must not extend across them.
 std::vector<double> GetBreaks(const Handle(Geom_Surface) & surface, int direction, double low, double high)
 {
   std::vector<double> breaks{ low };
@@ -50,7 +50,7 @@ std::vector<double> GetBreaks(const Handle(Geom_Surface) & surface, int directio
   return breaks;
 }
 
-/// Chebyshev coefficients of one cell in both directions: grid[j][i] belongs to T_i(u) T_j(v).
+/// Computes the Chebyshev coefficients of one cell: grid[j][i] belongs to T_i(u) T_j(v).
 void Sample(const Handle(Geom_Surface) & surface, const AffineMap& map, const double u[2], const double v[2],
   Grid& grid, double& size)
 {
@@ -102,7 +102,7 @@ void Sample(const Handle(Geom_Surface) & surface, const AffineMap& map, const do
   }
 }
 
-/// Sum of the coefficients beyond FitDegree in direction 0 and in direction 1.
+/// Computes the sums of the coefficients beyond FitDegree in direction 0 and in direction 1.
 void MeasureTails(const Grid& grid, double tails[2])
 {
   tails[0] = tails[1] = 0.0;
@@ -124,7 +124,7 @@ void MeasureTails(const Grid& grid, double tails[2])
   }
 }
 
-/// Writes the Bernstein coefficients of a cell into the control net, whose knots are as multiple as the degree.
+/// Writes the Bernstein coefficients of a cell into the control net, whose knots have the degree as their multiplicity.
 void StoreCell(const Grid& grid, int column, int row, NURBSSurface& s)
 {
   double rows[FitOrder + 1][FitDegree + 1];
@@ -172,7 +172,7 @@ std::vector<double> Refine(const std::vector<double>& breaks, const std::vector<
   return refined;
 }
 
-/// Samples the cells between the breaks. `tails` gets what each neglects in u and v; `size` grows to the largest coordinate.
+/// Samples the cells between the breaks. `tails` gets the truncation errors of each in u and v; `size` is raised to the largest coordinate.
 void SampleCells(const Handle(Geom_Surface) & surface, const AffineMap& map,
   const std::vector<double> breaks[2], std::vector<Grid>& cells, std::vector<std::array<double, 2>>& tails,
   double& size)
@@ -196,7 +196,7 @@ void SampleCells(const Handle(Geom_Surface) & surface, const AffineMap& map,
   }
 }
 
-/// Halves the intervals of cells that neglect more than `tolerance`; false when none is left that may be halved.
+/// Halves the intervals of cells whose truncation error exceeds `tolerance`; returns false if none can be halved.
 bool RefineBreaks(
   const std::vector<std::array<double, 2>>& tails, double tolerance, std::vector<double> breaks[2])
 {
@@ -230,7 +230,7 @@ bool RefineBreaks(
   return true;
 }
 
-/// The B-spline surface of all cells.
+/// Joins all cells to one B-spline surface.
 NURBSSurface JoinCells(const std::vector<double> breaks[2], const std::vector<Grid>& cells)
 {
   NURBSSurface s;
@@ -270,7 +270,7 @@ NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& b
   do
   {
     SampleCells(surface, map, breaks, cells, tails, size);
-    // A sum of coefficients that are noise of rounding is no reason to go on.
+    // The tolerance must exceed the rounding of a sum of coefficients, or the refinement would not end.
     tolerance = size * std::max(FitTolerance, 64.0 * UnitRoundoff * FitOrder);
   } while (RefineBreaks(tails, tolerance, breaks));
   double worst = 0.0;
@@ -279,7 +279,7 @@ NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& b
     worst = std::max({ worst, tail[0], tail[1] });
   }
   NURBSSurface s = JoinCells(breaks, cells);
-  // Neighbours were cut off separately and then made to share a border: three times the worst cell covers it.
+  // Neighbouring cells were truncated separately and then made to share a border: three times the largest error is a bound.
   s.Residual = 3.0 * worst + 8.0 * UnitRoundoff * size;
   if (!(s.Residual < 1e-6 * size))
   {

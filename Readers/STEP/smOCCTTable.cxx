@@ -47,7 +47,7 @@ std::string ToUTF8(const TCollection_ExtendedString& text)
   return result;
 }
 
-/// The kind of shape that the entity describes; TopAbs_SHAPE for kinds that are not needed.
+/// Returns the kind of shape that the entity describes; TopAbs_SHAPE for kinds that are not needed.
 TopAbs_ShapeEnum GetKind(const Handle(Standard_Transient) & entity)
 {
   if (entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface)))
@@ -77,7 +77,7 @@ void AddEntity(const Handle(Standard_Transient) & entity, const Handle(StepData_
   {
     return;
   }
-  // The number that stands in the file; the place in the model where that is not kept.
+  // The number in the file, or the index in the model if OpenCASCADE does not keep it.
   int id = model->IdentLabel(entity);
   id = id > 0 ? id : model->Number(entity);
   std::string name;
@@ -251,7 +251,7 @@ std::string GetLabelName(const TDF_Label& label)
     return {};
   }
   const std::string text = ToUTF8(name->Get());
-  // OpenCASCADE names what the file leaves nameless after its type, or after the label it refers to.
+  // OpenCASCADE names shapes without a name in the file after their type, or after the label to which they refer.
   static const char* const made[] = { "COMPOUND", "COMPSOLID", "SOLID", "SHELL", "FACE", "NONE", "ASSEMBLY" };
   for (const char* word : made)
   {

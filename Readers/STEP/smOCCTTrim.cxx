@@ -16,7 +16,7 @@ namespace
 {
 constexpr int TrimDegree = 9;
 
-/// Edge parameter of a pcurve parameter: the same, unless the file gave them different ranges.
+/// Maps the parameter of a pcurve to that of its edge; they are equal unless their ranges differ in the file.
 struct RangeMap
 {
   double From[2];
@@ -39,7 +39,7 @@ struct RangeMap
   }
 };
 
-/// A component that all poles share is that value, not what blossoming makes of it.
+/// Sets a component that is equal for all poles up to rounding to exactly one value, without the rounding of blossoming.
 void KeepConstant(const std::vector<TrimCurve::Point>& poles, TrimCurve& curve)
 {
   for (int d = 0; d < 2; ++d)
@@ -62,7 +62,7 @@ void KeepConstant(const std::vector<TrimCurve::Point>& poles, TrimCurve& curve)
   }
 }
 
-/// Fits a trim curve that at least one angle map bends.
+/// Fits a trim curve for which at least one parameter map is not linear.
 class TrimFitter
 {
 public:
@@ -78,8 +78,8 @@ public:
     }
   }
 
-  /// The feet of a curve do not move smoothly beside a point where the surface is nearly singular: the fit has a residual far above
-  /// rounding, or was given up after many more pieces than the curve has.
+  /// Returns true if the fit is poor: its residual is far above rounding, or it was stopped after many more pieces than the curve has. Foot
+  /// points close to a nearly singular point of the surface are not a smooth function of the parameter.
   bool IsPoor(const double width[2]) const
   {
     constexpr double large = 1e-10;
@@ -122,7 +122,7 @@ public:
 private:
   using Samples = std::array<std::array<double, 2>, FitOrder + 1>;
 
-  /// Number of times an interval was halved, and the residual of its parent in tolerances.
+  /// Number of halvings of an interval, and the residual of its parent in tolerances.
   struct Attempt
   {
     int Depth = 0;
@@ -138,7 +138,7 @@ private:
     }
   }
 
-  /// A component that moves by no more than the tolerance is a line of constant parameter, and stays one.
+  /// Finds components that vary by no more than the tolerance, which are made constant.
   void FindConstants()
   {
     NativeBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };
@@ -159,7 +159,7 @@ private:
     }
   }
 
-  /// A line along which no angle moves.
+  /// Returns true for a line along which the parameters with nonlinear maps are constant.
   bool IsStraight() const
   {
     if (this->Trim.GetLine().IsNull())
@@ -170,7 +170,8 @@ private:
       (this->Constant[1] || this->Maps[1].Type == ParameterMap::Kind::Identity);
   }
 
-  /// Parameter where component d passes `border` inside [a, b], given values of different sign at the ends.
+  /// Returns the parameter at which component d crosses `border` inside [a, b]; its differences from it at the ends must have different
+  /// signs.
   double FindCrossing(int d, double border, double a, double b, bool rising) const
   {
     for (int i = 0; i < 80; ++i)
@@ -202,7 +203,7 @@ private:
     this->CutAndFit(a, b, native, attempt);
   }
 
-  /// Cuts at the borders of arcs, then fits what lies between.
+  /// Cuts at the borders of arcs, then fits the parts between them.
   void CutAndFit(double a, double b, const Samples& native, const Attempt& attempt)
   {
     if (this->IsGivenUp())
@@ -228,7 +229,7 @@ private:
       for (int k = std::max(1, map.FindArc(low)); k < end; ++k)
       {
         const double border = map.GetBorder(k);
-        // A piece that merely touches the border at an end is not cut there.
+        // A piece that only touches the border at an end is not cut there.
         const double slack = 8.0 * UnitRoundoff * std::max({ 1.0, std::abs(map.Start), std::abs(border) });
         for (int i = 0; i < FitOrder; ++i)
         {
@@ -336,7 +337,7 @@ private:
   std::array<double, 2> Tolerance{};
   bool Constant[2] = { false, false };
   double Value[2] = { 0.0, 0.0 };
-  /// Pieces at which it is given up.
+  /// Number of pieces at which the fit is stopped.
   int Most = MaximumPieces;
   bool GivenUp = false;
   TrimCurve Result;
@@ -420,7 +421,7 @@ void NativeTrim::AddTo(NativeBox& box) const
   for (std::size_t k = 0; k < points.size(); ++k)
   {
     add(points[k][0], points[k][1]);
-    // Between samples a smooth curve rises above them by at most about an eighth of the second difference.
+    // Between samples a smooth curve exceeds them by about an eighth of the second difference at most.
     const std::size_t i = k % (FitOrder + 1);
     if (i > 0 && i < FitOrder)
     {
@@ -436,8 +437,8 @@ void NativeTrim::AddTo(NativeBox& box) const
 
 std::array<double, 2> GetTrimTolerance(const ParameterMap maps[2], const double width[2])
 {
-  // Beside an angle, whose arcs are 1 wide, a length is fitted to rounding: the curve's one residual is added to
-  // both coordinates, and 1e-13 of a long cylinder is far more than 1e-13 of an arc.
+  // If the other parameter is an angle, whose arcs have width 1, a length is fitted to rounding: the tolerance 1e-13 of a long cylinder
+  // would be far larger than 1e-13 of an arc.
   const bool plain = maps[0].Type == maps[1].Type;
   std::array<double, 2> tolerance;
   for (int d = 0; d < 2; ++d)

@@ -26,9 +26,9 @@ namespace
 {
 constexpr char ProgressKind = 'p';
 constexpr char ResultKind = 'r';
-/// Time between two calls of the progress callback without news, in milliseconds.
+/// Time in milliseconds after which the progress callback is called again if no message has arrived.
 constexpr int Patience = 100;
-/// Folders above the library's own that are searched: it may be in lib/TRIPLET/ParaView.
+/// Number of folders above that of the library that are searched; the library may be in lib/TRIPLET/ParaView.
 constexpr int Levels = 4;
 
 bool Send(int descriptor, const void* from, std::size_t size)
@@ -67,7 +67,7 @@ std::string DescribeEnd(int status)
   return "ended with exit status " + std::to_string(WEXITSTATUS(status)) + " and without a result";
 }
 
-/// The running program; killed by the destructor unless it has ended.
+/// The running program. The destructor kills it unless it has ended.
 class Process
 {
 public:
@@ -77,11 +77,11 @@ public:
   Process(const Process&) = delete;
   void operator=(const Process&) = delete;
 
-  /// Why there is none; 0: there is one.
+  /// Returns the errno for which the program could not be started; 0 if it was.
   int GetError() const { return this->Error; }
-  /// Appends what it has sent, and waits for `milliseconds` where it has sent nothing. False at the end.
+  /// Appends the bytes that the program has sent. Waits up to `milliseconds` if there are none. Returns false at the end of its output.
   bool Receive(int milliseconds, Bytes& received);
-  /// Status of waitpid(), after its end.
+  /// Waits for the end of the program, and returns the status of waitpid().
   int Wait();
 
 private:
@@ -90,7 +90,8 @@ private:
   int Error = 0;
 };
 
-/// A file without a name that holds the bytes, at its start, and that no other program inherits; -1, with errno, without room for it.
+/// Makes a nameless file in memory with these bytes, positioned at its start, which no other program inherits. Returns -1, with errno, if
+/// that fails.
 int MakeInput(const std::string& bytes)
 {
 #ifdef __linux__
@@ -186,7 +187,7 @@ int Process::Wait()
   return status;
 }
 
-/// Takes the messages that are whole out of `received`.
+/// Processes the complete messages in `received` and removes them.
 void TakeMessages(Bytes& received, double& fraction, ReadProgramOutcome& outcome, bool& isComplete)
 {
   constexpr std::size_t HeadSize = 1 + sizeof(std::uint64_t);
@@ -206,7 +207,7 @@ void TakeMessages(Bytes& received, double& fraction, ReadProgramOutcome& outcome
     }
     else if (received[at] == ResultKind)
     {
-      // The result is the last message; it is not copied.
+      // The result is the last message and is moved, not copied.
       received.erase(received.begin(), received.begin() + static_cast<std::ptrdiff_t>(at + HeadSize));
       outcome.Result.swap(received);
       outcome.Result.resize(size);
@@ -265,7 +266,7 @@ ReadProgramOutcome RunReadProgram(const std::string& program, const std::vector<
   bool isComplete = false;
   for (std::size_t before = 0; process.Receive(Patience, received); before = received.size())
   {
-    // Not for each part of a long result.
+    // Progress is not reported for each part of a long result.
     const bool isAmidst = received.size() > before && before > 0;
     TakeMessages(received, fraction, outcome, isComplete);
     outcome.IsStarted = outcome.IsStarted || fraction >= 0.0;

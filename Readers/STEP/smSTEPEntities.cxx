@@ -26,7 +26,7 @@ namespace sm
 {
 namespace
 {
-/// A stated accuracy is no larger than that part of the shortest edge.
+/// A stated accuracy is at most this fraction of the length of the shortest edge.
 constexpr double ShareOfShortest = 0.1;
 
 Handle(TCollection_HAsciiString) ToText(const std::string& text)
@@ -34,7 +34,7 @@ Handle(TCollection_HAsciiString) ToText(const std::string& text)
   return new TCollection_HAsciiString(text.c_str());
 }
 
-/// Gives entities the names and numbers that the models keep from their own file.
+/// Gives entities the names and numbers of the file that the models were read from.
 class EntityLabels
 {
 public:
@@ -108,7 +108,7 @@ private:
   std::unordered_set<const Standard_Transient*> Numbered;
 };
 
-/// The accuracy that goes with each body's entity, by way of the representation it is an item of.
+/// Finds the accuracy of each body's entity through the context of the representation that has the body as an item.
 class Accuracies
 {
 public:
@@ -171,7 +171,7 @@ private:
   std::unordered_map<const Standard_Transient*, Handle(StepRepr_RepresentationContext)> Contexts;
 };
 
-/// OpenCASCADE writes the g/cm^3 of densities with wrong powers.
+/// Corrects the units of densities: OpenCASCADE writes g/cm^3 with wrong powers.
 void CorrectDensityUnits(const Handle(StepData_StepModel) & model)
 {
   for (int i = 1; i <= model->NbEntities(); ++i)

@@ -16,13 +16,14 @@ namespace sm
 {
 namespace
 {
-/// Share of a body's progress that its conversion takes; its triangles take the rest.
+/// Fraction of a body's progress for its conversion; the triangles take the rest.
 constexpr double ConversionShare = 0.8;
 
-/// A unit in mm is a product of up to three numbers that are no doubles (0.0254, 0.001, ...), times the coordinate.
+/// Roundings of a coordinate by the conversion of its unit to mm: the factor is a product of up to three rounded numbers (0.0254, 0.001,
+/// ...).
 constexpr int UnitRoundings = 6;
 
-/// Row-major 4x4 of a rigid or mirrored placement, its translation in output units.
+/// Returns the row-major 4x4 matrix of a rigid or mirrored placement, with the translation in output units.
 std::array<double, 16> GetPlacement(const gp_Trsf& trsf, double unit)
 {
   std::array<double, 16> matrix{};
@@ -76,7 +77,7 @@ void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const Pro
     GetShapeBounds(part.Shape, bounds, &unbounded);
   }
   const double toOutput = std::abs(part.Scale.ScaleFactor()) * this->Options.Unit;
-  // A centre in single precision: its subtraction from coordinates near it is exact.
+  // The origin is rounded to single precision, so that its subtraction from coordinates near it is exact.
   double origin[3];
   double box[6];
   for (int d = 0; d < 3; ++d)
@@ -171,7 +172,8 @@ void LeafMaker::MakeModel(const PartBody& part, const BodySize& size, ConvertedB
   }
   model->SetFaces(std::move(faces));
   model->SetScaleMesh(this->Mesh);
-  // The garbage collector of VTK's datasets needs memory when one of several owners leaves: not at the end of a reading.
+  // Released here: VTK's garbage collector needs memory when one of several owners releases a dataset, which must not fail at the end of a
+  // run.
   this->Mesh = nullptr;
   model->SetShells(body.Shells);
   model->SetMessages(body.Messages);

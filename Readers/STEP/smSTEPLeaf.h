@@ -1,6 +1,6 @@
 /**
  * @file smSTEPLeaf.h
- * @brief A body's model and the mesh of its scales, made once, and its instances
+ * @brief Makes the model and scale mesh of a body, once, and the leaves of its instances
  */
 #ifndef smSTEPLeaf_h
 #define smSTEPLeaf_h
@@ -23,27 +23,27 @@ namespace sm
 {
 struct LeafOptions
 {
-  /// Output lengths per mm, and the name of the output's unit.
+  /// Factor from mm to the output's unit, and the name of that unit.
   double Unit = 1.0;
   std::string UnitName = "mm";
-  /// The file's own unit, empty when it has no name here.
+  /// Name of the file's length unit; empty if the unit has no name here.
   std::string FileUnitName;
 };
 
 class LeafMaker
 {
 public:
-  /// Converts and measures the body. A failure is a message; only std::bad_alloc is thrown. `progress` gets a fraction in
-  /// [0,1] and answers false to stop.
+  /// Converts and measures the body. A failure becomes a message; only std::bad_alloc is thrown. `progress` gets a fraction in [0,1] and
+  /// returns false to stop.
   LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options,
     const ProgressCallback& progress);
 
-  /// One occurrence, which shares the model.
+  /// Returns the source of the leaf of one instance, which shares the model.
   LeafSource MakeSource(const BodyInstance& instance) const;
 
-  /// A sentence with the body's name when its conversion had problems; else empty.
+  /// Returns sentences with the body's name if its conversion had problems; else empty.
   const std::vector<std::string>& GetMessages() const { return this->Messages; }
-  /// `progress` said to stop; the leaf is not whole.
+  /// Returns true if `progress` stopped it; the leaf is then incomplete.
   bool IsAborted() const { return this->Aborted; }
   double GetMeshSeconds() const { return this->MeshSeconds; }
   double GetConversionSeconds() const { return this->ConversionSeconds; }
@@ -51,11 +51,11 @@ public:
 private:
   void Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
     BodySize& size, ConvertedBody& body);
-  /// Measures the body, whose box is about `box` (relative to the model's origin), by the mesh of its scales.
+  /// Makes the scale mesh, and measures the body by it. `box` is the approximate box of the body, relative to the model's origin.
   void Triangulate(
     const double box[6], const ProgressCallback& progress, BodySize& size, ConvertedBody& body);
   void MakeModel(const PartBody& part, const BodySize& size, ConvertedBody& body);
-  /// The first message with the body's name, and how many there are.
+  /// Makes a summary: the first message, with the body's name, and the number of messages.
   void Summarise(const PartBody& part, const std::vector<std::string>& messages);
 
   LeafOptions Options;

@@ -12,7 +12,7 @@ namespace sm
 {
 namespace
 {
-/// Entity numbers in a message, at most.
+/// Largest number of entity numbers in a message.
 constexpr std::size_t MostIds = 10;
 
 std::string ListIds(const std::vector<std::uint64_t>& ids)
@@ -83,12 +83,12 @@ public:
           ", which has no faces: it is left out. Export it as a boundary representation.");
       }
     }
-    // What is missing comes first.
+    // Messages about missing bodies come first.
     this->ReportProblems();
   }
 
 private:
-  /// Contradictions in the file itself. A unit that is not stated is none.
+  /// Reports contradictions in the file itself. A missing unit is not one of them.
   void ReportProblems()
   {
     std::size_t counted = this->Census.GetNumberOfProblems(CensusDefect::MissingUnit);
@@ -106,7 +106,7 @@ private:
       }
       else if (problem.Defect == CensusDefect::MissingPlacement && !this->Census.MappedItems.empty())
       {
-        // A mapped item may be the placement.
+        // A mapped item may place the occurrence instead.
         ++counted;
         this->Result.Messages.push_back(Describe(problem));
       }
@@ -135,7 +135,7 @@ private:
       ".";
   }
 
-  /// Parts without a density have no mass: nobody shall miss why.
+  /// Reports densities that cannot be used, since the parts have no mass then.
   void ReportDensities()
   {
     for (const STEPDensity& density : this->Census.Densities)
@@ -157,7 +157,7 @@ private:
     this->Result.Messages.push_back(message);
   }
 
-  /// OpenCASCADE reads some files that the census cannot follow: what it has not seen, it cannot vouch for.
+  /// Reports a file that OpenCASCADE reads but the census cannot interpret: nothing is known about its completeness.
   void CheckDeclared()
   {
     std::set<std::uint64_t> declared;
@@ -243,7 +243,8 @@ private:
 
   void CheckInstances(const CensusBody& body, const std::vector<std::size_t>& parts)
   {
-    // A solid may be read as several bodies: parts of it, and copies with a scale or a mirror. Each part occurs as often as the solid.
+    // A solid may be read as several bodies: its parts, and copies with a scale or a reflection. Each part must have as many instances as
+    // the solid.
     std::map<const TopoDS_TShape*, CensusCount> counts;
     for (const std::size_t i : parts)
     {
@@ -251,7 +252,7 @@ private:
     }
     if (body.NumberOfShells > 1 && counts.size() > 1)
     {
-      // OpenCASCADE makes a solid of its own of a void that is not inside the outer shell.
+      // OpenCASCADE makes a separate solid of a void that is not inside the outer shell.
       this->Result.Defects.push_back("Solid " + Name(body) +
         " has a void that does not lie inside its outer shell: it was read as " +
         std::to_string(counts.size()) + " solids.");
@@ -266,7 +267,8 @@ private:
     const CensusCount read = most > body.Instances ? most : least;
     if (read != body.Instances)
     {
-      // Several products, or mapped items beside products, may show one solid in one place: only what was read too often is certain.
+      // Several products, or mapped items in addition to products, may place one solid at the same place, so only too many instances are a
+      // certain contradiction.
       const bool isCertain = most > body.Instances || this->IsPlainAssembly;
       (isCertain ? this->Result.Defects : this->Result.Messages)
         .push_back("Solid " + Name(body) + " occurs " + Count(body.Instances) +
@@ -277,10 +279,10 @@ private:
 
   const STEPCensus& Census;
   Document& Result;
-  /// Bodies of the document by the entity number of their solid, and how often each occurs.
+  /// Bodies of the document by the entity number of their solid, and the numbers of their instances.
   std::map<std::uint64_t, std::vector<std::size_t>> Read;
   std::vector<CensusCount> Instances;
-  /// Instances come from occurrences of products in others alone.
+  /// True if all instances are occurrences of products in other products.
   bool IsPlainAssembly;
 };
 }

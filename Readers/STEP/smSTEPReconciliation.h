@@ -1,6 +1,6 @@
 /**
  * @file smSTEPReconciliation.h
- * @brief Compares what OpenCASCADE made of a STEP file with what the file declares
+ * @brief Compares the shapes that OpenCASCADE made of a STEP file with the census of the file
  */
 #ifndef smSTEPReconciliation_h
 #define smSTEPReconciliation_h
@@ -11,13 +11,14 @@
 namespace sm
 {
 /**
- * Accounts for every solid of the census and its faces and instances: what the document lacks becomes a lost face of the body
- * (PartBody::LostFaces) or, where there is no body, a defect of the document. Contradictions that the census found become defects of
- * the document, and a unit that is not stated a message. The document has its bodies and instances.
+ * Accounts for every solid of the census with its faces and instances: a missing face is added to PartBody::LostFaces, and a missing body
+ * or instance becomes a defect of the document. Contradictions that the census found become defects of the document, and a missing unit a
+ * message. The bodies and instances of the document must be complete.
  */
 void Reconcile(const STEPCensus& census, Document& document);
 
-/// Number of nodes of the expanded product tree: instances of bodies with faces, and of the products and representations above them.
+/// Returns the number of nodes of the expanded product tree: instances of bodies with faces, and of the products and representations above
+/// them.
 CensusCount CountDeclaredInstances(const STEPCensus& census);
 }
 

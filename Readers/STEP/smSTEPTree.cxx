@@ -18,7 +18,7 @@ namespace sm
 {
 namespace
 {
-/// Adds a node below `parent`. Its name is made valid for XML; its attribute "label" is the name as it is given, or `fallback`.
+/// Adds a node below `parent`. Its node name is made valid for XML; its attribute "label" is the given name, or `fallback`.
 int AddChild(vtkDataAssembly* assembly, int parent, const std::string& name, const std::string& fallback)
 {
   std::string valid = name.empty() ? fallback : vtkDataAssembly::MakeValidNodeName(name.c_str());
@@ -36,7 +36,7 @@ void AddProduct(vtkDataAssembly* assembly, int parent, const ProductNode& produc
   const int node = AddChild(assembly, parent, product.Name, "Part");
   if (product.Name.empty())
   {
-    // The label is one of ours.
+    // The file has no name: the label is the fallback.
     assembly->SetAttribute(node, "unnamed", 1);
   }
   if (!product.Layer.empty())
@@ -84,7 +84,7 @@ void CheckMemory(std::size_t bytes)
 bool BroadcastBytes(
   vtkMultiProcessController* controller, int root, std::vector<unsigned char>& bytes, bool& hasMemory)
 {
-  // In pieces, which are dropped into a buffer on the stack where there is no memory for all.
+  // The message is sent in pieces. A rank without memory for the whole receives them into a buffer on the stack.
   constexpr long long PieceSize = 32768;
   const bool isRoot = controller->GetLocalProcessId() == root;
   auto size = static_cast<long long>(bytes.size());
@@ -132,7 +132,7 @@ void UnpackTree(vtkMultiProcessStream& stream, vtkPartitionedDataSetCollection* 
     vtkNew<vtkDataAssembly> assembly;
     if (!assembly->InitializeFromXML(xml.c_str()))
     {
-      // The stream that VTK writes it with keeps a lack of memory to itself.
+      // VTK's stream does not report a lack of memory, but the text is then incomplete.
       throw std::bad_alloc();
     }
     output->SetDataAssembly(assembly);

@@ -25,10 +25,10 @@ namespace sm
 vtkSmartPointer<vtkDataAssembly> MakeAssembly(
   const ProductNode& root, const char* format, const std::string& fileName);
 
-/// More than the field data of an output needs.
+/// More bytes than the field data of an output need.
 constexpr std::size_t SpareMemory = std::size_t{ 1 } << 20;
 
-/// Throws std::bad_alloc unless there is that much memory: VTK's containers do not survive an operator new that fails in them.
+/// Throws std::bad_alloc unless so many bytes are available, because VTK's containers do not tolerate an exception of operator new.
 void CheckMemory(std::size_t bytes);
 
 /// Sends `bytes` from the rank `root` to all ranks. A rank without memory for them receives all of them nevertheless, so that no other

@@ -8,10 +8,10 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
-/// Segments that stand for a coedge's trim.
+/// Number of segments that approximate a coedge's trim curve.
 constexpr int TrimSegments = 8;
 
-/// Twice the signed area of a triangle, relative to its size.
+/// Returns twice the signed area of a triangle, relative to the square of its size.
 double GetSide(const Point2& a, const Point2& b, const Point2& p)
 {
   const double area = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
@@ -19,7 +19,7 @@ double GetSide(const Point2& a, const Point2& b, const Point2& p)
   return size > 0.0 ? area / size : 0.0;
 }
 
-/// The segment from c to d crosses that from a to b inside the latter; a point on it counts as left of it.
+/// Returns true if the segment from c to d crosses the inside of the one from a to b; a point on the latter counts as left of it.
 bool Cross(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
 {
   constexpr double least = 1e-9;
@@ -29,7 +29,7 @@ bool Cross(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
     ((start > least && end < -least) || (start < -least && end > least));
 }
 
-/// No loop crosses the line, whatever its period.
+/// Returns true if no loop, nor its copies in other periods, crosses the line.
 bool IsFree(const DraftFace& face, const Point2& a, const Point2& b, int direction)
 {
   const double period = face.Period[direction];
@@ -74,7 +74,7 @@ std::vector<Point2> FindSeamWay(
   {
     for (int k = 1; k < 2 * turns && !isStraight; ++k)
     {
-      // To one side and to the other, nearer ones first.
+      // Detours alternate between the two sides, the smaller ones first.
       const double aside = (k % 2 == 1 ? 0.5 : -0.5) * (k / 2 + k % 2) / turns * face.Period[direction];
       Point2 way[2];
       for (int i = 0; i < 2; ++i)

@@ -1,6 +1,6 @@
 /**
  * @file smSeamWay.h
- * @brief A way through the parameters of a periodic face for a seam that crosses none of its loops
+ * @brief Finds a path in the parameters of a periodic face for a seam that crosses none of its loops
  */
 #ifndef smSeamWay_h
 #define smSeamWay_h
@@ -12,8 +12,8 @@
 
 namespace sm
 {
-/// Corners of a way from a to b, across the periodic `direction`, on which no loop is crossed, whatever its period: the straight one, or
-/// one round a hole. Empty when there is none.
+/// Returns the corners of a path from a to b, across the periodic `direction`, that crosses no loop nor its copies in other periods: the
+/// straight line, or a detour around a hole. Empty if none is found.
 std::vector<std::array<double, 2>> FindSeamWay(const DraftFace& face, const std::array<double, 2>& a,
   const std::array<double, 2>& b, int direction, bool isStraight);
 }

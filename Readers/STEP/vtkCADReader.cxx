@@ -27,12 +27,12 @@
 
 namespace
 {
-/// Share of the progress that OpenCASCADE's reading takes.
+/// Fraction of the progress for OpenCASCADE's reading.
 constexpr double ReadingShare = 0.5;
 
 /**
- * The rank that updates the first piece, when all ranks of `controller` update this reader together, each a piece of its own; -1 when
- * they do not. An update for another number of pieces than there are ranks is one of this rank alone, and the others do not answer.
+ * Returns the rank that updates the first piece if all ranks of `controller` update this reader together, each a different piece; -1 if
+ * they do not. An update with another number of pieces than ranks concerns this rank alone, and the others take no part.
  */
 int FindFirstPiece(vtkMultiProcessController* controller, int piece, int pieces)
 {
@@ -138,7 +138,7 @@ int vtkCADReader::FillOutputPortInformation(int, vtkInformation* info)
 int vtkCADReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  // Pieces beyond the first have no leaves: every rank of a parallel run may ask for one.
+  // Every rank of a parallel run may request a piece; pieces after the first have no leaves.
   outputVector->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }
@@ -228,13 +228,13 @@ int vtkCADReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
   {
     this->Kept.reset();
   }
-  // An update that fails would leave the numbers of the previous file in the filters downstream.
+  // A failed update would leave the results of the previous file in the filters downstream.
   return 1;
 }
 
 bool vtkCADReader::IsReadingCurrent()
 {
-  // A model that the application has edited in place is read again, as the file has it.
+  // If the application has edited a model in place, the file is read again.
   if (!this->Kept || this->GetMTime() > this->SettledTime)
   {
     return false;
@@ -295,7 +295,7 @@ bool vtkCADReader::Load(sm::Document& document, std::string& content)
   }
   else
   {
-    // A large file of another format is not read whole.
+    // The head is checked first, so that a large file of another format is not read completely.
     const std::string head = sm::LoadHead(this->FileName);
     document.Problem = head.empty() ? std::string() : this->FindMistakeOfHead(head);
     const auto report = [this]() { return this->Report(0.0); };
@@ -329,7 +329,7 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
 {
   const sm::KernelSession kernel;
   const double start = vtkTimerLog::GetUniversalTime();
-  // The time that another reader's file took does not count.
+  // The time limit does not include the wait for another reader.
   this->Start = start;
   sm::Document document;
   std::string content;

@@ -3,14 +3,14 @@
  * @brief   base class of the readers of exact solids, vtkSTEPReader and vtkBREPReader
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per solid instance; its partition
- * 0 is a vtkNURBSDataSet. A file without solids gives one per free shell instead. Its name
- * (vtkCompositeDataSet::NAME()) is that of the product. A vtkDataAssembly mirrors the product structure: its
- * node names are valid XML names, the attribute "label" holds the name as the file has it, "layer" its
- * layer. Instances of one part share a vtkTrimmedNURBSModel, which stays in the coordinates of the part.
+ * 0 is a vtkNURBSDataSet. A file without solids gives one per free shell instead. The name of a partitioned dataset
+ * (vtkCompositeDataSet::NAME()) is that of the product. A vtkDataAssembly mirrors the product structure: its node names are valid XML
+ * names, the attribute "label" has the name in the file, "layer" its layer. Instances of one part share a vtkTrimmedNURBSModel, which stays
+ * in the coordinates of the part.
  *
- * Surfaces become rational B-splines without error; a surface that has no such form (an offset surface) is
- * fitted and NURBSSurface::Residual says how well. Trim and edge curves are exact polynomials or fitted to
- * rounding level; TrimCurve::Residual says how well. See Documentation/Numerics.md.
+ * Surfaces become rational B-splines without error; a surface that has no such form (an offset surface) is fitted, with
+ * NURBSSurface::Residual as the error of the fit. Trim and edge curves are exact polynomials, or fitted to rounding level with
+ * TrimCurve::Residual as the error. See Documentation/Numerics.md.
  *
  * Arrays of each leaf, besides those vtkNURBSDataSet documents:
  * | name    | association | components | meaning                                                             |
@@ -22,9 +22,9 @@
  * messages of its model (vtkTrimmedNURBSModel::GetMessages); nothing else is lost. Faces outside the solids
  * of a file belong to no body: they are counted (GetNumberOfFreeFaces) and left out.
  *
- * A file that cannot be read raises one error that names it and the remedy; the output is empty then, GetStatus says why, and
- * GetErrorCode() is not 0. The pipeline goes on, so that filters do not keep the numbers of the file before: their status is unreadable
- * or empty. No exception leaves Update(): one that OpenCASCADE, an observer or a lack of memory raises is such an error.
+ * A file that cannot be read raises one error, with its name and a remedy; the output is then empty, GetStatus() has the reason, and
+ * GetErrorCode() is not 0. The pipeline continues, so that filters do not keep the results of the previous file: their status becomes
+ * unreadable or empty. No exception leaves Update(): an exception of OpenCASCADE, of an observer, or for lack of memory is such an error.
  *
  * Under MPI, all ranks have the same tree: as many partitioned datasets, the same names, the same assembly. The leaves are on the rank
  * that asks for the first piece; on the others every partition is null. Status, messages and counts are the same on all ranks. For that
@@ -33,7 +33,7 @@
  * first are empty collections. A file that cannot be read is an error on the rank that reads it, and the output is empty on all. If
  * one rank has not enough memory for the tree, that is an error on all ranks.
  *
- * One file is read at a time in a process, readers on other threads wait: OpenCASCADE's settings are global. A
+ * One file is read at a time in a process, and readers on other threads wait, because OpenCASCADE's settings are global. A
  * reader that is updated by an observer of another one's progress raises an error. Conversion uses vtkSMPTools. No
  * OpenGL context is needed.
  *
@@ -45,15 +45,15 @@
  * triangles from the surface, across it (vtkNURBSDataSet). A body whose faces are not complete has GetNumberOfMissingFaces() or
  * GetNumberOfDefects() above 0 in its model.
  *
- * The mesh is made by need (SetDisplayMesh): while only filters that work with the exact geometry ask for it, the leaves have no points and
- * triangles. A view or another filter that is connected later, here or to a mesh of such a filter, gets it at its next update, without reading
- * the file again. Update() of the reader itself gives it, too. The scale mesh of each model (vtkTrimmedNURBSModel::GetScaleMesh) is always
- * made: the scales of all tolerances are its, and filters judge by it whether shells cross themselves and enclose each other, so that their
- * results have the same bits with and without a display mesh.
+ * The mesh is made on demand (SetDisplayMesh): as long as only filters that work with the exact geometry are connected, the leaves have no
+ * points and triangles. A view or another filter that is connected later, to the reader or to an output with meshes of such a filter, gets
+ * it at its next update, without reading the file again. Update() of the reader itself makes it, too. The scale mesh of each model
+ * (vtkTrimmedNURBSModel::GetScaleMesh) is always made: the scales of all tolerances are computed from it, and filters use it to decide if
+ * shells cross themselves or enclose each other, so that their results have the same bits with and without a display mesh.
  *
- * Memory: for each point of the scale mesh 56 bytes and for each triangle 36, once a model; for each point of a display mesh 36 bytes more for
- * each instance, and for a mesh with other limits than the scale mesh's, a colour, or a mirrored instance, arrays once a model. GetActualMemorySize()
- * of the output has all of it; of a leaf that of its model, too.
+ * Memory: for each point of the scale mesh 56 bytes and for each triangle 36, once a model; for each point of a display mesh 36 bytes more
+ * for each instance, and for a mesh with other limits than the scale mesh's, a colour, or a mirrored instance, arrays once a model.
+ * GetActualMemorySize() of the output includes all of it; that of a leaf includes its model.
  */
 #ifndef vtkCADReader_h
 #define vtkCADReader_h
@@ -92,14 +92,14 @@ public:
 
   ///@{
   /** The bytes of a file in memory: until ClearContent() they are read in place of a file, also if there are none, and FileName, where
-   * there is one, only names them in messages and in the assembly. Of several ranks the one that asks for the first piece needs them.
+   * there is one, only names them in messages and in the assembly. In a parallel run the rank that requests the first piece needs them.
    * Default: no content. */
   void SetContent(const std::string& bytes);
   void ClearContent();
   bool HasContent() const { return this->IsContentGiven; }
   ///@}
 
-  /** When leaves have points and triangles. */
+  /** Conditions under which leaves get points and triangles. */
   enum DisplayMeshType
   {
     MESH_BY_NEED = 0,
@@ -109,9 +109,10 @@ public:
 
   ///@{
   /**
-   * When the display mesh is made. MESH_BY_NEED: when something connected needs it, or after Update() of the reader (see above). MESH_ALWAYS, MESH_NEVER:
-   * whatever is connected; without a mesh a view shows nothing. A change of this and of the four settings below does not read the file
-   * again. Range [MESH_BY_NEED, MESH_NEVER], clamped. Default: MESH_BY_NEED; MESH_ALWAYS in ParaView, which asks for every output before it shows.
+   * When the display mesh is made. MESH_BY_NEED: if something connected needs it, or after Update() of the reader (see above). MESH_ALWAYS,
+   * MESH_NEVER: independent of connections; without a mesh a view shows nothing. A change of this and of the four settings below does not
+   * read the file again. Range [MESH_BY_NEED, MESH_NEVER], clamped. Default: MESH_BY_NEED; MESH_ALWAYS in ParaView, which asks for every
+   * output before it shows.
    */
   void SetDisplayMesh(int when);
   vtkGetMacro(DisplayMesh, int);
@@ -122,8 +123,8 @@ public:
 
   ///@{
   /**
-   * For large assemblies: if the display mesh of all instances would have more triangles than this (as their scale meshes have, more where the
-   * deflection is finer), a coarser one is made, within 1e-3 of the diagonal of all solids together and with angles of up to 1.2. It is
+   * For large assemblies: if the display mesh of all instances would have more triangles than this (as their scale meshes have, more where
+   * the deflection is finer), a coarser one is made, within 1e-3 of the diagonal of all solids together and with angles of up to 1.2. It is
    * drawn fast and takes little memory; exact results are the same. With Refined the mesh asked for is made in any case. At least 0,
    * clamped; 0, the default: no limit; 5 million in ParaView.
    */
@@ -132,7 +133,7 @@ public:
   void SetRefined(bool isRefined);
   vtkGetMacro(Refined, bool);
   vtkBooleanMacro(Refined, bool);
-  /** Whether the last display mesh is coarser than asked for. */
+  /** Returns true if the last display mesh is coarser than requested. */
   bool IsMeshCoarse() const { return this->MeshIsCoarse; }
   ///@}
 
@@ -141,7 +142,7 @@ public:
    * Largest distance of the display mesh from the surface: a fraction of the part's bounding-box diagonal when
    * RelativeDeflection is on (default), else a length in OutputUnit. Clamped to [1e-7, 1e30]; 0, less and NaN give
    * the default, 0.001. The mesher gets no less than 1e-5 of the diagonal. Faces with gaps to their edges may be farther away: the field
-   * array MeshDeviation says by how much. It does not touch the exact geometry.
+   * array MeshDeviation has a bound of their distance. The deflection does not affect the exact geometry.
    */
   void SetLinearDeflection(double deflection);
   vtkGetMacro(LinearDeflection, double);
@@ -168,11 +169,11 @@ public:
 
   ///@{
   /**
-   * Reads the file in a process of its own, the program solidmoments-read, which sends the output: what OpenCASCADE crashes on, or does
-   * not end on, costs this file and not the session. The output has the same bits. It costs the start of a program, some tenths of a
-   * second, and for the time of the reading the memory of the models and meshes about three times; content goes there by a file in memory. If the program is not in the folder
-   * bin beside the library or above it, or does not start, the file is read in this process, and a message says so. Default: off; on in
-   * ParaView.
+   * Reads the file in a separate process, the program solidmoments-read, which sends the output. If OpenCASCADE crashes or does not
+   * terminate, only this file is lost, not the session. The output has the same bits. Starting the program takes some tenths of a second,
+   * and during the reading the models and meshes need about three times their memory; content is passed by a file in memory. If the program
+   * is not in the folder bin beside the library or above it, or does not start, the file is read in this process, and a message says so.
+   * Default: off; on in ParaView.
    */
   vtkSetMacro(Isolated, bool);
   vtkGetMacro(Isolated, bool);
@@ -180,8 +181,8 @@ public:
   ///@}
 
   ///@{
-  /** Limit of the duration of an Update() in seconds, after which the status is ABORTED. OpenCASCADE says only now and then how far it is,
-   * and for damaged geometry perhaps never: only where the reading is isolated is it ended then. At least 0, clamped. Default 0: no
+  /** Limit of the duration of an Update() in seconds, after which the status is ABORTED. OpenCASCADE can be stopped only when it reports
+   * progress, which for damaged geometry may never happen; an isolated reader ends its process then. At least 0, clamped. Default 0: no
    * limit. */
   vtkSetClampMacro(MaximumSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSeconds, double);
@@ -206,8 +207,8 @@ public:
   std::string GetLengthUnit() const;
 
   ///@{
-  /** Messages of the last Update(), one sentence each: those about the file, then one for each body whose conversion had
-   * problems. The model of the body has all messages about it. If the run failed, the last message is the error. An index out
+  /** Messages of the last Update(), one sentence each: those about the file, then one for each body whose conversion had problems; the model
+   * of the body has all messages about it. If the run failed, the last message is the error. An index out
    * of range gives an empty string. */
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;
@@ -221,9 +222,9 @@ public:
 
   ///@{
   /** Wall-clock seconds of the last Update(): reading by OpenCASCADE, the meshes, and the conversion to NURBS models (with the making of the
-   * output). Reading is the sum of parsing, until the entities are in memory, the transfer, which makes shapes of them, and trims: the inspection
-   * of faces, which finds the trim curves that the file leaves out. Where the file was not read again, those of reading and conversion are of the
-   * run that read it. */
+   * output). Reading is the sum of parsing, until the entities are in memory, the transfer, which makes shapes of them, and trims: the
+   * inspection of faces, which finds the trim curves that the file leaves out. Where the file was not read again, those of reading and
+   * conversion are of the run that read it. */
   double GetReadSeconds() const;
   double GetParseSeconds() const;
   double GetTransferSeconds() const;
@@ -233,25 +234,29 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** The settings of an isolated reader as words, but for those of the display mesh, and a reader's settings made from them: how
-   * solidmoments-read is told what to do. */
+  /**
+   * The settings of an isolated reader as words, without those of the display mesh, and the reverse: they are the arguments of
+   * solidmoments-read.
+   */
   std::vector<std::string> PackSettings() const;
   static constexpr int NumberOfSettings = 3;
   void UnpackSettings(const std::vector<std::string>& words);
-  /** The output, status and messages of the last Update() as bytes, for an isolated reader: what solidmoments-read sends. */
+  /** Returns the output, status and messages of the last Update() as bytes, which solidmoments-read sends to an isolated reader. */
   std::vector<char> PackOutput();
 #endif
 
   ///@{
-  /** Asks for the display mesh, if it is made by need, and updates the reader. A model of the output that was edited in place is as the file
-   * has it afterwards, where the mesh is made only now: edit a copy. */
+  /**
+   * Requests the display mesh, if it is made by need, and updates the reader. If the mesh is made only now, a model of the output that was
+   * edited in place is replaced by that of the file: edit a copy.
+   */
   using vtkPartitionedDataSetCollectionAlgorithm::Update;
   void Update(int port) override;
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;
   void UpdateWholeExtent() override;
   ///@}
 
-  /** The reader is newer where a display mesh is needed that it does not have, see smMeshDemand.h. */
+  /** Reports a newer modification time if a display mesh is needed that has not been made, see smMeshDemand.h. */
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
 
@@ -267,17 +272,17 @@ protected:
 
   /// "STEP" or "BREP".
   virtual const char* GetFormatName() const = 0;
-  /// Reads the bytes of a file with OpenCASCADE, whose KernelSession this thread holds. `progress` gets a fraction in [0,1] and answers
-  /// false to stop. Throws std::bad_alloc, and nothing else.
+  /// Reads the bytes of a file with OpenCASCADE, whose KernelSession this thread holds. `progress` gets a fraction in [0,1] and returns
+  /// false to stop. Throws only std::bad_alloc.
   virtual sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) = 0;
-  /// Why bytes that begin like `head` are no file of this format; empty where they may be one.
+  /// Returns the reason why bytes that begin with `head` are no file of this format; empty if they may be one.
   virtual std::string FindMistakeOfHead(const std::string& head) const = 0;
-  /// The mistake in the settings that only this format has; empty when there is none.
+  /// Returns a mistake in the settings that only this format has; empty if there is none.
   virtual std::string FindMistakeOfFormat() const
   {
     return {};
   }
-  /// The setting that only this format has as a word, for the process of an isolated reader.
+  /// Returns the setting that only this format has, as a word for the process of an isolated reader.
   virtual std::string GetSettingOfFormat() const = 0;
   virtual void SetSettingOfFormat(const std::string& word) = 0;
 
@@ -289,39 +294,39 @@ private:
   vtkCADReader(const vtkCADReader&) = delete;
   void operator=(const vtkCADReader&) = delete;
 
-  /// Reports `fraction`; false when the application asked to stop, or MaximumSeconds are over.
+  /// Reports `fraction`; returns false if the application requested a stop, or MaximumSeconds have elapsed.
   bool Report(double fraction);
-  /// Sets the status, and its message where there is memory for it.
+  /// Sets the status, and its message if there is memory for it.
   void Fail(int status, std::string_view problem) noexcept;
-  /// Ends a run that was to stop.
+  /// Sets the status of a run that was stopped.
   void Stop();
-  /// Marks the reader as modified in what its display mesh depends on, and not the reading.
+  /// Marks the display mesh as outdated, without the need to read the file again.
   void ModifyMesh();
-  /// Whether what is kept is what the settings ask for, and unchanged.
+  /// Returns true if Kept was read with the present settings and its models are unchanged.
   bool IsReadingCurrent();
   bool IsMeshWanted() const;
-  /// Makes the output of what is kept; false when the application asked to stop.
+  /// Makes the output from Kept; returns false if the application requested a stop.
   bool FillOutput(vtkPartitionedDataSetCollection* output);
-  /// Read() that lets no exception out: one is an error, and the output is empty.
+  /// Reads without throwing: an exception becomes an error, and the output is empty.
   void ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept;
   void Read(vtkPartitionedDataSetCollection* output);
-  /// Reads in a process of its own. False if there is none, with a message.
+  /// Reads in a separate process. Returns false, with a message, if the program cannot be started.
   bool ReadIsolated(vtkPartitionedDataSetCollection* output);
-  /// The bytes of the file or of the content; false, with the reason in `document` or after Stop(), when there are none.
+  /// Gets the bytes of the file or of the content. Returns false, with the reason in `document` or after Stop(), if that fails.
   bool Load(sm::Document& document, std::string& content);
   /// Reads in this process.
   void ReadHere(vtkPartitionedDataSetCollection* output);
-  /// The mistake in the settings; empty when there is none.
+  /// Returns a mistake in the settings; empty if there is none.
   std::string FindMistake() const;
   sm::LeafOptions ChooseOptions(const sm::Document& document);
-  /// Converts all bodies; false when the application asked to stop.
+  /// Converts all bodies; returns false if the application requested a stop.
   bool MakeBodies(const sm::Document& document, const sm::LeafOptions& options,
     std::vector<std::unique_ptr<sm::LeafMaker>>& makers);
   /// Sets the field data of the output.
   void WriteState(vtkPartitionedDataSetCollection* output) const;
   void Pack(vtkPartitionedDataSetCollection* output, std::vector<unsigned char>& bytes) const;
   void Unpack(const std::vector<unsigned char>& bytes, vtkPartitionedDataSetCollection* output);
-  /// Reads the leaves of PackOutput() into `tree`, and keeps what they are made of. False if the message is invalid.
+  /// Reads the leaves of PackOutput() into `tree`, and keeps their sources. Returns false if the message is invalid.
   bool UnpackReading(sm::ByteReader& from, vtkPartitionedDataSetCollection* tree);
   /// Sends status, messages and the tree of the output from `root` to all other ranks, and completes the output. Every rank makes all
   /// collective calls, even without memory. Returns the reason for a failure, the same on all ranks that are still connected.
@@ -340,19 +345,20 @@ private:
   std::string OutputUnit = "mm";
   bool Isolated = false;
   double MaximumSeconds = 0.0;
-  /// When the last Update() began, and whether it took too long.
+  /// Start time of the last Update(), and true if it exceeded MaximumSeconds.
   double Start = 0.0;
   bool IsTimeOver = false;
   int Status = EMPTY;
 
   struct Results;
   std::unique_ptr<Results> Last;
-  /// What was read; null where nothing was, or another rank has it.
+  /// The sources of the leaves that were read; null if nothing was read, or if another rank has them.
   struct Reading;
   std::unique_ptr<Reading> Kept;
-  /// MTime of the settings of which Kept is the reading.
+  /// MTime of the settings with which Kept was read.
   vtkMTimeType SettledTime = 0;
-  /// The output has a display mesh; one was asked for, by something connected or Update(); it is due, since MeshTime.
+  /// True if the output has a display mesh; if one was requested, by something connected or by Update(); if it must be made, since
+  /// MeshTime.
   bool HasMesh = false;
   bool IsMeshRequested = false;
   bool IsMeshDue = false;

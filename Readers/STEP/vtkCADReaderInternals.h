@@ -1,6 +1,6 @@
 /**
  * @file vtkCADReaderInternals.h
- * @brief The results of a vtkCADReader beside its output, and what it keeps of a file
+ * @brief Results of a vtkCADReader other than its output, and the data of a file that it keeps between runs
  */
 #ifndef vtkCADReaderInternals_h
 #define vtkCADReaderInternals_h
@@ -15,7 +15,7 @@
 struct vtkCADReader::Results
 {
   std::vector<std::string> Messages;
-  /// As sm::FileState.
+  /// See sm::FileState.
   std::string Problem;
   std::vector<std::string> Defects;
   std::string FileUnit;
@@ -31,7 +31,7 @@ struct vtkCADReader::Results
   double ConversionSeconds = 0.0;
 };
 
-/// All that outputs with and without display mesh are made of.
+/// The data from which outputs with and without display mesh are made.
 struct vtkCADReader::Reading
 {
   /// Progress at which all bodies are converted, or have come from another process.
@@ -41,9 +41,9 @@ struct vtkCADReader::Reading
   std::vector<sm::LeafSource> Sources;
   std::vector<std::string> Names;
   vtkSmartPointer<vtkDataAssembly> Assembly;
-  /// Before messages of display meshes.
+  /// Results without the messages about display meshes.
   Results Last;
-  /// The newest model's MTime.
+  /// MTime of the newest model.
   vtkMTimeType ModelTime = 0;
 
   vtkMTimeType FindModelTime() const

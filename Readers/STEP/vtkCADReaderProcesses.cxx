@@ -1,4 +1,4 @@
-// The output of a reader on its way to other processes: MPI ranks, and from the one that reads for an isolated reader.
+// Sends the output of a reader to other processes: to MPI ranks, and from solidmoments-read to an isolated reader.
 #include "vtkCADReaderInternals.h"
 
 #include "smFailureReason.h"
@@ -87,7 +87,7 @@ std::string_view vtkCADReader::ShareTree(
     }
     this->WriteState(output);
   };
-  // Without bytes the root had no memory for them.
+  // An empty message means that the root had no memory for it.
   const int own = isConnected && hasMemory && !bytes.empty() && sm::HasMemoryFor(complete) ? 1 : 0;
   int all = 0;
   isConnected = isConnected && controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP) != 0;

@@ -19,7 +19,7 @@ struct vtkNURBSModelWriter::Results
 {
   std::vector<std::string> Messages;
   int Faces = 0;
-  /// The input was computed.
+  /// True if the input was computed.
   bool HadInput = false;
 };
 
@@ -74,13 +74,13 @@ int vtkNURBSModelWriter::Write()
     this->Fail(vtkErrorCode::UserError, "there is no input; call SetInputConnection or SetInputData first");
     return 0;
   }
-  // Before the update, so that all ranks of a parallel run fail, not only the one that writes.
+  // Checked before the update, so that all ranks of a parallel run fail, not only the one that writes.
   if (!this->FileName || !*this->FileName)
   {
     this->Fail(vtkErrorCode::NoFileNameError, "no file name was given; call SetFileName first");
     return 0;
   }
-  // An executive that fails before it asks for data leaves the code of the run before.
+  // An executive that fails before it requests data does not reset the error code of the previous run.
   this->SetErrorCode(vtkErrorCode::NoError);
   const int written = this->Superclass::Write();
   if (written != 0 && !this->Last->HadInput)
@@ -190,7 +190,7 @@ bool vtkNURBSModelWriter::MakeOptions(const sm::ExportTree& tree, sm::ExportOpti
   const std::string unit = this->ChooseUnit(tree);
   const double from = sm::GetUnitInMillimetres(tree.LengthUnit);
   const double to = sm::GetUnitInMillimetres(unit);
-  // OpenCASCADE ignores a unit that it spells differently, and would call these lengths mm.
+  // OpenCASCADE ignores a unit with another spelling and would write mm.
   options.UnitName = sm::GetShortUnit(to);
   if (!(from > 0.0) || options.UnitName.empty())
   {

@@ -4,15 +4,15 @@
  *
  * vtkCADReader documents the output, errors, and how it is read in a process of its own or from memory.
  *
- * Every solid that the entities of the file declare is accounted for, with its faces and instances (smSTEPReconciliation.h). What is
- * lost, and what in the file contradicts itself, is in the messages and makes the results of all filters suspect: field data of the
- * output carries it to them, the string arrays FileStatus, FileProblem and FileDefects (smFileState.h). A file of more than 100,000
- * instances of bodies and sub-assemblies cannot be read.
+ * Every solid that the entities of the file declare is accounted for, with its faces and instances (smSTEPReconciliation.h). Losses, and
+ * contradictions within the file, are reported by messages and make the results of all filters suspect: the string arrays FileStatus,
+ * FileProblem and FileDefects in the field data of the output pass them on (smFileState.h). A file of more than 100,000 instances of bodies
+ * and sub-assemblies cannot be read.
  *
  * OpenCASCADE 7.6 crashes on some damaged files, and the process with it: on 15 of about 1,500 mutants of sound files
- * (DeveloperGuide.md, Mutants), and on no sound file of our sweeps; eight more took longer than 12 seconds, one minutes. What the entities
- * show is refused before OpenCASCADE follows it: dangling references, geometry that is part of itself, curves in a surface's parameters
- * that are none, placements with too few parameters. IsolatedOn() keeps the others from the process.
+ * (DeveloperGuide.md, Mutants), and on no sound file of our sweeps; eight more took longer than 12 seconds, one of them minutes. Damage
+ * that the entities show is refused before OpenCASCADE processes it: unresolved references, geometry that is part of itself, trim curves of
+ * a wrong type, placements with too few parameters. With IsolatedOn() other crashes do not end this process.
  */
 #ifndef vtkSTEPReader_h
 #define vtkSTEPReader_h
@@ -37,9 +37,9 @@ public:
 
   ///@{
   /**
-   * ON_NEED (default): OpenCASCADE repairs the solids and shells that are not sound as the file has them, whose numbers GetMessage()
-   * tells; the others are taken from the file as they are, with trim curves in closed form, which is faster and more exact. ALWAYS: it
-   * repairs all shapes of the file and computes trim curves that the file does not have. With OpenCASCADE 7.9 and later ON_NEED is ALWAYS.
+   * ON_NEED (default): OpenCASCADE repairs only solids and shells with defects, whose entity numbers are in a message; all others are
+   * converted without a repair, with missing trim curves in closed form, which is faster and more accurate. ALWAYS: it repairs all shapes
+   * of the file and computes missing trim curves. With OpenCASCADE 7.9 and later ON_NEED is the same as ALWAYS.
    */
   enum RepairType
   {

@@ -4,10 +4,10 @@
  *
  * vtkNURBSModelWriter documents the geometry that is saved, and errors. STEP holds, besides the geometry, the product
  * structure (names, instances with their placements, layers), colours of bodies, faces and instances, material and density,
- * and the names and entity numbers (#1234) of bodies, faces and edges, so that a file that is read and saved keeps them.
- * Densities are written in g/cm^3. A material's name that comes with a second density gets a number, "Steel (2)". Numbers have 17 digits. An assembly that
- * occurs several times is written once for each: the placements of its parts are exact, their grouping as one assembly is lost. The schema is
- * AP214 (AUTOMOTIVE_DESIGN), which holds all of this and which every system reads.
+ * and the names and entity numbers (#1234) of bodies, faces and edges, which are kept when a file is read and saved.
+ * Densities are written in g/cm^3. If a material's name occurs with a second density, a number is appended: "Steel (2)". Numbers have 17
+ * digits. An assembly that occurs several times is written once for each: the placements of its parts are exact, their grouping as one
+ * assembly is lost. The schema is AP214 (AUTOMOTIVE_DESIGN), which holds all of this and which every system reads.
  */
 #ifndef vtkSTEPWriter_h
 #define vtkSTEPWriter_h

@@ -12,7 +12,7 @@
 
 namespace
 {
-/// A binding point needs some bytes behind it even when the buffer has none.
+/// Least size of a store: a binding of 0 bytes is an error, so an empty buffer has a small store, too.
 constexpr std::size_t LeastBytes = 16;
 
 /// Stores up to this size are never replaced by smaller ones.
@@ -93,7 +93,7 @@ void ComputeBuffer::Free()
 {
   if (this->Name != 0 && !this->IsLost())
   {
-    // When the context cannot be entered now, it frees the name itself when it ends.
+    // If the context cannot be entered now, it frees the name itself when it ends.
     std::optional<ContextScope> scope;
     if (Enter(*this->Resources, scope))
     {
@@ -129,7 +129,7 @@ bool ComputeBuffer::Create(std::size_t bytes)
   return true;
 }
 
-/// The size of the store that a use of `bytes` asks for: the present one, a larger one, or a smaller one after many small uses.
+/// Returns the size of the store for a use of `bytes`: the present one, a larger one, or a smaller one after many small uses.
 std::size_t ComputeBuffer::ChooseCapacity(std::size_t bytes)
 {
   if (bytes > this->Capacity)

@@ -22,8 +22,8 @@ struct ContextResources;
 
 /**
  * Owns one GL buffer. The context must have been started. Every method except Bind() may be called outside a
- * ContextScope (it enters one); inside a scope is faster. A method that fails returns false, says why in
- * GetError(), and leaves the buffer as it was, but for Allocate(), which leaves it empty.
+ * ContextScope (it enters one); inside a scope is faster. A method that fails returns false, sets GetError(), and leaves the buffer
+ * unchanged; Allocate() leaves it empty.
  *
  * When the context ended since the buffer was filled, the content is gone: GetSize() is 0, IsLost() is true
  * until the next Allocate() or Upload(), which makes a new store in the context's present generation.
@@ -42,8 +42,8 @@ public:
 
   /**
    * Makes the size `bytes`; the content is undefined afterwards. A store that is large enough is kept, until the last
-   * UsesBeforeShrinking calls all needed less than a quarter of it: it is then replaced by one of the largest size they needed. A
-   * small use between large ones so costs nothing.
+   * UsesBeforeShrinking calls all needed less than a quarter of it: it is then replaced by one of the largest size they needed. So a single
+   * small use between large ones does not release the store.
    */
   bool Allocate(std::size_t bytes);
   static constexpr int UsesBeforeShrinking = 8;
@@ -71,19 +71,19 @@ public:
    * range at most GetMaximumStorageBlockSize(). A buffer of size 0 binds a small valid range. */
   bool Bind(unsigned int binding, std::size_t offset = 0, std::size_t bytes = 0);
 
-  /** Bytes asked for; 0 when the context ended since. */
+  /** Returns the size in bytes of the last Allocate() or Upload(); 0 if the context has ended since. */
   std::size_t GetSize() const;
 
-  /** Bytes of the store, which may be more than GetSize(); 0 when the context ended since. */
+  /** Returns the size of the store in bytes, which may exceed GetSize(); 0 if the context has ended since. */
   std::size_t GetCapacity() const;
 
-  /** True when the store was made in a context that has ended. */
+  /** Returns true if the store was made in a context that has ended. */
   bool IsLost() const;
 
   /** Frees the store; the buffer can be used again. */
   void Free();
 
-  /** Why the last failed operation failed. */
+  /** Returns the reason of the last failure. */
   const std::string& GetError() const { return this->Error; }
 
   ///@{

@@ -71,7 +71,7 @@ void ComputeProgram::Free()
 {
   if (this->IsBuilt())
   {
-    // When the context cannot be entered now, it frees the name itself when it ends.
+    // If the context cannot be entered now, it frees the name itself when it ends.
     std::optional<ContextScope> scope;
     if (ContextScope::IsInside(this->Resources->Context) || scope.emplace(this->Resources->Context))
     {

@@ -49,13 +49,13 @@ public:
   /** Runs at least `invocations` invocations in groups of `localSize`, the shader's local_size_x, then a
    * memory barrier. Inside a ContextScope only. When one axis has not enough groups the groups form a
    * rectangle: the shader takes its index from smInvocationIndex() (chunk smInvocation) and returns when it is
-   * not below the count. Nothing to do for 0 invocations. Counts as one dispatch of the context. */
+   * not below the count. With 0 invocations it does nothing. Counts as one dispatch of the context. */
   bool Dispatch(unsigned int invocations, unsigned int localSize);
 
   /** Frees the program. */
   void Free();
 
-  /** Why the last failed operation failed. */
+  /** Returns the reason of the last failure. */
   const std::string& GetError() const { return this->Error; }
 
   /** The driver's message on the last source, if it refused it; else empty. */

@@ -2,8 +2,8 @@
  * @file smContextResources.h
  * @brief State that a compute context shares with the buffers and programs made in it; not installed
  *
- * It outlives whichever ends first. The context frees all names when it ends, so an owner of a name has to
- * compare generations only.
+ * The object lives as long as the context or one of the owners of names. The context frees all names when it ends, so an owner only has to
+ * compare generations to know if its name still exists.
  */
 #ifndef smContextResources_h
 #define smContextResources_h
@@ -24,9 +24,9 @@ struct WindowResources;
 
 struct ContextResources
 {
-  /// Null once the context object is gone.
+  /// The context; null after it was deleted.
   vtkComputeContext* Context = nullptr;
-  /// 0: no GL context at present. Never used twice in the process.
+  /// Number of the GL context, unique in the process; 0: there is none at present.
   std::uint64_t Generation = 0;
   std::uint64_t Dispatches = 0;
   /// Shared with the other contexts of the window; null when there is no GL context at present.
@@ -40,7 +40,7 @@ struct ContextResources
   std::unordered_map<unsigned int, std::size_t> Buffers;
   std::unordered_set<unsigned int> Programs;
 
-  /// Called when the generation ends, by their owners' addresses: a callback may erase its own entry.
+  /// Callbacks for the end of the generation, by the addresses of their owners. A callback may erase its own entry.
   std::map<const void*, std::function<void()>> AtEnd;
 
   void AddBuffer(unsigned int name, std::size_t bytes);

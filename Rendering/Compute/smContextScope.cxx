@@ -52,7 +52,7 @@ struct Bindings
     }
   }
 
-  /// A name that was deleted inside the scope must not be bound again: that would be an error.
+  /// Returns the name of a buffer, or 0 if it was deleted inside the scope: binding a deleted name is a GL error.
   static GLuint Living(GLint buffer)
   {
     const GLuint name = static_cast<GLuint>(buffer);
@@ -75,7 +75,7 @@ struct Bindings
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, name);
       }
     }
-    // After the indexed ones, which change the generic one too.
+    // Restored after the indexed bindings, because these change the generic one, too.
     for (int i = 0; i < GenericCount; ++i)
     {
       glBindBuffer(GenericTargets[i], Living(this->Generic[i]));
@@ -141,7 +141,7 @@ void ContextScope::State::Leave()
   vtkComputeContext* context = this->Resources->Context;
   if (!context || this->Resources->Generation != this->Generation)
   {
-    // Our context ended inside the scope; when it was the previous one there is nothing to return to.
+    // Our context ended inside the scope. If it was also the previous context, there is none to restore.
     if (!this->WasCurrent)
     {
       this->Previous.Restore();
@@ -153,7 +153,7 @@ void ContextScope::State::Leave()
   {
     if (this->Shader)
     {
-      // VTK's cache has to know its shader again: code in the middle of a draw asks it what is bound.
+      // VTK's shader cache must have its program as the current one again, because code in the middle of a draw relies on it.
       window->GetShaderCache()->ReadyShaderProgram(this->Shader);
     }
     else

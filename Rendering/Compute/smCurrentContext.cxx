@@ -6,7 +6,7 @@
 
 #include <mutex>
 
-// After everything else: X defines common words as macros.
+// Included last, because X defines common words as macros.
 #include "vtkXOpenGLRenderWindow.h"
 #include <EGL/egl.h>
 #include <GL/glx.h>
@@ -27,7 +27,7 @@ protected:
   void DestroyWindow() override
   {
     Window ended = this->WindowId;
-    // Forgotten with the window.
+    // Read before the superclass resets them.
     Display* const display = this->DisplayId;
     const Colormap colors = this->ColorMap;
     this->Superclass::DestroyWindow();
@@ -40,7 +40,7 @@ protected:
       XFreeColormap(display, colors);
       this->ColorMap = 0;
     }
-    // Nobody reads the events of this connection. Others' windows may be on it: theirs stay.
+    // Removes the events of this window from the queue, which nothing else reads. Events of other windows on this connection remain.
     XSync(display, False);
     XEvent event;
     const auto isOfWindow = [](Display*, XEvent* of, XPointer window) -> Bool
@@ -136,8 +136,8 @@ bool MakeWindowCurrent(vtkOpenGLRenderWindow* window)
   {
     return true;
   }
-  // glXMakeCurrent() with an EGL context current is an X error, and those end the process. The other way
-  // round only fails.
+  // glXMakeCurrent() while an EGL context is current causes an X error, which ends the process. eglMakeCurrent() while a GLX context is
+  // current only fails.
   CurrentContext::ReleaseEGL();
   window->MakeCurrent();
   if (!window->IsCurrent())
@@ -160,7 +160,7 @@ vtkOpenGLRenderWindow* NewXWindow(void* display)
 
 namespace
 {
-/// Null, with a reason, when there is no display or its GLX is of no use.
+/// Opens the X display. Returns null, with a reason, if there is no display or its GLX has no usable configuration.
 Display* OpenDisplayWithGLX(const char*& reason)
 {
   Display* opened = XOpenDisplay(nullptr);
@@ -178,7 +178,7 @@ Display* OpenDisplayWithGLX(const char*& reason)
     reason = "the X server has no GLX";
     return nullptr;
   }
-  // The least that vtkXOpenGLRenderWindow settles for; it aborts the process without.
+  // The least configuration that vtkXOpenGLRenderWindow accepts; without one it aborts the process.
   static const int wanted[] = { GLX_DRAWABLE_TYPE, GLX_WINDOW_BIT, GLX_RENDER_TYPE, GLX_RGBA_BIT,
     GLX_RED_SIZE, 1, GLX_GREEN_SIZE, 1, GLX_BLUE_SIZE, 1, GLX_ALPHA_SIZE, 1, GLX_DEPTH_SIZE, 1, None };
   int count = 0;

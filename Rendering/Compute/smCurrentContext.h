@@ -12,14 +12,14 @@ class vtkOpenGLRenderWindow;
 namespace sm
 {
 /// Saves the thread's current context of either kind, with display, drawables and EGL's API. X and EGL types
-/// are kept as plain pointers and numbers, for their headers define macros like `None` and `Status`.
+/// are kept as plain pointers and numbers, because their headers define macros such as `None` and `Status`.
 class CurrentContext
 {
 public:
   CurrentContext();
 
-  /// Makes it current again, or nothing when nothing was. Cheap when it is still current. False when the
-  /// context could not be made current, e.g. because it was destroyed meanwhile.
+  /// Makes the saved context current again, or none if there was none. Does nothing if it still is current. Returns false if it could not
+  /// be made current, for example because it was destroyed meanwhile.
   bool Restore() const;
 
   /// Restores `saved` at the end of a scope.
@@ -55,15 +55,15 @@ private:
 /// Number of ContextScopes open on this thread.
 int& GetOpenScopes();
 
-/// Makes the window's context current, releasing a context of the other kind when that stands in the way.
+/// Makes the window's context current. Releases a current context of the other kind (GLX or EGL) first.
 bool MakeWindowCurrent(vtkOpenGLRenderWindow* window);
 
-/// A new X window, closed and never shown, on the display of GetXDisplay().
+/// Makes an X window on the display of GetXDisplay(), which is closed and never shown.
 vtkOpenGLRenderWindow* NewXWindow(void* display);
 
-/// The process's own connection to the X display, opened at the first call and never closed: a server that
-/// resets with its last client would take down the next one. Null with a reason when there is no display or it
-/// has no GLX with a usable configuration; a failure is tried anew at the next call. Thread safe.
+/// The process's own connection to the X display, opened at the first call and never closed: an X server that resets when its last client
+/// leaves would disconnect the next one. Returns null, with a reason, if there is no display or it has no GLX with a usable configuration;
+/// the next call tries again. Thread safe.
 SMRENDERINGCOMPUTE_EXPORT void* GetXDisplay(const char*& reason);
 }
 

@@ -17,7 +17,7 @@
 
 namespace sm
 {
-/// Forgets errors that others left behind. A lost context may report errors for ever, hence the limit.
+/// Removes pending GL errors of other code. The number of calls is limited, because a lost context may report errors for ever.
 inline void DrainErrors()
 {
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
@@ -25,14 +25,14 @@ inline void DrainErrors()
   }
 }
 
-/// Loads OpenGL's functions for the current context. Why it failed, empty when it did not.
+/// Loads OpenGL's functions for the current context. Returns the reason of a failure, else an empty text.
 template <typename GetAddress>
 std::string LoadOpenGL(GetAddress getAddress)
 {
 #ifdef SM_HAS_GLEW
   (void)getAddress;
-  // A GLEW built for GLX looks for a GLX display after it has loaded every pointer, and the pointers work:
-  // that one error (GLEW_ERROR_NO_GLX_DISPLAY, 4) is none.
+  // A GLEW built for GLX searches a GLX display after it has loaded all pointers. The pointers are valid although it returns
+  // GLEW_ERROR_NO_GLX_DISPLAY (4), which is therefore ignored.
   glewExperimental = GL_TRUE;
   const GLenum result = glewInit();
   const bool loaded = (result == GLEW_OK || result == 4) && glGenVertexArrays != nullptr;
@@ -43,7 +43,7 @@ std::string LoadOpenGL(GetAddress getAddress)
   return loaded ? std::string() : "result " + std::to_string(result);
 }
 
-/// The first pending error by name, empty when there is none; the rest is forgotten.
+/// Returns the name of the first pending error, or an empty text, and removes all others.
 inline std::string TakeError()
 {
   const GLenum error = glGetError();

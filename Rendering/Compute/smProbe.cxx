@@ -41,7 +41,7 @@ bool ProbeDoubles(vtkComputeContext* context, std::string& complaint)
   const double allowed = 8.0 * std::numeric_limits<double>::epsilon();
   const double sum = values[0] + b;
   const double error = (values[0] - (sum - (sum - values[0]))) + (b - (sum - values[0]));
-  // Written so that a NaN fails.
+  // The condition is written so that a NaN fails.
   if (!(std::fabs(values[0] - a / b) <= allowed && std::fabs(values[1] - std::sqrt(b)) <= allowed &&
         values[2] == error))
   {

@@ -16,7 +16,7 @@ namespace
 struct ReadyContexts
 {
   std::mutex Mutex;
-  /// With the thread that started them.
+  /// The contexts, each with the thread that started it.
   std::map<vtkComputeContext*, std::thread::id> Contexts;
   bool IsRegistered = false;
   pid_t Process = 0;
@@ -36,19 +36,19 @@ void StopContexts()
     const std::lock_guard<std::mutex> lock(ready.Mutex);
     if (ready.Process != getpid())
     {
-      return; // a fork, which shares the connection to the display
+      return; // this process is a fork, which shares the connection to the display
     }
     contexts = ready.Contexts;
   }
   for (const auto& [context, thread] : contexts)
   {
-    // The end of one may have deleted another.
+    // Stopping one context may have deleted another one.
     bool isReady = false;
     {
       const std::lock_guard<std::mutex> lock(ready.Mutex);
       isReady = ready.Contexts.count(context) != 0;
     }
-    // Another thread may be using its context.
+    // A context of another thread may be in use.
     if (isReady && thread == std::this_thread::get_id() && GetOpenScopes() == 0)
     {
       context->Stop();

@@ -2,9 +2,9 @@
  * @file smReadyContexts.h
  * @brief Stops contexts when the process exits
  *
- * When the process exits, the contexts that are READY are stopped before the OpenGL driver ends: who still owns one then, as
- * ParaView's session does after Python's sys.exit(), may end later, and an X error would end the process. Stopped are those
- * that the exiting thread started, unless exit() was called in the midst of a dispatch; not those that a fork inherited.
+ * When the process exits, the contexts that are READY are stopped before the OpenGL driver is unloaded. Their owners may be destroyed
+ * later, as ParaView's session is after Python's sys.exit(), and freeing a context then would be an X error, which ends the process. Only
+ * contexts that the exiting thread started are stopped, none if exit() was called inside a ContextScope, and none in a forked process.
  */
 #ifndef smReadyContexts_h
 #define smReadyContexts_h
@@ -13,9 +13,9 @@ class vtkComputeContext;
 
 namespace sm
 {
-/// From the thread that uses the context. Thread safe.
+/// Registers a context; call it from the thread that uses the context. Thread safe.
 void AddReadyContext(vtkComputeContext* context);
-/// Once it is not READY any more. Thread safe.
+/// Removes a context that is not READY any more. Thread safe.
 void RemoveReadyContext(vtkComputeContext* context);
 }
 

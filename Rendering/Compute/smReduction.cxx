@@ -16,7 +16,7 @@ namespace
 {
 constexpr unsigned int LocalSize = 64;
 
-/// Bytes of input that one dispatch reads at most: keeps a dispatch short on slow drivers.
+/// Largest number of bytes of input that one dispatch reads, so that a dispatch is short on slow drivers.
 constexpr std::int64_t MaximumTile = 128 << 20;
 
 /// First row and number of rows, as the shader reads them.
@@ -56,8 +56,8 @@ double GetNeutral(sm::Reduction::Operation operation)
                                                      : -infinity;
 }
 
-/// The sum of value and error of the rows of each segment, which are one or none after the last level. Those without rows are left as they
-/// are.
+/// Adds value and error of the last row of each segment; after the last level a segment has one row or none. Results of segments without
+/// rows are not changed.
 void AddPairs(const std::vector<double>& pairs, const Segments& segments, unsigned int columns,
   std::vector<double>& result)
 {
@@ -70,7 +70,7 @@ void AddPairs(const std::vector<double>& pairs, const Segments& segments, unsign
     for (unsigned int column = 0; column < columns; ++column)
     {
       const double* pair = &pairs[(static_cast<std::size_t>(segments[i].first) * columns + column) * 2];
-      // After an overflow the error is NaN and the value says it all.
+      // After an overflow the error is NaN, and the value alone, infinity, is the result.
       result[i * columns + column] = std::isfinite(pair[0]) ? pair[0] + pair[1] : pair[0];
     }
   }
@@ -220,7 +220,7 @@ bool Reduction::ReduceLevel(ComputeBuffer& input, const Level& level, ComputeBuf
 
   for (std::size_t first = 0; first < level.Blocks.size();)
   {
-    // As many blocks as one binding can hold, of input as of output.
+    // As many blocks as fit into one binding of the input and one of the output.
     std::size_t begin = level.Blocks[first].FirstRow;
     std::size_t end = begin + level.Blocks[first].Rows;
     std::size_t last = first + 1;

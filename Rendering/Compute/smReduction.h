@@ -27,11 +27,11 @@ struct ContextResources;
  * those results, until one is left. The tree depends on the length of its own segment only, so the same rows give
  * the same bits however segments are batched, ordered and placed.
  *
- * SUM carries the rounding errors of all additions to the end (TwoSum; Ogita, Rump, Oishi, "Accurate sum and dot
+ * SUM accumulates the rounding errors of all additions and adds them at the end (TwoSum; Ogita, Rump, Oishi, "Accurate sum and dot
  * product", SIAM J. Sci. Comput. 26, 2005, Algorithm 4.4), so |result - exact| <= eps |exact| + g^2 sum|x| with
  * g = 2 n eps / (1 - 2 n eps), eps = 2^-53, for the n rows of the segment; no bound where the sum overflows.
  *
- * Not a number: NaN in a column makes that result NaN, for every operation. A sum that overflows is infinite.
+ * A NaN in a column makes the result of the column NaN, for every operation. A sum that overflows is infinite.
  * An empty segment gives 0, +infinity or -infinity for SUM, MINIMUM, MAXIMUM.
  */
 class SMRENDERINGCOMPUTE_EXPORT Reduction
@@ -57,7 +57,7 @@ public:
     const std::vector<std::pair<unsigned int, unsigned int>>& segments, Operation operation,
     std::vector<double>& result);
 
-  /** Frees what is kept on the GPU between calls. */
+  /** Frees the buffers that are kept on the GPU between calls. */
   void Free();
 
   const std::string& GetError() const { return this->Error; }
@@ -65,7 +65,9 @@ public:
 private:
   struct Level;
   bool Fail(const std::string& what);
-  /** The number of blocks of the first level. False when a segment is not inside the rows, or there are too many. */
+  /**
+   * Computes the number of blocks of the first level. Returns false if a segment is not inside the rows, or if there are too many blocks.
+   */
   bool CountBlocks(std::uint64_t available,
     const std::vector<std::pair<unsigned int, unsigned int>>& segments, std::uint64_t& total);
   bool PrepareProgram(unsigned int columns, Operation operation);

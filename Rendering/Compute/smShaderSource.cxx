@@ -14,7 +14,7 @@ const char* const TagStart = "//SM::";
 const char* const DefineTag = "//SM::Define";
 const char* const IncludeTag = "//SM::Include ";
 
-/// Deeper nesting is a replacement that contains its own tag.
+/// Largest nesting of replacements; deeper nesting means that a replacement contains its own tag.
 constexpr int MaximumDepth = 32;
 
 bool StartsWith(const std::string& text, const std::string& start)

@@ -19,8 +19,8 @@
 
 namespace sm
 {
-/// Draws all blocks of a composite dataset, those of one state together. Until VTK 9.2 the class vtkCompositePolyDataMapper is another
-/// one, which draws block by block and other pictures.
+/// Draws all blocks of a composite dataset, those of one state together. Until VTK 9.2 vtkCompositePolyDataMapper is a different class,
+/// which draws block by block and gives different pictures.
 using CompositeMapper = SM_COMPOSITE_MAPPER;
 }
 

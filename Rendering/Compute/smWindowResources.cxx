@@ -30,7 +30,7 @@ WindowResources::~WindowResources()
   Registry& registry = GetRegistry();
   const std::lock_guard<std::mutex> lock(registry.Mutex);
   const auto found = registry.Windows.find(this->Window);
-  // Another window may have got the address, and resources of its own, meanwhile.
+  // Another window may have been made at the same address meanwhile, with resources of its own.
   if (found != registry.Windows.end() && found->second.expired())
   {
     registry.Windows.erase(found);

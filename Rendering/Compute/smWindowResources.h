@@ -17,7 +17,7 @@ class vtkOpenGLRenderWindow;
 namespace sm
 {
 /**
- * Held by every READY vtkComputeContext of the window, and gone with the last of them. Used by the thread that uses the
+ * Owned by all READY vtkComputeContexts of the window together, and deleted with the last of them. Used by the thread that uses the
  * OpenGL context; only Get() is thread safe.
  */
 struct SMRENDERINGCOMPUTE_EXPORT WindowResources
@@ -27,20 +27,20 @@ struct SMRENDERINGCOMPUTE_EXPORT WindowResources
   WindowResources(const WindowResources&) = delete;
   WindowResources& operator=(const WindowResources&) = delete;
 
-  /// The resources of `window`; made when nobody holds any.
+  /// Returns the resources of `window`, which are made if there are none.
   static std::shared_ptr<WindowResources> Get(vtkOpenGLRenderWindow* window);
 
   void AddBytes(std::size_t bytes);
 
-  /// Open ContextScopes of the window's contexts.
+  /// Number of open ContextScopes of the window's contexts.
   int ScopeDepth = 0;
-  /// Set once the driver's arithmetic in double precision was found right: it is tried once per OpenGL context.
+  /// True after the test of the driver's double precision has passed, which is run once per OpenGL context.
   bool HasRightDoubles = false;
-  /// Bytes of the stores of all buffers now, and the most at a time.
+  /// Bytes of the stores of all buffers: now, and the largest value so far.
   std::size_t AllocatedBytes = 0;
   std::size_t PeakBytes = 0;
 
-  /// Caches of other modules, by name: what several users of one window keep on the GPU together. Each is owned by its users.
+  /// Caches of other modules, by name, for data on the GPU that several users of one window share. Each cache is owned by its users.
   std::unordered_map<std::string, std::weak_ptr<void>> Caches;
 
 private:

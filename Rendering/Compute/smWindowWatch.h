@@ -1,6 +1,6 @@
 /**
  * @file smWindowWatch.h
- * @brief Listens to a render window: when its GL resources end, and what it complains about; not installed
+ * @brief Observers of a render window: of the release of its GL resources, and of its error messages; not installed
  */
 #ifndef smWindowWatch_h
 #define smWindowWatch_h
@@ -16,9 +16,9 @@
 
 namespace sm
 {
-/// Learns that a window releases its graphics resources, with the window's context current. VTK's own way
-/// (vtkOpenGLResourceFreeCallback) is not installed, but a texture object is registered with its window by it
-/// and is told through a virtual method.
+/// Is notified when a window releases its graphics resources, with the window's context current. The header of VTK's class for this
+/// purpose, vtkOpenGLResourceFreeCallback, is not installed. A texture object registers one with its window, and is notified by the virtual
+/// method ReleaseGraphicsResources().
 class EndWatch : public vtkTextureObject
 {
 public:
@@ -40,7 +40,7 @@ protected:
   EndWatch() = default;
   ~EndWatch() override = default;
 };
-/// Keeps a window's complaints from being printed, and its exits from being aborts, while it is tried.
+/// During its lifetime error messages of a window are not printed, and errors for which VTK would abort the process do not.
 class ScopedErrorSilencer
 {
 public:

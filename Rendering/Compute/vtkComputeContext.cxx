@@ -82,7 +82,7 @@ void vtkComputeContext::SetMaximumVersion(int major, int minor)
 
 int vtkComputeContext::Start()
 {
-  // A GPU that EGL has is better than an X display without one.
+  // EGL may have a GPU even if the X display has none.
   if (this->Status != READY && !this->Internals->Given && this->Source == AUTOMATIC &&
     vtkEGLSurfacelessRenderWindow::MayHaveGPU())
   {
@@ -110,7 +110,7 @@ void vtkComputeContext::Stop()
   vtkInternals& internals = *this->Internals;
   if (internals.Own && internals.Own->IsCurrent())
   {
-    // Rendering with our window left it current; it must not be restored after its end.
+    // After rendering with our own window its context may be current; it is released, so that no scope restores it after its end.
     internals.Own->ReleaseCurrent();
   }
   const sm::CurrentContext::Guard guard;

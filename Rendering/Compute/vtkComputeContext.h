@@ -2,14 +2,13 @@
  * @class   vtkComputeContext
  * @brief   one OpenGL context in which compute shaders in double precision run
  *
- * The context is that of a given vtkRenderWindow, so that results can stay where a renderer uses them, or an
- * own one: on the X display, or with no display at all through surfaceless EGL. Start() makes it and says
- * with a named status, never by aborting or printing, why there is none.
+ * The context is that of a given vtkRenderWindow, so that results can stay where a renderer uses them, or one of its own: on the X display,
+ * or without any display by surfaceless EGL. Start() makes it. If there is none, the reason is a status, and nothing is printed or aborted.
  *
  * Everything of this module that owns a GL name (sm::ComputeBuffer, sm::ComputeProgram) is tied to a context
  * and to its generation. When the window ends, is finalized or releases its resources, the context frees
  * the names while they can be freed, the status becomes LOST and the generation changes: objects of
- * the old generation have no content. Nothing needs to be released in any order.
+ * the old generation have no content. Objects may be released in any order.
  *
  * A given window is referenced weakly, so a filter that holds a context inside that window's pipeline makes no
  * reference loop.
@@ -46,7 +45,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** The source of the context. AUTOMATIC tries the given window, then an own context on the X display, then surfaceless EGL, of
-   * a GPU before a software renderer's, and uses the first that has OpenGL 4.3 with double precision. If none has, the status is that of the attempt that came farthest. */
+   * a GPU before a software renderer's, and uses the first that has OpenGL 4.3 with double precision. If none has, the status is the
+   * highest one of all attempts, in the order NO_CONTEXT, NO_COMPUTE, NO_DOUBLES. */
   enum SourceType
   {
     AUTOMATIC = 0,
@@ -96,11 +96,13 @@ public:
    * anew. Leaves the thread's current context as it was. Never aborts, never prints. */
   int Start();
 
-  /** Like Start(), but never makes a context of a software renderer: returns whether the context is READY and that of a GPU. That
-   * there is no GPU is remembered until source, window or version change. */
+  /**
+   * Like Start(), but never makes a context of a software renderer: returns whether the context is READY and that of a GPU. A negative
+   * result is kept until source, window or version change.
+   */
   bool StartOnGPU();
 
-  /** Frees everything made in the context and gives it up; the status becomes NOT_STARTED. */
+  /** Frees everything made in the context and releases it; the status becomes NOT_STARTED. */
   void Stop();
 
   /** The present status; never tries to make a context. */
@@ -108,7 +110,7 @@ public:
   /** "not-started", "ready", "no-context", "no-compute", "no-doubles" or "lost". */
   const char* GetStatusAsString();
 
-  /** Sentences for users: what was tried, why it failed and what can be done. Empty when READY. */
+  /** Returns sentences for users: the sources that were tried, why each failed, and remedies. Empty when READY. */
   std::string GetReason();
 
   /** GL_RENDERER of the context, empty when not READY. */
@@ -135,8 +137,10 @@ public:
   ///@}
 
   ///@{
-  /** Bytes of GPU memory that the buffers of this module hold in the OpenGL context now, and the most at a time since its first
-   * use. Contexts of the same window share the OpenGL context, and each reports the sum. 0 when not READY. */
+  /**
+   * Bytes of GPU memory that the buffers of this module hold in the OpenGL context now, and the largest value since its first use. Contexts
+   * of the same window share the OpenGL context, and each reports the sum. 0 when not READY.
+   */
   vtkTypeInt64 GetAllocatedBytes();
   vtkTypeInt64 GetPeakAllocatedBytes();
   ///@}

@@ -36,7 +36,7 @@ bool HasExtension(const char* wanted)
   return false;
 }
 
-/// vtkOpenGLRenderWindow says 2.0 until it has initialized OpenGL.
+/// Returns true if the window has initialized OpenGL; before that vtkOpenGLRenderWindow states version 2.0.
 bool IsInitialized(vtkOpenGLRenderWindow* window)
 {
   int major = 0;
@@ -305,7 +305,7 @@ void vtkComputeContext::vtkInternals::End(bool current, int status)
   }
 }
 
-/// Leaves the window. Not from within the watch's own callback.
+/// Stops observing the window. Must not be called from the callback of the EndWatch.
 void vtkComputeContext::vtkInternals::Detach()
 {
   if (this->Watch)
@@ -316,7 +316,7 @@ void vtkComputeContext::vtkInternals::Detach()
   }
 }
 
-/// Before the window's destructor: its observers, which may be what makes it current, still work.
+/// Handles DeleteEvent, before the destructor of the window: its observers, one of which may make it current, still work.
 void vtkComputeContext::vtkInternals::WindowIsDeleted()
 {
   if (this->Used)

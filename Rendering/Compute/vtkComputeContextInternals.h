@@ -30,10 +30,10 @@ public:
   vtkComputeContext* Self;
   vtkWeakPointer<vtkRenderWindow> Given;
   bool WasGiven = false;
-  /// The given window was READY once; when it closes it is not opened again.
+  /// True after the given window was READY once; a window that was closed since is not opened again.
   bool WasOpened = false;
   vtkSmartPointer<vtkOpenGLRenderWindow> Own;
-  /// The window in use while READY, never dangling: the watch and DeleteEvent come before its end.
+  /// The window in use while READY. It never dangles, because EndWatch and DeleteEvent reset it before the window is destroyed.
   vtkOpenGLRenderWindow* Used = nullptr;
   vtkSmartPointer<sm::EndWatch> Watch;
   vtkNew<vtkCallbackCommand> Deleted;
@@ -43,14 +43,14 @@ public:
   std::string Version;
   const char* SourceName = "";
 
-  /// Only contexts of a GPU are wanted now.
+  /// True while only contexts of a GPU are accepted.
   bool OnlyGPU = false;
   /// Modification time of the context with which no GPU was found.
   vtkMTimeType FoundNoGPU = 0;
 
-  /// Makes a context and sets the status to READY, or to that of the attempt that came farthest; returns it.
+  /// Makes a context and sets the status to READY, or to the highest status of all attempts. Returns the status.
   int Search(bool onlyGPU);
-  /// Each returns a status, READY or why not; the reasons are collected.
+  /// Each tries one source and returns READY or another status; the reasons are collected.
   int TryWindow();
   int TryX();
   int TryEGL();

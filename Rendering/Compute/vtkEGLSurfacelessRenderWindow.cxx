@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-// Keeps X's macros out: nothing here needs a native platform.
+// Excludes the headers of X and their macros; no native platform is needed here.
 #define EGL_NO_X11
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
@@ -43,7 +43,7 @@ struct Candidate
   const char* Label;
 };
 
-/// Displays of the devices; those that only run software come last.
+/// Collects the displays of all EGL devices, those with hardware and those with software renderers.
 void GetDeviceDisplays(std::vector<Candidate>& hardware, std::vector<Candidate>& software)
 {
   const auto queryDevices =
@@ -87,7 +87,8 @@ public:
   /// The context that was current before MakeCurrent().
   std::optional<sm::CurrentContext> Displaced;
 
-  /// Fails with an addition to Reason. The display is never terminated: others in the process may use it.
+  /// Makes the context on a display. On failure it adds the reason to Reason. The display is never terminated, because other code in the
+  /// process may use it.
   bool Create(const Candidate& candidate);
   bool Fail(const Candidate& candidate, const char* what)
   {
@@ -189,7 +190,7 @@ vtkEGLSurfacelessRenderWindow::vtkEGLSurfacelessRenderWindow()
 vtkEGLSurfacelessRenderWindow::~vtkEGLSurfacelessRenderWindow()
 {
   this->Finalize();
-  // The superclass finalizes once more: its renderers must not find this window by then.
+  // The destructor of the superclass finalizes again; the renderers must not refer to this window then.
   vtkRenderer* renderer = nullptr;
   vtkCollectionSimpleIterator iterator;
   this->Renderers->InitTraversal(iterator);
@@ -291,7 +292,7 @@ bool vtkEGLSurfacelessRenderWindow::CreateContext()
   }
   if (made)
   {
-    // A software context is at hand: only a hardware one is better.
+    // There is already a software context, so only hardware devices are tried.
     software.clear();
   }
   vtkInternals present = internals;
@@ -387,7 +388,7 @@ int vtkEGLSurfacelessRenderWindow::ReadPixels(
   const vtkRecti& rect, int front, int glFormat, int glType, void* data, int right)
 {
   const int result = this->Superclass::ReadPixels(rect, front, glFormat, glType, data, right);
-  // Code that reads pixels calls MakeCurrent() first (vtkWindowToImageFilter) and never gives the context back.
+  // Code that reads pixels calls MakeCurrent() first (vtkWindowToImageFilter), and does not restore the previous context afterwards.
   if (sm::GetOpenScopes() == 0 && this->Internals->Displaced)
   {
     this->Internals->Displaced->Restore();
@@ -447,7 +448,7 @@ vtkTypeBool vtkEGLSurfacelessRenderWindow::IsDirect()
 
 int vtkEGLSurfacelessRenderWindow::GetColorBufferSizes(int* rgba)
 {
-  // The sizes of VTK's own framebuffers; there is no framebuffer 0 to ask.
+  // Sizes of the colour components of VTK's own framebuffers. A surfaceless context has no framebuffer 0 that could be queried.
   if (!rgba)
   {
     return 0;
@@ -461,7 +462,8 @@ int vtkEGLSurfacelessRenderWindow::GetColorBufferSizes(int* rgba)
 
 int vtkEGLSurfacelessRenderWindow::GetDepthBufferSize()
 {
-  // As above. A camera's clipping range may be asked for before the first picture: VTK would ask framebuffer 0.
+  // Likewise. VTK needs the number of depth bits for the clipping range of a camera, also before the first picture, and would query
+  // framebuffer 0.
   return 32;
 }
 

@@ -10,13 +10,12 @@
  * The class needs no X server and no windowing library, and it stands in for vtkEGLRenderWindow,
  * which Debian's VTK lacks.
  *
- * GLX and EGL exclude each other on a thread, and an X window that makes its context current while this one's is
- * ends the process with an X error. So MakeCurrent() releases a current GLX context first, and Initialize(),
- * Render() and reading pixels (also after MakeCurrent(), as vtkWindowToImageFilter does) restore what was
- * current before. Who calls MakeCurrent() for another purpose beside X windows calls ReleaseCurrent(), or uses
- * sm::ContextScope.
+ * GLX and EGL exclude each other on a thread: an X window that makes its context current while an EGL context is current ends the process
+ * with an X error. So MakeCurrent() releases a current GLX context first, and Initialize(), Render() and reading pixels (also after
+ * MakeCurrent(), as vtkWindowToImageFilter does) restore what was current before. Other callers of MakeCurrent() in programs with X windows
+ * must call ReleaseCurrent() afterwards, or use sm::ContextScope.
  *
- * Use one thread at a time.
+ * Not thread safe.
  */
 #ifndef vtkEGLSurfacelessRenderWindow_h
 #define vtkEGLSurfacelessRenderWindow_h
@@ -34,21 +33,22 @@ public:
   vtkTypeMacro(vtkEGLSurfacelessRenderWindow, vtkGenericOpenGLRenderWindow);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Returns whether EGL lists a device of a GPU, or cannot list devices. Makes no context. */
+  /** Returns true if EGL lists a device of a GPU, or cannot list devices. Makes no context. */
   static bool MayHaveGPU();
 
-  /** Returns whether `renderer`, a GL_RENDERER, is a known software renderer, for example Mesa's llvmpipe. */
+  /** Returns true if `renderer`, a GL_RENDERER string, is a known software renderer, for example Mesa's llvmpipe. */
   static bool IsSoftware(const std::string& renderer);
 
   /** Requests at most this OpenGL version. Default: 0 0, the highest. Read when the context is made. A driver
    * may give a later, compatible version. */
   void SetMaximumVersion(int major, int minor);
 
-  /** Makes the context unless there is one and returns whether there is one now. Never prints; GetReason() says
-   * why it failed. Does not make it current. */
+  /**
+   * Makes the context unless there is one. Returns false, with GetReason(), if that fails. Never prints. Does not make the context current.
+   */
   bool CreateContext();
 
-  /** Why CreateContext() failed; empty when it did not. */
+  /** Returns the reason why CreateContext() failed; empty if it did not. */
   std::string GetReason();
 
   void Initialize() override;

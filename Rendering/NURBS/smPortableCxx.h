@@ -2,9 +2,8 @@
  * @file smPortableCxx.h
  * @brief Compiles the chunks of mathematics in glsl/ as C++, through GLM; not installed
  *
- * Include it in a source file, not in a header, and inside no namespace. Then include the chunks' files in a namespace after
- * what they need, or in the body of a class whose members are what they need: accessors, sizes and arrays, each
- * chunk names its own at its head.
+ * Include it in a source file, not in a header, and inside no namespace. Then include the files of the chunks in a namespace, or in the
+ * body of a class, where the names that they need are declared: accessors, sizes and arrays, which every chunk lists in its first comment.
  */
 #ifndef smPortableCxx_h
 #define smPortableCxx_h
@@ -43,7 +42,7 @@ constexpr double operator"" LF(long double value)
   return static_cast<double>(value);
 }
 
-// A compiler of C++ keeps to the order of operations as it is.
+// A C++ compiler does not reorder operations without -ffast-math, so GLSL's `precise` has no counterpart.
 #define precise
 
 #define SM_OUT(type) type&

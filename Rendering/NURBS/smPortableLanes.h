@@ -2,17 +2,16 @@
  * @file smPortableLanes.h
  * @brief Compiles the chunks of mathematics in glsl/ as C++ that evaluates several items side by side; not installed
  *
- * As smPortableCxx.h, but what the chunks call double is a class template's Number: sm::Lanes, or double itself. Every lane does
- * the operations of one double in the same order, so that its bits do not depend on the number of lanes. Numbers of loops and
- * conditions of if must be the same for all lanes; where a condition compares Numbers the chunk uses
- * SM_SELECT, or SM_ANY, which holds for all lanes if it does for one. In a
- * class template, put between `#define double Number` and `#undef double`:
+ * Like smPortableCxx.h, but the type that the chunks call double is the parameter Number of a class template: sm::Lanes, or double itself.
+ * Every lane does the operations of one double in the same order, so that its bits do not depend on the number of lanes. Numbers of loops
+ * and conditions of if must be the same for all lanes; where a condition compares Numbers the chunk uses SM_SELECT, or SM_ANY, which holds
+ * for all lanes if it does for one. In a class template, put between `#define double Number` and `#undef double`:
  *
  *     using dvec2 = sm::LaneVector2<Number>; (and so dvec3, dvec4), using uvec4 = sm::LaneIndices;
  *     #include "glsl/sm....glsl"
  *
- * A source file that is compiled for an instruction set of its own must not call inline functions that other files call, too: the
- * linker keeps one copy. So there is nothing here but templates of Number, and nothing of GLM.
+ * A source file that is compiled for a special instruction set must not use inline functions that other files use, too, because the linker
+ * keeps one copy of each. Therefore this header has only templates of Number and does not include GLM.
  */
 #ifndef smPortableLanes_h
 #define smPortableLanes_h
@@ -26,7 +25,7 @@ static constexpr double operator"" LF(long double value)
   return static_cast<double>(value);
 }
 
-// A compiler of C++ keeps to the order of operations as it is.
+// A C++ compiler does not reorder operations without -ffast-math, so GLSL's `precise` has no counterpart.
 #define precise
 
 #define SM_OUT(type) type&
@@ -45,11 +44,11 @@ static constexpr double operator"" LF(long double value)
 
 namespace sm
 {
-/// Count doubles on which every operation works one by one.
+/// An array of Count doubles with elementwise operations.
 template <int Count>
 struct Lanes
 {
-  // A typedef: the attribute of an alias is lost where it depends on Count.
+  // A typedef is used because an alias would lose the attribute where it depends on Count.
   typedef double Vector __attribute__((vector_size(8 * Count)));
   typedef long long Mask __attribute__((vector_size(8 * Count)));
   Vector All;
@@ -84,7 +83,7 @@ struct Lanes
   friend SM_ALWAYS_INLINE Mask operator<(const Lanes& a, const Lanes& b) { return a.All < b.All; }
   friend SM_ALWAYS_INLINE Mask operator>(const Lanes& a, const Lanes& b) { return a.All > b.All; }
 
-  // NaN and the sign of zero as in GLM.
+  // NaN and the sign of zero are treated as in GLM.
   friend SM_ALWAYS_INLINE Lanes min(const Lanes& a, const Lanes& b)
   {
     return Lanes(b.All < a.All ? b.All : a.All);

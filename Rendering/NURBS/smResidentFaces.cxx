@@ -25,7 +25,7 @@ struct ResidentFaces::Internals
   std::shared_ptr<ContextResources> Resources;
   Sharing Share;
   std::shared_ptr<ResidentStore> Store;
-  /// 0: the store's own.
+  /// Budget of this user in bytes; 0: the default of the store.
   std::size_t Budget = 0;
   std::size_t MaximumItems = 262144;
   std::uint64_t Uploads = 0;
@@ -47,7 +47,7 @@ struct ResidentFaces::Internals
     {
       this->Store->Budget = this->Budget;
     }
-    // Stop() of the context frees the faces, though the store has a context of its own.
+    // The store has a context of its own, so the end of the user's context must release the faces explicitly.
     this->Resources->AtEnd[user] = [this, user] { this->Detach(user); };
     return true;
   }
@@ -98,7 +98,7 @@ bool ResidentFaces::Acquire(const std::vector<CutFacePointer>& faces, std::vecto
   {
     return false;
   }
-  // The context may end in a callback of progress, and the store with it.
+  // A progress callback may end the context, and the store with it; this pointer keeps the store alive.
   const std::shared_ptr<ResidentStore> store = self.Store;
   const bool done = store->Acquire(this, faces, locations, progress, self.MaximumItems, self.Uploads);
   self.Error = done ? "" : store->Error;

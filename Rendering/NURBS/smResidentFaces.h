@@ -20,16 +20,16 @@ class vtkComputeContext;
 
 namespace sm
 {
-/// Where a face lies on the GPU. Indices in its FacePanels are relative to the face: add the bases.
+/// Position of a face on the GPU: its page, and the bases that are added to the indices in its FacePanels, which are relative to the face.
 struct ResidentFace
 {
   int Page = -1;
   std::uint32_t FirstPatch = 0;
   std::uint32_t FirstCoefficient = 0;
   std::uint32_t FirstCap = 0;
-  /// The face itself: an id stands for one face only. A page keeps no face alive.
+  /// The face, to detect that an id is reused for another one. The page does not keep the face alive.
   std::weak_ptr<const Face> Source;
-  /// Not empty: the face is too large for a storage block of this GPU and nothing of it is there.
+  /// The reason why the face is not on the GPU: it is too large for a storage block. Empty if it is there.
   std::string Error;
 };
 
@@ -39,12 +39,12 @@ struct ResidentFace
  * costs nothing. A page whose faces no longer exist, as after an edit, is dropped by the next upload. When the bytes exceed the
  * budget, the pages used longest ago are dropped as a whole.
  *
- * All users of one OpenGL context share the pages: a face that two filters of a window integrate is there once. A page is dropped
+ * All users of one OpenGL context share the pages: a face that two filters of a window integrate is stored once. A page is dropped
  * when its last user has released it. The faces of a user's last request stay until its EndRun(), whatever others ask for.
  *
- * When the OpenGL context ends, everything is forgotten and the next Acquire() starts anew.
- * Storage and bindings: see glsl/smResident.glsl. Methods enter the context by themselves, except Bind();
- * progress is reported outside of it.
+ * When the OpenGL context ends, all pages are lost, and the next Acquire() uploads again.
+ * Storage and bindings: see glsl/smResident.glsl. All methods except Bind() and BindCaps() enter the context themselves; progress is
+ * reported outside of it.
  */
 class SMRENDERINGNURBS_EXPORT ResidentFaces
 {
@@ -68,14 +68,14 @@ public:
   void SetMaximumItemsPerPage(std::size_t items);
 
   /// Makes `faces` resident; `locations` gets one entry per face. `progress` (may be empty) gets a fraction
-  /// and returns false to stop. False when stopped or out of GPU memory, with GetError().
+  /// and returns false to stop. Returns false, with GetError(), if stopped or if GPU memory is insufficient.
   bool Acquire(const std::vector<CutFacePointer>& faces, std::vector<ResidentFace>& locations,
     const std::function<bool(double)>& progress);
 
-  /// The locations of the last Acquire() are not used any more: their pages may be dropped for others.
+  /// Ends the use of the locations of the last Acquire(): their pages may be dropped from now on.
   void EndRun();
 
-  /// Gives up all faces: pages that nobody else uses are freed. The next Acquire() uploads again.
+  /// Releases all faces: pages without another user are freed. The next Acquire() uploads again.
   void Release();
 
   /// Binds a page's buffers to storage bindings 0 (control points), 1 (patches), 2 (coefficients).

@@ -145,7 +145,7 @@ ResidentStore::Pages::iterator ResidentStore::Drop(Pages::iterator page)
 {
   for (const auto& [id, source] : page->second.Faces)
   {
-    // A later face may have got the id of one that no longer exists.
+    // A later face may have the same id as one that no longer exists.
     const auto found = this->Faces.find(id);
     if (found != this->Faces.end() && found->second.Page == page->first)
     {

@@ -35,7 +35,8 @@ public:
   /// Identifies a user.
   using User = const ResidentFaces*;
 
-  /// The store that all users of the window of `context` share, or a new one for one user. Null, with `error`, without OpenGL.
+  /// Returns the store that all users of the window of `context` share, or makes one for a single user. Returns null, with `error`, without
+  /// OpenGL.
   static std::shared_ptr<ResidentStore> Open(vtkComputeContext* context, bool isShared, std::string& error);
 
   /// True while the OpenGL context lasts in which the store was made.
@@ -70,7 +71,7 @@ private:
   };
   using Pages = std::map<int, Page>;
 
-  /// A request in progress: who asks, and what was packed for the next page.
+  /// A request in progress: the user, and the data packed for the next page.
   struct Request
   {
     User Asker;

@@ -26,11 +26,11 @@ namespace
 {
 // Invocations per work group, as in the shader.
 constexpr unsigned int LocalSize = 32;
-// Evaluations of a bicubic patch in one dispatch, about: some 50 ms on two CPU cores.
+// Approximate number of evaluations of a bicubic patch in one dispatch: some 50 ms on two CPU cores.
 constexpr std::size_t PointsPerDispatch = 1000000;
-// Points whose results are on the GPU at a time, at most.
+// Largest number of points whose results are on the GPU at a time.
 constexpr std::size_t PointsPerRead = 1 << 20;
-// Patches of edited faces are asked for once as a rule.
+// Budget for patches on the GPU. It is small because the patches of edited faces are mostly used once.
 constexpr std::size_t PatchBudget = std::size_t{ 64 } << 20;
 
 // As smLocalPoint in glsl/smDisplayPointsCS.glsl, std430.
@@ -46,10 +46,10 @@ struct Portion
 };
 }
 
-/// Everything that is tied to one context.
+/// All data that belong to one context.
 struct vtkNURBSPointEvaluatorGPU::Internals
 {
-  /// A layout whose points are on the GPU, and which version of every face's.
+  /// A layout whose points are on the GPU, with the version of the points of every face.
   struct Mesh
   {
     std::weak_ptr<sm::PointLayout> Layout;

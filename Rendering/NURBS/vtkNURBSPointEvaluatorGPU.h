@@ -2,14 +2,14 @@
  * @class   vtkNURBSPointEvaluatorGPU
  * @brief   display points of edited faces by compute shaders, with the evaluator of the integrals
  *
- * vtkNURBSPointEvaluator::New() makes this class where this module is loaded. Patches of the faces that changed go to the GPU
- * (sm::ResidentFaces), places of points on them stay there from update to update, and one invocation evaluates a point, by
- * the chunks that integrate (smPatch.glsl). Where OpenGL 4.3 with doubles is missing, or memory on the GPU, the CPU evaluates,
+ * vtkNURBSPointEvaluator::New() makes this class where this module is loaded. Patches of the faces that changed are uploaded
+ * (sm::ResidentFaces). The parameters of the points stay on the GPU from update to update. One invocation evaluates one point, by the
+ * chunks that the integration uses (smPatch.glsl). Where OpenGL 4.3 with doubles is missing, or memory on the GPU, the CPU evaluates,
  * unless Backend is OPENGL.
  *
  * The evaluator makes its own context unless one is set: that of a window that shows the points, or that of a filter
- * (vtkSurfaceIntegralBase::GetComputeContext()), so that a program needs one context only. It is entered and left by
- * sm::ContextScope, so that UpdatePoints() may run inside a Render().
+ * (vtkSurfaceIntegralBase::GetComputeContext()), so that a program needs one context only. UpdatePoints() enters it by sm::ContextScope and
+ * may therefore run inside a Render().
  */
 #ifndef vtkNURBSPointEvaluatorGPU_h
 #define vtkNURBSPointEvaluatorGPU_h

@@ -78,10 +78,10 @@ const std::vector<Method> Methods = { { Program::Ours, 1e-3 }, { Program::Ours, 
   { Program::Kernel, 1e-6 }, { Program::Mesh, 1e-2 }, { Program::Mesh, 1e-3 }, { Program::Mesh, 1e-4 } };
 
 constexpr double ReferenceTolerance = 1e-13;
-/// A reference that is known less well says nothing about the others; relative.
+/// Relative half width of a reference: a file whose reference is known less well is left out.
 constexpr double LeastKnown = 1e-10;
 constexpr double SameBody = 1e-3;
-/// Errors below it are drawn there.
+/// Smaller errors are drawn at this value.
 constexpr double LeastError = 1e-16;
 /// The mesher's angle: OpenCASCADE's usual one.
 constexpr double MeshAngle = 0.5;
@@ -104,7 +104,7 @@ std::string GetName(const Method& method)
   return text;
 }
 
-/// With a reader of its own, so that nothing is kept from one measurement to the next.
+/// Measures our filter with a reader of its own, so that nothing is kept from one measurement to the next.
 Measured MeasureOurs(const std::string& path, double tolerance)
 {
   vtkNew<vtkSTEPReader> reader;

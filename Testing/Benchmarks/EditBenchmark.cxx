@@ -41,7 +41,7 @@ void Measure(benchmark::State& state, vtkNURBSDataSet* leaf, int backend, double
 {
   EditSession session(leaf, backend, tolerance);
   int number = 0;
-  // Shaders, and what is known of the faces that stay.
+  // Compiles the shaders, and evaluates the faces that no edit changes.
   session.Update(EditKind::FullRun, 0);
   session.Update(kind, ++number);
   session.Update(kind, ++number);

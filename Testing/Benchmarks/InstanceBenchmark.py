@@ -15,7 +15,7 @@ MODES = ("need", "always", "coarse", "refined")
 
 
 def write_assembly(source, levels, target):
-    """Products that have the one before twice, side by side."""
+    """Writes a file of nested products, each of which has the one before twice, side by side."""
     with open(source, encoding="utf-8") as file:
         text = file.read()
     entities = {int(number): " ".join(body.split()) for number, body in re.findall(r"#(\d+)\s*=\s*([^;]*);", text)}

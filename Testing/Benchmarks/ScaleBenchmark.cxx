@@ -36,7 +36,7 @@ using sm::Json;
 struct Family
 {
   const char* Name;
-  /// What its sizes count.
+  /// The thing that the sizes of the family count.
   const char* Unit;
   std::function<smtest::ScaleModel(int)> Make;
   std::vector<int> Sizes, SmallSizes;
@@ -61,7 +61,7 @@ const std::vector<Family>& GetFamilies()
     { "assembly", "instance",
       [](int instances) { return smtest::MakeAssembly(instances, smtest::Placing::InOrder); },
       { 900, 3600, 10000 }, { 30, 120, 480 }, CountInstances },
-    // Only small ones.
+    // This family has small sizes only.
     { "swapped", "instance",
       [](int instances) { return smtest::MakeAssembly(instances, smtest::Placing::Swapped); }, {},
       { 30, 120, 480 }, CountInstances },
@@ -72,7 +72,8 @@ const std::vector<Family>& GetFamilies()
   return families;
 }
 
-/// The digits of a file leave so much of its volume open; the bound includes the reading's part of it.
+/// Relative error of the volume by the number of digits that the file has; the bound of the program includes the part of it that reading
+/// adds.
 constexpr double FileDigits = 1e-12;
 
 Json MeasureHere(const std::string& path)

@@ -111,7 +111,7 @@ sm::FacePanels MakeBicubicFace()
   return face;
 }
 
-/// Evaluations a second, with the ten moments and the area, that nothing but the kernel does.
+/// Returns how many points a second the kernel alone evaluates, with the ten moments and the area.
 double MeasureArithmetic()
 {
   sm::ItemRunner::Setup setup;
@@ -153,7 +153,7 @@ bool IsSame(const Json& file)
 {
   const double expected = file.value("occt_gprop_1e-6_volume", std::nan(""));
   const double volume = file.value("volume", std::nan(""));
-  // Surfaces, and files that one of them cannot read, have none.
+  // The volume is NaN for surfaces, and for files that one of the programs cannot read.
   return !std::isfinite(volume) || !std::isfinite(expected) ||
     std::abs(volume - expected) <= 1e-3 * std::abs(expected);
 }
@@ -192,7 +192,7 @@ Json MeasureFile(const std::string& path, bool onlyRead)
   return result;
 }
 
-/// Reading and converting over OpenCASCADE's reader.
+/// Returns the seconds of our reading and converting over those of OpenCASCADE's reader.
 double GetReadRatio(const Json& seconds)
 {
   return (Get(seconds, "parse") + Get(seconds, "transfer") + Get(seconds, "trims") +

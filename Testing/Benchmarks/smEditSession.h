@@ -50,7 +50,7 @@ struct UpdateCost
 class EditSession
 {
 public:
-  /// `leaf` stays as it is: every update starts from it. `backend` is vtkSurfaceIntegralGPU's.
+  /// `leaf` is not changed: every update edits a copy of it. `backend` is vtkSurfaceIntegralGPU's.
   EditSession(vtkNURBSDataSet* leaf, int backend, double tolerance);
 
   /// Edit number `number` of a drag: a displacement that no other number below a million has.

@@ -26,7 +26,7 @@ using Index = std::array<int, 3>;
 
 constexpr int Degree = 3;
 
-/// From the cube [-1,1]^3: a rounded box, bent along x, with bumps.
+/// Maps the cube [-1,1]^3 to a rounded box that is bent along x and has bumps.
 Point Bend(const Point& p)
 {
   const auto round = [](double a, double b, double c)
@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  /// Lattice points count from 0; a face has Points - 1 steps.
+  /// Returns the lattice point of an index that counts from 0; a face has Points - 1 steps.
   Point GetPoint(const Index& at) const
   {
     Point p;

@@ -85,7 +85,7 @@ public:
   }
   int AddVertex(const Vector& p) { return this->Format("VERTEX_POINT('',#%d)", this->AddPoint(p)); }
 
-  /// A straight edge from one vertex to another, which are `from` and `to`.
+  /// Adds a straight edge between two vertices, given by their numbers and by their points `from` and `to`.
   int AddLine(int start, int end, const Vector& from, const Vector& to)
   {
     Vector direction = { to[0] - from[0], to[1] - from[1], to[2] - from[2] };
@@ -132,7 +132,7 @@ private:
   int Last = 0;
 };
 
-/// What all shapes of a file refer to.
+/// The entities that all shapes of a file refer to.
 struct Context
 {
   int Application, Product, Definition, Geometry;

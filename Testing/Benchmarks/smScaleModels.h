@@ -30,8 +30,8 @@ ScaleModel MakePlate(int holes);
 /// struts differ in size; a face of a block has a loop round its strut. About 9 side^3 faces.
 ScaleModel MakeLattice(int side);
 
-/// Which of the two placements of an instance is its origin: the one of the part; that of the assembly, an error of some CAD systems that
-/// OpenCASCADE corrects; or by turns, two instances in one place with the same placements.
+/// The order of the two placements that an instance names: first that of the part, as the format asks; first that of the assembly, an error
+/// of some CAD systems that OpenCASCADE corrects; or by turns, two instances in one place with the same placements.
 enum class Placing
 {
   InOrder,

@@ -16,7 +16,8 @@ namespace smtest
 {
 namespace
 {
-/// Processor time of an update. Its stages are known in seconds of a clock: they get their share of the processor's, and so does the rest.
+/// Processor time of an update. The stages are measured by a clock; the processor time is divided among them and the rest in the same
+/// proportions.
 class UpdateCost
 {
 public:

@@ -161,7 +161,7 @@ summary = display(many, 2).SMProxy.GetProperty("SelectedText")
 
 
 def get_text():
-    """What the view says of the selection, in one line."""
+    """Returns the text that the view shows for the selection, in one line."""
     return " ".join(summary.GetElement(0).split())
 
 
@@ -264,7 +264,7 @@ shown.Visibility = 1
 shown.PartLabels = "None"
 check_equal("labels switched off", 0, count_pixels(is_white))
 
-# What makes a result open is red in the view, with its number; it goes with the visibility of the port.
+# The edges that make a solid open are drawn in red, with their number, as long as the port is visible.
 simple.HideAll(view)
 opened = MassProperties(Input=simple.OpenDataFile(manifest.special("open_solid")["path"]))  # noqa: F821
 simple.Show(opened.Input, view)

@@ -28,7 +28,7 @@ summary = simple.GetRepresentation(servermanager.OutputPort(mass, 2), view).SMPr
 
 
 def get_text():
-    """What the view says of the selection, in one line."""
+    """Returns the text that the view shows for the selection, in one line."""
     return " ".join(summary.GetElement(0).split())
 
 
@@ -88,7 +88,7 @@ for tree, selector in (("Hierarchy", "/Root/*[@number_of_partitions][6]"), ("Ass
     select(named)
     check_selection(f"a solid of the tree {tree}", [5], ONE)
 
-# What has no name here leaves rows and text as they are.
+# A selection of a kind that the filter cannot interpret leaves the selected rows and the text as they are.
 before = get_text()
 for name, value in (("FieldType", 1), ("NumberOfLayers", 1), ("InsideOut", 1)):
     other = cells((8, 0))

@@ -30,7 +30,7 @@ SNIPPET = re.compile(r"(?P<head><!-- Snippet: (?P<example>\S+) \[(?P<mark>[^]]+)
 SAMPLE = re.compile(r"(?P<head><!-- Sample: (?P<file>\S+) -->\n```\n)(?P<text>.*?)(?=^```$)", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"\[[^]]*\]\(([^)\s]+)\)")
 PATH = re.compile(r"(?<![\w./-])(?:Documentation|Examples|Filters|ParaViewPlugin|Readers|Rendering|Testing|cmake)/[\w./-]*\w")
-# Below the build folder, where the documents say so.
+# Paths below the build folder that the documents may name.
 BUILT = ("Testing/output", "Testing/solids")
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e[-+]?\d+)?")
 # Bounds and gaps are printed with two digits and are sums over all samples; of other numbers the last digit may be rounded otherwise.
@@ -38,7 +38,7 @@ BOUND_FACTOR = 1.5
 LAST_DIGITS = 2.0
 # The options of the schemes are in --help alone.
 PAPER_OPTIONS = ("--subpatches", "--trim-texture", "--trim-textures", "--chord", "--deviation")
-# What makes the JSON complete; a program that was built without a module lacks its option.
+# Options that give the JSON all its keys; a program that was built without a module lacks its option.
 COMPLETE = (("--stability", "-z"), ("--waterline", "10"), ("--section", "0,0,5,0,0,1"), ("--density", "1000"), ("--moments", "0"), ("--about", "origin"), ("--bom",), ("--box",), ("--validate",))
 
 
@@ -72,9 +72,8 @@ class Checker:
             file.write(text)
 
 
-# --- files ---------------------------------------------------------------------------------------
 def list_anchors(text):
-    """As GitHub makes them of headings."""
+    """Returns the anchors that GitHub makes of the headings of a Markdown text."""
     headings = re.findall(r"^#+ +(.*)$", re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE), re.MULTILINE)
     plain = (re.sub(r"[`*]|\[|\]\([^)]*\)", "", heading) for heading in headings)
     return [re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in plain]
@@ -153,7 +152,6 @@ def check_files(checker):
     check_accuracy(checker, "Documentation/Numerics.md")
 
 
-# --- the program ---------------------------------------------------------------------------------
 def run(checker, *arguments):
     result = subprocess.run([checker.program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
                             cwd=checker.root, timeout=200, check=False)

@@ -23,7 +23,6 @@ def run(*command):
     return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
 
 
-# --- the set ---------------------------------------------------------------------------------------
 def test_made(options):
     made, committed = os.path.join(options.output, "certified_set"), os.path.join(options.folder, "solids")
     shutil.rmtree(made, ignore_errors=True)
@@ -43,9 +42,9 @@ def test_made(options):
     check_true("size", size < 500000, f"{size} bytes")
 
 
-# --- other ways to compute the intervals -----------------------------------------------------------
 def contains(what, interval, value, limit):
-    """`value` is a double or a limit of polygons, near the interval's middle."""
+    """Checks that `value`, a double or a limit of polygons, lies within the relative `limit` of the interval's middle, and that the
+    interval is narrow."""
     check(what, float((interval.lo + interval.hi) / 2), value, limit * max(1.0, abs(value)))
     check_true(what + ": narrow", interval.hi - interval.lo <= F(1, 10 ** 16) * max(1, abs(interval.hi)))
 
@@ -81,7 +80,7 @@ def test_intervals():
 
 
 def test_coarse_rule():
-    """With few points the remainder is large, and must still hold."""
+    """Checks that the remainder of a rule with few points, which is large, still bounds its error."""
     import polynomials
     fine, polynomials.ORDER, polynomials._RULE = polynomials.ORDER, 3, []
     for scale, shift in ((4, 0), (1, F(1, 50))):
@@ -153,7 +152,7 @@ def measure_prism(profiles, height, count):
 
 
 def extrapolate(measure):
-    """Errors of polygons fall as 1 / n^2, then as 1 / n^4."""
+    """Extrapolates values of polygons with n corners by Richardson's rule: their errors fall as 1 / n^2, then as 1 / n^4."""
     return [(4 * fine - coarse) / 3 for coarse, fine in zip(measure(400), measure(800))]
 
 
@@ -186,7 +185,7 @@ def test_profiles():
 
 
 def test_cylinders():
-    """As polyhedra over regular polygons, whose lids are plane."""
+    """Compares cylinders with polyhedra over regular polygons, whose lids are plane."""
     import cylinders
     from polyhedra import get_polyhedron_moments
 
@@ -261,7 +260,7 @@ def integrate_jacobian(block):
 
 
 def find_weights(levels):
-    """Of the rule that integrates polynomials through these levels over [0, 1]."""
+    """Returns the weights of the quadrature rule over [0, 1] with these nodes: the integrals of their Lagrange polynomials."""
     weights = []
     for k, x in enumerate(levels):
         basis = [F(1)]
@@ -289,7 +288,6 @@ def test_formulas(options):
     test_blocks()
 
 
-# --- the script that runs programs -----------------------------------------------------------------
 def run_checker(options, *arguments):
     return run(sys.executable, "-B", os.path.join(options.folder, "check_program.py"), *arguments)
 
@@ -338,7 +336,6 @@ def test_checker(options):
     check_equal("no file: exit status", 1, run_checker(options, "--only", "nothing", "true").returncode)
 
 
-# --- our program -----------------------------------------------------------------------------------
 def measure_program(options, backend, *arguments):
     command = f"ours={options.program} --quiet --backend {backend} --unit file --json - {{file}}"
     done = run_checker(options, *arguments, "--json", "-", command)

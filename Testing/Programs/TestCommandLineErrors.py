@@ -28,7 +28,7 @@ def check_inputs_that_are_no_files():
 
 
 def check_quiet_reason(good):
-    """The caller has no display."""
+    """Checks, without a display, that --quiet prints no more than the reason of a failure."""
     result = run("-q", "--backend", "x", good)
     check_equal("exit status without a display", 3, result.returncode)
     check_equal("nothing on standard output", "", result.stdout)
@@ -271,7 +271,7 @@ def errors():
     check_facts_once()
     check_termination(good)
 
-    # Usage.
+    # Wrong usage.
     for arguments in ([], ["--no-such-option", good], ["--tolerance-of", "volume=1e-6"], ["--tolerance-of", good],
                       ["--tolerance", "none", good], ["--unit", "cubit", good],
                       ["--density", "-1", good], ["--json", "/nonexistent/folder/x.json", good],

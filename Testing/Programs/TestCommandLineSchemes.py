@@ -1,15 +1,16 @@
 """TestCommandLineSchemes.py --program P --solids DIR --output DIR: the paper's schemes on the command line."""
 import argparse
+import functools
 import json
 import math
 import os
 import shutil
 import struct
-import subprocess
 import sys
 import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+import smprogram  # noqa: E402
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
 
 parser = argparse.ArgumentParser()
@@ -21,12 +22,7 @@ HOLE = manifest.solid("slanted_hole", "moved")
 SPHERE = manifest.solid("sphere")
 ESTIMATES = ("paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches")
 
-
-def run(*arguments):
-    result = subprocess.run([options.program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            universal_newlines=True, timeout=200, check=False)
-    print("$ solidmoments", " ".join(arguments), "->", result.returncode)
-    return result
+run = functools.partial(smprogram.run, options.program)
 
 
 def run_json(*arguments):

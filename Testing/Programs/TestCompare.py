@@ -1,16 +1,17 @@
 """TestCompare.py MODE --program P --output DIR [--solids DIR]: solidmoments --compare of products and of exact solids."""
 import argparse
+import functools
 import json
 import math
 import os
 import shutil
 import struct
-import subprocess
 import sys
 import zlib
 from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+import smprogram  # noqa: E402
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smproduct import Assembly, Part, write_product  # noqa: E402
 from polyhedra import make_prism  # noqa: E402
@@ -28,12 +29,7 @@ QUARTER = ((0, -1, 0), (1, 0, 0), (0, 0, 1))
 STATES = ("unchanged", "moved", "changed", "added", "removed")
 BRACKET = ((0, 0), (40, 0), (40, 10), (10, 10), (10, 30), (0, 30))
 
-
-def run(*arguments):
-    result = subprocess.run([options.program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
-                            timeout=200, check=False)
-    print("$ solidmoments", " ".join(arguments), "->", result.returncode)
-    return result
+run = functools.partial(smprogram.run, options.program)
 
 
 def compare(old, new, *arguments, status, counts=None):
@@ -58,7 +54,7 @@ def find(comparison, state, part):
 
 
 def check_difference(what, expected, entry):
-    """Within the bound, which is not vacuous."""
+    """Checks that a difference is within its bound, and that the bound is small."""
     check(what, float(expected), entry["difference"], entry["bound"])
     check(f"{what}: bound", 0.0, entry["bound"], 1e-8 * max(abs(entry["old"]), abs(entry["new"])))
 
@@ -297,7 +293,7 @@ def read_png(path):
 
 
 def picture():
-    """Each state has its colour."""
+    """Checks that every state of a part has its colour in the picture."""
     old = write("before", make_product(bracket=Part("angle", [((0, 0, 0), (30, 8, 9))], "2700.")))
     new = write("after", make_product(make_plate([((20, 15), (20, 35), (40, 35), (40, 15))]), bolts=((10, 10), (110, 10), (90, 40), (60, 40))))
     path = os.path.join(folder, "picture.png")

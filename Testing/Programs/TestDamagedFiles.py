@@ -117,7 +117,7 @@ def check_solids():
            ["#2136"])
 
 
-# What each file must get: statuses, words of its messages, volume.
+# The expected result of each file: statuses, words of its messages, volume.
 HOSTILE = {
     "01c_plain_solid_tet": (FLAGGED, ["#15, #17"], None),
     "01e_plain_solid_screw": (FLAGGED, ["#1052"], None),

@@ -26,8 +26,6 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
-// --- open --------------------------------------------------------------------------------------
-
 void CheckOpen(vtkSTEPReader* reader, const std::string& folder)
 {
   EditSession session(reader->GetOutput(), "open", folder);
@@ -88,8 +86,6 @@ void CheckOpen(vtkSTEPReader* reader, const std::string& folder)
   CheckTrue("other numbers", !HaveSameBits(torn, GetFieldNumbers(mass)));
 }
 
-// --- numbers -------------------------------------------------------------------------------------
-
 /// All texts of the window's layers.
 std::string GetTexts(vtkRenderWindow* window)
 {
@@ -136,8 +132,6 @@ void CheckNumbers(vtkSTEPReader* reader, const std::string& folder)
   CheckTrue("weight", std::regex_search(texts, std::regex("weight 1[.]25")), texts);
   CheckTrue("no decimal comma", !std::regex_search(texts, std::regex("[0-9],[0-9]")), texts);
 }
-
-// --- record ------------------------------------------------------------------------------------
 
 void CheckRecord(vtkSTEPReader* reader, const std::string& folder)
 {

@@ -1,7 +1,7 @@
 """TestInputFiles.py MODE --program P --output DIR: compressed files, folders and the standard input; the manual page and the completion."""
 import argparse
+import functools
 import gzip
-import json
 import os
 import re
 import shutil
@@ -10,6 +10,7 @@ import sys
 import zipfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+import smprogram  # noqa: E402
 from smcheck import check_equal, check_true, finish  # noqa: E402
 from smproduct import Part, write_product  # noqa: E402
 
@@ -21,19 +22,8 @@ options = parser.parse_args()
 folder = os.path.join(options.output, "input_files")
 os.makedirs(folder, exist_ok=True)
 
-
-def run(*arguments):
-    result = subprocess.run([options.program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
-                            timeout=200, check=False)
-    print("$ solidmoments", " ".join(arguments), "->", result.returncode)
-    return result
-
-
-def run_json(*arguments, status=0):
-    result = run("--json", "-", *arguments)
-    check_equal("exit status", status, result.returncode)
-    check_true("JSON", result.stdout.startswith("{"), result.stderr)
-    return json.loads(result.stdout)["files"][0]
+run = functools.partial(smprogram.run, options.program)
+run_json = functools.partial(smprogram.run_json, options.program)
 
 
 def inputs():

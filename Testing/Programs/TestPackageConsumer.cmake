@@ -13,7 +13,7 @@ endfunction ()
 
 file(REMOVE_RECURSE "${PREFIX}" "${BUILD}/test-consumer")
 run_step("install" "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${PREFIX}" --config "${CONFIG}")
-# What an older version says of itself to Python goes with the next install.
+# The metadata that an older version left for Python is removed by the next install; those of other packages stay.
 file(GLOB metadata "${PREFIX}/lib*/python*/site-packages/solidmoments-*.dist-info/METADATA")
 if (metadata)
   get_filename_component(folder "${metadata}" DIRECTORY)

@@ -39,7 +39,8 @@ def ask_occt(options, name, *arguments):
 
 
 def get_trefoil_volume():
-    """Of a tube round the knot itself: its section times its length, for the section's centroid is on the knot (Pappus)."""
+    """Returns the volume of a tube around the knot in mm^3: section area times length, as the section's centroid lies on the knot
+    (Pappus)."""
     size, radius, count = 30.0, 14.0, 20000
     length = 0.0
     for i in range(count):

@@ -1,16 +1,17 @@
 """TestProducts.py MODE --program P --output DIR: products of boxes whose properties are sums of formulas, by the command line."""
 import argparse
 import csv
+import functools
 import gzip
 import json
 import os
 import re
-import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+import smprogram  # noqa: E402
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smproduct import Assembly, Part, expand, get_properties, write_product  # noqa: E402
 
@@ -26,19 +27,8 @@ os.makedirs(folder, exist_ok=True)
 QUARTER = ((0, -1, 0), (1, 0, 0), (0, 0, 1))
 KG = Fraction(1, 10 ** 9)  # kg of mm^3 at kg/m^3
 
-
-def run(*arguments):
-    result = subprocess.run([options.program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
-                            timeout=200, check=False)
-    print("$ solidmoments", " ".join(arguments), "->", result.returncode)
-    return result
-
-
-def run_json(*arguments, status=0):
-    result = run("--json", "-", *arguments)
-    check_equal("exit status", status, result.returncode)
-    check_true("JSON", result.stdout.startswith("{"), result.stderr)
-    return json.loads(result.stdout)["files"][0]
+run = functools.partial(smprogram.run, options.program)
+run_json = functools.partial(smprogram.run_json, options.program)
 
 
 def check_bounded(what, expected, actual, bound):
@@ -115,7 +105,7 @@ def masses():
     check_equal("one density", 1000.0, file["total"]["density"])
     check_true("one centre", re.search(r"\n  centre of mass +\d.*\n  mass .*\n  mass inertia", run("--density", "1000", path).stdout))
 
-    # What is in doubt of the mass, each share named.
+    # The uncertainty of the mass, and its shares by cause.
     total = run_json("--density", "1000", "--density-tolerance", "2%", path)["total"]
     doubt = total["mass_uncertainty"]
     check("in doubt by the density", 0.02 * total["mass"], doubt["density"], 1e-15)
@@ -176,7 +166,7 @@ def materials():
     file = run_json("--materials", table, path)
     check_mass(file["total"], boxes, [2 if b[0] == "bolt" else 7850 for b in boxes])
 
-    # What cannot be used is wrong usage, before any file is read.
+    # A table of materials that cannot be used is wrong usage, reported before any file is read.
     for text, said in (("a\n", "line 1: write NAME"), ("a,unobtainium\n", "line 1: unobtainium is none"), ("a,b,-1", "-1 is no density"),
                        (",steel", "the name is empty"), ("[{]", "no JSON"), ('[{"name":"a"}]', "entry 1"), ('{"a":1}', "no list")):
         with open(table, "w", encoding="utf-8") as file:

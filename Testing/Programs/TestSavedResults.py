@@ -70,8 +70,6 @@ def leftovers(folder):
     return [name for name in os.listdir(folder) if "saving" in name]
 
 
-# --- outputs -------------------------------------------------------------------------------------
-
 def check_signal(number, tables):
     """The signal comes when so many tables are there."""
     folder = make_folder("saved")
@@ -201,7 +199,7 @@ def check_several_at_a_time():
         while not child_of(process):
             pass
         os.kill(child_of(process), signal.SIGSTOP)
-        # The others pass it: at last it is the only child.
+        # The other files are read meanwhile: at last the stopped child is the only one.
         others = set()
         while len(others) < 4 or len(children_of(process)) > 1:
             others.update(children_of(process))
@@ -212,7 +210,7 @@ def check_several_at_a_time():
     check_true("interrupted: how many", "3 of 4 files" in complaint, complaint)
     check_equal("wrong number: exit status", 1, run("-j", "-1", GOOD).returncode)
 
-    # What is finished is told before the next file, which may come late, is read.
+    # The result of a file is written before the next file, which may come late, is read.
     target = os.path.join(folder, "early.csv")
     with subprocess.Popen([options.program, "-q", "--backend", "cpu", "--csv", target, GOOD, "-"], stdin=subprocess.PIPE) as process:
         deadline = time.monotonic() + 100
@@ -236,8 +234,6 @@ def outputs():
     check_full_disk()
     check_streams()
 
-
-# --- stages --------------------------------------------------------------------------------------
 
 def run_and_kill(stage, number, *arguments):
     """Kills the child when the progress on the terminal names the stage. Returns the exit status and what the terminal showed."""
@@ -288,8 +284,6 @@ def stages():
     check("draw: volume", box["volume"], entry["total"]["volume"], 1e-9 * box["volume"])
     check_true("draw: why", "no picture" in text and "signal 9" in text and "malformed" not in text, text)
 
-
-# --- limits --------------------------------------------------------------------------------------
 
 def check_job_without_end():
     """A job that hangs, here because it is stopped as soon as it is there, is ended; the next file is computed."""

@@ -29,7 +29,7 @@ def check_half_ball(r, *arguments):
     result = run(*arguments)
     if not check_equal("exit status", 0, result.returncode):
         print(result.stdout, result.stderr)
-    # Of the bound: 1e-9 of the quantity's scale is the tolerance.
+    # `scale` is that of the tolerance: the bound is at most 1e-9 of it.
     for what, exact, scale in (("volume", 2 / 3 * math.pi * r ** 3, r ** 3), ("area", 3 * math.pi * r ** 2, r ** 2),
                                ("height of the centre", 3 / 8 * r, r)):
         found = re.search(rf"^{what} {NUMBER} \+/- {NUMBER}, ", result.stdout, re.MULTILINE)

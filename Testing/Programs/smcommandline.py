@@ -1,12 +1,13 @@
 """smcommandline.py: the options of the tests of the command line, and runs of the program."""
 import argparse
+import functools
 import json
 import os
 import shutil
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+import smprogram  # noqa: E402
 from smcheck import Manifest, check, check_equal, check_true  # noqa: E402
 
 parser = argparse.ArgumentParser()
@@ -25,13 +26,8 @@ BOUND_KEYS = {"volume", "area", "center_of_mass", "inertia", "mass", "mass_cente
               "inertia_at_origin", "bounding_box"}
 FILE_KEYS = {"file", "file_bytes", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer", "frame", "total",
              "solids", "faces", "free_faces", "integrals", "waterlines", "sections", "diagonal", "evaluations", "dispatches", "seconds"}
-
-
-def run(*arguments, cwd=None, stdout=subprocess.PIPE):
-    result = subprocess.run([options.program, *arguments], stdout=stdout, stderr=subprocess.PIPE, encoding="utf-8",
-                            errors="surrogateescape", timeout=200, cwd=cwd, check=False)
-    print("$ solidmoments", ascii(" ".join(arguments)), "->", result.returncode)
-    return result
+# Names of files may be no UTF-8.
+run = functools.partial(smprogram.run, options.program, errors="surrogateescape")
 
 
 def run_json(*arguments):

@@ -1,4 +1,5 @@
-"""Proves by the compiler that a module includes headers of the rooms below it and none of those above or beside it.
+"""Proves by the compiler that a module includes headers of the rooms below it and none of those above or beside it, and that vtk.module
+files and the table of Documentation/DeveloperGuide.md name the same rooms.
 
     check_arrows.py --compiler C++ --modules FILE --source FOLDER
 
@@ -74,6 +75,24 @@ def check_room(options, modules, room, folder):
     return problems
 
 
+def check_statements(source):
+    """Problems in words: a vtk.module file or the table of the developer guide that names other rooms than ROOMS."""
+    problems = []
+    with open(os.path.join(source, "Documentation", "DeveloperGuide.md"), encoding="utf-8") as file:
+        rows = dict(re.findall(r"^\| `([^`]+)` \| ([^|]*) \|", file.read(), re.MULTILINE))
+    for room, (folder, rooms) in ROOMS.items():
+        with open(os.path.join(source, folder, "vtk.module"), encoding="utf-8") as file:
+            text = file.read()
+        named = re.findall(r"SolidMoments::(\w+)", text[text.index("\nDEPENDS"):])
+        if sorted(named) != sorted(rooms):
+            problems.append(f"{folder}/vtk.module names {sorted(named)}, not {sorted(rooms)}")
+        folders = sorted(ROOMS[other][0] for other in rooms)
+        named = sorted(re.findall(r"`([^`]+)`", rows.get(folder, "")))
+        if folder not in rows or named != folders:
+            problems.append(f"DeveloperGuide.md gives {folder} the arrows {named}, not {folders}")
+    return problems
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     for name in ("--compiler", "--modules", "--source"):
@@ -84,7 +103,7 @@ def main():
         for line in file:
             name, includes, definitions = line.rstrip("\n").split("|")
             modules[name] = ([word for word in includes.split(";") if word], [word for word in definitions.split(";") if word])
-    problems = [f"{name} is no room of the table" for name in modules if name not in ROOMS]
+    problems = [f"{name} is no room of the table" for name in modules if name not in ROOMS] + check_statements(options.source)
     with tempfile.TemporaryDirectory() as folder:
         for room in set(modules) & set(ROOMS):
             problems += check_room(options, modules, room, folder)

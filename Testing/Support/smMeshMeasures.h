@@ -22,9 +22,9 @@ struct MeshMeasures
   int EmptyFaces = 0;
   /// Sides of triangles, by the bits of their ends, that are not used as often one way as the other.
   int OpenSides = 0;
-  /// Triangles whose normal is against the surface's in the middle; of those that are no lines.
+  /// Triangles, no lines, whose normal is against the surface's in the middle.
   int Inverted = 0;
-  /// How many of them the meshes name.
+  /// The number of triangles turned over that the meshes state themselves.
   int Named = 0;
   /// Largest distance of a sample from the surface, also as a part of the face's promise.
   double Deviation = 0.0;

@@ -47,8 +47,8 @@ inline bool HasColorNear(vtkImageData* picture, vtkImageData* other, int x, int 
   return false;
 }
 
-/// Share of pixels of either picture whose colour the other one has not, a pixel's shift forgiven. 1 where the sizes or the types differ:
-/// both need unsigned char, red, green and blue first.
+/// Returns the part, 0 to 1, of the pixels whose colour the other picture has neither there nor at one of the eight neighbours. 1 where the
+/// sizes or the types differ: both need unsigned char, red, green and blue first.
 inline double ShareOfOtherPixels(vtkImageData* one, vtkImageData* other)
 {
   const int* size = one->GetDimensions();
@@ -69,7 +69,7 @@ inline double ShareOfOtherPixels(vtkImageData* one, vtkImageData* other)
   return static_cast<double>(count) / static_cast<double>(one->GetNumberOfPoints());
 }
 
-/// An image without points when there is no such file.
+/// Returns the picture in a PNG file, or an image without points when there is no such file.
 inline vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path)
 {
   vtkNew<vtkPNGReader> reader;

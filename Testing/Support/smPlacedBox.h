@@ -20,13 +20,14 @@ struct PlacedBox
   using Real = long double;
   using Vector = std::array<Real, 3>;
 
-  /// Columns are the edges from Corner.
+  /// Edges[d] is the vector from Corner along the edge d, in world coordinates.
   Vector Edges[3];
   Vector Corner;
 
   static constexpr double Size[3] = { 2.0, 3.0, 5.0 };
 
-  /// The leaf, with the sign of its reading: it was rounded, by far less than its placement.
+  /// Returns the box as a leaf with this placement. The faces are marked as read from a file by a small Rounding, far below that of the
+  /// placement, for only then the filters take the placement as rounded.
   static vtkSmartPointer<vtkNURBSDataSet> MakeLeaf(vtkMatrix4x4* placement)
   {
     LatticeBody body;
@@ -43,7 +44,7 @@ struct PlacedBox
     return leaf;
   }
 
-  /// Rotated about (1, 2, 2), and moved by (-distance, distance, distance).
+  /// Sets a rotation about (1, 2, 2) and a translation by (-distance, distance, distance).
   static void SetPlacement(double distance, vtkMatrix4x4* placement)
   {
     // By 90 degrees about a unit vector n: n n^T + [n]x, all entries are ninths.
@@ -58,7 +59,7 @@ struct PlacedBox
     }
   }
 
-  /// Every entry off by what PlacementError allows, up or down.
+  /// Makes the box in a placement whose every entry is off by as much as PlacementError allows, up or down at random.
   template <class Random>
   PlacedBox(vtkMatrix4x4* placement, Random& random)
   {

@@ -33,7 +33,7 @@ struct Shortage
   long Failing = 0;
   /// Bytes of address space above what is in use when the run starts; negative: no limit.
   long Headroom = -1;
-  /// The run, up to its outputs.
+  /// The number of allocations of the run until it writes its outputs.
   long Allocations = 0;
   bool HasEscaped = false;
 

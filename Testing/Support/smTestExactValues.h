@@ -65,7 +65,8 @@ inline std::array<long double, 3> GetEigenvalues(const std::array<double, 9>& ma
 class ExactValues
 {
 public:
-  /// Other ways to close a gap differ by the integral of its square; gaps move the faces' own area to first order.
+  /// `gapSquared`: integral of the squared gap along the edges, by which volumes with gaps closed in other ways differ. `gapArea`: area of
+  /// the gaps, which changes the area of the faces to first order.
   ExactValues(const Expected& expected, double gapSquared, double gapArea)
   {
     namespace names = sm::names;

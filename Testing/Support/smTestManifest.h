@@ -19,7 +19,7 @@ struct Expected
   std::string Variant;
   std::string Path;
   double Volume = 0;
-  /// NaN: no closed form.
+  /// NaN where there is no closed form.
   double Area = 0;
   std::array<double, 3> Center{};
   std::array<double, 9> Inertia{};

@@ -38,7 +38,7 @@ inline bool Record(bool passed)
   return passed;
 }
 
-/// |actual - expected| <= limit. A NaN fails. `reason` says where the limit comes from.
+/// Checks |actual - expected| <= limit, and prints the result. A NaN fails. `reason` says where the limit comes from.
 inline bool Check(
   const std::string& what, double expected, double actual, double limit, const char* reason = "")
 {
@@ -49,7 +49,7 @@ inline bool Check(
   return Record(passed);
 }
 
-/// low <= actual <= high. A NaN fails.
+/// Checks low <= actual <= high, and prints the result. A NaN fails.
 inline bool CheckRange(
   const std::string& what, double low, double actual, double high, const char* reason = "")
 {

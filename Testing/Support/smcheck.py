@@ -66,7 +66,8 @@ class Manifest:
 
 
 def check_values(expected, volume, area, center, inertia, gap_area=0.0):
-    """The tolerances that are promised for exact solids. Trims that are projected, not read, leave gaps in the area."""
+    """Checks the values against the tolerances that are promised for exact solids. Trims that are projected, not read, leave gaps in the
+    area."""
     size = expected["size"]
     check("volume", expected["volume"], volume, 1e-9 * expected["volume"])
     if expected["area"] is not None:

@@ -18,7 +18,7 @@ def to_colors(image):
 
 
 def read_picture(path):
-    """None when there is no such file."""
+    """Returns the pixels of a PNG file as to_colors(), or None when there is no such file."""
     if not os.path.exists(path):
         return None
     reader = vtkPNGReader()
@@ -35,7 +35,7 @@ def write_picture(image, path):
 
 
 def _lacks(picture, other):
-    """Where no pixel of `picture`, there or next to it, has the colour of `other`."""
+    """Returns a mask of the pixels of `other` whose colour `picture` has neither there nor at one of the eight neighbours."""
     height, width, _ = other.shape
     around = numpy.pad(picture, ((1, 1), (1, 1), (0, 0)), constant_values=-1000)
     lacks = numpy.ones((height, width), dtype=bool)
@@ -46,7 +46,7 @@ def _lacks(picture, other):
 
 
 def share_of_other_pixels(one, other):
-    """Of the pixels of either picture whose colour the other one has not, a pixel's shift forgiven; 1 where sizes differ."""
+    """Returns the part, 0 to 1, of the pixels whose colour the other picture has neither there nor at a neighbour; 1 where sizes differ."""
     if one is None or other is None or one.shape != other.shape:
         return 1.0
     return float((_lacks(one, other) | _lacks(other, one)).mean())
@@ -58,6 +58,6 @@ def check_picture(what, expected, actual):
 
 
 def check_noticed(what, expected, wrong):
-    """That a picture known to be wrong is found so, and is one of that size."""
+    """Checks that check_picture() would reject a picture that is known to be wrong and has the right size."""
     share = share_of_other_pixels(wrong, expected)
     return check_true(f"{what}: noticed", 2 * LIMIT <= share <= 0.9, f"share {share:.2g}, limit {LIMIT:g}")

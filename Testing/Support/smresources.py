@@ -8,7 +8,7 @@ from smcheck import check_equal, check_true
 
 _libc = ctypes.CDLL(None)
 _opengl = ctypes.CDLL("libOpenGL.so.0")
-# Names above are not asked for.
+# OpenGL names of objects from 1 to this one are asked for.
 RANGE = 32768
 KINDS = {"buffers": "glIsBuffer", "textures": "glIsTexture", "framebuffers": "glIsFramebuffer", "renderbuffers": "glIsRenderbuffer",
          "vertex arrays": "glIsVertexArray", "programs": "glIsProgram", "shaders": "glIsShader", "queries": "glIsQuery",
@@ -24,7 +24,7 @@ _libc.mallinfo2.restype = _Mallinfo2
 
 
 class Process:
-    """Of this process now. heap: bytes that malloc has given out; resident: bytes in memory."""
+    """The resources of this process when the object is made. heap: bytes that malloc has given out; resident: bytes in memory."""
 
     def __init__(self):
         gc.collect()
@@ -41,8 +41,9 @@ class Process:
 
 
 def get_growth(what, *counted):
-    """Bytes a cycle, from (cycles, Process) of the ends of four quarters, the second smallest: what grows does so in all of them; what is
-    made now and then, in one or two. what: heap or resident."""
+    """Returns the growth in bytes per cycle of `what`, "heap" or "resident", from pairs (cycles so far, Process) at the start and at the
+    ends of four quarters of a run: the second smallest of the quarters. A leak grows in all of them; memory that is allocated now and then,
+    in one or two."""
     return sorted((getattr(after, what) - getattr(before, what)) / (last - first)
                   for (first, before), (last, after) in zip(counted, counted[1:]))[1]
 
@@ -56,7 +57,7 @@ def run_counted(cycle, first, cycles, count, describe):
     start = end = count()
     report(0, start)
     counted = [(0, start[0])]
-    # In the same phase of cycles of four steps.
+    # Quarters end at multiples of four, for some cycles have four steps that repeat.
     quarters = [cycles * k // 16 * 4 for k in (1, 2, 3)]
     for i in range(1, cycles + 1):
         cycle(first + i - 1)
@@ -70,9 +71,9 @@ def run_counted(cycle, first, cycles, count, describe):
 
 
 def check_held(start, end, growth, heap, resident):
-    """Of a run_counted() whose count() has the objects of a view behind the Process: as many at the end, and at most `heap` and `resident`
-    bytes more a cycle."""
-    # VTK's timers, a pool as large as the driver is late.
+    """Checks the results of a run_counted() whose count() gives a Process and the objects of a view: as many objects at the end as at the
+    start, and at most `heap` and `resident` bytes more a cycle."""
+    # VTK's timers are a pool that grows with the frames by which the driver is late.
     check_true("queries of the view", end[1].pop("queries") <= 64)
     start[1].pop("queries")
     check_equal("other objects of the view", start[1], end[1])
@@ -84,7 +85,7 @@ def check_held(start, end, growth, heap, resident):
 
 
 def check_counting(window):
-    """What is made is seen, what is freed is not."""
+    """Checks that count_objects() counts a new buffer, and no longer one that is freed."""
     name = make_buffer(window)
     more = count_objects(window)["buffers"]
     free_buffer(window, name)
@@ -92,7 +93,7 @@ def check_counting(window):
 
 
 def count_objects(window):
-    """Objects by kind that live in the context of a vtkRenderWindow, and what is current afterwards is that context."""
+    """Returns the number of objects by kind in the context of a vtkRenderWindow, which is the current context afterwards."""
     window.MakeCurrent()
     counts = {}
     highest = 0

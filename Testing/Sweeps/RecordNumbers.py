@@ -28,7 +28,7 @@ LEFT_OUT = {"seconds", "file", "version", "messages", "dispatches", "renderer"}
 
 
 def clean(value):
-    """Without what is left out, under the names of today."""
+    """Returns the entry without LEFT_OUT, with old names of keys replaced by today's."""
     if isinstance(value, dict):
         return {RENAMED.get(key, key): clean(item) for key, item in value.items() if key not in LEFT_OUT}
     return [clean(item) for item in value] if isinstance(value, list) else value

@@ -1,7 +1,7 @@
 // SweepMeshes [options] FILE.step...: the display mesh of every body beside that of OpenCASCADE's mesher, in one run on one
 // core: seconds, triangles, faces without triangles, open sides of closed solids, inverted triangles, and the largest distance from the
-// surface, all at the same deflection. Beside ours, the seconds of bounds of surfaces and points of edges alone; beside both, triangles times
-// distance: at equal distance, the ratio of triangles. Exit status 1 where ours breaks its promise, or has faces without triangles,
+// surface, all at the same deflection. Beside ours, the seconds of bounds of surfaces and points of edges alone; beside both, triangles
+// times distance: at equal distance, the ratio of triangles. Exit status 1 where ours breaks its promise, or has faces without triangles,
 // triangles turned over, or open sides of closed bodies that it gives no reason for.
 //     --deflection X   a part of the diagonal, 0.001 by default
 //     --threads N      meshes on N threads; seconds are those of the clock on the wall then

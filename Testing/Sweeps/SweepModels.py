@@ -33,13 +33,13 @@ import SweepTable
 
 EXPECTED_FILES = 98
 EXPECTED_SOLIDS = 87
-# Of the 87 files with solids, at least this many have a bound <= 1e-12 at that tolerance, of each quantity.
+# The least number, out of the 87 files with solids, whose bound of each quantity is at most 1e-12 at that tolerance.
 TIGHT_FILES = 68
 CLOSED_FILES = 82
 # CAD systems wrote these two volumes with twelve digits, and their gaps move them by far more.
 CLOSER_THAN_OCCT = {"nist_ctc_01": 50, "nist_ftc_06": 50}
 SECONDS_A_FILE = 900
-# More than the integration of a file, on some of them: both backends; below and above a waterline; saved and read again.
+# Further checks on some of the files: both backends; below and above a waterline; saved and read again.
 STAGES = {
     "backends": {"build123d_screw", "nist_pmi_05_brl", "gmsh_fusee", "occt_linkrods", "caxif_dm1_id_214", "nist_ctc_01",
                  "geouned_torus_design1", "pygem_pipe", "gmsh_ujoint"},

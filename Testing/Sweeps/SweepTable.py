@@ -19,7 +19,7 @@ def ratio(error, limit):
 
 
 def used(run, name):
-    """Error over all that is allowed; at most 1."""
+    """Returns the error of a quantity over the error that is allowed, None where one of them is not known; above 1 the run fails."""
     return ratio(run.errors.get(name), run.allowed.get(name))
 
 

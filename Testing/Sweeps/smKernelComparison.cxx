@@ -49,7 +49,7 @@ struct NativeTrim
   Handle(Geom2d_Curve) Curve;
   double First = 0.0;
   double Last = 0.0;
-  /// The file has it; otherwise OpenCASCADE makes one up on a plane, at another speed than the edge has.
+  /// True if the file has the curve; otherwise OpenCASCADE computes one, on a plane only, with another parametrisation than the edge's.
   Standard_Boolean Stored = false;
 
   NativeTrim(const TopoDS_Edge& edge, const TopoDS_Face& face)
@@ -267,7 +267,7 @@ private:
     }
   }
 
-  /// Every edge once, and the signs of all its uses.
+  /// Compares every edge once, and adds up the signs of its uses.
   void CompareEdge(const sm::ConvertedFace& face, const sm::Coedge& coedge, const TopoDS_Edge& edge)
   {
     if (coedge.Use->Degenerate)

@@ -15,8 +15,8 @@ namespace sm
 {
 /**
  * Evaluates items in parallel by vtkSMPTools, with the backend and the number of threads that the application chose, and items of
- * one shape side by side in the lanes of vector registers; results are bitwise the same for any of these. All faces are one group. User integrands are GLSL text, which needs OpenGL; for these
- * GetObstacle() returns a reason.
+ * one shape side by side in the lanes of vector registers; results are bitwise the same for any of these. All faces are one group. User
+ * integrands are GLSL text, which needs OpenGL; for these GetObstacle() returns a reason.
  */
 class SMFILTERSSURFACEINTEGRALS_EXPORT CPUItemRunner : public ItemRunner
 {

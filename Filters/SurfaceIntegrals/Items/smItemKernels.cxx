@@ -227,7 +227,7 @@ void WriteLane(const KernelData& data, const KernelItem& item, const InputSizes&
   }
 }
 
-/// Aligned as the widest registers, for lanes are written there.
+/// Returns the next address that is aligned for the widest vector registers.
 double* Align(double* address)
 {
   constexpr std::uintptr_t alignment = sizeof(double) * MostLanes;
@@ -281,7 +281,7 @@ std::uint64_t GetItemShape(const KernelItem& item)
   std::uint64_t shape = static_cast<std::uint64_t>(item.Item->Kind);
   shape = shape << 5 | static_cast<std::uint64_t>(patch ? patch->Degree[0] : 0);
   shape = shape << 5 | static_cast<std::uint64_t>(patch ? patch->Degree[1] : 0);
-  // Flags of the end of an item do not matter.
+  // The flags that only the end of an item reads may differ among the items of a shape.
   shape = shape << 32 | (detail[0] & ~((FlagFirst | FlagDiscard) << 24));
   return shape << 8 | detail[2];
 }

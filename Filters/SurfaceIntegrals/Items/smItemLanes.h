@@ -47,7 +47,7 @@ struct ItemLanes
 };
 
 ///@{
-/// Evaluates that many items. For 4 and 8 the processor must have AVX2 and AVX-512.
+/// Evaluates as many items as the name says. IntegrateLanes4 needs a processor with AVX2, IntegrateLanes8 one with AVX-512.
 unsigned int IntegrateLanes1(const ItemLanes& items);
 unsigned int IntegrateLanes2(const ItemLanes& items);
 unsigned int IntegrateLanes4(const ItemLanes& items);

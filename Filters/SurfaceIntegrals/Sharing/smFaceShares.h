@@ -67,8 +67,8 @@ public:
 
   /// Reads the tasks of a message. Returns false if the message is invalid or refers to a face that was not received.
   bool Unpack(int sender, ByteReader& from, std::vector<FaceTask>& tasks);
-  /// Returns the session whose faces are here; 0, after which the next message has them again, if it is not the sender's or the budget
-  /// has removed some of them.
+  /// Returns the session of the sender whose faces are all here. Returns 0 if they are of another session or rank, or if the budget has
+  /// removed some of them: the sender then sends them again with its next message.
   std::uint64_t FindSession(int sender);
   std::size_t GetNumberOfFaces() const { return this->Faces.GetNumberOfFaces(); }
   void Clear();

@@ -45,8 +45,8 @@ bool smFinish(uint index, smWorkRecord work)
   bool converged = true;
   double scale = double(uintBitsToFloat(work.detail.w));
   // With two orders only, a single difference may be small by coincidence; the largest difference relative to its tolerance was
-  // never below the error of any integrand (Filters/Quadrature/Bounds.md). The part of differences that rounding causes is not an error of the
-  // order.
+  // never below the error of any integrand (Filters/Quadrature/Bounds.md). The part of differences that rounding causes is not an error of
+  // the order.
   double largest = 0.0LF;
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {

@@ -47,7 +47,7 @@ dvec2 smSum(uint at, uint count)
   return dvec2(sum, error);
 }
 
-// A NaN is never left once met: every comparison with it is false.
+// A NaN remains the result, because every comparison with it is false.
 double smMinimum(uint at, uint count)
 {
   double best = inputs[at];

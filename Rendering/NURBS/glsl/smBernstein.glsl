@@ -23,7 +23,7 @@ void smBernsteinBasis(int degree, double x, SM_OUT_ARRAY(double, basis, SM_BASIS
 // Polynomial pieces sum_i C(n,i) x^i (1-x)^(n-i) c_i and their derivatives sum_i i C(n,i) x^(i-1) (1-x)^(n-i)
 // (c_i - c_{i-1}), nested in (1-x): each coefficient is read once.
 
-// sum = y sum + factor (a - b), each with what it lacks: the roundings are carried along.
+// sum = y sum + factor (a - b), where every operand is a double and its accumulated rounding error (…Low).
 void smNest(double y, double yLow, double factor, double factorLow, double a, double b, SM_INOUT(double) sum,
   SM_INOUT(double) sumLow)
 {
@@ -38,7 +38,7 @@ void smNest(double y, double yLow, double factor, double factorLow, double a, do
   sum = next;
 }
 
-// product = a b with a double b, each with what it lacks.
+// product = a b, where a and the product are each a double and its rounding error (…Low), and b is a double.
 void smScale(double a, double aLow, double b, SM_OUT(double) product, SM_OUT(double) productLow)
 {
   precise double scaled = a * b;
@@ -51,7 +51,7 @@ void smScale(double a, double aLow, double b, SM_OUT(double) product, SM_OUT(dou
 SM_CONSTANT double smTrimRoundings = 3.0LF;
 
 // A trim piece: u, v pairs from index `first` on. The point is relative to `origin`; `reach` is the largest distance of a
-// coefficient from there. Both sums are compensated: the trim moves the boundary of all that is integrated.
+// coefficient from there. Both sums are compensated, because errors of the trim curve move the boundary of the region of integration.
 void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2) point, SM_OUT(dvec2) derivative,
   SM_OUT(dvec2) reach)
 {

@@ -5,6 +5,6 @@
 #define SM_OUT_ARRAY(type, name, size) out type name[size]
 #define SM_ARRAY(type, name, size) type name[size]
 #define SM_CONSTANT const
-// Both are evaluated where several items are evaluated side by side.
+// Both values are evaluated where several items are evaluated side by side, so they must have no side effects.
 #define SM_SELECT(condition, yes, no) ((condition) ? (yes) : (no))
 #define SM_ANY(condition) (condition)

@@ -11,14 +11,14 @@ namespace
 using namespace smtest;
 
 constexpr double Tolerances[] = { 1e-6, 1e-9, 1e-12 };
-/// Bounds may have that many times what the file is off by: reading rounds every coordinate more than once, and the area of a ball is more
-/// than the square of its size.
+/// Factor of the error of the file's numbers that a bound may have: reading rounds every coordinate more than once, and the area of a ball
+/// is more than the square of its size.
 constexpr double ReadingRoundings = 40.0;
-/// The same for a placement, whose translation may be off by 32 u (PlacementError); the area of the patches of the torus, as the bound takes
-/// it, is less than four times the square of its size.
+/// The same for a placement, whose translation may be off by 32 u (PlacementError); the area of the patches of the torus, as the bound
+/// takes it, is less than four times the square of its size.
 constexpr double PlacementRoundings = 4.0 * 32.0;
 
-/// `size`: of the body. `given`: what the plane or the file is off by, a length.
+/// `size`: the diameter of the body. `given`: how far the rounded numbers of the plane or of the file are from the exact ones, a length.
 void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>& planes, const Part& whole,
   Real size, Real given = 0, double roundings = ReadingRoundings)
 {
@@ -293,7 +293,7 @@ void CheckTori(const Manifest& manifest)
   CheckPlanes("torus", scene, planes, whole, 60);
 }
 
-/// Placed by rotation about y, then x, then z, mirrored before and moved after.
+/// Checks bodies whose placement mirrors, then rotates about y, x and z, then moves.
 void CheckPlacements(const Manifest& manifest)
 {
   Part whole;

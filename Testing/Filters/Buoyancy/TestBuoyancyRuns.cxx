@@ -67,8 +67,8 @@ void CheckVoids(const Manifest& manifest)
       std::string::npos);
 }
 
-/// Planes along the top of a rotated box of 30 x 20 x `thickness`, by less than what rounding leaves of a point far away in them: whether the
-/// box is below as a whole, or with all but a sheet, is beyond what can be told, and the bound has to say so.
+/// Planes along the top of a rotated box of 30 x 20 x `thickness`, by less than what rounding leaves of a point far away in them: whether
+/// the box is below as a whole, or with all but a sheet, is beyond what can be told, and the bound has to say so.
 void CheckTop(const std::string& what, Scene& scene, double thickness)
 {
   const Real volume = 600 * static_cast<Real>(thickness);
@@ -278,7 +278,7 @@ void CheckAborts(const Manifest& manifest)
   int stops = 0;
   for (bool stopped = true; stopped && stops < 100; stops += stopped ? 1 : 0)
   {
-    // Without anything kept from runs before.
+    // A new scene has nothing from earlier runs.
     Scene scene(path);
     scene.Filter->SetPoint(0, 0, 2.5);
     scene.Filter->SetNormal(1, 2, 3);

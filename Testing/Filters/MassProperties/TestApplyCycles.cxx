@@ -75,7 +75,7 @@ int GetWarmCycles(int count)
   return std::max(20, count / 5);
 }
 
-/// Makes, draws and ends a window with a translucent and an opaque sphere: nothing of ours.
+/// Makes, draws and deletes a window with a translucent and an opaque sphere, without any class of this library.
 void DrawSpheres(const Expected& part)
 {
   const vtkSmartPointer<vtkRenderWindow> window = NewCycleWindow(part);
@@ -94,7 +94,8 @@ void DrawSpheres(const Expected& part)
   window->Render();
 }
 
-/// What such windows leave behind in X, Mesa and VTK: 117 kB of the heap and 205 kB in all with Mesa 25.
+/// The growth of a process that only opens, draws and closes such windows, which is that of X, Mesa and VTK: 117 kB of the heap and 205 kB
+/// in all with Mesa 25.
 Growth MeasureWindows(const Expected& part, int count)
 {
   const int warm = GetWarmCycles(count);
@@ -194,7 +195,7 @@ public:
     return this->Last;
   }
 
-  /// The counting itself: what is made is seen, what is freed is not.
+  /// Checks the counting itself: a new object is counted, and a freed one no longer.
   void CheckCounting()
   {
     const vtkSmartPointer<vtkRenderWindow> window = this->Window ? this->Window : NewCycleWindow(this->Part);
@@ -213,7 +214,7 @@ public:
     CheckEqual("and none when they are freed", before, CountGLObjects().GetTotal());
   }
 
-  /// Ends what is left.
+  /// Deletes the pipelines that still exist.
   void End()
   {
     this->Scene.reset();
@@ -287,7 +288,7 @@ int TestApplyCycles(int argc, char* argv[])
     const std::string name = GLObjects::GetName(kind);
     if (name == "queries")
     {
-      // VTK's timers, a pool as large as the driver is late.
+      // VTK's timers are a pool that grows with the frames by which the driver is late.
       CheckRange("window's queries", 0.0, static_cast<double>(after.Window.Counts[kind]), 64.0);
       continue;
     }

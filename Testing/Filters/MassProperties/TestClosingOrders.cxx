@@ -1,5 +1,5 @@
-// TestClosingOrders own|shared|windows|contexts|exit|exit-in-render FOLDER: windows, filters and what feeds them end in every order. What is
-// left goes on with the right values, nothing of ours stays on a GPU, and the program ends by itself: no crash at its end either.
+// TestClosingOrders own|shared|windows|contexts|exit|exit-in-render FOLDER: windows, filters and what feeds them end in every order. What
+// is left goes on with the right values, nothing of ours stays on a GPU, and the program ends by itself: no crash at its end either.
 #include "smCycleScene.h"
 
 #include "smComputeBuffer.h"
@@ -27,7 +27,7 @@ void CheckNothingLives(const std::string& what)
   CheckEqual(what + ": programs", 0, sm::ComputeProgram::GetLiveCount());
 }
 
-/// Runs the filter once more, without what it knows from earlier runs.
+/// Runs the filter once more, without results of earlier runs.
 void CheckRuns(const std::string& what, vtkMassPropertiesGPU* mass, const Expected& part)
 {
   mass->CacheFaceResultsOff();

@@ -22,7 +22,7 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
-/// The same bits; any NaN for any other.
+/// Returns true if both have the same bits, or both are NaN.
 bool AreSame(double a, double b)
 {
   return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));

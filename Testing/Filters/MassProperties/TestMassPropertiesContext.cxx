@@ -66,7 +66,7 @@ void CheckContext(const Expected& part, const std::string& mode)
   CheckTrue("another reader and filter: same bits", AreSameBits(first, GetNumbers(again.Mass)));
 }
 
-/// Every sample times 1.001: integrals grow by that factor, the centre stays.
+/// Checks a shader that multiplies every sample by 1.001: integrals grow by that factor, the centre stays.
 void CheckPerturbation(const Expected& part)
 {
   const double factor = 1.0 + 1e-3;
@@ -126,7 +126,7 @@ void CheckSharedFaces(const Expected& part)
   CheckEqual("all is released", static_cast<long long>(before), context->GetAllocatedBytes());
 }
 
-/// No OpenGL, and none was insisted on: the CPU's numbers.
+/// Without OpenGL, where AUTOMATIC is set, the CPU computes.
 /// Where no GPU is found the CPU is no more than named; where OpenGL of a certain source was wanted a message tells why it is not used.
 void CheckFallback(const Expected& part, int source)
 {

@@ -40,7 +40,7 @@ struct Scene
       this->Source.Mass->SetRenderWindow(this->Window);
       this->Points->SetRenderWindow(this->Window);
     }
-    // All control points alike: the volume stays, and every display point is evaluated.
+    // All control points move by the same vector: the volume stays, and every display point is evaluated.
     this->Deform->SetInputConnection(this->Source.Reader->GetOutputPort());
     this->Deform->SetDisplacement(0.02 * part.Size, 0.0, 0.0);
     this->Deform->SetPointEvaluator(this->Points);

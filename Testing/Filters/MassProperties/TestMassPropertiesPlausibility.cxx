@@ -18,7 +18,7 @@ std::string GetText(vtkSurfaceIntegralBase* filter)
   return GetFieldText(vtkTable::SafeDownCast(filter->GetOutputDataObject(2))->GetRowData(), names::Text);
 }
 
-/// Neither in the messages nor in the text of the ParaView view.
+/// Checks that no number that is NaN or infinite is printed in the messages or in the text of the ParaView view.
 void CheckWords(vtkSurfaceIntegralBase* filter)
 {
   const std::string all = GetMessages(filter) + GetText(filter);

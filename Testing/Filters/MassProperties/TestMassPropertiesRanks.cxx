@@ -142,7 +142,7 @@ void TestLimits(const std::string& file)
   }
 }
 
-/// Without OpenGL on the last rank: `backend` says what comes of it.
+/// The last rank has no OpenGL: `backend` decides whether the run fails or goes on.
 void TestNoOpenGL(const std::string& file, int backend)
 {
   if (rank == ranks - 1)

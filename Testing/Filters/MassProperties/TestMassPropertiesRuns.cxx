@@ -20,7 +20,7 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
-/// Setters of the general filter that mass properties have no use for.
+/// True if a filter has the setters of integrands, which the general filter has and mass properties have not.
 template <class Filter, class = void>
 struct TakesIntegrands : std::false_type
 {

@@ -40,8 +40,8 @@ int GetMostUnmet(const std::string& solid)
   return floored ? 18 : 9;
 }
 
-/// Amplification of the rounding at reading in the bound of the area: the length of edges and of the lines between Bézier patches over the size of the
-/// solid, times degrees and ratios of weights.
+/// Amplification of the rounding at reading in the bound of the area: the length of edges and of the lines between Bézier patches over the
+/// size of the solid, times degrees and ratios of weights.
 double GetAreaAmplification(const std::string& solid)
 {
   const bool weighted = solid == "rational_graph" || solid == "rational_block" || solid == "spline_ring";

@@ -78,7 +78,7 @@ struct CycleScene
     this->Glyph->SetMapper(glyphMapper);
   }
 
-  /// All control points alike: faces that nobody has seen, of the same volume.
+  /// Moves all control points by the same distance along x: new faces, with the same volume.
   void Move(double distance) { this->Deform->SetDisplacement(distance, 0.0, 0.0); }
 
   void Show(vtkRenderWindow* window)

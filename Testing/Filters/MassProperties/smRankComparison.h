@@ -19,7 +19,7 @@
 
 namespace smtest
 {
-/// Faces are remembered that a run alone has to evaluate.
+/// True if the shared run has results of faces from earlier runs that the single run has to evaluate, so that counts of evaluations differ.
 inline bool countsDiffer = false;
 
 inline void UpdateTogether(vtkSurfaceIntegralBase* filter)
@@ -98,7 +98,7 @@ inline void CompareOutputs(
   }
 }
 
-/// Nothing is there twice.
+/// Checks that the outputs of a rank that does not put out results are empty.
 inline void CheckEmpty(const std::string& what, vtkSurfaceIntegralBase* filter)
 {
   CheckEqual(what + ": arrays on another rank", 0, filter->GetOutput()->GetFieldData()->GetNumberOfArrays());

@@ -48,7 +48,7 @@ void CheckBudget()
   for (const sm::FacePointer& face : faces)
   {
     cache.Acquire({ face }, cut, nullptr);
-    // Asked for every time, so never the oldest.
+    // This face is asked for every time, so that it is never the one used longest ago.
     cache.Acquire({ faces[1] }, cut, nullptr);
   }
   CheckEqual("faces kept", 3, static_cast<long long>(cache.GetNumberOfFaces()));

@@ -1,4 +1,4 @@
-// What is shown of a value and its bound still holds: the shown interval contains the interval of both.
+// A value and its bound, rounded for display, still hold: the interval that is shown contains the interval that was computed.
 #include "smFormat.h"
 #include "smTesting.h"
 
@@ -7,7 +7,7 @@
 
 namespace
 {
-/// More precisely than the nearest double.
+/// Reads a number as a long double, more precisely than the nearest double.
 long double Read(const std::string& text)
 {
   return std::strtold(text.c_str(), nullptr);

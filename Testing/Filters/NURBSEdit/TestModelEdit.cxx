@@ -24,7 +24,7 @@ bool HaveSameBits(const sm::Edge& a, const sm::Edge& b)
     a.StartVertex == b.StartVertex && a.EndVertex == b.EndVertex;
 }
 
-/// Everything but ids.
+/// Returns true if the models have the same bits in everything but ids.
 bool HaveSameBits(vtkTrimmedNURBSModel* a, vtkTrimmedNURBSModel* b)
 {
   bool same = a->GetNumberOfFaces() == b->GetNumberOfFaces();
@@ -114,7 +114,7 @@ void CheckMove(const std::string& what, int i, int j, std::size_t faces)
   const sm::ModelEdit undone = sm::ReplaceFaces(edit.Model, edit.Replaced);
   CheckTrue("so does an undo, with the same faces", undone.Model->GetFaces() == before);
 
-  // On this face alone: what it opens is named, with its width.
+  // An edit of this face alone names the edges that it opens, with the width of the gap.
   const sm::ModelEdit alone = sm::MoveControlPoints(model, 5, { index }, Displacement, sm::EditRule::OneFace);
   CheckEqual("one face", 1, static_cast<long long>(alone.Replaced.size()));
   CheckEqual("opened edges", static_cast<long long>(faces) - 1, static_cast<long long>(alone.Opened.size()));

@@ -195,7 +195,7 @@ void CheckGap()
   run(1e-3, 0);
 }
 
-/// What would move lies elsewhere.
+/// A region without control points of the solid moves nothing, and a displacement of it is warned of.
 void CheckNothingMoved()
 {
   std::printf("--- a region without control points\n");

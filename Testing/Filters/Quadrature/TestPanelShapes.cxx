@@ -28,7 +28,7 @@ sm::Face MakeFace(int q, const std::vector<Homogeneous>& points)
   return face;
 }
 
-/// All moments up to each degree, as far as the reference has them.
+/// Checks the plans for all moments up to each degree that the reference integrates.
 void CheckFace(const std::string& name, const sm::Face& face, sm::PanelShape shape)
 {
   const sm::FacePanels panels = sm::BuildFacePanels(face);

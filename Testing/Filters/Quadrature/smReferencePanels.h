@@ -23,7 +23,8 @@ constexpr int Count = 5;
 using Values = std::array<Real, Count>;
 
 #ifdef __SIZEOF_FLOAT128__
-/// For what is as small as the rounding of extended precision. Elsewhere that is no wider than this, or quadruple itself.
+/// Used for errors as small as the rounding of 80-bit long double. On other platforms long double is not wider than double, or is quadruple
+/// itself.
 __extension__ using Quad = __float128;
 #else
 using Quad = long double;
@@ -157,7 +158,7 @@ public:
                                             : this->IntegrateRibbon(item, along);
   }
 
-  /// The same by many points on six parts of it.
+  /// Integrates the item by many points on six parts of it.
   Values IntegrateFinely(const sm::PlannedItem& item) const
   {
     Values sum{};

@@ -12,15 +12,15 @@ using namespace smtest;
 constexpr double Tolerances[] = { 1e-1, 1e-3, 1e-6, 1e-9, 1e-12 };
 constexpr int Entries[6][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 1, 2 }, { 0, 2 } };
 
-/// What is checked of one body.
+/// A body to cut, and the exact values that its bounds are compared with.
 struct Case
 {
   std::string What;
-  /// Of the body; of the whole surface.
+  /// Size: the diameter of the body. Area: of its whole surface.
   Real Size;
   Real Area;
   Real Volume;
-  /// What the plane or the file is off by, a length.
+  /// How far the rounded numbers of the plane or of the file are from the exact ones, a length.
   Real Given = 0;
 };
 
@@ -39,8 +39,8 @@ void CheckSection(
     std::printf("     %s: error / bound %.2g, bound / area %.2g\n", name.c_str(),
       std::abs(filter->GetSectionArea() - number(exact.Area)) / bound, bound / number(exact.Area));
   }
-  // Twice: the scale of the area is rounded to a power of two. 3e-12: heights are rounded to some 1e-14, and slopes and lengths at the plane
-  // are known within some factors.
+  // Twice: the scale of the area is rounded to a power of two. 3e-12: heights are rounded to some 1e-14, and slopes and lengths at the
+  // plane are known within some factors.
   const double widest = 2.0 * tolerance * number(body.Area) +
     100.0 * number(body.Given * (cut.Slope + 4 * body.Size)) + 3e-12 * size * (size + number(cut.Slope));
   CheckRange(name + ", bound", 0.0, bound, widest);
@@ -420,7 +420,7 @@ void CheckHoles(const Manifest& manifest)
   CheckCuts({ "hollow ball", 20, 4 * Pi * 136, 4 * Pi / 3 * (1000 - 216), 1e-14L }, scene, cuts);
 }
 
-/// Placed by rotation about y, then x, then z, mirrored before and moved after.
+/// Checks bodies whose placement mirrors, then rotates about y, x and z, then moves.
 void CheckPlacements(const Manifest& manifest)
 {
   const Real angle = 30 * Pi / 180;

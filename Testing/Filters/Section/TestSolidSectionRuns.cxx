@@ -59,7 +59,8 @@ void CheckTouching(const Manifest& manifest)
     CheckTouch("ball, at its equator", ball, { 10, 2, 1 }, { 1, 0, 0 }, 0.0, 5e-7, true);
   }
   {
-    // What a plane off by 1e-15 cuts: twice the root of 2 r 1e-15 wide, 25 long, or a ring around the axis.
+    // A plane that rounding has moved into the cylinder by 1e-15 cuts a strip, 2 sqrt(2 r 1e-15) wide and 25 long; of the torus, a ring of
+    // such a width around the axis.
     SectionScene cylinder(manifest.GetSolid("cylinder", "plain")[0].Path);
     CheckTouch(
       "cylinder, along a line", cylinder, { 8, 2, 1 }, { 1, 0, 0 }, 25 * 2 * std::sqrt(16e-15), 1e-3, false);

@@ -80,7 +80,7 @@ sm::FacePointer MakeFace(std::mt19937& random, bool trimmed)
   return face;
 }
 
-/// By crossings of a ray with the arcs themselves, finely cut.
+/// Decides by the crossings of a ray with chords of the arcs.
 bool IsInside(const sm::Face& face, double u, double v)
 {
   if (face.Loops.empty())

@@ -18,7 +18,6 @@ namespace
 {
 using namespace smtest;
 namespace names = sm::names;
-// --- shapes ------------------------------------------------------------------------------------
 
 void TestShapes(const std::string& folder)
 {
@@ -205,8 +204,6 @@ void TestCatalogue(const Manifest& manifest)
   }
 }
 
-// --- tipping -----------------------------------------------------------------------------------
-
 /// Margin a/2 - lean/2 about the edge x = a.
 void CheckPrism(const std::string& folder, const std::string& name, double share, const char* verdict)
 {
@@ -279,8 +276,6 @@ void TestTipping(const std::string& folder)
       prism.Filter->GetStability());
   }
 }
-
-// --- the ground --------------------------------------------------------------------------------
 
 void TestGround(const std::string& folder)
 {

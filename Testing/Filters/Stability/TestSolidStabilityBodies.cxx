@@ -24,8 +24,6 @@ using namespace smtest;
 namespace names = sm::names;
 const double NaN = std::nan("");
 
-// --- bodies ------------------------------------------------------------------------------------
-
 void TestBodies(const Manifest& manifest)
 {
   // A cube of 10 and a plate at its side, up to x = 40, that only the cube holds.
@@ -110,8 +108,6 @@ void TestBodies(const Manifest& manifest)
   CheckEqual("a surface has no centre", names::VerdictUnknown, shell.Filter->GetStability());
   CheckTrue("and no margin", std::isnan(shell.Filter->GetStabilityMargin()));
 }
-
-// --- errors ------------------------------------------------------------------------------------
 
 /// An exception from within a run is an error of the filter with empty outputs; it does not leave Update().
 void CheckOutOfMemory(const std::string& path)

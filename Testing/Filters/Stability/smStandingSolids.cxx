@@ -51,7 +51,7 @@ TopoDS_Shape MakeLyingCylinder(double radius, double length)
 
 TopoDS_Shape MakeLyingHalfCylinder(double radius, double length)
 {
-  // From angle 0 in direction y over -z: with x as the axis, y x (-z)... the axis is -x for that.
+  // OpenCASCADE turns counter-clockwise about the axis: from y to -z about -x.
   return BRepPrimAPI_MakeCylinder(
     gp_Ax2(gp_Pnt(length, 0, 0), gp_Dir(-1, 0, 0), gp_Dir(0, 1, 0)), radius, length, vtkMath::Pi())
     .Shape();

@@ -10,7 +10,7 @@ namespace
 {
 using namespace smtest;
 
-/// As many rows at a time as one likes.
+/// A runner whose rows have room for a given number of items only.
 class ShortRunner : public sm::CPUItemRunner
 {
 public:

@@ -19,7 +19,6 @@ namespace
 {
 using namespace smtest;
 
-// --- faces ---------------------------------------------------------------------------------------
 std::shared_ptr<sm::Edge> MakeEdge(const std::array<double, 3>& from, const std::array<double, 3>& to)
 {
   auto edge = std::make_shared<sm::Edge>();
@@ -111,7 +110,6 @@ std::vector<sm::FaceTask> MakeTasks(const std::vector<sm::FacePointer>& faces, d
   return tasks;
 }
 
-// --- ranks ---------------------------------------------------------------------------------------
 /// Exchange between threads: all give, then all take, then the next round begins.
 class Table
 {
@@ -358,7 +356,6 @@ void TestRanks()
   CheckRun("one computes something else", team, tasks, expected, "its integrands are not the same");
 }
 
-// --- what travels --------------------------------------------------------------------------------
 sm::Bytes GetBytes(const sm::Face& face)
 {
   sm::ByteWriter to;

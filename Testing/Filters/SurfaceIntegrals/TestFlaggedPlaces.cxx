@@ -147,7 +147,8 @@ void CheckOthers()
   CheckTrue("sound: summary", !sound.Says("in doubt"), sound.Summary);
 }
 
-/// A parabola from (0,0) over (1,1) to (2,0) and its chord, as the open edges of a box. The polygon of n chords has 1 - 1/n^2 of the area 4/3.
+/// A parabola from (0,0) over (1,1) to (2,0) and its chord, as the open edges of a box. The polygon of n chords has 1 - 1/n^2 of the area
+/// 4/3.
 void CheckCurvedEdges()
 {
   BoxBody box;

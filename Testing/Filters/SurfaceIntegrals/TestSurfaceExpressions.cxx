@@ -1,6 +1,6 @@
 // TestSurfaceExpressions FOLDER MODE: integrands of one's own against closed forms: functions, constants and names of a sample
-// (functions), curvatures (curvatures), fluxes (flux), divisions by 0 and their like (undefined), chosen faces (faces), mistakes (mistakes), numbers where the user's
-// locale writes them with a comma (commas; of LOCPATH, de_DE.UTF-8).
+// (functions), curvatures (curvatures), fluxes (flux), divisions by 0 and their like (undefined), chosen faces (faces), mistakes
+// (mistakes), numbers where the user's locale writes them with a comma (commas; of LOCPATH, de_DE.UTF-8).
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 

@@ -18,7 +18,7 @@ def get_paths(ranks):
 
 
 def write():
-    """In ParaView: Save Data of both formats."""
+    """Writes files of both formats by ParaView's Save Data."""
     from paraview import servermanager, simple
     simple.LoadPlugin(plugin)
     ranks = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
@@ -34,7 +34,7 @@ def write():
 
 
 def read_lines(path):
-    """The file but for what names it and the time that it was written."""
+    """Returns the lines of the file, without its name and the time that it was written."""
     with open(path, encoding="utf-8") as file:
         return [line for line in file if not line.startswith("FILE_NAME")]
 

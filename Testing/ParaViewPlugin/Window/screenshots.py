@@ -9,7 +9,7 @@ reader = simple.OpenDataFile(path)
 view = simple.GetActiveViewOrCreate("RenderView")
 simple.Show(reader, view)
 mass = simple.MassProperties(Input=reader, Density=7850.0)
-# As Apply does.
+# Shows the outputs as the Apply button does.
 controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
 for port in range(mass.SMProxy.GetNumberOfOutputPorts()):
     controller.ShowInPreferredView(mass.SMProxy, port, view.SMProxy)

@@ -119,7 +119,7 @@ void CheckEmptied()
     Load("", &records) == Load(Wrap("#1=X_LIST();\n#2=Y(#1);\n#3=(X_LIST(1)Z());\n"), nullptr));
 }
 
-/// What OpenCASCADE's parser may read in another way, or not at all.
+/// Texts that OpenCASCADE's parser may read in another way, or not at all, are left to it.
 void CheckLeft()
 {
   for (const char* data : { "#1=A(1e5);", "#1=A(1E5);", "#1=A(.true.);", "#1=A(\"0ff\");", "#0=A();",

@@ -67,13 +67,13 @@ Handle(Geom_BSplineCurve) MakeEdgeCurve(const RationalBlock& block, int axis, in
     poles.SetValue(i + 1, GetPole(block, index));
     weights.SetValue(i + 1, block.IsRational() ? block.Weights[index] : 1.0);
   }
-  // Finds out itself when all weights are equal.
+  // OpenCASCADE makes the curve polynomial itself when all weights are equal.
   return new Geom_BSplineCurve(poles, weights, BezierKnots(), BezierMultiplicities(degree), degree);
 }
 
 struct Frame
 {
-  /// By bits: u, v, w.
+  /// Corners by the bits 0, 1 and 2 of the index: the ends of u, v and w.
   TopoDS_Vertex Vertices[8];
   /// By axis, next and after-next parameter.
   TopoDS_Edge Edges[3][2][2];

@@ -223,7 +223,7 @@ ExactSolid MakeOffsetStrip()
   const Real height = 15;
   const std::vector<Real> w = ToBernstein({ 1, 0, 1 }, 5);
   RationalBlock block;
-  // z, t, and the way from the curve to its offset.
+  // The three parameters are z, t, and the distance from the curve towards its offset.
   block.Degree = { 1, 5, 1 };
   for (int k = 0; k <= 1; ++k)
   {

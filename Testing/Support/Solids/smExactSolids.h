@@ -30,7 +30,7 @@ struct ExactSolid
   bool VolumeComparable = true;
 };
 
-/// Finds the size.
+/// Makes a solid, with the size that the shape's bounding box has.
 ExactSolid MakeExactSolid(const TopoDS_Shape& shape, const ExactMoments& moments, bool convertsExactly);
 
 struct NamedSolid

@@ -40,7 +40,7 @@ constexpr std::uint64_t BatchSize = 50;
 // with fewer digits, and a single solid gets more.
 constexpr int MaximumCells = 100;
 constexpr int MaximumCellsOfOne = 5000;
-// An area that is known to less than this is counted.
+// Solids whose exact area is known with a larger relative uncertainty are counted.
 constexpr Real PreciseArea = 1e-14L;
 
 // The truth is checked by other formulas for one solid in so many: they take longer than the truth.

@@ -38,7 +38,7 @@ void MakeBallOctant(Random& random, Shape& shape);
 /// Full revolutions of closed profiles and of profiles from axis to axis.
 void MakeRevolved(Random& random, Shape& shape);
 
-/// Rounded to a multiple of 2^-bits of the power of two at or above `size`: products of a few such numbers stay exact.
+/// Returns x rounded to a multiple of 2^-bits times the power of two at or above `size`: products of a few such numbers are exact doubles.
 double Quantize(double x, double size, int bits);
 }
 
