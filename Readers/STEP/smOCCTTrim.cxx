@@ -70,6 +70,7 @@ public:
     : Trim(trim)
     , Range(range)
     , Maps(maps)
+    , Width{ width[0], width[1] }
   {
     this->Tolerance = GetTrimTolerance(maps, width);
     if (trim.Feet)
@@ -80,12 +81,7 @@ public:
 
   /// The feet of a curve do not move smoothly beside a point where the surface is nearly singular: the fit has a residual far above
   /// rounding, or was given up after many more pieces than the curve has.
-  bool IsPoor(const double width[2]) const
-  {
-    constexpr double large = 1e-10;
-    return this->GivenUp || this->Result.Residual[0] > large * width[0] ||
-      this->Result.Residual[1] > large * width[1];
-  }
+  bool IsPoor() const { return this->GivenUp || this->HasLargeResidual(); }
 
   const TrimCurve& Fit()
   {
@@ -185,9 +181,18 @@ private:
     return 0.5 * (a + b);
   }
 
+  bool HasLargeResidual() const
+  {
+    constexpr double large = 1e-10;
+    return this->Result.Residual[0] > large * this->Width[0] ||
+      this->Result.Residual[1] > large * this->Width[1];
+  }
+
+  /// A circle that passes a pole of its sphere needs many pieces, each of which is good.
   bool IsGivenUp()
   {
-    this->GivenUp = this->Trim.Feet && this->Result.GetNumberOfPieces() >= this->Most;
+    const int most = this->HasLargeResidual() ? this->Most : MostGoodPieces * this->Most;
+    this->GivenUp = this->Trim.Feet && this->Result.GetNumberOfPieces() >= most;
     return this->GivenUp;
   }
 
@@ -336,7 +341,9 @@ private:
   std::array<double, 2> Tolerance{};
   bool Constant[2] = { false, false };
   double Value[2] = { 0.0, 0.0 };
-  /// Pieces at which it is given up.
+  const double Width[2];
+  /// Pieces at which it is given up; where all are good, so many times as many.
+  static constexpr int MostGoodPieces = 5;
   int Most = MaximumPieces;
   bool GivenUp = false;
   TrimCurve Result;
@@ -416,6 +423,10 @@ void NativeTrim::AddTo(NativeBox& box) const
     add(b.X(), b.Y());
     return;
   }
+  if (this->Feet)
+  {
+    this->Feet->VisitExtremes(add);
+  }
   const std::vector<std::array<double, 2>> points = this->Samples.empty() ? this->Sample() : this->Samples;
   for (std::size_t k = 0; k < points.size(); ++k)
   {
@@ -479,7 +490,7 @@ TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast,
   }
   TrimFitter fitter(trim, range, maps, width);
   const TrimCurve& fitted = fitter.Fit();
-  if (!trim.Feet || !fitter.IsPoor(width))
+  if (!trim.Feet || !fitter.IsPoor())
   {
     return fitted;
   }
