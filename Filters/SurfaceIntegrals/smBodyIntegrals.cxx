@@ -276,7 +276,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
         Status::Suspect, label + ": a loop covers part of the surface more than once or from outside");
       body.FaceDefects.push_back({ { i }, "a loop covers part of it more than once or from outside", true });
     }
-    if (!(result.Overlap <= LargeOverhang * size))
+    if (result.Overlap != 0.0 && !(result.Overlap <= LargeOverhang * size))
     {
       body.Messages.push_back(label + ": its loops overlap by at most " + FormatBound(result.Overlap) +
         ", beside gaps at their corners");
@@ -409,11 +409,11 @@ void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)
       FlagOverhangs(body, excused);
       body.Flag(Status::Suspect,
         "trim curves and edges lie beyond the surface of their face" +
-          (std::isfinite(body.MaxOverhang)
+          (std::isfinite(body.MaxOverhang / diagonal)
               ? ", by up to " + FormatDigits(100.0 * body.MaxOverhang / diagonal, 2) + " % of the body's size"
               : std::string()));
     }
-    if (!(body.MaxOverlap <= excused))
+    if (body.MaxOverlap != 0.0 && !(body.MaxOverlap <= excused))
     {
       FlagOverlaps(body, excused);
       body.Flag(Status::Suspect,

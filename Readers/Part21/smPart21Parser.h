@@ -44,6 +44,7 @@ private:
   /// To where reading goes on after damage: behind the next semicolon, or at a line that begins like an instance or ends the section.
   void Recover();
   void SkipSection();
+  void FindInstanceBehindEnd();
   std::uint32_t FindType(std::string_view name);
   void GrowTypes();
 

@@ -250,7 +250,7 @@ struct SMREADERSPART21_EXPORT STEPCensus
   std::vector<STEPDensity> Densities;
   std::vector<CensusProblem> Problems;
   /// Those problems of geometry on which a reader ends that trusts the schema, without limit: an entity that is part of itself, a curve in
-  /// a surface's parameters that is none, a placement with too few parameters, a number above 1e100.
+  /// a surface's parameters that is none, a placement with too few parameters, a number above 1e100, a radius of 0.
   std::vector<CensusProblem> Perils;
   std::array<std::size_t, static_cast<std::size_t>(CensusDefect::Count)> Counts{};
   /// Bits of CensusUse for every instance of the file.

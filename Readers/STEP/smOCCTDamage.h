@@ -22,8 +22,9 @@ using LostFaces = std::unordered_map<const Standard_Transient*, int>;
 /// True if geometry or structure of a body depends on the entity with this number in the file.
 using EntityFilter = std::function<bool(int)>;
 
-/// Why OpenCASCADE cannot follow the entity with this number, though its parser has read it; empty when it can.
-using EntityPeril = std::function<std::string(int)>;
+/// Why OpenCASCADE cannot follow the entity with this number, which places bodies or is a part of them, though its parser has read it;
+/// empty when it can.
+using EntityPeril = std::function<std::string(int number, bool isPlacing)>;
 
 /**
  * OpenCASCADE 7.6 follows references that its own parser reported as unresolved, and crashes; so it does at a `peril`. This takes every
