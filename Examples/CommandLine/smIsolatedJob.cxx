@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <limits>
 #include <new>
 #include <poll.h>
@@ -93,6 +94,21 @@ void WatchMemory()
   }
 }
 
+/// How many processes of this machine the system has ended for want of memory; -1 where it does not tell.
+long CountMemoryKills()
+{
+  std::ifstream counters("/proc/vmstat");
+  std::string name;
+  for (long value = 0; counters >> name >> value;)
+  {
+    if (name == "oom_kill")
+    {
+      return value;
+    }
+  }
+  return -1;
+}
+
 [[noreturn]] void RunChild(const sm::JobOptions& options, int descriptor, pid_t parent)
 {
   for (const int number : { SIGINT, SIGTERM, SIGHUP })
@@ -135,6 +151,12 @@ double GetSecondsLeft(const sm::JobOptions& options)
                                       : std::numeric_limits<double>::infinity();
 }
 
+/// No process does this to itself.
+bool WasKilled(int status)
+{
+  return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+}
+
 bool IsOverProcessorLimit(int status)
 {
   return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
@@ -157,7 +179,8 @@ std::string DescribeEnd(int status, bool isTimeOver, bool isOutOfMemory, const s
   {
     const int number = WTERMSIG(status);
     end = "ended by signal " + std::to_string(number) + " (" + strsignal(number) +
-      (number == SIGKILL ? ", as the system does when memory runs out)" : ")");
+      (number == SIGKILL && !isOutOfMemory ? ", from outside, as the system does when memory runs out)"
+                                           : ")");
   }
   else if (WIFEXITED(status) && WEXITSTATUS(status) != 0)
   {
@@ -268,6 +291,7 @@ IsolatedJob::IsolatedJob(const JobOptions& options, ProgressListener progress)
     return;
   }
   const pid_t parent = getpid();
+  this->MemoryKills = CountMemoryKills();
   this->Process = fork();
   if (this->Process == 0)
   {
@@ -391,12 +415,15 @@ JobOutcome IsolatedJob::GetOutcome()
     // After an interrupt only complete results count as those of a finished file.
     return this->Said.IsComplete ? outcome : JobOutcome();
   }
-  const bool isOutOfMemory = this->OutOfMemory && *this->OutOfMemory;
+  const bool isOutOfMemory = (this->OutOfMemory && *this->OutOfMemory) ||
+    (WasKilled(this->ExitStatus) && CountMemoryKills() > this->MemoryKills && !this->IsTimeOver);
   const std::string end = DescribeEnd(this->ExitStatus, this->IsTimeOver, isOutOfMemory, this->Options);
   if (!this->Said.IsComplete)
   {
     AddFailure(this->Options, this->Said.Stage, end,
-      this->IsTimeOver || isOutOfMemory || IsOverProcessorLimit(this->ExitStatus), outcome.File);
+      this->IsTimeOver || isOutOfMemory || WasKilled(this->ExitStatus) ||
+        IsOverProcessorLimit(this->ExitStatus),
+      outcome.File);
   }
   else if (!end.empty() && !this->IsTimeOver)
   {

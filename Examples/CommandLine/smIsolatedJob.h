@@ -78,6 +78,7 @@ private:
   bool IsKilled = false;
   bool IsTimeOver = false;
   volatile std::sig_atomic_t* OutOfMemory = nullptr; ///< shared with the child, which sets it
+  long MemoryKills = 0;                              ///< of the system, before the child
 };
 
 /// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set IsInterrupted(), instead of ending this

@@ -66,6 +66,7 @@ void AddPart(const FaceIntegrals& from, FaceIntegrals& to)
   to.Estimated = to.Estimated || from.Estimated;
   to.Skipped = to.Skipped || from.Skipped;
   to.CoverageDefects += from.CoverageDefects;
+  to.Overlap = std::max(to.Overlap, from.Overlap);
   to.Outside.Add(from.Outside);
   to.IsContinued = to.IsContinued || from.IsContinued;
   to.Error = from.Error.empty() ? to.Error : from.Error;

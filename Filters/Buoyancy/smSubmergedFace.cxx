@@ -88,6 +88,7 @@ CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchange
   if (!exchanged)
   {
     panels.CoverageDefects = source.Panels.CoverageDefects;
+    panels.Overlap = source.Panels.Overlap;
     panels.Outside = source.Panels.Outside;
   }
   cut->Panels = std::move(panels);

@@ -395,6 +395,8 @@ void Builder::AddLoop(const Loop& loop)
 
 void Builder::AddCoveredEdges()
 {
+  std::vector<Point2> doubtful;
+  std::vector<double> widths;
   for (const EdgePanel& edge : this->Cover.ComputeEdgePanels())
   {
     const std::uint32_t patch = this->GetPatch(edge.Column, edge.Row);
@@ -404,13 +406,21 @@ void Builder::AddCoveredEdges()
     const std::uint32_t trim = this->AddTrim({ line, 1 });
     if (edge.Multiplicity != 1 && edge.EndV - edge.StartV > 1e-9 * cell.Width[1])
     {
-      ++this->Result.CoverageDefects;
+      doubtful.push_back(this->Transpose({ right, 0.5 * (edge.StartV + edge.EndV) }));
+      widths.push_back((edge.EndV - edge.StartV) / cell.Width[1] * cell.Stretch[1]);
     }
     for (int m = 0; m < std::abs(edge.Multiplicity); ++m)
     {
       this->Result.Panels.push_back({ patch, trim, 1, this->ShapeOfPatch[patch], edge.Multiplicity < 0,
         this->Source.Reversed != this->Transposed, 0.0, 1.0, true, line[0], line[1] });
     }
+  }
+  const std::vector<bool> areFar =
+    doubtful.empty() ? std::vector<bool>() : AreFarFromLoops(this->Source, doubtful);
+  for (std::size_t i = 0; i < doubtful.size(); ++i)
+  {
+    this->Result.CoverageDefects += areFar[i] ? 1 : 0;
+    this->Result.Overlap = areFar[i] ? this->Result.Overlap : std::max(this->Result.Overlap, widths[i]);
   }
 }
 

@@ -97,6 +97,9 @@ struct FacePanels
   std::vector<Cap> Caps;
   /// Cells counted more than once or negatively, over more than a sliver: a loop is wrong.
   int CoverageDefects = 0;
+  /// A bound of the widest sliver that is counted so, no farther from the loops than the gaps at their corners and the tolerances of their
+  /// edges (smLoopCrossings.h): a gap of the model.
+  double Overlap = 0.0;
   /// Trim curves beyond the surface's domain, to which the surface is continued.
   Overhang Outside;
 };

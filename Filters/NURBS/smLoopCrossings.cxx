@@ -20,6 +20,8 @@ constexpr double Flatness = 5e-4;
 /// Overlaps that are excused, relative to the longer side of the face: at least, and at most by the tolerance of its edges.
 constexpr double LeastExcuse = 1e-4;
 constexpr double LargestExcuse = 1e-3;
+/// The largest part of the face's extent in u and in v that a gap at a corner may have.
+constexpr double LargestCorner = 0.1;
 /// Largest number of crossings that are examined; a sound face has none but where loops touch.
 constexpr int MostCrossings = 4096;
 
@@ -49,11 +51,15 @@ class FlatLoops
 public:
   explicit FlatLoops(const Face& face);
   bool HasCrossing();
+  /// The point is in the coordinates of the surface.
+  bool IsFarFromLoops(const Point2& uv);
 
 private:
   /// Returns true if the loops overlap beside the place where two chords cross, at the fraction x of the first one.
   bool IsOverlap(const Chord& a, const Chord& b, double x);
   void WidenSlack();
+  /// How far the ends of a coedge are apart if it closes a gap between its neighbours.
+  Point2 GetFilledGap(const Coedge& coedge) const;
   int GetWindingNumber(const Point2& p) const;
   bool IsFarFrom(const Point2& p) const;
 
@@ -71,6 +77,7 @@ FlatLoops::FlatLoops(const Face& face)
 {
   Point2 high{ -this->Low[0], -this->Low[1] };
   Point2 gap{};
+  std::vector<Point2> filled;
   for (const Loop& loop : face.Loops)
   {
     for (std::size_t i = 0; i < loop.Coedges.size(); ++i)
@@ -79,6 +86,10 @@ FlatLoops::FlatLoops(const Face& face)
       const Coedge& next = loop.Coedges[(i + 1) % loop.Coedges.size()];
       const Point2 end = coedge.Reversed ? coedge.Curve.GetStartPoint() : coedge.Curve.GetEndPoint();
       const Point2 start = next.Reversed ? next.Curve.GetEndPoint() : next.Curve.GetStartPoint();
+      if (coedge.Use->Degenerate)
+      {
+        filled.push_back(this->GetFilledGap(coedge));
+      }
       for (int d = 0; d < 2; ++d)
       {
         gap[d] = std::max(gap[d], std::abs(end[d] - start[d]));
@@ -94,6 +105,13 @@ FlatLoops::FlatLoops(const Face& face)
   if (!(this->Size[0] > 0.0 && this->Size[1] > 0.0))
   {
     return;
+  }
+  for (const Point2& corner : filled)
+  {
+    if (corner[0] <= LargestCorner * this->Size[0] && corner[1] <= LargestCorner * this->Size[1])
+    {
+      gap = { std::max(gap[0], corner[0]), std::max(gap[1], corner[1]) };
+    }
   }
   const TrimPolygons polygons = FlattenLoops(face, { Flatness * this->Size[0], Flatness * this->Size[1] });
   for (int d = 0; d < 2; ++d)
@@ -115,6 +133,25 @@ FlatLoops::FlatLoops(const Face& face)
       this->Chords.push_back(chord);
     }
   }
+}
+
+Point2 FlatLoops::GetFilledGap(const Coedge& coedge) const
+{
+  const Point2 ends[2] = { coedge.Curve.GetStartPoint(), coedge.Curve.GetEndPoint() };
+  const Point2 along = { std::abs(ends[1][0] - ends[0][0]), std::abs(ends[1][1] - ends[0][1]) };
+  Vector3 position[2];
+  double step = 0.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    Vector3 derivative[2];
+    this->Source.Surface.Evaluate(
+      ends[i][0], ends[i][1], position[i].data(), derivative[0].data(), derivative[1].data());
+    step = std::max(step, Norm(derivative[0]) * along[0] + Norm(derivative[1]) * along[1]);
+  }
+  // At a pole nothing moves: its edge is no gap, however long it is in (u,v).
+  const bool isPole = Norm(Subtract(position[1], position[0])) < 0.25 * step ||
+    !(step > coedge.Use->Tolerance) || !(step > 0.0);
+  return isPole ? Point2{ 0.0, 0.0 } : along;
 }
 
 int FlatLoops::GetWindingNumber(const Point2& p) const
@@ -147,8 +184,24 @@ bool FlatLoops::IsFarFrom(const Point2& p) const
     });
 }
 
+bool FlatLoops::IsFarFromLoops(const Point2& uv)
+{
+  this->WidenSlack();
+  Point2 p;
+  for (int d = 0; d < 2; ++d)
+  {
+    p[d] = (uv[d] - this->Low[d]) / this->Size[d];
+  }
+  return this->Size[0] > 0.0 && this->Size[1] > 0.0 && this->IsFarFrom(p);
+}
+
 void FlatLoops::WidenSlack()
 {
+  if (this->HasTolerances)
+  {
+    return;
+  }
+  this->HasTolerances = true;
   double tolerance = 0.0;
   for (const Loop& loop : this->Source.Loops)
   {
@@ -186,11 +239,7 @@ bool DoCross(const Chord& a, const Chord& b, double& x)
 
 bool FlatLoops::IsOverlap(const Chord& a, const Chord& b, double x)
 {
-  if (!this->HasTolerances)
-  {
-    this->HasTolerances = true;
-    this->WidenSlack();
-  }
+  this->WidenSlack();
   const Point2 alongA = Subtract2(a.To, a.From);
   const Point2 alongB = Subtract2(b.To, b.From);
   const double lengthA = std::hypot(alongA[0], alongA[1]);
@@ -250,5 +299,16 @@ bool FlatLoops::HasCrossing()
 bool HasCrossingLoops(const Face& face)
 {
   return !face.Loops.empty() && FlatLoops(face).HasCrossing();
+}
+
+std::vector<bool> AreFarFromLoops(const Face& face, const std::vector<Point2>& points)
+{
+  FlatLoops loops(face);
+  std::vector<bool> are;
+  for (const Point2& point : points)
+  {
+    are.push_back(loops.IsFarFromLoops(point));
+  }
+  return are;
 }
 }

@@ -276,6 +276,13 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
         Status::Suspect, label + ": a loop covers part of the surface more than once or from outside");
       body.FaceDefects.push_back({ { i }, "a loop covers part of it more than once or from outside", true });
     }
+    if (result.Overlap != 0.0 && !(result.Overlap <= LargeOverhang * size))
+    {
+      body.Messages.push_back(label + ": its loops overlap by at most " + FormatBound(result.Overlap) +
+        ", beside gaps at their corners");
+    }
+    body.MaxOverlap = GetLargerGap(body.MaxOverlap, result.Overlap);
+    body.MaxGap = GetLargerGap(body.MaxGap, result.Overlap);
     if (result.Outside.Distance > LargeOverhang * size)
     {
       AddOverhang(body, i, label);
@@ -359,6 +366,17 @@ void FlagOverhangs(BodyIntegrals& body, double excused)
   }
 }
 
+void FlagOverlaps(BodyIntegrals& body, double excused)
+{
+  for (std::size_t i = 0; i < body.Faces->size(); ++i)
+  {
+    if (!((*body.Faces)[i].Overlap <= excused))
+    {
+      body.FaceDefects.push_back({ { i }, "loops of it overlap", true });
+    }
+  }
+}
+
 void FlagUncertainty(const ShellOrientation& found, BodyIntegrals& body)
 {
   if (!found.Uncertainty.empty())
@@ -391,9 +409,16 @@ void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)
       FlagOverhangs(body, excused);
       body.Flag(Status::Suspect,
         "trim curves and edges lie beyond the surface of their face" +
-          (std::isfinite(body.MaxOverhang)
+          (std::isfinite(body.MaxOverhang / diagonal)
               ? ", by up to " + FormatDigits(100.0 * body.MaxOverhang / diagonal, 2) + " % of the body's size"
               : std::string()));
+    }
+    if (body.MaxOverlap != 0.0 && !(body.MaxOverlap <= excused))
+    {
+      FlagOverlaps(body, excused);
+      body.Flag(Status::Suspect,
+        "loops of a face overlap by " + FormatDigits(100.0 * body.MaxOverlap / diagonal, 2) +
+          " % of the body's size");
     }
     if (widest > excused)
     {

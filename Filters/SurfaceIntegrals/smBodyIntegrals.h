@@ -63,6 +63,8 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   double MaxGap = 0.0;
   /// Largest distance of an edge from the domain of a surface that is continued to it; included in MaxGap.
   double MaxOverhang = 0.0;
+  /// The widest overlap of a face's loops beside gaps at their corners.
+  double MaxOverlap = 0.0;
   /// Entity numbers of the faces whose bounds are estimated, and the number of faces that were skipped.
   std::vector<int> EstimatedFaces;
   int SkippedFaces = 0;
@@ -119,7 +121,7 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void SumValues(
   BodyIntegrals& body, const std::vector<Integrand>& integrands);
 
 /// Collects the gaps of every body's edges (smEdgeGaps.h), and adds a message about the widest gap if it is significant. The body is
-/// suspect if that gap, or MaxOverhang, is wider than `limit` times its diagonal and than the file excuses.
+/// suspect if that gap, MaxOverhang or MaxOverlap is wider than `limit` times its diagonal and than the file excuses.
 SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit);
 
 /// Returns the largest gap or change that does not make a body suspect: `limit` times `size`, or `excuse`, which follows from the

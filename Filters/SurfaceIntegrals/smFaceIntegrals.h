@@ -81,6 +81,8 @@ struct FaceIntegrals
   /// Gap of every coedge that was measured.
   std::vector<CoedgeGap> Gaps;
   int CoverageDefects = 0;
+  /// As FacePanels::Overlap.
+  double Overlap = 0.0;
   /// Trim curves beyond the surface's domain. True if the surface is continued to them; the paper's schemes integrate nothing there.
   Overhang Outside;
   bool IsContinued = false;

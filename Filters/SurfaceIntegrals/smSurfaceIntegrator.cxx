@@ -151,6 +151,7 @@ void SurfaceIntegrator::Internals::MakeBatches(const std::vector<FaceTask>& task
     this->ItemsTotal += this->GetNumberOfItems(i);
     results[i].Error = cut.Error.empty() ? this->Runner->GetFaceError(i) : cut.Error;
     results[i].CoverageDefects = cut.Panels.CoverageDefects;
+    results[i].Overlap = cut.Panels.Overlap;
     results[i].Outside = cut.Panels.Outside;
     results[i].IsContinued = true;
     groups[this->Runner->GetGroup(i)].push_back(i);

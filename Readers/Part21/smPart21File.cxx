@@ -159,8 +159,8 @@ void Part21File::IndexIds()
     if (this->Find(this->Instances[i].Id) != i)
     {
       // It is ambiguous which of the instances a reference means.
-      this->Damaged[i] = 1;
-      this->Damaged[this->Find(this->Instances[i].Id)] = 1;
+      this->Damaged[i] |= Contradictory;
+      this->Damaged[this->Find(this->Instances[i].Id)] |= Contradictory;
       this->Add(Part21Defect::DuplicateId, this->Instances[i].Begin, this->Instances[i].Id);
     }
   }
@@ -187,7 +187,7 @@ void Part21File::Resolve(const std::vector<std::uint64_t>& ids)
       this->References[k] = this->Find(ids[k]);
       if (this->References[k] == None)
       {
-        this->Damaged[i] = 1;
+        this->Damaged[i] |= Contradictory;
         this->Add(Part21Defect::UndefinedReference, this->Instances[i].Begin, this->Instances[i].Id, ids[k]);
       }
     }
@@ -205,7 +205,7 @@ const char* Part21File::GetName(Part21Defect defect)
   static const char* const names[] = { "cannot be opened", "empty", "no header", "too large",
     "junk before the header", "truncated", "no data section", "comment without an end", "syntax error",
     "text outside of instances", "number too large", "number used twice", "undefined reference",
-    "control characters" };
+    "control characters", "instance behind the end" };
   static_assert(
     sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Part21Defect::Count), "a name each");
   return names[static_cast<std::size_t>(defect)];

@@ -30,6 +30,7 @@ enum class Part21Defect : unsigned char
   DuplicateId,        ///< a second instance with the same number; Find() gives the first
   UndefinedReference, ///< a reference to an instance that the file does not have
   ControlCharacters,  ///< bytes below 32 that are no tabs or line ends; they are read as blanks
+  BehindEnd,          ///< an instance behind END-ISO-10303-21; it is not read
   Count
 };
 
@@ -106,6 +107,8 @@ public:
   }
   std::size_t GetOffset(Index i) const { return this->Instances[i].Begin; }
   bool IsDamaged(Index i) const { return this->Damaged[i] != 0; }
+  /// Returns true if the instance breaks the syntax: the text behind the damage is not read.
+  bool IsMalformed(Index i) const { return (this->Damaged[i] & Malformed) != 0; }
   /// Returns the instances to which the parameters of `i` refer, in the order of the text, with None for undefined ones.
   Part21Range<Index> GetReferences(Index i) const
   {
@@ -146,6 +149,10 @@ public:
 
 private:
   friend class Part21Parser;
+  /// Reasons why an instance is damaged, as bits.
+  static constexpr unsigned char Malformed = 1;
+  static constexpr unsigned char Contradictory = 2;
+
   struct Instance
   {
     std::uint64_t Id;

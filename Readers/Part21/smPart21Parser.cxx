@@ -82,6 +82,21 @@ void Part21Parser::Parse(std::size_t start)
   {
     this->File.Add(Part21Defect::Truncated, this->File.Text.size());
   }
+  this->FindInstanceBehindEnd();
+}
+
+void Part21Parser::FindInstanceBehindEnd()
+{
+  const std::size_t end = this->GetOffset(this->Cursor.At);
+  const std::string_view text = this->File.Text;
+  for (std::size_t at = text.find('#', end); at != std::string_view::npos; at = text.find('#', at + 1))
+  {
+    if (IsInstanceStart(text.data() + at, text.data() + text.size()))
+    {
+      this->File.Add(Part21Defect::BehindEnd, at);
+      return;
+    }
+  }
 }
 
 bool Part21Parser::ParseSection()
@@ -236,7 +251,7 @@ void Part21Parser::FinishInstance(bool valid)
     instance.End = this->GetOffset(++this->Cursor.At);
     return;
   }
-  this->File.Damaged.back() = 1;
+  this->File.Damaged.back() = Part21File::Malformed;
   this->File.Add(Part21Defect::Syntax, this->GetOffset(this->Cursor.At), instance.Id);
   // If only the semicolon is missing, the cursor is at the next instance already.
   if (!IsInstanceStart(this->Cursor.At, this->Cursor.End))

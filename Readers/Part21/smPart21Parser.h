@@ -45,6 +45,7 @@ private:
   /// the section.
   void Recover();
   void SkipSection();
+  void FindInstanceBehindEnd();
   std::uint32_t FindType(std::string_view name);
   void GrowTypes();
 

@@ -251,7 +251,7 @@ struct SMREADERSPART21_EXPORT STEPCensus
   std::vector<STEPDensity> Densities;
   std::vector<CensusProblem> Problems;
   /// All problems of geometry that may crash or hang a reader that relies on the schema: an entity that is part of itself, a trim curve of
-  /// a wrong type, a placement with too few parameters, a number above 1e100.
+  /// a wrong type, a placement with too few parameters, a number above 1e100, a radius of 0.
   std::vector<CensusProblem> Perils;
   std::array<std::size_t, static_cast<std::size_t>(CensusDefect::Count)> Counts{};
   /// Bits of CensusUse for every instance of the file.

@@ -214,7 +214,9 @@ bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
     }
   }
   const bool isCurveInPlane = this->Entities.Has(i, STEPRole::DefinitionalRepresentation);
-  if (!valid && (huge || (defect == CensusDefect::WrongType && isCurveInPlane)))
+  // Of an ellipse without width OpenCASCADE's repair looks for feet for minutes.
+  const bool isFlat = kind == 'p' && value.IsNumber() && number == 0.0;
+  if (!valid && (huge || isFlat || (defect == CensusDefect::WrongType && isCurveInPlane)))
   {
     this->AddPeril(defect, i, value.Id, place);
   }

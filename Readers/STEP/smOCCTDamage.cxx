@@ -205,7 +205,9 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
     const bool isFollowed =
       IsShapeEntity(model->Value(i)) && !(isAnnotation && !matters(model->IdentLabel(model->Value(i))));
     std::string failure = isFollowed ? FindFailure(model, i) : std::string();
-    failure = isFollowed && failure.empty() ? peril(model->IdentLabel(model->Value(i))) : failure;
+    failure = isFollowed && failure.empty()
+      ? peril(model->IdentLabel(model->Value(i)), IsPlacing(model->Value(i)))
+      : failure;
     if (!failure.empty())
     {
       damaged.push_back(model->Value(i));

@@ -22,8 +22,9 @@ using LostFaces = std::unordered_map<const Standard_Transient*, int>;
 /// Returns true if geometry or structure of a body depends on the entity with this number in the file.
 using EntityFilter = std::function<bool(int)>;
 
-/// Returns the reason why OpenCASCADE cannot process the entity with this number although its parser has read it; empty if it can.
-using EntityPeril = std::function<std::string(int)>;
+/// Returns the reason why OpenCASCADE cannot process the entity with this number, which places bodies or is a part of them, although its
+/// parser has read it; empty if it can.
+using EntityPeril = std::function<std::string(int number, bool isPlacing)>;
 
 /**
  * Removes every face that refers to a damaged entity, directly or not, from its shell, adds a message, and counts it in `lost`. OpenCASCADE

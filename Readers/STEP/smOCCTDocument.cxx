@@ -13,6 +13,7 @@
 #include "smOCCTRepair.h"
 #include "smOCCTTable.h"
 #include "smPart21File.h"
+#include "smPart21Remains.h"
 #include "smSTEPReconciliation.h"
 #include "smSTEPTessellations.h"
 
@@ -53,14 +54,19 @@ void Configure(STEPCAFControl_Reader& reader)
 }
 
 /// Reads the entities of the file. Returns false, with document.Problem, if OpenCASCADE cannot.
-bool Parse(const FileCheck& check, const Part21File& text, STEPCAFControl_Reader& reader, Document& document)
+bool Parse(const FileCheck& check, const Part21File& file, STEPCAFControl_Reader& reader, Document& document)
 {
+  // Behind damage OpenCASCADE's lexer loses more than the census does, or makes entities of it that crash its translation.
+  std::string remains = GetRemains(file);
+  Part21File sound;
+  const bool isBroken = !remains.empty() && sound.Parse(std::move(remains));
+  const Part21File& text = isBroken ? sound : file;
   // If OpenCASCADE knows tessellations, KernelSession has a setting by which it skips them.
   KernelRecords records;
   const bool isPlain = records.Make(text,
     KernelReadsTessellations ? std::vector<bool>(text.GetTypeNames().size()) : FindTessellationTypes(text));
   const std::string reduced = isPlain || KernelReadsTessellations ? std::string() : RemoveTessellations(text);
-  MemoryBuffer buffer(reduced.empty() ? text.GetText().substr(check.JunkBytes) : reduced);
+  MemoryBuffer buffer(reduced.empty() ? text.GetText().substr(isBroken ? 0 : check.JunkBytes) : reduced);
   std::istream stream(&buffer);
   const Handle(XSControl_WorkSession) session = reader.Reader().WS();
   const Handle(IFSelect_WorkLibrary) library = session->WorkLibrary();
@@ -163,6 +169,11 @@ struct DeclaredContent
     {
       document.Defects.push_back("What the file declares could not be checked: its text could not be read.");
     }
+    if (this->Text.GetNumberOfProblems(Part21Defect::BehindEnd) > 0)
+    {
+      document.Defects.push_back(
+        "Entities of the file stand behind its end, END-ISO-10303-21: they were not read.");
+    }
     this->Census = TakeSTEPCensus(this->Text);
     for (const CensusProblem& peril : this->Census.Perils)
     {
@@ -187,11 +198,28 @@ struct DeclaredContent
     return {};
   }
 
-  /// Returns the reason why OpenCASCADE cannot process the entity; empty if it can.
-  std::string GetPeril(int id) const
+  /// Returns the reason why OpenCASCADE cannot process the entity; empty if it can. Its parser gives no message with the entity for a
+  /// reference to nothing: the entity has a null for it.
+  std::string GetPeril(int id, bool isPlacing) const
   {
     const auto found = id > 0 ? this->Perils.find(static_cast<std::uint64_t>(id)) : this->Perils.end();
-    return found != this->Perils.end() ? found->second : std::string();
+    if (found != this->Perils.end())
+    {
+      return found->second;
+    }
+    const Part21File::Index index =
+      id > 0 && !isPlacing ? this->Text.Find(static_cast<std::uint64_t>(id)) : Part21File::None;
+    if (index != Part21File::None)
+    {
+      for (const Part21File::Index to : this->Text.GetReferences(index))
+      {
+        if (to == Part21File::None || this->Text.IsMalformed(to))
+        {
+          return to == Part21File::None ? "undefined reference" : "reference to a damaged entity";
+        }
+      }
+    }
+    return {};
   }
 
   /// Returns true if a body, its placement or its unit depends on the entity.
@@ -270,7 +298,8 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   LostFaces lost;
   document.Problem = DropDamagedFaces(
     reader.Reader().WS(), model, [&declared](int id) { return declared.Matters(id); },
-    [&declared](int id) { return declared.GetPeril(id); }, document.Messages, lost);
+    [&declared](int id, bool isPlacing) { return declared.GetPeril(id, isPlacing); }, document.Messages,
+    lost);
   if (!document.Problem.empty())
   {
     return;

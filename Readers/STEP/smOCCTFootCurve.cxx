@@ -305,6 +305,34 @@ double FootCurve::GetOverhang() const
   return overhang;
 }
 
+void FootCurve::VisitExtremes(const std::function<void(double, double)>& visit) const
+{
+  for (std::size_t i = 1; i + 1 < this->Samples.size(); ++i)
+  {
+    const Sample& a = this->Samples[i - 1];
+    const Sample& b = this->Samples[i];
+    const Sample& c = this->Samples[i + 1];
+    for (int d = 0; d < 2; ++d)
+    {
+      const double before = (b.UV[d] - a.UV[d]) / (b.T - a.T);
+      const double after = (c.UV[d] - b.UV[d]) / (c.T - b.T);
+      if (this->Slope[d] == this->Slope[d] || !(before * after < 0.0))
+      {
+        continue;
+      }
+      // The vertex of the parabola through the three samples, and the curve at its parameter.
+      const double turn = (after - before) / (c.T - a.T);
+      const double slope = before + turn * (b.T - a.T);
+      const double t = b.T - 0.5 * slope / turn;
+      const double expected = b.UV[d] - 0.25 * slope * slope / turn;
+      std::array<double, 2> uv = this->Evaluate(t);
+      const double miss = std::abs(uv[d] - expected);
+      uv[d] += before > 0.0 ? miss : -miss;
+      visit(uv[0], uv[1]);
+    }
+  }
+}
+
 Handle(Geom2d_Curve) FootCurve::Approximate() const
 {
   Handle(Geom2d_Curve) result;

@@ -12,6 +12,7 @@
 #include <gp_Trsf.hxx>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -44,6 +45,8 @@ public:
   double GetOverhang() const;
   /// Returns OpenCASCADE's approximation of the same curve, to 1e-7 mm at best; null if it fails.
   Handle(Geom2d_Curve) Approximate() const;
+  /// Calls visit(u, v) for points that are no less extreme than the curve's, but for what two more parabolas would find.
+  void VisitExtremes(const std::function<void(double, double)>& visit) const;
   /// Largest distance of a sample from its foot, in the surface's coordinates.
   double GetDistance() const { return this->Distance; }
 

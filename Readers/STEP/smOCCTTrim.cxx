@@ -70,6 +70,7 @@ public:
     : Trim(trim)
     , Range(range)
     , Maps(maps)
+    , Width{ width[0], width[1] }
   {
     this->Tolerance = GetTrimTolerance(maps, width);
     if (trim.Feet)
@@ -80,12 +81,7 @@ public:
 
   /// Returns true if the fit is poor: its residual is far above rounding, or it was stopped after many more pieces than the curve has. Foot
   /// points close to a nearly singular point of the surface are not a smooth function of the parameter.
-  bool IsPoor(const double width[2]) const
-  {
-    constexpr double large = 1e-10;
-    return this->GivenUp || this->Result.Residual[0] > large * width[0] ||
-      this->Result.Residual[1] > large * width[1];
-  }
+  bool IsPoor() const { return this->GivenUp || this->HasLargeResidual(); }
 
   const TrimCurve& Fit()
   {
@@ -186,9 +182,18 @@ private:
     return 0.5 * (a + b);
   }
 
+  bool HasLargeResidual() const
+  {
+    constexpr double large = 1e-10;
+    return this->Result.Residual[0] > large * this->Width[0] ||
+      this->Result.Residual[1] > large * this->Width[1];
+  }
+
+  /// A circle that passes a pole of its sphere needs many pieces, each of which is good.
   bool IsGivenUp()
   {
-    this->GivenUp = this->Trim.Feet && this->Result.GetNumberOfPieces() >= this->Most;
+    const int most = this->HasLargeResidual() ? this->Most : MostGoodPieces * this->Most;
+    this->GivenUp = this->Trim.Feet && this->Result.GetNumberOfPieces() >= most;
     return this->GivenUp;
   }
 
@@ -337,7 +342,9 @@ private:
   std::array<double, 2> Tolerance{};
   bool Constant[2] = { false, false };
   double Value[2] = { 0.0, 0.0 };
-  /// Number of pieces at which the fit is stopped.
+  const double Width[2];
+  /// Number of pieces at which the fit is stopped; so many times as many where all are good.
+  static constexpr int MostGoodPieces = 5;
   int Most = MaximumPieces;
   bool GivenUp = false;
   TrimCurve Result;
@@ -417,6 +424,10 @@ void NativeTrim::AddTo(NativeBox& box) const
     add(b.X(), b.Y());
     return;
   }
+  if (this->Feet)
+  {
+    this->Feet->VisitExtremes(add);
+  }
   const std::vector<std::array<double, 2>> points = this->Samples.empty() ? this->Sample() : this->Samples;
   for (std::size_t k = 0; k < points.size(); ++k)
   {
@@ -480,7 +491,7 @@ TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast,
   }
   TrimFitter fitter(trim, range, maps, width);
   const TrimCurve& fitted = fitter.Fit();
-  if (!trim.Feet || !fitter.IsPoor(width))
+  if (!trim.Feet || !fitter.IsPoor())
   {
     return fitted;
   }

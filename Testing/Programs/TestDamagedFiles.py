@@ -80,6 +80,15 @@ def check_solids():
     for name, target in (("nothing", "#99999"), ("point", "#30")):
         damage("hollow_sphere-plain.step", f"oriented_shell_of_{name}", [(r"(ORIENTED_CLOSED_SHELL\('',\*,)#\d+", r"\g<1>" + target)],
                {"unreadable"}, ["oriented shell #27 has no shell", "export it again"])
+    damage("bicylinder-plain.step", "vertex_of_nothing", [(r"#85 = CARTESIAN_POINT[^;]*;", "")], FLAGGED,
+           ["#84 (undefined reference)", "left out"])
+    damage("bicylinder-plain.step", "ellipse_without_width", [(r"(ELLIPSE\('',#\d+,[^,]*,)[^)]*\)", r"\g<1>0.)")], FLAGGED, ["not above 0", "left out"])
+    # The last line of a record, and the first of another one: behind the damage its lexer lost a vertex more.
+    damage("bicylinder-plain.step", "line_of_another_record",
+           [(r"(#68 = CARTESIAN_POINT\('',\([^)]*\))\s*\);", r"\1\n#85 = CARTESIAN_POINT('',(10.,10.,"),
+            (r"(#84 = VERTEX_POINT\('',#85\);)\s*#85 = CARTESIAN_POINT\('',\([^,]*,[^,]*,", r"\1\n  );")],
+           FLAGGED, ["Entity #68 of the file: damaged entity", "Entity #85", "left out"])
+    damage(box, "entity_behind_the_end", [(r"(END-ISO-10303-21;)", r"\1\n#900=PRODUCT('','','',());")], FLAGGED, ["stand behind its end"])
     damage(box, "undefined_trim_curve", [(r"(DEFINITIONAL_REPRESENTATION\('',\()#\d+", r"\g<1>#9999")], FLAGGED, ["undefined reference", "left out"])
     damage(box, "face_in_parameters", [(r"(DEFINITIONAL_REPRESENTATION\('',\()#\d+", r"\1#17")], FLAGGED, ["wrong type", "left out"])
     damage("moebius_1000-plain.step", "huge_vector", [(r"(VECTOR\('',(#\d+),)1\.0+E\+00(\);\s*\2 = DIRECTION\('',\([^,]*,[^,]*\)\))",
@@ -124,7 +133,8 @@ HOSTILE = {
     "01g_plain_solid_odri_motor": (FLAGGED, ["#453"], None),
     "02a_solid_lost_silently": (FLAGGED, ["#57", "was lost"], None),
     "02d_instance_lost_silently": (FLAGGED, ["#47", "#219", "was lost"], None),
-    "02e_solid_lost_silently": (FLAGGED, ["#978", "was lost"], None),
+    # Its context is damaged, behind which OpenCASCADE's lexer loses seven of eight solids: these are read.
+    "02e_solid_lost_silently": (FLAGGED, ["Entity #1076 of the file: damaged entity (context)"], 1178097.2450957613),
     "02f_three_solids_lost": (FLAGGED, ["#503", "was lost"], None),
     "03_tilted_plane": (FLAGGED, ["at edge #72", "% of its size"], None),
     "05a_crash_empty_body_then_body": (FLAGGED, ["#47"], None),

@@ -274,6 +274,12 @@ def stages():
     check_equal("processor time: status", "not-computed", entry["status"])
     check_true("processor time: why", "ulimit -t" in message and "defect" not in message, message)
 
+    # What the system does when memory runs out is the fault of neither.
+    code, entry = check_stage("integrals", signal.SIGKILL, "--moments", "16", "--max-seconds", "40")
+    message = entry["messages"][-1]
+    check_equal("killed: status", "not-computed", entry["status"])
+    check_true("killed: why", "memory" in message and "defect" not in message and "malformed" not in message, message)
+
     target = os.path.join(make_folder("drawing"), "out.json")
     picture = os.path.join(os.path.dirname(target), "out.png")
     code = run_and_kill("draw", signal.SIGKILL, "--json", target, "--png", picture, GOOD)

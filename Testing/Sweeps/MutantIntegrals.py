@@ -256,14 +256,24 @@ class Region:
                 total[i] += w * (b - a) * d
         return total
 
-    def sample(self, trace, t):
-        """(integrands of the boundary, errors of flux and area, gap times speed) at a parameter of an edge."""
+    def way(self, trace, t, foot, room):
+        """How fast the outer parameter of an edge's foot changes, for an edge beside the surface: from feet near by."""
+        step, outer = min(1e-3 * room[1], 0.4 * room[0]), 1 - self.inner
+        near_by = [trace.foot(t + k * step, foot)[outer] - foot[outer] for k in (-2, -1, 1, 2)]
+        return (8 * (near_by[2] - near_by[1]) - (near_by[3] - near_by[0])) / (12 * step)
+
+    def sample(self, trace, t, room):
+        """(integrands of the boundary, errors of flux and area, gap times speed) at a parameter of an edge; `room` is its distance from
+        the nearest end of the piece, and the length of that."""
         position, speed = trace.edge.curve.at(t)
         foot = trace.foot(t, trace.guess(t))
         point, by_u, by_v = self.surface.at(*foot)
         way = tangential(speed, by_u, by_v)[1 - self.inner]
         size = norm((by_u, by_v)[1 - self.inner])
-        gap = math.dist(point, position) * norm(speed)
+        gap = math.dist(point, position)
+        # Beside a curved surface feet move by gap over radius faster or slower than the edge.
+        way = self.way(trace, t, foot, room) if gap > 1e-10 * self.far else way
+        gap *= norm(speed)
         if abs(way) * size <= 1e-13 * norm(speed):
             return [0.0] * 5, [0.0] * 2, gap
         column, errors = self.column(foot[1 - self.inner], foot[self.inner])
@@ -275,7 +285,7 @@ class Region:
         for rule in (COARSE, FINE):
             total, inner, gaps = [0.0] * 5, [0.0] * 2, 0.0
             for x, w in rule:
-                values, errors, gap = self.sample(trace, a + x * (b - a))
+                values, errors, gap = self.sample(trace, a + x * (b - a), (min(x, 1 - x) * abs(b - a), abs(b - a)))
                 total = [t + w * (b - a) * v for t, v in zip(total, values)]
                 inner = [t + w * abs(b - a) * e for t, e in zip(inner, errors)]
                 gaps += w * abs(b - a) * gap

@@ -16,6 +16,7 @@ void PutIntegrals(ByteWriter& to, const FaceIntegrals& integrals)
   to.Put(integrals.MaxGap);
   to.PutAll(integrals.Gaps);
   to.Put(integrals.CoverageDefects);
+  to.Put(integrals.Overlap);
   to.Put(integrals.Outside);
   to.Put(integrals.IsContinued);
   to.PutText(integrals.Error);
@@ -36,6 +37,7 @@ FaceIntegrals GetIntegrals(ByteReader& from)
   integrals.MaxGap = from.Get<double>();
   integrals.Gaps = from.GetAll<CoedgeGap>();
   integrals.CoverageDefects = from.Get<int>();
+  integrals.Overlap = from.Get<double>();
   integrals.Outside = from.Get<Overhang>();
   integrals.IsContinued = from.Get<bool>();
   integrals.Error = from.GetText();

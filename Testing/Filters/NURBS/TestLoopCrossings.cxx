@@ -58,6 +58,26 @@ void CheckLoops(const char* name, bool crosses, const std::vector<Polygon>& poly
     sm::HasCrossingLoops(MakePolygonFace(polygons, tolerance)) ? "crosses" : "does not cross");
 }
 
+/// A loop whose last edge leads to a point beside the first one: behind their crossing it winds the wrong way. It may where an edge that is
+/// none fills the gap, of at most a tenth of the face.
+void CheckCorner()
+{
+  for (const double gap : { 0.02, 0.2 })
+  {
+    sm::Face face = MakePolygonFace({ { { -gap, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, -gap } } });
+    for (const bool isFilled : { false, true })
+    {
+      auto last = std::make_shared<sm::Edge>();
+      last->Degenerate = isFilled;
+      face.Loops[0].Coedges.back().Use = last;
+      const bool crosses = !isFilled || gap > 0.1;
+      CheckEqual("a corner that crosses itself", crosses, sm::HasCrossingLoops(face));
+      const std::vector<bool> far = sm::AreFarFromLoops(face, { { -gap / 3, -gap / 3 }, { 0.5, 0.5 } });
+      CheckTrue("  its middle counts, or not", far[0] == crosses && far[1]);
+    }
+  }
+}
+
 void CheckCurves()
 {
   // Between two parabolas whose tops are at 0.1 and at half of `height`.
@@ -116,6 +136,7 @@ int TestLoopCrossings(int, char*[])
   CheckLoops("by more than a tolerance may excuse", true, overlap(0.2), 3.0);
   CheckLoops("a strip whose ends cross by a ten-thousandth of its length", false,
     { { { 0, 0 }, { 9, 1e-3 }, { 9, 0 }, { 0, 1e-3 } } });
+  CheckCorner();
   CheckCurves();
   return Finish();
 }

@@ -3,6 +3,7 @@
  * @brief The text of STEP files: every kind of token, every kind of damage, and that time does not grow with nesting
  */
 #include "smPart21File.h"
+#include "smPart21Remains.h"
 #include "smSTEPTessellations.h"
 #include "smTextEncoding.h"
 
@@ -148,7 +149,7 @@ void CheckSections()
   file.Parse("\n /* before */ ISO-10303-21;HEADER;FILE_SCHEMA(('X'));ENDSEC;\nANCHOR;<a>=#1;ENDSEC;\n"
              "REFERENCE;\n#5=<other.stp#x>;\nENDSEC;\nDATA('one',('X'));#1=A();ENDSEC;\n"
              "DATA;\n#2=A(#1);\nENDSEC;\nSIGNATURE;\nabc\nENDSEC;\nEND-ISO-10303-21;\ntrailing #3=A();");
-  CheckEqual("sections: problems", "", GetProblems(file));
+  CheckEqual("sections: problems", "instance behind the end 1", GetProblems(file));
   CheckEqual("sections: instances", 2, file.GetNumberOfInstances());
   CheckTrue("sections: across", file.GetReferences(1)[0] == 0);
 
@@ -245,6 +246,31 @@ void CheckDamage()
     CheckEqual(name + ", found", damaged.Found, found);
     CheckEqual(name + ", damaged", damaged.Broken, broken);
   }
+}
+
+/// What is left without the damage reads the same, and has none.
+void CheckRemains()
+{
+  const std::string damaged =
+    "#1=A(#3,\x01'x');\n#2=B(1,;\n#3=C((.5));hello;\n#4 D();\n#5=E('te\n#6=(F(1)G(#2));\n";
+  const sm::Part21File file = Parse(damaged);
+  CheckTrue("remains: malformed", !file.IsMalformed(0) && file.IsMalformed(1) && file.IsMalformed(3));
+  sm::Part21File sound;
+  CheckTrue("remains: read", sound.Parse(sm::GetRemains(file)));
+  CheckEqual("remains: problems", "undefined reference 1", GetProblems(sound));
+  std::string text;
+  for (Index i = 0; i < sound.GetNumberOfInstances(); ++i)
+  {
+    text += std::string(sound.GetText(i)) + " ";
+  }
+  CheckEqual("remains: instances", "#1=A(#3, 'x'); #3=C((.5)); #6=(F(1)G(#2)); ", text);
+  CheckEqual("remains: schema", file.GetSchemas().at(0), sound.GetSchemas().at(0));
+  CheckEqual("remains: none of a sound file", "", sm::GetRemains(Parse("#1=A(#2);\n#1=B();\n")));
+  sm::Part21File cut;
+  cut.Parse(Wrap(damaged).substr(0, Wrap(damaged).find("ENDSEC;\nEND")));
+  CheckEqual("remains: none of a truncated file", "", sm::GetRemains(cut));
+  cut.Parse(Wrap(damaged) + "#7=A();\n");
+  CheckEqual("remains: none where something is behind the end", "", sm::GetRemains(cut));
 }
 
 void CheckProblemPlaces()
@@ -431,6 +457,7 @@ int TestPart21File(int argc, char* argv[])
   CheckGraph();
   CheckSections();
   CheckDamage();
+  CheckRemains();
   CheckProblemPlaces();
   CheckEveryByte();
   CheckDepth();

@@ -124,6 +124,7 @@ void CheckPerils()
   { return Take(smtest::MakeStepText(smtest::Replace(ball, from, to))).Census.Perils; };
   CheckTrue("perils: none", take("ball", "ball").empty() && take("#23,5.)", "#23,-5.)").empty());
   const std::vector<sm::CensusProblem> placement = take("('',#20,#21,#22)", "('',#20)");
+  CheckTrue("perils: a radius of 0", take("#23,5.)", "#23,0.)").size() == 1);
   CheckTrue("perils: numbers",
     take("(1.,0.,0.)", "(1.,0.,1.E300)").size() == 1 && take("(1.,0.,0.)", "(1.,0.,1.E999)").size() == 1 &&
       take("(1.,0.,0.)", "(1.,0.,1.E80)").empty());

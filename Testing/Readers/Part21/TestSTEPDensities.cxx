@@ -111,7 +111,8 @@ void CheckProperties()
 sm::CensusBody TakeBoxed(const std::string& statements)
 {
   const std::string text = smtest::GetAssemblyCases().at(0).Text;
-  return TakeDensities(smtest::Replace(text, "#60=NEXT", DensityUnits + statements + "#60=NEXT")).Bodies.at(0);
+  return TakeDensities(smtest::Replace(text, "#60=NEXT", DensityUnits + statements + "#60=NEXT"))
+    .Bodies.at(0);
 }
 
 void CheckAssemblies()
