@@ -1,5 +1,6 @@
 #include "vtkMassSummaryRepresentation.h"
 
+#include "smFormat.h"
 #include "smIntegralNames.h"
 
 #include "vtk3DWidgetRepresentation.h"
@@ -48,7 +49,7 @@ double MeasureWidth(const std::string& line, vtkTextProperty* text, int dpi)
     : 0.0;
 }
 
-/// Lines wider than the view go on, indented, below; words are not divided.
+/// Lines wider than the view go on, indented, below; words and values are not divided.
 std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi, double width)
 {
   std::string result;
@@ -64,6 +65,10 @@ std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi,
       std::size_t cut = std::string::npos;
       while ((blank = line.rfind(' ', blank - 1)) != std::string::npos && blank > begin)
       {
+        if (!sm::IsLineBreak(line, blank))
+        {
+          continue;
+        }
         cut = blank;
         if (MeasureWidth(line.substr(0, blank), text, dpi) <= width)
         {
