@@ -386,7 +386,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   {
     // Volumes in different units cannot be added.
     analysis.Messages.push_back(
-      "the parts have different length units: there is no total; read all files with one OutputUnit");
+      "the parts have different length units: there is no total; read all files in one output unit");
   }
   std::vector<Moments> parts;
   for (BodyIntegrals& body : bodies)
