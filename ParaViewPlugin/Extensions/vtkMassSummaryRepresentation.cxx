@@ -49,7 +49,7 @@ double MeasureWidth(const std::string& line, vtkTextProperty* text, int dpi)
     : 0.0;
 }
 
-/// Lines wider than the view go on, indented, below; words and values are not divided.
+/// Lines wider than the view go on, indented, below, before what follows in indented lines; words and values are not divided.
 std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi, double width)
 {
   std::string result;
@@ -80,7 +80,12 @@ std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi,
         break;
       }
       result += line.substr(0, cut) + "\n";
-      line = "    " + line.substr(line.find_first_not_of(' ', cut));
+      line = "   " + line.substr(line.find_first_not_of(' ', cut));
+      if (std::string next; source.peek() == ' ' && std::getline(source, next))
+      {
+        const std::size_t first = next.find_first_not_of(' ');
+        line += first == std::string::npos ? "" : " " + next.substr(first);
+      }
     }
     result += line + (source.eof() ? "" : "\n");
   }
