@@ -166,7 +166,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
     body.Flag(Status::Suspect,
       "the faces do not close although every edge is shared: a loop is broken or a face is wrong" +
         (std::isfinite(row.ClosureResidual) ? ". The volume changes by " + FormatBound(row.ClosureResidual) +
-              " of itself when the origin moves by its cube root"
+              " of itself when the origin moves by the cube root of the volume"
                                             : std::string()));
   }
   CheckClosureCorrection(body, row, options.GapLimit);
