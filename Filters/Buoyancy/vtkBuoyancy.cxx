@@ -280,12 +280,12 @@ void vtkBuoyancy::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, con
     "Displaced volume: " + sm::FormatWithBound(self.Total.Volume, self.Total.VolumeBound, unit + "^3") + "\n";
   if (std::isfinite(self.Total.CenterBound))
   {
-    summary += "Centre of buoyancy: ";
-    for (const double coordinate : self.Total.Center)
+    summary += "Centre of buoyancy:";
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      summary += sm::FormatNumber(coordinate, self.Total.CenterBound) + "  ";
+      summary += (i == 0 ? " " : "  ") + sm::FormatNumber(self.Total.Center[i], self.Total.CenterBound);
     }
-    summary += unit + sm::FormatBoundNote(self.Total.CenterBound) + "\n";
+    summary += " " + unit + sm::FormatBoundNote(self.Total.CenterBound) + "\n";
   }
   sm::columns::SetString(outputs.Totals->GetFieldData(), sm::names::LengthUnit, unit);
   sm::columns::AddBodyColumns(bodies, outputs.Solids);

@@ -37,7 +37,8 @@ void vtkPlaneCutBase::SetPoint(double x, double y, double z)
 {
   if (!AreFinite(x, y, z))
   {
-    vtkErrorMacro("SetPoint: " << sm::FormatTriple(x, y, z) << " is no point; give finite coordinates.");
+    vtkErrorMacro(
+      "The point " << sm::FormatTriple(x, y, z) << " of the plane is not used: give finite coordinates.");
     return;
   }
   const double point[3] = { x, y, z };
@@ -52,8 +53,8 @@ void vtkPlaneCutBase::SetNormal(double x, double y, double z)
 {
   if (!AreFinite(x, y, z) || (x == 0.0 && y == 0.0 && z == 0.0))
   {
-    vtkErrorMacro(
-      "SetNormal: " << sm::FormatTriple(x, y, z) << " is no direction; give a vector that is not 0.");
+    vtkErrorMacro("The normal " << sm::FormatTriple(x, y, z)
+                                << " of the plane is not used: give a finite vector that is not 0 0 0.");
     return;
   }
   const double normal[3] = { x, y, z };

@@ -166,7 +166,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
     body.Flag(Status::Suspect,
       "the faces do not close although every edge is shared: a loop is broken or a face is wrong" +
         (std::isfinite(row.ClosureResidual) ? ". The volume changes by " + FormatBound(row.ClosureResidual) +
-              " of itself when the origin moves by its cube root"
+              " of itself when the origin moves by the cube root of the volume"
                                             : std::string()));
   }
   CheckClosureCorrection(body, row, options.GapLimit);
@@ -386,7 +386,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   {
     // Volumes in different units cannot be added.
     analysis.Messages.push_back(
-      "the parts have different length units: there is no total; read all files with one OutputUnit");
+      "the parts have different length units: there is no total; read all files in one output unit");
   }
   std::vector<Moments> parts;
   for (BodyIntegrals& body : bodies)

@@ -41,10 +41,10 @@ void vtkMassPropertiesGPU::SetTolerance(
 {
   if (!(relative >= 0.0 && relative <= 1.0) || !(absolute >= 0.0) || !std::isfinite(absolute))
   {
-    vtkErrorMacro(
-      << name << "(" << sm::FormatDigits(relative, 6) << ", " << sm::FormatDigits(absolute, 6)
-      << "): give a relative tolerance in [0, 1], 0 for RelativeTolerance, and an absolute one that is "
-         "not negative, 0 for none.");
+    vtkErrorMacro("The tolerance "
+      << sm::FormatDigits(relative, 6) << ", " << sm::FormatDigits(absolute, 6) << " of the " << name
+      << " is not used: give a relative one from 0 to 1, 0 for Relative Tolerance, and an absolute one "
+         "that is not negative, 0 for none.");
     return;
   }
   if (tolerance[0] != relative || tolerance[1] != absolute)
@@ -57,22 +57,22 @@ void vtkMassPropertiesGPU::SetTolerance(
 
 void vtkMassPropertiesGPU::SetVolumeTolerance(double relative, double absolute)
 {
-  this->SetTolerance("SetVolumeTolerance", this->VolumeTolerance, relative, absolute);
+  this->SetTolerance("volume", this->VolumeTolerance, relative, absolute);
 }
 
 void vtkMassPropertiesGPU::SetSurfaceAreaTolerance(double relative, double absolute)
 {
-  this->SetTolerance("SetSurfaceAreaTolerance", this->SurfaceAreaTolerance, relative, absolute);
+  this->SetTolerance("area", this->SurfaceAreaTolerance, relative, absolute);
 }
 
 void vtkMassPropertiesGPU::SetCenterOfMassTolerance(double relative, double absolute)
 {
-  this->SetTolerance("SetCenterOfMassTolerance", this->CenterOfMassTolerance, relative, absolute);
+  this->SetTolerance("centre of mass", this->CenterOfMassTolerance, relative, absolute);
 }
 
 void vtkMassPropertiesGPU::SetInertiaTolerance(double relative, double absolute)
 {
-  this->SetTolerance("SetInertiaTolerance", this->InertiaTolerance, relative, absolute);
+  this->SetTolerance("inertia", this->InertiaTolerance, relative, absolute);
 }
 
 sm::IntegralRequest vtkMassPropertiesGPU::MakeRequest() const

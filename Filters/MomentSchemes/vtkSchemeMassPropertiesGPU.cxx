@@ -50,8 +50,9 @@ void vtkSchemeMassPropertiesGPU::SetChordTolerance(double tolerance)
 {
   if (!(tolerance > 0.0 && tolerance < 1.0))
   {
-    vtkErrorMacro(
-      "SetChordTolerance: " << sm::FormatDigits(tolerance, 6) << " is not in (0, 1); give for example 1e-8.");
+    vtkErrorMacro("The chord tolerance "
+      << sm::FormatDigits(tolerance, 6)
+      << " is not used: give a number above 0 and below 1, for example 1e-8.");
     return;
   }
   if (this->ChordTolerance != tolerance)
@@ -142,7 +143,8 @@ void vtkSchemeMassPropertiesGPU::AnalyzeBodies(std::vector<sm::BodyIntegrals>& b
   {
     // The note is set once for all bodies.
     this->GetEngine().GetReport().Note = sm::GetSchemeName(this->Scheme) +
-      " has no error bound: the paper's estimate of the volume's error is not a bound; ADAPTIVE has one";
+      " has no error bound: the paper's estimate of the volume's error is not a bound; Mass Properties has "
+      "bounds";
   }
 }
 

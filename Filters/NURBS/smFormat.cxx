@@ -1,9 +1,11 @@
 #include "smFormat.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <sstream>
+#include <system_error>
 
 namespace sm
 {
@@ -112,21 +114,54 @@ std::string FormatCount(std::size_t count, const char* one, const char* many)
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+bool IsLineBreak(const std::string& text, std::size_t blank)
+{
+  const std::size_t end = text.find_last_not_of(' ', blank);
+  const std::size_t next = text.find_first_not_of(' ', blank);
+  if (end == std::string::npos || next == std::string::npos)
+  {
+    return false;
+  }
+  const std::size_t before = text.find_last_of(' ', end);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  const std::string word = text.substr(begin, end - begin + 1);
+  const std::string nextWord = text.substr(next, text.find(' ', next) - next);
+  double number = 0.0;
+  const std::from_chars_result read = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool isNumber = read.ec == std::errc() && read.ptr == word.data() + word.size();
+  const bool isUnit = std::isalpha(static_cast<unsigned char>(nextWord.front())) != 0;
+  // The second factor of a unit, as in kg mm^2, has an exponent.
+  return word != "(+-" && !(isNumber && isUnit) && nextWord.find('^') == std::string::npos;
+}
+
 std::string WrapText(const std::string& text, std::size_t width)
 {
-  std::string result;
-  std::string line;
+  // With one blank between words.
+  std::string rest;
   std::istringstream words(text);
   for (std::string word; words >> word;)
   {
-    if (!line.empty() && line.size() + 1 + word.size() > width)
-    {
-      result += line + "\n";
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
+    rest += (rest.empty() ? "" : " ") + word;
   }
-  return line.empty() ? result : result + line + "\n";
+  std::string result;
+  while (rest.size() > width)
+  {
+    // The last break before which the words fit; of words that are too long, the one behind them.
+    std::size_t cut = std::string::npos;
+    for (std::size_t blank = rest.find(' ');
+         blank != std::string::npos && (blank <= width || cut == std::string::npos);
+         blank = rest.find(' ', blank + 1))
+    {
+      cut = IsLineBreak(rest, blank) ? blank : cut;
+    }
+    if (cut == std::string::npos)
+    {
+      break;
+    }
+    result += rest.substr(0, cut) + "\n";
+    rest.erase(0, cut + 1);
+  }
+  return rest.empty() ? result : result + rest + "\n";
 }
 
 std::string MakeLiteral(double value)

@@ -246,7 +246,7 @@ void vtkNURBSDeform::AddFace(int index)
 {
   if (index < 0)
   {
-    vtkErrorMacro("AddFace: the index " << index << " is negative; faces are counted from 0.");
+    vtkErrorMacro("The face " << index << " is not used: faces are counted from 0.");
     return;
   }
   this->Faces.push_back(index);
@@ -281,9 +281,9 @@ void vtkNURBSDeform::SetLatticeDisplacement(int i, int j, int k, double x, doubl
 {
   if (std::min({ i, j, k }) < 0 || !std::isfinite(x + y + z))
   {
-    vtkErrorMacro("SetLatticeDisplacement: the indices " << i << ", " << j << ", " << k
-                                                         << " must not be negative, and the displacement "
-                                                         << sm::FormatTriple(x, y, z) << " must be finite.");
+    vtkErrorMacro("The displacement " << sm::FormatTriple(x, y, z) << " of the lattice point " << i << ", "
+                                      << j << ", " << k
+                                      << " is not used: give indices from 0, and finite numbers.");
     return;
   }
   this->LatticeDisplacements[{ i, j, k }] = { x, y, z };
@@ -428,7 +428,8 @@ bool vtkNURBSDeform::DeformInput(vtkDataObject* input, int piece, double share, 
   {
     done = false;
     vtkErrorMacro("There is no exact geometry to deform: the input has "
-      << run.Solids << " solids with it, and the solid index is " << this->Solid << " (-1: all).");
+      << run.Solids << " solids with it, and the one to deform has the number " << this->Solid + 1
+      << " (0: all).");
   }
   else if (this->Mode == DISPLACE && worst != this->Faces.end() && *worst >= run.MostFaces)
   {

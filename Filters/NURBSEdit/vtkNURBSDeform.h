@@ -98,6 +98,12 @@ public:
   ///@}
 
   ///@{
+  /** The same by the number in the column Id of the tables, counted from 1; 0 or less: all. Default: 0. */
+  void SetSolidId(int id) { this->SetSolid(id <= 0 ? -1 : id - 1); }
+  int GetSolidId() { return this->Solid + 1; }
+  ///@}
+
+  ///@{
   /** With DISPLACE: faces that were not chosen follow along boundary rows that they share with chosen ones. Off: the chosen
    * faces leave their neighbours, and the solid opens. Default: on. */
   vtkSetMacro(KeepClosed, bool);

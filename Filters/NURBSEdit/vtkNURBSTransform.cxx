@@ -242,7 +242,7 @@ bool vtkNURBSTransform::MoveInput(vtkDataObject* input, double share, vtkDataObj
     vtkErrorMacro("The transform is not rigid: it scales, shears or projects (off by "
       << sm::FormatDigits(deviation, 3)
       << "), and a placement of exact geometry may only rotate, reflect and translate. Leave "
-      << "the scale out, choose the reader's output unit instead, or deform the part with vtkNURBSDeform.");
+      << "the scale out, choose the reader's output unit instead, or deform the part with NURBS Deform.");
     return false;
   }
   const bool mirrored = matrix->Determinant() < 0.0;

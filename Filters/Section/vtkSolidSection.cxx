@@ -411,11 +411,11 @@ std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& 
     if (std::isfinite(bound))
     {
       text += label;
-      for (const double coordinate : point)
+      for (std::size_t i = 0; i < point.size(); ++i)
       {
-        text += sm::FormatNumber(coordinate, bound) + "  ";
+        text += (i == 0 ? "" : "  ") + sm::FormatNumber(point[i], bound);
       }
-      text += unit + sm::FormatBoundNote(bound) + "\n";
+      text += " " + unit + sm::FormatBoundNote(bound) + "\n";
     }
   };
   const sm::SectionProperties& section = total.Properties;
@@ -423,7 +423,7 @@ std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& 
   if (std::isfinite(section.PrincipalBound))
   {
     text += "Principal second moments: " + sm::FormatNumber(section.Principal[0], section.PrincipalBound) +
-      "  " + sm::FormatNumber(section.Principal[1], section.PrincipalBound) + "  " + unit + "^4" +
+      "  " + sm::FormatNumber(section.Principal[1], section.PrincipalBound) + " " + unit + "^4" +
       sm::FormatBoundNote(section.PrincipalBound) + "\n";
   }
   const auto addSide = [&text, &unit](const std::string& label, const sm::SectionSide& side)

@@ -126,8 +126,9 @@ void vtkSolidStability::SetVector(
   const bool vanishes = x == 0.0 && y == 0.0 && z == 0.0;
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || (vanishes && !mayVanish))
   {
-    vtkErrorMacro(<< name << sm::FormatTriple(x, y, z) << ": give three finite numbers"
-                  << (mayVanish ? "." : ", not all 0, for example 0, 0, -1."));
+    vtkErrorMacro("The " << name << " " << sm::FormatTriple(x, y, z)
+                         << " is not used: give three finite numbers"
+                         << (mayVanish ? "." : ", not all 0, for example 0, 0, -1."));
     return;
   }
   const double values[3] = { x, y, z };
@@ -140,7 +141,7 @@ void vtkSolidStability::SetVector(
 
 void vtkSolidStability::SetGravityDirection(double x, double y, double z)
 {
-  this->SetVector("SetGravityDirection", this->GravityDirection, x, y, z, false);
+  this->SetVector("gravity direction", this->GravityDirection, x, y, z, false);
 }
 
 void vtkSolidStability::SetGravityDirection(const double direction[3])
@@ -150,7 +151,7 @@ void vtkSolidStability::SetGravityDirection(const double direction[3])
 
 void vtkSolidStability::SetGroundNormal(double x, double y, double z)
 {
-  this->SetVector("SetGroundNormal", this->GroundNormal, x, y, z, true);
+  this->SetVector("ground normal", this->GroundNormal, x, y, z, true);
 }
 
 void vtkSolidStability::SetGroundNormal(const double normal[3])
@@ -160,7 +161,7 @@ void vtkSolidStability::SetGroundNormal(const double normal[3])
 
 void vtkSolidStability::SetGroundOrigin(double x, double y, double z)
 {
-  this->SetVector("SetGroundOrigin", this->GroundOrigin, x, y, z, true);
+  this->SetVector("ground origin", this->GroundOrigin, x, y, z, true);
 }
 
 void vtkSolidStability::SetGroundOrigin(const double origin[3])
@@ -172,7 +173,7 @@ void vtkSolidStability::SetContactTolerance(double tolerance)
 {
   if (std::isnan(tolerance))
   {
-    vtkErrorMacro("SetContactTolerance: not a number; give a value in [0, 0.1], for example 1e-6.");
+    vtkErrorMacro("The contact tolerance is not a number: give 0 to 0.1, for example 1e-6.");
     return;
   }
   const double clamped = std::clamp(tolerance, 0.0, 0.1);
@@ -357,8 +358,8 @@ int vtkSolidStability::Evaluate(vtkDataObject* input, int piece, vtkInformationV
   {
     this->Implementation->Status = names::StatusEmpty;
     vtkErrorMacro(
-      "No exact geometry in the input. Connect the output of the STEP reader directly: filters that move or "
-      "rebuild points drop the NURBS model. NURBS Transform moves a part and keeps it.");
+      "No exact geometry in the input. Take the output of STEP Reader or BREP Reader: filters that move or "
+      "rebuild points drop the exact faces. NURBS Transform moves a part and keeps them.");
     return 0;
   }
   // One of several ranks has the bodies, and reports when there are none.

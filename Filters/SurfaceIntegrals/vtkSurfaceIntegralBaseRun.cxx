@@ -151,9 +151,9 @@ int vtkSurfaceIntegralBase::RejectInput(bool isWithheld)
   report.RejectInput(isWithheld);
   vtkErrorMacro(
     "No exact geometry in the input: " << report.Messages.back()
-                                       << ". Connect the output of the STEP reader directly: filters "
-                                          "that move or rebuild points drop the NURBS model. "
-                                          "NURBS Transform moves a part and keeps it.");
+                                       << ". Take the output of STEP Reader or BREP Reader: filters "
+                                          "that move or rebuild points drop the exact faces. "
+                                          "NURBS Transform moves a part and keeps them.");
   return 0;
 }
 

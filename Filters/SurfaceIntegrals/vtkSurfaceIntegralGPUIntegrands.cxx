@@ -318,8 +318,9 @@ void vtkSurfaceIntegralGPU::SetProjectedAreaDirection(double x, double y, double
   const double direction[3] = { x, y, z };
   if (!std::isfinite(x + y + z))
   {
-    vtkErrorMacro("SetProjectedAreaDirection: " << sm::FormatTriple(x, y, z)
-                                                << " is no direction; give a vector, or 0 0 0 for none.");
+    vtkErrorMacro(
+      "The direction " << sm::FormatTriple(x, y, z)
+                       << " of the projected area is not used: give a finite vector, or 0 0 0 for none.");
     return;
   }
   if (!std::equal(direction, direction + 3, this->Implementation->ProjectedAreaDirection))

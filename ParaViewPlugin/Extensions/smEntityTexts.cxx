@@ -12,6 +12,8 @@
 #include "smSectionNames.h"
 #endif
 
+#include "vtkNURBSDataSet.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -78,10 +80,13 @@ std::string NameSolid(vtkTable* solids, vtkIdType row)
   return name.empty() ? number : name + " (" + number + ")";
 }
 
-std::string NameEntity(const char* kind, const char* column, vtkTable* table, vtkTable* solids, vtkIdType row)
+/// "face 3 (#197) of rail (solid 2)": the number that NURBS Deform takes, and that of the entity in the file.
+std::string NameEntity(const std::string& kind, const char* indexColumn, const char* idColumn,
+  vtkTable* table, vtkTable* solids, vtkIdType row)
 {
-  const double id = GetNumber(table, column, row);
-  return kind + (id > 0.0 ? " #" + FormatDigits(id, 12) : std::string()) + " of " +
+  const double id = GetNumber(table, idColumn, row);
+  return kind + " " + std::to_string(GetIndex(table, indexColumn, row)) +
+    (id > 0.0 ? " (#" + FormatDigits(id, 12) + ")" : std::string()) + " of " +
     NameSolid(solids, GetIndex(table, names::Solid, row));
 }
 
@@ -144,8 +149,8 @@ std::string DescribeSolidsAndFaces(vtkTable* solids, const std::vector<vtkIdType
     [solids, faces](vtkIdType row)
     {
       const std::string unit = GetText(solids, names::LengthUnit, GetIndex(faces, names::Solid, row));
-      return NameEntity("face", names::FaceId, faces, solids, row) + ": " +
-        ListFigures(faces, row, FiguresOfFaces, unit);
+      return NameEntity("face", vtkNURBSDataSet::FaceIndexArrayName(), names::FaceId, faces, solids, row) +
+        ": " + ListFigures(faces, row, FiguresOfFaces, unit);
     });
   return ofFaces + DescribeSolids(solids, { all.begin(), all.end() });
 }
@@ -157,7 +162,7 @@ std::string DescribeEdges(vtkTable* solids, vtkTable* edges, const std::vector<v
     {
       const std::string unit = GetText(solids, names::LengthUnit, GetIndex(edges, names::Solid, row));
       const std::string figures = ListFigures(edges, row, FiguresOfEdges, unit);
-      return NameEntity("edge", names::EdgeId, edges, solids, row) + ": " + figures +
+      return NameEntity("edge", names::EdgeIndex, names::EdgeId, edges, solids, row) + ": " + figures +
         (figures.empty() ? "" : ", ") + "used " + FormatDigits(GetNumber(edges, names::Uses, row), 9) +
         " times by faces" + (GetNumber(edges, names::Open, row) > 0.0 ? ", open" : "");
     });

@@ -12,10 +12,10 @@ namespace
 {
 constexpr const char* HiddenColumns[] = { names::SurfaceArea, names::FirstMoments, names::SecondMoments,
   names::VolumeInertia, names::VolumeInertiaAtOrigin, names::PrincipalMoments, names::PrincipalAxes,
-  names::PrincipalAxesDegenerate, names::RadiiOfGyration, names::MassCenter, names::MassInertia,
-  names::MassPrincipalMoments, names::MassPrincipalAxes, names::MassRadiiOfGyration, names::MassUncertainty,
-  names::ClosureCorrection, names::ClosureResidual, names::GapSquared, names::GapArea, names::MaxGap,
-  names::OpenEdges, names::FlippedShells, names::BoundsEstimated, names::Faces };
+  names::PrincipalAxesDegenerate, names::RadiiOfGyration, names::Density, names::Mass, names::MassCenter,
+  names::MassInertia, names::MassPrincipalMoments, names::MassPrincipalAxes, names::MassRadiiOfGyration,
+  names::MassUncertainty, names::ClosureCorrection, names::ClosureResidual, names::GapSquared, names::GapArea,
+  names::MaxGap, names::OpenEdges, names::FlippedShells, names::BoundsEstimated, names::Faces };
 
 void SetVisible(const std::string& series, bool isVisible)
 {

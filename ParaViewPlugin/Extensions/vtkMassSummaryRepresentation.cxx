@@ -1,5 +1,6 @@
 #include "vtkMassSummaryRepresentation.h"
 
+#include "smFormat.h"
 #include "smIntegralNames.h"
 
 #include "vtk3DWidgetRepresentation.h"
@@ -48,7 +49,8 @@ double MeasureWidth(const std::string& line, vtkTextProperty* text, int dpi)
     : 0.0;
 }
 
-/// Breaks lines that are wider than the view; continuation lines are indented, and words are not divided.
+/// Breaks lines that are wider than the view; continuation lines are indented and come before indented lines of the text. Words and values are not
+/// divided.
 std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi, double width)
 {
   std::string result;
@@ -64,6 +66,10 @@ std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi,
       std::size_t cut = std::string::npos;
       while ((blank = line.rfind(' ', blank - 1)) != std::string::npos && blank > begin)
       {
+        if (!sm::IsLineBreak(line, blank))
+        {
+          continue;
+        }
         cut = blank;
         if (MeasureWidth(line.substr(0, blank), text, dpi) <= width)
         {
@@ -75,7 +81,12 @@ std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi,
         break;
       }
       result += line.substr(0, cut) + "\n";
-      line = "    " + line.substr(line.find_first_not_of(' ', cut));
+      line = "   " + line.substr(line.find_first_not_of(' ', cut));
+      if (std::string next; source.peek() == ' ' && std::getline(source, next))
+      {
+        const std::size_t first = next.find_first_not_of(' ');
+        line += first == std::string::npos ? "" : " " + next.substr(first);
+      }
     }
     result += line + (source.eof() ? "" : "\n");
   }

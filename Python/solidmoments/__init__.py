@@ -4,15 +4,16 @@
 >>> part = solidmoments.mass_properties("part.step", density=7850.0)
 >>> part.volume, part.volume_bound, part.units["volume"]
 
-`mass_properties` reads one file, `to_dataframe` several into a table of pandas, `display_mesh` gives the triangles as NumPy arrays, and
-`pyvista.read("part.step")` as PyVista's meshes (PyVista 0.48 or later). Numbers are bitwise equal to those of the program `solidmoments`.
-The VTK classes behind them are in the extension modules of this package, for example `solidmoments.smFiltersMassProperties`, and load with
-the first call.
+`mass_properties` reads one file, `to_dataframe` several into a table of pandas, `Model` is a solid built from NumPy arrays,
+`display_mesh` gives the triangles as NumPy arrays, and `pyvista.read("part.step")` as PyVista's meshes (PyVista 0.48 or later). Numbers are
+bitwise equal to those of the program `solidmoments`. The VTK classes behind them are in the extension modules of this package, for example
+`solidmoments.smFiltersMassProperties`, and load with the first call.
 """
 from ._mesh import SolidMesh, display_mesh
+from ._model import Model
 from ._results import FlaggedResultWarning, MassProperties, SolidMomentsError
 from ._run import mass_properties, to_dataframe
 from ._version import __version__
 
-__all__ = ["FlaggedResultWarning", "MassProperties", "SolidMesh", "SolidMomentsError", "__version__", "display_mesh", "mass_properties",
+__all__ = ["FlaggedResultWarning", "MassProperties", "Model", "SolidMesh", "SolidMomentsError", "__version__", "display_mesh", "mass_properties",
            "to_dataframe"]

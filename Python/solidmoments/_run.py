@@ -47,7 +47,7 @@ def _make(file, data, row, **more):
                           material=_get_text(data, row, "Material"), open_edges=None if edges is None else int(edges), **values, **more)
 
 
-def _check(density, tolerance, density_tolerance, backend, max_seconds, unit, input_unit, repair):
+def _check(density, tolerance, density_tolerance, backend, max_seconds):
     """Raises ValueError for a setting that the filter would clamp or report on the console."""
     if density is not None and not 0.0 < density < math.inf:
         raise ValueError(f"density is {density}; it has to be above 0 and finite, in kg/m^3, or None for those of the file")
@@ -57,19 +57,16 @@ def _check(density, tolerance, density_tolerance, backend, max_seconds, unit, in
         raise ValueError(f"backend is {backend!r}; it has to be 'auto', 'opengl' or 'cpu'")
     if not 0.0 <= density_tolerance <= 1.0:
         raise ValueError(f"density_tolerance is {density_tolerance}; it has to be from 0 to 1, 0.01 for one per cent")
-    if repair not in ("needed", "always"):
-        raise ValueError(f"repair is {repair!r}; it has to be 'needed' or 'always'")
     if max_seconds is not None and not 0.0 < max_seconds < math.inf:
         raise ValueError(f"max_seconds is {max_seconds}; it has to be above 0 and finite, or None")
-    check_unit(unit, input_unit)
 
 
-def check_unit(unit, input_unit):
+def check_unit(unit, input_unit, input_name="input_unit"):
     """Raises ValueError for a unit that a reader does not know."""
     if unit not in ("mm", "cm", "m", "um", "inch", "ft", "file"):
         raise ValueError(f"unit is {unit!r}; it has to be mm, cm, m, um, inch, ft or file")
     if input_unit not in ("mm", "cm", "m", "um", "inch", "ft"):
-        raise ValueError(f"input_unit is {input_unit!r}; it has to be mm, cm, m, um, inch or ft")
+        raise ValueError(f"{input_name} is {input_unit!r}; it has to be mm, cm, m, um, inch or ft")
 
 
 def _messages(*algorithms):
@@ -89,19 +86,19 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
     Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result. A result with another status
     than ok gives a FlaggedResultWarning; with strict=True it raises SolidMomentsError, too.
     """
-    from .smFiltersMassProperties import vtkMassPropertiesGPU
     from .smReadersBREP import vtkBREPReader
     from .smReadersSTEP import vtkSTEPReader
 
     file = os.fspath(file)
-    _check(density, tolerance, density_tolerance, backend, max_seconds, unit, input_unit, repair)
+    if repair not in ("needed", "always"):
+        raise ValueError(f"repair is {repair!r}; it has to be 'needed' or 'always'")
+    check_unit(unit, input_unit)
+    mass = make_filter(density, tolerance, backend, density_tolerance, max_seconds)
     if content is None and not os.path.exists(file):
         raise FileNotFoundError(file)
     is_brep = vtkBREPReader.CanReadFile(file) if content is None else vtkBREPReader.CanReadContent(bytes(content))
-    reader, mass = vtkBREPReader() if is_brep else vtkSTEPReader(), vtkMassPropertiesGPU()
-    for algorithm in (reader, mass):  # their texts are in the messages: nothing is written to the console
-        for event in ("ErrorEvent", "WarningEvent"):
-            algorithm.AddObserver(event, lambda *_: None)
+    reader = vtkBREPReader() if is_brep else vtkSTEPReader()
+    _silence(reader)
     reader.SetFileName(file)
     reader.SetDisplayMeshToNever()  # nothing shows it
     reader.IsolatedOn()  # a file that crashes OpenCASCADE does not end the interpreter
@@ -114,11 +111,6 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
         reader.SetRepair(reader.ON_NEED if repair == "needed" else reader.ALWAYS)
     reader.SetMaximumSeconds(max_seconds or 0.0)
     mass.SetInputConnection(reader.GetOutputPort())
-    mass.SetDensity(density or 0.0)
-    mass.SetDensityTolerance(density_tolerance)
-    mass.SetRelativeTolerance(tolerance)
-    mass.SetMaximumSeconds(max_seconds or 0.0)
-    mass.SetBackend({"auto": mass.AUTOMATIC, "opengl": mass.OPENGL, "cpu": mass.CPU}[backend])
     for pattern, material, value in materials:
         before = mass.GetNumberOfMaterials()
         mass.AddMaterial(pattern, material, "" if value is None else float(value))
@@ -128,7 +120,33 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
     if reader.GetStatus() not in (reader.OK, reader.EMPTY):
         raise _no_result(file, "unreadable", _messages(reader))
     mass.Update()
-    messages = _messages(reader, mass)
+    return make_result(file, (reader, mass), strict)
+
+
+def make_filter(density, tolerance, backend, density_tolerance=0.0, max_seconds=None):
+    """A vtkMassPropertiesGPU with these properties, which writes nothing to the console."""
+    from .smFiltersMassProperties import vtkMassPropertiesGPU
+
+    _check(density, tolerance, density_tolerance, backend, max_seconds)
+    mass = vtkMassPropertiesGPU()
+    _silence(mass)
+    mass.SetDensity(density or 0.0)
+    mass.SetDensityTolerance(density_tolerance)
+    mass.SetRelativeTolerance(tolerance)
+    mass.SetMaximumSeconds(max_seconds or 0.0)
+    mass.SetBackend({"auto": mass.AUTOMATIC, "opengl": mass.OPENGL, "cpu": mass.CPU}[backend])
+    return mass
+
+
+def _silence(algorithm):
+    """Its texts are in its messages."""
+    for event in ("ErrorEvent", "WarningEvent"):
+        algorithm.AddObserver(event, lambda *_: None)
+
+
+def make_result(file, algorithms, strict):
+    """The MassProperties of the filter, the last of the algorithms, after a run; errors and warnings as mass_properties() says."""
+    mass, messages = algorithms[-1], _messages(*algorithms)
     if mass.GetStatus() not in _RESULTS:
         raise _no_result(file, mass.GetStatus(), messages)
     table = mass.GetOutputDataObject(1)
@@ -138,7 +156,7 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
         text = f"{file}: {result.status}" + "".join("\n" + message for message in messages)
         if strict:
             raise SolidMomentsError(text, result.status, messages, result)
-        warnings.warn(text, FlaggedResultWarning, stacklevel=2)
+        warnings.warn(text, FlaggedResultWarning, stacklevel=3)
     return result
 
 

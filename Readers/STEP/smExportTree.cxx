@@ -211,7 +211,7 @@ private:
       {
         this->Tree.Warnings.push_back(called +
           " is not saved: its points were changed since its exact geometry was made. Move it with "
-          "vtkNURBSTransform, deform it with vtkNURBSDeform.");
+          "NURBS Transform, deform it with NURBS Deform.");
       }
       else if (dataset && (model || dataset->GetNumberOfPoints() > 0))
       {

@@ -343,8 +343,8 @@ private:
   bool Constant[2] = { false, false };
   double Value[2] = { 0.0, 0.0 };
   const double Width[2];
-  /// Number of pieces at which the fit is stopped; so many times as many where all are good.
   static constexpr int MostGoodPieces = 5;
+  /// Number of pieces at which the fit is stopped; MostGoodPieces times as many if all pieces are good.
   int Most = MaximumPieces;
   bool GivenUp = false;
   TrimCurve Result;

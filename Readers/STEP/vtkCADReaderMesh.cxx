@@ -152,8 +152,7 @@ bool vtkCADReader::FillOutput(vtkPartitionedDataSetCollection* output)
   messages.insert(messages.end(), mesher.GetMessages().begin(), mesher.GetMessages().end());
   if (this->MeshIsCoarse)
   {
-    messages.push_back(
-      "The display mesh is coarse, for with the deflection asked for it would have more than " +
+    messages.push_back("The display mesh is coarse: as fine as asked for it would have more than " +
       std::to_string(this->CoarseAbove) + " triangles; Refined makes that one.");
   }
   this->Last->MeshSeconds += vtkTimerLog::GetUniversalTime() - start;

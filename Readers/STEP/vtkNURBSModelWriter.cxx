@@ -183,8 +183,10 @@ bool vtkNURBSModelWriter::MakeOptions(const sm::ExportTree& tree, sm::ExportOpti
     this->Last->Messages.insert(this->Last->Messages.end(), tree.Warnings.begin(), tree.Warnings.end());
     this->Fail(vtkErrorCode::UserError,
       "its input has no exact geometry" +
-        (tree.Warnings.empty() ? std::string("; save what vtkSTEPReader gave, and filters that keep it")
-                               : " (" + tree.Warnings.front() + ")"));
+        (tree.Warnings.empty()
+            ? std::string(
+                "; save what STEP Reader or BREP Reader gave, or NURBS Transform and NURBS Deform made of it")
+            : " (" + tree.Warnings.front() + ")"));
     return false;
   }
   const std::string unit = this->ChooseUnit(tree);

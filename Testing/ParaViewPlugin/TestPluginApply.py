@@ -1,5 +1,6 @@
 """TestPluginApply.py PLUGIN.so FOLDER: the view after the GUI's Apply: translucent bodies, green marker, summary, red when flagged."""
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
@@ -166,7 +167,7 @@ def get_text():
 
 
 solids = servermanager.Fetch(many, idx=1)
-for words in ("face #", "frustum (solid 3)", "frustum (solid 10)", "mass 0.0002686", "volume 99.48", "mm^2", "widest gap ", "2 solids: mass 0.000537"):
+for words in ("face 0 (#", "frustum (solid 3)", "frustum (solid 10)", "mass 0.0002686", "volume 99.48", "mm^2", "widest gap ", "2 solids: mass 0.000537"):
     check_true(f"the view says '{words}'", words in get_text(), get_text())
 many.Density = 5400.0
 many.UpdatePipeline()
@@ -212,7 +213,7 @@ edges = servermanager.Fetch(many, idx=4)
 select_rows(many, 4, [0])
 edge = count_pixels(is_magenta)
 check_true("magenta pixels of an edge", edge > 3, str(edge))
-check_true("the view names the edge", "edge #" in get_text() and "used 2 times by faces" in get_text(), get_text())
+check_true("the view names the edge", re.search(r"edge \d+ \(#\d+\) of ", get_text()) and "used 2 times by faces" in get_text(), get_text())
 select_rows(many, 4, range(edges.GetNumberOfRows()))
 check_true("those of all edges", count_pixels(is_magenta) > 50 * edge, str(count_pixels(is_magenta)))
 check_true("lines of the edges alone: no cells", not many.SMProxy.GetSelectionInput(5))

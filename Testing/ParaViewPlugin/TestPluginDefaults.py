@@ -1,7 +1,8 @@
-"""TestPluginDefaults.py PLUGIN.so: every property in the XML has the default and the limits of its C++ class, and says so."""
+"""TestPluginDefaults.py PLUGIN.so: every property in the XML has the default and the limits of its C++ class, and says so; texts of the GUI."""
 import glob
 import importlib
 import importlib.util
+import math
 import os
 import re
 import sys
@@ -41,6 +42,26 @@ def collect_hierarchy(element):
 
 check_equal("every proxy of the XML is tested", sorted(proxy[:2] for proxy in PROXIES) + [("writers", "BREPWriter")], sorted(
     key for key in DEFINITIONS if key[0] in ("sources", "filters")) + sorted(key for key in DEFINITIONS if key[0] == "writers")[::-1])
+# What classes say of values that they refuse: ParaView shows it in its messages.
+refusals = []
+
+
+def refuse(instance, element):
+    """Gives the property values that are no numbers, and a direction of length 0."""
+    def note(_caller, _event, text):
+        refusals.append(re.sub(r"^ERROR: In .*, line \d+\n\w+ \(0x[0-9a-f]+\): ", "", text).strip())
+
+    note.CallDataType = "string0"
+    tag = instance.AddObserver("ErrorEvent", note)
+    count = int(element.get("number_of_elements") or element.get("number_of_elements_per_command"))
+    for value in (math.nan, 0.0, -1.0):
+        try:
+            getattr(instance, element.get("command"))(*[value] * count)
+        except (TypeError, ValueError):  # of another type
+            pass
+    instance.RemoveObserver(tag)
+
+
 for group, proxy_name, label, module, class_name in PROXIES:
     # A module that is switched off has no proxy.
     built = importlib.util.find_spec("solidmoments." + module) is not None
@@ -71,6 +92,8 @@ for group, proxy_name, label, module, class_name in PROXIES:
     check_true("properties", len(properties) >= 2, str(len(properties)))
     for element in properties:
         name = element.get("name")
+        if element.tag == "DoubleVectorProperty":
+            refuse(getattr(importlib.import_module("solidmoments." + module), class_name)(), element)
         documentation = " ".join((element.findtext("Documentation") or "").split())
         check_true(f"{name} is documented with its default", len(documentation) > 20 and "efault" in documentation)
         if name == "FileName":
@@ -111,7 +134,7 @@ for group, proxy_name, label, module, class_name in PROXIES:
             smproperty.ClearUncheckedElements()
 
 # No text of the GUI names a class or a method, the device in a name, or a word that the project has replaced by the field's own.
-UNWANTED = re.compile(r"\bvtk[A-Z]|\b[GS]et[A-Z]\w*\(|\(GPU\)|\b(leak|plumb|sanity|turned|hush|remark|outcome|deflection|glyph|isolated|cache|partitioned dataset|shaders?)\b|what comes out|does it stand",
+UNWANTED = re.compile(r"\bvtk[A-Z]|\b(?-i:([GS]et|Add)[A-Z]\w*)|\(GPU\)|\b(leak|plumb|sanity|turned|hush|remark|outcome|deflection|glyph|isolated|cache|partitioned dataset|shaders?)\b|what comes out|does it stand",
                       re.IGNORECASE)
 check_true("the pattern finds what it seeks", all(UNWANTED.search(text) for text in ("Mass Properties (GPU)", "see GetMessage()", "Turned", "Glyph Scale")))
 count = 0
@@ -125,4 +148,7 @@ for path in sorted(glob.glob(os.path.join(folder, "*.xml"))):
             if found:
                 check_true(f"{os.path.basename(path)}: no '{found.group()}'", False, " ".join(text.split()))
 check_true("texts of the GUI", count > 100, str(count))
+for text in sorted(set(refusals)):
+    check_true("a refusal names no class or method, and the remedy", not UNWANTED.search(text) and ": give " in text, text)
+check_true("refusals", len(set(refusals)) > 8, str(len(set(refusals))))
 finish()

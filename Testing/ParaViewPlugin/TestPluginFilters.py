@@ -197,6 +197,19 @@ if has("NURBSTransform"):
     check("and without it the volume is as before", sphere["volume"], total(weighed, "Volume"), 1e-9 * sphere["volume"])
     edited = [("NURBS Transform", moved, 0, True), ("NURBS Deform", deformed, 0, True)]
 
+# Ids: the number of a solid in the tables is the one that NURBS Deform takes, and so is that of a face.
+if has("NURBSDeform"):
+    columns = servermanager.Fetch(MassProperties(Input=reader), idx=1)  # noqa: F821
+    ids = [columns.GetValueByName(row, "Id").ToString() for row in range(2)]
+    check_equal("ids of the solids", ["1", "2"], ids)
+    centers = [columns.GetColumnByName("CenterOfMass").GetComponent(row, 2) for row in range(2)]
+    for row in range(2):
+        lifted = NURBSDeform(Input=reader, SolidId=int(ids[row]), Displacement=[0.0, 0.0, 5.0])  # noqa: F821
+        after = servermanager.Fetch(MassProperties(Input=lifted), idx=1).GetColumnByName("CenterOfMass")  # noqa: F821
+        for other in range(2):
+            check(f"solid {ids[row]} is lifted: height of solid {ids[other]}", centers[other] + (5.0 if other == row else 0.0),
+                  after.GetComponent(other, 2), 1e-8 * radius)
+
 # Inputs: exact faces are accepted, everything else is refused.
 filters = [name for name in ("MassPropertiesGPU", "SurfaceIntegralGPU", "SchemeMassProperties", "Buoyancy", "SolidSection", "SolidStability",
                              "NURBSTransform", "NURBSDeform") if has(name)]

@@ -175,7 +175,7 @@ moved.UpdatePipeline()
 check_equal("times of a Transform", [0.0, 0.25, 0.5, 0.75, 1.0], list(moved.TimestepValues))
 sheared = NURBSDeform(Input=red, Mode="Lattice", TimeSteps=3)  # noqa: F821
 for source, count, step in ((moved, 5, 2.0), (sheared, 3, None)):
-    total = MassProperties(Input=source)  # noqa: F821
+    total = MassProperties(Input=source, Density=1000.0)  # noqa: F821
     plot = simple.PlotDataOverTime(Input=servermanager.OutputPort(total, 1), FieldAssociation="Rows", OnlyReportSelectionStatistics=0)
     plot.UpdatePipeline()
     table = servermanager.Fetch(plot).GetBlock(0)

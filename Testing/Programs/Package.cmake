@@ -49,6 +49,8 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
       ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}"
       COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestDisplayMesh.py" "${SOLIDMOMENTS_TEST_SOLIDS}"
         "${SOLIDMOMENTS_SAMPLE_PART}" pyvista)
+  else ()
+    message(STATUS "PyVista is not installed: the test PyVistaReader is left out")
   endif ()
   # pvpython has ParaView's VTK: modules that were built with another do not load there.
   if (SOLIDMOMENTS_PVPYTHON AND SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)

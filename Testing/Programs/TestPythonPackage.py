@@ -194,7 +194,57 @@ def check_table():
     check_equal("one path", 2, len(solidmoments.to_dataframe(sample)))
 
 
+def check_model():
+    """A box from NumPy arrays, with a face of degree 2 in u: exact, and refused arrays."""
+    import numpy
+
+    size = numpy.array([2.0, 3.0, 5.0])
+    model = solidmoments.Model("a box", length_unit="cm")
+    corners = numpy.array([[i & 1, i >> 1 & 1, i >> 2] for i in range(8)]) * size
+    edges = {}
+    for first in range(8):
+        for axis in (1, 2, 4):
+            if not first & axis:
+                edges[first, first | axis] = model.add_edge([0.0, 1.0], corners[[first, first | axis]])
+    knots = numpy.array([0.0, 0.0, 1.0, 1.0])
+    unit = numpy.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    for axis, u, v in ((1, 2, 4), (2, 4, 1), (4, 1, 2)):
+        for base in (0, axis):  # on the far side of the axis the normal is outward
+            points = corners[[[base, base | u], [base | v, base | u | v]]]
+            if axis == 4:  # the same plane by three columns of rational points
+                middle = numpy.concatenate([points[:, :1], points.mean(axis=1, keepdims=True), points[:, 1:]], axis=1)
+                weights = numpy.array([1.0, 2.0, 1.0])[None, :, None] * numpy.ones((2, 1, 1))
+                face = model.add_face(2, numpy.repeat([0.0, 1.0], 3), 1, knots, numpy.concatenate([middle * weights, weights], axis=2), base == 0)
+            else:
+                face = model.add_face(1, knots, 1, knots, points, reversed=base == 0)
+            ring = [base, base | u, base | u | v, base | v]
+            for k in range(4):
+                ends = ring[k], ring[(k + 1) % 4]
+                backwards = ends[0] > ends[1]
+                line = unit[[k, (k + 1) % 4]]
+                model.add_coedge(face, 0, edges[min(ends), max(ends)], backwards, [0.0, 1.0], line[::-1] if backwards else line)
+    box = model.mass_properties(density=1000.0)
+    check_equal("box: status, name, unit", ("ok", "a box", "cm"), (box.status, box.solids[0].name, box.length_unit))
+    check("box: volume", size.prod(), box.volume, box.volume_bound)
+    check("box: area", 2.0 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]), box.area, box.area_bound)
+    check("box: mass, kg", 1e-3 * size.prod(), box.mass, box.mass_bound)
+    for i in range(3):
+        check(f"box: centre {i}", 0.5 * size[i], box.center_of_mass[i], box.center_of_mass_bound)
+    for what, words, call in (("knots that decrease", "decrease", lambda: model.add_face(1, knots[::-1], 1, knots, numpy.zeros((2, 2, 3)))),
+                              ("a missing control point", "control points", lambda: model.add_face(1, knots, 1, knots, numpy.zeros((3, 3)))),
+                              ("a flat curve", "shape", lambda: model.add_edge([0.0, 1.0], [0.0, 1.0])),
+                              ("an edge that is not there", "does not exist", lambda: model.add_coedge(0, 0, 12, False, [0.0, 1.0], unit[:2])),
+                              ("a unit", "mile", lambda: solidmoments.Model(length_unit="mile"))):
+        try:
+            call()
+            check_true(what + " is refused", False)
+        except ValueError as error:
+            check_true(what + " is refused", words in str(error), str(error))
+    check_equal("the model stays", box.volume, model.mass_properties().volume)
+
+
 check_same()
+check_model()
 check_brep_and_memory()
 check_failures()
 check_texts()

@@ -121,7 +121,7 @@ std::string CPUItemRunner::GetObstacle(const Integrand& integrand) const
 {
   return integrand.Form != Integrand::Kind::User ? ""
                                                  : "the expression of " + integrand.Name +
-      " is GLSL, which the CPU backend cannot run: it needs OpenGL 4.3 with doubles (Mesa's llvmpipe has "
+      " is GLSL, which is not computed on the CPU: it needs OpenGL 4.3 with doubles (Mesa's llvmpipe has "
       "them)";
 }
 

@@ -372,7 +372,7 @@ void CheckBudgets(const Manifest& manifest)
     mass->Update();
     mass->SetChordTolerance(1.5);
   }
-  CheckTrue("decimal points", trap.Errors.find("SetChordTolerance: 1.5 ") != std::string::npos, trap.Errors);
+  CheckTrue("decimal points", trap.Errors.find("The chord tolerance 1.5 ") != std::string::npos, trap.Errors);
   const auto isNothing = [mass]()
   {
     return std::isnan(mass->GetVolume()) && std::isnan(mass->GetPaperErrorEstimate()) &&

@@ -3,7 +3,9 @@
 #include "smTesting.h"
 
 #include <algorithm>
+#include <limits>
 #include <random>
+#include <sstream>
 
 namespace
 {
@@ -51,5 +53,42 @@ int TestFormat(int, char*[])
   CheckEqual("a value without error", "0.1", sm::FormatNumber(0.1, 0.0));
   CheckEqual("no bound", " (bound not known)", sm::FormatBoundNote(HUGE_VAL));
   CheckEqual("no value", "not known", sm::FormatWithBound(std::nan(""), 1.0, "mm"));
+
+  CheckEqual("counts", "0 faces, 1 face, 2 faces",
+    sm::FormatCount(0, "face", "faces") + ", " + sm::FormatCount(1, "face", "faces") + ", " +
+      sm::FormatCount(2, "face", "faces"));
+  CheckEqual("the largest count", "18446744073709551615 faces",
+    sm::FormatCount(std::numeric_limits<std::size_t>::max(), "face", "faces"));
+
+  // What the view of a picked part broke after "(+-".
+  const std::string part =
+    "rail (solid 3): mass 0.972 kg (+- 6e-15), volume 360000 mm^3 (+- 2e-09), area 39600 mm^2 (+- 2e-09)";
+  CheckEqual("a bound is not divided",
+    "rail (solid 3): mass 0.972 kg (+- 6e-15), volume 360000 mm^3\n"
+    "(+- 2e-09), area 39600 mm^2 (+- 2e-09)\n",
+    sm::WrapText(part, 64));
+  CheckEqual("number and unit stay together", "inertia\n-5.5e-05 kg mm^2\n(+- 4e-10)\n",
+    sm::WrapText("inertia -5.5e-05 kg mm^2 (+- 4e-10)", 16));
+  CheckEqual("blanks and line ends are one blank, words are not divided",
+    "incommensurable\n3 faces\nin\nall\n", sm::WrapText("incommensurable \n 3 faces  in all", 4));
+  CheckEqual("nothing", "", sm::WrapText(" \n", 10));
+  int divided = 0;
+  int tooLong = 0;
+  for (std::size_t width = 1; width <= part.size(); ++width)
+  {
+    std::istringstream lines(sm::WrapText(part, width));
+    std::string joined;
+    for (std::string line; std::getline(lines, line);)
+    {
+      joined += (joined.empty() ? "" : " ") + line;
+      const std::string last = line.substr(line.find_last_of(' ') + 1);
+      divided += last == "(+-" || last.find_first_not_of("0123456789.e-+") == std::string::npos ? 1 : 0;
+      // The longest value is "360000 mm^3".
+      tooLong += line.size() > std::max<std::size_t>(width, 11) ? 1 : 0;
+    }
+    divided += joined == part ? 0 : 1;
+  }
+  Check("values that are divided in lines of any length", 0, divided, 0);
+  Check("lines that are too long", 0, tooLong, 0);
   return Finish();
 }
