@@ -74,8 +74,8 @@ PaperPart MakePropeller()
   for (int i = 0; i < 4; ++i)
   {
     // Slanted screw holes for a spinner in the cone of the nose.
-    tools.push_back(
-      Rotated(Cylinder(gp_Pnt(26, 0, 47), gp_Dir(-0.6, 0, -1), 2.1, 20.0), PropellerAxis, Pi / 4.0 + Pi * i / 2.0));
+    tools.push_back(Rotated(
+      Cylinder(gp_Pnt(26, 0, 47), gp_Dir(-0.6, 0, -1), 2.1, 20.0), PropellerAxis, Pi / 4.0 + Pi * i / 2.0));
   }
   PaperPart part;
   part.Name = "propeller";

@@ -246,7 +246,8 @@ void vtkSolidStability::Internals::AddColumns(const std::vector<sm::SupportedBod
   numbers(names::StabilityMargin, [](const Body& b) { return b.Result.StabilityMargin; });
   numbers(names::StabilityMargin + bound, [](const Body& b) { return b.Result.StabilityMarginBound; });
   numbers(names::TipAngle, [](const Body& b) { return b.Result.TipAngle * sm::DegreesPerRadian; });
-  numbers(names::TipAngle + bound, [](const Body& b) { return b.Result.TipAngleBound * sm::DegreesPerRadian; });
+  numbers(
+    names::TipAngle + bound, [](const Body& b) { return b.Result.TipAngleBound * sm::DegreesPerRadian; });
   numbers(names::CenterOfMassRise, [](const Body& b) { return b.Result.CenterOfMassRise; });
   numbers(names::CenterOfMassRise + bound, [](const Body& b) { return b.Result.CenterOfMassRiseBound; });
   numbers(names::TipEnergy,
@@ -297,9 +298,9 @@ void vtkSolidStability::Internals::AddSides(const std::vector<sm::SupportedBody>
       solid->InsertNextValue(static_cast<int>(i));
       from.Append(body.ToWorld(ground, side.From, body.GroundHeight).data());
       to.Append(body.ToWorld(ground, side.To, body.GroundHeight).data());
-      const double values[7] = { side.StabilityMargin, side.StabilityMarginBound, side.TipAngle * sm::DegreesPerRadian,
-        side.TipAngleBound * sm::DegreesPerRadian, side.CenterOfMassRise, side.CenterOfMassRiseBound,
-        GetEnergy(body, side.CenterOfMassRise, strength) };
+      const double values[7] = { side.StabilityMargin, side.StabilityMarginBound,
+        side.TipAngle * sm::DegreesPerRadian, side.TipAngleBound * sm::DegreesPerRadian,
+        side.CenterOfMassRise, side.CenterOfMassRiseBound, GetEnergy(body, side.CenterOfMassRise, strength) };
       for (std::size_t k = 0; k < columns.size(); ++k)
       {
         columns[k].Append(&values[k]);
@@ -350,8 +351,10 @@ std::string vtkSolidStability::Internals::GetSummary(
     }
     else
     {
-      text +=
-        "tip angle " + sm::FormatWithBound(r.TipAngle * sm::DegreesPerRadian, r.TipAngleBound * sm::DegreesPerRadian, "deg") + "\n";
+      text += "tip angle " +
+        sm::FormatWithBound(
+          r.TipAngle * sm::DegreesPerRadian, r.TipAngleBound * sm::DegreesPerRadian, "deg") +
+        "\n";
       text += "to tip, the centre must rise by " +
         sm::FormatWithBound(r.CenterOfMassRise, r.CenterOfMassRiseBound, unit) + "\n";
     }

@@ -154,8 +154,9 @@ private:
     for (Part21Value value; elements.Next(value);)
     {
       const Index element = this->Entities.Follow(value);
-      const Index base =
-        element == STEPAttributes::None ? STEPAttributes::None : this->Entities.Follow(this->Entities.Get(element, UnitOfElement));
+      const Index base = element == STEPAttributes::None
+        ? STEPAttributes::None
+        : this->Entities.Follow(this->Entities.Get(element, UnitOfElement));
       std::string_view record;
       double exponent = 0.0;
       if (base == STEPAttributes::None || !this->Entities.Get(element, ExponentOfElement).GetNumber(exponent))

@@ -96,8 +96,9 @@ private:
   /// Returns the product definition that has this shape.
   Index FindDefinition(Index shape) const
   {
-    const Index definition =
-      shape == STEPAttributes::None ? STEPAttributes::None : this->Entities.Follow(this->Entities.Get(shape, DefinitionOfProperty));
+    const Index definition = shape == STEPAttributes::None
+      ? STEPAttributes::None
+      : this->Entities.Follow(this->Entities.Get(shape, DefinitionOfProperty));
     return this->Entities.Has(definition, STEPRole::ProductDefinition) ? definition : STEPAttributes::None;
   }
 
@@ -113,8 +114,9 @@ private:
     product.Shape = this->File.GetId(shape);
     product.HasDensity = this->WithDensity.count(product.Definition) > 0;
     const Index formation = this->Entities.Follow(this->Entities.Get(definition, FormationOfDefinition));
-    const Index named =
-      formation == STEPAttributes::None ? STEPAttributes::None : this->Entities.Follow(this->Entities.Get(formation, ProductOfFormation));
+    const Index named = formation == STEPAttributes::None
+      ? STEPAttributes::None
+      : this->Entities.Follow(this->Entities.Get(formation, ProductOfFormation));
     if (named != STEPAttributes::None)
     {
       const std::string_view name = this->Entities.Get(named, NameOfProduct).Text;
@@ -128,8 +130,8 @@ private:
 
   double GetMillimetres(Index context) const
   {
-    const auto found =
-      context == STEPAttributes::None ? this->Millimetres.end() : this->Millimetres.find(this->File.GetId(context));
+    const auto found = context == STEPAttributes::None ? this->Millimetres.end()
+                                                       : this->Millimetres.find(this->File.GetId(context));
     return found == this->Millimetres.end() ? std::nan("") : found->second;
   }
 
@@ -137,8 +139,8 @@ private:
   {
     const Index definition =
       this->FindDefinition(this->Entities.Follow(this->Entities.Get(property, DefinitionOfProperty)));
-    const auto found =
-      definition == STEPAttributes::None ? this->Products.end() : this->Products.find(this->File.GetId(definition));
+    const auto found = definition == STEPAttributes::None ? this->Products.end()
+                                                          : this->Products.find(this->File.GetId(definition));
     if (found == this->Products.end())
     {
       return;
@@ -148,7 +150,8 @@ private:
     for (Part21Value value; items.Next(value);)
     {
       const Index item = this->Entities.Follow(value);
-      const Part21Value measure = item == STEPAttributes::None ? Part21Value() : this->Entities.Get(item, ValueOfItem);
+      const Part21Value measure =
+        item == STEPAttributes::None ? Part21Value() : this->Entities.Get(item, ValueOfItem);
       if (measure.Kind == Part21Kind::Typed && measure.TypeName == "VOLUME_MEASURE")
       {
         this->Take(item, measure, 3.0, product.Stated.Volume, product);
@@ -157,7 +160,8 @@ private:
       {
         this->Take(item, measure, 2.0, product.Stated.Area, product);
       }
-      else if (item != STEPAttributes::None && this->File.GetTypeNames()[this->File.GetType(item)] == "CARTESIAN_POINT" &&
+      else if (item != STEPAttributes::None &&
+        this->File.GetTypeNames()[this->File.GetType(item)] == "CARTESIAN_POINT" &&
         this->Entities.Get(item, NameOfItem).Text == "centre point")
       {
         this->TakePoint(item,
@@ -223,15 +227,18 @@ private:
   {
     double factor = 1.0;
     double sum = 0.0;
-    Part21Values elements(unit == STEPAttributes::None ? std::string_view() : this->Entities.Get(unit, ElementsOfUnit).Text);
+    Part21Values elements(
+      unit == STEPAttributes::None ? std::string_view() : this->Entities.Get(unit, ElementsOfUnit).Text);
     for (Part21Value value; elements.Next(value);)
     {
       const Index element = this->Entities.Follow(value);
-      const Index base =
-        element == STEPAttributes::None ? STEPAttributes::None : this->Entities.Follow(this->Entities.Get(element, UnitOfElement));
+      const Index base = element == STEPAttributes::None
+        ? STEPAttributes::None
+        : this->Entities.Follow(this->Entities.Get(element, UnitOfElement));
       std::string_view record;
       double exponent = 0.0;
-      if (base == STEPAttributes::None || !this->Entities.Get(element, ExponentOfElement).GetNumber(exponent) ||
+      if (base == STEPAttributes::None ||
+        !this->Entities.Get(element, ExponentOfElement).GetNumber(exponent) ||
         !this->Entities.FindRecord(base, "LENGTH_UNIT", record))
       {
         return 0.0;

@@ -17,7 +17,8 @@ constexpr STEPAttribute SecondRepresentation = { "REPRESENTATION_RELATIONSHIP", 
   "second representation" };
 constexpr STEPAttribute Operator = { "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION", 0, 4,
   "transformation" };
-constexpr STEPAttribute RepresentationOfShape = { "PROPERTY_DEFINITION_REPRESENTATION", 1, 1, "representation" };
+constexpr STEPAttribute RepresentationOfShape = { "PROPERTY_DEFINITION_REPRESENTATION", 1, 1,
+  "representation" };
 constexpr STEPAttribute PlacingRelation = { "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", 0, 0, "relationship" };
 constexpr STEPAttribute PlacedShape = { "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", 1, 1, "product shape" };
 constexpr STEPAttribute MappingSource = { "MAPPED_ITEM", 0, 1, "mapping source" };
@@ -65,7 +66,8 @@ void STEPCensusTaker::FindPlacements()
   {
     const Index relation = this->Follow(i, PlacingRelation, STEPRole::Relationship);
     const Index shape = this->Follow(i, PlacedShape, STEPRole::ProductShape);
-    const Index used = shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, DefinitionOfProperty));
+    const Index used =
+      shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, DefinitionOfProperty));
     const bool isOther = this->Entities.Has(used, STEPRole::OtherUsage);
     const Index occurrence =
       shape == None || isOther ? None : this->Follow(shape, DefinitionOfProperty, STEPRole::Occurrence);
@@ -116,7 +118,8 @@ void STEPCensusTaker::JoinShapes()
 void STEPCensusTaker::AddShapes(Index i)
 {
   const Index shape = this->Follow(i, RepresentedProperty, STEPRole::ProductShape);
-  const Index product = shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, DefinitionOfProperty));
+  const Index product =
+    shape == None ? None : this->Entities.Follow(this->Entities.Get(shape, DefinitionOfProperty));
   if (shape == None || (product != None && !this->Entities.Has(product, STEPRole::ProductDefinition)))
   {
     // The shape of a feature or of an occurrence, not of a product.

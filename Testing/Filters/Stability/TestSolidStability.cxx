@@ -6,9 +6,9 @@
 
 #include "smStepFile.h"
 
-#include <vtkMath.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkMassPropertiesGPU.h>
+#include <vtkMath.h>
 #include <vtkNURBSTransform.h>
 #include <vtkTable.h>
 

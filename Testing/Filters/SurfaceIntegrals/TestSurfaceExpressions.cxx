@@ -4,8 +4,8 @@
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
-#include <vtkMath.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkMath.h>
 #include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
 

@@ -99,7 +99,8 @@ void CheckTokens()
 void CheckStrings()
 {
   sm::KernelRecords records;
-  CheckTrue("apostrophe and comma", MakeRecords(Wrap("#1=CARTESIAN_POINT('5'',6''(7'')',(1.,2.,3.));\n"), records));
+  CheckTrue(
+    "apostrophe and comma", MakeRecords(Wrap("#1=CARTESIAN_POINT('5'',6''(7'')',(1.,2.,3.));\n"), records));
   const sm::KernelSession kernel;
   STEPControl_Reader reader;
   reader.WS()->SetLibrary(sm::MakeRecordLibrary(records));
@@ -128,7 +129,8 @@ void CheckLeft()
          "#1=A(\x01);", "&SCOPE #1=A(); ENDSCOPE", "" })
   {
     sm::KernelRecords records;
-    CheckTrue(std::string("left to the parser: ") + data, !MakeRecords(Wrap(std::string(data) + "\n"), records));
+    CheckTrue(
+      std::string("left to the parser: ") + data, !MakeRecords(Wrap(std::string(data) + "\n"), records));
   }
   const std::string text = Wrap("#1=A();\n");
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
