@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what is missing, builds in build-dev/ with warnings as errors, and runs all tests:
 #   sh Testing/run.sh [ctest arguments, for example -R Sphere]
-# Needs no display and no GPU. SOLIDMOMENTS_JOBS sets the number of parallel compilations and tests. What ctest
+# Needs no display and no GPU. SOLIDMOMENTS_JOBS sets the number of parallel compilations; one test more runs at a time. What ctest
 # says comes last; the exit status is its own.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -19,4 +19,5 @@ solidmoments_step "$log" "Configuring" cmake --preset dev
 solidmoments_step "$log" "Building with $jobs jobs (a few minutes)" cmake --build "$build" --parallel "$jobs"
 echo
 cd "$build"
-exec ctest --output-on-failure --parallel "$jobs" "$@"
+# Some tests wait for programs that they start.
+exec ctest --output-on-failure --parallel "$((jobs + 1))" "$@"
