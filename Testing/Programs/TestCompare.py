@@ -242,8 +242,7 @@ def outputs():
     check_equal("a limit without a comparison", 1, run("--compare-limit", "1e-6", old).returncode)
     check_equal("no limit", 1, run("--compare", "--compare-limit", "nan", old, old).returncode)
     for arguments, said in (((old,), "two files"), ((old, old, old), "two files"), ((old, old, "--unit", "file"), "one unit"),
-                            ((old, old, "--print", "volume"), "excludes --print"),
-                            ((old, old, "--scheme", "midpoint"), "excludes --scheme")):
+                            ((old, old, "--print", "volume"), "excludes --print")):
         result = run("--compare", *arguments)
         check_true(f"wrong usage: {said}", result.returncode == 1 and said in result.stderr and not result.stdout, result.stderr)
 
