@@ -53,34 +53,13 @@ void vtkMassPropertiesBase::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkMassPropertiesBase::SetDensity(double density)
 {
-  if (!std::isfinite(density) || density < 0.0)
-  {
-    vtkErrorMacro("The density " << sm::FormatDigits(density, 6) << " is not used, "
-                                 << sm::FormatDigits(this->Density, 6)
-                                 << " is kept: give kg/m^3, for example 7850 for steel, or 0.");
-    return;
-  }
-  if (this->Density != density)
-  {
-    this->Density = density;
-    this->Modified();
-  }
+  this->ChangeDensity(this->Density, density);
 }
 
 void vtkMassPropertiesBase::SetDensityTolerance(double tolerance)
 {
-  if (!(tolerance >= 0.0 && tolerance <= 1.0))
-  {
-    vtkErrorMacro("The density tolerance " << sm::FormatDigits(tolerance, 6) << " is not used, "
-                                           << sm::FormatDigits(this->DensityTolerance, 6)
-                                           << " is kept: give 0 to 1, for example 0.01 for one per cent.");
-    return;
-  }
-  if (this->DensityTolerance != tolerance)
-  {
-    this->DensityTolerance = tolerance;
-    this->Modified();
-  }
+  this->ChangeSetting(this->DensityTolerance, tolerance, tolerance >= 0.0 && tolerance <= 1.0,
+    "density tolerance", "0 to 1, for example 0.01 for one per cent");
 }
 
 void vtkMassPropertiesBase::AppendMaterial(const sm::MaterialRule& rule)

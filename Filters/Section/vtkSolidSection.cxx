@@ -166,18 +166,7 @@ void vtkSolidSection::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkSolidSection::SetDensity(double density)
 {
-  if (!std::isfinite(density) || density < 0.0)
-  {
-    vtkErrorMacro("The density " << sm::FormatDigits(density, 6) << " is not used, "
-                                 << sm::FormatDigits(this->Density, 6)
-                                 << " is kept: give kg/m^3, for example 7850 for steel, or 0.");
-    return;
-  }
-  if (this->Density != density)
-  {
-    this->Density = density;
-    this->Modified();
-  }
+  this->ChangeDensity(this->Density, density);
 }
 
 int vtkSolidSection::FillOutputPortInformation(int port, vtkInformation* info)

@@ -106,17 +106,28 @@ vtkTypeBool vtkSurfaceIntegralBase::Update(int port, vtkInformationVector* reque
 
 void vtkSurfaceIntegralBase::ChangeRelativeTolerance(double tolerance)
 {
-  if (!(tolerance > 0.0 && tolerance <= 1.0))
+  const bool isValid = tolerance > 0.0 && tolerance <= 1.0;
+  this->ChangeSetting(this->RelativeTolerance, isValid ? std::max(tolerance, 1e-15) : tolerance, isValid,
+    "relative tolerance", "1e-15 to 1, for example 1e-9");
+}
+
+void vtkSurfaceIntegralBase::ChangeDensity(double& setting, double density)
+{
+  this->ChangeSetting(setting, density, std::isfinite(density) && density >= 0.0, "density",
+    "kg/m^3, for example 7850 for steel, or 0");
+}
+
+void vtkSurfaceIntegralBase::ChangeSetting(
+  double& setting, double value, bool isValid, const char* name, const char* advice)
+{
+  if (!isValid)
   {
-    vtkErrorMacro("The relative tolerance " << sm::FormatDigits(tolerance, 6) << " is not used, "
-                                            << sm::FormatDigits(this->RelativeTolerance, 6)
-                                            << " is kept: give 1e-15 to 1, for example 1e-9.");
-    return;
+    vtkErrorMacro("The " << name << " " << sm::FormatDigits(value, 6) << " is not used, "
+                         << sm::FormatDigits(setting, 6) << " is kept: give " << advice << ".");
   }
-  const double clamped = std::max(tolerance, 1e-15);
-  if (this->RelativeTolerance != clamped)
+  else if (setting != value)
   {
-    this->RelativeTolerance = clamped;
+    setting = value;
     this->Modified();
   }
 }

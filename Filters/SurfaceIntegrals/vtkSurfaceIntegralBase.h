@@ -291,6 +291,11 @@ protected:
   void ChangeRelativeTolerance(double tolerance);
   double RelativeTolerance = 1e-9;
   ///@}
+  /** Sets `setting`, a member of a subclass, to `value`. If the value is not valid, it is reported as an error and changes nothing; the
+   * message has the name of the setting and, after "give", the advice. */
+  void ChangeSetting(double& setting, double value, bool isValid, const char* name, const char* advice);
+  /** Changes a setting that is a density in kg/m^3: finite, not negative, 0 for none. */
+  void ChangeDensity(double& setting, double density);
   /** Option of subclasses that can keep results of faces. */
   bool CacheFaceResults = true;
   bool TotalRow = false;

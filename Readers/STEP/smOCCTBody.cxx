@@ -4,20 +4,17 @@
 #include "smFormat.h"
 #include "smOCCTClosing.h"
 #include "smOCCTCompleteLoops.h"
-#include "smOCCTCurve.h"
+#include "smOCCTEdge.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
 #include "smOCCTRounding.h"
 #include "smParallelFor.h"
 
-#include <BRep_Tool.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace sm
@@ -37,11 +34,6 @@ std::string Label(const char* kind, int fileId, std::size_t index)
                     : std::string(kind) + " number " + std::to_string(index + 1) + " of its body";
 }
 
-double GetLargest(const double v[3])
-{
-  return std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
-}
-
 /// Largest distance of the end of an edge from its vertex, relative to the body's size, before it counts as a defect. Real files have
 /// distances of up to 1.3e-3.
 constexpr double EndTolerance = 1e-2;
@@ -52,9 +44,7 @@ public:
   BodyConverter(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],
     const ShapeTable& table, const ProgressCallback& progress, int roundings)
     : Shape(shape)
-    , Trsf(trsf)
-    , Unit(unit)
-    , Origin{ origin[0], origin[1], origin[2] }
+    , Place{ trsf, unit, { origin[0], origin[1], origin[2] } }
     , Table(table)
     , Report(progress)
     , Roundings(roundings)
@@ -66,7 +56,7 @@ public:
     this->Collect();
     this->Edges.resize(this->EdgeShapes.Extent());
     this->Run(
-      this->EdgeShapes.Extent(), [this](std::size_t i) { this->ConvertEdgeShape(i); }, "Edge", 0.0);
+      this->EdgeShapes.Extent(), [this](std::size_t i) { this->ConvertEdge(i); }, "Edge", 0.0);
     this->Size = MeasureSize(this->Edges);
     this->Faces.resize(this->Drafts.size());
     this->Run(
@@ -188,71 +178,11 @@ private:
     }
   }
 
-  AffineMap MakeMap(const gp_Trsf& location) const
-  {
-    return AffineMap::Make(this->Trsf * location, this->Unit, this->Origin);
-  }
-
-  void ConvertEdgeShape(std::size_t index)
+  void ConvertEdge(std::size_t index)
   {
     const TopoDS_Edge edge = TopoDS::Edge(this->EdgeShapes(static_cast<int>(index) + 1));
-    const ShapeInfo& info = Find(this->Table, edge);
-    auto result = std::make_shared<Edge>();
-    result->Id = NewId();
-    result->FileId = info.FileId;
-    result->Name = info.Name;
-    result->Tolerance = this->Unit * BRep_Tool::Tolerance(edge);
-    result->Degenerate = BRep_Tool::Degenerated(edge);
-
-    const AffineMap toModel = this->MakeMap(gp_Trsf());
-    const TopoDS_Vertex vertices[2] = { TopExp::FirstVertex(edge), TopExp::LastVertex(edge) };
-    Vector3* const points[2] = { &result->StartVertex, &result->EndVertex };
-    for (int i = 0; i < 2; ++i)
-    {
-      if (!vertices[i].IsNull())
-      {
-        *points[i] = toModel.MapPoint(BRep_Tool::Pnt(vertices[i]).XYZ());
-      }
-    }
-    double first = 0.0;
-    double last = 0.0;
-    TopLoc_Location location;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, first, last);
-    const auto& use = this->FirstUse[index];
-    if (result->Degenerate)
-    {
-      result->Curve.Breaks.push_back(use.second->Trim.First);
-      result->Curve.AppendPiece(use.second->Trim.Last, &result->StartVertex, 0);
-    }
-    else if (!curve.IsNull() && last > first)
-    {
-      result->Curve = ConvertEdge(curve, first, last, this->MakeMap(location.Transformation()));
-    }
-    else if (use.second->Trim.Curve.IsNull())
-    {
-      throw std::runtime_error("its parameter range is empty");
-    }
-    else
-    {
-      // An edge without a 3D curve gets the image of the trim curve of its first face.
-      const AffineMap map = this->MakeMap(use.first->Location);
-      const NativeTrim& trim = use.second->Trim;
-      result->Curve = FitEdge(
-        [&](double t)
-        {
-          const auto uv = trim.Evaluate(t);
-          return map.MapPoint(use.first->Surface->Value(uv[0], uv[1]).XYZ());
-        },
-        trim.GetBreaks(), GetLargest(this->Origin));
-    }
-    for (int i = 0; i < 2; ++i)
-    {
-      if (vertices[i].IsNull())
-      {
-        *points[i] = i == 0 ? result->Curve.GetStartPoint() : result->Curve.GetEndPoint();
-      }
-    }
-    this->Edges[index] = result;
+    const auto& [face, coedge] = this->FirstUse[index];
+    this->Edges[index] = ConvertEdgeShape(edge, Find(this->Table, edge), this->Place, *face, *coedge);
   }
 
   /// Returns the trim curves of coedges without a pcurve: the edge's curve projected onto the plane. Entries of other coedges are empty.
@@ -330,7 +260,7 @@ private:
         }
       }
     }
-    const AffineMap map = this->MakeMap(draft.Location);
+    const AffineMap map = this->Place.MakeMap(draft.Location);
     std::vector<std::vector<TrimCurve>> trims = this->ProjectTrims(draft, map);
     const NativeBox box = GetCoveredBox(draft, trims);
     ConvertedSurface surface = ConvertSurface(draft.Surface, box, map);
@@ -344,14 +274,14 @@ private:
     face->Messages = draft.Messages;
     ConvertedFace& result = this->Faces[index];
     const std::vector<std::shared_ptr<const Edge>> added =
-      MakeAddedEdges(draft, map, this->MakeMap(gp_Trsf()), GetLargest(this->Origin));
+      MakeAddedEdges(draft, map, this->Place.MakeMap(gp_Trsf()), this->Place.GetLargestOrigin());
     for (std::size_t l = 0; l < draft.Loops.size(); ++l)
     {
       this->ConvertLoop(draft, draft.Loops[l], added, surface, box, trims[l], *face, result);
     }
     face->Surface = std::move(surface.Surface);
     face->Surface.Rounding =
-      GetReadingRounding(draft.Surface, box, map, this->Origin, this->Roundings, face->Surface);
+      GetReadingRounding(draft.Surface, box, map, this->Place.Origin, this->Roundings, face->Surface);
     for (DraftLoop& loop : draft.Loops)
     {
       for (DraftCoedge& coedge : loop)
@@ -359,7 +289,7 @@ private:
         coedge.Trim.Samples = {};
       }
     }
-    CheckClosing(this->Unit, this->Size, draft, *face);
+    CheckClosing(this->Place.Unit, this->Size, draft, *face);
     result.Defects = draft.Defects;
     result.Source = draft.Face;
     for (int d = 0; d < 2; ++d)
@@ -474,9 +404,7 @@ private:
   }
 
   const TopoDS_Shape& Shape;
-  gp_Trsf Trsf;
-  double Unit;
-  double Origin[3];
+  BodyPlace Place;
   const ShapeTable& Table;
   const ProgressCallback& Report;
   int Roundings;

@@ -118,7 +118,7 @@ def sample(profile, count):
 
 
 def measure_frusta(points):
-    """Volume, area, z of the centre and inertia of a polygon turned about the axis, frustum by frustum."""
+    """Returns volume, area, z of the centre and inertia of a polygon revolved about the z axis, frustum by frustum."""
     volume = area = first = rolled = axial = 0.0
     for (a, z), (b, w) in zip(points, points[1:] + points[:1]):
         h = w - z

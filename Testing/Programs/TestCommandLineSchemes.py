@@ -115,6 +115,9 @@ def check_usage():
         result = run(*arguments, HOLE["path"])
         check_equal("exit status of wrong usage", 1, result.returncode)
         check_true("it says why", len(result.stderr) > 20 and not result.stdout, result.stderr)
+    result = run("--compare", HOLE["path"], HOLE["path"], "--scheme", "midpoint")
+    check_true("a comparison excludes schemes", result.returncode == 1 and "excludes --scheme" in result.stderr and not result.stdout,
+               result.stderr)
 
 
 def read_png(path):

@@ -98,7 +98,7 @@ def products():
     bolt = find(comparison, "unchanged", "bolt")
     check_equal("bolts", (3, 3, 3), (bolt["count"], bolt["in_old"], bolt["in_new"]))
 
-    # A bolt is moved, the bracket is turned: about the centre of its area, which moves as well.
+    # A bolt is moved, the bracket is rotated; the centre of its area moves as well.
     new = write("moved", make_product(bolts=((10, 10), (113, 14), (110, 40)), bracket_turn=QUARTER))
     comparison = compare(old, new, status=4, counts={"unchanged": 3, "moved": 2})
     body = find(comparison, "moved", "bolt")["bodies"][0]
@@ -111,7 +111,7 @@ def products():
     check("about z", 1.0, body["rotation_axis"][2], 1e-9)
     check_difference("no other volume", 0, comparison["total"]["volume"])
 
-    # A square bolt that is turned by a quarter about its own axis is where it was.
+    # A square bolt that is rotated by a quarter about its own axis is where it was.
     bolt = make_bolt()
     turned = Assembly("machine", [(bolt, (0, 0, 0), None), (bolt, (50, 0, 0), None)])
     straight = write("straight", turned)
@@ -242,8 +242,7 @@ def outputs():
     check_equal("a limit without a comparison", 1, run("--compare-limit", "1e-6", old).returncode)
     check_equal("no limit", 1, run("--compare", "--compare-limit", "nan", old, old).returncode)
     for arguments, said in (((old,), "two files"), ((old, old, old), "two files"), ((old, old, "--unit", "file"), "one unit"),
-                            ((old, old, "--print", "volume"), "excludes --print"),
-                            ((old, old, "--scheme", "midpoint"), "excludes --scheme")):
+                            ((old, old, "--print", "volume"), "excludes --print")):
         result = run("--compare", *arguments)
         check_true(f"wrong usage: {said}", result.returncode == 1 and said in result.stderr and not result.stdout, result.stderr)
 

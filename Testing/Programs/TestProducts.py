@@ -16,7 +16,8 @@ from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smproduct import Assembly, Part, expand, get_properties, write_product  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["masses", "materials", "frames", "lists", "encodings", "scripts", "robots", "validation", "systems"])
+parser.add_argument("mode", choices=[
+    "masses", "materials", "frames", "lists", "encodings", "scripts", "stability", "robots", "validation", "systems"])
 for name in ("--program", "--output"):
     parser.add_argument(name, required=True)
 parser.add_argument("--models", help="folder with real files, for systems")
@@ -316,6 +317,24 @@ def scripts():
     check_equal("columns", ("name,mass", 10), (lines[0], len(lines) - 1))
     check_equal("of the total", f",{file['total']['mass']!r}", lines[1])
 
+    # Exit statuses. Rounding alone is more than this tolerance.
+    few = ("--tolerance", "1e-15", "-q")
+    for arguments, status in (((), 3), (("--fail-on", "tolerance-not-met"), 3), (("--fail-on", "suspect,open"), 0), (("--fail-on", "none"), 0)):
+        check_equal(f"exit status with {arguments}", status, run(*few, *arguments, path).returncode)
+    check_equal("mass required", (0, 3), tuple(run("--require", "mass", "-q", p).returncode for p in (path, partial)))
+    check_equal("unreadable stays 2", 2, run("--fail-on", "none", "missing.step").returncode)
+
+    # Wrong usage, found before a file is read: the file does not exist.
+    for arguments, said in ((("--print", "volum"), "no column"), (("--fields", "x", "--csv", "/dev/null"), "no column"),
+                            (("--fields", "volume"), "--csv"), (("--fail-on", "unreadable"), "none of"), (("--require", "stable"), "--stability"),
+                            (("--require", "beauty"), "none of"), (("--integral", "a=(dA"), "integral a"), (("--depth", "2"), "--bom"),
+                            (("--print", "volume", "--json", "-"), "standard output"), (("--bom-csv", "-"), "--bom-csv")):
+        result = run(*arguments, "missing.step")
+        check_true(f"{arguments} is wrong usage", result.returncode == 1 and said in result.stderr and not result.stdout, result.stderr)
+
+
+def stability():
+    path = write_product(os.path.join(folder, "stability.step"), make_machine())
     # Bounding boxes, in any place.
     file = run_json("--box", path)
     boxes = expand(make_machine())
@@ -329,27 +348,13 @@ def scripts():
         for i in range(3):
             check("box of all", float(best(b[2 + end][i] for b in boxes)), file["total"]["bounding_box"][end][i], file["total"]["bounds"]["bounding_box"])
 
-    # Exit statuses. Rounding alone is more than this tolerance.
-    few = ("--tolerance", "1e-15", "-q")
-    for arguments, status in (((), 3), (("--fail-on", "tolerance-not-met"), 3), (("--fail-on", "suspect,open"), 0), (("--fail-on", "none"), 0)):
-        check_equal(f"exit status with {arguments}", status, run(*few, *arguments, path).returncode)
-    check_equal("mass required", (0, 3), tuple(run("--require", "mass", "-q", p).returncode for p in (path, partial)))
-    check_equal("unreadable stays 2", 2, run("--fail-on", "none", "missing.step").returncode)
-    # The machine stands on the rail alone, and tips over with the plates that stick out.
+    # A foot stands alone, and tips over with an arm whose weight is beyond it.
     tower = Assembly("tower", [(Part("foot", [((0, 0, 0), (10, 10, 2))]), (0, 0, 0), None)])
     tower = write_product(os.path.join(folder, "tower.step"), tower)
     lean = Assembly("lean", [(Part("foot", [((0, 0, 0), (10, 10, 2))]), (0, 0, 0), None), (Part("arm", [((0, 0, 2), (99, 10, 2))]), (0, 0, 0), None)])
     lean = write_product(os.path.join(folder, "lean.step"), lean)
     for file_name, status in ((tower, 0), (lean, 3)):
         check_equal("stable required", status, run("--stability", "-z", "--require", "stable", "-q", file_name).returncode)
-
-    # Wrong usage, found before a file is read: the file does not exist.
-    for arguments, said in ((("--print", "volum"), "no column"), (("--fields", "x", "--csv", "/dev/null"), "no column"),
-                            (("--fields", "volume"), "--csv"), (("--fail-on", "unreadable"), "none of"), (("--require", "stable"), "--stability"),
-                            (("--require", "beauty"), "none of"), (("--integral", "a=(dA"), "integral a"), (("--depth", "2"), "--bom"),
-                            (("--print", "volume", "--json", "-"), "standard output"), (("--bom-csv", "-"), "--bom-csv")):
-        result = run(*arguments, "missing.step")
-        check_true(f"{arguments} is wrong usage", result.returncode == 1 and said in result.stderr and not result.stdout, result.stderr)
 
 
 def robots():
@@ -485,6 +490,6 @@ def systems():
             check(f"volume of the {key}", volume, other[key][1], bound + 1e-5 * volume, "rounding of the files")
 
 
-{"masses": masses, "materials": materials, "frames": frames, "lists": lists, "encodings": encodings, "scripts": scripts, "robots": robots,
- "validation": validation, "systems": systems}[options.mode]()
+{"masses": masses, "materials": materials, "frames": frames, "lists": lists, "encodings": encodings, "scripts": scripts,
+ "stability": stability, "robots": robots, "validation": validation, "systems": systems}[options.mode]()
 finish()

@@ -79,7 +79,8 @@ def check_statements(source):
     """Problems in words: a vtk.module file or the table of the developer guide that names other rooms than ROOMS."""
     problems = []
     with open(os.path.join(source, "Documentation", "DeveloperGuide.md"), encoding="utf-8") as file:
-        rows = dict(re.findall(r"^\| `([^`]+)` \| ([^|]*) \|", file.read(), re.MULTILINE))
+        table = file.read().split("| Folder | Includes headers of |")[1].split("\n\n")[0]
+    rows = dict(re.findall(r"^\| `([^`]+)` \| ([^|]*) \|", table, re.MULTILINE))
     for room, (folder, rooms) in ROOMS.items():
         with open(os.path.join(source, folder, "vtk.module"), encoding="utf-8") as file:
             text = file.read()

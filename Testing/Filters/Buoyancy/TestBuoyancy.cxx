@@ -419,16 +419,8 @@ void CheckPlates(const Manifest& manifest)
 
 int TestBuoyancy(int argc, char* argv[])
 {
-  if (argc != 4)
-  {
-    std::fprintf(stderr, "usage: TestBuoyancy FOLDER MODE BACKEND\n");
-    return 1;
-  }
-  SetBackend(argv[3]);
-  const Manifest manifest(argv[1]);
-  RunMode(argv[2], manifest,
+  return RunMode(argc, argv, "TestBuoyancy",
     { { "balls", CheckBalls }, { "tangent", CheckTangentBalls }, { "cones", CheckCones },
       { "boxes", CheckBoxes }, { "tori", CheckTori }, { "placements", CheckPlacements },
       { "plates", CheckPlates } });
-  return Finish();
 }

@@ -362,16 +362,8 @@ void CheckPlaced(const Manifest&)
 
 int TestBuoyancyRuns(int argc, char* argv[])
 {
-  if (argc != 4)
-  {
-    std::fprintf(stderr, "usage: TestBuoyancyRuns FOLDER MODE BACKEND\n");
-    return 1;
-  }
-  SetBackend(argv[3]);
-  const Manifest manifest(argv[1]);
-  RunMode(argv[2], manifest,
+  return RunMode(argc, argv, "TestBuoyancyRuns",
     { { "inside_out", CheckInsideOut }, { "voids", CheckVoids }, { "touching", CheckTouching },
       { "tables", CheckTables }, { "aborts", CheckAborts }, { "wide_ribbons", CheckWideRibbons },
       { "placed", CheckPlaced } });
-  return Finish();
 }

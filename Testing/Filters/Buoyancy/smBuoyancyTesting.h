@@ -12,8 +12,10 @@
 #include <vtkNURBSTransform.h>
 
 #include <array>
+#include <cstdio>
 #include <cstring>
 #include <initializer_list>
+#include <string>
 #include <utility>
 
 namespace smtest
@@ -104,20 +106,31 @@ inline void SetBackend(const char* name)
   Backend = std::strcmp(name, "cpu") == 0 ? vtkBuoyancy::CPU : vtkBuoyancy::OPENGL;
 }
 
-/// Runs the check whose mode is asked for; a mode that there is not is an error.
-inline void RunMode(const std::string& mode, const Manifest& manifest,
-  std::initializer_list<std::pair<const char*, void (*)(const Manifest&)>> modes)
+/// A check by the name of its mode.
+using ModeCheck = std::pair<const char*, void (*)(const Manifest&)>;
+
+/// The main function of the test `name` with the arguments FOLDER MODE BACKEND: sets the backend, runs the check of this mode on the
+/// solids of the folder, and returns the exit status. A mode that there is not is a failure.
+inline int RunMode(int argc, char* argv[], const char* name, std::initializer_list<ModeCheck> checks)
 {
-  bool found = false;
-  for (const auto& [name, check] : modes)
+  if (argc != 4)
   {
-    if (mode == name)
+    std::fprintf(stderr, "usage: %s FOLDER MODE BACKEND\n", name);
+    return 1;
+  }
+  SetBackend(argv[3]);
+  const Manifest manifest(argv[1]);
+  bool found = false;
+  for (const auto& [mode, check] : checks)
+  {
+    if (std::strcmp(mode, argv[2]) == 0)
     {
       found = true;
       check(manifest);
     }
   }
-  CheckTrue("there is a mode " + mode, found);
+  CheckTrue(std::string("there is a mode ") + argv[2], found);
+  return Finish();
 }
 }
 

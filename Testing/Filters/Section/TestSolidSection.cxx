@@ -478,16 +478,8 @@ void CheckPlacements(const Manifest& manifest)
 
 int TestSolidSection(int argc, char* argv[])
 {
-  if (argc != 4)
-  {
-    std::fprintf(stderr, "usage: TestSolidSection FOLDER MODE BACKEND\n");
-    return 1;
-  }
-  SetBackend(argv[3]);
-  const Manifest manifest(argv[1]);
-  RunMode(argv[2], manifest,
+  return RunMode(argc, argv, "TestSolidSection",
     { { "boxes", CheckBoxes }, { "cylinders", CheckCylinders }, { "balls", CheckBalls },
       { "cones", CheckCones }, { "tori", CheckTori }, { "holes", CheckHoles },
       { "placements", CheckPlacements } });
-  return Finish();
 }

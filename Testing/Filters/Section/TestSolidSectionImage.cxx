@@ -1,13 +1,11 @@
 // TestSolidSectionImage FOLDER -T FOLDER -V BASELINE.png: a hollow ball, a block with a slanted hole and a torus below planes, closed by
 // their sections.
+#include "smSceneTesting.h"
 #include "smSectionTesting.h"
 
 #include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkTesting.h>
 
 #include <cstdio>
 #include <memory>
@@ -45,23 +43,7 @@ int TestSolidSectionImage(int argc, char* argv[])
     actor->SetPosition(place, 0, 0);
     renderer->AddActor(actor);
   }
-  vtkNew<vtkRenderWindow> window;
-  renderer->SetBackground(1.0, 1.0, 1.0);
-  window->SetMultiSamples(0);
-  window->SetSize(700, 320);
-  window->AddRenderer(renderer);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(-0.2, -1.2, 1.1);
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetViewUp(0, 0, 1);
-  renderer->ResetCamera();
-  camera->Zoom(2.2);
-  window->Render();
-
-  // vtkImageDifference forgives shifts by a pixel and 16 of 255 in colour: the same driver gives 0, sections in grey some 50.
-  vtkNew<vtkTesting> testing;
-  testing->AddArguments(argc, const_cast<const char**>(argv));
-  testing->SetRenderWindow(window);
-  CheckEqual("picture", vtkTesting::PASSED, testing->RegressionTest(10.0));
+  // The same driver gives 0, sections in grey some 50.
+  CheckScene(argc, argv, renderer, { -0.2, -1.2, 1.1 }, { 700, 320 });
   return Finish();
 }

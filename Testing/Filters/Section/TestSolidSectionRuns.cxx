@@ -454,16 +454,8 @@ void CheckSplines(const Manifest& manifest)
 
 int TestSolidSectionRuns(int argc, char* argv[])
 {
-  if (argc != 4)
-  {
-    std::fprintf(stderr, "usage: TestSolidSectionRuns FOLDER MODE BACKEND\n");
-    return 1;
-  }
-  SetBackend(argv[3]);
-  const Manifest manifest(argv[1]);
-  RunMode(argv[2], manifest,
+  return RunMode(argc, argv, "TestSolidSectionRuns",
     { { "touching", CheckTouching }, { "outputs", CheckOutputs }, { "limits", CheckLimits },
       { "shells", CheckShells }, { "bodies", CheckBodies }, { "contradictions", CheckContradictions },
       { "open", CheckOpen }, { "splines", CheckSplines } });
-  return Finish();
 }

@@ -7,6 +7,7 @@
  * `print` writes the census of files for people. `models` compares with counts of what OpenCASCADE makes of the same files.
  */
 #include "smCensusCases.h"
+#include "smCensusSamples.h"
 #include "smCensusText.h"
 #include "smJson.h"
 #include "smTestManifest.h"

@@ -3,6 +3,7 @@
  * @brief Densities in the units that CAD systems state them in, of parts and of assemblies
  */
 #include "smCensusCases.h"
+#include "smCensusSamples.h"
 #include "smSTEPCensus.h"
 #include "smTesting.h"
 

@@ -2,7 +2,7 @@
  * @file TestSTEPProducts.cxx
  * @brief Validation properties of products as systems state them, statements that contradict themselves, and new ones in a file's text
  */
-#include "smCensusCases.h"
+#include "smCensusSamples.h"
 #include "smSTEPProducts.h"
 #include "smTesting.h"
 
