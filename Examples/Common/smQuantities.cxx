@@ -157,6 +157,13 @@ Json GetQuantities(vtkFieldData* data, vtkIdType row)
   q["flipped_shells"] = GetCount(data, row, names::FlippedShells);
   q["stability"] = nullptr;
   const Json estimated = GetCount(data, row, names::BoundsEstimated);
+  const Json measured = GetVector(data, row, names::BoundsMeasured, 4);
+  q["bounds_measured"] = nullptr;
+  if (measured.is_array())
+  {
+    q["bounds_measured"] = { { "volume", measured[0] }, { "area", measured[1] },
+      { "center_of_mass", measured[2] }, { "inertia", measured[3] } };
+  }
   q["bounds_estimated"] = estimated.is_null() ? estimated : Json(estimated != 0);
   AddMassQuantities(data, row, q);
   return q;

@@ -56,17 +56,17 @@ void AddPlacementError(const BodyIntegrals& body, Moments& moments)
   grow(2.0, moments.Second.data(), moments.SecondBound.data(), 6);
 }
 
-/// Returns the moments of a body in the world, about its placed origin.
-Moments GetMoments(const BodyIntegrals& body)
+/// Returns the moments of a body in the world, about its placed origin, with the body's bounds or the parts of them that are estimated.
+Moments GetMoments(const BodyIntegrals& body, const std::vector<double>& bounds)
 {
   Moments moments;
   std::copy_n(body.Model->GetOrigin(), 3, moments.Reference.begin());
   moments.Volume = body.Value[MassVolume];
-  moments.VolumeBound = body.Bound[MassVolume];
+  moments.VolumeBound = bounds[MassVolume];
   std::copy_n(body.Value.begin() + MassFirst, 3, moments.First.begin());
-  std::copy_n(body.Bound.begin() + MassFirst, 3, moments.FirstBound.begin());
+  std::copy_n(bounds.begin() + MassFirst, 3, moments.FirstBound.begin());
   std::copy_n(body.Value.begin() + MassSecond, 6, moments.Second.begin());
-  std::copy_n(body.Bound.begin() + MassSecond, 6, moments.SecondBound.begin());
+  std::copy_n(bounds.begin() + MassSecond, 6, moments.SecondBound.begin());
   if (body.InsideOut)
   {
     moments.Negate();
@@ -74,6 +74,16 @@ Moments GetMoments(const BodyIntegrals& body)
   moments.Place(body.Placement.data());
   AddPlacementError(body, moments);
   return moments;
+}
+
+/// Sets the estimated parts of the bounds of a row: those that follow from `measured`, its moments with the estimated parts of theirs.
+/// Rounding of placements, which is estimated, is a part of both.
+void SetMeasuredBounds(const Moments& measured, double area, MassRow& row)
+{
+  const MassProperties p = ComputeMassProperties(measured);
+  row.MeasuredBounds = { std::min(p.VolumeBound, row.Properties.VolumeBound), std::min(area, row.AreaBound),
+    std::min(p.CenterBound, row.Properties.CenterBound),
+    std::min(p.InertiaBound, row.Properties.InertiaBound) };
 }
 
 /// Sets the bounds of moments to 0, so that the centre and the inertia follow from them as from exact ones.
@@ -136,7 +146,7 @@ void CheckClosureCorrection(BodyIntegrals& body, const MassRow& row, double limi
 bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, MassRow& row, Moments& moments)
 {
   ReverseShells(body, MakeMassIntegrands(), MassVolume);
-  moments = GetMoments(body);
+  moments = GetMoments(body, body.Bound);
   if (!options.HasBounds)
   {
     ZeroBounds(moments);
@@ -144,6 +154,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
   row.Properties = ComputeMassProperties(moments);
   if (options.HasBounds)
   {
+    SetMeasuredBounds(GetMoments(body, body.MeasuredBound), body.MeasuredBound[MassArea], row);
     row.ClosureCorrection = std::abs(body.Value[MassVolume] - body.FaceValue[MassVolume]);
   }
   else
@@ -158,6 +169,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
     // The border of the surface has no edges: it is a patch without loops.
     body.Flag(Status::Open, "a surface, not a solid: it has an area and no volume");
     row.Properties = MassProperties();
+    row.MeasuredBounds[0] = row.MeasuredBounds[2] = row.MeasuredBounds[3] = vtkMath::Nan();
     row.ClosureCorrection = row.ClosureResidual = vtkMath::Nan();
     return false;
   }
@@ -191,6 +203,7 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   row.GapSquared = body.GapSquared;
   row.MaxGap = body.MaxGap;
   row.GapArea = body.GapArea;
+  row.MeasuredBounds[1] = std::min(body.MeasuredBound[MassArea], row.AreaBound);
   if (!body.Faces)
   {
     return row;
@@ -199,7 +212,7 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   {
     // The values are 0 with infinite bounds, so that the total is not taken for complete.
     body.Flag(Status::Suspect, "no face of it was integrated: it has no values");
-    moments = GetMoments(body);
+    moments = GetMoments(body, body.Bound);
     row.Properties = ComputeMassProperties(moments);
     return row;
   }
@@ -301,6 +314,7 @@ void RemoveLeftOut(
       hasVolume = hasVolume || std::isfinite(analysis.Rows[b].Properties.Volume);
       total.Area = analysis.Total.Area;
       total.AreaBound = analysis.Total.AreaBound;
+      total.MeasuredBounds[1] = analysis.Total.MeasuredBounds[1];
       total.GapSquared = analysis.Total.GapSquared;
       total.GapArea = analysis.Total.GapArea;
       total.MaxGap = analysis.Total.MaxGap;
@@ -317,6 +331,7 @@ void AddRow(const MassRow& row, MassRow& total)
 {
   total.Area += row.Area;
   total.AreaBound += row.AreaBound + 2.0 * UnitRoundoff * total.Area;
+  total.MeasuredBounds[1] += row.MeasuredBounds[1];
   total.GapSquared += row.GapSquared;
   total.GapArea += row.GapArea;
   // std::max is not used here because it may drop a NaN.
@@ -338,6 +353,7 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     return;
   }
   double vectorArea[3] = { 0.0, 0.0, 0.0 };
+  std::vector<Moments> measured;
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
     if (!std::isfinite(analysis.Rows[b].Properties.Volume))
@@ -348,12 +364,14 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     {
       vectorArea[i] += std::abs(bodies[b].Value[MassVectorArea + i]);
     }
+    measured.push_back(GetMoments(bodies[b], bodies[b].MeasuredBound));
   }
   const Moments sum = Moments::Sum(parts);
   total.Properties = ComputeMassProperties(sum);
   if (options.HasBounds)
   {
     total.ClosureResidual = vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
+    SetMeasuredBounds(Moments::Sum(measured), total.MeasuredBounds[1], total);
   }
   SetTotalMass(bodies, parts, sum, options, analysis);
   if (!options.HasBounds)
@@ -379,6 +397,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   MassRow& total = analysis.Total;
   if (analysis.HasOneUnit)
   {
+    total.MeasuredBounds[1] = 0.0;
     total.Area = total.AreaBound = total.ClosureCorrection = total.GapSquared = total.GapArea = total.MaxGap =
       0.0;
   }

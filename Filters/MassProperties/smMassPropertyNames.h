@@ -35,6 +35,8 @@ constexpr const char* MassRadiiOfGyration = "MassRadiiOfGyration";   // 3, L
 constexpr const char* MassUncertainty = "MassUncertainty"; // 4, kg: in all, by density, gaps, numerical bound
 constexpr const char* Density = "Density";                 // 1, kg/m^3
 constexpr const char* Material = "Material";               // string
+constexpr const char* BoundsMeasured =
+  "BoundsMeasured"; // 4, parts of the bounds of volume, area, centre and inertia that rest on measured constants
 // The total of solids of which only some have a density.
 constexpr const char* KnownMass = "KnownMass";               // 1, kg, of those
 constexpr const char* SolidsWithVolume = "SolidsWithVolume"; // 1 (int)

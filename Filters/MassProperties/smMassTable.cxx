@@ -49,6 +49,7 @@ const Quantity Quantities[] = {
     [](Row r) { return &r.Properties.AxesBound; } },
   { names::RadiiOfGyration, 3, true, [](Row r) { return r.Properties.Gyration.data(); },
     [](Row r) { return &r.Properties.GyrationBound; } },
+  { names::BoundsMeasured, 4, false, [](Row r) { return r.MeasuredBounds.data(); }, nullptr },
   { names::ClosureCorrection, 1, false, [](Row r) { return &r.ClosureCorrection; }, nullptr },
   { names::GapSquared, 1, false, [](Row r) { return &r.GapSquared; }, nullptr },
   { names::MaxGap, 1, false, [](Row r) { return &r.MaxGap; }, nullptr },
@@ -117,6 +118,7 @@ MassRow::MassRow()
       this->GapArea = this->ClosureResidual = std::numeric_limits<double>::quiet_NaN();
   this->MassInertia.fill(this->Mass);
   this->MassUncertainty.fill(this->Mass);
+  this->MeasuredBounds.fill(this->Mass);
 }
 
 void MassRow::RemoveBounds()
@@ -134,6 +136,7 @@ void MassRow::RemoveBounds()
   {
     *bound = std::numeric_limits<double>::quiet_NaN();
   }
+  this->MeasuredBounds.fill(std::numeric_limits<double>::quiet_NaN());
 }
 
 MassColumns::MassColumns(bool withMass, bool withFrame)

@@ -24,6 +24,9 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   MassProperties Properties;
   double Area;
   double AreaBound;
+  /// The parts of the bounds of volume, area, centre and inertia that are estimated: they rest on measured constants (Bounds.md). The rest of a
+  /// bound is a theorem, but for areas that are estimated as a whole.
+  std::array<double, 4> MeasuredBounds;
   /// Mass and its inertia; NaN without a density.
   double Mass;
   double MassBound;

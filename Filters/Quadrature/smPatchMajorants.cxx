@@ -54,13 +54,6 @@ PatchMajorants::ProductEntry PatchMajorants::SumProducts(
   return sum;
 }
 
-double PatchMajorants::GetFactor(double s, double r) const
-{
-  const std::array<bool, 4>& collapsed = this->Traits.Collapsed;
-  return (collapsed[0] ? s : 1.0) * (collapsed[1] ? 1.0 - s : 1.0) * (collapsed[2] ? r : 1.0) *
-    (collapsed[3] ? 1.0 - r : 1.0);
-}
-
 double PatchMajorants::GetFactorMajorant(const Ellipse& s, const Ellipse& r) const
 {
   double factor = 1.0;

@@ -115,9 +115,15 @@ private:
   double FindLongestSample(const double*& longest) const;
   /// The largest part of a sample across the longest one, relative to the cube of the weight; `bound` bounds |m~ - (m~.e) e|, which has
   /// the degrees of m~.
-  double MeasureAcross(const double* longest, double& bound) const;
-  /// True when |m~| is the polynomial h within `allowed`, and nowhere much smaller than `largest`; `square` bounds |m~.m~ - h^2|.
-  bool MeasureLengthDeviation(double allowed, double largest, double& square) const;
+  double MeasureAcross(const std::array<double, 4>* points, const double* longest, double& bound) const;
+  /// The least product of the collapsed edges' factors at the nodes of samples.
+  double GetLeastFactor() const;
+  /// The series of m~ and of |m~| in extended precision, four numbers a coefficient, s fastest.
+  std::vector<long double> ExpandWideNormal(const std::array<double, 4>* points) const;
+  /// True when |m~| is the polynomial h within `allowed`, and nowhere much smaller than `largest`; `square` bounds |m~.m~ - h^2|, known in
+  /// extended precision.
+  bool MeasureLengthDeviation(
+    const std::array<double, 4>* points, double allowed, double largest, double& square) const;
   /// |m~| is a polynomial on the box.
   bool IsPolynomialLength() const;
   /// The first part of Expand(): samples the numerators.
@@ -132,7 +138,13 @@ private:
   void MakeTables(int countS, int countR);
   void DropNoise(std::size_t count, double noise);
   /// The product of the factors of collapsed edges (s, 1-s, r, 1-r): at a point; its largest modulus in the ellipses.
-  double GetFactor(double s, double r) const;
+  template <class Real>
+  Real GetFactor(Real s, Real r) const
+  {
+    const std::array<bool, 4>& collapsed = this->Traits.Collapsed;
+    return (collapsed[0] ? s : Real(1)) * (collapsed[1] ? 1 - s : Real(1)) * (collapsed[2] ? r : Real(1)) *
+      (collapsed[3] ? 1 - r : Real(1));
+  }
   double GetFactorMajorant(const Ellipse& s, const Ellipse& r) const;
 
   int P = 1;

@@ -2,10 +2,13 @@
 
 #include "smChebyshev.h"
 #include "smPatchMajorants.h"
+#include "smUnitRoundoff.h"
 #include "smVector.h"
+#include "smWideEvaluation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace sm
@@ -30,6 +33,118 @@ double GetLebesgueConstant(int n)
 int GetEdgePoint(int edge, int i, int p, int q)
 {
   return edge < 2 ? (edge == 1 ? p : 0) + i * (p + 1) : (edge == 3 ? (p + 1) * q : 0) + i;
+}
+
+/// Largest control points, and largest differences of neighbours times the degree, of the homogeneous net in s and in r: a bound of P, P_s
+/// and P_r, and of w, w_s and w_r.
+struct NetSize
+{
+  double Position[3] = { 0.0, 0.0, 0.0 };
+  double Weight[3] = { 0.0, 0.0, 0.0 };
+
+  NetSize(const std::array<double, 4>* points, int p, int q)
+  {
+    for (int i = 0; i < (p + 1) * (q + 1); ++i)
+    {
+      this->Add(0, 1.0, points[i], {});
+      if (i % (p + 1) < p)
+      {
+        this->Add(1, p, points[i + 1], points[i]);
+      }
+      if (i / (p + 1) < q)
+      {
+        this->Add(2, q, points[i + p + 1], points[i]);
+      }
+    }
+  }
+
+  /// A bound of every term of m = w Ps x Pr + ws Pr x P + wr P x Ps.
+  double GetNumerator() const
+  {
+    const double* x = this->Position;
+    const double* w = this->Weight;
+    return w[0] * x[1] * x[2] + w[1] * x[2] * x[0] + w[2] * x[0] * x[1];
+  }
+
+private:
+  void Add(int which, double degree, const std::array<double, 4>& a, const std::array<double, 4>& b)
+  {
+    this->Position[which] =
+      std::max(this->Position[which], degree * std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+    this->Weight[which] = std::max(this->Weight[which], degree * std::abs(a[3] - b[3]));
+  }
+};
+
+/**
+ * Roundings of a sample of m in units of its terms. In double: a Chebyshev coefficient of P, w or their derivatives has at most
+ * 4 (5 (p + q) + 14) roundings of the net, as rows of the conversion and of the transform sum up to 2 each, their value 4 (p + 1) (q + 1) times
+ * that and the p + q + 4 of its evaluation, and a term of m three such factors.
+ */
+double GetSampleRoundings(int p, int q)
+{
+  return 12.0 * (p + 1) * (q + 1) * (6.0 * (p + q) + 20.0);
+}
+
+/// The same from control points in extended precision: 2 n + 2 for a basis of degree n, one for each point, three factors and their sums.
+double GetWideRoundings(int p, int q)
+{
+  return 3.0 * (2.0 * (p + q) + 4.0 + (p + 1) * (q + 1)) + 16.0;
+}
+
+/// A patch at r = constant: points, steps in s from each to the next, and differences in r of its Bezier curve in s, as in smPatch.glsl.
+struct WideRow
+{
+  Wide Points[3][MaximumDegree + 1][4] = {};
+
+  WideRow(const std::array<double, 4>* points, int p, int q, Wide r)
+  {
+    Wide basis[2][MaximumDegree + 1];
+    FillWideBasis(q, r, basis[0]);
+    FillWideBasis(q - 1, r, basis[1]);
+    for (int j = 0; j <= q; ++j)
+    {
+      for (int i = 0; i <= p; ++i)
+      {
+        const std::array<double, 4>* at = points + i + j * (p + 1);
+        for (int c = 0; c < 4; ++c)
+        {
+          this->Points[0][i][c] += basis[0][j] * at[0][c];
+          this->Points[1][i][c] += i < p ? basis[0][j] * (static_cast<Wide>(at[1][c]) - at[0][c]) : 0;
+          this->Points[2][i][c] += j < q ? basis[1][j] * (static_cast<Wide>(at[p + 1][c]) - at[0][c]) : 0;
+        }
+      }
+    }
+  }
+};
+
+/// m = w Ps x Pr + ws Pr x P + wr P x Ps at a point of a row, where the bases of degrees p and p - 1 have these values.
+void EvaluateNormal(const WideRow& row, int p, int q, const Wide* basis, const Wide* lower, Wide m[3])
+{
+  Wide h[3][4];
+  SumBasis(basis, row.Points[0], p, h[0]);
+  SumBasis(lower, row.Points[1], p - 1, h[1]);
+  SumBasis(basis, row.Points[2], p, h[2]);
+  const auto cross = [&h](int a, int b, int c)
+  {
+    const int d = (c + 1) % 3;
+    const int e = (c + 2) % 3;
+    return h[a][d] * h[b][e] - h[a][e] * h[b][d];
+  };
+  for (int c = 0; c < 3; ++c)
+  {
+    // P_s is p times the sum of steps, P_r q times that of differences.
+    m[c] = (h[0][3] * cross(1, 2, c) + h[1][3] * cross(2, 0, c) + h[2][3] * cross(0, 1, c)) * (p * q);
+  }
+}
+
+/// T_0 .. T_{n-1} at x.
+void FillChebyshev(int n, Wide x, std::vector<Wide>& values)
+{
+  values.resize(n);
+  for (int k = 0; k < n; ++k)
+  {
+    values[k] = k == 0 ? 1 : k == 1 ? x : 2 * x * values[k - 1] - values[k - 2];
+  }
 }
 
 Vector3 GetPosition(const std::array<double, 4>& point)
@@ -157,7 +272,7 @@ void PatchMajorants::ExpandPatch(const std::array<double, 4>* points, int p, int
   const double* longest = nullptr;
   const double largest = this->FindLongestSample(longest);
   double acrossBound = 0.0;
-  const double across = this->MeasureAcross(longest, acrossBound);
+  const double across = this->MeasureAcross(points, longest, acrossBound);
   if (across <= tolerance * largest)
   {
     traits.ConstantDirection = true;
@@ -172,7 +287,7 @@ void PatchMajorants::ExpandPatch(const std::array<double, 4>* points, int p, int
   {
     this->Transform<Components>(countS, countR);
     traits.PolynomialLength =
-      this->MeasureLengthDeviation(tolerance * largest, largest, traits.SquareDeviation);
+      this->MeasureLengthDeviation(points, tolerance * largest, largest, traits.SquareDeviation);
   }
   else
   {
@@ -232,7 +347,24 @@ double PatchMajorants::FindLongestSample(const double*& longest) const
   return largest;
 }
 
-double PatchMajorants::MeasureAcross(const double* longest, double& bound) const
+double PatchMajorants::GetLeastFactor() const
+{
+  double least = 1.0;
+  for (int a = 0; a < 3 * this->P - 1; ++a)
+  {
+    const double s = this->Box.Middle[0] + this->Box.Half[0] * ChebyshevRule::Get(3 * this->P - 1).GetNode(a);
+    for (int b = 0; b < 3 * this->Q - 1; ++b)
+    {
+      const double r =
+        this->Box.Middle[1] + this->Box.Half[1] * ChebyshevRule::Get(3 * this->Q - 1).GetNode(b);
+      least = std::min(least, this->GetFactor(s, r));
+    }
+  }
+  return least;
+}
+
+double PatchMajorants::MeasureAcross(
+  const std::array<double, 4>* points, const double* longest, double& bound) const
 {
   double across = 0.0;
   bound = 0.0;
@@ -244,63 +376,120 @@ double PatchMajorants::MeasureAcross(const double* longest, double& bound) const
       across = std::max(across, length / cube);
       bound = std::max(bound, length);
     });
+  // This bounds what the rounding of the samples hides; it counts squared.
+  bound += GetSampleRoundings(this->P, this->Q) * UnitRoundoff *
+    NetSize(points, this->P, this->Q).GetNumerator() / this->GetLeastFactor();
   // The root of 3 is for the three components of a vector.
   bound *= std::sqrt(3.0) * GetLebesgueConstant(3 * this->P - 1) * GetLebesgueConstant(3 * this->Q - 1);
   return across;
 }
 
-bool PatchMajorants::MeasureLengthDeviation(double allowed, double largest, double& square) const
+std::vector<Wide> PatchMajorants::ExpandWideNormal(const std::array<double, 4>* points) const
+{
+  const ChebyshevRule& ruleS = ChebyshevRule::Get(3 * this->P - 1);
+  const ChebyshevRule& ruleR = ChebyshevRule::Get(3 * this->Q - 1);
+  const int countS = ruleS.GetSize();
+  const int countR = ruleR.GetSize();
+  std::vector<Wide> series(4 * static_cast<std::size_t>(countS) * countR, 0);
+  std::vector<Wide> line(4 * static_cast<std::size_t>(countS));
+  std::vector<std::array<Wide, MaximumDegree + 1>> bases(2 * static_cast<std::size_t>(countS));
+  for (int a = 0; a < countS; ++a)
+  {
+    const Wide s = this->Box.Middle[0] + this->Box.Half[0] * ruleS.GetWideNode(a);
+    FillWideBasis(this->P, s, bases[2 * a].data());
+    FillWideBasis(this->P - 1, s, bases[2 * a + 1].data());
+  }
+  for (int b = 0; b < countR; ++b)
+  {
+    const Wide r = this->Box.Middle[1] + this->Box.Half[1] * ruleR.GetWideNode(b);
+    const WideRow row(points, this->P, this->Q, r);
+    std::fill(line.begin(), line.end(), 0);
+    for (int a = 0; a < countS; ++a)
+    {
+      const Wide s = this->Box.Middle[0] + this->Box.Half[0] * ruleS.GetWideNode(a);
+      Wide m[4];
+      EvaluateNormal(row, this->P, this->Q, bases[2 * a].data(), bases[2 * a + 1].data(), m);
+      m[3] = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
+      const Wide factor = this->GetFactor(s, r);
+      for (int k = 0; k < countS; ++k)
+      {
+        const Wide weight = ruleS.GetTransform<Wide>(k)[a] / factor;
+        for (int c = 0; c < 4; ++c)
+        {
+          line[4 * k + c] += weight * m[c];
+        }
+      }
+    }
+    for (int l = 0; l < countR; ++l)
+    {
+      const Wide weight = ruleR.GetTransform<Wide>(l)[b];
+      for (std::size_t i = 0; i < line.size(); ++i)
+      {
+        series[line.size() * l + i] += weight * line[i];
+      }
+    }
+  }
+  return series;
+}
+
+bool PatchMajorants::MeasureLengthDeviation(
+  const std::array<double, 4>* points, double allowed, double largest, double& square) const
 {
   const int countS = 3 * this->P - 1;
   const int countR = 3 * this->Q - 1;
   // h^2 - m~.m~ has the degrees 2 (countS - 1) and 2 (countR - 1): values at as many nodes and one more bound it.
   const ChebyshevRule& checkS = ChebyshevRule::Get(2 * countS - 1);
   const ChebyshevRule& checkR = ChebyshevRule::Get(2 * countR - 1);
+  const std::vector<Wide> series = this->ExpandWideNormal(points);
+  Wide sum = 0;
+  for (const Wide coefficient : series)
+  {
+    sum += std::abs(coefficient);
+  }
+  // Samples of m~ through the interpolation, and the evaluation of series, where T_k by its recurrence has at most k^2 roundings.
+  const double hidden = WideRoundoff *
+    (GetLebesgueConstant(countS) * GetLebesgueConstant(countR) * GetWideRoundings(this->P, this->Q) *
+        NetSize(points, this->P, this->Q).GetNumerator() / this->GetLeastFactor() +
+      static_cast<double>(sum) * (countS * (countS + 5.0) + countR * (countR + 5.0)));
+  std::vector<Wide> valuesS;
+  std::vector<Wide> valuesR;
+  std::vector<Wide> line(4 * static_cast<std::size_t>(countR));
   double largestSquare = 0.0;
-  std::vector<double> line(static_cast<std::size_t>(Components) * countR);
-  std::vector<double> weights(this->Q + 1);
   for (int a = 0; a < checkS.GetSize(); ++a)
   {
-    std::fill(line.begin(), line.end(), 0.0);
+    FillChebyshev(countS, checkS.GetWideNode(a), valuesS);
+    std::fill(line.begin(), line.end(), 0);
     for (int l = 0; l < countR; ++l)
     {
       for (int k = 0; k < countS; ++k)
       {
-        const double* from = this->Samples.data() + Components * (k + static_cast<std::size_t>(countS) * l);
-        for (int c = 1; c < Components; ++c)
+        for (int c = 0; c < 4; ++c)
         {
-          line[Components * l + c] += checkS.GetValues(a)[k] * from[c];
+          line[4 * l + c] += valuesS[k] * series[4 * (k + static_cast<std::size_t>(countS) * l) + c];
         }
-      }
-    }
-    for (int l = 0; l <= this->Q; ++l)
-    {
-      weights[l] = 0.0;
-      for (int k = 0; k <= this->P; ++k)
-      {
-        weights[l] += checkS.GetValues(a)[k] * this->Series[0][4 * (k + (this->P + 1) * l) + 3];
       }
     }
     for (int b = 0; b < checkR.GetSize(); ++b)
     {
-      const double w = std::inner_product(weights.begin(), weights.end(), checkR.GetValues(b), 0.0);
-      double value[Components] = {};
+      FillChebyshev(countR, checkR.GetWideNode(b), valuesR);
+      Wide value[4] = {};
       for (int l = 0; l < countR; ++l)
       {
-        for (int c = 1; c < Components; ++c)
+        for (int c = 0; c < 4; ++c)
         {
-          value[c] += checkR.GetValues(b)[l] * line[Components * l + c];
+          value[c] += valuesR[l] * line[4 * l + c];
         }
       }
-      const double cube = w * w * w;
-      const double length = Norm(value + 1);
-      const double difference = std::abs(length - value[4]) / cube;
+      const Wide length = std::sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
+      const double cube = this->EvaluateCube(checkS.GetNode(a), checkR.GetNode(b));
+      const double difference = static_cast<double>(std::abs(length - value[3]));
       // Where the length is small, the difference of squares is no good measure of the difference of lengths.
-      if (!(difference <= allowed && length > 1e-3 * largest * cube))
+      if (!(difference <= allowed * cube && length > 1e-3 * largest * cube))
       {
         return false;
       }
-      largestSquare = std::max(largestSquare, difference * cube * (length + std::abs(value[4])));
+      largestSquare = std::max(largestSquare,
+        (difference + 2.0 * hidden) * (static_cast<double>(length + std::abs(value[3])) + 2.0 * hidden));
     }
   }
   square = largestSquare * GetLebesgueConstant(checkS.GetSize()) * GetLebesgueConstant(checkR.GetSize());

@@ -206,6 +206,7 @@ void SetUnknown(BodyIntegrals& body, std::size_t integrands)
   body.Value.assign(integrands, nan);
   body.FaceValue.assign(integrands, nan);
   body.Bound.assign(integrands, nan);
+  body.MeasuredBound.assign(integrands, nan);
   body.GapSquared = body.GapArea = body.MaxGap = nan;
   CheckTopology(body);
   body.Flag(Status::NotComputed, "nothing was computed");
@@ -316,6 +317,7 @@ void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands)
   std::vector<CompensatedSum> face(count);
   std::vector<CompensatedSum> all(count);
   body.Bound.assign(count, 0.0);
+  body.MeasuredBound.assign(count, 0.0);
   body.Value.assign(count, 0.0);
   body.FaceValue.assign(count, 0.0);
   bool complete = body.Model->GetNumberOfMissingFaces() == 0 && !body.Faces->empty();
@@ -334,6 +336,7 @@ void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands)
       all[k].Add(side * result.Face[k]);
       all[k].Add(side * result.Closing[k]);
       body.Bound[k] += result.GetBound(k);
+      body.MeasuredBound[k] += result.Rounding[k];
     }
   }
   for (std::size_t k = 0; k < count; ++k)

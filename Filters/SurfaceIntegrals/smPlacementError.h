@@ -19,7 +19,7 @@ struct BoundClass;
 struct SMFILTERSSURFACEINTEGRALS_EXPORT PlacementError
 {
   /// Rounding of an entry of a placement, and of a translation relative to itself: decimals, directions made orthogonal and of length 1,
-  /// units, and products of the placements of nested assemblies.
+  /// units, and products of the placements of nested assemblies. An estimate, which counts in BoundsMeasured.
   static constexpr double Rounding = 32.0 * UnitRoundoff;
   /// Bound of the norm of a 3x3 matrix whose entries are at most Rounding: the error of the rotation.
   static constexpr double Turned = 3.0 * Rounding;

@@ -15,7 +15,8 @@ constexpr const char* HiddenColumns[] = { names::SurfaceArea, names::FirstMoment
   names::PrincipalAxesDegenerate, names::RadiiOfGyration, names::Density, names::Mass, names::MassCenter,
   names::MassInertia, names::MassPrincipalMoments, names::MassPrincipalAxes, names::MassRadiiOfGyration,
   names::MassUncertainty, names::ClosureCorrection, names::ClosureResidual, names::GapSquared, names::GapArea,
-  names::MaxGap, names::OpenEdges, names::FlippedShells, names::BoundsEstimated, names::Faces };
+  names::MaxGap, names::OpenEdges, names::FlippedShells, names::BoundsEstimated, names::BoundsMeasured,
+  names::Faces };
 
 void SetVisible(const std::string& series, bool isVisible)
 {

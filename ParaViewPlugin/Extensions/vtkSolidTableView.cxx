@@ -68,7 +68,8 @@ constexpr const char* Trailing[] = { names::LengthUnit, names::PrincipalMoments,
   names::ProjectedCenterOfMass, names::ContactFaces, names::ContactEdges,
 #endif
   names::Uses, names::Open, names::MaxGap, names::GapArea, names::GapSquared, names::ClosureCorrection,
-  names::ClosureResidual, names::Faces, names::OpenEdges, names::FlippedShells, names::BoundsEstimated };
+  names::ClosureResidual, names::Faces, names::OpenEdges, names::FlippedShells, names::BoundsEstimated,
+  names::BoundsMeasured };
 
 /// Beside Solid, a column that marks a table with several rows per solid.
 constexpr const char* PartsOfSolids[] = {

@@ -6,7 +6,7 @@
 // does not affect anything else; above 0 also chunk smSample, above 2 also smPatchSecond); smPatchRecord smGetPatch(uint index),
 // void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal).
 
-// Returns the number of roundings per sample that is added to the bound, in the units of smIntegratePanel. The panels of the real
+// Returns the number of roundings per sample that is added to the bound, in the units of smIntegratePanel: an estimate. The panels of the real
 // files needed at most 2, 3.3 and 3.6 for p + q = 2, 3 and more.
 double smSampleRoundings(int p, int q)
 {

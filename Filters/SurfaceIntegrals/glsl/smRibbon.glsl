@@ -92,7 +92,7 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
     }
     dc *= edgeWidth;
 
-    // Bounds of the rounding of both curves, including that of the trim curve, and of the rounding of their derivatives.
+    // Estimates, by measured constants, of the rounding of both curves, including that of the trim curve, and of their derivatives.
     double gapWidth = length(c - a);
     double positionNoise = 4.0LF * (radius + length(c)) +
       smTrimRoundings *
