@@ -6,9 +6,25 @@
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace sm
 {
+namespace
+{
+/// Lines of at most 64 characters, in which every line of the text begins a new one.
+std::string WrapLines(const std::string& text)
+{
+  std::string result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    result += WrapText(line, 64);
+  }
+  return result;
+}
+}
+
 std::string FormatStatus(
   const std::string& status, const std::string& reason, const std::vector<std::string>& messages)
 {
@@ -21,8 +37,7 @@ std::string FormatStatus(
   const std::string& first = isNote ? messages.front() : reason;
   const auto others = std::count_if(messages.begin(), messages.end(),
     [&first](const std::string& message) { return first.find(message) == std::string::npos; });
-  std::string text =
-    isNote ? WrapText("Note: " + first, 64) : "Status: " + status + "\n" + WrapText(first, 64);
+  std::string text = isNote ? WrapLines("Note: " + first) : "Status: " + status + "\n" + WrapLines(first);
   if (others > 0)
   {
     text += "and " + FormatCount(others, "more message\n", "more messages\n");

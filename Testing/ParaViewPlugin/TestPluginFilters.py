@@ -101,6 +101,10 @@ integral.Integrands = "willmore = meanCurvature * meanCurvature * dA\nwrong = dA
 summary = servermanager.Fetch(integral, idx=2).GetValueByName(0, "Text").ToString()
 for words in ("wrong was not computed", "column 6", "sine", "worse was not computed", "column 5"):
     check_true(f"the summary says {words}", words in summary, summary)
+integral.Integrands = "foo = position.x\none = 1"
+summary = servermanager.Fetch(integral, idx=2).GetValueByName(0, "Text").ToString()
+check_equal("integrands without area element are refused, with the remedy", 2, " ".join(summary.split()).count("multiply it by dA, or a vector by normal"))
+check_true("each mistake begins a line", "\nfoo was not computed" in summary and "\none was not computed" in summary, summary)
 integral.Integrands = ""
 integral.MomentDegree = -1
 check_true("integrals that were removed have no array", math.isnan(total(integral, "willmore")) and math.isnan(total(integral, "moment_0_0_0")))

@@ -87,11 +87,14 @@ def check_row(row, entry):
         check(f"{row['row']} {row['id']} {column}", value, float(row[column]), 0.0, "(same bits)")
 
 
+# The functions below yield lists of arguments, and get the results of one interpreter for all of them.
+
+
 def values():
     part = manifest.solid("slanted_hole", "moved")
     paths = [part["path"], manifest.special("two_solids")["path"]]
     table = in_output("table.csv")
-    results = run_often([["--density", "7850", "--csv", table, *paths], ["--csv", "-", "--unit", "cm", part["path"]]])
+    results = yield [["--density", "7850", "--csv", table, *paths], ["--csv", "-", "--unit", "cm", part["path"]]]
     result = next(results)
     check_status(0, result)
     with open(table, encoding="utf-8", newline="") as file:
@@ -139,7 +142,8 @@ def picture():
     alone, path = in_output("part.png"), in_output("several.png")
     opened = manifest.special("open_solid")["path"]
     # Each of several files has a picture of its own; an open solid's text is red.
-    for status, result in zip((0, 3), run_often([["--density", "7850", "--png", alone, sample], ["--density", "7850", "--png", path, sample, opened]])):
+    results = yield [["--density", "7850", "--png", alone, sample], ["--density", "7850", "--png", path, sample, opened]]
+    for status, result in zip((0, 3), results):
         check_status(status, result)
     check_picture("the sample part", expected, read_picture(alone))
     check_picture("the first of two", expected, read_picture(path[:-4] + "-sample_part.png"))
@@ -155,7 +159,7 @@ def errors():
                 (["--png", "a.png", "a/x.step", "b/x.step"], "one picture")]
     if is_paraview:  # both have the same parser
         del mistakes[1:]
-    results = run_often([["missing.step", box], [os.path.join(options.solids, "not_step.step")],
+    results = yield ([["missing.step", box], [os.path.join(options.solids, "not_step.step")],
                          [manifest.special("open_shell")["path"]], [manifest.special("open_solid")["path"], "missing.step"],
                          ["--csv", "/nonexistent/table.csv", box], ["--png", "/nonexistent/part.png", box]]
                         + [arguments for arguments, words in mistakes])
@@ -221,9 +225,14 @@ def nowhere_to_draw():
         check_true("by what there is", is_paraview or "by cpu on" in result.stdout, result.stdout)
 
 
-values()
-picture()
+parts = [values(), picture()] + ([] if options.without_errors else [errors()])
+lists = [next(part) for part in parts]
+results = run_often([arguments for some in lists for arguments in some])
 if not options.without_errors:
     nowhere_to_draw()
-    errors()
+for part, some in zip(parts, lists):
+    try:
+        part.send(iter([next(results) for _ in some]))
+    except StopIteration:
+        pass
 finish()

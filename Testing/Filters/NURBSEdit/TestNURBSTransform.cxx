@@ -137,7 +137,7 @@ int TestNURBSTransform(int, char*[])
   transform->Identity();
   const double shear[16] = { 1, 0.1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   transform->Concatenate(shear);
-  CheckFails(filter, "vtkNURBSDeform");
+  CheckFails(filter, "deform the part with NURBS Deform");
   filter->SetTransform(nullptr);
   filter->SetTranslation(std::nan(""), 0.0, 0.0);
   CheckFails(filter, "not rigid");

@@ -1,14 +1,19 @@
-"""TestPluginState.py PLUGIN.so STEP FOLDER: a loaded state has the saved properties, and rows of a table highlight solids in it."""
+"""TestPluginState.py PLUGIN.so FOLDER: a loaded state has the saved properties, and rows of a table highlight solids in it."""
 import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Support"))
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
+from smproduct import Assembly, Part, write_product  # noqa: E402
 from smselection import count_selected_cells, select_rows  # noqa: E402
 
 from paraview import servermanager, simple, smstate  # noqa: E402
 
-plugin, assembly, folder = sys.argv[1:4]
+plugin, folder = sys.argv[1:3]
+# ParaView takes time by the number of solids, three times here.
+assembly = os.path.join(folder, "PluginState.step")
+bolt = Part("bolt", [((0, 0, 0), (2, 2, 10))])
+write_product(assembly, Assembly("row", [(bolt, (5 * i, 0, 0), None) for i in range(12)]))
 simple.LoadPlugin(plugin, ns=globals())
 controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
 # Neither ParaView's defaults nor the plugin's.

@@ -2,7 +2,7 @@
 set(window_tests "${CMAKE_CURRENT_LIST_DIR}")
 set(window_assembly "${SOLIDMOMENTS_TEST_SOLIDS}/assembly.step")
 solidmoments_add_test(NAME PluginState LABELS plugin XVFB
-  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginState.py" "$<TARGET_FILE:SolidMoments>" "${window_assembly}"
+  COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginState.py" "$<TARGET_FILE:SolidMoments>"
     "${SOLIDMOMENTS_TEST_OUTPUT}")
 solidmoments_add_test(NAME PluginProgress LABELS plugin robust NODISPLAY
   COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginProgress.py" "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_SAMPLE_PART}"

@@ -54,7 +54,7 @@ elif scene == "materials":
 else:
     simple.SetActiveSource(mass)
 # Zooms in, as a user does after Apply; out in the low view, where the text would cover the solids.
-simple.GetActiveCamera().Zoom(0.9 if scene in ("table", "parts") else 1.4)
+simple.GetActiveCamera().Zoom({"table": 0.9, "parts": 0.9, "materials": 1.0}.get(scene, 1.4))
 simple.Render(view)
 with open(ready, "w", encoding="utf-8") as file:
     file.write("ready\n")

@@ -54,7 +54,7 @@ grab() { # SCENE FILE.step
     exit 1
   fi
   # 256 colours are enough for a window, and a third of the bytes. Nothing of the screen around the window.
-  convert "$work/after.png" -trim +repage -colors 256 "$folder/window_$1.png"
+  convert "$work/after.png" -trim +repage +dither -colors 256 -define png:compression-filter=0 "PNG8:$folder/window_$1.png"
   echo "$folder/window_$1.png"
 }
 
