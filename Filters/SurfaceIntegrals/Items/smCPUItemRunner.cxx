@@ -16,12 +16,20 @@ namespace sm
 {
 namespace
 {
-// Largest number of rows at a time: 512 KiB for each column.
-constexpr std::size_t RowsOfChunk = 65536;
+// Largest number of rows at a time: they, and their items, stay in the processor's caches.
+constexpr std::size_t RowsOfChunk = 4096;
 // Estimated cost between two calls of shouldContinue: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
-// Number of items per task of a thread.
-constexpr std::size_t ItemsPerTask = 16;
+// Least number of segments per task of a thread, and number of tasks of each thread: every task has buffers of its own.
+constexpr std::size_t SegmentsPerTask = 64;
+constexpr std::size_t TasksPerThread = 16;
+
+/// Number of `count` parts of work per task.
+std::size_t GetGrain(std::size_t count, std::size_t least)
+{
+  const auto threads = static_cast<std::size_t>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
+  return std::max(count / (TasksPerThread * threads), least);
+}
 
 double FindLargest(const double* rows, std::size_t count, int stride)
 {
@@ -77,7 +85,7 @@ std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const std
   firsts.push_back(sorted.size());
   // An integer, so that the sum does not depend on the order.
   std::atomic<std::int64_t> spent{ 0 };
-  ParallelFor(firsts.size() - 1, std::max<std::size_t>(ItemsPerTask / lanes, 1),
+  ParallelFor(firsts.size() - 1, GetGrain(firsts.size() - 1, 1),
     [&](std::size_t from, std::size_t to)
     {
       KernelScratch scratch(*data.Layout);
@@ -232,15 +240,14 @@ bool CPUItemRunner::Sum(
   }
   sums.assign(segments.size() * stride, 0.0);
   largestGaps.assign(segments.size(), 0.0);
-  ParallelFor(segments.size(), ItemsPerTask,
+  ParallelFor(segments.size(), GetGrain(segments.size(), SegmentsPerTask),
     [&](std::size_t from, std::size_t to)
     {
-      std::vector<double> errors;
       for (std::size_t i = from; i < to; ++i)
       {
         const auto [first, last] = segments[i];
         const double* rows = self.Rows.data() + static_cast<std::size_t>(first) * stride;
-        SumRows(rows, last - first, stride, errors, sums.data() + i * stride);
+        SumRows(rows, last - first, stride, sums.data() + i * stride);
         largestGaps[i] = FindLargest(rows + RowLayout::LargestGap, last - first, stride);
       }
     });
