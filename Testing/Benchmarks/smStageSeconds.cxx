@@ -10,6 +10,7 @@
 #include <vtkTimerLog.h>
 #include <vtkTrimmedNURBSModel.h>
 
+#include <algorithm>
 #include <set>
 
 namespace smtest
@@ -62,7 +63,51 @@ const std::vector<std::string>& GetStageNames()
   return names;
 }
 
-void MeasureStages(const std::string& path, bool onlyRead, sm::Json& seconds, sm::Json& result)
+namespace
+{
+double GetIntegrateSeconds(vtkMassPropertiesGPU* mass)
+{
+  UpdateCost compute;
+  mass->Update();
+  compute.Stop();
+  return compute.GetShare(mass->GetIntegrateSeconds());
+}
+
+void MeasureMass(vtkSTEPReader* reader, int repeats, sm::Json& seconds, sm::Json& result)
+{
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputConnection(reader->GetOutputPort());
+  mass->SetBackend(vtkMassPropertiesGPU::CPU);
+  mass->CacheFaceResultsOff();
+  UpdateCost compute;
+  mass->Update();
+  compute.Stop();
+  const double cut = mass->GetCutSeconds();
+  const double plan = mass->GetPlanSeconds();
+  seconds["cut"] = compute.GetShare(cut);
+  seconds["plan"] = compute.GetShare(plan);
+  seconds["upload"] = compute.GetShare(mass->GetPrepareSeconds() - cut - plan);
+  double integrate = compute.GetShare(mass->GetIntegrateSeconds());
+  seconds["analyse"] = compute.GetRest(mass->GetPrepareSeconds() + mass->GetIntegrateSeconds());
+  // Panels and plans are known, results are not.
+  for (int i = 1; i < repeats; ++i)
+  {
+    mass->Modified();
+    integrate = std::min(integrate, GetIntegrateSeconds(mass));
+  }
+  seconds["integrate"] = integrate;
+  result["status"] = mass->GetStatus();
+  result["volume"] = mass->GetVolume();
+  result["volume_bound"] = mass->GetVolumeBound();
+  double center[3];
+  mass->GetCenterOfMass(center);
+  result["center"] = { center[0], center[1], center[2] };
+  result["center_bound"] = mass->GetCenterOfMassBound();
+  result["evaluations"] = mass->GetEvaluations();
+}
+}
+
+void MeasureStages(const std::string& path, int repeats, sm::Json& seconds, sm::Json& result)
 {
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(path.c_str());
@@ -80,30 +125,9 @@ void MeasureStages(const std::string& path, bool onlyRead, sm::Json& seconds, sm
   seconds["mesh"] = read.GetShare(mesh);
   seconds["convert"] = read.GetShare(convert);
   Count(reader->GetOutput(), result);
-  if (onlyRead)
+  if (repeats > 0)
   {
-    return;
+    MeasureMass(reader, repeats, seconds, result);
   }
-  vtkNew<vtkMassPropertiesGPU> mass;
-  mass->SetInputConnection(reader->GetOutputPort());
-  mass->SetBackend(vtkMassPropertiesGPU::CPU);
-  UpdateCost compute;
-  mass->Update();
-  compute.Stop();
-  const double cut = mass->GetCutSeconds();
-  const double plan = mass->GetPlanSeconds();
-  seconds["cut"] = compute.GetShare(cut);
-  seconds["plan"] = compute.GetShare(plan);
-  seconds["upload"] = compute.GetShare(mass->GetPrepareSeconds() - cut - plan);
-  seconds["integrate"] = compute.GetShare(mass->GetIntegrateSeconds());
-  seconds["analyse"] = compute.GetRest(mass->GetPrepareSeconds() + mass->GetIntegrateSeconds());
-  result["status"] = mass->GetStatus();
-  result["volume"] = mass->GetVolume();
-  result["volume_bound"] = mass->GetVolumeBound();
-  double center[3];
-  mass->GetCenterOfMass(center);
-  result["center"] = { center[0], center[1], center[2] };
-  result["center_bound"] = mass->GetCenterOfMassBound();
-  result["evaluations"] = mass->GetEvaluations();
 }
 }
