@@ -1,7 +1,5 @@
 #include "smStageSeconds.h"
 
-#include "smProcessorTime.h"
-
 #include <vtkMassPropertiesGPU.h>
 #include <vtkNURBSDataSet.h>
 #include <vtkNew.h>
@@ -11,29 +9,31 @@
 #include <vtkTrimmedNURBSModel.h>
 
 #include <algorithm>
+#include <ctime>
 #include <set>
+
+/// In a program with this file the clock of VTK is the processor's time, and so are the seconds of our stages, which go by it. A stage
+/// during which other programs have the processor is no longer then.
+double vtkTimerLog::GetUniversalTime()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 namespace smtest
 {
 namespace
 {
-/// Processor time of an update. Its stages are known in seconds of a clock: they get their share of the processor's, and so does the rest.
+/// Seconds of an update.
 class UpdateCost
 {
 public:
-  void Stop()
-  {
-    this->Processor = this->Watch.GetSeconds();
-    this->Clock = vtkTimerLog::GetUniversalTime() - this->Start;
-  }
-  double GetShare(double clock) const { return this->Processor * clock / this->Clock; }
-  double GetRest(double clock) const { return this->GetShare(this->Clock - clock); }
+  void Stop() { this->Seconds = vtkTimerLog::GetUniversalTime() - this->Start; }
+  /// What is left beside stages.
+  double GetRest(double stages) const { return this->Seconds - stages; }
 
 private:
-  ProcessorTime Watch;
   double Start = vtkTimerLog::GetUniversalTime();
-  double Processor = 0.0;
-  double Clock = 1.0;
+  double Seconds = 0.0;
 };
 
 void Count(vtkPartitionedDataSetCollection* parts, sm::Json& result)
@@ -70,7 +70,7 @@ double GetIntegrateSeconds(vtkMassPropertiesGPU* mass)
   UpdateCost compute;
   mass->Update();
   compute.Stop();
-  return compute.GetShare(mass->GetIntegrateSeconds());
+  return mass->GetIntegrateSeconds();
 }
 
 void MeasureMass(vtkSTEPReader* reader, int repeats, sm::Json& seconds, sm::Json& result)
@@ -84,10 +84,10 @@ void MeasureMass(vtkSTEPReader* reader, int repeats, sm::Json& seconds, sm::Json
   compute.Stop();
   const double cut = mass->GetCutSeconds();
   const double plan = mass->GetPlanSeconds();
-  seconds["cut"] = compute.GetShare(cut);
-  seconds["plan"] = compute.GetShare(plan);
-  seconds["upload"] = compute.GetShare(mass->GetPrepareSeconds() - cut - plan);
-  double integrate = compute.GetShare(mass->GetIntegrateSeconds());
+  seconds["cut"] = cut;
+  seconds["plan"] = plan;
+  seconds["upload"] = mass->GetPrepareSeconds() - cut - plan;
+  double integrate = mass->GetIntegrateSeconds();
   seconds["analyse"] = compute.GetRest(mass->GetPrepareSeconds() + mass->GetIntegrateSeconds());
   // Panels and plans are known, results are not.
   for (int i = 1; i < repeats; ++i)
@@ -118,12 +118,12 @@ void MeasureStages(const std::string& path, int repeats, sm::Json& seconds, sm::
   const double convert = reader->GetConversionSeconds();
   const double trims = reader->GetTrimSeconds();
   const double parse = reader->GetParseSeconds();
-  seconds["parse"] = read.GetShare(parse);
+  seconds["parse"] = parse;
   // The reader's work beside its stages belongs to the transfer.
   seconds["transfer"] = read.GetRest(parse + trims + mesh + convert);
-  seconds["trims"] = read.GetShare(trims);
-  seconds["mesh"] = read.GetShare(mesh);
-  seconds["convert"] = read.GetShare(convert);
+  seconds["trims"] = trims;
+  seconds["mesh"] = mesh;
+  seconds["convert"] = convert;
   Count(reader->GetOutput(), result);
   if (repeats > 0)
   {
