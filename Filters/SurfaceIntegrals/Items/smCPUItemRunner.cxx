@@ -31,6 +31,12 @@ std::size_t GetGrain(std::size_t count, std::size_t least)
   return std::max(count / (TasksPerThread * threads), least);
 }
 
+/// Lanes for so many items: four half as wide take less time than eight that are half empty. Fewer have no fused multiply-add.
+int GetLanesOf(int count, int widest)
+{
+  return widest == 8 && count <= 4 ? 4 : widest;
+}
+
 double FindLargest(const double* rows, std::size_t count, int stride)
 {
   double largest = count > 0 ? rows[0] : 0.0;
@@ -99,7 +105,7 @@ std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const std
         {
           together[lane] = getItem(sorted[firsts[group] + lane].second);
         }
-        EvaluateItems(data, together, count, count == 1 ? 1 : lanes, scratch, results);
+        EvaluateItems(data, together, count, GetLanesOf(count, lanes), scratch, results);
         for (int lane = 0; lane < count; ++lane)
         {
           unconverged[sorted[firsts[group] + lane].second] = results[lane].Converged ? 0 : 1;
