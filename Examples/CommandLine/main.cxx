@@ -16,6 +16,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fcntl.h>
 #include <iostream>
 #include <unistd.h>
@@ -241,14 +242,14 @@ int DrawCompared(const sm::Arguments& arguments, const sm::Json& comparison, Pro
   return problem.empty() ? sm::AllOk : sm::Complain("no picture " + job.PictureName + ": " + problem);
 }
 
-int Run(const sm::Arguments& arguments)
+int Run(const sm::Arguments& arguments, double processStart)
 {
   const bool showTable =
     !arguments.Quiet && arguments.Print.empty() && arguments.Json != "-" && arguments.Csv != "-";
   const std::vector<sm::JobOptions> jobs = MakeJobs(arguments);
   const std::string count = std::to_string(jobs.size());
   ProgressLine progress(!arguments.Quiet);
-  sm::ReportFiles reports(arguments);
+  sm::ReportFiles reports(arguments, processStart);
   std::vector<sm::Json> compared;
   int exitStatus = sm::AllOk;
   IgnoreWriteSignals(arguments);
@@ -314,12 +315,14 @@ int Run(const sm::Arguments& arguments)
 
 int main(int argc, char** argv)
 {
+  // What the process has used until here is the loading of its libraries.
+  const double processStart = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   OccupyStandardStreams();
   sm::Arguments arguments;
   const std::optional<int> done = sm::ParseArguments(argc, argv, arguments);
   if (!done)
   {
-    return Run(arguments);
+    return Run(arguments, processStart);
   }
   return std::cout.flush() ? *done : sm::Complain("the standard output cannot be written");
 }

@@ -38,7 +38,7 @@ int ReportFiles::SaveAll(bool isLast)
   int exitStatus = AllOk;
   if (isDue(this->JsonName))
   {
-    Json document = { { "version", 2 }, { "files", this->Files } };
+    Json document = { { "version", 2 }, { "process_start", this->ProcessStart }, { "files", this->Files } };
     if (this->Comparison)
     {
       document["comparison"] = *this->Comparison;

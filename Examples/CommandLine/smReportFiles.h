@@ -22,8 +22,10 @@ namespace sm
 class ReportFiles
 {
 public:
-  explicit ReportFiles(const Arguments& arguments)
-    : JsonName(arguments.Json)
+  /// `processStart`: the processor's seconds before main().
+  ReportFiles(const Arguments& arguments, double processStart)
+    : ProcessStart(processStart)
+    , JsonName(arguments.Json)
     , CsvName(arguments.Csv)
     , PartsName(arguments.PartsCsv)
     , UrdfName(arguments.Urdf)
@@ -44,6 +46,7 @@ private:
   int Save(const std::string& name, const std::string& text, size_t& saved, bool isLast);
   int SaveAll(bool isLast);
 
+  double ProcessStart;
   std::string JsonName;
   std::string CsvName;
   std::string PartsName;

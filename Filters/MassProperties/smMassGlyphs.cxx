@@ -3,7 +3,6 @@
 #include "smBodyScales.h"
 #include "smMassPropertyNames.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -14,30 +13,136 @@
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace sm
 {
 namespace
 {
-/// Appends a glyph and gives its cells the colour of its result.
-void Append(vtkAppendPolyData* glyphs, vtkPolyData* glyph, Status status)
+/// A sphere or axes, and the result whose colour they have.
+struct Glyph
+{
+  vtkSmartPointer<vtkPolyData> Shape;
+  Status Result;
+};
+
+/// The lines or the polygons of all glyphs; a single glyph's are shared if its points are the first ones.
+vtkSmartPointer<vtkCellArray> JoinCells(
+  const std::vector<Glyph>& glyphs, vtkCellArray* (vtkPolyData::*getCells)())
+{
+  vtkSmartPointer<vtkCellArray> cells;
+  vtkIdType offset = 0;
+  bool isShared = false;
+  for (const Glyph& glyph : glyphs)
+  {
+    vtkCellArray* own = (glyph.Shape->*getCells)();
+    if (own->GetNumberOfCells() > 0)
+    {
+      if (!cells && offset == 0)
+      {
+        cells = own;
+        isShared = true;
+      }
+      else
+      {
+        auto joined = vtkSmartPointer<vtkCellArray>::New();
+        if (isShared)
+        {
+          joined->DeepCopy(cells);
+        }
+        cells = isShared || !cells ? joined : cells;
+        isShared = false;
+        cells->Append(own, offset);
+      }
+    }
+    offset += glyph.Shape->GetNumberOfPoints();
+  }
+  return cells;
+}
+
+vtkSmartPointer<vtkPoints> JoinPoints(const std::vector<Glyph>& glyphs)
+{
+  if (glyphs.size() == 1)
+  {
+    return glyphs[0].Shape->GetPoints();
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  for (const Glyph& glyph : glyphs)
+  {
+    points->InsertPoints(
+      points->GetNumberOfPoints(), glyph.Shape->GetNumberOfPoints(), 0, glyph.Shape->GetPoints());
+  }
+  return points;
+}
+
+/// Normals, if all glyphs have them: axes have none.
+vtkSmartPointer<vtkDataArray> JoinNormals(const std::vector<Glyph>& glyphs)
+{
+  vtkSmartPointer<vtkDataArray> normals;
+  for (const Glyph& glyph : glyphs)
+  {
+    vtkDataArray* own = glyph.Shape->GetPointData()->GetNormals();
+    if (!own || glyphs.size() == 1)
+    {
+      return own;
+    }
+    if (!normals)
+    {
+      normals.TakeReference(own->NewInstance());
+      normals->SetName(own->GetName());
+      normals->SetNumberOfComponents(3);
+    }
+    normals->InsertTuples(normals->GetNumberOfTuples(), own->GetNumberOfTuples(), 0, own);
+  }
+  return normals;
+}
+
+/// Colours of lines, then of polygons, as polydata numbers its cells.
+vtkSmartPointer<vtkUnsignedCharArray> MakeColors(const std::vector<Glyph>& glyphs)
 {
   const unsigned char green[3] = { 26, 179, 51 };
   const unsigned char red[3] = { 217, 26, 26 };
-  const unsigned char* color = status == Status::Ok ? green : red;
-  vtkNew<vtkUnsignedCharArray> colors;
+  vtkIdType cells = 0;
+  for (const Glyph& glyph : glyphs)
+  {
+    cells += glyph.Shape->GetNumberOfCells();
+  }
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
   colors->SetName(names::Color);
   colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(glyph->GetNumberOfCells());
-  for (int i = 0; i < 3; ++i)
+  unsigned char* next = colors->WritePointer(0, 3 * cells);
+  const auto fill = [&](const Glyph& glyph, vtkIdType count)
   {
-    colors->FillComponent(i, color[i]);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      next = std::copy_n(glyph.Result == Status::Ok ? green : red, 3, next);
+    }
+  };
+  for (const Glyph& glyph : glyphs)
+  {
+    fill(glyph, glyph.Shape->GetNumberOfLines());
   }
-  vtkNew<vtkPolyData> colored;
-  colored->ShallowCopy(glyph);
-  colored->GetCellData()->SetScalars(colors);
-  glyphs->AddInputData(colored);
+  for (const Glyph& glyph : glyphs)
+  {
+    fill(glyph, glyph.Shape->GetNumberOfPolys());
+  }
+  return colors;
+}
+
+/// Sets points and cells. vtkAppendPolyData, a pipeline of its own for every update, takes several times as long.
+void Join(const std::vector<Glyph>& glyphs, vtkPolyData* output)
+{
+  output->SetPoints(JoinPoints(glyphs));
+  output->SetLines(JoinCells(glyphs, &vtkPolyData::GetLines));
+  output->SetPolys(JoinCells(glyphs, &vtkPolyData::GetPolys));
+  if (const vtkSmartPointer<vtkDataArray> normals = JoinNormals(glyphs))
+  {
+    output->GetPointData()->SetNormals(normals);
+  }
+  output->GetCellData()->SetScalars(MakeColors(glyphs));
 }
 
 vtkSmartPointer<vtkPolyData> MakeUnitSphere()
@@ -97,7 +202,7 @@ vtkSmartPointer<vtkPolyData> MakeAxes(const MassProperties& properties, double l
 void MassGlyphs::Make(const std::vector<BodyIntegrals>& bodies, const MassAnalysis& analysis, Status status,
   const MassGlyphOptions& options, vtkPolyData* output)
 {
-  vtkNew<vtkAppendPolyData> glyphs;
+  std::vector<Glyph> glyphs;
   const auto add = [&](const MassProperties& properties, double diagonal, Status result)
   {
     if (!std::isfinite(properties.Center[0]) || !(diagonal > 0.0))
@@ -107,11 +212,11 @@ void MassGlyphs::Make(const std::vector<BodyIntegrals>& bodies, const MassAnalys
     if (options.Scale > 0.0)
     {
       this->UnitSphere = this->UnitSphere ? this->UnitSphere : MakeUnitSphere();
-      Append(glyphs, MakeSphere(this->UnitSphere, properties.Center, options.Scale * diagonal), result);
+      glyphs.push_back({ MakeSphere(this->UnitSphere, properties.Center, options.Scale * diagonal), result });
     }
     if (options.ShowPrincipalAxes && !properties.AxesDegenerate)
     {
-      Append(glyphs, MakeAxes(properties, 0.3 * diagonal), result);
+      glyphs.push_back({ MakeAxes(properties, 0.3 * diagonal), result });
     }
   };
   vtkBoundingBox all;
@@ -124,16 +229,9 @@ void MassGlyphs::Make(const std::vector<BodyIntegrals>& bodies, const MassAnalys
     }
   }
   add(analysis.Total.Properties, all.IsValid() ? all.GetDiagonalLength() : 0.0, status);
-  if (glyphs->GetNumberOfInputConnections(0) > 0)
+  if (!glyphs.empty())
   {
-    glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    glyphs->Update();
-    output->SetPoints(glyphs->GetOutput()->GetPoints());
-    output->SetVerts(glyphs->GetOutput()->GetVerts());
-    output->SetLines(glyphs->GetOutput()->GetLines());
-    output->SetPolys(glyphs->GetOutput()->GetPolys());
-    output->GetPointData()->ShallowCopy(glyphs->GetOutput()->GetPointData());
-    output->GetCellData()->ShallowCopy(glyphs->GetOutput()->GetCellData());
+    Join(glyphs, output);
   }
 }
 }

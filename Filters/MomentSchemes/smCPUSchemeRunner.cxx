@@ -214,12 +214,11 @@ bool CPUSchemeRunner::Run(
   ParallelFor(tiles, 1,
     [&](std::size_t from, std::size_t to)
     {
-      std::vector<double> errors;
       for (std::size_t i = from; i < to; ++i)
       {
         const std::size_t begin = static_cast<std::size_t>(batch.Tiles[i].Begin[0]) * NumberOfSchemeColumns;
         SumRows(lists.Rows.data() + begin, batch.Ranges[i].GetNumberOfSubPatches(), NumberOfSchemeColumns,
-          errors, results.Sums.data() + i * NumberOfSchemeColumns);
+          results.Sums.data() + i * NumberOfSchemeColumns);
       }
     });
   results.Texels.clear();

@@ -23,14 +23,25 @@ std::uint64_t HashCoordinates(vtkPoints* points)
   const auto* bytes = static_cast<const unsigned char*>(data->GetVoidPointer(0));
   const std::size_t size = static_cast<std::size_t>(data->GetNumberOfValues()) * data->GetDataTypeSize();
   std::uint64_t lanes[4] = { 1, 2, 3, size };
-  std::size_t lane = 0;
-  for (std::size_t i = 0; i < size; i += sizeof(std::uint64_t), lane = (lane + 1) % 4)
+  std::uint64_t words[4];
+  const auto add = [&lanes, &words]()
   {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes + i, std::min(sizeof(word), size - i));
-    lanes[lane] = (lanes[lane] ^ word) * 0x9E3779B97F4A7C15u;
-    lanes[lane] ^= lanes[lane] >> 32;
+    for (int lane = 0; lane < 4; ++lane)
+    {
+      lanes[lane] = (lanes[lane] ^ words[lane]) * 0x9E3779B97F4A7C15u;
+      lanes[lane] ^= lanes[lane] >> 32;
+    }
+  };
+  std::size_t i = 0;
+  for (; i + sizeof(words) <= size; i += sizeof(words))
+  {
+    std::memcpy(words, bytes + i, sizeof(words));
+    add();
   }
+  // What is left, and zeros.
+  std::fill_n(words, 4, 0);
+  std::memcpy(words, bytes + i, size - i);
+  add();
   std::uint64_t hash = 0;
   for (const std::uint64_t value : lanes)
   {

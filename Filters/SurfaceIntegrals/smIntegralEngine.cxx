@@ -7,6 +7,7 @@
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -284,7 +285,7 @@ bool IntegralEngine::Integrate(
     auto& faces = shared[{ firstTask[i], bodies[i].Model }];
     if (!faces)
     {
-      const auto first = results.begin() + static_cast<std::ptrdiff_t>(firstTask[i]);
+      const auto first = std::make_move_iterator(results.begin() + static_cast<std::ptrdiff_t>(firstTask[i]));
       faces = std::make_shared<const std::vector<FaceIntegrals>>(
         first, first + static_cast<std::ptrdiff_t>(bodies[i].Model->GetNumberOfFaces()));
     }

@@ -2,6 +2,7 @@
 #include "smCoedgeGaps.h"
 #include "smIntegrationOrders.h"
 #include "smSurfaceIntegratorInternals.h"
+#include "smUnitRoundoff.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,7 +110,9 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
     for (int k = 0; k < layout.GetNumberOfIntegrands(); ++k)
     {
       const std::size_t to = this->Chosen[k];
+      const double before = values[to];
       values[to] += sum[layout.GetValue(k)];
+      result.Rounding[to] += before != 0.0 ? UnitRoundoff * std::abs(values[to]) : 0.0;
       result.QuadratureError[to] += sum[layout.GetError(k)];
       result.Rounding[to] += sum[layout.GetRounding(k)];
     }
@@ -260,6 +263,10 @@ bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
   for (std::size_t begin = 0; begin < items.size(); begin = end)
   {
     end = std::min(begin + portion, items.size());
+    if (begin == 0 && end == items.size())
+    {
+      return this->RunItems(items, batch, depth, results);
+    }
     if (end < items.size() && items[begin].GetSlot() != items[end].GetSlot())
     {
       while (items[end - 1].GetSlot() == items[end].GetSlot())
@@ -282,6 +289,13 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
 {
   std::vector<WorkItem> items;
   std::vector<ItemRunner::BatchFace> faces;
+  std::size_t count = 0;
+  for (const std::size_t face : batch)
+  {
+    count += this->GetNumberOfItems(face);
+  }
+  items.reserve(count);
+  faces.reserve(batch.size());
   for (std::size_t slot = 0; slot < batch.size(); ++slot)
   {
     const FaceTask& task = tasks[batch[slot]];

@@ -82,7 +82,7 @@ Json MeasureHere(const std::string& path)
   Json seconds = Json::object();
   vtkSMPTools::SetBackend("Sequential");
   const long long before = smtest::GetAllocatedBytes();
-  smtest::MeasureStages(path, false, seconds, result);
+  smtest::MeasureStages(path, 1, seconds, result);
   result["seconds"] = seconds;
   result["allocated_bytes"] = smtest::GetAllocatedBytes() - before;
   return result;

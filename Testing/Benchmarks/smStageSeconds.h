@@ -16,11 +16,12 @@ namespace smtest
 const std::vector<std::string>& GetStageNames();
 
 /**
- * Reads a file and, unless `onlyRead`, computes its mass properties at a tolerance of 1e-9, with vtkSMPTools' backend as it is. `seconds`
- * gets a number per stage; `result` the faces of all parts, the points and triangles of their meshes, the status, volume and centre
- * with their bounds, and evaluations. Numbers of one thread are processor's seconds; of several, each stage gets its share by the clock.
+ * Reads a file and computes its mass properties at a tolerance of 1e-9, with vtkSMPTools' backend as it is, the integrals `repeats`
+ * times. `seconds` gets a number per stage, of the integrals the least; `result` the faces of all parts, the points and triangles of
+ * their meshes, the status, volume and centre with their bounds, and evaluations. All are the processor's seconds, of all threads
+ * together: in a program with this function vtkTimerLog::GetUniversalTime() is the processor's time.
  */
-void MeasureStages(const std::string& path, bool onlyRead, sm::Json& seconds, sm::Json& result);
+void MeasureStages(const std::string& path, int repeats, sm::Json& seconds, sm::Json& result);
 }
 
 #endif

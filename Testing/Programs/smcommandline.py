@@ -39,6 +39,7 @@ def run_json(*arguments):
         check_true("JSON is valid", False, f"{error}: {result.stdout[:300]} {result.stderr[:300]}")
         sys.exit(1)
     check_equal("version", 2, document["version"])
+    check_true("loading the program takes its time", 0.0 < document["process_start"] < 60.0, str(document["process_start"]))
     for file in document["files"]:
         check_equal("keys of a file", [], sorted(FILE_KEYS - set(file)))
         check_equal("keys of the total", [], sorted(BODY_KEYS - set(file["total"])))

@@ -16,12 +16,26 @@ namespace sm
 {
 namespace
 {
-// Largest number of rows at a time: 512 KiB for each column.
-constexpr std::size_t RowsOfChunk = 65536;
+// Largest number of rows at a time: they, and their items, stay in the processor's caches.
+constexpr std::size_t RowsOfChunk = 4096;
 // Estimated cost between two calls of shouldContinue: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
-// Number of items per task of a thread.
-constexpr std::size_t ItemsPerTask = 16;
+// Least number of segments per task of a thread, and number of tasks of each thread: every task has buffers of its own.
+constexpr std::size_t SegmentsPerTask = 64;
+constexpr std::size_t TasksPerThread = 16;
+
+/// Number of `count` parts of work per task.
+std::size_t GetGrain(std::size_t count, std::size_t least)
+{
+  const auto threads = static_cast<std::size_t>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
+  return std::max(count / (TasksPerThread * threads), least);
+}
+
+/// Lanes for so many items: four half as wide take less time than eight that are half empty. Fewer have no fused multiply-add.
+int GetLanesOf(int count, int widest)
+{
+  return widest == 8 && count <= 4 ? 4 : widest;
+}
 
 double FindLargest(const double* rows, std::size_t count, int stride)
 {
@@ -77,7 +91,7 @@ std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const std
   firsts.push_back(sorted.size());
   // An integer, so that the sum does not depend on the order.
   std::atomic<std::int64_t> spent{ 0 };
-  ParallelFor(firsts.size() - 1, std::max<std::size_t>(ItemsPerTask / lanes, 1),
+  ParallelFor(firsts.size() - 1, GetGrain(firsts.size() - 1, 1),
     [&](std::size_t from, std::size_t to)
     {
       KernelScratch scratch(*data.Layout);
@@ -91,7 +105,7 @@ std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const std
         {
           together[lane] = getItem(sorted[firsts[group] + lane].second);
         }
-        EvaluateItems(data, together, count, count == 1 ? 1 : lanes, scratch, results);
+        EvaluateItems(data, together, count, GetLanesOf(count, lanes), scratch, results);
         for (int lane = 0; lane < count; ++lane)
         {
           unconverged[sorted[firsts[group] + lane].second] = results[lane].Converged ? 0 : 1;
@@ -232,15 +246,14 @@ bool CPUItemRunner::Sum(
   }
   sums.assign(segments.size() * stride, 0.0);
   largestGaps.assign(segments.size(), 0.0);
-  ParallelFor(segments.size(), ItemsPerTask,
+  ParallelFor(segments.size(), GetGrain(segments.size(), SegmentsPerTask),
     [&](std::size_t from, std::size_t to)
     {
-      std::vector<double> errors;
       for (std::size_t i = from; i < to; ++i)
       {
         const auto [first, last] = segments[i];
         const double* rows = self.Rows.data() + static_cast<std::size_t>(first) * stride;
-        SumRows(rows, last - first, stride, errors, sums.data() + i * stride);
+        SumRows(rows, last - first, stride, sums.data() + i * stride);
         largestGaps[i] = FindLargest(rows + RowLayout::LargestGap, last - first, stride);
       }
     });

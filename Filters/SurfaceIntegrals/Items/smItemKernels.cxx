@@ -6,7 +6,9 @@
 #include "smPortableCxx.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
 
 namespace sm
@@ -135,29 +137,38 @@ private:
   const uint smStride;
 };
 
-/// Writes arrays of one lane between those of the others.
+/// Writes arrays of all lanes side by side.
 class LaneWriter
 {
 public:
-  LaneWriter(double* buffer, int lanes, int lane)
-    : Lane(buffer + lane)
+  LaneWriter(double* buffer, int lanes)
+    : Buffer(buffer)
     , Lanes(lanes)
   {
   }
-  /// Writes entries from the entry `at` on, and moves `at` beyond them.
-  void Write(const double* from, std::size_t size, std::size_t& at)
+  /// Writes `size` doubles of each lane from the entry `at` on, and moves `at` beyond them.
+  void Write(const std::array<const double*, MostLanes>& from, std::size_t size, std::size_t& at) const
   {
-    double* to = this->Lane + at * this->Lanes;
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      to[i * this->Lanes] = from[i];
-    }
+    double* to = this->Buffer + at * this->Lanes;
     at += size;
+    switch (this->Lanes)
+    {
+#ifdef SM_WIDE_LANES
+      case 8:
+        return InterleaveLanes8(from.data(), size, to);
+      case 4:
+        return InterleaveLanes4(from.data(), size, to);
+#endif
+      case 2:
+        return InterleaveLanes2(from.data(), size, to);
+      default:
+        std::copy_n(from[0], size, to);
+    }
   }
 
 private:
-  double* const Lane;
-  const std::size_t Lanes;
+  double* const Buffer;
+  const int Lanes;
 };
 
 /// Sizes of the arrays that items read.
@@ -192,39 +203,54 @@ const Patch* GetPatch(const KernelItem& item)
   return item.Item->Kind == ItemKind::Cap ? nullptr : &item.Face->Patches[item.Item->Work.Item[0]];
 }
 
-/// Writes what an item reads, in the order of InputSizes.
-void WriteLane(const KernelData& data, const KernelItem& item, const InputSizes& sizes, LaneWriter writer)
+/// Writes what items read, in the order of InputSizes. Lanes beyond the last item repeat it.
+void WriteLanes(
+  const KernelData& data, const KernelItem* items, int count, int lanes, const InputSizes& sizes, double* to)
 {
-  const WorkRecord& work = item.Item->Work;
-  const Patch* patch = GetPatch(item);
+  const LaneWriter writer(to, lanes);
+  std::array<const double*, MostLanes> from;
   std::size_t at = 0;
-  writer.Write(work.Range, 4, at);
-  if (patch)
+  const auto write = [&](std::size_t size, const auto& getArray)
   {
-    writer.Write(patch->Center, 3, at);
-    writer.Write(&patch->Radius, 1, at);
-    writer.Write(patch->Start, 2, at);
-    writer.Write(patch->Width, 2, at);
-    writer.Write(patch->Stretch, 2, at);
+    for (int lane = 0; lane < lanes; ++lane)
+    {
+      from[lane] = getArray(items[std::min(lane, count - 1)]);
+    }
+    writer.Write(from, size, at);
+  };
+  const auto getWork = [](const KernelItem& item) -> const WorkRecord& { return item.Item->Work; };
+  const bool hasPatch = GetPatch(items[0]) != nullptr;
+  write(4, [&](const KernelItem& item) { return getWork(item).Range; });
+  if (hasPatch)
+  {
+    // Centre, radius, start and width are one after another.
+    static_assert(offsetof(Patch, Width) - offsetof(Patch, Center) == 6 * sizeof(double));
+    write(8, [](const KernelItem& item) { return GetPatch(item)->Center; });
+    write(2, [](const KernelItem& item) { return GetPatch(item)->Stretch; });
   }
   at = InputSizes::PlacementBegin;
   if (data.Setup->UsePlacements)
   {
-    writer.Write(data.Parameters + data.PlacementOffset + 12 * work.Item[3], 12, at);
+    write(12,
+      [&](const KernelItem& item)
+      { return data.Parameters + data.PlacementOffset + 12 * getWork(item).Item[3]; });
   }
   at = InputSizes::CoefficientsBegin;
-  if (patch)
+  if (hasPatch)
   {
-    writer.Write(item.Face->Coefficients.data() + work.Item[1], sizes.Trim, at);
-    writer.Write(item.Face->Coefficients.data() + work.Detail[1], sizes.Edge, at);
-    writer.Write(item.Face->Points[patch->FirstPoint].data(), sizes.Points, at);
+    write(sizes.Trim,
+      [&](const KernelItem& item) { return item.Face->Coefficients.data() + getWork(item).Item[1]; });
+    write(sizes.Edge,
+      [&](const KernelItem& item) { return item.Face->Coefficients.data() + getWork(item).Detail[1]; });
+    write(sizes.Points,
+      [&](const KernelItem& item) { return item.Face->Points[GetPatch(item)->FirstPoint].data(); });
     return;
   }
-  const Cap& cap = item.Face->Caps[work.Item[1] / 9u];
-  for (const std::array<double, 3>* point : { &cap.Apex, &cap.From, &cap.To })
-  {
-    writer.Write(point->data(), 3, at);
-  }
+  const auto getCap = [&](const KernelItem& item) -> const Cap&
+  { return item.Face->Caps[getWork(item).Item[1] / 9u]; };
+  write(3, [&](const KernelItem& item) { return getCap(item).Apex.data(); });
+  write(3, [&](const KernelItem& item) { return getCap(item).From.data(); });
+  write(3, [&](const KernelItem& item) { return getCap(item).To.data(); });
 }
 
 /// Returns the next address that is aligned for the widest vector registers.
@@ -297,11 +323,7 @@ void EvaluateItems(const KernelData& data, const KernelItem* items, int count, i
     scratch.Inputs.resize(sizes.GetTotal() * lanes);
   }
   double* inputs = scratch.Inputs.data();
-  for (int lane = 0; lane < lanes; ++lane)
-  {
-    // The lanes beyond the last item repeat it.
-    WriteLane(data, items[std::min(lane, count - 1)], sizes, LaneWriter(inputs, lanes, lane));
-  }
+  WriteLanes(data, items, count, lanes, sizes, inputs);
   const SampleFormulas& formulas = *data.Formulas;
   const std::size_t terms = formulas.Terms.size();
   const std::size_t magnitudes = formulas.Magnitudes.size();

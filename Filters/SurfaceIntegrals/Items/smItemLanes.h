@@ -53,6 +53,20 @@ unsigned int IntegrateLanes2(const ItemLanes& items);
 unsigned int IntegrateLanes4(const ItemLanes& items);
 unsigned int IntegrateLanes8(const ItemLanes& items);
 ///@}
+
+///@{
+/// Writes entry i of the array from[l], of `size` doubles, to to[i * (number of lanes) + l].
+void InterleaveLanes2(const double* const* from, std::size_t size, double* to);
+void InterleaveLanes4(const double* const* from, std::size_t size, double* to);
+void InterleaveLanes8(const double* const* from, std::size_t size, double* to);
+///@}
+
+///@{
+/// sm::SumRows with that many columns side by side.
+void SumRowsLanes2(const double* rows, std::size_t count, int stride, double* sums);
+void SumRowsLanes4(const double* rows, std::size_t count, int stride, double* sums);
+void SumRowsLanes8(const double* rows, std::size_t count, int stride, double* sums);
+///@}
 }
 
 #endif

@@ -46,36 +46,34 @@ public:
   {
   }
 
-  unsigned int Integrate()
+  // Everything is compiled into these: vectors as arguments of functions would go through memory.
+  __attribute__((flatten)) unsigned int IntegratePanel()
   {
-    const smWorkRecord work = { { 0u, 0u, 0u, 0u },
-      { this->Items.Detail[0], this->Items.Detail[1], this->Items.Detail[2], this->Items.Detail[3] },
-      this->LoadVector(this->Items.Range) };
     smClear();
-    if constexpr (DegreeS == 0)
-    {
-      if (this->Items.Kind == ItemKind::Ribbon)
-      {
-        dvec3 gaps;
-        const unsigned int evaluations = smIntegrateRibbon(work, gaps);
-        auto* stored = reinterpret_cast<Number*>(this->Items.Gaps);
-        stored[0] = gaps.x;
-        stored[1] = gaps.y;
-        stored[2] = gaps.z;
-        return evaluations;
-      }
-      if (this->Items.Kind == ItemKind::Cap)
-      {
-        smIntegrateCap(work);
-        return 0u;
-      }
-    }
-    return smIntegratePanel(work);
+    return smIntegratePanel(this->MakeWork());
+  }
+  __attribute__((flatten)) unsigned int IntegrateRibbon()
+  {
+    dvec3 gaps;
+    smClear();
+    const unsigned int evaluations = smIntegrateRibbon(this->MakeWork(), gaps);
+    auto* stored = reinterpret_cast<Number*>(this->Items.Gaps);
+    stored[0] = gaps.x;
+    stored[1] = gaps.y;
+    stored[2] = gaps.z;
+    return evaluations;
+  }
+  __attribute__((flatten)) unsigned int IntegrateCap()
+  {
+    smClear();
+    smIntegrateCap(this->MakeWork());
+    return 0u;
   }
 
 private:
   static constexpr int RowSize = DegreeS > 0 ? DegreeS + 1 : MaximumDegree + 1;
-  static constexpr int BasisSize = DegreeS > 0 ? (DegreeS > DegreeR ? DegreeS : DegreeR) : MaximumDegree;
+  static constexpr int BasisSize = DegreeS > 0 && DegreeR > 0 ? (DegreeS > DegreeR ? DegreeS : DegreeR)
+                                                              : MaximumDegree;
 
   using dvec2 = LaneVector2<Number>;
   using dvec3 = LaneVector3<Number>;
@@ -101,6 +99,12 @@ private:
     Number number;
     __builtin_memcpy(&number, lanes + SM_LANES * entry, sizeof(Number));
     return number;
+  }
+  smWorkRecord MakeWork() const
+  {
+    const unsigned int* detail = this->Items.Detail;
+    return { { 0u, 0u, 0u, 0u }, { detail[0], detail[1], detail[2], detail[3] },
+      LoadVector(this->Items.Range) };
   }
   static dvec4 LoadVector(const double* lanes, unsigned int vector = 0)
   {
@@ -180,27 +184,160 @@ private:
 };
 
 template <int DegreeS, int DegreeR>
-unsigned int Integrate(const ItemLanes& items)
+using Kernel = LaneKernel<NumberOf<SM_LANES>::Type, DegreeS, DegreeR>;
+
+/// Error-free sums of Numbers.
+template <class Number>
+struct LaneSums
 {
-  return LaneKernel<NumberOf<SM_LANES>::Type, DegreeS, DegreeR>(items).Integrate();
+  using dvec2 = LaneVector2<Number>;
+#define double Number
+#include "glsl/smErrorFree.glsl"
+#undef double
+
+  /// Adds up as many columns as a Number holds.
+  static void SumColumns(const double* rows, std::size_t count, std::size_t stride, double* sums)
+  {
+    Number sum(0.0);
+    Number error(0.0);
+    for (std::size_t row = 0; row < count; ++row)
+    {
+      Number value;
+      __builtin_memcpy(&value, rows + row * stride, sizeof(Number));
+      const dvec2 next = LaneSums().smTwoSum(sum, value);
+      sum = next.x;
+      error += next.y;
+    }
+    // The accumulated errors of an infinite sum are NaN.
+    sum += SelectLanes(abs(sum) < Number(__builtin_inf()), error, Number(0.0));
+    __builtin_memcpy(sums, &sum, sizeof(Number));
+  }
+};
+
+#if SM_LANES > 1
+/// Transposes a square of Numbers: in halves, quarters and so on, as it takes the fewest moves.
+inline void Transpose(NumberOf<SM_LANES>::Type::Vector (&rows)[SM_LANES])
+{
+  using Vector = NumberOf<SM_LANES>::Type::Vector;
+  using Indices = NumberOf<SM_LANES>::Type::Mask;
+  // Unrolled, the indices are constants.
+#pragma GCC unroll 4
+  for (int half = SM_LANES / 2; half > 0; half /= 2)
+  {
+    Indices low{};
+    Indices high{};
+#pragma GCC unroll 8
+    for (int i = 0; i < SM_LANES; ++i)
+    {
+      low[i] = (i & half) == 0 ? i : SM_LANES + i - half;
+      high[i] = (i & half) == 0 ? i + half : SM_LANES + i;
+    }
+#pragma GCC unroll 8
+    for (int i = 0; i < SM_LANES; ++i)
+    {
+      if ((i & half) == 0)
+      {
+        const Vector first = rows[i];
+        const Vector second = rows[i + half];
+        rows[i] = __builtin_shuffle(first, second, low);
+        rows[i + half] = __builtin_shuffle(first, second, high);
+      }
+    }
+  }
 }
 
-/// The common degrees of panels are compiled with constants.
-unsigned int IntegrateAnyDegree(const ItemLanes& items)
+/// Entry i of array l goes to i * SM_LANES + l.
+inline void InterleaveInLanes(const double* const* from, std::size_t size, double* to)
 {
-  switch (items.Kind == ItemKind::Panel ? 100 * items.Degree[0] + items.Degree[1] : 0)
+  using Vector = NumberOf<SM_LANES>::Type::Vector;
+  std::size_t i = 0;
+  for (; i + SM_LANES <= size; i += SM_LANES)
+  {
+    Vector rows[SM_LANES];
+#pragma GCC unroll 8
+    for (int lane = 0; lane < SM_LANES; ++lane)
+    {
+      __builtin_memcpy(&rows[lane], from[lane] + i, sizeof(Vector));
+    }
+    Transpose(rows);
+    __builtin_memcpy(to + i * SM_LANES, rows, sizeof(rows));
+  }
+  for (; i < size; ++i)
+  {
+    for (int lane = 0; lane < SM_LANES; ++lane)
+    {
+      to[i * SM_LANES + lane] = from[lane][i];
+    }
+  }
+}
+#endif
+
+inline void SumRowsInLanes(const double* rows, std::size_t count, int stride, double* sums)
+{
+  int column = 0;
+  for (; column + SM_LANES <= stride; column += SM_LANES)
+  {
+    LaneSums<NumberOf<SM_LANES>::Type>::SumColumns(rows + column, count, stride, sums + column);
+  }
+  for (; column < stride; ++column)
+  {
+    LaneSums<double>::SumColumns(rows + column, count, stride, sums + column);
+  }
+}
+
+/// The common degrees are compiled with constants, others up to 6 with that of the inner direction, in which most of the work is done.
+unsigned int IntegratePanels(const ItemLanes& items)
+{
+  switch (100 * items.Degree[0] + items.Degree[1])
   {
     case 101:
-      return Integrate<1, 1>(items);
+      return Kernel<1, 1>(items).IntegratePanel();
     case 102:
-      return Integrate<1, 2>(items);
+      return Kernel<1, 2>(items).IntegratePanel();
     case 202:
-      return Integrate<2, 2>(items);
+      return Kernel<2, 2>(items).IntegratePanel();
     case 303:
-      return Integrate<3, 3>(items);
-    default:
-      return Integrate<0, 0>(items);
+      return Kernel<3, 3>(items).IntegratePanel();
   }
+  switch (items.Degree[0])
+  {
+    case 1:
+      return Kernel<1, 0>(items).IntegratePanel();
+    case 2:
+      return Kernel<2, 0>(items).IntegratePanel();
+    case 3:
+      return Kernel<3, 0>(items).IntegratePanel();
+    case 4:
+      return Kernel<4, 0>(items).IntegratePanel();
+    case 5:
+      return Kernel<5, 0>(items).IntegratePanel();
+    case 6:
+      return Kernel<6, 0>(items).IntegratePanel();
+    default:
+      return Kernel<0, 0>(items).IntegratePanel();
+  }
+}
+
+unsigned int IntegrateRibbons(const ItemLanes& items)
+{
+  switch (items.Degree[0])
+  {
+    case 1:
+      return Kernel<1, 0>(items).IntegrateRibbon();
+    case 2:
+      return Kernel<2, 0>(items).IntegrateRibbon();
+    case 3:
+      return Kernel<3, 0>(items).IntegrateRibbon();
+    default:
+      return Kernel<0, 0>(items).IntegrateRibbon();
+  }
+}
+
+unsigned int IntegrateAnyDegree(const ItemLanes& items)
+{
+  return items.Kind == ItemKind::Panel ? IntegratePanels(items)
+    : items.Kind == ItemKind::Ribbon   ? IntegrateRibbons(items)
+                                       : Kernel<0, 0>(items).IntegrateCap();
 }
 }
 }

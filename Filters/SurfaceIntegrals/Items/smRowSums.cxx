@@ -1,37 +1,23 @@
 #include "smRowSums.h"
 
-#include "smPortableCxx.h"
-
-#include <algorithm>
-#include <cmath>
+#include "smItemKernels.h"
+#include "smItemLanes.h"
 
 namespace sm
 {
-namespace
+void SumRows(const double* rows, std::size_t count, int stride, double* sums)
 {
-struct ErrorFree
-{
-#include "glsl/smErrorFree.glsl"
-};
-}
-
-void SumRows(const double* rows, std::size_t count, int stride, std::vector<double>& errors, double* sums)
-{
-  std::fill(sums, sums + stride, 0.0);
-  errors.assign(stride, 0.0);
-  for (std::size_t row = 0; row < count; ++row, rows += stride)
+  static const int lanes = GetLaneCounts().back();
+  switch (lanes)
   {
-    for (int column = 0; column < stride; ++column)
-    {
-      const dvec2 next = ErrorFree().smTwoSum(sums[column], rows[column]);
-      sums[column] = next.x;
-      errors[column] += next.y;
-    }
-  }
-  for (int column = 0; column < stride; ++column)
-  {
-    // The accumulated errors of an infinite sum are NaN.
-    sums[column] += std::isfinite(sums[column]) ? errors[column] : 0.0;
+#ifdef SM_WIDE_LANES
+    case 8:
+      return SumRowsLanes8(rows, count, stride, sums);
+    case 4:
+      return SumRowsLanes4(rows, count, stride, sums);
+#endif
+    default:
+      return SumRowsLanes2(rows, count, stride, sums);
   }
 }
 }

@@ -23,6 +23,7 @@ void AddItems(const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& it
   const int p = face.Degree[0];
   const int q = face.Degree[1];
   const int cost = std::max(1, (p * 4 + q) / 4);
+  items.reserve(items.size() + face.GetNumberOfItems());
   for (const Panel& panel : face.Panels.Panels)
   {
     const std::uint32_t flags = (panel.Negative ? Negative : 0u) | (panel.FlipNormal ? Flip : 0u);

@@ -6,9 +6,6 @@
 // smStride; smIntegrandCount, smRoundingCount (the same numbers as variables); smToleranceOffset; double smParameter(uint at),
 // double smGetRow(uint at), void smSetRow(uint at, double value), void smSetStatus(uint index, bool converged).
 
-// Unit roundoff u: half the spacing of doubles at 1.
-SM_CONSTANT double smUnitRoundoff = 1.1102230246251565e-16LF;
-
 SM_CONSTANT double smLargest = 1.7976931348623157e308LF;
 
 // Estimates the error of a value from the last two differences between orders, `difference` and, before it, `before` (negative:
@@ -23,6 +20,22 @@ double smEstimate(double difference, double before)
   }
   double ratio = difference < before ? difference / before : 1.0LF;
   return max(difference * max(1.0LF, 10.0LF * ratio), SM_MIN_ERROR_SHARE * before);
+}
+
+// Stores the sums and roundings of an item that is not compared.
+void smStoreFirst(uint row)
+{
+  for (uint k = 0u; k < smIntegrandCount; ++k)
+  {
+    double value = smResults[k];
+    smSetRow(row + smValueColumn + k, value);
+    smSetRow(row + smErrorColumn + k, abs(value) <= smLargest ? 0.0LF : abs(value));
+    smSetRow(row + smDifferenceColumn + k, -1.0LF);
+  }
+  for (uint k = 0u; k < smRoundingCount; ++k)
+  {
+    smSetRow(row + smRoundingColumn + k, smNoises[k]);
+  }
 }
 
 // Compares the sums with the values of a lower order in the row, and stores values, errors, roundings and differences. Returns
@@ -41,7 +54,12 @@ bool smFinish(uint index, smWorkRecord work)
   uint row = work.item.z * smStride;
   uint tolerance = smToleranceOffset + work.item.w * uint(SM_INTEGRANDS);
   uint flags = work.detail.x >> 24;
-  bool isFirst = (flags & smFlagFirst) != 0u;
+  if ((flags & smFlagFirst) != 0u)
+  {
+    smStoreFirst(row);
+    smSetStatus(index, true);
+    return true;
+  }
   bool converged = true;
   double scale = double(uintBitsToFloat(work.detail.w));
   // With two orders only, a single difference may be small by coincidence; the largest difference relative to its tolerance was
@@ -51,8 +69,8 @@ bool smFinish(uint index, smWorkRecord work)
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
     double share = scale * smParameter(tolerance + k);
-    double known = isFirst ? 0.0LF : smGetRow(row + smValueColumn + k);
-    if (!isFirst && share > 0.0LF && abs(smResults[k]) <= smLargest && abs(known) <= smLargest)
+    double known = smGetRow(row + smValueColumn + k);
+    if (share > 0.0LF && abs(smResults[k]) <= smLargest && abs(known) <= smLargest)
     {
       double difference = abs(smResults[k] - known);
       largest = max(largest, (difference - 10.0LF * smNoises[smRoundingOf[k]]) / share);
@@ -62,12 +80,12 @@ bool smFinish(uint index, smWorkRecord work)
   {
     // No order and no bisection improves a value that is NaN or infinite, so that it counts as converged, with that error. It remains
     // whatever follows: a point that a higher order or a part of the item has no more is a point of the integrand.
-    double known = isFirst ? 0.0LF : smGetRow(row + smValueColumn + k);
+    double known = smGetRow(row + smValueColumn + k);
     double value = abs(known) <= smLargest ? smResults[k] : known;
     bool isNumber = abs(value) <= smLargest;
     double error = isNumber ? 0.0LF : abs(value);
     double difference = -1.0LF;
-    if (!isFirst && isNumber)
+    if (isNumber)
     {
       difference = abs(smResults[k] - known);
       double share = scale * smParameter(tolerance + k);

@@ -5,10 +5,27 @@
 // Needs: as smPanel, with smAccumulateChain in place of smAccumulateFace; SM_STRIP_POINTS; smGapSteps, the number of steps to the
 // foot point of a gap (not a constant, so that the compiler does not unroll the loop).
 
+// Returns a bound of the second derivative of an edge piece on [0,1]: n (n-1) times the largest second difference of coefficients.
+double smEdgeBend(uint edge, int degree)
+{
+  double largest = 0.0LF;
+  for (int i = 0; i + 2 <= degree; ++i)
+  {
+    uint at = edge + 3u * uint(i);
+    dvec3 first = dvec3(smCoefficient(at), smCoefficient(at + 1u), smCoefficient(at + 2u));
+    dvec3 middle = dvec3(smCoefficient(at + 3u), smCoefficient(at + 4u), smCoefficient(at + 5u));
+    dvec3 last = dvec3(smCoefficient(at + 6u), smCoefficient(at + 7u), smCoefficient(at + 8u));
+    dvec3 difference = (last - middle) - (middle - first);
+    largest = max(largest, dot(difference, difference));
+  }
+  return double(degree * (degree - 1)) * sqrt(largest);
+}
+
 // Returns the distance of a point, relative to `origin`, from the edge piece near parameter x, where the piece and its derivative are
 // `foot` and `tangent`: Gauss-Newton steps for (C - A).C' = 0, while one moves the foot by more than a thousandth of the distance, which
-// then is off by less than a millionth.
-double smGap(uint edge, int degree, double x, dvec3 origin, dvec3 point, dvec3 foot, dvec3 tangent)
+// then is off by less than a millionth. Where the edge, whose second derivative is at most `bend`, leaves its tangent on the way to
+// the foot by no more than that, or than rounding, the distance is that of the tangent.
+double smGap(uint edge, int degree, double bend, double x, dvec3 origin, dvec3 point, dvec3 foot, dvec3 tangent)
 {
   dvec3 gap = foot - point;
   double best = length(gap);
@@ -21,9 +38,18 @@ double smGap(uint edge, int degree, double x, dvec3 origin, dvec3 point, dvec3 f
     {
       break;
     }
-    x -= SM_SELECT(excess > 0.0LF, along / squared, 0.0LF);
+    double step = SM_SELECT(excess > 0.0LF, along / squared, 0.0LF);
+    double straight = length(gap - step * tangent);
+    double off = 0.5LF * bend * step * step - 1e-6LF * straight - smUnitRoundoff * length(foot);
     // Slightly beyond the piece, its polynomial still approximates the curve.
-    x = clamp(x, -0.25LF, 1.25LF);
+    double next = clamp(x - step, -0.25LF, 1.25LF);
+    double far = max(off, abs(next - (x - step)));
+    best = min(best, SM_SELECT(far > 0.0LF, best, straight));
+    if (!SM_ANY(far > 0.0LF))
+    {
+      break;
+    }
+    x = SM_SELECT(far > 0.0LF, next, x);
     smEdgeEvaluate(edge, degree, x, origin, foot, tangent);
     gap = foot - point;
     best = min(best, length(gap));
@@ -55,6 +81,12 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
   double squaredGap = 0.0LF;
   double gapArea = 0.0LF;
 
+  double bend = 0.0LF;
+  if (alongEdge)
+  {
+    bend = smEdgeBend(edge, edgeDegree);
+  }
+
   double tWidth = work.range.y - work.range.x;
   double edgeWidth = work.range.w - work.range.z;
   for (int it = 0; it < countT; ++it)
@@ -84,7 +116,7 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
     smEdgeEvaluate(edge, edgeDegree, e, center, c, dc);
     if (alongEdge)
     {
-      double distance = smGap(edge, edgeDegree, e, center, a, c, dc);
+      double distance = smGap(edge, edgeDegree, bend, e, center, a, c, dc);
       double arc = ruleT.y * length(da);
       largestGap = max(largestGap, distance);
       squaredGap += arc * distance * distance;

@@ -15,3 +15,6 @@ SM_CONSTANT uint smFlagFlip = 2u;       // the outward normal is reversed
 SM_CONSTANT uint smFlagFirst = 4u;      // no comparison: the row has no result of a lower order
 SM_CONSTANT uint smFlagDiscard = 8u;    // if not converged: leave zeros in the row, as the item is bisected
 SM_CONSTANT uint smFlagAlongEdge = 16u; // the width of the ribbon is the gap to the edge
+
+// Unit roundoff u: half the spacing of doubles at 1.
+SM_CONSTANT double smUnitRoundoff = 1.1102230246251565e-16LF;
