@@ -1,12 +1,12 @@
 """Reads every real file of the models folder once, judges all stages with it, and compares with its reference values.
 
     SweepModels.py --program SweepFile --models FOLDER --folder UNPACKED --output FOLDER [--exceptions FILE] [--only ID ...]
-                   [--jobs N] [--markdown FILE] [--csv FILE] [--document FILE.md]
+                   [--without STAGE ...] [--jobs N] [--markdown FILE] [--csv FILE] [--document FILE.md]
 
 The program SweepFile does what `solidmoments --json` does at the default tolerance of 1e-9 and at 1e-12, and what STAGES names. What
 must hold of volume, area, centre and inertia alike (SweepJudge.py):
 - |value - reference| <= bound + uncertainty of the reference, and its squared gap where that is large;
-- bound <= 1e-9 on every file at the default tolerance, <= 1e-12 on 76 of 87 at 1e-12 (rounding of the decimals of the others is more);
+- bound <= 1e-9 on every file at the default tolerance, <= 1e-12 on at least 68 of 87 at 1e-12 (rounding of the decimals of the others is more);
 - closure residual <= 1e-12 on 82 of 87;
 - the status fits the bounds, the open edges and the exit status; every solid has its own reference volume; nothing crashes;
   what cannot be read is called unreadable, and surfaces open;
@@ -54,7 +54,7 @@ def run(options, identifier):
     path = os.path.join(options.output, identifier + ".json")
     if os.path.exists(path):
         os.remove(path)
-    stages = [stage for stage, names in STAGES.items() if identifier in names]
+    stages = [stage for stage, names in STAGES.items() if identifier in names and stage not in options.without]
     command = [options.program, os.path.join(options.folder, identifier + ".step"), path, options.output, *stages]
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
@@ -136,6 +136,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="files at a time")
     parser.add_argument("--exceptions", help="JSON, what may be missed and why")
     parser.add_argument("--only", action="append", help="this file only; may be given several times")
+    parser.add_argument("--without", action="append", default=[], choices=list(STAGES), help="a stage that the program does not have")
     parser.add_argument("--markdown", help="write the table and its summary there")
     parser.add_argument("--csv", help="write a row per file and tolerance there")
     parser.add_argument("--document", help="put the summary there")
