@@ -35,6 +35,8 @@ if check_true("the state was saved", os.path.exists(state), state):
     colors = re.findall(r'<Property name="ColorArrayName".*?</Property>', text, re.DOTALL)
     check_equal("solids without colours in their file are not coloured by their block", (True, []), (
         len(colors) >= 3, [color for color in colors if 'value="vtkBlockColors"' in color]))
+    tolerance = re.search(r'<Property name="RelativeTolerance".*?</Property>', text, re.DOTALL).group()
+    check_equal("a tolerance that was typed", [1e-6], [float(value) for value in re.findall(r'<Element index="\d+" value="([^"]*)"', tolerance)])
     check_equal("and there is no legend", 0, text.count('type="ScalarBarWidgetRepresentation"'))
     check_equal("rules of the state", ["rail", "Steel", "7850"], re.findall(r'<Element index="\d+" value="([^"]*)"', materials))
 finish()
