@@ -157,6 +157,17 @@ bool WasKilled(int status)
   return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
 }
 
+/// Returns true if a process with these resources may have reached its hard limit of processor time, at which the system sends SIGKILL: the
+/// shell's ulimit -t sets the hard limit, too.
+bool HasUsedProcessorLimit(const rusage& used)
+{
+  rlimit limit{};
+  const double seconds = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+    1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+  return getrlimit(RLIMIT_CPU, &limit) == 0 && limit.rlim_max != RLIM_INFINITY &&
+    seconds > static_cast<double>(limit.rlim_max) - 0.5;
+}
+
 bool IsOverProcessorLimit(int status)
 {
   return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
@@ -327,8 +338,13 @@ void IsolatedJob::End()
 {
   close(this->Pipe);
   this->Pipe = -1;
-  while (waitpid(this->Process, &this->ExitStatus, 0) < 0 && errno == EINTR)
+  rusage used{};
+  while (wait4(this->Process, &this->ExitStatus, 0, &used) < 0 && errno == EINTR)
   {
+  }
+  if (WasKilled(this->ExitStatus) && HasUsedProcessorLimit(used))
+  {
+    this->ExitStatus = SIGXCPU;
   }
 }
 

@@ -12,11 +12,12 @@
  * | FaceIndex     | cell, point | 1 (int)    | index of the face in the model                      |
  * | Parameters    | point       | 2          | (u,v) of the point on that face's surface           |
  * | MeshDeviation | field       | 1          | no triangle of face i is farther from its surface, across it (see below) |
- * | MeshAngle     | field       | 1          | bound in radians of the turn of the surface's normal in a triangle of face i |
+ * | MeshAngle     | field       | 1          | bound, radians, of the angle of normals in a triangle of face i from a corner's |
  *
  * MeshDeviation bounds the distance from the surface whether trimmed or not, and where the surface is nearly flat beside a triangle, its
  * distance across the surface as continued beyond the part under the triangle: sideways a triangle may reach beyond that part, as chords do
- * beyond the edges of a face. MeshAngle bounds what the normals at the corners do not show; pi says that there is no bound, as at a pole.
+ * beyond the edges of a face. Within a triangle no normal of the surface is farther than MeshAngle from the normal at one of its corners; pi
+ * says that there is no bound, as at a pole. A deformed copy has neither array.
  * See Documentation/Numerics.md.
  *
  * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it. GetModel() returns null if

@@ -89,6 +89,9 @@ bool SetEditedModel(vtkNURBSDataSet* leaf, vtkTrimmedNURBSModel* edited, const P
   }
   const bool known = leaf->GetPointData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName()) && parameters &&
     parameters->GetNumberOfComponents() == 2;
+  // The bounds of the mesh are those of the surfaces before.
+  leaf->GetFieldData()->RemoveArray(vtkNURBSDataSet::MeshDeviationArrayName());
+  leaf->GetFieldData()->RemoveArray(vtkNURBSDataSet::MeshAngleArrayName());
   if (known && leaf->GetPoints())
   {
     const bool done = evaluator->UpdatePoints(leaf, edited);

@@ -1,5 +1,7 @@
 #include "smTriangleJudge.h"
 
+#include "smUnitRoundoff.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -67,7 +69,7 @@ double TriangleJudge::GetNormalTurn(const Corners& t, double enough) const
     Vector3 dv;
     this->Walker.Evaluate(0.5 * (box.Low[0] + box.High[0]), 0.5 * (box.Low[1] + box.High[1]), position.data(),
       du.data(), dv.data());
-    least = std::min(least, this->BoundTurn(box, 0.5, du, dv));
+    least = std::min(least, 2.0 * this->BoundTurn(box, 0.5, du, dv));
   }
   return least;
 }
@@ -87,8 +89,9 @@ double TriangleJudge::BoundTurn(
     this->Blocks.GetDerivativeChanges(box, share, { cross[0] / area, cross[1] / area, cross[2] / area });
   const double along =
     area - change.Full[0] * speed[1] - change.Full[1] * speed[0] - change.Full[0] * change.Full[1];
-  const double across =
-    change.Along[1] * (speed[0] + change.Full[0]) + change.Along[0] * (speed[1] + change.Full[1]);
+  // The cross product is rounded, too.
+  const double across = change.Along[1] * (speed[0] + change.Full[0]) +
+    change.Along[0] * (speed[1] + change.Full[1]) + 8.0 * UnitRoundoff * speed[0] * speed[1];
   return along > 0.0 ? std::atan2(across, along) : vtkMath::Pi();
 }
 

@@ -38,7 +38,8 @@ public:
   bool IsFolded(const Corners& t) const;
   /**
    * Bound, in radians, of the angle between the surface's normal anywhere on the box of the triangle's parameters and the normal at one of
-   * its corners or in the middle of the box: the first bound that is at most `enough`, else the least. Pi where there is none, as at poles.
+   * its corners: the first bound that is at most `enough`, else the least, of those from the corners and twice the one from the middle of the
+   * box. Pi if there is none, as at poles.
    *
    * Let n be the normal there, p0 and q0 the derivatives, S_u = p + a n and S_v = q + b n with p and q across n. Then
    * S_u x S_v = p x q + b p x n + a n x q: along n at least |p0 x q0| - f |q0| - g |p0| - f g, across n at most |b| |p| + |a| |q|, with

@@ -40,6 +40,9 @@ class Model:
         points = numpy.asarray(control_points, dtype=float)
         if points.ndim not in (2, 3):
             raise ValueError(f"control_points has the shape {points.shape}; it has to be (count_v, count_u, 3 or 4), or with one count")
+        counts = (len(knots_v) - degree_v - 1, len(knots_u) - degree_u - 1)
+        if points.ndim == 3 and points.shape[:2] != counts:
+            raise ValueError(f"control_points has the shape {points.shape}; by the knots and degrees it has to be ({counts[0]}, {counts[1]}, 3 or 4)")
         return self._check(self.vtk_model.AddFace(degree_u, _to_vtk(knots_u), degree_v, _to_vtk(knots_v),
                                                   _to_vtk(points.reshape(-1, points.shape[-1])), reversed), -1)
 

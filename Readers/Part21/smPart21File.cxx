@@ -205,7 +205,7 @@ const char* Part21File::GetName(Part21Defect defect)
   static const char* const names[] = { "cannot be opened", "empty", "no header", "too large",
     "junk before the header", "truncated", "no data section", "comment without an end", "syntax error",
     "text outside of instances", "number too large", "number used twice", "undefined reference",
-    "control characters", "instance behind the end" };
+    "control characters", "skipped instance", "instance behind the end" };
   static_assert(
     sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Part21Defect::Count), "a name each");
   return names[static_cast<std::size_t>(defect)];

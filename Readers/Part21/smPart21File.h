@@ -30,6 +30,7 @@ enum class Part21Defect : unsigned char
   DuplicateId,        ///< a second instance with the same number; Find() gives the first
   UndefinedReference, ///< a reference to an instance that the file does not have
   ControlCharacters,  ///< bytes below 32 that are no tabs or line ends; they are read as blanks
+  UnreadInstance,     ///< text with numbers of instances that is skipped, between instances or in a section that is not read
   BehindEnd,          ///< an instance behind END-ISO-10303-21; it is not read
   Count
 };

@@ -138,6 +138,7 @@ bool Part21Parser::ParseSection()
   {
     this->File.Add(Part21Defect::NotAnInstance, this->GetOffset(at));
     this->Recover();
+    this->ReportSkipped(at, false);
   }
   return false;
 }
@@ -147,7 +148,22 @@ void Part21Parser::SkipSection()
   const std::string_view rest(this->Cursor.At, static_cast<std::size_t>(this->Cursor.End - this->Cursor.At));
   const std::size_t end = rest.find("ENDSEC");
   this->Cursor.At = end == std::string_view::npos ? this->Cursor.End : this->Cursor.At + end;
+  this->ReportSkipped(rest.data(), true);
   this->Recover();
+}
+
+void Part21Parser::ReportSkipped(const char* begin, bool startsOnly)
+{
+  for (const char* at = std::find(begin, this->Cursor.At, '#'); at != this->Cursor.At;
+       at = std::find(at + 1, this->Cursor.At, '#'))
+  {
+    const bool isNumber = at + 1 != this->Cursor.At && at[1] >= '0' && at[1] <= '9';
+    if (startsOnly ? IsInstanceStart(at, this->Cursor.At) : isNumber)
+    {
+      this->File.Add(Part21Defect::UnreadInstance, this->GetOffset(begin));
+      return;
+    }
+  }
 }
 
 void Part21Parser::ParseHeader()
@@ -173,6 +189,7 @@ void Part21Parser::ParseHeader()
     {
       this->File.Add(Part21Defect::Syntax, this->GetOffset(at));
       this->Recover();
+      this->ReportSkipped(at, false);
       continue;
     }
     if (word == "FILE_SCHEMA")
@@ -209,12 +226,14 @@ void Part21Parser::ParseInstances()
       return;
     }
     // Consecutive text that belongs to no instance is one problem.
+    const char* at = this->Cursor.At;
     if (!lost)
     {
-      this->File.Add(Part21Defect::NotAnInstance, this->GetOffset(this->Cursor.At));
+      this->File.Add(Part21Defect::NotAnInstance, this->GetOffset(at));
     }
     lost = true;
     this->Recover();
+    this->ReportSkipped(at, false);
   }
 }
 
@@ -231,6 +250,7 @@ void Part21Parser::ParseInstance()
     // The cursor must advance even if the text here looks like an instance.
     this->Cursor.At = std::max(this->Cursor.At, begin + 1);
     this->Recover();
+    this->ReportSkipped(begin, false);
     return;
   }
   ++this->Cursor.At;
@@ -256,7 +276,9 @@ void Part21Parser::FinishInstance(bool valid)
   // If only the semicolon is missing, the cursor is at the next instance already.
   if (!IsInstanceStart(this->Cursor.At, this->Cursor.End))
   {
+    const char* at = this->Cursor.At;
     this->Recover();
+    this->ReportSkipped(at, true);
   }
   instance.End = this->GetOffset(this->Cursor.At);
   // Every instance has at least one record. If no record was read, it gets one with an empty type name.

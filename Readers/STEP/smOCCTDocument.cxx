@@ -174,6 +174,11 @@ struct DeclaredContent
       document.Defects.push_back(
         "Entities of the file stand behind its end, END-ISO-10303-21: they were not read.");
     }
+    if (this->Text.GetNumberOfProblems(Part21Defect::UnreadInstance) > 0)
+    {
+      document.Defects.push_back("Text of the file that has numbers of entities belongs to no entity, or to "
+                                 "a section without geometry: it was not read.");
+    }
     this->Census = TakeSTEPCensus(this->Text);
     for (const CensusProblem& peril : this->Census.Perils)
     {

@@ -231,6 +231,7 @@ def check_model():
     for i in range(3):
         check(f"box: centre {i}", 0.5 * size[i], box.center_of_mass[i], box.center_of_mass_bound)
     for what, words, call in (("knots that decrease", "decrease", lambda: model.add_face(1, knots[::-1], 1, knots, numpy.zeros((2, 2, 3)))),
+                              ("a net that is turned", "shape (2, 3, 3)", lambda: model.add_face(1, numpy.array([0.0, 0, 1, 1]), 1, numpy.array([0.0, 0, 0.5, 1, 1]), numpy.zeros((2, 3, 3)))),
                               ("a missing control point", "control points", lambda: model.add_face(1, knots, 1, knots, numpy.zeros((3, 3)))),
                               ("a flat curve", "shape", lambda: model.add_edge([0.0, 1.0], [0.0, 1.0])),
                               ("an edge that is not there", "does not exist", lambda: model.add_coedge(0, 0, 12, False, [0.0, 1.0], unit[:2])),

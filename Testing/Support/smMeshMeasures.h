@@ -85,13 +85,14 @@ inline bool IsTurnedOver(const sm::Face& face, sm::NURBSSurface::Walker& walker,
     (sm::Dot(normal, sm::Cross(du, dv)) < 0.0) != face.Reversed;
 }
 
-/// The largest angle of the surface's normals at samples of a triangle from the normal at one of them, the one for which it is least.
+/// The largest angle of the surface's normals at samples of a triangle from the normal at one of its corners, the one for which it is least.
 inline double MeasureTurn(
   sm::NURBSSurface::Walker& walker, const sm::FaceMesh& mesh, const std::array<int, 3>& t)
 {
   constexpr double Samples[7][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, .5, 0 }, { 0, .5, .5 },
     { .5, 0, .5 }, { 1. / 3, 1. / 3, 1. / 3 } };
   std::vector<sm::Vector3> normals;
+  std::size_t corners = 0;
   for (const auto& w : Samples)
   {
     double uv[2] = { 0, 0 };
@@ -106,16 +107,17 @@ inline double MeasureTurn(
     if (sm::Norm(normal) > 1e-9 * sm::Norm(du) * sm::Norm(dv))
     {
       normals.push_back(sm::Normalized(normal));
+      corners += std::max({ w[0], w[1], w[2] }) == 1.0 ? 1 : 0;
     }
   }
   // The square of the distance of the ends of two unit vectors.
-  double least = normals.empty() ? 0.0 : 4.0;
-  for (const sm::Vector3& from : normals)
+  double least = corners == 0 ? 0.0 : 4.0;
+  for (std::size_t k = 0; k < corners; ++k)
   {
     double most = 0.0;
     for (const sm::Vector3& n : normals)
     {
-      const sm::Vector3 d = sm::Subtract(n, from);
+      const sm::Vector3 d = sm::Subtract(n, normals[k]);
       most = std::max(most, sm::Dot(d, d));
     }
     least = std::min(least, most);

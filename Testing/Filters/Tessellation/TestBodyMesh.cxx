@@ -66,7 +66,10 @@ void CheckSolid(const Expected& solid)
       stated = std::max(stated, mesh.Deviation);
       turn = std::max(turn, mesh.NormalTurn);
     }
-    CheckRange(solid.Solid + ": stated turn", 0.0, turn, IsPolyhedron(faces) ? 1e-9 : 3.1416);
+    if (IsPolyhedron(faces))
+    {
+      CheckRange(solid.Solid + ": stated turn", 0.0, turn, 1e-9);
+    }
     CheckRange(solid.Solid + ": stated / deflection", 0.0, stated / limits.Deflection, 1.0);
     // The closed mesh lies within the stated distance of the surface; rounding of 1e5 triangles, where the solid is a polyhedron.
     CheckRange(solid.Solid + ": error of the volume", 0.0, std::abs(m.Volume - solid.Volume),
