@@ -10,7 +10,7 @@ import collections
 import math
 
 from MutantOracle import references
-from MutantShapes import Line, SAME, Shapes, TURN, Unknown, add, cross, dot, near, norm, tangential
+from MutantShapes import Line, SAME, Shapes, TURN, Unknown, add, cross, dot, near, norm, tangential, times
 
 # Flux through a face about the origin, vector area, area; and the uncertainties of flux and area.
 Face = collections.namedtuple("Face", "flux vector area flux_error area_error")
@@ -58,7 +58,7 @@ class Edge:
         ends = [shapes.model.point(v) if shapes.model.has(v, "VERTEX_POINT") else None for v in (first, last)]
         if None in ends:
             raise Unknown(f"#{number} lacks a vertex")
-        closed = first == last or ends[0] == ends[1]
+        closed, self.vertices = first == last or ends[0] == ends[1], ends
         self.start, self.end = self.parameters(ends, closed, forward == ".T.")
         self.off = max(math.dist(self.curve.at(t)[0], p) for t, p in zip((self.start, self.end), ends))
 
@@ -130,6 +130,8 @@ class Region:
                 raise Unknown(f"#{bound} is no bound")
             if model.get(inner[1], "VERTEX_LOOP") is None:
                 self.loops.append(self.loop(shapes, inner[1], inner[2] == ".T.", edges, uses))
+        if self.loops:
+            self.surface.begin(self.loops[0][0].first)
         self.only_seams = all(n == 2 for n in uses.values())
 
     def loop(self, shapes, number, forward, edges, uses):
@@ -172,6 +174,7 @@ class Region:
                 for a, b in trace.pieces:
                     self.add(total, errors, self.piece(trace, a, b, 0))
                 self.add(total, errors, self.closing(trace.last, after.first, length))
+                self.add(total, errors, (self.corner(trace, after), [0.0, 0.0]))
         return self.whole(total, errors)
 
     def add(self, total, errors, part):
@@ -183,7 +186,7 @@ class Region:
     def whole(self, total, errors):
         """With the sign of the face, and as much of the whole surface as makes the area possible."""
         surface, area = self.surface, self.sense * total[4]
-        closed = surface.period[1 - self.inner] and surface.low[self.inner] is not None
+        closed = not surface.is_spindle and surface.period[1 - self.inner] and surface.low[self.inner] is not None
         if closed:
             full, error = self.full(RULES[15])
             doubt = [max(abs(x - y), e) for x, y, e in zip(full, self.full(RULES[11])[0], error)]
@@ -256,53 +259,73 @@ class Region:
                 total[i] += w * (b - a) * d
         return total
 
-    def way(self, trace, t, foot, room):
-        """How fast the outer parameter of an edge's foot changes, for an edge beside the surface: from feet near by."""
-        step, outer = min(1e-3 * room[1], 0.4 * room[0]), 1 - self.inner
-        near_by = [trace.foot(t + k * step, foot)[outer] - foot[outer] for k in (-2, -1, 1, 2)]
-        return (8 * (near_by[2] - near_by[1]) - (near_by[3] - near_by[0])) / (12 * step)
+    def rates(self, trace, t, foot, room):
+        """How fast the parameters of an edge's foot change, for an edge beside the surface: from feet near by."""
+        step = min(1e-3 * room[1], 0.4 * room[0])
+        near_by = [trace.foot(t + k * step, foot) for k in (-2, -1, 1, 2)]
+        return tuple((8 * (near_by[2][d] - near_by[1][d]) - (near_by[3][d] - near_by[0][d])) / (12 * step) for d in range(2))
+
+    def ribbon(self, point, position, slope, speed):
+        """Flux and vector area of the strip that leads from the surface to the edge: the integrands of its boundary."""
+        strip = times(cross(add(position, point, -1), add(slope, speed)), 0.5)
+        return [dot(add(point, self.origin, -1), strip) / 3, *strip, 0.0]
 
     def sample(self, trace, t, room):
-        """(integrands of the boundary, errors of flux and area, gap times speed) at a parameter of an edge; `room` is its distance from
-        the nearest end of the piece, and the length of that."""
+        """(integrands of the boundary, errors of flux and area) at a parameter of an edge; `room` is its distance from the nearest end of
+        the piece, and the length of that. Strips between surface and edge are a part, so that of the flux only the square of the gap is
+        open: another way of closing it."""
         position, speed = trace.edge.curve.at(t)
         foot = trace.foot(t, trace.guess(t))
         point, by_u, by_v = self.surface.at(*foot)
-        way = tangential(speed, by_u, by_v)[1 - self.inner]
-        size = norm((by_u, by_v)[1 - self.inner])
-        gap = math.dist(point, position)
-        # Beside a curved surface feet move by gap over radius faster or slower than the edge.
-        way = self.way(trace, t, foot, room) if gap > 1e-10 * self.far else way
-        gap *= norm(speed)
-        if abs(way) * size <= 1e-13 * norm(speed):
-            return [0.0] * 5, [0.0] * 2, gap
-        column, errors = self.column(foot[1 - self.inner], foot[self.inner])
-        return [self.sign * way * c for c in column], [abs(way) * max(errors[0], errors[4] * self.far), abs(way) * errors[4]], gap
+        rates, gap = tangential(speed, by_u, by_v), math.dist(point, position)
+        total, fast = [0.0] * 5, norm(speed)
+        errors = [gap * fast * self.far, gap * fast]
+        if gap > 1e-10 * self.far:
+            # Beside a curved surface feet move by gap over radius faster or slower than the edge.
+            rates = self.rates(trace, t, foot, room)
+            slope = add(times(by_u, rates[0]), by_v, rates[1])
+            total, errors[0] = self.ribbon(point, position, slope, speed), gap * gap * fast
+        way, size = rates[1 - self.inner], norm((by_u, by_v)[1 - self.inner])
+        if abs(way) * size > 1e-13 * fast:
+            column, inner = self.column(foot[1 - self.inner], foot[self.inner])
+            total = [s + self.sign * way * c for s, c in zip(total, column)]
+            errors = [errors[0] + abs(way) * max(inner[0], inner[4] * self.far), errors[1] + abs(way) * inner[4]]
+        return total, errors
 
     def piece(self, trace, a, b, depth):
         """Over a piece of an edge, halved until two rules agree."""
         sums = []
         for rule in (COARSE, FINE):
-            total, inner, gaps = [0.0] * 5, [0.0] * 2, 0.0
+            total, inner = [0.0] * 5, [0.0] * 2
             for x, w in rule:
-                values, errors, gap = self.sample(trace, a + x * (b - a), (min(x, 1 - x) * abs(b - a), abs(b - a)))
+                values, errors = self.sample(trace, a + x * (b - a), (min(x, 1 - x) * abs(b - a), abs(b - a)))
                 total = [t + w * (b - a) * v for t, v in zip(total, values)]
                 inner = [t + w * abs(b - a) * e for t, e in zip(inner, errors)]
-                gaps += w * abs(b - a) * gap
             sums.append(total)
         doubt = [abs(x - y) for x, y in zip(*sums)]
         if max(doubt[0], doubt[4] * self.far) > 1e-10 * self.far ** 3 and depth < DEPTH:
             middle = 0.5 * (a + b)
             left, right = self.piece(trace, a, middle, depth + 1), self.piece(trace, middle, b, depth + 1)
             return [x + y for x, y in zip(left[0], right[0])], [x + y for x, y in zip(left[1], right[1])]
-        return sums[1], [max(doubt[0], doubt[4] * self.far) + inner[0] + gaps * self.far, doubt[4] + inner[1] + gaps]
+        return sums[1], [max(doubt[0], doubt[4] * self.far) + inner[0], doubt[4] + inner[1]]
+
+    def corner(self, trace, after):
+        """Flux and vector area of the triangles from the vertex to the ends of strips and of the way between them."""
+        ends = [trace.edge.curve.at(trace.end)[0], self.surface.at(*trace.last)[0], self.surface.at(*after.first)[0],
+                after.edge.curve.at(after.start)[0]]
+        apex = trace.edge.vertices[trace.end == trace.edge.end]
+        total = [0.0] * 5
+        for a, b in zip(ends, ends[1:]):
+            area = times(cross(add(a, b, -1), add(apex, b, -1)), 0.5)
+            total = [t + v for t, v in zip(total, [dot(add(apex, self.origin, -1), area) / 3, *area, 0.0])]
+        return total
 
     def closing(self, a, b, length):
         """Over the straight way from the end of an edge to the start of the next one."""
         outer = 1 - self.inner
         b = tuple(near(b[d], a[d], self.surface.period[d]) for d in range(2))
         apart = math.dist(self.surface.at(*a)[0], self.surface.at(*b)[0])
-        errors = [apart * length * self.far, apart * length]
+        errors = [apart * apart * length, apart * length]
         total = [0.0] * 5
         if a[outer] != b[outer]:
             breaks = [0.0, *([k / 4 for k in range(1, 4)] if abs(a[outer] - b[outer]) > 0.1 else []), 1.0]

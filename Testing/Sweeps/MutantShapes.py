@@ -214,6 +214,10 @@ class SplineCurve:
 
 class Surface:
     period, low, high, origin, order = (None, None), (None, None), (None, None), (0.0, 0.0), 2
+    is_spindle = False
+
+    def begin(self, uv):
+        """Integrals over a face that has this point begin where the surface is smooth on the way to it."""
 
     def row(self, direction, fixed):
         """at() as a function of one parameter."""
@@ -262,13 +266,15 @@ class Cone(Surface):
 
 
 class Torus(Surface):
-    """Also a sphere, whose major radius is 0."""
+    """Also a sphere, whose major radius is 0, and a torus that passes its axis: a face is on its outer or on its inner part, where the
+    distance from the axis is negative."""
     order = 12
 
     def __init__(self, frame, major, minor):
-        if not (minor > 0 and (major == 0 or major > minor)):
+        if not (minor > 0 and major >= 0 and major != minor):
             raise Unknown("radii of a torus")
         self.frame, self.major, self.minor = frame, major, minor
+        self.is_spindle = 0 < major < minor
         self.period = (TURN, TURN if major else None)
         end = math.pi if major else math.pi / 2
         self.low, self.high = (0.0, -end), (TURN, end)
@@ -280,9 +286,17 @@ class Torus(Surface):
         return (self.frame.point(radius * c, radius * s, self.minor * z), vector(-radius * s, radius * c, 0),
                 vector(-self.minor * z * c, -self.minor * z * s, self.minor * h))
 
+    def begin(self, uv):
+        if self.is_spindle:
+            self.origin = (0.0, math.copysign(math.pi, uv[1]) if self.major + self.minor * math.cos(uv[1]) < 0 else 0.0)
+
     def parameters(self, point, guess=None):
         x, y, z = self.frame.local(point)
-        v = math.atan2(z, math.hypot(x, y) - self.major)
+        away = math.hypot(x, y)
+        inside = self.is_spindle and abs(math.hypot(z, away + self.major) - self.minor) < abs(math.hypot(z, away - self.major) - self.minor)
+        if inside:
+            x, y, away = -x, -y, -away
+        v = math.atan2(z, away - self.major)
         return near(math.atan2(y, x), guess and guess[0], TURN), near(v, guess and guess[1], self.period[1])
 
 
