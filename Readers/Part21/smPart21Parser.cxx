@@ -152,13 +152,31 @@ void Part21Parser::SkipSection()
   this->Recover();
 }
 
+namespace
+{
+/// Returns true if an instance begins here that is not the name of one in another file, #1=<...>.
+bool IsOwnInstanceStart(const char* at, const char* end)
+{
+  if (!IsInstanceStart(at, end))
+  {
+    return false;
+  }
+  at = std::find(at, end, '=') + 1;
+  while (at != end && (*at == ' ' || *at == '\t' || *at == '\r' || *at == '\n'))
+  {
+    ++at;
+  }
+  return at == end || *at != '<';
+}
+}
+
 void Part21Parser::ReportSkipped(const char* begin, bool startsOnly)
 {
-  for (const char* at = std::find(begin, this->Cursor.At, '#'); at != this->Cursor.At;
-       at = std::find(at + 1, this->Cursor.At, '#'))
+  const char* const end = this->Cursor.At;
+  for (const char* at = begin; at != end; ++at)
   {
-    const bool isNumber = at + 1 != this->Cursor.At && at[1] >= '0' && at[1] <= '9';
-    if (startsOnly ? IsInstanceStart(at, this->Cursor.At) : isNumber)
+    const bool isNumber = *at == '#' && at + 1 != end && at[1] >= '0' && at[1] <= '9';
+    if (startsOnly ? IsOwnInstanceStart(at, end) : isNumber || *at == '=')
     {
       this->File.Add(Part21Defect::UnreadInstance, this->GetOffset(begin));
       return;

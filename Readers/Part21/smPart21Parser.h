@@ -44,8 +44,8 @@ private:
   /// Moves the cursor to where parsing continues after damage: behind the next semicolon, or to a line that begins like an instance or ends
   /// the section.
   void Recover();
-  /// Adds UnreadInstance if the text from `begin` to the cursor, which was skipped, has the number of an instance; with `startsOnly` one that
-  /// begins an instance, #1=.
+  /// Adds UnreadInstance if the text from `begin` to the cursor, which was skipped, has the number of an instance or a =; with `startsOnly` if
+  /// an instance begins in it, #1=.
   void ReportSkipped(const char* begin, bool startsOnly);
   void SkipSection();
   void FindInstanceBehindEnd();

@@ -61,6 +61,26 @@ def damage(source, name, changes, statuses, words):
     expect(name, path, statuses, words)
 
 
+def check_unread():
+    """Damage between two parts that know nothing of each other: nothing refers to what is skipped."""
+    texts = []
+    for source in ("sphere-plain.step", "box-plain.step"):
+        with open(os.path.join(options.solids, source), encoding="utf-8") as file:
+            texts.append(file.read())
+    start = re.search(r"DATA;\s*", texts[1]).end()
+    second = re.sub(r"#(\d+)", lambda number: f"#{int(number[1]) + 100000}", texts[1][start : texts[1].rindex("ENDSEC;")])
+    at = texts[0].rindex("ENDSEC;")
+    path = os.path.join(options.output, "damaged_unread.step")
+    cases = {"sound": second, "early end": "ENDSEC;\n" + second, "section without a name": "ENDSEC;\nDA TA;\n" + second,
+             "no =": second.replace(" = ", " "), "no numbers": second.replace("#", "-"), "numbers too large": second.replace("#", "#99999999999999999999"),
+             "anchors": "ENDSEC;\nANCHOR;\n" + second}
+    for name, text in cases.items():
+        check_true(name + " is another text", (text == second) == (name == "sound"))
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(texts[0][:at] + text + texts[0][at:])
+        expect("two parts, " + name, path, {"ok"} if name == "sound" else FLAGGED, [] if name == "sound" else ["it was not read"])
+
+
 def check_solids():
     for source in ("box-plain.step", "cylinder-plain.step", "two_solids.step", "hollow_sphere-plain.step"):
         expect(source, os.path.join(options.solids, source), {"ok"}, [])
@@ -173,4 +193,5 @@ if options.hostile:
     check_hostile()
 else:
     check_solids()
+    check_unread()
 finish()
