@@ -315,7 +315,7 @@ int Run(const sm::Arguments& arguments, double processStart)
 
 int main(int argc, char** argv)
 {
-  // What the process has used until here is the loading of its libraries.
+  // Until here the process has only loaded its libraries.
   const double processStart = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   OccupyStandardStreams();
   sm::Arguments arguments;

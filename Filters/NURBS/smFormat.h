@@ -36,7 +36,7 @@ SMFILTERSNURBS_EXPORT std::string FormatWithBound(double value, double bound, co
 /// A count with the noun in the right number: "1 face", "3 faces".
 SMFILTERSNURBS_EXPORT std::string FormatCount(std::size_t count, const char* one, const char* many);
 
-/// Whether a line of the text may end at this blank: not within a value, where sign, number and unit stay together, as in "(+- 2e-09)",
+/// Returns true if a line of the text may end at this blank: not within a value, where sign, number and unit stay together, as in "(+- 2e-09)",
 /// "5 kg mm^2" or "3 faces".
 SMFILTERSNURBS_EXPORT bool IsLineBreak(const std::string& text, std::size_t blank);
 /// Breaks text at IsLineBreak() into lines of at most `width` characters (more for a longer word or value), each with a newline.

@@ -38,7 +38,7 @@ std::uint64_t HashCoordinates(vtkPoints* points)
     std::memcpy(words, bytes + i, sizeof(words));
     add();
   }
-  // What is left, and zeros.
+  // The other bytes, and zeros.
   std::fill_n(words, 4, 0);
   std::memcpy(words, bytes + i, size - i);
   add();

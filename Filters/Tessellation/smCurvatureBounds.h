@@ -15,7 +15,7 @@ namespace sm
 {
 struct CurvatureBounds
 {
-  /// Of the derivatives, and of their components along a unit vector.
+  /// Bounds of the lengths of S_uu, S_uv and S_vv, and of their components along a unit vector.
   std::array<double, 3> Full{};
   std::array<double, 3> Along{};
 

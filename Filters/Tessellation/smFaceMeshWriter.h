@@ -15,12 +15,12 @@
 
 namespace sm
 {
-/// What a mesh is written from.
+/// The input of WriteFaceMesh().
 struct MeshedFace
 {
   const Face& Source;
   const SurfaceBlocks& Blocks;
-  /// Of the parameters.
+  /// The box of the parameters of the face.
   const ParameterBox& Box;
   const std::vector<MeshVertex>& Vertices;
   const TriangleJudge& Judge;

@@ -1,6 +1,6 @@
 /**
  * @file smMeshLimits.h
- * @brief What a display mesh promises
+ * @brief The deflection and the angle of a display mesh
  */
 #ifndef smMeshLimits_h
 #define smMeshLimits_h

@@ -80,7 +80,7 @@ double TriangleJudge::BoundTurn(
   const double speed[2] = { Norm(du), Norm(dv) };
   const Vector3 cross = Cross(du, dv);
   const double area = Norm(cross);
-  // What is not above rounding has no direction.
+  // A cross product that is not above rounding has no direction.
   if (!(area > LeastCrossSine * speed[0] * speed[1]))
   {
     return vtkMath::Pi();

@@ -214,7 +214,7 @@ bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
     }
   }
   const bool isCurveInPlane = this->Entities.Has(i, STEPRole::DefinitionalRepresentation);
-  // Of an ellipse without width OpenCASCADE's repair looks for feet for minutes.
+  // OpenCASCADE's repair looks for feet on an ellipse without width for minutes.
   const bool isFlat = kind == 'p' && value.IsNumber() && number == 0.0;
   if (!valid && (huge || isFlat || (defect == CensusDefect::WrongType && isCurveInPlane)))
   {

@@ -38,7 +38,7 @@ std::string CountFaces(const std::vector<const Face*>& faces)
     : std::to_string(faces.size()) + " faces" + (id.empty() ? "" : ", the first of them" + id);
 }
 
-/// What is wrong with the meshes of faces, in a sentence for each kind.
+/// The problems of the meshes of faces, in a sentence for each kind.
 class MeshNotes
 {
 public:

@@ -30,7 +30,7 @@ MeshLimits GetScaleLimits(double diagonal);
 vtkSmartPointer<vtkPolyData> JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMesh> meshes,
   const double origin[3], double deflection, std::vector<std::string>& messages);
 
-/// Whether a scale mesh, from JoinMeshes(), is within these limits without being much finer than needed.
+/// Returns true if a scale mesh, from JoinMeshes(), is within these limits without being much finer than needed.
 bool DoesSuit(vtkPolyData* scaleMesh, const MeshLimits& limits);
 }
 

@@ -38,7 +38,7 @@ struct LeafSource
 /// The instance without points and triangles.
 vtkSmartPointer<vtkNURBSDataSet> MakeBareLeaf(const LeafSource& source);
 
-/// What is asked of the display mesh, see vtkCADReader.
+/// The settings of the display mesh, see vtkCADReader.
 struct ShownMesh
 {
   double LinearDeflection = 0.001;
@@ -60,7 +60,7 @@ public:
 
   /// The meshes are coarser than what is asked, for there would be more than CoarseAbove triangles.
   bool IsCoarse() const { return this->CoarseDeflection > 0.0; }
-  /// What is wrong with meshes that are not the scale meshes, of which the models themselves have messages.
+  /// The problems of meshes that are not scale meshes; the models themselves have messages about those.
   const std::vector<std::string>& GetMessages() const { return this->Messages; }
 
 private:

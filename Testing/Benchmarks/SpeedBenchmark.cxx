@@ -269,7 +269,7 @@ Json AddUp(const Json& all, bool onlyOurs)
 
 int main(int argc, char* argv[])
 {
-  // What the process has used until here is the loading of its libraries, ours and OpenCASCADE's.
+  // Until here the process has only loaded its libraries, ours and OpenCASCADE's.
   const double processStart = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   std::string json;
   Options options;

@@ -28,7 +28,7 @@ class UpdateCost
 {
 public:
   void Stop() { this->Seconds = vtkTimerLog::GetUniversalTime() - this->Start; }
-  /// What is left beside stages.
+  /// The seconds that belong to no stage.
   double GetRest(double stages) const { return this->Seconds - stages; }
 
 private:

@@ -42,7 +42,7 @@ def collect_hierarchy(element):
 
 check_equal("every proxy of the XML is tested", sorted(proxy[:2] for proxy in PROXIES) + [("writers", "BREPWriter")], sorted(
     key for key in DEFINITIONS if key[0] in ("sources", "filters")) + sorted(key for key in DEFINITIONS if key[0] == "writers")[::-1])
-# What classes say of values that they refuse: ParaView shows it in its messages.
+# The errors of classes about values that they refuse: ParaView shows them in its messages.
 refusals = []
 
 

@@ -274,7 +274,7 @@ def stages():
     check_equal("processor time: status", "not-computed", entry["status"])
     check_true("processor time: why", "ulimit -t" in message and "defect" not in message, message)
 
-    # What the system does when memory runs out is the fault of neither.
+    # The system sends SIGKILL when memory runs out: neither the file nor the program is at fault.
     code, entry = check_stage("integrals", signal.SIGKILL, "--moments", "16", "--max-seconds", "40")
     message = entry["messages"][-1]
     check_equal("killed: status", "not-computed", entry["status"])

@@ -76,7 +76,7 @@ def polyhedron_volume(model, solid):
 
 
 def distance(model, shape, point):
-    """Of a point from a line, circle, plane, cylinder or sphere; None for other shapes."""
+    """Distance of a point from a line, circle, plane, cylinder or sphere; None for other shapes."""
     line = model.get(shape, "LINE")
     if line is not None:
         origin = model.point(model.at(line, 1))

@@ -32,7 +32,7 @@ class Declared:
             self.angles.add(angle)
 
     def metres(self):
-        """Of the one length unit of all solids, or None."""
+        """The one length unit of all solids, or None."""
         return next(iter(self.units)) if len(self.units) == 1 else None
 
     def polyhedra_volume(self):

@@ -1,4 +1,4 @@
-"""What a STEP file declares, read by MutantSweep.py from its text alone: nothing here is shared with the program.
+"""The content that a STEP file declares, read by MutantSweep.py from its text alone: nothing here is shared with the program.
 
 The reading is generous: an entity begins with its id, after a semicolon or at the start of a line, and ends where the next
 one begins, so that a damaged one takes no other with it. A file that the reader takes for less must be said to be damaged."""
@@ -229,7 +229,7 @@ class Model:
     # Geometry
 
     def fingerprint(self, number, depth=0):
-        """Of an entity and all below it, without names and ids: equal ones describe the same geometry."""
+        """A fingerprint of an entity and all below it, without names and ids: equal ones describe the same geometry."""
         if number not in self.hashes:
             self.hashes[number] = "cycle"
             entity = self.entities.get(number)

@@ -60,7 +60,7 @@ int TestFormat(int, char*[])
   CheckEqual("the largest count", "18446744073709551615 faces",
     sm::FormatCount(std::numeric_limits<std::size_t>::max(), "face", "faces"));
 
-  // What the view of a picked part broke after "(+-".
+  // The view of a picked part broke this text after "(+-".
   const std::string part =
     "rail (solid 3): mass 0.972 kg (+- 6e-15), volume 360000 mm^3 (+- 2e-09), area 39600 mm^2 (+- 2e-09)";
   CheckEqual("a bound is not divided",

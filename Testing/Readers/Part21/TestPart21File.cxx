@@ -251,7 +251,7 @@ void CheckDamage()
   }
 }
 
-/// What is left without the damage reads the same, and has none.
+/// The text without the damaged records reads the same, and has no damage.
 void CheckRemains()
 {
   const std::string damaged =
