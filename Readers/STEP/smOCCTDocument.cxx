@@ -169,21 +169,27 @@ struct DeclaredContent
     {
       document.Defects.push_back("What the file declares could not be checked: its text could not be read.");
     }
-    if (this->Text.GetNumberOfProblems(Part21Defect::BehindEnd) > 0)
-    {
-      document.Defects.push_back(
-        "Entities of the file stand behind its end, END-ISO-10303-21: they were not read.");
-    }
-    if (this->Text.GetNumberOfProblems(Part21Defect::UnreadInstance) > 0)
-    {
-      document.Defects.push_back("Text of the file that has numbers of entities belongs to no entity, or to "
-                                 "a section without geometry: it was not read.");
-    }
+    this->ReportUnread(Part21Defect::BehindEnd, "entities stand behind its end, END-ISO-10303-21", document);
+    this->ReportUnread(Part21Defect::UnreadInstance,
+      "text with numbers of entities is outside of all entities, or in a section that has none", document);
     this->Census = TakeSTEPCensus(this->Text);
     for (const CensusProblem& peril : this->Census.Perils)
     {
       this->Perils.emplace(
         peril.Id, std::string(GetName(peril.Defect)) + (*peril.Place ? ", " : "") + peril.Place);
+    }
+  }
+
+  /// Adds a defect with the first line of the file that has the problem, if one has.
+  void ReportUnread(Part21Defect defect, const char* what, Document& document) const
+  {
+    const std::vector<Part21Problem>& problems = this->Text.GetProblems();
+    const auto first = std::find_if(
+      problems.begin(), problems.end(), [defect](const Part21Problem& p) { return p.Defect == defect; });
+    if (first != problems.end())
+    {
+      document.Defects.push_back("Line " + std::to_string(this->Text.GetLine(first->Offset)) +
+        " of the file: " + what + ", and was not read; export the file again.");
     }
   }
 

@@ -78,7 +78,7 @@ def check_unread():
         check_true(name + " is another text", (text == second) == (name == "sound"))
         with open(path, "w", encoding="utf-8") as file:
             file.write(texts[0][:at] + text + texts[0][at:])
-        expect("two parts, " + name, path, {"ok"} if name == "sound" else FLAGGED, [] if name == "sound" else ["it was not read"])
+        expect("two parts, " + name, path, {"ok"} if name == "sound" else FLAGGED, [] if name == "sound" else ["was not read", "Line "])
 
 
 def check_solids():
