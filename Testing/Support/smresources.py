@@ -3,6 +3,7 @@ and smGLObjects.h. Linux with glibc and GLVND."""
 import ctypes
 import gc
 import os
+import statistics
 
 from smcheck import check_equal, check_true
 
@@ -40,34 +41,29 @@ class Process:
         return f"heap {self.heap / 1e3:.0f} kB, in memory {self.resident / 1e6:.1f} MB, {self.threads} threads, {self.files} files"
 
 
-def get_growth(what, *counted):
-    """Returns the growth in bytes per cycle of `what`, "heap" or "resident", from pairs (cycles so far, Process) at the start and at the
-    ends of four quarters of a run: the second smallest of the quarters. A leak grows in all of them; memory that is allocated now and then,
-    in one or two."""
-    return sorted((getattr(after, what) - getattr(before, what)) / (last - first)
-                  for (first, before), (last, after) in zip(counted, counted[1:]))[1]
+def get_growth(what, counted):
+    """Returns the growth in bytes per cycle of `what`, "heap" or "resident", from a Process after each cycle: the median of the growth over
+    any four cycles, for some cycles have four steps that repeat. A leak grows in all of them; memory that is allocated now and then or comes
+    and goes, in some."""
+    return statistics.median(getattr(after, what) - getattr(before, what) for before, after in zip(counted, counted[4:])) / 4
 
 
 def run_counted(cycle, first, cycles, count, describe):
-    """Runs cycle(i), of numbers from `first` on, and prints what count() finds, a list with a Process in front, every now and then:
-    `describe` makes text of the rest. Returns what it found at the start and the end, and the growth a cycle by name."""
+    """Runs cycle(i), of at least eight numbers from `first` on, and prints what count() finds, a list with a Process in front, every now and
+    then: `describe` makes text of the rest. Returns what it found at the start and the end, and the growth a cycle by name."""
     def report(done, held):
         print(f"after {done:4} cycles: {held[0]}; {describe(*held[1:])}", flush=True)
 
     start = end = count()
     report(0, start)
-    counted = [(0, start[0])]
-    # Quarters end at multiples of four, for some cycles have four steps that repeat.
-    quarters = [cycles * k // 16 * 4 for k in (1, 2, 3)]
+    counted = [start[0]]
     for i in range(1, cycles + 1):
         cycle(first + i - 1)
-        if i in quarters:
-            counted.append((i, Process()))
+        counted.append(Process())
         if i == cycles or i % max(10, cycles // 10) == 0:
             end = count()
             report(i, end)
-    counted.append((cycles, end[0]))
-    return start, end, {what: get_growth(what, *counted) for what in ("heap", "resident")}
+    return start, end, {what: get_growth(what, counted) for what in ("heap", "resident")}
 
 
 def check_held(start, end, growth, heap, resident):

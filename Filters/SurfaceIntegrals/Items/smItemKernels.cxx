@@ -208,7 +208,7 @@ void WriteLanes(
   const KernelData& data, const KernelItem* items, int count, int lanes, const InputSizes& sizes, double* to)
 {
   const LaneWriter writer(to, lanes);
-  std::array<const double*, MostLanes> from;
+  std::array<const double*, MostLanes> from{};
   std::size_t at = 0;
   const auto write = [&](std::size_t size, const auto& getArray)
   {
