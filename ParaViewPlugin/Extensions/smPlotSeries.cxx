@@ -2,7 +2,12 @@
 
 #include "smMassPropertyNames.h"
 
+#include "vtkPVVersion.h"
+#if PARAVIEW_VERSION_NUMBER < PARAVIEW_VERSION_CHECK(5, 12, 0)
 #include "vtkSMChartSeriesSelectionDomain.h"
+#else
+#include "vtkPVRepresentedArrayListSettings.h"
+#endif
 
 #include <string>
 
@@ -18,10 +23,24 @@ constexpr const char* HiddenColumns[] = { names::SurfaceArea, names::FirstMoment
   names::MaxGap, names::OpenEdges, names::FlippedShells, names::BoundsEstimated, names::BoundsMeasured,
   names::Faces };
 
+#if PARAVIEW_VERSION_NUMBER < PARAVIEW_VERSION_CHECK(5, 12, 0)
 void SetVisible(const std::string& series, bool isVisible)
 {
   vtkSMChartSeriesSelectionDomain::AddSeriesVisibilityDefault(series.c_str(), isVisible);
 }
+#else
+/// ParaView's settings only hide series, and components of vectors are hidden there whatever the settings say.
+void SetVisible(const std::string& series, bool isVisible)
+{
+  if (!isVisible)
+  {
+    vtkPVRepresentedArrayListSettings* settings = vtkPVRepresentedArrayListSettings::GetInstance();
+    const int count = settings->GetNumberOfChartsHiddenAttributes();
+    settings->SetNumberOfChartsHiddenAttributes(count + 1);
+    settings->SetChartsHiddenAttributes(count, series.c_str());
+  }
+}
+#endif
 }
 
 void ChoosePlotSeries()

@@ -174,6 +174,7 @@ moved = NURBSTransform(Input=red, Translation=[8.0, 0.0, 0.0], TimeSteps=5)  # n
 moved.UpdatePipeline()
 check_equal("times of a Transform", [0.0, 0.25, 0.5, 0.75, 1.0], list(moved.TimestepValues))
 sheared = NURBSDeform(Input=red, Mode="Lattice", TimeSteps=3)  # noqa: F821
+manager_type = servermanager.vtkSMProxyManager
 for source, count, step in ((moved, 5, 2.0), (sheared, 3, None)):
     total = MassProperties(Input=source, Density=1000.0)  # noqa: F821
     plot = simple.PlotDataOverTime(Input=servermanager.OutputPort(total, 1), FieldAssociation="Rows", OnlyReportSelectionStatistics=0)
@@ -184,8 +185,10 @@ for source, count, step in ((moved, 5, 2.0), (sheared, 3, None)):
     check_equal("rows of Plot Data Over Time", count, len(centers))
     chart = simple.CreateView("QuartileChartView")
     shown = simple.Show(plot, chart, "QuartileChartRepresentation")
-    check_equal("series that are shown at first", [f"{name} (id=0)" for name in (
-        "CenterOfMassBound", "CenterOfMass_X", "CenterOfMass_Y", "CenterOfMass_Z", "Volume", "VolumeBound")], sorted(shown.SeriesVisibility))
+    # From 5.12 on ParaView hides components of vectors, whatever a plugin says.
+    components = ["CenterOfMass_X", "CenterOfMass_Y", "CenterOfMass_Z"] if (manager_type.GetVersionMajor(), manager_type.GetVersionMinor()) < (5, 12) else []
+    check_equal("series that are shown at first",
+                [f"{name} (id=0)" for name in ["CenterOfMassBound"] + components + ["Volume", "VolumeBound"]], sorted(shown.SeriesVisibility))
     simple.Delete(chart)
     for i, (volume, center) in enumerate(zip(volumes, centers)):
         check(f"volume at step {i}", box["volume"], volume, 1e-9 * box["volume"])
