@@ -4,9 +4,11 @@
 #include "smFormat.h"
 #include "smOCCTClosing.h"
 #include "smOCCTCompleteLoops.h"
+#include "smOCCTContradictions.h"
 #include "smOCCTEdge.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
+#include "smOCCTNaturalBoundary.h"
 #include "smOCCTRounding.h"
 #include "smParallelFor.h"
 
@@ -211,7 +213,11 @@ private:
   {
     if (!inspected.Face.IsEqual(draft.Face))
     {
-      const std::string problem = CompleteLoops(draft);
+      std::string problem = CompleteLoops(draft);
+      if (problem.empty() && inspected.HasNaturalBoundary && !AddNaturalBoundary(draft))
+      {
+        problem = "its surface has no boundary that could be added";
+      }
       if (!problem.empty())
       {
         throw std::runtime_error(problem);
@@ -263,6 +269,11 @@ private:
     const AffineMap map = this->Place.MakeMap(draft.Location);
     std::vector<std::vector<TrimCurve>> trims = this->ProjectTrims(draft, map);
     const NativeBox box = GetCoveredBox(draft, trims);
+    const std::string overstep = DescribeOverstep(draft, box);
+    if (!overstep.empty())
+    {
+      draft.Messages.push_back(overstep);
+    }
     ConvertedSurface surface = ConvertSurface(draft.Surface, box, map);
 
     auto face = std::make_shared<Face>();

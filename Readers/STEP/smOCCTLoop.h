@@ -67,6 +67,8 @@ struct DraftFace
   std::vector<DraftLoop> Loops;
   /// Number of poles and seams that were added to the loops.
   int AddedEdges = 0;
+  /// True if its outer loop was added by AddNaturalBoundary().
+  bool HasNaturalBoundary = false;
   std::vector<std::string> Messages;
   /// Number of defects: edges that were left out, and loops that do not bound a part of the surface.
   int Defects = 0;

@@ -3,6 +3,7 @@
 #include "smOCCTClosing.h"
 #include "smOCCTFaceInspection.h"
 #include "smOCCTFailure.h"
+#include "smOCCTOutsideFaces.h"
 #include "smOCCTShells.h"
 #include "smParallelFor.h"
 
@@ -138,6 +139,13 @@ public:
       }
       sign = sign != 0.0 ? sign : isSolid && outwards < -LeastShare ? -1.0 : 1.0;
     }
+    // The sides of a body that is inside out are taken to be wrong, and so may be the directions of its loops.
+    if (sign < 0.0 &&
+      std::any_of(this->Inspected.begin(), this->Inspected.end(),
+        [](const auto& face) { return face.second->HasNaturalBoundary; }))
+    {
+      return "it is inside out, and a face lies outside its loops";
+    }
     if (sign < 0.0)
     {
       this->Shape.Reverse();
@@ -262,6 +270,14 @@ private:
   double Tolerance = 0.0;
 };
 
+void AddOutsideFaces(const TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
+{
+  for (const TopoDS_Shape& face : FindOutsideFaces(shape))
+  {
+    log.OutsideFaces.push_back(label(face));
+  }
+}
+
 /// Returns true if the body needs no repair; the result is added to `log`.
 bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
 {
@@ -284,6 +300,7 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
     return true;
   }
   ++log.RepairedBodies;
+  AddOutsideFaces(shape, log, label);
   if (isTold)
   {
     log.Reasons.push_back(problem);
@@ -294,6 +311,16 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
 
 RepairOnNeed::RepairOnNeed(RepairLog& log, ShapeLabel label)
   : Filter([&log, label = std::move(label)](TopoDS_Shape& shape) { return IsSoundBody(shape, log, label); })
+{
+}
+
+RepairAlways::RepairAlways(RepairLog& log, ShapeLabel label)
+  : Filter(
+      [&log, label = std::move(label)](const TopoDS_Shape& shape, const auto&...)
+      {
+        AddOutsideFaces(shape, log, label);
+        return false;
+      })
 {
 }
 

@@ -31,6 +31,8 @@ struct RepairLog
   int RepairedBodies = 0;
   /// Wall-clock seconds that the inspections took.
   double Seconds = 0.0;
+  /// Labels of faces outside their loops (FindOutsideFaces()), whose bodies were repaired.
+  std::vector<std::string> OutsideFaces;
   /// Reasons of the first repairs, for example "solid #12: face #34: a loop does not close".
   std::vector<std::string> Reasons;
 };
@@ -50,6 +52,16 @@ class RepairOnNeed
 {
 public:
   RepairOnNeed(RepairLog& log, ShapeLabel label);
+
+private:
+  TransferFilter Filter;
+};
+
+/// During the lifetime of this object all shapes are repaired, and faces outside their loops are added to the log.
+class RepairAlways
+{
+public:
+  RepairAlways(RepairLog& log, ShapeLabel label);
 
 private:
   TransferFilter Filter;
