@@ -271,6 +271,12 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
   {
     document.Table[shape].AsInFile = face;
   }
+  for (const std::string& face : log.FoldedFaces)
+  {
+    document.Defects.push_back("Of " + face +
+      " of the file the sense contradicts its neighbours: it folds back where it meets them. The other part "
+      "of its surface may be meant.");
+  }
   for (const std::string& face : log.OutsideFaces)
   {
     document.Defects.push_back("Of " + face +

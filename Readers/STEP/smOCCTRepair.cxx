@@ -3,6 +3,7 @@
 #include "smOCCTClosing.h"
 #include "smOCCTFaceInspection.h"
 #include "smOCCTFailure.h"
+#include "smOCCTFoldedFaces.h"
 #include "smOCCTOutsideFaces.h"
 #include "smOCCTShells.h"
 #include "smParallelFor.h"
@@ -274,8 +275,29 @@ void AddOutsideFaces(const TopoDS_Shape& shape, RepairLog& log, const ShapeLabel
 {
   for (const TopoDS_Shape& face : FindOutsideFaces(shape))
   {
-    log.OutsideFaces.push_back(label(face));
+    const std::string name = label(face);
+    if (std::find(log.FoldedFaces.begin(), log.FoldedFaces.end(), name) == log.FoldedFaces.end())
+    {
+      log.OutsideFaces.push_back(name);
+    }
   }
+}
+
+/// Adds faces whose sense contradicts their neighbours' to the log. Returns true if one of them lies outside its loops: OpenCASCADE's repair
+/// takes the part inside, and its sides are those of the neighbours.
+bool AddFoldedFaces(const TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
+{
+  bool isOutside = false;
+  for (const TopoDS_Shape& face : FindFoldedFaces(shape, log.SoundFaces))
+  {
+    isOutside = isOutside || log.SoundFaces.at(face.TShape().get())->HasNaturalBoundary;
+    log.FoldedFaces.push_back(label(face));
+  }
+  for (TopExp_Explorer it(shape, TopAbs_FACE); isOutside && it.More(); it.Next())
+  {
+    log.SoundFaces.erase(it.Current().TShape().get());
+  }
+  return isOutside;
 }
 
 /// Returns true if the body needs no repair; the result is added to `log`.
@@ -294,6 +316,10 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
     CatchFailure([&] { problem = FindShapeDamage(shape, isTold ? label : none, log.SoundFaces); });
   log.Seconds += vtkTimerLog::GetUniversalTime() - start;
   problem = failure.empty() ? problem : failure;
+  if (problem.empty() && AddFoldedFaces(shape, log, label))
+  {
+    problem = log.FoldedFaces.back() + ": its outer loop runs the wrong way";
+  }
   if (problem.empty())
   {
     ++log.SoundBodies;

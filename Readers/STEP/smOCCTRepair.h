@@ -33,6 +33,8 @@ struct RepairLog
   double Seconds = 0.0;
   /// Labels of faces outside their loops (FindOutsideFaces()), whose bodies were repaired.
   std::vector<std::string> OutsideFaces;
+  /// Labels of faces whose sense contradicts their neighbours' (FindFoldedFaces()).
+  std::vector<std::string> FoldedFaces;
   /// Reasons of the first repairs, for example "solid #12: face #34: a loop does not close".
   std::vector<std::string> Reasons;
 };

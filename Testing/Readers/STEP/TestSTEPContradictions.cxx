@@ -7,9 +7,18 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <STEPControl_Writer.hxx>
+#include <gp.hxx>
+#include <gp_Circ.hxx>
+
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -267,6 +276,40 @@ void CheckOutsideFaces()
   CheckExact("torus with a pocket", torus, volume);
 }
 
+/// A sector of a ring whose upper rim is rounded by a torus. If the sense of the torus is the wrong one, its loop bounds the rest of it.
+void CheckFoldedFace()
+{
+  const gp_Pnt corners[] = { gp_Pnt(5, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(10, 0, 4), gp_Pnt(9, 0, 5),
+    gp_Pnt(5, 0, 5) };
+  BRepBuilderAPI_MakeWire profile;
+  for (int i = 0; i < 5; ++i)
+  {
+    const gp_Circ arc(gp_Ax2(gp_Pnt(9, 0, 4), gp_Dir(0, -1, 0)), 1.0);
+    const gp_Pnt& next = corners[(i + 1) % 5];
+    profile.Add(i == 2 ? BRepBuilderAPI_MakeEdge(arc, corners[i], next).Edge()
+                       : BRepBuilderAPI_MakeEdge(corners[i], next).Edge());
+  }
+  BRepPrimAPI_MakeRevol sector(BRepBuilderAPI_MakeFace(profile.Wire(), true).Face(), gp::OZ(), 1.5);
+  STEPControl_Writer writer;
+  writer.Transfer(sector.Shape(), STEPControl_AsIs);
+  const std::string path = Folder + "/contradiction_sector.step";
+  writer.Write(path.c_str());
+  const std::string text = ReadAll(path);
+  std::smatch torus;
+  // OpenCASCADE writes the torus as a surface of revolution.
+  CheckTrue("a torus", std::regex_search(text, torus, std::regex("(#[0-9]+) = SURFACE_OF_REVOLUTION")));
+  const std::string wrong = std::regex_replace(
+    text, std::regex("(ADVANCED_FACE\\('',\\([^)]*\\)," + torus[1].str() + ",)\\.T\\."), "$1.F.");
+  CheckTrue("  the files differ", wrong != text);
+  const Reading good = Read(text);
+  CheckEqual("a rounded sector: no messages", "", good.Messages);
+  const Reading folded = Read(wrong);
+  CheckTrue(
+    "its torus with the wrong sense", Says(folded, "the sense contradicts its neighbours"), folded.Messages);
+  CheckTrue("  is repaired", Says(folded, "its outer loop runs the wrong way"));
+  CheckRange("  volume", 0.0, std::abs(folded.Volume - good.Volume) / good.Volume, 1e-6);
+}
+
 /// The outer or inner part of a torus that crosses itself. OpenCASCADE takes all of it.
 void CheckSpindleTorus()
 {
@@ -362,6 +405,7 @@ int TestSTEPContradictions(int argc, char* argv[])
   }
   Folder = argv[1];
   CheckOutsideFaces();
+  CheckFoldedFace();
   CheckSpindleTorus();
   CheckOverruled();
   CheckNesting();
