@@ -36,7 +36,7 @@ std::string Label(const char* kind, int fileId, std::size_t index)
 
 /// Largest distance of the end of an edge from its vertex, relative to the body's size, before it counts as a defect. Real files have
 /// distances of up to 1.3e-3.
-constexpr double EndTolerance = 1e-2;
+constexpr double EndTolerance = 2e-3;
 
 class BodyConverter
 {
