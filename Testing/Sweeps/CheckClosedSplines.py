@@ -85,7 +85,6 @@ CASES = {
     "point_of_last_row": ("ellipsoid-plain", lambda t: change_pole(t, "B_SPLINE_SURFACE", -1, 2, 0, 5e-8)),
     "weight_of_last_column": ("torus-nurbs", lambda t: change_weight(t, "SURFACE", 2, -1, 4e-9)),
     "point_of_last_column": ("torus-nurbs", lambda t: change_pole(t, "B_SPLINE_SURFACE", 2, -1, 0, 5e-8)),
-    "point_of_last_row_of_torus": ("torus-nurbs", lambda t: change_pole(t, "B_SPLINE_SURFACE", -1, 2, 0, 5e-8)),
     "point_of_spline_with_simple_knots": ("spline_ring-nurbs", lambda t: change_pole(t, "B_SPLINE_SURFACE", -1, 2, 0, 5e-8)),
     "weight_of_curve_of_edge": ("cylinder-nurbs", lambda t: change_weight(t, "CURVE", 0, -1, 1e-5)),
     "weight_of_profile": ("spline_ring-plain", lambda t: make_rational(t, 1e-4)),
@@ -102,8 +101,8 @@ for name, (source, change) in CASES.items():
     moved = entry["total"]["volume"] - before["total"]["volume"], entry["total"]["area"] - before["total"]["area"]
     print(f"{name}: {entry['status']}, volume changes by {moved[0]:.3g}, area by {moved[1]:.3g}; against the integrals: "
           f"{result or 'agrees'}; the sound file's values: {stale or 'agree, too'}")
-    # The curve of an edge moves no face, to first order: there it must leave the cylinder.
-    is_read = isinstance(stale, str) or entry["total"]["max_gap"] > 1e-6 > before["total"]["max_gap"]
+    # Where the integrals are too uncertain, or the curve of an edge moves no face, the file's own spline leaves its edge or its cylinder.
+    is_read = isinstance(stale, str) or entry["total"]["max_gap"] > 2e-9 > before["total"]["max_gap"]
     failed += before["status"] != "ok" or entry["status"] != "ok" or result is not None or not is_read
     assert not isinstance(result, Unknown), result
 sys.exit(1 if failed else 0)
