@@ -114,7 +114,7 @@ const char* GetName(CensusDefect defect)
   static const char* const names[] = { "damaged entity", "undefined reference", "wrong type",
     "wrong parameter", "value out of range", "inconsistent spline", "cyclic reference", "bound of two faces",
     "a curved edge runs against its neighbours", "a curve does not pass through the vertices of its edge",
-    "a straight edge runs against its loop or its line", "face twice in a shell",
+    "an edge runs against its loop or its curve, with the same points", "face twice in a shell",
     "item twice in a representation", "used by nothing", "shell without faces", "assembly contains itself",
     "missing placement", "placement of other products", "in no product", "missing unit", "wrong unit",
     "absurd unit" };

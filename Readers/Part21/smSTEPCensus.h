@@ -27,11 +27,11 @@ enum class CensusDefect : unsigned char
   SharedBound,        ///< a bound of two faces, or twice of one
   ReversedEdge,   ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
   CurveOffVertex, ///< a line, circle or ellipse that does not pass through the vertices of its edge
-  ReversedLine, ///< a straight edge of a loop that runs against its neighbours, or a line against its edge: the points are the same
-  RepeatedFace, ///< a face twice in one shell
-  RepeatedItem, ///< a solid twice in one representation; it is counted once
-  UnusedEntity, ///< a face, bound, loop, shell or solid that nothing uses
-  EmptyShell,   ///< a shell without a face
+  ReversedLine, ///< a straight edge against its loop, or a line or an open spline against its edge: the points are the same
+  RepeatedFace,      ///< a face twice in one shell
+  RepeatedItem,      ///< a solid twice in one representation; it is counted once
+  UnusedEntity,      ///< a face, bound, loop, shell or solid that nothing uses
+  EmptyShell,        ///< a shell without a face
   AssemblyCycle,     ///< a product, or a representation, that contains itself
   MissingPlacement,  ///< an occurrence in an assembly without a transformation
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products

@@ -113,6 +113,7 @@ private:
   void CheckEdge(Index edge, const Point3 ends[2], double limit);
   bool ReadNumbers(Index entity, const STEPAttribute& attribute, Point3& numbers) const;
   bool ReadLine(Index line, Point3& point, Point3& direction) const;
+  bool IsAgainstSpline(Index spline, bool isForward, const Point3 ends[2], double limit) const;
   double GetConicDistance(Index conic, const Point3& point) const;
 
   // smSTEPDependence.cxx: the entities on which bodies depend, and their damage

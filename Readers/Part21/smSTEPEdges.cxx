@@ -17,6 +17,7 @@ constexpr STEPAttribute PointOfLine = { "LINE", 0, 1, "point" };
 constexpr STEPAttribute VectorOfLine = { "LINE", 1, 2, "vector" };
 constexpr STEPAttribute DirectionOfVector = { "VECTOR", 0, 1, "direction" };
 constexpr STEPAttribute RatiosOfDirection = { "DIRECTION", 0, 1, "ratios" };
+constexpr STEPAttribute PolesOfSpline = { "B_SPLINE_CURVE", 1, 2, "control points" };
 constexpr STEPAttribute PositionOfConic = { "CONIC", 0, 1, "position" };
 constexpr STEPAttribute RadiusOfCircle = { "CIRCLE", 0, 2, "radius" };
 constexpr STEPAttribute RadiiOfEllipse[] = { { "ELLIPSE", 0, 2, "first radius" },
@@ -141,11 +142,36 @@ double STEPCensusTaker::GetConicDistance(Index conic, const Point3& point) const
   return std::hypot(inPlane, height);
 }
 
+/// Returns true if an open spline leads from the last vertex to the first one, or the reverse if the edge has the other sense. Its ends are
+/// its first and last control points; if its knots are not clamped, it ends elsewhere, and nothing is found.
+bool STEPCensusTaker::IsAgainstSpline(Index spline, bool isForward, const Point3 ends[2], double limit) const
+{
+  Part21Values poles(this->Entities.Get(spline, PolesOfSpline).Text);
+  Part21Value value;
+  Index first = None;
+  Index last = None;
+  while (poles.Next(value))
+  {
+    last = this->Entities.Follow(value);
+    first = first == None ? last : first;
+  }
+  Point from;
+  Point to;
+  if (!this->ReadNumbers(isForward ? first : last, CoordinatesOfPoint, from) ||
+    !this->ReadNumbers(isForward ? last : first, CoordinatesOfPoint, to))
+  {
+    return false;
+  }
+  return GetLength(Subtract(from, to)) > 2.0 * limit && GetLength(Subtract(ends[0], to)) <= limit &&
+    GetLength(Subtract(ends[1], from)) <= limit;
+}
+
 void STEPCensusTaker::CheckEdge(Index edge, const Point3 ends[2], double limit)
 {
   const Index curve = this->FindSpatialCurve(edge);
   std::string_view record;
   double distance = -1.0;
+  const bool isForward = this->Entities.Get(edge, SenseOfEdge).Text != "F";
   if (this->Entities.FindRecord(curve, "LINE", record))
   {
     Point point;
@@ -162,11 +188,15 @@ void STEPCensusTaker::CheckEdge(Index edge, const Point3 ends[2], double limit)
       distance = std::max(distance, std::sqrt(std::max(0.0, (size - along) * (size + along))));
     }
     const double advance = Dot(Subtract(ends[1], ends[0]), direction);
-    const bool isForward = this->Entities.Get(edge, SenseOfEdge).Text != "F";
     if (distance <= limit && std::abs(advance) > limit && isForward != (advance > 0.0))
     {
-      this->Add(CensusDefect::ReversedLine, edge, this->File.GetId(curve), "line");
+      this->Add(CensusDefect::ReversedLine, edge, this->File.GetId(curve), "curve");
     }
+  }
+  else if (this->Entities.FindRecord(curve, "B_SPLINE_CURVE_WITH_KNOTS", record) &&
+    this->IsAgainstSpline(curve, isForward, ends, limit))
+  {
+    this->Add(CensusDefect::ReversedLine, edge, this->File.GetId(curve), "curve");
   }
   else if (this->Entities.FindRecord(curve, "CIRCLE", record) ||
     this->Entities.FindRecord(curve, "ELLIPSE", record))

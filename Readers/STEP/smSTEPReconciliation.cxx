@@ -133,13 +133,13 @@ private:
     }
   }
 
-  /// Reports straight edges that run the wrong way, which changes no result: they have the same points in both directions.
+  /// Reports open edges that run the wrong way, which changes no result: they have the same points in both directions.
   void ReportReversedLines(std::size_t count, const std::vector<std::uint64_t>& first)
   {
     if (count > 0)
     {
       this->Result.Messages.push_back(
-        "Straight edges of the file run against their loops or their lines, in " +
+        "Edges of the file run against their loops or their curves, with the same points, in " +
         FormatCount(static_cast<int>(count), "entity", "entities") + ", first " +
         ListIds({ first.begin(), first.begin() + std::min<std::size_t>(first.size(), 3) }) +
         ". Their vertices count, in the order of the loops; correct their directions, or export the file "

@@ -307,9 +307,9 @@ void CheckModels(const std::string& folder, const std::string& reference)
       static_cast<long long>(CountAllFaces(result.Census)));
     // Vertices of edges, or edges of loops, in the wrong order.
     CheckEqual(name + ", problems",
-      name == "ansys_tutorial_board"
-        ? "a straight edge runs against its loop or its line: 1032 (#119 EDGE_LOOP edges #74, #126 EDGE_LOOP "
-          "edges #75, #133 EDGE_LOOP edges #75)"
+      name == "ansys_tutorial_board" ? "an edge runs against its loop or its curve, with the same points: "
+                                       "1032 (#119 EDGE_LOOP edges #74, #126 EDGE_LOOP "
+                                       "edges #75, #133 EDGE_LOOP edges #75)"
         : name == "thor_gripper_arm"
         ? "a curved edge runs against its neighbours: 5 (#475 EDGE_LOOP edges #478, #5544 EDGE_LOOP edges "
           "#5611, #5847 EDGE_LOOP edges #5877)"
