@@ -36,7 +36,7 @@ std::string Label(const char* kind, int fileId, std::size_t index)
 
 /// Largest distance of the end of an edge from its vertex, relative to the body's size, before it counts as a defect. Real files have
 /// distances of up to 1.3e-3.
-constexpr double EndTolerance = 1e-2;
+constexpr double EndTolerance = 2e-3;
 
 class BodyConverter
 {
@@ -263,7 +263,10 @@ private:
     const AffineMap map = this->Place.MakeMap(draft.Location);
     std::vector<std::vector<TrimCurve>> trims = this->ProjectTrims(draft, map);
     const NativeBox box = GetCoveredBox(draft, trims);
-    ConvertedSurface surface = ConvertSurface(draft.Surface, box, map);
+    const Handle(Geom_Surface) own =
+      info.OwnSurface.Surface.IsNull() ? nullptr : CoverBox(info.OwnSurface, draft.Surface, box);
+    const Handle(Geom_Surface)& source = own.IsNull() ? draft.Surface : own;
+    ConvertedSurface surface = ConvertSurface(source, box, map);
 
     auto face = std::make_shared<Face>();
     face->Id = NewId();
@@ -280,8 +283,14 @@ private:
       this->ConvertLoop(draft, draft.Loops[l], added, surface, box, trims[l], *face, result);
     }
     face->Surface = std::move(surface.Surface);
-    face->Surface.Rounding =
-      GetReadingRounding(draft.Surface, box, map, this->Place.Origin, this->Roundings, face->Surface);
+    // The unit of the file's own surface is converted by one more factor.
+    face->Surface.Rounding = GetReadingRounding(
+      source, box, map, this->Place.Origin, this->Roundings + (own.IsNull() ? 0 : 2), face->Surface);
+    for (double& rounding : face->Surface.Rounding)
+    {
+      // The control points of a face that crosses the seam are those that OpenCASCADE moved.
+      rounding += own.IsNull() ? info.OwnSurface.Distance * map.GetScale() : 0.0;
+    }
     for (DraftLoop& loop : draft.Loops)
     {
       for (DraftCoedge& coedge : loop)

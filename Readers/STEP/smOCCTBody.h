@@ -6,6 +6,7 @@
 #define smOCCTBody_h
 
 #include "smFace.h"
+#include "smOCCTFileSurface.h"
 #include "smOCCTLoop.h"
 #include "smProgressCallback.h"
 #include "smReadersSTEPModule.h"
@@ -32,6 +33,8 @@ struct ShapeInfo
   bool Bounded = false;
   /// The completed loops (smOCCTCompleteLoops.h) of a face that OpenCASCADE has not repaired; null for other shapes.
   std::shared_ptr<const DraftFace> AsInFile;
+  /// The surface of a face in the file, if OpenCASCADE changed it.
+  FileSurface OwnSurface;
   /// Number of faces that a shell has in the file but not in OpenCASCADE's shape.
   int LostFaces = 0;
   /// True for a solid or shell one of whose instances lost its scale or reflection in the transfer.

@@ -317,6 +317,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   SkipDamagedAttributes(model, reader, document);
   TurnNegativeTori(model);
+  ClearClosedFlags(model);
   ShortenAssemblies(reader.Reader().WS());
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
