@@ -5,6 +5,7 @@
 #include "smOCCTClosing.h"
 #include "smOCCTCompleteLoops.h"
 #include "smOCCTEdge.h"
+#include "smOCCTFaceInspection.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
 #include "smOCCTRounding.h"
@@ -15,6 +16,7 @@
 #include <TopoDS_Iterator.hxx>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace sm
@@ -211,7 +213,9 @@ private:
   {
     if (!inspected.Face.IsEqual(draft.Face))
     {
-      const std::string problem = CompleteLoops(draft);
+      const double any = std::numeric_limits<double>::infinity();
+      const std::string problem =
+        inspected.TurnedEdges > 0 ? InspectFace(draft, gp_Pnt(), any, any).Problem : CompleteLoops(draft);
       if (!problem.empty())
       {
         throw std::runtime_error(problem);
@@ -431,8 +435,12 @@ private:
 
 bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table)
 {
-  const TopExp_Explorer faces(shape, TopAbs_FACE);
-  return faces.More() && Find(table, faces.Current()).AsInFile != nullptr;
+  bool isAny = false;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More() && !isAny; faces.Next())
+  {
+    isAny = Find(table, faces.Current()).AsInFile != nullptr;
+  }
+  return isAny;
 }
 
 ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],

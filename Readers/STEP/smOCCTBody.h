@@ -42,7 +42,7 @@ struct ShapeInfo
 };
 using ShapeTable = std::unordered_map<const TopoDS_TShape*, ShapeInfo>;
 
-/// Returns true if OpenCASCADE has not repaired the faces of a solid or shell.
+/// Returns true if OpenCASCADE has not repaired a solid or shell, or only some of its faces.
 SMREADERSSTEP_EXPORT bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table);
 
 struct ConvertedFace

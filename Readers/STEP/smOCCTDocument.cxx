@@ -262,9 +262,9 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
     document.Table[shape].AsInFile = face;
   }
   document.TrimSeconds = log.Seconds;
-  if (log.RepairedBodies > 0)
+  for (std::string& message : Describe(log))
   {
-    document.Messages.push_back(Describe(log));
+    document.Messages.push_back(std::move(message));
   }
   return progress(1.0);
 }
