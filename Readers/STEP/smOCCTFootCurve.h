@@ -21,10 +21,9 @@ namespace sm
 /**
  * The foot points of an edge's curve on a surface, in the curve's own parameter: closed forms on cylinders, cones, spheres and tori,
  * Newton's method to rounding elsewhere. A coordinate that is constant, or the parameter plus a constant, within 1e-10 of the size (beside
- * poles 1e-7 mm, 1e-6 of
- * the size of small curves, 1e-9 of large ones) is made so exactly, see GetResidual(): circles and rulings become straight lines. On periodic surfaces the
- * curve is continuous and may leave the base period; at a pole the undetermined coordinate is continued from its neighbours. Const methods
- * may be called by several threads.
+ * poles 1e-7 mm, 1e-6 of the size of small curves, 1e-9 of large ones) is made so exactly, see GetResidual(): circles and rulings become
+ * straight lines. On periodic surfaces the curve is continuous and may leave the base period; at a pole the undetermined coordinate is
+ * continued from its neighbours. Const methods may be called by several threads.
  */
 class SMREADERSSTEP_EXPORT FootCurve
 {
