@@ -248,7 +248,7 @@ void Builder::AddRibbons(const Coedge& coedge, int piece, std::uint32_t trim, co
         static_cast<std::uint8_t>(curve.GetDegree(piece)),
         static_cast<std::uint8_t>(edge.GetDegree(edgePiece)), this->Source.Reversed != coedge.Reversed,
         !coedge.Use->Degenerate, local, nextLocal, (t - edgeStart) / edgeWidth,
-        (next - edgeStart) / edgeWidth, this->CoedgeIndex });
+        (next - edgeStart) / edgeWidth, this->CoedgeIndex, piece });
     }
     if (last)
     {

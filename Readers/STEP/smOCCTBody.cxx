@@ -6,6 +6,7 @@
 #include "smOCCTCompleteLoops.h"
 #include "smOCCTContradictions.h"
 #include "smOCCTEdge.h"
+#include "smOCCTFaceInspection.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
 #include "smOCCTNaturalBoundary.h"
@@ -17,6 +18,7 @@
 #include <TopoDS_Iterator.hxx>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace sm
@@ -38,7 +40,7 @@ std::string Label(const char* kind, int fileId, std::size_t index)
 
 /// Largest distance of the end of an edge from its vertex, relative to the body's size, before it counts as a defect. Real files have
 /// distances of up to 1.3e-3.
-constexpr double EndTolerance = 1e-2;
+constexpr double EndTolerance = 2e-3;
 
 class BodyConverter
 {
@@ -213,8 +215,11 @@ private:
   {
     if (!inspected.Face.IsEqual(draft.Face))
     {
-      std::string problem = CompleteLoops(draft);
-      if (problem.empty() && inspected.HasNaturalBoundary && !AddNaturalBoundary(draft))
+      const double any = std::numeric_limits<double>::infinity();
+      std::string problem =
+        inspected.TurnedEdges > 0 ? InspectFace(draft, gp_Pnt(), any, any).Problem : CompleteLoops(draft);
+      if (problem.empty() && inspected.HasNaturalBoundary && !draft.HasNaturalBoundary &&
+        !AddNaturalBoundary(draft))
       {
         problem = "its surface has no boundary that could be added";
       }
@@ -274,7 +279,10 @@ private:
     {
       draft.Messages.push_back(overstep);
     }
-    ConvertedSurface surface = ConvertSurface(draft.Surface, box, map);
+    const Handle(Geom_Surface) own =
+      info.OwnSurface.Surface.IsNull() ? nullptr : CoverBox(info.OwnSurface, draft.Surface, box);
+    const Handle(Geom_Surface)& source = own.IsNull() ? draft.Surface : own;
+    ConvertedSurface surface = ConvertSurface(source, box, map);
 
     auto face = std::make_shared<Face>();
     face->Id = NewId();
@@ -291,8 +299,14 @@ private:
       this->ConvertLoop(draft, draft.Loops[l], added, surface, box, trims[l], *face, result);
     }
     face->Surface = std::move(surface.Surface);
-    face->Surface.Rounding =
-      GetReadingRounding(draft.Surface, box, map, this->Place.Origin, this->Roundings, face->Surface);
+    // The unit of the file's own surface is converted by one more factor.
+    face->Surface.Rounding = GetReadingRounding(
+      source, box, map, this->Place.Origin, this->Roundings + (own.IsNull() ? 0 : 2), face->Surface);
+    for (double& rounding : face->Surface.Rounding)
+    {
+      // The control points of a face that crosses the seam are those that OpenCASCADE moved.
+      rounding += own.IsNull() ? info.OwnSurface.Distance * map.GetScale() : 0.0;
+    }
     for (DraftLoop& loop : draft.Loops)
     {
       for (DraftCoedge& coedge : loop)
@@ -336,6 +350,20 @@ private:
       coedge.Curve = from.Projected ? std::move(projected[i])
                                     : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
                                         coedge.Use->Curve.GetEnd(), surface.Map, width);
+      if (from.Trim.Residual[0] + from.Trim.Residual[1] > 0.0 ||
+        (from.Trim.Feet && coedge.Curve.GetLargestResidual() > 1e-12))
+      {
+        // A line may be nearer to the edge than the foot points, which OpenCASCADE evaluates.
+        const TrimCurve::Point measured = MeasureResidual(surface.Surface, coedge.Curve, coedge.Use->Curve);
+        for (int d = 0; d < 2; ++d)
+        {
+          coedge.Curve.Residual[d] = std::min(coedge.Curve.Residual[d], measured[d]);
+          for (TrimCurve::Point& residual : coedge.Curve.PieceResiduals)
+          {
+            residual[d] = std::min(residual[d], measured[d]);
+          }
+        }
+      }
       SnapToKnots(knots, coedge.Curve);
       if (!coedge.Use->Degenerate && !from.Projected)
       {
@@ -433,8 +461,12 @@ private:
 
 bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table)
 {
-  const TopExp_Explorer faces(shape, TopAbs_FACE);
-  return faces.More() && Find(table, faces.Current()).AsInFile != nullptr;
+  bool isAny = false;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More() && !isAny; faces.Next())
+  {
+    isAny = Find(table, faces.Current()).AsInFile != nullptr;
+  }
+  return isAny;
 }
 
 ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],

@@ -284,9 +284,9 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
       "taken the part inside.");
   }
   document.TrimSeconds = log.Seconds;
-  if (log.RepairedBodies > 0)
+  for (std::string& message : Describe(log))
   {
-    document.Messages.push_back(Describe(log));
+    document.Messages.push_back(std::move(message));
   }
   return progress(1.0);
 }
@@ -342,6 +342,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   CheckSpindleTori(model, document.Defects);
   CheckShortArcs(model, document.FileUnitInMillimetres, document.Messages);
   TurnNegativeTori(model);
+  ClearClosedFlags(model);
   ShortenAssemblies(reader.Reader().WS());
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");

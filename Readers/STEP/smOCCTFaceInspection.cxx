@@ -2,6 +2,7 @@
 
 #include "smOCCTCompleteLoops.h"
 #include "smOCCTNaturalBoundary.h"
+#include "smOCCTTurnEdges.h"
 
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
@@ -244,6 +245,12 @@ FaceInspection InspectLoops(
     largest = std::abs(areas.back()) > std::abs(areas[largest]) ? areas.size() - 1 : largest;
     result.ConeVolume += GetConeVolume(face, points, areas.back(), boxes[0].Low[0], origin);
   }
+  if (face.TurnedEdges > 0 && areas[largest] < 0.0)
+  {
+    TurnLoop(face);
+    areas[largest] = -areas[largest];
+    result.ConeVolume = -result.ConeVolume;
+  }
   isOutside = !(areas[largest] > 0.0) && !IsSliver(face, sampled.Loops[largest], areas[largest], tolerance);
   if (isOutside)
   {
@@ -269,6 +276,7 @@ FaceInspection InspectLoops(
 FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance, double largestGap)
 {
   FaceInspection result;
+  TurnEdges(face);
   result.Problem = face.Defects > 0 ? "one of its edges cannot be used"
     : face.Loops.empty()            ? "it has no loops"
                                     : CompleteLoops(face);

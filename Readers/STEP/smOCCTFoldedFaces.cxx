@@ -22,7 +22,7 @@ constexpr double Opposite = -0.9999;
 /// Returns true if the direction of its loops has decided on which part of a closed surface the face is.
 bool IsDecidedByLoops(const DraftFace& face)
 {
-  return face.HasNaturalBoundary || (face.AddedEdges > 0 && IsOnClosedSurface(face));
+  return face.IsOutside() || (face.AddedEdges > 0 && IsOnClosedSurface(face));
 }
 
 /// Returns the outer unit normal of a face at the foot of a point; null if it is not defined.

@@ -69,6 +69,12 @@ struct DraftFace
   int AddedEdges = 0;
   /// True if its outer loop was added by AddNaturalBoundary().
   bool HasNaturalBoundary = false;
+  /// True if all its loops are holes between the poles that the file gives its sphere; CompleteLoops() has chosen others.
+  bool HasTurnedSphere = false;
+  /// Returns true if it is the part of a closed surface outside its loops.
+  bool IsOutside() const { return this->HasNaturalBoundary || this->HasTurnedSphere; }
+  /// Number of coedges whose direction in the file contradicts their loop, and was reversed (TurnEdges()).
+  int TurnedEdges = 0;
   std::vector<std::string> Messages;
   /// Number of defects: edges that were left out, and loops that do not bound a part of the surface.
   int Defects = 0;
@@ -89,6 +95,9 @@ enum class MissingTrim
  */
 DraftFace CollectFace(const TopoDS_Face& face, TopTools_IndexedMapOfShape& edges,
   MissingTrim missing = MissingTrim::Approximated);
+
+/// Returns true if the next coedge begins at the vertex at which this one ends.
+bool Meet(const DraftCoedge& from, const DraftCoedge& to);
 
 /// Orders coedges so that each ends where the next one starts, and separates disconnected chains into loops.
 void OrderLoops(DraftFace& face);

@@ -28,8 +28,9 @@ bool IsOutside(const TopoDS_Face& shape, double size)
     {
       TopTools_IndexedMapOfShape edges;
       DraftFace face = CollectFace(shape, edges, MissingTrim::Feet);
-      isOutside = IsOnClosedSurface(face) &&
-        InspectFace(face, gp_Pnt(), Tolerance * size, std::numeric_limits<double>::infinity()).Outside;
+      isOutside = IsOnClosedSurface(face) && !HasSeam(face) &&
+        (InspectFace(face, gp_Pnt(), Tolerance * size, std::numeric_limits<double>::infinity()).Outside ||
+          face.IsOutside());
     });
   return isOutside;
 }

@@ -6,22 +6,13 @@
 #define smOCCTRepair_h
 
 #include "smOCCTCompatibility.h"
-#include "smOCCTLoop.h"
-#include "smReadersSTEPModule.h"
+#include "smOCCTShapeInspection.h"
 
-#include <TopoDS_Shape.hxx>
-#include <TopoDS_TShape.hxx>
-
-#include <functional>
-#include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace sm
 {
-using SoundFaceTable = std::unordered_map<const TopoDS_TShape*, std::shared_ptr<const DraftFace>>;
-
 /// Record of the repairs of a transfer.
 struct RepairLog
 {
@@ -29,9 +20,15 @@ struct RepairLog
   SoundFaceTable SoundFaces;
   int SoundBodies = 0;
   int RepairedBodies = 0;
+  /// Bodies of which only some faces were repaired, and these faces.
+  int PatchedBodies = 0;
+  int RepairedFaces = 0;
+  /// Bodies with edges whose direction was reversed (TurnEdges()), and these uses of edges.
+  int TurnedBodies = 0;
+  int TurnedEdges = 0;
   /// Wall-clock seconds that the inspections took.
   double Seconds = 0.0;
-  /// Labels of faces outside their loops (FindOutsideFaces()), whose bodies were repaired.
+  /// Labels of faces outside their loops (FindOutsideFaces()) that were repaired.
   std::vector<std::string> OutsideFaces;
   /// Labels of faces whose sense contradicts their neighbours' (FindFoldedFaces()).
   std::vector<std::string> FoldedFaces;
@@ -39,16 +36,14 @@ struct RepairLog
   std::vector<std::string> Reasons;
 };
 
-/// Returns a sentence with the number of repaired shapes and the reasons.
-std::string Describe(const RepairLog& log);
-
-/// Returns "face #12", or "a face" if it has no number.
-using ShapeLabel = std::function<std::string(const TopoDS_Shape&)>;
+/// Returns messages with the numbers of repaired and turned shapes and the reasons.
+std::vector<std::string> Describe(const RepairLog& log);
 
 /**
  * During the lifetime of this object OpenCASCADE's transfer does not repair solids and shells that are sound: edges of a solid are used
  * once in either direction, each shell is connected, and all faces pass InspectFace() (smOCCTFaceInspection.h). A solid that is inside out
- * is reversed. All others are repaired as usual. The conditions of TransferFilter apply.
+ * is reversed. If only a few faces do not pass, these alone are repaired. All others are repaired as usual. The conditions of
+ * TransferFilter apply.
  */
 class RepairOnNeed
 {
@@ -68,11 +63,6 @@ public:
 private:
   TransferFilter Filter;
 };
-
-/// Returns the reason why a solid or shell needs a repair; empty if it is sound, and then its faces are added to `faces`. A solid that is
-/// clearly inside out is reversed.
-SMREADERSSTEP_EXPORT std::string FindShapeDamage(
-  TopoDS_Shape& shape, const ShapeLabel& label, SoundFaceTable& faces);
 }
 
 #endif
