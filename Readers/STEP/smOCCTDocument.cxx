@@ -20,6 +20,10 @@
 #include "vtkTimerLog.h"
 
 #include <STEPCAFControl_Reader.hxx>
+#include <StepAP214_AppliedDocumentReference.hxx>
+#include <StepBasic_HArray1OfDocument.hxx>
+#include <StepBasic_ObjectRole.hxx>
+#include <StepBasic_ProductDefinitionWithAssociatedDocuments.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepGeom_RectangularTrimmedSurface.hxx>
 #include <StepGeom_ToroidalSurface.hxx>
@@ -131,6 +135,25 @@ void TurnNegativeTori(const Handle(StepData_StepModel) & model)
   for (const Handle(StepGeom_ToroidalSurface) & torus : negative)
   {
     torus->SetMajorRadius(std::abs(torus->MajorRadius()));
+  }
+}
+
+/// Keeps OpenCASCADE from reading other files, which it would seek in the working directory: their bodies would have numbers that are none
+/// of this file, and nothing would tell whether they are complete. Reconcile() reports the products that lack them.
+void ForgetOtherFiles(const Handle(StepData_StepModel) & model)
+{
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const Handle(Standard_Transient) entity = model->Value(i);
+    const auto definition = Handle(StepBasic_ProductDefinitionWithAssociatedDocuments)::DownCast(entity);
+    if (!definition.IsNull())
+    {
+      definition->SetDocIds(nullptr);
+    }
+    else if (entity->DynamicType() == STANDARD_TYPE(StepAP214_AppliedDocumentReference))
+    {
+      model->ReplaceEntity(i, new StepBasic_ObjectRole);
+    }
   }
 }
 
@@ -317,6 +340,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   SkipDamagedAttributes(model, reader, document);
   TurnNegativeTori(model);
+  ForgetOtherFiles(model);
   ShortenAssemblies(reader.Reader().WS());
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
