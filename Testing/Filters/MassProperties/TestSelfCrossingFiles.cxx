@@ -210,6 +210,20 @@ void WritePlate(const std::string& name, const std::vector<std::array<Point, 2>>
   plate.Write(name, uncertainty);
 }
 
+/// A box of 1 x 2 x 3 with two faces more: twice its top, or twice a diagonal wall, with opposite sides.
+void WriteMembrane(const std::string& name, const std::vector<Point>& wall)
+{
+  const Point low{ 0.0, 0.0, 0.0 };
+  const Point high{ 1.0, 2.0, 3.0 };
+  Polyhedron box;
+  box.AddFace({ Reversed(MakeRing(low, high, 0.0)) });
+  box.AddFace({ MakeRing(low, high, 3.0) });
+  AddSides(box, MakeRing(low, high, 0.0), MakeRing(low, high, 3.0));
+  box.AddFace({ wall });
+  box.AddFace({ Reversed(wall) });
+  box.Write(name);
+}
+
 /// A block of 10 x 10 x 10 with a pocket of 4 x 4 from its top down to z = bottom.
 void WritePocket(const std::string& name, double bottom)
 {
@@ -291,5 +305,13 @@ int TestSelfCrossingFiles(int argc, char* argv[])
       CheckFile("hole_outside", 96.0 * height, loops);
     }
   }
+
+  const std::string onEachOther =
+    "lie on each other with opposite sides: both areas count, and no volume; edge #";
+  WriteMembrane("top_three_times", MakeRing({ 0, 0, 0 }, { 1, 2, 3 }, 3.0));
+  CheckFile("top_three_times", 6.0, onEachOther);
+  CheckFile("top_three_times", 6.0, "is used 4 times");
+  WriteMembrane("wall", { { 0, 0, 0 }, { 1, 2, 0 }, { 1, 2, 3 }, { 0, 0, 3 } });
+  CheckFile("wall", 6.0, onEachOther);
   return Finish();
 }
