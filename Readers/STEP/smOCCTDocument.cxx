@@ -12,6 +12,7 @@
 #include "smOCCTRecords.h"
 #include "smOCCTRepair.h"
 #include "smOCCTTable.h"
+#include "smOCCTTurnedShells.h"
 #include "smPart21File.h"
 #include "smPart21Remains.h"
 #include "smSTEPReconciliation.h"
@@ -267,11 +268,10 @@ struct DeclaredContent
 
 /// Transfers all shapes of the file; returns false if `progress` stopped it.
 bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, RepairMode repair,
-  const ProgressCallback& progress, Document& document)
+  const ProgressCallback& progress, Document& document, RepairLog& log)
 {
   const Handle(KernelProgress) indicator =
     new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
-  RepairLog log;
   {
     const auto label = [&reader](const TopoDS_Shape& shape)
     { return GetShapeLabel(reader.Reader().WS(), shape); };
@@ -345,7 +345,8 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   SetMillimetres(xde);
-  if (!Transfer(reader, xde, repair, progress, document))
+  RepairLog log;
+  if (!Transfer(reader, xde, repair, progress, document, log))
   {
     document.Status = ReadStatus::Aborted;
     return;
@@ -358,6 +359,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   {
     body.Misplaced = body.Misplaced || !found;
   }
+  ReportTurnedShells(log, document);
   Reconcile(declared.Census, document);
   Conclude(model, document);
 }

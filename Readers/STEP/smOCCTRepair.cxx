@@ -262,6 +262,19 @@ private:
   double Tolerance = 0.0;
 };
 
+/// Keeps the sides of the faces, which a repair may turn.
+void KeepSides(const TopoDS_Shape& shape, RepairLog& log)
+{
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+  {
+    TopLoc_Location location;
+    const Handle(Geom_Surface)& surface = BRep_Tool::Surface(TopoDS::Face(it.Current()), location);
+    const FaceSide side{ surface, it.Current().Orientation() == TopAbs_REVERSED, false };
+    const auto [known, isNew] = log.Sides.emplace(surface.get(), side);
+    known->second.Ambiguous = !isNew;
+  }
+}
+
 /// Returns true if the body needs no repair; the result is added to `log`.
 bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
 {
@@ -273,6 +286,7 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
   const bool isTold = log.Reasons.size() < MostReasons;
   const ShapeLabel none = [](const TopoDS_Shape&) { return std::string(); };
   std::string problem;
+  const TopAbs_Orientation before = shape.Orientation();
   const double start = vtkTimerLog::GetUniversalTime();
   const std::string failure =
     CatchFailure([&] { problem = FindShapeDamage(shape, isTold ? label : none, log.SoundFaces); });
@@ -281,9 +295,14 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
   if (problem.empty())
   {
     ++log.SoundBodies;
+    if (shape.Orientation() != before)
+    {
+      log.TurnedBodies.push_back(shape);
+    }
     return true;
   }
   ++log.RepairedBodies;
+  KeepSides(shape, log);
   if (isTold)
   {
     log.Reasons.push_back(problem);

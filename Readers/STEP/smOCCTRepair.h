@@ -9,6 +9,7 @@
 #include "smOCCTLoop.h"
 #include "smReadersSTEPModule.h"
 
+#include <Geom_Surface.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
 
@@ -22,17 +23,29 @@ namespace sm
 {
 using SoundFaceTable = std::unordered_map<const TopoDS_TShape*, std::shared_ptr<const DraftFace>>;
 
+/// A surface that one face of a repaired body has, with the side that the face took before; ambiguous if several faces have it.
+struct FaceSide
+{
+  Handle(Geom_Surface) Surface;
+  bool Reversed = false;
+  bool Ambiguous = false;
+};
+
 /// Record of the repairs of a transfer.
 struct RepairLog
 {
   /// Faces that were not repaired, with completed loops.
   SoundFaceTable SoundFaces;
+  /// Sides of the faces of repaired bodies.
+  std::unordered_map<const Geom_Surface*, FaceSide> Sides;
   int SoundBodies = 0;
   int RepairedBodies = 0;
   /// Wall-clock seconds that the inspections took.
   double Seconds = 0.0;
   /// Reasons of the first repairs, for example "solid #12: face #34: a loop does not close".
   std::vector<std::string> Reasons;
+  /// Sound bodies that were inside out, and were reversed.
+  std::vector<TopoDS_Shape> TurnedBodies;
 };
 
 /// Returns a sentence with the number of repaired shapes and the reasons.

@@ -189,6 +189,22 @@ void WriteBoxes(const std::string& name, const std::vector<std::array<Point, 2>>
   solid.Write(name);
 }
 
+/// Boxes in one shell; those that are said to be have all normals inwards.
+void WriteSides(
+  const std::string& name, const std::vector<std::array<Point, 2>>& boxes, const std::vector<bool>& inwards)
+{
+  Polyhedron solid;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    const std::vector<Point> bottom = MakeRing(boxes[i][0], boxes[i][1], boxes[i][0][2]);
+    const std::vector<Point> top = MakeRing(boxes[i][0], boxes[i][1], boxes[i][1][2]);
+    solid.AddFace({ inwards[i] ? bottom : Reversed(bottom) });
+    solid.AddFace({ inwards[i] ? Reversed(top) : top });
+    AddSides(solid, inwards[i] ? Reversed(bottom) : bottom, inwards[i] ? Reversed(top) : top);
+  }
+  solid.Write(name);
+}
+
 /// A plate of 10 x 10 with rectangular holes through it, wherever they lie.
 void WritePlate(const std::string& name, const std::vector<std::array<Point, 2>>& holes, double height,
   const std::string& uncertainty = "1.E-07")
@@ -313,5 +329,23 @@ int TestSelfCrossingFiles(int argc, char* argv[])
   CheckFile("top_three_times", 6.0, "is used 4 times");
   WriteMembrane("wall", { { 0, 0, 0 }, { 1, 2, 0 }, { 1, 2, 3 }, { 0, 0, 3 } });
   CheckFile("wall", 6.0, onEachOther);
+
+  const std::array<Point, 2> outer{ Point{ 0, 0, 0 }, Point{ 10, 10, 10 } };
+  const std::array<Point, 2> inner{ Point{ 1, 1, 1 }, Point{ 2, 3, 4 } };
+  const std::array<Point, 2> beside{ Point{ 12, 0, 0 }, Point{ 13, 1, 1 } };
+  const std::string turned = "OpenCASCADE turned it, against what the file says";
+  const std::string insideOut = "1 solid is inside out in the file, and turned: #";
+  WriteSides("void", { outer, inner }, { false, true });
+  CheckFile("void", 994.0, "");
+  WriteSides("void_that_is_solid", { outer, inner }, { false, false });
+  CheckFile("void_that_is_solid", 994.0, turned);
+  WriteSides("void_in_a_turned_box", { outer, inner }, { true, true });
+  CheckFile("void_in_a_turned_box", 994.0, turned);
+  WriteSides("turned_with_its_void", { outer, inner }, { true, false });
+  CheckFile("turned_with_its_void", 994.0, "", insideOut);
+  WriteSides("turned_box", { inner }, { true });
+  CheckFile("turned_box", 6.0, "", insideOut);
+  WriteSides("turned_box_beside_another", { outer, beside }, { false, true });
+  CheckFile("turned_box_beside_another", 1001.0, "", insideOut);
   return Finish();
 }
