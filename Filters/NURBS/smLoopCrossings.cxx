@@ -247,9 +247,12 @@ void FlatLoops::WidenSlack()
 
 const std::vector<std::size_t>& FlatLoops::GetRow(double v) const
 {
-  const double last = static_cast<double>(this->Rows.size() - 1);
-  return this
-    ->Rows[static_cast<std::size_t>(std::clamp(v * static_cast<double>(this->Rows.size()), 0.0, last))];
+  const double row = v * static_cast<double>(this->Rows.size());
+  const std::size_t last = this->Rows.size() - 1;
+  // Not a number is in the first row.
+  return this->Rows[!(row > 0.0)        ? 0
+      : row < static_cast<double>(last) ? static_cast<std::size_t>(row)
+                                        : last];
 }
 
 void FlatLoops::SortIntoRows()
@@ -355,6 +358,10 @@ int FlatLoops::ExamineBeside(const Chord& chord, double side) const
 
 bool FlatLoops::HasMisplacedLoop()
 {
+  if (this->FirstChords.empty())
+  {
+    return false;
+  }
   this->WidenSlack();
   for (std::size_t k = 0; k < this->FirstChords.size(); ++k)
   {

@@ -86,7 +86,7 @@ public:
       }
       else if (body.Kind == CensusBodyKind::OtherSolid)
       {
-        this->Result.Defects.push_back("Solid " + Name(body) + " of the file is a " + body.Type +
+        this->Result.Defects.push_back("Solid " + Name(body) + " of the file is of the type " + body.Type +
           ", which has no faces: it is left out. Export it as a boundary representation.");
       }
       else if (body.Kind == CensusBodyKind::Tessellated && !body.Alternative)
@@ -107,7 +107,7 @@ private:
     const bool isBody = body.Type.find("TESSELLATED_SOLID") != std::string::npos ||
       body.Type.find("TESSELLATED_SHELL") != std::string::npos;
     (isBody ? this->Result.Defects : this->Result.Messages)
-      .push_back("Body " + Name(body) + " of the file is a " + body.Type +
+      .push_back("Body " + Name(body) + " of the file is of the type " + body.Type +
         ", of triangles instead of exact faces: it is left out. Export it as a boundary representation.");
   }
 

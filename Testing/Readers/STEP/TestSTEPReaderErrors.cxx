@@ -187,7 +187,7 @@ void CheckUnreadParts()
          "MODIFIED_SOLID", "THICKENED_FACE_SOLID", "TRIMMED_VOLUME", "EXTRUDED_FACE_SOLID_WITH_DRAFT_ANGLE" })
   {
     CheckDeclared(type, shape + "#75=" + type + "('',#23);\n", true,
-      std::string("Solid #75 of the file is a ") + type + ", which has no faces");
+      std::string("Solid #75 of the file is of the type ") + type + ", which has no faces");
   }
   const std::string triangles = "of triangles instead of exact faces: it is left out";
   CheckDeclared("triangles", shape + "#75=TESSELLATED_SOLID('t',(#77),$);\n", true, triangles);
