@@ -25,13 +25,15 @@ enum class CensusDefect : unsigned char
   InconsistentSpline, ///< multiplicities, knots, poles and degree do not fit together
   CyclicReference,    ///< an oriented shell, face or edge, a boundary or a curve that is part of itself
   SharedBound,        ///< a bound of two faces, or twice of one
-  ReversedEdge,     ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
-  RepeatedFace,     ///< a face twice in one shell
-  RepeatedItem,     ///< a solid twice in one representation; it is counted once
-  UnusedEntity,     ///< a face, bound, loop, shell or solid that nothing uses
-  EmptyShell,       ///< a shell without a face
-  AssemblyCycle,    ///< a product, or a representation, that contains itself
-  MissingPlacement, ///< an occurrence in an assembly without a transformation
+  ReversedEdge,   ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
+  CurveOffVertex, ///< a line, circle or ellipse that does not pass through the vertices of its edge
+  ReversedLine, ///< a straight edge against its loop, or a line or an open spline against its edge: the points are the same
+  RepeatedFace,      ///< a face twice in one shell
+  RepeatedItem,      ///< a solid twice in one representation; it is counted once
+  UnusedEntity,      ///< a face, bound, loop, shell or solid that nothing uses
+  EmptyShell,        ///< a shell without a face
+  AssemblyCycle,     ///< a product, or a representation, that contains itself
+  MissingPlacement,  ///< an occurrence in an assembly without a transformation
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products
   UnreachedBody,     ///< a solid in a representation that no product uses
   MissingUnit,       ///< no length unit, or no angle unit
@@ -251,8 +253,8 @@ enum Bit : unsigned char
  * - Problems, only at entities that bodies, structure or units depend on: damage elsewhere, for example in text annotations, is not
  * reported. The
  *   parameters of all geometric entities below a face are checked against ISO 10303-42: number, kind, type of what they refer to,
- * ranges, and for splines that knots, multiplicities, poles and degree agree. Not checked are the positions of curves and points relative
- * to each other, and validation rules of the schemas beyond those named.
+ * ranges, and for splines that knots, multiplicities, poles and degree agree. Lines, circles and ellipses of edges must pass through the
+ * edges' vertices. Not checked are the positions of other curves and of points relative to each other, and validation rules of the schemas beyond those named.
  *
  * Time and memory are linear in the file (a file of 2^17 leaves in 17 levels takes no more than its 34 occurrences), and there is no
  * recursion over the depth of the file. Only std::bad_alloc is thrown.

@@ -285,9 +285,9 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
     document.Table[shape].AsInFile = face;
   }
   document.TrimSeconds = log.Seconds;
-  if (log.RepairedBodies > 0)
+  for (std::string& message : Describe(log))
   {
-    document.Messages.push_back(Describe(log));
+    document.Messages.push_back(std::move(message));
   }
   return progress(1.0);
 }
@@ -341,6 +341,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   SkipDamagedAttributes(model, reader, document);
   TurnNegativeTori(model);
   ForgetOtherFiles(model);
+  ClearClosedFlags(model);
   ShortenAssemblies(reader.Reader().WS());
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");

@@ -235,6 +235,45 @@ void FootCurve::Straighten()
   }
 }
 
+/// Returns the parameter between two samples at which a coordinate passes a value, to the next numbers: by the Illinois method, a secant
+/// whose end that stays is halved, as every evaluation is a search for a foot point.
+double FootCurve::FindCrossing(int direction, double value, const Sample& from, const Sample& to) const
+{
+  double a = from.T;
+  double b = to.T;
+  double before = from.UV[direction] - value;
+  double after = to.UV[direction] - value;
+  const bool rising = after > 0.0;
+  int stays = 0;
+  for (int n = 0; n < 72; ++n)
+  {
+    const double middle = 0.5 * (a + b);
+    if (!(middle > a && middle < b))
+    {
+      break;
+    }
+    // Rounding stops secants before the ends are neighbours.
+    const double secant = n < 12 ? a + (b - a) * (before / (before - after)) : middle;
+    const double t = secant > a && secant < b ? secant : middle;
+    const double miss = this->Evaluate(t)[direction] - value;
+    if ((miss > 0.0) == rising)
+    {
+      b = t;
+      after = miss;
+      before *= stays < 0 ? 0.5 : 1.0;
+      stays = -1;
+    }
+    else
+    {
+      a = t;
+      before = miss;
+      after *= stays > 0 ? 0.5 : 1.0;
+      stays = 1;
+    }
+  }
+  return 0.5 * (a + b);
+}
+
 /// The foot point is less smooth where the surface has a knot.
 void FootCurve::AddKnotCrossings()
 {
@@ -249,23 +288,12 @@ void FootCurve::AddKnotCrossings()
     {
       for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
       {
-        double a = this->Samples[i].T;
-        double b = this->Samples[i + 1].T;
-        const bool rising = this->Samples[i + 1].UV[d] > knot;
-        if ((this->Samples[i].UV[d] > knot) == rising)
+        const Sample& a = this->Samples[i];
+        const Sample& b = this->Samples[i + 1];
+        if ((a.UV[d] > knot) != (b.UV[d] > knot))
         {
-          continue;
+          crossings.push_back(this->FindCrossing(d, knot, a, b));
         }
-        for (int n = 0; n < 60; ++n)
-        {
-          const double middle = 0.5 * (a + b);
-          if (!(middle > a && middle < b))
-          {
-            break;
-          }
-          ((this->Evaluate(middle)[d] > knot) == rising ? b : a) = middle;
-        }
-        crossings.push_back(0.5 * (a + b));
       }
     }
   }

@@ -66,6 +66,7 @@ private:
   bool IsBesidePole(const Sample& sample) const;
   void Straighten();
   void AddKnotCrossings();
+  double FindCrossing(int direction, double value, const Sample& from, const Sample& to) const;
   /// Sets the undetermined coordinate at a pole to that of the neighbouring sample.
   void ContinueAtPole(
     const std::array<double, 2>& neighbour, const double speed[2], std::array<double, 2>& uv) const;

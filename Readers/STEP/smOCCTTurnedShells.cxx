@@ -58,7 +58,7 @@ TurnedShells FindTurnedShells(const RepairLog& log, const Document& document, co
 void ReportTurnedShells(const RepairLog& log, Document& document)
 {
   std::unordered_set<const TopoDS_TShape*> sound;
-  for (const TopoDS_Shape& shape : log.TurnedBodies)
+  for (const TopoDS_Shape& shape : log.ReversedBodies)
   {
     sound.insert(shape.TShape().get());
   }

@@ -158,7 +158,9 @@ private:
   /// Reports contradictions in the file itself. A missing unit is not one of them.
   void ReportProblems()
   {
-    std::size_t counted = this->Census.GetNumberOfProblems(CensusDefect::MissingUnit);
+    const std::size_t lines = this->Census.GetNumberOfProblems(CensusDefect::ReversedLine);
+    std::size_t counted = this->Census.GetNumberOfProblems(CensusDefect::MissingUnit) + lines;
+    std::vector<std::uint64_t> reversed;
     std::size_t listed = 0;
     std::size_t all = 0;
     for (const std::size_t count : this->Census.Counts)
@@ -170,6 +172,10 @@ private:
       if (problem.Defect == CensusDefect::MissingUnit)
       {
         this->ReportMissingUnit(problem);
+      }
+      else if (problem.Defect == CensusDefect::ReversedLine)
+      {
+        reversed.push_back(problem.Id);
       }
       else if (problem.Defect == CensusDefect::MissingPlacement && !this->Census.MappedItems.empty())
       {
@@ -184,10 +190,25 @@ private:
         this->Result.Defects.push_back(Describe(problem));
       }
     }
+    this->ReportReversedLines(lines, reversed);
     if (counted < all)
     {
       this->Result.Defects.push_back(
         std::to_string(all - counted) + " more entities of the file are damaged or contradict others.");
+    }
+  }
+
+  /// Reports open edges that run the wrong way, which changes no result: they have the same points in both directions.
+  void ReportReversedLines(std::size_t count, const std::vector<std::uint64_t>& first)
+  {
+    if (count > 0)
+    {
+      this->Result.Messages.push_back(
+        "Edges of the file run against their loops or their curves, with the same points, in " +
+        FormatCount(static_cast<int>(count), "entity", "entities") + ", first " +
+        ListIds({ first.begin(), first.begin() + std::min<std::size_t>(first.size(), 3) }) +
+        ". Their vertices count, in the order of the loops; correct their directions, or export the file "
+        "again.");
     }
   }
 
@@ -199,7 +220,9 @@ private:
       (place.empty() && other.empty()
           ? ""
           : " (" + place + (place.empty() || other.empty() ? "" : ", ") + other + ")") +
-      ".";
+      (problem.Defect == CensusDefect::CurveOffVertex
+          ? ". Which of the two is meant is not known; correct the curve or the vertices, or export it again."
+          : ".");
   }
 
   /// Reports densities that cannot be used, since the parts have no mass then.
