@@ -5,6 +5,10 @@
 
 #include "vtkTimerLog.h"
 
+#include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
 #include <utility>
 
 namespace sm
@@ -13,6 +17,19 @@ namespace
 {
 /// Largest number of reasons that are listed.
 constexpr std::size_t MostReasons = 10;
+
+/// Keeps the sides of the faces, which a repair may turn.
+void KeepSides(const TopoDS_Shape& shape, RepairLog& log)
+{
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+  {
+    TopLoc_Location location;
+    const Handle(Geom_Surface)& surface = BRep_Tool::Surface(TopoDS::Face(it.Current()), location);
+    const FaceSide side{ surface, it.Current().Orientation() == TopAbs_REVERSED, false };
+    const auto [known, isNew] = log.Sides.emplace(surface.get(), side);
+    known->second.Ambiguous = !isNew;
+  }
+}
 
 /// Returns true if the body needs no repair, or no more after some of its faces were repaired; the result is added to `log`.
 bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, const FaceRepair& repair)
@@ -47,9 +64,14 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, c
   if (!damage.Problem.empty() && !isPatched)
   {
     ++log.RepairedBodies;
+    KeepSides(shape, log);
     return false;
   }
   ++log.SoundBodies;
+  if (damage.IsReversed)
+  {
+    log.ReversedBodies.push_back(shape);
+  }
   log.PatchedBodies += isPatched ? 1 : 0;
   log.RepairedFaces += damage.RepairedFaces;
   log.TurnedBodies += damage.TurnedEdges > 0 ? 1 : 0;

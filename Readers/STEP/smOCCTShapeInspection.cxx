@@ -221,7 +221,8 @@ public:
   }
 
   /// Returns the shape after Run(), with a solid that is inside out reversed.
-  TopoDS_Shape GetShape() const { return this->Sign < 0.0 ? this->Shape.Reversed() : this->Shape; }
+  TopoDS_Shape GetShape() const { return this->IsInsideOut() ? this->Shape.Reversed() : this->Shape; }
+  bool IsInsideOut() const { return this->Sign < 0.0; }
 
   SoundFaceTable& GetFaces() { return this->Inspected; }
 
@@ -410,6 +411,7 @@ ShapeDamage FindShapeDamage(
   if (damage.Problem.empty() || damage.RepairedFaces > 0)
   {
     shape = inspector.GetShape();
+    damage.IsReversed = inspector.IsInsideOut();
     faces.merge(inspector.GetFaces());
   }
   return damage;
