@@ -226,6 +226,14 @@ struct STEPDensity
   std::string Problem;
 };
 
+/// The deepest chain of entities of which each contains the next one.
+struct CensusDepth
+{
+  std::size_t Levels = 0;
+  /// Number of an entity at its end: the innermost product or representation, or the outermost geometric entity.
+  std::uint64_t Id = 0;
+};
+
 /// Uses of an entity, as bits.
 namespace CensusUse
 {
@@ -285,6 +293,10 @@ struct SMREADERSPART21_EXPORT STEPCensus
   std::array<std::size_t, static_cast<std::size_t>(CensusDefect::Count)> Counts{};
   /// Bits of CensusUse for every instance of the file.
   std::vector<unsigned char> Uses;
+  /// Products and representations in one another, and entities of bodies that refer to one another: readers that recurse over them need a
+  /// stack for so many levels.
+  CensusDepth Assemblies;
+  CensusDepth Geometry;
   /// True if the file has no product with a shape, so that the roots are representations.
   bool WithoutProducts = false;
 

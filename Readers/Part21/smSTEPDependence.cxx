@@ -73,7 +73,7 @@ void STEPCensusTaker::Walk(std::vector<Step>& open, unsigned char use)
   }
 }
 
-/// Finds entities that contain themselves, by a depth-first search over the entities on which bodies depend, with an explicit stack.
+/// Finds entities that contain themselves, and the deepest chain of the others, by a depth-first search over the entities on which bodies depend, with an explicit stack.
 void STEPCensusTaker::FindCycles()
 {
   enum State : unsigned char
@@ -83,6 +83,7 @@ void STEPCensusTaker::FindCycles()
     Done
   };
   std::vector<unsigned char> states(this->File.GetNumberOfInstances(), New);
+  std::vector<std::uint32_t> levels(this->File.GetNumberOfInstances(), 1);
   std::vector<std::pair<Index, std::size_t>> path;
   for (Index start = 0; start < this->File.GetNumberOfInstances(); ++start)
   {
@@ -99,6 +100,14 @@ void STEPCensusTaker::FindCycles()
       {
         states[from] = Done;
         path.pop_back();
+        if (levels[from] > this->Census.Geometry.Levels)
+        {
+          this->Census.Geometry = { levels[from], this->File.GetId(from) };
+        }
+        if (!path.empty())
+        {
+          levels[path.back().first] = std::max(levels[path.back().first], levels[from] + 1);
+        }
         continue;
       }
       const Index to = references[path.back().second++];
@@ -110,6 +119,10 @@ void STEPCensusTaker::FindCycles()
       {
         states[to] = Open;
         path.emplace_back(to, 0);
+      }
+      else if (states[to] == Done)
+      {
+        levels[from] = std::max(levels[from], levels[to] + 1);
       }
       else if (states[to] == Open && !this->Entities.Has(from, STEPRole::Shell | STEPRole::Face))
       {

@@ -45,6 +45,7 @@ void STEPCensusTaker::CountAll()
   this->DensitiesOfEntities.assign(count, Unknown);
   this->Census.WithoutProducts = this->ShapesOfProducts.empty();
   std::vector<Index> open;
+  std::vector<std::uint32_t> levels(count, 1);
   for (Index i = 0; i < count; ++i)
   {
     const bool product = this->Entities.Has(i, STEPRole::ProductDefinition);
@@ -60,10 +61,15 @@ void STEPCensusTaker::CountAll()
   {
     const Index from = open.back();
     open.pop_back();
+    if (levels[from] > this->Census.Assemblies.Levels)
+    {
+      this->Census.Assemblies = { levels[from], this->File.GetId(from) };
+    }
     for (auto arc = std::lower_bound(this->Arcs.begin(), this->Arcs.end(), Arc{ from, 0, 0 });
          arc != this->Arcs.end() && arc->From == from; ++arc)
     {
       this->Counts[arc->To] = AddCounts(this->Counts[arc->To], this->Counts[from]);
+      levels[arc->To] = std::max(levels[arc->To], levels[from] + 1);
       // A representation that no product uses is not an assembly without a density.
       if (this->Counts[from] > 0)
       {

@@ -4,10 +4,12 @@
 #include "smFormat.h"
 #include "smOCCTClosing.h"
 #include "smOCCTCompleteLoops.h"
+#include "smOCCTContradictions.h"
 #include "smOCCTEdge.h"
 #include "smOCCTFaceInspection.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
+#include "smOCCTNaturalBoundary.h"
 #include "smOCCTRounding.h"
 #include "smParallelFor.h"
 
@@ -214,8 +216,12 @@ private:
     if (!inspected.Face.IsEqual(draft.Face))
     {
       const double any = std::numeric_limits<double>::infinity();
-      const std::string problem =
+      std::string problem =
         inspected.TurnedEdges > 0 ? InspectFace(draft, gp_Pnt(), any, any).Problem : CompleteLoops(draft);
+      if (problem.empty() && inspected.HasNaturalBoundary && !AddNaturalBoundary(draft))
+      {
+        problem = "its surface has no boundary that could be added";
+      }
       if (!problem.empty())
       {
         throw std::runtime_error(problem);
@@ -267,6 +273,11 @@ private:
     const AffineMap map = this->Place.MakeMap(draft.Location);
     std::vector<std::vector<TrimCurve>> trims = this->ProjectTrims(draft, map);
     const NativeBox box = GetCoveredBox(draft, trims);
+    const std::string overstep = DescribeOverstep(draft, box);
+    if (!overstep.empty())
+    {
+      draft.Messages.push_back(overstep);
+    }
     const Handle(Geom_Surface) own =
       info.OwnSurface.Surface.IsNull() ? nullptr : CoverBox(info.OwnSurface, draft.Surface, box);
     const Handle(Geom_Surface)& source = own.IsNull() ? draft.Surface : own;

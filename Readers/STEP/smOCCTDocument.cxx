@@ -4,6 +4,7 @@
 #include "smMemoryBuffer.h"
 #include "smOCCTAssemblies.h"
 #include "smOCCTCompatibility.h"
+#include "smOCCTContradictions.h"
 #include "smOCCTDamage.h"
 #include "smOCCTFailure.h"
 #include "smOCCTFile.h"
@@ -26,7 +27,6 @@
 #include <StepBasic_ObjectRole.hxx>
 #include <StepBasic_ProductDefinitionWithAssociatedDocuments.hxx>
 #include <StepData_StepModel.hxx>
-#include <StepGeom_RectangularTrimmedSurface.hxx>
 #include <StepGeom_ToroidalSurface.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <TDocStd_Document.hxx>
@@ -106,9 +106,6 @@ void SkipDamagedAttributes(
   }
 }
 
-/// Largest depth of trimmed surfaces of trimmed surfaces that is examined.
-constexpr int MostTrimmedSurfaces = 4;
-
 /**
  * Replaces a negative major radius of a torus by the positive one and reverses its faces: this is the same surface with the opposite
  * normal. OpenCASCADE would reverse the loops of such a face but not the face.
@@ -119,14 +116,7 @@ void TurnNegativeTori(const Handle(StepData_StepModel) & model)
   for (int i = 1; i <= model->NbEntities(); ++i)
   {
     const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
-    Handle(StepGeom_Surface) surface = face.IsNull() ? nullptr : face->FaceGeometry();
-    // A damaged trimmed surface may be its own basis. Faces that were removed for this reason are still entities of the model.
-    for (int depth = 0; depth < MostTrimmedSurfaces; ++depth)
-    {
-      const auto trimmed = Handle(StepGeom_RectangularTrimmedSurface)::DownCast(surface);
-      surface = trimmed.IsNull() ? surface : trimmed->BasisSurface();
-    }
-    const auto torus = Handle(StepGeom_ToroidalSurface)::DownCast(surface);
+    const auto torus = Handle(StepGeom_ToroidalSurface)::DownCast(GetBasisOfFace(face));
     if (!torus.IsNull() && torus->MajorRadius() < 0.0)
     {
       face->SetSameSense(!face->SameSense());
@@ -233,6 +223,24 @@ struct DeclaredContent
     return {};
   }
 
+  /// Returns a message about entities that are nested too deeply for OpenCASCADE, which recurses over them; empty if there are none.
+  std::string FindDeepNesting() const
+  {
+    const std::string limit = ", and at most " + std::to_string(MostLevels) + " are read; export ";
+    if (this->Census.Assemblies.Levels > MostLevels)
+    {
+      return "its assemblies are nested in " + std::to_string(this->Census.Assemblies.Levels) +
+        " levels (down to entity #" + std::to_string(this->Census.Assemblies.Id) + ")" + limit +
+        "its sub-assemblies one by one";
+    }
+    if (this->Census.Geometry.Levels > MostLevels)
+    {
+      return "its entity #" + std::to_string(this->Census.Geometry.Id) + " refers to others in " +
+        std::to_string(this->Census.Geometry.Levels) + " levels" + limit + "it again";
+    }
+    return {};
+  }
+
   /// Returns the reason why OpenCASCADE cannot process the entity; empty if it can. Its parser gives no message with the entity for a
   /// reference to nothing: the entity has a null for it.
   std::string GetPeril(int id, bool isPlacing) const
@@ -277,12 +285,26 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
     { return GetShapeLabel(reader.Reader().WS(), shape); };
     const std::unique_ptr<RepairOnNeed> selective =
       repair == RepairMode::OnNeed ? std::make_unique<RepairOnNeed>(log, label) : nullptr;
+    const std::unique_ptr<RepairAlways> full =
+      repair == RepairMode::Always ? std::make_unique<RepairAlways>(log, label) : nullptr;
     reader.Transfer(xde, indicator->Start());
   }
   indicator->Rethrow();
   for (const auto& [shape, face] : log.SoundFaces)
   {
     document.Table[shape].AsInFile = face;
+  }
+  for (const std::string& face : log.FoldedFaces)
+  {
+    document.Defects.push_back("Of " + face +
+      " of the file the sense contradicts its neighbours: it folds back where it meets them. The other part "
+      "of its surface may be meant.");
+  }
+  for (const std::string& face : log.OutsideFaces)
+  {
+    document.Defects.push_back("Of " + face +
+      " of the file the part outside its loops is meant, by their direction. OpenCASCADE's repair may have "
+      "taken the part inside.");
   }
   document.TrimSeconds = log.Seconds;
   for (std::string& message : Describe(log))
@@ -307,6 +329,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
     return;
   }
   document.Problem = declared.FindCycle();
+  document.Problem = document.Problem.empty() ? declared.FindDeepNesting() : document.Problem;
   if (!document.Problem.empty())
   {
     return;
@@ -339,6 +362,8 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
     return;
   }
   SkipDamagedAttributes(model, reader, document);
+  CheckSpindleTori(model, document.Defects);
+  CheckShortArcs(model, document.FileUnitInMillimetres, document.Messages);
   TurnNegativeTori(model);
   ForgetOtherFiles(model);
   ClearClosedFlags(model);

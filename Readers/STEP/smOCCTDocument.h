@@ -94,6 +94,10 @@ struct Document
 /// leaf with points of its own.
 constexpr std::uint64_t MostInstances = 100000;
 
+/// Largest number of levels of assemblies, and of geometric entities that refer to one another, that are read: OpenCASCADE recurses over them,
+/// and its stack ends at about 3500 levels for 8 MB.
+constexpr std::size_t MostLevels = 1000;
+
 /// The shapes that OpenCASCADE repairs before they are converted.
 enum class RepairMode
 {

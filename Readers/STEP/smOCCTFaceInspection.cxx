@@ -1,6 +1,7 @@
 #include "smOCCTFaceInspection.h"
 
 #include "smOCCTCompleteLoops.h"
+#include "smOCCTNaturalBoundary.h"
 #include "smOCCTTurnEdges.h"
 
 #include <BRep_Tool.hxx>
@@ -208,19 +209,12 @@ NativeBox GetBox(const std::vector<Point2>& points)
   }
   return box;
 }
-}
 
-FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance, double largestGap)
+/// Inspects completed loops. `isOutside` is set to true if the largest one is a hole.
+FaceInspection InspectLoops(
+  DraftFace& face, const gp_Pnt& origin, double tolerance, double largestGap, bool& isOutside)
 {
   FaceInspection result;
-  TurnEdges(face);
-  result.Problem = face.Defects > 0 ? "one of its edges cannot be used"
-    : face.Loops.empty()            ? "it has no loops"
-                                    : CompleteLoops(face);
-  if (!result.Problem.empty())
-  {
-    return result;
-  }
   SampledLoops sampled;
   for (DraftLoop& loop : face.Loops)
   {
@@ -257,7 +251,8 @@ FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double toleran
     areas[largest] = -areas[largest];
     result.ConeVolume = -result.ConeVolume;
   }
-  if (!(areas[largest] > 0.0) && !IsSliver(face, sampled.Loops[largest], areas[largest], tolerance))
+  isOutside = !(areas[largest] > 0.0) && !IsSliver(face, sampled.Loops[largest], areas[largest], tolerance);
+  if (isOutside)
   {
     result.Problem = "its outer loop runs the wrong way";
   }
@@ -274,6 +269,30 @@ FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double toleran
       result.Problem = "a hole runs the wrong way";
     }
   }
+  return result;
+}
+}
+
+FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance, double largestGap)
+{
+  FaceInspection result;
+  TurnEdges(face);
+  result.Problem = face.Defects > 0 ? "one of its edges cannot be used"
+    : face.Loops.empty()            ? "it has no loops"
+                                    : CompleteLoops(face);
+  if (!result.Problem.empty())
+  {
+    return result;
+  }
+  bool isOutside = false;
+  result = InspectLoops(face, origin, tolerance, largestGap, isOutside);
+  // The standard has the face on the left of its loops: on a closed surface a hole can be the only loop.
+  const bool isHole = isOutside && !HasSeam(face) && IsOnClosedSurface(face);
+  if (isHole && AddNaturalBoundary(face))
+  {
+    result = InspectLoops(face, origin, tolerance, largestGap, isOutside);
+  }
+  result.Outside = isHole;
   return result;
 }
 }

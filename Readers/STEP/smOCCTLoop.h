@@ -69,6 +69,8 @@ struct DraftFace
   int AddedEdges = 0;
   /// Number of coedges whose direction in the file contradicts their loop, and was reversed (TurnEdges()).
   int TurnedEdges = 0;
+  /// True if its outer loop was added by AddNaturalBoundary().
+  bool HasNaturalBoundary = false;
   std::vector<std::string> Messages;
   /// Number of defects: edges that were left out, and loops that do not bound a part of the surface.
   int Defects = 0;

@@ -2,6 +2,8 @@
 
 #include "smFormat.h"
 #include "smOCCTFailure.h"
+#include "smOCCTFoldedFaces.h"
+#include "smOCCTOutsideFaces.h"
 
 #include "vtkTimerLog.h"
 
@@ -9,6 +11,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include <algorithm>
 #include <utility>
 
 namespace sm
@@ -31,6 +34,35 @@ void KeepSides(const TopoDS_Shape& shape, RepairLog& log)
   }
 }
 
+void AddOutsideFaces(const TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
+{
+  for (const TopoDS_Shape& face : FindOutsideFaces(shape))
+  {
+    const std::string name = label(face);
+    if (std::find(log.FoldedFaces.begin(), log.FoldedFaces.end(), name) == log.FoldedFaces.end())
+    {
+      log.OutsideFaces.push_back(name);
+    }
+  }
+}
+
+/// Adds faces whose sense contradicts their neighbours' to the log. Returns true if one of them lies outside its loops: OpenCASCADE's repair
+/// takes the part inside, and its sides are those of the neighbours.
+bool AddFoldedFaces(const TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
+{
+  bool isOutside = false;
+  for (const TopoDS_Shape& face : FindFoldedFaces(shape, log.SoundFaces))
+  {
+    isOutside = isOutside || log.SoundFaces.at(face.TShape().get())->HasNaturalBoundary;
+    log.FoldedFaces.push_back(label(face));
+  }
+  for (TopExp_Explorer it(shape, TopAbs_FACE); isOutside && it.More(); it.Next())
+  {
+    log.SoundFaces.erase(it.Current().TShape().get());
+  }
+  return isOutside;
+}
+
 /// Returns true if the body needs no repair, or no more after some of its faces were repaired; the result is added to `log`.
 bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, const FaceRepair& repair)
 {
@@ -41,6 +73,7 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, c
   // Labels are made for listed reasons only, because each needs a search through all transferred entities.
   const bool isTold = log.Reasons.size() < MostReasons;
   const ShapeLabel none = [](const TopoDS_Shape&) { return std::string(); };
+  const TopoDS_Shape original = shape;
   ShapeDamage damage;
   const double start = vtkTimerLog::GetUniversalTime();
   double repairSeconds = 0.0;
@@ -56,7 +89,16 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, c
     CatchFailure([&] { damage = FindShapeDamage(shape, isTold ? label : none, log.SoundFaces, timed); });
   log.Seconds += vtkTimerLog::GetUniversalTime() - start - repairSeconds;
   damage.Problem = failure.empty() ? damage.Problem : failure;
-  const bool isPatched = failure.empty() && damage.RepairedFaces > 0;
+  bool isPatched = failure.empty() && damage.RepairedFaces > 0;
+  if ((isPatched || damage.Problem.empty()) && AddFoldedFaces(shape, log, label))
+  {
+    damage.Problem = log.FoldedFaces.back() + ": its outer loop runs the wrong way";
+    isPatched = false;
+  }
+  if (!damage.Problem.empty())
+  {
+    AddOutsideFaces(original, log, label);
+  }
   if (isTold && !damage.Problem.empty())
   {
     log.Reasons.push_back(damage.Problem);
@@ -83,6 +125,16 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, c
 RepairOnNeed::RepairOnNeed(RepairLog& log, ShapeLabel label)
   : Filter([&log, label = std::move(label)](TopoDS_Shape& shape, const FaceRepair& repair)
       { return IsSoundBody(shape, log, label, repair); })
+{
+}
+
+RepairAlways::RepairAlways(RepairLog& log, ShapeLabel label)
+  : Filter(
+      [&log, label = std::move(label)](const TopoDS_Shape& shape, const auto&...)
+      {
+        AddOutsideFaces(shape, log, label);
+        return false;
+      })
 {
 }
 

@@ -42,6 +42,10 @@ struct RepairLog
   int TurnedEdges = 0;
   /// Wall-clock seconds that the inspections took.
   double Seconds = 0.0;
+  /// Labels of faces outside their loops (FindOutsideFaces()) of bodies that were repaired.
+  std::vector<std::string> OutsideFaces;
+  /// Labels of faces whose sense contradicts their neighbours' (FindFoldedFaces()).
+  std::vector<std::string> FoldedFaces;
   /// Reasons of the first repairs, for example "solid #12: face #34: a loop does not close".
   std::vector<std::string> Reasons;
   /// Sound bodies that were inside out, and were reversed.
@@ -61,6 +65,16 @@ class RepairOnNeed
 {
 public:
   RepairOnNeed(RepairLog& log, ShapeLabel label);
+
+private:
+  TransferFilter Filter;
+};
+
+/// During the lifetime of this object all shapes are repaired, and faces outside their loops are added to the log.
+class RepairAlways
+{
+public:
+  RepairAlways(RepairLog& log, ShapeLabel label);
 
 private:
   TransferFilter Filter;

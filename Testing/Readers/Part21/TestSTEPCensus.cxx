@@ -190,6 +190,8 @@ void CheckScale()
       .Census;
   CheckTrue("scale: curves of curves", replica.Bodies.at(0).Damaged);
   const sm::STEPCensus bomb = Take(smtest::MakeBomb(5000)).Census;
+  // The ball is a product and its representation.
+  CheckEqual("scale: levels of assemblies", 5000 + 2, static_cast<long long>(bomb.Assemblies.Levels));
   CheckTrue("scale: 5000 levels", bomb.CountInstances(CensusBodyKind::Solid) == sm::CensusMaximum);
 }
 

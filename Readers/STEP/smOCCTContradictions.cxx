@@ -1,0 +1,155 @@
+#include "smOCCTContradictions.h"
+
+#include "smFormat.h"
+
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Precision.hxx>
+#include <StepGeom_CartesianPoint.hxx>
+#include <StepGeom_Circle.hxx>
+#include <StepGeom_Ellipse.hxx>
+#include <StepGeom_Point.hxx>
+#include <StepGeom_RectangularTrimmedSurface.hxx>
+#include <StepGeom_SurfaceCurve.hxx>
+#include <StepGeom_ToroidalSurface.hxx>
+#include <StepShape_EdgeCurve.hxx>
+#include <StepShape_FaceBound.hxx>
+#include <StepShape_VertexLoop.hxx>
+#include <StepShape_VertexPoint.hxx>
+#include <gp_Pnt.hxx>
+
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+/// Loops may lead beyond a trimmed surface by this fraction of its width.
+constexpr double Slack = 1e-6;
+
+/// Distances below this, relative to the coordinates, are rounding of the numbers in the file.
+constexpr double Rounding = 1e-14;
+
+/// Largest depth of trimmed surfaces of trimmed surfaces that is examined.
+constexpr int MostTrimmedSurfaces = 4;
+
+/// Returns true if no edge bounds the face: it is the whole surface.
+bool IsWithoutEdges(const Handle(StepShape_FaceSurface) & face)
+{
+  for (int i = 1; i <= face->NbBounds(); ++i)
+  {
+    const Handle(StepShape_FaceBound) bound = face->BoundsValue(i);
+    if (!bound.IsNull() && Handle(StepShape_VertexLoop)::DownCast(bound->Bound()).IsNull())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool IsConicCurve(Handle(StepGeom_Curve) curve)
+{
+  const auto onSurface = Handle(StepGeom_SurfaceCurve)::DownCast(curve);
+  curve = onSurface.IsNull() ? curve : onSurface->Curve3d();
+  return !Handle(StepGeom_Circle)::DownCast(curve).IsNull() ||
+    !Handle(StepGeom_Ellipse)::DownCast(curve).IsNull();
+}
+
+bool GetPoint(const Handle(StepShape_Vertex) & vertex, gp_Pnt& position)
+{
+  const auto onPoint = Handle(StepShape_VertexPoint)::DownCast(vertex);
+  const auto point = Handle(StepGeom_CartesianPoint)::DownCast(
+    onPoint.IsNull() ? Handle(StepGeom_Point)() : onPoint->VertexGeometry());
+  if (point.IsNull() || point->NbCoordinates() != 3)
+  {
+    return false;
+  }
+  position.SetCoord(point->CoordinatesValue(1), point->CoordinatesValue(2), point->CoordinatesValue(3));
+  return true;
+}
+}
+
+Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & face)
+{
+  Handle(StepGeom_Surface) surface = face.IsNull() ? nullptr : face->FaceGeometry();
+  // A damaged trimmed surface may be its own basis. Faces that were removed for this reason are still entities of the model.
+  for (int depth = 0; depth < MostTrimmedSurfaces; ++depth)
+  {
+    const auto trimmed = Handle(StepGeom_RectangularTrimmedSurface)::DownCast(surface);
+    surface = trimmed.IsNull() ? surface : trimmed->BasisSurface();
+  }
+  return surface;
+}
+
+void CheckSpindleTori(const Handle(StepData_StepModel) & model, std::vector<std::string>& defects)
+{
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
+    const auto torus = Handle(StepGeom_ToroidalSurface)::DownCast(GetBasisOfFace(face));
+    if (!torus.IsNull() && torus->MinorRadius() > std::abs(torus->MajorRadius()) && IsWithoutEdges(face))
+    {
+      defects.push_back("Face #" + std::to_string(model->IdentLabel(face)) +
+        " of the file is a whole torus that crosses itself (#" + std::to_string(model->IdentLabel(torus)) +
+        ", its minor radius exceeds the major one): both its outer and its inner part are taken.");
+    }
+  }
+}
+
+void CheckShortArcs(const Handle(StepData_StepModel) & model, double unit, std::vector<std::string>& messages)
+{
+  std::string first;
+  int others = 0;
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const auto edge = Handle(StepShape_EdgeCurve)::DownCast(model->Value(i));
+    gp_Pnt start;
+    gp_Pnt end;
+    if (edge.IsNull() || !IsConicCurve(edge->EdgeGeometry()) || !GetPoint(edge->EdgeStart(), start) ||
+      !GetPoint(edge->EdgeEnd(), end))
+    {
+      continue;
+    }
+    const double distance = start.Distance(end);
+    if (distance * unit <= Precision::Confusion() &&
+      distance > Rounding * (start.XYZ().Modulus() + end.XYZ().Modulus()))
+    {
+      others += first.empty() ? 0 : 1;
+      first = !first.empty() ? first
+                             : "Edge #" + std::to_string(model->IdentLabel(edge)) +
+          " of the file is on a closed curve, between two vertices that are " +
+          FormatDistance(distance * unit) +
+          " mm apart: OpenCASCADE takes them as one and the curve as a whole. The short part between them "
+          "may "
+          "be meant.";
+    }
+  }
+  if (!first.empty())
+  {
+    messages.push_back(first + (others > 0 ? " So it is with " + std::to_string(others) + " more." : ""));
+  }
+}
+
+std::string DescribeOverstep(const DraftFace& face, const NativeBox& box)
+{
+  const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(face.Stored);
+  if (trimmed.IsNull() || face.Loops.empty())
+  {
+    return {};
+  }
+  double low[2];
+  double high[2];
+  trimmed->Bounds(low[0], high[0], low[1], high[1]);
+  for (int d = 0; d < 2; ++d)
+  {
+    const double slack = Slack * (high[d] - low[d]);
+    const double period = face.Period[d];
+    const double shift = period > 0.0 ? std::ceil((low[d] - slack - box.Low[d]) / period) * period : 0.0;
+    if (box.Low[d] + shift < low[d] - slack || box.High[d] + shift > high[d] + slack)
+    {
+      return std::string("Its loops lead beyond its RECTANGULAR_TRIMMED_SURFACE in ") + (d == 0 ? "u" : "v") +
+        "; the surface is taken without its borders.";
+    }
+  }
+  return {};
+}
+}

@@ -1,0 +1,37 @@
+/**
+ * @file smOCCTContradictions.h
+ * @brief Statements of a file that OpenCASCADE overrules, as sentences
+ */
+#ifndef smOCCTContradictions_h
+#define smOCCTContradictions_h
+
+#include "smOCCTLoop.h"
+#include "smOCCTSurface.h"
+
+#include <StepData_StepModel.hxx>
+#include <StepGeom_Surface.hxx>
+#include <StepShape_FaceSurface.hxx>
+
+#include <string>
+#include <vector>
+
+namespace sm
+{
+/// Returns the surface of a face without rectangular trims; null if it has none.
+Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & face);
+
+/// Reports faces that are a whole torus whose minor radius exceeds the major one. It crosses itself, and OpenCASCADE takes all of it, whatever
+/// DEGENERATE_TOROIDAL_SURFACE selects.
+void CheckSpindleTori(const Handle(StepData_StepModel) & model, std::vector<std::string>& defects);
+
+/// Reports edges on circles and ellipses between two different points that are closer to each other than OpenCASCADE's tolerance, which takes
+/// the whole curve. `unit` is the file's length unit in mm.
+void CheckShortArcs(
+  const Handle(StepData_StepModel) & model, double unit, std::vector<std::string>& messages);
+
+/// Returns a sentence if loops that cover `box` in the parameters lead beyond the rectangular trimmed surface that the face is on, of which the
+/// basis surface is taken; else an empty text.
+std::string DescribeOverstep(const DraftFace& face, const NativeBox& box);
+}
+
+#endif

@@ -1,0 +1,91 @@
+#include "smOCCTFoldedFaces.h"
+
+#include "smOCCTFailure.h"
+#include "smOCCTNaturalBoundary.h"
+
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopoDS.hxx>
+
+namespace sm
+{
+namespace
+{
+/// Cosine of the angle between normals that are opposite: within 0.8 degrees. Smooth edges of real files deviate by less; a ball on a plate folds
+/// so if the rim between them is narrower than 0.014 of its radius.
+constexpr double Opposite = -0.9999;
+
+/// Returns true if the direction of its loops has decided on which part of a closed surface the face is.
+bool IsDecidedByLoops(const DraftFace& face)
+{
+  return face.HasNaturalBoundary || (face.AddedEdges > 0 && IsOnClosedSurface(face));
+}
+
+/// Returns the outer unit normal of a face at the foot of a point; null if it is not defined.
+gp_Vec GetNormal(const TopoDS_Shape& shape, const gp_Pnt& point)
+{
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(shape));
+  const gp_Pnt2d foot = ShapeAnalysis_Surface(surface).ValueOfUV(point, Precision::Confusion());
+  gp_Pnt p;
+  gp_Vec du;
+  gp_Vec dv;
+  surface->D1(foot.X(), foot.Y(), p, du, dv);
+  const gp_Vec normal = du.Crossed(dv);
+  const double length = normal.Magnitude();
+  const double sign = shape.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
+  return length > 0.0 ? normal * (sign / length) : gp_Vec();
+}
+
+bool FoldsBack(const TopoDS_Shape& face, const TopTools_IndexedDataMapOfShapeListOfShape& neighbours)
+{
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+  {
+    double first = 0.0;
+    double last = 0.0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(it.Current()), first, last);
+    if (curve.IsNull() || !neighbours.Contains(it.Current()))
+    {
+      continue;
+    }
+    const gp_Pnt middle = curve->Value(0.5 * (first + last));
+    for (const TopoDS_Shape& other : neighbours.FindFromKey(it.Current()))
+    {
+      if (!other.IsSame(face) && GetNormal(face, middle).Dot(GetNormal(other, middle)) < Opposite)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+}
+
+std::vector<TopoDS_Shape> FindFoldedFaces(const TopoDS_Shape& body, const SoundFaceTable& faces)
+{
+  std::vector<TopoDS_Shape> folded;
+  TopTools_IndexedDataMapOfShapeListOfShape neighbours;
+  for (TopExp_Explorer it(body, TopAbs_FACE); it.More(); it.Next())
+  {
+    const auto found = faces.find(it.Current().TShape().get());
+    if (found == faces.end() || !IsDecidedByLoops(*found->second))
+    {
+      continue;
+    }
+    if (neighbours.IsEmpty())
+    {
+      TopExp::MapShapesAndAncestors(body, TopAbs_EDGE, TopAbs_FACE, neighbours);
+    }
+    bool isFolded = false;
+    CatchFailure([&] { isFolded = FoldsBack(it.Current(), neighbours); });
+    if (isFolded)
+    {
+      folded.push_back(it.Current());
+    }
+  }
+  return folded;
+}
+}

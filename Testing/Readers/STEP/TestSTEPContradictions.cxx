@@ -1,0 +1,413 @@
+// TestSTEPContradictions FOLDER: faces outside their loops on closed surfaces, and statements of a file that OpenCASCADE overrules: said, or
+// refused. FOLDER takes the files.
+#include "smReaderTesting.h"
+
+#include "vtkExecutive.h"
+#include "vtkMassPropertiesGPU.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <STEPControl_Writer.hxx>
+#include <gp.hxx>
+#include <gp_Circ.hxx>
+
+#include <cmath>
+#include <cstdio>
+#include <initializer_list>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace smtest;
+
+const double Pi = vtkMath::Pi();
+
+struct Vector
+{
+  double X, Y, Z;
+};
+
+/// Entities of a STEP file; every function returns the number of the entity that it adds.
+class StepText
+{
+public:
+  int Add(const std::string& entity)
+  {
+    this->Data += "#" + std::to_string(++this->Last) + "=" + entity + ";\n";
+    return this->Last;
+  }
+  static std::string Number(double x)
+  {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17E", x);
+    return text;
+  }
+  static std::string Id(int id) { return "#" + std::to_string(id); }
+  int Add(const char* type, const Vector& v)
+  {
+    return this->Add(
+      std::string(type) + "('',(" + Number(v.X) + "," + Number(v.Y) + "," + Number(v.Z) + "))");
+  }
+  int Point(const Vector& p) { return this->Add("CARTESIAN_POINT", p); }
+  int Direction(const Vector& d) { return this->Add("DIRECTION", d); }
+  int Frame(const Vector& origin, const Vector& z, const Vector& x)
+  {
+    const int ids[3] = { this->Point(origin), this->Direction(z), this->Direction(x) };
+    return this->Add("AXIS2_PLACEMENT_3D(''," + Id(ids[0]) + "," + Id(ids[1]) + "," + Id(ids[2]) + ")");
+  }
+  int Vertex(const Vector& p) { return this->Add("VERTEX_POINT(''," + Id(this->Point(p)) + ")"); }
+  /// A curve or surface on a placement, with radii.
+  int On(const char* type, int frame, std::initializer_list<double> radii = {})
+  {
+    std::string text = std::string(type) + "(''," + Id(frame);
+    for (const double radius : radii)
+    {
+      text += "," + Number(radius);
+    }
+    return this->Add(text + ")");
+  }
+  int Edge(int from, int to, int curve)
+  {
+    return this->Add("EDGE_CURVE(''," + Id(from) + "," + Id(to) + "," + Id(curve) + ",.T.)");
+  }
+  int Line(const Vector& from, const Vector& along)
+  {
+    const int point = this->Point(from);
+    const int vector = this->Add("VECTOR(''," + Id(this->Direction(along)) + ",1.)");
+    return this->Add("LINE(''," + Id(point) + "," + Id(vector) + ")");
+  }
+  /// A negative number is a reversed edge. Without edges a vertex is the loop.
+  int Face(int surface, const std::vector<int>& edges, int vertex = 0)
+  {
+    std::string list;
+    for (const int edge : edges)
+    {
+      list += (list.empty() ? "" : ",") +
+        Id(this->Add("ORIENTED_EDGE('',*,*," + Id(std::abs(edge)) + (edge > 0 ? ",.T.)" : ",.F.)")));
+    }
+    const int loop =
+      this->Add(edges.empty() ? "VERTEX_LOOP(''," + Id(vertex) + ")" : "EDGE_LOOP('',(" + list + "))");
+    const int bound = this->Add("FACE_BOUND(''," + Id(loop) + ",.T.)");
+    return this->Add("ADVANCED_FACE('',(" + Id(bound) + ")," + Id(surface) + ",.T.)");
+  }
+  /// Returns the file with a solid of these faces.
+  std::string Finish(const std::vector<int>& faces)
+  {
+    std::string list;
+    for (const int face : faces)
+    {
+      list += (list.empty() ? "" : ",") + Id(face);
+    }
+    const int shell = this->Add("CLOSED_SHELL('',(" + list + "))");
+    const int solid = this->Add("MANIFOLD_SOLID_BREP('s'," + Id(shell) + ")");
+    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
+           "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n"
+           "#900001=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n"
+           "#900002=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));\n"
+           "#900003=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());\n"
+           "#900004=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-7),#900001,'distance_accuracy_value','')"
+           ";\n"
+           "#900005=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#900004))"
+           "GLOBAL_UNIT_ASSIGNED_CONTEXT((#900001,#900002,#900003))REPRESENTATION_CONTEXT('',''));\n"
+           "#900006=APPLICATION_CONTEXT('mechanical "
+           "design');\n#900007=PRODUCT_CONTEXT('',#900006,'mechanical');\n"
+           "#900008=PRODUCT_DEFINITION_CONTEXT('part definition',#900006,'design');\n"
+           "#900009=ADVANCED_BREP_SHAPE_REPRESENTATION('',(" +
+      Id(solid) +
+      "),#900005);\n#900010=PRODUCT('p','p','',(#900007));\n#900011=PRODUCT_DEFINITION_FORMATION('','',#"
+      "900010);\n"
+      "#900012=PRODUCT_DEFINITION('design','',#900011,#900008);\n#900013=PRODUCT_DEFINITION_SHAPE('','',#"
+      "900012);\n"
+      "#900014=SHAPE_DEFINITION_REPRESENTATION(#900013,#900009);\n" +
+      this->Data + "ENDSEC;\nEND-ISO-10303-21;\n";
+  }
+
+private:
+  std::string Data;
+  int Last = 0;
+};
+
+/// What a reader says of a file.
+struct Reading
+{
+  std::string Status;
+  std::string Messages;
+  double Volume = 0.0;
+  double Bound = 0.0;
+};
+
+Reading Read(const std::string& content, int repair = vtkSTEPReader::ON_NEED)
+{
+  vtkNew<vtkSTEPReader> reader;
+  ErrorLog log;
+  log.Watch(reader);
+  ErrorLog executive;
+  executive.Watch(reader->GetExecutive());
+  reader->SetFileName(Make("contradiction.step", content).c_str());
+  reader->SetRepair(repair);
+  reader->Update();
+  Reading result;
+  result.Status = reader->GetStatusAsString();
+  for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
+  {
+    result.Messages += std::string(reader->GetMessage(i)) + "\n";
+  }
+  if (result.Status != "unreadable")
+  {
+    vtkNew<vtkMassPropertiesGPU> mass;
+    mass->SetInputConnection(reader->GetOutputPort());
+    mass->SetBackend(vtkMassPropertiesGPU::CPU);
+    mass->Update();
+    result.Volume = mass->GetVolume();
+    result.Bound = mass->GetVolumeBound();
+  }
+  return result;
+}
+
+bool Says(const Reading& reading, const char* words)
+{
+  return reading.Messages.find(words) != std::string::npos;
+}
+
+void CheckExact(const std::string& name, const std::string& content, double volume)
+{
+  const Reading reading = Read(content);
+  CheckEqual(name + ": no messages", "", reading.Messages);
+  CheckTrue("  volume", std::abs(reading.Volume - volume) <= reading.Bound + 4e-15 * volume,
+    std::to_string(reading.Volume) + " instead of " + std::to_string(volume));
+  CheckRange("  its bound", 0.0, reading.Bound / volume, 1e-9);
+  // OpenCASCADE's repair takes the part inside the loop.
+  CheckTrue("  a repair is in doubt",
+    Says(Read(content, vtkSTEPReader::ALWAYS), "the part outside its loops is meant"));
+}
+
+/// A ball of radius 1 without the part beyond the plane x = -0.95 or 0.7, whose circle has no pole of the sphere inside.
+std::string MakeFlattenedBall(double x, bool isRevolved)
+{
+  StepText step;
+  const double radius = std::sqrt(1.0 - x * x);
+  const double side = x > 0.0 ? 1.0 : -1.0;
+  const int vertex = step.Vertex({ x, radius, 0.0 });
+  // The ball is on the left of the edge, seen from outside.
+  const int edge = step.Edge(
+    vertex, vertex, step.On("CIRCLE", step.Frame({ x, 0, 0 }, { -side, 0, 0 }, { 0, 1, 0 }), { radius }));
+  int sphere = 0;
+  if (isRevolved)
+  {
+    const int arc = step.On("CIRCLE", step.Frame({ 0, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 }), { 1.0 });
+    const int trimmed = step.Add("TRIMMED_CURVE(''," + StepText::Id(arc) +
+      ",(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(" + StepText::Number(Pi) + ")),.T.,.PARAMETER.)");
+    const int point = step.Point({ 0, 0, 0 });
+    const int direction = step.Direction({ 0, 0, 1 });
+    const int axis =
+      step.Add("AXIS1_PLACEMENT(''," + StepText::Id(point) + "," + StepText::Id(direction) + ")");
+    sphere = step.Add("SURFACE_OF_REVOLUTION(''," + StepText::Id(trimmed) + "," + StepText::Id(axis) + ")");
+  }
+  else
+  {
+    sphere = step.On("SPHERICAL_SURFACE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 1.0 });
+  }
+  const int plane = step.On("PLANE", step.Frame({ x, 0, 0 }, { side, 0, 0 }, { 0, 1, 0 }));
+  const int face = step.Face(sphere, { edge });
+  return step.Finish({ face, step.Face(plane, { -edge }) });
+}
+
+/// A torus of radii 3 and 1 with a pocket, of which the bottom is the cylinder of radius 3.5 between the angles -0.5 and 0.5.
+std::string MakePocketedTorus(double& volume)
+{
+  StepText step;
+  constexpr double half = 0.5;
+  const double angle = std::acos(0.5);
+  const double height = std::sin(angle);
+  const auto at = [](double u, double z) { return Vector{ 3.5 * std::cos(u), 3.5 * std::sin(u), z }; };
+  const int lowLeft = step.Vertex(at(-half, -height));
+  const int lowRight = step.Vertex(at(half, -height));
+  const int highLeft = step.Vertex(at(-half, height));
+  const int highRight = step.Vertex(at(half, height));
+  const auto parallel = [&](double z, int from, int to)
+  {
+    return step.Edge(from, to, step.On("CIRCLE", step.Frame({ 0, 0, z }, { 0, 0, 1 }, { 1, 0, 0 }), { 3.5 }));
+  };
+  const int low = parallel(-height, lowLeft, lowRight);
+  const int high = parallel(height, highLeft, highRight);
+  int meridians[2];
+  int chords[2];
+  int planes[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const double u = i == 0 ? -half : half;
+    const Vector radial{ std::cos(u), std::sin(u), 0.0 };
+    const Vector center{ 3.0 * radial.X, 3.0 * radial.Y, 0.0 };
+    const int from = i == 0 ? lowLeft : lowRight;
+    const int to = i == 0 ? highLeft : highRight;
+    meridians[i] = step.Edge(
+      from, to, step.On("CIRCLE", step.Frame(center, { radial.Y, -radial.X, 0.0 }, radial), { 1.0 }));
+    chords[i] = step.Edge(from, to, step.Line(at(u, -height), { 0, 0, 1 }));
+    // The normals point into the pocket.
+    const double sign = i == 0 ? 1.0 : -1.0;
+    planes[i] = step.On("PLANE", step.Frame(center, { -sign * radial.Y, sign * radial.X, 0.0 }, { 0, 0, 1 }));
+  }
+  const int torus =
+    step.On("TOROIDAL_SURFACE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 3.0, 1.0 });
+  const int cylinder =
+    step.On("CYLINDRICAL_SURFACE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 3.5 });
+  const std::vector<int> faces = { step.Face(torus, { meridians[0], high, -meridians[1], -low }),
+    step.Face(cylinder, { low, chords[1], -high, -chords[0] }),
+    step.Face(planes[0], { chords[0], -meridians[0] }), step.Face(planes[1], { meridians[1], -chords[1] }) };
+  const double area = angle - std::sin(angle) * std::cos(angle);
+  volume = 6.0 * Pi * Pi - 2.0 * half * (3.0 * area + 2.0 / 3.0 * height * height * height);
+  return step.Finish(faces);
+}
+
+void CheckOutsideFaces()
+{
+  const auto segment = [](double h) { return 4.0 / 3.0 * Pi - Pi * h * h * (3.0 - h) / 3.0; };
+  CheckExact("ball, flat at x = -0.95", MakeFlattenedBall(-0.95, false), segment(0.05));
+  CheckExact("ball, flat at x = 0.7", MakeFlattenedBall(0.7, false), segment(0.3));
+  CheckExact("revolved ball", MakeFlattenedBall(0.7, true), segment(0.3));
+  double volume = 0.0;
+  const std::string torus = MakePocketedTorus(volume);
+  CheckExact("torus with a pocket", torus, volume);
+}
+
+/// A sector of a ring whose upper rim is rounded by a torus. If the sense of the torus is the wrong one, its loop bounds the rest of it.
+void CheckFoldedFace()
+{
+  const gp_Pnt corners[] = { gp_Pnt(5, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(10, 0, 4), gp_Pnt(9, 0, 5),
+    gp_Pnt(5, 0, 5) };
+  BRepBuilderAPI_MakeWire profile;
+  for (int i = 0; i < 5; ++i)
+  {
+    const gp_Circ arc(gp_Ax2(gp_Pnt(9, 0, 4), gp_Dir(0, -1, 0)), 1.0);
+    const gp_Pnt& next = corners[(i + 1) % 5];
+    profile.Add(i == 2 ? BRepBuilderAPI_MakeEdge(arc, corners[i], next).Edge()
+                       : BRepBuilderAPI_MakeEdge(corners[i], next).Edge());
+  }
+  BRepPrimAPI_MakeRevol sector(BRepBuilderAPI_MakeFace(profile.Wire(), true).Face(), gp::OZ(), 1.5);
+  STEPControl_Writer writer;
+  writer.Transfer(sector.Shape(), STEPControl_AsIs);
+  const std::string path = Folder + "/contradiction_sector.step";
+  writer.Write(path.c_str());
+  const std::string text = ReadAll(path);
+  std::smatch torus;
+  // OpenCASCADE writes the torus as a surface of revolution.
+  CheckTrue("a torus", std::regex_search(text, torus, std::regex("(#[0-9]+) = SURFACE_OF_REVOLUTION")));
+  const std::string wrong = std::regex_replace(
+    text, std::regex("(ADVANCED_FACE\\('',\\([^)]*\\)," + torus[1].str() + ",)\\.T\\."), "$1.F.");
+  CheckTrue("  the files differ", wrong != text);
+  const Reading good = Read(text);
+  CheckEqual("a rounded sector: no messages", "", good.Messages);
+  const Reading folded = Read(wrong);
+  CheckTrue(
+    "its torus with the wrong sense", Says(folded, "the sense contradicts its neighbours"), folded.Messages);
+  CheckTrue("  is repaired", Says(folded, "its outer loop runs the wrong way"));
+  CheckRange("  volume", 0.0, std::abs(folded.Volume - good.Volume) / good.Volume, 1e-6);
+}
+
+/// The outer or inner part of a torus that crosses itself. OpenCASCADE takes all of it.
+void CheckSpindleTorus()
+{
+  for (const bool isDegenerate : { true, false })
+  {
+    StepText step;
+    const int frame = step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
+    const int torus = isDegenerate
+      ? step.Add("DEGENERATE_TOROIDAL_SURFACE(''," + StepText::Id(frame) + ",1.,2.,.F.)")
+      : step.On("TOROIDAL_SURFACE", frame, { 1.0, 2.0 });
+    const int face = step.Face(torus, {}, step.Vertex({ 0, 0, std::sqrt(3.0) }));
+    const Reading reading = Read(step.Finish({ face }));
+    CheckTrue(
+      "a torus that crosses itself", Says(reading, "a whole torus that crosses itself"), reading.Messages);
+  }
+  StepText step;
+  const int torus =
+    step.On("TOROIDAL_SURFACE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 3.0, 1.0 });
+  const Reading reading = Read(step.Finish({ step.Face(torus, {}, step.Vertex({ 4, 0, 0 })) }));
+  CheckTrue("a whole torus", !Says(reading, "crosses itself"), reading.Messages);
+  CheckRange("  volume", -reading.Bound, reading.Volume - 6.0 * Pi * Pi, reading.Bound);
+}
+
+/// A cylinder of radius 2 and height 1. Its vertices are `gap` apart, and its side is on a trimmed surface up to the angle `width`.
+std::string MakeCylinder(double gap, double width)
+{
+  StepText step;
+  int circles[2];
+  int vertices[2];
+  int planes[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const double z = i;
+    const int frame = step.Frame({ 0, 0, z }, { 0, 0, 1 }, { 1, 0, 0 });
+    vertices[i] = step.Vertex({ 2, 0, z });
+    const int end = gap > 0.0 && i == 1 ? step.Vertex({ 2, -gap, z }) : vertices[i];
+    circles[i] = step.Edge(vertices[i], end, step.On("CIRCLE", frame, { 2.0 }));
+    planes[i] = step.On("PLANE", step.Frame({ 0, 0, z }, { 0, 0, 2 * z - 1 }, { 1, 0, 0 }));
+  }
+  const int seam = step.Edge(vertices[0], vertices[1], step.Line({ 2, 0, 0 }, { 0, 0, 1 }));
+  int side = step.On("CYLINDRICAL_SURFACE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 2.0 });
+  if (width > 0.0)
+  {
+    side = step.Add("RECTANGULAR_TRIMMED_SURFACE(''," + StepText::Id(side) + ",0.," +
+      StepText::Number(width) + ",-1.,2.,.T.,.T.)");
+  }
+  const std::vector<int> faces = { step.Face(side, { circles[0], seam, -circles[1], -seam }),
+    step.Face(planes[0], { -circles[0] }), step.Face(planes[1], { circles[1] }) };
+  return step.Finish(faces);
+}
+
+void CheckOverruled()
+{
+  const char* overstep = "lead beyond its RECTANGULAR_TRIMMED_SURFACE in u";
+  Reading reading = Read(MakeCylinder(0.0, Pi));
+  CheckTrue("half of the surface that is needed", Says(reading, overstep), reading.Messages);
+  CheckTrue("the surface that is needed", !Says(Read(MakeCylinder(0.0, 2.0 * Pi)), overstep));
+  const char* whole = "between two vertices that are 1e-08 mm apart";
+  reading = Read(MakeCylinder(1e-8, 0.0));
+  CheckTrue("a circle between two vertices", Says(reading, whole), reading.Messages);
+  CheckEqual("a circle from a vertex to it", "", Read(MakeCylinder(0.0, 0.0)).Messages);
+}
+
+/// A sphere as so many trimmed surfaces of one another.
+std::string MakeNested(int levels)
+{
+  StepText step;
+  int surface = step.On("SPHERICAL_SURFACE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 1.0 });
+  for (int i = 0; i < levels; ++i)
+  {
+    surface = step.Add("RECTANGULAR_TRIMMED_SURFACE(''," + StepText::Id(surface) + ",0.," +
+      StepText::Number(2.0 * Pi) + "," + StepText::Number(-0.5 * Pi) + "," + StepText::Number(0.5 * Pi) +
+      ",.T.,.T.)");
+  }
+  return step.Finish({ step.Face(surface, {}, step.Vertex({ 0, 0, 1 })) });
+}
+
+/// OpenCASCADE recurses over nested entities and would use up its stack.
+void CheckNesting()
+{
+  const Reading deep = Read(MakeNested(20000));
+  CheckEqual("20000 trimmed surfaces", "unreadable", deep.Status);
+  CheckTrue("  message", Says(deep, "levels, and at most 1000 are read"), deep.Messages);
+  CheckEqual("900 trimmed surfaces", "ok", Read(MakeNested(900)).Status);
+}
+}
+
+int TestSTEPContradictions(int argc, char* argv[])
+{
+  if (argc < 2)
+  {
+    return 1;
+  }
+  Folder = argv[1];
+  CheckOutsideFaces();
+  CheckFoldedFace();
+  CheckSpindleTorus();
+  CheckOverruled();
+  CheckNesting();
+  return Finish();
+}
