@@ -14,6 +14,7 @@
 #include "smOCCTTable.h"
 #include "smPart21File.h"
 #include "smPart21Remains.h"
+#include "smSTEPExplicit.h"
 #include "smSTEPReconciliation.h"
 #include "smSTEPTessellations.h"
 
@@ -53,14 +54,20 @@ void Configure(STEPCAFControl_Reader& reader)
   reader.SetSHUOMode(false);
 }
 
-/// Reads the entities of the file. Returns false, with document.Problem, if OpenCASCADE cannot.
-bool Parse(const FileCheck& check, const Part21File& file, STEPCAFControl_Reader& reader, Document& document)
+/// Reads the entities of the file. `completed` gets what was made explicit for OpenCASCADE. Returns false, with document.Problem, if
+/// OpenCASCADE cannot.
+bool Parse(const FileCheck& check, const Part21File& file, STEPCAFControl_Reader& reader,
+  STEPExplicit& completed, Document& document)
 {
   // Behind damage OpenCASCADE's lexer loses more than the census does, or makes entities of it that crash its translation.
   std::string remains = GetRemains(file);
   Part21File sound;
   const bool isBroken = !remains.empty() && sound.Parse(std::move(remains));
-  const Part21File& text = isBroken ? sound : file;
+  const Part21File& whole = isBroken ? sound : file;
+  completed = MakeSTEPExplicit(whole);
+  Part21File changed;
+  const bool isChanged = !completed.Text.empty() && changed.Parse(std::move(completed.Text));
+  const Part21File& text = isChanged ? changed : whole;
   // If OpenCASCADE knows tessellations, KernelSession has a setting by which it skips them.
   KernelRecords records;
   const bool isPlain = records.Make(text,
@@ -291,7 +298,8 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   const KernelSession kernel;
   STEPCAFControl_Reader reader;
   Configure(reader);
-  if (!Parse(check, declared.Text, reader, document))
+  STEPExplicit completed;
+  if (!Parse(check, declared.Text, reader, completed, document))
   {
     return;
   }
@@ -335,6 +343,15 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
     body.Misplaced = body.Misplaced || !found;
   }
   Reconcile(declared.Census, document);
+  CompareUnits(model, completed.Contexts, document.Defects);
+  for (const STEPDoubt& doubt : completed.Doubts)
+  {
+    if (declared.Matters(static_cast<int>(doubt.Id)))
+    {
+      document.Defects.push_back(
+        "Entity #" + std::to_string(doubt.Id) + " of the file: " + doubt.Reason + ". Export the file again.");
+    }
+  }
   Conclude(model, document);
 }
 }

@@ -1,7 +1,9 @@
 #include "smOCCTModel.h"
 
+#include "smFormat.h"
 #include "smLengthUnits.h"
 
+#include <STEPConstruct_UnitContext.hxx>
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepBasic_HArray1OfNamedUnit.hxx>
 #include <StepBasic_SiUnitAndLengthUnit.hxx>
@@ -16,7 +18,9 @@
 #include <TCollection_HAsciiString.hxx>
 #include <gp_Dir.hxx>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sm
 {
@@ -54,23 +58,25 @@ std::string GetUnitName(const Handle(StepBasic_NamedUnit) & unit)
   }
 }
 
+/// Returns the part of a context that assigns units; null for other entities.
+Handle(StepRepr_GlobalUnitAssignedContext) GetUnits(const Handle(Standard_Transient) & entity)
+{
+  if (const auto a =
+        Handle(StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx)::DownCast(entity))
+  {
+    return a->GlobalUnitAssignedContext();
+  }
+  const auto b =
+    Handle(StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext)::DownCast(entity);
+  return b.IsNull() ? nullptr : b->GlobalUnitAssignedContext();
+}
+
 /// Returns the length unit of the first context that has one. OpenCASCADE only considers contexts that belong to products.
 std::string FindUnitInContexts(const Handle(StepData_StepModel) & model)
 {
   for (int i = 1; i <= model->NbEntities(); ++i)
   {
-    Handle(StepRepr_GlobalUnitAssignedContext) context;
-    if (const auto a =
-          Handle(StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx)::DownCast(model->Value(i)))
-    {
-      context = a->GlobalUnitAssignedContext();
-    }
-    else if (const auto b =
-               Handle(StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext)::DownCast(
-                 model->Value(i)))
-    {
-      context = b->GlobalUnitAssignedContext();
-    }
+    const Handle(StepRepr_GlobalUnitAssignedContext) context = GetUnits(model->Value(i));
     for (int k = 1; !context.IsNull() && !context->Units().IsNull() && k <= context->NbUnits(); ++k)
     {
       const std::string name = GetUnitName(context->UnitsValue(k));
@@ -113,6 +119,40 @@ std::string ReadLengthUnit(
     }
   }
   return unit.empty() && !model.IsNull() ? FindUnitInContexts(model) : unit;
+}
+
+void CompareUnits(const Handle(StepData_StepModel) & model, const std::vector<CensusContext>& contexts,
+  std::vector<std::string>& defects)
+{
+  // Products of factors in another order.
+  constexpr double rounding = 1e-14;
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const Handle(StepRepr_GlobalUnitAssignedContext) units = GetUnits(model->Value(i));
+    const auto stated = std::find_if(contexts.begin(), contexts.end(),
+      [id = model->IdentLabel(model->Value(i))](const CensusContext& context)
+      { return context.Id == static_cast<std::uint64_t>(id); });
+    if (units.IsNull() || units->Units().IsNull() || stated == contexts.end())
+    {
+      continue;
+    }
+    STEPConstruct_UnitContext taken;
+    taken.ComputeFactors(units);
+    const std::pair<const CensusUnit*, double> kinds[] = { { &stated->Length, taken.LengthFactor() },
+      { &stated->Angle, taken.PlaneAngleFactor() } };
+    for (const auto& [unit, factor] : kinds)
+    {
+      if (unit->Status == CensusUnit::State::Stated &&
+        std::abs(factor - unit->Factor) > rounding * unit->Factor)
+      {
+        const std::string si = unit == &stated->Length ? " mm" : " radians";
+        defects.push_back("Unit #" + std::to_string(unit->Id) + " of the file (" + unit->Name + ") is " +
+          FormatDigits(unit->Factor, 10) + si + ", but OpenCASCADE takes " + FormatDigits(factor, 10) + si +
+          " for it: sizes and places are wrong. Export the file in " +
+          (unit == &stated->Length ? "millimetres." : "radians."));
+      }
+    }
+  }
 }
 
 std::vector<Handle(Standard_Transient)> CheckOperators(
