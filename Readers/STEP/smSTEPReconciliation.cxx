@@ -1,5 +1,7 @@
 #include "smSTEPReconciliation.h"
 
+#include "smFormat.h"
+
 #include <TopExp_Explorer.hxx>
 
 #include <algorithm>
@@ -135,7 +137,7 @@ private:
       ".";
   }
 
-  /// Reports densities that cannot be used, since the parts have no mass then.
+  /// Reports densities that cannot be used, since the parts have no mass then, and those that others contradict.
   void ReportDensities()
   {
     for (const STEPDensity& density : this->Census.Densities)
@@ -144,6 +146,12 @@ private:
       {
         this->Result.Messages.push_back("The density of product #" + std::to_string(density.Product) + " (#" +
           std::to_string(density.Id) + ") is not used: " + density.Problem + ".");
+      }
+      if (!density.Others.empty())
+      {
+        this->Result.Messages.push_back("Product #" + std::to_string(density.Product) + " has the density " +
+          FormatDigits(density.Density, 10) + " kg/m^3 (#" + std::to_string(density.Id) + ")." +
+          density.Others);
       }
     }
   }
