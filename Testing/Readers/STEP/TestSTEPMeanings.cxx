@@ -241,6 +241,16 @@ void CheckDirections()
   CheckBox("operator_of_two", operate("#817,$", "#816"), 1.0, { 100.5, 1.0, 1.5 });
   CheckBox("operator_of_y_and_x", operate("#818,$", "#817"), 1.0, {}, "is parallel to another one");
 }
+
+void CheckProducts()
+{
+  BoxText box;
+  const std::string shape = box.Find("ADVANCED_BREP_SHAPE_REPRESENTATION");
+  const std::string solid = box.Find("MANIFOLD_SOLID_BREP");
+  box.AddProduct("#960").Add(
+    "#960=ADVANCED_BREP_SHAPE_REPRESENTATION('',(" + solid + ")," + box.FindContext() + ");\n");
+  CheckBox("two_products", box, 1.0, {}, "occurs 2 times in the file, and was read 1 time");
+}
 }
 
 int TestSTEPMeanings(int argc, char* argv[])
@@ -254,5 +264,6 @@ int TestSTEPMeanings(int argc, char* argv[])
   CheckUnits();
   CheckPlacements();
   CheckDirections();
+  CheckProducts();
   return Finish();
 }
