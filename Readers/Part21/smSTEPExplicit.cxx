@@ -366,8 +366,15 @@ private:
       const Index origin = this->Entities.Follow(this->Entities.Get(map, MappingOrigin));
       const Part21Value shape = this->Entities.Get(map, MappedRepresentation);
       std::string placement;
-      if (this->MakePlacement(
-            origin, this->Entities.Follow(target), this->Entities.Follow(shape), holder->second, placement))
+      STEPFrame from;
+      if (this->Entities.Has(this->Entities.Follow(target), STEPRole::Transformation) &&
+        ReadSTEPFrame(this->Entities, origin, from) && !IsSame(from, STEPFrame(), 0.0))
+      {
+        this->Result.Doubts.push_back({ target.Id,
+          "the operator is the target of a mapped item whose origin is not that of its representation" });
+      }
+      else if (this->MakePlacement(origin, this->Entities.Follow(target), this->Entities.Follow(shape),
+                 holder->second, placement))
       {
         std::string& moved = maps[map];
         if (moved.empty())

@@ -312,7 +312,13 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
     Handle(StepData_StepModel)::DownCast(reader.Reader().WS()->Model());
   document.FileUnit = ReadLengthUnit(reader.ChangeReader(), model, document.Messages);
   const double factor = GetUnitInMillimetres(document.FileUnit);
-  document.FileUnitInMillimetres = factor > 0.0 ? factor : 1.0;
+  const auto used = std::find_if(declared.Census.Contexts.begin(), declared.Census.Contexts.end(),
+    [](const CensusContext& context)
+    { return context.Used && context.Length.Status == CensusUnit::State::Stated; });
+  // A unit whose name is not known ("SMOOT") has its size in the file.
+  document.FileUnitInMillimetres = factor > 0.0 ? factor
+    : used != declared.Census.Contexts.end()    ? used->Length.Factor
+                                                : 1.0;
   const std::vector<Handle(Standard_Transient)> operators = CheckOperators(model, document.Messages);
   LostFaces lost;
   document.Problem = DropDamagedFaces(

@@ -18,8 +18,8 @@
 #include <TCollection_HAsciiString.hxx>
 #include <gp_Dir.hxx>
 
-#include <algorithm>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 
 namespace sm
@@ -126,16 +126,22 @@ void CompareUnits(const Handle(StepData_StepModel) & model, const std::vector<Ce
 {
   // Products of factors in another order.
   constexpr double rounding = 1e-14;
+  std::unordered_map<std::uint64_t, const CensusContext*> known;
+  for (const CensusContext& context : contexts)
+  {
+    known.emplace(context.Id, &context);
+  }
   for (int i = 1; i <= model->NbEntities(); ++i)
   {
     const Handle(StepRepr_GlobalUnitAssignedContext) units = GetUnits(model->Value(i));
-    const auto stated = std::find_if(contexts.begin(), contexts.end(),
-      [id = model->IdentLabel(model->Value(i))](const CensusContext& context)
-      { return context.Id == static_cast<std::uint64_t>(id); });
-    if (units.IsNull() || units->Units().IsNull() || stated == contexts.end())
+    const auto found = units.IsNull() || units->Units().IsNull()
+      ? known.end()
+      : known.find(static_cast<std::uint64_t>(model->IdentLabel(model->Value(i))));
+    if (found == known.end())
     {
       continue;
     }
+    const CensusContext* stated = found->second;
     STEPConstruct_UnitContext taken;
     taken.ComputeFactors(units);
     const std::pair<const CensusUnit*, double> kinds[] = { { &stated->Length, taken.LengthFactor() },

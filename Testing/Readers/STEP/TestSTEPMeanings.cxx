@@ -169,6 +169,17 @@ void CheckUnits()
     Millimetre + ";\n#802=";
   const std::string inch = "(CONVERSION_BASED_UNIT('INCH',#803)LENGTH_UNIT()NAMED_UNIT(#800))";
   CheckBox("foot_of_12_inches", BoxText().Exchange(Millimetre, foot + inch), 304.8, scale(304.8));
+  const BoxText named = BoxText()
+                          .Exchange(Millimetre, foot + inch)
+                          .Exchange("'FOOT'", "'SMOOT'")
+                          .Exchange("(12.)", "(10.)")
+                          .Exchange("(25.4)", "(1.)");
+  CheckBox("unknown_name", named, 10.0, scale(10.0));
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(Make("meanings_unknown_name.step", named.Text).c_str());
+  reader->SetOutputUnit("file");
+  reader->Update();
+  CheckEqual("a unit with an unknown name is known by its size", "cm", reader->GetLengthUnit());
   CheckBox("foot_of_simple_inches",
     BoxText().Exchange(Millimetre, foot + "CONVERSION_BASED_UNIT(#800,'INCH',#803)"), 304.8, scale(304.8));
   CheckBox("simple_unit", BoxText().Exchange(Millimetre, "SI_UNIT(*,.CENTI.,.METRE.)"), 10.0, scale(10.0));
@@ -233,6 +244,11 @@ void CheckDirections()
         ");\n#831=DIRECTION('',(0.,-1.,0.));\n")
       .Map("#821", "#830");
   };
+  CheckBox("operator_beside_origin",
+    BoxText()
+      .Add(AddFrames() + "#830=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',$,$,#814,1.,$);\n")
+      .Map("#810", "#830"),
+    1.0, {}, "whose origin is not that of its representation");
   CheckBox("operator_y", operate("$,#831", "$"), 1.0, {}, "lost its scale or its mirror");
   CheckBox("operator_z", operate("$,$", "#831"), 1.0, {}, "is parallel to another one");
   CheckBox("operator_none", operate("$,$", "$"), 1.0, { 100.5, 1.0, 1.5 });
