@@ -58,17 +58,16 @@ std::string GetUnitName(const Handle(StepBasic_NamedUnit) & unit)
   }
 }
 
-/// Returns the part of a context that assigns units; null for other entities.
+/// Returns the part of a context that assigns units; null for other entities. Types are compared because this is asked of all entities, and
+/// DownCast() is slow.
 Handle(StepRepr_GlobalUnitAssignedContext) GetUnits(const Handle(Standard_Transient) & entity)
 {
-  if (const auto a =
-        Handle(StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx)::DownCast(entity))
-  {
-    return a->GlobalUnitAssignedContext();
-  }
-  const auto b =
-    Handle(StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext)::DownCast(entity);
-  return b.IsNull() ? nullptr : b->GlobalUnitAssignedContext();
+  using Certain = StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx;
+  using Plain = StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext;
+  const Standard_Type* type = entity->DynamicType().get();
+  return type == STANDARD_TYPE(Certain).get() ? Handle(Certain)::DownCast(entity)->GlobalUnitAssignedContext()
+    : type == STANDARD_TYPE(Plain).get()      ? Handle(Plain)::DownCast(entity)->GlobalUnitAssignedContext()
+                                              : nullptr;
 }
 
 /// Returns the length unit of the first context that has one. OpenCASCADE only considers contexts that belong to products.
