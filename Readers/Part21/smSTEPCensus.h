@@ -224,6 +224,10 @@ struct STEPDensity
   double Density = 0.0;
   /// The reason why it cannot be used; empty otherwise.
   std::string Problem;
+  /// Other statements that are not used, as a sentence each; empty if there are none.
+  std::string Others;
+  /// True if statements of equal rank differ, so that there is no density, not even that of an assembly.
+  bool Contradicted = false;
 };
 
 /// The deepest chain of entities of which each contains the next one.

@@ -143,7 +143,7 @@ private:
   // smSTEPUnits.cxx
   int AddContext(Index representation);
   void ReadUnits(Index context, CensusContext& result);
-  CensusUnit ReadUnit(Index unit, bool length);
+  CensusUnit ReadLengthUnit(Index unit);
   void ReadUncertainty(Index context, CensusContext& result);
   void ReportUnits();
 

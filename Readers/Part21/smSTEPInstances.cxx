@@ -26,7 +26,8 @@ void STEPCensusTaker::PassDensity(Index from, Index to)
   const std::uint64_t product = this->File.GetId(from);
   const auto own = std::lower_bound(stated.begin(), stated.end(), product,
     [](const STEPDensity& density, std::uint64_t id) { return density.Product < id; });
-  const bool hasOwn = own != stated.end() && own->Product == product && own->Density > 0.0;
+  const bool states = own != stated.end() && own->Product == product;
+  const bool hasOwn = states && (own->Density > 0.0 || own->Contradicted);
   // std::max with NaN as its first argument returns NaN.
   const double passed = hasOwn ? own->Density : std::max(this->DensitiesOfEntities[from], 0.0);
   JoinDensity(passed, this->DensitiesOfEntities[to]);

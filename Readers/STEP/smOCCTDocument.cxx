@@ -16,6 +16,7 @@
 #include "smOCCTTurnedShells.h"
 #include "smPart21File.h"
 #include "smPart21Remains.h"
+#include "smSTEPExplicit.h"
 #include "smSTEPReconciliation.h"
 #include "smSTEPTessellations.h"
 
@@ -58,14 +59,20 @@ void Configure(STEPCAFControl_Reader& reader)
   reader.SetSHUOMode(false);
 }
 
-/// Reads the entities of the file. Returns false, with document.Problem, if OpenCASCADE cannot.
-bool Parse(const FileCheck& check, const Part21File& file, STEPCAFControl_Reader& reader, Document& document)
+/// Reads the entities of the file. `completed` gets what was made explicit for OpenCASCADE. Returns false, with document.Problem, if
+/// OpenCASCADE cannot.
+bool Parse(const FileCheck& check, const Part21File& file, STEPCAFControl_Reader& reader,
+  STEPExplicit& completed, Document& document)
 {
   // Behind damage OpenCASCADE's lexer loses more than the census does, or makes entities of it that crash its translation.
   std::string remains = GetRemains(file);
   Part21File sound;
   const bool isBroken = !remains.empty() && sound.Parse(std::move(remains));
-  const Part21File& text = isBroken ? sound : file;
+  const Part21File& whole = isBroken ? sound : file;
+  completed = MakeSTEPExplicit(whole);
+  Part21File changed;
+  const bool isChanged = !completed.Text.empty() && changed.Parse(std::move(completed.Text));
+  const Part21File& text = isChanged ? changed : whole;
   // If OpenCASCADE knows tessellations, KernelSession has a setting by which it skips them.
   KernelRecords records;
   const bool isPlain = records.Make(text,
@@ -337,7 +344,8 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   const KernelSession kernel;
   STEPCAFControl_Reader reader;
   Configure(reader);
-  if (!Parse(check, declared.Text, reader, document))
+  STEPExplicit completed;
+  if (!Parse(check, declared.Text, reader, completed, document))
   {
     return;
   }
@@ -350,7 +358,13 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
     Handle(StepData_StepModel)::DownCast(reader.Reader().WS()->Model());
   document.FileUnit = ReadLengthUnit(reader.ChangeReader(), model, document.Messages);
   const double factor = GetUnitInMillimetres(document.FileUnit);
-  document.FileUnitInMillimetres = factor > 0.0 ? factor : 1.0;
+  const auto used = std::find_if(declared.Census.Contexts.begin(), declared.Census.Contexts.end(),
+    [](const CensusContext& context)
+    { return context.Used && context.Length.Status == CensusUnit::State::Stated; });
+  // A unit whose name is not known ("SMOOT") has its size in the file.
+  document.FileUnitInMillimetres = factor > 0.0 ? factor
+    : used != declared.Census.Contexts.end()    ? used->Length.Factor
+                                                : 1.0;
   const std::vector<Handle(Standard_Transient)> operators = CheckOperators(model, document.Messages);
   LostFaces lost;
   document.Problem = DropDamagedFaces(
@@ -387,6 +401,15 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   ReportTurnedShells(log, document);
   Reconcile(declared.Census, document);
+  CompareUnits(model, completed.Contexts, document.Defects);
+  for (const STEPDoubt& doubt : completed.Doubts)
+  {
+    if (declared.Matters(static_cast<int>(doubt.Id)))
+    {
+      document.Defects.push_back(
+        "Entity #" + std::to_string(doubt.Id) + " of the file: " + doubt.Reason + ". Export the file again.");
+    }
+  }
   Conclude(model, document);
 }
 }

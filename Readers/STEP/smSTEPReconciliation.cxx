@@ -49,7 +49,7 @@ public:
     : Census(census)
     , Result(document)
     , Instances(document.Bodies.size(), 0)
-    , IsPlainAssembly(!census.Occurrences.empty() && census.MappedItems.empty())
+    , HasMappedItems(!census.MappedItems.empty())
   {
     for (std::size_t i = 0; i < document.Bodies.size(); ++i)
     {
@@ -225,7 +225,7 @@ private:
           : ".");
   }
 
-  /// Reports densities that cannot be used, since the parts have no mass then.
+  /// Reports densities that cannot be used, since the parts have no mass then, and those that others contradict.
   void ReportDensities()
   {
     for (const STEPDensity& density : this->Census.Densities)
@@ -234,6 +234,12 @@ private:
       {
         this->Result.Messages.push_back("The density of product #" + std::to_string(density.Product) + " (#" +
           std::to_string(density.Id) + ") is not used: " + density.Problem + ".");
+      }
+      if (!density.Others.empty())
+      {
+        this->Result.Messages.push_back("Product #" + std::to_string(density.Product) + " has the density " +
+          FormatDigits(density.Density, 10) + " kg/m^3 (#" + std::to_string(density.Id) + ")." +
+          density.Others);
       }
     }
   }
@@ -357,9 +363,9 @@ private:
     const CensusCount read = most > body.Instances ? most : least;
     if (read != body.Instances)
     {
-      // Several products, or mapped items in addition to products, may place one solid at the same place, so only too many instances are a
-      // certain contradiction.
-      const bool isCertain = most > body.Instances || this->IsPlainAssembly;
+      // Mapped items in addition to occurrences of products may place one solid at the same place, and then only too many instances are a
+      // certain contradiction. A solid of several products is in each of them.
+      const bool isCertain = most > body.Instances || !this->HasMappedItems;
       (isCertain ? this->Result.Defects : this->Result.Messages)
         .push_back("Solid " + Name(body) + " occurs " + Count(body.Instances) +
           (body.Instances == 1 ? " time" : " times") + " in the file, and was read " + std::to_string(read) +
@@ -372,8 +378,7 @@ private:
   /// Bodies of the document by the entity number of their solid, and the numbers of their instances.
   std::map<std::uint64_t, std::vector<std::size_t>> Read;
   std::vector<CensusCount> Instances;
-  /// True if all instances are occurrences of products in other products.
-  bool IsPlainAssembly;
+  bool HasMappedItems;
 };
 }
 
