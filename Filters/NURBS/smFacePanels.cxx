@@ -442,7 +442,7 @@ FacePanels Builder::Build()
     }
   }
   this->AddCoveredEdges();
-  this->Result.CoverageDefects += HasCrossingLoops(this->Source) ? 1 : 0;
+  this->Result.CoverageDefects += HasWrongLoops(this->Source) ? 1 : 0;
   return std::move(this->Result);
 }
 }

@@ -2,6 +2,7 @@
 
 #include "smPart21Cursor.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -339,5 +340,20 @@ Part21Value GetPart21Value(std::string_view text, std::size_t index)
     }
   }
   return {};
+}
+
+std::string FormatPart21Real(double value)
+{
+  std::array<char, 40> digits;
+  const auto end =
+    std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::scientific).ptr;
+  std::string text(digits.data(), end);
+  const std::size_t exponent = text.find('e');
+  if (text.find('.') == std::string::npos)
+  {
+    text.insert(exponent, ".");
+  }
+  text[text.find('e')] = 'E';
+  return text;
 }
 }

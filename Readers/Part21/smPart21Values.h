@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace sm
@@ -78,6 +79,9 @@ private:
 
 /// Returns value number `index` (from 0); one of kind Malformed if there are fewer values.
 SMREADERSPART21_EXPORT Part21Value GetPart21Value(std::string_view text, std::size_t index);
+
+/// Formats a real number, which must have a point, with all its digits.
+SMREADERSPART21_EXPORT std::string FormatPart21Real(double value);
 }
 
 #endif

@@ -15,8 +15,11 @@ STEPCensus STEPCensusTaker::Take()
   this->AddBodies();
   this->AddArcs();
   this->CountAll();
-  this->FindSolidsBelow();
+  this->SolidsBelow = this->FindAbove({ CensusBodyKind::Solid }, true);
   this->SetInstances();
+  this->FindAlternatives();
+  this->FindShapelessProducts();
+  this->ReadQuantities();
   this->WalkBodies();
   this->FindCycles();
   this->MarkStructure();

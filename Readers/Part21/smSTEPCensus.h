@@ -99,7 +99,7 @@ struct CensusShellUse
 enum class CensusBodyKind : unsigned char
 {
   Solid,      ///< MANIFOLD_SOLID_BREP, BREP_WITH_VOIDS, FACETED_BREP
-  OtherSolid, ///< CSG, swept solids: declared, but there are no faces to integrate
+  OtherSolid, ///< CSG, swept solids, construction history: declared, but there are no faces to integrate
   SurfaceModel, ///< SHELL_BASED_SURFACE_MODEL, FACE_BASED_SURFACE_MODEL, a shell or a face as an item of its own
   GeometricSet, ///< GEOMETRIC_SET, GEOMETRIC_CURVE_SET, wireframes
   Tessellated   ///< triangles
@@ -128,6 +128,8 @@ struct CensusBody
   bool DensitiesDiffer = false;
   /// True if it depends on an entity with a defect of geometry.
   bool Damaged = false;
+  /// True for triangles whose products all have exact faces, too, or that name the solid which they approximate.
+  bool Alternative = false;
 };
 
 /// An occurrence of a product in an assembly: NEXT_ASSEMBLY_USAGE_OCCURRENCE.
@@ -145,6 +147,29 @@ struct CensusOccurrence
   CensusCount Instances = 0;
   /// True if the product or one below it has a solid.
   bool HasSolids = false;
+};
+
+/// A product that occurs in an assembly and has neither a body nor parts.
+struct CensusShapelessProduct
+{
+  /// Number of the PRODUCT_DEFINITION.
+  std::uint64_t Id = 0;
+  std::string Name;
+  /// The file that has its shape, as the file names it; empty for none.
+  std::string File;
+};
+
+/// QUANTIFIED_ASSEMBLY_COMPONENT_USAGE of a product with solids: how many of it an assembly has, without their positions.
+struct CensusQuantity
+{
+  std::uint64_t Id = 0;
+  /// Numbers of the PRODUCT_DEFINITIONs.
+  std::uint64_t Parent = 0;
+  std::uint64_t Child = 0;
+  std::string ChildName;
+  double Quantity = 0.0;
+  /// Number of occurrences of the child in the parent.
+  std::size_t Placed = 0;
 };
 
 /// MAPPED_ITEM in a representation that a product uses.
@@ -199,6 +224,10 @@ struct STEPDensity
   double Density = 0.0;
   /// The reason why it cannot be used; empty otherwise.
   std::string Problem;
+  /// Other statements that are not used, as a sentence each; empty if there are none.
+  std::string Others;
+  /// True if statements of equal rank differ, so that there is no density, not even that of an assembly.
+  bool Contradicted = false;
 };
 
 /// The deepest chain of entities of which each contains the next one.
@@ -256,6 +285,8 @@ struct SMREADERSPART21_EXPORT STEPCensus
   std::vector<std::uint64_t> Bounds;
   std::vector<CensusOccurrence> Occurrences;
   std::vector<CensusMappedItem> MappedItems;
+  std::vector<CensusShapelessProduct> ShapelessProducts;
+  std::vector<CensusQuantity> Quantities;
   std::vector<CensusContext> Contexts;
   /// At most one for each product, by the product's number.
   std::vector<STEPDensity> Densities;

@@ -74,9 +74,18 @@ private:
   // smSTEPInstances.cxx: numbers of instances of products and shapes
   void CountAll();
   void PassDensity(Index from, Index to);
-  void FindSolidsBelow();
+  /// Marks groups with a body of one of these kinds, and what they are part of; `intoAssemblies`: assemblies, too.
+  std::vector<bool> FindAbove(const std::vector<CensusBodyKind>& kinds, bool intoAssemblies) const;
   void ReportCycles(const std::vector<std::uint32_t>& open);
   void SetInstances();
+
+  // smSTEPComponents.cxx: what products declare besides their bodies
+  bool IsOfAssembly(const Arc& arc) const;
+  void FindAlternatives();
+  void FindShapelessProducts();
+  std::unordered_map<Index, std::string> FindFilesOfProducts() const;
+  std::string GetProductName(Index product) const;
+  void ReadQuantities();
 
   // smSTEPBodies.cxx: bodies, shells, faces
   void AddBodies();
@@ -134,7 +143,7 @@ private:
   // smSTEPUnits.cxx
   int AddContext(Index representation);
   void ReadUnits(Index context, CensusContext& result);
-  CensusUnit ReadUnit(Index unit, bool length);
+  CensusUnit ReadLengthUnit(Index unit);
   void ReadUncertainty(Index context, CensusContext& result);
   void ReportUnits();
 

@@ -4,8 +4,11 @@
 #include "smSTEPUnits.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace sm
 {
@@ -18,6 +21,16 @@ bool SaysDensity(std::string_view text)
   constexpr std::string_view word = "density";
   return std::search(text.begin(), text.end(), word.begin(), word.end(),
            [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; }) != text.end();
+}
+
+/// "#12 states 7850 kg/m^3".
+std::string DescribeStatement(const STEPDensity& density)
+{
+  std::array<char, 40> digits;
+  const auto end = std::to_chars(
+    digits.data(), digits.data() + digits.size(), density.Density, std::chars_format::general, 10)
+                     .ptr;
+  return "#" + std::to_string(density.Id) + " states " + std::string(digits.data(), end) + " kg/m^3";
 }
 
 class DensityReader
@@ -52,8 +65,7 @@ private:
   struct Candidate
   {
     STEPDensity Density;
-    /// Order of several statements: usable ones come before others, those by the recommended practice before user-defined ones; of equal
-    /// rank the first counts.
+    /// Order of several statements: usable ones come before others, those by the recommended practice before user-defined ones.
     int Rank = -1;
   };
 
@@ -132,10 +144,42 @@ private:
       density.Density = number * unit;
     }
     const int rank = 2 * (density.Problem.empty() ? 1 : 0) + (recommended ? 1 : 0);
-    Candidate& found = this->Found[density.Product];
-    if (rank > found.Rank)
+    const auto [found, isFirst] = this->Found.try_emplace(density.Product, Candidate{ density, rank });
+    if (!isFirst)
     {
-      found = { density, rank };
+      Join({ density, rank }, found->second);
+    }
+  }
+
+  /// Takes the better of two statements of one product. Where they differ, the other one is named; of equal rank, none counts.
+  static void Join(Candidate other, Candidate& found)
+  {
+    // The same density in other units, of which the factors are rounded.
+    constexpr double rounding = 1e-9;
+    if (other.Rank > found.Rank)
+    {
+      std::swap(other, found);
+      found.Density.Others = std::move(other.Density.Others);
+    }
+    STEPDensity& kept = found.Density;
+    const bool areUsable = kept.Problem.empty() && other.Density.Problem.empty();
+    if (kept.Problem.empty() && !areUsable)
+    {
+      kept.Others += " #" + std::to_string(other.Density.Id) + " is not used: " + other.Density.Problem + ".";
+    }
+    else if (areUsable &&
+      std::fabs(kept.Density - other.Density.Density) > rounding * std::fabs(kept.Density))
+    {
+      if (other.Rank < found.Rank)
+      {
+        kept.Others += " " + DescribeStatement(other.Density) + " and is not used.";
+      }
+      else
+      {
+        kept.Problem = DescribeStatement(kept) + ", and " + DescribeStatement(other.Density);
+        kept.Density = 0.0;
+        kept.Contradicted = true;
+      }
     }
   }
 

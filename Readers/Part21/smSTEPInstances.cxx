@@ -26,7 +26,8 @@ void STEPCensusTaker::PassDensity(Index from, Index to)
   const std::uint64_t product = this->File.GetId(from);
   const auto own = std::lower_bound(stated.begin(), stated.end(), product,
     [](const STEPDensity& density, std::uint64_t id) { return density.Product < id; });
-  const bool hasOwn = own != stated.end() && own->Product == product && own->Density > 0.0;
+  const bool states = own != stated.end() && own->Product == product;
+  const bool hasOwn = states && (own->Density > 0.0 || own->Contradicted);
   // std::max with NaN as its first argument returns NaN.
   const double passed = hasOwn ? own->Density : std::max(this->DensitiesOfEntities[from], 0.0);
   JoinDensity(passed, this->DensitiesOfEntities[to]);
@@ -129,21 +130,26 @@ void STEPCensusTaker::ReportCycles(const std::vector<std::uint32_t>& open)
   }
 }
 
-void STEPCensusTaker::FindSolidsBelow()
+std::vector<bool> STEPCensusTaker::FindAbove(
+  const std::vector<CensusBodyKind>& kinds, bool intoAssemblies) const
 {
   std::vector<Arc> back;
   for (const Arc& arc : this->Arcs)
   {
-    back.push_back({ arc.To, arc.From, arc.By });
+    if (intoAssemblies || !this->IsOfAssembly(arc))
+    {
+      back.push_back({ arc.To, arc.From, arc.By });
+    }
   }
   std::sort(back.begin(), back.end());
-  this->SolidsBelow.assign(this->File.GetNumberOfInstances(), false);
+  std::vector<bool> above(this->File.GetNumberOfInstances(), false);
   std::vector<Index> open;
   for (const auto& [group, body] : this->BodiesOfGroups)
   {
-    if (this->Census.Bodies[body].Kind == CensusBodyKind::Solid && !this->SolidsBelow[group])
+    const CensusBodyKind kind = this->Census.Bodies[body].Kind;
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end() && !above[group])
     {
-      this->SolidsBelow[group] = true;
+      above[group] = true;
       open.push_back(group);
     }
   }
@@ -154,13 +160,14 @@ void STEPCensusTaker::FindSolidsBelow()
     for (auto arc = std::lower_bound(back.begin(), back.end(), Arc{ end, 0, 0 });
          arc != back.end() && arc->From == end; ++arc)
     {
-      if (!this->SolidsBelow[arc->To])
+      if (!above[arc->To])
       {
-        this->SolidsBelow[arc->To] = true;
+        above[arc->To] = true;
         open.push_back(arc->To);
       }
     }
   }
+  return above;
 }
 
 void STEPCensusTaker::SetInstances()

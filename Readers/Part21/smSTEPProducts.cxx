@@ -5,7 +5,6 @@
 #include "smSTEPUnits.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -262,22 +261,6 @@ private:
   std::map<std::uint64_t, STEPProduct> Products;
 };
 
-/// Formats a real number of Part 21, which must have a point, with all digits.
-std::string FormatReal(double value)
-{
-  std::array<char, 40> digits;
-  const auto end =
-    std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::scientific).ptr;
-  std::string text(digits.data(), end);
-  const std::size_t exponent = text.find('e');
-  if (text.find('.') == std::string::npos)
-  {
-    text.insert(exponent, ".");
-  }
-  text[text.find('e')] = 'E';
-  return text;
-}
-
 /// Formats a string of Part 21; bytes beyond ASCII become blanks.
 std::string Quote(const std::string& text)
 {
@@ -363,7 +346,7 @@ void AddStatement(const STEPStatement& statement, EntityWriter& writer)
     const std::string unit =
       writer.AddOnce("DERIVED_UNIT((" + writer.AddPower(writer.AddOnce(millimetre), "3.") + "))");
     const std::string item = writer.Add("MEASURE_REPRESENTATION_ITEM('volume measure',VOLUME_MEASURE(" +
-      FormatReal(statement.Values.Volume) + ")," + unit + ")");
+      FormatPart21Real(statement.Values.Volume) + ")," + unit + ")");
     writer.AddProperty(validation, shape, "'volume'", item, product.Context);
   }
   if (std::isfinite(statement.Values.Area))
@@ -371,13 +354,13 @@ void AddStatement(const STEPStatement& statement, EntityWriter& writer)
     const std::string unit =
       writer.AddOnce("DERIVED_UNIT((" + writer.AddPower(writer.AddOnce(millimetre), "2.") + "))");
     const std::string item = writer.Add("MEASURE_REPRESENTATION_ITEM('surface area measure',AREA_MEASURE(" +
-      FormatReal(statement.Values.Area) + ")," + unit + ")");
+      FormatPart21Real(statement.Values.Area) + ")," + unit + ")");
     writer.AddProperty(validation, shape, "'surface area'", item, product.Context);
   }
   const std::array<double, 3>& c = statement.Values.Centroid;
   if (std::isfinite(c[0] + c[1] + c[2]) && product.Millimetres > 0.0)
   {
-    const auto format = [&](double x) { return FormatReal(x / product.Millimetres); };
+    const auto format = [&](double x) { return FormatPart21Real(x / product.Millimetres); };
     const std::string item = writer.Add(
       "CARTESIAN_POINT('centre point',(" + format(c[0]) + "," + format(c[1]) + "," + format(c[2]) + "))");
     writer.AddProperty(validation, shape, "'centroid'", item, product.Context);
@@ -390,7 +373,7 @@ void AddStatement(const STEPStatement& statement, EntityWriter& writer)
       "DERIVED_UNIT((" + writer.AddPower(kilogram, "1.") + "," + writer.AddPower(metre, "-3.") + "))");
     const std::string item =
       writer.Add("MEASURE_REPRESENTATION_ITEM('density measure',POSITIVE_RATIO_MEASURE(" +
-        FormatReal(statement.Density) + ")," + unit + ")");
+        FormatPart21Real(statement.Density) + ")," + unit + ")");
     writer.AddProperty("'material property','density'", "#" + std::to_string(product.Definition),
       Quote(statement.Material), item, product.Context);
   }

@@ -1,6 +1,7 @@
 // Finds the products, occurrences and shapes of a census, and their relations.
 #include "smSTEPCensusTaker.h"
 #include "smSTEPPropertyAttributes.h"
+#include "smSTEPStructureAttributes.h"
 
 #include <algorithm>
 
@@ -12,24 +13,15 @@ constexpr STEPAttribute RelatingProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 3
 constexpr STEPAttribute RelatedProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 4, 4, "related product" };
 constexpr STEPAttribute OccurrenceId = { "PRODUCT_DEFINITION_RELATIONSHIP", 0, 0, "id" };
 constexpr STEPAttribute OccurrenceName = { "PRODUCT_DEFINITION_RELATIONSHIP", 1, 1, "name" };
-constexpr STEPAttribute FirstRepresentation = { "REPRESENTATION_RELATIONSHIP", 2, 2, "first representation" };
-constexpr STEPAttribute SecondRepresentation = { "REPRESENTATION_RELATIONSHIP", 3, 3,
-  "second representation" };
-constexpr STEPAttribute Operator = { "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION", 0, 4,
-  "transformation" };
 constexpr STEPAttribute RepresentationOfShape = { "PROPERTY_DEFINITION_REPRESENTATION", 1, 1,
   "representation" };
 constexpr STEPAttribute PlacingRelation = { "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", 0, 0, "relationship" };
 constexpr STEPAttribute PlacedShape = { "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", 1, 1, "product shape" };
-constexpr STEPAttribute MappingSource = { "MAPPED_ITEM", 0, 1, "mapping source" };
-constexpr STEPAttribute MappingTarget = { "MAPPED_ITEM", 1, 2, "mapping target" };
-constexpr STEPAttribute MappingOrigin = { "REPRESENTATION_MAP", 0, 0, "mapping origin" };
-constexpr STEPAttribute MappedRepresentation = { "REPRESENTATION_MAP", 1, 1, "mapped representation" };
 
 bool HasTransformation(const STEPAttributes& entities, Part21File::Index relationship)
 {
   std::string_view parameters;
-  return entities.FindRecord(relationship, Operator.Record, parameters);
+  return entities.FindRecord(relationship, OperatorOfRelationship.Record, parameters);
 }
 }
 
@@ -187,7 +179,7 @@ void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placeme
   this->Use(relation, CensusUse::Structure);
   if (HasTransformation(this->Entities, relation))
   {
-    const Index transformation = this->Follow(relation, Operator, STEPRole::Transformation);
+    const Index transformation = this->Follow(relation, OperatorOfRelationship, STEPRole::Transformation);
     occurrence.Transformation = transformation == None ? 0 : this->File.GetId(transformation);
   }
   else

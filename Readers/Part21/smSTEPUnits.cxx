@@ -11,15 +11,8 @@ namespace sm
 namespace
 {
 constexpr STEPAttribute ContextOfItems = { "REPRESENTATION", 2, 2, "context" };
-constexpr STEPAttribute UnitsOfContext = { "GLOBAL_UNIT_ASSIGNED_CONTEXT", 0, 2, "units" };
 constexpr STEPAttribute UncertaintiesOfContext = { "GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT", 0, 2,
   "uncertainties" };
-constexpr STEPAttribute Prefix = { "SI_UNIT", 0, 1, "prefix" };
-constexpr STEPAttribute SIName = { "SI_UNIT", 1, 2, "name" };
-constexpr STEPAttribute ConversionName = { "CONVERSION_BASED_UNIT", 0, 1, "name" };
-constexpr STEPAttribute ConversionFactor = { "CONVERSION_BASED_UNIT", 1, 2, "conversion factor" };
-constexpr STEPAttribute MeasureValue = { "MEASURE_WITH_UNIT", 0, 0, "value" };
-constexpr STEPAttribute MeasureUnit = { "MEASURE_WITH_UNIT", 1, 1, "unit" };
 
 /// Largest number of conversions from unit to unit; inch to millimetre is one.
 constexpr int LongestConversion = 8;
@@ -78,7 +71,7 @@ const NamedFactor* FindFactor(const NamedFactor (&table)[N], std::string_view na
   return nullptr;
 }
 
-/// Records of units in complex instances, and simple measures, by the number of their parameters.
+/// Records of units and contexts in complex instances, and simple measures, by the number of their parameters.
 struct UnitRecord
 {
   std::string_view Type;
@@ -86,10 +79,12 @@ struct UnitRecord
 };
 const UnitRecord UnitRecords[] = { { "NAMED_UNIT", 1 }, { "SI_UNIT", 2 }, { "CONVERSION_BASED_UNIT", 2 },
   { "LENGTH_UNIT", 0 }, { "PLANE_ANGLE_UNIT", 0 }, { "MASS_UNIT", 0 }, { "MEASURE_WITH_UNIT", 2 },
-  { "LENGTH_MEASURE_WITH_UNIT", 2 }, { "PLANE_ANGLE_MEASURE_WITH_UNIT", 2 },
-  { "MASS_MEASURE_WITH_UNIT", 2 } };
+  { "LENGTH_MEASURE_WITH_UNIT", 2 }, { "PLANE_ANGLE_MEASURE_WITH_UNIT", 2 }, { "MASS_MEASURE_WITH_UNIT", 2 },
+  { "GEOMETRIC_REPRESENTATION_CONTEXT", 1 }, { "REPRESENTATION_CONTEXT", 2 },
+  { "GLOBAL_UNIT_ASSIGNED_CONTEXT", 1 }, { "GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT", 1 },
+  { "PARAMETRIC_REPRESENTATION_CONTEXT", 0 } };
 
-/// OpenCASCADE ignores a unit that has a parameter too many, or too few, and takes another.
+/// OpenCASCADE ignores a unit or context that has a parameter too many, or too few, and takes other units.
 bool HasWrongCount(const Part21File& file, Part21File::Index unit)
 {
   for (std::size_t r = 0; r < file.GetNumberOfRecords(unit); ++r)
@@ -97,17 +92,20 @@ bool HasWrongCount(const Part21File& file, Part21File::Index unit)
     const std::string& type = file.GetTypeNames()[file.GetType(unit, r)];
     for (const UnitRecord& record : UnitRecords)
     {
-      if (record.Type != type || (!file.IsComplex(unit) && record.Type == "SI_UNIT"))
+      if (record.Type != type)
       {
         continue;
       }
+      // A simple unit has its dimensions, too.
+      const bool isSimpleUnit =
+        !file.IsComplex(unit) && (type == SIName.Record || type == ConversionFactor.Record);
       int count = 0;
       Part21Values values(file.GetParameters(unit, r));
       for (Part21Value value; values.Next(value);)
       {
         ++count;
       }
-      if (count != record.Parameters)
+      if (count != record.Parameters + (isSimpleUnit ? 1 : 0))
       {
         return true;
       }
@@ -125,7 +123,7 @@ bool HasWrongRecords(const STEPAttributes& entities, Part21File::Index unit, con
       !entities.FindRecord(unit, kind.Record, record));
 }
 
-/// Returns true for a context with other records than these, likewise.
+/// Returns true for a context with other records than these, or with a wrong number of parameters, likewise.
 bool HasWrongContextRecords(const STEPAttributes& entities, Part21File::Index context)
 {
   static constexpr std::string_view known[] = { "GEOMETRIC_REPRESENTATION_CONTEXT", "REPRESENTATION_CONTEXT",
@@ -139,7 +137,7 @@ bool HasWrongContextRecords(const STEPAttributes& entities, Part21File::Index co
   }
   return entities.File.IsComplex(context) && !entities.File.IsDamaged(context) &&
     (found != entities.File.GetNumberOfRecords(context) || !entities.FindRecord(context, known[0], record) ||
-      !entities.FindRecord(context, known[1], record));
+      !entities.FindRecord(context, known[1], record) || HasWrongCount(entities.File, context));
 }
 
 /// Returns true for a unit of any kind whose records can be read.
@@ -157,6 +155,36 @@ bool IsSomeUnit(const STEPAttributes& entities, Part21File::Index unit)
     isSome = isSome || (type.size() > ending.size() && type.substr(type.size() - ending.size()) == ending);
   }
   return isSome;
+}
+
+/// Returns true for a unit of the kind: by its record or, without one, by the unit of SI that it is or converts to.
+bool IsOfKind(const STEPAttributes& entities, Part21File::Index unit, STEPUnitKind kind)
+{
+  const SIKind& si = SIKinds[static_cast<int>(kind)];
+  for (int k = 0; k < LongestConversion && unit != Part21File::None; ++k)
+  {
+    std::string_view record;
+    if (entities.FindRecord(unit, si.Record, record))
+    {
+      return true;
+    }
+    if (entities.FindRecord(unit, SIName.Record, record))
+    {
+      return entities.Get(unit, SIName).Text == si.Name;
+    }
+    if (!entities.FindRecord(unit, ConversionFactor.Record, record))
+    {
+      return false;
+    }
+    const Part21File::Index measure = entities.Follow(entities.Get(unit, ConversionFactor));
+    double value = 0.0;
+    unit = Part21File::None;
+    if (measure == Part21File::None || !ReadSTEPMeasure(entities, measure, value, unit))
+    {
+      return false;
+    }
+  }
+  return false;
 }
 
 bool IsSame(double a, double b, double accuracy)
@@ -258,34 +286,35 @@ int STEPCensusTaker::AddContext(Index representation)
   return found->second;
 }
 
-void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
+void ReadSTEPUnits(const STEPAttributes& entities, Part21File::Index context, CensusContext& result,
+  std::vector<Part21File::Index>& used)
 {
-  if (HasWrongContextRecords(this->Entities, context))
+  using Index = Part21File::Index;
+  if (HasWrongContextRecords(entities, context))
   {
     result.Length.Status = result.Angle.Status = CensusUnit::State::Wrong;
     result.Length.Id = result.Angle.Id = result.Id;
     return;
   }
-  Part21Values units(this->Entities.Get(context, UnitsOfContext).Text);
+  Part21Values units(entities.Get(context, UnitsOfContext).Text);
   // A damaged member whose kind of unit cannot be read. It may have been the unit of length or of angle.
   std::uint64_t unknown = 0;
   bool isUnknown = false;
   for (Part21Value value; units.Next(value);)
   {
-    const Index unit = this->Entities.Follow(value);
-    std::string_view record;
-    if (unit == None || !IsSomeUnit(this->Entities, unit))
+    const Index unit = entities.Follow(value);
+    if (unit == Part21File::None || !IsSomeUnit(entities, unit))
     {
       isUnknown = true;
-      unknown = unit == None ? result.Id : this->File.GetId(unit);
+      unknown = unit == Part21File::None ? result.Id : entities.File.GetId(unit);
       continue;
     }
-    const bool length = this->Entities.FindRecord(unit, "LENGTH_UNIT", record);
-    const bool angle = this->Entities.FindRecord(unit, "PLANE_ANGLE_UNIT", record);
-    if (length || angle)
+    const bool length = IsOfKind(entities, unit, STEPUnitKind::Length);
+    if (length || IsOfKind(entities, unit, STEPUnitKind::Angle))
     {
       CensusUnit& known = length ? result.Length : result.Angle;
-      const CensusUnit next = this->ReadUnit(unit, length);
+      const CensusUnit next =
+        ReadSTEPUnit(entities, unit, length ? STEPUnitKind::Length : STEPUnitKind::Angle, used);
       // Several units of one kind must be equal, because it is not certain which one OpenCASCADE uses.
       const bool isFirst = known.Status == CensusUnit::State::Missing;
       if (isFirst || (known.Status == CensusUnit::State::Stated && next.Status != known.Status))
@@ -308,11 +337,20 @@ void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
   }
 }
 
-CensusUnit STEPCensusTaker::ReadUnit(Index unit, bool length)
+void STEPCensusTaker::ReadUnits(Index context, CensusContext& result)
 {
   std::vector<Index> used;
-  const CensusUnit result =
-    ReadSTEPUnit(this->Entities, unit, length ? STEPUnitKind::Length : STEPUnitKind::Angle, used);
+  ReadSTEPUnits(this->Entities, context, result, used);
+  for (const Index i : used)
+  {
+    this->Use(i, CensusUse::Units);
+  }
+}
+
+CensusUnit STEPCensusTaker::ReadLengthUnit(Index unit)
+{
+  std::vector<Index> used;
+  const CensusUnit result = ReadSTEPUnit(this->Entities, unit, STEPUnitKind::Length, used);
   for (const Index i : used)
   {
     this->Use(i, CensusUse::Units);
@@ -335,7 +373,7 @@ void STEPCensusTaker::ReadUncertainty(Index context, CensusContext& result)
       continue;
     }
     this->Use(measure, CensusUse::Units);
-    number *= this->ReadUnit(unit, true).Factor;
+    number *= this->ReadLengthUnit(unit).Factor;
     if (!(number <= result.Uncertainty))
     {
       result.Uncertainty = number;

@@ -13,14 +13,20 @@
 #include "smOCCTRecords.h"
 #include "smOCCTRepair.h"
 #include "smOCCTTable.h"
+#include "smOCCTTurnedShells.h"
 #include "smPart21File.h"
 #include "smPart21Remains.h"
+#include "smSTEPExplicit.h"
 #include "smSTEPReconciliation.h"
 #include "smSTEPTessellations.h"
 
 #include "vtkTimerLog.h"
 
 #include <STEPCAFControl_Reader.hxx>
+#include <StepAP214_AppliedDocumentReference.hxx>
+#include <StepBasic_HArray1OfDocument.hxx>
+#include <StepBasic_ObjectRole.hxx>
+#include <StepBasic_ProductDefinitionWithAssociatedDocuments.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepGeom_ToroidalSurface.hxx>
 #include <StepShape_FaceSurface.hxx>
@@ -53,14 +59,20 @@ void Configure(STEPCAFControl_Reader& reader)
   reader.SetSHUOMode(false);
 }
 
-/// Reads the entities of the file. Returns false, with document.Problem, if OpenCASCADE cannot.
-bool Parse(const FileCheck& check, const Part21File& file, STEPCAFControl_Reader& reader, Document& document)
+/// Reads the entities of the file. `completed` gets what was made explicit for OpenCASCADE. Returns false, with document.Problem, if
+/// OpenCASCADE cannot.
+bool Parse(const FileCheck& check, const Part21File& file, STEPCAFControl_Reader& reader,
+  STEPExplicit& completed, Document& document)
 {
   // Behind damage OpenCASCADE's lexer loses more than the census does, or makes entities of it that crash its translation.
   std::string remains = GetRemains(file);
   Part21File sound;
   const bool isBroken = !remains.empty() && sound.Parse(std::move(remains));
-  const Part21File& text = isBroken ? sound : file;
+  const Part21File& whole = isBroken ? sound : file;
+  completed = MakeSTEPExplicit(whole);
+  Part21File changed;
+  const bool isChanged = !completed.Text.empty() && changed.Parse(std::move(completed.Text));
+  const Part21File& text = isChanged ? changed : whole;
   // If OpenCASCADE knows tessellations, KernelSession has a setting by which it skips them.
   KernelRecords records;
   const bool isPlain = records.Make(text,
@@ -121,6 +133,25 @@ void TurnNegativeTori(const Handle(StepData_StepModel) & model)
   for (const Handle(StepGeom_ToroidalSurface) & torus : negative)
   {
     torus->SetMajorRadius(std::abs(torus->MajorRadius()));
+  }
+}
+
+/// Keeps OpenCASCADE from reading other files, which it would seek in the working directory: their bodies would have numbers that are none
+/// of this file, and nothing would tell whether they are complete. Reconcile() reports the products that lack them.
+void ForgetOtherFiles(const Handle(StepData_StepModel) & model)
+{
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const Handle(Standard_Transient) entity = model->Value(i);
+    const auto definition = Handle(StepBasic_ProductDefinitionWithAssociatedDocuments)::DownCast(entity);
+    if (!definition.IsNull())
+    {
+      definition->SetDocIds(nullptr);
+    }
+    else if (entity->DynamicType() == STANDARD_TYPE(StepAP214_AppliedDocumentReference))
+    {
+      model->ReplaceEntity(i, new StepBasic_ObjectRole);
+    }
   }
 }
 
@@ -252,11 +283,10 @@ struct DeclaredContent
 
 /// Transfers all shapes of the file; returns false if `progress` stopped it.
 bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, RepairMode repair,
-  const ProgressCallback& progress, Document& document)
+  const ProgressCallback& progress, Document& document, RepairLog& log)
 {
   const Handle(KernelProgress) indicator =
     new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
-  RepairLog log;
   {
     const auto label = [&reader](const TopoDS_Shape& shape)
     { return GetShapeLabel(reader.Reader().WS(), shape); };
@@ -314,7 +344,8 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   const KernelSession kernel;
   STEPCAFControl_Reader reader;
   Configure(reader);
-  if (!Parse(check, declared.Text, reader, document))
+  STEPExplicit completed;
+  if (!Parse(check, declared.Text, reader, completed, document))
   {
     return;
   }
@@ -327,7 +358,13 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
     Handle(StepData_StepModel)::DownCast(reader.Reader().WS()->Model());
   document.FileUnit = ReadLengthUnit(reader.ChangeReader(), model, document.Messages);
   const double factor = GetUnitInMillimetres(document.FileUnit);
-  document.FileUnitInMillimetres = factor > 0.0 ? factor : 1.0;
+  const auto used = std::find_if(declared.Census.Contexts.begin(), declared.Census.Contexts.end(),
+    [](const CensusContext& context)
+    { return context.Used && context.Length.Status == CensusUnit::State::Stated; });
+  // A unit whose name is not known ("SMOOT") has its size in the file.
+  document.FileUnitInMillimetres = factor > 0.0 ? factor
+    : used != declared.Census.Contexts.end()    ? used->Length.Factor
+                                                : 1.0;
   const std::vector<Handle(Standard_Transient)> operators = CheckOperators(model, document.Messages);
   LostFaces lost;
   document.Problem = DropDamagedFaces(
@@ -342,12 +379,14 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   CheckSpindleTori(model, document.Defects);
   CheckShortArcs(model, document.FileUnitInMillimetres, document.Messages);
   TurnNegativeTori(model);
+  ForgetOtherFiles(model);
   ClearClosedFlags(model);
   ShortenAssemblies(reader.Reader().WS());
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   SetMillimetres(xde);
-  if (!Transfer(reader, xde, repair, progress, document))
+  RepairLog log;
+  if (!Transfer(reader, xde, repair, progress, document, log))
   {
     document.Status = ReadStatus::Aborted;
     return;
@@ -360,7 +399,17 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   {
     body.Misplaced = body.Misplaced || !found;
   }
+  ReportTurnedShells(log, document);
   Reconcile(declared.Census, document);
+  CompareUnits(model, completed.Contexts, document.Defects);
+  for (const STEPDoubt& doubt : completed.Doubts)
+  {
+    if (declared.Matters(static_cast<int>(doubt.Id)))
+    {
+      document.Defects.push_back(
+        "Entity #" + std::to_string(doubt.Id) + " of the file: " + doubt.Reason + ". Export the file again.");
+    }
+  }
   Conclude(model, document);
 }
 }

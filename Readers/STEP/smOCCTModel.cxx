@@ -1,7 +1,9 @@
 #include "smOCCTModel.h"
 
+#include "smFormat.h"
 #include "smLengthUnits.h"
 
+#include <STEPConstruct_UnitContext.hxx>
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepBasic_HArray1OfNamedUnit.hxx>
 #include <StepBasic_SiUnitAndLengthUnit.hxx>
@@ -24,6 +26,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
+#include <utility>
 
 namespace sm
 {
@@ -61,23 +65,24 @@ std::string GetUnitName(const Handle(StepBasic_NamedUnit) & unit)
   }
 }
 
+/// Returns the part of a context that assigns units; null for other entities. Types are compared because this is asked of all entities, and
+/// DownCast() is slow.
+Handle(StepRepr_GlobalUnitAssignedContext) GetUnits(const Handle(Standard_Transient) & entity)
+{
+  using Certain = StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx;
+  using Plain = StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext;
+  const Standard_Type* type = entity->DynamicType().get();
+  return type == STANDARD_TYPE(Certain).get() ? Handle(Certain)::DownCast(entity)->GlobalUnitAssignedContext()
+    : type == STANDARD_TYPE(Plain).get()      ? Handle(Plain)::DownCast(entity)->GlobalUnitAssignedContext()
+                                              : nullptr;
+}
+
 /// Returns the length unit of the first context that has one. OpenCASCADE only considers contexts that belong to products.
 std::string FindUnitInContexts(const Handle(StepData_StepModel) & model)
 {
   for (int i = 1; i <= model->NbEntities(); ++i)
   {
-    Handle(StepRepr_GlobalUnitAssignedContext) context;
-    if (const auto a =
-          Handle(StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx)::DownCast(model->Value(i)))
-    {
-      context = a->GlobalUnitAssignedContext();
-    }
-    else if (const auto b =
-               Handle(StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext)::DownCast(
-                 model->Value(i)))
-    {
-      context = b->GlobalUnitAssignedContext();
-    }
+    const Handle(StepRepr_GlobalUnitAssignedContext) context = GetUnits(model->Value(i));
     for (int k = 1; !context.IsNull() && !context->Units().IsNull() && k <= context->NbUnits(); ++k)
     {
       const std::string name = GetUnitName(context->UnitsValue(k));
@@ -196,6 +201,46 @@ std::string ReadLengthUnit(
     }
   }
   return unit.empty() && !model.IsNull() ? FindUnitInContexts(model) : unit;
+}
+
+void CompareUnits(const Handle(StepData_StepModel) & model, const std::vector<CensusContext>& contexts,
+  std::vector<std::string>& defects)
+{
+  // Products of factors in another order.
+  constexpr double rounding = 1e-14;
+  std::unordered_map<std::uint64_t, const CensusContext*> known;
+  for (const CensusContext& context : contexts)
+  {
+    known.emplace(context.Id, &context);
+  }
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const Handle(StepRepr_GlobalUnitAssignedContext) units = GetUnits(model->Value(i));
+    const auto found = units.IsNull() || units->Units().IsNull()
+      ? known.end()
+      : known.find(static_cast<std::uint64_t>(model->IdentLabel(model->Value(i))));
+    if (found == known.end())
+    {
+      continue;
+    }
+    const CensusContext* stated = found->second;
+    STEPConstruct_UnitContext taken;
+    taken.ComputeFactors(units);
+    const std::pair<const CensusUnit*, double> kinds[] = { { &stated->Length, taken.LengthFactor() },
+      { &stated->Angle, taken.PlaneAngleFactor() } };
+    for (const auto& [unit, factor] : kinds)
+    {
+      if (unit->Status == CensusUnit::State::Stated &&
+        std::abs(factor - unit->Factor) > rounding * unit->Factor)
+      {
+        const std::string si = unit == &stated->Length ? " mm" : " radians";
+        defects.push_back("Unit #" + std::to_string(unit->Id) + " of the file (" + unit->Name + ") is " +
+          FormatDigits(unit->Factor, 10) + si + ", but OpenCASCADE takes " + FormatDigits(factor, 10) + si +
+          " for it: sizes and places are wrong. Export the file in " +
+          (unit == &stated->Length ? "millimetres." : "radians."));
+      }
+    }
+  }
 }
 
 std::vector<Handle(Standard_Transient)> CheckOperators(

@@ -1,9 +1,12 @@
 /**
  * @file smOCCTModel.h
- * @brief Reads data of a STEP file's entities that OpenCASCADE's transfer loses: length unit, scales, reflections, faces without a product
+ * @brief Reads data of a STEP file's entities that OpenCASCADE's transfer loses: units, scales, reflections, faces without a product
  */
 #ifndef smOCCTModel_h
 #define smOCCTModel_h
+
+#include "smReadersSTEPModule.h"
+#include "smSTEPCensus.h"
 
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
@@ -16,6 +19,10 @@ namespace sm
 /// Returns the length unit of the file in its spelling ("millimetre", "INCH"); empty if it states none.
 std::string ReadLengthUnit(
   STEPControl_Reader& reader, const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
+
+/// Compares the units of contexts with those that OpenCASCADE takes for them, after the transfer. Each difference is a defect.
+SMREADERSSTEP_EXPORT void CompareUnits(const Handle(StepData_StepModel) & model,
+  const std::vector<CensusContext>& contexts, std::vector<std::string>& defects);
 
 /**
  * Checks the transformation operators (CARTESIAN_TRANSFORMATION_OPERATOR_3D). OpenCASCADE 7.6 ignores their scale and their reflection,

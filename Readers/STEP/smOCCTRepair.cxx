@@ -7,7 +7,9 @@
 
 #include "vtkTimerLog.h"
 
+#include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 
 #include <algorithm>
 #include <utility>
@@ -23,6 +25,19 @@ bool IsSoundOutside(const TopoDS_Shape& face, const RepairLog& log)
 {
   const auto found = log.SoundFaces.find(face.TShape().get());
   return found != log.SoundFaces.end() && found->second->IsOutside();
+}
+
+/// Keeps the sides of the faces, which a repair may turn.
+void KeepSides(const TopoDS_Shape& shape, RepairLog& log)
+{
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+  {
+    TopLoc_Location location;
+    const Handle(Geom_Surface)& surface = BRep_Tool::Surface(TopoDS::Face(it.Current()), location);
+    const FaceSide side{ surface, it.Current().Orientation() == TopAbs_REVERSED, false };
+    const auto [known, isNew] = log.Sides.emplace(surface.get(), side);
+    known->second.Ambiguous = !isNew;
+  }
 }
 
 /// Adds the faces to the log of which a repair may have taken the wrong part.
@@ -76,8 +91,8 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, c
   // Labels are made for listed reasons only, because each needs a search through all transferred entities.
   const bool isTold = log.Reasons.size() < MostReasons;
   const ShapeLabel none = [](const TopoDS_Shape&) { return std::string(); };
-  ShapeDamage damage;
   const TopoDS_Shape original = shape;
+  ShapeDamage damage;
   const double start = vtkTimerLog::GetUniversalTime();
   double repairSeconds = 0.0;
   const FaceRepair timed = [&](const TopoDS_Shape& whole, const std::vector<TopoDS_Shape>& damaged,
@@ -111,9 +126,14 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, c
   if (!damage.Problem.empty() && !isPatched)
   {
     ++log.RepairedBodies;
+    KeepSides(original, log);
     return false;
   }
   ++log.SoundBodies;
+  if (damage.IsReversed)
+  {
+    log.ReversedBodies.push_back(shape);
+  }
   log.PatchedBodies += isPatched ? 1 : 0;
   log.RepairedFaces += damage.RepairedFaces;
   log.TurnedBodies += damage.TurnedEdges > 0 ? 1 : 0;

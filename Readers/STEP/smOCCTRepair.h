@@ -8,16 +8,30 @@
 #include "smOCCTCompatibility.h"
 #include "smOCCTShapeInspection.h"
 
+#include <Geom_Surface.hxx>
+#include <TopoDS_Shape.hxx>
+
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace sm
 {
+/// A surface that one face of a repaired body has, with the side that the face took before; ambiguous if several faces have it.
+struct FaceSide
+{
+  Handle(Geom_Surface) Surface;
+  bool Reversed = false;
+  bool Ambiguous = false;
+};
+
 /// Record of the repairs of a transfer.
 struct RepairLog
 {
   /// Faces that were not repaired, with completed loops.
   SoundFaceTable SoundFaces;
+  /// Sides of the faces of repaired bodies.
+  std::unordered_map<const Geom_Surface*, FaceSide> Sides;
   int SoundBodies = 0;
   int RepairedBodies = 0;
   /// Bodies of which only some faces were repaired, and these faces.
@@ -34,6 +48,8 @@ struct RepairLog
   std::vector<std::string> FoldedFaces;
   /// Reasons of the first repairs, for example "solid #12: face #34: a loop does not close".
   std::vector<std::string> Reasons;
+  /// Sound bodies that were inside out, and were reversed.
+  std::vector<TopoDS_Shape> ReversedBodies;
 };
 
 /// Returns messages with the numbers of repaired and turned shapes and the reasons.

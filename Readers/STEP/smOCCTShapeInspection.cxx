@@ -221,7 +221,8 @@ public:
   }
 
   /// Returns the shape after Run(), with a solid that is inside out reversed.
-  TopoDS_Shape GetShape() const { return this->Sign < 0.0 ? this->Shape.Reversed() : this->Shape; }
+  TopoDS_Shape GetShape() const { return this->IsInsideOut() ? this->Shape.Reversed() : this->Shape; }
+  bool IsInsideOut() const { return this->Sign < 0.0; }
 
   SoundFaceTable& GetFaces() { return this->Inspected; }
 
@@ -260,6 +261,13 @@ private:
         problem = "a void may lie outside its shell";
       }
       this->Sign = this->Sign != 0.0 ? this->Sign : this->IsSolid && outwards < -LeastShare ? -1.0 : 1.0;
+    }
+    // The sides of a body that is inside out are taken to be wrong, and so may be the directions of its loops.
+    if (problem.empty() && this->Sign < 0.0 &&
+      std::any_of(this->Inspected.begin(), this->Inspected.end(),
+        [](const auto& face) { return face.second->HasNaturalBoundary; }))
+    {
+      problem = "it is inside out, and a face lies outside its loops";
     }
     if (!problem.empty())
     {
@@ -410,6 +418,7 @@ ShapeDamage FindShapeDamage(
   if (damage.Problem.empty() || damage.RepairedFaces > 0)
   {
     shape = inspector.GetShape();
+    damage.IsReversed = inspector.IsInsideOut();
     faces.merge(inspector.GetFaces());
   }
   return damage;

@@ -33,6 +33,8 @@ struct ShapeDamage
   int RepairedFaces = 0;
   /// Number of uses of edges whose direction was reversed.
   int TurnedEdges = 0;
+  /// True if the shape was inside out and was reversed.
+  bool IsReversed = false;
 };
 
 /// Inspects a solid or shell. If it is sound, or `repair` makes it so, its faces that were not repaired are added to `faces`. A solid that is

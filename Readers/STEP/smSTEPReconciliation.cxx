@@ -27,9 +27,14 @@ std::string ListIds(const std::vector<std::uint64_t>& ids)
   return list + (ids.size() > MostIds ? " and " + std::to_string(ids.size() - MostIds) + " more" : "");
 }
 
+std::string Name(std::uint64_t id, const std::string& name)
+{
+  return "#" + std::to_string(id) + (name.empty() ? "" : " \"" + name + "\"");
+}
+
 std::string Name(const CensusBody& body)
 {
-  return "#" + std::to_string(body.Id) + (body.Name.empty() ? "" : " \"" + body.Name + "\"");
+  return Name(body.Id, body.Name);
 }
 
 std::string Count(CensusCount count)
@@ -44,7 +49,7 @@ public:
     : Census(census)
     , Result(document)
     , Instances(document.Bodies.size(), 0)
-    , IsPlainAssembly(!census.Occurrences.empty() && census.MappedItems.empty())
+    , HasMappedItems(!census.MappedItems.empty())
   {
     for (std::size_t i = 0; i < document.Bodies.size(); ++i)
     {
@@ -81,15 +86,75 @@ public:
       }
       else if (body.Kind == CensusBodyKind::OtherSolid)
       {
-        this->Result.Defects.push_back("Solid " + Name(body) + " of the file is a " + body.Type +
+        this->Result.Defects.push_back("Solid " + Name(body) + " of the file is of the type " + body.Type +
           ", which has no faces: it is left out. Export it as a boundary representation.");
       }
+      else if (body.Kind == CensusBodyKind::Tessellated && !body.Alternative)
+      {
+        this->ReportTriangles(body);
+      }
     }
+    this->ReportQuantities();
+    this->ReportShapeless();
     // Messages about missing bodies come first.
     this->ReportProblems();
   }
 
 private:
+  void ReportTriangles(const CensusBody& body)
+  {
+    // Sets of triangles may be annotations.
+    const bool isBody = body.Type.find("TESSELLATED_SOLID") != std::string::npos ||
+      body.Type.find("TESSELLATED_SHELL") != std::string::npos;
+    (isBody ? this->Result.Defects : this->Result.Messages)
+      .push_back("Body " + Name(body) + " of the file is of the type " + body.Type +
+        ", of triangles instead of exact faces: it is left out. Export it as a boundary representation.");
+  }
+
+  void ReportQuantities()
+  {
+    for (const CensusQuantity& usage : this->Census.Quantities)
+    {
+      if (usage.Quantity != static_cast<double>(usage.Placed))
+      {
+        this->Result.Defects.push_back("Product " + Name(usage.Child, usage.ChildName) + " occurs " +
+          FormatDigits(usage.Quantity, 15) + " times in product #" + std::to_string(usage.Parent) +
+          " by the quantity #" + std::to_string(usage.Id) + " of the file, which places it " +
+          FormatCount(usage.Placed, "time", "times") + ": only these are counted.");
+      }
+    }
+  }
+
+  /// Reports parts of assemblies that the file does not have.
+  void ReportShapeless()
+  {
+    std::vector<std::uint64_t> without;
+    std::size_t elsewhere = 0;
+    for (const CensusShapelessProduct& product : this->Census.ShapelessProducts)
+    {
+      if (product.File.empty())
+      {
+        without.push_back(product.Id);
+      }
+      else if (++elsewhere <= MostIds)
+      {
+        this->Result.Defects.push_back("Product " + Name(product.Id, product.Name) +
+          " of an assembly has its shape in another file, " + product.File +
+          ", which is not read: the part is missing. Export the assembly as one file.");
+      }
+    }
+    if (elsewhere > MostIds)
+    {
+      this->Result.Defects.push_back(
+        std::to_string(elsewhere - MostIds) + " more products have their shapes in other files.");
+    }
+    if (!without.empty())
+    {
+      this->Result.Messages.push_back(FormatCount(without.size(), "product", "products") +
+        " in assemblies of the file without a shape: " + ListIds(without) + ".");
+    }
+  }
+
   /// Reports contradictions in the file itself. A missing unit is not one of them.
   void ReportProblems()
   {
@@ -160,7 +225,7 @@ private:
           : ".");
   }
 
-  /// Reports densities that cannot be used, since the parts have no mass then.
+  /// Reports densities that cannot be used, since the parts have no mass then, and those that others contradict.
   void ReportDensities()
   {
     for (const STEPDensity& density : this->Census.Densities)
@@ -169,6 +234,12 @@ private:
       {
         this->Result.Messages.push_back("The density of product #" + std::to_string(density.Product) + " (#" +
           std::to_string(density.Id) + ") is not used: " + density.Problem + ".");
+      }
+      if (!density.Others.empty())
+      {
+        this->Result.Messages.push_back("Product #" + std::to_string(density.Product) + " has the density " +
+          FormatDigits(density.Density, 10) + " kg/m^3 (#" + std::to_string(density.Id) + ")." +
+          density.Others);
       }
     }
   }
@@ -292,9 +363,9 @@ private:
     const CensusCount read = most > body.Instances ? most : least;
     if (read != body.Instances)
     {
-      // Several products, or mapped items in addition to products, may place one solid at the same place, so only too many instances are a
-      // certain contradiction.
-      const bool isCertain = most > body.Instances || this->IsPlainAssembly;
+      // Mapped items in addition to occurrences of products may place one solid at the same place, and then only too many instances are a
+      // certain contradiction. A solid of several products is in each of them.
+      const bool isCertain = most > body.Instances || !this->HasMappedItems;
       (isCertain ? this->Result.Defects : this->Result.Messages)
         .push_back("Solid " + Name(body) + " occurs " + Count(body.Instances) +
           (body.Instances == 1 ? " time" : " times") + " in the file, and was read " + std::to_string(read) +
@@ -307,8 +378,7 @@ private:
   /// Bodies of the document by the entity number of their solid, and the numbers of their instances.
   std::map<std::uint64_t, std::vector<std::size_t>> Read;
   std::vector<CensusCount> Instances;
-  /// True if all instances are occurrences of products in other products.
-  bool IsPlainAssembly;
+  bool HasMappedItems;
 };
 }
 

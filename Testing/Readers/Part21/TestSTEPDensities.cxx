@@ -109,6 +109,37 @@ void CheckProperties()
   }
 }
 
+void CheckSeveral()
+{
+  const std::string steel = StateDensity(100, "7850.", "#80,1.", "#82,-3.", "#44");
+  const auto take = [](const std::string& statements)
+  {
+    const sm::STEPCensus census = TakeBall(statements);
+    CheckEqual("several: statements", 1, static_cast<int>(census.Densities.size()));
+    CheckEqual("several: the body has it", census.Densities.at(0).Density, census.Bodies.at(0).Density);
+    return census.Densities.at(0);
+  };
+  const sm::STEPDensity same = take(steel + StateDensity(110, "7.85", "#81,1.", "#83,-3.", "#44"));
+  CheckTrue("the same twice", same.Density == 7850.0 && same.Problem.empty() && same.Others.empty());
+  for (const bool isFirst : { true, false })
+  {
+    const std::string other = StateDensity(isFirst ? 90 : 110, "2700.", "#80,1.", "#82,-3.", "#44");
+    const sm::STEPDensity none = take(isFirst ? other + steel : steel + other);
+    CheckTrue("of equal rank none counts", none.Density == 0.0 && none.Contradicted);
+    CheckTrue("  and both are said",
+      none.Problem.find("#103 states 7850 kg/m^3") != std::string::npos &&
+        none.Problem.find("states 2700 kg/m^3") != std::string::npos,
+      none.Problem);
+  }
+  const std::string own = StateDensity(110, "1000.", "#80,1.", "#82,-3.", "#44", "'Density',''");
+  const sm::STEPDensity recommended = take(own + steel);
+  CheckEqual("of lower rank is not used", 7850.0, recommended.Density);
+  CheckEqual("  and said", " #113 states 1000 kg/m^3 and is not used.", recommended.Others);
+  const sm::STEPDensity negative = take(steel + StateDensity(110, "-5.", "#80,1.", "#82,-3.", "#44"));
+  CheckEqual("a negative one beside it", 7850.0, negative.Density);
+  CheckEqual("  is said", " #113 is not used: it is not above 0.", negative.Others);
+}
+
 sm::CensusBody TakeBoxed(const std::string& statements)
 {
   const std::string text = smtest::GetAssemblyCases().at(0).Text;
@@ -133,6 +164,8 @@ void CheckAssemblies()
   }
   const sm::CensusBody ball =
     TakeBoxed(whole + second + StateDensity(160, "2700.", "#80,1.", "#82,-3.", "#150"));
+  Check("its own contradict each other, so that of the assembly does not count", 0.0,
+    TakeBoxed(whole + part + StateDensity(170, "1.", "#81,1.", "#83,-3.", "#44")).Density, 0.0);
   CheckTrue("in assemblies that agree", ball.Density == 2700.0 && !ball.DensitiesDiffer);
 }
 }
@@ -141,6 +174,7 @@ int TestSTEPDensities(int, char*[])
 {
   CheckUnits();
   CheckProperties();
+  CheckSeveral();
   CheckAssemblies();
   return smtest::Finish();
 }

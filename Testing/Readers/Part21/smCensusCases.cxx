@@ -433,6 +433,11 @@ std::vector<CensusCase> GetUnitCases()
       "wrong unit: 2 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #6, #6 "
       "GEOMETRIC_REPRESENTATION_CONTEXT "
       "angle unit #6)" },
+    { "a context with a parameter too many",
+      ChangeBall("REPRESENTATION_CONTEXT('','')", "REPRESENTATION_CONTEXT('','','')"), OneBall,
+      "wrong unit: 2 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #6, #6 "
+      "GEOMETRIC_REPRESENTATION_CONTEXT "
+      "angle unit #6)" },
     { "an undefined unit", ChangeBall("((#2,#3,#4))", "((#99,#3,#4))"), OneBall,
       "damaged entity: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT context); wrong unit: 1 (#6 "
       "GEOMETRIC_REPRESENTATION_CONTEXT length unit #6)" },

@@ -1,0 +1,188 @@
+#include "smSTEPFrames.h"
+
+#include "smSTEPPropertyAttributes.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+constexpr STEPAttribute RatiosOfDirection = { "DIRECTION", 0, 1, "direction ratios" };
+
+/// Sine of an angle below which OpenCASCADE takes directions for parallel.
+constexpr double ParallelSine = 1e-12;
+/// The same for the default of a direction, for which a file's rounding errors must not decide.
+constexpr double DefaultSine = 1e-9;
+/// Rounding errors of a product of two frames.
+constexpr double FrameRounding = 1e-14;
+
+bool ReadThreeNumbers(std::string_view list, STEPVector& numbers)
+{
+  Part21Values values(list);
+  Part21Value value;
+  for (double& number : numbers)
+  {
+    if (!values.Next(value) || !value.GetNumber(number))
+    {
+      return false;
+    }
+  }
+  return !values.Next(value) && !values.IsMalformed();
+}
+
+/// Subtracts the part along the unit vector `axis` and makes the rest a unit vector. Returns the length of the rest.
+double Project(const STEPVector& axis, STEPVector& vector)
+{
+  const double along = vtkMath::Dot(axis, vector);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    vector[i] -= along * axis[i];
+  }
+  return vtkMath::Normalize(vector.data());
+}
+}
+
+bool ReadSTEPDirection(const STEPAttributes& entities, Part21File::Index direction, STEPVector& unit)
+{
+  if (!entities.Has(direction, STEPRole::Direction) || entities.File.IsDamaged(direction) ||
+    !ReadThreeNumbers(entities.Get(direction, RatiosOfDirection).Text, unit))
+  {
+    return false;
+  }
+  const double length = vtkMath::Normalize(unit.data());
+  return length > 0.0 && std::isfinite(length);
+}
+
+bool ProjectFirstAxis(const STEPVector& z, const STEPVector* reference, STEPVector& x)
+{
+  if (reference)
+  {
+    x = *reference;
+    return Project(z, x) > ParallelSine;
+  }
+  x = { 1.0, 0.0, 0.0 };
+  if (Project(z, x) <= DefaultSine)
+  {
+    x = { 0.0, 1.0, 0.0 };
+    Project(z, x);
+  }
+  return true;
+}
+
+STEPVector GetKernelFirstAxis(const STEPVector& z)
+{
+  const double a = std::fabs(z[0]);
+  const double b = std::fabs(z[1]);
+  const double c = std::fabs(z[2]);
+  STEPVector x{};
+  if (b <= a && b <= c)
+  {
+    x = a > c ? STEPVector{ -z[2], 0.0, z[0] } : STEPVector{ z[2], 0.0, -z[0] };
+  }
+  else if (a <= b && a <= c)
+  {
+    x = b > c ? STEPVector{ 0.0, -z[2], z[1] } : STEPVector{ 0.0, z[2], -z[1] };
+  }
+  else
+  {
+    x = a > b ? STEPVector{ -z[1], z[0], 0.0 } : STEPVector{ z[1], -z[0], 0.0 };
+  }
+  vtkMath::Normalize(x.data());
+  return x;
+}
+
+bool MakeBaseAxes(const std::array<const STEPVector*, 3>& given, std::array<STEPVector, 3>& axes)
+{
+  STEPVector& x = axes[0];
+  STEPVector& y = axes[1];
+  STEPVector& z = axes[2];
+  z = given[2] ? *given[2] : STEPVector{ 0.0, 0.0, 1.0 };
+  if (!ProjectFirstAxis(z, given[0], x))
+  {
+    return false;
+  }
+  y = given[1] ? *given[1] : STEPVector{ 0.0, 1.0, 0.0 };
+  Project(z, y);
+  return Project(x, y) > ParallelSine;
+}
+
+bool ReadSTEPFrame(const STEPAttributes& entities, Part21File::Index placement, STEPFrame& frame)
+{
+  std::string_view record;
+  if (!entities.FindRecord(placement, AxisOfPlacement.Record, record) || entities.File.IsDamaged(placement) ||
+    entities.File.IsComplex(placement))
+  {
+    return false;
+  }
+  const Part21File::Index location = entities.Follow(entities.Get(placement, LocationOfPlacement));
+  const Part21Value axis = entities.Get(placement, AxisOfPlacement);
+  const Part21Value reference = entities.Get(placement, ReferenceOfPlacement);
+  STEPVector& z = frame.Axes[2];
+  z = { 0.0, 0.0, 1.0 };
+  STEPVector near{};
+  if (!entities.Has(location, STEPRole::Point) || entities.File.IsDamaged(location) ||
+    !ReadThreeNumbers(entities.Get(location, CoordinatesOfPoint).Text, frame.Origin) ||
+    (axis.Kind != Part21Kind::Omitted && !ReadSTEPDirection(entities, entities.Follow(axis), z)) ||
+    (reference.Kind != Part21Kind::Omitted && !ReadSTEPDirection(entities, entities.Follow(reference), near)))
+  {
+    return false;
+  }
+  if (!ProjectFirstAxis(z, reference.Kind == Part21Kind::Omitted ? nullptr : &near, frame.Axes[0]))
+  {
+    return false;
+  }
+  vtkMath::Cross(z.data(), frame.Axes[0].data(), frame.Axes[1].data());
+  return true;
+}
+
+STEPFrame Compose(const STEPFrame& first, const STEPFrame& second)
+{
+  const auto rotate = [&first](const STEPVector& vector)
+  {
+    STEPVector result{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      result[i] = first.Axes[0][i] * vector[0] + first.Axes[1][i] * vector[1] + first.Axes[2][i] * vector[2];
+    }
+    return result;
+  };
+  STEPFrame result;
+  result.Origin = rotate(second.Origin);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    result.Axes[i] = rotate(second.Axes[i]);
+    result.Origin[i] += first.Origin[i];
+  }
+  return result;
+}
+
+STEPFrame Invert(const STEPFrame& frame)
+{
+  STEPFrame result;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    result.Axes[i] = { frame.Axes[0][i], frame.Axes[1][i], frame.Axes[2][i] };
+    result.Origin[i] = -vtkMath::Dot(frame.Axes[i], frame.Origin);
+  }
+  return result;
+}
+
+bool IsSame(const STEPFrame& a, const STEPFrame& b, double size)
+{
+  double rotation = 0.0;
+  double shift = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    shift = std::max(shift, std::fabs(a.Origin[i] - b.Origin[i]));
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      rotation = std::max(rotation, std::fabs(a.Axes[i][k] - b.Axes[i][k]));
+    }
+  }
+  return rotation <= FrameRounding && shift <= FrameRounding * size;
+}
+}

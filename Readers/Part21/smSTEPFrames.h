@@ -1,0 +1,52 @@
+/**
+ * @file smSTEPFrames.h
+ * @brief Frames of a STEP file: placements and axes of operators, with the default values of ISO 10303-42
+ */
+#ifndef smSTEPFrames_h
+#define smSTEPFrames_h
+
+#include "smSTEPAttributes.h"
+
+#include <array>
+
+namespace sm
+{
+using STEPVector = std::array<double, 3>;
+
+/// A rigid motion: unit vectors of its axes, and its origin.
+struct STEPFrame
+{
+  std::array<STEPVector, 3> Axes = { STEPVector{ 1.0, 0.0, 0.0 }, STEPVector{ 0.0, 1.0, 0.0 },
+    STEPVector{ 0.0, 0.0, 1.0 } };
+  STEPVector Origin = { 0.0, 0.0, 0.0 };
+};
+
+constexpr STEPAttribute LocationOfPlacement = { "PLACEMENT", 0, 1, "location" };
+constexpr STEPAttribute AxisOfPlacement = { "AXIS2_PLACEMENT_3D", 0, 2, "axis" };
+constexpr STEPAttribute ReferenceOfPlacement = { "AXIS2_PLACEMENT_3D", 1, 3, "reference direction" };
+
+/// Reads the unit vector of a DIRECTION in space; returns false if it has none.
+bool ReadSTEPDirection(const STEPAttributes& entities, Part21File::Index direction, STEPVector& unit);
+
+/// The function first_proj_axis: the unit vector normal to the unit vector `z` that is nearest to `reference`. By default that is the x
+/// axis, or the y axis if `z` is parallel to x. Returns false if `reference` is parallel to `z`.
+bool ProjectFirstAxis(const STEPVector& z, const STEPVector* reference, STEPVector& x);
+
+/// The x axis that OpenCASCADE gives a placement without a reference direction.
+STEPVector GetKernelFirstAxis(const STEPVector& z);
+
+/// The function base_axis: the axes of an operator of which some are given, others null. They may be a reflection. Returns false if one is
+/// parallel to another; this may also be the default of y.
+bool MakeBaseAxes(const std::array<const STEPVector*, 3>& given, std::array<STEPVector, 3>& axes);
+
+/// Reads an AXIS2_PLACEMENT_3D. Returns false if it is damaged or has no x axis.
+bool ReadSTEPFrame(const STEPAttributes& entities, Part21File::Index placement, STEPFrame& frame);
+
+/// The motion `second` followed by `first`.
+STEPFrame Compose(const STEPFrame& first, const STEPFrame& second);
+STEPFrame Invert(const STEPFrame& frame);
+/// Returns true if two frames differ by no more than rounding errors of lengths of this size.
+bool IsSame(const STEPFrame& a, const STEPFrame& b, double size);
+}
+
+#endif
